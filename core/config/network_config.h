@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "config/device_description.h"
+#include "config/project.h"
+#include "protocol/al_state.h"
+#include "protocol/command.h"
+#include "support/types.h"
+
+/// What is exported and what is run: the content of an ENI file (ETG.2100) as a value. The ENI
+/// writer serialises it, the master executes it.
+namespace syncline {
+
+struct InitCmdValidate {
+  std::vector<std::uint8_t> data;
+  std::vector<std::uint8_t> mask;       // empty = compare all
+  std::uint32_t timeout_ms = 0;
+  bool operator==(const InitCmdValidate&) const = default;
+};
+
+struct InitCmd {
+  std::vector<Transition> transitions;
+  bool before_slave = false;
+  std::string comment;
+  bool requires_cycle = false;          // Requires = cycle | (absent)
+  Command command = Command::kNop;
+  std::uint16_t adp = 0;
+  std::uint16_t ado = 0;
+  std::uint32_t logical_address = 0;    // instead of adp/ado for LRD, LWR, LRW
+  std::vector<std::uint8_t> data;       // bytes in wire order
+  std::optional<std::uint16_t> data_length;  // ENI DataLength: that many zero bytes instead of data
+  std::optional<std::uint16_t> expected_wkc; // Cnt
+  std::uint32_t retries = 0;
+  std::optional<InitCmdValidate> validate;
+  std::optional<std::uint32_t> timeout_ms;
+  bool operator==(const InitCmd&) const = default;
+  [[nodiscard]] std::uint16_t length() const {
+    return data_length ? *data_length : static_cast<std::uint16_t>(data.size());
+  }
+};
+
+struct CoeInitCmd {
+  StartupCommand command;
+  std::uint8_t ccs = 1;                 // 1 = download, as all tools write it
+  bool operator==(const CoeInitCmd&) const = default;
+};
+
+struct MailboxChannel {
+  std::uint16_t start = 0;
+  std::uint16_t length = 0;
+  bool operator==(const MailboxChannel&) const = default;
+};
+
+struct MailboxConfig {
+  MailboxChannel send, receive;         // send = master to slave (SM0)
+  std::optional<std::uint32_t> poll_time_ms;
+  std::optional<std::uint32_t> status_bit_address;
+  std::optional<MailboxChannel> bootstrap_send, bootstrap_receive;
+  bool data_link_layer = false;
+  bool aoe = false, eoe = false, coe = false, foe = false, soe = false, voe = false;
+  std::vector<CoeInitCmd> coe_commands;
+  std::vector<ChannelProfile> profiles;
+  bool operator==(const MailboxConfig&) const = default;
+};
+
+/// Piece of the process image in bits.
+struct ImageRange {
+  std::uint32_t bit_start = 0;
+  std::uint32_t bit_length = 0;
+  bool operator==(const ImageRange&) const = default;
+};
+
+struct ConfiguredSyncManager {
+  std::uint8_t number = 0;
+  SyncManagerDescription description;
+  std::vector<std::uint16_t> pdos;      // assigned
+  bool operator==(const ConfiguredSyncManager&) const = default;
+};
+
+struct ConfiguredPdo {
+  PdoDirection direction = PdoDirection::kRx;
+  Pdo pdo;                              // sync_manager set when assigned, empty when not
+  bool operator==(const ConfiguredPdo&) const = default;
+};
+
+/// ENI Slave/DC, ns.
+struct SlaveDcConfig {
+  bool potential_reference_clock = false;
+  bool reference_clock = false;
+  std::int64_t cycle_time0 = 0;
+  std::int64_t cycle_time1 = 0;         // value of 0x09A4
+  std::int64_t shift_time = 0;
+  std::uint16_t assign_activate = 0;    // not in the element; found in the 0x0980 command
+  bool operator==(const SlaveDcConfig&) const = default;
+};
+
+struct SlaveConfig {
+  std::string name;
+  std::uint16_t station_address = 0;
+  std::uint16_t auto_increment_address = 0;
+  std::uint16_t alias = 0;
+  std::string physics;
+  Identity identity;
+  std::optional<ImageRange> send, receive;  // send = outputs
+  std::vector<ConfiguredSyncManager> sync_managers;
+  std::vector<ConfiguredPdo> pdos;          // all TxPdo first, then all RxPdo
+  std::optional<MailboxConfig> mailbox;
+  std::vector<InitCmd> init_cmds;
+  std::optional<PreviousPort> previous;
+  /// Present when DC is used.
+  std::optional<SlaveDcConfig> dc;
+  StateTimeouts timeouts;
+  bool operator==(const SlaveConfig&) const = default;
+};
+
+struct CyclicCmd {
+  std::vector<AlState> states;
+  std::string comment;
+  Command command = Command::kNop;
+  std::uint16_t adp = 0;
+  std::uint16_t ado = 0;
+  std::uint32_t logical_address = 0;
+  std::vector<std::uint8_t> data;
+  std::optional<std::uint16_t> data_length;
+  std::optional<std::uint16_t> expected_wkc;
+  std::uint32_t input_offset = 0;
+  std::uint32_t output_offset = 0;
+  bool operator==(const CyclicCmd&) const = default;
+  [[nodiscard]] std::uint16_t length() const {
+    return data_length ? *data_length : static_cast<std::uint16_t>(data.size());
+  }
+};
+
+struct CyclicFrame {
+  std::vector<CyclicCmd> commands;
+  bool operator==(const CyclicFrame&) const = default;
+};
+
+struct CyclicTask {
+  Nanoseconds cycle_time = kMillisecond;
+  std::vector<CyclicFrame> frames;
+  bool operator==(const CyclicTask&) const = default;
+};
+
+struct Variable {
+  std::string name;
+  std::string data_type;
+  std::string comment;
+  std::uint32_t bit_size = 0;
+  std::uint32_t bit_offset = 0;
+  bool operator==(const Variable&) const = default;
+};
+
+struct ProcessImage {
+  std::uint32_t input_bytes = 0;
+  std::uint32_t output_bytes = 0;
+  std::vector<Variable> inputs, outputs;
+  bool operator==(const ProcessImage&) const = default;
+};
+
+struct MasterConfig {
+  std::string name;
+  std::array<std::uint8_t, 6> destination_mac{0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF};
+  std::array<std::uint8_t, 6> source_mac{};
+  bool eoe = false;                          // any EoE slave
+  std::optional<std::uint16_t> mailbox_state_count;
+  std::vector<InitCmd> init_cmds;
+  bool operator==(const MasterConfig&) const = default;
+};
+
+struct NetworkConfig {
+  MasterConfig master;
+  std::vector<SlaveConfig> slaves;
+  std::vector<CyclicTask> cyclic;            // the first is the base task
+  ProcessImage image;
+  /// Run-time DC parameters. The ENI carries the mode and whether the window is monitored by its
+  /// commands; the numbers (limit, settle time, burst, set value) are the project's, or the
+  /// defaults when an ENI is run.
+  DcMasterSettings dc;
+  bool operator==(const NetworkConfig&) const = default;
+
+  [[nodiscard]] Nanoseconds cycle_time() const { return cyclic.empty() ? kMillisecond : cyclic.front().cycle_time; }
+  /// Position of the slave whose DC element says ReferenceClock, if any.
+  [[nodiscard]] std::optional<std::uint16_t> reference_clock() const;
+};
+
+}  // namespace syncline

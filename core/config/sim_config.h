@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "config/device_description.h"
+#include "support/clock.h"
+#include "support/types.h"
+
+/// A simulated segment as a value; read from a TOML scenario by sim/scenario_loader.
+namespace syncline {
+
+struct OscillatorConfig {
+  double ppm = 0;                        // against true time, which is the host clock
+  double wander_ppm = 0;                 // amplitude of a slow random walk
+  Nanoseconds start_offset = 0;          // local time at power-on
+};
+
+struct SimDcConfig {
+  bool system_time = true;               // has 0x0910.. ; false with receive_times: receive times only
+  bool receive_times = true;
+  bool is_64bit = true;
+};
+
+struct SimSlaveConfig {
+  std::string name;
+  std::string behaviour;                 // "coupler", "digital-input", "digital-output", "servo-y", "drive-c", "generic"
+  DeviceDescription device;
+  std::uint16_t alias = 0;
+  std::uint32_t serial_no = 0;
+  std::optional<std::uint16_t> parent;   // position; empty on the first slave
+  std::uint8_t parent_port = 1;          // port of the parent
+  double cable_m = 1.0;                  // to the parent
+  OscillatorConfig oscillator;
+  SimDcConfig dc;
+  std::uint32_t processing_delay_ns = 300;   // tP
+  std::uint32_t forwarding_delay_ns = 260;   // tF
+};
+
+enum class FaultKind : std::uint8_t {
+  kLoseFrames,      // count frames from `at`
+  kCableBreak,      // slave's cable to its parent from `at` until `until`
+  kSlaveOff,        // power lost from `at` until `until`
+  kClockStep,       // local clock of slave jumps by `value_ns`
+  kRefuseState,     // slave answers a request for `state` with AL status code `code`
+  kMailboxSilence,  // slave answers no mailbox from `at` until `until`
+};
+struct FaultConfig {
+  FaultKind kind = FaultKind::kLoseFrames;
+  int slave = -1;
+  Nanoseconds at = 0;                    // after the bus was switched on
+  Nanoseconds until = 0;
+  std::uint32_t count = 1;
+  Nanoseconds value_ns = 0;
+  AlState state = AlState::kNone;
+  std::uint16_t code = 0;
+};
+
+struct SimConfig {
+  std::string name;
+  std::uint64_t seed = 1;
+  JitterProfile host_jitter;             // of the master's wake-ups, on the virtual clock
+  std::vector<SimSlaveConfig> slaves;    // frame order is found from the wiring and must equal this order
+  std::vector<FaultConfig> faults;
+};
+
+}  // namespace syncline

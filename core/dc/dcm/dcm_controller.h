@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "config/project.h"
+#include "support/types.h"
+
+/// Master synchronisation (DCM): brings the send time of the cyclic frame and the system time of the
+/// reference clock together.
+namespace syncline::dc {
+
+/// What one cycle showed. Times in ns; reference_time is the reference clock's system time when the
+/// cyclic frame passed it (the ARMW value), extended to 64 bit.
+struct DcmObservation {
+  Nanoseconds send_time = 0;        // host clock, when the frame was really sent
+  Nanoseconds scheduled_time = 0;   // host clock, when it should have been sent
+  std::optional<Nanoseconds> reference_time;  // empty: frame lost or reference clock silent
+};
+
+/// What to do next.
+struct DcmAction {
+  Nanoseconds period_adjust = 0;    // master shift: added to the next period
+  /// bus shift: low 32 bits of this are written to 0x0910 of the reference clock in the next frame.
+  std::optional<Nanoseconds> reference_write;
+};
+
+struct DcmState {
+  Nanoseconds error = 0;            // frame late in the SYNC grid > 0
+  Nanoseconds error_filtered = 0;
+  double drift_ppm = 0;             // reference clock's rate minus host's
+  Nanoseconds adjust = 0;
+  bool in_sync = false;
+  std::optional<Nanoseconds> in_sync_after;  // since the first observation
+  std::uint32_t error_code = 0;     // DCM_E_...
+};
+
+inline constexpr std::uint32_t kDcmErrorOutOfLimit = 0x981201C2;
+inline constexpr std::uint32_t kDcmErrorDriftTooHigh = 0x981201CA;
+inline constexpr std::uint32_t kDcmErrorBusCycleWrong = 0x981201CB;
+inline constexpr std::uint32_t kDcmErrorInvalidSetValue = 0x981201C9;
+
+class DcmController {
+ public:
+  virtual ~DcmController() = default;
+  /// `base`: phase of the SYNC0 grid in system time, SYNC0 at base + n * cycle. Starts the statistics.
+  virtual void start(Nanoseconds base, Nanoseconds first_reference_time, Nanoseconds first_send_time) = 0;
+  /// Just before frame k is sent: the bus-shift value needs the real send time.
+  virtual std::optional<Nanoseconds> reference_write(Nanoseconds send_time, Nanoseconds scheduled_time) = 0;
+  virtual DcmAction observe(const DcmObservation& observation) = 0;
+  [[nodiscard]] virtual const DcmState& state() const = 0;
+};
+
+/// `set_value`: wanted distance from frame send to SYNC0.
+[[nodiscard]] std::unique_ptr<DcmController> make_dcm_controller(const DcmSettings& settings, Nanoseconds cycle_time,
+                                                                 Nanoseconds set_value);
+
+}  // namespace syncline::dc

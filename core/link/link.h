@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "support/result.h"
+#include "support/types.h"
+
+namespace syncline {
+
+using MacAddress = std::array<std::uint8_t, 6>;
+
+struct LinkDescription {
+  std::string name;         // "sim:resources/demo/machine.toml", "nic:eth0"
+  std::string kind;         // "simulated", "nic", "replay"
+  MacAddress mac{};
+  bool up = false;
+  bool stamps_time = false; // receive() gives the hardware's or the simulator's arrival time
+};
+
+struct ReceivedFrame {
+  std::size_t length = 0;        // 0: nothing until the deadline
+  Nanoseconds arrival_time = 0;  // on the link's clock
+};
+
+/// The bus, whatever it is: a network card, the simulated segment, a capture being replayed.
+/// Not thread-safe: the thread that runs the master owns it. send() and receive() allocate
+/// nothing unless they fail.
+class Link {
+ public:
+  virtual ~Link() = default;
+  /// Sends one complete Ethernet frame without FCS (14 bytes header + payload, 1514 at most).
+  virtual Status send(std::span<const std::uint8_t> frame) = 0;
+  /// Waits for a frame until `deadline` (absolute, on the link's clock) and copies it into
+  /// `buffer` (at least 1514 bytes). length 0 means that none came. Frames of this host's own
+  /// sending (echo) are never delivered.
+  virtual Result<ReceivedFrame> receive(std::span<std::uint8_t> buffer, Nanoseconds deadline) = 0;
+  [[nodiscard]] virtual LinkDescription describe() const = 0;
+};
+
+}  // namespace syncline

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "link/link.h"
+#include "support/clock.h"
+
+namespace syncline {
+
+struct AdapterInfo {
+  std::string name;          // "eth0"
+  std::string description;
+  std::string driver;        // "" when unknown
+  MacAddress mac{};
+  bool up = false;           // interface up and carrier present
+};
+
+/// Network adapters that can carry EtherCAT (Ethernet, not loopback), by name.
+[[nodiscard]] Result<std::vector<AdapterInfo>> list_adapters();
+
+/// kLinkNotFound, kLinkDown, or kLinkPermission with the exact setcap command for this binary in detail.
+[[nodiscard]] Result<std::unique_ptr<Link>> open_pcap_link(const std::string& adapter, Clock& clock);
+
+}  // namespace syncline

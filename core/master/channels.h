@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "config/network_config.h"
+#include "master/bus_scan.h"
+#include "protocol/al_state.h"
+#include "support/result.h"
+#include "support/types.h"
+
+/// The four channels between the background core and whoever looks at it: commands, events,
+/// snapshot, samples. Everything crosses by value.
+namespace syncline {
+
+// ---- samples: one a cycle -------------------------------------------------------------------
+
+/// One bus cycle, stamped by the cyclic thread. Trivially copyable.
+struct CycleSample {
+  std::uint64_t cycle = 0;                // counts from going online
+  Nanoseconds send_time = 0;              // host clock, just before the frame was handed to the link
+  Nanoseconds reference_time = 0;         // system time of the reference clock when the frame passed, 0 = none
+  std::int32_t wake_lateness_ns = 0;      // send_time minus the scheduled time
+  std::int32_t round_trip_ns = 0;
+  std::int32_t dcm_error_ns = 0;          // controller error, raw
+  std::int32_t dcm_error_filtered_ns = 0;
+  float drift_ppm = 0;                    // host clock against reference clock
+  std::int32_t dcm_adjust_ns = 0;
+  std::uint32_t deviation_ored_ns = 0;    // magnitude of the wire-ored 0x092C: an upper estimate
+  std::int32_t slave_deviation_ns = 0;    // signed 0x092C of slave_position
+  std::uint32_t slave_sm2_missed = 0;     // counter of sm2_position
+  std::int16_t slave_position = -1;       // round robin, -1 = none in this cycle
+  std::int16_t sm2_position = -1;
+  std::uint16_t wkc_expected = 0;         // sum over the process-data commands
+  std::uint16_t wkc_received = 0;
+  enum Flag : std::uint16_t {
+    kFrameLost = 1, kWkcError = 2, kDeviationValid = 4, kDcmActive = 8, kDcmInSync = 16,
+    kDcInSync = 32, kDcMonitored = 64, kReferenceValid = 128, kOverrun = 256,
+  };
+  std::uint16_t flags = 0;
+  std::uint8_t master_state = 0;          // AlState
+};
+
+/// Single producer, single consumer, power-of-two ring that never blocks the producer: a full ring
+/// drops the new sample and counts it.
+class SampleRing {
+ public:
+  explicit SampleRing(std::size_t capacity = 1U << 16);
+  bool push(const CycleSample& sample);                    // producer only
+  std::size_t pop(std::vector<CycleSample>& out, std::size_t at_most = SIZE_MAX);  // consumer only; appends
+  [[nodiscard]] std::uint64_t overruns() const { return overruns_.load(std::memory_order_relaxed); }
+
+ private:
+  std::vector<CycleSample> slots_;
+  std::size_t mask_;
+  std::atomic<std::size_t> head_{0}, tail_{0};
+  std::atomic<std::uint64_t> overruns_{0};
+};
+
+// ---- snapshot: the latest of everything -------------------------------------------------------
+
+enum class SyncState : std::uint8_t { kNotMonitored, kNotReady, kBusy, kInSync, kOutOfSync };
+
+/// Counter of missed SM2 events and where it was read.
+struct Sm2MissedStatus {
+  bool valid = false;
+  std::uint32_t value = 0;
+  std::uint16_t index = 0x1C32;
+  std::uint8_t sub_index = 0;             // 0x0B or 0x0C, by object name or device profile
+  bool operator==(const Sm2MissedStatus&) const = default;
+};
+
+struct SlaveStatus {
+  std::uint16_t al_status = 0;            // register 0x0130
+  std::uint16_t al_status_code = 0;
+  bool present = false;
+  bool dc_enabled = false;
+  bool is_reference_clock = false;
+  bool deviation_valid = false;
+  std::int32_t deviation_ns = 0;          // signed, newer data sheet edition
+  Nanoseconds deviation_time = 0;         // host clock of the reading
+  std::uint32_t propagation_delay_ns = 0;
+  Sm2MissedStatus sm2_missed;
+  bool operator==(const SlaveStatus&) const = default;
+};
+
+struct DcStatus {
+  bool enabled = false;
+  int reference_clock = -1;               // position
+  SyncState state = SyncState::kNotReady;
+  bool monitored = false;                 // sync-window monitoring configured and at least two DC slaves
+  std::uint32_t limit_ns = 0;
+  std::uint32_t deviation_ored_ns = 0;
+  std::optional<double> settled_after_ms; // from the first cyclic frame until the settle time began
+  bool operator==(const DcStatus&) const = default;
+};
+
+struct DcmStatus {
+  DcmMode mode = DcmMode::kOff;
+  SyncState state = SyncState::kNotReady;
+  std::int32_t error_ns = 0, error_filtered_ns = 0;
+  double drift_ppm = 0;
+  double error_mean_ns = 0, error_rms_ns = 0;  // since in sync
+  std::int32_t error_max_ns = 0;
+  std::optional<double> in_sync_after_ms; // from the first cyclic frame
+  std::uint32_t error_code = 0;           // EC-Master DCM codes, 0 = none
+  bool operator==(const DcmStatus&) const = default;
+};
+
+struct Snapshot {
+  Nanoseconds time = 0;
+  bool online = false;
+  bool link_up = false;
+  AlState state = AlState::kNone;         // of the master: lowest of all slaves
+  AlState requested = AlState::kNone;
+  std::uint64_t cycles = 0;
+  std::uint64_t lost_frames = 0;
+  std::uint64_t wkc_errors = 0;
+  std::uint64_t overruns = 0;             // cycles that began late by more than a cycle
+  Nanoseconds cycle_time = 0;
+  std::vector<SlaveStatus> slaves;        // sized once when a configuration is taken
+  DcStatus dc;
+  DcmStatus dcm;
+};
+
+/// Latest value, lossy: the writer never waits for the reader (it skips publishing when the reader
+/// holds the slot). Vectors keep their capacity, so publishing does not allocate.
+class SnapshotBox {
+ public:
+  void publish(const Snapshot& snapshot);                  // cyclic thread
+  /// Copies the latest snapshot; false when nothing new came since the last call.
+  bool read(Snapshot& out);
+
+ private:
+  std::mutex mutex_;  // the writer only try_locks
+  Snapshot latest_;
+  bool fresh_ = false;
+};
+
+// ---- events ---------------------------------------------------------------------------------
+
+enum class EventKind : std::uint8_t {
+  kScanProgress,        // a = slaves done, b = slaves found
+  kScanFinished,        // scan
+  kOnline, kOffline,
+  kStateChanged,        // slave (-1 master), a = old AlState, b = new AlState
+  kAlStatusError,       // slave, a = AL status, b = AL status code
+  kDcInitialised,       // a = number of DC slaves, b = position of the reference clock
+  kReferenceClock,      // a = 1 present, 0 lost, slave
+  kDcSlaveSync,         // a = 1 in sync, 0 out of sync, b = deviation ns, slave = culprit when out
+  kDcmSync,             // a = 1 in sync, 0 out of sync, b = error ns
+  kDcmError,            // a = DCM error code, b = drift in ppm
+  kWkcError,            // a = expected, b = received; repeated ones are counted, c = count
+  kFramesLost,          // a = count
+  kSlaveLost, kSlaveFound,
+  kEmergency,           // slave, a = error code, b = error register
+  kRealTime,            // text: what of SCHED_FIFO, mlock was refused (once)
+  kRestarted,           // c: reserved
+  kError,               // error
+  kEventsLost,          // a = count: the queue was full
+};
+
+struct Event {
+  EventKind kind = EventKind::kError;
+  Nanoseconds time = 0;                   // host clock
+  int slave = -1;
+  std::int64_t a = 0, b = 0, c = 0;
+  std::string text;
+  std::optional<Error> error;
+  std::shared_ptr<const BusScan> scan;    // kScanFinished
+};
+
+/// Bounded; overflow drops the newest and later delivers kEventsLost with the count. The cyclic path
+/// uses it only on changes, never each cycle.
+class EventQueue {
+ public:
+  explicit EventQueue(std::size_t capacity = 4096);
+  void push(Event event);
+  std::vector<Event> drain();
+
+ private:
+  std::mutex mutex_;
+  std::vector<Event> events_;
+  std::size_t capacity_;
+  std::uint64_t lost_ = 0;
+};
+
+// ---- commands -------------------------------------------------------------------------------
+
+struct ScanCommand {};
+struct GoOnlineCommand { NetworkConfig config; AlState target = AlState::kOp; };
+struct GoOfflineCommand {};
+struct RequestStateCommand { AlState state = AlState::kInit; };
+struct ClearStatisticsCommand {};
+using MasterCommand = std::variant<ScanCommand, GoOnlineCommand, GoOfflineCommand, RequestStateCommand, ClearStatisticsCommand>;
+
+class CommandQueue {
+ public:
+  void push(MasterCommand command);
+  std::optional<MasterCommand> pop();
+
+ private:
+  std::mutex mutex_;
+  std::vector<MasterCommand> commands_;
+};
+
+struct MasterChannels {
+  CommandQueue commands;
+  EventQueue events;
+  SnapshotBox snapshot;
+  SampleRing samples;
+  std::atomic<bool> cancel{false};        // ends a scan or a bring-up within a cycle
+};
+
+}  // namespace syncline

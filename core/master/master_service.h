@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+
+#include "link/link.h"
+#include "master/channels.h"
+#include "support/clock.h"
+
+namespace syncline {
+
+/// The background core: executes commands from the channels on a link and a clock. Whoever calls
+/// step() is its thread: MasterThread on the real clock, the caller itself on the virtual clock
+/// (then everything is deterministic and nothing sleeps).
+class MasterService {
+ public:
+  /// The clock must outlive the service; the link is owned.
+  MasterService(std::unique_ptr<Link> link, Clock& clock);
+  ~MasterService();
+
+  [[nodiscard]] MasterChannels& channels();
+  [[nodiscard]] Clock& clock();
+  [[nodiscard]] const Link& link() const;
+
+  /// Takes one command (a bring-up or a scan runs to its end, cycles go on meanwhile and the
+  /// channels are fed), or runs one bus cycle when online. False when there was nothing to do.
+  bool step();
+  /// step() until the clock has passed `duration`; for the virtual clock.
+  void run_for(Nanoseconds duration);
+  [[nodiscard]] bool online() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// Runs a MasterService in a thread of its own: SCHED_FIFO, locked memory, prefaulted stack where
+/// permitted; what is refused is told once by EventKind::kRealTime. stop() joins.
+class MasterThread {
+ public:
+  explicit MasterThread(MasterService& service);
+  ~MasterThread();
+  MasterThread(const MasterThread&) = delete;
+  MasterThread& operator=(const MasterThread&) = delete;
+  void stop();
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace syncline

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "protocol/command.h"
+#include "support/result.h"
+
+namespace syncline {
+
+inline constexpr std::size_t kEthernetHeaderSize = 14;
+inline constexpr std::size_t kEtherCatHeaderSize = 2;
+inline constexpr std::size_t kDatagramHeaderSize = 10;
+inline constexpr std::size_t kWkcSize = 2;
+inline constexpr std::size_t kMaxEthernetFrame = 1514;  // without FCS
+inline constexpr std::size_t kMinEthernetFrame = 60;    // without FCS
+inline constexpr std::size_t kMaxDatagramData =
+    kMaxEthernetFrame - kEthernetHeaderSize - kEtherCatHeaderSize - kDatagramHeaderSize - kWkcSize;
+inline constexpr std::uint16_t kEtherCatEtherType = 0x88A4;
+
+/// Datagram header (ETG.1000.4, 5.4). `address` is ADP in the low and ADO in the high word for
+/// device addressing, or the 32-bit logical address.
+struct DatagramHeader {
+  Command command = Command::kNop;
+  std::uint8_t index = 0;
+  std::uint32_t address = 0;
+  std::uint16_t length = 0;  // data bytes, 0..1486
+  bool circulating = false;
+  bool more = false;         // set by FrameBuilder
+  std::uint16_t irq = 0;     // ECAT event field, OR of the slaves
+
+  [[nodiscard]] constexpr std::uint16_t adp() const { return static_cast<std::uint16_t>(address); }
+  [[nodiscard]] constexpr std::uint16_t ado() const { return static_cast<std::uint16_t>(address >> 16); }
+  bool operator==(const DatagramHeader&) const = default;
+};
+
+[[nodiscard]] constexpr std::uint32_t device_address(std::uint16_t adp, std::uint16_t ado) {
+  return static_cast<std::uint32_t>(adp) | (static_cast<std::uint32_t>(ado) << 16);
+}
+
+/// One datagram inside a frame buffer; writes go into the frame.
+struct DatagramView {
+  DatagramHeader header;
+  std::span<std::uint8_t> header_bytes;  // 10
+  std::span<std::uint8_t> data;
+  std::span<std::uint8_t> wkc_bytes;     // 2
+
+  [[nodiscard]] std::uint16_t wkc() const;
+  void set_wkc(std::uint16_t value);
+  /// Writes `header` back into header_bytes (the length stays as it is on the wire).
+  void store_header();
+};
+
+/// Assembles one EtherCAT frame in a buffer of its own; no allocation. Datagrams are added in wire
+/// order; add() gives nothing when the datagram does not fit any more.
+class FrameBuilder {
+ public:
+  FrameBuilder();
+  void reset();
+  void set_addresses(std::span<const std::uint8_t, 6> destination, std::span<const std::uint8_t, 6> source);
+
+  /// Adds a datagram with `data`; returns the data area inside the frame, empty optional when it
+  /// does not fit. Zero-length data is legal.
+  std::optional<std::span<std::uint8_t>> add(Command command, std::uint8_t index, std::uint32_t address,
+                                             std::span<const std::uint8_t> data);
+  /// Same, with `length` zero bytes.
+  std::optional<std::span<std::uint8_t>> add_zeros(Command command, std::uint8_t index,
+                                                   std::uint32_t address, std::uint16_t length);
+  [[nodiscard]] std::size_t datagram_count() const { return count_; }
+  [[nodiscard]] std::size_t free_data_bytes() const;  // largest data length that add() still takes
+  [[nodiscard]] bool empty() const { return count_ == 0; }
+  /// Writes the EtherCAT header, clears the last "more" bit, pads to 60 bytes and returns the frame.
+  /// The span is valid until the next reset().
+  std::span<const std::uint8_t> finish();
+
+ private:
+  std::array<std::uint8_t, kMaxEthernetFrame> buffer_{};
+  std::size_t size_ = 0;
+  std::size_t last_length_field_ = 0;
+  std::size_t count_ = 0;
+};
+
+/// Walks the datagrams of a received frame. Never reads outside the buffer; a frame that lies
+/// about lengths ends the walk with malformed() == true.
+class FrameReader {
+ public:
+  /// `frame` starts with the Ethernet header (an 802.1Q tag is skipped).
+  explicit FrameReader(std::span<std::uint8_t> frame);
+  /// True when EtherType, EtherCAT type and length field are right.
+  [[nodiscard]] bool is_ethercat() const { return is_ethercat_; }
+  [[nodiscard]] bool malformed() const { return malformed_; }
+  std::optional<DatagramView> next();
+
+ private:
+  std::span<std::uint8_t> body_;
+  std::size_t position_ = 0;
+  bool is_ethercat_ = false;
+  bool malformed_ = false;
+  bool last_seen_ = false;
+};
+
+/// Wire time of a frame of `frame_bytes` (Ethernet header to last payload byte, no FCS) at
+/// 100 Mbit/s with preamble, FCS and inter-frame gap, ns.
+[[nodiscard]] constexpr std::int64_t wire_time_ns(std::size_t frame_bytes) {
+  const std::size_t padded = frame_bytes < kMinEthernetFrame ? kMinEthernetFrame : frame_bytes;
+  return static_cast<std::int64_t>((8 + padded + 4 + 12) * 80);
+}
+
+}  // namespace syncline

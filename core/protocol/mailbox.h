@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "support/result.h"
+
+namespace syncline {
+
+enum class MailboxType : std::uint8_t { kError = 0, kAoe = 1, kEoe = 2, kCoe = 3, kFoe = 4, kSoe = 5, kVoe = 15 };
+enum class MailboxErrorDetail : std::uint16_t {
+  kSyntax = 1, kUnsupportedProtocol = 2, kInvalidChannel = 3, kServiceNotSupported = 4,
+  kInvalidHeader = 5, kSizeTooShort = 6, kNoMoreMemory = 7, kInvalidSize = 8, kServiceInWork = 9,
+};
+
+/// Mailbox message: 6-byte header and data (ETG.1000.4, table 29).
+struct MailboxMessage {
+  static constexpr std::size_t kHeaderSize = 6;
+  std::uint16_t address = 0;
+  std::uint8_t channel = 0;   // 0..63
+  std::uint8_t priority = 0;  // 0..3
+  MailboxType type = MailboxType::kCoe;
+  std::uint8_t counter = 0;   // 1..7, 0 = not used
+  std::vector<std::uint8_t> data;
+
+  bool operator==(const MailboxMessage&) const = default;
+  /// Header and data, padded with zeros to `mailbox_size` when it is larger.
+  [[nodiscard]] std::vector<std::uint8_t> encode(std::size_t mailbox_size = 0) const;
+  /// Fails when the length field lies about the bytes that are there.
+  [[nodiscard]] static Result<MailboxMessage> decode(std::span<const std::uint8_t> bytes);
+};
+
+[[nodiscard]] constexpr std::uint8_t next_mailbox_counter(std::uint8_t counter) {
+  return counter >= 7 ? std::uint8_t{1} : static_cast<std::uint8_t>(counter + 1);
+}
+
+}  // namespace syncline

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "support/types.h"
+
+namespace syncline {
+
+/// Where the master, the simulator and the controllers get their time from. Implementations are
+/// used by one thread at a time except now(), which any thread may call.
+class Clock {
+ public:
+  virtual ~Clock() = default;
+  /// Nanoseconds since the DC epoch; never steps back.
+  [[nodiscard]] virtual Nanoseconds now() const = 0;
+  /// Returns at or after `deadline` (at once when it has passed).
+  virtual void sleep_until(Nanoseconds deadline) = 0;
+  /// True when time passes only by sleep_until (virtual time).
+  [[nodiscard]] virtual bool is_virtual() const = 0;
+};
+
+/// CLOCK_MONOTONIC, shifted once at construction to the DC epoch by CLOCK_REALTIME; absolute
+/// wake-ups by clock_nanosleep(TIMER_ABSTIME).
+class RealClock final : public Clock {
+ public:
+  RealClock();
+  [[nodiscard]] Nanoseconds now() const override;
+  void sleep_until(Nanoseconds deadline) override;
+  [[nodiscard]] bool is_virtual() const override { return false; }
+
+ private:
+  Nanoseconds epoch_shift_ = 0;
+};
+
+/// How late a host wakes up, as measured on real hosts (docs/distributed-clocks.md).
+/// `sigma_ns`: scale of the one-sided normal wake-up delay; `tail_probability` of the wake-ups
+/// are late by up to `tail_ns` more, uniformly.
+struct JitterProfile {
+  double sigma_ns = 0;
+  double tail_probability = 0;
+  double tail_ns = 0;
+
+  bool operator==(const JitterProfile&) const = default;
+  static constexpr JitterProfile none() { return {}; }
+  static constexpr JitterProfile quiet() { return {200, 0.0005, 2'000}; }
+  static constexpr JitterProfile desktop() { return {3'000, 0.002, 30'000}; }
+  static constexpr JitterProfile bad() { return {20'000, 0.01, 400'000}; }
+};
+
+/// Virtual time: sleep_until advances now() to the deadline and returns at once. With a jitter
+/// profile a *wake-up* is late as on a real host, from its own seeded generator, so the same seed
+/// gives the same run. advance_to() moves time without jitter (frames in flight).
+class VirtualClock final : public Clock {
+ public:
+  /// Default start: a fixed date in 2026, so that runs are repeatable.
+  static constexpr Nanoseconds kDefaultStart = 820'000'000'000'000'000;
+
+  explicit VirtualClock(Nanoseconds start = kDefaultStart);
+  ~VirtualClock() override;
+  void set_wakeup_jitter(const JitterProfile& profile, std::uint64_t seed);
+
+  [[nodiscard]] Nanoseconds now() const override;
+  void sleep_until(Nanoseconds deadline) override;
+  void advance_to(Nanoseconds time);
+  [[nodiscard]] bool is_virtual() const override { return true; }
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace syncline

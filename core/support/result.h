@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <tl/expected.hpp>
+
+namespace syncline {
+
+/// What went wrong. The words stand in error_text.cpp, one English template each, so that the
+/// command line prints them as they are and the window translates them.
+enum class ErrorCode : std::uint16_t {
+  // files
+  kFileNotFound,        // file
+  kFileNotReadable,     // file, detail
+  kFileNotWritable,     // file, detail
+  kXmlMalformed,        // file, line, detail
+  kXmlMissingElement,   // file, line, subject = element
+  kXmlBadValue,         // file, line, subject = element, detail = text
+  kNotThatKindOfFile,   // file, detail = what was expected
+  kTomlMalformed,       // file, line, detail
+  kScenarioKey,         // file, line, subject = key, detail
+  // configuration
+  kUnknownDevice,       // subject = identity
+  kMissingEsi,          // subject = identity, detail = folder
+  kUnknownKey,          // subject = key
+  kBadValue,            // subject = key or field, detail
+  kConfiguration,       // subject = object, detail
+  // link
+  kLinkNotFound,        // subject = adapter or link text
+  kLinkDown,            // subject
+  kLinkPermission,      // subject = adapter, detail = command that grants it
+  kLinkIo,              // subject, detail
+  kNotSupported,        // subject, detail
+  // bus
+  kNoResponse,          // subject
+  kWorkingCounter,      // subject, expected, received
+  kSlaveCount,          // expected, received
+  kIdentityMismatch,    // subject = slave, detail
+  kAlState,             // subject = slave, expected = requested state, received = AL status,
+                        // extra = AL status code
+  kAlTimeout,           // subject = slave, expected = requested state, received = AL status
+  kMailboxTimeout,      // subject = slave
+  kMailboxProtocol,     // subject = slave, detail
+  kSdoAbort,            // subject = slave and object, received = abort code
+  kSii,                 // subject = slave, detail
+  kInitCmdValidation,   // subject = slave and comment, detail = expected and read bytes
+  kMalformedData,       // subject, detail
+  kDcSetup,             // subject = slave, detail
+  kDcmOutOfLimit,       // subject, expected = limit ns, received = error ns
+  kTimeout,             // subject
+  kCancelled,
+};
+
+/// An error is an enum and the facts that prove it; see ErrorCode for which fields a code fills.
+struct Error {
+  ErrorCode code = ErrorCode::kMalformedData;
+  std::string subject{};
+  std::string detail{};
+  std::string file{};
+  int line = 0;
+  std::int64_t expected = 0;
+  std::int64_t received = 0;
+  std::int64_t extra = 0;
+
+  bool operator==(const Error&) const = default;
+};
+
+template <class T>
+using Result = tl::expected<T, Error>;
+using Status = Result<void>;
+
+inline tl::unexpected<Error> fail(Error error) { return tl::unexpected<Error>(std::move(error)); }
+inline tl::unexpected<Error> fail(ErrorCode code, std::string subject = {}, std::string detail = {}) {
+  return tl::unexpected<Error>(Error{code, std::move(subject), std::move(detail)});
+}
+
+/// English sentence template of a code with the placeholders {subject} {detail} {file} {line}
+/// {expected} {received} {extra} {state} {alcode} {abort}; {state}, {alcode} and {abort} render
+/// the numbers as the field's words.
+[[nodiscard]] std::string_view error_template(ErrorCode code);
+
+/// Fills a (possibly translated) template with the facts of the error.
+[[nodiscard]] std::string fill_error_template(std::string_view text, const Error& error);
+
+/// English sentence: what happened, where, and what to do.
+[[nodiscard]] std::string describe(const Error& error);
+
+}  // namespace syncline
