@@ -38,7 +38,7 @@ if(Qwt_INCLUDE_DIR AND EXISTS ${Qwt_INCLUDE_DIR}/qwt_global.h)
 endif()
 include(FindPackageHandleStandardArgs)
 find_package_handle_standard_args(Qwt REQUIRED_VARS Qwt_LIBRARY Qwt_INCLUDE_DIR VERSION_VAR Qwt_VERSION
-  REASON_FAILURE_MESSAGE "No Qwt for Qt 6 found; run scripts/setup, or set QWT_ROOT.")
+  REASON_FAILURE_MESSAGE "No Qwt for Qt 6 found: run scripts/setup or set QWT_ROOT.")
 if(Qwt_FOUND AND NOT TARGET Qwt::Qwt)
   add_library(Qwt::Qwt UNKNOWN IMPORTED)
   set_target_properties(Qwt::Qwt PROPERTIES
