@@ -1,2 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-int main() { return 0; }
+#include <iostream>
+
+#include "app/cli/cli.h"
+
+int main(int argc, char** argv) {
+  const std::vector<std::string> arguments(argv + 1, argv + argc);
+  return syncline::cli::run(arguments, {std::cout, std::cerr});
+}

@@ -11,15 +11,21 @@
 
 namespace syncline {
 
-/// A link and the clock it runs on, from a LINK text: "sim:FILE[?virtual][&seed=N]", "nic:NAME",
-/// "replay:FILE".
+/// A link and the clock it runs on. The clock outlives the link.
 struct OpenedLink {
   std::unique_ptr<Clock> clock;
   std::unique_ptr<Link> link;
 };
+
+/// Opens "sim:FILE[?virtual][&seed=N]" or "nic:NAME". Errors name the file, line and key of a scenario,
+/// or the adapter and the command that grants the permission. "replay:FILE" is kNotSupported.
 [[nodiscard]] Result<OpenedLink> open_link(std::string_view text);
 
-/// Folder of the installed or source resources: $SYNCLINE_RESOURCES, beside the binary, the source tree.
+/// Folder of the resources (ESI files, demo machine): $SYNCLINE_RESOURCES, ../share/syncline beside the
+/// binary, or the source tree that this was built from.
 [[nodiscard]] std::string resource_folder();
+
+/// LINK of the demonstration machine on the virtual or the real clock.
+[[nodiscard]] std::string demo_link(bool virtual_clock);
 
 }  // namespace syncline

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "app/cli/context.h"
+#include "app/cli/project_create.h"
+#include "config/settings_keys.h"
+#include "eni/project_file.h"
+
+namespace syncline::cli {
+namespace {
+
+struct FileOptions {
+  std::string file;
+  std::vector<std::string> arguments;  // KEY=VALUE for set, KEY for show
+  bool json = false;
+};
+
+void set(Context& context, const FileOptions& options) {
+  auto project = eni::load_project(options.file);
+  if (!project) return context.fail_with(project.error());
+  for (const auto& argument : options.arguments) {
+    const auto equals = argument.find('=');
+    if (equals == std::string::npos) {
+      return context.fail_with(Error{ErrorCode::kBadValue, argument, "use KEY=VALUE"});
+    }
+    const auto status = set_setting(*project, std::string_view(argument).substr(0, equals),
+                                    std::string_view(argument).substr(equals + 1));
+    if (!status) return context.fail_with(status.error());
+  }
+  if (auto status = eni::save_project(*project, options.file); !status) return context.fail_with(status.error());
+}
+
+Result<std::vector<SettingValue>> wanted_settings(const Project& project, const std::vector<std::string>& keys) {
+  if (keys.empty()) return list_settings(project);
+  std::vector<SettingValue> values;
+  for (const auto& key : keys) {
+    auto value = get_setting(project, key);
+    if (!value) return tl::unexpected(value.error());
+    values.push_back({key, std::move(*value)});
+  }
+  return values;
+}
+
+void show(Context& context, const FileOptions& options) {
+  const auto project = eni::load_project(options.file);
+  if (!project) return context.fail_with(project.error());
+  const auto values = wanted_settings(*project, options.arguments);
+  if (!values) return context.fail_with(values.error());
+  if (options.json) {
+    Json settings = Json::object();
+    for (const auto& setting : *values) settings[setting.key] = setting.value;
+    return context.print({{"file", options.file}, {"settings", settings}});
+  }
+  for (const auto& setting : *values) context.console.out << setting.key << '=' << setting.value << '\n';
+}
+
+void keys(Context& context, bool json) {
+  const auto descriptions = setting_descriptions();
+  if (json) {
+    Json rows = Json::array();
+    for (const auto& d : descriptions) {
+      rows.push_back({{"key", d.key}, {"type", d.type}, {"range", d.range}, {"meaning", d.meaning}});
+    }
+    return context.print({{"keys", rows}});
+  }
+  for (const auto& d : descriptions) {
+    context.console.out << fmt::format("{}\n    {}{}{}\n    {}\n", d.key, d.type, d.range.empty() ? "" : ", ", d.range,
+                                       d.meaning);
+  }
+}
+
+void add_create(CLI::App& project, Context& context) {
+  auto* command = project.add_subcommand("create", "Create a project from a bus or from ESI files");
+  auto options = std::make_shared<CreateOptions>();
+  command->add_option("file", options->file, "Project file to write")->required();
+  auto* scan = command->add_option("--scan", options->scan, "LINK of a bus to scan");
+  auto* device = command->add_option("--device", options->devices, "VENDOR:PRODUCT[:REVISION], repeated in bus order");
+  scan->excludes(device);
+  command->add_option("--esi", options->esi_folders, "Folder of ESI files, repeatable");
+  command->add_option("--cycle", options->cycle_us, "Cycle time in us");
+  command->add_option("--shift", options->shift, "bus or master")->check(CLI::IsMember({"bus", "master"}));
+  command->add_option("--sync-window", options->sync_window, "on or off")->check(CLI::IsMember({"on", "off"}));
+  command->add_option("--reference-clock", options->reference_clock, "auto or a position");
+  command->add_option("--op-mode", options->op_modes, "POSITION=NAME, repeatable");
+  command->add_flag("--json", options->json, "Print JSON");
+  command->callback([&context, options] {
+    if (options->scan.empty() && options->devices.empty()) {
+      return context.fail_with(Error{ErrorCode::kBadValue, "project create", "give --scan LINK or --device VENDOR:PRODUCT"});
+    }
+    create_project(context, *options);
+  });
+}
+
+void add_file_command(CLI::App& project, Context& context, const char* name, const char* help, const char* what,
+                      bool required, void (*action)(Context&, const FileOptions&)) {
+  auto* command = project.add_subcommand(name, help);
+  auto options = std::make_shared<FileOptions>();
+  command->add_option("file", options->file, "Project file")->required();
+  auto* arguments = command->add_option("settings", options->arguments, what);
+  if (required) arguments->required();
+  command->add_flag("--json", options->json, "Print JSON");
+  command->callback([&context, options, action] { action(context, *options); });
+}
+
+}  // namespace
+
+void add_project_commands(CLI::App& app, Context& context) {
+  auto* project = app.add_subcommand("project", "Create, change and show project files");
+  project->require_subcommand(1);
+  add_create(*project, context);
+  add_file_command(*project, context, "set", "Change settings", "KEY=VALUE", true, &set);
+  add_file_command(*project, context, "show", "Show settings", "KEY (all when none is given)", false, &show);
+  auto* command = project->add_subcommand("keys", "Explain every settings key");
+  auto json = std::make_shared<bool>(false);
+  command->add_flag("--json", *json, "Print JSON");
+  command->callback([&context, json] { keys(context, *json); });
+}
+
+}  // namespace syncline::cli

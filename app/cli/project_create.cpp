@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/project_create.h"
+
+#include <charconv>
+
+#include "app/composition/open_link.h"
+#include "app/composition/scan_bus.h"
+#include "config/settings_keys.h"
+#include "eni/esi_catalogue.h"
+#include "eni/project_builder.h"
+#include "eni/project_file.h"
+
+namespace syncline::cli {
+namespace {
+
+Result<std::uint32_t> parse_number(std::string_view text, std::string_view whole) {
+  const bool is_hex = text.starts_with("0x") || text.starts_with("0X");
+  const auto digits = is_hex ? text.substr(2) : text;
+  std::uint32_t value = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value, is_hex ? 16 : 10);
+  if (error != std::errc{} || end != digits.data() + digits.size()) {
+    return fail(ErrorCode::kBadValue, std::string(whole), "use VENDOR:PRODUCT[:REVISION], each decimal or 0x hexadecimal");
+  }
+  return value;
+}
+
+Result<Identity> parse_identity(std::string_view text) {
+  Identity identity;
+  std::uint32_t* fields[] = {&identity.vendor_id, &identity.product_code, &identity.revision_no};
+  std::size_t count = 0;
+  auto rest = text;
+  while (count < 3) {
+    const auto colon = rest.find(':');
+    const auto number = parse_number(rest.substr(0, colon), text);
+    if (!number) return tl::unexpected(number.error());
+    *fields[count++] = *number;
+    if (colon == std::string_view::npos) break;
+    rest = rest.substr(colon + 1);
+  }
+  if (count < 2) return fail(ErrorCode::kBadValue, std::string(text), "use VENDOR:PRODUCT[:REVISION]");
+  return identity;
+}
+
+Result<eni::EsiCatalogue> open_catalogue(const std::vector<std::string>& folders) {
+  eni::EsiCatalogue catalogue;
+  if (folders.empty()) {
+    if (auto status = catalogue.add_folder(resource_folder() + "/esi"); !status) return tl::unexpected(status.error());
+  }
+  for (const auto& folder : folders) {
+    if (auto status = catalogue.add_folder(folder); !status) return tl::unexpected(status.error());
+  }
+  return catalogue;
+}
+
+Result<Project> build(Context& context, const CreateOptions& options) {
+  auto catalogue = open_catalogue(options.esi_folders);
+  if (!catalogue) return tl::unexpected(catalogue.error());
+  if (!options.scan.empty()) {
+    const auto scan = scan_bus(options.scan);
+    if (!scan) return tl::unexpected(scan.error());
+    auto built = eni::project_from_scan(*scan, *catalogue);
+    for (const auto& warning : built.warnings) context.warn(warning);
+    return std::move(built.project);
+  }
+  std::vector<Identity> devices;
+  for (const auto& text : options.devices) {
+    const auto identity = parse_identity(text);
+    if (!identity) return tl::unexpected(identity.error());
+    devices.push_back(*identity);
+  }
+  return eni::project_from_devices(devices, *catalogue);
+}
+
+/// The short options are only other spellings of settings keys.
+Result<std::vector<SettingValue>> edits_of(const CreateOptions& options) {
+  std::vector<SettingValue> edits;
+  if (!options.cycle_us.empty()) edits.push_back({"master.cycle_time_us", options.cycle_us});
+  if (!options.shift.empty()) edits.push_back({"master.dc.mode", options.shift + "-shift"});
+  if (!options.sync_window.empty()) edits.push_back({"master.dc.sync_window", options.sync_window});
+  if (!options.reference_clock.empty()) edits.push_back({"master.dc.reference_clock", options.reference_clock});
+  for (const auto& text : options.op_modes) {
+    const auto equals = text.find('=');
+    if (equals == std::string::npos) return fail(ErrorCode::kBadValue, "--op-mode " + text, "use POSITION=NAME");
+    edits.push_back({"slave." + text.substr(0, equals) + ".dc.op_mode", text.substr(equals + 1)});
+  }
+  return edits;
+}
+
+}  // namespace
+
+void create_project(Context& context, const CreateOptions& options) {
+  auto project = build(context, options);
+  if (!project) return context.fail_with(project.error());
+  const auto edits = edits_of(options);
+  if (!edits) return context.fail_with(edits.error());
+  for (const auto& edit : *edits) {
+    if (auto status = set_setting(*project, edit.key, edit.value); !status) return context.fail_with(status.error());
+  }
+  if (auto status = eni::save_project(*project, options.file); !status) return context.fail_with(status.error());
+  if (options.json) {
+    return context.print({{"file", options.file}, {"slaves", project->slaves.size()}});
+  }
+  context.console.out << options.file << ": " << project->slaves.size() << " slaves\n";
+}
+
+}  // namespace syncline::cli

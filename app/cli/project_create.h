@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/cli/context.h"
+
+namespace syncline::cli {
+
+/// `project create FILE`: from a bus (scan) or from ESI files (devices); the rest are settings.
+struct CreateOptions {
+  std::string file;
+  std::string scan;                        // LINK, "" = offline
+  std::vector<std::string> devices;        // VENDOR:PRODUCT[:REVISION] in bus order
+  std::vector<std::string> esi_folders;    // default: our own resources
+  std::string cycle_us, shift, sync_window, reference_clock;
+  std::vector<std::string> op_modes;       // POSITION=NAME
+  bool json = false;
+};
+
+void create_project(Context& context, const CreateOptions& options);
+
+}  // namespace syncline::cli

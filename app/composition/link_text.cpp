@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/composition/link_text.h"
+
+#include <charconv>
+
+namespace syncline {
+namespace {
+
+constexpr std::string_view kForms = "use sim:FILE[?virtual][&seed=N], nic:NAME or replay:FILE";
+
+Status apply_option(LinkText& link, std::string_view option, std::string_view whole) {
+  if (option == "virtual") {
+    link.virtual_clock = true;
+    return {};
+  }
+  constexpr std::string_view kSeed = "seed=";
+  if (option.starts_with(kSeed)) {
+    const auto digits = option.substr(kSeed.size());
+    std::uint64_t seed = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), seed);
+    if (error == std::errc{} && end == digits.data() + digits.size()) {
+      link.seed = seed;
+      return {};
+    }
+  }
+  return fail(ErrorCode::kBadValue, std::string(whole), "unknown option '" + std::string(option) + "'; " + std::string(kForms));
+}
+
+}  // namespace
+
+Result<LinkText> parse_link_text(std::string_view text) {
+  const auto colon = text.find(':');
+  const auto scheme = text.substr(0, colon == std::string_view::npos ? 0 : colon);
+  LinkText link;
+  if (scheme == "sim") {
+    link.kind = LinkKind::kSimulated;
+  } else if (scheme == "nic") {
+    link.kind = LinkKind::kAdapter;
+  } else if (scheme == "replay") {
+    link.kind = LinkKind::kReplay;
+  } else {
+    return fail(ErrorCode::kBadValue, std::string(text), std::string(kForms));
+  }
+  auto rest = text.substr(colon + 1);
+  if (link.kind == LinkKind::kSimulated) {
+    // Both "?virtual&seed=2" and "?virtual" followed by "&..." are written; '?' and '&' separate alike.
+    const auto question = rest.find('?');
+    auto options = question == std::string_view::npos ? std::string_view{} : rest.substr(question + 1);
+    rest = rest.substr(0, question);
+    while (!options.empty()) {
+      const auto end = options.find('&');
+      if (auto status = apply_option(link, options.substr(0, end), text); !status) return tl::unexpected(status.error());
+      options = end == std::string_view::npos ? std::string_view{} : options.substr(end + 1);
+    }
+  }
+  if (rest.empty()) return fail(ErrorCode::kBadValue, std::string(text), std::string(kForms));
+  link.target = std::string(rest);
+  return link;
+}
+
+}  // namespace syncline

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "support/result.h"
+
+namespace syncline {
+
+enum class LinkKind : std::uint8_t { kSimulated, kAdapter, kReplay };
+
+/// A LINK as the user writes it: "sim:FILE[?virtual][&seed=N]", "nic:NAME", "replay:FILE".
+struct LinkText {
+  LinkKind kind = LinkKind::kSimulated;
+  std::string target;                  // file or adapter
+  bool virtual_clock = false;          // sim only
+  std::optional<std::uint64_t> seed;   // sim only; overrides the scenario's
+  bool operator==(const LinkText&) const = default;
+};
+
+/// kBadValue with the accepted forms when `text` is none of them.
+[[nodiscard]] Result<LinkText> parse_link_text(std::string_view text);
+
+}  // namespace syncline

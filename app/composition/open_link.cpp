@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/composition/open_link.h"
+
+#include <map>
+#include <utility>
+
+#include "app/composition/link_text.h"
+#include "eni/esi_reader.h"
+#include "link/pcap_link.h"
+#include "link/simulated_link.h"
+#include "sim/scenario_loader.h"
+
+namespace syncline {
+namespace {
+
+/// Reads each ESI file once however many devices of it a scenario names.
+class EsiDeviceSource {
+ public:
+  Result<DeviceDescription> operator()(const std::string& path, const std::string& type) {
+    auto found = files_.find(path);
+    if (found == files_.end()) {
+      auto file = eni::read_esi(path);
+      if (!file) return tl::unexpected(file.error());
+      found = files_.emplace(path, std::move(*file)).first;
+    }
+    const auto& devices = found->second.devices;
+    const DeviceDescription* match = nullptr;
+    for (const auto& device : devices) {
+      if (!type.empty() && device.type != type) continue;
+      if (match == nullptr || device.identity.revision_no > match->identity.revision_no) match = &device;
+    }
+    if (match == nullptr) {
+      return fail(ErrorCode::kUnknownDevice, type.empty() ? path : type, "not in " + path);
+    }
+    return *match;
+  }
+
+ private:
+  std::map<std::string, eni::EsiFile> files_;
+};
+
+Result<OpenedLink> open_simulated(const LinkText& text) {
+  EsiDeviceSource source;
+  auto config = sim::load_scenario(
+      text.target, [&source](const std::string& path, const std::string& type) { return source(path, type); });
+  if (!config) return tl::unexpected(config.error());
+  if (text.seed) config->seed = *text.seed;
+
+  OpenedLink opened;
+  if (text.virtual_clock) {
+    auto clock = std::make_unique<VirtualClock>();
+    // A generator of its own, so that the host's jitter does not depend on the number of slaves.
+    clock->set_wakeup_jitter(config->host_jitter, config->seed ^ 0x686F'7374'6A69'7474U);
+    opened.clock = std::move(clock);
+  } else {
+    opened.clock = std::make_unique<RealClock>();
+  }
+  auto bus = sim::SimBus::create(*config, opened.clock->now());
+  if (!bus) return tl::unexpected(bus.error());
+  opened.link = make_simulated_link("sim:" + text.target, std::move(*bus), *opened.clock);
+  return opened;
+}
+
+}  // namespace
+
+Result<OpenedLink> open_link(std::string_view text) {
+  const auto parsed = parse_link_text(text);
+  if (!parsed) return tl::unexpected(parsed.error());
+  switch (parsed->kind) {
+    case LinkKind::kSimulated:
+      return open_simulated(*parsed);
+    case LinkKind::kAdapter: {
+      OpenedLink opened;
+      opened.clock = std::make_unique<RealClock>();
+      auto link = open_pcap_link(parsed->target, *opened.clock);
+      if (!link) return tl::unexpected(link.error());
+      opened.link = std::move(*link);
+      return opened;
+    }
+    case LinkKind::kReplay:
+      break;
+  }
+  return fail(ErrorCode::kNotSupported, std::string(text), "captures cannot be replayed yet; use sim: or nic:");
+}
+
+}  // namespace syncline
