@@ -23,9 +23,11 @@ struct Fmmu {
   bool operator==(const Fmmu&) const = default;
   [[nodiscard]] std::array<std::uint8_t, kSize> encode() const;
   [[nodiscard]] static Fmmu decode(std::span<const std::uint8_t, kSize> bytes);
-  /// Number of mapped bits.
+  /// Number of mapped bits; 0 where the bits contradict each other.
   [[nodiscard]] std::uint32_t bit_length() const {
-    return length == 0 ? 0 : (length - 1U) * 8U + logical_stop_bit + 1U - logical_start_bit;
+    const auto end = length * 8U + logical_stop_bit + 1U;  // 8 more than behind the last bit
+    const auto begin = logical_start_bit + 8U;
+    return length == 0 || end < begin ? 0 : end - begin;
   }
 };
 

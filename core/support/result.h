@@ -8,7 +8,7 @@
 
 namespace syncline {
 
-/// What went wrong. The words stand in error_text.cpp, one English template each, so that the
+/// What went wrong. The words stand in protocol/error_text.h, one English template each, so that the
 /// command line prints them as they are and the window translates them.
 enum class ErrorCode : std::uint16_t {
   // files
@@ -75,16 +75,5 @@ inline tl::unexpected<Error> fail(Error error) { return tl::unexpected<Error>(st
 inline tl::unexpected<Error> fail(ErrorCode code, std::string subject = {}, std::string detail = {}) {
   return tl::unexpected<Error>(Error{code, std::move(subject), std::move(detail)});
 }
-
-/// English sentence template of a code with the placeholders {subject} {detail} {file} {line}
-/// {expected} {received} {extra} {state} {alcode} {abort}; {state}, {alcode} and {abort} render
-/// the numbers as the field's words.
-[[nodiscard]] std::string_view error_template(ErrorCode code);
-
-/// Fills a (possibly translated) template with the facts of the error.
-[[nodiscard]] std::string fill_error_template(std::string_view text, const Error& error);
-
-/// English sentence: what happened, where, and what to do.
-[[nodiscard]] std::string describe(const Error& error);
 
 }  // namespace syncline

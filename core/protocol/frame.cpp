@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "protocol/frame.h"
+
+#include <algorithm>
+
+#include "support/byte_order.h"
+
+namespace syncline {
+namespace {
+
+constexpr std::size_t kFirstDatagram = kEthernetHeaderSize + kEtherCatHeaderSize;
+constexpr std::size_t kLengthFieldOffset = 6;  // inside the datagram header
+constexpr std::uint16_t kLengthMask = 0x07FF;
+constexpr std::uint16_t kCirculatingBit = 0x4000;
+constexpr std::uint16_t kMoreBit = 0x8000;
+constexpr std::uint16_t kTypeCommands = 1;
+constexpr std::size_t kEtherTypeOffset = 12;
+constexpr std::uint16_t kVlanEtherType = 0x8100;
+constexpr std::size_t kVlanTagSize = 4;
+
+/// EtherType fields are the only ones in network order.
+std::uint16_t load_be16(std::span<const std::uint8_t> bytes, std::size_t offset) {
+  return static_cast<std::uint16_t>((bytes[offset] << 8) | bytes[offset + 1]);
+}
+
+std::uint16_t length_field(const DatagramHeader& header) {
+  return static_cast<std::uint16_t>((header.length & kLengthMask) | (header.circulating ? kCirculatingBit : 0) |
+                                    (header.more ? kMoreBit : 0));
+}
+
+DatagramHeader read_header(std::span<const std::uint8_t> bytes) {
+  ByteReader reader(bytes);
+  DatagramHeader header;
+  header.command = static_cast<Command>(reader.u8());
+  header.index = reader.u8();
+  header.address = reader.u32();
+  const auto field = reader.u16();
+  header.length = field & kLengthMask;
+  header.circulating = (field & kCirculatingBit) != 0;
+  header.more = (field & kMoreBit) != 0;
+  header.irq = reader.u16();
+  return header;
+}
+
+void write_header(std::span<std::uint8_t> bytes, const DatagramHeader& header) {
+  bytes[0] = static_cast<std::uint8_t>(header.command);
+  bytes[1] = header.index;
+  store_le(bytes.subspan(2), header.address);
+  store_le(bytes.subspan(kLengthFieldOffset), length_field(header));
+  store_le(bytes.subspan(8), header.irq);
+}
+
+}  // namespace
+
+std::uint16_t DatagramView::wkc() const { return load_le<std::uint16_t>(wkc_bytes); }
+void DatagramView::set_wkc(std::uint16_t value) { store_le(wkc_bytes, value); }
+
+void DatagramView::store_header() {
+  header.length = load_le<std::uint16_t>(header_bytes.subspan(kLengthFieldOffset)) & kLengthMask;
+  write_header(header_bytes, header);
+}
+
+FrameBuilder::FrameBuilder() {
+  std::fill_n(buffer_.begin(), 6, std::uint8_t{0xFF});
+  buffer_[kEtherTypeOffset] = kEtherCatEtherType >> 8;
+  buffer_[kEtherTypeOffset + 1] = kEtherCatEtherType & 0xFF;
+  reset();
+}
+
+void FrameBuilder::reset() {
+  size_ = kFirstDatagram;
+  count_ = 0;
+  last_length_field_ = 0;
+}
+
+void FrameBuilder::set_addresses(std::span<const std::uint8_t, 6> destination, std::span<const std::uint8_t, 6> source) {
+  std::copy(destination.begin(), destination.end(), buffer_.begin());
+  std::copy(source.begin(), source.end(), buffer_.begin() + 6);
+}
+
+std::size_t FrameBuilder::free_data_bytes() const {
+  const std::size_t overhead = size_ + kDatagramHeaderSize + kWkcSize;
+  return overhead < kMaxEthernetFrame ? kMaxEthernetFrame - overhead : 0;
+}
+
+std::optional<std::span<std::uint8_t>> FrameBuilder::add_zeros(Command command, std::uint8_t index,
+                                                               std::uint32_t address, std::uint16_t length) {
+  const std::size_t end = size_ + kDatagramHeaderSize + length + kWkcSize;
+  if (end > kMaxEthernetFrame) return std::nullopt;
+  const std::span<std::uint8_t> all(buffer_);
+  if (count_ > 0) all[last_length_field_ + 1] |= static_cast<std::uint8_t>(kMoreBit >> 8);
+
+  DatagramHeader header;
+  header.command = command;
+  header.index = index;
+  header.address = address;
+  header.length = length;
+  write_header(all.subspan(size_, kDatagramHeaderSize), header);
+  const auto data = all.subspan(size_ + kDatagramHeaderSize, length);
+  std::fill_n(all.begin() + static_cast<std::ptrdiff_t>(size_ + kDatagramHeaderSize), length + kWkcSize,
+              std::uint8_t{0});
+  last_length_field_ = size_ + kLengthFieldOffset;
+  size_ = end;
+  ++count_;
+  return data;
+}
+
+std::optional<std::span<std::uint8_t>> FrameBuilder::add(Command command, std::uint8_t index, std::uint32_t address,
+                                                         std::span<const std::uint8_t> data) {
+  if (data.size() > kMaxDatagramData) return std::nullopt;
+  const auto area = add_zeros(command, index, address, static_cast<std::uint16_t>(data.size()));
+  if (area) std::copy(data.begin(), data.end(), area->begin());
+  return area;
+}
+
+std::span<const std::uint8_t> FrameBuilder::finish() {
+  const std::span<std::uint8_t> all(buffer_);
+  const auto length = static_cast<std::uint16_t>(size_ - kFirstDatagram);
+  store_le(all.subspan(kEthernetHeaderSize), static_cast<std::uint16_t>(length | (kTypeCommands << 12)));
+  const std::size_t padded = std::max(size_, kMinEthernetFrame);
+  std::fill(buffer_.begin() + static_cast<std::ptrdiff_t>(size_), buffer_.begin() + static_cast<std::ptrdiff_t>(padded),
+            std::uint8_t{0});
+  return all.first(padded);
+}
+
+FrameReader::FrameReader(std::span<std::uint8_t> frame) {
+  std::size_t header = kEthernetHeaderSize;
+  if (frame.size() < header) return;
+  auto ether_type = load_be16(frame, kEtherTypeOffset);
+  if (ether_type == kVlanEtherType) {
+    header += kVlanTagSize;
+    if (frame.size() < header) return;
+    ether_type = load_be16(frame, kEtherTypeOffset + kVlanTagSize);
+  }
+  if (ether_type != kEtherCatEtherType) return;
+  if (frame.size() < header + kEtherCatHeaderSize) {
+    malformed_ = true;
+    return;
+  }
+  const auto field = load_le<std::uint16_t>(frame.subspan(header));
+  const std::size_t length = field & kLengthMask;
+  const auto rest = frame.subspan(header + kEtherCatHeaderSize);
+  if ((field >> 12) != kTypeCommands) return;
+  if (length > rest.size()) {
+    malformed_ = true;
+    return;
+  }
+  body_ = rest.first(length);
+  is_ethercat_ = true;
+}
+
+std::optional<DatagramView> FrameReader::next() {
+  if (!is_ethercat_ || malformed_) return std::nullopt;
+  const std::size_t left = body_.size() - position_;
+  if (last_seen_ || (left == 0 && position_ == 0)) {
+    malformed_ = left != 0;  // bytes behind the last datagram
+    return std::nullopt;
+  }
+  if (left < kDatagramHeaderSize + kWkcSize) {
+    malformed_ = true;
+    return std::nullopt;
+  }
+  DatagramView view;
+  view.header_bytes = body_.subspan(position_, kDatagramHeaderSize);
+  view.header = read_header(view.header_bytes);
+  if (left < kDatagramHeaderSize + view.header.length + kWkcSize) {
+    malformed_ = true;
+    return std::nullopt;
+  }
+  view.data = body_.subspan(position_ + kDatagramHeaderSize, view.header.length);
+  view.wkc_bytes = body_.subspan(position_ + kDatagramHeaderSize + view.header.length, kWkcSize);
+  position_ += kDatagramHeaderSize + view.header.length + kWkcSize;
+  last_seen_ = !view.header.more;
+  return view;
+}
+
+}  // namespace syncline

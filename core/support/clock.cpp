@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "support/clock.h"
+
+#include <time.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cmath>
+
+#include "support/random.h"
+
+namespace syncline {
+namespace {
+
+Nanoseconds read_clock(clockid_t id) {
+  timespec time{};
+  clock_gettime(id, &time);
+  return static_cast<Nanoseconds>(time.tv_sec) * kSecond + time.tv_nsec;
+}
+
+}  // namespace
+
+RealClock::RealClock()
+    : epoch_shift_(read_clock(CLOCK_REALTIME) - read_clock(CLOCK_MONOTONIC) - kDcEpochUnixSeconds * kSecond) {}
+
+Nanoseconds RealClock::now() const { return read_clock(CLOCK_MONOTONIC) + epoch_shift_; }
+
+void RealClock::sleep_until(Nanoseconds deadline) {
+  const Nanoseconds monotonic = deadline - epoch_shift_;
+  if (monotonic <= 0) return;
+  timespec time{};
+  time.tv_sec = monotonic / kSecond;
+  time.tv_nsec = monotonic % kSecond;
+  while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &time, nullptr) == EINTR) {
+  }
+}
+
+struct VirtualClock::State {
+  std::atomic<Nanoseconds> now{0};
+  JitterProfile jitter;
+  Random random{0};
+
+  /// How late this wake-up is; the generator is asked the same number of times in every call, so
+  /// that one profile's numbers do not depend on what the earlier ones were.
+  Nanoseconds lateness() {
+    if (jitter == JitterProfile::none()) return 0;
+    const double scheduling = std::abs(random.normal()) * jitter.sigma_ns;
+    const double chance = random.uniform();
+    const double tail = random.uniform() * jitter.tail_ns;
+    return std::llround(scheduling + (chance < jitter.tail_probability ? tail : 0.0));
+  }
+};
+
+VirtualClock::VirtualClock(Nanoseconds start) : state_(std::make_unique<State>()) { state_->now = start; }
+VirtualClock::~VirtualClock() = default;
+
+void VirtualClock::set_wakeup_jitter(const JitterProfile& profile, std::uint64_t seed) {
+  state_->jitter = profile;
+  state_->random = Random(seed);
+}
+
+Nanoseconds VirtualClock::now() const { return state_->now.load(std::memory_order_relaxed); }
+
+void VirtualClock::sleep_until(Nanoseconds deadline) {
+  if (deadline <= now()) return;
+  advance_to(deadline + state_->lateness());
+}
+
+void VirtualClock::advance_to(Nanoseconds time) {
+  if (time > now()) state_->now.store(time, std::memory_order_relaxed);
+}
+
+}  // namespace syncline
