@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/app/cli_runner.h"
+
+namespace syncline::test {
+namespace {
+
+using testing::HasSubstr;
+
+/// Scan, configure and export the demonstration machine; the ENI's path.
+std::string export_demo(const TemporaryFolder& folder, const std::string& shift) {
+  const auto project = folder.file("m.syncline");
+  const auto eni = folder.file("m.eni.xml");
+  const auto create = cli_run({"project", "create", project, "--scan", demo(), "--cycle", "1000", "--shift", shift,
+                               "--sync-window", "on"});
+  EXPECT_EQ(create.code, cli::kDone) << create.err;
+  const auto exported = cli_run({"export", project, "-o", eni});
+  EXPECT_EQ(exported.code, cli::kDone) << exported.err;
+  return eni;
+}
+
+class CliRunMode : public testing::TestWithParam<std::string> {};
+
+TEST_P(CliRunMode, DemonstrationMachineReachesOpInSync) {
+  const TemporaryFolder folder;
+  const auto run = cli_run({"run", export_demo(folder, GetParam()), "--link", demo(), "--for", "20s", "--json"});
+  ASSERT_EQ(run.code, cli::kDone) << run.err << run.out;
+  const auto report = run.json();
+  EXPECT_EQ(report["state"], "OP");
+  EXPECT_EQ(report["cycle_us"], 1000);
+  EXPECT_GT(report["cycles"], 15'000);
+  EXPECT_EQ(report["wkc_errors"], 0);
+  EXPECT_EQ(report["lost_frames"], 0);
+  EXPECT_EQ(report["dc"]["monitored"], true);
+  EXPECT_EQ(report["dc"]["in_sync"], true);
+  EXPECT_EQ(report["dc"]["reference_clock"], 0);
+  EXPECT_LT(report["dc"]["deviation_ns"]["max"], 100);
+  EXPECT_EQ(report["dcm"]["mode"], GetParam() + "-shift");
+  EXPECT_EQ(report["dcm"]["in_sync"], true);
+  for (const auto& slave : report["slaves"]) {
+    EXPECT_EQ(slave["state"], "OP") << slave;
+    if (!slave["deviation_ns"].is_null()) {
+      EXPECT_LT(std::abs(slave["deviation_ns"].get<int>()), 100) << slave;
+    }
+    if (!slave["sm2_missed"].is_null()) {
+      EXPECT_EQ(slave["sm2_missed"], 0) << slave;
+    }
+  }
+}
+
+TEST_P(CliRunMode, SameSeedGivesTheSameReport) {
+  const TemporaryFolder folder;
+  const auto eni = export_demo(folder, GetParam());
+  const std::vector<std::string> arguments{"run", eni, "--link", demo("?virtual&seed=5"), "--for", "4s", "--json"};
+  const auto first = cli_run(arguments);
+  EXPECT_EQ(first.out, cli_run(arguments).out);
+  auto other = arguments;
+  other[3] = demo("?virtual&seed=6");
+  EXPECT_NE(first.out, cli_run(other).out) << "the seed has no effect";
+}
+
+INSTANTIATE_TEST_SUITE_P(Modes, CliRunMode, testing::Values("bus", "master"));
+
+TEST(CliRun, ProjectRunsAsItsEniDoes) {
+  const TemporaryFolder folder;
+  const auto eni = export_demo(folder, "bus");
+  const auto of_eni = cli_run({"run", eni, "--link", demo(), "--for", "3s", "--json"});
+  const auto of_project = cli_run({"run", folder.file("m.syncline"), "--link", demo(), "--for", "3s", "--json"});
+  EXPECT_EQ(of_eni.out, of_project.out);
+}
+
+TEST(CliRun, ConfigurationOfAnotherBusIsRefusedWithTheFirstDifference) {
+  const TemporaryFolder folder;
+  const auto project = folder.file("one.syncline");
+  const auto slaves = cli_run({"scan", demo(), "--json"}).json()["slaves"];
+  ASSERT_EQ(cli_run({"project", "create", project, "--device",
+                     slaves[0]["vendor_id"].get<std::string>() + ":" + slaves[0]["product_code"].get<std::string>()})
+                .code,
+            cli::kDone);
+  const auto run = cli_run({"run", project, "--link", demo(), "--for", "1s"});
+  EXPECT_EQ(run.code, cli::kFailed);
+  EXPECT_THAT(run.err, HasSubstr("1"));
+}
+
+TEST(CliRun, BrokenFileNamesFileAndLine) {
+  const TemporaryFolder folder;
+  const auto file = folder.file("broken.xml");
+  std::ofstream(file) << "<EtherCATConfig>\n<Config>\n<Master></Config>\n";
+  const auto run = cli_run({"run", file, "--link", demo(), "--for", "1s"});
+  EXPECT_EQ(run.code, cli::kFailed);
+  EXPECT_THAT(run.err, HasSubstr(file));
+}
+
+}  // namespace
+}  // namespace syncline::test
