@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "config/network_config.h"
+#include "master/channels.h"
+#include "trace/statistics.h"
+
+namespace syncline {
+
+/// What a run showed, as `synclinectl run` reports it. Times in ms from the first cyclic frame,
+/// deviations and errors in ns.
+struct RunReport {
+  struct Slave {
+    std::uint16_t position = 0;
+    std::string name;
+    std::uint16_t al_status = 0;
+    std::uint16_t al_status_code = 0;
+    std::optional<std::int32_t> deviation_ns;        // latest reading
+    std::optional<std::int32_t> deviation_max_ns;    // largest magnitude after settling
+    std::optional<Sm2MissedStatus> sm2_missed;
+    std::optional<std::uint32_t> propagation_delay_ns;
+  };
+  AlState state = AlState::kNone;
+  Nanoseconds cycle_time = 0;
+  std::uint64_t cycles = 0, wkc_errors = 0, lost_frames = 0, overruns = 0;
+  std::vector<Slave> slaves;
+  DcStatus dc;
+  std::optional<std::int32_t> deviation_max_ns;      // over all slaves, after settling
+  DcmStatus dcm;
+  Statistics lateness;                               // ns, every cycle
+};
+
+/// Collects while a run goes on; feed every sample that is drained.
+class RunRecorder {
+ public:
+  explicit RunRecorder(const NetworkConfig& config);
+  void add(std::span<const CycleSample> samples);
+  [[nodiscard]] RunReport finish(const Snapshot& snapshot) const;
+
+ private:
+  struct SlaveReadings {
+    std::optional<std::int32_t> latest;
+    std::optional<std::int32_t> max_in_sync;
+  };
+  std::vector<std::string> names_;
+  std::vector<SlaveReadings> readings_;
+  Statistics lateness_;
+};
+
+}  // namespace syncline
