@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "master/channels.h"
+
+namespace syncline::cli {
+
+/// One line for people, "" for events that only programs care about. Times are relative to `start`.
+[[nodiscard]] std::string event_text(const Event& event, Nanoseconds start);
+
+}  // namespace syncline::cli

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/run_json.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iterator>
+
+namespace syncline::cli {
+namespace {
+
+template <class T>
+Json or_null(const std::optional<T>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+/// Three digits are more than any of these figures is worth, and keep the text stable.
+Json rounded(double value) { return std::round(value * 1000.0) / 1000.0; }
+Json rounded(const std::optional<double>& value) { return value ? rounded(*value) : Json(nullptr); }
+
+std::string sm2_object(const Sm2MissedStatus& status) { return fmt::format("0x{:04X}:{:02X}", status.index, status.sub_index); }
+
+Json slave_json(const RunReport::Slave& slave) {
+  return {{"position", slave.position},
+          {"name", slave.name},
+          {"state", state_text(slave.al_status)},
+          {"al_status_code", hex(slave.al_status_code, 4)},
+          {"deviation_ns", or_null(slave.deviation_ns)},
+          {"deviation_max_ns", or_null(slave.deviation_max_ns)},
+          {"sm2_missed", slave.sm2_missed ? Json(slave.sm2_missed->value) : Json(nullptr)},
+          {"sm2_object", slave.sm2_missed ? Json(sm2_object(*slave.sm2_missed)) : Json(nullptr)},
+          {"propagation_delay_ns", or_null(slave.propagation_delay_ns)}};
+}
+
+Json dc_json(const RunReport& report) {
+  const auto& dc = report.dc;
+  return {{"enabled", dc.enabled},
+          {"reference_clock", dc.reference_clock < 0 ? Json(nullptr) : Json(dc.reference_clock)},
+          {"monitored", dc.monitored},
+          {"in_sync", dc.monitored ? Json(dc.state == SyncState::kInSync) : Json(nullptr)},
+          {"settled_after_ms", rounded(dc.settled_after_ms)},
+          {"limit_ns", dc.monitored ? Json(dc.limit_ns) : Json(nullptr)},
+          {"deviation_ns", {{"max", or_null(report.deviation_max_ns)}}}};
+}
+
+Json dcm_json(const DcmStatus& dcm) {
+  return {{"mode", dcm_mode_name(dcm.mode)},
+          {"in_sync", dcm.mode == DcmMode::kOff ? Json(nullptr) : Json(dcm.state == SyncState::kInSync)},
+          {"in_sync_after_ms", rounded(dcm.in_sync_after_ms)},
+          {"error_ns", {{"mean", rounded(dcm.error_mean_ns)}, {"rms", rounded(dcm.error_rms_ns)}, {"max", dcm.error_max_ns}}},
+          {"drift_ppm", rounded(dcm.drift_ppm)},
+          {"error_code", dcm.error_code == 0 ? Json(nullptr) : Json(hex(dcm.error_code, 8))}};
+}
+
+std::string or_dash(const std::optional<std::int32_t>& value) { return value ? fmt::format("{}", *value) : "-"; }
+
+std::string ms_text(const std::optional<double>& ms) { return ms ? fmt::format("after {:.0f} ms", *ms) : "not yet"; }
+
+std::string sync_text(SyncState state) {
+  switch (state) {
+    case SyncState::kNotMonitored: return "not monitored";
+    case SyncState::kNotReady: return "not ready";
+    case SyncState::kBusy: return "getting in sync";
+    case SyncState::kInSync: return "in sync";
+    case SyncState::kOutOfSync: return "OUT OF SYNC";
+  }
+  return "unknown";
+}
+
+}  // namespace
+
+std::string state_text(std::uint16_t al_status) {
+  return std::string(al_state_name(al_state_of(al_status))) + ((al_status & kAlErrorFlag) != 0 ? "+ERR" : "");
+}
+
+Json to_json(const RunReport& report) {
+  Json slaves = Json::array();
+  for (const auto& slave : report.slaves) slaves.push_back(slave_json(slave));
+  return {{"state", al_state_name(report.state)},
+          {"cycle_us", rounded(static_cast<double>(report.cycle_time) / 1000.0)},
+          {"cycles", report.cycles},
+          {"slaves", slaves},
+          {"dc", dc_json(report)},
+          {"dcm", dcm_json(report.dcm)},
+          {"wkc_errors", report.wkc_errors},
+          {"lost_frames", report.lost_frames},
+          {"overruns", report.overruns}};
+}
+
+std::string to_text(const RunReport& report) {
+  std::string text;
+  const auto out = std::back_inserter(text);
+  fmt::format_to(out, "state {}   {} cycles of {} us   WKC errors {}   lost frames {}   overruns {}\n",
+                 al_state_name(report.state), report.cycles, static_cast<double>(report.cycle_time) / 1000.0,
+                 report.wkc_errors, report.lost_frames, report.overruns);
+  fmt::format_to(out, "{:>3} {:<28} {:<10} {:>12} {:>14} {:>8} {:>12}\n", "POS", "NAME", "STATE", "DEVIATION ns",
+                 "LARGEST ns", "SM2 MISS", "DELAY ns");
+  for (const auto& slave : report.slaves) {
+    fmt::format_to(out, "{:>3} {:<28} {:<10} {:>12} {:>14} {:>8} {:>12}\n", slave.position, slave.name,
+                   state_text(slave.al_status), or_dash(slave.deviation_ns), or_dash(slave.deviation_max_ns),
+                   slave.sm2_missed ? fmt::format("{}", slave.sm2_missed->value) : "-",
+                   slave.propagation_delay_ns ? fmt::format("{}", *slave.propagation_delay_ns) : "-");
+  }
+  const auto& dc = report.dc;
+  fmt::format_to(out, "slaves: {}", dc.monitored ? sync_text(dc.state) : "not monitored");
+  if (dc.monitored) fmt::format_to(out, ", settled {}, limit {} ns", ms_text(dc.settled_after_ms), dc.limit_ns);
+  if (report.deviation_max_ns) fmt::format_to(out, ", largest deviation {} ns", *report.deviation_max_ns);
+  const auto& dcm = report.dcm;
+  fmt::format_to(out, "\nmaster: {}, {}", dcm_mode_name(dcm.mode), sync_text(dcm.state));
+  if (dcm.mode != DcmMode::kOff) {
+    fmt::format_to(out, " {}, error mean {:.1f} ns, rms {:.1f} ns, largest {} ns, drift {:.3f} ppm",
+                   ms_text(dcm.in_sync_after_ms), dcm.error_mean_ns, dcm.error_rms_ns, dcm.error_max_ns, dcm.drift_ppm);
+  }
+  if (dcm.error_code != 0) fmt::format_to(out, ", DCM error {}", hex(dcm.error_code, 8));
+  text += '\n';
+  return text;
+}
+
+bool is_good(const RunReport& report, AlState target) {
+  const bool slaves = !report.dc.monitored || report.dc.state == SyncState::kInSync;
+  const bool master = report.dcm.mode == DcmMode::kOff || !report.dc.enabled || report.dcm.state == SyncState::kInSync;
+  return report.state == target && slaves && master;
+}
+
+}  // namespace syncline::cli

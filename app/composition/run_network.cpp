@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/composition/run_network.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "app/composition/open_link.h"
+#include "master/master_service.h"
+
+namespace syncline {
+namespace {
+
+/// Small enough that the sample ring never fills between two drains, at the shortest cycle too.
+constexpr Nanoseconds kDrainPeriod = 100 * kMillisecond;
+
+/// The consumer side of the channels.
+class Drain {
+ public:
+  Drain(MasterChannels& channels, const NetworkConfig& config, const RunRequest& request)
+      : channels_(channels), request_(request), recorder_(config) {}
+
+  void operator()() {
+    samples_.clear();
+    channels_.samples.pop(samples_);
+    recorder_.add(samples_);
+    if (request_.on_samples && !samples_.empty()) request_.on_samples(samples_);
+    for (auto& event : channels_.events.drain()) {
+      if (request_.on_event) request_.on_event(event);
+      if (event.kind == EventKind::kError && event.error && !error_) error_ = event.error;
+    }
+    (void)channels_.snapshot.read(snapshot_);
+  }
+  [[nodiscard]] RunOutcome outcome() const { return {recorder_.finish(snapshot_), error_}; }
+  [[nodiscard]] bool failed() const { return error_ && !snapshot_.online; }
+
+ private:
+  MasterChannels& channels_;
+  const RunRequest& request_;
+  RunRecorder recorder_;
+  std::vector<CycleSample> samples_;
+  Snapshot snapshot_;
+  std::optional<Error> error_;
+};
+
+bool stopped(const RunRequest& request) { return request.stop != nullptr && request.stop->load(); }
+
+}  // namespace
+
+Result<RunOutcome> run_network(const NetworkConfig& config, std::string_view link, const RunRequest& request) {
+  auto opened = open_link(link);
+  if (!opened) return tl::unexpected(opened.error());
+  MasterService service(std::move(opened->link), *opened->clock);
+  auto& channels = service.channels();
+  Drain drain(channels, config, request);
+  channels.commands.push(GoOnlineCommand{config, request.target});
+  const auto end = opened->clock->now() + request.duration;
+
+  if (opened->clock->is_virtual()) {
+    while (opened->clock->now() < end && !stopped(request) && !drain.failed()) {
+      service.run_for(std::min(kDrainPeriod, end - opened->clock->now()));
+      drain();
+    }
+    const auto outcome = drain.outcome();
+    channels.commands.push(GoOfflineCommand{});
+    while (service.online() && service.step()) {
+    }
+    return outcome;
+  }
+
+  MasterThread thread(service);
+  while (opened->clock->now() < end && !stopped(request) && !drain.failed()) {
+    opened->clock->sleep_until(std::min(opened->clock->now() + kDrainPeriod, end));
+    drain();
+  }
+  const auto outcome = drain.outcome();
+  channels.cancel = stopped(request);
+  channels.commands.push(GoOfflineCommand{});
+  const auto patience = opened->clock->now() + 10 * kSecond;
+  Snapshot latest;
+  latest.online = true;
+  while (latest.online && opened->clock->now() < patience) {
+    opened->clock->sleep_until(opened->clock->now() + kDrainPeriod);
+    (void)channels.snapshot.read(latest);
+  }
+  thread.stop();
+  return outcome;
+}
+
+}  // namespace syncline

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "config/network_config.h"
+#include "master/channels.h"
+#include "support/result.h"
+#include "trace/run_report.h"
+
+namespace syncline {
+
+struct RunRequest {
+  AlState target = AlState::kOp;
+  Nanoseconds duration = 10 * kSecond;           // from the start of the bring-up
+  const std::atomic<bool>* stop = nullptr;       // ends the run early (signal handler)
+  std::function<void(const Event&)> on_event;    // may be empty
+  std::function<void(std::span<const CycleSample>)> on_samples;
+};
+
+struct RunOutcome {
+  RunReport report;
+  std::optional<Error> error;                    // the bring-up failed; the report says how far it came
+};
+
+/// Runs a configuration on a link: on the virtual clock in the calling thread, on the real clock in a
+/// MasterThread while the calling thread drains the channels. Takes the bus down to INIT at the end.
+/// An Error only when the link cannot be opened.
+[[nodiscard]] Result<RunOutcome> run_network(const NetworkConfig& config, std::string_view link, const RunRequest& request);
+
+}  // namespace syncline
