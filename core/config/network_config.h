@@ -161,6 +161,9 @@ struct ProcessImage {
   std::uint32_t input_bytes = 0;
   std::uint32_t output_bytes = 0;
   std::vector<Variable> inputs, outputs;
+  /// Bytes from CyclicCmd::input_offset and output_offset to the datagram's data in the image: 0 where a tool counts the
+  /// data (EC-Engineer), 10 where it counts datagram headers (ET9000, TwinCAT).
+  std::uint32_t command_data_offset = 0;
   bool operator==(const ProcessImage&) const = default;
 };
 

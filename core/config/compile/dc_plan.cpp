@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "config/compile/dc_plan.h"
+
+#include <algorithm>
+
+#include "config/compile/dc_times.h"
+
+namespace syncline::compiler {
+
+std::optional<std::uint16_t> resolve_reference_clock(const Project& project, std::span<const SlavePlan> slaves) {
+  if (!project.master.dc.enabled || std::ranges::none_of(slaves, &SlavePlan::dc_commands)) {
+    return std::nullopt;
+  }
+  const auto chosen = project.master.dc.reference_clock;
+  if (chosen && *chosen < slaves.size() && slaves[*chosen].device().dc) {
+    return chosen;
+  }
+  return std::ranges::find_if(slaves, &SlavePlan::dc_commands)->position;
+}
+
+void plan_dc(const Project& project, std::span<SlavePlan> slaves) {
+  if (!project.master.dc.enabled) {
+    return;
+  }
+  for (SlavePlan& slave : slaves) {
+    const DcSlaveSettings& user = slave.settings->dc;
+    const DcOpMode* mode = selected_op_mode(*slave.settings);
+    if (mode != nullptr && mode->assign_activate != 0) {
+      const DcTimes times = dc_times(*mode, user, project.master.cycle_time);
+      slave.dc = SlaveDcConfig{.potential_reference_clock = user.potential_reference_clock,
+                               .reference_clock = false,
+                               .cycle_time0 = times.cycle_time0,
+                               .cycle_time1 = times.cycle_time1,
+                               .shift_time = times.shift_time,
+                               .assign_activate = mode->assign_activate};
+    } else if (user.potential_reference_clock && slave.device().dc) {
+      slave.dc = SlaveDcConfig{.potential_reference_clock = true};
+    }
+  }
+  if (const auto clock = resolve_reference_clock(project, slaves)) {
+    auto& dc = slaves[*clock].dc;
+    if (!dc) {
+      dc.emplace();
+    }
+    dc->reference_clock = true;
+  }
+}
+
+DcMasterSettings run_time_dc(const Project& project, std::span<const SlavePlan> slaves) {
+  DcMasterSettings dc = project.master.dc;
+  dc.reference_clock = resolve_reference_clock(project, slaves);
+  dc.enabled = dc.reference_clock.has_value();
+  if (!dc.enabled) {
+    dc.dcm.mode = DcmMode::kOff;
+    dc.sync_window.enabled = false;
+  }
+  return dc;
+}
+
+}  // namespace syncline::compiler

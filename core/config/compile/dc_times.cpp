@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "config/compile/dc_times.h"
+
+#include <algorithm>
+
+#include "protocol/dc_registers.h"
+
+namespace syncline::compiler {
+namespace {
+
+class Calculation {
+ public:
+  explicit Calculation(Nanoseconds bus_cycle) : bus_cycle_(bus_cycle) {}
+
+  /// factor > 0 multiplies, < 0 divides the bus cycle, 0 gives 0.
+  Nanoseconds scaled(int factor) {
+    if (factor >= 0) {
+      return factor * bus_cycle_;
+    }
+    exact_ = exact_ && bus_cycle_ % -factor == 0;
+    return bus_cycle_ / -factor;
+  }
+
+  Nanoseconds cycle0(const DcTime& esi, const SyncUnitSettings& user) {
+    if (const auto chosen = user_cycle(user)) {
+      return *chosen;
+    }
+    return esi.value_ns != 0 ? esi.value_ns : scaled(esi.factor.value_or(0));
+  }
+
+  Nanoseconds cycle1(const DcTime& esi, const SyncUnitSettings& user, Nanoseconds cycle0) {
+    if (const auto chosen = user_cycle(user)) {
+      return *chosen;
+    }
+    if (esi.value_ns != 0) {
+      return esi.value_ns;
+    }
+    const int factor = esi.factor.value_or(0);
+    return factor >= 0 ? factor * cycle0 : -static_cast<Nanoseconds>(factor) * bus_cycle_;
+  }
+
+  Nanoseconds shift(const DcTime& esi, const SyncUnitSettings& user) {
+    return user.shift ? *user.shift : esi.value_ns + scaled(esi.factor.value_or(0));
+  }
+
+  [[nodiscard]] bool exact() const { return exact_; }
+
+ private:
+  std::optional<Nanoseconds> user_cycle(const SyncUnitSettings& user) {
+    if (user.user_cycle) {
+      return user.user_cycle;
+    }
+    return user.cycle_factor ? std::optional(scaled(*user.cycle_factor)) : std::nullopt;
+  }
+
+  Nanoseconds bus_cycle_;
+  bool exact_ = true;
+};
+
+}  // namespace
+
+const DcOpMode* selected_op_mode(const SlaveSettings& slave) {
+  if (!slave.device.dc || slave.dc.op_mode.empty()) {
+    return nullptr;
+  }
+  const auto& modes = slave.device.dc->op_modes;
+  const auto found = std::ranges::find(modes, slave.dc.op_mode, &DcOpMode::name);
+  return found == modes.end() ? nullptr : &*found;
+}
+
+DcTimes dc_times(const DcOpMode& mode, const DcSlaveSettings& user, Nanoseconds bus_cycle) {
+  Calculation calculation(bus_cycle);
+  DcTimes times;
+  times.cycle_time0 = calculation.cycle0(mode.cycle_time_sync0, user.sync0);
+  times.shift_time = calculation.shift(mode.shift_time_sync0, user.sync0);
+  if (AssignActivate{mode.assign_activate}.sync1()) {
+    const Nanoseconds cycle1 = calculation.cycle1(mode.cycle_time_sync1, user.sync1, times.cycle_time0);
+    const Nanoseconds beyond_sync0 = cycle1 == 0 ? 0 : cycle1 - times.cycle_time0;
+    times.cycle_time1 = beyond_sync0 + calculation.shift(mode.shift_time_sync1, user.sync1);
+  }
+  times.exact = calculation.exact();
+  return times;
+}
+
+}  // namespace syncline::compiler

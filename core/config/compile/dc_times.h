@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "config/device_description.h"
+#include "config/project.h"
+#include "support/types.h"
+
+namespace syncline::compiler {
+
+/// Numbers of the ENI element DC and of the registers behind it, ns.
+struct DcTimes {
+  Nanoseconds cycle_time0 = 0;  // 0x09A0
+  Nanoseconds cycle_time1 = 0;  // 0x09A4: from SYNC0 to SYNC1; negative values cannot be set
+  Nanoseconds shift_time = 0;   // of SYNC0, added to the start time 0x0990
+  bool exact = true;            // false when a division of the bus cycle left a remainder
+};
+
+/// The op mode of a slave, nullptr when DC is off or the name is unknown.
+[[nodiscard]] const DcOpMode* selected_op_mode(const SlaveSettings& slave);
+
+/// ETG.2000 Dc/OpMode with the user's settings, at a bus cycle of `bus_cycle`:
+/// - SYNC0 cycle: value; else factor > 0 multiplies, factor < 0 divides the bus cycle; else 0.
+/// - SYNC0 shift: value + factor term of the bus cycle.
+/// - SYNC1 cycle: value; else factor > 0 multiplies the SYNC0 cycle, factor < 0 multiplies (!) the bus cycle.
+/// - CycleTime1 = SYNC1 cycle - SYNC0 cycle + SYNC1 shift, 0 when AssignActivate does not switch SYNC1 on. A mode that
+///   switches SYNC1 on without a cycle means the cycle of SYNC0.
+/// The user's factor (both units: > 0 multiplies, < 0 divides the bus cycle), cycle and shift replace the ESI's.
+[[nodiscard]] DcTimes dc_times(const DcOpMode& mode, const DcSlaveSettings& user, Nanoseconds bus_cycle);
+
+}  // namespace syncline::compiler

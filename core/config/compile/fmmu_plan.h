@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "config/compile/slave_plan.h"
+
+namespace syncline::compiler {
+
+/// FMMUs of a slave that has its place in the logical address space: outputs, then inputs (one for each SyncManager with
+/// data), then the mailbox state. This order is the numbering, whatever order the ESI lists.
+[[nodiscard]] std::vector<FmmuPlan> plan_fmmus(const SlavePlan& slave);
+
+}  // namespace syncline::compiler

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "config/compile/pdo_findings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace syncline::compiler {
+namespace {
+
+struct Assignment {
+  PdoDirection direction;
+  const char* key;
+  const std::vector<std::uint16_t>& chosen;
+};
+
+bool contains(const std::vector<std::uint16_t>& indices, std::uint16_t index) {
+  return std::ranges::find(indices, index) != indices.end();
+}
+
+void check_chosen(FindingList& findings, const SlavePlan& slave, const Assignment& assignment) {
+  const auto& pdos = slave.device().pdos(assignment.direction);
+  for (std::size_t i = 0; i < assignment.chosen.size(); ++i) {
+    const std::uint16_t index = assignment.chosen[i];
+    const auto pdo = std::ranges::find(pdos, index, &Pdo::index);
+    if (pdo == pdos.end()) {
+      findings.error(assignment.key, fmt::format("The device has no PDO 0x{:04X} in this direction.", index));
+      continue;
+    }
+    if (std::ranges::count(assignment.chosen, index) > 1 &&
+        std::ranges::find(assignment.chosen, index) - assignment.chosen.begin() == static_cast<std::ptrdiff_t>(i)) {
+      findings.error(assignment.key, fmt::format("PDO 0x{:04X} is assigned twice.", index));
+    }
+    const bool carried = std::ranges::any_of(slave.channels, [&](const auto& c) { return contains(c.pdos, index); });
+    if (!carried) {
+      findings.error(assignment.key, fmt::format("No SyncManager can carry PDO 0x{:04X}.", index));
+    }
+    for (const std::uint16_t excluded : pdo->exclude) {
+      if (contains(assignment.chosen, excluded)) {
+        findings.error(assignment.key,
+                       fmt::format("PDO 0x{:04X} excludes 0x{:04X}; only one of them can be assigned.", index, excluded));
+      }
+    }
+  }
+}
+
+void check_mandatory(FindingList& findings, const SlavePlan& slave, const Assignment& assignment) {
+  for (const Pdo& pdo : slave.device().pdos(assignment.direction)) {
+    if (pdo.mandatory && !contains(assignment.chosen, pdo.index)) {
+      findings.warning(assignment.key, fmt::format("PDO 0x{:04X} is mandatory and not assigned.", pdo.index));
+    }
+  }
+}
+
+/// Without the object 0x1C1x the device goes on with its own assignment, and its SyncManager length does not fit ours.
+void check_assignable(FindingList& findings, const SlavePlan& slave, const Assignment& assignment) {
+  const auto& mailbox = slave.device().mailbox;
+  if (mailbox && mailbox->coe && mailbox->coe->pdo_assign) {
+    return;
+  }
+  std::vector<std::uint16_t> fixed, chosen = assignment.chosen;
+  for (const Pdo& pdo : slave.device().pdos(assignment.direction)) {
+    if (pdo.sync_manager) {
+      fixed.push_back(pdo.index);
+    }
+  }
+  std::ranges::sort(fixed);
+  std::ranges::sort(chosen);
+  if (fixed != chosen) {
+    findings.warning(assignment.key, "The device cannot be told another PDO assignment than its ESI's default.");
+  }
+}
+
+void check_sizes(FindingList& findings, const SlavePlan& slave) {
+  for (const auto& channel : slave.channels) {
+    const char* key = channel.is_output() ? "pdo.rx" : "pdo.tx";
+    const auto& description = channel.description;
+    const std::uint32_t bytes = (channel.bit_length + 7) / 8;
+    if (description.max_size && *description.max_size > 0 && bytes > *description.max_size) {
+      findings.error(key, fmt::format("{} bytes exceed the {} that SyncManager {} takes.", bytes,
+                                      *description.max_size, channel.number));
+    }
+    if (description.min_size && bytes > 0 && bytes < *description.min_size) {
+      findings.error(key, fmt::format("SyncManager {} needs at least {} bytes, the PDOs have {}.", channel.number,
+                                      *description.min_size, bytes));
+    }
+  }
+}
+
+void check_changed(FindingList& findings, const SlavePlan& slave) {
+  const auto& mailbox = slave.device().mailbox;
+  const bool configurable = mailbox && mailbox->coe && mailbox->coe->pdo_config;
+  for (const Pdo& changed : slave.settings->changed_pdos) {
+    const Pdo* pdo = slave.find_pdo(changed.index);
+    if (pdo == nullptr) {
+      findings.error("pdo.mapping", fmt::format("The device has no PDO 0x{:04X}.", changed.index));
+    } else if (pdo->fixed || !configurable) {
+      findings.error("pdo.mapping", fmt::format("The mapping of PDO 0x{:04X} is fixed.", changed.index));
+    }
+  }
+}
+
+}  // namespace
+
+void find_pdo_problems(FindingList& findings, const SlavePlan& slave) {
+  const Assignment assignments[] = {{PdoDirection::kRx, "pdo.rx", slave.settings->assigned_rx_pdos},
+                                    {PdoDirection::kTx, "pdo.tx", slave.settings->assigned_tx_pdos}};
+  for (const Assignment& assignment : assignments) {
+    check_chosen(findings, slave, assignment);
+    check_mandatory(findings, slave, assignment);
+    check_assignable(findings, slave, assignment);
+  }
+  check_sizes(findings, slave);
+  check_changed(findings, slave);
+}
+
+}  // namespace syncline::compiler

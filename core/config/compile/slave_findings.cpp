@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "config/compile/slave_findings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "config/compile/coe_init_cmds.h"
+#include "config/compile/cyclic_frames.h"
+#include "config/compile/dc_times.h"
+#include "config/compile/finding_list.h"
+#include "config/compile/fmmu_plan.h"
+#include "config/compile/pdo_findings.h"
+#include "protocol/dc_registers.h"
+
+namespace syncline::compiler {
+namespace {
+
+void check_memory(FindingList& findings, const SlavePlan& slave) {
+  const auto fmmus = plan_fmmus(slave).size();
+  const auto available = slave.device().fmmus.size();
+  if (available > 0 && fmmus > available) {
+    findings.error("pdo.rx", fmt::format("The process data need {} FMMUs, the device has {}.", fmmus, available));
+  }
+  const std::uint32_t bytes =
+      (std::max(slave.image_bits(PdoDirection::kRx), slave.image_bits(PdoDirection::kTx)) + 7) / 8;
+  if (bytes > kMaxDatagramBytes - kDatagramOverhead) {
+    findings.error("pdo.rx", fmt::format("{} bytes of process data do not fit into one Ethernet frame.", bytes));
+  }
+}
+
+void check_mailbox(FindingList& findings, const SlavePlan& slave) {
+  constexpr std::uint16_t kMailboxHeader = 6;
+  if (slave.device().mailbox && !slave.mailbox) {
+    findings.error("device", "The ESI names mailbox protocols, but no pair of mailbox SyncManagers.");
+  } else if (slave.mailbox && (slave.mailbox->out.length <= kMailboxHeader || slave.mailbox->in.length <= kMailboxHeader)) {
+    findings.error("device", "The ESI gives the mailbox no usable size.");
+  }
+}
+
+void check_sync_units(FindingList& findings, const DcOpMode& mode, const DcTimes& times, Nanoseconds bus_cycle) {
+  if (!times.exact) {
+    findings.warning("dc.sync0.factor", "The bus cycle is not divisible by the factor; the SYNC cycle is cut to whole "
+                                        "nanoseconds and drifts against the frame.");
+  }
+  const AssignActivate activate{mode.assign_activate};
+  if (activate.sync0() && times.cycle_time0 <= 0) {
+    findings.error("dc.sync0.cycle_ns", fmt::format("{} switches SYNC0 on, its cycle is {} ns.", mode.name,
+                                                    times.cycle_time0));
+  } else if (activate.sync0() && times.cycle_time0 % bus_cycle != 0 && bus_cycle % times.cycle_time0 != 0) {
+    findings.warning("dc.sync0.cycle_ns",
+                     fmt::format("SYNC0 every {} ns and a frame every {} ns: neither is a multiple of the other.",
+                                 times.cycle_time0, bus_cycle));
+  }
+  if (times.cycle_time1 < 0) {
+    findings.error("dc.sync1.shift_ns",
+                   fmt::format("SYNC1 would come {} ns before SYNC0; register 0x09A4 holds only a delay after it.",
+                               -times.cycle_time1));
+  }
+}
+
+void check_dc(FindingList& findings, const Project& project, const SlavePlan& slave) {
+  const DcSlaveSettings& user = slave.settings->dc;
+  if (user.op_mode.empty()) {
+    return;
+  }
+  const DcOpMode* mode = selected_op_mode(*slave.settings);
+  if (mode == nullptr) {
+    findings.error("dc.op_mode", fmt::format("The ESI has no operation mode \"{}\".", user.op_mode));
+  } else if (slave.dc_commands()) {
+    check_sync_units(findings, *mode, dc_times(*mode, user, project.master.cycle_time), project.master.cycle_time);
+  }
+}
+
+void check_interpolation_time(FindingList& findings, const Project& project, const SlavePlan& slave) {
+  constexpr std::uint16_t kInterpolationTimePeriod = 0x60C2;
+  const bool adapted = std::ranges::any_of(slave.settings->startup, [&](const StartupCommand& command) {
+    return command.index == kInterpolationTimePeriod && is_from_esi(command, slave.device());
+  });
+  if (adapted && !interpolation_time(project.master.cycle_time)) {
+    findings.warning("startup", fmt::format("Object 0x60C2 cannot express a cycle of {} ns; the ESI's value is kept.",
+                                            project.master.cycle_time));
+  }
+}
+
+void check_topology(FindingList& findings, const SlavePlan& slave) {
+  const auto& previous = slave.settings->previous;
+  if (previous && previous->position >= slave.position) {
+    findings.error("previous", "The predecessor of a slave must stand before it on the bus.");
+  } else if (previous && (previous->port == 0 || previous->port > 3)) {
+    findings.error("previous", "A slave hangs on port B, C or D of its predecessor.");
+  } else if (!previous && slave.position > 0) {
+    findings.warning("previous", "The wiring is unknown: propagation delays will be measured as if in a line.");
+  }
+}
+
+}  // namespace
+
+void find_slave_problems(std::vector<Finding>& out, const Project& project, const SlavePlan& slave) {
+  FindingList findings(out, slave.position);
+  find_pdo_problems(findings, slave);
+  check_memory(findings, slave);
+  check_mailbox(findings, slave);
+  check_dc(findings, project, slave);
+  check_interpolation_time(findings, project, slave);
+  check_topology(findings, slave);
+}
+
+}  // namespace syncline::compiler

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "config/compile/compile.h"
+#include "config/compile/slave_plan.h"
+
+namespace syncline::compiler {
+
+/// PDO assignment, memory, DC times, mailbox, topology of one slave.
+void find_slave_problems(std::vector<Finding>& out, const Project& project, const SlavePlan& slave);
+
+}  // namespace syncline::compiler

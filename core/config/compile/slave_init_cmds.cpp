@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "config/compile/slave_init_cmds.h"
+
+#include "config/compile/dc_init_cmds.h"
+#include "config/compile/init_cmd_builder.h"
+#include "config/compile/memory_init_cmds.h"
+#include "config/compile/state_init_cmds.h"
+#include "protocol/registers.h"
+#include "support/byte_order.h"
+#include "support/types.h"
+
+namespace syncline::compiler {
+namespace {
+
+constexpr std::uint32_t kSiiTimeoutMs = 100;
+
+/// Reads `length` bytes of the SII from `word` on and compares.
+void check_sii(InitCmdBuilder& cmds, const std::string& what, std::uint16_t word, Bytes expected) {
+  Bytes request;
+  ByteWriter(request).u16(0x0100).u16(word).u16(0);  // read command, word address
+  cmds.apwr({Transition::kIP}, "read " + what + " from SII", reg::kSiiControl, std::move(request)).answered();
+  const std::size_t length = expected.size();
+  cmds.aprd({Transition::kIP}, "check " + what, reg::kSiiData, length)
+      .cycle()
+      .answered()
+      .validate(std::move(expected), {}, kSiiTimeoutMs);
+}
+
+void add_identity(InitCmdBuilder& cmds, const SlavePlan& slave) {
+  const IdentityCheck& check = slave.settings->check;
+  const Identity& identity = slave.device().identity;
+  cmds.apwr({Transition::kIP}, "assign SII to EtherCAT", reg::kSiiConfiguration, {0}).cycle().answered();
+  if (check.vendor) {
+    check_sii(cmds, "vendor id", 0x08, le_bytes(identity.vendor_id));
+  }
+  if (check.product) {
+    check_sii(cmds, "product code", 0x0A, le_bytes(identity.product_code));
+  }
+  if (check.revision) {
+    if (slave.device().check_revision_low_word) {
+      check_sii(cmds, "revision number (low word)", 0x0C, le_bytes(static_cast<std::uint16_t>(identity.revision_no)));
+    } else {
+      check_sii(cmds, "revision number", 0x0C, le_bytes(identity.revision_no));
+    }
+  }
+  if (check.serial && identity.serial_no != 0) {
+    check_sii(cmds, "serial number", 0x0E, le_bytes(identity.serial_no));
+  }
+}
+
+void add_station_address(InitCmdBuilder& cmds, const SlavePlan& slave) {
+  cmds.apwr({Transition::kIP, Transition::kIB}, "set station address", reg::kStationAddress,
+            le_bytes(slave.settings->station_address))
+      .cycle()
+      .answered();
+}
+
+void add_watchdogs(InitCmdBuilder& cmds, const DeviceDescription& device) {
+  const auto write = [&](const std::optional<std::uint16_t>& value, std::uint16_t address, const char* comment) {
+    if (value) {
+      cmds.fpwr({Transition::kIP}, comment, address, le_bytes(*value)).answered();
+    }
+  };
+  write(device.reg_0400, reg::kWatchdogDivider, "set watchdog divider");
+  write(device.reg_0410, reg::kWatchdogPdi, "set PDI watchdog");
+  write(device.reg_0420, reg::kWatchdogProcessData, "set process data watchdog");
+}
+
+}  // namespace
+
+std::vector<InitCmd> slave_init_cmds(const SlavePlan& slave, EniDialect dialect) {
+  std::vector<InitCmd> out;
+  InitCmdBuilder cmds(out, Position{slave.position}.auto_increment_address(), slave.settings->station_address);
+  const StateCommands states(slave.device(), dialect);
+  const MemoryCommands memory(slave, dialect);
+
+  states.add_back_to_init(cmds, slave.dc_commands());
+  states.add_start_in_init(cmds);
+  add_identity(cmds, slave);
+  add_station_address(cmds, slave);
+  add_watchdogs(cmds, slave.device());
+  memory.add_mailbox(cmds);
+  add_dc_start(cmds, slave);
+  states.add_request_back_to_preop(cmds);
+  memory.add_sync_managers(cmds);
+  memory.add_fmmus(cmds);
+  states.add_request_back_to_safeop(cmds);
+  memory.add_clear_fmmus(cmds);
+  add_dc_stop(cmds, slave);
+  states.add_check_back_to_preop(cmds);
+  states.add_preop_and_boot(cmds);
+  states.add_safeop_and_op(cmds);
+  return out;
+}
+
+}  // namespace syncline::compiler

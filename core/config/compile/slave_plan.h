@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "config/network_config.h"
+#include "config/project.h"
+#include "protocol/fmmu.h"
+#include "protocol/sync_manager.h"
+
+/// Values that the steps of compile() hand to each other. Each step fills its own part and leaves the rest.
+namespace syncline::compiler {
+
+/// A SyncManager that carries process data.
+struct ProcessDataChannel {
+  std::uint8_t number = 0;
+  SyncManagerDescription description;
+  std::vector<std::uint16_t> pdos;  // assigned, in order
+  std::uint32_t bit_length = 0;     // sum of the PDOs
+
+  [[nodiscard]] bool is_output() const { return description.type == SyncManagerType::kOutputs; }
+  [[nodiscard]] std::uint16_t byte_length() const { return static_cast<std::uint16_t>((bit_length + 7) / 8); }
+  /// Register image; inactive when the channel carries nothing.
+  [[nodiscard]] SyncManager image() const;
+};
+
+/// The mailbox pair of SyncManagers.
+struct MailboxPlan {
+  std::uint8_t out_number = 0, in_number = 1;
+  std::uint8_t out_control = 0, in_control = 0;
+  MailboxChannel out, in;
+  std::optional<MailboxChannel> bootstrap_out, bootstrap_in;
+  bool uses_status_bit = false;
+  std::uint32_t status_bit = 0;  // running number over the bus, when uses_status_bit
+};
+
+struct FmmuPlan {
+  FmmuUse use = FmmuUse::kUnused;
+  Fmmu image;
+};
+
+/// Where one direction of a slave lies in the logical address space.
+struct Placement {
+  std::uint32_t bits = 0;             // 0: this direction has no data
+  std::uint32_t logical_address = 0;  // byte
+  std::uint8_t start_bit = 0;         // inside that byte; not 0 only for bit-packed slaves
+  std::size_t datagram = 0;           // index in ImageLayout::datagrams
+};
+
+struct SlavePlan {
+  const SlaveSettings* settings = nullptr;
+  std::uint16_t position = 0;
+  std::vector<ConfiguredPdo> pdos;           // every PDO: Tx, then Rx; sync_manager set on assigned ones only
+  std::vector<ProcessDataChannel> channels;  // SyncManager order
+  std::optional<MailboxPlan> mailbox;
+  std::optional<SlaveDcConfig> dc;
+  /// Digital terminals without mailbox whose entries are all smaller than a byte are mapped bit by bit.
+  bool bit_oriented = false;
+  Placement outputs, inputs;
+  std::vector<FmmuPlan> fmmus;  // index = FMMU number
+
+  [[nodiscard]] const DeviceDescription& device() const { return settings->device; }
+  [[nodiscard]] bool dc_commands() const { return dc && dc->assign_activate != 0; }
+  /// Bits of one direction in the process image: exact for bit-oriented slaves, else whole bytes a channel.
+  [[nodiscard]] std::uint32_t image_bits(PdoDirection direction) const;
+  [[nodiscard]] const Pdo* find_pdo(std::uint16_t index) const;
+};
+
+}  // namespace syncline::compiler
