@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "support/types.h"
+
+namespace syncline {
+
+/// What one picture column of a series shows.
+struct SeriesColumn {
+  Nanoseconds start = 0;   // of the column; its width is the query's
+  float min = 0, max = 0;  // exact over every sample in the column
+  float last = 0;          // value of the latest sample in the column
+  bool valid = false;      // false: no valid sample, draw a gap
+  bool operator==(const SeriesColumn&) const = default;
+};
+
+/// Values over time with a min/max pyramid (factor 16), so that any window is reduced to columns in
+/// time proportional to the columns, and a single outlier is never lost. A ring: the oldest samples go
+/// when `capacity` is reached. Not thread-safe. NaN marks a gap.
+class MinMaxSeries {
+ public:
+  /// `capacity` in samples; rounded up to a multiple of 4096.
+  explicit MinMaxSeries(std::size_t capacity = 1U << 20);
+
+  /// `time` must not be earlier than the last one (such a sample is dropped).
+  void append(Nanoseconds time, float value);
+  void clear();
+
+  [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(end_ - begin_); }
+  [[nodiscard]] bool empty() const { return end_ == begin_; }
+  [[nodiscard]] Nanoseconds first_time() const;
+  [[nodiscard]] Nanoseconds last_time() const;
+  [[nodiscard]] std::size_t memory_bytes() const;
+
+  /// Columns of `width` ns that cover [begin, end). Their edges are multiples of `width` since the epoch
+  /// whatever `begin` is, so a window that slides does not change the columns inside it.
+  void columns(Nanoseconds begin, Nanoseconds end, Nanoseconds width, std::vector<SeriesColumn>& out) const;
+
+  /// Latest valid value at or before `time`, and its time.
+  struct Reading {
+    Nanoseconds time = 0;
+    float value = 0;
+  };
+  [[nodiscard]] std::optional<Reading> at(Nanoseconds time) const;
+  /// Calls `visit(time, value)` for every sample in [begin, end), gaps (NaN) included.
+  template <class Visit>
+  void for_each(Nanoseconds begin, Nanoseconds end, Visit&& visit) const {
+    for (auto i = lower_bound(begin); i < end_ && times_[slot(i)] < end; ++i) visit(times_[slot(i)], values_[slot(i)]);
+  }
+
+ private:
+  struct Range {
+    float min, max;  // min > max: nothing valid
+  };
+  static constexpr std::uint64_t kFactor = 16;
+  static constexpr std::size_t kLevels = 3;  // buckets of 16, 256 and 4096 samples
+
+  [[nodiscard]] std::size_t slot(std::uint64_t index) const { return static_cast<std::size_t>(index % capacity_); }
+  [[nodiscard]] std::uint64_t lower_bound(Nanoseconds time) const;
+  [[nodiscard]] Range range(std::uint64_t begin, std::uint64_t end) const;
+  void merge_into_levels(std::uint64_t index, float value);
+
+  std::uint64_t capacity_;
+  std::uint64_t begin_ = 0, end_ = 0;  // absolute indices of the samples that are kept
+  std::vector<Nanoseconds> times_;
+  std::vector<float> values_;
+  std::vector<Range> levels_[kLevels];
+};
+
+}  // namespace syncline

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "trace/min_max_series.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "support/random.h"
+
+namespace syncline {
+namespace {
+
+struct Sample {
+  Nanoseconds time;
+  float value;
+};
+
+/// Irregular times, noise, rare spikes, some gaps.
+std::vector<Sample> make_samples(std::size_t count, std::uint64_t seed) {
+  Random random(seed);
+  std::vector<Sample> samples;
+  Nanoseconds time = 820 * kSecond;
+  for (std::size_t i = 0; i < count; ++i) {
+    time += 1 + static_cast<Nanoseconds>(random.uniform() * 2'000'000);
+    float value = static_cast<float>(random.normal() * 10);
+    if (random.uniform() < 0.001) value += 5'000;
+    if (random.uniform() < 0.01) value = std::numeric_limits<float>::quiet_NaN();
+    samples.push_back({time, value});
+  }
+  return samples;
+}
+
+SeriesColumn brute_force(const std::vector<Sample>& samples, Nanoseconds start, Nanoseconds width) {
+  SeriesColumn column;
+  column.start = start;
+  for (const auto& sample : samples) {
+    if (sample.time < start || sample.time >= start + width || std::isnan(sample.value)) continue;
+    column.min = column.valid ? std::min(column.min, sample.value) : sample.value;
+    column.max = column.valid ? std::max(column.max, sample.value) : sample.value;
+    column.last = sample.value;
+    column.valid = true;
+  }
+  return column;
+}
+
+TEST(MinMaxSeries, ColumnsEqualBruteForceAtEveryZoom) {
+  const auto samples = make_samples(20'000, 3);
+  MinMaxSeries series(32'768);
+  for (const auto& sample : samples) series.append(sample.time, sample.value);
+  Random random(4);
+  std::vector<SeriesColumn> columns;
+  for (int round = 0; round < 40; ++round) {
+    const auto span = samples.back().time - samples.front().time;
+    const auto begin = samples.front().time + static_cast<Nanoseconds>(random.uniform(-0.1, 0.9) * static_cast<double>(span));
+    const auto width = 1 + static_cast<Nanoseconds>(std::pow(10.0, random.uniform(3, 10)));
+    series.columns(begin, begin + 20 * width, width, columns);
+    ASSERT_GE(columns.size(), 20U);
+    for (const auto& column : columns) {
+      EXPECT_EQ(column.start % width, 0);
+      EXPECT_EQ(column, brute_force(samples, column.start, width)) << "width " << width;
+    }
+  }
+}
+
+TEST(MinMaxSeries, InnerColumnsDoNotChangeWhenTheWindowSlides) {
+  const auto samples = make_samples(5'000, 5);
+  MinMaxSeries series;
+  for (const auto& sample : samples) series.append(sample.time, sample.value);
+  std::vector<SeriesColumn> reference, moved;
+  const Nanoseconds width = 37 * kMillisecond;
+  const auto begin = samples.front().time;
+  series.columns(begin, begin + 50 * width, width, reference);
+  for (Nanoseconds offset = 1; offset < width; offset += width / 7) {
+    series.columns(begin + offset, begin + offset + 50 * width, width, moved);
+    // The first and last columns may be cut by the window; the others are the same ones, found by their start.
+    for (const auto& column : moved) {
+      const auto index = static_cast<std::size_t>((column.start - reference.front().start) / width);
+      if (index > 0 && index + 1 < reference.size()) {
+        EXPECT_EQ(column, reference[index]);
+      }
+    }
+  }
+}
+
+TEST(MinMaxSeries, RingForgetsTheOldestAndKeepsTheRestExact) {
+  const auto samples = make_samples(60'000, 6);
+  MinMaxSeries series(16'384);
+  for (const auto& sample : samples) series.append(sample.time, sample.value);
+  EXPECT_LE(series.size(), 16'384U);
+  EXPECT_GE(series.size(), 16'384U - 4'096U);
+  EXPECT_EQ(series.last_time(), samples.back().time);
+  const std::vector<Sample> kept(samples.end() - static_cast<std::ptrdiff_t>(series.size()), samples.end());
+  EXPECT_EQ(series.first_time(), kept.front().time);
+  std::vector<SeriesColumn> columns;
+  const auto width = (kept.back().time - kept.front().time) / 10;
+  series.columns(kept.front().time, kept.back().time + 1, width, columns);
+  for (const auto& column : columns) EXPECT_EQ(column, brute_force(kept, column.start, width));
+}
+
+TEST(MinMaxSeries, AtGivesTheLastValidValueNotAfterTheTime) {
+  MinMaxSeries series;
+  series.append(100, 1);
+  series.append(200, std::numeric_limits<float>::quiet_NaN());
+  series.append(300, 3);
+  EXPECT_FALSE(series.at(99));
+  EXPECT_EQ(series.at(100)->value, 1);
+  EXPECT_EQ(series.at(299)->value, 1);
+  EXPECT_EQ(series.at(299)->time, 100);
+  EXPECT_EQ(series.at(1'000)->value, 3);
+}
+
+TEST(MinMaxSeries, TimeNeverStepsBack) {
+  MinMaxSeries series;
+  series.append(100, 1);
+  series.append(50, 9);
+  EXPECT_EQ(series.size(), 1U);
+}
+
+}  // namespace
+}  // namespace syncline
