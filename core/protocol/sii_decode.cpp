@@ -33,6 +33,7 @@ Result<std::vector<Category>> split(std::span<const std::uint8_t> bytes) {
     category.type = reader.u16();
     if (category.type == static_cast<std::uint16_t>(CategoryType::kEnd)) break;
     const std::size_t words = reader.u16();
+    if (category.type == 0 && words == 0) break;  // never written: zeros to the end
     category.data = reader.take(2 * words);
     if (!reader.ok()) return broken(category, fmt::format("of {} words reaches beyond the image", words));
     if (category.type != 0) categories.push_back(category);  // type 0 fills space

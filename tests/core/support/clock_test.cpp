@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "support/clock.h"
+
+#include <gtest/gtest.h>
+#include <time.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace syncline {
+namespace {
+
+std::vector<Nanoseconds> wakeups(const JitterProfile& profile, std::uint64_t seed, int count) {
+  VirtualClock clock(0);
+  clock.set_wakeup_jitter(profile, seed);
+  std::vector<Nanoseconds> late;
+  for (int i = 1; i <= count; ++i) {
+    clock.sleep_until(i * kMillisecond);
+    late.push_back(clock.now() - i * kMillisecond);
+  }
+  return late;
+}
+
+TEST(RealClock, CountsFromTheDcEpochAndRises) {
+  RealClock clock;
+  const auto first = clock.now();
+  const auto unix_now = static_cast<std::int64_t>(::time(nullptr));
+  EXPECT_NEAR(static_cast<double>(first / kSecond), static_cast<double>(unix_now - kDcEpochUnixSeconds), 2.0);
+  EXPECT_GE(clock.now(), first);
+  EXPECT_FALSE(clock.is_virtual());
+}
+
+TEST(RealClock, SleepReturnsNotBeforeTheDeadlineAndAtOnceWhenItHasPassed) {
+  RealClock clock;
+  const auto deadline = clock.now() + 100 * kMicrosecond;
+  clock.sleep_until(deadline);
+  EXPECT_GE(clock.now(), deadline);
+  clock.sleep_until(clock.now() - kSecond);
+  clock.sleep_until(0);  // before this machine was started
+}
+
+TEST(VirtualClock, TimePassesOnlyBySleepingAndNeverBack) {
+  VirtualClock clock;
+  EXPECT_TRUE(clock.is_virtual());
+  EXPECT_EQ(clock.now(), VirtualClock::kDefaultStart);
+  clock.sleep_until(clock.now() + 5);
+  EXPECT_EQ(clock.now(), VirtualClock::kDefaultStart + 5);
+  clock.sleep_until(clock.now() - 1);
+  clock.advance_to(0);
+  EXPECT_EQ(clock.now(), VirtualClock::kDefaultStart + 5);
+}
+
+TEST(VirtualClock, WakeupsAreLateAndTheSameForTheSameSeed) {
+  const auto first = wakeups(JitterProfile::desktop(), 7, 2'000);
+  EXPECT_EQ(first, wakeups(JitterProfile::desktop(), 7, 2'000));
+  EXPECT_NE(first, wakeups(JitterProfile::desktop(), 8, 2'000));
+  EXPECT_GE(*std::min_element(first.begin(), first.end()), 0);
+  EXPECT_GT(*std::max_element(first.begin(), first.end()), 3'000);
+}
+
+TEST(VirtualClock, JitterHasTheScaleAndTheTailOfItsProfile) {
+  const JitterProfile profile{1'000, 0.01, 100'000};
+  const auto late = wakeups(profile, 11, 50'000);
+  double sum = 0;
+  for (const auto value : late) sum += static_cast<double>(value);
+  // Mean of the one-sided normal: sigma * sqrt(2 / pi), plus the tail's share.
+  EXPECT_NEAR(sum / static_cast<double>(late.size()), 1'000 * 0.7979 + 0.01 * 50'000, 60.0);
+  const auto tail = std::count_if(late.begin(), late.end(), [](Nanoseconds v) { return v > 10'000; });
+  EXPECT_NEAR(static_cast<double>(tail) / static_cast<double>(late.size()), 0.01 * 0.92, 0.002);
+}
+
+TEST(VirtualClock, FramesInFlightHaveNoJitter) {
+  VirtualClock clock(0);
+  clock.set_wakeup_jitter(JitterProfile::bad(), 1);
+  clock.advance_to(123'456);
+  EXPECT_EQ(clock.now(), 123'456);
+}
+
+}  // namespace
+}  // namespace syncline
