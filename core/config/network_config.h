@@ -119,6 +119,14 @@ struct SlaveConfig {
   bool operator==(const SlaveConfig&) const = default;
 };
 
+/// Slave-to-slave copy: bits of this command's inputs that the master puts into its outputs, offsets in the image.
+struct CopyInfo {
+  std::uint32_t source_bit = 0;
+  std::uint32_t destination_bit = 0;
+  std::uint32_t bit_size = 0;
+  bool operator==(const CopyInfo&) const = default;
+};
+
 struct CyclicCmd {
   std::vector<AlState> states;
   std::string comment;
@@ -131,6 +139,7 @@ struct CyclicCmd {
   std::optional<std::uint16_t> expected_wkc;
   std::uint32_t input_offset = 0;
   std::uint32_t output_offset = 0;
+  std::vector<CopyInfo> copy_infos;
   bool operator==(const CyclicCmd&) const = default;
   [[nodiscard]] std::uint16_t length() const {
     return data_length ? *data_length : static_cast<std::uint16_t>(data.size());

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "eni/eni_reader.h"
+
+#include <algorithm>
+
+#include "eni/atomic_file.h"
+#include "eni/eni_file.h"
+#include "eni/text_encoding.h"
+
+namespace syncline::eni {
+namespace {
+
+void read_mac(const EniElement& element, std::array<std::uint8_t, 6>& mac) {
+  if (!element) {
+    return;
+  }
+  const auto bytes = element.bytes();
+  if (bytes.size() == mac.size()) {
+    std::ranges::copy(bytes, mac.begin());
+  } else {
+    element.report(ErrorCode::kXmlBadValue, element.text());
+  }
+}
+
+/// Station address of the selected previous port, 0 = none.
+std::uint16_t read_previous(const EniElement& slave, SlaveConfig& config) {
+  const auto ports = slave.children("PreviousPort");
+  auto selected = std::ranges::find_if(ports, [](const EniElement& p) { return p.boolean_attribute("Selected"); });
+  if (selected == ports.end() && ports.size() == 1) {
+    selected = ports.begin();
+  }
+  if (selected == ports.end()) {
+    return 0;
+  }
+  const std::string port = selected->text_of("Port");
+  if (port.size() != 1 || port[0] < 'A' || port[0] > 'D') {
+    selected->child("Port").report(ErrorCode::kXmlBadValue, port);
+    return 0;
+  }
+  config.previous = PreviousPort{0, static_cast<std::uint8_t>(port[0] - 'A')};
+  return selected->number_of<std::uint16_t>("PhysAddr");
+}
+
+Result<NetworkConfig> read_config(const EniElement& root, EniReadContext& context) {
+  const EniElement config_element = root.required("Config");
+  NetworkConfig config;
+  config.master = read_master(config_element.required("Master"));
+  std::vector<std::uint16_t> previous_addresses;
+  for (const EniElement& slave : config_element.children("Slave")) {
+    config.slaves.push_back(read_slave(slave, static_cast<std::uint16_t>(config.slaves.size())));
+    previous_addresses.push_back(read_previous(slave, config.slaves.back()));
+  }
+  for (const EniElement& cyclic : config_element.children("Cyclic")) {
+    config.cyclic.push_back(read_cyclic(cyclic));
+  }
+  config.image = read_process_image(config_element.child("ProcessImage"));
+  if (context.error()) {
+    return fail(*context.error());
+  }
+  derive_network(config, previous_addresses);
+  return config;
+}
+
+}  // namespace
+
+MasterConfig read_master(const EniElement& master) {
+  MasterConfig config;
+  const EniElement info = master.child("Info");
+  config.name = info.text_of("Name");
+  read_mac(info.child("Destination"), config.destination_mac);
+  read_mac(info.child("Source"), config.source_mac);
+  config.eoe = static_cast<bool>(master.child("EoE"));
+  config.mailbox_state_count = master.child("MailboxStates").optional_number_of<std::uint16_t>("Count");
+  config.init_cmds = read_init_cmds(master.child("InitCmds"));
+  return config;
+}
+
+Result<NetworkConfig> parse_eni(std::string_view text, const std::string& file_name) {
+  const std::string utf8 = to_utf8(text);
+  tinyxml2::XMLDocument document;
+  if (document.Parse(utf8.data(), utf8.size()) != tinyxml2::XML_SUCCESS) {
+    return fail(Error{.code = ErrorCode::kXmlMalformed,
+                      .detail = tinyxml2::XMLDocument::ErrorIDToName(document.ErrorID()),
+                      .file = file_name,
+                      .line = document.ErrorLineNum()});
+  }
+  const auto* root = document.RootElement();
+  const std::string_view root_name = root ? root->Name() : "";
+  // "Encrypted..." is an OEM export whose content is plain in the field.
+  if (root_name != "EtherCATConfig" && root_name != "EncryptedEtherCATConfig") {
+    return fail(Error{.code = ErrorCode::kNotThatKindOfFile, .detail = "an ENI file (root element EtherCATConfig)",
+                      .file = file_name});
+  }
+  EniReadContext context(file_name);
+  return read_config(EniElement(root, context), context);
+}
+
+Result<NetworkConfig> read_eni(const std::string& path) {
+  const auto text = read_whole_file(path);
+  return text ? parse_eni(*text, path) : fail(text.error());
+}
+
+}  // namespace syncline::eni

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "config/network_config.h"
+#include "eni/eni_element.h"
+
+/// The parts of the ENI reader; read_eni() of eni_file.h puts them together. Missing elements give defaults, bad ones
+/// leave an error in the context.
+namespace syncline::eni {
+
+[[nodiscard]] MasterConfig read_master(const EniElement& master);
+[[nodiscard]] SlaveConfig read_slave(const EniElement& slave, std::uint16_t position);
+[[nodiscard]] std::vector<InitCmd> read_init_cmds(const EniElement& init_cmds);
+[[nodiscard]] CyclicTask read_cyclic(const EniElement& cyclic);
+[[nodiscard]] ProcessImage read_process_image(const EniElement& image);
+[[nodiscard]] std::vector<Transition> read_transitions(const EniElement& cmd);
+
+/// What an ENI says only through its commands: see eni_reader_derived.cpp.
+void derive_slave(SlaveConfig& slave);
+void derive_network(NetworkConfig& config, const std::vector<std::uint16_t>& previous_addresses);
+
+}  // namespace syncline::eni
