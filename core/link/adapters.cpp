@@ -31,6 +31,12 @@ std::string driver_of(const std::string& name) {
   return error ? std::string{} : link.filename().string();
 }
 
+/// Wireless cards call themselves Ethernet too, but carry no foreign frame types in time.
+bool is_wireless(const std::string& name) {
+  std::error_code error;
+  return fs::exists(fs::path("/sys/class/net") / name / "phy80211", error);
+}
+
 bool is_up(const std::string& name, unsigned flags) {
   // A veth end reports "up" only while its peer is up; "unknown" is what drivers without carrier say.
   const auto state = first_line(fs::path("/sys/class/net") / name / "operstate");
@@ -51,6 +57,7 @@ Result<std::vector<AdapterInfo>> list_adapters() {
     sockaddr_ll address{};
     std::memcpy(&address, entry->ifa_addr, sizeof(address));
     if ((entry->ifa_flags & IFF_LOOPBACK) != 0 || address.sll_hatype != ARPHRD_ETHER || address.sll_halen != 6) continue;
+    if (is_wireless(entry->ifa_name)) continue;
     AdapterInfo adapter;
     adapter.name = entry->ifa_name;
     std::copy_n(address.sll_addr, 6, adapter.mac.begin());

@@ -16,7 +16,7 @@ using MacAddress = std::array<std::uint8_t, 6>;
 struct LinkDescription {
   std::string name;         // "sim:resources/demo/machine.toml", "nic:eth0"
   std::string kind;         // "simulated", "nic", "replay"
-  MacAddress mac{};
+  MacAddress mac{};         // source address for the master's frames
   bool up = false;
   bool stamps_time = false; // receive() gives the hardware's or the simulator's arrival time
 };

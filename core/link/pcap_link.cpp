@@ -13,6 +13,8 @@
 namespace syncline {
 namespace {
 
+constexpr std::uint8_t kLocallyAdministered = 0x02;
+
 struct PcapCloser {
   void operator()(pcap_t* handle) const { pcap_close(handle); }
 };
@@ -28,8 +30,18 @@ std::string permission_command() {
 
 class PcapLink final : public Link {
  public:
-  PcapLink(PcapHandle handle, AdapterInfo adapter, Clock& clock)
-      : handle_(std::move(handle)), adapter_(std::move(adapter)), clock_(clock), fd_(pcap_get_selectable_fd(handle_.get())) {}
+  /// `sees_own`: the adapter cannot tell directions apart, so what was sent comes back as received.
+  PcapLink(PcapHandle handle, AdapterInfo adapter, bool sees_own, Clock& clock)
+      : handle_(std::move(handle)),
+        adapter_(std::move(adapter)),
+        source_(adapter_.mac),
+        sees_own_(sees_own),
+        clock_(clock),
+        fd_(pcap_get_selectable_fd(handle_.get())) {
+    // The first ESC sets this bit. Frames leave without it, so that a returned frame differs from a
+    // sent one on cards whose own address has it (veth, USB adapters).
+    source_[0] &= static_cast<std::uint8_t>(~kLocallyAdministered);
+  }
 
   Status send(std::span<const std::uint8_t> frame) override {
     if (pcap_inject(handle_.get(), frame.data(), frame.size()) != static_cast<int>(frame.size())) {
@@ -57,13 +69,15 @@ class PcapLink final : public Link {
   }
 
   [[nodiscard]] LinkDescription describe() const override {
-    return {"nic:" + adapter_.name, "nic", adapter_.mac, adapter_.up, false};
+    return {"nic:" + adapter_.name, "nic", source_, adapter_.up, false};
   }
 
  private:
-  /// Our own frame as it left: slaves set the locally-administered bit of the source on its way round.
+  /// Our own frame as it left. Where the adapter tells directions apart the address says nothing: a
+  /// segment with DL control bit 0 cleared returns it unchanged.
   [[nodiscard]] bool is_echo(std::span<const std::uint8_t> frame) const {
-    return frame.size() >= kEthernetHeaderSize && std::equal(adapter_.mac.begin(), adapter_.mac.end(), frame.begin() + 6);
+    return sees_own_ && frame.size() >= kEthernetHeaderSize &&
+           std::equal(source_.begin(), source_.end(), frame.begin() + 6);
   }
 
   void wait(Nanoseconds left) const {
@@ -75,6 +89,8 @@ class PcapLink final : public Link {
 
   PcapHandle handle_;
   AdapterInfo adapter_;
+  MacAddress source_;
+  bool sees_own_;
   Clock& clock_;
   int fd_;
 };
@@ -124,10 +140,9 @@ Result<std::unique_ptr<Link>> open_pcap_link(const std::string& adapter, Clock& 
   if (activated < 0) return fail(ErrorCode::kLinkIo, adapter, pcap_geterr(handle.get()));
   if (pcap_datalink(handle.get()) != DLT_EN10MB) return fail(ErrorCode::kNotSupported, adapter, "not an Ethernet adapter");
   if (auto status = set_filter(handle.get(), adapter); !status) return tl::unexpected(status.error());
-  // Not every adapter can tell the directions apart; is_echo() covers the others.
-  (void)pcap_setdirection(handle.get(), PCAP_D_IN);
+  const bool sees_own = pcap_setdirection(handle.get(), PCAP_D_IN) != 0;
   if (pcap_setnonblock(handle.get(), 1, text) != 0) return fail(ErrorCode::kLinkIo, adapter, text);
-  return std::make_unique<PcapLink>(std::move(handle), *info, clock);
+  return std::make_unique<PcapLink>(std::move(handle), *info, sees_own, clock);
 }
 
 }  // namespace syncline

@@ -2,6 +2,7 @@
 #include "trace/min_max_series.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -11,7 +12,15 @@ namespace {
 constexpr float kHuge = std::numeric_limits<float>::infinity();
 constexpr std::uint64_t kTop = 4096;
 
-constexpr std::uint64_t round_up(std::uint64_t value, std::uint64_t step) { return (value + step - 1) / step * step; }
+/// Overwrites the slot, or grows the ring by it as long as it is not full for the first time.
+template <class T>
+void put(std::vector<T>& ring, std::size_t slot, T value) {
+  if (slot < ring.size()) {
+    ring[slot] = value;
+  } else {
+    ring.push_back(value);
+  }
+}
 
 /// Largest multiple of `width` that is not above `time`.
 Nanoseconds floor_to(Nanoseconds time, Nanoseconds width) {
@@ -22,13 +31,7 @@ Nanoseconds floor_to(Nanoseconds time, Nanoseconds width) {
 }  // namespace
 
 MinMaxSeries::MinMaxSeries(std::size_t capacity)
-    : capacity_(std::max<std::uint64_t>(round_up(capacity, kTop), 2 * kTop)), times_(capacity_), values_(capacity_) {
-  std::uint64_t bucket = 1;
-  for (auto& level : levels_) {
-    bucket *= kFactor;
-    level.assign(capacity_ / bucket, Range{kHuge, -kHuge});
-  }
-}
+    : capacity_(std::bit_ceil(std::max<std::uint64_t>(capacity, 2 * kTop))) {}
 
 void MinMaxSeries::clear() { begin_ = end_ = 0; }
 
@@ -45,22 +48,24 @@ void MinMaxSeries::append(Nanoseconds time, float value) {
   if (!empty() && time < last_time()) return;
   // Buckets are reused as a whole: the oldest block of the top level goes at once.
   if (end_ - begin_ == capacity_) begin_ += kTop;
-  times_[slot(end_)] = time;
-  values_[slot(end_)] = value;
-  merge_into_levels(end_, value);
+  const auto place = slot(end_);
+  put(times_, place, time);
+  put(values_, place, value);
+  merge_into_levels(place, value);
   ++end_;
 }
 
-void MinMaxSeries::merge_into_levels(std::uint64_t index, float value) {
-  std::uint64_t bucket = 1;
+void MinMaxSeries::merge_into_levels(std::size_t place, float value) {
+  const bool valid = !std::isnan(value);
+  std::size_t bucket = 1;
   for (auto& level : levels_) {
     bucket *= kFactor;
-    auto& entry = level[slot(index) / bucket];
-    if (index % bucket == 0) entry = Range{kHuge, -kHuge};
-    if (!std::isnan(value)) {
-      entry.min = std::min(entry.min, value);
-      entry.max = std::max(entry.max, value);
-    }
+    const auto index = place / bucket;
+    if (place % bucket == 0) put(level, index, Range{kHuge, -kHuge});
+    if (!valid) continue;
+    auto& entry = level[index];
+    entry.min = std::min(entry.min, value);
+    entry.max = std::max(entry.max, value);
   }
 }
 
@@ -104,42 +109,68 @@ MinMaxSeries::Range MinMaxSeries::range(std::uint64_t begin, std::uint64_t end) 
   return result;
 }
 
+std::uint64_t MinMaxSeries::gallop(std::uint64_t from, Nanoseconds time) const {
+  // Neighbouring columns hold few samples or many: galloping beats a binary search over everything.
+  std::uint64_t step = 1;
+  while (from + step < end_ && times_[slot(from + step)] < time) step *= 2;
+  auto low = from;
+  auto high = std::min(from + step, end_);
+  while (low < high) {
+    const auto middle = low + (high - low) / 2;
+    if (times_[slot(middle)] < time) {
+      low = middle + 1;
+    } else {
+      high = middle;
+    }
+  }
+  return low;
+}
+
+SeriesColumn MinMaxSeries::column(Nanoseconds start, std::uint64_t first, std::uint64_t last) const {
+  SeriesColumn column;
+  column.start = start;
+  const auto found = range(first, last);
+  column.valid = found.min <= found.max;
+  if (!column.valid) return column;
+  column.min = found.min;
+  column.max = found.max;
+  while (std::isnan(values_[slot(last - 1)])) --last;
+  column.last = values_[slot(last - 1)];
+  return column;
+}
+
 void MinMaxSeries::columns(Nanoseconds begin, Nanoseconds end, Nanoseconds width,
                            std::vector<SeriesColumn>& out) const {
   out.clear();
   if (width <= 0 || end <= begin) return;
   auto start = floor_to(begin, width);
-  auto index = lower_bound(start);
+  auto first = lower_bound(start);
   for (; start < end; start += width) {
-    SeriesColumn column;
-    column.start = start;
-    const auto first = index;
-    // Neighbouring columns hold few samples or many: galloping beats a binary search over everything.
-    std::uint64_t step = 1;
-    while (index + step < end_ && times_[slot(index + step)] < start + width) step *= 2;
-    auto low = index;
-    auto high = std::min(index + step, end_);
-    while (low < high) {
-      const auto middle = low + (high - low) / 2;
-      if (times_[slot(middle)] < start + width) {
-        low = middle + 1;
-      } else {
-        high = middle;
-      }
+    const auto last = gallop(first, start + width);
+    out.push_back(column(start, first, last));
+    first = last;
+  }
+}
+
+void MinMaxSeries::step_columns(Nanoseconds begin, Nanoseconds end, Nanoseconds width, Nanoseconds hold_until,
+                                std::vector<SeriesColumn>& out) const {
+  out.clear();
+  if (width <= 0 || end <= begin) return;
+  auto start = floor_to(begin, width);
+  auto first = lower_bound(start);
+  for (; start < end; start += width) {
+    const auto last = gallop(first, start + width);
+    auto step = column(start, first, last);
+    const bool held = first > begin_ && (first < end_ || start <= hold_until);
+    const float before = held ? values_[slot(first - 1)] : std::numeric_limits<float>::quiet_NaN();
+    if (!std::isnan(before)) {
+      step.min = step.valid ? std::min(step.min, before) : before;
+      step.max = step.valid ? std::max(step.max, before) : before;
+      if (!step.valid) step.last = before;
+      step.valid = true;
     }
-    index = low;
-    if (index > first) {
-      const auto found = range(first, index);
-      column.valid = found.min <= found.max;
-      if (column.valid) {
-        column.min = found.min;
-        column.max = found.max;
-        auto last = index - 1;
-        while (std::isnan(values_[slot(last)])) --last;
-        column.last = values_[slot(last)];
-      }
-    }
-    out.push_back(column);
+    out.push_back(step);
+    first = last;
   }
 }
 

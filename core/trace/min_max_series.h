@@ -23,7 +23,8 @@ struct SeriesColumn {
 /// when `capacity` is reached. Not thread-safe. NaN marks a gap.
 class MinMaxSeries {
  public:
-  /// `capacity` in samples; rounded up to a multiple of 4096.
+  /// `capacity` in samples; rounded up to a power of two, at least 8192. Memory grows with the samples
+  /// up to it (12.6 bytes a sample).
   explicit MinMaxSeries(std::size_t capacity = 1U << 20);
 
   /// `time` must not be earlier than the last one (such a sample is dropped).
@@ -39,6 +40,12 @@ class MinMaxSeries {
   /// Columns of `width` ns that cover [begin, end). Their edges are multiples of `width` since the epoch
   /// whatever `begin` is, so a window that slides does not change the columns inside it.
   void columns(Nanoseconds begin, Nanoseconds end, Nanoseconds width, std::vector<SeriesColumn>& out) const;
+
+  /// The same for a series whose value holds until the next one (a counter): the value before a column
+  /// reaches into it, and a column without a sample shows the value that holds. After the last sample
+  /// it holds until `hold_until`; columns that begin later are gaps, as are those after a NaN.
+  void step_columns(Nanoseconds begin, Nanoseconds end, Nanoseconds width, Nanoseconds hold_until,
+                    std::vector<SeriesColumn>& out) const;
 
   /// Latest valid value at or before `time`, and its time.
   struct Reading {
@@ -59,12 +66,15 @@ class MinMaxSeries {
   static constexpr std::uint64_t kFactor = 16;
   static constexpr std::size_t kLevels = 3;  // buckets of 16, 256 and 4096 samples
 
-  [[nodiscard]] std::size_t slot(std::uint64_t index) const { return static_cast<std::size_t>(index % capacity_); }
+  [[nodiscard]] std::size_t slot(std::uint64_t index) const { return static_cast<std::size_t>(index & (capacity_ - 1)); }
   [[nodiscard]] std::uint64_t lower_bound(Nanoseconds time) const;
+  /// First sample at or after `time`, looked for from `from` on.
+  [[nodiscard]] std::uint64_t gallop(std::uint64_t from, Nanoseconds time) const;
+  [[nodiscard]] SeriesColumn column(Nanoseconds start, std::uint64_t first, std::uint64_t last) const;
   [[nodiscard]] Range range(std::uint64_t begin, std::uint64_t end) const;
-  void merge_into_levels(std::uint64_t index, float value);
+  void merge_into_levels(std::size_t slot, float value);
 
-  std::uint64_t capacity_;
+  std::uint64_t capacity_;  // a power of two
   std::uint64_t begin_ = 0, end_ = 0;  // absolute indices of the samples that are kept
   std::vector<Nanoseconds> times_;
   std::vector<float> values_;

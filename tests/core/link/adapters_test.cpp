@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <pcap/pcap.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
-#include <algorithm>
-#include <fstream>
 #include <utility>
 
 #include "link/capture_tap.h"
@@ -70,13 +71,72 @@ TEST_F(VethPair, FramesCrossAndTheOwnEchoDoesNotReturn) {
   ASSERT_TRUE(echo);
   EXPECT_EQ(echo->length, 0U);
 
-  // A segment answers with the locally-administered bit set in the source address.
+  // A segment answers with the locally-administered bit set in the source address, or unchanged when its
+  // DL control says so. Both must arrive, also on a card whose own address has the bit.
   std::vector<std::uint8_t> answer(frame.begin(), frame.end());
-  answer[6] |= 0x02;
-  ASSERT_TRUE((*far)->send(answer));
-  const auto back = (*near)->receive(buffer, clock.now() + kSecond);
-  ASSERT_TRUE(back);
-  EXPECT_GE(back->length, frame.size());
+  EXPECT_EQ(answer[6] & 0x02, 0);
+  for (const int bit : {0x02, 0x00}) {
+    answer[6] = static_cast<std::uint8_t>(frame[6] | bit);
+    ASSERT_TRUE((*far)->send(answer));
+    const auto back = (*near)->receive(buffer, clock.now() + kSecond);
+    ASSERT_TRUE(back);
+    EXPECT_GE(back->length, frame.size()) << bit;
+    EXPECT_EQ(buffer[6], answer[6]);
+  }
+}
+
+TEST_F(VethPair, OtherTrafficIsNotDelivered) {
+  RealClock clock;
+  auto near = open_pcap_link("slt0", clock);
+  auto far = open_pcap_link("slt1", clock);
+  ASSERT_TRUE(near && far);
+  std::vector<std::uint8_t> ip(60, 0);
+  std::fill_n(ip.begin(), 6, std::uint8_t{0xFF});
+  ip[12] = 0x08;
+  ASSERT_TRUE((*far)->send(ip));
+  std::array<std::uint8_t, 1514> buffer{};
+  const auto deadline = clock.now() + 5 * kMillisecond;
+  const auto received = (*near)->receive(buffer, deadline);
+  ASSERT_TRUE(received);
+  EXPECT_EQ(received->length, 0U);
+  EXPECT_GE(clock.now(), deadline);
+}
+
+TEST_F(VethPair, WithoutPermissionTheErrorHasTheCommandForThisBinary) {
+  constexpr uid_t kNobody = 65'534;
+  int channel[2] = {-1, -1};
+  ASSERT_EQ(::pipe(channel), 0);
+  const auto child = ::fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    // Another user in a process of its own: privileges once dropped do not come back.
+    std::string text = "could not drop the privileges";
+    if (::setuid(kNobody) == 0) {
+      RealClock clock;
+      const auto link = open_pcap_link("slt0", clock);
+      text = link ? "opened" : std::to_string(static_cast<int>(link.error().code)) + " " + link.error().detail;
+    }
+    (void)!::write(channel[1], text.data(), text.size());
+    ::_exit(0);
+  }
+  ::close(channel[1]);
+  std::array<char, 1024> text{};
+  const auto size = ::read(channel[0], text.data(), text.size() - 1);
+  ::close(channel[0]);
+  ::waitpid(child, nullptr, 0);
+  ASSERT_GT(size, 0);
+  const std::string expected = std::to_string(static_cast<int>(ErrorCode::kLinkPermission)) +
+                               " sudo setcap cap_net_raw,cap_net_admin,cap_sys_nice,cap_ipc_lock=ep " +
+                               std::filesystem::read_symlink("/proc/self/exe").string();
+  EXPECT_EQ(std::string(text.data()), expected);
+}
+
+TEST_F(VethPair, LinkThatIsDownSaysSo) {
+  ASSERT_EQ(std::system("ip link set slt0 down"), 0);
+  RealClock clock;
+  const auto link = open_pcap_link("slt0", clock);
+  ASSERT_FALSE(link);
+  EXPECT_EQ(link.error().code, ErrorCode::kLinkDown);
 }
 
 /// Gives back what was sent.
@@ -109,11 +169,26 @@ TEST(CaptureTap, FileHoldsBothDirectionsAndAppearsWhenComplete) {
     ASSERT_EQ((*tap)->receive(buffer, clock.now() + 100)->length, 0U);
     EXPECT_FALSE(std::filesystem::exists(path));
   }
-  std::ifstream in(path, std::ios::binary);
-  const std::string bytes((std::istreambuf_iterator<char>(in)), {});
-  // Section header 28, interface 32, two packets of 28 + 64 (padded) + 12 options + 4.
-  EXPECT_EQ(bytes.size(), 28U + 32U + 2U * 108U);
-  EXPECT_EQ(bytes.substr(0, 4), "\x0A\x0D\x0D\x0A");
+  EXPECT_EQ(std::filesystem::file_size(path), 28U + 32U + 2U * 108U);
+  // Read by an implementation that is not ours.
+  char text[PCAP_ERRBUF_SIZE] = {};
+  auto* file = pcap_open_offline_with_tstamp_precision(path.c_str(), PCAP_TSTAMP_PRECISION_NANO, text);
+  ASSERT_NE(file, nullptr) << text;
+  EXPECT_EQ(pcap_datalink(file), DLT_EN10MB);
+  for (const Nanoseconds offset : {0, 100}) {
+    pcap_pkthdr* header = nullptr;
+    const u_char* bytes = nullptr;
+    ASSERT_EQ(pcap_next_ex(file, &header, &bytes), 1);
+    EXPECT_EQ(header->len, 61U);
+    EXPECT_EQ(bytes[60], 0x5A);
+    // tv_usec holds nanoseconds here.
+    const auto time = header->ts.tv_sec * kSecond + header->ts.tv_usec;
+    EXPECT_EQ(time, VirtualClock::kDefaultStart + offset + kDcEpochUnixSeconds * kSecond);
+  }
+  pcap_pkthdr* header = nullptr;
+  const u_char* bytes = nullptr;
+  EXPECT_EQ(pcap_next_ex(file, &header, &bytes), PCAP_ERROR_BREAK);
+  pcap_close(file);
   std::filesystem::remove(path);
 }
 

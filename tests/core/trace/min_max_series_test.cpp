@@ -110,6 +110,65 @@ TEST(MinMaxSeries, AtGivesTheLastValidValueNotAfterTheTime) {
   EXPECT_EQ(series.at(1'000)->value, 3);
 }
 
+/// The value that holds at `time`, NaN when none does.
+float held_at(const std::vector<Sample>& samples, Nanoseconds time) {
+  float value = std::numeric_limits<float>::quiet_NaN();
+  for (const auto& sample : samples) {
+    if (sample.time >= time) break;
+    value = sample.value;
+  }
+  return value;
+}
+
+TEST(MinMaxSeries, StepColumnsHoldTheValueBefore) {
+  const auto samples = make_samples(3'000, 8);
+  MinMaxSeries series;
+  for (const auto& sample : samples) series.append(sample.time, sample.value);
+  Random random(9);
+  std::vector<SeriesColumn> columns;
+  const auto last_time = samples.back().time;
+  for (int round = 0; round < 20; ++round) {
+    const auto span = static_cast<double>(last_time - samples.front().time);
+    const auto begin = samples.front().time + static_cast<Nanoseconds>(random.uniform(-0.1, 1.0) * span);
+    const auto width = 1 + static_cast<Nanoseconds>(std::pow(10.0, random.uniform(4, 8)));
+    const auto hold_until = last_time + 5 * width;
+    series.step_columns(begin, begin + 30 * width, width, hold_until, columns);
+    for (const auto& column : columns) {
+      auto expected = brute_force(samples, column.start, width);
+      const float before = held_at(samples, column.start);
+      if (!std::isnan(before) && (column.start <= last_time || column.start <= hold_until)) {
+        expected.min = expected.valid ? std::min(expected.min, before) : before;
+        expected.max = expected.valid ? std::max(expected.max, before) : before;
+        expected.last = expected.valid ? expected.last : before;
+        expected.valid = true;
+      }
+      EXPECT_EQ(column, expected) << "width " << width;
+    }
+  }
+}
+
+TEST(MinMaxSeries, MemoryGrowsWithTheSamplesAndStopsAtTheCapacity) {
+  MinMaxSeries series(1U << 16);
+  EXPECT_EQ(series.memory_bytes(), 0U);
+  for (int i = 0; i < 200'000; ++i) series.append(i, static_cast<float>(i % 100));
+  const auto full = series.memory_bytes();
+  EXPECT_LE(full, (1U << 16) * 14U);
+  for (int i = 200'000; i < 400'000; ++i) series.append(i, 0);
+  EXPECT_EQ(series.memory_bytes(), full);
+}
+
+TEST(MinMaxSeries, StartsAnewAfterClear) {
+  MinMaxSeries series(8'192);
+  for (int i = 0; i < 20'000; ++i) series.append(i, 1'000);
+  series.clear();
+  EXPECT_TRUE(series.empty());
+  for (int i = 0; i < 5'000; ++i) series.append(i, 1);  // earlier than before, and lower
+  std::vector<SeriesColumn> columns;
+  series.columns(0, 5'000, 5'000, columns);
+  ASSERT_EQ(columns.size(), 1U);
+  EXPECT_EQ(columns[0].max, 1);
+}
+
 TEST(MinMaxSeries, TimeNeverStepsBack) {
   MinMaxSeries series;
   series.append(100, 1);
