@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "config/device_description.h"
@@ -15,6 +16,7 @@ struct FileWarning {
   int line = 0;
   std::string element;
   std::string text;
+  bool operator==(const FileWarning&) const = default;
 };
 
 struct EsiFile {
@@ -25,5 +27,7 @@ struct EsiFile {
 /// Reads an ESI file (ETG.2000). Fails with kXmlMalformed, kNotThatKindOfFile, kXmlMissingElement or
 /// kXmlBadValue (file, line, element); a broken device is left out with a warning, the rest is read.
 [[nodiscard]] Result<EsiFile> read_esi(const std::string& path);
+/// The same from text; `file_name` is for messages and DeviceDescription::source.
+[[nodiscard]] Result<EsiFile> parse_esi(std::string_view text, const std::string& file_name);
 
 }  // namespace syncline::eni

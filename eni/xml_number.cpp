@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "eni/xml_number.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+
+#include "eni/xml_text.h"
+
+namespace syncline::eni {
+namespace {
+
+std::optional<int> nibble(char c) {
+  if (c >= '0' && c <= '9') return c - '0';
+  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::int64_t> parse_number(std::string_view text) {
+  text = trim(text);
+  const bool negative = text.starts_with('-');
+  if (negative || text.starts_with('+')) text.remove_prefix(1);
+  const bool is_hex = text.size() > 2 && (text[0] == '#' || text[0] == '0') && (text[1] == 'x' || text[1] == 'X');
+  if (is_hex) text.remove_prefix(2);
+  if (text.empty() || text.front() == '-') return std::nullopt;
+  std::int64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, is_hex ? 16 : 10);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return negative ? -value : value;
+}
+
+std::optional<bool> parse_bool(std::string_view text) {
+  text = trim(text);
+  if (text == "1" || text == "true" || text == "True" || text == "TRUE") return true;
+  if (text == "0" || text == "false" || text == "False" || text == "FALSE") return false;
+  return std::nullopt;
+}
+
+std::optional<std::vector<std::uint8_t>> parse_hex_bytes(std::string_view text) {
+  std::vector<std::uint8_t> bytes;
+  std::optional<int> high;
+  for (const char c : text) {
+    if (c == ' ' || c == '\t' || c == '\r' || c == '\n') continue;
+    const auto digit = nibble(c);
+    if (!digit) return std::nullopt;
+    if (high) {
+      bytes.push_back(static_cast<std::uint8_t>(*high << 4 | *digit));
+      high.reset();
+    } else {
+      high = digit;
+    }
+  }
+  if (high) return std::nullopt;
+  return bytes;
+}
+
+std::string hex_bytes(std::span<const std::uint8_t> bytes) {
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  std::string out;
+  out.reserve(bytes.size() * 2);
+  for (const std::uint8_t byte : bytes) {
+    out.push_back(kDigits[byte >> 4]);
+    out.push_back(kDigits[byte & 0x0F]);
+  }
+  return out;
+}
+
+std::string hex_dec(std::uint64_t value, int digits) { return fmt::format("#x{:0{}x}", value, digits); }
+
+}  // namespace syncline::eni

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "eni/xml_text.h"
+
+#include <cstdint>
+
+namespace syncline::eni {
+namespace {
+
+std::uint8_t byte_at(std::string_view text, std::size_t i) { return static_cast<std::uint8_t>(text[i]); }
+
+void append_utf8(std::string& out, std::uint32_t code) {
+  const auto add = [&out](std::uint32_t byte) { out.push_back(static_cast<char>(byte)); };
+  if (code < 0x80) {
+    add(code);
+    return;
+  }
+  if (code < 0x800) {
+    add(0xC0 | code >> 6);
+  } else if (code < 0x10000) {
+    add(0xE0 | code >> 12);
+    add(0x80 | (code >> 6 & 0x3F));
+  } else {
+    add(0xF0 | code >> 18);
+    add(0x80 | (code >> 12 & 0x3F));
+    add(0x80 | (code >> 6 & 0x3F));
+  }
+  add(0x80 | (code & 0x3F));
+}
+
+std::string from_latin1(std::string_view text) {
+  std::string out;
+  out.reserve(text.size() + text.size() / 32);
+  for (std::size_t i = 0; i < text.size(); ++i) append_utf8(out, byte_at(text, i));
+  return out;
+}
+
+/// `text` behind its byte order mark.
+std::string from_utf16(std::string_view text, bool big_endian) {
+  const auto unit = [&](std::size_t i) -> std::uint32_t {
+    const std::uint32_t first = byte_at(text, i);
+    const std::uint32_t second = byte_at(text, i + 1);
+    return big_endian ? first << 8 | second : second << 8 | first;
+  };
+  std::string out;
+  for (std::size_t i = 0; i + 1 < text.size(); i += 2) {
+    std::uint32_t code = unit(i);
+    const bool is_high = code >= 0xD800 && code < 0xDC00;
+    if (is_high && i + 3 < text.size() && unit(i + 2) >= 0xDC00 && unit(i + 2) < 0xE000) {
+      code = 0x10000 + ((code - 0xD800) << 10) + (unit(i + 2) - 0xDC00);
+      i += 2;
+    } else if (code >= 0xD800 && code < 0xE000) {
+      code = 0xFFFD;  // half a pair
+    }
+    append_utf8(out, code);
+  }
+  return out;
+}
+
+/// Bytes of the UTF-8 sequence at `i`, 0 when it is none.
+std::size_t utf8_length(std::string_view text, std::size_t i) {
+  const std::uint8_t lead = byte_at(text, i);
+  const std::size_t length = lead < 0x80 ? 1 : lead < 0xC2 ? 0 : lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : lead < 0xF5 ? 4 : 0;
+  if (length == 0 || i + length > text.size()) return 0;
+  for (std::size_t k = 1; k < length; ++k) {
+    if ((byte_at(text, i + k) & 0xC0) != 0x80) return 0;
+  }
+  if (length < 3) return length;
+  const std::uint8_t second = byte_at(text, i + 1);
+  const bool overlong = (lead == 0xE0 && second < 0xA0) || (lead == 0xF0 && second < 0x90);
+  const bool no_character = (lead == 0xED && second >= 0xA0) || (lead == 0xF4 && second >= 0x90);
+  return overlong || no_character ? 0 : length;
+}
+
+}  // namespace
+
+bool is_utf8(std::string_view text) {
+  for (std::size_t i = 0; i < text.size();) {
+    const auto length = utf8_length(text, i);
+    if (length == 0) return false;
+    i += length;
+  }
+  return true;
+}
+
+std::string to_utf8(std::string text) {
+  if (text.starts_with("\xFF\xFE")) return from_utf16(std::string_view(text).substr(2), false);
+  if (text.starts_with("\xFE\xFF")) return from_utf16(std::string_view(text).substr(2), true);
+  if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
+  return is_utf8(text) ? text : from_latin1(text);
+}
+
+std::string printable_text(std::string text) {
+  if (!is_utf8(text)) text = from_latin1(text);
+  std::erase_if(text, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; });
+  return text;
+}
+
+std::string_view trim(std::string_view text) {
+  constexpr std::string_view kSpace = " \t\r\n";
+  const auto first = text.find_first_not_of(kSpace);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(kSpace) - first + 1);
+}
+
+}  // namespace syncline::eni
