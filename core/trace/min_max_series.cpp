@@ -51,21 +51,29 @@ void MinMaxSeries::append(Nanoseconds time, float value) {
   const auto place = slot(end_);
   put(times_, place, time);
   put(values_, place, value);
-  merge_into_levels(place, value);
+  if ((place + 1) % kFactor == 0) complete_buckets(place);
   ++end_;
 }
 
-void MinMaxSeries::merge_into_levels(std::size_t place, float value) {
-  const bool valid = !std::isnan(value);
-  std::size_t bucket = 1;
-  for (auto& level : levels_) {
+void MinMaxSeries::complete_buckets(std::size_t place) {
+  Range range{kHuge, -kHuge};
+  for (auto i = place + 1 - kFactor; i <= place; ++i) {
+    // Comparisons with NaN are false, so a gap changes nothing.
+    if (values_[i] < range.min) range.min = values_[i];
+    if (values_[i] > range.max) range.max = values_[i];
+  }
+  put(levels_[0], place / kFactor, range);
+  std::size_t bucket = kFactor;
+  for (std::size_t level = 1; level < kLevels && (place + 1) % (bucket * kFactor) == 0; ++level) {
+    const auto& below = levels_[level - 1];
+    Range parent{kHuge, -kHuge};
+    const auto last = place / bucket;
+    for (auto i = last + 1 - kFactor; i <= last; ++i) {
+      parent.min = std::min(parent.min, below[i].min);
+      parent.max = std::max(parent.max, below[i].max);
+    }
     bucket *= kFactor;
-    const auto index = place / bucket;
-    if (place % bucket == 0) put(level, index, Range{kHuge, -kHuge});
-    if (!valid) continue;
-    auto& entry = level[index];
-    entry.min = std::min(entry.min, value);
-    entry.max = std::max(entry.max, value);
+    put(levels_[level], place / bucket, parent);
   }
 }
 
@@ -172,6 +180,17 @@ void MinMaxSeries::step_columns(Nanoseconds begin, Nanoseconds end, Nanoseconds 
     out.push_back(step);
     first = last;
   }
+}
+
+std::size_t MinMaxSeries::count(Nanoseconds begin, Nanoseconds end) const {
+  return end <= begin ? 0 : static_cast<std::size_t>(lower_bound(end) - lower_bound(begin));
+}
+
+std::optional<MinMaxSeries::Extent> MinMaxSeries::extent(Nanoseconds begin, Nanoseconds end) const {
+  if (end <= begin) return std::nullopt;
+  const auto found = range(lower_bound(begin), lower_bound(end));
+  if (found.min > found.max) return std::nullopt;
+  return Extent{found.min, found.max};
 }
 
 std::optional<MinMaxSeries::Reading> MinMaxSeries::at(Nanoseconds time) const {

@@ -47,6 +47,14 @@ class MinMaxSeries {
   void step_columns(Nanoseconds begin, Nanoseconds end, Nanoseconds width, Nanoseconds hold_until,
                     std::vector<SeriesColumn>& out) const;
 
+  /// Samples in [begin, end), gaps included.
+  [[nodiscard]] std::size_t count(Nanoseconds begin, Nanoseconds end) const;
+  /// Exact smallest and largest valid value in [begin, end); nothing without one.
+  struct Extent {
+    float min = 0, max = 0;
+  };
+  [[nodiscard]] std::optional<Extent> extent(Nanoseconds begin, Nanoseconds end) const;
+
   /// Latest valid value at or before `time`, and its time.
   struct Reading {
     Nanoseconds time = 0;
@@ -72,7 +80,8 @@ class MinMaxSeries {
   [[nodiscard]] std::uint64_t gallop(std::uint64_t from, Nanoseconds time) const;
   [[nodiscard]] SeriesColumn column(Nanoseconds start, std::uint64_t first, std::uint64_t last) const;
   [[nodiscard]] Range range(std::uint64_t begin, std::uint64_t end) const;
-  void merge_into_levels(std::size_t slot, float value);
+  /// Sums up the buckets whose last sample lies at `place`; queries never use an incomplete one.
+  void complete_buckets(std::size_t place);
 
   std::uint64_t capacity_;  // a power of two
   std::uint64_t begin_ = 0, end_ = 0;  // absolute indices of the samples that are kept

@@ -91,7 +91,7 @@ TEST(MinMaxSeries, RingForgetsTheOldestAndKeepsTheRestExact) {
   EXPECT_GE(series.size(), 16'384U - 4'096U);
   EXPECT_EQ(series.last_time(), samples.back().time);
   const std::vector<Sample> kept(samples.end() - static_cast<std::ptrdiff_t>(series.size()), samples.end());
-  EXPECT_EQ(series.first_time(), kept.front().time);
+  EXPECT_EQ(series.first_time(), samples.at(samples.size() - series.size()).time);
   std::vector<SeriesColumn> columns;
   const auto width = (kept.back().time - kept.front().time) / 10;
   series.columns(kept.front().time, kept.back().time + 1, width, columns);
