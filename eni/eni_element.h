@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <tinyxml2.h>
-
 #include <concepts>
 #include <cstdint>
 #include <limits>
@@ -11,46 +9,31 @@
 #include <string_view>
 #include <vector>
 
-#include "support/result.h"
+#include "eni/xml_reader.h"
 
 namespace syncline::eni {
 
-/// Collects the first error of a file; the readers go on with defaults, so that they need no error path of their own.
-class EniReadContext {
- public:
-  explicit EniReadContext(std::string file) : file_(std::move(file)) {}
-  void report(ErrorCode code, int line, std::string_view element, std::string detail = {});
-  [[nodiscard]] const std::optional<Error>& error() const { return error_; }
-  [[nodiscard]] const std::string& file() const { return file_; }
-
- private:
-  std::string file_;
-  std::optional<Error> error_;
-};
-
-/// An element of an ENI file, or none: every access on a missing element gives the default.
+/// An element of an ENI file, or none: every access on a missing element gives the default. Takes the forms that the
+/// field's files use beyond the schema; what it cannot take is kXmlBadValue with the element and its line.
 class EniElement {
  public:
-  EniElement(const tinyxml2::XMLElement* element, EniReadContext& context) : element_(element), context_(&context) {}
+  explicit EniElement(Node node) : node_(node) {}
 
-  explicit operator bool() const { return element_ != nullptr; }
-  [[nodiscard]] int line() const { return element_ ? element_->GetLineNum() : 0; }
-  [[nodiscard]] std::string_view name() const { return element_ ? element_->Name() : ""; }
-  [[nodiscard]] EniElement child(const char* name) const;
+  explicit operator bool() const { return static_cast<bool>(node_); }
+  [[nodiscard]] std::string_view name() const { return node_.name(); }
+  [[nodiscard]] EniElement child(const char* name) const { return EniElement(node_.child(name)); }
   /// The child; a missing one is an error that names it.
-  [[nodiscard]] EniElement required(const char* name) const;
+  [[nodiscard]] EniElement required(const char* name) const { return EniElement(node_.required(name)); }
   [[nodiscard]] std::vector<EniElement> children(const char* name) const;
-  [[nodiscard]] std::vector<EniElement> children() const;
 
-  [[nodiscard]] std::string text() const;
-  [[nodiscard]] std::string attribute(const char* name) const;
+  [[nodiscard]] std::string text() const { return node_.text(); }
+  [[nodiscard]] std::string attribute(const char* name) const { return node_.attribute(name); }
   [[nodiscard]] std::string text_of(const char* child_name) const { return child(child_name).text(); }
 
-  /// Decimal, "#x.." or "0x..", negative where a tool wrote a large unsigned number as xs:int. Anything else, or a number
-  /// that does not fit T either way, is kXmlBadValue.
+  /// Decimal, "#x.." or "0x..", negative where a tool wrote a large unsigned number as xs:int.
   template <std::integral T>
   [[nodiscard]] T number() const {
-    return static_cast<T>(integer(text(), std::numeric_limits<T>::max(), sizeof(T) * 8));
+    return convert<T>(node_.text());
   }
   template <std::integral T>
   [[nodiscard]] T number_of(const char* child_name, T otherwise = 0) const {
@@ -63,25 +46,36 @@ class EniElement {
     return found ? std::optional(found.number<T>()) : std::nullopt;
   }
   template <std::integral T>
-  [[nodiscard]] std::optional<T> number_attribute(const char* name) const {
-    const std::string value = attribute(name);
-    return value.empty() ? std::nullopt
-                         : std::optional(static_cast<T>(integer(value, std::numeric_limits<T>::max(), sizeof(T) * 8)));
+  [[nodiscard]] std::optional<T> number_attribute(const char* attribute_name) const {
+    return node_.has(attribute_name) ? std::optional(convert<T>(attribute(attribute_name))) : std::nullopt;
   }
-  [[nodiscard]] bool boolean() const { return to_boolean(text()); }
+  [[nodiscard]] bool boolean() const { return node_ && node_.boolean(); }
   [[nodiscard]] bool boolean_of(const char* child_name) const { return child(child_name).boolean(); }
-  [[nodiscard]] bool boolean_attribute(const char* name) const { return to_boolean(attribute(name)); }
+  [[nodiscard]] bool boolean_attribute(const char* attribute_name) const {
+    return node_.boolean(attribute_name).value_or(false);
+  }
   /// xs:hexBinary; "0x" in front and ':' or '-' between bytes are tolerated.
   [[nodiscard]] std::vector<std::uint8_t> bytes() const;
 
-  void report(ErrorCode code, std::string detail) const { context_->report(code, line(), name(), std::move(detail)); }
+  void report(ErrorCode code, std::string detail) const { node_.fail(code, std::move(detail)); }
 
  private:
-  [[nodiscard]] std::int64_t integer(const std::string& value, std::uint64_t maximum, unsigned bits) const;
-  [[nodiscard]] bool to_boolean(const std::string& value) const;
+  template <std::integral T>
+  [[nodiscard]] T convert(const std::string& value) const {
+    if (!node_) {
+      return T{};
+    }
+    constexpr auto kMaximum = static_cast<std::uint64_t>(std::numeric_limits<T>::max());
+    constexpr std::int64_t kMinimum = std::numeric_limits<std::make_signed_t<T>>::min();
+    const auto number = parse_number(value);
+    if (!number || *number < kMinimum || (*number > 0 && static_cast<std::uint64_t>(*number) > kMaximum)) {
+      report(ErrorCode::kXmlBadValue, "\"" + value + "\"");
+      return T{};
+    }
+    return static_cast<T>(*number);
+  }
 
-  const tinyxml2::XMLElement* element_;
-  EniReadContext* context_;
+  Node node_;
 };
 
 }  // namespace syncline::eni

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "eni/atomic_file.h"
 #include "eni/eni_file.h"
-#include "eni/text_encoding.h"
+#include "eni/xml_reader.h"
+#include "eni/xml_text.h"
 
 namespace syncline::eni {
 namespace {
@@ -41,7 +41,7 @@ std::uint16_t read_previous(const EniElement& slave, SlaveConfig& config) {
   return selected->number_of<std::uint16_t>("PhysAddr");
 }
 
-Result<NetworkConfig> read_config(const EniElement& root, EniReadContext& context) {
+Result<NetworkConfig> read_config(const EniElement& root, const Reading& reading) {
   const EniElement config_element = root.required("Config");
   NetworkConfig config;
   config.master = read_master(config_element.required("Master"));
@@ -54,8 +54,8 @@ Result<NetworkConfig> read_config(const EniElement& root, EniReadContext& contex
     config.cyclic.push_back(read_cyclic(cyclic));
   }
   config.image = read_process_image(config_element.child("ProcessImage"));
-  if (context.error()) {
-    return fail(*context.error());
+  if (reading.error()) {
+    return fail(*reading.error());
   }
   derive_network(config, previous_addresses);
   return config;
@@ -76,27 +76,24 @@ MasterConfig read_master(const EniElement& master) {
 }
 
 Result<NetworkConfig> parse_eni(std::string_view text, const std::string& file_name) {
-  const std::string utf8 = to_utf8(text);
-  tinyxml2::XMLDocument document;
-  if (document.Parse(utf8.data(), utf8.size()) != tinyxml2::XML_SUCCESS) {
-    return fail(Error{.code = ErrorCode::kXmlMalformed,
-                      .detail = tinyxml2::XMLDocument::ErrorIDToName(document.ErrorID()),
-                      .file = file_name,
-                      .line = document.ErrorLineNum()});
+  const auto document = parse_xml(text, file_name);
+  if (!document) {
+    return fail(document.error());
   }
-  const auto* root = document.RootElement();
+  const auto* root = (*document)->RootElement();
   const std::string_view root_name = root ? root->Name() : "";
   // "Encrypted..." is an OEM export whose content is plain in the field.
   if (root_name != "EtherCATConfig" && root_name != "EncryptedEtherCATConfig") {
-    return fail(Error{.code = ErrorCode::kNotThatKindOfFile, .detail = "an ENI file (root element EtherCATConfig)",
+    return fail(Error{.code = ErrorCode::kNotThatKindOfFile,
+                      .detail = "an ENI file (root element EtherCATConfig)",
                       .file = file_name});
   }
-  EniReadContext context(file_name);
-  return read_config(EniElement(root, context), context);
+  Reading reading(file_name);
+  return read_config(EniElement(Node(root, reading)), reading);
 }
 
 Result<NetworkConfig> read_eni(const std::string& path) {
-  const auto text = read_whole_file(path);
+  const auto text = read_file(path);
   return text ? parse_eni(*text, path) : fail(text.error());
 }
 

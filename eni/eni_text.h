@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <concepts>
 #include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "eni/xml_writer.h"
+
 namespace syncline::eni {
 
-/// Emits indented XML with the number formats of ETG.2100. Element names are literals of the writer; text is escaped.
+/// XML with the number formats of ETG.2100.
 class EniText {
  public:
   /// Name and value of an attribute; an empty value leaves the attribute out.
@@ -19,31 +20,24 @@ class EniText {
     std::string value;
   };
 
-  explicit EniText(std::string_view declaration) : out_(declaration) {}
-
   void open(std::string_view element, const std::vector<Attribute>& attributes = {});
-  void close();
+  void close() { xml_.close(); }
+  /// Bytes that are not UTF-8 and characters that XML cannot carry are replaced.
   void text(std::string_view element, std::string_view value);
   /// xs:int is signed: an unsigned number with the top bit set is written negative, as the schema demands.
   void number(std::string_view element, std::uint32_t value) { text(element, decimal(static_cast<std::int32_t>(value))); }
   void signed_number(std::string_view element, std::int64_t value) { text(element, decimal(value)); }
   void boolean(std::string_view element, bool value) { text(element, value ? "1" : "0"); }
-  /// HexDecValue: "#x1a00".
+  /// HexDecValue: "#x1a00", 0 as "#x0".
   void hex_number(std::string_view element, std::uint32_t value);
   /// xs:hexBinary, wire order, lower case.
   void bytes(std::string_view element, std::span<const std::uint8_t> value);
 
-  [[nodiscard]] std::string take() { return std::move(out_); }
+  [[nodiscard]] std::string take() { return xml_.take(); }
   [[nodiscard]] static std::string decimal(std::int64_t value);
 
  private:
-  void indent();
-
-  std::string out_;
-  std::vector<std::string> open_;
+  XmlWriter xml_;
 };
-
-/// Text with XML's special characters escaped; control characters and bytes that are not UTF-8 become '?'.
-[[nodiscard]] std::string escape_xml(std::string_view text);
 
 }  // namespace syncline::eni

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "eni/eni_writer.h"
 
-#include "eni/atomic_file.h"
 #include "eni/eni_file.h"
+#include "eni/xml_text.h"
 
 namespace syncline::eni {
 namespace {
 
-constexpr std::string_view kDeclaration = "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n";
 constexpr std::uint32_t kMailboxStateStart = 0x0900'0000;
 constexpr std::uint32_t kEoePorts = 2, kEoeFrames = 120, kEoeMacs = 100;
 
@@ -95,7 +94,7 @@ void write_slave(EniText& out, const SlaveConfig& slave, const std::vector<Slave
 }
 
 std::string write_eni(const NetworkConfig& config) {
-  EniText out(kDeclaration);
+  EniText out;
   out.open("EtherCATConfig", {{"xmlns:xsi", "http://www.w3.org/2001/XMLSchema-instance"},
                               {"xsi:noNamespaceSchemaLocation", "EtherCATConfig.xsd"},
                               {"Version", "1.3"}});
@@ -114,7 +113,7 @@ std::string write_eni(const NetworkConfig& config) {
 }
 
 Status save_eni(const NetworkConfig& config, const std::string& path) {
-  return write_file_atomically(path, write_eni(config));
+  return write_file_atomic(path, write_eni(config));
 }
 
 }  // namespace syncline::eni

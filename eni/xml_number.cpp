@@ -41,19 +41,19 @@ std::optional<bool> parse_bool(std::string_view text) {
 
 std::optional<std::vector<std::uint8_t>> parse_hex_bytes(std::string_view text) {
   std::vector<std::uint8_t> bytes;
-  std::optional<int> high;
+  int high = -1;  // not an optional: GCC 12 warns of it here
   for (const char c : text) {
     if (c == ' ' || c == '\t' || c == '\r' || c == '\n') continue;
     const auto digit = nibble(c);
     if (!digit) return std::nullopt;
-    if (high) {
-      bytes.push_back(static_cast<std::uint8_t>(*high << 4 | *digit));
-      high.reset();
+    if (high >= 0) {
+      bytes.push_back(static_cast<std::uint8_t>(high << 4 | *digit));
+      high = -1;
     } else {
-      high = digit;
+      high = *digit;
     }
   }
-  if (high) return std::nullopt;
+  if (high >= 0) return std::nullopt;
   return bytes;
 }
 
