@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "dc/dcm/dcm_controller.h"
+
+#include "dc/dcm/bus_shift.h"
+#include "dc/dcm/master_shift.h"
+
+namespace syncline::dc {
+namespace {
+
+/// Nothing is controlled; the error is still shown, as the natural drift.
+class Off final : public DcmController {
+ public:
+  Off(Nanoseconds cycle_time, Nanoseconds set_value) : target_{0, set_value, cycle_time} {}
+  void start(Nanoseconds base, Nanoseconds, Nanoseconds) override {
+    target_.base = base;
+    drift_.start();
+    state_ = {};
+  }
+  std::optional<Nanoseconds> reference_write(Nanoseconds, Nanoseconds) override { return std::nullopt; }
+  DcmAction observe(const DcmObservation& observation) override {
+    if (!observation.reference_time) return {};
+    state_.error = state_.error_filtered = target_.error(observation);
+    (void)drift_.observe(observation.send_time, *observation.reference_time);
+    state_.drift_ppm = drift_.ppm();
+    return {};
+  }
+  [[nodiscard]] const DcmState& state() const override { return state_; }
+
+ private:
+  PhaseTarget target_;
+  DriftEstimator drift_;
+  DcmState state_;
+};
+
+}  // namespace
+
+std::unique_ptr<DcmController> make_dcm_controller(const DcmSettings& settings, Nanoseconds cycle_time,
+                                                   Nanoseconds set_value) {
+  switch (settings.mode) {
+    case DcmMode::kBusShift: return std::make_unique<BusShift>(settings, cycle_time, set_value);
+    case DcmMode::kMasterShift: return std::make_unique<MasterShift>(settings, cycle_time, set_value);
+    case DcmMode::kOff: break;
+  }
+  return std::make_unique<Off>(cycle_time, set_value);
+}
+
+}  // namespace syncline::dc

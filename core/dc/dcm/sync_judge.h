@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "config/project.h"
+#include "support/types.h"
+
+namespace syncline::dc {
+
+/// Says from the controller error whether master and reference clock are in sync: after the start delay
+/// the error must stay within the limit for the settle time; it is lost only by a violation that lasts,
+/// because one late frame is no loss of synchronisation.
+class SyncJudge {
+ public:
+  explicit SyncJudge(const DcmSettings& settings);
+  void start(Nanoseconds time);
+  /// One cycle; `error` in ns.
+  void observe(Nanoseconds time, Nanoseconds error);
+  [[nodiscard]] bool in_sync() const { return in_sync_; }
+  [[nodiscard]] bool was_in_sync() const { return after_.has_value(); }
+  /// From start until the first time in sync, settle time included.
+  [[nodiscard]] std::optional<Nanoseconds> in_sync_after() const { return after_; }
+
+ private:
+  static constexpr Nanoseconds kPatience = 200 * kMillisecond;
+
+  Nanoseconds limit_, settle_, delay_;
+  Nanoseconds start_ = 0;
+  std::optional<Nanoseconds> good_since_, bad_since_, after_;
+  bool in_sync_ = false;
+};
+
+}  // namespace syncline::dc

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "dc/plans.h"
+
+namespace syncline::dc {
+
+std::uint64_t system_time_offset(Nanoseconds reference_time_at_latch, std::uint64_t local_time_at_latch,
+                                 std::uint32_t delay_ns, bool clock_is_64bit) {
+  // The slave latched delay_ns after the reference clock did.
+  const auto wanted = static_cast<std::uint64_t>(reference_time_at_latch) + delay_ns;
+  const auto offset = wanted - local_time_at_latch;
+  return clock_is_64bit ? offset : offset & 0xFFFF'FFFFU;
+}
+
+Nanoseconds start_time(const StartTimeInput& input) {
+  const auto earliest = input.now + input.safety;
+  const auto grid = input.grid > 0 ? input.grid : 1;
+  auto phase = (earliest - input.base) % grid;
+  if (phase < 0) phase += grid;
+  return earliest + (phase == 0 ? 0 : grid - phase) + input.shift;
+}
+
+Nanoseconds extend_32bit(std::uint32_t low, Nanoseconds nearby) {
+  const auto difference = static_cast<std::int32_t>(low - static_cast<std::uint32_t>(nearby));
+  return nearby + difference;
+}
+
+Nanoseconds wrap_to_half(Nanoseconds value, Nanoseconds period) {
+  auto rest = value % period;
+  if (rest > period / 2) rest -= period;
+  if (rest <= -((period + 1) / 2)) rest += period;
+  return rest;
+}
+
+}  // namespace syncline::dc

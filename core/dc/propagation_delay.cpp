@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "dc/propagation_delay.h"
+
+#include <algorithm>
+
+#include "protocol/dl_status.h"
+
+namespace syncline::dc {
+namespace {
+
+constexpr std::int64_t kMaxHopNs = 1'000'000;
+
+/// Difference of two 32-bit stamps that are less than 2.1 s apart, whatever wrap lies between.
+std::int64_t difference(std::uint32_t a, std::uint32_t b) { return static_cast<std::int32_t>(a - b); }
+
+std::size_t ring_index(unsigned port) {
+  return static_cast<std::size_t>(std::find(kPortOrder.begin(), kPortOrder.end(), port) - kPortOrder.begin());
+}
+
+/// The frame's way through the ports is the ring 0-3-1-2; between port 0 and the next one lies the
+/// processing unit. True when the way from `from` (inclusive) to `to` (exclusive) passes it; from a
+/// port to itself is the whole ring.
+bool passes_processing_unit(unsigned from, unsigned to) {
+  auto index = ring_index(from);
+  do {
+    if (kPortOrder[index] == 0) return true;
+    index = (index + 1) % kPortOrder.size();
+  } while (kPortOrder[index] != to);
+  return false;
+}
+
+/// Active port that the frame reached first; 0 when that cannot be told.
+unsigned entry_port(const DelayNode& node) {
+  for (const unsigned candidate : kPortOrder) {
+    if (!node.active[candidate]) continue;
+    bool first = true;
+    for (const unsigned other : kPortOrder) {
+      if (other == candidate || !node.active[other]) continue;
+      first = first && difference(node.receive_time[candidate], node.receive_time[other]) <= 0;
+    }
+    if (first) return candidate;
+  }
+  return 0;
+}
+
+/// Active ports in the order in which the frame reaches them, the entry first.
+std::vector<unsigned> ports_in_frame_order(const DelayNode& node, unsigned entry) {
+  std::vector<unsigned> ports{entry};
+  for (std::size_t i = 1; i < kPortOrder.size(); ++i) {
+    const auto port = kPortOrder[(ring_index(entry) + i) % kPortOrder.size()];
+    if (node.active[port]) ports.push_back(port);
+  }
+  return ports;
+}
+
+class Measurement {
+ public:
+  Measurement(std::span<const DelayNode> nodes, const DelayOptions& options) : nodes_(nodes), options_(options) {
+    result_.delay_ns.resize(nodes.size());
+    result_.entry_port.resize(nodes.size());
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      if (has_times(i)) result_.entry_port[i] = static_cast<std::uint8_t>(entry_port(nodes[i]));
+      if (result_.entry_port[i] != 0) report(i, DelayWarning::kReversedCable, result_.entry_port[i]);
+      ports_.push_back(ports_in_frame_order(nodes[i], result_.entry_port[i]));
+    }
+  }
+
+  DelayResult run() {
+    bool have_root = false;
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      if (!has_times(i)) continue;
+      if (!have_root) {
+        result_.delay_ns[i] = 0;
+        have_root = true;
+      } else {
+        measure(i);
+      }
+    }
+    return std::move(result_);
+  }
+
+ private:
+  [[nodiscard]] bool has_times(std::size_t i) const { return nodes_[i].kind != DcKind::kNone; }
+  void report(std::size_t i, DelayWarning warning, std::int64_t value) {
+    result_.findings.push_back({static_cast<std::uint16_t>(i), warning, value});
+  }
+  [[nodiscard]] std::int64_t span(std::size_t i, unsigned later, unsigned earlier) const {
+    return difference(nodes_[i].receive_time[later], nodes_[i].receive_time[earlier]);
+  }
+
+  /// Port of `parent` that leads to `child`: the children in frame order hang on the ports in frame order.
+  [[nodiscard]] unsigned branch_port(std::size_t parent, std::size_t child) const {
+    std::size_t order = 1;
+    for (std::size_t i = parent + 1; i < child; ++i) {
+      if (nodes_[i].parent == static_cast<std::uint16_t>(parent)) ++order;
+    }
+    return order < ports_[parent].size() ? ports_[parent][order] : nodes_[child].parent_port;
+  }
+
+  void measure(std::size_t i) {
+    std::size_t branch = i;  // child of the DC ancestor on the way to i
+    std::int64_t between = 0;
+    auto ancestor = nodes_[i].parent;
+    while (ancestor && !has_times(*ancestor)) {
+      ++between;
+      branch = *ancestor;
+      ancestor = nodes_[*ancestor].parent;
+    }
+    if (!ancestor || !result_.delay_ns[*ancestor]) return;  // nothing upstream has measured anything
+
+    const std::size_t a = *ancestor;
+    const auto& ports = ports_[a];
+    const unsigned port = branch_port(a, branch);
+    const auto place = std::find(ports.begin(), ports.end(), port);
+    if (place == ports.begin() || place == ports.end()) return;
+    const unsigned previous = *(place - 1);
+
+    const auto round_trip = span(a, port, previous);
+    const auto before = span(a, previous, ports.front());
+    const unsigned entry = ports_[i].front();
+    const unsigned last = ports_[i].back();
+    const auto inside = span(i, last, entry);
+    const auto correction = static_cast<std::int64_t>(options_.t_diff_ns) *
+                            ((passes_processing_unit(previous, port) ? 1 : 0) + between -
+                             (passes_processing_unit(last, entry) ? 1 : 0));
+    auto hop = (round_trip - inside + correction) / 2;
+    if (hop < 0) {
+      report(i, DelayWarning::kNegativeHop, hop);
+      hop = 0;
+    } else if (hop > kMaxHopNs) {
+      report(i, DelayWarning::kImplausibleHop, hop);
+    }
+    const auto delay = static_cast<std::int64_t>(*result_.delay_ns[a]) + before + hop;
+    if (delay <= static_cast<std::int64_t>(*result_.delay_ns[a])) report(i, DelayWarning::kNotIncreasing, delay);
+    result_.delay_ns[i] = static_cast<std::uint32_t>(std::max<std::int64_t>(delay, 0));
+  }
+
+  std::span<const DelayNode> nodes_;
+  DelayOptions options_;
+  std::vector<std::vector<unsigned>> ports_;
+  DelayResult result_;
+};
+
+}  // namespace
+
+DelayResult propagation_delays(std::span<const DelayNode> nodes, const DelayOptions& options) {
+  return Measurement(nodes, options).run();
+}
+
+}  // namespace syncline::dc
