@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <atomic>
+#include <concepts>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "master/frame_exchange.h"
+#include "support/byte_order.h"
+
+namespace syncline {
+
+/// Keeps the bus cycle running while somebody waits for something.
+class CyclePump {
+ public:
+  virtual ~CyclePump() = default;
+  /// One bus cycle. `acyclic` are sent in the same cycle as far as they fit; the rest stays unanswered.
+  virtual Status run_cycle(std::span<Datagram* const> acyclic) = 0;
+};
+
+/// Acyclic access to the slaves in blocking style, for scan and bring-up. Without a pump every request
+/// is sent at once and waited for; with one, requests ride with the bus cycles, so that cyclic frames
+/// never stop while init commands, SDOs and waits run.
+class Bus {
+ public:
+  Bus(FrameExchange& exchange, Clock& clock, const std::atomic<bool>* cancel = nullptr)
+      : exchange_(exchange), clock_(clock), cancel_(cancel) {}
+
+  /// nullptr: no cyclic operation.
+  void set_pump(CyclePump* pump) { pump_ = pump; }
+  [[nodiscard]] bool cyclic() const { return pump_ != nullptr; }
+  /// A bring-up can be cancelled, the way down to INIT cannot.
+  void set_cancellable(bool cancellable) { cancellable_ = cancellable; }
+  [[nodiscard]] Clock& clock() { return clock_; }
+  [[nodiscard]] FrameExchange& exchange() { return exchange_; }
+
+  /// Exchanges all datagrams, many a frame; a lost frame is repeated three times. Working counters are
+  /// for the caller to judge. kNoResponse, kCancelled, link errors.
+  Status transact(std::span<Datagram> datagrams);
+  Status transact(Datagram& datagram) { return transact(std::span(&datagram, 1)); }
+  /// Lets time pass: bus cycles, or sleep. kCancelled.
+  Status wait(Nanoseconds duration);
+  /// One bus cycle, or a millisecond: what lies between two tries.
+  Status wait_a_little();
+
+  // Single registers. The result is the working counter.
+  Result<std::uint16_t> exchange(Command command, std::uint16_t adp, std::uint16_t ado, std::span<std::uint8_t> data);
+  template <std::unsigned_integral T>
+  Result<std::uint16_t> write(Command command, std::uint16_t adp, std::uint16_t ado, T value) {
+    auto bytes = le_bytes(value);
+    return exchange(command, adp, ado, bytes);
+  }
+  /// Reads by station address; kNoResponse with `subject` when no slave answers.
+  template <std::unsigned_integral T>
+  Result<T> read(std::uint16_t station, std::uint16_t ado, const std::string& subject) {
+    std::array<std::uint8_t, sizeof(T)> bytes{};
+    const auto wkc = exchange(Command::kFprd, station, ado, bytes);
+    if (!wkc) return tl::unexpected(wkc.error());
+    if (*wkc == 0) return fail(ErrorCode::kNoResponse, subject);
+    return load_le<T>(bytes);
+  }
+
+ private:
+  [[nodiscard]] Status check_cancel() const;
+  Status send_now(std::span<Datagram* const> open);
+
+  FrameExchange& exchange_;
+  Clock& clock_;
+  const std::atomic<bool>* cancel_;
+  CyclePump* pump_ = nullptr;
+  bool cancellable_ = true;
+  std::vector<Datagram*> open_;
+  PendingFrame frame_;
+};
+
+}  // namespace syncline

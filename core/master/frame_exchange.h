@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "link/link.h"
+#include "protocol/frame.h"
+#include "support/clock.h"
+
+namespace syncline {
+
+/// One datagram to be exchanged; its memory belongs to whoever asks for it.
+struct Datagram {
+  Command command = Command::kNop;
+  std::uint32_t address = 0;
+  std::span<std::uint8_t> data;  // sent; overwritten by what comes back when answered
+  std::uint16_t wkc = 0;
+  bool answered = false;
+
+  [[nodiscard]] bool done() const { return answered && wkc > 0; }
+};
+
+/// One frame on its way with the datagrams in it. Allocates nothing.
+class PendingFrame {
+ public:
+  static constexpr std::size_t kMaxDatagrams = 96;
+
+  void clear();
+  /// False when the frame is full; the datagram then belongs into the next one.
+  bool add(Datagram& datagram);
+  [[nodiscard]] bool empty() const { return count_ == 0; }
+  [[nodiscard]] std::span<Datagram* const> datagrams() const { return {datagrams_.data(), count_}; }
+  [[nodiscard]] bool answered() const { return answered_; }
+  /// Host clock just before the frame was handed to the link, and when it came back.
+  [[nodiscard]] Nanoseconds send_time() const { return send_time_; }
+  [[nodiscard]] Nanoseconds arrival_time() const { return arrival_time_; }
+
+ private:
+  friend class FrameExchange;
+  std::array<Datagram*, kMaxDatagrams> datagrams_{};
+  std::size_t count_ = 0;
+  std::size_t bytes_ = 0;
+  std::uint8_t index_ = 0;
+  bool in_flight_ = false;
+  bool answered_ = false;
+  Nanoseconds send_time_ = 0, arrival_time_ = 0;
+};
+
+/// Puts datagrams on the wire and matches what comes back by the datagram index: every datagram of a
+/// frame carries the frame's index.
+class FrameExchange {
+ public:
+  FrameExchange(Link& link, Clock& clock) : link_(link), clock_(clock) {}
+  void set_addresses(const MacAddress& destination, const MacAddress& source);
+
+  /// Stamps, builds and sends the frame. kLinkIo, kLinkDown from the link.
+  Status send(PendingFrame& frame);
+  /// Receives until every frame that was sent is answered or `deadline` has passed; frames that did
+  /// not come back are counted as lost. Replies that fit none of them are dropped and counted.
+  Status collect(std::span<PendingFrame* const> frames, Nanoseconds deadline);
+
+  [[nodiscard]] std::uint64_t lost_frames() const { return lost_; }
+  [[nodiscard]] std::uint64_t stray_frames() const { return stray_; }
+  [[nodiscard]] Clock& clock() { return clock_; }
+  [[nodiscard]] const Link& link() const { return link_; }
+
+ private:
+  bool accept(PendingFrame& frame, std::span<std::uint8_t> bytes);
+  bool dispatch(std::span<PendingFrame* const> frames, const ReceivedFrame& received);
+
+  Link& link_;
+  Clock& clock_;
+  FrameBuilder builder_;
+  std::array<std::uint8_t, 1536> buffer_{};
+  std::uint8_t next_index_ = 0;
+  std::uint64_t lost_ = 0, stray_ = 0;
+};
+
+}  // namespace syncline
