@@ -65,7 +65,7 @@ Result<std::string> read_file(const std::string& path) {
   std::ifstream stream(path, std::ios::binary);
   if (!stream) return file_error(ErrorCode::kFileNotReadable, path, errno);
   std::ostringstream content;
-  if (status.st_size > 0) content << stream.rdbuf();
+  content << stream.rdbuf();
   if (stream.bad()) return file_error(ErrorCode::kFileNotReadable, path, EIO);
   return std::move(content).str();
 }

@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#include "support/utf8.h"
+
 namespace syncline::eni {
 namespace {
 
@@ -56,31 +58,7 @@ std::string from_utf16(std::string_view text, bool big_endian) {
   return out;
 }
 
-/// Bytes of the UTF-8 sequence at `i`, 0 when it is none.
-std::size_t utf8_length(std::string_view text, std::size_t i) {
-  const std::uint8_t lead = byte_at(text, i);
-  const std::size_t length = lead < 0x80 ? 1 : lead < 0xC2 ? 0 : lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : lead < 0xF5 ? 4 : 0;
-  if (length == 0 || i + length > text.size()) return 0;
-  for (std::size_t k = 1; k < length; ++k) {
-    if ((byte_at(text, i + k) & 0xC0) != 0x80) return 0;
-  }
-  if (length < 3) return length;
-  const std::uint8_t second = byte_at(text, i + 1);
-  const bool overlong = (lead == 0xE0 && second < 0xA0) || (lead == 0xF0 && second < 0x90);
-  const bool no_character = (lead == 0xED && second >= 0xA0) || (lead == 0xF4 && second >= 0x90);
-  return overlong || no_character ? 0 : length;
-}
-
 }  // namespace
-
-bool is_utf8(std::string_view text) {
-  for (std::size_t i = 0; i < text.size();) {
-    const auto length = utf8_length(text, i);
-    if (length == 0) return false;
-    i += length;
-  }
-  return true;
-}
 
 std::string to_utf8(std::string text) {
   if (text.starts_with("\xFF\xFE")) return from_utf16(std::string_view(text).substr(2), false);

@@ -15,8 +15,6 @@ namespace syncline::eni {
 /// new content, never half of it. kFileNotWritable with the system's reason; `path` is then unchanged.
 [[nodiscard]] Status write_file_atomic(const std::string& path, std::string_view content);
 
-[[nodiscard]] bool is_utf8(std::string_view text);
-
 /// UTF-8 without byte order mark. UTF-16 is known by its byte order mark; text that is no UTF-8 is taken for ISO-8859-1,
 /// which the field's tools declare and write.
 [[nodiscard]] std::string to_utf8(std::string text);

@@ -11,9 +11,7 @@ std::string to_string(const Identity& identity) {
 
 std::uint32_t Pdo::bit_length() const {
   std::uint32_t bits = 0;
-  for (const PdoEntry& entry : entries) {
-    bits += entry.bit_length;
-  }
+  for (const PdoEntry& entry : entries) bits += entry.bit_length;
   return bits;
 }
 

@@ -111,6 +111,12 @@ struct Project {
   bool operator==(const Project&) const = default;
 };
 
+/// PDOs that the ESI assigns (Sm attribute) or demands (Mandatory), in its order, without those that exclude each other.
+[[nodiscard]] std::vector<std::uint16_t> default_assignment(const DeviceDescription& device, PdoDirection direction);
+
+/// Operation mode `name` ("" = off) with the PDO assignment that the ESI gives this mode, where it gives one.
+void select_op_mode(SlaveSettings& slave, std::string_view name);
+
 /// A slave with the ESI's defaults: default PDO assignment, first OpMode (or none), ESI start-up list.
 [[nodiscard]] SlaveSettings default_slave(const DeviceDescription& device, std::uint16_t position);
 

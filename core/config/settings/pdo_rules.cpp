@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "config/settings/codecs.h"
+
+namespace syncline::settings {
+namespace {
+
+using Indices = std::vector<std::uint16_t>;
+
+const Pdo* find(const std::vector<Pdo>& pdos, std::uint32_t index) {
+  const auto found = std::ranges::find_if(pdos, [index](const Pdo& pdo) { return pdo.index == index; });
+  return found == pdos.end() ? nullptr : &*found;
+}
+
+const Pdo* device_pdo(const DeviceDescription& device, std::uint32_t index) {
+  const Pdo* rx = find(device.rx_pdos, index);
+  return rx ? rx : find(device.tx_pdos, index);
+}
+
+std::vector<std::string_view> split(std::string_view text) {
+  std::vector<std::string_view> parts;
+  while (!text.empty()) {
+    const auto comma = text.find(',');
+    parts.push_back(text.substr(0, comma));
+    if (comma == std::string_view::npos) break;
+    text.remove_prefix(comma + 1);
+    if (text.empty()) parts.emplace_back();  // a comma at the end
+  }
+  return parts;
+}
+
+// ---- assignment: slave.N.pdo.rx, slave.N.pdo.tx
+
+std::string format_indices(const Indices& indices) {
+  std::string text;
+  for (const auto index : indices) text += fmt::format("{}0x{:04x}", text.empty() ? "" : ",", index);
+  return text;
+}
+
+std::string index_list(const std::vector<Pdo>& pdos) {
+  Indices indices;
+  for (const Pdo& pdo : pdos) indices.push_back(pdo.index);
+  return indices.empty() ? "none" : format_indices(indices);
+}
+
+Status check_assignment(const std::vector<Pdo>& pdos, const Indices& chosen) {
+  for (const auto index : chosen) {
+    const Pdo* pdo = find(pdos, index);
+    if (pdo == nullptr) {
+      return bad_value(fmt::format("the device has no PDO 0x{:04x} in this direction; it has {}", index, index_list(pdos)));
+    }
+    if (std::ranges::count(chosen, index) > 1) return bad_value(fmt::format("0x{:04x} stands there twice", index));
+    for (const auto excluded : pdo->exclude) {
+      if (std::ranges::find(chosen, excluded) != chosen.end()) {
+        return bad_value(fmt::format("0x{:04x} and 0x{:04x} exclude each other", index, excluded));
+      }
+    }
+  }
+  return {};
+}
+
+Result<Indices> parse_indices(std::string_view text) {
+  Indices indices;
+  for (const auto part : split(text)) {
+    const auto index = parse_integer(part);
+    if (!index || *index < 0 || *index > 0xFFFF) return bad_value(fmt::format("\"{}\" is no PDO index", part));
+    indices.push_back(static_cast<std::uint16_t>(*index));
+  }
+  return indices;
+}
+
+Rule assignment_rule(const char* name, PdoDirection direction, Indices SlaveSettings::*assigned) {
+  Rule rule{.key = fmt::format("slave.N.pdo.{}", name),
+            .type = "list of PDO indices",
+            .range = "indices of the device with commas, or nothing",
+            .meaning = fmt::format("{} in the order in which they lie in the process data.",
+                                   direction == PdoDirection::kRx ? "RxPDOs (outputs)" : "TxPDOs (inputs)"),
+            .get = {},
+            .set = {}};
+  rule.get = [assigned](const Project& project, const Place& place) {
+    return format_indices(project.slaves[place.slave].*assigned);
+  };
+  rule.set = [direction, assigned](Project& project, const Place& place, std::string_view text) -> Status {
+    auto& slave = project.slaves[place.slave];
+    auto chosen = parse_indices(text);
+    if (!chosen) return tl::unexpected(chosen.error());
+    if (*chosen == slave.*assigned) return {};
+    if (auto status = check_assignment(slave.device.pdos(direction), *chosen); !status) return status;
+    slave.*assigned = std::move(*chosen);
+    return {};
+  };
+  return rule;
+}
+
+// ---- mapping: slave.N.pdo.map.0xIIII
+
+bool same_object(const PdoEntry& a, const PdoEntry& b) {
+  return a.index == b.index && a.sub_index == b.sub_index && a.bit_length == b.bit_length;
+}
+
+const std::vector<PdoEntry>& mapped_entries(const SlaveSettings& slave, std::uint32_t index) {
+  const Pdo* changed = find(slave.changed_pdos, index);
+  return changed ? changed->entries : device_pdo(slave.device, index)->entries;
+}
+
+std::string format_mapping(const std::vector<PdoEntry>& entries) {
+  std::string text;
+  for (const auto& e : entries) {
+    text += fmt::format("{}0x{:04x}:{:02x}:{}", text.empty() ? "" : ",", e.index, e.sub_index, e.bit_length);
+  }
+  return text;
+}
+
+/// "0x6040:00:16": index, sub-index (hexadecimal), bits.
+Result<PdoEntry> parse_entry(std::string_view text) {
+  const auto first = text.find(':');
+  const auto second = first == std::string_view::npos ? first : text.find(':', first + 1);
+  if (second != std::string_view::npos) {
+    const auto index = parse_integer(text.substr(0, first));
+    const auto sub = parse_integer("0x" + std::string(text.substr(first + 1, second - first - 1)));
+    const auto bits = parse_integer(text.substr(second + 1));
+    const bool fits = index && sub && bits && *index >= 0 && *index <= 0xFFFF && *sub >= 0 && *sub <= 0xFF;
+    if (fits && *bits >= 1 && *bits <= 255) {  // the mapping object has a byte for the length
+      PdoEntry entry;
+      entry.index = static_cast<std::uint16_t>(*index);
+      entry.sub_index = static_cast<std::uint8_t>(*sub);
+      entry.bit_length = static_cast<std::uint16_t>(*bits);
+      return entry;
+    }
+  }
+  return bad_value(fmt::format("\"{}\" is no entry INDEX:SUB:BITS like 0x6040:00:16", text));
+}
+
+/// Name and type as the device's description knows the object.
+void describe_entry(const SlaveSettings& slave, const std::vector<PdoEntry>& current, PdoEntry& entry) {
+  const auto take = [&entry](const std::vector<PdoEntry>& entries) {
+    const auto known = std::ranges::find_if(entries, [&](const PdoEntry& e) { return same_object(e, entry); });
+    if (known == entries.end()) return false;
+    entry = *known;
+    return true;
+  };
+  if (take(current) || entry.index == 0) return;
+  for (const auto direction : {PdoDirection::kRx, PdoDirection::kTx}) {
+    for (const Pdo& pdo : slave.device.pdos(direction)) {
+      if (take(pdo.entries)) return;
+    }
+  }
+  for (const auto& object : slave.device.dictionary) {
+    if (object.index != entry.index) continue;
+    for (const auto& known : object.entries) {
+      if (known.sub_index != entry.sub_index || known.bit_length != entry.bit_length) continue;
+      entry.name = known.name;
+      entry.data_type = known.data_type;
+      return;
+    }
+  }
+}
+
+Result<std::vector<PdoEntry>> parse_mapping(std::string_view text, const SlaveSettings& slave,
+                                            const std::vector<PdoEntry>& current) {
+  std::vector<PdoEntry> entries;
+  for (const auto part : split(text)) {
+    auto entry = parse_entry(part);
+    if (!entry) return tl::unexpected(entry.error());
+    describe_entry(slave, current, *entry);
+    entries.push_back(std::move(*entry));
+  }
+  return entries;
+}
+
+void store_mapping(SlaveSettings& slave, const Pdo& of_device, std::vector<PdoEntry> entries) {
+  std::erase_if(slave.changed_pdos, [&](const Pdo& pdo) { return pdo.index == of_device.index; });
+  if (entries == of_device.entries) return;
+  Pdo changed = of_device;
+  changed.entries = std::move(entries);
+  const auto place = std::ranges::upper_bound(slave.changed_pdos, changed.index, {}, &Pdo::index);
+  slave.changed_pdos.insert(place, std::move(changed));
+}
+
+Status set_mapping(SlaveSettings& slave, std::uint32_t index, std::string_view text) {
+  const Pdo& of_device = *device_pdo(slave.device, index);
+  const auto current = mapped_entries(slave, index);
+  if (text == format_mapping(current)) return {};
+  if (of_device.fixed) return bad_value("the ESI says that the mapping of this PDO is fixed");
+  if (!slave.device.mailbox || !slave.device.mailbox->coe || !slave.device.mailbox->coe->pdo_config) {
+    return bad_value("the device does not take another mapping (CoE PdoConfig in its ESI)");
+  }
+  auto entries = parse_mapping(text, slave, current);
+  if (!entries) return tl::unexpected(entries.error());
+  if (std::ranges::equal(*entries, current, same_object)) return {};
+  store_mapping(slave, of_device, std::move(*entries));
+  return {};
+}
+
+Rule mapping_rule() {
+  Rule rule{.key = "slave.N.pdo.map.0xIIII",
+            .type = "list of entries",
+            .range = "INDEX:SUB:BITS with commas; INDEX 0 is padding",
+            .meaning = "What PDO 0xIIII carries. Only PDOs that are not fixed can be changed.",
+            .get = {},
+            .set = {}};
+  rule.get = [](const Project& project, const Place& place) {
+    return format_mapping(mapped_entries(project.slaves[place.slave], place.item));
+  };
+  rule.set = [](Project& project, const Place& place, std::string_view text) {
+    return set_mapping(project.slaves[place.slave], place.item, text);
+  };
+  rule.items = [](const SlaveSettings& slave) {
+    std::vector<std::uint32_t> indices;
+    for (const auto direction : {PdoDirection::kRx, PdoDirection::kTx}) {
+      for (const Pdo& pdo : slave.device.pdos(direction)) {
+        if (std::ranges::find(indices, pdo.index) == indices.end()) indices.push_back(pdo.index);
+      }
+    }
+    return indices;
+  };
+  return rule;
+}
+
+}  // namespace
+
+std::vector<Rule> pdo_rules() {
+  return {assignment_rule("rx", PdoDirection::kRx, &SlaveSettings::assigned_rx_pdos),
+          assignment_rule("tx", PdoDirection::kTx, &SlaveSettings::assigned_tx_pdos), mapping_rule()};
+}
+
+}  // namespace syncline::settings

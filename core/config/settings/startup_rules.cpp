@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <numeric>
+
+#include "config/settings/setting_rule.h"
+#include "config/settings/startup_text.h"
+
+namespace syncline::settings {
+namespace {
+
+Status set_command(SlaveSettings& slave, std::uint32_t number, std::string_view text) {
+  const auto place = slave.startup.begin() + static_cast<std::ptrdiff_t>(number);
+  if (text.empty()) {
+    if (number < slave.startup.size()) slave.startup.erase(place);
+    return {};
+  }
+  if (!slave.device.mailbox || !slave.device.mailbox->coe) return bad_value("the device has no CoE mailbox");
+  auto command = parse_startup(text);
+  if (!command) return tl::unexpected(command.error());
+  if (number < slave.startup.size()) {
+    *place = std::move(*command);
+  } else {
+    slave.startup.push_back(std::move(*command));
+  }
+  return {};
+}
+
+}  // namespace
+
+std::vector<Rule> startup_rules() {
+  Rule rule{.key = "slave.N.startup.K",
+            .type = "start-up command",
+            .range = "TRANSITIONS INDEX:SUB=HEX [complete] [fixed] [off] [timeout=MS] [# comment]; nothing removes it",
+            .meaning = "CoE object that is written at these transitions, K counts from 0; the number behind the last adds one.",
+            .get = {},
+            .set = {}};
+  rule.get = [](const Project& project, const Place& place) {
+    const auto& startup = project.slaves[place.slave].startup;
+    return place.item < startup.size() ? format_startup(startup[place.item]) : std::string{};
+  };
+  rule.set = [](Project& project, const Place& place, std::string_view text) {
+    return set_command(project.slaves[place.slave], place.item, text);
+  };
+  rule.items = [](const SlaveSettings& slave) {
+    std::vector<std::uint32_t> numbers(slave.startup.size());
+    std::iota(numbers.begin(), numbers.end(), 0U);
+    return numbers;
+  };
+  rule.extendable = true;
+  return {rule};
+}
+
+}  // namespace syncline::settings

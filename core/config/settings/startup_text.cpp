@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "config/settings/startup_text.h"
+
+#include <fmt/format.h>
+
+#include "config/settings/codecs.h"
+#include "support/utf8.h"
+
+namespace syncline::settings {
+namespace {
+
+constexpr std::string_view kCommentMark = " # ";
+
+std::string_view next_word(std::string_view& text) {
+  const auto begin = std::min(text.find_first_not_of(' '), text.size());
+  const auto end = std::min(text.find(' ', begin), text.size());
+  const auto word = text.substr(begin, end - begin);
+  text.remove_prefix(end);
+  return word;
+}
+
+Status parse_transitions(std::string_view text, StartupCommand& command) {
+  command.transitions.clear();
+  while (true) {
+    const auto comma = text.find(',');
+    const auto name = text.substr(0, comma);
+    const auto transition = transition_from_name(name);
+    if (!transition) return bad_value(fmt::format("\"{}\" is no state transition like PS or SO", name));
+    command.transitions.push_back(*transition);
+    if (comma == std::string_view::npos) return {};
+    text.remove_prefix(comma + 1);
+  }
+}
+
+Status parse_object(std::string_view text, StartupCommand& command) {
+  const auto colon = text.find(':');
+  const auto equals = text.find('=');
+  if (colon == std::string_view::npos || equals == std::string_view::npos || colon > equals) {
+    return bad_value(fmt::format("\"{}\" is no INDEX:SUB=DATA like 0x6060:00=08", text));
+  }
+  const auto index = parse_integer(text.substr(0, colon));
+  const auto sub = parse_integer("0x" + std::string(text.substr(colon + 1, equals - colon - 1)));
+  if (!index || *index < 1 || *index > 0xFFFF || !sub || *sub < 0 || *sub > 0xFF) {
+    return bad_value(fmt::format("\"{}\" is no object", text.substr(0, equals)));
+  }
+  const auto digits = text.substr(equals + 1);
+  command.data.clear();
+  for (std::size_t i = 0; i < digits.size(); i += 2) {
+    const auto byte = parse_integer("0x" + std::string(digits.substr(i, 2)));
+    if (!byte || digits.size() % 2 != 0) return bad_value(fmt::format("\"{}\" are no whole hexadecimal bytes", digits));
+    command.data.push_back(static_cast<std::uint8_t>(*byte));
+  }
+  command.index = static_cast<std::uint16_t>(*index);
+  command.sub_index = static_cast<std::uint8_t>(*sub);
+  return {};
+}
+
+Status parse_option(std::string_view word, StartupCommand& command) {
+  constexpr std::string_view kTimeout = "timeout=";
+  if (word == "complete") {
+    command.complete_access = true;
+  } else if (word == "fixed") {
+    command.fixed = true;
+  } else if (word == "off") {
+    command.enabled = false;
+  } else if (const auto ms = parse_integer(word.substr(std::min(kTimeout.size(), word.size())));
+             word.starts_with(kTimeout) && ms && *ms >= 0 && *ms <= 0xFFFF'FFFF) {
+    command.timeout_ms = static_cast<std::uint32_t>(*ms);
+  } else {
+    return bad_value(fmt::format("\"{}\" is none of complete, fixed, off, timeout=MS", word));
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string format_startup(const StartupCommand& command) {
+  std::string text;
+  for (const auto transition : command.transitions) {
+    text += fmt::format("{}{}", text.empty() ? "" : ",", transition_name(transition));
+  }
+  text += fmt::format(" 0x{:04x}:{:02x}={:02x}", command.index, command.sub_index, fmt::join(command.data, ""));
+  if (command.complete_access) text += " complete";
+  if (command.fixed) text += " fixed";
+  if (!command.enabled) text += " off";
+  if (command.timeout_ms != 0) text += fmt::format(" timeout={}", command.timeout_ms);
+  if (!command.comment.empty()) text.append(kCommentMark).append(command.comment);
+  return text;
+}
+
+Result<StartupCommand> parse_startup(std::string_view text) {
+  StartupCommand command;
+  const auto mark = text.find(kCommentMark);
+  if (mark != std::string_view::npos) command.comment = text.substr(mark + kCommentMark.size());
+  if (!is_utf8(command.comment)) return bad_value("the comment is no UTF-8 text");
+  auto rest = text.substr(0, mark);
+  if (auto status = parse_transitions(next_word(rest), command); !status) return tl::unexpected(status.error());
+  if (auto status = parse_object(next_word(rest), command); !status) return tl::unexpected(status.error());
+  for (auto word = next_word(rest); !word.empty(); word = next_word(rest)) {
+    if (auto status = parse_option(word, command); !status) return tl::unexpected(status.error());
+  }
+  return command;
+}
+
+}  // namespace syncline::settings
