@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/live_strip.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QStackedLayout>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "ui/panels/live_strip_panels.h"
+#include "ui/panels/live_strip_toolbar.h"
+#include "ui/theme.h"
+#include "ui/widgets/named.h"
+
+namespace syncline::ui {
+namespace {
+
+constexpr int kTickMs = 33;
+constexpr unsigned kTextEvery = 6;      // ticks between updates of numbers: faster cannot be read
+constexpr unsigned kChooseEvery = 30;   // ticks between choices of the worst slaves
+/// The longest window on offer and something to scroll back to, within the memory that a plot may take.
+constexpr Nanoseconds kHistory = 620 * kSecond;
+constexpr std::size_t kMinCycles = 1U << 16, kMaxCycles = 1U << 21;
+
+std::size_t capacityFor(Nanoseconds cycle_time) {
+  const auto cycles = static_cast<std::size_t>(kHistory / std::max<Nanoseconds>(cycle_time, 1));
+  return std::clamp(cycles, kMinCycles, kMaxCycles);
+}
+
+}  // namespace
+
+LiveStrip::LiveStrip(QWidget* parent) : QWidget(parent), toolbar_(new LiveStripToolbar(&view_, &cursors_)) {
+  setObjectName(QStringLiteral("liveStrip"));
+  setAccessibleName(tr("Live plots"));
+  setFocusPolicy(Qt::ClickFocus);
+  plots_ = new QWidget;
+  auto* row = new QHBoxLayout(plots_);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(14);
+  panels_ = {new DeviationPanel(&view_, &cursors_), new Sm2Panel(&view_, &cursors_), new DcmPanel(&view_, &cursors_)};
+  for (auto* panel : panels_) {
+    row->addWidget(panel, 1);
+    connect(panel->plot(), &TracePlot::menuRequested, this, &LiveStrip::openMenu);
+  }
+  auto* empty = named(new QLabel(tr("No data: go online")), "liveEmptyLabel", tr("Live plots"));
+  empty->setAlignment(Qt::AlignCenter);
+  auto* body = new QWidget;
+  stack_ = new QStackedLayout(body);
+  stack_->addWidget(empty);
+  stack_->addWidget(plots_);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(8, 4, 8, 4);
+  layout->setSpacing(4);
+  layout->addWidget(toolbar_);
+  layout->addWidget(body, 1);
+
+  connect(toolbar_, &LiveStripToolbar::fitRequested, this, [this] {
+    for (auto* panel : panels_) panel->plot()->fitValues();
+  });
+  connect(toolbar_, &LiveStripToolbar::cursorsToggled, this, [this](bool on) {
+    if (!on) return cursors_.clear();
+    cursors_.set(CursorSet::kA, view_.begin() + view_.span() / 3);
+    cursors_.set(CursorSet::kB, view_.begin() + view_.span() * 2 / 3);
+  });
+  connect(toolbar_, &LiveStripToolbar::menuRequested, this,
+          [this](const QPoint& global) { openMenu(global, cursorPlace()); });
+  connect(&tick_, &QTimer::timeout, this, &LiveStrip::tick);
+  tick_.setInterval(kTickMs);
+  setNetwork({}, kMillisecond, 0);
+  applyTheme();
+}
+
+LiveStrip::~LiveStrip() = default;
+
+void LiveStrip::setNetwork(const std::vector<QString>& slaveNames, Nanoseconds cycleTime, std::uint32_t windowLimitNs) {
+  auto fresh = slaveNames.empty() ? nullptr : std::make_unique<SampleStore>(slaveNames.size(), capacityFor(cycleTime));
+  source_ = {fresh.get(), slaveNames, cycleTime, windowLimitNs};
+  for (auto* panel : panels_) panel->setSource(&source_);
+  store_ = std::move(fresh);
+  cursors_.clear();
+  view_.reset();
+  showState();
+}
+
+void LiveStrip::append(const std::vector<CycleSample>& samples) {
+  if (store_) store_->append(samples);
+}
+
+void LiveStrip::clear() {
+  if (store_) store_->clear();
+  for (auto* panel : panels_) panel->setSource(&source_);
+  cursors_.clear();
+  view_.reset();
+  showState();
+}
+
+void LiveStrip::setPickedSlave(int position) {
+  for (auto* panel : panels_) panel->setPickedSlave(position);
+}
+
+void LiveStrip::refresh() {
+  ticks_ = 0;
+  tick();
+}
+
+void LiveStrip::tick() {
+  if (window()->isMinimized()) return;
+  if (store_ && !store_->empty()) view_.setBounds(store_->first_time(), store_->last_time());
+  if (ticks_ % kTextEvery == 0) {
+    const bool moving = view_.mode() == TimeView::Mode::kLive;
+    for (auto* panel : panels_) panel->refreshText(moving && ticks_ % kChooseEvery == 0);
+    showState();
+  }
+  ++ticks_;
+  for (auto* panel : panels_) panel->plot()->refresh();
+}
+
+void LiveStrip::showState() {
+  const bool any = store_ && !store_->empty();
+  stack_->setCurrentIndex(any ? 1 : 0);
+  toolbar_->setEnabled(any);
+  toolbar_->showState();
+}
+
+void LiveStrip::applyTheme() {
+  for (auto* panel : panels_) panel->applyTheme();
+  auto* empty = findChild<QLabel*>(QStringLiteral("liveEmptyLabel"));
+  auto colors = empty->palette();
+  colors.setColor(QPalette::WindowText, theme::mutedText(palette()));
+  empty->setPalette(colors);
+  toolbar_->showState();
+}
+
+void LiveStrip::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) applyTheme();
+}
+
+void LiveStrip::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  for (auto* panel : panels_) panel->plot()->markDirty();
+  tick_.start();
+}
+
+void LiveStrip::hideEvent(QHideEvent* event) {
+  QWidget::hideEvent(event);
+  tick_.stop();
+}
+
+Nanoseconds LiveStrip::cursorPlace() const { return cursors_.pointer().value_or(view_.begin() + view_.span() / 2); }
+
+void LiveStrip::zoomAtMiddle(double factor) { view_.zoom(factor, view_.begin() + view_.span() / 2); }
+
+void LiveStrip::keyPressEvent(QKeyEvent* event) {
+  const bool far = event->modifiers().testFlag(Qt::ShiftModifier);
+  const auto page = view_.span() / (far ? 1 : 10);
+  switch (event->key()) {
+    case Qt::Key_Left:
+      return view_.pan(-page);
+    case Qt::Key_Right:
+      return view_.pan(page);
+    case Qt::Key_Plus:
+    case Qt::Key_Equal:
+      return zoomAtMiddle(0.5);
+    case Qt::Key_Minus:
+      return zoomAtMiddle(2);
+    case Qt::Key_Home:
+      return view_.goToStart();
+    case Qt::Key_End:
+      return view_.goLive();
+    case Qt::Key_Space:
+      return view_.mode() == TimeView::Mode::kLive ? view_.freeze() : view_.goLive();
+    case Qt::Key_F:
+      for (auto* panel : panels_) panel->plot()->fitValues();
+      return;
+    case Qt::Key_A:
+      return cursors_.set(CursorSet::kA, cursorPlace());
+    case Qt::Key_B:
+      return cursors_.set(CursorSet::kB, cursorPlace());
+    case Qt::Key_Escape:
+      if (cursors_.any()) return cursors_.clear();
+      break;
+    default:
+      break;
+  }
+  QWidget::keyPressEvent(event);
+}
+
+}  // namespace syncline::ui

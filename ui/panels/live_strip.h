@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QString>
+#include <QTimer>
+#include <QWidget>
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "master/channels.h"
+#include "ui/plots/trace_panel.h"
+
+class QStackedLayout;
+
+namespace syncline::ui {
+
+class LiveStripToolbar;
+
+/// Three plots over one time axis: DC deviation, missed SM2 events, DCM error. Owns the history of the
+/// samples; takes them at any rate and draws on a tick of its own, only what can be seen.
+class LiveStrip : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit LiveStrip(QWidget* parent = nullptr);
+  ~LiveStrip() override;
+
+  /// Starts an empty history. `windowLimitNs`: sync-window limit, 0 = not monitored.
+  void setNetwork(const std::vector<QString>& slaveNames, Nanoseconds cycleTime, std::uint32_t windowLimitNs);
+  /// Cheap: stores only.
+  void append(const std::vector<CycleSample>& samples);
+  /// Forgets the samples, keeps the network.
+  void clear();
+  /// Colours from the palette that is set now; palette changes call it by themselves.
+  void applyTheme();
+  /// The slave that the deviation and SM2 plots draw in any case; -1 = only the worst.
+  void setPickedSlave(int position);
+
+  /// One redraw, as the tick does; for tests and pictures.
+  void refresh();
+  [[nodiscard]] TimeView* timeView() { return &view_; }
+  [[nodiscard]] CursorSet* cursors() { return &cursors_; }
+  [[nodiscard]] const SampleStore* store() const { return store_.get(); }
+  [[nodiscard]] const std::array<TracePanel*, 3>& panels() const { return panels_; }
+  /// The stretch that is shown as a table: times in ns since the first sample and in UTC, one column a
+  /// series; C locale.
+  [[nodiscard]] std::string csv() const;
+  /// The three plots with a caption, in light colours whatever the theme is.
+  [[nodiscard]] QImage picture(double scale);
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void tick();
+  void showState();
+  void openMenu(const QPoint& global, Nanoseconds time);
+  void exportCsv();
+  void exportPicture();
+  void zoomAtMiddle(double factor);
+  [[nodiscard]] Nanoseconds cursorPlace() const;
+
+  TimeView view_;
+  CursorSet cursors_;
+  TraceSource source_;
+  std::unique_ptr<SampleStore> store_;
+  LiveStripToolbar* toolbar_;
+  QStackedLayout* stack_;
+  QWidget* plots_;
+  std::array<TracePanel*, 3> panels_{};
+  QTimer tick_;
+  unsigned ticks_ = 0;
+  bool themed_ = false;
+};
+
+}  // namespace syncline::ui

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <QAction>
+#include <QApplication>
+#include <QClipboard>
+#include <QDateTime>
+#include <QFileDialog>
+#include <QImage>
+#include <QMenu>
+#include <QMessageBox>
+#include <QPainter>
+#include <QSaveFile>
+
+#include "ui/panels/live_strip.h"
+#include "ui/plots/series_csv.h"
+#include "ui/text/units.h"
+
+namespace syncline::ui {
+namespace {
+
+QPalette printPalette() {
+  QPalette palette;
+  const QColor ink(0x1B, 0x24, 0x30);
+  for (const auto role : {QPalette::Window, QPalette::Base, QPalette::Button}) palette.setColor(role, Qt::white);
+  for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) palette.setColor(role, ink);
+  return palette;
+}
+
+}  // namespace
+
+std::string LiveStrip::csv() const {
+  std::vector<CsvColumn> columns;
+  if (!store_) return series_csv(columns, 0, 0, 0);
+  using Series = SampleStore::Series;
+  columns = {{"deviation_ored_ns", &store_->series(Series::kDeviationOred)},
+             {"dcm_error_ns", &store_->series(Series::kDcmError)},
+             {"dcm_error_filtered_ns", &store_->series(Series::kDcmErrorFiltered)},
+             {"drift_ppm", &store_->series(Series::kDrift)}};
+  const auto add = [&](const char* quantity, const MinMaxSeries& series, std::size_t slave) {
+    if (series.empty()) return;
+    columns.push_back({std::string(quantity) + " " + source_.slave_names[slave].toStdString(), &series});
+  };
+  for (std::size_t i = 0; i < store_->slave_count(); ++i) add("deviation_ns", store_->slave_deviation(i), i);
+  for (std::size_t i = 0; i < store_->slave_count(); ++i) add("sm2_missed", store_->slave_sm2_missed(i), i);
+  return series_csv(columns, view_.first(), view_.begin(), view_.end() + 1);
+}
+
+QImage LiveStrip::picture(double scale) {
+  constexpr int kCaption = 22;
+  constexpr int kMargin = 10;
+  const auto size = plots_->size();
+  QImage image(((QSizeF(size) + QSizeF(2 * kMargin, 2 * kMargin + kCaption)) * scale).toSize(), QImage::Format_RGB32);
+  image.setDevicePixelRatio(scale);
+  image.fill(Qt::white);
+  const auto shown = plots_->palette();
+  plots_->setPalette(printPalette());
+  for (auto* panel : panels_) panel->applyTheme();
+  QPainter painter(&image);
+  plots_->render(&painter, QPoint(kMargin, kMargin), {}, QWidget::DrawChildren);
+  painter.setPen(printPalette().color(QPalette::Text));
+  painter.setFont(font());
+  painter.drawText(QRect(kMargin, kMargin + size.height(), size.width(), kCaption), Qt::AlignVCenter,
+                   tr("Syncline, %1, cycle %2")
+                       .arg(QDateTime::currentDateTimeUtc().toString(Qt::ISODate), cycleText(source_.cycle_time)));
+  painter.end();
+  plots_->setPalette(shown);
+  for (auto* panel : panels_) panel->applyTheme();
+  return image;
+}
+
+void LiveStrip::exportCsv() {
+  const auto path = QFileDialog::getSaveFileName(this, tr("Export the range shown"), QStringLiteral("syncline.csv"),
+                                                 tr("Comma-separated values (*.csv)"));
+  if (path.isEmpty()) return;
+  const auto table = csv();
+  QSaveFile file(path);
+  const bool done = file.open(QIODevice::WriteOnly) &&
+                    file.write(table.data(), static_cast<qint64>(table.size())) == static_cast<qint64>(table.size()) &&
+                    file.commit();
+  if (!done) QMessageBox::warning(this, tr("Export"), tr("%1: %2").arg(path, file.errorString()));
+}
+
+void LiveStrip::exportPicture() {
+  const auto path = QFileDialog::getSaveFileName(this, tr("Export the plots"), QStringLiteral("syncline.png"),
+                                                 tr("PNG picture (*.png)"));
+  if (path.isEmpty()) return;
+  QSaveFile file(path);
+  const bool done = file.open(QIODevice::WriteOnly) && picture(2).save(&file, "PNG") && file.commit();
+  if (!done) QMessageBox::warning(this, tr("Export"), tr("%1: %2").arg(path, file.errorString()));
+}
+
+void LiveStrip::openMenu(const QPoint& global, Nanoseconds time) {
+  auto* menu = new QMenu(this);
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  menu->addAction(tr("Cursor A here"), this, [this, time] { cursors_.set(CursorSet::kA, time); });
+  menu->addAction(tr("Cursor B here"), this, [this, time] { cursors_.set(CursorSet::kB, time); });
+  menu->addAction(tr("Remove cursors"), this, [this] { cursors_.clear(); })->setEnabled(cursors_.any());
+  menu->addSeparator();
+  menu->addAction(tr("Show everything"), this, [this] { view_.showAll(); });
+  menu->addAction(tr("Fit values"), this, [this] {
+    for (auto* panel : panels_) panel->plot()->fitValues();
+  });
+  auto* hold = menu->addAction(tr("Keep the value axes as they are"), this, [this](bool on) {
+    for (auto* panel : panels_) {
+      const auto& range = panel->plot()->valueRange();
+      on ? panel->plot()->fixValues(range.low(), range.high()) : panel->plot()->fitValues();
+    }
+  });
+  hold->setCheckable(true);
+  hold->setChecked(panels_.front()->plot()->valueRange().isFixed());
+  menu->addSeparator();
+  menu->addAction(tr("Export range as CSV..."), this, [this] { exportCsv(); });
+  menu->addAction(tr("Export picture..."), this, [this] { exportPicture(); });
+  menu->addAction(tr("Copy picture"), this, [this] { QApplication::clipboard()->setImage(picture(2)); });
+  menu->popup(global);
+}
+
+}  // namespace syncline::ui

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/live_strip_panels.h"
+
+#include <qwt_text.h>
+
+#include <QLocale>
+#include <algorithm>
+#include <cmath>
+
+#include "ui/plots/plot_colors.h"
+#include "ui/text/units.h"
+
+namespace syncline::ui {
+namespace {
+
+constexpr std::size_t kSlavesShown = 4;
+using Series = SampleStore::Series;
+
+Nanoseconds cycleGap(const TraceSource& source) { return source.cycle_time * 5 / 2; }
+
+/// One slave is read a cycle, in turn.
+Nanoseconds slaveGap(const TraceSource& source) {
+  const auto slaves = static_cast<Nanoseconds>(std::max<std::size_t>(source.slave_names.size(), 1));
+  return 4 * slaves * source.cycle_time + 20 * kMillisecond;
+}
+
+Nanoseconds rounded(double value) { return static_cast<Nanoseconds>(std::llround(value)); }
+
+void colorSlots(const std::vector<SeriesItem*>& items, const SlaveSlots& slots_shown, const QPalette& palette) {
+  for (std::size_t i = 0; i < slots_shown.slots().size(); ++i) {
+    items[i]->setColor(plot_colors::trace(palette, slots_shown.slots()[i].color));
+  }
+}
+
+void hideAll(const std::vector<SeriesItem*>& items) {
+  for (auto* item : items) {
+    item->setSeries(nullptr);
+    item->setVisible(false);
+  }
+}
+
+}  // namespace
+
+// ---- deviation --------------------------------------------------------------------------------
+
+DeviationPanel::DeviationPanel(TimeView* view, CursorSet* cursors, QWidget* parent)
+    : TracePanel(tr("DC deviation"), {tr("Deviation"), TracePlot::Quantity::kTime, 20, false}, view, cursors, parent),
+      ored_(plot()->addItem(tr("upper estimate"), SeriesItem::Shape::kEnvelope)), slots_(kSlavesShown) {
+  setObjectName(QStringLiteral("deviationPanel"));
+  plot()->setObjectName(QStringLiteral("deviationPlot"));
+  plot()->setToolTip(tr("Register 0x092C (System Time Difference). Upper estimate: the wire-or of all slaves read by "
+                        "BRD, at least as large as the largest magnitude. Lines: signed values of single slaves."));
+  for (std::size_t i = 0; i < kSlavesShown; ++i) slaves_.push_back(plot()->addItem({}, SeriesItem::Shape::kLine));
+  hideAll(slaves_);
+}
+
+void DeviationPanel::attach() {
+  slots_.clear();
+  hideAll(slaves_);
+  ored_->setSeries(hasStore() ? &source().store->series(Series::kDeviationOred) : nullptr);
+  if (!hasStore()) return;
+  ored_->setMaxGap(cycleGap(source()));
+  for (auto* item : slaves_) item->setMaxGap(slaveGap(source()));
+  const auto limit = source().limit_ns;
+  plot()->setLimit(limit, limit > 0 ? tr("limit \u00B1%1").arg(timeText(limit)) : QString());
+}
+
+void DeviationPanel::choose() {
+  const auto& store = *source().store;
+  std::vector<double> scores(store.slave_count(), -1);
+  for (std::size_t i = 0; i < scores.size(); ++i) {
+    const auto extent = store.slave_deviation(i).extent(view().begin(), view().end() + 1);
+    if (extent) scores[i] = std::max(std::abs(static_cast<double>(extent->min)), std::abs(static_cast<double>(extent->max)));
+  }
+  if (!slots_.update(scores, pickedSlave())) return;
+  hideAll(slaves_);
+  for (std::size_t i = 0; i < slots_.slots().size(); ++i) {
+    const int slave = slots_.slots()[i].slave;
+    slaves_[i]->setSeries(&store.slave_deviation(static_cast<std::size_t>(slave)));
+    slaves_[i]->setTitle(slaveName(slave));
+    slaves_[i]->setVisible(true);
+  }
+  colorItems();
+  plot()->markDirty();
+}
+
+void DeviationPanel::colorItems() {
+  ored_->setColor(plot_colors::envelope(palette()));
+  colorSlots(slaves_, slots_, palette());
+}
+
+std::vector<LegendBar::Entry> DeviationPanel::entries(Nanoseconds time) const {
+  std::vector<LegendBar::Entry> result{entry(*ored_, time)};
+  if (const auto reading = source().store->series(Series::kDeviationOred).at(time)) {
+    result.front().value = QStringLiteral("\u2264 ") + timeText(rounded(static_cast<double>(reading->value)));
+  }
+  for (const auto* item : slaves_) {
+    if (item->isVisible()) result.push_back(entry(*item, time));
+  }
+  return result;
+}
+
+QString DeviationPanel::summary(Nanoseconds) const {
+  const auto extent = source().store->series(Series::kDeviationOred).extent(view().begin(), view().end() + 1);
+  if (!extent) return {};
+  return tr("peak \u2264 %1").arg(timeText(rounded(static_cast<double>(extent->max))));
+}
+
+QString DeviationPanel::valueText(double value) const { return signedTimeText(rounded(value)); }
+
+// ---- SM2 misses -------------------------------------------------------------------------------
+
+Sm2Panel::Sm2Panel(TimeView* view, CursorSet* cursors, QWidget* parent)
+    : TracePanel(tr("SM2 events missed"), {tr("Events"), TracePlot::Quantity::kCount, 4, true}, view, cursors, parent),
+      slots_(kSlavesShown) {
+  setObjectName(QStringLiteral("sm2Panel"));
+  plot()->setObjectName(QStringLiteral("sm2Plot"));
+  plot()->setToolTip(tr("SM event missed counter, object 0x1C32:0B or 0x1C32:0C of the slaves that have one."));
+  for (std::size_t i = 0; i < kSlavesShown; ++i) slaves_.push_back(plot()->addItem({}, SeriesItem::Shape::kStep));
+  hideAll(slaves_);
+}
+
+void Sm2Panel::attach() {
+  slots_.clear();
+  hideAll(slaves_);
+}
+
+void Sm2Panel::choose() {
+  const auto& store = *source().store;
+  std::vector<double> scores(store.slave_count(), -1);
+  for (std::size_t i = 0; i < scores.size(); ++i) {
+    const auto& series = store.slave_sm2_missed(i);
+    if (!series.empty()) scores[i] = rate(series, view().end()) * 1e9 + static_cast<double>(series.at(view().last())->value);
+  }
+  if (!slots_.update(scores, pickedSlave())) return;
+  hideAll(slaves_);
+  for (std::size_t i = 0; i < slots_.slots().size(); ++i) {
+    const int slave = slots_.slots()[i].slave;
+    slaves_[i]->setSeries(&store.slave_sm2_missed(static_cast<std::size_t>(slave)));
+    slaves_[i]->setTitle(slaveName(slave));
+    slaves_[i]->setVisible(true);
+  }
+  colorItems();
+  plot()->markDirty();
+}
+
+void Sm2Panel::colorItems() { colorSlots(slaves_, slots_, palette()); }
+
+double Sm2Panel::rate(const MinMaxSeries& series, Nanoseconds until) const {
+  const auto now = series.at(until);
+  if (!now) return 0;
+  const auto begin = std::max(until - view().span(), series.first_time());
+  const auto then = series.at(begin);
+  if (!then || until <= begin) return 0;
+  // A counter that went back was cleared: what it shows now came since.
+  const double events = static_cast<double>(now->value) - static_cast<double>(then->value);
+  return (events < 0 ? static_cast<double>(now->value) : events) * 1e9 / static_cast<double>(until - begin);
+}
+
+std::vector<LegendBar::Entry> Sm2Panel::entries(Nanoseconds time) const {
+  std::vector<LegendBar::Entry> result;
+  for (const auto* item : slaves_) {
+    if (item->isVisible()) result.push_back(entry(*item, time));
+  }
+  return result;
+}
+
+QString Sm2Panel::summary(Nanoseconds time) const {
+  double highest = 0;
+  const SeriesItem* worst = nullptr;
+  for (const auto* item : slaves_) {
+    if (!item->isVisible()) continue;
+    const double found = rate(*item->series(), std::min(time, view().end()));
+    if (worst == nullptr || found > highest) {
+      worst = item;
+      highest = found;
+    }
+  }
+  if (worst == nullptr) return tr("no slave has this counter");
+  if (highest == 0) return tr("none in the range shown");
+  return tr("%1: %2/s").arg(worst->title().text(), QLocale().toString(highest, 'f', highest < 10 ? 2 : 0));
+}
+
+const SeriesItem* Sm2Panel::primary() const {
+  const auto shown = std::find_if(slaves_.begin(), slaves_.end(), [](const SeriesItem* item) { return item->isVisible(); });
+  return shown == slaves_.end() ? nullptr : *shown;
+}
+
+QString Sm2Panel::valueText(double value) const {
+  return QLocale().toString(value, 'f', value == std::floor(value) ? 0 : 1);
+}
+
+// ---- DCM error --------------------------------------------------------------------------------
+
+DcmPanel::DcmPanel(TimeView* view, CursorSet* cursors, QWidget* parent)
+    : TracePanel(tr("DCM error"), {tr("Error"), TracePlot::Quantity::kTime, 20, false}, view, cursors, parent),
+      raw_(plot()->addItem(tr("raw"), SeriesItem::Shape::kEnvelope)),
+      filtered_(plot()->addItem(tr("filtered"), SeriesItem::Shape::kLine)) {
+  setObjectName(QStringLiteral("dcmPanel"));
+  plot()->setObjectName(QStringLiteral("dcmPlot"));
+  plot()->setToolTip(tr("Time of the frame at the reference clock minus its wanted time in the cycle."));
+}
+
+void DcmPanel::attach() {
+  raw_->setSeries(hasStore() ? &source().store->series(Series::kDcmError) : nullptr);
+  filtered_->setSeries(hasStore() ? &source().store->series(Series::kDcmErrorFiltered) : nullptr);
+  if (!hasStore()) return;
+  raw_->setMaxGap(cycleGap(source()));
+  filtered_->setMaxGap(cycleGap(source()));
+}
+
+void DcmPanel::colorItems() {
+  raw_->setColor(plot_colors::envelope(palette()));
+  filtered_->setColor(plot_colors::trace(palette(), 1));
+}
+
+std::vector<LegendBar::Entry> DcmPanel::entries(Nanoseconds time) const {
+  return {entry(*raw_, time), entry(*filtered_, time)};
+}
+
+QString DcmPanel::summary(Nanoseconds time) const {
+  const auto drift = source().store->series(Series::kDrift).at(time);
+  return drift ? tr("drift %1").arg(ppmText(static_cast<double>(drift->value))) : tr("DCM is off");
+}
+
+QString DcmPanel::valueText(double value) const { return signedTimeText(rounded(value)); }
+
+}  // namespace syncline::ui

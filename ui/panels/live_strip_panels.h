@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/plots/slave_slots.h"
+#include "ui/plots/trace_panel.h"
+
+namespace syncline::ui {
+
+/// Wire-ored 0x092C of every cycle (an upper estimate of the largest deviation: magnitudes are ored, not
+/// compared) and the signed readings of the worst slaves, with the sync window.
+class DeviationPanel final : public TracePanel {
+  Q_OBJECT
+
+ public:
+  DeviationPanel(TimeView* view, CursorSet* cursors, QWidget* parent = nullptr);
+  [[nodiscard]] const SlaveSlots& slots_shown() const { return slots_; }
+
+ protected:
+  void attach() override;
+  void choose() override;
+  void colorItems() override;
+  [[nodiscard]] std::vector<LegendBar::Entry> entries(Nanoseconds time) const override;
+  [[nodiscard]] QString summary(Nanoseconds time) const override;
+  [[nodiscard]] const SeriesItem* primary() const override { return ored_; }
+  [[nodiscard]] QString valueText(double value) const override;
+
+ private:
+  SeriesItem* ored_;
+  std::vector<SeriesItem*> slaves_;
+  SlaveSlots slots_;
+};
+
+/// Counters of missed SM2 events of the slaves that have one, as steps, and their rate.
+class Sm2Panel final : public TracePanel {
+  Q_OBJECT
+
+ public:
+  Sm2Panel(TimeView* view, CursorSet* cursors, QWidget* parent = nullptr);
+
+ protected:
+  void attach() override;
+  void choose() override;
+  void colorItems() override;
+  [[nodiscard]] std::vector<LegendBar::Entry> entries(Nanoseconds time) const override;
+  [[nodiscard]] QString summary(Nanoseconds time) const override;
+  [[nodiscard]] const SeriesItem* primary() const override;
+  [[nodiscard]] QString valueText(double value) const override;
+
+ private:
+  /// Events a second of one slave over the stretch that is shown.
+  [[nodiscard]] double rate(const MinMaxSeries& series, Nanoseconds until) const;
+
+  std::vector<SeriesItem*> slaves_;
+  SlaveSlots slots_;
+};
+
+/// Error of the DCM controller: every cycle as an envelope, filtered as a line, and the drift.
+class DcmPanel final : public TracePanel {
+  Q_OBJECT
+
+ public:
+  DcmPanel(TimeView* view, CursorSet* cursors, QWidget* parent = nullptr);
+
+ protected:
+  void attach() override;
+  void colorItems() override;
+  [[nodiscard]] std::vector<LegendBar::Entry> entries(Nanoseconds time) const override;
+  [[nodiscard]] QString summary(Nanoseconds time) const override;
+  [[nodiscard]] const SeriesItem* primary() const override { return raw_; }
+  [[nodiscard]] QString valueText(double value) const override;
+
+ private:
+  SeriesItem *raw_, *filtered_;
+};
+
+}  // namespace syncline::ui

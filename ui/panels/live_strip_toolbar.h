@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QWidget>
+#include <vector>
+
+#include "ui/plots/cursor_item.h"
+#include "ui/plots/time_view.h"
+
+class QHBoxLayout;
+class QLabel;
+class QToolButton;
+
+namespace syncline::ui {
+
+/// Window length, following, freezing, cursors: the line above the plots of the live strip.
+class LiveStripToolbar final : public QWidget {
+  Q_OBJECT
+
+ public:
+  LiveStripToolbar(TimeView* view, CursorSet* cursors, QWidget* parent = nullptr);
+  /// Writes the state in words; a few times a second.
+  void showState();
+
+ Q_SIGNALS:
+  void fitRequested();
+  void cursorsToggled(bool on);
+  void menuRequested(const QPoint& global);
+
+ private:
+  QToolButton* addButton(QHBoxLayout* layout, const char* name, const QString& text, const QString& tip);
+
+  TimeView* view_;
+  CursorSet* cursors_;
+  struct Length {
+    QToolButton* button;
+    Nanoseconds span;
+  };
+  std::vector<Length> lengths_;
+  QToolButton *live_, *freeze_, *measure_;
+  QLabel *state_, *delta_;
+};
+
+}  // namespace syncline::ui

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/plots/limit_band_item.h"
+
+#include <qwt_scale_map.h>
+
+#include <QPainter>
+#include <algorithm>
+
+namespace syncline::ui {
+
+LimitBandItem::LimitBandItem() { setZ(5); }
+
+void LimitBandItem::setLimit(double limit, const QString& label) {
+  limit_ = limit;
+  label_ = label;
+}
+
+void LimitBandItem::setColors(const QColor& fill, const QColor& line, const QColor& text_background) {
+  fill_ = fill;
+  line_ = line;
+  background_ = text_background;
+}
+
+void LimitBandItem::draw(QPainter* painter, const QwtScaleMap&, const QwtScaleMap& y, const QRectF& canvas) const {
+  if (limit_ <= 0) return;
+  const double top = y.transform(limit_);
+  const double bottom = y.transform(-limit_);
+  const double shown_top = std::clamp(top, canvas.top(), canvas.bottom());
+  const double shown_bottom = std::clamp(bottom, canvas.top(), canvas.bottom());
+  painter->fillRect(QRectF(canvas.left(), shown_top, canvas.width(), shown_bottom - shown_top), fill_);
+  QPen pen(line_, 0, Qt::DashLine);
+  painter->setPen(pen);
+  for (const double line : {top, bottom}) {
+    if (line >= canvas.top() && line <= canvas.bottom()) {
+      painter->drawLine(QPointF(canvas.left(), line), QPointF(canvas.right(), line));
+    }
+  }
+  const bool outside = top < canvas.top();
+  const auto text = outside ? label_ + QStringLiteral(" \u2191") : label_;
+  const auto metrics = painter->fontMetrics();
+  QRectF box(0, 0, metrics.horizontalAdvance(text) + 6, metrics.height());
+  box.moveTopLeft(QPointF(canvas.left() + 4, outside ? canvas.top() + 2 : top + 2));
+  if (box.bottom() > canvas.bottom()) box.moveBottom(canvas.bottom() - 2);
+  auto background = background_;
+  background.setAlpha(215);
+  painter->fillRect(box, background);
+  painter->setPen(line_);
+  painter->drawText(box, Qt::AlignCenter, text);
+}
+
+}  // namespace syncline::ui

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QColor>
+#include <QPalette>
+
+/// Colours of the plots. Traces take the Okabe-Ito set, which colour-blind users can tell apart; its
+/// light members are darkened on a light canvas (and the dark ones lightened on a dark one), so that
+/// each trace keeps at least 3:1 against the canvas. Text never takes a trace's colour.
+namespace syncline::ui::plot_colors {
+
+inline constexpr int kTraceCount = 6;
+/// `slot` counts round: two slots with the same colour never stand side by side before kTraceCount.
+[[nodiscard]] QColor trace(const QPalette& palette, int slot);
+/// For the quantity that bounds or surrounds the others: neutral.
+[[nodiscard]] QColor envelope(const QPalette& palette);
+[[nodiscard]] QColor grid(const QPalette& palette);
+[[nodiscard]] QColor limitLine(const QPalette& palette);
+[[nodiscard]] QColor limitFill(const QPalette& palette);
+[[nodiscard]] QColor cursor(const QPalette& palette);
+/// WCAG 2 contrast of two opaque colours, 1..21.
+[[nodiscard]] double contrast(const QColor& a, const QColor& b);
+
+}  // namespace syncline::ui::plot_colors

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/plots/series_item.h"
+
+#include <qwt_painter.h>
+#include <qwt_scale_map.h>
+
+#include <QPainter>
+#include <QPolygonF>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace syncline::ui {
+namespace {
+
+constexpr double kBreak = std::numeric_limits<double>::quiet_NaN();
+/// From this many samples a column on, columns are drawn instead of the samples.
+constexpr std::size_t kDense = 2;
+
+Nanoseconds floorTo(Nanoseconds time, Nanoseconds width) {
+  const auto rest = time % width;
+  return time - (rest < 0 ? rest + width : rest);
+}
+
+/// Screen place of a column's left edge.
+struct ColumnMap {
+  double left, width;
+  ColumnMap(const QwtScaleMap& x, int columns) : left(x.p1()), width((x.p2() - x.p1()) / std::max(columns, 1)) {}
+  [[nodiscard]] double operator()(double column) const { return left + column * width; }
+};
+
+/// Values far outside would overflow the rasteriser.
+double clampedY(const QwtScaleMap& y, double value, const QRectF& canvas) {
+  return std::clamp(y.transform(value), canvas.top() - 4, canvas.bottom() + 4);
+}
+
+}  // namespace
+
+ColumnGrid ColumnGrid::of(Nanoseconds begin, Nanoseconds end, int columns) {
+  ColumnGrid grid;
+  grid.columns = std::max(columns, 1);
+  grid.width = std::max<Nanoseconds>((end - begin + grid.columns / 2) / grid.columns, 1);
+  // The newest sample lies in the last column.
+  grid.origin = floorTo(end, grid.width) - (grid.columns - 1) * grid.width;
+  return grid;
+}
+
+SeriesItem::SeriesItem(const QString& title) : QwtPlotItem(title) { setZ(20); }
+
+void SeriesItem::setSeries(const MinMaxSeries* series) {
+  series_ = series;
+  columns_.clear();
+  points_.clear();
+  extent_.reset();
+}
+
+void SeriesItem::prepare(const ColumnGrid& grid) {
+  grid_ = grid;
+  columns_.clear();
+  points_.clear();
+  extent_.reset();
+  if (series_ == nullptr || series_->empty()) return;
+  extent_ = series_->extent(grid.origin, grid.end());
+  const auto count = series_->count(grid.origin, grid.end());
+  if (shape_ != Shape::kStep && count > kDense * static_cast<std::size_t>(grid.columns)) {
+    series_->columns(grid.origin, grid.end(), grid.width, columns_);
+  } else {
+    preparePoints();
+  }
+}
+
+void SeriesItem::preparePoints() {
+  bool joined = false;
+  Nanoseconds before = 0;
+  const bool step = shape_ == Shape::kStep;
+  const auto add = [&](Nanoseconds time, float value) {
+    if (std::isnan(value)) {
+      joined = false;
+      return;
+    }
+    if (!points_.empty() && (!joined || (!step && time - before > max_gap_))) points_.emplace_back(0, kBreak);
+    const double x = grid_.column_of(time);
+    if (step && !points_.empty() && !std::isnan(points_.back().y())) points_.emplace_back(x, points_.back().y());
+    points_.emplace_back(x, value);
+    joined = true;
+    before = time;
+  };
+  // The line comes in from the left and leaves to the right.
+  if (const auto left = series_->at(grid_.origin - 1)) {
+    if (step || grid_.origin - left->time < max_gap_) add(left->time, left->value);
+    if (step && !extent_) extent_ = MinMaxSeries::Extent{left->value, left->value};
+    if (step) extent_ = MinMaxSeries::Extent{std::min(extent_->min, left->value), std::max(extent_->max, left->value)};
+  }
+  series_->for_each(grid_.origin, grid_.end() + (step ? 0 : max_gap_), add);
+  if (step && joined && hold_until_ > before) add(std::min(hold_until_, grid_.end()), static_cast<float>(points_.back().y()));
+}
+
+void SeriesItem::draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y, const QRectF& canvas) const {
+  if (!columns_.empty()) {
+    drawColumns(painter, x, y, canvas);
+  } else if (!points_.empty()) {
+    drawPoints(painter, x, y, canvas);
+  }
+}
+
+void SeriesItem::drawColumns(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y,
+                             const QRectF& canvas) const {
+  const ColumnMap map(x, grid_.columns);
+  const double line = std::max(1.0 / painter->device()->devicePixelRatioF(), std::min(map.width, 1.0));
+  const SeriesColumn* previous = nullptr;
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    const auto& column = columns_[i];
+    if (!column.valid) {
+      // A column without a sample of a slower series is no gap as long as its neighbours are near.
+      if (previous != nullptr && column.start - previous->start > max_gap_) previous = nullptr;
+      continue;
+    }
+    float low = column.min;
+    float high = column.max;
+    if (previous != nullptr) {
+      low = std::min(low, previous->max);
+      high = std::max(high, previous->min);
+    }
+    const double top = clampedY(y, high, canvas);
+    const double bottom = clampedY(y, low, canvas);
+    painter->fillRect(QRectF(map(static_cast<double>(i)), top, map.width, std::max(bottom - top, line)), color_);
+    previous = &column;
+  }
+}
+
+void SeriesItem::drawPoints(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y,
+                            const QRectF& canvas) const {
+  const ColumnMap map(x, grid_.columns);
+  QPen pen(color_, 0);
+  // Few points: the stroker may make the line as heavy as the filled columns are.
+  const double ratio = painter->device()->devicePixelRatioF();
+  if (ratio > 1 && points_.size() < 2000) pen.setWidthF(std::round(ratio));
+  pen.setCosmetic(true);
+  painter->setPen(pen);
+  painter->setRenderHint(QPainter::Antialiasing, shape_ != Shape::kStep && points_.size() < 2000);
+  QPolygonF line;
+  line.reserve(static_cast<qsizetype>(points_.size()));
+  const auto flush = [&] {
+    if (line.size() == 1) painter->drawPoint(line.front());
+    if (line.size() > 1) QwtPainter::drawPolyline(painter, line);
+    line.clear();
+  };
+  for (const auto& point : points_) {
+    if (std::isnan(point.y())) {
+      flush();
+    } else {
+      line.append(QPointF(map(point.x()), clampedY(y, point.y(), canvas)));
+    }
+  }
+  flush();
+  painter->setRenderHint(QPainter::Antialiasing, false);
+}
+
+}  // namespace syncline::ui

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <qwt_plot_item.h>
+
+#include <QColor>
+#include <QPointF>
+#include <optional>
+#include <vector>
+
+#include "trace/min_max_series.h"
+
+namespace syncline::ui {
+
+/// A stretch of time laid on picture columns. The columns' edges are multiples of their width since the
+/// epoch, so a stretch that follows the data moves by whole columns and what is drawn does not shimmer.
+struct ColumnGrid {
+  Nanoseconds origin = 0;  // left edge of column 0
+  Nanoseconds width = 1;   // of a column
+  int columns = 0;
+  bool operator==(const ColumnGrid&) const = default;
+
+  [[nodiscard]] static ColumnGrid of(Nanoseconds begin, Nanoseconds end, int columns);
+  [[nodiscard]] Nanoseconds end() const { return origin + width * columns; }
+  [[nodiscard]] double column_of(Nanoseconds time) const {
+    return static_cast<double>(time - origin) / static_cast<double>(width);
+  }
+};
+
+/// Draws a MinMaxSeries. Where columns hold several samples, each column is filled from its minimum to
+/// its maximum (a single outlier stays visible at any zoom, and the cost depends on the columns only);
+/// where they hold few, the samples themselves are joined. Missing samples stay gaps.
+///
+/// Filled columns and cosmetic pens on purpose: a pen that the display's scale makes wider than one
+/// device pixel sends Qt through its stroker, which is slower by orders of magnitude.
+class SeriesItem final : public QwtPlotItem {
+ public:
+  enum class Shape { kLine, kStep, kEnvelope };
+
+  explicit SeriesItem(const QString& title);
+
+  /// The series must outlive the item or be replaced; null draws nothing.
+  void setSeries(const MinMaxSeries* series);
+  void setShape(Shape shape) { shape_ = shape; }
+  void setColor(const QColor& color) { color_ = color; }
+  [[nodiscard]] const QColor& color() const { return color_; }
+  [[nodiscard]] Shape shape() const { return shape_; }
+  [[nodiscard]] const MinMaxSeries* series() const { return series_; }
+  /// Neighbouring samples further apart than this are not joined (steps always are).
+  void setMaxGap(Nanoseconds gap) { max_gap_ = gap; }
+  /// Steps hold their last value until here.
+  void setHoldUntil(Nanoseconds time) { hold_until_ = time; }
+
+  /// Reduces the stretch; once a redraw, before draw().
+  void prepare(const ColumnGrid& grid);
+  [[nodiscard]] std::optional<MinMaxSeries::Extent> extent() const { return extent_; }
+
+  /// What the last prepare() left to draw: columns, or points by column (x) and value (y) with a
+  /// not-a-number y between what must not be joined.
+  [[nodiscard]] const std::vector<SeriesColumn>& columns() const { return columns_; }
+  [[nodiscard]] const std::vector<QPointF>& points() const { return points_; }
+
+  void draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y, const QRectF& canvas) const override;
+
+ private:
+  void preparePoints();
+  void drawColumns(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y, const QRectF& canvas) const;
+  void drawPoints(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y, const QRectF& canvas) const;
+
+  const MinMaxSeries* series_ = nullptr;
+  Shape shape_ = Shape::kLine;
+  QColor color_ = Qt::black;
+  Nanoseconds max_gap_ = 100 * kMillisecond;
+  Nanoseconds hold_until_ = 0;
+  ColumnGrid grid_;
+  std::vector<SeriesColumn> columns_;
+  std::vector<QPointF> points_;
+  std::optional<MinMaxSeries::Extent> extent_;
+};
+
+}  // namespace syncline::ui

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/plots/time_view.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace syncline::ui {
+
+void TimeView::setBounds(Nanoseconds first, Nanoseconds last) {
+  first_ = first;
+  last_ = last;
+  if (mode_ == Mode::kLive && end_ != last) {
+    end_ = last;
+    Q_EMIT changed();
+  }
+}
+
+void TimeView::reset() {
+  first_ = last_ = end_ = 0;
+  setMode(Mode::kLive);
+  Q_EMIT changed();
+}
+
+void TimeView::setSpan(Nanoseconds span) {
+  span_ = std::clamp(span, kMinSpan, kMaxSpan);
+  Q_EMIT changed();
+}
+
+void TimeView::zoom(double factor, Nanoseconds anchor) {
+  const auto wanted = std::clamp(static_cast<double>(span_) * factor, static_cast<double>(kMinSpan),
+                                 static_cast<double>(kMaxSpan));
+  const double place = static_cast<double>(end_ - anchor) / static_cast<double>(span_);
+  span_ = static_cast<Nanoseconds>(std::llround(wanted));
+  moveTo(anchor + static_cast<Nanoseconds>(std::llround(place * wanted)));
+}
+
+void TimeView::pan(Nanoseconds by) { moveTo(end_ + by); }
+
+void TimeView::showAll() {
+  span_ = std::clamp(last_ - first_, kMinSpan, kMaxSpan);
+  moveTo(last_);
+}
+
+void TimeView::goLive() {
+  end_ = last_;
+  setMode(Mode::kLive);
+  Q_EMIT changed();
+}
+
+void TimeView::freeze() { setMode(Mode::kFrozen); }
+
+void TimeView::goToStart() { moveTo(first_ + span_); }
+
+void TimeView::moveTo(Nanoseconds end) {
+  // Half a stretch of nothing on either side is enough to find one's way back.
+  const auto margin = span_ / 2;
+  end_ = std::clamp(end, std::min(first_ + margin, last_), last_ + margin);
+  if (mode_ == Mode::kLive) setMode(Mode::kHistory);
+  Q_EMIT changed();
+}
+
+void TimeView::setMode(Mode mode) {
+  if (mode_ == mode) return;
+  mode_ = mode;
+  Q_EMIT modeChanged();
+}
+
+}  // namespace syncline::ui

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/plots/trace_panel.h"
+
+#include <qwt_text.h>
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "trace/statistics.h"
+#include "ui/theme.h"
+
+namespace syncline::ui {
+
+TracePanel::TracePanel(const QString& title, const TracePlot::Options& options, TimeView* view, CursorSet* cursors,
+                       QWidget* parent)
+    : QWidget(parent), view_(view), cursors_(cursors), heading_(new QLabel(title)), readout_(new QLabel),
+      legend_(new LegendBar), plot_(new TracePlot(options, view, cursors)) {
+  auto bold = font();
+  bold.setWeight(QFont::DemiBold);
+  heading_->setFont(bold);
+  readout_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  readout_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  // A long read-out must not widen the panel.
+  readout_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  readout_->setFont(legend_->font());
+  auto* head = new QHBoxLayout;
+  head->setSpacing(8);
+  head->addWidget(heading_);
+  head->addWidget(readout_, 1);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(2);
+  layout->addLayout(head);
+  layout->addWidget(legend_);
+  layout->addWidget(plot_, 1);
+  heading_->setBuddy(plot_);
+  plot_->setAccessibleName(title);
+  legend_->setAccessibleName(tr("Legend: %1").arg(title));
+  readout_->setAccessibleName(tr("Figures: %1").arg(title));
+  connect(cursors_, &CursorSet::changed, this, [this] { refreshText(false); });
+}
+
+void TracePanel::setSource(const TraceSource* source) {
+  source_ = source;
+  attach();
+  colorItems();
+  plot_->fitValues();
+  refreshText(true);
+}
+
+void TracePanel::setPickedSlave(int position) {
+  picked_ = position;
+  refreshText(true);
+}
+
+QString TracePanel::readout() const { return readout_->text(); }
+QString TracePanel::title() const { return heading_->text(); }
+
+void TracePanel::refreshText(bool choose_now) {
+  if (!hasStore() || source_->store->empty()) {
+    legend_->setEntries({});
+    readout_->clear();
+    return;
+  }
+  if (choose_now) choose();
+  const auto time = cursors_->pointer().value_or(std::min(view_->end(), view_->last()));
+  legend_->setEntries(entries(time));
+  const auto text = cursors_->both() ? betweenCursors() : summary(time);
+  if (text != readout_->text()) {
+    readout_->setText(text);
+    readout_->setToolTip(text);
+  }
+  plot_->setAccessibleDescription(legend_->text() + QStringLiteral(". ") + text);
+}
+
+QString TracePanel::betweenCursors() const {
+  const auto* item = primary();
+  if (item == nullptr || item->series() == nullptr) return {};
+  const auto begin = std::min(*cursors_->at(CursorSet::kA), *cursors_->at(CursorSet::kB));
+  Statistics statistics;
+  item->series()->for_each(begin, begin + std::llabs(cursors_->delta()) + 1, [&](Nanoseconds, float value) {
+    if (!std::isnan(value)) statistics.add(static_cast<double>(value));
+  });
+  const auto a = item->series()->at(*cursors_->at(CursorSet::kA));
+  const auto b = item->series()->at(*cursors_->at(CursorSet::kB));
+  if (statistics.count() == 0 || !a || !b) return tr("no samples between A and B");
+  return tr("B\u2212A %1   min %2   max %3   mean %4")
+      .arg(valueText(static_cast<double>(b->value) - static_cast<double>(a->value)), valueText(statistics.min()),
+           valueText(statistics.max()), valueText(statistics.mean()));
+}
+
+LegendBar::Entry TracePanel::entry(const SeriesItem& item, Nanoseconds time) const {
+  LegendBar::Entry entry{item.title().text(), QStringLiteral("\u2013"), item.color(), item.shape()};
+  if (item.series() == nullptr) return entry;
+  if (const auto reading = item.series()->at(time)) entry.value = valueText(static_cast<double>(reading->value));
+  return entry;
+}
+
+QString TracePanel::slaveName(int position) const {
+  const auto index = static_cast<std::size_t>(position);
+  return index < source_->slave_names.size() ? source_->slave_names[index] : QString::number(position);
+}
+
+void TracePanel::applyTheme() {
+  auto palette = readout_->palette();
+  palette.setColor(QPalette::WindowText, theme::mutedText(this->palette()));
+  readout_->setPalette(palette);
+  plot_->applyTheme();
+  if (source_ != nullptr) colorItems();
+  refreshText(false);
+  legend_->update();
+}
+
+}  // namespace syncline::ui

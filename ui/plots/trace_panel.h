@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QWidget>
+#include <vector>
+
+#include "trace/sample_store.h"
+#include "ui/plots/legend_bar.h"
+#include "ui/plots/trace_plot.h"
+
+class QLabel;
+
+namespace syncline::ui {
+
+/// What the panels draw and how it is called.
+struct TraceSource {
+  const SampleStore* store = nullptr;
+  std::vector<QString> slave_names;
+  Nanoseconds cycle_time = kMillisecond;
+  std::uint32_t limit_ns = 0;  // 0 = not monitored
+};
+
+/// A plot with its heading, legend and read-out. Subclasses say which series it shows.
+class TracePanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  TracePanel(const QString& title, const TracePlot::Options& options, TimeView* view, CursorSet* cursors,
+             QWidget* parent = nullptr);
+
+  /// The source must outlive the panel or be replaced.
+  void setSource(const TraceSource* source);
+  /// The slave that is drawn whatever its values are; -1 = none.
+  void setPickedSlave(int position);
+  /// Chooses what to draw and writes the numbers; a few times a second.
+  void refreshText(bool choose);
+  void applyTheme();
+
+  [[nodiscard]] TracePlot* plot() const { return plot_; }
+  [[nodiscard]] LegendBar* legend() const { return legend_; }
+  [[nodiscard]] QString readout() const;
+  [[nodiscard]] QString title() const;
+
+ protected:
+  /// The source is new: tell the items their series.
+  virtual void attach() = 0;
+  /// Picks slaves anew; nothing to do by default.
+  virtual void choose() {}
+  virtual void colorItems() = 0;
+  /// Legend entries with values at `time`.
+  [[nodiscard]] virtual std::vector<LegendBar::Entry> entries(Nanoseconds time) const = 0;
+  /// The line beside the heading when no cursors are set.
+  [[nodiscard]] virtual QString summary(Nanoseconds time) const = 0;
+  /// What the figures between the cursors are of.
+  [[nodiscard]] virtual const SeriesItem* primary() const = 0;
+  [[nodiscard]] virtual QString valueText(double value) const = 0;
+
+  [[nodiscard]] const TraceSource& source() const { return *source_; }
+  [[nodiscard]] bool hasStore() const { return source_ != nullptr && source_->store != nullptr; }
+  [[nodiscard]] int pickedSlave() const { return picked_; }
+  [[nodiscard]] const TimeView& view() const { return *view_; }
+  [[nodiscard]] LegendBar::Entry entry(const SeriesItem& item, Nanoseconds time) const;
+  [[nodiscard]] QString slaveName(int position) const;
+
+ private:
+  [[nodiscard]] QString betweenCursors() const;
+
+  TimeView* view_;
+  CursorSet* cursors_;
+  QLabel *heading_, *readout_;
+  LegendBar* legend_;
+  TracePlot* plot_;
+  const TraceSource* source_ = nullptr;
+  int picked_ = -1;
+};
+
+}  // namespace syncline::ui
