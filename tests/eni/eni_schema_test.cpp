@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+// What we write against the published schema, with xmllint, and against a file that was reviewed by hand.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "config/compile/compile.h"
+#include "core/config/compile/sample_devices.h"
+#include "eni/eni_file.h"
+#include "support/sample_folder.h"
+
+namespace syncline::eni {
+namespace {
+
+bool have_xmllint() { return std::system("xmllint --version >/dev/null 2>&1") == 0; }
+
+void expect_valid(const NetworkConfig& config, const std::string& schema, const std::string& name) {
+  const auto file = std::filesystem::temp_directory_path() / (name + std::to_string(::getpid()) + ".xml");
+  ASSERT_TRUE(save_eni(config, file.string()));
+  const std::string command = "xmllint --noout --nonet --schema '" + schema + "' '" + file.string() + "' 2>&1";
+  FILE* pipe = ::popen(command.c_str(), "r");
+  ASSERT_NE(pipe, nullptr);
+  std::string said;
+  for (int c; (c = std::fgetc(pipe)) != EOF;) said += static_cast<char>(c);
+  EXPECT_EQ(::pclose(pipe), 0) << said;
+  std::filesystem::remove(file);
+}
+
+TEST(EniSchema, AcceptsWhatWeWrite) {
+  SYNCLINE_SAMPLE(schema, "schema/EtherCATConfig.xsd");
+  if (!have_xmllint()) GTEST_SKIP() << "xmllint is not installed";
+  for (const auto dialect : {EniDialect::kEcEngineer, EniDialect::kTwinCat}) {
+    Project project = sample::small_machine();
+    expect_valid(compile(project, {dialect}).value().config, schema, "syncline-small");
+    project.master.dc.sync_window.enabled = true;
+    project.slaves.push_back(sample::slave(sample::servo(), 4));
+    auto& servo = project.slaves[4];
+    servo.alias = 5;
+    servo.device.identity = {0x80000000, 0xFFFFFFFF, 0x90000000, 0xFFFFFFFE};
+    servo.device.fmmus.push_back(FmmuUse::kMailboxState);
+    servo.device.mailbox->data_link_layer = servo.device.mailbox->eoe = true;
+    servo.previous = PreviousPort{0, 3};
+    servo.name = "<&>\"'";
+    servo.startup[0].enabled = false;
+    servo.startup[0].data.clear();
+    expect_valid(compile(project, {dialect}).value().config, schema, "syncline-full");
+  }
+}
+
+TEST(EniSchema, AcceptsFieldFilesAsWeWriteThemBack) {
+  SYNCLINE_SAMPLE(schema, "schema/EtherCATConfig.xsd");
+  SYNCLINE_SAMPLE(beckhoff, "eni/kj4tmp__pyecm__basic.xml");
+  SYNCLINE_SAMPLE(twincat, "eni/jasper-node__jn-ec-master__mega_master_eni.xml");
+  SYNCLINE_SAMPLE(acontis, "eni/magnate3__rocos-ethercat__eni4.xml");
+  if (!have_xmllint()) GTEST_SKIP() << "xmllint is not installed";
+  for (const auto& file : {beckhoff, twincat, acontis}) {
+    const auto config = read_eni(file);
+    ASSERT_TRUE(config);
+    expect_valid(*config, schema, "syncline-field");
+  }
+}
+
+std::string content(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream out;
+  out << in.rdbuf();
+  return out.str();
+}
+
+/// SYNCLINE_WRITE_GOLDEN=1 writes the files anew, for review.
+void expect_golden(const NetworkConfig& config, const std::string& name) {
+  const auto path = std::filesystem::path(SYNCLINE_SOURCE_DIR) / "tests/golden" / name;
+  const std::string text = write_eni(config);
+  if (std::getenv("SYNCLINE_WRITE_GOLDEN") != nullptr) {
+    std::ofstream(path, std::ios::binary) << text;
+  }
+  EXPECT_EQ(content(path), text);
+}
+
+TEST(GoldenFile, SmallMachineAsEcEngineer) {
+  Project project = sample::small_machine();
+  project.master.dc.sync_window.enabled = true;
+  expect_golden(compile(project).value().config, "small_machine.eni.xml");
+}
+
+TEST(GoldenFile, SmallMachineAsTwinCat) {
+  Project project = sample::small_machine();
+  project.master.dc.dcm.mode = DcmMode::kMasterShift;
+  expect_golden(compile(project, {EniDialect::kTwinCat}).value().config, "small_machine_twincat.eni.xml");
+}
+
+}  // namespace
+}  // namespace syncline::eni
