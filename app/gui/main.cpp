@@ -1,2 +1,101 @@
 // SPDX-License-Identifier: Apache-2.0
-int main() { return 0; }
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QSettings>
+#include <QTimer>
+
+#include "app/composition/open_link.h"
+#include "app/gui/screenshots.h"
+#include "ui/dialogs/bus_commands.h"
+#include "ui/dialogs/file_commands.h"
+#include "ui/main_window.h"
+#include "ui/session/workspace.h"
+#include "ui/text/translations.h"
+#include "ui/theme.h"
+
+namespace {
+
+using namespace syncline;
+
+const QString kThemeSetting = QStringLiteral("theme");
+
+struct Options {
+  QString file, link, theme, screenshots, language;
+  bool demo = false;
+  int exit_after_ms = 0;
+};
+
+Options parse(const QApplication& app) {
+  QCommandLineParser parser;
+  parser.setApplicationDescription(QStringLiteral("EtherCAT configurator and live synchronisation monitor"));
+  parser.addHelpOption();
+  parser.addVersionOption();
+  const QCommandLineOption demo(QStringLiteral("demo"), QStringLiteral("Scan the simulated demonstration machine and go online."));
+  const QCommandLineOption link(QStringLiteral("link"), QStringLiteral("Bus to use: sim:FILE[?virtual] or nic:NAME."), QStringLiteral("LINK"));
+  const QCommandLineOption theme(QStringLiteral("theme"), QStringLiteral("light, dark or system."), QStringLiteral("NAME"));
+  const QCommandLineOption language(QStringLiteral("language"), QStringLiteral("Language of the window, e.g. de; default English."),
+                                    QStringLiteral("CODE"));
+  const QCommandLineOption screenshots(
+      QStringLiteral("screenshots"), QStringLiteral("Write a picture of every page in both themes to DIR, then exit."), QStringLiteral("DIR"));
+  const QCommandLineOption exit_after(QStringLiteral("exit-after"), QStringLiteral("Close after SECONDS."), QStringLiteral("SECONDS"));
+  parser.addOptions({demo, link, theme, language, screenshots, exit_after});
+  parser.addPositionalArgument(QStringLiteral("file"), QStringLiteral("Project to open."), QStringLiteral("[file]"));
+  parser.process(app);
+  Options options;
+  if (!parser.positionalArguments().isEmpty()) options.file = parser.positionalArguments().constFirst();
+  options.link = parser.value(link);
+  options.theme = parser.value(theme);
+  options.screenshots = parser.value(screenshots);
+  options.language = parser.value(language);
+  options.demo = parser.isSet(demo);
+  options.exit_after_ms = static_cast<int>(parser.value(exit_after).toDouble() * 1000);
+  return options;
+}
+
+ui::Environment environment() {
+  ui::Environment environment;
+  environment.open_link = [](const QString& link) -> Result<ui::BusConnection> {
+    auto opened = open_link(link.toStdString());
+    if (!opened) return tl::unexpected(opened.error());
+    return ui::BusConnection{std::move(opened->clock), std::move(opened->link)};
+  };
+  environment.demo_link = QString::fromStdString(demo_link(false));
+  environment.esi_folders = {QString::fromStdString(resource_folder()) + QStringLiteral("/esi")};
+  environment.version = QStringLiteral(SYNCLINE_VERSION);
+  return environment;
+}
+
+void begin(const Options& options, ui::MainWindow& window, ui::Workspace& workspace) {
+  if (!options.file.isEmpty()) window.files().openFile(options.file);
+  if (!options.link.isEmpty()) workspace.setLink(options.link);
+  if (options.demo) {
+    window.bus().startDemo(options.link.isEmpty() ? workspace.environment().demo_link : options.link);
+  }
+}
+
+}  // namespace
+
+int main(int argc, char* argv[]) {
+  QApplication app(argc, argv);
+  QApplication::setApplicationName(QStringLiteral("syncline"));
+  QApplication::setOrganizationName(QStringLiteral("syncline"));
+  QApplication::setApplicationVersion(QStringLiteral(SYNCLINE_VERSION));
+  QApplication::setDesktopFileName(QStringLiteral("org.syncline.Syncline"));
+  const auto options = parse(app);
+  if (!options.language.isEmpty()) ui::installTranslation(options.language);
+
+  QSettings settings;
+  ui::theme::apply(ui::theme::modeFromName(options.theme.isEmpty() ? settings.value(kThemeSetting).toString() : options.theme));
+  ui::Workspace workspace(environment());
+  ui::MainWindow window(workspace);
+  window.show();
+  if (!options.screenshots.isEmpty()) {
+    return renderScreenshots(window, workspace, QString::fromStdString(demo_link(true)), options.screenshots) ? 0 : 1;
+  }
+  QTimer::singleShot(0, &window, [&] { begin(options, window, workspace); });
+  if (options.exit_after_ms > 0) QTimer::singleShot(options.exit_after_ms, &app, &QApplication::quit);
+  const int result = QApplication::exec();
+  if (options.theme.isEmpty()) settings.setValue(kThemeSetting, ui::theme::modeName(ui::theme::current()));
+  workspace.live().shutDown();
+  return result;
+}

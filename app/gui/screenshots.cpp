@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/gui/screenshots.h"
+
+#include <QApplication>
+#include <QDir>
+#include <QElapsedTimer>
+#include <QPixmap>
+#include <QTabWidget>
+#include <QTextStream>
+
+#include "ui/dialogs/about_dialog.h"
+#include "ui/dialogs/bus_commands.h"
+#include "ui/dialogs/link_chooser.h"
+#include "ui/main_window.h"
+#include "ui/pages/device_editor.h"
+#include "ui/session/workspace.h"
+#include "ui/theme.h"
+
+namespace syncline {
+namespace {
+
+constexpr qint64 kScanTimeoutMs = 60'000;
+constexpr int kMachineSeconds = 12;
+
+/// Names pages like "light-slave3-process-data.png" and counts what could not be written.
+class Camera {
+ public:
+  explicit Camera(QDir folder) : folder_(std::move(folder)) {}
+  void take(QWidget& widget, const QString& name) {
+    QApplication::processEvents();
+    if (!widget.grab().save(folder_.filePath(name + QStringLiteral(".png")))) ++failures_;
+    ++taken_;
+  }
+  [[nodiscard]] int failures() const { return failures_; }
+  [[nodiscard]] int taken() const { return taken_; }
+
+ private:
+  QDir folder_;
+  int failures_ = 0, taken_ = 0;
+};
+
+QString fileName(const QString& theme, int slave, const QWidget& page) {
+  const auto node = slave < 0 ? QStringLiteral("master") : QStringLiteral("slave%1").arg(slave);
+  return QStringLiteral("%1-%2-%3").arg(theme, node, page.objectName());
+}
+
+bool bringOnline(ui::MainWindow& window, ui::Workspace& workspace, const QString& link) {
+  workspace.live().setAutoAdvance(false);
+  window.bus().startDemo(link);
+  QElapsedTimer waiting;
+  waiting.start();
+  while (workspace.live().phase() == ui::LiveSession::Phase::kOffline && waiting.elapsed() < kScanTimeoutMs) {
+    QApplication::processEvents(QEventLoop::WaitForMoreEvents, 50);
+  }
+  for (int i = 0; i < kMachineSeconds * 10; ++i) {
+    workspace.live().advance(100 * kMillisecond);
+    QApplication::processEvents();
+  }
+  return workspace.live().snapshot().dc.state == SyncState::kInSync;
+}
+
+void takePages(Camera& camera, ui::MainWindow& window, ui::Workspace& workspace, const QString& theme) {
+  const auto slaves = static_cast<int>(workspace.document().project().slaves.size());
+  for (int slave = -1; slave < slaves; ++slave) {
+    window.selectNode(slave);
+    auto* tabs = window.editor().tabs();
+    for (int tab = 0; tab < tabs->count(); ++tab) {
+      tabs->setCurrentIndex(tab);
+      workspace.live().advance(50 * kMillisecond);
+      camera.take(window, fileName(theme, slave, *tabs->widget(tab)));
+    }
+  }
+}
+
+void takeDialogs(Camera& camera, ui::MainWindow& window, ui::Workspace& workspace, const QString& theme) {
+  ui::AboutDialog about(workspace.environment().version, &window);
+  about.show();
+  camera.take(about, theme + QStringLiteral("-about"));
+  ui::LinkChooser chooser(workspace.environment().demo_link, {}, ui::MainWindow::tr("Scan"), &window);
+  chooser.show();
+  camera.take(chooser, theme + QStringLiteral("-link-chooser"));
+}
+
+}  // namespace
+
+bool renderScreenshots(ui::MainWindow& window, ui::Workspace& workspace, const QString& link, const QString& folder) {
+  QDir target(folder);
+  QTextStream err(stderr);
+  if (!target.mkpath(QStringLiteral("."))) {
+    err << "cannot create " << folder << '\n';
+    return false;
+  }
+  Camera camera(target);
+  for (const auto mode : {ui::theme::Mode::kLight, ui::theme::Mode::kDark}) {
+    ui::theme::apply(mode);
+    camera.take(window, ui::theme::modeName(mode) + QStringLiteral("-welcome"));
+  }
+  const bool in_sync = bringOnline(window, workspace, link);
+  for (const auto mode : {ui::theme::Mode::kLight, ui::theme::Mode::kDark}) {
+    ui::theme::apply(mode);
+    QApplication::processEvents();
+    takePages(camera, window, workspace, ui::theme::modeName(mode));
+    takeDialogs(camera, window, workspace, ui::theme::modeName(mode));
+  }
+  workspace.live().shutDown();
+  if (!in_sync) err << "the demonstration machine did not get in sync\n";
+  if (camera.failures() > 0) err << camera.failures() << " pictures could not be written to " << folder << '\n';
+  QTextStream(stdout) << camera.taken() << " pictures in " << folder << '\n';
+  return in_sync && camera.failures() == 0;
+}
+
+}  // namespace syncline

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/actions.h"
+
+#include <QActionGroup>
+#include <QKeySequence>
+#include <QUndoStack>
+
+#include "protocol/al_state.h"
+#include "ui/text/glossary.h"
+#include "ui/theme.h"
+
+namespace syncline::ui {
+
+QAction* Actions::add(const char* name, const QString& text, const char* icon, const QString& tool_tip,
+                      const QKeySequence& keys) {
+  auto* action = new QAction(text, this);
+  action->setObjectName(QLatin1String(name));
+  action->setShortcut(keys);
+  action->setToolTip(keys.isEmpty() ? tool_tip
+                                    : QStringLiteral("%1 (%2)").arg(tool_tip, keys.toString(QKeySequence::NativeText)));
+  action->setProperty("icon", QLatin1String(icon));
+  if (*icon != '\0') with_icon_.append(action);
+  return action;
+}
+
+Actions::Actions(QUndoStack& stack, QObject* parent) : QObject(parent) {
+  create = add("actionNew", tr("&New"), "new", tr("New project"), QKeySequence::New);
+  open = add("actionOpen", tr("&Open…"), "open", tr("Open a project"), QKeySequence::Open);
+  save = add("actionSave", tr("&Save"), "save", tr("Save the project"), QKeySequence::Save);
+  save_as = add("actionSaveAs", tr("Save &As…"), "save-as", tr("Save the project under another name"),
+                QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S));
+  export_eni = add("actionExport", tr("&Export ENI…"), "export", tr("Write the network information file (ETG.2100)"),
+                   QKeySequence(Qt::CTRL | Qt::Key_E));
+  quit = add("actionQuit", tr("&Quit"), "", tr("Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q));
+  undo = stack.createUndoAction(this, tr("&Undo"));
+  undo->setObjectName(QStringLiteral("actionUndo"));
+  undo->setShortcut(QKeySequence::Undo);
+  undo->setProperty("icon", QStringLiteral("undo"));
+  redo = stack.createRedoAction(this, tr("&Redo"));
+  redo->setObjectName(QStringLiteral("actionRedo"));
+  redo->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z));
+  redo->setProperty("icon", QStringLiteral("redo"));
+  with_icon_ << undo << redo;
+  demo = add("actionDemo", tr("&Demonstration Machine"), "demo", tr("Scan the simulated demonstration machine and go online"));
+  scan = add("actionScan", tr("&Scan…"), "scan", tr("Scan a bus and make a project of it"), QKeySequence(Qt::Key_F6));
+  online = add("actionOnline", tr("Go &Online"), "online", tr("Run the configuration on the bus"), QKeySequence(Qt::Key_F5));
+  offline = add("actionOffline", tr("Go O&ffline"), "offline", tr("Bring the bus to INIT and stop"),
+                QKeySequence(Qt::SHIFT | Qt::Key_F5));
+  clear_statistics = add("actionClearStatistics", tr("&Clear Statistics"), "clear", tr("Start counting anew"));
+  for (const auto state : {AlState::kInit, AlState::kPreop, AlState::kSafeop, AlState::kOp}) {
+    const auto name = stateName(state);
+    auto* action = add("", name, "", tr("Request %1 for all slaves (register 0x0120)").arg(name));
+    action->setObjectName(QStringLiteral("actionRequest") + name);
+    action->setData(static_cast<int>(state));
+    states.append(action);
+  }
+  auto* group = new QActionGroup(this);
+  const struct {
+    theme::Mode mode;
+    QString text;
+  } modes[] = {{theme::Mode::kSystem, tr("&System Colours")}, {theme::Mode::kLight, tr("&Light")}, {theme::Mode::kDark, tr("&Dark")}};
+  for (const auto& mode : modes) {
+    auto* action = add("", mode.text, "", mode.text);
+    action->setObjectName(QStringLiteral("actionTheme_") + theme::modeName(mode.mode));
+    action->setCheckable(true);
+    action->setData(static_cast<int>(mode.mode));
+    group->addAction(action);
+    themes.append(action);
+  }
+  toggle_theme = add("actionToggleTheme", tr("Light/Dark"), "theme", tr("Switch between light and dark"));
+  reset_layout = add("actionResetLayout", tr("&Reset Layout"), "", tr("Put all panels back in their places"));
+  about = add("actionAbout", tr("&About Syncline"), "", tr("Version, licence and trademarks"));
+}
+
+void Actions::drawIcons(const QPalette& palette) {
+  for (auto* action : with_icon_) {
+    QColor color;
+    if (action == online) color = theme::toneColor(palette, theme::Tone::kGood);
+    if (action == offline) color = theme::toneColor(palette, theme::Tone::kBad);
+    action->setIcon(theme::icon(action->property("icon").toString(), palette, color));
+  }
+}
+
+}  // namespace syncline::ui

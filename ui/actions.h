@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QAction>
+#include <QList>
+#include <QObject>
+#include <QPalette>
+
+class QUndoStack;
+
+namespace syncline::ui {
+
+/// The actions of the window: text, shortcut, tool tip, icon. What they do is connected elsewhere.
+class Actions final : public QObject {
+  Q_OBJECT
+
+ public:
+  Actions(QUndoStack& undo, QObject* parent);
+  /// Draws the icons in the colours of the palette.
+  void drawIcons(const QPalette& palette);
+
+  QAction *create, *open, *save, *save_as, *export_eni, *quit;
+  QAction *undo, *redo;
+  QAction *demo, *scan, *online, *offline, *clear_statistics;
+  QList<QAction*> states;   // INIT, PREOP, SAFEOP, OP; data() is the AlState
+  QList<QAction*> themes;   // system, light, dark; data() is the theme::Mode
+  QAction *toggle_theme, *about, *reset_layout;
+
+ private:
+  QAction* add(const char* name, const QString& text, const char* icon, const QString& tool_tip, const QKeySequence& keys = {});
+
+  QList<QAction*> with_icon_;
+};
+
+}  // namespace syncline::ui

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/commands/edit_project_command.h"
+
+namespace syncline::ui {
+
+ProjectPatch ProjectPatch::between(const Project& before, const Project& after) {
+  ProjectPatch patch;
+  if (!(before.master == after.master)) patch.master_ = before.master;
+  if (before.slaves.size() != after.slaves.size()) {
+    patch.all_slaves_ = before.slaves;
+    return patch;
+  }
+  for (std::size_t i = 0; i < before.slaves.size(); ++i) {
+    if (!(before.slaves[i] == after.slaves[i])) patch.slaves_.emplace_back(i, before.slaves[i]);
+  }
+  return patch;
+}
+
+void ProjectPatch::restore(Project& project) const {
+  if (master_) project.master = *master_;
+  if (all_slaves_) project.slaves = *all_slaves_;
+  for (const auto& [position, slave] : slaves_) project.slaves[position] = slave;
+}
+
+EditProjectCommand::EditProjectCommand(ProjectHolder& holder, const QString& text, ProjectEdit edit,
+                                       ProjectPatch before)
+    : QUndoCommand(text), holder_(holder), edit_(std::move(edit)), before_(std::move(before)) {}
+
+void EditProjectCommand::undo() {
+  before_.restore(holder_.mutableProject());
+  holder_.projectEdited(before_.structural());
+}
+
+void EditProjectCommand::redo() {
+  // The edit was tried on a copy before this command was made, and it is pure: it cannot fail here.
+  if (edit_(holder_.mutableProject())) holder_.projectEdited(before_.structural());
+}
+
+}  // namespace syncline::ui

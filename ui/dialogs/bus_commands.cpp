@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/dialogs/bus_commands.h"
+
+#include <utility>
+
+#include "ui/dialogs/error_dialog.h"
+#include "ui/dialogs/link_chooser.h"
+#include "ui/session/setting_keys.h"
+#include "ui/session/workspace.h"
+
+namespace syncline::ui {
+
+BusCommands::BusCommands(Workspace& workspace, QWidget& window)
+    : QObject(&window), workspace_(workspace), window_(window) {
+  connect(&workspace.scan(), &ScanController::finished, this, [this] {
+    if (!std::exchange(demo_, false)) return;
+    static_cast<void>(workspace_.document().set(tr("Monitor the sync window"), keys::master(keys::kSyncWindow), QStringLiteral("on")));
+    goOnline();
+  });
+  connect(&workspace.scan(), &ScanController::failed, this, [this](const QString&, const Error& error) {
+    demo_ = false;
+    if (error.code != ErrorCode::kCancelled) showError(&window_, tr("The bus could not be scanned."), error);
+  });
+}
+
+void BusCommands::scan() {
+  const auto& environment = workspace_.environment();
+  auto* chooser = new LinkChooser(environment.demo_link, workspace_.link(), tr("Scan"), &window_);
+  chooser->setAttribute(Qt::WA_DeleteOnClose);
+  connect(chooser, &QDialog::accepted, this, [this, chooser] { scanLink(chooser->link()); });
+  chooser->open();
+}
+
+void BusCommands::scanLink(const QString& link) {
+  if (link.isEmpty()) return;
+  workspace_.live().shutDown();
+  workspace_.scan().start(link);
+}
+
+void BusCommands::goOnline() {
+  if (!workspace_.link().isEmpty()) return start();
+  auto* chooser = new LinkChooser(workspace_.environment().demo_link, {}, tr("Go Online"), &window_);
+  chooser->setAttribute(Qt::WA_DeleteOnClose);
+  connect(chooser, &QDialog::accepted, this, [this, chooser] {
+    workspace_.setLink(chooser->link());
+    start();
+  });
+  chooser->open();
+}
+
+void BusCommands::start() {
+  if (auto status = workspace_.goOnline(); !status) {
+    workspace_.report(status.error(), Severity::kError, tr("Master"));
+    showError(&window_, tr("The master could not go online."), status.error());
+  }
+}
+
+void BusCommands::goOffline() { workspace_.live().goOffline(); }
+
+void BusCommands::startDemo() { startDemo(workspace_.environment().demo_link); }
+
+void BusCommands::startDemo(const QString& link) {
+  demo_ = true;
+  scanLink(link);
+}
+
+}  // namespace syncline::ui

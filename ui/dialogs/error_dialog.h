@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QString>
+
+#include "support/result.h"
+
+class QWidget;
+
+namespace syncline::ui {
+
+/// Says why something the user asked for could not be done. Does not block; only for direct answers
+/// to an action, never from the running master.
+void showError(QWidget* parent, const QString& what, const Error& error);
+
+}  // namespace syncline::ui

@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/main_window.h"
+
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QFileInfo>
+#include <QMenuBar>
+#include <QMimeData>
+#include <QSplitter>
+#include <QStackedWidget>
+#include <QStatusBar>
+#include <QToolBar>
+#include <QToolButton>
+#include <QUrl>
+
+#include "ui/actions.h"
+#include "ui/dialogs/about_dialog.h"
+#include "ui/dialogs/bus_commands.h"
+#include "ui/dialogs/file_commands.h"
+#include "ui/dialogs/scan_progress.h"
+#include "ui/pages/device_editor.h"
+#include "ui/pages/welcome_page.h"
+#include "ui/panels/explorer_panel.h"
+#include "ui/panels/live_strip.h"
+#include "ui/panels/messages_panel.h"
+#include "ui/panels/status_panel.h"
+#include "ui/session/workspace.h"
+#include "ui/theme.h"
+#include "ui/widgets/named.h"
+
+namespace syncline::ui {
+
+MainWindow::MainWindow(Workspace& workspace, QWidget* parent) : QMainWindow(parent), workspace_(workspace) {
+  setObjectName(QStringLiteral("mainWindow"));
+  setWindowIcon(QIcon(QStringLiteral(":/icons/syncline.svg")));
+  setAcceptDrops(true);
+  setDockNestingEnabled(false);
+  actions_ = new Actions(workspace.document().undoStack(), this);
+  files_ = new FileCommands(workspace, *this);
+  bus_ = new BusCommands(workspace, *this);
+  new ScanProgress(workspace.scan(), this);
+  buildCentre();
+  buildDocks();
+  buildMenus();
+  buildToolBar();
+  new StatusPanel(workspace, *statusBar());
+  connectActions();
+  connectSession();
+  resize(1280, 800);
+  resetLayout();
+  updateTheme();
+  updateTitle();
+  updateActions();
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::buildCentre() {
+  editor_ = new DeviceEditor(workspace_);
+  strip_ = new LiveStrip;
+  strip_->setObjectName(QStringLiteral("liveStrip"));
+  strip_->setAccessibleName(tr("Live plots"));
+  splitter_ = new QSplitter(Qt::Vertical);
+  splitter_->setObjectName(QStringLiteral("centreSplitter"));
+  splitter_->addWidget(editor_);
+  splitter_->addWidget(strip_);
+  splitter_->setChildrenCollapsible(false);
+  splitter_->setStretchFactor(0, 3);
+  splitter_->setStretchFactor(1, 2);
+  centre_ = new QStackedWidget;
+  centre_->addWidget(new WelcomePage({actions_->demo, actions_->scan, actions_->open}));
+  centre_->addWidget(splitter_);
+  setCentralWidget(centre_);
+}
+
+void MainWindow::buildDocks() {
+  setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+  explorer_dock_ = new QDockWidget(tr("Project Explorer"));
+  explorer_dock_->setObjectName(QStringLiteral("explorerDock"));
+  explorer_ = new ExplorerPanel(workspace_.network());
+  explorer_dock_->setWidget(explorer_);
+  addDockWidget(Qt::LeftDockWidgetArea, explorer_dock_);
+  messages_dock_ = new QDockWidget(tr("Messages"));
+  messages_dock_->setObjectName(QStringLiteral("messagesDock"));
+  auto* messages = new MessagesPanel(workspace_.messages());
+  messages_dock_->setWidget(messages);
+  addDockWidget(Qt::BottomDockWidgetArea, messages_dock_);
+  connect(explorer_, &ExplorerPanel::nodeSelected, editor_, &DeviceEditor::showNode);
+  connect(explorer_, &ExplorerPanel::nodeSelected, strip_, &LiveStrip::setPickedSlave);
+  connect(messages, &MessagesPanel::nodeActivated, explorer_, &ExplorerPanel::select);
+}
+
+void MainWindow::buildMenus() {
+  auto* file = menuBar()->addMenu(tr("&File"));
+  file->addActions({actions_->create, actions_->open, actions_->save, actions_->save_as});
+  file->addSeparator();
+  file->addAction(actions_->export_eni);
+  file->addSeparator();
+  file->addAction(actions_->quit);
+  auto* edit = menuBar()->addMenu(tr("&Edit"));
+  edit->addActions({actions_->undo, actions_->redo});
+  auto* network = menuBar()->addMenu(tr("&Network"));
+  network->addActions({actions_->scan, actions_->demo});
+  network->addSeparator();
+  network->addActions({actions_->online, actions_->offline});
+  auto* states = network->addMenu(tr("&Request State"));
+  states->addActions(actions_->states);
+  network->addSeparator();
+  network->addAction(actions_->clear_statistics);
+  auto* view = menuBar()->addMenu(tr("&View"));
+  view->addActions({explorer_dock_->toggleViewAction(), messages_dock_->toggleViewAction(), actions_->reset_layout});
+  view->addSeparator();
+  view->addActions(actions_->themes);
+  auto* help = menuBar()->addMenu(tr("&Help"));
+  help->addAction(actions_->about);
+}
+
+void MainWindow::buildToolBar() {
+  auto* bar = addToolBar(tr("Main"));
+  bar->setObjectName(QStringLiteral("mainToolBar"));
+  bar->setMovable(false);
+  bar->setIconSize(QSize(20, 20));
+  bar->setToolButtonStyle(Qt::ToolButtonIconOnly);
+  bar->addActions({actions_->create, actions_->open, actions_->save, actions_->save_as});
+  bar->addSeparator();
+  bar->addActions({actions_->undo, actions_->redo});
+  bar->addSeparator();
+  bar->addActions({actions_->scan, actions_->export_eni});
+  bar->addSeparator();
+  bar->addActions({actions_->online, actions_->offline});
+  state_button_ = named(new QToolButton, "requestState", tr("Request a state for all slaves"));
+  state_button_->setText(tr("Request State"));
+  state_button_->setToolTip(tr("Request a state for all slaves (register 0x0120)"));
+  state_button_->setPopupMode(QToolButton::InstantPopup);
+  auto* menu = new QMenu(state_button_);
+  menu->addActions(actions_->states);
+  state_button_->setMenu(menu);
+  bar->addWidget(state_button_);
+  auto* gap = new QWidget;
+  gap->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+  bar->addWidget(gap);
+  bar->addAction(actions_->toggle_theme);
+  for (auto* action : {actions_->scan, actions_->export_eni, actions_->online, actions_->offline}) {
+    if (auto* button = qobject_cast<QToolButton*>(bar->widgetForAction(action))) {
+      button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    }
+  }
+  for (auto* action : bar->actions()) {
+    auto* button = bar->widgetForAction(action);
+    if (button != nullptr && button->accessibleName().isEmpty()) button->setAccessibleName(action->toolTip());
+  }
+}
+
+void MainWindow::connectActions() {
+  connect(actions_->create, &QAction::triggered, files_, &FileCommands::create);
+  connect(actions_->open, &QAction::triggered, files_, &FileCommands::open);
+  connect(actions_->save, &QAction::triggered, files_, &FileCommands::save);
+  connect(actions_->save_as, &QAction::triggered, files_, &FileCommands::saveAs);
+  connect(actions_->export_eni, &QAction::triggered, files_, &FileCommands::exportEni);
+  connect(actions_->quit, &QAction::triggered, this, &QWidget::close);
+  connect(actions_->scan, &QAction::triggered, bus_, &BusCommands::scan);
+  connect(actions_->demo, &QAction::triggered, bus_, qOverload<>(&BusCommands::startDemo));
+  connect(actions_->online, &QAction::triggered, bus_, &BusCommands::goOnline);
+  connect(actions_->offline, &QAction::triggered, bus_, &BusCommands::goOffline);
+  connect(actions_->clear_statistics, &QAction::triggered, &workspace_.live(), &LiveSession::clearStatistics);
+  for (auto* action : actions_->states) {
+    connect(action, &QAction::triggered, this, [this, action] {
+      workspace_.live().requestState(static_cast<AlState>(action->data().toInt()));
+    });
+  }
+  for (auto* action : actions_->themes) {
+    connect(action, &QAction::triggered, this, [action] { theme::apply(static_cast<theme::Mode>(action->data().toInt())); });
+  }
+  connect(actions_->toggle_theme, &QAction::triggered, this,
+          [this] { theme::apply(theme::isDark(palette()) ? theme::Mode::kLight : theme::Mode::kDark); });
+  connect(actions_->reset_layout, &QAction::triggered, this, &MainWindow::resetLayout);
+  connect(actions_->about, &QAction::triggered, this, [this] {
+    auto* dialog = new AboutDialog(workspace_.environment().version, this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->open();
+  });
+}
+
+void MainWindow::connectSession() {
+  auto& document = workspace_.document();
+  connect(&document, &ProjectDocument::modifiedChanged, this, &MainWindow::updateTitle);
+  connect(&document, &ProjectDocument::pathChanged, this, &MainWindow::updateTitle);
+  connect(&document, &ProjectDocument::projectChanged, this, [this](bool structural) {
+    updateActions();
+    if (structural && workspace_.live().phase() == LiveSession::Phase::kOffline) showNetworkInStrip();
+  });
+  auto& live = workspace_.live();
+  connect(&live, &LiveSession::phaseChanged, this, [this] {
+    updateActions();
+    if (workspace_.live().phase() == LiveSession::Phase::kStarting) showNetworkInStrip();
+  });
+  connect(&live, &LiveSession::samplesArrived, strip_, &LiveStrip::append);
+  connect(&workspace_.scan(), &ScanController::started, this, &MainWindow::updateActions);
+  connect(&workspace_.scan(), &ScanController::finished, this, &MainWindow::updateActions);
+  connect(&workspace_.scan(), &ScanController::failed, this, &MainWindow::updateActions);
+}
+
+void MainWindow::showNetworkInStrip() {
+  const auto& project = workspace_.document().project();
+  std::vector<QString> names;
+  for (const auto& slave : project.slaves) names.push_back(QString::fromStdString(slave.name));
+  const auto& window = project.master.dc.sync_window;
+  const auto limit = window.enabled ? (std::uint32_t{1} << window.exponent) - 1 : 0;
+  strip_->clear();
+  strip_->setNetwork(names, project.master.cycle_time, limit);
+}
+
+void MainWindow::selectNode(int slave) { explorer_->select(slave); }
+
+void MainWindow::updateTitle() {
+  setWindowTitle(tr("%1[*] – Syncline").arg(workspace_.document().displayName()));
+  setWindowModified(workspace_.document().isModified());
+}
+
+void MainWindow::updateActions() {
+  const bool some = !workspace_.document().project().slaves.empty();
+  const bool busy = workspace_.scan().isRunning();
+  const auto phase = workspace_.live().phase();
+  const bool offline = phase == LiveSession::Phase::kOffline;
+  centre_->setCurrentIndex(some ? 1 : 0);
+  actions_->create->setEnabled(!busy);
+  actions_->open->setEnabled(!busy);
+  actions_->save->setEnabled(some);
+  actions_->save_as->setEnabled(some);
+  actions_->export_eni->setEnabled(some);
+  actions_->scan->setEnabled(!busy);
+  actions_->demo->setEnabled(!busy);
+  actions_->online->setEnabled(some && offline && !busy);
+  actions_->offline->setEnabled(phase == LiveSession::Phase::kOnline || phase == LiveSession::Phase::kStarting);
+  actions_->clear_statistics->setEnabled(phase == LiveSession::Phase::kOnline);
+  for (auto* action : actions_->states) action->setEnabled(phase == LiveSession::Phase::kOnline);
+  state_button_->setEnabled(phase == LiveSession::Phase::kOnline);
+}
+
+void MainWindow::updateTheme() {
+  actions_->drawIcons(palette());
+  state_button_->setIcon(theme::icon(QStringLiteral("state"), palette()));
+  state_button_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  for (auto* action : actions_->themes) {
+    action->setChecked(static_cast<theme::Mode>(action->data().toInt()) == theme::current());
+  }
+  strip_->applyTheme();
+}
+
+void MainWindow::resetLayout() {
+  explorer_dock_->setFloating(false);
+  messages_dock_->setFloating(false);
+  explorer_dock_->show();
+  messages_dock_->show();
+  addDockWidget(Qt::LeftDockWidgetArea, explorer_dock_);
+  addDockWidget(Qt::BottomDockWidgetArea, messages_dock_);
+  resizeDocks({explorer_dock_}, {250}, Qt::Horizontal);
+  resizeDocks({messages_dock_}, {120}, Qt::Vertical);
+  splitter_->setSizes({360, 220});
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  if (!files_->mayDiscard()) return event->ignore();
+  workspace_.scan().cancel();
+  workspace_.live().shutDown();
+  event->accept();
+}
+
+void MainWindow::changeEvent(QEvent* event) {
+  QMainWindow::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange && state_button_ != nullptr) updateTheme();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  const auto urls = event->mimeData()->urls();
+  if (urls.size() == 1 && urls.front().isLocalFile()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  const auto file = event->mimeData()->urls().front().toLocalFile();
+  if (files_->mayDiscard()) files_->openFile(file);
+}
+
+}  // namespace syncline::ui

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QMainWindow>
+
+class QDockWidget;
+class QSplitter;
+class QStackedWidget;
+class QToolButton;
+
+namespace syncline::ui {
+
+class Actions;
+class BusCommands;
+class DeviceEditor;
+class ExplorerPanel;
+class FileCommands;
+class LiveStrip;
+class Workspace;
+
+/// The window: layout, actions, and who is connected to whom. The work is done in session and dialogs.
+class MainWindow final : public QMainWindow {
+  Q_OBJECT
+
+ public:
+  explicit MainWindow(Workspace& workspace, QWidget* parent = nullptr);
+  ~MainWindow() override;
+
+  [[nodiscard]] FileCommands& files() { return *files_; }
+  [[nodiscard]] BusCommands& bus() { return *bus_; }
+  [[nodiscard]] DeviceEditor& editor() { return *editor_; }
+  [[nodiscard]] LiveStrip& liveStrip() { return *strip_; }
+  void selectNode(int slave);
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+  void changeEvent(QEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+
+ private:
+  void buildCentre();
+  void buildDocks();
+  void buildMenus();
+  void buildToolBar();
+  void connectActions();
+  void connectSession();
+  void updateTitle();
+  void updateActions();
+  void updateTheme();
+  void showNetworkInStrip();
+  void resetLayout();
+
+  Workspace& workspace_;
+  Actions* actions_;
+  FileCommands* files_;
+  BusCommands* bus_;
+  QStackedWidget* centre_ = nullptr;
+  QSplitter* splitter_ = nullptr;
+  DeviceEditor* editor_ = nullptr;
+  LiveStrip* strip_ = nullptr;
+  ExplorerPanel* explorer_ = nullptr;
+  QDockWidget *explorer_dock_ = nullptr, *messages_dock_ = nullptr;
+  QToolButton* state_button_ = nullptr;
+};
+
+}  // namespace syncline::ui

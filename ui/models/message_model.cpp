@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/models/message_model.h"
+
+#include <QLocale>
+#include <algorithm>
+
+namespace syncline::ui {
+
+MessageModel::MessageModel(QObject* parent) : QAbstractTableModel(parent) {}
+
+void MessageModel::append(Message message) {
+  const int row = static_cast<int>(findings_.size());
+  beginInsertRows({}, row, row);
+  log_.push_front(std::move(message));
+  endInsertRows();
+  if (log_.size() > kMaximum) {
+    const int last = row + static_cast<int>(log_.size()) - 1;
+    beginRemoveRows({}, last, last);
+    log_.pop_back();
+    endRemoveRows();
+  }
+}
+
+void MessageModel::setFindings(std::vector<Message> findings) {
+  if (!findings_.empty()) {
+    beginRemoveRows({}, 0, static_cast<int>(findings_.size()) - 1);
+    findings_.clear();
+    endRemoveRows();
+  }
+  if (findings.empty()) return;
+  beginInsertRows({}, 0, static_cast<int>(findings.size()) - 1);
+  findings_ = std::move(findings);
+  endInsertRows();
+}
+
+void MessageModel::clearLog() {
+  if (log_.empty()) return;
+  const int first = static_cast<int>(findings_.size());
+  beginRemoveRows({}, first, first + static_cast<int>(log_.size()) - 1);
+  log_.clear();
+  endRemoveRows();
+}
+
+int MessageModel::count(Severity severity) const {
+  const auto matches = [severity](const Message& message) { return message.severity == severity; };
+  return static_cast<int>(std::ranges::count_if(findings_, matches) + std::ranges::count_if(log_, matches));
+}
+
+const Message& MessageModel::message(int row) const {
+  const auto at = static_cast<std::size_t>(row);
+  return at < findings_.size() ? findings_[at] : log_[at - findings_.size()];
+}
+
+int MessageModel::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : static_cast<int>(findings_.size() + log_.size());
+}
+
+int MessageModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : kColumns; }
+
+QVariant MessageModel::data(const QModelIndex& index, int role) const {
+  if (!index.isValid()) return {};
+  const auto& row = message(index.row());
+  const bool finding = static_cast<std::size_t>(index.row()) < findings_.size();
+  switch (role) {
+    case kSeverityRole:
+      return static_cast<int>(row.severity);
+    case kSlaveRole:
+      return row.slave;
+    case kFindingRole:
+      return finding;
+    case Qt::ToolTipRole:
+      return row.key.isEmpty() ? row.text : tr("%1\nSetting %2").arg(row.text, row.key);
+    case Qt::DisplayRole:
+      break;
+    default:
+      return {};
+  }
+  switch (index.column()) {
+    case kTime:
+      return finding ? tr("Project") : QLocale().toString(row.time.time(), QStringLiteral("HH:mm:ss.zzz"));
+    case kSeverity: {
+      if (row.severity == Severity::kError) return tr("Error");
+      return row.severity == Severity::kWarning ? tr("Warning") : tr("Information");
+    }
+    case kSource:
+      return row.source;
+    case kText:
+      return row.text;
+    default:
+      return {};
+  }
+}
+
+QVariant MessageModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
+  switch (section) {
+    case kTime:
+      return tr("Time");
+    case kSeverity:
+      return tr("Severity");
+    case kSource:
+      return tr("Source");
+    case kText:
+      return tr("Message");
+    default:
+      return {};
+  }
+}
+
+MessageFilter::MessageFilter(QObject* parent) : QSortFilterProxyModel(parent) {}
+
+void MessageFilter::setShown(Severity severity, bool shown) {
+  shown_[static_cast<int>(severity)] = shown;
+  invalidateFilter();
+}
+
+void MessageFilter::setText(const QString& text) {
+  text_ = text;
+  invalidateFilter();
+}
+
+bool MessageFilter::filterAcceptsRow(int row, const QModelIndex& parent) const {
+  const auto cell = [&](int column) { return sourceModel()->index(row, column, parent); };
+  if (!shown_[cell(0).data(MessageModel::kSeverityRole).toInt()]) return false;
+  if (text_.isEmpty()) return true;
+  return cell(MessageModel::kText).data().toString().contains(text_, Qt::CaseInsensitive) ||
+         cell(MessageModel::kSource).data().toString().contains(text_, Qt::CaseInsensitive);
+}
+
+}  // namespace syncline::ui

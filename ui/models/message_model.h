@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QAbstractTableModel>
+#include <QSortFilterProxyModel>
+#include <deque>
+#include <vector>
+
+#include "ui/session/message.h"
+
+namespace syncline::ui {
+
+/// The message window: the present findings about the configuration first, below them the log with
+/// the newest entry on top. The log is capped; the oldest entries go first.
+class MessageModel final : public QAbstractTableModel {
+  Q_OBJECT
+
+ public:
+  enum Column { kTime, kSeverity, kSource, kText, kColumns };
+  enum Role { kSeverityRole = Qt::UserRole + 1, kSlaveRole, kFindingRole };
+  static constexpr std::size_t kMaximum = 5000;
+
+  explicit MessageModel(QObject* parent = nullptr);
+
+  void append(Message message);
+  void setFindings(std::vector<Message> findings);
+  /// Empties the log; findings stay as long as they are true.
+  void clearLog();
+  [[nodiscard]] int count(Severity severity) const;
+
+  [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+  [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
+  [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+  [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+ private:
+  [[nodiscard]] const Message& message(int row) const;
+
+  std::vector<Message> findings_;
+  std::deque<Message> log_;
+};
+
+/// Shows the chosen severities and the rows that contain a text.
+class MessageFilter final : public QSortFilterProxyModel {
+  Q_OBJECT
+
+ public:
+  explicit MessageFilter(QObject* parent = nullptr);
+  void setShown(Severity severity, bool shown);
+  void setText(const QString& text);
+
+ protected:
+  [[nodiscard]] bool filterAcceptsRow(int row, const QModelIndex& parent) const override;
+
+ private:
+  bool shown_[3] = {true, true, true};
+  QString text_;
+};
+
+}  // namespace syncline::ui

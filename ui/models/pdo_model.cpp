@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/models/pdo_model.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "ui/text/units.h"
+
+namespace syncline::ui {
+namespace {
+
+const std::vector<std::uint16_t>& assigned(const SlaveSettings& slave, PdoDirection direction) {
+  return direction == PdoDirection::kRx ? slave.assigned_rx_pdos : slave.assigned_tx_pdos;
+}
+
+const Pdo& effective(const SlaveSettings& slave, const Pdo& pdo) {
+  const auto changed = std::ranges::find(slave.changed_pdos, pdo.index, &Pdo::index);
+  return changed == slave.changed_pdos.end() ? pdo : *changed;
+}
+
+}  // namespace
+
+PdoModel::PdoModel(PdoDirection direction, QObject* parent) : QAbstractTableModel(parent), direction_(direction) {}
+
+void PdoModel::setSlave(const SlaveSettings& slave) {
+  chosen_ = assigned(slave, direction_);
+  std::vector<Row> rows;
+  for (const auto& pdo : slave.device.pdos(direction_)) {
+    rows.push_back({effective(slave, pdo), std::ranges::find(chosen_, pdo.index) != chosen_.end(), {}});
+  }
+  const bool same_rows = std::ranges::equal(rows, rows_, {}, [](const Row& row) { return row.pdo.index; },
+                                            [](const Row& row) { return row.pdo.index; });
+  if (!same_rows) beginResetModel();
+  rows_ = std::move(rows);
+  for (auto& row : rows_) row.locked = lockReason(row.pdo, row.assigned);
+  if (!same_rows) {
+    endResetModel();
+  } else if (!rows_.empty()) {
+    Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, kColumns - 1));
+  }
+}
+
+void PdoModel::clear() {
+  beginResetModel();
+  rows_.clear();
+  endResetModel();
+}
+
+const Pdo* PdoModel::pdo(int row) const {
+  return row >= 0 && row < rowCount() ? &rows_[static_cast<std::size_t>(row)].pdo : nullptr;
+}
+
+std::uint32_t PdoModel::assignedBits() const {
+  std::uint32_t bits = 0;
+  for (const auto& row : rows_) bits += row.assigned ? row.pdo.bit_length() : 0;
+  return bits;
+}
+
+QString PdoModel::lockReason(const Pdo& pdo, bool is_assigned) const {
+  if (is_assigned) return pdo.mandatory ? tr("The device needs this PDO (Mandatory in the ESI)") : QString();
+  for (const auto& other : rows_) {
+    if (!other.assigned) continue;
+    const auto excludes = [](const Pdo& one, std::uint16_t index) {
+      return std::ranges::find(one.exclude, index) != one.exclude.end();
+    };
+    if (excludes(other.pdo, pdo.index) || excludes(pdo, other.pdo.index)) {
+      return tr("Excluded by the assigned PDO %1 (Exclude in the ESI)").arg(hexText(other.pdo.index, 4));
+    }
+  }
+  return {};
+}
+
+int PdoModel::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : static_cast<int>(rows_.size()); }
+
+int PdoModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : kColumns; }
+
+QVariant PdoModel::data(const QModelIndex& index, int role) const {
+  if (!index.isValid()) return {};
+  const auto& row = rows_[static_cast<std::size_t>(index.row())];
+  switch (role) {
+    case Qt::DisplayRole:
+      return text(row, index.column());
+    case Qt::CheckStateRole:
+      if (index.column() != kIndex) return {};
+      return row.assigned ? Qt::Checked : Qt::Unchecked;
+    case Qt::ToolTipRole:
+      if (!row.locked.isEmpty()) return row.locked;
+      return direction_ == PdoDirection::kRx ? tr("Assigned through object 0x1C12") : tr("Assigned through object 0x1C13");
+    case Qt::AccessibleTextRole:
+      if (index.column() != kIndex) return {};
+      return QStringLiteral("%1 %2").arg(hexText(row.pdo.index, 4), QString::fromStdString(row.pdo.name));
+    case Qt::TextAlignmentRole:
+      return index.column() == kSize ? int(Qt::AlignRight | Qt::AlignVCenter) : int(Qt::AlignLeft | Qt::AlignVCenter);
+    default:
+      return {};
+  }
+}
+
+QVariant PdoModel::text(const Row& row, int column) const {
+  switch (column) {
+    case kIndex:
+      return hexText(row.pdo.index, 4);
+    case kName:
+      return QString::fromStdString(row.pdo.name);
+    case kSyncManager:
+      return row.pdo.sync_manager ? QStringLiteral("SM%1").arg(*row.pdo.sync_manager) : QStringLiteral("\u2013");
+    case kSize:
+      return bitsText(row.pdo.bit_length());
+    default:
+      return {};
+  }
+}
+
+QVariant PdoModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation != Qt::Horizontal) return {};
+  if (role == Qt::TextAlignmentRole) return int((section == kSize ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+  if (role != Qt::DisplayRole) return {};
+  switch (section) {
+    case kIndex:
+      return tr("PDO");
+    case kName:
+      return tr("Name");
+    case kSyncManager:
+      return tr("SM");
+    case kSize:
+      return tr("Size");
+    default:
+      return {};
+  }
+}
+
+Qt::ItemFlags PdoModel::flags(const QModelIndex& index) const {
+  if (!index.isValid()) return Qt::NoItemFlags;
+  const auto& row = rows_[static_cast<std::size_t>(index.row())];
+  Qt::ItemFlags flags = Qt::ItemIsSelectable | Qt::ItemNeverHasChildren;
+  if (row.locked.isEmpty() || row.assigned) flags |= Qt::ItemIsEnabled;
+  if (index.column() == kIndex && row.locked.isEmpty()) flags |= Qt::ItemIsUserCheckable;
+  return flags;
+}
+
+bool PdoModel::setData(const QModelIndex& index, const QVariant& value, int role) {
+  if (!index.isValid() || role != Qt::CheckStateRole || !(flags(index) & Qt::ItemIsUserCheckable)) return false;
+  auto wanted = chosen_;
+  const auto pdo = rows_[static_cast<std::size_t>(index.row())].pdo.index;
+  std::erase(wanted, pdo);
+  if (value.toInt() == Qt::Checked) wanted.push_back(pdo);
+  Q_EMIT assignmentWanted(wanted);
+  return true;
+}
+
+PdoEntryModel::PdoEntryModel(QObject* parent) : QAbstractTableModel(parent) {}
+
+void PdoEntryModel::setEntries(std::vector<PdoEntry> entries) {
+  if (entries == entries_) return;
+  beginResetModel();
+  entries_ = std::move(entries);
+  offsets_.clear();
+  std::uint32_t offset = 0;
+  for (const auto& entry : entries_) {
+    offsets_.push_back(offset);
+    offset += entry.bit_length;
+  }
+  endResetModel();
+}
+
+int PdoEntryModel::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : static_cast<int>(entries_.size());
+}
+
+int PdoEntryModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : kColumns; }
+
+QVariant PdoEntryModel::data(const QModelIndex& index, int role) const {
+  if (!index.isValid() || role != Qt::DisplayRole) return {};
+  const auto row = static_cast<std::size_t>(index.row());
+  const auto& entry = entries_[row];
+  switch (index.column()) {
+    case kOffset:
+      return QStringLiteral("%1.%2").arg(offsets_[row] / 8).arg(offsets_[row] % 8);
+    case kObject:
+      return entry.index == 0 ? QStringLiteral("\u2013")
+                              : QStringLiteral("%1:%2").arg(hexText(entry.index, 4), hexText(entry.sub_index, 2).mid(2));
+    case kName:
+      return entry.index == 0 ? tr("(padding)") : QString::fromStdString(entry.name);
+    case kType:
+      return QString::fromStdString(entry.data_type);
+    case kLength:
+      return bitsText(entry.bit_length);
+    default:
+      return {};
+  }
+}
+
+QVariant PdoEntryModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
+  switch (section) {
+    case kOffset:
+      return tr("Offset");
+    case kObject:
+      return tr("Object");
+    case kName:
+      return tr("Entry");
+    case kType:
+      return tr("Type");
+    case kLength:
+      return tr("Size");
+    default:
+      return {};
+  }
+}
+
+}  // namespace syncline::ui

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QAbstractTableModel>
+#include <vector>
+
+#include "config/project.h"
+
+namespace syncline::ui {
+
+/// PDOs of one direction with their assignment as check boxes. A PDO that an assigned one excludes,
+/// and a mandatory one, cannot be ticked or unticked, and the tool tip says why.
+class PdoModel final : public QAbstractTableModel {
+  Q_OBJECT
+
+ public:
+  enum Column { kIndex, kName, kSyncManager, kSize, kColumns };
+
+  explicit PdoModel(PdoDirection direction, QObject* parent = nullptr);
+
+  void setSlave(const SlaveSettings& slave);
+  void clear();
+  [[nodiscard]] const Pdo* pdo(int row) const;
+  [[nodiscard]] std::uint32_t assignedBits() const;
+
+  [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+  [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
+  [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+  [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+  [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
+  /// Does not change the model: asks for the edit, and the edited project comes back by setSlave().
+  bool setData(const QModelIndex& index, const QVariant& value, int role) override;
+
+ Q_SIGNALS:
+  void assignmentWanted(std::vector<std::uint16_t> pdos);
+
+ private:
+  struct Row {
+    Pdo pdo;
+    bool assigned = false;
+    QString locked;  // why it cannot be changed; empty = free
+  };
+
+  [[nodiscard]] QString lockReason(const Pdo& pdo, bool assigned) const;
+  [[nodiscard]] QVariant text(const Row& row, int column) const;
+
+  PdoDirection direction_;
+  std::vector<Row> rows_;
+  std::vector<std::uint16_t> chosen_;  // in the project's order
+};
+
+/// Entries of one PDO: bit offset, object, name, type, length.
+class PdoEntryModel final : public QAbstractTableModel {
+  Q_OBJECT
+
+ public:
+  enum Column { kOffset, kObject, kName, kType, kLength, kColumns };
+
+  explicit PdoEntryModel(QObject* parent = nullptr);
+  void setEntries(std::vector<PdoEntry> entries);
+
+  [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+  [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
+  [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+  [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+ private:
+  std::vector<PdoEntry> entries_;
+  std::vector<std::uint32_t> offsets_;
+};
+
+}  // namespace syncline::ui

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/pages/device_editor.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QTabWidget>
+#include <QVBoxLayout>
+
+#include "ui/pages/master_dc_page.h"
+#include "ui/pages/master_general_page.h"
+#include "ui/pages/process_data_page.h"
+#include "ui/pages/slave_dc_page.h"
+#include "ui/pages/slave_general_page.h"
+#include "ui/session/workspace.h"
+#include "ui/text/glossary.h"
+#include "ui/text/units.h"
+#include "ui/widgets/pill.h"
+
+namespace syncline::ui {
+
+DeviceEditor::DeviceEditor(Workspace& workspace, QWidget* parent) : QWidget(parent), workspace_(workspace) {
+  setObjectName(QStringLiteral("deviceEditor"));
+  setAccessibleName(tr("Device editor"));
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  auto* header = new QHBoxLayout;
+  header->setContentsMargins(14, 8, 14, 6);
+  header->setSpacing(12);
+  title_ = new QLabel;
+  title_->setObjectName(QStringLiteral("nodeTitle"));
+  auto font = title_->font();
+  font.setPointSizeF(font.pointSizeF() * 1.2);
+  font.setWeight(QFont::DemiBold);
+  title_->setFont(font);
+  subtitle_ = new QLabel;
+  subtitle_->setForegroundRole(QPalette::PlaceholderText);
+  state_ = new Pill;
+  state_->setObjectName(QStringLiteral("nodeState"));
+  state_->setAccessibleName(tr("State of the selected node"));
+  header->addWidget(title_);
+  header->addWidget(subtitle_, 1);
+  header->addWidget(state_);
+  layout->addLayout(header);
+  tabs_ = new QTabWidget;
+  tabs_->setObjectName(QStringLiteral("deviceTabs"));
+  tabs_->setAccessibleName(tr("Pages of the selected node"));
+  tabs_->setDocumentMode(true);
+  layout->addWidget(tabs_, 1);
+  pages_ = {new MasterGeneralPage(workspace), new MasterDcPage(workspace), new SlaveGeneralPage(workspace),
+            new SlaveDcPage(workspace), new ProcessDataPage(workspace)};
+  for (auto* page : pages_) {
+    page->setParent(this);
+    page->hide();
+  }
+  connect(&workspace.document(), &ProjectDocument::projectChanged, this, [this](bool structural) {
+    const auto count = static_cast<int>(workspace_.document().project().slaves.size());
+    if (slave_ >= count) slave_ = -1;
+    if (structural) return showNode(slave_);
+    chooseTabs();
+    refresh();
+  });
+  connect(&workspace.configuration(), &ConfigurationMonitor::compiled, this, &DeviceEditor::refresh);
+  connect(&workspace.live(), &LiveSession::snapshotChanged, this, &DeviceEditor::showLive);
+  connect(&workspace.live(), &LiveSession::phaseChanged, this, &DeviceEditor::showLive);
+  showNode(-1);
+}
+
+void DeviceEditor::showNode(int slave) {
+  slave_ = slave;
+  for (auto* page : pages_) {
+    if (page->appliesTo(slave)) page->setNode(slave);
+  }
+  chooseTabs();
+  refresh();
+  showLive();
+}
+
+void DeviceEditor::chooseTabs() {
+  QList<Page*> wanted;
+  for (auto* page : pages_) {
+    if (page->appliesTo(slave_)) wanted.append(page);
+  }
+  QList<Page*> shown;
+  for (int i = 0; i < tabs_->count(); ++i) shown.append(static_cast<Page*>(tabs_->widget(i)));
+  if (shown == wanted) return;
+  // The same kind of page stays in front when the selection moves on.
+  const auto front = tabs_->currentWidget() != nullptr ? static_cast<Page*>(tabs_->currentWidget())->title() : QString();
+  tabs_->clear();
+  for (auto* page : wanted) {
+    tabs_->addTab(page, page->title());
+    if (page->title() == front) tabs_->setCurrentWidget(page);
+  }
+}
+
+void DeviceEditor::refresh() {
+  const auto& project = workspace_.document().project();
+  title_->setText(nodeName(project, slave_));
+  if (slave_ < 0) {
+    subtitle_->setText(tr("%n slave(s), cycle %1", nullptr, static_cast<int>(project.slaves.size()))
+                           .arg(cycleText(project.master.cycle_time)));
+  } else {
+    const auto& slave = project.slaves[static_cast<std::size_t>(slave_)];
+    subtitle_->setText(tr("%1, position %2, address %3")
+                           .arg(QString::fromStdString(slave.device.name.empty() ? slave.device.type : slave.device.name))
+                           .arg(slave_)
+                           .arg(slave.station_address));
+  }
+  for (auto* page : pages_) {
+    if (page->appliesTo(slave_)) page->refresh();
+  }
+}
+
+void DeviceEditor::showLive() {
+  const auto& snapshot = workspace_.live().snapshot();
+  auto state = snapshot.state;
+  bool failed = false;
+  const auto at = static_cast<std::size_t>(slave_);
+  if (slave_ >= 0) {
+    const bool known = at < snapshot.slaves.size() && snapshot.slaves[at].present;
+    state = known ? al_state_of(snapshot.slaves[at].al_status) : AlState::kNone;
+    failed = known && (snapshot.slaves[at].al_status & kAlErrorFlag) != 0;
+  }
+  if (snapshot.online) {
+    state_->setState(failed ? theme::Tone::kBad : theme::stateTone(state), stateName(state));
+  } else {
+    state_->setState(theme::Tone::kNeutral, tr("Offline"));
+  }
+  if (auto* page = static_cast<Page*>(tabs_->currentWidget())) page->showLive(snapshot);
+}
+
+}  // namespace syncline::ui

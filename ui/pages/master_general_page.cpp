@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/pages/master_general_page.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QLocale>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <algorithm>
+
+#include "ui/session/setting_keys.h"
+#include "ui/session/workspace.h"
+#include "ui/text/glossary.h"
+#include "ui/text/units.h"
+#include "ui/widgets/card.h"
+#include "ui/widgets/named.h"
+#include "ui/widgets/pill.h"
+
+namespace syncline::ui {
+namespace {
+
+constexpr Nanoseconds kCycles[] = {125'000, 250'000, 500'000, 1'000'000, 2'000'000, 4'000'000, 8'000'000, 10'000'000};
+
+/// Payload of the cyclic frames in bytes: datagram headers, data and working counters.
+std::size_t cyclicBytes(const NetworkConfig& config) {
+  std::size_t bytes = 0;
+  for (const auto& task : config.cyclic) {
+    for (const auto& frame : task.frames) {
+      bytes += 16;  // Ethernet header and EtherCAT header
+      for (const auto& command : frame.commands) bytes += 12U + command.length();
+    }
+  }
+  return bytes;
+}
+
+}  // namespace
+
+MasterGeneralPage::MasterGeneralPage(Workspace& workspace) : Page(workspace, "masterGeneralPage", tr("General")) {
+  auto* columns = new CardColumns;
+  buildSettings(*columns->add(0, tr("Settings")));
+  auto* information = columns->add(0, tr("Configuration"));
+  slaves_ = information->addValue("masterSlaves", tr("Slaves"), tr("Configured slaves"));
+  dc_slaves_ = information->addValue("masterDcSlaves", tr("Slaves with DC"), tr("Operation mode other than none"));
+  inputs_ = information->addValue("masterInputs", tr("Inputs"), tr("Input process image (ENI ProcessImage/Inputs)"));
+  outputs_ = information->addValue("masterOutputs", tr("Outputs"), tr("Output process image (ENI ProcessImage/Outputs)"));
+  frame_ = information->addValue("masterFrame", tr("Cyclic frames"), tr("Bytes and time on the wire at 100 Mbit/s, each cycle"));
+  buildStateMachine(*columns->add(1, tr("State Machine")));
+  buildCounters(*columns->add(1, tr("Bus")));
+  columns->addStretch();
+  setWidget(columns);
+}
+
+void MasterGeneralPage::buildSettings(Card& card) {
+  name_ = named(new QLineEdit, "masterName", tr("Name of the master"));
+  connect(name_, &QLineEdit::editingFinished, this, [this] {
+    edit(tr("Rename master"), keys::master(keys::kMasterName), name_->text());
+  });
+  card.addRow(tr("Name"), name_, tr("ENI Master/Info/Name"));
+  cycle_ = named(new QComboBox, "masterCycle", tr("Cycle time"));
+  cycle_->setEditable(true);
+  cycle_->setInsertPolicy(QComboBox::NoInsert);
+  for (const auto cycle : kCycles) cycle_->addItem(QLocale().toString(static_cast<double>(cycle) / 1e3), QVariant::fromValue(cycle));
+  connect(cycle_, &QComboBox::activated, this, &MasterGeneralPage::takeCycle);
+  connect(cycle_->lineEdit(), &QLineEdit::editingFinished, this, &MasterGeneralPage::takeCycle);
+  auto* field = new QWidget;
+  auto* layout = new QHBoxLayout(field);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(cycle_, 1);
+  layout->addWidget(new QLabel(QStringLiteral("\u00B5s")));
+  card.addRow(tr("Cycle time"), field, tr("Bus cycle, base of every Sync Unit Cycle (ENI Cyclic/CycleTime); 31.25 µs to 100 ms"));
+}
+
+void MasterGeneralPage::buildStateMachine(Card& card) {
+  state_ = named(new Pill, "masterState", tr("Current state"));
+  card.addRow(tr("Current state"), state_, tr("Lowest state of all slaves (register 0x0130)"));
+  requested_ = card.addValue("masterRequestedState", tr("Requested state"), tr("State asked for last (register 0x0120)"));
+  auto* buttons = new QWidget;
+  auto* layout = new QHBoxLayout(buttons);
+  layout->setContentsMargins(0, 4, 0, 0);
+  layout->setSpacing(6);
+  for (const auto state : {AlState::kInit, AlState::kPreop, AlState::kSafeop, AlState::kOp}) {
+    auto* button = new QPushButton(stateName(state));
+    button->setObjectName(QStringLiteral("masterRequest%1").arg(stateName(state)));
+    button->setAccessibleName(tr("Request state %1").arg(stateName(state)));
+    button->setToolTip(tr("Request %1 for all slaves (register 0x0120)").arg(stateName(state)));
+    connect(button, &QPushButton::clicked, this, [this, state] { workspace().live().requestState(state); });
+    layout->addWidget(button, 1);
+    state_buttons_.append(button);
+  }
+  card.addWide(buttons);
+}
+
+void MasterGeneralPage::buildCounters(Card& card) {
+  found_ = card.addValue("masterFound", tr("Slaves answering"), tr("Slaves that answered the last state reading"));
+  cycles_ = card.addValue("masterCycles", tr("Cycles"), tr("Bus cycles since going online"));
+  lost_ = card.addValue("masterLost", tr("Lost frames"), tr("Cyclic frames that did not come back within the cycle"));
+  wkc_ = card.addValue("masterWkc", tr("Working counter errors"), tr("Cycles whose working counter was not the expected one"));
+  overruns_ = card.addValue("masterOverruns", tr("Overruns"), tr("Cycles that began more than one cycle late"));
+}
+
+void MasterGeneralPage::takeCycle() {
+  const auto text = cycle_->currentText().trimmed();
+  bool ok = false;
+  double value = QLocale().toDouble(text, &ok);
+  if (!ok) value = text.toDouble(&ok);
+  const auto cycle = ok ? static_cast<Nanoseconds>(value * 1e3 + 0.5) : -1;
+  if (cycle == workspace().document().project().master.cycle_time) return refresh();
+  edit(tr("Change cycle time"), keys::master(keys::kCycleTime), ok ? microsecondsSetting(cycle) : text);
+}
+
+void MasterGeneralPage::refresh() {
+  const auto& project = workspace().document().project();
+  if (!name_->hasFocus() || !name_->isModified()) name_->setText(QString::fromStdString(project.master.name));
+  {
+    const QSignalBlocker quiet(cycle_);
+    const auto known = cycle_->findData(QVariant::fromValue(project.master.cycle_time));
+    cycle_->setCurrentIndex(known);
+    if (known < 0) cycle_->setEditText(QLocale().toString(static_cast<double>(project.master.cycle_time) / 1e3, 'g', 9));
+  }
+  slaves_->setText(countText(project.slaves.size()));
+  dc_slaves_->setText(countText(static_cast<std::uint64_t>(
+      std::ranges::count_if(project.slaves, [](const SlaveSettings& slave) { return !slave.dc.op_mode.empty(); }))));
+  const auto* config = workspace().configuration().config();
+  const auto none = QStringLiteral("\u2013");
+  inputs_->setText(config != nullptr ? bitsText(config->image.input_bytes * 8) : none);
+  outputs_->setText(config != nullptr ? bitsText(config->image.output_bytes * 8) : none);
+  if (config == nullptr) return frame_->setText(none);
+  const auto bytes = cyclicBytes(*config);
+  frame_->setText(tr("%1, %2 on the wire").arg(bitsText(static_cast<std::uint32_t>(bytes * 8)),
+                                               timeText(static_cast<Nanoseconds>((bytes + 24) * 80))));
+}
+
+void MasterGeneralPage::showLive(const Snapshot& snapshot) {
+  const bool online = workspace().live().phase() == LiveSession::Phase::kOnline;
+  const auto none = QStringLiteral("\u2013");
+  state_->setState(snapshot.online ? theme::stateTone(snapshot.state) : theme::Tone::kNeutral,
+                   snapshot.online ? stateName(snapshot.state) : tr("Offline"));
+  requested_->setText(snapshot.online ? stateName(snapshot.requested) : none);
+  for (auto* button : state_buttons_) button->setEnabled(online);
+  const auto present = std::ranges::count_if(snapshot.slaves, &SlaveStatus::present);
+  found_->setText(snapshot.online ? tr("%1 of %2").arg(present).arg(snapshot.slaves.size()) : none);
+  cycles_->setText(snapshot.online ? countText(snapshot.cycles) : none);
+  lost_->setText(snapshot.online ? countText(snapshot.lost_frames) : none);
+  wkc_->setText(snapshot.online ? countText(snapshot.wkc_errors) : none);
+  overruns_->setText(snapshot.online ? countText(snapshot.overruns) : none);
+}
+
+}  // namespace syncline::ui

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/pages/page.h"
+
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+
+namespace syncline::ui {
+
+class Card;
+class Pill;
+
+/// Name and cycle of the master, its state machine, and what the bus and the configuration are made of.
+class MasterGeneralPage final : public Page {
+  Q_OBJECT
+
+ public:
+  explicit MasterGeneralPage(Workspace& workspace);
+  [[nodiscard]] bool appliesTo(int slave) const override { return slave < 0; }
+  void refresh() override;
+  void showLive(const Snapshot& snapshot) override;
+
+ private:
+  void buildSettings(Card& card);
+  void buildStateMachine(Card& card);
+  void buildCounters(Card& card);
+  void takeCycle();
+
+  QLineEdit* name_;
+  QComboBox* cycle_;
+  Pill* state_;
+  QLabel* requested_;
+  QList<QPushButton*> state_buttons_;
+  QLabel *slaves_, *dc_slaves_, *inputs_, *outputs_, *frame_;
+  QLabel *found_, *cycles_, *lost_, *wkc_, *overruns_;
+};
+
+}  // namespace syncline::ui

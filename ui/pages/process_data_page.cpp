@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/pages/process_data_page.h"
+
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QTableView>
+#include <QVBoxLayout>
+
+#include "ui/models/pdo_model.h"
+#include "ui/session/setting_keys.h"
+#include "ui/session/workspace.h"
+#include "ui/text/units.h"
+#include "ui/widgets/named.h"
+#include "ui/widgets/tables.h"
+
+namespace syncline::ui {
+namespace {
+
+QLabel* heading(const QString& text) {
+  auto* label = new QLabel(text);
+  auto font = label->font();
+  font.setWeight(QFont::DemiBold);
+  label->setFont(font);
+  return label;
+}
+
+}  // namespace
+
+ProcessDataPage::ProcessDataPage(Workspace& workspace) : Page(workspace, "processDataPage", tr("Process Data")) {
+  outputs_ = new PdoModel(PdoDirection::kRx, this);
+  inputs_ = new PdoModel(PdoDirection::kTx, this);
+  auto* content = new QWidget;
+  auto* layout = new QHBoxLayout(content);
+  layout->setContentsMargins(12, 12, 12, 12);
+  layout->setSpacing(12);
+  auto* lists = new QVBoxLayout;
+  lists->setSpacing(8);
+  lists->addWidget(buildDirection(outputs_, outputs_view_, outputs_size_, "outputPdos", tr("Outputs (RxPDO)")), 1);
+  lists->addWidget(buildDirection(inputs_, inputs_view_, inputs_size_, "inputPdos", tr("Inputs (TxPDO)")), 1);
+  layout->addLayout(lists, 1);
+  layout->addWidget(buildEntries(), 1);
+  content->setMinimumHeight(260);
+  setWidget(content);
+}
+
+QWidget* ProcessDataPage::buildDirection(PdoModel* model, QTableView*& view, QLabel*& size, const char* object_name,
+                                         const QString& title) {
+  auto* area = new QWidget;
+  auto* layout = new QVBoxLayout(area);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(4);
+  auto* row = new QHBoxLayout;
+  row->addWidget(heading(title), 1);
+  size = new QLabel;
+  size->setObjectName(QLatin1String(object_name) + QStringLiteral("Size"));
+  size->setAccessibleName(tr("Assigned size, %1").arg(title));
+  row->addWidget(size);
+  layout->addLayout(row);
+  view = named(new QTableView, object_name, title);
+  setUpTable(*view);
+  view->setModel(model);
+  view->setColumnWidth(PdoModel::kIndex, 92);
+  view->setColumnWidth(PdoModel::kSyncManager, 48);
+  view->setColumnWidth(PdoModel::kSize, 72);
+  stretchColumn(*view, PdoModel::kName);
+  layout->addWidget(view, 1);
+  connect(model, &PdoModel::assignmentWanted, this, [this, model](const std::vector<std::uint16_t>& pdos) {
+    QStringList indices;
+    for (const auto pdo : pdos) indices << hexText(pdo, 4);
+    edit(tr("Change PDO assignment"), keys::slave(node(), model == outputs_ ? keys::kRxPdos : keys::kTxPdos),
+         indices.join(u','));
+  });
+  connect(view->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+          [this, model](const QModelIndex& current) {
+            if (current.isValid()) showEntriesOf(model, current.row());
+          });
+  return area;
+}
+
+QWidget* ProcessDataPage::buildEntries() {
+  auto* area = new QWidget;
+  auto* layout = new QVBoxLayout(area);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(4);
+  entries_title_ = heading(tr("Entries"));
+  layout->addWidget(entries_title_);
+  entries_ = new PdoEntryModel(this);
+  entries_view_ = named(new QTableView, "pdoEntries", tr("Entries of the selected PDO"));
+  setUpTable(*entries_view_);
+  entries_view_->setModel(entries_);
+  entries_view_->setColumnWidth(PdoEntryModel::kOffset, 56);
+  entries_view_->setColumnWidth(PdoEntryModel::kObject, 88);
+  entries_view_->setColumnWidth(PdoEntryModel::kType, 72);
+  entries_view_->setColumnWidth(PdoEntryModel::kLength, 64);
+  stretchColumn(*entries_view_, PdoEntryModel::kName);
+  layout->addWidget(entries_view_, 1);
+  return area;
+}
+
+bool ProcessDataPage::appliesTo(int slave) const {
+  const auto& slaves = workspace().document().project().slaves;
+  if (slave < 0 || static_cast<std::size_t>(slave) >= slaves.size()) return false;
+  const auto& device = slaves[static_cast<std::size_t>(slave)].device;
+  return !device.rx_pdos.empty() || !device.tx_pdos.empty();
+}
+
+void ProcessDataPage::showEntriesOf(PdoModel* model, int row) {
+  const auto* pdo = model->pdo(row);
+  entries_->setEntries(pdo != nullptr ? pdo->entries : std::vector<PdoEntry>{});
+  entries_title_->setText(pdo == nullptr ? tr("Entries")
+                                         : tr("Entries of %1 %2").arg(hexText(pdo->index, 4), QString::fromStdString(pdo->name)));
+  auto* other = model == outputs_ ? inputs_view_ : outputs_view_;
+  if (row >= 0) other->clearSelection();
+}
+
+void ProcessDataPage::refresh() {
+  const auto& slaves = workspace().document().project().slaves;
+  if (node() < 0 || static_cast<std::size_t>(node()) >= slaves.size()) return;
+  const auto& slave = slaves[static_cast<std::size_t>(node())];
+  outputs_->setSlave(slave);
+  inputs_->setSlave(slave);
+  outputs_size_->setText(tr("%1 assigned").arg(bitsText(outputs_->assignedBits())));
+  inputs_size_->setText(tr("%1 assigned").arg(bitsText(inputs_->assignedBits())));
+  outputs_view_->parentWidget()->setVisible(!slave.device.rx_pdos.empty());
+  inputs_view_->parentWidget()->setVisible(!slave.device.tx_pdos.empty());
+  if (shown_node_ == node()) return;
+  shown_node_ = node();
+  auto* view = slave.device.rx_pdos.empty() ? inputs_view_ : outputs_view_;
+  view->setCurrentIndex(view->model()->index(0, 0));
+  showEntriesOf(view == outputs_view_ ? outputs_ : inputs_, 0);
+}
+
+}  // namespace syncline::ui

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/pages/slave_dc_page.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <algorithm>
+
+#include "config/compile/dc_times.h"
+#include "protocol/dc_registers.h"
+#include "ui/pages/sync_unit_editor.h"
+#include "ui/session/setting_keys.h"
+#include "ui/session/workspace.h"
+#include "ui/text/units.h"
+#include "ui/widgets/card.h"
+#include "ui/widgets/named.h"
+#include "ui/widgets/pill.h"
+
+namespace syncline::ui {
+namespace {
+
+// The word of the settings key for "no mode".
+const QString kOff = QStringLiteral("off");
+
+const SlaveSettings* slaveAt(const Project& project, int position) {
+  return position >= 0 && static_cast<std::size_t>(position) < project.slaves.size()
+             ? &project.slaves[static_cast<std::size_t>(position)]
+             : nullptr;
+}
+
+QString none() { return QStringLiteral("\u2013"); }
+
+}  // namespace
+
+SlaveDcPage::SlaveDcPage(Workspace& workspace) : Page(workspace, "slaveDcPage", tr("Distributed Clocks")) {
+  auto* columns = new CardColumns;
+  buildMode(*columns->add(0, tr("Operation Mode")));
+  auto* sync0 = columns->add(1, tr("SYNC0"));
+  auto* sync1 = columns->add(1, tr("SYNC1"));
+  sync0_ = new SyncUnitEditor(0, *sync0, this);
+  sync1_ = new SyncUnitEditor(1, *sync1, this);
+  buildRegisters(*columns->add(2, tr("Registers")));
+  buildLive(*columns->add(2, tr("Live")));
+  const auto connectUnit = [this](SyncUnitEditor* editor, int unit) {
+    connect(editor, &SyncUnitEditor::edited, this, [this, unit](const QString& text, QStringList settings) {
+      for (qsizetype i = 0; i < settings.size(); i += 2) {
+        settings[i] = keys::sync(node(), unit, settings[i].toLatin1().constData());
+      }
+      edit(text, settings);
+    });
+  };
+  connectUnit(sync0_, 0);
+  connectUnit(sync1_, 1);
+  columns->addStretch();
+  setWidget(columns);
+}
+
+bool SlaveDcPage::appliesTo(int slave) const {
+  const auto* settings = slaveAt(workspace().document().project(), slave);
+  return settings != nullptr && settings->device.dc.has_value();
+}
+
+void SlaveDcPage::buildMode(Card& card) {
+  mode_ = named(new QComboBox, "operationMode", tr("Operation mode"));
+  mode_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  mode_->setMinimumContentsLength(14);
+  connect(mode_, &QComboBox::activated, this, [this] {
+    edit(tr("Change operation mode"), keys::slave(node(), keys::kOpMode), mode_->currentData().toString());
+  });
+  card.addRow(tr("Mode"), mode_, tr("ESI Dc/OpMode"));
+  description_ = card.addValue("operationModeDescription", tr("Meaning"), tr("ESI OpMode/Desc"));
+  description_->setWordWrap(true);
+  assign_activate_ = card.addValue("assignActivate", tr("AssignActivate"), tr("ESI OpMode/AssignActivate, written to register 0x0980"));
+  bus_cycle_ = card.addValue("syncBusCycle", tr("Bus cycle"), tr("Cycle time of the master, base of the Sync Unit Cycle"));
+  potential_ = named(new QCheckBox(tr("Potential reference clock")), "potentialReference", tr("Potential reference clock"));
+  connect(potential_, &QCheckBox::clicked, this, [this](bool on) {
+    edit(tr("Change potential reference clock"), keys::slave(node(), keys::kPotentialReference),
+         on ? QStringLiteral("on") : QStringLiteral("off"));
+  });
+  card.addWide(potential_, tr("May lead when the reference clock is missing (ENI DC/PotentialReferenceClock)"));
+}
+
+void SlaveDcPage::buildRegisters(Card& card) {
+  register_activation_ = card.addValue("register0980", tr("0x0980 activation"), tr("Compiled value, as written in PREOP to SAFEOP"));
+  register_cycle0_ = card.addValue("register09A0", tr("0x09A0 SYNC0 cycle"), tr("Compiled value (ENI DC/CycleTime0)"));
+  register_cycle1_ = card.addValue("register09A4", tr("0x09A4 SYNC1"), tr("Compiled value (ENI DC/CycleTime1)"));
+  register_shift_ = card.addValue("register0990", tr("0x0990 shift"), tr("Compiled part of the start time (ENI DC/ShiftTime)"));
+}
+
+void SlaveDcPage::buildLive(Card& card) {
+  role_ = named(new Pill, "slaveDcRole", tr("Role"));
+  card.addRow(tr("Role"), role_, tr("What this slave's clock does on the bus"));
+  deviation_ = card.addValue("slaveDeviation", tr("Deviation"), tr("SystemTimeDifference, register 0x092C"));
+  delay_ = card.addValue("slaveDelay", tr("Propagation delay"), tr("Register 0x0928, measured at start-up"));
+  missed_ = card.addValue("slaveMissed", tr("Missed SM2 events"), tr("Counter of the device (object 0x1C32)"));
+}
+
+void SlaveDcPage::refreshModes(const SlaveSettings& slave) {
+  const QSignalBlocker quiet(mode_);
+  mode_->clear();
+  mode_->addItem(tr("Off (no DC commands)"), kOff);
+  for (const auto& mode : slave.device.dc->op_modes) {
+    const auto name = QString::fromStdString(mode.name);
+    mode_->addItem(name, name);
+    mode_->setItemData(mode_->count() - 1, QString::fromStdString(mode.description), Qt::ToolTipRole);
+  }
+  mode_->setCurrentIndex(std::max(0, mode_->findData(slave.dc.op_mode.empty() ? kOff : QString::fromStdString(slave.dc.op_mode))));
+}
+
+void SlaveDcPage::refresh() {
+  const auto& project = workspace().document().project();
+  const auto* slave = slaveAt(project, node());
+  if (slave == nullptr || !slave->device.dc) return;
+  refreshModes(*slave);
+  const auto* mode = compiler::selected_op_mode(*slave);
+  description_->setText(mode != nullptr && !mode->description.empty() ? QString::fromStdString(mode->description) : none());
+  assign_activate_->setText(mode != nullptr ? hexText(mode->assign_activate, 4) : none());
+  bus_cycle_->setText(cycleText(project.master.cycle_time));
+  potential_->setChecked(slave->dc.potential_reference_clock);
+  const DcOpMode off;
+  const auto& shown = mode != nullptr ? *mode : off;
+  const AssignActivate units{shown.assign_activate};
+  sync0_->show(syncUnitView(0, shown, slave->dc, project.master.cycle_time), units.sync0());
+  sync1_->show(syncUnitView(1, shown, slave->dc, project.master.cycle_time), units.sync1());
+  refreshRegisters();
+}
+
+void SlaveDcPage::refreshRegisters() {
+  const auto* config = workspace().configuration().config();
+  const auto at = static_cast<std::size_t>(node());
+  const SlaveDcConfig* dc = config != nullptr && at < config->slaves.size() && config->slaves[at].dc
+                                ? &*config->slaves[at].dc
+                                : nullptr;
+  register_activation_->setText(dc != nullptr ? hexText(dc->assign_activate, 4) : none());
+  register_cycle0_->setText(dc != nullptr ? timeText(dc->cycle_time0) : none());
+  register_cycle1_->setText(dc != nullptr ? timeText(dc->cycle_time1) : none());
+  register_shift_->setText(dc != nullptr ? timeText(dc->shift_time) : none());
+}
+
+void SlaveDcPage::showLive(const Snapshot& snapshot) {
+  const auto at = static_cast<std::size_t>(node());
+  const SlaveStatus* status = snapshot.online && node() >= 0 && at < snapshot.slaves.size() ? &snapshot.slaves[at] : nullptr;
+  if (status == nullptr) {
+    role_->setState(theme::Tone::kNeutral, tr("Offline"));
+  } else if (status->is_reference_clock) {
+    role_->setState(theme::Tone::kAccent, tr("Reference clock"));
+  } else {
+    role_->setState(status->dc_enabled ? theme::Tone::kGood : theme::Tone::kNeutral,
+                    status->dc_enabled ? tr("Follows") : tr("DC off"));
+  }
+  deviation_->setText(status != nullptr && status->deviation_valid ? signedTimeText(status->deviation_ns) : none());
+  delay_->setText(status != nullptr && status->dc_enabled ? timeText(status->propagation_delay_ns) : none());
+  missed_->setText(status != nullptr && status->sm2_missed.valid
+                       ? tr("%1 (object %2:%3)").arg(countText(status->sm2_missed.value), hexText(status->sm2_missed.index, 4),
+                                                     hexText(status->sm2_missed.sub_index, 2).mid(2))
+                       : none());
+}
+
+}  // namespace syncline::ui

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/pages/page.h"
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+
+namespace syncline::ui {
+
+class Card;
+class Pill;
+class SyncUnitEditor;
+
+/// Distributed clocks of a slave: operation mode, Sync Unit Cycles and shifts, the registers that
+/// follow from them, and what the slave measures.
+class SlaveDcPage final : public Page {
+  Q_OBJECT
+
+ public:
+  explicit SlaveDcPage(Workspace& workspace);
+  [[nodiscard]] bool appliesTo(int slave) const override;
+  void refresh() override;
+  void showLive(const Snapshot& snapshot) override;
+
+ private:
+  void buildMode(Card& card);
+  void buildRegisters(Card& card);
+  void buildLive(Card& card);
+  void refreshModes(const SlaveSettings& slave);
+  void refreshRegisters();
+
+  QComboBox* mode_;
+  QCheckBox* potential_;
+  QLabel *description_, *assign_activate_, *bus_cycle_;
+  SyncUnitEditor *sync0_, *sync1_;
+  QLabel *register_activation_, *register_cycle0_, *register_cycle1_, *register_shift_;
+  Pill* role_;
+  QLabel *deviation_, *delay_, *missed_;
+};
+
+}  // namespace syncline::ui

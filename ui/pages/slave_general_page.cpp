@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/pages/slave_general_page.h"
+
+#include <QCheckBox>
+#include <QFileInfo>
+#include <QLabel>
+#include <QLineEdit>
+#include <QSignalBlocker>
+#include <QSpinBox>
+
+#include "ui/session/setting_keys.h"
+#include "ui/session/workspace.h"
+#include "ui/text/glossary.h"
+#include "ui/text/units.h"
+#include "ui/widgets/card.h"
+#include "ui/widgets/named.h"
+#include "ui/widgets/pill.h"
+
+namespace syncline::ui {
+namespace {
+
+QString fromView(std::string_view text) { return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size())); }
+
+QString timeoutText(std::uint32_t ms) { return timeText(static_cast<Nanoseconds>(ms) * kMillisecond); }
+
+QString withDecimal(std::uint32_t value, int digits) { return QStringLiteral("%1 (%2)").arg(hexText(value, digits)).arg(value); }
+
+}  // namespace
+
+SlaveGeneralPage::SlaveGeneralPage(Workspace& workspace) : Page(workspace, "slaveGeneralPage", tr("General")) {
+  auto* columns = new CardColumns;
+  buildIdentity(*columns->add(0, tr("Device")));
+  buildAddresses(*columns->add(1, tr("Address")));
+  buildChecks(*columns->add(1, tr("Checks at Start-up")));
+  buildState(*columns->add(2, tr("State")));
+  buildTimeouts(*columns->add(2, tr("Time-outs")));
+  columns->addStretch();
+  setWidget(columns);
+}
+
+void SlaveGeneralPage::buildIdentity(Card& card) {
+  name_ = named(new QLineEdit, "slaveName", tr("Name of the slave"));
+  connect(name_, &QLineEdit::editingFinished, this,
+          [this] { edit(tr("Rename slave"), keys::slave(node(), keys::kName), name_->text()); });
+  card.addRow(tr("Name"), name_, tr("ENI Slave/Info/Name"));
+  type_ = card.addValue("slaveType", tr("Type"), tr("ESI Device/Type"));
+  vendor_ = card.addValue("slaveVendor", tr("Vendor"), tr("SII word 0x0008, ESI Vendor/Id"));
+  product_ = card.addValue("slaveProduct", tr("Product code"), tr("SII word 0x000A, ESI Type@ProductCode"));
+  revision_ = card.addValue("slaveRevision", tr("Revision"), tr("SII word 0x000C, ESI Type@RevisionNo"));
+  serial_ = card.addValue("slaveSerial", tr("Serial number"), tr("SII word 0x000E"));
+  source_ = card.addValue("slaveSource", tr("Described by"), tr("File or EEPROM that the device description came from"));
+  source_->setWordWrap(true);
+}
+
+void SlaveGeneralPage::buildAddresses(Card& card) {
+  const auto box = [this](const char* object_name, const QString& accessible, const char* key, const QString& text) {
+    auto* field = named(new QSpinBox, object_name, accessible);
+    field->setRange(0, 65535);
+    field->setKeyboardTracking(false);
+    field->setAlignment(Qt::AlignRight);
+    connect(field, &QSpinBox::valueChanged, this,
+            [this, key, text](int value) { edit(text, keys::slave(node(), key), QString::number(value)); });
+    return field;
+  };
+  address_ = box("slaveAddress", tr("Station address"), keys::kStationAddress, tr("Change station address"));
+  card.addRow(tr("Station address"), address_, tr("Configured station address (register 0x0010)"));
+  alias_ = box("slaveAlias", tr("Alias"), keys::kAlias, tr("Change alias"));
+  card.addRow(tr("Alias"), alias_, tr("Configured station alias (register 0x0012, SII word 0x0004)"));
+  auto_increment_ = card.addValue("slaveAutoIncrement", tr("Auto-increment"), tr("Position address used before the station address is set"));
+  previous_ = card.addValue("slavePrevious", tr("Connected to"), tr("Slave and port in front of this one (ENI PreviousPort)"));
+}
+
+void SlaveGeneralPage::buildChecks(Card& card) {
+  const auto box = [&](const char* object_name, const QString& label, const char* key, const QString& tip) {
+    auto* field = named(new QCheckBox(label), object_name, label);
+    connect(field, &QCheckBox::clicked, this, [this, key, label](bool on) {
+      edit(tr("Change check: %1").arg(label), keys::slave(node(), key), on ? QStringLiteral("on") : QStringLiteral("off"));
+    });
+    card.addWide(field, tip);
+    return field;
+  };
+  check_vendor_ = box("checkVendor", tr("Vendor"), keys::kCheckVendor, tr("Compares SII word 0x0008 in INIT to PREOP"));
+  check_product_ = box("checkProduct", tr("Product code"), keys::kCheckProduct, tr("Compares SII word 0x000A in INIT to PREOP"));
+  check_revision_ = box("checkRevision", tr("Revision"), keys::kCheckRevision, tr("Compares SII word 0x000C in INIT to PREOP"));
+  check_serial_ = box("checkSerial", tr("Serial number"), keys::kCheckSerial, tr("Compares SII word 0x000E in INIT to PREOP"));
+}
+
+void SlaveGeneralPage::buildState(Card& card) {
+  state_ = named(new Pill, "slaveState", tr("Current state"));
+  card.addRow(tr("Current state"), state_, tr("AL status (register 0x0130)"));
+  status_code_ = card.addValue("slaveStatusCode", tr("AL status code"), tr("Register 0x0134"));
+  meaning_ = new QLabel;
+  meaning_->setObjectName(QStringLiteral("slaveStatusMeaning"));
+  meaning_->setAccessibleName(tr("Meaning of the AL status code"));
+  meaning_->setWordWrap(true);
+  meaning_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  card.addWide(meaning_);
+}
+
+void SlaveGeneralPage::buildTimeouts(Card& card) {
+  preop_ = card.addValue("timeoutPreop", tr("INIT to PREOP"), tr("ESI Timeout/PreopTimeout"));
+  safeop_op_ = card.addValue("timeoutSafeopOp", tr("PREOP to SAFEOP to OP"), tr("ESI Timeout/SafeopOpTimeout"));
+  to_init_ = card.addValue("timeoutInit", tr("Back to INIT"), tr("ESI Timeout/BackToInitTimeout"));
+  to_safeop_ = card.addValue("timeoutSafeop", tr("Back to SAFEOP"), tr("ESI Timeout/BackToSafeopTimeout"));
+}
+
+void SlaveGeneralPage::refresh() {
+  const auto& project = workspace().document().project();
+  if (node() < 0 || static_cast<std::size_t>(node()) >= project.slaves.size()) return;
+  const auto& slave = project.slaves[static_cast<std::size_t>(node())];
+  const auto& device = slave.device;
+  if (!name_->hasFocus() || !name_->isModified()) name_->setText(QString::fromStdString(slave.name));
+  type_->setText(QString::fromStdString(device.type));
+  type_->setToolTip(QString::fromStdString(device.name));
+  const auto vendor = hexText(device.identity.vendor_id, 8);
+  vendor_->setText(device.vendor_name.empty() ? vendor
+                                              : QStringLiteral("%1 %2").arg(vendor, QString::fromStdString(device.vendor_name)));
+  product_->setText(hexText(device.identity.product_code, 8));
+  revision_->setText(hexText(device.identity.revision_no, 8));
+  serial_->setText(device.identity.serial_no == 0 ? tr("any") : withDecimal(device.identity.serial_no, 8));
+  source_->setText(QFileInfo(QString::fromStdString(device.source)).fileName());
+  source_->setToolTip(QString::fromStdString(device.source));
+  const QSignalBlocker quiet_address(address_), quiet_alias(alias_);
+  address_->setValue(slave.station_address);
+  alias_->setValue(slave.alias);
+  auto_increment_->setText(hexText(Position{static_cast<std::uint16_t>(node())}.auto_increment_address(), 4));
+  previous_->setText(slave.previous ? tr("%1, port %2").arg(nodeName(project, slave.previous->position))
+                                          .arg(QChar(u'A' + slave.previous->port))
+                                    : QString::fromStdString(project.master.name));
+  check_vendor_->setChecked(slave.check.vendor);
+  check_product_->setChecked(slave.check.product);
+  check_revision_->setChecked(slave.check.revision);
+  check_serial_->setChecked(slave.check.serial);
+  preop_->setText(timeoutText(device.timeouts.preop));
+  safeop_op_->setText(timeoutText(device.timeouts.safeop_op));
+  to_init_->setText(timeoutText(device.timeouts.back_to_init));
+  to_safeop_->setText(timeoutText(device.timeouts.back_to_safeop));
+}
+
+void SlaveGeneralPage::showLive(const Snapshot& snapshot) {
+  const auto at = static_cast<std::size_t>(node());
+  if (!snapshot.online || node() < 0 || at >= snapshot.slaves.size()) {
+    state_->setState(theme::Tone::kNeutral, tr("Offline"));
+    status_code_->setText(QStringLiteral("\u2013"));
+    meaning_->clear();
+    return;
+  }
+  const auto& status = snapshot.slaves[at];
+  const auto state = status.present ? al_state_of(status.al_status) : AlState::kNone;
+  const bool failed = (status.al_status & kAlErrorFlag) != 0;
+  state_->setState(failed ? theme::Tone::kBad : theme::stateTone(state),
+                   failed ? tr("%1 + error").arg(stateName(state)) : stateName(state));
+  status_code_->setText(hexText(status.al_status_code, 4));
+  const auto text = al_status_code_text(status.al_status_code);
+  meaning_->setText(status.al_status_code == 0 ? QString()
+                                               : QStringLiteral("%1. %2").arg(fromView(text.meaning), fromView(text.check)));
+}
+
+}  // namespace syncline::ui

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QWidget>
+
+#include "ui/session/message.h"
+
+class QLineEdit;
+class QTableView;
+class QToolButton;
+
+namespace syncline::ui {
+
+class MessageFilter;
+class MessageModel;
+
+/// The message window: findings and log with a filter; activating a row goes to its node.
+class MessagesPanel final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit MessagesPanel(MessageModel& model, QWidget* parent = nullptr);
+
+ Q_SIGNALS:
+  void nodeActivated(int slave);
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  QToolButton* addSwitch(Severity severity, const char* object_name);
+  void updateCounts();
+  void drawIcons();
+
+  MessageModel& model_;
+  MessageFilter* filter_;
+  QTableView* table_;
+  QLineEdit* text_;
+  QToolButton* clear_ = nullptr;
+  QToolButton* switches_[3]{};
+};
+
+}  // namespace syncline::ui

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/node_delegate.h"
+
+#include <QApplication>
+#include <QPainter>
+#include <QStringList>
+
+#include "ui/models/network_model.h"
+#include "ui/text/glossary.h"
+#include "ui/theme.h"
+
+namespace syncline::ui {
+namespace {
+
+constexpr int kBadge = 18;
+constexpr int kMargin = 4;
+
+void drawBadge(QPainter& painter, const QRect& box, const QPalette& palette, const QModelIndex& index) {
+  const int state = index.data(NetworkModel::kStateRole).toInt();
+  const bool error = index.data(NetworkModel::kErrorRole).toBool();
+  if (state < 0) {
+    painter.setPen(QPen(theme::outline(palette), 1));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRoundedRect(QRectF(box).adjusted(0.5, 0.5, -0.5, -0.5), 4, 4);
+    return;
+  }
+  const auto tone = error ? theme::Tone::kBad : theme::stateTone(static_cast<AlState>(state));
+  const auto color = theme::toneColor(palette, tone);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(color);
+  painter.drawRoundedRect(box, 4, 4);
+  painter.setPen(theme::isDark(palette) ? palette.color(QPalette::Base) : QColor(Qt::white));
+  auto letter = stateLetter(static_cast<AlState>(state));
+  if (error) letter += u'!';
+  painter.drawText(box, Qt::AlignCenter, letter);
+}
+
+/// Returns the width that the marks took.
+int drawMarks(QPainter& painter, const QRect& row, const QStringList& marks, const QColor& color, const QFontMetrics& metrics) {
+  int right = row.right() - kMargin;
+  for (const auto& mark : marks) {
+    const int width = metrics.horizontalAdvance(mark) + 8;
+    const QRect box(right - width, row.center().y() - metrics.height() / 2, width, metrics.height() + 1);
+    painter.setPen(color);
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRoundedRect(QRectF(box).adjusted(0.5, 0.5, -0.5, -0.5), 3, 3);
+    painter.drawText(box, Qt::AlignCenter, mark);
+    right -= width + kMargin;
+  }
+  return row.right() - right;
+}
+
+}  // namespace
+
+void NodeDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const {
+  QStyleOptionViewItem row = option;
+  initStyleOption(&row, index);
+  const auto name = row.text;
+  row.text.clear();
+  const auto* style = row.widget != nullptr ? row.widget->style() : QApplication::style();
+  style->drawControl(QStyle::CE_ItemViewItem, &row, painter, row.widget);
+
+  painter->save();
+  painter->setRenderHint(QPainter::Antialiasing);
+  const bool selected = (row.state & QStyle::State_Selected) != 0;
+  const auto text = row.palette.color(QPalette::Active, selected ? QPalette::HighlightedText : QPalette::Text);
+  auto small = row.font;
+  small.setPointSizeF(small.pointSizeF() * 0.8);
+  const QRect badge(row.rect.left() + kMargin, row.rect.center().y() - kBadge / 2 + 1, kBadge, kBadge);
+  auto bold = row.font;
+  bold.setPointSizeF(bold.pointSizeF() * 0.9);
+  bold.setWeight(QFont::Bold);
+  painter->setFont(bold);
+  drawBadge(*painter, badge, row.palette, index);
+  painter->setFont(small);
+  const int marks = drawMarks(*painter, row.rect, index.data(NetworkModel::kMarksRole).toStringList(),
+                              selected ? text : theme::mutedText(row.palette), QFontMetrics(small));
+  painter->setFont(row.font);
+  painter->setPen(text);
+  const QRect area(badge.right() + 8, row.rect.top(), row.rect.right() - badge.right() - 10 - marks, row.rect.height());
+  painter->drawText(area, Qt::AlignVCenter | Qt::AlignLeft, row.fontMetrics.elidedText(name, Qt::ElideRight, area.width()));
+  painter->restore();
+}
+
+QSize NodeDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const {
+  auto size = QStyledItemDelegate::sizeHint(option, index);
+  size.setHeight(std::max(size.height(), kBadge + 8));
+  return size;
+}
+
+}  // namespace syncline::ui

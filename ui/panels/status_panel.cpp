@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/status_panel.h"
+
+#include <QLabel>
+#include <QStatusBar>
+#include <algorithm>
+
+#include "ui/session/workspace.h"
+#include "ui/text/glossary.h"
+#include "ui/text/link_text.h"
+#include "ui/text/sync_text.h"
+#include "ui/text/units.h"
+#include "ui/widgets/named.h"
+#include "ui/widgets/pill.h"
+
+namespace syncline::ui {
+namespace {
+
+StateText phaseText(const LiveSession& live) {
+  switch (live.phase()) {
+    case LiveSession::Phase::kOffline:
+      return {theme::Tone::kNeutral, StatusPanel::tr("Offline")};
+    case LiveSession::Phase::kStarting:
+      return {theme::Tone::kBusy, StatusPanel::tr("Starting")};
+    case LiveSession::Phase::kStopping:
+      return {theme::Tone::kBusy, StatusPanel::tr("Stopping")};
+    case LiveSession::Phase::kOnline:
+      break;
+  }
+  return {live.snapshot().link_up ? theme::Tone::kGood : theme::Tone::kBad, StatusPanel::tr("Online")};
+}
+
+}  // namespace
+
+StatusPanel::StatusPanel(Workspace& workspace, QStatusBar& bar) : QObject(&bar), workspace_(workspace) {
+  bar.setSizeGripEnabled(false);
+  bar.setContentsMargins(6, 0, 6, 0);
+  phase_ = addState(bar, "statusPhase", tr("Connection"), tr("Whether the master runs, and the link carries frames"));
+  link_ = addField(bar, "statusLink", tr("Link"), tr("What the bus is connected through"));
+  slaves_ = addField(bar, "statusSlaves", tr("Slaves"), tr("Slaves in the master's state, of all configured"));
+  auto* gap = new QLabel;
+  bar.addWidget(gap, 1);
+  dc_ = addState(bar, "statusDc", tr("Slaves in sync"), tr("Sync window of register 0x092C over all slaves"));
+  dcm_ = addState(bar, "statusDcm", tr("Master in sync"), tr("Master synchronisation: error against its limit"));
+  drift_ = addField(bar, "statusDrift", tr("Drift"), tr("Reference clock's rate against the host's"));
+  cycle_ = addField(bar, "statusCycle", tr("Cycle time"), tr("Bus cycle"));
+  losses_ = addField(bar, "statusLosses", tr("Lost frames and overruns"),
+                     tr("Frames that did not come back; cycles that began late; samples the display could not take"));
+  connect(&workspace.live(), &LiveSession::snapshotChanged, this, &StatusPanel::refresh);
+  connect(&workspace.live(), &LiveSession::phaseChanged, this, &StatusPanel::refresh);
+  connect(&workspace, &Workspace::linkChanged, this, &StatusPanel::refresh);
+  connect(&workspace.document(), &ProjectDocument::projectChanged, this, &StatusPanel::refresh);
+  refresh();
+}
+
+QLabel* StatusPanel::addField(QStatusBar& bar, const char* object_name, const QString& accessible, const QString& tool_tip) {
+  auto* label = named(new QLabel, object_name, accessible);
+  label->setToolTip(tool_tip);
+  label->setContentsMargins(6, 0, 6, 0);
+  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  bar.addWidget(label);
+  return label;
+}
+
+Pill* StatusPanel::addState(QStatusBar& bar, const char* object_name, const QString& accessible, const QString& tool_tip) {
+  auto* pill = named(new Pill, object_name, accessible);
+  pill->setToolTip(tool_tip);
+  bar.addWidget(pill);
+  return pill;
+}
+
+void StatusPanel::refresh() {
+  const auto& live = workspace_.live();
+  const auto& snapshot = live.snapshot();
+  const auto& project = workspace_.document().project();
+  const auto phase = phaseText(live);
+  phase_->setState(phase.tone, phase.text);
+  const auto link = workspace_.link();
+  link_->setText(link.isEmpty() ? tr("No link chosen") : linkName(link, workspace_.environment().demo_link));
+  link_->setToolTip(link.isEmpty() ? tr("A link is chosen when scanning or going online") : link);
+  if (snapshot.online) {
+    const auto in_state = std::ranges::count_if(snapshot.slaves, [&](const SlaveStatus& slave) {
+      return slave.present && al_state_of(slave.al_status) == snapshot.requested;
+    });
+    slaves_->setText(tr("Slaves %1/%2 %3").arg(in_state).arg(snapshot.slaves.size()).arg(stateName(snapshot.requested)));
+  } else {
+    slaves_->setText(tr("%n slave(s)", nullptr, static_cast<int>(project.slaves.size())));
+  }
+  const auto dc = slavesSync(snapshot);
+  dc_->setState(dc.tone, tr("DC: %1").arg(dc.text));
+  const auto dcm = masterSync(snapshot);
+  dcm_->setState(dcm.tone, tr("DCM: %1").arg(dcm.text));
+  const bool drifting = snapshot.online && snapshot.dcm.mode != DcmMode::kOff;
+  drift_->setText(tr("Drift %1").arg(drifting ? ppmText(snapshot.dcm.drift_ppm) : QStringLiteral("\u2013")));
+  cycle_->setText(tr("Cycle %1").arg(cycleText(snapshot.online ? snapshot.cycle_time : project.master.cycle_time)));
+  const auto dropped = live.droppedSamples();
+  auto losses = tr("Lost %1  Overruns %2").arg(countText(snapshot.lost_frames), countText(snapshot.overruns));
+  if (dropped > 0) losses += tr("  Dropped %1").arg(countText(dropped));
+  losses_->setText(losses);
+}
+
+}  // namespace syncline::ui

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QObject>
+
+class QLabel;
+class QStatusBar;
+
+namespace syncline::ui {
+
+class Pill;
+class Workspace;
+
+/// The fields of the status bar: link, slaves, both sync states, drift, cycle, what went wrong.
+class StatusPanel final : public QObject {
+  Q_OBJECT
+
+ public:
+  StatusPanel(Workspace& workspace, QStatusBar& bar);
+
+ private:
+  QLabel* addField(QStatusBar& bar, const char* object_name, const QString& accessible, const QString& tool_tip);
+  Pill* addState(QStatusBar& bar, const char* object_name, const QString& accessible, const QString& tool_tip);
+  void refresh();
+
+  Workspace& workspace_;
+  QLabel *link_, *slaves_, *drift_, *cycle_, *losses_;
+  Pill *phase_, *dc_, *dcm_;
+};
+
+}  // namespace syncline::ui

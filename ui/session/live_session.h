@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QString>
+#include <QTimer>
+#include <memory>
+#include <vector>
+
+#include "config/network_config.h"
+#include "master/channels.h"
+#include "support/result.h"
+#include "ui/session/bus_connection.h"
+
+namespace syncline {
+class MasterService;
+class MasterThread;
+}  // namespace syncline
+
+namespace syncline::ui {
+
+/// The running master as the window sees it: commands go in, and on one tick the channels are
+/// drained into signals. On the real clock a MasterThread runs the cycles; on a virtual clock the
+/// tick itself does, or a test by advance().
+class LiveSession final : public QObject {
+  Q_OBJECT
+
+ public:
+  enum class Phase { kOffline, kStarting, kOnline, kStopping };
+  Q_ENUM(Phase)
+
+  explicit LiveSession(LinkOpener opener, QObject* parent = nullptr);
+  ~LiveSession() override;
+
+  /// Opens the link and brings the bus to OP in the background.
+  Status goOnline(const QString& link, NetworkConfig config);
+  void goOffline();
+  /// Ends at once and waits for the thread: for closing the window.
+  void shutDown();
+  void requestState(AlState state);
+  void clearStatistics();
+
+  /// Runs `duration` of machine time at once and drains the channels; virtual clock only.
+  void advance(Nanoseconds duration);
+  /// Whether the tick moves a virtual clock on; tests switch it off and call advance().
+  void setAutoAdvance(bool on) { auto_advance_ = on; }
+
+  [[nodiscard]] Phase phase() const { return phase_; }
+  [[nodiscard]] bool isVirtual() const;
+  [[nodiscard]] const QString& link() const { return link_; }
+  [[nodiscard]] const Snapshot& snapshot() const { return snapshot_; }
+  /// What runs; empty when offline.
+  [[nodiscard]] const NetworkConfig& config() const { return config_; }
+  [[nodiscard]] std::uint64_t droppedSamples() const;
+
+ Q_SIGNALS:
+  void phaseChanged();
+  void snapshotChanged();
+  void samplesArrived(const std::vector<syncline::CycleSample>& samples);
+  void eventArrived(const syncline::Event& event);
+
+ private:
+  void tick();
+  void drain();
+  void handle(const Event& event);
+  void close();
+  void setPhase(Phase phase);
+
+  LinkOpener opener_;
+  QTimer tick_;
+  QElapsedTimer stopping_since_;
+  Phase phase_ = Phase::kOffline;
+  bool auto_advance_ = true;
+  QString link_;
+  NetworkConfig config_;
+  Snapshot snapshot_;
+  std::vector<CycleSample> samples_;
+  // In this order: the thread ends before the service, the service before the clock.
+  std::unique_ptr<Clock> clock_;
+  std::unique_ptr<MasterService> service_;
+  std::unique_ptr<MasterThread> thread_;
+};
+
+}  // namespace syncline::ui

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/session/project_document.h"
+
+#include <QFileInfo>
+#include <utility>
+
+#include "eni/project_file.h"
+
+namespace syncline::ui {
+
+ProjectDocument::ProjectDocument(QObject* parent) : QObject(parent) {
+  connect(&undo_, &QUndoStack::cleanChanged, this, [this](bool clean) { Q_EMIT modifiedChanged(!clean); });
+}
+
+QString ProjectDocument::displayName() const {
+  return path_.isEmpty() ? tr("Untitled") : QFileInfo(path_).fileName();
+}
+
+Status ProjectDocument::edit(const QString& text, ProjectEdit edit) {
+  Project changed = project_;
+  if (auto status = edit(changed); !status) return status;
+  auto patch = ProjectPatch::between(project_, changed);
+  if (!patch.empty()) undo_.push(new EditProjectCommand(*this, text, std::move(edit), std::move(patch)));
+  return {};
+}
+
+Status ProjectDocument::set(const QString& text, std::vector<SettingValue> settings) {
+  return edit(text, [settings = std::move(settings)](Project& project) -> Status {
+    for (const auto& setting : settings) {
+      if (auto status = set_setting(project, setting.key, setting.value); !status) return status;
+    }
+    return {};
+  });
+}
+
+Status ProjectDocument::set(const QString& text, const QString& key, const QString& value) {
+  return set(text, {SettingValue{key.toStdString(), value.toStdString()}});
+}
+
+void ProjectDocument::replace(const QString& text, Project project) {
+  static_cast<void>(edit(text, [project = std::move(project)](Project& target) -> Status {
+    target = project;
+    return {};
+  }));
+}
+
+void ProjectDocument::reset() {
+  project_ = Project{};
+  path_.clear();
+  undo_.clear();
+  Q_EMIT pathChanged();
+  Q_EMIT projectChanged(true);
+}
+
+Status ProjectDocument::load(const QString& path) {
+  auto loaded = eni::load_project(path.toStdString());
+  if (!loaded) return tl::unexpected(loaded.error());
+  project_ = std::move(*loaded);
+  path_ = path;
+  undo_.clear();
+  Q_EMIT pathChanged();
+  Q_EMIT projectChanged(true);
+  return {};
+}
+
+Status ProjectDocument::save(const QString& path) {
+  if (auto status = eni::save_project(project_, path.toStdString()); !status) return status;
+  path_ = path;
+  undo_.setClean();
+  Q_EMIT pathChanged();
+  return {};
+}
+
+void ProjectDocument::projectEdited(bool structural) { Q_EMIT projectChanged(structural); }
+
+}  // namespace syncline::ui

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QStringList>
+#include <atomic>
+#include <memory>
+#include <thread>
+
+#include "eni/project_builder.h"
+#include "master/bus_scan.h"
+#include "support/result.h"
+#include "ui/session/bus_connection.h"
+
+namespace syncline {
+struct MasterChannels;
+}
+
+namespace syncline::ui {
+
+/// Scans a bus in the background on a link of its own and builds a project of what it finds.
+class ScanController final : public QObject {
+  Q_OBJECT
+
+ public:
+  ScanController(LinkOpener opener, QStringList esi_folders, QObject* parent = nullptr);
+  ~ScanController() override;
+
+  /// No-op while a scan runs.
+  void start(const QString& link);
+  /// Ends the scan within a cycle; failed() with kCancelled follows.
+  void cancel();
+  [[nodiscard]] bool isRunning() const { return running_; }
+
+ Q_SIGNALS:
+  void started(const QString& link);
+  void progress(int done, int found);
+  void finished(const QString& link, const syncline::eni::BuiltProject& built);
+  void failed(const QString& link, const syncline::Error& error);
+
+ private:
+  Result<eni::BuiltProject> run(const QString& link);
+  Result<BusScan> scan(const QString& link);
+  void deliver(const QString& link, Result<eni::BuiltProject> result);
+
+  LinkOpener opener_;
+  QStringList esi_folders_;
+  std::thread worker_;
+  std::atomic<bool> cancelled_{false};
+  bool running_ = false;
+};
+
+}  // namespace syncline::ui

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/session/workspace.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "ui/text/event_text.h"
+
+namespace syncline::ui {
+
+Workspace::Workspace(Environment environment, QObject* parent)
+    : QObject(parent),
+      environment_(std::move(environment)),
+      configuration_(document_),
+      scan_(environment_.open_link, environment_.esi_folders),
+      live_(environment_.open_link) {
+  network_.setProject(document_.project());
+  connect(&document_, &ProjectDocument::projectChanged, this, [this] { network_.setProject(document_.project()); });
+  connect(&configuration_, &ConfigurationMonitor::compiled, this, &Workspace::showFindings);
+  connect(&live_, &LiveSession::snapshotChanged, this, [this] { network_.setSnapshot(live_.snapshot()); });
+  connect(&live_, &LiveSession::eventArrived, this, [this](const Event& event) {
+    if (auto message = messageOf(event, document_.project())) messages_.append(std::move(*message));
+  });
+  connect(&scan_, &ScanController::finished, this, &Workspace::takeScan);
+  connect(&scan_, &ScanController::failed, this, [this](const QString&, const Error& error) {
+    report(error, error.code == ErrorCode::kCancelled ? Severity::kInfo : Severity::kError, tr("Scan"));
+  });
+}
+
+void Workspace::setLink(const QString& link) {
+  if (link_ == link) return;
+  link_ = link;
+  Q_EMIT linkChanged();
+}
+
+Status Workspace::goOnline() {
+  const auto& compiled = configuration_.current();
+  if (!compiled) return tl::unexpected(compiled.error());
+  const auto worst = std::ranges::find(compiled->findings, FindingSeverity::kError, &Finding::severity);
+  if (worst != compiled->findings.end()) return fail(ErrorCode::kConfiguration, worst->key, worst->text);
+  return live_.goOnline(link_, compiled->config);
+}
+
+void Workspace::report(const Error& error, Severity severity, const QString& source) {
+  messages_.append(messageOf(error, severity, source));
+}
+
+void Workspace::inform(const QString& source, const QString& text) {
+  messages_.append({QDateTime::currentDateTime(), Severity::kInfo, source, text, -1, {}});
+}
+
+void Workspace::showFindings() {
+  std::vector<Message> lines;
+  const auto& result = configuration_.result();
+  if (result) {
+    for (const auto& finding : result->findings) lines.push_back(messageOf(finding, document_.project()));
+  } else if (!document_.project().slaves.empty()) {
+    lines.push_back(messageOf(result.error(), Severity::kError, tr("Configuration")));
+  }
+  std::ranges::stable_sort(lines, std::ranges::greater{}, &Message::severity);
+  messages_.setFindings(std::move(lines));
+}
+
+void Workspace::takeScan(const QString& link, const eni::BuiltProject& built) {
+  setLink(link);
+  for (const auto& warning : built.warnings) report(warning, Severity::kWarning, tr("Scan"));
+  inform(tr("Scan"), tr("%n slave(s) found on %1", nullptr, static_cast<int>(built.project.slaves.size())).arg(link));
+  document_.replace(tr("Scan"), built.project);
+}
+
+}  // namespace syncline::ui

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QObject>
+
+#include "ui/models/message_model.h"
+#include "ui/models/network_model.h"
+#include "ui/session/bus_connection.h"
+#include "ui/session/configuration_monitor.h"
+#include "ui/session/live_session.h"
+#include "ui/session/project_document.h"
+#include "ui/session/scan_controller.h"
+
+namespace syncline::ui {
+
+/// What one window works on: the document, what is compiled from it, the scan, the running master and
+/// the models that show them. It wires them to each other and does nothing itself.
+class Workspace final : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit Workspace(Environment environment, QObject* parent = nullptr);
+
+  [[nodiscard]] const Environment& environment() const { return environment_; }
+  [[nodiscard]] ProjectDocument& document() { return document_; }
+  [[nodiscard]] ConfigurationMonitor& configuration() { return configuration_; }
+  [[nodiscard]] ScanController& scan() { return scan_; }
+  [[nodiscard]] LiveSession& live() { return live_; }
+  [[nodiscard]] MessageModel& messages() { return messages_; }
+  [[nodiscard]] NetworkModel& network() { return network_; }
+
+  /// LINK that scan and online use; empty until one was chosen.
+  [[nodiscard]] const QString& link() const { return link_; }
+  void setLink(const QString& link);
+
+  /// Compiles and starts; a configuration with errors is refused (the messages name them).
+  Status goOnline();
+  /// A line in the message window.
+  void report(const Error& error, Severity severity, const QString& source);
+  void inform(const QString& source, const QString& text);
+
+ Q_SIGNALS:
+  void linkChanged();
+
+ private:
+  void showFindings();
+  void takeScan(const QString& link, const eni::BuiltProject& built);
+
+  Environment environment_;
+  QString link_;
+  ProjectDocument document_;
+  ConfigurationMonitor configuration_;
+  ScanController scan_;
+  LiveSession live_;
+  MessageModel messages_;
+  NetworkModel network_;
+};
+
+}  // namespace syncline::ui

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/text/event_text.h"
+
+#include <QCoreApplication>
+
+#include "ui/text/error_text.h"
+#include "ui/text/glossary.h"
+#include "ui/text/units.h"
+
+namespace syncline::ui {
+namespace {
+
+/// Source text for lupdate's "Events" context.
+class Words {
+  Q_DECLARE_TR_FUNCTIONS(Events)
+
+ public:
+  static std::optional<Message> make(const Event& event);
+
+ private:
+  static Message line(Severity severity, const QString& text) { return {{}, severity, {}, text, -1, {}}; }
+  static Message stateChanged(const Event& event);
+  static Message alStatusError(const Event& event);
+  static Message dcmError(const Event& event);
+  static Message emergency(const Event& event);
+};
+
+QString fromView(std::string_view text) { return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size())); }
+
+Message Words::stateChanged(const Event& event) {
+  return line(Severity::kInfo, tr("State %1 → %2").arg(stateName(static_cast<AlState>(event.a)),
+                                                       stateName(static_cast<AlState>(event.b))));
+}
+
+Message Words::alStatusError(const Event& event) {
+  const auto code = static_cast<std::uint16_t>(event.b);
+  const auto text = al_status_code_text(code);
+  return line(Severity::kError, tr("AL status %1, code %2: %3. Check: %4")
+                                    .arg(hexText(static_cast<std::uint64_t>(event.a), 4), hexText(code, 4),
+                                         fromView(text.meaning), fromView(text.check)));
+}
+
+Message Words::dcmError(const Event& event) {
+  return line(Severity::kError, tr("Master synchronisation stopped with code %1 (drift %2). Measure the host's jitter, "
+                                   "or try master shift.")
+                                    .arg(hexText(static_cast<std::uint64_t>(event.a), 8),
+                                         ppmText(static_cast<double>(event.b))));
+}
+
+Message Words::emergency(const Event& event) {
+  return line(Severity::kWarning, tr("Emergency %1, error register %2")
+                                      .arg(hexText(static_cast<std::uint64_t>(event.a), 4),
+                                           hexText(static_cast<std::uint64_t>(event.b), 2)));
+}
+
+std::optional<Message> Words::make(const Event& event) {
+  switch (event.kind) {
+    case EventKind::kScanProgress:
+    case EventKind::kRestarted:
+      return std::nullopt;
+    case EventKind::kScanFinished:
+      return line(Severity::kInfo, tr("Scan finished"));
+    case EventKind::kOnline:
+      return line(Severity::kInfo, tr("Online: the master runs the configuration"));
+    case EventKind::kOffline:
+      return line(Severity::kInfo, tr("Offline"));
+    case EventKind::kStateChanged:
+      return stateChanged(event);
+    case EventKind::kAlStatusError:
+      return alStatusError(event);
+    case EventKind::kDcInitialised:
+      return line(Severity::kInfo, tr("Distributed clocks initialised: %n slave(s), reference clock at position %1",
+                                      nullptr, static_cast<int>(event.a))
+                                       .arg(event.b));
+    case EventKind::kReferenceClock:
+      return event.a != 0 ? line(Severity::kInfo, tr("Reference clock present"))
+                          : line(Severity::kError, tr("Reference clock lost"));
+    case EventKind::kDcSlaveSync:
+      return event.a != 0 ? line(Severity::kInfo, tr("All slaves in sync, deviation at most %1").arg(timeText(event.b)))
+                          : line(Severity::kWarning, tr("Slaves out of sync, deviation %1").arg(timeText(event.b)));
+    case EventKind::kDcmSync:
+      return event.a != 0
+                 ? line(Severity::kInfo, tr("Master synchronisation in sync, error %1").arg(signedTimeText(event.b)))
+                 : line(Severity::kWarning, tr("Master synchronisation out of sync, error %1").arg(signedTimeText(event.b)));
+    case EventKind::kDcmError:
+      return dcmError(event);
+    case EventKind::kWkcError:
+      return line(Severity::kWarning, event.c > 1
+                      ? tr("Working counter %1 instead of %2 (%3 times)").arg(event.b).arg(event.a).arg(event.c)
+                      : tr("Working counter %1 instead of %2").arg(event.b).arg(event.a));
+    case EventKind::kFramesLost:
+      return line(Severity::kWarning, tr("%n frame(s) lost", nullptr, static_cast<int>(event.a)));
+    case EventKind::kSlaveLost:
+      return line(Severity::kError, tr("Slave does not answer any more"));
+    case EventKind::kSlaveFound:
+      return line(Severity::kInfo, tr("Slave answers again"));
+    case EventKind::kEmergency:
+      return emergency(event);
+    case EventKind::kRealTime:
+      return line(Severity::kWarning, tr("Best effort instead of real time: %1").arg(QString::fromStdString(event.text)));
+    case EventKind::kError:
+      return line(Severity::kError, event.error ? errorText(*event.error) : QString::fromStdString(event.text));
+    case EventKind::kEventsLost:
+      return line(Severity::kWarning, tr("%n event(s) were lost: the queue was full", nullptr, static_cast<int>(event.a)));
+  }
+  return std::nullopt;
+}
+
+Severity severityOf(FindingSeverity severity) {
+  switch (severity) {
+    case FindingSeverity::kError:
+      return Severity::kError;
+    case FindingSeverity::kWarning:
+      return Severity::kWarning;
+    case FindingSeverity::kInfo:
+      break;
+  }
+  return Severity::kInfo;
+}
+
+}  // namespace
+
+QDateTime dateTimeOf(Nanoseconds dc_time) {
+  return QDateTime::fromMSecsSinceEpoch(kDcEpochUnixSeconds * 1000 + dc_time / kMillisecond);
+}
+
+std::optional<Message> messageOf(const Event& event, const Project& project) {
+  auto message = Words::make(event);
+  if (!message) return std::nullopt;
+  message->time = dateTimeOf(event.time);
+  message->slave = event.slave;
+  message->source = nodeName(project, event.slave);
+  return message;
+}
+
+Message messageOf(const Finding& finding, const Project& project) {
+  return {{},
+          severityOf(finding.severity),
+          nodeName(project, finding.slave),
+          QString::fromStdString(finding.text),
+          finding.slave,
+          QString::fromStdString(finding.key)};
+}
+
+Message messageOf(const Error& error, Severity severity, const QString& source) {
+  return {QDateTime::currentDateTime(), severity, source, errorText(error), -1, {}};
+}
+
+}  // namespace syncline::ui

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "config/compile/compile.h"
+#include "config/project.h"
+#include "master/channels.h"
+#include "ui/session/message.h"
+
+namespace syncline::ui {
+
+/// The line of the message window for an event of the master; empty for those that only report progress.
+[[nodiscard]] std::optional<Message> messageOf(const Event& event, const Project& project);
+[[nodiscard]] Message messageOf(const Finding& finding, const Project& project);
+[[nodiscard]] Message messageOf(const Error& error, Severity severity, const QString& source);
+/// DC-epoch time (host clock of the event) as a date, local time zone.
+[[nodiscard]] QDateTime dateTimeOf(Nanoseconds dc_time);
+
+}  // namespace syncline::ui

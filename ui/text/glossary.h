@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QString>
+
+#include "config/project.h"
+#include "master/channels.h"
+#include "protocol/al_state.h"
+
+/// The words the window uses for the things of the bus. The ETG's present terms are MainDevice and
+/// SubDevice, ESI and ENI files say Master and Slave: here it is decided.
+namespace syncline::ui {
+
+[[nodiscard]] QString masterWord();
+[[nodiscard]] QString slaveWord();
+[[nodiscard]] QString stateName(AlState state);      // "SAFEOP", "No response"
+[[nodiscard]] QString stateLetter(AlState state);    // "S"
+[[nodiscard]] QString syncStateText(SyncState state);  // "In sync"
+[[nodiscard]] QString dcmModeText(DcmMode mode);     // "Bus shift"
+/// "Slave 3 (EL2002)" or the master's name.
+[[nodiscard]] QString nodeName(const Project& project, int slave);
+
+}  // namespace syncline::ui

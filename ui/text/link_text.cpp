@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/text/link_text.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+
+namespace syncline::ui {
+
+QString linkName(const QString& link, const QString& demo_link) {
+  const auto file = link.section(u'?', 0, 0);
+  if (!demo_link.isEmpty() && file == demo_link.section(u'?', 0, 0)) {
+    return QCoreApplication::translate("Link", "Demonstration machine (simulated)");
+  }
+  const auto target = file.section(u':', 1);
+  if (file.startsWith(QLatin1String("nic:"))) return QCoreApplication::translate("Link", "Network card %1").arg(target);
+  if (file.startsWith(QLatin1String("sim:"))) {
+    return QCoreApplication::translate("Link", "Simulated: %1").arg(QFileInfo(target).fileName());
+  }
+  return link;
+}
+
+}  // namespace syncline::ui

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QString>
+
+namespace syncline::ui {
+
+/// A LINK as the user knows it: "Demonstration machine", "Network card eth0", the scenario's file name.
+[[nodiscard]] QString linkName(const QString& link, const QString& demo_link);
+
+}  // namespace syncline::ui

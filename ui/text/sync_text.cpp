@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/text/sync_text.h"
+
+#include <QCoreApplication>
+
+#include "ui/text/glossary.h"
+
+namespace syncline::ui {
+namespace {
+
+theme::Tone toneOf(SyncState state) {
+  switch (state) {
+    case SyncState::kInSync:
+      return theme::Tone::kGood;
+    case SyncState::kOutOfSync:
+      return theme::Tone::kBad;
+    case SyncState::kBusy:
+      return theme::Tone::kBusy;
+    case SyncState::kNotMonitored:
+    case SyncState::kNotReady:
+      break;
+  }
+  return theme::Tone::kNeutral;
+}
+
+QString offline() { return QCoreApplication::translate("Sync", "Offline"); }
+
+}  // namespace
+
+StateText slavesSync(const Snapshot& snapshot) {
+  if (!snapshot.online) return {theme::Tone::kNeutral, offline()};
+  if (!snapshot.dc.enabled) return {theme::Tone::kNeutral, QCoreApplication::translate("Sync", "DC off")};
+  if (!snapshot.dc.monitored) return {theme::Tone::kNeutral, syncStateText(SyncState::kNotMonitored)};
+  return {toneOf(snapshot.dc.state), syncStateText(snapshot.dc.state)};
+}
+
+StateText masterSync(const Snapshot& snapshot) {
+  if (!snapshot.online) return {theme::Tone::kNeutral, offline()};
+  if (snapshot.dcm.mode == DcmMode::kOff) return {theme::Tone::kNeutral, dcmModeText(DcmMode::kOff)};
+  return {toneOf(snapshot.dcm.state), syncStateText(snapshot.dcm.state)};
+}
+
+}  // namespace syncline::ui

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/text/units.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <cstdlib>
+
+namespace syncline::ui {
+namespace {
+
+constexpr QChar kNoBreakSpace(0x00A0);
+
+QString withUnit(const QString& number, const QString& unit) { return number + kNoBreakSpace + unit; }
+
+QString microUnit() { return QStringLiteral("\u00B5s"); }
+
+/// Number without trailing zeros, at most `decimals`.
+QString trimmed(double value, int decimals) {
+  QLocale locale;
+  locale.setNumberOptions(QLocale::OmitGroupSeparator);
+  auto text = locale.toString(value, 'f', decimals);
+  const auto point = locale.decimalPoint();
+  if (text.contains(point)) {
+    while (text.endsWith(u'0')) text.chop(1);
+    if (text.endsWith(point)) text.chop(point.size());
+  }
+  return text;
+}
+
+}  // namespace
+
+QString timeText(Nanoseconds value) {
+  const QLocale locale;
+  const auto magnitude = std::llabs(value);
+  const auto number = static_cast<double>(value);
+  if (magnitude < kMicrosecond) return withUnit(locale.toString(static_cast<qlonglong>(value)), QStringLiteral("ns"));
+  if (magnitude < kMillisecond) return withUnit(locale.toString(number / 1e3, 'f', 3), microUnit());
+  if (magnitude < kSecond) return withUnit(locale.toString(number / 1e6, 'f', 3), QStringLiteral("ms"));
+  return withUnit(locale.toString(number / 1e9, 'f', 3), QStringLiteral("s"));
+}
+
+QString signedTimeText(Nanoseconds value) { return value > 0 ? u'+' + timeText(value) : timeText(value); }
+
+QString cycleText(Nanoseconds value) {
+  const auto number = static_cast<double>(value);
+  if (std::llabs(value) < kMicrosecond) return withUnit(trimmed(number, 0), QStringLiteral("ns"));
+  if (std::llabs(value) < kMillisecond) return withUnit(trimmed(number / 1e3, 3), microUnit());
+  return withUnit(trimmed(number / 1e6, 6), QStringLiteral("ms"));
+}
+
+QString ppmText(double ppm) {
+  const auto text = withUnit(QLocale().toString(ppm, 'f', 2), QStringLiteral("ppm"));
+  return ppm > 0 ? u'+' + text : text;
+}
+
+QString countText(std::uint64_t value) { return QLocale().toString(static_cast<qulonglong>(value)); }
+
+QString hexText(std::uint64_t value, int digits) {
+  return QStringLiteral("0x%1").arg(static_cast<qulonglong>(value), digits, 16, QLatin1Char('0')).toUpper().replace(
+      QLatin1Char('X'), QLatin1Char('x'));
+}
+
+QString bitsText(std::uint32_t bits) {
+  if (bits % 8 == 0) return QCoreApplication::translate("Units", "%n Byte(s)", nullptr, static_cast<int>(bits / 8));
+  return QCoreApplication::translate("Units", "%n Bit(s)", nullptr, static_cast<int>(bits));
+}
+
+QString microsecondsSetting(Nanoseconds value) {
+  auto text = QString::number(static_cast<double>(value) / 1e3, 'f', 3);
+  while (text.endsWith(u'0')) text.chop(1);
+  if (text.endsWith(u'.')) text.chop(1);
+  return text;
+}
+
+}  // namespace syncline::ui

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QString>
+#include <cstdint>
+
+#include "support/types.h"
+
+/// Numbers as the user reads them: unit chosen by size, fixed digits, the user's locale.
+namespace syncline::ui {
+
+/// "250 ns", "62.500 us", "1.000 ms" (with the micro sign); the sign always stands for signed quantities.
+[[nodiscard]] QString timeText(Nanoseconds value);
+[[nodiscard]] QString signedTimeText(Nanoseconds value);
+/// A set cycle time without needless zeros: "1 ms", "250 us", "62.5 us".
+[[nodiscard]] QString cycleText(Nanoseconds value);
+[[nodiscard]] QString ppmText(double ppm);
+[[nodiscard]] QString countText(std::uint64_t value);
+/// "0x0300": `digits` hexadecimal digits, as registers and identities are written in ESI and ENI.
+[[nodiscard]] QString hexText(std::uint64_t value, int digits);
+/// "14 Bit", "4 Byte".
+[[nodiscard]] QString bitsText(std::uint32_t bits);
+/// For files and settings: digits only, C locale, microseconds with up to three decimals.
+[[nodiscard]] QString microsecondsSetting(Nanoseconds value);
+
+}  // namespace syncline::ui

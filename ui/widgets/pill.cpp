@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/widgets/pill.h"
+
+#include <QPainter>
+
+namespace syncline::ui {
+namespace {
+
+constexpr int kPadding = 8;
+constexpr int kMark = 8;
+constexpr int kGap = 6;
+
+/// Full disc, ring, triangle, square: told apart without colour.
+void drawMark(QPainter& painter, const QRectF& box, theme::Tone tone) {
+  switch (tone) {
+    case theme::Tone::kWarning:
+      painter.drawPolygon(QPolygonF({{box.center().x(), box.top()}, box.bottomRight(), box.bottomLeft()}));
+      break;
+    case theme::Tone::kBad:
+      painter.drawRect(box.adjusted(0.5, 0.5, -0.5, -0.5));
+      break;
+    case theme::Tone::kNeutral:
+      painter.setBrush(Qt::NoBrush);
+      painter.drawEllipse(box.adjusted(1, 1, -1, -1));
+      break;
+    default:
+      painter.drawEllipse(box);
+  }
+}
+
+}  // namespace
+
+Pill::Pill(QWidget* parent) : QWidget(parent) { setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed); }
+
+void Pill::setState(theme::Tone tone, const QString& text) {
+  if (tone == tone_ && text == text_) return;
+  const bool resized = text.size() != text_.size() || fontMetrics().horizontalAdvance(text) != fontMetrics().horizontalAdvance(text_);
+  tone_ = tone;
+  text_ = text;
+  setAccessibleDescription(text);
+  if (resized) updateGeometry();
+  update();
+}
+
+QSize Pill::sizeHint() const {
+  const auto metrics = fontMetrics();
+  return {metrics.horizontalAdvance(text_) + 2 * kPadding + kMark + kGap, metrics.height() + 6};
+}
+
+void Pill::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const auto color = theme::toneColor(palette(), tone_);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(theme::toneFill(palette(), tone_));
+  const QRectF area = QRectF(rect());
+  painter.drawRoundedRect(area, area.height() / 2, area.height() / 2);
+  painter.setPen(QPen(color, tone_ == theme::Tone::kNeutral ? 1.5 : 0.01));
+  painter.setBrush(color);
+  drawMark(painter, QRectF(kPadding, area.center().y() - kMark / 2.0, kMark, kMark), tone_);
+  painter.setPen(color);
+  painter.drawText(area.adjusted(kPadding + kMark + kGap, 0, -kPadding, 0), Qt::AlignVCenter | Qt::AlignLeft, text_);
+}
+
+}  // namespace syncline::ui

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+class QTableView;
+
+namespace syncline::ui {
+
+/// The look that all tables share: rows selected as a whole, no grid, no row numbers, compact rows.
+void setUpTable(QTableView& view);
+/// Lets one column take the room that the others leave; after the model is set.
+void stretchColumn(QTableView& view, int column);
+
+}  // namespace syncline::ui
