@@ -25,7 +25,7 @@ void EniText::open(std::string_view element, const std::vector<Attribute>& attri
 }
 
 void EniText::text(std::string_view element, std::string_view value) {
-  xml_.element(element, printable_text(std::string(value)));
+  xml_.element(element, to_utf8(std::string(value)));
 }
 
 void EniText::hex_number(std::string_view element, std::uint32_t value) { text(element, hex_dec(value, 1)); }

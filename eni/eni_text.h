@@ -22,7 +22,7 @@ class EniText {
 
   void open(std::string_view element, const std::vector<Attribute>& attributes = {});
   void close() { xml_.close(); }
-  /// Bytes that are not UTF-8 and characters that XML cannot carry are replaced.
+  /// Text that is not UTF-8 is taken for ISO-8859-1; characters that XML cannot carry are left out.
   void text(std::string_view element, std::string_view value);
   /// xs:int is signed: an unsigned number with the top bit set is written negative, as the schema demands.
   void number(std::string_view element, std::uint32_t value) { text(element, decimal(static_cast<std::int32_t>(value))); }
