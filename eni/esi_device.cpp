@@ -41,8 +41,7 @@ class DeviceReader {
     device_.identity.serial_no = type.number<std::uint32_t>("SerialNo").value_or(0);
     device_.check_revision_low_word = type.attribute("CheckRevisionNo") == "LW_EQ";
     device_.use_lrd_lwr = type.boolean("UseLrdLwr").value_or(false);
-    device_.name = node_.localized("Name").trimmed();
-    if (device_.name.empty()) device_.name = trim(device_.type);
+    device_.name = node_.child("Name") ? node_.localized("Name").trimmed() : std::string(trim(device_.type));
     device_.group_type = node_.child("GroupType").trimmed();
     device_.physics = node_.attribute("Physics");
   }

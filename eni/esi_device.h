@@ -23,6 +23,7 @@ using FileWarnings = std::vector<FileWarning>;
 [[nodiscard]] DeviceDescription read_device(const Node& device, const EsiVendor& vendor, FileWarnings& warnings);
 
 [[nodiscard]] Pdo read_pdo(const Node& pdo);                                             // RxPdo, TxPdo
+[[nodiscard]] StartupCommand read_init_cmd(const Node& init_cmd);                        // CoE/InitCmd
 [[nodiscard]] MailboxDescription read_mailbox(const Node& device, const Node& mailbox);  // with Info/Mailbox/Timeout
 [[nodiscard]] DcDescription read_dc(const Node& dc);
 /// Objects of Profile/Dictionary with their data types resolved; an object that cannot be read is left out with a

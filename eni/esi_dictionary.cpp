@@ -22,7 +22,8 @@ struct Access {
 std::optional<Access> read_access(const Node& flags) {
   const auto text = flags.child("Access").trimmed();
   if (text.empty()) return std::nullopt;
-  return Access{text.find('r') != std::string::npos, text.find('w') != std::string::npos};
+  const bool writable = text.find('w') != std::string::npos;
+  return Access{!writable || text.find('r') != std::string::npos, writable};  // "const" is read like "ro"
 }
 
 std::uint16_t bit_size(const Node& node) {

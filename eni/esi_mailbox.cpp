@@ -3,7 +3,6 @@
 #include "eni/xml_text.h"
 
 namespace syncline::eni {
-namespace {
 
 StartupCommand read_init_cmd(const Node& node) {
   StartupCommand command;
@@ -24,6 +23,8 @@ StartupCommand read_init_cmd(const Node& node) {
   command.fixed = node.boolean("Fixed").value_or(false);
   return command;
 }
+
+namespace {
 
 CoeDescription read_coe(const Node& node) {
   CoeDescription coe;

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "eni/project_fields.h"
+
+#include <utility>
+
+#include "eni/xml_text.h"
+
+namespace syncline::eni {
+namespace {
+
+// In all of these `x` is a FieldWriter with a const value or a FieldReader with a mutable one.
+
+constexpr auto sync_window_fields = [](auto& x, auto& window) {
+  x.attribute("Enabled", window.enabled);
+  x.attribute("Exponent", window.exponent);
+  x.attribute("SettleTimeMs", window.settle_time_ms);
+};
+
+constexpr auto dcm_fields = [](auto& x, auto& dcm) {
+  x.attribute("Mode", dcm.mode);
+  x.attribute("SetValueNs", dcm.set_value);
+  x.attribute("InSyncLimitNs", dcm.in_sync_limit);
+  x.attribute("InSyncSettleTimeMs", dcm.in_sync_settle_time_ms);
+  x.attribute("StartDelayMs", dcm.start_delay_ms);
+};
+
+constexpr auto master_dc_fields = [](auto& x, auto& dc) {
+  x.attribute("Enabled", dc.enabled);
+  x.attribute("ReferenceClock", dc.reference_clock);
+  x.attribute("ContinuousPropagationCompensation", dc.continuous_propagation_compensation);
+  x.attribute("Show64BitSystemTime", dc.show_64bit_system_time);
+  x.attribute("BurstTotal", dc.burst_total);
+  x.attribute("BurstBulk", dc.burst_bulk);
+  x.attribute("StartTimeSafetyNs", dc.start_time_safety);
+  x.attribute("StartTimeGridNs", dc.start_time_grid);
+  x.child("SyncWindow", dc.sync_window, sync_window_fields);
+  x.child("Dcm", dc.dcm, dcm_fields);
+};
+
+constexpr auto master_fields = [](auto& x, auto& master) {
+  x.attribute("CycleTimeNs", master.cycle_time);
+  x.attribute("DestinationMac", master.destination_mac);
+  x.attribute("SourceMac", master.source_mac);
+  x.text("Name", master.name);
+  x.child("DistributedClocks", master.dc, master_dc_fields);
+};
+
+constexpr auto previous_fields = [](auto& x, auto& previous) {
+  x.attribute("Position", previous.position);
+  x.attribute("Port", previous.port);
+};
+
+constexpr auto check_fields = [](auto& x, auto& check) {
+  x.attribute("Vendor", check.vendor);
+  x.attribute("Product", check.product);
+  x.attribute("Revision", check.revision);
+  x.attribute("Serial", check.serial);
+};
+
+constexpr auto sync_unit_fields = [](auto& x, auto& unit) {
+  x.attribute("CycleFactor", unit.cycle_factor);
+  x.attribute("UserCycleNs", unit.user_cycle);
+  x.attribute("ShiftNs", unit.shift);
+};
+
+constexpr auto slave_dc_fields = [](auto& x, auto& dc) {
+  x.attribute("PotentialReferenceClock", dc.potential_reference_clock);
+  x.text("OpMode", dc.op_mode);
+  x.child("Sync0", dc.sync0, sync_unit_fields);
+  x.child("Sync1", dc.sync1, sync_unit_fields);
+};
+
+constexpr auto startup_fields = [](auto& x, auto& command) {
+  x.attribute("Enabled", command.enabled);
+  x.attribute("Fixed", command.fixed);
+  x.attribute("CompleteAccess", command.complete_access);
+  x.attribute("TimeoutMs", command.timeout_ms);
+  x.init_cmd(command);
+};
+
+constexpr auto slave_fields = [](auto& x, auto& slave) {
+  x.attribute("StationAddress", slave.station_address);
+  x.attribute("Alias", slave.alias);
+  x.text("Name", slave.name);
+  x.child("Previous", slave.previous, previous_fields);
+  x.child("Check", slave.check, check_fields);
+  x.indices("RxPdos", slave.assigned_rx_pdos);
+  x.indices("TxPdos", slave.assigned_tx_pdos);
+  x.pdos("ChangedPdos", slave.changed_pdos);
+  x.child("DistributedClocks", slave.dc, slave_dc_fields);
+  x.list("Startup", "InitCmd", slave.startup, startup_fields);
+};
+
+}  // namespace
+
+void FieldReader::indices(const char* name, std::vector<std::uint16_t>& values) {
+  const Node found = node_.child(name);
+  const auto text = found.trimmed();
+  for (std::string_view rest = text; !rest.empty(); rest = trim(rest)) {
+    const auto word = rest.substr(0, rest.find_first_of(" \t\r\n"));
+    const auto index = parse_number(word);
+    if (!index || *index < 0 || *index > 0xFFFF) {
+      return found.fail(ErrorCode::kXmlBadValue, fmt::format("\"{}\" is no PDO index", word));
+    }
+    values.push_back(static_cast<std::uint16_t>(*index));
+    rest.remove_prefix(word.size());
+  }
+}
+
+void FieldReader::init_cmd(StartupCommand& command) {
+  auto read = read_init_cmd(node_);
+  read.enabled = command.enabled;
+  read.fixed = command.fixed;
+  read.complete_access = command.complete_access;
+  read.timeout_ms = command.timeout_ms;
+  command = std::move(read);
+}
+
+void write_fields(FieldWriter& writer, const MasterSettings& master) { master_fields(writer, master); }
+void read_fields(FieldReader& reader, MasterSettings& master) { master_fields(reader, master); }
+void write_fields(FieldWriter& writer, const SlaveSettings& slave) { slave_fields(writer, slave); }
+void read_fields(FieldReader& reader, SlaveSettings& slave) { slave_fields(reader, slave); }
+
+}  // namespace syncline::eni
