@@ -14,7 +14,7 @@ enum class FindingSeverity : std::uint8_t { kInfo, kWarning, kError };
 struct Finding {
   FindingSeverity severity = FindingSeverity::kInfo;
   int slave = -1;          // position, -1 = master
-  std::string key;         // settings key that it is about, as `synclinectl project keys` names it
+  std::string key;         // settings key that it is about, as `synclinectl project keys` names it; "" = none
   std::string text;
   bool operator==(const Finding&) const = default;
 };

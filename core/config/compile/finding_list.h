@@ -9,7 +9,8 @@
 
 namespace syncline::compiler {
 
-/// Appends findings about one slave (or the master, position -1); `key` is the last part of the settings key.
+/// Appends findings about one slave (or the master, position -1); `key` is the settings key without "master." or
+/// "slave.N.", "" where no setting cures it.
 class FindingList {
  public:
   FindingList(std::vector<Finding>& out, int slave) : out_(out), slave_(slave) {}
@@ -20,7 +21,7 @@ class FindingList {
  private:
   void add(FindingSeverity severity, const std::string& key, std::string text) {
     const std::string prefix = slave_ < 0 ? "master." : "slave." + std::to_string(slave_) + ".";
-    out_.push_back({severity, slave_, prefix + key, std::move(text)});
+    out_.push_back({severity, slave_, key.empty() ? "" : prefix + key, std::move(text)});
   }
 
   std::vector<Finding>& out_;

@@ -70,7 +70,7 @@ void check_dc_settings(FindingList& findings, const Project& project, const std:
                                                 dc_slaves));
   }
   if (dc.dcm.set_value && (*dc.dcm.set_value < 0 || *dc.dcm.set_value >= project.master.cycle_time)) {
-    findings.error("dc.dcm.set_value", fmt::format("{} ns between frame and SYNC0 is outside the cycle of {} ns.",
+    findings.error("dc.set_value_us", fmt::format("{} ns between frame and SYNC0 is outside the cycle of {} ns.",
                                                    *dc.dcm.set_value, project.master.cycle_time));
   }
   if (dc.enabled && dc_slaves > 0 && dc.dcm.mode == DcmMode::kOff) {

@@ -92,10 +92,11 @@ void check_changed(FindingList& findings, const SlavePlan& slave) {
   const bool configurable = mailbox && mailbox->coe && mailbox->coe->pdo_config;
   for (const Pdo& changed : slave.settings->changed_pdos) {
     const Pdo* pdo = slave.find_pdo(changed.index);
+    const std::string key = fmt::format("pdo.map.0x{:04X}", changed.index);
     if (pdo == nullptr) {
-      findings.error("pdo.mapping", fmt::format("The device has no PDO 0x{:04X}.", changed.index));
+      findings.error(key, fmt::format("The device has no PDO 0x{:04X}.", changed.index));
     } else if (pdo->fixed || !configurable) {
-      findings.error("pdo.mapping", fmt::format("The mapping of PDO 0x{:04X} is fixed.", changed.index));
+      findings.error(key, fmt::format("The mapping of PDO 0x{:04X} is fixed.", changed.index));
     }
   }
 }

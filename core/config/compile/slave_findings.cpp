@@ -32,9 +32,9 @@ void check_memory(FindingList& findings, const SlavePlan& slave) {
 void check_mailbox(FindingList& findings, const SlavePlan& slave) {
   constexpr std::uint16_t kMailboxHeader = 6;
   if (slave.device().mailbox && !slave.mailbox) {
-    findings.error("device", "The ESI names mailbox protocols, but no pair of mailbox SyncManagers.");
+    findings.error("", "The ESI names mailbox protocols, but no pair of mailbox SyncManagers.");
   } else if (slave.mailbox && (slave.mailbox->out.length <= kMailboxHeader || slave.mailbox->in.length <= kMailboxHeader)) {
-    findings.error("device", "The ESI gives the mailbox no usable size.");
+    findings.error("", "The ESI gives the mailbox no usable size.");
   }
 }
 
@@ -45,15 +45,15 @@ void check_sync_units(FindingList& findings, const DcOpMode& mode, const DcTimes
   }
   const AssignActivate activate{mode.assign_activate};
   if (activate.sync0() && times.cycle_time0 <= 0) {
-    findings.error("dc.sync0.cycle_ns", fmt::format("{} switches SYNC0 on, its cycle is {} ns.", mode.name,
+    findings.error("dc.sync0.cycle_us", fmt::format("{} switches SYNC0 on, its cycle is {} ns.", mode.name,
                                                     times.cycle_time0));
   } else if (activate.sync0() && times.cycle_time0 % bus_cycle != 0 && bus_cycle % times.cycle_time0 != 0) {
-    findings.warning("dc.sync0.cycle_ns",
+    findings.warning("dc.sync0.cycle_us",
                      fmt::format("SYNC0 every {} ns and a frame every {} ns: neither is a multiple of the other.",
                                  times.cycle_time0, bus_cycle));
   }
   if (times.cycle_time1 < 0) {
-    findings.error("dc.sync1.shift_ns",
+    findings.error("dc.sync1.shift_us",
                    fmt::format("SYNC1 would come {} ns before SYNC0; register 0x09A4 holds only a delay after it.",
                                -times.cycle_time1));
   }
@@ -74,12 +74,16 @@ void check_dc(FindingList& findings, const Project& project, const SlavePlan& sl
 
 void check_interpolation_time(FindingList& findings, const Project& project, const SlavePlan& slave) {
   constexpr std::uint16_t kInterpolationTimePeriod = 0x60C2;
-  const bool adapted = std::ranges::any_of(slave.settings->startup, [&](const StartupCommand& command) {
-    return command.index == kInterpolationTimePeriod && is_from_esi(command, slave.device());
-  });
-  if (adapted && !interpolation_time(project.master.cycle_time)) {
-    findings.warning("startup", fmt::format("Object 0x60C2 cannot express a cycle of {} ns; the ESI's value is kept.",
-                                            project.master.cycle_time));
+  if (interpolation_time(project.master.cycle_time)) {
+    return;
+  }
+  const auto& startup = slave.settings->startup;
+  for (std::size_t k = 0; k < startup.size(); ++k) {
+    if (startup[k].index == kInterpolationTimePeriod && is_from_esi(startup[k], slave.device())) {
+      findings.warning(fmt::format("startup.{}", k),
+                       fmt::format("Object 0x60C2 cannot express a cycle of {} ns; the ESI's value is kept.",
+                                   project.master.cycle_time));
+    }
   }
 }
 
