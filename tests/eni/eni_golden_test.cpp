@@ -4,12 +4,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "config/command_text.h"
 #include "config/compile/compile.h"
 #include "config/network_compare.h"
 #include "core/config/compile/sample_devices.h"
 #include "eni/eni_file.h"
 #include "eni/esi_catalogue.h"
 #include "protocol/error_text.h"
+#include "support/byte_order.h"
 #include "support/sample_folder.h"
 
 namespace syncline::eni {
@@ -124,6 +126,46 @@ DeviceDescription place_holder(std::uint16_t output_bytes, std::uint16_t input_b
   if (output_bytes == 0) device.rx_pdos.clear();
   if (input_bytes == 0) device.tx_pdos.clear();
   return device;
+}
+
+/// TwinCAT 3 with DC and master shift: a non-DC sensor (place holder) and four drives, the second slave is the reference.
+TEST(GoldenEni, FourElmoDrivesAsTwinCat3WritesThem) {
+  SYNCLINE_SAMPLE(esi, kElmoEsi);
+  SYNCLINE_SAMPLE(eni, "eni/kpierczy__ethercat-lib__test_eni.xml");
+  EsiCatalogue catalogue;
+  ASSERT_TRUE(catalogue.add_file(esi));
+  const DeviceDescription drive = *catalogue.find(kElmoGold)->device;
+  Project project = sample::project({place_holder(0, 14), drive, drive, drive, drive});
+  project.master.cycle_time = 10 * kMillisecond;
+  project.master.dc.dcm.mode = DcmMode::kMasterShift;
+  for (std::size_t i = 1; i < 5; ++i) {
+    project.slaves[i].assigned_rx_pdos = {0x1601};
+    project.slaves[i].assigned_tx_pdos = {0x1A03};
+  }
+  const auto theirs = read_eni(eni);
+  ASSERT_TRUE(theirs) << describe(theirs.error());
+  const auto ours = compile(project, {EniDialect::kTwinCat});
+  ASSERT_TRUE(ours);
+  EXPECT_EQ(ours->config.dc.reference_clock, theirs->dc.reference_clock);
+  // TwinCAT 3 gives the AL control writes a time-out, and here its LRD area comes before the LRW area: two things that
+  // ET9000, which this dialect follows, does otherwise.
+  for (std::size_t i = 1; i < 5; ++i) {
+    std::vector<std::string> timeouts, others;
+    for (const auto& difference : compare_slaves(theirs->slaves[i], ours->config.slaves[i], "")) {
+      if (difference.field == "time-out") {
+        EXPECT_EQ(difference.right, "none");
+        timeouts.push_back(difference.left);
+      } else {
+        others.push_back(difference.field + " " + difference.left.substr(0, 8) + " " + difference.right.substr(0, 8));
+        EXPECT_EQ(difference.left.substr(8), difference.right.substr(8));
+      }
+    }
+    EXPECT_THAT(timeouts, testing::ElementsAre("5000", "3000", "200", "200", "3000", "3000", "10000", "10000"));
+    const std::string offset = hex_text(le_bytes(static_cast<std::uint16_t>(14 * (i - 1))));
+    const std::string moved = "data " + hex_text(le_bytes(static_cast<std::uint16_t>(0x800 + 14 * (i - 1)))) + "0001 " +
+                              offset + "0001";
+    EXPECT_THAT(others, testing::ElementsAre(moved, moved));
+  }
 }
 
 /// The bus of ten slaves: the first five from their ESI, the others as place holders of the same sizes.
