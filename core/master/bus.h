@@ -33,6 +33,8 @@ class Bus {
   [[nodiscard]] bool cyclic() const { return pump_ != nullptr; }
   /// A bring-up can be cancelled, the way down to INIT cannot.
   void set_cancellable(bool cancellable) { cancellable_ = cancellable; }
+  /// kCancelled when the user wants an end; for loops that do not wait through this class.
+  [[nodiscard]] Status check_cancel() const;
   [[nodiscard]] Clock& clock() { return clock_; }
   [[nodiscard]] FrameExchange& exchange() { return exchange_; }
 
@@ -63,7 +65,6 @@ class Bus {
   }
 
  private:
-  [[nodiscard]] Status check_cancel() const;
   Status send_now(std::span<Datagram* const> open);
 
   FrameExchange& exchange_;

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "master/cyclic_frame_set.h"
+
+#include <algorithm>
+
+#include "protocol/dc_registers.h"
+#include "protocol/registers.h"
+#include "support/byte_order.h"
+
+namespace syncline {
+namespace {
+
+bool test_bit(std::span<const std::uint8_t> bytes, std::uint32_t bit) {
+  return bit / 8 < bytes.size() && ((bytes[bit / 8] >> (bit % 8)) & 1U) != 0;
+}
+
+void set_bit(std::span<std::uint8_t> bytes, std::uint32_t bit, bool value) {
+  if (bit / 8 >= bytes.size()) return;
+  const auto mask = static_cast<std::uint8_t>(1U << (bit % 8));
+  auto& byte = bytes[bit / 8];
+  byte = static_cast<std::uint8_t>(value ? byte | mask : byte & ~mask);
+}
+
+}  // namespace
+
+CyclicFrameSet::CyclicFrameSet(const NetworkConfig& config) : data_offset_(config.image.command_data_offset) {
+  for (const auto& task : config.cyclic) add_task(task, config.cycle_time());
+  active_.reserve(frames_.size());
+  for (auto& entry : entries_) {
+    entry.data.resize(entry.command->length());
+    entry.datagram.data = entry.data;
+  }
+  size_images(config);
+}
+
+void CyclicFrameSet::add_task(const CyclicTask& task, Nanoseconds base_cycle) {
+  const auto divider = std::max<Nanoseconds>(1, (task.cycle_time + base_cycle / 2) / base_cycle);
+  for (const auto& frame : task.frames) {
+    for (const auto& command : frame.commands) {
+      Entry entry;
+      entry.command = &command;
+      entry.role = role_of(command);
+      entry.frame = frames_.size();
+      entry.divider = static_cast<std::uint64_t>(divider);
+      entry.datagram.command = command.command;
+      entry.datagram.address =
+          is_logical(command.command) ? command.logical_address : device_address(command.adp, command.ado);
+      entries_.push_back(std::move(entry));
+    }
+    frames_.emplace_back();
+  }
+}
+
+void CyclicFrameSet::size_images(const NetworkConfig& config) {
+  // Foreign files place commands behind the size that they declare.
+  std::size_t inputs = config.image.input_bytes, outputs = config.image.output_bytes;
+  for (const auto& entry : entries_) {
+    inputs = std::max<std::size_t>(inputs, entry.command->input_offset + data_offset_ + entry.command->length());
+    outputs = std::max<std::size_t>(outputs, entry.command->output_offset + data_offset_ + entry.command->length());
+  }
+  inputs_.resize(inputs);
+  outputs_.resize(outputs);
+}
+
+CyclicFrameSet::Role CyclicFrameSet::role_of(const CyclicCmd& command) {
+  if (is_logical(command.command)) return command.expected_wkc ? Role::kProcessData : Role::kOther;
+  const bool system_time = command.ado == reg::kSystemTime && command.length() >= 4;
+  switch (command.command) {
+    case Command::kArmw:
+    case Command::kFrmw:
+      return system_time ? Role::kReferenceTime : Role::kOther;
+    case Command::kApwr:
+    case Command::kFpwr:
+      return system_time ? Role::kReferenceWrite : Role::kOther;
+    case Command::kBrd:
+      if (command.ado == reg::kAlStatus && command.length() >= 2) return Role::kAlStatus;
+      if (command.ado == reg::kSystemTimeDifference && command.length() >= 4) return Role::kDeviation;
+      return Role::kOther;
+    default:
+      return Role::kOther;
+  }
+}
+
+void CyclicFrameSet::select(AlState state) {
+  for (auto& entry : entries_) entry.selected = std::ranges::find(entry.command->states, state) != entry.command->states.end();
+}
+
+bool CyclicFrameSet::reads_deviation() const {
+  return std::ranges::any_of(entries_, [](const Entry& e) { return e.selected && e.role == Role::kDeviation; });
+}
+
+void CyclicFrameSet::prepare(std::uint64_t cycle, std::optional<Nanoseconds> reference_write) {
+  for (auto& frame : frames_) frame.clear();
+  active_.clear();
+  for (auto& entry : entries_) {
+    entry.sent = entry.selected && cycle % entry.divider == 0;
+    if (!entry.sent) continue;
+    fill(entry, reference_write);
+    entry.sent = frames_[entry.frame].add(entry.datagram);
+  }
+  for (auto& frame : frames_) {
+    if (!frame.empty()) active_.push_back(&frame);
+  }
+}
+
+void CyclicFrameSet::fill(Entry& entry, std::optional<Nanoseconds> reference_write) {
+  const auto& command = *entry.command;
+  std::ranges::fill(entry.data, std::uint8_t{0});
+  if (entry.role == Role::kReferenceWrite) {
+    entry.datagram.command = reference_write ? command.command : Command::kNop;
+    if (!reference_write) return;
+    if (entry.data.size() >= 8) {
+      store_le(entry.data, static_cast<std::uint64_t>(*reference_write));
+    } else {
+      store_le(entry.data, static_cast<std::uint32_t>(*reference_write));
+    }
+  } else if (command.command == Command::kLwr || command.command == Command::kLrw) {
+    const auto begin = outputs_.begin() + command.output_offset + data_offset_;
+    std::copy_n(begin, entry.data.size(), entry.data.begin());
+  } else {
+    std::ranges::copy(command.data, entry.data.begin());
+  }
+}
+
+CyclicFrameSet::Reading CyclicFrameSet::evaluate() {
+  Reading reading;
+  for (const auto& entry : entries_) {
+    if (!entry.sent) continue;
+    if (entry.role == Role::kProcessData) reading.wkc_expected += entry.command->expected_wkc.value_or(0);
+    if (entry.datagram.answered) read(entry, reading);
+  }
+  return reading;
+}
+
+void CyclicFrameSet::read(const Entry& entry, Reading& reading) {
+  const auto& datagram = entry.datagram;
+  switch (entry.role) {
+    case Role::kProcessData:
+      reading.wkc_received = static_cast<std::uint16_t>(reading.wkc_received + datagram.wkc);
+      // A wrong counter means that some slave's inputs are old: none are taken.
+      if (datagram.wkc != *entry.command->expected_wkc) return;
+      break;
+    case Role::kAlStatus:
+      reading.al_status = load_le<std::uint16_t>(entry.data);
+      reading.al_status_wkc = datagram.wkc;
+      break;
+    case Role::kReferenceTime:
+      if (datagram.wkc == 0) return;
+      reading.reference_is_64bit = entry.data.size() >= 8;
+      reading.reference_time =
+          reading.reference_is_64bit ? load_le<std::uint64_t>(entry.data) : load_le<std::uint32_t>(entry.data);
+      break;
+    case Role::kDeviation:
+      if (datagram.wkc == 0) return;
+      reading.deviation_ored = SystemTimeDifference{load_le<std::uint32_t>(entry.data)}.magnitude();
+      break;
+    case Role::kReferenceWrite:
+      return;
+    case Role::kOther:
+      break;
+  }
+  store_inputs(entry);
+  copy_slave_to_slave(entry);
+}
+
+void CyclicFrameSet::store_inputs(const Entry& entry) {
+  if (entry.command->command == Command::kLwr) return;
+  std::ranges::copy(entry.data, inputs_.begin() + entry.command->input_offset + data_offset_);
+}
+
+void CyclicFrameSet::copy_slave_to_slave(const Entry& entry) {
+  for (const auto& copy : entry.command->copy_infos) {
+    for (std::uint32_t bit = 0; bit < copy.bit_size; ++bit) {
+      set_bit(outputs_, copy.destination_bit + bit, test_bit(inputs_, copy.source_bit + bit));
+    }
+  }
+}
+
+}  // namespace syncline

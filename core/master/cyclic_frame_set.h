@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "config/network_config.h"
+#include "master/frame_exchange.h"
+
+namespace syncline {
+
+/// The cyclic frames of a configuration with their process image: what is sent each cycle and what its
+/// answers say. Everything is sized at construction; a cycle allocates nothing.
+class CyclicFrameSet {
+ public:
+  explicit CyclicFrameSet(const NetworkConfig& config);
+  CyclicFrameSet(const CyclicFrameSet&) = delete;
+  CyclicFrameSet& operator=(const CyclicFrameSet&) = delete;
+
+  /// Which commands are sent: those whose State list names `state`.
+  void select(AlState state);
+  /// True when a command that is sent in the selected state reads 0x092C from all slaves.
+  [[nodiscard]] bool reads_deviation() const;
+
+  /// Fills the frames of cycle number `cycle`. `reference_write`: value for the bus-shift command; without one it
+  /// travels as a NOP, because any value written to 0x0910 steers the clock.
+  void prepare(std::uint64_t cycle, std::optional<Nanoseconds> reference_write);
+  [[nodiscard]] std::span<PendingFrame* const> frames() const { return active_; }
+
+  /// What the answers of this cycle say.
+  struct Reading {
+    std::uint16_t wkc_expected = 0, wkc_received = 0;     // process data
+    std::optional<std::uint16_t> al_status, al_status_wkc; // all slaves ored
+    std::optional<std::uint64_t> reference_time;          // as wide as it was read
+    bool reference_is_64bit = false;
+    std::optional<std::uint32_t> deviation_ored;          // magnitude
+  };
+  /// Takes the answers over into the process image and performs the slave-to-slave copies.
+  Reading evaluate();
+
+  [[nodiscard]] std::span<std::uint8_t> outputs() { return outputs_; }
+  [[nodiscard]] std::span<const std::uint8_t> inputs() const { return inputs_; }
+
+ private:
+  enum class Role : std::uint8_t { kOther, kProcessData, kAlStatus, kReferenceTime, kReferenceWrite, kDeviation };
+  struct Entry {
+    const CyclicCmd* command = nullptr;
+    Role role = Role::kOther;
+    std::size_t frame = 0;
+    std::uint64_t divider = 1;  // sent every so many base cycles
+    bool selected = false;
+    bool sent = false;
+    std::vector<std::uint8_t> data;
+    Datagram datagram;
+  };
+
+  static Role role_of(const CyclicCmd& command);
+  void add_task(const CyclicTask& task, Nanoseconds base_cycle);
+  void size_images(const NetworkConfig& config);
+  void fill(Entry& entry, std::optional<Nanoseconds> reference_write);
+  void read(const Entry& entry, Reading& reading);
+  void store_inputs(const Entry& entry);
+  void copy_slave_to_slave(const Entry& entry);
+
+  std::uint32_t data_offset_;
+  std::vector<Entry> entries_;
+  std::vector<PendingFrame> frames_;
+  std::vector<PendingFrame*> active_;
+  std::vector<std::uint8_t> inputs_, outputs_;
+};
+
+}  // namespace syncline

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "master/cyclic_task.h"
+
+#include <algorithm>
+
+namespace syncline {
+namespace {
+
+/// Nobody looks at a snapshot more often than this.
+constexpr Nanoseconds kPublishPeriod = 1 * kMillisecond;
+
+std::int32_t to_32(Nanoseconds value) {
+  return static_cast<std::int32_t>(std::clamp<Nanoseconds>(value, INT32_MIN, INT32_MAX));
+}
+
+}  // namespace
+
+CyclicTaskRunner::CyclicTaskRunner(FrameExchange& exchange, Clock& clock, RunState& run, SyncWatch& sync)
+    : exchange_(exchange),
+      clock_(clock),
+      run_(run),
+      sync_(sync),
+      frames_(run.config()),
+      slaves_(run),
+      sm2_(run),
+      health_(run),
+      cycle_time_(run.config().cycle_time()) {
+  in_flight_.reserve(64);
+}
+
+void CyclicTaskRunner::start(Nanoseconds first_cycle) { scheduled_ = first_cycle; }
+
+Status CyclicTaskRunner::run_cycle(std::span<Datagram* const> acyclic) {
+  clock_.sleep_until(scheduled_);
+  CycleSample sample;
+  sample.cycle = run_.snapshot.cycles;
+  const auto send_time = clock_.now();
+  sample.send_time = send_time;
+  sample.wake_lateness_ns = to_32(send_time - scheduled_);
+  if (send_time - scheduled_ >= cycle_time_) {
+    sample.flags |= CycleSample::kOverrun;
+    ++run_.snapshot.overruns;
+  }
+  frames_.prepare(sample.cycle, sync_.reference_write(send_time, scheduled_));
+  fill_acyclic(acyclic, send_time);
+  const auto lost_before = exchange_.lost_frames();
+  const auto status = exchange_frames(scheduled_ + cycle_time_ * 8 / 10);
+  health_.observe_lost(exchange_.lost_frames() - lost_before, send_time, sample);
+  evaluate(send_time, sample);
+  finish_sample(sample);
+  schedule_next(adjust_);
+  return status;
+}
+
+void CyclicTaskRunner::fill_acyclic(std::span<Datagram* const> requests, Nanoseconds now) {
+  acyclic_.clear();
+  // Short and regular readings first: a long mailbox datagram finds room in the next cycle.
+  slaves_.add_to(acyclic_, sync_.monitored() && !frames_.reads_deviation());
+  for (auto* request : requests) {
+    if (!acyclic_.add(*request)) break;
+  }
+  sm2_.add_to(acyclic_, now);
+}
+
+Status CyclicTaskRunner::exchange_frames(Nanoseconds deadline) {
+  in_flight_.clear();
+  Status status;
+  const auto send = [&](PendingFrame& frame) {
+    if (auto sent = exchange_.send(frame); sent) {
+      in_flight_.push_back(&frame);
+    } else {
+      status = tl::unexpected(sent.error());
+    }
+  };
+  for (auto* frame : frames_.frames()) send(*frame);
+  if (!acyclic_.empty()) send(acyclic_);
+  // A late wake-up must not leave the frames without time to come back.
+  const auto patience = std::max(deadline, clock_.now() + cycle_time_ / 4);
+  if (auto collected = exchange_.collect(in_flight_, patience); !collected) return collected;
+  return status;
+}
+
+std::optional<Nanoseconds> CyclicTaskRunner::reference_time(const CyclicFrameSet::Reading& reading,
+                                                      Nanoseconds send_time) const {
+  if (!reading.reference_time) return std::nullopt;
+  if (reading.reference_is_64bit) return static_cast<Nanoseconds>(*reading.reference_time);
+  return sync_.extend(static_cast<std::uint32_t>(*reading.reference_time), send_time);
+}
+
+void CyclicTaskRunner::evaluate(Nanoseconds send_time, CycleSample& sample) {
+  const auto reading = frames_.evaluate();
+  const auto sent = frames_.frames();
+  if (!sent.empty() && sent.front()->answered()) {
+    sample.round_trip_ns = to_32(sent.front()->arrival_time() - sent.front()->send_time());
+  }
+  health_.observe_wkc(reading.wkc_expected, reading.wkc_received, send_time, sample);
+  if (reading.al_status) slaves_.observe_broadcast(*reading.al_status, *reading.al_status_wkc);
+  const auto all = slaves_.take(send_time, sample);
+  sm2_.take(send_time, sample);
+  adjust_ = sync_.observe_cycle({send_time, scheduled_, reference_time(reading, send_time)}, sample);
+  const auto deviation = reading.deviation_ored ? reading.deviation_ored : all;
+  if (deviation && sync_.active()) sync_.observe_deviation(send_time, *deviation, sample);
+}
+
+void CyclicTaskRunner::finish_sample(CycleSample& sample) {
+  auto& snapshot = run_.snapshot;
+  if (snapshot.dc.monitored) sample.flags |= CycleSample::kDcMonitored;
+  // Unmonitored slaves count as in sync; their acquisition is over when the master's is.
+  const bool settled = snapshot.dc.monitored ? sync_.slaves_in_sync() : sync_.master_in_sync();
+  if (snapshot.dc.enabled && settled) sample.flags |= CycleSample::kDcInSync;
+  sample.master_state = static_cast<std::uint8_t>(snapshot.state);
+  snapshot.time = sample.send_time;
+  ++snapshot.cycles;
+  (void)run_.channels().samples.push(sample);
+  if (sample.send_time - last_published_ >= kPublishPeriod) publish();
+}
+
+void CyclicTaskRunner::publish() {
+  last_published_ = run_.snapshot.time;
+  run_.channels().snapshot.publish(run_.snapshot);
+}
+
+void CyclicTaskRunner::schedule_next(Nanoseconds adjust) {
+  scheduled_ += cycle_time_ + adjust;
+  // Cycles that are already over are left out; the phase stays.
+  const auto behind = clock_.now() - scheduled_;
+  if (behind > cycle_time_) scheduled_ += behind / cycle_time_ * cycle_time_;
+}
+
+}  // namespace syncline

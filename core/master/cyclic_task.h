@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "master/bus.h"
+#include "master/bus_health.h"
+#include "master/cyclic_frame_set.h"
+#include "master/run_state.h"
+#include "master/slave_watch.h"
+#include "master/sm2_reader.h"
+#include "master/sync_watch.h"
+
+namespace syncline {
+
+/// The bus cycle: wakes on its absolute schedule, stamps and sends the cyclic frames and one acyclic
+/// frame, collects the answers and hands them to those who watch. In the steady cycle it allocates,
+/// locks, logs and throws nothing (the snapshot is only published when nobody reads it just then).
+class CyclicTaskRunner final : public CyclePump {
+ public:
+  CyclicTaskRunner(FrameExchange& exchange, Clock& clock, RunState& run, SyncWatch& sync);
+
+  /// The next cycle is scheduled for `first_cycle`.
+  void start(Nanoseconds first_cycle);
+  /// Which cyclic commands are sent: those of this master state.
+  void select(AlState state) { frames_.select(state); }
+  Status run_cycle(std::span<Datagram* const> acyclic) override;
+
+  [[nodiscard]] SlaveWatch& slaves() { return slaves_; }
+  [[nodiscard]] Sm2Reader& sm2() { return sm2_; }
+  [[nodiscard]] BusHealth& health() { return health_; }
+  [[nodiscard]] CyclicFrameSet& frames() { return frames_; }
+  [[nodiscard]] Nanoseconds next_cycle() const { return scheduled_; }
+  /// Writes what happened so far where others can see it.
+  void publish();
+
+ private:
+  void fill_acyclic(std::span<Datagram* const> requests, Nanoseconds now);
+  Status exchange_frames(Nanoseconds deadline);
+  void evaluate(Nanoseconds send_time, CycleSample& sample);
+  void schedule_next(Nanoseconds adjust);
+  [[nodiscard]] std::optional<Nanoseconds> reference_time(const CyclicFrameSet::Reading& reading,
+                                                          Nanoseconds send_time) const;
+  void finish_sample(CycleSample& sample);
+
+  FrameExchange& exchange_;
+  Clock& clock_;
+  RunState& run_;
+  SyncWatch& sync_;
+  CyclicFrameSet frames_;
+  SlaveWatch slaves_;
+  Sm2Reader sm2_;
+  BusHealth health_;
+  PendingFrame acyclic_;
+  std::vector<PendingFrame*> in_flight_;
+  Nanoseconds cycle_time_;
+  Nanoseconds scheduled_ = 0;
+  Nanoseconds last_published_ = 0;
+  Nanoseconds adjust_ = 0;
+};
+
+}  // namespace syncline

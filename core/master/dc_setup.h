@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "config/network_config.h"
+#include "dc/propagation_delay.h"
+#include "master/bus.h"
+#include "master/bus_scan.h"
+
+namespace syncline {
+
+/// The distributed clocks of a segment after their initialisation.
+struct DcNetwork {
+  struct Slave {
+    DcCapability capability = DcCapability::kNone;
+    bool synchronised = false;          // has a system time and stands behind the reference clock, or is it
+    std::uint32_t delay_ns = 0;         // from the reference clock
+  };
+  std::vector<Slave> slaves;
+  std::uint16_t reference_clock = 0;
+  /// A host time and the reference clock's system time at that moment.
+  Nanoseconds host_time = 0, reference_time = 0;
+  std::vector<dc::DelayFinding> findings;
+
+  [[nodiscard]] std::size_t synchronised_count() const;
+};
+
+/// Measures the propagation delays, sets offsets and delays, and lets the slaves learn their drift by a
+/// burst of ARMW frames (reference: ESC data sheet I, 9.1). Slaves must have their station addresses;
+/// no cyclic operation. An ENI has no commands for this: every master does it by itself.
+class DcSetup {
+ public:
+  DcSetup(Bus& bus, const NetworkConfig& config) : bus_(bus), config_(config) {}
+
+  /// kDcSetup when the reference clock has no system time; kCancelled, link errors.
+  Result<DcNetwork> run();
+
+ private:
+  struct Latch;
+
+  Status read_slaves();
+  Status measure();
+  Status latch_round(Latch& latch);
+  Status write_times(const Latch& latch);
+  Status burst();
+  Result<std::uint32_t> burst_bulk(std::uint32_t frames, std::uint32_t& deviation_ored);
+  Result<Nanoseconds> burst_frame(std::uint32_t* deviation_ored);
+  [[nodiscard]] std::string subject(std::size_t slave) const;
+
+  Bus& bus_;
+  const NetworkConfig& config_;
+  std::vector<std::uint16_t> stations_;
+  std::vector<dc::DelayNode> nodes_;
+  DcNetwork network_;
+  std::optional<Nanoseconds> anchor_;  // reference minus host at the first burst frame
+  PendingFrame frame_;
+};
+
+/// Position of the clock that all others follow: as configured, else the first slave with DC.
+[[nodiscard]] std::optional<std::uint16_t> configured_reference_clock(const NetworkConfig& config);
+
+}  // namespace syncline

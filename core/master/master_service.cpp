@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "master/master_service.h"
+
+#include <utility>
+
+#include "master/bus_scanner.h"
+#include "master/operation.h"
+
+namespace syncline {
+namespace {
+
+constexpr Nanoseconds kIdlePeriod = 1 * kMillisecond;
+
+}  // namespace
+
+struct MasterService::Impl {
+  Impl(std::unique_ptr<Link> own_link, Clock& own_clock)
+      : link(std::move(own_link)), clock(own_clock), exchange(*link, own_clock) {}
+
+  void execute(const ScanCommand&);
+  void execute(GoOnlineCommand& command);
+  void execute(const GoOfflineCommand&);
+  void execute(const RequestStateCommand& command);
+  void execute(const ClearStatisticsCommand&);
+  void run_cycle();
+  void go_offline();
+  void tell(EventKind kind);
+  void tell(const Error& error);
+
+  std::unique_ptr<Link> link;
+  Clock& clock;
+  MasterChannels channels;
+  FrameExchange exchange;
+  std::unique_ptr<Operation> operation;
+};
+
+void MasterService::Impl::tell(EventKind kind) {
+  Event event;
+  event.kind = kind;
+  event.time = clock.now();
+  channels.events.push(std::move(event));
+}
+
+void MasterService::Impl::tell(const Error& error) {
+  Event event;
+  event.kind = EventKind::kError;
+  event.time = clock.now();
+  event.error = error;
+  channels.events.push(std::move(event));
+}
+
+void MasterService::Impl::execute(const ScanCommand&) {
+  if (operation) return tell(Error{ErrorCode::kConfiguration, "scan", "the bus is online; go offline first"});
+  Bus bus(exchange, clock, &channels.cancel);
+  auto scan = scan_slaves(bus, [this](std::size_t done, std::size_t found) {
+    Event event;
+    event.kind = EventKind::kScanProgress;
+    event.time = clock.now();
+    event.a = static_cast<std::int64_t>(done);
+    event.b = static_cast<std::int64_t>(found);
+    channels.events.push(std::move(event));
+  });
+  if (!scan) return tell(scan.error());
+  Event event;
+  event.kind = EventKind::kScanFinished;
+  event.time = clock.now();
+  event.scan = std::make_shared<const BusScan>(std::move(*scan));
+  channels.events.push(std::move(event));
+}
+
+void MasterService::Impl::execute(GoOnlineCommand& command) {
+  if (operation) go_offline();
+  operation = std::make_unique<Operation>(std::move(command.config), exchange, clock, channels);
+  const auto status = operation->start(command.target);
+  if (!status) tell(status.error());
+  const bool cancelled = !status && status.error().code == ErrorCode::kCancelled;
+  if (!status && (cancelled || !operation->cyclic())) return go_offline();
+  // A bus that did not come all the way up stays online, to be looked at.
+  tell(EventKind::kOnline);
+}
+
+void MasterService::Impl::execute(const GoOfflineCommand&) { go_offline(); }
+
+void MasterService::Impl::go_offline() {
+  if (operation) operation->stop();
+  operation.reset();
+  tell(EventKind::kOffline);
+}
+
+void MasterService::Impl::execute(const RequestStateCommand& command) {
+  if (!operation) return tell(Error{ErrorCode::kConfiguration, "state request", "the bus is offline"});
+  if (auto status = operation->change_to(command.state); !status) tell(status.error());
+}
+
+void MasterService::Impl::execute(const ClearStatisticsCommand&) {
+  if (operation) operation->clear_statistics();
+}
+
+void MasterService::Impl::run_cycle() {
+  if (!operation->cyclic()) {
+    clock.sleep_until(clock.now() + kIdlePeriod);
+    return;
+  }
+  if (auto status = operation->run_cycle(); !status) {
+    tell(status.error());
+    go_offline();
+  }
+}
+
+MasterService::MasterService(std::unique_ptr<Link> link, Clock& clock)
+    : impl_(std::make_unique<Impl>(std::move(link), clock)) {}
+MasterService::~MasterService() = default;
+
+MasterChannels& MasterService::channels() { return impl_->channels; }
+Clock& MasterService::clock() { return impl_->clock; }
+const Link& MasterService::link() const { return *impl_->link; }
+bool MasterService::online() const { return impl_->operation != nullptr; }
+
+bool MasterService::step() {
+  if (auto command = impl_->channels.commands.pop()) {
+    std::visit([this](auto& what) { impl_->execute(what); }, *command);
+    // Whatever was to be cancelled is over; the next command starts afresh.
+    impl_->channels.cancel = false;
+    return true;
+  }
+  if (!impl_->operation) return false;
+  impl_->run_cycle();
+  return true;
+}
+
+void MasterService::run_for(Nanoseconds duration) {
+  auto& clock = impl_->clock;
+  const auto end = clock.now() + duration;
+  while (clock.now() < end) {
+    if (!step()) clock.sleep_until(end);
+  }
+}
+
+}  // namespace syncline

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "master/operation.h"
+
+#include <utility>
+
+namespace syncline {
+
+Operation::Operation(NetworkConfig config, FrameExchange& exchange, Clock& clock, MasterChannels& channels)
+    : config_(std::move(config)),
+      exchange_(exchange),
+      clock_(clock),
+      bus_(exchange, clock, &channels.cancel),
+      run_(config_, channels),
+      sync_(run_),
+      task_(exchange, clock, run_, sync_),
+      esm_(bus_, run_, task_, sync_) {}
+
+Status Operation::check() const {
+  if (config_.slaves.empty()) return fail(ErrorCode::kConfiguration, "network", "it has no slaves");
+  if (config_.cyclic.empty()) return fail(ErrorCode::kConfiguration, "network", "it has no cyclic frames");
+  return {};
+}
+
+Status Operation::start(AlState target) {
+  if (auto status = check(); !status) return status;
+  exchange_.set_addresses(config_.master.destination_mac, config_.master.source_mac);
+  auto& snapshot = run_.snapshot;
+  snapshot.time = clock_.now();
+  snapshot.online = true;
+  snapshot.link_up = exchange_.link().describe().up;
+  snapshot.requested = target;
+  task_.publish();
+  if (auto status = esm_.reset(); !status) return status;
+  if (target == AlState::kInit) return {};
+  auto status = esm_.change_to(target);
+  task_.publish();
+  return status;
+}
+
+Status Operation::change_to(AlState target) {
+  auto status = esm_.change_to(target);
+  task_.publish();
+  return status;
+}
+
+void Operation::stop() {
+  bus_.set_cancellable(false);
+  if (cyclic()) {
+    // A slave that does not come down, or a link that is gone, must not keep us.
+    (void)esm_.change_to(AlState::kInit);
+    bus_.set_pump(nullptr);
+  }
+  run_.snapshot.online = false;
+  run_.snapshot.time = clock_.now();
+  task_.publish();
+}
+
+void Operation::clear_statistics() {
+  run_.snapshot.lost_frames = run_.snapshot.wkc_errors = run_.snapshot.overruns = 0;
+  sync_.clear_statistics();
+}
+
+}  // namespace syncline

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "config/network_config.h"
+#include "master/bus.h"
+#include "master/cyclic_task.h"
+#include "master/esm.h"
+#include "master/run_state.h"
+#include "master/sync_watch.h"
+
+namespace syncline {
+
+/// One time of being online with one configuration, from the first frame to the last.
+class Operation {
+ public:
+  Operation(NetworkConfig config, FrameExchange& exchange, Clock& clock, MasterChannels& channels);
+  Operation(const Operation&) = delete;
+  Operation& operator=(const Operation&) = delete;
+
+  /// Takes the bus from whatever it does to `target`. On failure cyclic() says whether the bus is still
+  /// operated (and can be looked at), or was never.
+  Status start(AlState target);
+  Status change_to(AlState target);
+  /// INIT, and no frames afterwards. Cannot be cancelled.
+  void stop();
+  [[nodiscard]] bool cyclic() const { return bus_.cyclic(); }
+  Status run_cycle() { return task_.run_cycle({}); }
+  void clear_statistics();
+  [[nodiscard]] RunState& run() { return run_; }
+
+ private:
+  Status check() const;
+
+  NetworkConfig config_;
+  FrameExchange& exchange_;
+  Clock& clock_;
+  Bus bus_;
+  RunState run_;
+  SyncWatch sync_;
+  CyclicTaskRunner task_;
+  Esm esm_;
+};
+
+}  // namespace syncline

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "master/run_state.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace syncline {
+namespace {
+
+/// BOOT stands beside the ladder INIT, PREOP, SAFEOP, OP, below PREOP.
+int rank(AlState state) {
+  switch (state) {
+    case AlState::kNone: return 0;
+    case AlState::kInit: return 1;
+    case AlState::kBoot: return 2;
+    case AlState::kPreop: return 3;
+    case AlState::kSafeop: return 4;
+    case AlState::kOp: return 5;
+  }
+  return 0;
+}
+
+}  // namespace
+
+RunState::RunState(const NetworkConfig& config, MasterChannels& channels)
+    : mailbox_counters(config.slaves.size()), config_(config), channels_(channels) {
+  snapshot.cycle_time = config.cycle_time();
+  snapshot.slaves.resize(config.slaves.size());
+}
+
+void RunState::event(EventKind kind, Nanoseconds time, int slave, std::int64_t a, std::int64_t b, std::int64_t c) {
+  Event event;
+  event.kind = kind;
+  event.time = time;
+  event.slave = slave;
+  event.a = a;
+  event.b = b;
+  event.c = c;
+  channels_.events.push(std::move(event));
+}
+
+void RunState::error(const Error& error, Nanoseconds time) {
+  Event event;
+  event.kind = EventKind::kError;
+  event.time = time;
+  event.error = error;
+  channels_.events.push(std::move(event));
+}
+
+void RunState::set_al_status(std::size_t slave, std::uint16_t status, std::uint16_t code, Nanoseconds time) {
+  auto& known = snapshot.slaves[slave];
+  const auto old = std::exchange(known.al_status, status);
+  const auto old_code = std::exchange(known.al_status_code, code);
+  const auto position = static_cast<int>(slave);
+  if (al_state_of(old) != al_state_of(status)) {
+    event(EventKind::kStateChanged, time, position, old & 0x0F, status & 0x0F);
+  }
+  const bool failed = (status & kAlErrorFlag) != 0;
+  const bool news = (old & kAlErrorFlag) == 0 || old_code != code || al_state_of(old) != al_state_of(status);
+  if (failed && news) event(EventKind::kAlStatusError, time, position, status, code);
+}
+
+void RunState::set_present(std::size_t slave, bool present, Nanoseconds time) {
+  auto& known = snapshot.slaves[slave];
+  if (std::exchange(known.present, present) == present) return;
+  event(present ? EventKind::kSlaveFound : EventKind::kSlaveLost, time, static_cast<int>(slave));
+  if (known.is_reference_clock) {
+    event(EventKind::kReferenceClock, time, static_cast<int>(slave), present ? 1 : 0);
+  }
+}
+
+void RunState::update_master_state(Nanoseconds time) {
+  auto lowest = AlState::kNone;
+  for (const auto& slave : snapshot.slaves) {
+    const auto state = al_state_of(slave.al_status);
+    if (slave.present && (lowest == AlState::kNone || rank(state) < rank(lowest))) lowest = state;
+  }
+  const auto old = std::exchange(snapshot.state, lowest);
+  if (old != lowest) {
+    event(EventKind::kStateChanged, time, -1, static_cast<std::int64_t>(old), static_cast<std::int64_t>(lowest));
+  }
+}
+
+std::string RunState::slave_name(std::size_t slave) const {
+  const auto& name = config_.slaves[slave].name;
+  return name.empty() ? fmt::format("slave {}", slave) : fmt::format("slave {} ({})", slave, name);
+}
+
+}  // namespace syncline

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "config/network_config.h"
+#include "master/channels.h"
+
+namespace syncline {
+
+/// What everybody who takes part in running a bus reads and writes: the configuration, the latest
+/// status of everything, and the way to the outside. Lives in the thread that runs the cycle.
+class RunState {
+ public:
+  RunState(const NetworkConfig& config, MasterChannels& channels);
+
+  [[nodiscard]] const NetworkConfig& config() const { return config_; }
+  [[nodiscard]] MasterChannels& channels() { return channels_; }
+
+  Snapshot snapshot;
+  std::vector<std::uint8_t> mailbox_counters;  // per slave, the last one used
+
+  void event(EventKind kind, Nanoseconds time, int slave = -1, std::int64_t a = 0, std::int64_t b = 0,
+             std::int64_t c = 0);
+  void error(const Error& error, Nanoseconds time);
+  /// Takes over a reading of AL status and code; tells changes and new errors.
+  void set_al_status(std::size_t slave, std::uint16_t status, std::uint16_t code, Nanoseconds time);
+  void set_present(std::size_t slave, bool present, Nanoseconds time);
+  /// The master's state is the lowest of all slaves that answer; tells a change.
+  void update_master_state(Nanoseconds time);
+  [[nodiscard]] std::string slave_name(std::size_t slave) const;
+
+ private:
+  const NetworkConfig& config_;
+  MasterChannels& channels_;
+};
+
+}  // namespace syncline

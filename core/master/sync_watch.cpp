@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "master/sync_watch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "dc/plans.h"
+
+namespace syncline {
+namespace {
+
+double milliseconds(Nanoseconds time) { return static_cast<double>(time) / static_cast<double>(kMillisecond); }
+
+Nanoseconds set_value_of(const NetworkConfig& config) {
+  return config.dc.dcm.set_value.value_or(config.cycle_time() * 2 / 3);
+}
+
+SyncState state_of(dc::SyncWindowMonitor::State state) {
+  switch (state) {
+    case dc::SyncWindowMonitor::State::kNotMonitored: return SyncState::kNotMonitored;
+    case dc::SyncWindowMonitor::State::kSettling: return SyncState::kBusy;
+    case dc::SyncWindowMonitor::State::kInSync: return SyncState::kInSync;
+    case dc::SyncWindowMonitor::State::kOutOfSync: return SyncState::kOutOfSync;
+  }
+  return SyncState::kNotReady;
+}
+
+std::int32_t to_32(Nanoseconds value) {
+  return static_cast<std::int32_t>(std::clamp<Nanoseconds>(value, INT32_MIN, INT32_MAX));
+}
+
+}  // namespace
+
+SyncWatch::SyncWatch(RunState& run) : run_(run) {
+  run_.snapshot.dcm.mode = run_.config().dc.enabled ? run_.config().dc.dcm.mode : DcmMode::kOff;
+}
+
+void SyncWatch::start(const DcNetwork& network, Nanoseconds first_cycle) {
+  const auto& config = run_.config();
+  start_ = first_cycle;
+  last_host_ = network.host_time;
+  last_reference_ = network.reference_time;
+  const auto set_value = set_value_of(config);
+  const auto first_reference = reference_time_at(first_cycle);
+  // The grid is laid where the frames pass anyway: the controller starts with an error near zero.
+  base_ = (first_reference + set_value) % config.cycle_time();
+  auto settings = config.dc.dcm;
+  settings.mode = run_.snapshot.dcm.mode;
+  controller_ = dc::make_dcm_controller(settings, config.cycle_time(), set_value);
+  controller_->start(base_, first_reference, first_cycle);
+
+  auto& dc = run_.snapshot.dc;
+  dc.enabled = true;
+  dc.reference_clock = network.reference_clock;
+  dc.monitored = config.dc.sync_window.enabled && network.synchronised_count() >= 2;
+  monitor_ = dc::SyncWindowMonitor(config.dc.sync_window, dc.monitored, first_cycle);
+  dc.limit_ns = monitor_.limit_ns();
+  dc.state = state_of(monitor_.state());
+  run_.snapshot.dcm.state = run_.snapshot.dcm.mode == DcmMode::kOff ? SyncState::kNotMonitored : SyncState::kBusy;
+}
+
+bool SyncWatch::slaves_in_sync() const {
+  return !run_.snapshot.dc.monitored || run_.snapshot.dc.state == SyncState::kInSync;
+}
+
+bool SyncWatch::master_in_sync() const {
+  return run_.snapshot.dcm.mode == DcmMode::kOff || run_.snapshot.dcm.state == SyncState::kInSync;
+}
+
+std::optional<Nanoseconds> SyncWatch::reference_write(Nanoseconds send_time, Nanoseconds scheduled_time) {
+  return controller_ ? controller_->reference_write(send_time, scheduled_time) : std::nullopt;
+}
+
+Nanoseconds SyncWatch::observe_cycle(const dc::DcmObservation& observation, CycleSample& sample) {
+  if (!controller_) return 0;
+  if (observation.reference_time) {
+    last_host_ = observation.send_time;
+    last_reference_ = *observation.reference_time;
+    sample.reference_time = *observation.reference_time;
+    sample.flags |= CycleSample::kReferenceValid;
+  }
+  const auto action = controller_->observe(observation);
+  update_dcm(observation.send_time);
+  const auto& dcm = run_.snapshot.dcm;
+  sample.dcm_error_ns = dcm.error_ns;
+  sample.dcm_error_filtered_ns = dcm.error_filtered_ns;
+  sample.drift_ppm = static_cast<float>(dcm.drift_ppm);
+  sample.dcm_adjust_ns = to_32(controller_->state().adjust);
+  if (dcm.mode != DcmMode::kOff) sample.flags |= CycleSample::kDcmActive;
+  if (dcm.state == SyncState::kInSync) sample.flags |= CycleSample::kDcmInSync;
+  return action.period_adjust;
+}
+
+void SyncWatch::update_dcm(Nanoseconds time) {
+  const auto& state = controller_->state();
+  auto& dcm = run_.snapshot.dcm;
+  dcm.error_ns = to_32(state.error);
+  dcm.error_filtered_ns = to_32(state.error_filtered);
+  dcm.drift_ppm = state.drift_ppm;
+  if (dcm.mode == DcmMode::kOff) return;
+  const bool was_in_sync = dcm.state == SyncState::kInSync;
+  if (state.in_sync) {
+    dcm.state = SyncState::kInSync;
+  } else {
+    dcm.state = state.in_sync_after ? SyncState::kOutOfSync : SyncState::kBusy;
+  }
+  if (state.in_sync_after) {
+    dcm.in_sync_after_ms = milliseconds(*state.in_sync_after);
+    const auto error = static_cast<double>(state.error);
+    ++count_;
+    sum_ += error;
+    sum_of_squares_ += error * error;
+    dcm.error_mean_ns = sum_ / static_cast<double>(count_);
+    dcm.error_rms_ns = std::sqrt(sum_of_squares_ / static_cast<double>(count_));
+    dcm.error_max_ns = std::max(dcm.error_max_ns, to_32(std::abs(state.error)));
+  }
+  if (state.error_code != dcm.error_code) {
+    dcm.error_code = state.error_code;
+    if (state.error_code != 0) {
+      run_.event(EventKind::kDcmError, time, -1, state.error_code, std::llround(state.drift_ppm));
+    }
+  }
+  tell_dcm_edges(was_in_sync, time);
+}
+
+void SyncWatch::tell_dcm_edges(bool was_in_sync, Nanoseconds time) {
+  const auto& dcm = run_.snapshot.dcm;
+  const bool in_sync = dcm.state == SyncState::kInSync;
+  if (in_sync != was_in_sync) run_.event(EventKind::kDcmSync, time, -1, in_sync ? 1 : 0, dcm.error_ns);
+}
+
+void SyncWatch::observe_deviation(Nanoseconds time, std::uint32_t ored_ns, CycleSample& sample) {
+  auto& dc = run_.snapshot.dc;
+  dc.deviation_ored_ns = ored_ns;
+  sample.deviation_ored_ns = ored_ns;
+  sample.flags |= CycleSample::kDeviationValid;
+  const auto edge = monitor_.observe(time, ored_ns);
+  dc.state = state_of(monitor_.state());
+  if (const auto settled = monitor_.settled_after()) dc.settled_after_ms = milliseconds(*settled);
+  tell_slave_edge(edge, time, ored_ns);
+}
+
+void SyncWatch::tell_slave_edge(dc::SyncWindowMonitor::Edge edge, Nanoseconds time, std::uint32_t ored_ns) {
+  if (edge == dc::SyncWindowMonitor::Edge::kInSync) {
+    run_.event(EventKind::kDcSlaveSync, time, -1, 1, ored_ns);
+  } else if (edge == dc::SyncWindowMonitor::Edge::kOutOfSync) {
+    run_.event(EventKind::kDcSlaveSync, time, culprit(), 0, ored_ns);
+  }
+}
+
+int SyncWatch::culprit() const {
+  int worst = -1;
+  std::int32_t largest = 0;
+  for (std::size_t i = 0; i < run_.snapshot.slaves.size(); ++i) {
+    const auto& slave = run_.snapshot.slaves[i];
+    if (!slave.deviation_valid || std::abs(slave.deviation_ns) <= largest) continue;
+    largest = std::abs(slave.deviation_ns);
+    worst = static_cast<int>(i);
+  }
+  return worst;
+}
+
+Nanoseconds SyncWatch::reference_time_at(Nanoseconds host_time) const {
+  return last_reference_ + (host_time - last_host_);
+}
+
+Nanoseconds SyncWatch::extend(std::uint32_t low, Nanoseconds send_time) const {
+  return dc::extend_32bit(low, reference_time_at(send_time));
+}
+
+void SyncWatch::clear_statistics() {
+  count_ = 0;
+  sum_ = sum_of_squares_ = 0;
+  run_.snapshot.dcm.error_mean_ns = run_.snapshot.dcm.error_rms_ns = 0;
+  run_.snapshot.dcm.error_max_ns = 0;
+}
+
+}  // namespace syncline

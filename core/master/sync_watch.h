@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "dc/dcm/dcm_controller.h"
+#include "dc/sync_window_monitor.h"
+#include "master/dc_setup.h"
+#include "master/run_state.h"
+
+namespace syncline {
+
+/// Both synchronisations of a running bus: slaves to the reference clock (sync window) and master to
+/// the reference clock (DCM). Feeds the status, tells the edges.
+class SyncWatch {
+ public:
+  explicit SyncWatch(RunState& run);
+
+  /// After the DC initialisation, before the first cyclic frame, which is scheduled for `first_cycle`.
+  /// Without distributed clocks it is not called and nothing is watched.
+  void start(const DcNetwork& network, Nanoseconds first_cycle);
+  [[nodiscard]] bool active() const { return controller_ != nullptr; }
+  /// Phase of the SYNC grid in system time: SYNC0 at base + n * cycle.
+  [[nodiscard]] Nanoseconds base() const { return base_; }
+  [[nodiscard]] bool monitored() const { return run_.snapshot.dc.monitored; }
+  [[nodiscard]] bool slaves_in_sync() const;
+  [[nodiscard]] bool master_in_sync() const;
+
+  /// Value for the reference clock, just before the frame is sent.
+  [[nodiscard]] std::optional<Nanoseconds> reference_write(Nanoseconds send_time, Nanoseconds scheduled_time);
+  /// One cycle; the result is added to the next period. Fills the sample's DC and DCM fields.
+  Nanoseconds observe_cycle(const dc::DcmObservation& observation, CycleSample& sample);
+  /// One reading of the wire-ored 0x092C.
+  void observe_deviation(Nanoseconds time, std::uint32_t ored_ns, CycleSample& sample);
+  /// System time of the reference clock at a host time, from the latest reading.
+  [[nodiscard]] Nanoseconds reference_time_at(Nanoseconds host_time) const;
+  /// The latest reading extended to 64 bit.
+  [[nodiscard]] Nanoseconds extend(std::uint32_t low, Nanoseconds send_time) const;
+  void clear_statistics();
+
+ private:
+  void update_dcm(Nanoseconds time);
+  void tell_dcm_edges(bool was_in_sync, Nanoseconds time);
+  void tell_slave_edge(dc::SyncWindowMonitor::Edge edge, Nanoseconds time, std::uint32_t ored_ns);
+  [[nodiscard]] int culprit() const;
+
+  RunState& run_;
+  std::unique_ptr<dc::DcmController> controller_;
+  dc::SyncWindowMonitor monitor_;
+  Nanoseconds base_ = 0, start_ = 0;
+  Nanoseconds last_host_ = 0, last_reference_ = 0;
+  std::uint64_t count_ = 0;
+  double sum_ = 0, sum_of_squares_ = 0;
+};
+
+}  // namespace syncline
