@@ -7,6 +7,7 @@
 namespace syncline {
 namespace {
 
+constexpr Nanoseconds kRepeatEvery = 100 * kMillisecond;
 constexpr float kGap = std::numeric_limits<float>::quiet_NaN();
 
 float valid_or_gap(const CycleSample& sample, unsigned flag, float value) {
@@ -60,7 +61,10 @@ void SampleStore::append(const CycleSample& sample) {
     deviation_[static_cast<std::size_t>(sample.slave_position)].append(time, static_cast<float>(sample.slave_deviation_ns));
   }
   if (sample.sm2_position >= 0 && static_cast<std::size_t>(sample.sm2_position) < sm2_missed_.size()) {
-    sm2_missed_[static_cast<std::size_t>(sample.sm2_position)].append(time, static_cast<float>(sample.slave_sm2_missed));
+    auto& series = sm2_missed_[static_cast<std::size_t>(sample.sm2_position)];
+    const auto value = static_cast<float>(sample.slave_sm2_missed);
+    const auto last = series.at(time);
+    if (!last || last->value != value || time - last->time >= kRepeatEvery) series.append(time, value);
   }
 }
 

@@ -35,7 +35,8 @@ class SampleStore {
   [[nodiscard]] const MinMaxSeries& series(Series which) const { return series_[static_cast<std::size_t>(which)]; }
   /// Signed 0x092C readings of one slave, ns.
   [[nodiscard]] const MinMaxSeries& slave_deviation(std::size_t position) const { return deviation_.at(position); }
-  /// Missed SM2 events of one slave: the counter's readings, a step series.
+  /// Missed SM2 events of one slave: the counter's readings, a step series. Readings that repeat the
+  /// last value are kept at most every 100 ms, so that hours fit.
   [[nodiscard]] const MinMaxSeries& slave_sm2_missed(std::size_t position) const { return sm2_missed_.at(position); }
   [[nodiscard]] std::size_t slave_count() const { return deviation_.size(); }
   [[nodiscard]] bool empty() const { return series_.front().empty(); }

@@ -19,6 +19,7 @@ namespace {
 
 constexpr int kTickMs = 33;
 constexpr unsigned kTextEvery = 6;      // ticks between updates of numbers: faster cannot be read
+constexpr unsigned kPointedTextEvery = 2;  // the same while a cursor moves
 constexpr unsigned kChooseEvery = 30;   // ticks between choices of the worst slaves
 /// The longest window on offer and something to scroll back to, within the memory that a plot may take.
 constexpr Nanoseconds kHistory = 620 * kSecond;
@@ -66,6 +67,9 @@ LiveStrip::LiveStrip(QWidget* parent) : QWidget(parent), toolbar_(new LiveStripT
   });
   connect(toolbar_, &LiveStripToolbar::menuRequested, this,
           [this](const QPoint& global) { openMenu(global, cursorPlace()); });
+  for (const auto signal : {&CursorSet::changed, &CursorSet::pointerMoved}) {
+    connect(&cursors_, signal, this, [this] { text_wanted_ = true; });
+  }
   connect(&tick_, &QTimer::timeout, this, &LiveStrip::tick);
   tick_.setInterval(kTickMs);
   setNetwork({}, kMillisecond, 0);
@@ -108,7 +112,8 @@ void LiveStrip::refresh() {
 void LiveStrip::tick() {
   if (window()->isMinimized()) return;
   if (store_ && !store_->empty()) view_.setBounds(store_->first_time(), store_->last_time());
-  if (ticks_ % kTextEvery == 0) {
+  if (ticks_ % kTextEvery == 0 || (text_wanted_ && ticks_ % kPointedTextEvery == 0)) {
+    text_wanted_ = false;
     const bool moving = view_.mode() == TimeView::Mode::kLive;
     for (auto* panel : panels_) panel->refreshText(moving && ticks_ % kChooseEvery == 0);
     showState();

@@ -75,7 +75,7 @@ class LiveStrip : public QWidget {
   std::array<TracePanel*, 3> panels_{};
   QTimer tick_;
   unsigned ticks_ = 0;
-  bool themed_ = false;
+  bool text_wanted_ = false;
 };
 
 }  // namespace syncline::ui

@@ -94,8 +94,8 @@ std::vector<LegendBar::Entry> DeviationPanel::entries(Nanoseconds time) const {
   if (const auto reading = source().store->series(Series::kDeviationOred).at(time)) {
     result.front().value = QStringLiteral("\u2264 ") + timeText(rounded(static_cast<double>(reading->value)));
   }
-  for (const auto* item : slaves_) {
-    if (item->isVisible()) result.push_back(entry(*item, time));
+  for (std::size_t i = 0; i < slots_.slots().size(); ++i) {
+    result.push_back(slaveEntry(*slaves_[i], slots_.slots()[i].slave, time));
   }
   return result;
 }
@@ -159,8 +159,8 @@ double Sm2Panel::rate(const MinMaxSeries& series, Nanoseconds until) const {
 
 std::vector<LegendBar::Entry> Sm2Panel::entries(Nanoseconds time) const {
   std::vector<LegendBar::Entry> result;
-  for (const auto* item : slaves_) {
-    if (item->isVisible()) result.push_back(entry(*item, time));
+  for (std::size_t i = 0; i < slots_.slots().size(); ++i) {
+    result.push_back(slaveEntry(*slaves_[i], slots_.slots()[i].slave, time));
   }
   return result;
 }

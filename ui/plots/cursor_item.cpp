@@ -22,7 +22,7 @@ void CursorSet::clear() {
 void CursorSet::setPointer(std::optional<Nanoseconds> time) {
   if (pointer_ == time) return;
   pointer_ = time;
-  Q_EMIT changed();
+  Q_EMIT pointerMoved();
 }
 
 CursorItem::CursorItem(const CursorSet* cursors) : cursors_(cursors) { setZ(50); }

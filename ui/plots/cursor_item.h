@@ -33,7 +33,8 @@ class CursorSet final : public QObject {
   [[nodiscard]] std::optional<Nanoseconds> pointer() const { return pointer_; }
 
  Q_SIGNALS:
-  void changed();
+  void changed();       // a cursor
+  void pointerMoved();
 
  private:
   std::array<std::optional<Nanoseconds>, 2> cursors_;

@@ -9,7 +9,7 @@
 namespace syncline::ui {
 namespace {
 
-constexpr int kSwatch = 14, kGap = 4, kBetween = 12;
+constexpr int kSwatch = 12, kGap = 4, kBetween = 10, kLongestName = 110;
 
 }  // namespace
 
@@ -30,38 +30,51 @@ void LegendBar::setEntries(std::vector<Entry> entries) {
 
 QString LegendBar::text() const {
   QStringList parts;
-  for (const auto& entry : entries_) parts << entry.name + u' ' + entry.value;
+  for (const auto& entry : entries_) {
+    const auto name = entry.short_name.isEmpty() ? entry.name : entry.short_name + u' ' + entry.name;
+    parts << name + u' ' + entry.value;
+  }
   return parts.join(QStringLiteral("; "));
 }
 
 QSize LegendBar::sizeHint() const { return {200, fontMetrics().height() + 2}; }
 QSize LegendBar::minimumSizeHint() const { return {60, fontMetrics().height() + 2}; }
 
+QString LegendBar::shownName(const Entry& entry, bool abbreviate) const {
+  if (abbreviate && !entry.short_name.isEmpty()) return entry.short_name;
+  return fontMetrics().elidedText(entry.name, Qt::ElideRight, kLongestName);
+}
+
+int LegendBar::widthOf(const Entry& entry, bool abbreviate) const {
+  return kSwatch + 2 * kGap + fontMetrics().horizontalAdvance(shownName(entry, abbreviate)) +
+         fontMetrics().horizontalAdvance(entry.value);
+}
+
 void LegendBar::paintEvent(QPaintEvent*) {
   QPainter painter(this);
-  const auto metrics = fontMetrics();
+  int all = 0;
+  for (const auto& entry : entries_) all += widthOf(entry, false) + kBetween;
+  const bool abbreviate = all - kBetween > width();
   int x = 0;
+  const auto write = [&](const QString& text, const QColor& color) {
+    const int wide = fontMetrics().horizontalAdvance(text);
+    painter.setPen(color);
+    painter.drawText(QRect(x, 0, wide + 1, height()), Qt::AlignVCenter, text);
+    x += wide;
+  };
+  const auto muted = theme::mutedText(palette());
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     const auto& entry = entries_[i];
-    const int name_width = metrics.horizontalAdvance(entry.name);
-    const int value_width = metrics.horizontalAdvance(entry.value);
-    const int width_needed = kSwatch + kGap + name_width + kGap + value_width;
     const auto rest = QStringLiteral("+%1").arg(entries_.size() - i);
-    const int reserve = i + 1 < entries_.size() ? kBetween + metrics.horizontalAdvance(rest) : 0;
-    if (x > 0 && x + width_needed + reserve > width()) {
-      painter.setPen(theme::mutedText(palette()));
-      painter.drawText(QRect(x, 0, width() - x, height()), Qt::AlignVCenter, rest);
-      break;
-    }
+    const int reserve = i + 1 < entries_.size() ? kBetween + fontMetrics().horizontalAdvance(rest) : 0;
+    if (x > 0 && x + widthOf(entry, abbreviate) + reserve > width()) return write(rest, muted);
     const bool broad = entry.shape == SeriesItem::Shape::kEnvelope;
     painter.fillRect(QRect(x, height() / 2 - (broad ? 4 : 1), kSwatch, broad ? 8 : 3), entry.color);
     x += kSwatch + kGap;
-    painter.setPen(theme::mutedText(palette()));
-    painter.drawText(QRect(x, 0, name_width + 1, height()), Qt::AlignVCenter, entry.name);
-    x += name_width + kGap;
-    painter.setPen(palette().color(QPalette::WindowText));
-    painter.drawText(QRect(x, 0, value_width + 1, height()), Qt::AlignVCenter, entry.value);
-    x += value_width + kBetween;
+    write(shownName(entry, abbreviate), muted);
+    x += kGap;
+    write(entry.value, palette().color(QPalette::WindowText));
+    x += kBetween;
   }
 }
 

@@ -17,7 +17,7 @@ class LegendBar final : public QWidget {
 
  public:
   struct Entry {
-    QString name, value;
+    QString name, short_name, value;  // the short name where room is scarce; may be empty
     QColor color;
     SeriesItem::Shape shape = SeriesItem::Shape::kLine;
     bool operator==(const Entry&) const = default;
@@ -35,6 +35,9 @@ class LegendBar final : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  [[nodiscard]] QString shownName(const Entry& entry, bool abbreviate) const;
+  [[nodiscard]] int widthOf(const Entry& entry, bool abbreviate) const;
+
   std::vector<Entry> entries_;
 };
 

@@ -8,7 +8,7 @@
 
 namespace syncline::ui {
 
-LimitBandItem::LimitBandItem() { setZ(5); }
+LimitBandItem::LimitBandItem() { setZ(12); }  // above the grid: a limit on a grid line stays visible
 
 void LimitBandItem::setLimit(double limit, const QString& label) {
   limit_ = limit;

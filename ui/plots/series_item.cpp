@@ -80,10 +80,11 @@ void SeriesItem::preparePoints() {
     }
     if (!points_.empty() && (!joined || (!step && time - before > max_gap_))) points_.emplace_back(0, kBreak);
     const double x = grid_.column_of(time);
+    before = time;
+    if (step && joined && points_.back().y() == static_cast<double>(value)) return;  // the step goes on
     if (step && !points_.empty() && !std::isnan(points_.back().y())) points_.emplace_back(x, points_.back().y());
     points_.emplace_back(x, value);
     joined = true;
-    before = time;
   };
   // The line comes in from the left and leaves to the right.
   if (const auto left = series_->at(grid_.origin - 1)) {
@@ -92,12 +93,16 @@ void SeriesItem::preparePoints() {
     if (step) extent_ = MinMaxSeries::Extent{std::min(extent_->min, left->value), std::max(extent_->max, left->value)};
   }
   series_->for_each(grid_.origin, grid_.end() + (step ? 0 : max_gap_), add);
-  if (step && joined && hold_until_ > before) add(std::min(hold_until_, grid_.end()), static_cast<float>(points_.back().y()));
+  if (step && joined) {
+    points_.emplace_back(grid_.column_of(std::min(std::max(hold_until_, before), grid_.end())), points_.back().y());
+  }
 }
 
 void SeriesItem::draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y, const QRectF& canvas) const {
   if (!columns_.empty()) {
     drawColumns(painter, x, y, canvas);
+  } else if (shape_ == Shape::kStep) {
+    drawSteps(painter, x, y, canvas);
   } else if (!points_.empty()) {
     drawPoints(painter, x, y, canvas);
   }
@@ -128,6 +133,20 @@ void SeriesItem::drawColumns(QPainter* painter, const QwtScaleMap& x, const QwtS
   }
 }
 
+void SeriesItem::drawSteps(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y, const QRectF& canvas) const {
+  constexpr double kThick = 2;
+  const ColumnMap map(x, grid_.columns);
+  for (std::size_t i = 1; i < points_.size(); ++i) {
+    if (std::isnan(points_[i - 1].y()) || std::isnan(points_[i].y())) continue;
+    const double left = std::clamp(map(points_[i - 1].x()), canvas.left() - kThick, canvas.right() + kThick);
+    const double right = std::clamp(map(points_[i].x()), canvas.left() - kThick, canvas.right() + kThick);
+    const double first = clampedY(y, points_[i - 1].y(), canvas);
+    const double second = clampedY(y, points_[i].y(), canvas);
+    painter->fillRect(QRectF(left - kThick / 2, std::min(first, second) - kThick / 2, right - left + kThick,
+                             std::abs(second - first) + kThick), color_);
+  }
+}
+
 void SeriesItem::drawPoints(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y,
                             const QRectF& canvas) const {
   const ColumnMap map(x, grid_.columns);
@@ -137,7 +156,7 @@ void SeriesItem::drawPoints(QPainter* painter, const QwtScaleMap& x, const QwtSc
   if (ratio > 1 && points_.size() < 2000) pen.setWidthF(std::round(ratio));
   pen.setCosmetic(true);
   painter->setPen(pen);
-  painter->setRenderHint(QPainter::Antialiasing, shape_ != Shape::kStep && points_.size() < 2000);
+  painter->setRenderHint(QPainter::Antialiasing, points_.size() < 2000);
   QPolygonF line;
   line.reserve(static_cast<qsizetype>(points_.size()));
   const auto flush = [&] {

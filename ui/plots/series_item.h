@@ -65,6 +65,7 @@ class SeriesItem final : public QwtPlotItem {
  private:
   void preparePoints();
   void drawColumns(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y, const QRectF& canvas) const;
+  void drawSteps(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y, const QRectF& canvas) const;
   void drawPoints(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y, const QRectF& canvas) const;
 
   const MinMaxSeries* series_ = nullptr;

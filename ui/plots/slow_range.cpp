@@ -7,7 +7,9 @@
 namespace syncline::ui {
 namespace {
 
-constexpr double kWantedSteps = 4;
+constexpr double kTicks = 5;          // about as many lines
+constexpr double kRounding = 8;       // the range's ends are round to this part of it
+constexpr double kFarFromZero = 3;    // data this many times their span away from zero are shown without it
 constexpr double kHeadroom = 0.06;   // of the data's span, above and below
 constexpr double kRoomy = 0.55;      // data that need less of the range than this may shrink it
 
@@ -25,20 +27,21 @@ double niceStep(double raw) {
 SlowRange::SlowRange(double minimum_span, bool with_zero, int hold_updates)
     : minimum_span_(minimum_span), with_zero_(with_zero), hold_updates_(hold_updates), high_(minimum_span) {}
 
-double SlowRange::step() const { return niceStep((high_ - low_) / (kWantedSteps + 1)); }
+double SlowRange::step() const { return niceStep((high_ - low_) / kTicks); }
 
 bool SlowRange::update(double low, double high) {
   if (fixed_ || low > high) return false;
+  const bool with_zero = with_zero_ && low <= kFarFromZero * (high - low + minimum_span_);
   const double room = (high - low) * kHeadroom;
-  low -= low < 0 || !with_zero_ ? room : 0;
+  low -= low < 0 || !with_zero ? room : 0;
   high += room;
-  if (with_zero_) {
+  if (with_zero) {
     low = std::min(low, 0.0);
     high = std::max(high, 0.0);
   }
   if (high - low < minimum_span_) {
     const double missing = minimum_span_ - (high - low);
-    const bool from_zero = with_zero_ && low >= 0;
+    const bool from_zero = with_zero && low >= 0;
     low -= from_zero ? 0 : missing / 2;
     high += from_zero ? missing : missing / 2;
   }
@@ -67,7 +70,7 @@ void SlowRange::fix(double low, double high) {
 }
 
 void SlowRange::take(double low, double high) {
-  const double step = niceStep((high - low) / kWantedSteps);
+  const double step = niceStep((high - low) / kRounding);
   low_ = std::floor(low / step + 1e-9) * step;
   high_ = std::ceil(high / step - 1e-9) * step;
   fit_next_ = false;

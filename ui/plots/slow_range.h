@@ -7,7 +7,8 @@ namespace syncline::ui {
 /// and shrinks only after the data have needed much less for a while. Or it is fixed by the user.
 class SlowRange {
  public:
-  /// `minimum_span` in axis units; `with_zero`: zero is always in the range.
+  /// `minimum_span` in axis units; `with_zero`: zero is in the range unless the data are
+  /// far from it.
   explicit SlowRange(double minimum_span = 1, bool with_zero = false, int hold_updates = 45);
 
   /// One call a redraw with the extent of what is visible; true when the range changed.

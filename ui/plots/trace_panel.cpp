@@ -40,7 +40,6 @@ TracePanel::TracePanel(const QString& title, const TracePlot::Options& options, 
   plot_->setAccessibleName(title);
   legend_->setAccessibleName(tr("Legend: %1").arg(title));
   readout_->setAccessibleName(tr("Figures: %1").arg(title));
-  connect(cursors_, &CursorSet::changed, this, [this] { refreshText(false); });
 }
 
 void TracePanel::setSource(const TraceSource* source) {
@@ -76,27 +75,43 @@ void TracePanel::refreshText(bool choose_now) {
   plot_->setAccessibleDescription(legend_->text() + QStringLiteral(". ") + text);
 }
 
-QString TracePanel::betweenCursors() const {
+QString TracePanel::betweenCursors() {
   const auto* item = primary();
   if (item == nullptr || item->series() == nullptr) return {};
   const auto begin = std::min(*cursors_->at(CursorSet::kA), *cursors_->at(CursorSet::kB));
+  // Every sample between the cursors is visited: only again when that can change something.
+  const Measured key{item->series(), begin, cursors_->delta(), item->series()->count(begin, begin + std::llabs(cursors_->delta()) + 1)};
+  if (key == measured_) return measured_text_;
+  measured_ = key;
+  measured_text_ = measure(*item, begin);
+  return measured_text_;
+}
+
+QString TracePanel::measure(const SeriesItem& item, Nanoseconds begin) const {
   Statistics statistics;
-  item->series()->for_each(begin, begin + std::llabs(cursors_->delta()) + 1, [&](Nanoseconds, float value) {
+  item.series()->for_each(begin, begin + std::llabs(cursors_->delta()) + 1, [&](Nanoseconds, float value) {
     if (!std::isnan(value)) statistics.add(static_cast<double>(value));
   });
-  const auto a = item->series()->at(*cursors_->at(CursorSet::kA));
-  const auto b = item->series()->at(*cursors_->at(CursorSet::kB));
-  if (statistics.count() == 0 || !a || !b) return tr("no samples between A and B");
-  return tr("B\u2212A %1   min %2   max %3   mean %4")
-      .arg(valueText(static_cast<double>(b->value) - static_cast<double>(a->value)), valueText(statistics.min()),
-           valueText(statistics.max()), valueText(statistics.mean()));
+  const auto a = item.series()->at(*cursors_->at(CursorSet::kA));
+  const auto b = item.series()->at(*cursors_->at(CursorSet::kB));
+  if (!a || !b) return tr("no samples at A or B");
+  const auto text = tr("B\u2212A %1").arg(valueText(static_cast<double>(b->value) - static_cast<double>(a->value)));
+  if (statistics.count() == 0) return text;
+  return text + tr("   min %1   max %2   mean %3")
+                    .arg(valueText(statistics.min()), valueText(statistics.max()), valueText(statistics.mean()));
 }
 
 LegendBar::Entry TracePanel::entry(const SeriesItem& item, Nanoseconds time) const {
-  LegendBar::Entry entry{item.title().text(), QStringLiteral("\u2013"), item.color(), item.shape()};
+  LegendBar::Entry entry{item.title().text(), {}, QStringLiteral("\u2013"), item.color(), item.shape()};
   if (item.series() == nullptr) return entry;
   if (const auto reading = item.series()->at(time)) entry.value = valueText(static_cast<double>(reading->value));
   return entry;
+}
+
+LegendBar::Entry TracePanel::slaveEntry(const SeriesItem& item, int position, Nanoseconds time) const {
+  auto result = entry(item, time);
+  result.short_name = u'#' + QString::number(position);
+  return result;
 }
 
 QString TracePanel::slaveName(int position) const {

@@ -60,10 +60,19 @@ class TracePanel : public QWidget {
   [[nodiscard]] int pickedSlave() const { return picked_; }
   [[nodiscard]] const TimeView& view() const { return *view_; }
   [[nodiscard]] LegendBar::Entry entry(const SeriesItem& item, Nanoseconds time) const;
+  /// The same for a slave's item, with its number as the short name.
+  [[nodiscard]] LegendBar::Entry slaveEntry(const SeriesItem& item, int position, Nanoseconds time) const;
   [[nodiscard]] QString slaveName(int position) const;
 
  private:
-  [[nodiscard]] QString betweenCursors() const;
+  struct Measured {
+    const MinMaxSeries* series = nullptr;
+    Nanoseconds begin = 0, delta = 0;
+    std::size_t samples = 0;
+    bool operator==(const Measured&) const = default;
+  };
+  [[nodiscard]] QString betweenCursors();
+  [[nodiscard]] QString measure(const SeriesItem& item, Nanoseconds begin) const;
 
   TimeView* view_;
   CursorSet* cursors_;
@@ -72,6 +81,8 @@ class TracePanel : public QWidget {
   TracePlot* plot_;
   const TraceSource* source_ = nullptr;
   int picked_ = -1;
+  Measured measured_;
+  QString measured_text_;
 };
 
 }  // namespace syncline::ui

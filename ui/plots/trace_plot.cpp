@@ -8,6 +8,7 @@
 
 #include <QContextMenuEvent>
 #include <QMouseEvent>
+#include <QPainter>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
@@ -22,6 +23,7 @@ namespace {
 constexpr double kGrabDistance = 5;    // logical pixels about a cursor line
 constexpr double kZoomPerNotch = 0.8;
 constexpr int kValueLabelExtent = 38;  // keeps the canvas where it is when labels get longer
+constexpr int kBorder = 7;
 constexpr double kLimitWithin = 6;     // a limit this many times the data is still shown to scale
 
 struct Unit {
@@ -73,12 +75,16 @@ TracePlot::TracePlot(const Options& options, TimeView* view, CursorSet* cursors,
     axisWidget(axis)->setSpacing(1);
   }
   value_draw_->setMinimumExtent(kValueLabelExtent);
+  // Room for half a label at each end, used or not: the canvases of a row stay aligned.
+  axisWidget(QwtPlot::yLeft)->setMinBorderDist(kBorder, kBorder);
+  axisWidget(QwtPlot::xBottom)->setMinBorderDist(kBorder, 2 * kBorder);
   for (QwtPlotItem* item : {static_cast<QwtPlotItem*>(lines_), static_cast<QwtPlotItem*>(band_),
                             static_cast<QwtPlotItem*>(cursor_item_)}) {
     item->attach(this);
   }
   connect(view_, &TimeView::changed, this, &TracePlot::markDirty);
   connect(cursors_, &CursorSet::changed, this, &TracePlot::markDirty);
+  connect(cursors_, &CursorSet::pointerMoved, this, &TracePlot::markDirty);
   applyTheme();
 }
 
@@ -148,6 +154,8 @@ void TracePlot::prepare() {
     low = first ? static_cast<double>(extent->min) : std::min(low, static_cast<double>(extent->min));
     high = first ? static_cast<double>(extent->max) : std::max(high, static_cast<double>(extent->max));
   }
+  // The pointer stays where it is on the screen while the data pass below it.
+  if (pointer_x_) cursors_->setPointer(timeAt(*pointer_x_));
   cursor_item_->prepare(grid_);
   if (const double limit = band_->limit(); limit > 0 && low <= high) {
     if (limit <= kLimitWithin * std::max(std::abs(low), std::abs(high))) {
@@ -176,7 +184,7 @@ void TracePlot::updateTimeAxis() {
     begin = end - span;
   }
   time_draw_->setDivisor(divisor);
-  setAxisMaxMajor(QwtPlot::xBottom, std::clamp(canvas()->width() / 70, 2, 8));
+  setAxisMaxMajor(QwtPlot::xBottom, std::clamp(canvas()->width() / 52, 2, 8));
   setAxisScale(QwtPlot::xBottom, begin, end);
   const auto title = titleText(quantity, unit, palette(), canvas()->font());
   if (axisTitle(QwtPlot::xBottom) != title) setAxisTitle(QwtPlot::xBottom, title);
@@ -210,6 +218,19 @@ Nanoseconds TracePlot::timeAt(double x) const {
 void TracePlot::drawCanvas(QPainter* painter) {
   ++paints_;
   QwtPlot::drawCanvas(painter);
+  if (!hasFocus()) return;
+  painter->setPen(QPen(palette().color(QPalette::Highlight), 0));
+  painter->drawRect(QRectF(canvas()->contentsRect()).adjusted(0, 0, -1, -1));
+}
+
+void TracePlot::focusInEvent(QFocusEvent* event) {
+  QwtPlot::focusInEvent(event);
+  canvas()->update();
+}
+
+void TracePlot::focusOutEvent(QFocusEvent* event) {
+  QwtPlot::focusOutEvent(event);
+  canvas()->update();
 }
 
 void TracePlot::resizeEvent(QResizeEvent* event) {
@@ -246,6 +267,7 @@ bool TracePlot::mouseEvent(QEvent* event) {
       fitValues();
       return true;
     case QEvent::Leave:
+      pointer_x_.reset();
       cursors_->setPointer(std::nullopt);
       return false;
     case QEvent::ContextMenu: {
@@ -284,6 +306,7 @@ void TracePlot::grab(double x) {
 }
 
 void TracePlot::drag(double x) {
+  pointer_x_ = x;
   cursors_->setPointer(timeAt(x));
   if (drag_ == Drag::kCursorA) cursors_->set(CursorSet::kA, timeAt(x));
   if (drag_ == Drag::kCursorB) cursors_->set(CursorSet::kB, timeAt(x));

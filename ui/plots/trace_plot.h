@@ -5,7 +5,7 @@
 
 #include <QString>
 #include <cstdint>
-#include <memory>
+#include <optional>
 #include <vector>
 
 #include "ui/plots/cursor_item.h"
@@ -54,6 +54,8 @@ class TracePlot final : public QwtPlot {
   [[nodiscard]] std::uint64_t paintCount() const { return paints_; }
   [[nodiscard]] const std::vector<SeriesItem*>& items() const { return items_; }
   [[nodiscard]] const ColumnGrid& grid() const { return grid_; }
+  [[nodiscard]] QSize sizeHint() const override { return {360, 150}; }
+  [[nodiscard]] QSize minimumSizeHint() const override { return {160, 80}; }
   /// Time under a canvas x coordinate.
   [[nodiscard]] Nanoseconds timeAt(double x) const;
 
@@ -64,6 +66,8 @@ class TracePlot final : public QwtPlot {
   void drawCanvas(QPainter* painter) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
+  void focusInEvent(QFocusEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
 
  private:
   [[nodiscard]] bool onScreen() const;
@@ -89,6 +93,7 @@ class TracePlot final : public QwtPlot {
   std::uint64_t paints_ = 0;
   enum class Drag { kNone, kPan, kCursorA, kCursorB } drag_ = Drag::kNone;
   double drag_x_ = 0;
+  std::optional<double> pointer_x_;
 };
 
 }  // namespace syncline::ui

@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/live_strip.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QImage>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QStackedLayout>
+#include <QToolButton>
+#include <QWheelEvent>
+#include <cmath>
+
+namespace syncline::ui {
+namespace {
+
+using Mode = TimeView::Mode;
+constexpr Nanoseconds kStart = 830'000'000 * kSecond;
+
+/// One sample a millisecond: a one-sample spike at 2.5 s, lost frames from 3 s to 3.2 s, a missed SM2
+/// event of slave 2 at 4 s.
+std::vector<CycleSample> samples(std::uint64_t from, std::uint64_t to) {
+  std::vector<CycleSample> result;
+  for (auto i = from; i < to; ++i) {
+    CycleSample s;
+    s.cycle = i;
+    s.send_time = kStart + static_cast<Nanoseconds>(i) * kMillisecond;
+    s.flags = CycleSample::kDeviationValid | CycleSample::kDcmActive | CycleSample::kReferenceValid;
+    s.deviation_ored_ns = i == 2500 ? 900 : 30;
+    s.slave_position = static_cast<std::int16_t>(i % 3);
+    s.slave_deviation_ns = static_cast<std::int32_t>(i % 3) * 10 - 10;
+    s.dcm_error_ns = i % 2 == 0 ? 200 : -200;
+    s.dcm_error_filtered_ns = 5;
+    s.drift_ppm = 12.5F;
+    if (i >= 3000 && i < 3200) s.flags |= CycleSample::kFrameLost;
+    if (i % 250 == 0) {
+      s.sm2_position = 2;
+      s.slave_sm2_missed = i < 4000 ? 7 : 8;
+    }
+    result.push_back(s);
+  }
+  return result;
+}
+
+class LiveStripTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    strip.resize(1280, 230);
+    strip.setNetwork({QStringLiteral("1 Coupler"), QStringLiteral("2 Input"), QStringLiteral("3 Servo")}, kMillisecond, 500);
+  }
+  void show() {
+    strip.show();
+    settle();
+  }
+  /// Lays out and paints; no time passes.
+  void settle() {
+    strip.refresh();
+    QApplication::processEvents();
+    strip.refresh();
+    QApplication::processEvents();
+  }
+  void key(int code) {
+    QKeyEvent press(QEvent::KeyPress, code, Qt::NoModifier);
+    QApplication::sendEvent(plot(0), &press);
+  }
+  TracePlot* plot(std::size_t i) { return strip.panels()[i]->plot(); }
+  std::uint64_t paints() { return plot(0)->paintCount() + plot(1)->paintCount() + plot(2)->paintCount(); }
+  QString text(const char* name) { return strip.findChild<QLabel*>(QLatin1String(name))->text(); }
+
+  LiveStrip strip;
+};
+
+TEST_F(LiveStripTest, SaysWhatToDoWithoutData) {
+  show();
+  auto* label = strip.findChild<QLabel*>(QStringLiteral("liveEmptyLabel"));
+  EXPECT_TRUE(label->isVisible());
+  EXPECT_THAT(label->text().toStdString(), testing::HasSubstr("go online"));
+  strip.append(samples(0, 100));
+  settle();
+  EXPECT_FALSE(label->isVisible());
+  EXPECT_TRUE(plot(0)->isVisible());
+  strip.clear();
+  settle();
+  EXPECT_TRUE(label->isVisible());
+}
+
+TEST_F(LiveStripTest, FillsAllThreePlots) {
+  show();
+  strip.append(samples(0, 6000));
+  settle();
+  EXPECT_FALSE(plot(0)->items().front()->columns().empty());
+  EXPECT_THAT(strip.panels()[0]->legend()->text().toStdString(), testing::HasSubstr("upper estimate \u2264 30"));
+  EXPECT_THAT(strip.panels()[0]->legend()->text().toStdString(), testing::HasSubstr("3 Servo +10"));
+  EXPECT_THAT(strip.panels()[0]->readout().toStdString(), testing::HasSubstr("900"));
+  EXPECT_THAT(strip.panels()[1]->legend()->text().toStdString(), testing::HasSubstr("#2 3 Servo 8"));
+  EXPECT_THAT(strip.panels()[1]->readout().toStdString(), testing::HasSubstr("/s"));
+  EXPECT_THAT(strip.panels()[2]->readout().toStdString(), testing::HasSubstr("12.50"));
+  EXPECT_GE(plot(0)->valueRange().high(), 900) << "the spike is inside the axis";
+}
+
+TEST_F(LiveStripTest, HiddenPlotsAreNotPainted) {
+  strip.append(samples(0, 1000));
+  for (int i = 0; i < 100; ++i) strip.refresh();
+  QApplication::processEvents();
+  EXPECT_EQ(paints(), 0U);
+  show();
+  EXPECT_GT(paints(), 0U);
+  strip.hide();
+  const auto before = paints();
+  strip.append(samples(1000, 2000));
+  for (int i = 0; i < 100; ++i) strip.refresh();
+  QApplication::processEvents();
+  EXPECT_EQ(paints(), before);
+}
+
+TEST_F(LiveStripTest, OnePaintAPlotAndTick) {
+  show();
+  strip.append(samples(0, 1000));
+  settle();
+  for (std::uint64_t i = 0; i < 20; ++i) {
+    const auto before = paints();
+    strip.append(samples(1000 + i * 10, 1005 + i * 10));
+    strip.append(samples(1005 + i * 10, 1010 + i * 10));
+    strip.refresh();
+    QApplication::processEvents();
+    EXPECT_LE(paints() - before, 3U);
+    EXPECT_GE(paints() - before, 3U);
+  }
+  const auto before = paints();
+  strip.refresh();
+  QApplication::processEvents();
+  EXPECT_EQ(paints(), before) << "nothing new, nothing drawn";
+}
+
+TEST_F(LiveStripTest, FrozenPictureIsNotPaintedAndSamplesGoOnBeingKept) {
+  show();
+  strip.append(samples(0, 1000));
+  settle();
+  key(Qt::Key_Space);
+  EXPECT_EQ(strip.timeView()->mode(), Mode::kFrozen);
+  settle();
+  const auto before = paints();
+  strip.append(samples(1000, 4000));
+  for (int i = 0; i < 30; ++i) strip.refresh();
+  QApplication::processEvents();
+  EXPECT_EQ(paints(), before);
+  EXPECT_EQ(strip.store()->last_time(), kStart + 3999 * kMillisecond);
+  EXPECT_THAT(text("liveStateLabel").toStdString(), testing::HasSubstr("3.000"));
+  key(Qt::Key_Space);
+  settle();
+  EXPECT_EQ(strip.timeView()->mode(), Mode::kLive);
+  EXPECT_EQ(strip.timeView()->end(), strip.store()->last_time());
+}
+
+TEST_F(LiveStripTest, WheelZoomsAllPlotsWhileDataStream) {
+  show();
+  strip.append(samples(0, 5000));
+  settle();
+  auto* canvas = plot(1)->canvas();
+  const QPointF at(canvas->width() / 2.0, 20);
+  const auto anchor = plot(1)->timeAt(at.x());
+  QWheelEvent wheel(at, canvas->mapToGlobal(at), {}, QPoint(0, 240), Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+  QApplication::sendEvent(canvas, &wheel);
+  strip.append(samples(5000, 6000));
+  settle();
+  EXPECT_EQ(strip.timeView()->mode(), Mode::kHistory);
+  EXPECT_LT(strip.timeView()->span(), 7 * kSecond);
+  EXPECT_NEAR(static_cast<double>(plot(1)->timeAt(at.x()) - anchor), 0, static_cast<double>(2 * plot(1)->grid().width));
+  EXPECT_EQ(plot(0)->grid().width, plot(2)->grid().width) << "linked";
+  const auto span = strip.timeView()->span();
+  key(Qt::Key_End);
+  settle();
+  EXPECT_EQ(strip.timeView()->span(), span);
+  EXPECT_TRUE(strip.findChild<QToolButton*>(QStringLiteral("liveButton"))->isChecked());
+}
+
+TEST_F(LiveStripTest, LostFramesAreAGapInThePicture) {
+  show();
+  strip.append(samples(0, 6000));
+  settle();
+  strip.timeView()->zoom(0.1, kStart + 3100 * kMillisecond);  // 1 s about the gap
+  settle();
+  const auto image = plot(2)->canvas()->grab().toImage();
+  const auto painted = [&](Nanoseconds time) {
+    const int x = static_cast<int>(plot(2)->grid().column_of(time));
+    const auto raw = plot(2)->items().front()->color();
+    for (int y = 0; y < image.height(); ++y) {
+      if (QColor(image.pixel(x, y)) == raw) return true;
+    }
+    return false;
+  };
+  EXPECT_TRUE(painted(kStart + 2950 * kMillisecond));
+  EXPECT_FALSE(painted(kStart + 3100 * kMillisecond));
+  EXPECT_TRUE(painted(kStart + 3250 * kMillisecond));
+}
+
+TEST_F(LiveStripTest, CursorsMeasure) {
+  show();
+  strip.append(samples(0, 6000));
+  settle();
+  strip.cursors()->set(CursorSet::kA, kStart + 2400 * kMillisecond);
+  strip.cursors()->set(CursorSet::kB, kStart + 2600 * kMillisecond);
+  settle();
+  EXPECT_THAT(text("cursorDeltaLabel").toStdString(), testing::AllOf(testing::HasSubstr("+200.000"), testing::HasSubstr("5 Hz")));
+  EXPECT_THAT(strip.panels()[0]->readout().toStdString(), testing::HasSubstr("max +900"));
+  EXPECT_THAT(strip.panels()[2]->readout().toStdString(), testing::AllOf(testing::HasSubstr("min -200"), testing::HasSubstr("max +200")));
+  key(Qt::Key_Escape);
+  settle();
+  EXPECT_TRUE(text("cursorDeltaLabel").isEmpty());
+}
+
+TEST_F(LiveStripTest, LegendReadsTheValueUnderThePointer) {
+  show();
+  strip.append(samples(0, 6000));
+  settle();
+  key(Qt::Key_Space);
+  strip.cursors()->setPointer(kStart + 2500 * kMillisecond + 10);
+  settle();
+  EXPECT_THAT(strip.panels()[0]->legend()->text().toStdString(), testing::HasSubstr("900"));
+}
+
+TEST_F(LiveStripTest, CsvHoldsTheShownRange) {
+  show();
+  strip.append(samples(0, 6000));
+  strip.timeView()->setSpan(kSecond);
+  settle();
+  const auto table = strip.csv();
+  EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 1 + 1001);
+  EXPECT_THAT(table, testing::StartsWith("time_ns,time_utc,deviation_ored_ns,dcm_error_ns,"));
+  EXPECT_THAT(table, testing::HasSubstr("deviation_ns 3 Servo"));
+  EXPECT_THAT(table, testing::HasSubstr("\n5999000000,"));
+}
+
+TEST_F(LiveStripTest, EveryControlHasNames) {
+  show();
+  strip.append(samples(0, 100));
+  settle();
+  for (const auto* button : strip.findChildren<QToolButton*>()) {
+    EXPECT_FALSE(button->objectName().isEmpty());
+    EXPECT_FALSE(button->accessibleName().isEmpty()) << button->objectName().toStdString();
+  }
+  for (const auto* panel : strip.panels()) {
+    EXPECT_FALSE(panel->plot()->accessibleName().isEmpty());
+    EXPECT_FALSE(panel->plot()->accessibleDescription().isEmpty());
+  }
+}
+
+TEST_F(LiveStripTest, NewNetworkStartsEmpty) {
+  show();
+  strip.append(samples(0, 1000));
+  settle();
+  strip.setNetwork({QStringLiteral("1 Other")}, 250 * kMicrosecond, 0);
+  settle();
+  EXPECT_TRUE(strip.store()->empty());
+  strip.append(samples(0, 50));
+  settle();
+  EXPECT_THAT(strip.panels()[0]->legend()->text().toStdString(), testing::HasSubstr("1 Other"));
+  EXPECT_THAT(strip.panels()[0]->legend()->text().toStdString(), testing::Not(testing::HasSubstr("Servo")));
+}
+
+TEST_F(LiveStripTest, PictureIsLightWhateverTheThemeIs) {
+  show();
+  strip.append(samples(0, 1000));
+  settle();
+  const auto image = strip.picture(2);
+  EXPECT_GT(image.width(), 2400);
+  EXPECT_EQ(image.pixel(1, 1), qRgb(255, 255, 255));
+}
+
+}  // namespace
+}  // namespace syncline::ui

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/plots/time_view.h"
+
+#include <gtest/gtest.h>
+
+namespace syncline::ui {
+namespace {
+
+using Mode = TimeView::Mode;
+constexpr Nanoseconds kStart = 830'000'000 * kSecond;
+
+class TimeViewTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    view.setSpan(10 * kSecond);
+    view.setBounds(kStart, kStart + 60 * kSecond);
+  }
+  TimeView view;
+};
+
+TEST_F(TimeViewTest, FollowsTheNewestSample) {
+  EXPECT_EQ(view.mode(), Mode::kLive);
+  EXPECT_EQ(view.end(), kStart + 60 * kSecond);
+  view.setBounds(kStart, kStart + 61 * kSecond);
+  EXPECT_EQ(view.begin(), kStart + 51 * kSecond);
+  EXPECT_EQ(view.behind(), 0);
+}
+
+TEST_F(TimeViewTest, PanLeavesFollowingAndHoldsWhileDataArrive) {
+  view.pan(-5 * kSecond);
+  EXPECT_EQ(view.mode(), Mode::kHistory);
+  const auto begin = view.begin();
+  view.setBounds(kStart, kStart + 100 * kSecond);
+  EXPECT_EQ(view.begin(), begin);
+  EXPECT_EQ(view.behind(), 45 * kSecond);
+}
+
+TEST_F(TimeViewTest, ZoomKeepsThePlaceUnderThePointer) {
+  const auto anchor = view.begin() + 3 * kSecond;
+  view.zoom(0.5, anchor);
+  EXPECT_EQ(view.span(), 5 * kSecond);
+  EXPECT_EQ(anchor - view.begin(), 1500 * kMillisecond);
+}
+
+TEST_F(TimeViewTest, GoingLiveAgainKeepsTheZoomWidth) {
+  view.zoom(0.25, view.begin());
+  view.setBounds(kStart, kStart + 90 * kSecond);
+  view.goLive();
+  EXPECT_EQ(view.mode(), Mode::kLive);
+  EXPECT_EQ(view.span(), 2500 * kMillisecond);
+  EXPECT_EQ(view.end(), kStart + 90 * kSecond);
+}
+
+TEST_F(TimeViewTest, FrozenPictureStandsStill) {
+  int changes = 0;
+  view.freeze();
+  QObject::connect(&view, &TimeView::changed, [&] { ++changes; });
+  view.setBounds(kStart, kStart + 70 * kSecond);
+  EXPECT_EQ(changes, 0);
+  EXPECT_EQ(view.end(), kStart + 60 * kSecond);
+  EXPECT_EQ(view.behind(), 10 * kSecond);
+  view.pan(-kSecond);
+  EXPECT_EQ(view.mode(), Mode::kFrozen) << "looking around does not thaw";
+}
+
+TEST_F(TimeViewTest, DoesNotGetLostBesideTheData) {
+  view.pan(-1000 * kSecond);
+  EXPECT_GT(view.end(), kStart);
+  view.pan(5000 * kSecond);
+  EXPECT_LT(view.begin(), kStart + 60 * kSecond);
+  view.zoom(1e12, kStart);
+  EXPECT_EQ(view.span(), TimeView::kMaxSpan);
+  view.zoom(1e-15, kStart);
+  EXPECT_EQ(view.span(), TimeView::kMinSpan);
+}
+
+TEST_F(TimeViewTest, WindowLengthDoesNotStopFollowing) {
+  view.setSpan(kSecond);
+  EXPECT_EQ(view.mode(), Mode::kLive);
+  EXPECT_EQ(view.end(), kStart + 60 * kSecond);
+}
+
+}  // namespace
+}  // namespace syncline::ui
