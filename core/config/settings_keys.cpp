@@ -46,6 +46,7 @@ std::optional<std::uint32_t> small_number(std::string_view text) {
 std::optional<Place> match(const Rule& rule, std::string_view key) {
   Place place;
   std::string_view pattern = rule.key;
+  if (key.ends_with('.')) return std::nullopt;
   while (!pattern.empty() && !key.empty()) {
     const auto wanted = next_part(pattern);
     const auto part = next_part(key);

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <random>
+#include <string>
+
+#include "config/project.h"
+
+namespace syncline::test {
+
+/// Projects that a user could have made, from a seed: every field leaves its default now and then.
+class RandomProject {
+ public:
+  explicit RandomProject(std::uint32_t seed) : random_(seed) {}
+
+  Project project() {
+    Project p;
+    p.master = master();
+    const int slaves = number(0, 4);
+    for (int i = 0; i < slaves; ++i) p.slaves.push_back(slave(static_cast<std::uint16_t>(i)));
+    if (slaves > 0 && chance(2)) p.master.dc.reference_clock = number<std::uint16_t>(0, slaves - 1);
+    return p;
+  }
+
+  DeviceDescription device() {
+    DeviceDescription d;
+    d.identity = {number<std::uint32_t>(1, 0x7FFF'FFFF), number<std::uint32_t>(1, 0x7FFF'FFFF),
+                  number<std::uint32_t>(0, 0x7FFF'FFFF), chance(4) ? number<std::uint32_t>(1, 999) : 0};
+    d.vendor_name = text();
+    d.group_type = trimmed_text();
+    d.type = text();
+    d.name = trimmed_text();
+    d.physics = pick({"YY", "KK", "YKY", "KK Y", ""});
+    d.check_revision_low_word = chance(2);
+    d.use_lrd_lwr = chance(3);
+    for (int i = number(0, 4); i > 0; --i) d.fmmus.push_back(static_cast<FmmuUse>(number(0, 3)));
+    for (int i = 0; i < 4; ++i) d.sync_managers.push_back(sync_manager(static_cast<SyncManagerType>(i + 1)));
+    d.rx_pdos = pdos(0x1600, 0x7000, 2);
+    d.tx_pdos = pdos(0x1A00, 0x6000, 3);
+    if (chance(2)) d.mailbox = mailbox();
+    if (chance(2)) d.dc = dc();
+    d.timeouts = {number<std::uint32_t>(1, 99999), number<std::uint32_t>(1, 99999), number<std::uint32_t>(1, 99999),
+                  number<std::uint32_t>(1, 99999)};
+    d.eeprom = {number<std::uint32_t>(0, 8192), bytes(14), chance(2) ? bytes(8) : std::vector<std::uint8_t>{}};
+    if (chance(2)) d.reg_0400 = number<std::uint16_t>(0, 0xFFFF);
+    if (chance(2)) d.reg_0420 = number<std::uint16_t>(0, 0xFFFF);
+    for (int i = number(0, 2); i > 0; --i) {
+      d.profiles.push_back({number<std::uint32_t>(1, 5001), number<std::uint32_t>(0, 9)});
+    }
+    for (int i = number(0, 3); i > 0; --i) d.dictionary.push_back(object(static_cast<std::uint16_t>(0x8000 + i)));
+    d.source = text();
+    return d;
+  }
+
+  /// Text that a careless writer or reader would spoil.
+  std::string text() {
+    return pick({"Drive", "Elmo Drive ", " spaces around ", "a < b & c > \"d\" 'e'", "Größe µs 速度", "]]>", "", " "});
+  }
+
+ private:
+  template <class T = int>
+  T number(std::int64_t from, std::int64_t to) {
+    return static_cast<T>(std::uniform_int_distribution<std::int64_t>(from, to)(random_));
+  }
+  bool chance(int one_in) { return number(1, one_in) == 1; }
+  std::string pick(std::initializer_list<const char*> words) {
+    return *(words.begin() + number(0, static_cast<std::int64_t>(words.size()) - 1));
+  }
+  std::string trimmed_text() { return pick({"Drive", "two words", "a < b & c > \"d\"", "Größe µs", "]]>", ""}); }
+  std::string name() { return pick({"Axis 1", "Slave_1001 [Elmo Drive ]", "<&>\"'", "Größe", " lead"}); }
+  std::vector<std::uint8_t> bytes(int count) {
+    std::vector<std::uint8_t> out;
+    for (int i = 0; i < count; ++i) out.push_back(number<std::uint8_t>(0, 255));
+    return out;
+  }
+
+  MasterSettings master() {
+    MasterSettings m;
+    m.name = name();
+    m.cycle_time = number<Nanoseconds>(31'250, 100 * kMillisecond);
+    for (auto& byte : m.destination_mac) byte = number<std::uint8_t>(0, 255);
+    for (auto& byte : m.source_mac) byte = number<std::uint8_t>(0, 255);
+    auto& dc = m.dc;
+    dc.enabled = chance(2);
+    dc.continuous_propagation_compensation = chance(2);
+    dc.show_64bit_system_time = chance(2);
+    dc.sync_window = {chance(2), number<std::uint8_t>(1, 30), number<std::uint32_t>(0, 60'000)};
+    dc.dcm.mode = static_cast<DcmMode>(number(0, 2));
+    if (chance(2)) dc.dcm.set_value = number<Nanoseconds>(0, kMillisecond);
+    dc.dcm.in_sync_limit = number<Nanoseconds>(1, 100'000);
+    dc.dcm.in_sync_settle_time_ms = number<std::uint32_t>(0, 60'000);
+    dc.dcm.start_delay_ms = number<std::uint32_t>(0, 60'000);
+    dc.burst_total = number<std::uint32_t>(0, 20'000);
+    dc.burst_bulk = number<std::uint32_t>(1, 100);
+    dc.start_time_safety = number<Nanoseconds>(0, kSecond);
+    dc.start_time_grid = number<Nanoseconds>(0, kMillisecond);
+    return m;
+  }
+
+  SyncManagerDescription sync_manager(SyncManagerType type) {
+    SyncManagerDescription m;
+    m.type = type;
+    m.start_address = number<std::uint16_t>(0, 0xFFFF);
+    m.control_byte = number<std::uint8_t>(0, 255);
+    if (chance(2)) m.min_size = number<std::uint16_t>(0, 2048);
+    if (chance(2)) m.max_size = number<std::uint16_t>(0, 2048);
+    if (chance(2)) m.default_size = number<std::uint16_t>(0, 2048);
+    m.enable = chance(2);
+    m.is_virtual = chance(5);
+    m.op_only = chance(3);
+    return m;
+  }
+
+  std::vector<Pdo> pdos(std::uint16_t first, std::uint16_t first_object, std::uint8_t manager) {
+    std::vector<Pdo> out;
+    const int count = number(0, 4);
+    for (int i = 0; i < count; ++i) {
+      Pdo pdo;
+      pdo.index = static_cast<std::uint16_t>(first + i);
+      pdo.name = trimmed_text();
+      if (chance(2)) pdo.sync_manager = manager;
+      pdo.fixed = chance(2);
+      pdo.mandatory = chance(4);
+      if (i > 0 && chance(3)) pdo.exclude.push_back(first);
+      for (int k = number(0, 3); k > 0; --k) {
+        pdo.entries.push_back({static_cast<std::uint16_t>(first_object + 16 * i), static_cast<std::uint8_t>(k),
+                               number<std::uint16_t>(1, 64), trimmed_text(), pick({"UINT", "DINT", "BOOL", ""})});
+      }
+      if (chance(3)) pdo.entries.push_back({0, 0, number<std::uint16_t>(1, 8), "", ""});
+      out.push_back(std::move(pdo));
+    }
+    return out;
+  }
+
+  StartupCommand startup() {
+    StartupCommand c;
+    if (chance(3)) c.transitions = {Transition::kSO, Transition::kIP};
+    c.index = number<std::uint16_t>(1, 0xFFFF);
+    c.sub_index = number<std::uint8_t>(0, 255);
+    c.data = bytes(number(0, 6));
+    c.complete_access = chance(4);
+    c.fixed = chance(3);
+    c.comment = pick({"", "mode of operation", "a # b", "<&>\"", "two\nlines"});
+    return c;
+  }
+
+  MailboxDescription mailbox() {
+    MailboxDescription m;
+    m.data_link_layer = chance(2);
+    m.aoe = chance(2), m.eoe = chance(2), m.foe = chance(2), m.soe = chance(2), m.voe = chance(2);
+    m.request_timeout_ms = number<std::uint32_t>(1, 9999);
+    m.response_timeout_ms = number<std::uint32_t>(1, 9999);
+    if (!chance(3)) {
+      m.coe.emplace();
+      m.coe->sdo_info = chance(2), m.coe->pdo_assign = chance(2), m.coe->pdo_config = !chance(3);
+      m.coe->pdo_upload = chance(2), m.coe->complete_access = chance(2), m.coe->segmented_sdo = chance(2);
+      for (int i = number(0, 3); i > 0; --i) m.coe->init_commands.push_back(startup());
+    }
+    return m;
+  }
+
+  DcTime time() {
+    DcTime t;
+    if (chance(2)) t.value_ns = number<std::int64_t>(-1'000'000, 1'000'000);
+    if (chance(2)) t.factor = number(-8, 8);
+    t.input = chance(4);
+    return t;
+  }
+
+  DcDescription dc() {
+    DcDescription d;
+    d.time_loop_control_only = chance(3), d.unknown_frmw = chance(3), d.unknown_64bit = chance(3);
+    d.potential_reference_clock = chance(3);
+    const int modes = number(0, 3);
+    for (int i = 0; i < modes; ++i) {
+      DcOpMode mode{"Mode " + std::to_string(i), trimmed_text(), number<std::uint16_t>(0, 0xFFFF), time(), time(), time(),
+                    time(), {}};
+      if (chance(2)) mode.sync_managers.push_back({2, std::nullopt, chance(2) ? std::vector<std::uint16_t>{0x1600} : std::vector<std::uint16_t>{}});
+      if (chance(2)) mode.sync_managers.push_back({3, number<std::uint16_t>(0, 34), {}});
+      d.op_modes.push_back(std::move(mode));
+    }
+    return d;
+  }
+
+  ObjectDescription object(std::uint16_t index) {
+    ObjectDescription o{index, trimmed_text(), {}};
+    const int entries = chance(3) ? 1 : number(1, 4);
+    for (int i = 0; i < entries; ++i) {
+      const bool writable = chance(2);
+      o.entries.push_back({static_cast<std::uint8_t>(i), entries == 1 ? o.name : trimmed_text(), pick({"UINT", "STRING(4)", ""}),
+                           number<std::uint16_t>(0, 64), !writable || chance(2), writable,
+                           chance(2) ? bytes(number(1, 4)) : std::vector<std::uint8_t>{}});
+    }
+    return o;
+  }
+
+  std::vector<std::uint16_t> assignment(const std::vector<Pdo>& pdos) {
+    std::vector<std::uint16_t> chosen;
+    for (const Pdo& pdo : pdos) {
+      const bool excluded = std::ranges::any_of(pdo.exclude, [&](auto other) { return std::ranges::find(chosen, other) != chosen.end(); });
+      if (!excluded && chance(2)) chosen.push_back(pdo.index);
+    }
+    if (chance(2)) std::ranges::reverse(chosen);
+    return chosen;
+  }
+
+  void change_mappings(SlaveSettings& s) {
+    if (!s.device.mailbox || !s.device.mailbox->coe || !s.device.mailbox->coe->pdo_config) return;
+    for (const auto direction : {PdoDirection::kRx, PdoDirection::kTx}) {
+      for (const Pdo& pdo : s.device.pdos(direction)) {
+        if (pdo.fixed || pdo.entries.size() < 2 || chance(2)) continue;
+        Pdo changed = pdo;
+        changed.entries.erase(changed.entries.begin());
+        std::ranges::reverse(changed.entries);
+        if (changed.entries != pdo.entries) s.changed_pdos.push_back(std::move(changed));
+      }
+    }
+  }
+
+  SyncUnitSettings sync_unit() {
+    SyncUnitSettings u;
+    if (chance(2)) u.cycle_factor = chance(2) ? number(1, 100) : number(-100, -1);
+    if (chance(2)) u.user_cycle = number<Nanoseconds>(1, 100 * kMillisecond);
+    if (chance(2)) u.shift = number<Nanoseconds>(-kMillisecond, kMillisecond);
+    return u;
+  }
+
+  SlaveSettings slave(std::uint16_t position) {
+    SlaveSettings s;
+    s.device = device();
+    s.name = name();
+    s.station_address = number<std::uint16_t>(1, 0xFFFF);
+    s.alias = number<std::uint16_t>(0, 0xFFFF);
+    if (position > 0 && !chance(4)) s.previous = PreviousPort{number<std::uint16_t>(0, position - 1), number<std::uint8_t>(0, 3)};
+    s.check = {chance(2), chance(2), chance(2), chance(2)};
+    s.assigned_rx_pdos = assignment(s.device.rx_pdos);
+    s.assigned_tx_pdos = assignment(s.device.tx_pdos);
+    change_mappings(s);
+    if (s.device.dc && !s.device.dc->op_modes.empty() && !chance(3)) {
+      s.dc.op_mode = s.device.dc->op_modes[number<std::size_t>(0, static_cast<std::int64_t>(s.device.dc->op_modes.size()) - 1)].name;
+    }
+    s.dc.sync0 = sync_unit();
+    s.dc.sync1 = sync_unit();
+    s.dc.potential_reference_clock = chance(2);
+    if (s.device.mailbox && s.device.mailbox->coe) {
+      for (int i = number(0, 4); i > 0; --i) {
+        auto command = startup();
+        command.enabled = !chance(3);
+        command.timeout_ms = chance(2) ? number<std::uint32_t>(1, 99999) : 0;
+        s.startup.push_back(std::move(command));
+      }
+    }
+    return s;
+  }
+
+  std::mt19937 random_;
+};
+
+}  // namespace syncline::test
