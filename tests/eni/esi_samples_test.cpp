@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <random>
+#include <vector>
+
+#include "eni/esi_catalogue.h"
+#include "eni/esi_reader.h"
+#include "eni/esi_writer.h"
+#include "eni/project_builder.h"
+#include "eni/xml_text.h"
+#include "protocol/error_text.h"
+#include "support/sample_folder.h"
+
+namespace syncline::eni {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<fs::path> xml_files(const fs::path& folder) {
+  std::vector<fs::path> files;
+  if (!fs::is_directory(folder)) return files;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (entry.path().extension() == ".xml") files.push_back(entry.path());
+  }
+  std::ranges::sort(files);
+  return files;
+}
+
+fs::path own_folder() { return fs::path(SYNCLINE_SOURCE_DIR) / "resources/esi"; }
+
+struct Counts {
+  std::size_t files = 0, devices = 0, warnings = 0, refused = 0;
+};
+
+/// Reads every file; each refusal and each warning must lead the user to the place.
+Counts read_all(const std::vector<fs::path>& files) {
+  Counts counts;
+  for (const auto& path : files) {
+    ++counts.files;
+    const auto file = read_esi(path.string());
+    if (!file) {
+      ++counts.refused;
+      EXPECT_GT(file.error().line, 0) << path;
+      EXPECT_FALSE(file.error().subject.empty()) << describe(file.error());
+      std::cout << "refused: " << describe(file.error()) << '\n';
+      continue;
+    }
+    counts.devices += file->devices.size();
+    counts.warnings += file->warnings.size();
+    for (const auto& warning : file->warnings) {
+      EXPECT_GT(warning.line, 0) << path;
+      EXPECT_FALSE(warning.element.empty() || warning.text.empty()) << path << ":" << warning.line;
+      std::cout << warning.file << ':' << warning.line << " <" << warning.element << "> " << warning.text << '\n';
+    }
+  }
+  std::cout << counts.files << " files, " << counts.devices << " devices, " << counts.warnings << " warnings, "
+            << counts.refused << " refused\n";
+  return counts;
+}
+
+void expect_same_after_writing(const std::vector<fs::path>& files) {
+  for (const auto& path : files) {
+    const auto file = read_esi(path.string());
+    if (!file) continue;
+    for (const auto& device : file->devices) {
+      const auto again = parse_esi(write_esi(device), device.source);
+      ASSERT_TRUE(again) << path << ": " << describe(again.error());
+      ASSERT_EQ(again->devices.size(), 1U) << path << ": " << device.type << ": "
+                                           << (again->warnings.empty() ? "" : again->warnings.front().text);
+      EXPECT_TRUE(again->devices.front() == device) << path << ": " << device.type << " " << to_string(device.identity);
+    }
+  }
+}
+
+TEST(OwnEsiFiles, LoadWithoutWarningsAndComeBack) {
+  const auto counts = read_all(xml_files(own_folder()));
+  ASSERT_GT(counts.files, 0U);
+  EXPECT_GE(counts.devices, counts.files);
+  EXPECT_EQ(counts.warnings, 0U);
+  EXPECT_EQ(counts.refused, 0U);
+  expect_same_after_writing(xml_files(own_folder()));
+}
+
+TEST(SampleEsiFiles, EveryFileLoadsOrSaysWhereItIsWrong) {
+  SYNCLINE_SAMPLE(folder, "esi");
+  const auto counts = read_all(xml_files(folder));
+  EXPECT_GT(counts.files, 0U);
+  EXPECT_GT(counts.devices, 10 * counts.refused);
+}
+
+TEST(SampleEsiFiles, ReadingWhatWasWrittenGivesTheSame) {
+  SYNCLINE_SAMPLE(folder, "esi");
+  expect_same_after_writing(xml_files(folder));
+}
+
+TEST(SampleEsiFiles, ElmoDriveGetsTheDefaultsOfOtherConfigurators) {
+  SYNCLINE_SAMPLE(file, "esi/tormach__hw_device_mgr__Elmo_ECAT_00010420_V11.rev_10420_only.xml");
+  EsiCatalogue catalogue;
+  ASSERT_TRUE(catalogue.add_file(file));
+  const auto project = project_from_devices({{0x9A, 0x30924, 0x10420, 0}}, catalogue);
+  ASSERT_TRUE(project) << describe(project.error());
+  const auto& slave = project->slaves.at(0);
+  EXPECT_EQ(slave.name, "Slave_1001 [Elmo Drive ]");
+  EXPECT_FALSE(slave.assigned_rx_pdos.empty() || slave.assigned_tx_pdos.empty());
+  ASSERT_TRUE(slave.device.dc);
+  EXPECT_EQ(slave.dc.op_mode, slave.device.dc->op_modes.front().name);
+}
+
+/// Cut and spoilt files end in a result or an error, never in a crash; run it under the sanitizers.
+void spoil(const std::string& text, unsigned seed) {
+  std::mt19937 random(seed);
+  const auto any = [&](std::size_t limit) { return std::uniform_int_distribution<std::size_t>(0, limit)(random); };
+  for (int round = 0; round < 60; ++round) {
+    auto spoilt = text.substr(0, round % 3 == 0 ? any(text.size()) : text.size());
+    for (std::size_t n = any(8); n > 0 && !spoilt.empty(); --n) {
+      const auto place = any(spoilt.size() - 1);
+      switch (any(2)) {
+        case 0: spoilt[place] = static_cast<char>(any(255)); break;
+        case 1: spoilt.erase(place, any(40)); break;
+        default: spoilt.insert(place, text, any(text.size() - 1), any(60)); break;
+      }
+    }
+    const auto file = parse_esi(spoilt, "spoilt.xml");
+    if (file) continue;
+    EXPECT_GT(file.error().line, 0) << describe(file.error());
+    EXPECT_EQ(file.error().file, "spoilt.xml");
+  }
+}
+
+TEST(SpoiltEsiFiles, NeverCrash) {
+  unsigned seed = 1;
+  for (const auto& path : xml_files(own_folder())) spoil(read_file(path.string()).value(), seed++);
+  EXPECT_GT(seed, 1U);
+}
+
+}  // namespace
+}  // namespace syncline::eni

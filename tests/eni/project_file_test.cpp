@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "eni/project_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <filesystem>
+#include <regex>
+
+#include "eni/esi_reader.h"
+#include "eni/esi_writer.h"
+#include "eni/xml_text.h"
+#include "protocol/error_text.h"
+#include "support/random_project.h"
+
+namespace syncline::eni {
+namespace {
+
+using ::testing::HasSubstr;
+
+TEST(ProjectFile, ComesBackEqualAndWithTheSameBytes) {
+  EXPECT_TRUE(rc::check([](std::uint32_t seed) {
+    const Project project = test::RandomProject(seed).project();
+    const auto text = write_project(project);
+    const auto read = parse_project(text, "p.syncline");
+    if (!read) RC_FAIL(describe(read.error()));
+    RC_ASSERT(*read == project);
+    RC_ASSERT(write_project(*read) == text);
+  }));
+}
+
+TEST(ProjectFile, RandomDevicesComeBackFromEsi) {
+  EXPECT_TRUE(rc::check([](std::uint32_t seed) {
+    const auto device = test::RandomProject(seed).device();
+    const auto read = parse_esi(write_esi(device), device.source);
+    RC_ASSERT(read.has_value());
+    RC_ASSERT(read->warnings.empty());
+    RC_ASSERT(read->devices.size() == 1U);
+    // The vendor's name stands in an element that ESI readers trim.
+    auto expected = device;
+    expected.vendor_name = trim(device.vendor_name);
+    RC_ASSERT(read->devices.front() == expected);
+  }));
+}
+
+Project three_slaves() {
+  Project project;
+  test::RandomProject random(11);
+  const auto one = random.device(), other = random.device();
+  project.slaves = {default_slave(one, 0), default_slave(other, 1), default_slave(one, 2)};
+  return project;
+}
+
+std::size_t count(const std::string& text, const std::string& word) {
+  std::size_t n = 0;
+  for (auto at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++n;
+  return n;
+}
+
+TEST(ProjectFile, CarriesEachDeviceOnce) {
+  const auto text = write_project(three_slaves());
+  EXPECT_EQ(count(text, "<DeviceDescription "), 2U);
+  EXPECT_EQ(count(text, "<Slave "), 3U);
+}
+
+TEST(ProjectFile, SavesAndLoads) {
+  const auto path = (std::filesystem::temp_directory_path() / ("syncline-project-" + std::to_string(::getpid()))).string();
+  const Project project = three_slaves();
+  ASSERT_TRUE(save_project(project, path));
+  const auto loaded = load_project(path);
+  std::filesystem::remove(path);
+  ASSERT_TRUE(loaded) << describe(loaded.error());
+  EXPECT_EQ(*loaded, project);
+  EXPECT_EQ(load_project(path).error().code, ErrorCode::kFileNotFound);
+}
+
+TEST(ProjectFile, AbsentFieldsKeepTheirDefaults) {
+  const auto project = parse_project("<SynclineProject Version=\"1\"><Master/><Slaves/></SynclineProject>", "p.syncline");
+  ASSERT_TRUE(project);
+  EXPECT_EQ(*project, Project{});
+}
+
+struct Spoilt {
+  const char* from;
+  const char* to;
+  ErrorCode code;
+  const char* element;
+};
+
+TEST(ProjectFile, DamageIsNamedWithLineAndElement) {
+  const auto text = write_project(three_slaves());
+  const Spoilt cases[] = {
+      {"<Master ", "<Mister ", ErrorCode::kXmlMalformed, ""},
+      {"CycleTimeNs=\"1000000\"", "CycleTimeNs=\"soon\"", ErrorCode::kXmlBadValue, "Master@CycleTimeNs"},
+      {"Mode=\"bus-shift\"", "Mode=\"sideways\"", ErrorCode::kXmlBadValue, "Dcm"},
+      {"DestinationMac=\"ff", "DestinationMac=\"f", ErrorCode::kXmlBadValue, "Master"},
+      {"<Slave Device=\"2\"", "<Slave Device=\"9\"", ErrorCode::kXmlBadValue, "Slave"},
+      {"<Slaves>", "<Slaves Version=\"1\"><Slave Device=\"1\"><RxPdos>what</RxPdos></Slave>", ErrorCode::kXmlBadValue, "RxPdos"},
+      {"<ByteSize>", "<ByteSize>x", ErrorCode::kXmlBadValue, "ByteSize"},
+      {"SynclineProject Version=\"1\"", "SynclineProject Version=\"2\"", ErrorCode::kNotThatKindOfFile, "SynclineProject"},
+  };
+  for (const auto& damage : cases) {
+    auto spoilt = text;
+    const auto at = spoilt.find(damage.from);
+    ASSERT_NE(at, std::string::npos) << damage.from;
+    spoilt.replace(at, std::string(damage.from).size(), damage.to);
+    const auto project = parse_project(spoilt, "p.syncline");
+    ASSERT_FALSE(project) << damage.to;
+    EXPECT_EQ(project.error().code, damage.code) << damage.to << ": " << describe(project.error());
+    EXPECT_EQ(project.error().file, "p.syncline");
+    EXPECT_GT(project.error().line, 0) << damage.to;
+    EXPECT_THAT(project.error().subject, HasSubstr(damage.element));
+  }
+  EXPECT_EQ(parse_project("<EtherCATInfo/>", "p").error().code, ErrorCode::kNotThatKindOfFile);
+  EXPECT_EQ(parse_project("<SynclineProject><Slaves/></SynclineProject>", "p").error().subject, "Master");
+}
+
+}  // namespace
+}  // namespace syncline::eni
