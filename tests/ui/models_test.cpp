@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <QAbstractItemModelTester>
+#include <QSignalSpy>
+
+#include "support/ui_test_support.h"
+#include "ui/models/message_model.h"
+#include "ui/models/network_model.h"
+#include "ui/models/pdo_model.h"
+
+namespace syncline::ui {
+namespace {
+
+using test::smallProject;
+
+Snapshot runningSnapshot(std::size_t slaves) {
+  Snapshot snapshot;
+  snapshot.online = true;
+  snapshot.state = AlState::kOp;
+  snapshot.slaves.resize(slaves);
+  for (auto& slave : snapshot.slaves) {
+    slave.present = true;
+    slave.al_status = 8;
+  }
+  return snapshot;
+}
+
+QStringList marks(std::initializer_list<const char*> names) {
+  QStringList list;
+  for (const char* name : names) list << QLatin1String(name);
+  return list;
+}
+
+TEST(NetworkModel, HasMasterAndSlavesInBusOrder) {
+  NetworkModel model;
+  QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Warning);
+  model.setProject(smallProject());
+  const auto root = model.index(0, 0);
+  EXPECT_EQ(root.data().toString(), QStringLiteral("Master"));
+  ASSERT_EQ(model.rowCount(root), 3);
+  EXPECT_EQ(model.index(1, 0, root).data().toString(), QStringLiteral("Slave_1002"));
+  EXPECT_EQ(model.index(1, 0, root).data(NetworkModel::kSlaveRole).toInt(), 1);
+  EXPECT_EQ(model.index(1, 0, root).parent(), root);
+}
+
+TEST(NetworkModel, MarksTheReferenceClock) {
+  NetworkModel model;
+  auto project = smallProject();
+  model.setProject(project);
+  EXPECT_EQ(model.indexOf(0).data(NetworkModel::kMarksRole).toStringList(), QStringList());
+  EXPECT_EQ(model.indexOf(1).data(NetworkModel::kMarksRole).toStringList(), marks({"REF", "DC"}));
+  project.master.dc.reference_clock = 2;
+  model.setProject(project);
+  EXPECT_EQ(model.indexOf(1).data(NetworkModel::kMarksRole).toStringList(), marks({"DC"}));
+  EXPECT_EQ(model.indexOf(2).data(NetworkModel::kMarksRole).toStringList(), marks({"REF", "DC"}));
+}
+
+TEST(NetworkModel, TellsOnlyOfTheSlavesThatChanged) {
+  NetworkModel model;
+  QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Warning);
+  model.setProject(smallProject());
+  auto snapshot = runningSnapshot(3);
+  model.setSnapshot(snapshot);
+  EXPECT_EQ(model.indexOf(2).data(NetworkModel::kStateRole).toInt(), 8);
+  QSignalSpy changed(&model, &QAbstractItemModel::dataChanged);
+  model.setSnapshot(snapshot);
+  EXPECT_EQ(changed.count(), 0);
+  snapshot.slaves[1].al_status = 0x14;
+  model.setSnapshot(snapshot);
+  ASSERT_EQ(changed.count(), 1);
+  EXPECT_EQ(changed[0][0].toModelIndex().row(), 1);
+  EXPECT_EQ(changed[0][1].toModelIndex().row(), 1);
+  EXPECT_TRUE(model.indexOf(1).data(NetworkModel::kErrorRole).toBool());
+  snapshot.slaves[1].present = false;
+  model.setSnapshot(snapshot);
+  EXPECT_EQ(model.indexOf(1).data(NetworkModel::kStateRole).toInt(), 0) << "a silent slave shows no stale state";
+}
+
+Message message(Severity severity, const char* text) {
+  return {QDateTime::currentDateTime(), severity, QStringLiteral("Master"), QLatin1String(text), 2, {}};
+}
+
+TEST(MessageModel, KeepsFindingsOnTopAndNewestFirst) {
+  MessageModel model;
+  QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Warning);
+  model.append(message(Severity::kInfo, "first"));
+  model.setFindings({message(Severity::kWarning, "finding")});
+  model.append(message(Severity::kError, "second"));
+  ASSERT_EQ(model.rowCount(), 3);
+  const auto text = [&](int row) { return model.index(row, MessageModel::kText).data().toString(); };
+  EXPECT_EQ(text(0), QStringLiteral("finding"));
+  EXPECT_EQ(text(1), QStringLiteral("second"));
+  EXPECT_EQ(text(2), QStringLiteral("first"));
+  model.clearLog();
+  EXPECT_EQ(model.rowCount(), 1);
+  model.setFindings({});
+  EXPECT_EQ(model.rowCount(), 0);
+}
+
+TEST(MessageModel, IsCapped) {
+  MessageModel model;
+  for (std::size_t i = 0; i < MessageModel::kMaximum + 10; ++i) model.append(message(Severity::kInfo, "line"));
+  EXPECT_EQ(model.rowCount(), static_cast<int>(MessageModel::kMaximum));
+}
+
+TEST(MessageFilter, ShowsSeverityAndText) {
+  MessageModel model;
+  MessageFilter filter;
+  filter.setSourceModel(&model);
+  QAbstractItemModelTester tester(&filter, QAbstractItemModelTester::FailureReportingMode::Warning);
+  model.append(message(Severity::kInfo, "apple"));
+  model.append(message(Severity::kError, "pear"));
+  filter.setShown(Severity::kInfo, false);
+  EXPECT_EQ(filter.rowCount(), 1);
+  filter.setShown(Severity::kInfo, true);
+  filter.setText(QStringLiteral("APP"));
+  ASSERT_EQ(filter.rowCount(), 1);
+  EXPECT_EQ(filter.index(0, MessageModel::kText).data().toString(), QStringLiteral("apple"));
+}
+
+TEST(PdoModel, LocksWhatAnAssignedPdoExcludes) {
+  const auto project = smallProject();
+  PdoModel model(PdoDirection::kRx);
+  QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Warning);
+  model.setSlave(project.slaves[1]);
+  ASSERT_EQ(model.rowCount(), 3);
+  EXPECT_EQ(model.index(0, 0).data(Qt::CheckStateRole).toInt(), static_cast<int>(Qt::Checked));
+  EXPECT_FALSE(model.flags(model.index(1, 0)) & Qt::ItemIsUserCheckable);
+  EXPECT_TRUE(model.index(1, 0).data(Qt::ToolTipRole).toString().contains(QStringLiteral("0x1600")));
+  EXPECT_TRUE(model.flags(model.index(2, 0)) & Qt::ItemIsUserCheckable);
+  EXPECT_EQ(model.assignedBits(), 56U);
+}
+
+TEST(PdoModel, AsksForTheEditInsteadOfChanging) {
+  const auto project = smallProject();
+  PdoModel model(PdoDirection::kRx);
+  model.setSlave(project.slaves[1]);
+  std::vector<std::uint16_t> wanted;
+  QObject::connect(&model, &PdoModel::assignmentWanted, [&](const std::vector<std::uint16_t>& pdos) { wanted = pdos; });
+  EXPECT_TRUE(model.setData(model.index(2, 0), static_cast<int>(Qt::Checked), Qt::CheckStateRole));
+  EXPECT_EQ(wanted, (std::vector<std::uint16_t>{0x1600, 0x1602}));
+  EXPECT_EQ(model.index(2, 0).data(Qt::CheckStateRole).toInt(), static_cast<int>(Qt::Unchecked));
+  EXPECT_FALSE(model.setData(model.index(1, 0), static_cast<int>(Qt::Checked), Qt::CheckStateRole));
+}
+
+TEST(PdoEntryModel, CountsBitOffsetsOverPadding) {
+  PdoEntryModel model;
+  QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Warning);
+  model.setEntries(smallProject().slaves[1].device.rx_pdos[0].entries);
+  ASSERT_EQ(model.rowCount(), 3);
+  EXPECT_EQ(model.index(2, PdoEntryModel::kOffset).data().toString(), QStringLiteral("3.0"));
+  EXPECT_EQ(model.index(0, PdoEntryModel::kObject).data().toString(), QStringLiteral("0x6040:00"));
+}
+
+}  // namespace
+}  // namespace syncline::ui

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QString>
+#include <QWidget>
+#include <functional>
+
+#include "app/composition/open_link.h"
+#include "config/project.h"
+#include "ui/session/bus_connection.h"
+
+namespace syncline::test {
+
+/// The environment of the program, with the demonstration machine on the virtual clock.
+inline ui::Environment virtualEnvironment() {
+  ui::Environment environment;
+  environment.open_link = [](const QString& link) -> Result<ui::BusConnection> {
+    auto opened = open_link(link.toStdString());
+    if (!opened) return tl::unexpected(opened.error());
+    return ui::BusConnection{std::move(opened->clock), std::move(opened->link)};
+  };
+  environment.demo_link = QString::fromStdString(demo_link(true));
+  environment.esi_folders = {QString::fromStdString(resource_folder()) + QStringLiteral("/esi")};
+  environment.version = QStringLiteral("test");
+  return environment;
+}
+
+/// Runs the event loop until `done`; false after ten seconds.
+inline bool waitFor(const std::function<bool()>& done) {
+  QElapsedTimer timer;
+  timer.start();
+  while (!done()) {
+    if (timer.elapsed() > 10'000) return false;
+    QApplication::processEvents(QEventLoop::WaitForMoreEvents, 20);
+  }
+  return true;
+}
+
+/// Finds a control by its object name; fails the test when there is none.
+template <class Widget>
+Widget* find(QWidget& root, const char* name) {
+  auto* widget = root.findChild<Widget*>(QLatin1String(name));
+  EXPECT_NE(widget, nullptr) << "no widget " << name;
+  return widget;
+}
+
+/// Two drives with distributed clocks and a coupler without, made by hand.
+inline Project smallProject() {
+  DeviceDescription coupler;
+  coupler.identity = {2, 0x044C2C52, 0x00110000, 0};
+  coupler.type = "Coupler";
+  coupler.name = "Coupler";
+  DeviceDescription drive;
+  drive.identity = {0x539, 0x02200301, 0x00040000, 0};
+  drive.type = "Drive";
+  drive.name = "Servo drive";
+  drive.dc = DcDescription{};
+  DcOpMode mode;
+  mode.name = "DC";
+  mode.description = "DC synchronous";
+  mode.assign_activate = 0x0300;
+  mode.cycle_time_sync0.factor = 1;
+  drive.dc->op_modes = {mode};
+  const auto pdo = [](std::uint16_t index, const char* name, std::vector<std::uint16_t> exclude) {
+    Pdo result;
+    result.index = index;
+    result.name = name;
+    result.sync_manager = 2;
+    result.exclude = std::move(exclude);
+    result.entries = {{0x6040, 0, 16, "Controlword", "UINT"}, {0, 0, 8, "", ""}, {0x607A, 0, 32, "Target", "DINT"}};
+    return result;
+  };
+  drive.rx_pdos = {pdo(0x1600, "Position", {0x1601}), pdo(0x1601, "Velocity", {0x1600}), pdo(0x1602, "Extra", {})};
+  Project project;
+  project.slaves.resize(3);
+  for (std::size_t i = 0; i < 3; ++i) {
+    auto& slave = project.slaves[i];
+    slave.device = i == 0 ? coupler : drive;
+    slave.name = "Slave_" + std::to_string(1001 + i);
+    slave.station_address = static_cast<std::uint16_t>(1001 + i);
+    if (i > 0) {
+      slave.previous = PreviousPort{static_cast<std::uint16_t>(i - 1), 1};
+      slave.dc.op_mode = "DC";
+      slave.assigned_rx_pdos = {0x1600};
+    }
+  }
+  return project;
+}
+
+}  // namespace syncline::test

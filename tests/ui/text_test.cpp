@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <QLocale>
+#include <QTranslator>
+#include <algorithm>
+#include <set>
+#include <string>
+
+#include "protocol/error_text.h"
+#include "ui/text/error_text.h"
+#include "ui/text/event_text.h"
+#include "ui/text/units.h"
+
+namespace syncline::ui {
+namespace {
+
+QString plain(QString text) { return text.replace(QChar(0x00A0), u' '); }
+
+TEST(Units, ChooseTheUnitBySize) {
+  EXPECT_EQ(plain(timeText(127)), QStringLiteral("127 ns"));
+  EXPECT_EQ(plain(timeText(-1'500)), QStringLiteral("-1.500 \u00B5s"));
+  EXPECT_EQ(plain(timeText(2'000'000)), QStringLiteral("2.000 ms"));
+  EXPECT_EQ(plain(signedTimeText(12)), QStringLiteral("+12 ns"));
+  EXPECT_EQ(plain(cycleText(62'500)), QStringLiteral("62.5 \u00B5s"));
+  EXPECT_EQ(plain(cycleText(1'000'000)), QStringLiteral("1 ms"));
+  EXPECT_EQ(plain(cycleText(100'000)), QStringLiteral("100 \u00B5s"));
+}
+
+TEST(Units, HexadecimalKeepsItsPrefixSmall) {
+  EXPECT_EQ(hexText(0x44c2c52, 8), QStringLiteral("0x044C2C52"));
+  EXPECT_EQ(hexText(0x300, 4), QStringLiteral("0x0300"));
+}
+
+TEST(Units, FollowTheUsersLocaleOnScreenOnly) {
+  QLocale::setDefault(QLocale(QLocale::German));
+  EXPECT_EQ(plain(timeText(1'500)), QStringLiteral("1,500 \u00B5s"));
+  EXPECT_EQ(microsecondsSetting(62'500), QStringLiteral("62.5"));
+  QLocale::setDefault(QLocale::c());
+  EXPECT_EQ(microsecondsSetting(1'000'000), QStringLiteral("1000"));
+  EXPECT_EQ(microsecondsSetting(-1), QStringLiteral("-0.001"));
+}
+
+TEST(ErrorText, EveryTemplateIsKnownToTheTranslations) {
+  std::set<std::string> known;
+  for (const char* text : translatableErrors()) known.insert(text);
+  for (int code = 0; code <= static_cast<int>(ErrorCode::kCancelled); ++code) {
+    const std::string text(error_template(static_cast<ErrorCode>(code)));
+    EXPECT_TRUE(known.contains(text)) << text;
+  }
+}
+
+TEST(EventText, EveryKindButProgressHasWords) {
+  for (int kind = 0; kind <= static_cast<int>(EventKind::kEventsLost); ++kind) {
+    Event event;
+    event.kind = static_cast<EventKind>(kind);
+    const auto message = messageOf(event, Project{});
+    if (event.kind == EventKind::kScanProgress || event.kind == EventKind::kRestarted) {
+      EXPECT_FALSE(message.has_value());
+    } else if (event.kind != EventKind::kError) {
+      ASSERT_TRUE(message.has_value()) << kind;
+      EXPECT_FALSE(message->text.isEmpty()) << kind;
+    }
+  }
+}
+
+TEST(EventText, NamesTheAlStatusCode) {
+  Event event;
+  event.kind = EventKind::kAlStatusError;
+  event.a = 0x14;
+  event.b = 0x1B;
+  const auto message = messageOf(event, Project{});
+  ASSERT_TRUE(message.has_value());
+  EXPECT_EQ(message->severity, Severity::kError);
+  EXPECT_TRUE(message->text.contains(QStringLiteral("0x001B"))) << qPrintable(message->text);
+  EXPECT_TRUE(message->text.contains(QStringLiteral("watchdog"), Qt::CaseInsensitive)) << qPrintable(message->text);
+}
+
+}  // namespace
+}  // namespace syncline::ui

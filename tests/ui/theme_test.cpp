@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/theme.h"
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QDir>
+#include <cmath>
+
+namespace syncline::ui::theme {
+namespace {
+
+double luminance(const QColor& color) {
+  const auto channel = [](double value) { return value <= 0.03928 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4); };
+  return 0.2126 * channel(color.redF()) + 0.7152 * channel(color.greenF()) + 0.0722 * channel(color.blueF());
+}
+
+/// WCAG 2 contrast ratio.
+double contrast(const QColor& a, const QColor& b) {
+  const double first = luminance(a), second = luminance(b);
+  return (std::max(first, second) + 0.05) / (std::min(first, second) + 0.05);
+}
+
+QColor over(const QColor& fill, const QColor& base) {
+  const double alpha = fill.alphaF();
+  return QColor::fromRgbF(static_cast<float>(fill.redF() * alpha + base.redF() * (1 - alpha)),
+                          static_cast<float>(fill.greenF() * alpha + base.greenF() * (1 - alpha)),
+                          static_cast<float>(fill.blueF() * alpha + base.blueF() * (1 - alpha)));
+}
+
+class Themes : public ::testing::TestWithParam<Mode> {
+ protected:
+  Themes() { apply(GetParam()); }
+  ~Themes() override { apply(Mode::kLight); }
+};
+
+TEST_P(Themes, TextAndTonesCanBeRead) {
+  const auto palette = QApplication::palette();
+  EXPECT_EQ(isDark(palette), GetParam() == Mode::kDark);
+  for (const auto ground : {QPalette::Window, QPalette::Base, QPalette::Button}) {
+    EXPECT_GE(contrast(palette.color(QPalette::Text), palette.color(ground)), 7.0);
+    EXPECT_GE(contrast(mutedText(palette), palette.color(ground)), 4.5);
+  }
+  EXPECT_GE(contrast(palette.color(QPalette::HighlightedText), palette.color(QPalette::Highlight)), 4.3);
+  for (const auto tone : {Tone::kNeutral, Tone::kGood, Tone::kBusy, Tone::kWarning, Tone::kBad, Tone::kAccent}) {
+    for (const auto ground : {QPalette::Window, QPalette::Base}) {
+      const auto fill = over(toneFill(palette, tone), palette.color(ground));
+      EXPECT_GE(contrast(toneColor(palette, tone), fill), 4.5) << static_cast<int>(tone);
+    }
+  }
+}
+
+TEST_P(Themes, EveryIconCanBeDrawn) {
+  const auto names = QDir(QStringLiteral(":/icons")).entryList({QStringLiteral("*.svg")});
+  ASSERT_GE(names.size(), 15);
+  for (const auto& file : names) {
+    const auto drawn = icon(file.section(u'.', 0, 0), QApplication::palette());
+    EXPECT_FALSE(drawn.isNull()) << qPrintable(file);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Both, Themes, ::testing::Values(Mode::kLight, Mode::kDark));
+
+}  // namespace
+}  // namespace syncline::ui::theme
