@@ -18,7 +18,7 @@ QAction* Actions::add(const char* name, const QString& text, const char* icon, c
   action->setShortcut(keys);
   action->setToolTip(keys.isEmpty() ? tool_tip
                                     : QStringLiteral("%1 (%2)").arg(tool_tip, keys.toString(QKeySequence::NativeText)));
-  action->setProperty("icon", QLatin1String(icon));
+  action->setProperty("iconName", QLatin1String(icon));
   if (*icon != '\0') with_icon_.append(action);
   return action;
 }
@@ -35,11 +35,11 @@ Actions::Actions(QUndoStack& stack, QObject* parent) : QObject(parent) {
   undo = stack.createUndoAction(this, tr("&Undo"));
   undo->setObjectName(QStringLiteral("actionUndo"));
   undo->setShortcut(QKeySequence::Undo);
-  undo->setProperty("icon", QStringLiteral("undo"));
+  undo->setProperty("iconName", QStringLiteral("undo"));
   redo = stack.createRedoAction(this, tr("&Redo"));
   redo->setObjectName(QStringLiteral("actionRedo"));
   redo->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z));
-  redo->setProperty("icon", QStringLiteral("redo"));
+  redo->setProperty("iconName", QStringLiteral("redo"));
   with_icon_ << undo << redo;
   demo = add("actionDemo", tr("&Demonstration Machine"), "demo", tr("Scan the simulated demonstration machine and go online"));
   scan = add("actionScan", tr("&Scan…"), "scan", tr("Scan a bus and make a project of it"), QKeySequence(Qt::Key_F6));
@@ -77,7 +77,7 @@ void Actions::drawIcons(const QPalette& palette) {
     QColor color;
     if (action == online) color = theme::toneColor(palette, theme::Tone::kGood);
     if (action == offline) color = theme::toneColor(palette, theme::Tone::kBad);
-    action->setIcon(theme::icon(action->property("icon").toString(), palette, color));
+    action->setIcon(theme::icon(action->property("iconName").toString(), palette, color));
   }
 }
 

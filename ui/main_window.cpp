@@ -12,6 +12,7 @@
 #include <QToolBar>
 #include <QToolButton>
 #include <QUrl>
+#include <utility>
 
 #include "ui/actions.h"
 #include "ui/dialogs/about_dialog.h"
@@ -47,7 +48,6 @@ MainWindow::MainWindow(Workspace& workspace, QWidget* parent) : QMainWindow(pare
   connectActions();
   connectSession();
   resize(1280, 800);
-  resetLayout();
   updateTheme();
   updateTitle();
   updateActions();
@@ -60,6 +60,7 @@ void MainWindow::buildCentre() {
   strip_ = new LiveStrip;
   strip_->setObjectName(QStringLiteral("liveStrip"));
   strip_->setAccessibleName(tr("Live plots"));
+  strip_->setMinimumSize(600, 160);
   splitter_ = new QSplitter(Qt::Vertical);
   splitter_->setObjectName(QStringLiteral("centreSplitter"));
   splitter_->addWidget(editor_);
@@ -255,8 +256,14 @@ void MainWindow::resetLayout() {
   addDockWidget(Qt::LeftDockWidgetArea, explorer_dock_);
   addDockWidget(Qt::BottomDockWidgetArea, messages_dock_);
   resizeDocks({explorer_dock_}, {250}, Qt::Horizontal);
-  resizeDocks({messages_dock_}, {120}, Qt::Vertical);
-  splitter_->setSizes({360, 220});
+  resizeDocks({messages_dock_}, {110}, Qt::Vertical);
+  splitter_->setSizes({385, 215});
+}
+
+void MainWindow::showEvent(QShowEvent* event) {
+  QMainWindow::showEvent(event);
+  // Docks take sizes only once the window has its own.
+  if (!std::exchange(laid_out_, true)) resetLayout();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

@@ -33,6 +33,7 @@ class MainWindow final : public QMainWindow {
   void selectNode(int slave);
 
  protected:
+  void showEvent(QShowEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
   void changeEvent(QEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
@@ -62,6 +63,7 @@ class MainWindow final : public QMainWindow {
   ExplorerPanel* explorer_ = nullptr;
   QDockWidget *explorer_dock_ = nullptr, *messages_dock_ = nullptr;
   QToolButton* state_button_ = nullptr;
+  bool laid_out_ = false;
 };
 
 }  // namespace syncline::ui

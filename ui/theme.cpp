@@ -57,6 +57,17 @@ QPalette paletteOf(const Colors& c) {
   return palette;
 }
 
+/// Fusion draws the frames of controls in a darkened window colour, which vanishes on a dark ground. These
+/// classes paint no window of their own, so they can be given the colour whose darkening is our line.
+void setControlOutlines(const QPalette& palette, const Colors& colors) {
+  auto controls = palette;
+  controls.setColor(QPalette::Window, QColor::fromRgb(colors.mid).lighter(140));
+  for (const char* name : {"QCheckBox", "QRadioButton", "QAbstractSpinBox", "QLineEdit", "QComboBox", "QPushButton",
+                           "QAbstractItemView"}) {
+    QApplication::setPalette(controls, name);
+  }
+}
+
 const Colors& colorsOf(const QPalette& palette) { return isDark(palette) ? kDark : kLight; }
 
 /// The icons are drawn in black; any other colour is put in here.
@@ -104,7 +115,10 @@ void apply(Mode mode) {
     QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
   }
   const bool dark = mode == Mode::kDark || (mode == Mode::kSystem && system_dark);
-  QApplication::setPalette(paletteOf(dark ? kDark : kLight));
+  const auto& colors = dark ? kDark : kLight;
+  const auto palette = paletteOf(colors);
+  QApplication::setPalette(palette);
+  setControlOutlines(palette, colors);
 }
 
 Mode current() { return g_mode; }
@@ -162,11 +176,13 @@ QColor outline(const QPalette& palette) { return QColor::fromRgb(colorsOf(palett
 QIcon icon(const QString& name, const QPalette& palette, const QColor& color) {
   const auto normal = colored(name, color.isValid() ? color : palette.color(QPalette::Active, QPalette::ButtonText));
   const auto disabled = colored(name, palette.color(QPalette::Disabled, QPalette::ButtonText));
+  const auto selected = colored(name, palette.color(QPalette::HighlightedText));
   QIcon icon;
   if (normal.isEmpty()) return icon;
   for (const int size : {16, 20, 24, 32, 40, 48}) {
     icon.addPixmap(rendered(normal, size), QIcon::Normal);
     icon.addPixmap(rendered(disabled, size), QIcon::Disabled);
+    icon.addPixmap(rendered(selected, size), QIcon::Selected);
   }
   return icon;
 }

@@ -33,7 +33,7 @@ Options parse(const QApplication& app) {
   const QCommandLineOption demo(QStringLiteral("demo"), QStringLiteral("Scan the simulated demonstration machine and go online."));
   const QCommandLineOption link(QStringLiteral("link"), QStringLiteral("Bus to use: sim:FILE[?virtual] or nic:NAME."), QStringLiteral("LINK"));
   const QCommandLineOption theme(QStringLiteral("theme"), QStringLiteral("light, dark or system."), QStringLiteral("NAME"));
-  const QCommandLineOption language(QStringLiteral("language"), QStringLiteral("Language of the window, e.g. de; default English."),
+  const QCommandLineOption language(QStringLiteral("language"), QStringLiteral("Language of the window, e.g. de; default is the desktop's, else English."),
                                     QStringLiteral("CODE"));
   const QCommandLineOption screenshots(
       QStringLiteral("screenshots"), QStringLiteral("Write a picture of every page in both themes to DIR, then exit."), QStringLiteral("DIR"));
@@ -82,7 +82,7 @@ int main(int argc, char* argv[]) {
   QApplication::setApplicationVersion(QStringLiteral(SYNCLINE_VERSION));
   QApplication::setDesktopFileName(QStringLiteral("org.syncline.Syncline"));
   const auto options = parse(app);
-  if (!options.language.isEmpty()) ui::installTranslation(options.language);
+  ui::installTranslation(options.language);
 
   QSettings settings;
   ui::theme::apply(ui::theme::modeFromName(options.theme.isEmpty() ? settings.value(kThemeSetting).toString() : options.theme));

@@ -23,6 +23,13 @@ namespace {
 
 constexpr Nanoseconds kCycles[] = {125'000, 250'000, 500'000, 1'000'000, 2'000'000, 4'000'000, 8'000'000, 10'000'000};
 
+/// Microseconds as typed: no thousands separators, no needless zeros.
+QString cycleNumber(Nanoseconds cycle) {
+  QLocale locale;
+  locale.setNumberOptions(QLocale::OmitGroupSeparator);
+  return locale.toString(static_cast<double>(cycle) / 1e3, 'g', 9);
+}
+
 /// Payload of the cyclic frames in bytes: datagram headers, data and working counters.
 std::size_t cyclicBytes(const NetworkConfig& config) {
   std::size_t bytes = 0;
@@ -61,7 +68,7 @@ void MasterGeneralPage::buildSettings(Card& card) {
   cycle_ = named(new QComboBox, "masterCycle", tr("Cycle time"));
   cycle_->setEditable(true);
   cycle_->setInsertPolicy(QComboBox::NoInsert);
-  for (const auto cycle : kCycles) cycle_->addItem(QLocale().toString(static_cast<double>(cycle) / 1e3), QVariant::fromValue(cycle));
+  for (const auto cycle : kCycles) cycle_->addItem(cycleNumber(cycle), QVariant::fromValue(cycle));
   connect(cycle_, &QComboBox::activated, this, &MasterGeneralPage::takeCycle);
   connect(cycle_->lineEdit(), &QLineEdit::editingFinished, this, &MasterGeneralPage::takeCycle);
   auto* field = new QWidget;
@@ -117,7 +124,7 @@ void MasterGeneralPage::refresh() {
     const QSignalBlocker quiet(cycle_);
     const auto known = cycle_->findData(QVariant::fromValue(project.master.cycle_time));
     cycle_->setCurrentIndex(known);
-    if (known < 0) cycle_->setEditText(QLocale().toString(static_cast<double>(project.master.cycle_time) / 1e3, 'g', 9));
+    if (known < 0) cycle_->setEditText(cycleNumber(project.master.cycle_time));
   }
   slaves_->setText(countText(project.slaves.size()));
   dc_slaves_->setText(countText(static_cast<std::uint64_t>(

@@ -89,6 +89,7 @@ void SyncUnitEditor::fillChoices(const SyncUnitView& view) {
 
 void SyncUnitEditor::show(const SyncUnitView& view, bool enabled) {
   const QSignalBlocker quiet(choice_);
+  if (!enabled) return showOff();
   fillChoices(view);
   auto choice = kMode;
   if (view.settings.cycle_factor) choice = QString::number(*view.settings.cycle_factor);
@@ -101,9 +102,19 @@ void SyncUnitEditor::show(const SyncUnitView& view, bool enabled) {
   choice_->setCurrentIndex(row);
   cycle_->showNs(view.effective_cycle);
   shift_->showNs(view.effective_shift);
-  choice_->setEnabled(enabled);
-  cycle_->setEnabled(enabled && choice == kUser);
-  shift_->setEnabled(enabled);
+  choice_->setEnabled(true);
+  cycle_->setEnabled(choice == kUser);
+  shift_->setEnabled(true);
+}
+
+void SyncUnitEditor::showOff() {
+  choice_->clear();
+  choice_->addItem(tr("Off in this operation mode"));
+  cycle_->showNs(0);
+  shift_->showNs(0);
+  choice_->setEnabled(false);
+  cycle_->setEnabled(false);
+  shift_->setEnabled(false);
 }
 
 void SyncUnitEditor::takeChoice() {

@@ -31,6 +31,7 @@ class SyncUnitEditor final : public QObject {
  public:
   SyncUnitEditor(int unit, Card& card, QObject* parent);
 
+  /// `enabled`: the operation mode generates this SYNC.
   void show(const SyncUnitView& view, bool enabled);
 
  Q_SIGNALS:
@@ -38,6 +39,7 @@ class SyncUnitEditor final : public QObject {
   void edited(const QString& text, const QStringList& keys_and_values);
 
  private:
+  void showOff();
   void takeChoice();
   void fillChoices(const SyncUnitView& view);
 

@@ -12,6 +12,7 @@
 namespace syncline::ui {
 
 ExplorerPanel::ExplorerPanel(NetworkModel& model, QWidget* parent) : QWidget(parent), model_(model) {
+  setMinimumWidth(200);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   tree_ = named(new QTreeView, "explorerTree", tr("Project explorer"));
@@ -35,6 +36,8 @@ ExplorerPanel::ExplorerPanel(NetworkModel& model, QWidget* parent) : QWidget(par
   });
   select(-1);
 }
+
+QSize ExplorerPanel::sizeHint() const { return {250, 400}; }
 
 void ExplorerPanel::select(int slave) {
   const auto index = model_.indexOf(slave);

@@ -16,6 +16,7 @@ class ExplorerPanel final : public QWidget {
  public:
   explicit ExplorerPanel(NetworkModel& model, QWidget* parent = nullptr);
   void select(int slave);
+  [[nodiscard]] QSize sizeHint() const override;
 
  Q_SIGNALS:
   void nodeSelected(int slave);

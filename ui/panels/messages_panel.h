@@ -21,6 +21,8 @@ class MessagesPanel final : public QWidget {
  public:
   explicit MessagesPanel(MessageModel& model, QWidget* parent = nullptr);
 
+  [[nodiscard]] QSize sizeHint() const override { return {800, 110}; }
+
  Q_SIGNALS:
   void nodeActivated(int slave);
 

@@ -7,8 +7,6 @@
 namespace syncline::ui {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("Glossary", text); }
-
 QString fromView(std::string_view text) { return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size())); }
 
 }  // namespace
@@ -25,15 +23,15 @@ QString stateLetter(AlState state) { return state == AlState::kNone ? QStringLit
 QString syncStateText(SyncState state) {
   switch (state) {
     case SyncState::kNotMonitored:
-      return tr(QT_TRANSLATE_NOOP("Glossary", "Not monitored"));
+      return QCoreApplication::translate("Glossary", "Not monitored");
     case SyncState::kNotReady:
-      return tr(QT_TRANSLATE_NOOP("Glossary", "Not ready"));
+      return QCoreApplication::translate("Glossary", "Not ready");
     case SyncState::kBusy:
-      return tr(QT_TRANSLATE_NOOP("Glossary", "Settling"));
+      return QCoreApplication::translate("Glossary", "Settling");
     case SyncState::kInSync:
-      return tr(QT_TRANSLATE_NOOP("Glossary", "In sync"));
+      return QCoreApplication::translate("Glossary", "In sync");
     case SyncState::kOutOfSync:
-      return tr(QT_TRANSLATE_NOOP("Glossary", "Out of sync"));
+      return QCoreApplication::translate("Glossary", "Out of sync");
   }
   return {};
 }
@@ -41,11 +39,11 @@ QString syncStateText(SyncState state) {
 QString dcmModeText(DcmMode mode) {
   switch (mode) {
     case DcmMode::kOff:
-      return tr(QT_TRANSLATE_NOOP("Glossary", "Off"));
+      return QCoreApplication::translate("Glossary", "Off");
     case DcmMode::kBusShift:
-      return tr(QT_TRANSLATE_NOOP("Glossary", "Bus shift"));
+      return QCoreApplication::translate("Glossary", "Bus shift");
     case DcmMode::kMasterShift:
-      return tr(QT_TRANSLATE_NOOP("Glossary", "Master shift"));
+      return QCoreApplication::translate("Glossary", "Master shift");
   }
   return {};
 }

@@ -12,8 +12,8 @@ namespace syncline::ui {
 Card::Card(const QString& title, QWidget* parent) : QWidget(parent) {
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
   auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(14, 10, 14, 12);
-  layout->setSpacing(8);
+  layout->setContentsMargins(14, 8, 14, 10);
+  layout->setSpacing(6);
   auto* heading = new QLabel(title, this);
   auto font = heading->font();
   font.setWeight(QFont::DemiBold);
@@ -21,7 +21,7 @@ Card::Card(const QString& title, QWidget* parent) : QWidget(parent) {
   layout->addWidget(heading);
   form_ = new QFormLayout;
   form_->setHorizontalSpacing(14);
-  form_->setVerticalSpacing(6);
+  form_->setVerticalSpacing(5);
   form_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   form_->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   layout->addLayout(form_);
@@ -45,7 +45,7 @@ QLabel* Card::addValue(const char* object_name, const QString& label, const QStr
   value->setObjectName(QLatin1String(object_name));
   value->setAccessibleName(label);
   value->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  value->setMinimumHeight(fontMetrics().height() + 6);
+  value->setMinimumHeight(fontMetrics().height() + 2);
   addRow(label, value, tool_tip);
   return value;
 }
@@ -60,15 +60,15 @@ void Card::paintEvent(QPaintEvent*) {
 
 CardColumns::CardColumns(QWidget* parent) : QWidget(parent) {
   auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(12, 12, 12, 12);
-  layout->setSpacing(12);
+  layout->setContentsMargins(12, 10, 12, 10);
+  layout->setSpacing(10);
 }
 
 Card* CardColumns::add(int column, const QString& title) {
   auto* row = static_cast<QHBoxLayout*>(layout());
   while (columns_.size() <= column) {
     auto* stack = new QVBoxLayout;
-    stack->setSpacing(12);
+    stack->setSpacing(10);
     row->addLayout(stack, 1);
     columns_.append(stack);
   }
