@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "link/simulated_link.h"
+
+#include <algorithm>
+#include <deque>
+#include <vector>
+
+#include "protocol/frame.h"
+
+namespace syncline {
+namespace {
+
+class SimulatedLink final : public Link {
+ public:
+  SimulatedLink(std::string name, std::unique_ptr<sim::SimBus> bus, Clock& clock)
+      : name_(std::move(name)), bus_(std::move(bus)), clock_(clock), virtual_clock_(dynamic_cast<VirtualClock*>(&clock)) {}
+
+  Status send(std::span<const std::uint8_t> frame) override {
+    auto& slot = take_slot();
+    slot.bytes.assign(frame.begin(), frame.end());
+    // The wire carries one frame after the other.
+    const auto start = std::max(clock_.now(), wire_free_);
+    wire_free_ = start + wire_time_ns(frame.size());
+    const auto returned = bus_->execute(slot.bytes, start);
+    if (returned.lost) {
+      in_flight_.pop_back();
+    } else {
+      slot.arrival = returned.arrival_time;
+    }
+    return {};
+  }
+
+  Result<ReceivedFrame> receive(std::span<std::uint8_t> buffer, Nanoseconds deadline) override {
+    if (in_flight_.empty() || in_flight_.front().arrival > deadline) {
+      pass_time(deadline);
+      return ReceivedFrame{};
+    }
+    auto& slot = in_flight_.front();
+    pass_time(slot.arrival);
+    const auto length = std::min(slot.bytes.size(), buffer.size());
+    std::copy_n(slot.bytes.begin(), length, buffer.begin());
+    const ReceivedFrame received{length, slot.arrival};
+    spare_.push_back(std::move(slot.bytes));
+    in_flight_.pop_front();
+    return received;
+  }
+
+  [[nodiscard]] LinkDescription describe() const override {
+    return {name_, "simulated", {0x00, 0x53, 0x4C, 0x00, 0x00, 0x01}, true, true};
+  }
+
+ private:
+  struct InFlight {
+    std::vector<std::uint8_t> bytes;
+    Nanoseconds arrival = 0;
+  };
+
+  /// Buffers are used again, so that a steady run does not allocate.
+  InFlight& take_slot() {
+    InFlight slot;
+    if (!spare_.empty()) {
+      slot.bytes = std::move(spare_.back());
+      spare_.pop_back();
+    }
+    return in_flight_.emplace_back(std::move(slot));
+  }
+
+  /// Frames in flight are no wake-up of the host: virtual time moves without its jitter.
+  void pass_time(Nanoseconds time) {
+    if (virtual_clock_ != nullptr) {
+      virtual_clock_->advance_to(time);
+    } else {
+      clock_.sleep_until(time);
+    }
+  }
+
+  std::string name_;
+  std::unique_ptr<sim::SimBus> bus_;
+  Clock& clock_;
+  VirtualClock* virtual_clock_;
+  Nanoseconds wire_free_ = 0;
+  std::deque<InFlight> in_flight_;
+  std::vector<std::vector<std::uint8_t>> spare_;
+};
+
+}  // namespace
+
+std::unique_ptr<Link> make_simulated_link(std::string name, std::unique_ptr<sim::SimBus> bus, Clock& clock) {
+  return std::make_unique<SimulatedLink>(std::move(name), std::move(bus), clock);
+}
+
+}  // namespace syncline

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim/dc_unit.h"
+
+#include <algorithm>
+
+#include "protocol/registers.h"
+
+namespace syncline::sim {
+namespace {
+
+constexpr std::uint32_t kGarbage = 0x6C72'9A3E;  // what unused ports show on real ESCs: anything but zero
+
+bool touches(std::uint16_t address, std::size_t length, std::uint16_t reg, std::size_t size) {
+  return address < reg + size && reg < address + length;
+}
+
+}  // namespace
+
+DcUnit::DcUnit(const OscillatorConfig& oscillator, const SimDcConfig& config, Nanoseconds power_on, std::uint64_t seed,
+               EscMemory& memory)
+    : memory_(memory), config_(config), wide_(config.is_64bit), clock_(oscillator, power_on, seed) {
+  implement_registers();
+}
+
+void DcUnit::implement_registers() {
+  constexpr std::uint8_t kRead = EscMemory::kRead;
+  constexpr std::uint8_t kBoth = EscMemory::kReadWrite;
+  if (!config_.receive_times) return;
+  memory_.implement(reg::kReceiveTimePort0, 4, kBoth);
+  memory_.implement(reg::kReceiveTimePort1, 12, kRead);
+  for (std::uint16_t port = 0; port < 4; ++port) {
+    memory_.set<std::uint32_t>(static_cast<std::uint16_t>(reg::kReceiveTimePort0 + 4 * port), kGarbage * (port + 1U));
+  }
+  if (!config_.system_time) return;
+  const std::uint16_t width = wide_ ? 8 : 4;
+  memory_.implement(reg::kSystemTime, width, kBoth);
+  memory_.implement(reg::kReceiveTimeProcessingUnit, 8, kRead);
+  memory_.implement(reg::kSystemTimeOffset, width, kBoth);
+  memory_.implement(reg::kSystemTimeDelay, 4, kBoth);
+  memory_.implement(reg::kSystemTimeDifference, 4, kRead);
+  memory_.implement(reg::kSpeedCounterStart, 2, kBoth);
+  memory_.implement(reg::kSpeedCounterDiff, 2, kRead);
+  memory_.implement(reg::kFilterDepthDifference, 2, kBoth);
+  memory_.implement(reg::kCyclicUnitControl, 2, kBoth);
+  memory_.implement(reg::kPulseLength, 2, kRead);
+  memory_.implement(reg::kActivationStatus, 1, kRead);
+  memory_.implement(reg::kSync0Status, 2, kRead);
+  memory_.implement(reg::kStartTimeCyclicOperation, width, kBoth);
+  memory_.implement(reg::kNextSync1Pulse, width, kRead);
+  memory_.implement(reg::kSync0CycleTime, 8, kBoth);
+  memory_.implement(reg::kLatch0Control, 2, kBoth);
+  memory_.implement(reg::kLatch0Status, 2, kRead);
+  memory_.implement(reg::kLatch0PositiveEdge, 32, kRead);
+  memory_.set<std::uint16_t>(reg::kSpeedCounterStart, TimeControlLoop::kDefaultSpeedCounterStart);
+  memory_.set<std::uint8_t>(reg::kFilterDepthDifference, loop_.filter_depth_difference());
+  memory_.set<std::uint8_t>(reg::kFilterDepthSpeedCounter, loop_.filter_depth_speed_counter());
+}
+
+std::uint64_t DcUnit::offset() const {
+  return wide_ ? memory_.u64(reg::kSystemTimeOffset) : memory_.u32(reg::kSystemTimeOffset);
+}
+
+std::uint64_t DcUnit::system_time(Nanoseconds time) const { return masked(clock_.exact(time) + offset()); }
+
+void DcUnit::advance_to(Nanoseconds time) {
+  if (!config_.system_time) return;
+  for (;;) {
+    const auto due = generator_.due();
+    if (!due) break;
+    // The generator counts in system time; its value minus the offset is the local time it waits for.
+    std::uint64_t local = due->time - offset();
+    if (!wide_) {
+      const auto now = clock_.exact(time);
+      local = now + static_cast<std::uint64_t>(static_cast<std::int64_t>(
+                        static_cast<std::int32_t>(static_cast<std::uint32_t>(local) - static_cast<std::uint32_t>(now))));
+    }
+    const auto when = clock_.time_of(local);
+    if (when > time) break;
+    clock_.advance_to(when);
+    const auto signal = due->signal;
+    generator_.fired();
+    if (on_sync) on_sync(signal, when);
+  }
+  clock_.advance_to(time);
+}
+
+void DcUnit::start_of_frame(Nanoseconds time) { local_at_start_of_frame_ = clock_.sample(time); }
+
+void DcUnit::refresh_registers() {
+  if (!config_.system_time) return;
+  // An ECAT read shows the time at which the frame passed the *reference* clock: the delay is subtracted.
+  const auto time = masked(local_at_start_of_frame_ + offset() - memory_.u32(reg::kSystemTimeDelay));
+  memory_.set<std::uint64_t>(reg::kSystemTime, time);
+  memory_.set<std::uint32_t>(reg::kSystemTimeDifference, loop_.system_time_difference());
+  memory_.set<std::uint16_t>(reg::kSpeedCounterDiff, static_cast<std::uint16_t>(loop_.speed_counter_diff()));
+  if (generator_.active()) {
+    memory_.set<std::uint64_t>(reg::kStartTimeCyclicOperation, masked(generator_.next_sync0().value_or(
+                                                                   memory_.u64(reg::kStartTimeCyclicOperation))));
+    if (const auto next = generator_.next_sync1()) memory_.set<std::uint64_t>(reg::kNextSync1Pulse, masked(*next));
+  }
+  write_status();
+}
+
+void DcUnit::write_status() {
+  const unsigned pending = (generator_.sync0_pending() ? 1U : 0U) | (generator_.sync1_pending() ? 2U : 0U);
+  memory_.set<std::uint8_t>(reg::kActivationStatus, static_cast<std::uint8_t>(pending));
+}
+
+void DcUnit::compare(Nanoseconds frame_end) {
+  const auto received = memory_.u32(reg::kSystemTime);
+  const auto local = static_cast<std::uint32_t>(local_at_start_of_frame_ + offset()) - memory_.u32(reg::kSystemTimeDelay);
+  loop_.observe(static_cast<std::int32_t>(local - received));
+  clock_.advance_to(frame_end);
+  clock_.set_correction(loop_.correction());
+}
+
+void DcUnit::write_activation(Nanoseconds time) {
+  const auto activation = memory_.u8(reg::kActivation);
+  if ((activation & 0x01) == 0) {
+    generator_.deactivate();
+    settings_ = {};
+    return;
+  }
+  if (generator_.active()) return;
+  settings_ = {(activation & 0x02) != 0, (activation & 0x04) != 0, memory_.u32(reg::kSync0CycleTime),
+               memory_.u32(reg::kSync1CycleTime)};
+  // A start time that has passed fires only when the counter comes round again: never, for 64 bit.
+  const auto now = system_time(time);
+  const auto start = wide_ ? memory_.u64(reg::kStartTimeCyclicOperation) : memory_.u32(reg::kStartTimeCyclicOperation);
+  std::optional<std::uint64_t> first;
+  if (wide_) {
+    if (start > now) first = start;
+  } else {
+    first = now + static_cast<std::uint32_t>(static_cast<std::uint32_t>(start) - static_cast<std::uint32_t>(now));
+  }
+  if (!settings_.sync0) first.reset();
+  generator_.activate(settings_, first);
+}
+
+void DcUnit::registers_written(std::uint16_t address, std::size_t length, Nanoseconds frame_end) {
+  if (!config_.system_time) return;
+  if (touches(address, length, reg::kSystemTime, 4)) compare(frame_end);
+  if (touches(address, length, reg::kSystemTimeOffset, 8)) generator_.realign(system_time(frame_end));
+  if (touches(address, length, reg::kSpeedCounterStart, 2)) {
+    loop_.set_speed_counter_start(memory_.u16(reg::kSpeedCounterStart));
+    clock_.advance_to(frame_end);
+    clock_.set_correction(loop_.correction());
+  }
+  if (touches(address, length, reg::kFilterDepthDifference, 1)) {
+    loop_.set_filter_depth_difference(memory_.u8(reg::kFilterDepthDifference));
+  }
+  if (touches(address, length, reg::kFilterDepthSpeedCounter, 1)) {
+    loop_.set_filter_depth_speed_counter(memory_.u8(reg::kFilterDepthSpeedCounter));
+  }
+  if (touches(address, length, reg::kActivation, 1)) write_activation(frame_end);
+}
+
+void DcUnit::latch_ports(const std::array<std::optional<Nanoseconds>, 4>& passed, Nanoseconds at_processing_unit) {
+  if (!config_.receive_times) return;
+  for (std::uint16_t port = 0; port < 4; ++port) {
+    if (!passed[port]) continue;
+    memory_.set<std::uint32_t>(static_cast<std::uint16_t>(reg::kReceiveTimePort0 + 4 * port),
+                               static_cast<std::uint32_t>(clock_.sample(*passed[port])));
+  }
+  if (config_.system_time) memory_.set<std::uint64_t>(reg::kReceiveTimeProcessingUnit, clock_.sample(at_processing_unit));
+}
+
+void DcUnit::step_clock(Nanoseconds delta) { clock_.step(delta); }
+
+}  // namespace syncline::sim

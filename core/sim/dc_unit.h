@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+
+#include "config/sim_config.h"
+#include "sim/esc_memory.h"
+#include "sim/local_clock.h"
+#include "sim/sync_generator.h"
+#include "sim/time_control_loop.h"
+
+namespace syncline::sim {
+
+/// Distributed-clocks unit of an ESC: receive times, system time with its control loop, SYNC signals
+/// (registers 0x0900 to 0x09FF; ESC data sheet I, chapter 9). Times given are true time.
+class DcUnit {
+ public:
+  DcUnit(const OscillatorConfig& oscillator, const SimDcConfig& config, Nanoseconds power_on, std::uint64_t seed,
+         EscMemory& memory);
+
+  /// SYNC0/SYNC1 up to `time` are delivered in order.
+  std::function<void(SyncGenerator::Signal, Nanoseconds)> on_sync;
+  void advance_to(Nanoseconds time);
+
+  /// A frame starts at the processing unit: the system time that reads in this frame show.
+  void start_of_frame(Nanoseconds time);
+  /// Copies what a read of this frame shows into the register file.
+  void refresh_registers();
+  /// Writes of this frame become effective; `address`, `length`: the range that was written.
+  void registers_written(std::uint16_t address, std::size_t length, Nanoseconds frame_end);
+  /// The frame wrote 0x0900: receive times of the ports it passed.
+  void latch_ports(const std::array<std::optional<Nanoseconds>, 4>& passed, Nanoseconds at_processing_unit);
+
+  /// What the device's firmware reads: local time plus offset, no delay.
+  [[nodiscard]] std::uint64_t system_time(Nanoseconds time) const;
+  [[nodiscard]] bool sync_active() const { return generator_.active(); }
+  [[nodiscard]] bool sync0_enabled() const { return settings_.sync0 && generator_.active(); }
+  [[nodiscard]] const SyncGenerator::Settings& settings() const { return settings_; }
+  [[nodiscard]] std::uint32_t deviation_magnitude() const { return loop_.system_time_difference() & 0x7FFF'FFFFU; }
+  void step_clock(Nanoseconds delta);
+
+ private:
+  [[nodiscard]] std::uint64_t offset() const;
+  [[nodiscard]] std::uint64_t masked(std::uint64_t value) const { return wide_ ? value : value & 0xFFFF'FFFFU; }
+  void compare(Nanoseconds frame_end);
+  void write_activation(Nanoseconds time);
+  void write_status();
+  void implement_registers();
+
+  EscMemory& memory_;
+  SimDcConfig config_;
+  bool wide_;
+  LocalClock clock_;
+  TimeControlLoop loop_;
+  SyncGenerator generator_;
+  SyncGenerator::Settings settings_;
+  std::uint64_t local_at_start_of_frame_ = 0;
+};
+
+}  // namespace syncline::sim

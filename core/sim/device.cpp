@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim/device.h"
+
+#include <algorithm>
+
+#include "protocol/registers.h"
+
+namespace syncline::sim {
+namespace {
+
+constexpr Nanoseconds kFirmwareReaction = 150 * kMicrosecond;  // to an AL request
+constexpr Nanoseconds kMailboxReaction = 250 * kMicrosecond;
+constexpr Nanoseconds kWatchdogTick = 40;                      // ns, of the divider's unit
+constexpr unsigned kMaxObjects = 64;
+constexpr unsigned kServoMaxObjects = 16;
+
+constexpr std::uint16_t kInvalidRequest = 0x0011, kUnknownRequest = 0x0012, kNoBoot = 0x0013, kInvalidMailbox = 0x0016,
+                        kNoOutputs = 0x0019, kWatchdog = 0x001B, kInvalidOutputs = 0x001D, kInvalidInputs = 0x001E;
+
+bool is_allowed(AlState from, AlState to) {
+  if (to == AlState::kInit || to == from) return true;
+  switch (to) {
+    case AlState::kPreop: return from != AlState::kBoot;
+    case AlState::kSafeop: return from == AlState::kPreop || from == AlState::kOp;
+    case AlState::kOp: return from == AlState::kSafeop;
+    default: return false;
+  }
+}
+
+std::size_t size_of(std::uint8_t bits) { return (bits + 7U) / 8U; }
+
+}  // namespace
+
+Device::Device(const SimSlaveConfig& config, Esc& esc)
+    : config_(config),
+      esc_(esc),
+      pdos_((identify(), config_.device), dictionary_, config.behaviour == "servo-y" ? kServoMaxObjects : kMaxObjects),
+      coe_(dictionary_) {
+  esc_.set_listener(this);
+}
+
+void Device::identify() {
+  const auto& device = config_.device;
+  dictionary_.add<std::uint32_t>(0x1000, 0, "Device type", device.profiles.empty() ? 0 : device.profiles[0].profile_no);
+  dictionary_.add(0x1008, 0, "Device name", std::vector<std::uint8_t>(device.type.begin(), device.type.end()));
+  dictionary_.add<std::uint8_t>(0x1018, 0, "Identity", 4);
+  dictionary_.add<std::uint32_t>(0x1018, 1, "Vendor ID", device.identity.vendor_id);
+  dictionary_.add<std::uint32_t>(0x1018, 2, "Product code", device.identity.product_code);
+  dictionary_.add<std::uint32_t>(0x1018, 3, "Revision", device.identity.revision_no);
+  dictionary_.add<std::uint32_t>(0x1018, 4, "Serial number", config_.serial_no);
+  for (const auto direction : {PdoDirection::kRx, PdoDirection::kTx}) {
+    for (const auto& pdo : device.pdos(direction)) {
+      for (const auto& entry : pdo.entries) {
+        if (entry.index == 0 || dictionary_.find(entry.index, entry.sub_index) != nullptr) continue;
+        dictionary_.add(entry.index, entry.sub_index, entry.name,
+                        std::vector<std::uint8_t>(size_of(static_cast<std::uint8_t>(entry.bit_length))),
+                        direction == PdoDirection::kRx);
+      }
+    }
+  }
+  for (const auto& object : device.dictionary) {
+    for (const auto& entry : object.entries) {
+      if (dictionary_.find(object.index, entry.sub_index) != nullptr) continue;
+      auto value = entry.default_data;
+      value.resize(std::max<std::size_t>((entry.bit_length + 7U) / 8U, value.size()));
+      dictionary_.add(object.index, entry.sub_index, entry.name, std::move(value), entry.writable);
+    }
+  }
+}
+
+void Device::refuse(AlState state, std::uint16_t code) {
+  refused_state_ = state;
+  refusal_code_ = code;
+}
+
+// ---- time --------------------------------------------------------------------------------------
+
+void Device::advance_to(Nanoseconds time) {
+  for (;;) {
+    const auto request = request_due_.value_or(INT64_MAX);
+    const auto mail = mail_due_.value_or(INT64_MAX);
+    const auto next = std::min(request, mail);
+    if (next > time) break;
+    esc_.advance_to(next);
+    if (request <= mail) {
+      request_due_.reset();
+      take_request(next);
+    } else {
+      mail_due_.reset();
+      answer_mail(next);
+    }
+  }
+  esc_.advance_to(time);
+  check_watchdog(time);
+}
+
+// ---- AL state machine ----------------------------------------------------------------------------
+
+void Device::al_control_written(Nanoseconds time) {
+  if (esc_.device_emulation()) {
+    const auto control = esc_.memory().u16(reg::kAlControl);
+    state_ = al_state_of(control);
+    esc_.memory().set<std::uint16_t>(reg::kAlStatus, control & 0x000F);
+    if (state_ == AlState::kSafeop || state_ == AlState::kOp) map_process_data();
+    on_state(state_);
+    return;
+  }
+  request_due_ = time + kFirmwareReaction;
+}
+
+void Device::report(AlState state, std::uint16_t code) {
+  error_ = code != 0;
+  const auto status = static_cast<std::uint16_t>(static_cast<unsigned>(state) | (error_ ? kAlErrorFlag : 0U));
+  esc_.memory().set<std::uint16_t>(reg::kAlStatusCode, code);
+  esc_.memory().set<std::uint16_t>(reg::kAlStatus, status);
+  esc_.memory().set<std::uint16_t>(reg::kEcatEventRequest,
+                                   static_cast<std::uint16_t>(esc_.memory().u16(reg::kEcatEventRequest) | 0x0008));
+}
+
+void Device::take_request(Nanoseconds) {
+  const auto control = esc_.memory().u16(reg::kAlControl);
+  const bool acknowledge = (control & kAlErrorFlag) != 0;
+  const auto wanted = al_state_of(control);
+  if (error_ && !acknowledge) return;  // nothing is executed until the error is acknowledged
+  switch (wanted) {
+    case AlState::kInit:
+    case AlState::kPreop:
+    case AlState::kSafeop:
+    case AlState::kOp: break;
+    case AlState::kBoot: return report(state_, kNoBoot);
+    default: return report(state_, kUnknownRequest);
+  }
+  if (!is_allowed(state_, wanted)) return report(state_, kInvalidRequest);
+  if (wanted == refused_state_ && refusal_code_ != 0) return report(state_, refusal_code_);
+  if (const auto code = check(state_, wanted); code != 0) return report(state_, code);
+  enter(wanted);
+  report(state_, 0);
+}
+
+void Device::enter(AlState state) {
+  const auto from = state_;
+  state_ = state;
+  if (state == AlState::kInit) coe_.reset();
+  if (from == AlState::kPreop && state == AlState::kSafeop) {
+    map_process_data();
+    last_outputs_.reset();
+  }
+  on_state(state);
+}
+
+std::uint16_t Device::check(AlState from, AlState to) {
+  if (to <= from) return 0;
+  if (to == AlState::kPreop) return has_mailbox() ? check_mailbox() : 0;
+  if (to == AlState::kSafeop) {
+    if (const auto code = check_process_data(); code != 0) return code;
+    return check_sync(to);
+  }
+  if (output_sm_ && !last_outputs_ && pdos_.byte_length(PdoDirection::kRx) > 0) return kNoOutputs;
+  return check_sync(to);
+}
+
+std::uint16_t Device::check_mailbox() const {
+  for (unsigned i = 0; i < 2 && i < config_.device.sync_managers.size(); ++i) {
+    const auto& wanted = config_.device.sync_managers[i];
+    const auto sm = esc_.sync_manager(i);
+    const bool size_fits = sm.length >= wanted.min_size.value_or(wanted.default_size.value_or(sm.length)) &&
+                           sm.length <= wanted.max_size.value_or(wanted.default_size.value_or(sm.length));
+    if (!sm.enabled() || !sm.is_mailbox() || sm.start != wanted.start_address || !size_fits) return kInvalidMailbox;
+  }
+  return 0;
+}
+
+std::optional<unsigned> Device::find_sync_manager(SyncManagerType type) const {
+  const auto& managers = config_.device.sync_managers;
+  for (unsigned i = 0; i < managers.size(); ++i) {
+    if (managers[i].type == type) return i;
+  }
+  return std::nullopt;
+}
+
+std::uint16_t Device::check_process_data() {
+  const auto fits = [this](std::optional<unsigned> number, PdoDirection direction) {
+    const auto bytes = pdos_.byte_length(direction);
+    if (!number) return bytes == 0;
+    const auto sm = esc_.sync_manager(*number);
+    return bytes == 0 ? !sm.enabled() || sm.length == 0
+                      : sm.enabled() && sm.length == bytes && sm.ecat_writes() == (direction == PdoDirection::kRx);
+  };
+  if (!fits(find_sync_manager(SyncManagerType::kOutputs), PdoDirection::kRx)) return kInvalidOutputs;
+  if (!fits(find_sync_manager(SyncManagerType::kInputs), PdoDirection::kTx)) return kInvalidInputs;
+  return 0;
+}
+
+void Device::drop_to_safeop(std::uint16_t code) {
+  if (state_ != AlState::kOp) return;
+  state_ = AlState::kSafeop;
+  report(state_, code);
+  on_state(state_);
+}
+
+void Device::check_watchdog(Nanoseconds time) {
+  if (state_ != AlState::kOp || !output_sm_ || !last_outputs_ || esc_.device_emulation()) return;
+  const auto& memory = esc_.memory();
+  const auto tick = (memory.u16(reg::kWatchdogDivider) + 2) * kWatchdogTick;
+  const auto timeout = memory.u16(reg::kWatchdogProcessData) * tick;
+  if ((esc_.sync_manager(*output_sm_).control & SyncManager::kControlWatchdog) == 0 || timeout == 0) return;
+  if (time - *last_outputs_ <= timeout) return;
+  esc_.memory().count(reg::kWatchdogCounterProcessData);
+  drop_to_safeop(kWatchdog);
+}
+
+// ---- process data --------------------------------------------------------------------------------
+
+void Device::map_process_data() {
+  output_sm_ = find_sync_manager(SyncManagerType::kOutputs);
+  input_sm_ = find_sync_manager(SyncManagerType::kInputs);
+  const auto copies = [this](PdoDirection direction) {
+    std::vector<Copy> list;
+    std::uint32_t offset = 0;
+    for (const auto& object : pdos_.layout(direction)) {
+      auto* entry = object.index == 0 ? nullptr : dictionary_.find(object.index, object.sub_index);
+      if (entry != nullptr && entry->value.size() >= size_of(object.bits)) list.push_back({entry, offset, object.bits});
+      offset += object.bits;
+    }
+    return list;
+  };
+  outputs_ = copies(PdoDirection::kRx);
+  inputs_ = copies(PdoDirection::kTx);
+}
+
+void Device::outputs_to_dictionary() {
+  if (!output_sm_) return;
+  const auto sm = esc_.sync_manager(*output_sm_);
+  const auto bytes = std::as_const(esc_).memory().at(sm.start, sm.length);
+  for (const auto& copy : outputs_) {
+    if (copy.bit_offset + copy.bits > 8U * sm.length) continue;
+    copy_bits(copy.entry->value, 0, bytes, copy.bit_offset, copy.bits);
+  }
+}
+
+void Device::inputs_from_dictionary() {
+  if (!input_sm_) return;
+  const auto sm = esc_.sync_manager(*input_sm_);
+  auto bytes = esc_.memory().at(sm.start, sm.length);
+  for (const auto& copy : inputs_) {
+    if (copy.bit_offset + copy.bits > 8U * sm.length) continue;
+    copy_bits(bytes, copy.bit_offset, copy.entry->value, 0, copy.bits);
+  }
+}
+
+void Device::sync_manager_written(unsigned number, Nanoseconds time) {
+  if (has_mailbox() && number == 0) {
+    mail_due_ = time + kMailboxReaction;
+  } else if (output_sm_ == number) {
+    last_outputs_ = time;
+    if (state_ == AlState::kOp) outputs_to_dictionary();
+    on_outputs(time);
+  }
+}
+
+void Device::sync_manager_read(unsigned number, Nanoseconds time) {
+  if (has_mailbox() && number == 1 && reply_) mail_due_ = time + kMailboxReaction;
+}
+
+void Device::sync_signal(SyncGenerator::Signal signal, Nanoseconds time) {
+  if (signal == SyncGenerator::Signal::kSync0) on_sync0(time);
+}
+
+// ---- mailbox ---------------------------------------------------------------------------------------
+
+void Device::answer_mail(Nanoseconds) {
+  const auto in = esc_.sync_manager(0);
+  const auto out = esc_.sync_manager(1);
+  if (mailbox_silent_ || state_ == AlState::kInit) return;
+  if (!reply_ && (in.status & SyncManager::kStatusMailboxFull) != 0) {
+    const auto request = MailboxMessage::decode(std::as_const(esc_).memory().at(in.start, in.length));
+    esc_.set_mailbox_full(0, false);
+    if (request) reply_ = coe_.answer(*request, out.length, state_ == AlState::kPreop);
+  }
+  if (reply_ && (out.status & SyncManager::kStatusMailboxFull) == 0 && out.enabled()) {
+    const auto bytes = reply_->encode(out.length);
+    if (bytes.size() <= out.length) std::copy(bytes.begin(), bytes.end(), esc_.memory().at(out.start, out.length).begin());
+    reply_.reset();
+    esc_.set_mailbox_full(1, true);
+  }
+}
+
+}  // namespace syncline::sim

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "config/sim_config.h"
+#include "protocol/al_state.h"
+#include "sim/coe_server.h"
+#include "sim/esc.h"
+#include "sim/object_dictionary.h"
+#include "sim/pdo_objects.h"
+
+namespace syncline::sim {
+
+/// Firmware behind an ESC: AL state machine with its checks, mailbox, process data. Behaviours of kinds
+/// of devices derive from it and say what they do at SM2, at SYNC0 and when the state changes.
+class Device : public Esc::Listener {
+ public:
+  Device(const SimSlaveConfig& config, Esc& esc);
+  ~Device() override = default;
+  Device(const Device&) = delete;
+  Device& operator=(const Device&) = delete;
+
+  /// Runs what is due up to `time` in order: requests in work, SYNC signals, the watchdog.
+  void advance_to(Nanoseconds time);
+  [[nodiscard]] AlState state() const { return state_; }
+  [[nodiscard]] ObjectDictionary& dictionary() { return dictionary_; }
+
+  // Faults.
+  void refuse(AlState state, std::uint16_t code);
+  void silence_mailbox(bool silent) { mailbox_silent_ = silent; }
+
+  // Esc::Listener
+  void al_control_written(Nanoseconds time) override;
+  void sync_manager_written(unsigned number, Nanoseconds time) override;
+  void sync_manager_read(unsigned number, Nanoseconds time) override;
+  void sync_signal(SyncGenerator::Signal signal, Nanoseconds time) override;
+
+ protected:
+  // What a behaviour adds.
+  virtual void on_outputs(Nanoseconds) {}                  // SM2 event with fresh outputs in the dictionary
+  virtual void on_sync0(Nanoseconds) {}
+  virtual void on_state(AlState) {}
+  virtual std::uint16_t check_sync(AlState) { return 0; }  // AL status code, 0 = fine
+
+  void drop_to_safeop(std::uint16_t code);
+  void outputs_to_dictionary();
+  void inputs_from_dictionary();
+  [[nodiscard]] bool has_mailbox() const { return config_.device.mailbox.has_value(); }
+  [[nodiscard]] Esc& esc() { return esc_; }
+  [[nodiscard]] const SimSlaveConfig& config() const { return config_; }
+
+  ObjectDictionary dictionary_;
+
+ private:
+  struct Copy {
+    ObjectDictionary::Entry* entry;
+    std::uint32_t bit_offset;
+    std::uint8_t bits;
+  };
+  void take_request(Nanoseconds time);
+  void enter(AlState state);
+  void report(AlState state, std::uint16_t code);
+  [[nodiscard]] std::uint16_t check(AlState from, AlState to);
+  [[nodiscard]] std::uint16_t check_mailbox() const;
+  [[nodiscard]] std::uint16_t check_process_data();
+  [[nodiscard]] std::optional<unsigned> find_sync_manager(SyncManagerType type) const;
+  void map_process_data();
+  void answer_mail(Nanoseconds time);
+  void check_watchdog(Nanoseconds time);
+  void identify();
+
+  SimSlaveConfig config_;
+  Esc& esc_;
+  PdoObjects pdos_;
+  CoeServer coe_;
+  AlState state_ = AlState::kInit;
+  bool error_ = false;
+  std::optional<Nanoseconds> request_due_, mail_due_;
+  std::optional<MailboxMessage> reply_;
+  std::vector<Copy> outputs_, inputs_;
+  std::optional<unsigned> output_sm_, input_sm_;
+  std::optional<Nanoseconds> last_outputs_;
+  bool mailbox_silent_ = false;
+  AlState refused_state_ = AlState::kNone;
+  std::uint16_t refusal_code_ = 0;
+};
+
+/// Behaviour by its scenario name; "generic" for any other device.
+[[nodiscard]] std::unique_ptr<Device> make_device(const SimSlaveConfig& config, Esc& esc);
+
+}  // namespace syncline::sim

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim/device.h"
+#include "sim/devices/drive.h"
+#include "sim/devices/drive_c.h"
+
+namespace syncline::sim {
+namespace {
+
+/// Holds what it is given (terminals, couplers, any other device); its inputs are what its objects say.
+class Generic final : public Device {
+ public:
+  using Device::Device;
+
+ protected:
+  void on_sync0(Nanoseconds) override { inputs_from_dictionary(); }
+  void on_outputs(Nanoseconds) override { inputs_from_dictionary(); }
+};
+
+}  // namespace
+
+std::unique_ptr<Device> make_device(const SimSlaveConfig& config, Esc& esc) {
+  if (config.behaviour == "servo-y") return std::make_unique<Drive>(config, esc, DriveHabits{});
+  if (config.behaviour == "drive-c") return std::make_unique<DriveC>(config, esc);
+  return std::make_unique<Generic>(config, esc);
+}
+
+}  // namespace syncline::sim

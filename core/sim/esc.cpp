@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim/esc.h"
+
+#include <algorithm>
+
+#include "protocol/dl_status.h"
+#include "protocol/registers.h"
+
+namespace syncline::sim {
+namespace {
+
+constexpr std::uint16_t kEventDlStatus = 0x0004;
+constexpr std::uint16_t kEventAlStatus = 0x0008;
+
+bool overlaps(std::uint32_t a, std::size_t a_size, std::uint32_t b, std::size_t b_size) {
+  return a < b + b_size && b < a + a_size;
+}
+
+bool get_bit(std::span<const std::uint8_t> bytes, std::size_t bit) { return ((bytes[bit / 8] >> (bit % 8)) & 1) != 0; }
+void put_bit(std::span<std::uint8_t> bytes, std::size_t bit, bool value) {
+  const auto mask = static_cast<std::uint8_t>(1U << (bit % 8));
+  bytes[bit / 8] = static_cast<std::uint8_t>(value ? bytes[bit / 8] | mask : bytes[bit / 8] & ~mask);
+}
+
+}  // namespace
+
+Esc::Esc(const SimSlaveConfig& config, std::vector<std::uint8_t> sii, const Options& options, Nanoseconds power_on,
+         std::uint64_t seed)
+    : options_(options),
+      memory_(0x2000),
+      dc_(config.oscillator, config.dc, power_on, seed, memory_),
+      sii_(std::move(sii), memory_),
+      sync_managers_(options.sync_manager_count) {
+  implement_registers();
+  const auto& content = sii_.content();
+  if (content.size() >= 6) {  // configuration data that the ESC loads at power-on
+    memory_.set<std::uint8_t>(reg::kPdiControl, content[0]);
+    memory_.set<std::uint8_t>(reg::kEscConfiguration, content[1]);
+    memory_.set<std::uint16_t>(reg::kPdiConfiguration, load_le<std::uint16_t>(std::span(content).subspan(2)));
+    memory_.set<std::uint16_t>(reg::kPulseLength, load_le<std::uint16_t>(std::span(content).subspan(4)));
+  }
+  std::uint16_t features = 0x0001;
+  if (config.dc.receive_times) features |= 0x0004;
+  if (config.dc.is_64bit) features |= 0x0008;
+  memory_.set<std::uint8_t>(reg::kType, 0x11);
+  memory_.set<std::uint8_t>(reg::kFmmuCount, options.fmmu_count);
+  memory_.set<std::uint8_t>(reg::kSyncManagerCount, options.sync_manager_count);
+  memory_.set<std::uint8_t>(reg::kRamSize, 8);
+  memory_.set<std::uint8_t>(reg::kPortDescriptor, 0xFF);
+  memory_.set<std::uint16_t>(reg::kFeatures, features);
+  memory_.set<std::uint16_t>(reg::kStationAlias, options.alias);
+  memory_.set<std::uint32_t>(reg::kDlControl, 0x0007'0001);
+  memory_.set<std::uint16_t>(reg::kDlStatus, 0x0003);
+  memory_.set<std::uint16_t>(reg::kAlControl, 0x0001);
+  memory_.set<std::uint16_t>(reg::kAlStatus, 0x0001);
+  memory_.set<std::uint16_t>(reg::kWatchdogDivider, 2498);
+  memory_.set<std::uint16_t>(reg::kWatchdogPdi, 1000);
+  memory_.set<std::uint16_t>(reg::kWatchdogProcessData, 1000);
+  memory_.set<std::uint16_t>(reg::kWatchdogStatus, 1);
+}
+
+void Esc::implement_registers() {
+  constexpr auto r = EscMemory::kRead;
+  constexpr auto rw = EscMemory::kReadWrite;
+  memory_.implement(reg::kType, 10, r);
+  memory_.implement(reg::kStationAddress, 2, rw);
+  memory_.implement(reg::kStationAlias, 2, r);
+  memory_.implement(reg::kDlControl, 4, rw);
+  memory_.implement(reg::kDlStatus, 2, r);
+  memory_.implement(reg::kAlControl, 2, rw);
+  memory_.implement(reg::kAlStatus, 2, r);
+  memory_.implement(reg::kAlStatusCode, 2, r);
+  memory_.implement(reg::kPdiControl, 2, r);
+  memory_.implement(reg::kPdiConfiguration, 4, r);
+  memory_.implement(reg::kEcatEventMask, 2, rw);
+  memory_.implement(reg::kAlEventMask, 4, r);
+  memory_.implement(reg::kEcatEventRequest, 2, r);
+  memory_.implement(reg::kAlEventRequest, 4, r);
+  memory_.implement(reg::kRxErrorCounter, 0x0E, rw);
+  memory_.implement(reg::kLostLinkCounter, 4, rw);
+  memory_.implement(reg::kWatchdogDivider, 2, rw);
+  memory_.implement(reg::kWatchdogPdi, 2, rw);
+  memory_.implement(reg::kWatchdogProcessData, 2, rw);
+  memory_.implement(reg::kWatchdogStatus, 4, r);
+  memory_.implement(reg::kSiiConfiguration, 16, rw);
+  memory_.implement(reg::kFmmu, static_cast<std::uint16_t>(16 * options_.fmmu_count), rw);
+  memory_.implement(reg::kSyncManager, static_cast<std::uint16_t>(8 * options_.sync_manager_count), rw);
+}
+
+void Esc::set_port(unsigned port, bool open) {
+  auto status = memory_.u16(reg::kDlStatus);
+  const auto bits = static_cast<std::uint16_t>((1U << (4 + port)) | (2U << (8 + 2 * port)));  // link, communication
+  const auto closed = static_cast<std::uint16_t>(1U << (8 + 2 * port));
+  status = static_cast<std::uint16_t>(open ? (status | bits) & ~closed : (status & ~bits) | closed);
+  memory_.set<std::uint16_t>(reg::kDlStatus, status);
+  memory_.set<std::uint16_t>(reg::kEcatEventRequest,
+                             static_cast<std::uint16_t>(memory_.u16(reg::kEcatEventRequest) | kEventDlStatus));
+}
+
+SyncManager Esc::sync_manager(unsigned number) const {
+  return SyncManager::decode(memory_.at(reg::sync_manager(number), SyncManager::kSize).first<SyncManager::kSize>());
+}
+
+void Esc::set_mailbox_full(unsigned number, bool full) {
+  const auto address = static_cast<std::uint16_t>(reg::sync_manager(number) + 5);
+  const auto status = memory_.u8(address);
+  memory_.set<std::uint8_t>(address, static_cast<std::uint8_t>(full ? status | SyncManager::kStatusMailboxFull
+                                                                   : status & ~SyncManager::kStatusMailboxFull));
+  maps_stale_ = true;
+}
+
+void Esc::reload_maps() {
+  maps_stale_ = false;
+  fmmus_.clear();
+  for (unsigned i = 0; i < options_.fmmu_count; ++i) {
+    const auto fmmu = Fmmu::decode(memory_.at(reg::fmmu(i), Fmmu::kSize).first<Fmmu::kSize>());
+    if (fmmu.active && fmmu.length > 0) fmmus_.push_back(fmmu);
+  }
+  for (unsigned i = 0; i < sync_managers_.size(); ++i) sync_managers_[i] = sync_manager(i);
+}
+
+void Esc::set_listener(Listener* listener) {
+  listener_ = listener;
+  dc_.on_sync = [listener](SyncGenerator::Signal signal, Nanoseconds time) { listener->sync_signal(signal, time); };
+}
+
+void Esc::frame_at_port(unsigned port, Nanoseconds time) { port_times_[port] = time; }
+
+void Esc::advance_to(Nanoseconds time) { dc_.advance_to(time); }
+
+bool Esc::addressed(const DatagramHeader& header) const {
+  if (is_auto_increment(header.command)) return header.adp() == 0;
+  if (is_fixed_address(header.command)) {
+    const bool alias_on = (memory_.u8(reg::kDlControlAlias) & 0x01) != 0;
+    return header.adp() == memory_.u16(reg::kStationAddress) ||
+           (alias_on && header.adp() == memory_.u16(reg::kStationAlias));
+  }
+  return is_broadcast(header.command);
+}
+
+void Esc::process(std::span<DatagramView> datagrams, Nanoseconds time) {
+  unit_time_ = time;
+  dc_.start_of_frame(time);
+  dc_.refresh_registers();
+  if (maps_stale_) reload_maps();
+  const auto event = static_cast<std::uint16_t>(memory_.u16(reg::kEcatEventRequest) & memory_.u16(reg::kEcatEventMask));
+  for (auto& datagram : datagrams) {
+    const auto access = execute(datagram);
+    const bool read_write = datagram.header.command == Command::kAprw || datagram.header.command == Command::kFprw ||
+                            datagram.header.command == Command::kBrw || datagram.header.command == Command::kLrw;
+    const unsigned count = (access.read ? 1U : 0U) + (access.written ? (read_write ? 2U : 1U) : 0U);
+    if (count > 0) datagram.set_wkc(static_cast<std::uint16_t>(datagram.wkc() + count));
+    if (is_auto_increment(datagram.header.command) || is_broadcast(datagram.header.command)) {
+      const auto adp = static_cast<std::uint16_t>(datagram.header.adp() + 1);
+      datagram.header.address = device_address(adp, datagram.header.ado());
+    }
+    datagram.header.irq = static_cast<std::uint16_t>(datagram.header.irq | event);
+    datagram.store_header();
+  }
+}
+
+Esc::Access Esc::execute(DatagramView& datagram) {
+  const auto& header = datagram.header;
+  const bool mine = addressed(header);
+  switch (header.command) {
+    case Command::kNop: return {};
+    case Command::kAprd:
+    case Command::kFprd: return {mine && read_memory(header.ado(), datagram.data, false), false};
+    case Command::kBrd: return {read_memory(header.ado(), datagram.data, true), false};
+    case Command::kApwr:
+    case Command::kFpwr: return {false, mine && write_memory(header.ado(), datagram.data)};
+    case Command::kBwr: return {false, write_memory(header.ado(), datagram.data)};
+    case Command::kAprw:
+    case Command::kFprw:
+    case Command::kBrw: {
+      if (!mine) return {};
+      const bool written = write_memory(header.ado(), datagram.data);  // shadowed: the read sees the old value
+      const bool read = read_memory(header.ado(), datagram.data, header.command == Command::kBrw);
+      return {read, written};
+    }
+    case Command::kArmw:
+    case Command::kFrmw:
+      if (mine) return {read_memory(header.ado(), datagram.data, false), false};
+      return {false, write_memory(header.ado(), datagram.data)};
+    case Command::kLrd: return logical(datagram, true, false);
+    case Command::kLwr: return logical(datagram, false, true);
+    case Command::kLrw: return logical(datagram, true, true);
+  }
+  return {};
+}
+
+bool Esc::buffer_allows(std::uint32_t address, std::size_t length, bool write) const {
+  for (const auto& sm : sync_managers_) {
+    if (!sm.enabled() || sm.length == 0 || !overlaps(address, length, sm.start, sm.length)) continue;
+    if (sm.ecat_writes() != write) return !write && !sm.is_mailbox();
+    const bool full = (sm.status & SyncManager::kStatusMailboxFull) != 0;
+    if (sm.is_mailbox() && full == write) return false;  // full: no write; empty: no read
+  }
+  return true;
+}
+
+void Esc::note_buffer_access(std::uint32_t address, std::size_t length, bool write) {
+  for (unsigned i = 0; i < sync_managers_.size(); ++i) {
+    const auto& sm = sync_managers_[i];
+    if (!sm.enabled() || sm.length == 0 || sm.ecat_writes() != write) continue;
+    const std::uint32_t last = sm.start + sm.length - 1U;
+    if (address <= last && last < address + length) (write ? sm_written_ : sm_read_) |= 1U << i;
+  }
+}
+
+bool Esc::read_memory(std::uint16_t address, std::span<std::uint8_t> out, bool or_into) {
+  if (address + out.size() > EscMemory::kSize || !buffer_allows(address, out.size(), false)) return false;
+  bool any = false;
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    const auto place = static_cast<std::uint32_t>(address + i);
+    const bool readable = (memory_.rights(place) & EscMemory::kRead) != 0;
+    any = any || readable;
+    const auto value = readable ? memory_.u8(static_cast<std::uint16_t>(place)) : std::uint8_t{0};
+    if (!any && !readable) continue;
+    out[i] = or_into ? static_cast<std::uint8_t>(out[i] | value) : value;
+  }
+  if (!any) return false;
+  note_buffer_access(address, out.size(), false);
+  if (overlaps(address, out.size(), reg::kDlStatus, 2) || overlaps(address, out.size(), reg::kAlStatus, 2)) {
+    const std::uint16_t cleared = overlaps(address, out.size(), reg::kDlStatus, 2) ? kEventDlStatus : kEventAlStatus;
+    memory_.set<std::uint16_t>(reg::kEcatEventRequest,
+                               static_cast<std::uint16_t>(memory_.u16(reg::kEcatEventRequest) & ~cleared));
+  }
+  return true;
+}
+
+bool Esc::write_memory(std::uint16_t address, std::span<const std::uint8_t> data) {
+  if (address + data.size() > EscMemory::kSize || !buffer_allows(address, data.size(), true)) return false;
+  bool any = false;
+  for (std::size_t i = 0; i < data.size() && !any; ++i) {
+    any = (memory_.rights(static_cast<std::uint32_t>(address + i)) & EscMemory::kWrite) != 0;
+  }
+  if (!any) return false;
+  if (address >= EscMemory::kRegisterEnd) {  // RAM has no shadow
+    std::copy(data.begin(), data.end(), memory_.at(address, data.size()).begin());
+  } else {
+    writes_.push_back({address, static_cast<std::uint16_t>(data.size())});
+    shadow_.insert(shadow_.end(), data.begin(), data.end());
+    latch_ = latch_ || overlaps(address, data.size(), reg::kReceiveTimePort0, 4);
+  }
+  note_buffer_access(address, data.size(), true);
+  return true;
+}
+
+Esc::Access Esc::logical(const DatagramView& datagram, bool read, bool write) {
+  Access access;
+  const std::uint64_t start = datagram.header.address;
+  const std::uint64_t end = start + datagram.data.size();
+  // The write side takes the bytes as they came in; the read side replaces them afterwards.
+  for (const bool writing : {true, false}) {
+    if (writing ? !write : !read) continue;
+    for (const auto& fmmu : fmmus_) {
+      if (writing ? !fmmu.write : !fmmu.read) continue;
+      const std::uint64_t first_bit = 8ULL * fmmu.logical_start + fmmu.logical_start_bit;
+      const std::uint64_t bits = fmmu.bit_length();
+      const std::uint64_t from = std::max(first_bit, 8 * start);
+      const std::uint64_t to = std::min(first_bit + bits, 8 * end);
+      if (from >= to) continue;
+      const std::uint64_t physical = 8ULL * fmmu.physical_start + fmmu.physical_start_bit + (from - first_bit);
+      const auto address = static_cast<std::uint32_t>(physical / 8);
+      const auto length = static_cast<std::size_t>((physical + (to - from) + 7) / 8 - physical / 8);
+      if (address + length > EscMemory::kSize || !buffer_allows(address, length, writing)) continue;
+      auto memory = memory_.at(0, EscMemory::kSize);
+      for (std::uint64_t bit = 0; bit < to - from; ++bit) {
+        if (writing) {
+          put_bit(memory, physical + bit, get_bit(datagram.data, from + bit - 8 * start));
+        } else {
+          put_bit(datagram.data, from + bit - 8 * start, get_bit(memory, physical + bit));
+        }
+      }
+      note_buffer_access(address, length, writing);
+      (writing ? access.written : access.read) = true;
+    }
+  }
+  return access;
+}
+
+void Esc::commit_register(const Write& write, Nanoseconds time) {
+  const auto hit = [&write](std::uint16_t address, std::size_t size) {
+    return overlaps(write.address, write.length, address, size);
+  };
+  if (hit(reg::kFmmu, 0x100) || hit(reg::kSyncManager, 0x80)) {
+    maps_stale_ = true;
+  }
+  if (hit(reg::kRxErrorCounter, 0x0C)) std::ranges::fill(memory_.at(reg::kRxErrorCounter, 0x0C), std::uint8_t{0});
+  if (hit(reg::kLostLinkCounter, 4)) std::ranges::fill(memory_.at(reg::kLostLinkCounter, 4), std::uint8_t{0});
+  if (hit(reg::kSiiControl, 2)) sii_.control_written();
+  if (write.address >= reg::kReceiveTimePort0 && write.address < 0x0A00) {
+    dc_.registers_written(write.address, write.length, time);
+  }
+  if (hit(reg::kAlControl, 2) && listener_ != nullptr) listener_->al_control_written(time);
+}
+
+void Esc::frame_end(Nanoseconds time) {
+  dc_.advance_to(time);
+  std::size_t position = 0;
+  for (const auto& write : writes_) {
+    for (std::size_t i = 0; i < write.length; ++i) {
+      const auto address = static_cast<std::uint32_t>(write.address + i);
+      // Receive times are what the latch shows, never what was written to start it.
+      const bool receive_time = address >= reg::kReceiveTimePort0 && address < reg::kSystemTime;
+      if ((memory_.rights(address) & EscMemory::kWrite) != 0 && !receive_time) {
+        memory_.set<std::uint8_t>(static_cast<std::uint16_t>(address), shadow_[position + i]);
+      }
+    }
+    position += write.length;
+    commit_register(write, time);
+  }
+  writes_.clear();
+  shadow_.clear();
+  if (latch_) dc_.latch_ports(port_times_, unit_time_);
+  latch_ = false;
+  port_times_ = {};
+  for (unsigned i = 0; i < sync_managers_.size() && (sm_written_ | sm_read_) != 0; ++i) {
+    const auto bit = 1U << i;
+    if ((sm_written_ & bit) != 0) {
+      if (sync_managers_[i].is_mailbox()) set_mailbox_full(i, true);
+      if (listener_ != nullptr) listener_->sync_manager_written(i, time);
+    }
+    if ((sm_read_ & bit) != 0) {
+      if (sync_managers_[i].is_mailbox()) set_mailbox_full(i, false);
+      if (listener_ != nullptr) listener_->sync_manager_read(i, time);
+    }
+  }
+  sm_written_ = sm_read_ = 0;
+}
+
+}  // namespace syncline::sim

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "config/sim_config.h"
+#include "protocol/fmmu.h"
+#include "protocol/frame.h"
+#include "protocol/sync_manager.h"
+#include "sim/dc_unit.h"
+#include "sim/esc_memory.h"
+#include "sim/sii_interface.h"
+
+namespace syncline::sim {
+
+/// EtherCAT slave controller: executes the datagrams of passing frames on its register file and RAM
+/// (ESC data sheet I, chapters 2 to 8). Register writes become effective at the end of the frame.
+class Esc {
+ public:
+  struct Options {
+    std::uint8_t fmmu_count = 8;
+    std::uint8_t sync_manager_count = 8;
+    std::uint16_t alias = 0;
+    bool device_emulation = false;
+  };
+  Esc(const SimSlaveConfig& config, std::vector<std::uint8_t> sii, const Options& options, Nanoseconds power_on,
+      std::uint64_t seed);
+
+  /// Events of the PDI side, in the order in which they happen; times are true time.
+  struct Listener {
+    virtual ~Listener() = default;
+    virtual void al_control_written(Nanoseconds time) = 0;
+    virtual void sync_manager_written(unsigned number, Nanoseconds time) = 0;  // last byte, good frame
+    virtual void sync_manager_read(unsigned number, Nanoseconds time) = 0;
+    virtual void sync_signal(SyncGenerator::Signal signal, Nanoseconds time) = 0;
+  };
+  /// The listener must outlive the ESC; the ESC must not move afterwards.
+  void set_listener(Listener* listener);
+
+  // ---- the frame's way ----
+  void frame_at_port(unsigned port, Nanoseconds time);
+  /// The frame passes the processing unit: executes every datagram in place.
+  void process(std::span<DatagramView> datagrams, Nanoseconds time);
+  /// The last byte has passed with a good FCS.
+  void frame_end(Nanoseconds time);
+  void advance_to(Nanoseconds time);
+
+  // ---- the device's side ----
+  [[nodiscard]] EscMemory& memory() { return memory_; }
+  [[nodiscard]] const EscMemory& memory() const { return memory_; }
+  [[nodiscard]] DcUnit& dc() { return dc_; }
+  [[nodiscard]] const DcUnit& dc() const { return dc_; }
+  [[nodiscard]] SyncManager sync_manager(unsigned number) const;
+  void set_mailbox_full(unsigned number, bool full);
+  [[nodiscard]] bool device_emulation() const { return options_.device_emulation; }
+  void set_port(unsigned port, bool open);
+
+ private:
+  struct Write {
+    std::uint16_t address;
+    std::uint16_t length;
+  };
+  /// Working counter parts of one datagram: what was read and written.
+  struct Access {
+    bool read = false, written = false;
+  };
+  [[nodiscard]] Access execute(DatagramView& datagram);
+  [[nodiscard]] bool addressed(const DatagramHeader& header) const;
+  bool read_memory(std::uint16_t address, std::span<std::uint8_t> out, bool or_into);
+  bool write_memory(std::uint16_t address, std::span<const std::uint8_t> data);
+  Access logical(const DatagramView& datagram, bool read, bool write);
+  [[nodiscard]] bool buffer_allows(std::uint32_t address, std::size_t length, bool write) const;
+  void note_buffer_access(std::uint32_t address, std::size_t length, bool write);
+  void commit_register(const Write& write, Nanoseconds time);
+  void reload_maps();
+  void implement_registers();
+
+  Options options_;
+  EscMemory memory_;
+  DcUnit dc_;
+  SiiInterface sii_;
+  Listener* listener_ = nullptr;
+  std::vector<Fmmu> fmmus_;                 // decoded, active ones
+  std::vector<SyncManager> sync_managers_;  // decoded
+  bool maps_stale_ = true;
+
+  // Of the frame that is passing:
+  std::array<std::optional<Nanoseconds>, 4> port_times_{};
+  Nanoseconds unit_time_ = 0;
+  bool latch_ = false;
+  std::vector<Write> writes_;
+  std::vector<std::uint8_t> shadow_;        // bytes of writes_, in order
+  std::uint32_t sm_written_ = 0, sm_read_ = 0;  // bit per SyncManager
+};
+
+}  // namespace syncline::sim

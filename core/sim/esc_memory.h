@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "support/byte_order.h"
+
+namespace syncline::sim {
+
+/// Register file and process RAM of an ESC with the access rights that a master sees. An address without
+/// a right raises no working counter: registers that an ESC does not implement look like that on the wire.
+class EscMemory {
+ public:
+  static constexpr std::uint32_t kSize = 0x10000;
+  static constexpr std::uint32_t kRegisterEnd = 0x1000;
+  static constexpr std::uint8_t kRead = 1;
+  static constexpr std::uint8_t kWrite = 2;
+  static constexpr std::uint8_t kReadWrite = kRead | kWrite;
+
+  /// `ram_bytes` of process RAM from 0x1000 on.
+  explicit EscMemory(std::uint32_t ram_bytes);
+
+  void implement(std::uint16_t address, std::uint16_t length, std::uint8_t rights);
+  [[nodiscard]] std::uint8_t rights(std::uint32_t address) const {
+    return address < kRegisterEnd ? rights_[address] : (address < ram_end_ ? kReadWrite : std::uint8_t{0});
+  }
+  [[nodiscard]] std::uint32_t ram_end() const { return ram_end_; }
+
+  [[nodiscard]] std::span<std::uint8_t> at(std::uint32_t address, std::size_t length) {
+    return std::span(bytes_).subspan(address, length);
+  }
+  [[nodiscard]] std::span<const std::uint8_t> at(std::uint32_t address, std::size_t length) const {
+    return std::span(bytes_).subspan(address, length);
+  }
+  template <std::unsigned_integral T>
+  [[nodiscard]] T get(std::uint16_t address) const {
+    return load_le<T>(at(address, sizeof(T)));
+  }
+  template <std::unsigned_integral T>
+  void set(std::uint16_t address, T value) {
+    store_le<T>(at(address, sizeof(T)), value);
+  }
+  [[nodiscard]] std::uint8_t u8(std::uint16_t address) const { return bytes_[address]; }
+  [[nodiscard]] std::uint16_t u16(std::uint16_t address) const { return get<std::uint16_t>(address); }
+  [[nodiscard]] std::uint32_t u32(std::uint16_t address) const { return get<std::uint32_t>(address); }
+  [[nodiscard]] std::uint64_t u64(std::uint16_t address) const { return get<std::uint64_t>(address); }
+  /// Counters of the ESC stop at 0xFF.
+  void count(std::uint16_t address) {
+    if (bytes_[address] != 0xFF) {
+      ++bytes_[address];
+    }
+  }
+
+ private:
+  std::vector<std::uint8_t> bytes_;
+  std::array<std::uint8_t, kRegisterEnd> rights_{};
+  std::uint32_t ram_end_;
+};
+
+}  // namespace syncline::sim

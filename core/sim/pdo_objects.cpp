@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim/pdo_objects.h"
+
+#include <algorithm>
+
+namespace syncline::sim {
+namespace {
+
+constexpr std::uint16_t kAssignRx = 0x1C12, kAssignTx = 0x1C13;
+constexpr unsigned kMaxEntries = 32;
+
+std::uint16_t assignment_index(PdoDirection direction) {
+  return direction == PdoDirection::kRx ? kAssignRx : kAssignTx;
+}
+
+std::uint32_t mapping_word(const PdoEntry& entry) {
+  return static_cast<std::uint32_t>(entry.index) << 16 | static_cast<std::uint32_t>(entry.sub_index) << 8 |
+         (entry.bit_length & 0xFFU);
+}
+
+}  // namespace
+
+void copy_bits(std::span<std::uint8_t> to, std::size_t to_bit, std::span<const std::uint8_t> from, std::size_t from_bit,
+               std::size_t bits) {
+  for (std::size_t i = 0; i < bits; ++i) {
+    const bool value = ((from[(from_bit + i) / 8] >> ((from_bit + i) % 8)) & 1) != 0;
+    const auto mask = static_cast<std::uint8_t>(1U << ((to_bit + i) % 8));
+    auto& byte = to[(to_bit + i) / 8];
+    byte = static_cast<std::uint8_t>(value ? byte | mask : byte & ~mask);
+  }
+}
+
+PdoObjects::PdoObjects(const DeviceDescription& device, ObjectDictionary& dictionary, unsigned max_objects)
+    : dictionary_(dictionary), max_objects_(max_objects) {
+  for (const auto direction : {PdoDirection::kRx, PdoDirection::kTx}) {
+    for (const auto& pdo : device.pdos(direction)) add_mapping(pdo, direction);
+    add_assignment(device, direction);
+  }
+}
+
+void PdoObjects::add_mapping(const Pdo& pdo, PdoDirection) {
+  const bool changeable = !pdo.fixed;
+  const auto count = static_cast<std::uint8_t>(std::min<std::size_t>(pdo.entries.size(), kMaxEntries));
+  auto& head = dictionary_.add(pdo.index, 0, "Number of mapped objects", count, changeable);
+  head.preop_only = true;
+  for (unsigned sub = 1; sub <= kMaxEntries; ++sub) {
+    if (sub > count && !changeable) break;
+    const auto word = sub <= count ? mapping_word(pdo.entries[sub - 1]) : 0U;
+    auto& entry = dictionary_.add(pdo.index, static_cast<std::uint8_t>(sub), "Mapped object", word, changeable);
+    entry.preop_only = true;
+    entry.on_write = [this, index = pdo.index](std::span<const std::uint8_t> data) {
+      if (dictionary_.get<std::uint8_t>(index, 0) != 0) return abort::kSubIndexNotWritable;
+      const auto mapped = load_le<std::uint32_t>(data);
+      const auto object = static_cast<std::uint16_t>(mapped >> 16);
+      const auto sub_index = static_cast<std::uint8_t>(mapped >> 8);
+      return object == 0 || dictionary_.find(object, sub_index) != nullptr ? abort::kNone : abort::kNotMappable;
+    };
+  }
+}
+
+std::uint32_t PdoObjects::check_assigned(PdoDirection direction, unsigned count) const {
+  unsigned objects = 0;
+  for (unsigned sub = 1; sub <= count; ++sub) {
+    const auto pdo = dictionary_.get<std::uint16_t>(assignment_index(direction), static_cast<std::uint8_t>(sub));
+    objects += dictionary_.get<std::uint8_t>(pdo, 0);
+  }
+  return objects > max_objects_ ? abort::kPdoTooLong : abort::kNone;
+}
+
+void PdoObjects::add_assignment(const DeviceDescription& device, PdoDirection direction) {
+  const auto index = assignment_index(direction);
+  std::vector<std::uint16_t> assigned;
+  for (const auto& pdo : device.pdos(direction)) {
+    if (pdo.sync_manager) assigned.push_back(pdo.index);
+  }
+  const bool changeable = device.mailbox && device.mailbox->coe && device.mailbox->coe->pdo_assign;
+  auto& head = dictionary_.add(index, 0, "Number of assigned PDOs", static_cast<std::uint8_t>(assigned.size()), changeable);
+  head.preop_only = true;
+  head.on_write = [this, direction](std::span<const std::uint8_t> data) { return check_assigned(direction, data[0]); };
+  const auto slots = std::max<std::size_t>(device.pdos(direction).size(), assigned.size());
+  for (std::size_t sub = 1; sub <= slots; ++sub) {
+    auto& entry = dictionary_.add(index, static_cast<std::uint8_t>(sub), "Assigned PDO",
+                                  sub <= assigned.size() ? assigned[sub - 1] : std::uint16_t{0}, changeable);
+    entry.preop_only = true;
+    entry.on_write = [this, index](std::span<const std::uint8_t> data) {
+      if (dictionary_.get<std::uint8_t>(index, 0) != 0) return abort::kSubIndexNotWritable;
+      return dictionary_.find(load_le<std::uint16_t>(data), 0) != nullptr ? abort::kNone : abort::kRange;
+    };
+  }
+}
+
+std::vector<PdoObjects::Mapped> PdoObjects::layout(PdoDirection direction) const {
+  std::vector<Mapped> objects;
+  const auto index = assignment_index(direction);
+  const auto pdos = dictionary_.get<std::uint8_t>(index, 0);
+  for (unsigned i = 1; i <= pdos; ++i) {
+    const auto pdo = dictionary_.get<std::uint16_t>(index, static_cast<std::uint8_t>(i));
+    const auto entries = dictionary_.get<std::uint8_t>(pdo, 0);
+    for (unsigned k = 1; k <= entries; ++k) {
+      const auto word = dictionary_.get<std::uint32_t>(pdo, static_cast<std::uint8_t>(k));
+      objects.push_back({static_cast<std::uint16_t>(word >> 16), static_cast<std::uint8_t>(word >> 8),
+                         static_cast<std::uint8_t>(word)});
+    }
+  }
+  return objects;
+}
+
+std::uint32_t PdoObjects::byte_length(PdoDirection direction) const {
+  std::uint32_t bits = 0;
+  for (const auto& object : layout(direction)) bits += object.bits;
+  return (bits + 7) / 8;
+}
+
+}  // namespace syncline::sim

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "config/device_description.h"
+#include "sim/object_dictionary.h"
+
+namespace syncline::sim {
+
+/// PDO mapping (0x1600.., 0x1A00..) and assignment (0x1C12, 0x1C13) in an object dictionary, and what follows
+/// from them: the process data's layout. Both can be changed by SDO in PREOP (ETG.1000.6, 5.6.7).
+class PdoObjects {
+ public:
+  /// `max_objects` a direction; the assignment refuses more.
+  PdoObjects(const DeviceDescription& device, ObjectDictionary& dictionary, unsigned max_objects);
+
+  struct Mapped {
+    std::uint16_t index = 0;  // 0 = padding
+    std::uint8_t sub_index = 0;
+    std::uint8_t bits = 0;
+  };
+  /// Objects of the assigned PDOs in order.
+  [[nodiscard]] std::vector<Mapped> layout(PdoDirection direction) const;
+  [[nodiscard]] std::uint32_t byte_length(PdoDirection direction) const;
+
+ private:
+  void add_mapping(const Pdo& pdo, PdoDirection direction);
+  void add_assignment(const DeviceDescription& device, PdoDirection direction);
+  [[nodiscard]] std::uint32_t check_assigned(PdoDirection direction, unsigned count) const;
+
+  ObjectDictionary& dictionary_;
+  unsigned max_objects_;
+};
+
+/// Copies `bits` bits between bit offsets of byte arrays.
+void copy_bits(std::span<std::uint8_t> to, std::size_t to_bit, std::span<const std::uint8_t> from, std::size_t from_bit,
+               std::size_t bits);
+
+}  // namespace syncline::sim

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim/scenario_loader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <set>
+#include <string_view>
+#include <toml++/toml.h>
+
+namespace syncline::sim {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Reads one table: every key that is asked for is remembered, the others are errors.
+class Table {
+ public:
+  Table(const toml::table& table, const std::string& file, std::optional<Error>& error)
+      : table_(table), file_(file), error_(error) {}
+
+  template <class T>
+  T get(std::string_view key, T fallback) {
+    asked_.emplace(key);
+    const auto* node = table_.get(key);
+    if (node == nullptr) return fallback;
+    if constexpr (std::is_same_v<T, double>) {
+      if (const auto value = node->value<double>()) return *value;
+    } else if (const auto value = node->value_exact<std::conditional_t<std::is_integral_v<T> && !std::is_same_v<T, bool>, std::int64_t, T>>()) {
+      return static_cast<T>(*value);
+    }
+    fail_at(key, "has the wrong type");
+    return fallback;
+  }
+  [[nodiscard]] bool has(std::string_view key) const { return table_.contains(key); }
+  const toml::table* table(std::string_view key) {
+    asked_.emplace(key);
+    const auto* node = table_.get(key);
+    if (node != nullptr && !node->is_table()) fail_at(key, "must be a table");
+    return node == nullptr ? nullptr : node->as_table();
+  }
+  const toml::array* tables(std::string_view key) {
+    asked_.emplace(key);
+    const auto* node = table_.get(key);
+    if (node == nullptr) return nullptr;
+    if (!node->is_array_of_tables()) fail_at(key, "must be written as [[" + std::string(key) + "]]");
+    return node->as_array();
+  }
+  void fail_at(std::string_view key, std::string detail) {
+    if (error_) return;
+    const auto* node = table_.get(key);
+    const auto line = node != nullptr ? node->source().begin.line : table_.source().begin.line;
+    error_ = Error{ErrorCode::kScenarioKey, std::string(key), std::move(detail), file_, static_cast<int>(line)};
+  }
+  void reject_unknown_keys() {
+    for (const auto& [key, node] : table_) {
+      if (!asked_.contains(std::string(key.str()))) fail_at(key.str(), "is not a key that a scenario has here");
+    }
+  }
+
+ private:
+  const toml::table& table_;
+  const std::string& file_;
+  std::optional<Error>& error_;
+  std::set<std::string> asked_;
+};
+
+std::uint8_t port_number(Table& table, const std::string& text) {
+  constexpr std::string_view kPorts = "ABCD";
+  const auto place = text.size() == 1 ? kPorts.find(text[0]) : std::string_view::npos;
+  if (place == std::string_view::npos || place == 0) {
+    table.fail_at("port", "must be \"B\", \"C\" or \"D\"");
+    return 1;
+  }
+  return static_cast<std::uint8_t>(place);
+}
+
+SimDcConfig dc_of(Table& table, const std::string& text) {
+  if (text == "64") return {true, true, true};
+  if (text == "32") return {true, true, false};
+  if (text == "times") return {false, true, false};
+  if (text == "none") return {false, false, false};
+  table.fail_at("dc", "must be \"64\", \"32\", \"times\" or \"none\"");
+  return {};
+}
+
+JitterProfile jitter_of(Table& table, const std::string& text) {
+  if (text == "none") return JitterProfile::none();
+  if (text == "quiet") return JitterProfile::quiet();
+  if (text == "desktop") return JitterProfile::desktop();
+  if (text == "bad") return JitterProfile::bad();
+  table.fail_at("jitter", "must be \"none\", \"quiet\", \"desktop\" or \"bad\"");
+  return {};
+}
+
+constexpr std::array<std::pair<std::string_view, FaultKind>, 6> kFaults{{
+    {"lose-frames", FaultKind::kLoseFrames}, {"cable-break", FaultKind::kCableBreak}, {"slave-off", FaultKind::kSlaveOff},
+    {"clock-step", FaultKind::kClockStep}, {"refuse-state", FaultKind::kRefuseState},
+    {"mailbox-silence", FaultKind::kMailboxSilence}}};
+
+class Loader {
+ public:
+  Loader(const std::string& path, const DeviceSource& devices) : path_(path), devices_(devices) {}
+
+  Result<SimConfig> load() {
+    toml::table root;
+    try {
+      root = toml::parse_file(path_);
+    } catch (const toml::parse_error& error) {
+      if (!fs::exists(path_)) return fail(Error{ErrorCode::kFileNotFound, {}, {}, path_});
+      return fail(Error{ErrorCode::kTomlMalformed, {}, std::string(error.description()), path_,
+                        static_cast<int>(error.source().begin.line)});
+    }
+    Table table(root, path_, error_);
+    config_.name = table.get<std::string>("name", fs::path(path_).stem().string());
+    config_.seed = table.get<std::uint64_t>("seed", 1);
+    if (const auto* host = table.table("host")) read_host(*host);
+    if (const auto* slaves = table.tables("slave")) {
+      for (const auto& node : *slaves) read_slave(*node.as_table());
+    } else {
+      table.fail_at("slave", "a scenario needs at least one [[slave]]");
+    }
+    if (const auto* faults = table.tables("fault")) {
+      for (const auto& node : *faults) read_fault(*node.as_table());
+    }
+    table.reject_unknown_keys();
+    if (error_) return tl::unexpected(*error_);
+    return std::move(config_);
+  }
+
+ private:
+  void read_host(const toml::table& node) {
+    Table table(node, path_, error_);
+    config_.host_jitter = jitter_of(table, table.get<std::string>("jitter", "none"));
+    host_ppm_ = table.get<double>("ppm", 0);
+    table.reject_unknown_keys();
+  }
+
+  void read_slave(const toml::table& node) {
+    Table table(node, path_, error_);
+    const auto position = config_.slaves.size();
+    SimSlaveConfig slave;
+    const auto esi = table.get<std::string>("esi", "");
+    const auto type = table.get<std::string>("type", "");
+    if (esi.empty()) {
+      table.fail_at("esi", "names the ESI file of the device, relative to the scenario");
+    } else if (auto device = devices_((fs::path(path_).parent_path() / esi).lexically_normal().string(), type)) {
+      slave.device = std::move(*device);
+    } else if (!error_) {
+      error_ = device.error();
+    }
+    slave.name = table.get<std::string>("name", slave.device.type);
+    slave.behaviour = table.get<std::string>("behaviour", "generic");
+    constexpr std::array<std::string_view, 3> kBehaviours{"generic", "servo-y", "drive-c"};
+    if (std::ranges::find(kBehaviours, slave.behaviour) == kBehaviours.end()) {
+      table.fail_at("behaviour", "must be \"generic\", \"servo-y\" or \"drive-c\"");
+    }
+    if (position > 0) {
+      slave.parent = static_cast<std::uint16_t>(table.get<std::int64_t>("parent", static_cast<std::int64_t>(position - 1)));
+      if (*slave.parent >= position) table.fail_at("parent", "must be the number of a slave before this one");
+      slave.parent_port = port_number(table, table.get<std::string>("port", "B"));
+    }
+    slave.cable_m = table.get<double>("cable_m", 1.0);
+    if (slave.cable_m < 0 || slave.cable_m > 20'000) table.fail_at("cable_m", "must be 0 to 20000");
+    slave.alias = table.get<std::uint16_t>("alias", 0);
+    slave.serial_no = table.get<std::uint32_t>("serial_no", 0);
+    // The host's clock is true time here: an error of the host is the opposite one of every slave.
+    slave.oscillator.ppm = table.get<double>("ppm", 0) - host_ppm_;
+    slave.oscillator.wander_ppm = table.get<double>("wander_ppm", 0);
+    slave.oscillator.start_offset = static_cast<Nanoseconds>(table.get<double>("start_offset_ms", 0) * 1e6);
+    slave.dc = dc_of(table, table.get<std::string>("dc", "64"));
+    slave.processing_delay_ns = table.get<std::uint32_t>("processing_delay_ns", 300);
+    slave.forwarding_delay_ns = table.get<std::uint32_t>("forwarding_delay_ns", 260);
+    table.reject_unknown_keys();
+    config_.slaves.push_back(std::move(slave));
+  }
+
+  void read_fault(const toml::table& node) {
+    Table table(node, path_, error_);
+    FaultConfig fault;
+    const auto kind = table.get<std::string>("kind", "");
+    const auto found = std::ranges::find(kFaults, std::string_view(kind), &std::pair<std::string_view, FaultKind>::first);
+    if (found == kFaults.end()) {
+      table.fail_at("kind", "must be lose-frames, cable-break, slave-off, clock-step, refuse-state or mailbox-silence");
+    } else {
+      fault.kind = found->second;
+    }
+    fault.slave = static_cast<int>(table.get<std::int64_t>("slave", -1));
+    const bool needs_slave = fault.kind != FaultKind::kLoseFrames;
+    if (needs_slave && (fault.slave < 0 || static_cast<std::size_t>(fault.slave) >= config_.slaves.size())) {
+      table.fail_at("slave", "must be the position of a slave of this scenario");
+    }
+    fault.at = static_cast<Nanoseconds>(table.get<double>("at_ms", 0) * 1e6);
+    fault.until = static_cast<Nanoseconds>(table.get<double>("until_ms", 0) * 1e6);
+    fault.count = table.get<std::uint32_t>("count", 1);
+    fault.value_ns = table.get<std::int64_t>("value_ns", 0);
+    fault.code = table.get<std::uint16_t>("code", 0);
+    const auto state = table.get<std::string>("state", "");
+    if (!state.empty()) {
+      if (const auto wanted = al_state_from_name(state)) {
+        fault.state = *wanted;
+      } else {
+        table.fail_at("state", "must be INIT, PREOP, SAFEOP or OP");
+      }
+    }
+    table.reject_unknown_keys();
+    config_.faults.push_back(fault);
+  }
+
+  const std::string& path_;
+  const DeviceSource& devices_;
+  SimConfig config_;
+  double host_ppm_ = 0;
+  std::optional<Error> error_;
+};
+
+}  // namespace
+
+Result<SimConfig> load_scenario(const std::string& path, const DeviceSource& devices) {
+  return Loader(path, devices).load();
+}
+
+}  // namespace syncline::sim

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "config/device_description.h"
+#include "protocol/sii.h"
+
+namespace syncline::sim {
+
+/// EEPROM content that a vendor's tool would make from an ESI device (ETG.2010).
+[[nodiscard]] sii::Image sii_from_device(const DeviceDescription& device, std::uint16_t alias, std::uint32_t serial_no);
+
+}  // namespace syncline::sim
