@@ -13,7 +13,8 @@
 namespace syncline::ui {
 namespace {
 
-constexpr std::size_t kSlavesShown = 4;
+constexpr std::size_t kDeviationsShown = 3;  // what fits the legend beside the estimate
+constexpr std::size_t kCountersShown = 4;
 using Series = SampleStore::Series;
 
 Nanoseconds cycleGap(const TraceSource& source) { return source.cycle_time * 5 / 2; }
@@ -45,12 +46,12 @@ void hideAll(const std::vector<SeriesItem*>& items) {
 
 DeviationPanel::DeviationPanel(TimeView* view, CursorSet* cursors, QWidget* parent)
     : TracePanel(tr("DC deviation"), {tr("Deviation"), TracePlot::Quantity::kTime, 20, false}, view, cursors, parent),
-      ored_(plot()->addItem(tr("upper estimate"), SeriesItem::Shape::kEnvelope)), slots_(kSlavesShown) {
+      ored_(plot()->addItem(tr("upper estimate"), SeriesItem::Shape::kEnvelope)), slots_(kDeviationsShown) {
   setObjectName(QStringLiteral("deviationPanel"));
   plot()->setObjectName(QStringLiteral("deviationPlot"));
   plot()->setToolTip(tr("Register 0x092C (System Time Difference). Upper estimate: the wire-or of all slaves read by "
                         "BRD, at least as large as the largest magnitude. Lines: signed values of single slaves."));
-  for (std::size_t i = 0; i < kSlavesShown; ++i) slaves_.push_back(plot()->addItem({}, SeriesItem::Shape::kLine));
+  for (std::size_t i = 0; i < kDeviationsShown; ++i) slaves_.push_back(plot()->addItem({}, SeriesItem::Shape::kLine));
   hideAll(slaves_);
 }
 
@@ -112,11 +113,11 @@ QString DeviationPanel::valueText(double value) const { return signedTimeText(ro
 
 Sm2Panel::Sm2Panel(TimeView* view, CursorSet* cursors, QWidget* parent)
     : TracePanel(tr("SM2 events missed"), {tr("Events"), TracePlot::Quantity::kCount, 4, true}, view, cursors, parent),
-      slots_(kSlavesShown) {
+      slots_(kCountersShown) {
   setObjectName(QStringLiteral("sm2Panel"));
   plot()->setObjectName(QStringLiteral("sm2Plot"));
   plot()->setToolTip(tr("SM event missed counter, object 0x1C32:0B or 0x1C32:0C of the slaves that have one."));
-  for (std::size_t i = 0; i < kSlavesShown; ++i) slaves_.push_back(plot()->addItem({}, SeriesItem::Shape::kStep));
+  for (std::size_t i = 0; i < kCountersShown; ++i) slaves_.push_back(plot()->addItem({}, SeriesItem::Shape::kStep));
   hideAll(slaves_);
 }
 

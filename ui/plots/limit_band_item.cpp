@@ -39,7 +39,9 @@ void LimitBandItem::draw(QPainter* painter, const QwtScaleMap&, const QwtScaleMa
   const auto text = outside ? label_ + QStringLiteral(" \u2191") : label_;
   const auto metrics = painter->fontMetrics();
   QRectF box(0, 0, metrics.horizontalAdvance(text) + 6, metrics.height());
-  box.moveTopLeft(QPointF(canvas.left() + 4, outside ? canvas.top() + 2 : top + 2));
+  // Above its line where there is room: the data are below it.
+  const bool above = !outside && top - box.height() - 2 >= canvas.top();
+  box.moveTopLeft(QPointF(canvas.left() + 4, outside ? canvas.top() + 2 : above ? top - box.height() - 1 : top + 2));
   if (box.bottom() > canvas.bottom()) box.moveBottom(canvas.bottom() - 2);
   auto background = background_;
   background.setAlpha(215);

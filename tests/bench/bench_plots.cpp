@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <qwt_plot.h>
+#include <qwt_plot_canvas.h>
+#include <qwt_plot_curve.h>
+#include <qwt_scale_map.h>
+
+#include <QApplication>
+#include <QImage>
+#include <QPainter>
+#include <QVector>
+#include <map>
+#include <memory>
+#include <random>
+
+#include "bench/ratio_report.h"
+#include "trace/min_max_series.h"
+#include "ui/panels/live_strip.h"
+#include "ui/plots/series_item.h"
+#include "ui/theme.h"
+
+/// Drawing a long series: our item on the pyramid against Qwt's own curve, on the same canvas.
+namespace syncline::bench {
+namespace {
+
+using ui::ColumnGrid;
+using ui::SeriesItem;
+
+constexpr QSize kCanvas(1200, 500);
+constexpr Nanoseconds kStart = 830'000'000 * kSecond;
+
+/// Noise with rare spikes, as a deviation looks.
+float noise(std::mt19937& random) {
+  const auto value = static_cast<float>(random() % 2001) / 10.F - 100.F;
+  return random() % 5000 == 0 ? value * 8 : value;
+}
+
+/// The same samples for our item and for Qwt's curve.
+struct Data {
+  explicit Data(int count) : series(static_cast<std::size_t>(count)), size(count) {
+    std::mt19937 random(1);
+    QVector<QPointF> points;
+    points.reserve(count);
+    for (int i = 0; i < count; ++i) {
+      const float value = noise(random);
+      series.append(kStart + i * kMillisecond, value);
+      points.append(QPointF(i, static_cast<double>(value)));
+    }
+    curve.setSamples(points);
+  }
+  MinMaxSeries series;
+  QwtPlotCurve curve;
+  int size;
+};
+
+class Canvas {
+ public:
+  explicit Canvas(double scale = 1) : image_(kCanvas * scale, QImage::Format_RGB32) { image_.setDevicePixelRatio(scale); }
+
+  template <class Draw>
+  double time(Draw&& draw) {
+    return median_ns([&] {
+      image_.fill(Qt::white);
+      QPainter painter(&image_);
+      draw(painter);
+    });
+  }
+  [[nodiscard]] double scale() const { return image_.devicePixelRatioF(); }
+
+ private:
+  QImage image_;
+};
+
+QwtScaleMap map(double low, double high, double from, double to) {
+  QwtScaleMap result;
+  result.setScaleInterval(low, high);
+  result.setPaintInterval(from, to);
+  return result;
+}
+
+double item_time(const Data& data, Canvas& canvas, double part = 1) {
+  SeriesItem item(QStringLiteral("x"));
+  item.setSeries(&data.series);
+  const auto end = kStart + data.size * kMillisecond;
+  const auto begin = end - static_cast<Nanoseconds>(part * static_cast<double>(end - kStart));
+  return canvas.time([&](QPainter& painter) {
+    item.prepare(ColumnGrid::of(begin, end, static_cast<int>(kCanvas.width() * canvas.scale())));
+    item.draw(&painter, map(0, 1, 0, kCanvas.width()), map(-900, 900, kCanvas.height(), 0), QRectF(QPointF(), kCanvas));
+  });
+}
+
+double curve_time(Data& data, Canvas& canvas, bool aggressive, bool cosmetic = false) {
+  data.curve.setPaintAttribute(QwtPlotCurve::FilterPointsAggressive, aggressive);
+  data.curve.setPen(Qt::black, cosmetic ? 0 : 1);
+  return canvas.time([&](QPainter& painter) {
+    data.curve.drawSeries(&painter, map(0, data.size, 0, kCanvas.width()), map(-900, 900, kCanvas.height(), 0),
+                          QRectF(QPointF(), kCanvas), 0, -1);
+  });
+}
+
+void compare_sizes(RatioReport& report, std::map<int, double>& ours) {
+  Canvas canvas;
+  struct Size {
+    int count;
+    const char* name;
+    double gate, aggressive_gate;
+  };
+  for (const auto& size : {Size{1'000, "1 k", 2, 0}, Size{10'000, "10 k", 1, 0}, Size{100'000, "100 k", 1.0 / 8, 1},
+                           Size{1'000'000, "1 M", 1.0 / 60, 1.0 / 10}}) {
+    Data data(size.count);
+    ours[size.count] = item_time(data, canvas);
+    const std::string what = std::string("draw ") + size.name + " points";
+    report.add(what, ours[size.count], "Qwt curve", curve_time(data, canvas, false), size.gate);
+    report.add(what, ours[size.count], "Qwt curve, aggressive filter", curve_time(data, canvas, true), size.aggressive_gate);
+    if (size.count == 1'000'000) {
+      report.add("draw 1 % of 1 M points", item_time(data, canvas, 0.01), "all of them", ours[size.count], 1.5);
+    }
+  }
+  report.add("draw 1 M points", ours[1'000'000], "1 k points", ours[1'000], 4);
+}
+
+void compare_scales(RatioReport& report) {
+  Data data(100'000);
+  Canvas plain;
+  const double at_one = item_time(data, plain);
+  const double curve_at_one = curve_time(data, plain, true);
+  for (const double scale : {1.25, 2.0}) {
+    Canvas canvas(scale);
+    const auto name = "draw 100 k points, display scale " + std::string(scale == 2.0 ? "2" : "1.25");
+    report.add(name, item_time(data, canvas), "scale 1", at_one, scale == 2.0 ? 6 : 2);
+    report.add("Qwt curve, the same", curve_time(data, canvas, true), "scale 1", curve_at_one, 0);
+  }
+}
+
+/// One redraw of a live plot after 133 new samples on a long history.
+void compare_live(RatioReport& report) {
+  constexpr int kHistory = 1'000'000;
+  constexpr int kNew = 133;
+  Canvas canvas;
+  Data data(kHistory);
+  std::mt19937 random(2);
+  Nanoseconds now = kStart + kHistory * kMillisecond;
+  SeriesItem item(QStringLiteral("x"));
+  item.setSeries(&data.series);
+  const double ours = canvas.time([&](QPainter& painter) {
+    for (int i = 0; i < kNew; ++i) data.series.append(now += kMillisecond, noise(random));
+    item.prepare(ColumnGrid::of(now - kHistory * kMillisecond, now, kCanvas.width()));
+    item.draw(&painter, map(0, 1, 0, kCanvas.width()), map(-900, 900, kCanvas.height(), 0), QRectF(QPointF(), kCanvas));
+  });
+  QVector<QPointF> points(kHistory);
+  for (int i = 0; i < kHistory; ++i) points[i] = QPointF(i, static_cast<double>(noise(random)));
+  const double theirs = canvas.time([&](QPainter& painter) {
+    points.remove(0, kNew);
+    const double last = points.last().x();
+    for (int i = 1; i <= kNew; ++i) points.append(QPointF(last + i, static_cast<double>(noise(random))));
+    data.curve.setPaintAttribute(QwtPlotCurve::FilterPointsAggressive, true);
+    data.curve.setSamples(points);
+    data.curve.drawSeries(&painter, map(points.first().x(), points.last().x(), 0, kCanvas.width()),
+                          map(-900, 900, kCanvas.height(), 0), QRectF(QPointF(), kCanvas), 0, -1);
+  });
+  report.add("133 new samples and redraw, 1 M history", ours, "Qwt curve, aggressive filter", theirs, 1.0 / 10);
+}
+
+/// The live strip as it runs: 8 kHz, 20 slaves, a minute shown, 30 redraws a second.
+void compare_strip(RatioReport& report) {
+  constexpr Nanoseconds kCycle = 125 * kMicrosecond;
+  constexpr int kPerTick = 267;
+  std::vector<QString> names;
+  for (int i = 0; i < 20; ++i) names.push_back(QStringLiteral("Slave_%1").arg(1001 + i));
+  ui::LiveStrip strip;
+  strip.resize(1280, 230);
+  strip.setNetwork(names, kCycle, 1000);
+  strip.timeView()->setSpan(60 * kSecond);
+  std::mt19937 random(3);
+  std::uint64_t cycle = 0;
+  const auto produce = [&](int count) {
+    std::vector<CycleSample> samples(static_cast<std::size_t>(count));
+    for (auto& sample : samples) {
+      sample.cycle = cycle;
+      sample.send_time = kStart + static_cast<Nanoseconds>(cycle) * kCycle;
+      sample.flags = CycleSample::kDeviationValid | CycleSample::kDcmActive | CycleSample::kReferenceValid;
+      sample.deviation_ored_ns = 20 + random() % 40;
+      sample.dcm_error_ns = static_cast<std::int32_t>(random() % 401) - 200;
+      sample.slave_position = static_cast<std::int16_t>(cycle % names.size());
+      sample.slave_deviation_ns = static_cast<std::int32_t>(random() % 41) - 20;
+      ++cycle;
+    }
+    return samples;
+  };
+  strip.show();
+  strip.append(produce(480'000));
+  strip.refresh();
+  QApplication::processEvents();
+  const auto samples = produce(kPerTick);
+  auto moving = samples;
+  const double append = median_ns([&] {
+    for (auto& sample : moving) {
+      sample.cycle += kPerTick;
+      sample.send_time += kPerTick * kCycle;
+    }
+    strip.append(moving);
+  });
+  const double frame = median_ns([&] {
+    for (auto& sample : moving) {
+      sample.cycle += kPerTick;
+      sample.send_time += kPerTick * kCycle;
+    }
+    strip.append(moving);
+    strip.refresh();
+    QApplication::processEvents();
+  });
+  report.add("live strip: append one sample", append / kPerTick, "a cycle of 125 us", 125e3, 1.0 / 100);
+  report.add("live strip: append, redraw, numbers", frame, "a tick of 33 ms", 33e6, 0.6);
+}
+
+int run() {
+  RatioReport report;
+  std::map<int, double> ours;
+  compare_sizes(report, ours);
+  compare_scales(report);
+  compare_live(report);
+  compare_strip(report);
+  return report.finish("Plots, 1200 x 500 canvas");
+}
+
+}  // namespace
+}  // namespace syncline::bench
+
+int main(int argc, char** argv) {
+  if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
+  const QApplication app(argc, argv);
+  syncline::ui::theme::apply(syncline::ui::theme::Mode::kLight);
+  return syncline::bench::run();
+}

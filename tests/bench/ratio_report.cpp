@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/ratio_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+namespace syncline::bench {
+namespace {
+
+std::string duration(double ns) {
+  if (ns < 1e3) return fmt::format("{:.1f} ns", ns);
+  if (ns < 1e6) return fmt::format("{:.2f} us", ns / 1e3);
+  return fmt::format("{:.2f} ms", ns / 1e6);
+}
+
+std::string ratio_text(double ratio) {
+  return ratio < 0.1 ? fmt::format("1/{:.0f}", 1 / ratio) : fmt::format("{:.2f}", ratio);
+}
+
+}  // namespace
+
+double median_ns(const std::function<void()>& call, int rounds) {
+  using Clock = std::chrono::steady_clock;
+  constexpr double kLongEnough = 5e6;
+  const auto time = [&call](int repeats) {
+    const auto start = Clock::now();
+    for (int i = 0; i < repeats; ++i) call();
+    return std::chrono::duration<double, std::nano>(Clock::now() - start).count();
+  };
+  const double first = std::max(time(1), 1.0);  // also warms up
+  const int repeats = std::clamp(static_cast<int>(kLongEnough / first), 1, 1'000'000);
+  std::vector<double> found;
+  for (int i = 0; i < rounds; ++i) found.push_back(time(repeats) / repeats);
+  const auto middle = found.begin() + rounds / 2;
+  std::nth_element(found.begin(), middle, found.end());
+  return *middle;
+}
+
+void RatioReport::add(const std::string& what, double ns, const std::string& baseline, double baseline_ns, double gate) {
+  const double ratio = ns / baseline_ns;
+  rows_.push_back({what, duration(ns), fmt::format("{} {}", baseline, duration(baseline_ns)), ratio_text(ratio),
+                   gate > 0 ? "<= " + ratio_text(gate) : "", gate <= 0 || ratio <= gate});
+}
+
+void RatioReport::add_factor(const std::string& what, double factor, double gate) {
+  rows_.push_back({what, "", "", fmt::format("{:.1f}x", factor), gate > 0 ? fmt::format(">= {:.1f}x", gate) : "",
+                   gate <= 0 || factor >= gate});
+}
+
+int RatioReport::finish(const std::string& title) const {
+  bool kept = true;
+  fmt::print("{}\n  {:<46} {:>10}  {:<42} {:>8}  {:>9}\n", title, "what", "time", "baseline in this run", "ratio", "promise");
+  for (const auto& row : rows_) {
+    fmt::print("  {:<46} {:>10}  {:<42} {:>8}  {:>9}{}\n", row.what, row.figure, row.baseline, row.ratio, row.gate,
+               row.kept ? "" : "  MISSED");
+    kept = kept && row.kept;
+  }
+  fmt::print("\n");
+  return kept ? 0 : 1;
+}
+
+}  // namespace syncline::bench

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace syncline::bench {
+
+/// Median time of one call in nanoseconds: `rounds` rounds, each repeated until it is long enough for
+/// the clock.
+[[nodiscard]] double median_ns(const std::function<void()>& call, int rounds = 7);
+
+/// Figures against a baseline of the same run, and whether they keep what is promised.
+class RatioReport {
+ public:
+  /// `gate`: the ratio must not be above it; 0 = told only.
+  void add(const std::string& what, double ns, const std::string& baseline, double baseline_ns, double gate);
+  /// A figure that is a ratio by nature ("times real time"); must not be below `gate`.
+  void add_factor(const std::string& what, double factor, double gate);
+  /// Prints the table; 0 when every gate is kept.
+  [[nodiscard]] int finish(const std::string& title) const;
+
+ private:
+  struct Row {
+    std::string what, figure, baseline, ratio, gate;
+    bool kept = true;
+  };
+  std::vector<Row> rows_;
+};
+
+}  // namespace syncline::bench
