@@ -6,6 +6,15 @@
 #include "config/compile/dc_times.h"
 
 namespace syncline::compiler {
+namespace {
+
+/// A coupler or junction whose ESI declares a clock and no SYNC signals (Dc@TimeLoopControlOnly): it has no
+/// op mode to choose, and follows or leads wherever DC is used at all.
+bool is_clock_only(const SlavePlan& slave) {
+  return slave.device().dc && slave.device().dc->time_loop_control_only && slave.device().dc->op_modes.empty();
+}
+
+}  // namespace
 
 std::optional<std::uint16_t> resolve_reference_clock(const Project& project, std::span<const SlavePlan> slaves) {
   if (!project.master.dc.enabled || std::ranges::none_of(slaves, &SlavePlan::dc_commands)) {
@@ -15,7 +24,10 @@ std::optional<std::uint16_t> resolve_reference_clock(const Project& project, std
   if (chosen && *chosen < slaves.size() && slaves[*chosen].device().dc) {
     return chosen;
   }
-  return std::ranges::find_if(slaves, &SlavePlan::dc_commands)->position;
+  // The first that takes part in DC: those before it could not be synchronised by it.
+  return std::ranges::find_if(slaves, [](const SlavePlan& slave) {
+           return slave.dc_commands() || is_clock_only(slave);
+         })->position;
 }
 
 void plan_dc(const Project& project, std::span<SlavePlan> slaves) {
@@ -35,6 +47,13 @@ void plan_dc(const Project& project, std::span<SlavePlan> slaves) {
                                .assign_activate = mode->assign_activate};
     } else if (user.potential_reference_clock && slave.device().dc) {
       slave.dc = SlaveDcConfig{.potential_reference_clock = true};
+    }
+  }
+  if (std::ranges::any_of(slaves, &SlavePlan::dc_commands)) {
+    for (SlavePlan& slave : slaves) {
+      if (!slave.dc && is_clock_only(slave)) {
+        slave.dc = SlaveDcConfig{.potential_reference_clock = slave.settings->dc.potential_reference_clock};
+      }
     }
   }
   if (const auto clock = resolve_reference_clock(project, slaves)) {
