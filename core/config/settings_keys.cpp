@@ -96,7 +96,7 @@ Result<Found> find(const Project& project, std::string_view key, bool to_set) {
     const auto place = match(rule, key);
     if (!place) continue;
     if (is_slave_rule(rule) && place->slave >= project.slaves.size()) {
-      return unknown(fmt::format("the project has {} slaves, counted from 0", project.slaves.size()));
+      return unknown(fmt::format("slaves in the project: {}, counted from 0", project.slaves.size()));
     }
     if (rule.items) {
       const auto items = rule.items(project.slaves[place->slave]);

@@ -5,8 +5,11 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <filesystem>
+#include <fstream>
 #include <regex>
 #include <set>
+#include <sstream>
 
 #include "core/config/compile/sample_devices.h"
 #include "support/random_project.h"
@@ -64,6 +67,19 @@ TEST(SettingsKeys, EveryListedKeyIsDescribedOnce) {
   }
 }
 
+TEST(SettingsKeys, TheDocumentationListsThemAsTheyAre) {
+  std::ifstream file(std::filesystem::path(SYNCLINE_SOURCE_DIR) / "docs/project-keys.md");
+  std::ostringstream content;
+  content << file.rdbuf();
+  const std::string text = content.str();
+  std::size_t rows = 0;
+  for (auto at = text.find("\n| `"); at != std::string::npos; at = text.find("\n| `", at + 1)) ++rows;
+  EXPECT_EQ(rows, setting_descriptions().size());
+  for (const auto& d : setting_descriptions()) {
+    EXPECT_THAT(text, HasSubstr("| `" + d.key + "` | " + d.type + " | " + d.range + " | " + d.meaning + " |\n"));
+  }
+}
+
 Project servo_project() {
   Project project;
   DeviceDescription device = sample::digital_output();
@@ -94,7 +110,7 @@ TEST(SettingsKeys, BadEditsSayWhyAndChangeNothing) {
       {"master", "1", kKey, ""},
       {"master.name.", "1", kKey, ""},
       {"master.nothing", "1", kKey, ""},
-      {"slave.2.name", "x", kKey, "2 slaves"},
+      {"slave.2.name", "x", kKey, "project: 2"},
       {"slave.-1.name", "x", kKey, ""},
       {"slave.N.name", "x", kKey, ""},
       {"slave.0.startup.1", "PS 0x6060:00=08", kKey, "item"},
