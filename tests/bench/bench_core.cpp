@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <vector>
+
+#include "app/composition/open_link.h"
+#include "app/composition/run_network.h"
+#include "app/composition/scan_bus.h"
+#include "bench/ratio_report.h"
+#include "config/compile/compile.h"
+#include "eni/esi_catalogue.h"
+#include "eni/project_builder.h"
+#include "master/channels.h"
+#include "protocol/frame.h"
+#include "protocol/registers.h"
+#include "sim/sim_bus.h"
+#include "support/clock.h"
+
+/// The simulated bus against the wire it stands for, virtual time against real time, and the sample
+/// ring against reading the clock once.
+namespace syncline::bench {
+namespace {
+
+constexpr std::uint16_t kSystemTime = 0x0910, kSystemTimeDifference = 0x092C, kAlStatus = 0x0130;
+
+SimConfig line_of(std::size_t count) {
+  SimConfig config;
+  for (std::size_t i = 0; i < count; ++i) {
+    SimSlaveConfig slave;
+    slave.name = fmt::format("slave {}", i);
+    slave.behaviour = "coupler";
+    slave.device.identity = {1, 1, 1, 0};
+    slave.device.type = "coupler";
+    slave.oscillator.ppm = static_cast<double>(i % 41) - 20;
+    if (i > 0) slave.parent = static_cast<std::uint16_t>(i - 1);
+    config.slaves.push_back(slave);
+  }
+  return config;
+}
+
+/// One cycle of a bus: the time is distributed, deviation and state of every slave come back.
+double cycle_ns(std::size_t slaves, std::size_t& frame_bytes) {
+  auto created = sim::SimBus::create(line_of(slaves), VirtualClock::kDefaultStart);
+  if (!created) return 0;
+  auto& bus = **created;
+  FrameBuilder builder;
+  builder.add_zeros(Command::kArmw, 0, device_address(0, kSystemTime), 8);
+  builder.add_zeros(Command::kBrd, 1, device_address(0, kSystemTimeDifference), 4);
+  builder.add_zeros(Command::kBrd, 2, device_address(0, kAlStatus), 2);
+  const auto frame = builder.finish();
+  frame_bytes = frame.size();
+  std::vector<std::uint8_t> buffer(frame.size());
+  Nanoseconds now = VirtualClock::kDefaultStart;
+  const double found = median_ns([&] {
+    std::copy(frame.begin(), frame.end(), buffer.begin());
+    bus.execute(buffer, now += kMillisecond);
+  });
+  // A figure counts only when every slave did its part.
+  FrameReader reader(buffer);
+  while (const auto datagram = reader.next()) {
+    if (datagram->wkc() < slaves) return 0;
+  }
+  return found;
+}
+
+void bench_simulator(RatioReport& report) {
+  double one = 0;
+  for (const std::size_t slaves : {1, 10, 100}) {
+    std::size_t bytes = 0;
+    const double found = cycle_ns(slaves, bytes);
+    if (found <= 0) {
+      fmt::print("the simulated bus did not answer\n");
+      return;
+    }
+    const auto name = fmt::format("simulated cycle, {} slave{}", slaves, slaves == 1 ? "" : "s");
+    report.add(name, found, "a cycle of 1 ms", 1e6, slaves == 100 ? 0.5 : 0);
+    report.add(name, found, "the frame on the wire", static_cast<double>(wire_time_ns(bytes)), 0);
+    if (slaves == 1) one = found;
+    if (slaves == 100) report.add("simulated cycle, per slave of 100", found / 100, "a single slave", one, 2);
+  }
+}
+
+/// Ten virtual seconds of the demonstration machine with everything that a run does.
+void bench_virtual_time(RatioReport& report) {
+  const auto link = demo_link(true);
+  eni::EsiCatalogue catalogue;
+  if (!catalogue.add_folder(resource_folder() + "/esi")) return;
+  const auto scan = scan_bus(link);
+  if (!scan) {
+    fmt::print("no demonstration machine\n");
+    return;
+  }
+  auto project = eni::project_from_scan(*scan, catalogue).project;
+  const auto compiled = compile(project);
+  if (!compiled) return;
+  RunRequest request;
+  request.duration = 10 * kSecond;
+  const auto start = std::chrono::steady_clock::now();
+  const auto outcome = run_network(compiled->config, link, request);
+  const double took = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (!outcome || outcome->error || outcome->report.state != AlState::kOp || outcome->report.cycles < 9'000) {
+    fmt::print("the demonstration machine did not run\n");
+    return;
+  }
+  const double cycle_us = static_cast<double>(outcome->report.cycle_time) / 1e3;
+  report.add_factor(fmt::format("virtual time, {} slaves, {} us cycle", scan->slaves.size(), cycle_us), 10 / took, 4);
+}
+
+void bench_samples(RatioReport& report) {
+  const RealClock clock;
+  Nanoseconds sum = 0;
+  const double read = median_ns([&] { sum += clock.now(); });
+  SampleRing ring;
+  std::vector<CycleSample> drained;
+  drained.reserve(1U << 16);
+  CycleSample sample;
+  int pushed = 0;
+  const double push = median_ns([&] {
+    sample.cycle = static_cast<std::uint64_t>(sum & 0xFF);
+    ring.push(sample);
+    if (++pushed % 256 == 0) {
+      drained.clear();
+      ring.pop(drained);
+    }
+  });
+  report.add("sample through the ring", push, "reading the clock", read, 10);
+}
+
+}  // namespace
+}  // namespace syncline::bench
+
+int main() {
+  syncline::bench::RatioReport report;
+  syncline::bench::bench_simulator(report);
+  syncline::bench::bench_virtual_time(report);
+  syncline::bench::bench_samples(report);
+  return report.finish("Simulator, virtual time, samples");
+}
