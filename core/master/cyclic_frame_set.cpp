@@ -89,13 +89,14 @@ bool CyclicFrameSet::reads_deviation() const {
   return std::ranges::any_of(entries_, [](const Entry& e) { return e.selected && e.role == Role::kDeviation; });
 }
 
-void CyclicFrameSet::prepare(std::uint64_t cycle, std::optional<Nanoseconds> reference_write) {
+void CyclicFrameSet::prepare(std::uint64_t cycle, std::optional<Nanoseconds> reference_write,
+                             std::optional<Nanoseconds> reference_time) {
   for (auto& frame : frames_) frame.clear();
   active_.clear();
   for (auto& entry : entries_) {
     entry.sent = entry.selected && cycle % entry.divider == 0;
     if (!entry.sent) continue;
-    fill(entry, reference_write);
+    fill(entry, reference_write, reference_time);
     entry.sent = frames_[entry.frame].add(entry.datagram);
   }
   for (auto& frame : frames_) {
@@ -103,22 +104,28 @@ void CyclicFrameSet::prepare(std::uint64_t cycle, std::optional<Nanoseconds> ref
   }
 }
 
-void CyclicFrameSet::fill(Entry& entry, std::optional<Nanoseconds> reference_write) {
+void CyclicFrameSet::fill(Entry& entry, std::optional<Nanoseconds> reference_write,
+                          std::optional<Nanoseconds> reference_time) {
   const auto& command = *entry.command;
   std::ranges::fill(entry.data, std::uint8_t{0});
   if (entry.role == Role::kReferenceWrite) {
     entry.datagram.command = reference_write ? command.command : Command::kNop;
-    if (!reference_write) return;
-    if (entry.data.size() >= 8) {
-      store_le(entry.data, static_cast<std::uint64_t>(*reference_write));
-    } else {
-      store_le(entry.data, static_cast<std::uint32_t>(*reference_write));
-    }
+    if (reference_write) fill_time(entry, *reference_write);
+  } else if (entry.role == Role::kReferenceTime) {
+    if (reference_time) fill_time(entry, *reference_time);
   } else if (command.command == Command::kLwr || command.command == Command::kLrw) {
     const auto begin = outputs_.begin() + command.output_offset + data_offset_;
     std::copy_n(begin, entry.data.size(), entry.data.begin());
   } else {
     std::ranges::copy(command.data, entry.data.begin());
+  }
+}
+
+void CyclicFrameSet::fill_time(Entry& entry, Nanoseconds time) {
+  if (entry.data.size() >= 8) {
+    store_le(entry.data, static_cast<std::uint64_t>(time));
+  } else {
+    store_le(entry.data, static_cast<std::uint32_t>(time));
   }
 }
 

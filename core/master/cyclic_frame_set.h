@@ -25,8 +25,11 @@ class CyclicFrameSet {
   [[nodiscard]] bool reads_deviation() const;
 
   /// Fills the frames of cycle number `cycle`. `reference_write`: value for the bus-shift command; without one it
-  /// travels as a NOP, because any value written to 0x0910 steers the clock.
-  void prepare(std::uint64_t cycle, std::optional<Nanoseconds> reference_write);
+  /// travels as a NOP, because any value written to 0x0910 steers the clock. `reference_time`: what the reference
+  /// clock will show; slaves in front of it are written what the master sends, before the clock has put its own
+  /// time into the datagram.
+  void prepare(std::uint64_t cycle, std::optional<Nanoseconds> reference_write,
+               std::optional<Nanoseconds> reference_time = std::nullopt);
   [[nodiscard]] std::span<PendingFrame* const> frames() const { return active_; }
 
   /// What the answers of this cycle say.
@@ -59,7 +62,8 @@ class CyclicFrameSet {
   static Role role_of(const CyclicCmd& command);
   void add_task(const CyclicTask& task, Nanoseconds base_cycle);
   void size_images(const NetworkConfig& config);
-  void fill(Entry& entry, std::optional<Nanoseconds> reference_write);
+  void fill(Entry& entry, std::optional<Nanoseconds> reference_write, std::optional<Nanoseconds> reference_time);
+  static void fill_time(Entry& entry, Nanoseconds time);
   void read(const Entry& entry, Reading& reading);
   void store_inputs(const Entry& entry);
   void copy_slave_to_slave(const Entry& entry);

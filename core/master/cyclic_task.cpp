@@ -41,7 +41,8 @@ Status CyclicTaskRunner::run_cycle(std::span<Datagram* const> acyclic) {
     sample.flags |= CycleSample::kOverrun;
     ++run_.snapshot.overruns;
   }
-  frames_.prepare(sample.cycle, sync_.reference_write(send_time, scheduled_));
+  frames_.prepare(sample.cycle, sync_.reference_write(send_time, scheduled_),
+                  sync_.active() ? std::optional(sync_.reference_time_at(send_time)) : std::nullopt);
   fill_acyclic(acyclic, send_time);
   const auto lost_before = exchange_.lost_frames();
   const auto status = exchange_frames(scheduled_ + cycle_time_ * 8 / 10);

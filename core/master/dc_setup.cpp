@@ -193,9 +193,11 @@ Result<Nanoseconds> DcSetup::burst_frame(std::uint32_t* deviation_ored) {
   Datagram window{Command::kBrd, device_address(0, reg::kSystemTimeDifference), deviation};
   frame_.clear();
   (void)frame_.add(read);
-  if (config_.dc.dcm.mode == DcmMode::kBusShift && anchor_) {
-    store_le(steer, static_cast<std::uint32_t>(bus_.clock().now() + *anchor_));
-    (void)frame_.add(write);
+  if (anchor_) {
+    const auto expected = static_cast<std::uint32_t>(bus_.clock().now() + *anchor_);
+    store_le(time, expected);  // for slaves in front of the reference clock
+    store_le(steer, expected);
+    if (config_.dc.dcm.mode == DcmMode::kBusShift) (void)frame_.add(write);
   }
   if (deviation_ored != nullptr) (void)frame_.add(window);
   if (auto status = bus_.exchange().send(frame_); !status) return tl::unexpected(status.error());

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "master/channels.h"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+namespace syncline {
+namespace {
+
+CycleSample numbered(std::uint64_t cycle) {
+  CycleSample sample;
+  sample.cycle = cycle;
+  return sample;
+}
+
+TEST(SampleRing, KeepsOrderAndCountsWhatDoesNotFit) {
+  SampleRing ring(4);
+  for (std::uint64_t i = 0; i < 6; ++i) EXPECT_EQ(ring.push(numbered(i)), i < 4);
+  EXPECT_EQ(ring.overruns(), 2U);
+  std::vector<CycleSample> out;
+  EXPECT_EQ(ring.pop(out, 3), 3U);
+  EXPECT_TRUE(ring.push(numbered(6)));
+  EXPECT_EQ(ring.pop(out), 2U);
+  ASSERT_EQ(out.size(), 5U);
+  EXPECT_EQ(out[2].cycle, 2U);
+  EXPECT_EQ(out[4].cycle, 6U);
+}
+
+TEST(SampleRing, LosesNothingBetweenTwoThreads) {
+  SampleRing ring(64);
+  constexpr std::uint64_t kCount = 200'000;
+  std::thread producer([&] {
+    for (std::uint64_t i = 0; i < kCount;) {
+      if (ring.push(numbered(i))) {
+        ++i;
+      } else {
+        std::this_thread::yield();
+      }
+    }
+  });
+  std::vector<CycleSample> out;
+  std::uint64_t expected = 0;
+  while (expected < kCount) {
+    out.clear();
+    if (ring.pop(out) == 0) std::this_thread::yield();
+    for (const auto& sample : out) ASSERT_EQ(sample.cycle, expected++);
+  }
+  producer.join();
+}
+
+TEST(SnapshotBox, GivesEachNewsOnce) {
+  SnapshotBox box;
+  Snapshot in, out;
+  EXPECT_FALSE(box.read(out));
+  in.cycles = 7;
+  box.publish(in);
+  EXPECT_TRUE(box.read(out));
+  EXPECT_EQ(out.cycles, 7U);
+  EXPECT_FALSE(box.read(out));
+}
+
+TEST(EventQueue, TellsHowManyWereLost) {
+  EventQueue queue(2);
+  for (int i = 0; i < 5; ++i) {
+    Event event;
+    event.kind = EventKind::kOnline;
+    event.a = i;
+    queue.push(std::move(event));
+  }
+  const auto events = queue.drain();
+  ASSERT_EQ(events.size(), 3U);
+  EXPECT_EQ(events[1].a, 1);
+  EXPECT_EQ(events[2].kind, EventKind::kEventsLost);
+  EXPECT_EQ(events[2].a, 3);
+  EXPECT_TRUE(queue.drain().empty());
+}
+
+TEST(CommandQueue, IsFirstInFirstOut) {
+  CommandQueue queue;
+  EXPECT_FALSE(queue.pop());
+  queue.push(ScanCommand{});
+  queue.push(RequestStateCommand{AlState::kOp});
+  EXPECT_TRUE(std::holds_alternative<ScanCommand>(*queue.pop()));
+  const auto second = queue.pop();
+  ASSERT_TRUE(second && std::holds_alternative<RequestStateCommand>(*second));
+  EXPECT_EQ(std::get<RequestStateCommand>(*second).state, AlState::kOp);
+}
+
+}  // namespace
+}  // namespace syncline
