@@ -245,7 +245,8 @@ void MainWindow::updateTheme() {
   for (auto* action : actions_->themes) {
     action->setChecked(static_cast<theme::Mode>(action->data().toInt()) == theme::current());
   }
-  strip_->applyTheme();
+  // The children get the new palette after the window: let it reach the plots first.
+  QMetaObject::invokeMethod(strip_, &LiveStrip::applyTheme, Qt::QueuedConnection);
 }
 
 void MainWindow::resetLayout() {
@@ -256,7 +257,7 @@ void MainWindow::resetLayout() {
   addDockWidget(Qt::LeftDockWidgetArea, explorer_dock_);
   addDockWidget(Qt::BottomDockWidgetArea, messages_dock_);
   resizeDocks({explorer_dock_}, {250}, Qt::Horizontal);
-  resizeDocks({messages_dock_}, {110}, Qt::Vertical);
+  resizeDocks({messages_dock_}, {128}, Qt::Vertical);
   splitter_->setSizes({385, 215});
 }
 

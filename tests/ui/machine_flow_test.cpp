@@ -74,6 +74,18 @@ class MachineFlow : public ::testing::Test {
     Q_EMIT box->activated(row);
   }
 
+  /// What the message window says, for the report of a failed test.
+  std::string messages() {
+    std::string text;
+    for (int row = 0; row < workspace_.messages().rowCount(); ++row) {
+      for (const int column : {ui::MessageModel::kTime, ui::MessageModel::kSource, ui::MessageModel::kText}) {
+        text += workspace_.messages().index(row, column).data(Qt::DisplayRole).toString().toStdString() + "  ";
+      }
+      text += '\n';
+    }
+    return text;
+  }
+
   void configureMaster(int reference) {
     window_.selectNode(-1);
     showTab("masterDcPage");
@@ -94,10 +106,16 @@ TEST_F(MachineFlow, ScansConfiguresExportsRunsAndGetsInSync) {
   ASSERT_GE(project().slaves.size(), 4U);
   const auto dc = dcSlaves();
   ASSERT_GE(dc.size(), 2U);
-  const int reference = dc[1];
+  const int reference = dc.front();
   const int drive = dc.back();
 
+  // A reference clock behind another clock cannot lead that one: the window says so at once.
+  configureMaster(dc[1]);
+  workspace_.configuration().current();
+  EXPECT_GE(workspace_.messages().count(ui::Severity::kWarning), 1) << messages();
   configureMaster(reference);
+  workspace_.configuration().current();
+  EXPECT_EQ(workspace_.messages().count(ui::Severity::kWarning), 0) << messages();
   EXPECT_EQ(project().master.dc.reference_clock, static_cast<std::uint16_t>(reference));
   EXPECT_EQ(project().master.dc.dcm.mode, DcmMode::kMasterShift);
   EXPECT_TRUE(project().master.dc.sync_window.enabled);
@@ -141,7 +159,7 @@ TEST_F(MachineFlow, ScansConfiguresExportsRunsAndGetsInSync) {
   workspace_.live().advance(kSecond);
   const auto& snapshot = workspace_.live().snapshot();
   ASSERT_TRUE(snapshot.online);
-  EXPECT_EQ(snapshot.state, AlState::kOp);
+  EXPECT_EQ(snapshot.state, AlState::kOp) << messages();
   EXPECT_EQ(snapshot.dc.state, SyncState::kInSync);
   EXPECT_EQ(snapshot.dcm.state, SyncState::kInSync);
   EXPECT_EQ(test::find<ui::Pill>(window_, "statusDc")->tone(), ui::theme::Tone::kGood);

@@ -21,7 +21,7 @@ class MessagesPanel final : public QWidget {
  public:
   explicit MessagesPanel(MessageModel& model, QWidget* parent = nullptr);
 
-  [[nodiscard]] QSize sizeHint() const override { return {800, 110}; }
+  [[nodiscard]] QSize sizeHint() const override { return {800, 128}; }
 
  Q_SIGNALS:
   void nodeActivated(int slave);

@@ -61,8 +61,10 @@ QString hexText(std::uint64_t value, int digits) {
 }
 
 QString bitsText(std::uint32_t bits) {
-  if (bits % 8 == 0) return QCoreApplication::translate("Units", "%n Byte(s)", nullptr, static_cast<int>(bits / 8));
-  return QCoreApplication::translate("Units", "%n Bit(s)", nullptr, static_cast<int>(bits));
+  const bool whole = bits % 8 == 0;
+  const int count = static_cast<int>(whole ? bits / 8 : bits);
+  if (whole) return QCoreApplication::translate("Units", "%n Byte(s)", nullptr, count);
+  return QCoreApplication::translate("Units", "%n Bit(s)", nullptr, count);
 }
 
 QString microsecondsSetting(Nanoseconds value) {

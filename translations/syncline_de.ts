@@ -1,0 +1,2312 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!-- SPDX-License-Identifier: Apache-2.0 -->
+<!DOCTYPE TS>
+<TS version="2.1" language="de" sourcelanguage="en">
+    <context>
+        <name>AboutDialog</name>
+        <message>
+            <source>About Syncline</source>
+            <translation>Über Syncline</translation>
+        </message>
+        <message>
+            <source>&lt;h3&gt;Syncline %1&lt;/h3&gt;&lt;p&gt;EtherCAT configurator and live synchronisation monitor.&lt;/p&gt;&lt;p&gt;Apache License 2.0. Built with Qt %2 (LGPL) and Qwt %3 (Qwt License).&lt;/p&gt;</source>
+            <translation>&lt;h3&gt;Syncline %1&lt;/h3&gt;&lt;p&gt;EtherCAT-Konfigurator und Live-Monitor der Synchronisation.&lt;/p&gt;&lt;p&gt;Apache-Lizenz 2.0. Gebaut mit Qt %2 (LGPL) und Qwt %3 (Qwt-Lizenz).&lt;/p&gt;</translation>
+        </message>
+        <message>
+            <source>EtherCAT is a registered trademark and patented technology, licensed by Beckhoff Automation GmbH, Germany.</source>
+            <translation>EtherCAT ist eine eingetragene Marke und patentierte Technologie, lizenziert durch die Beckhoff Automation GmbH, Deutschland.</translation>
+        </message>
+    </context>
+    <context>
+        <name>Actions</name>
+        <message>
+            <source>&amp;New</source>
+            <translation>&amp;Neu</translation>
+        </message>
+        <message>
+            <source>New project</source>
+            <translation>Neues Projekt</translation>
+        </message>
+        <message>
+            <source>&amp;Open…</source>
+            <translation>&amp;Öffnen …</translation>
+        </message>
+        <message>
+            <source>Open a project</source>
+            <translation>Projekt öffnen</translation>
+        </message>
+        <message>
+            <source>&amp;Save</source>
+            <translation>&amp;Speichern</translation>
+        </message>
+        <message>
+            <source>Save the project</source>
+            <translation>Projekt speichern</translation>
+        </message>
+        <message>
+            <source>Save &amp;As…</source>
+            <translation>Speichern &amp;unter …</translation>
+        </message>
+        <message>
+            <source>Save the project under another name</source>
+            <translation>Projekt unter anderem Namen speichern</translation>
+        </message>
+        <message>
+            <source>&amp;Export ENI…</source>
+            <translation>&amp;ENI exportieren …</translation>
+        </message>
+        <message>
+            <source>Write the network information file (ETG.2100)</source>
+            <translation>Netzwerkbeschreibung schreiben (ETG.2100)</translation>
+        </message>
+        <message>
+            <source>&amp;Quit</source>
+            <translation>&amp;Beenden</translation>
+        </message>
+        <message>
+            <source>Quit</source>
+            <translation>Beenden</translation>
+        </message>
+        <message>
+            <source>&amp;Undo</source>
+            <translation>&amp;Rückgängig</translation>
+        </message>
+        <message>
+            <source>&amp;Redo</source>
+            <translation>&amp;Wiederholen</translation>
+        </message>
+        <message>
+            <source>&amp;Demonstration Machine</source>
+            <translation>&amp;Vorführmaschine</translation>
+        </message>
+        <message>
+            <source>Scan the simulated demonstration machine and go online</source>
+            <translation>Simulierte Vorführmaschine scannen und online gehen</translation>
+        </message>
+        <message>
+            <source>&amp;Scan…</source>
+            <translation>&amp;Scannen …</translation>
+        </message>
+        <message>
+            <source>Scan a bus and make a project of it</source>
+            <translation>Bus scannen und ein Projekt daraus machen</translation>
+        </message>
+        <message>
+            <source>Go &amp;Online</source>
+            <translation>&amp;Online gehen</translation>
+        </message>
+        <message>
+            <source>Run the configuration on the bus</source>
+            <translation>Konfiguration auf dem Bus ausführen</translation>
+        </message>
+        <message>
+            <source>Go O&amp;ffline</source>
+            <translation>O&amp;ffline gehen</translation>
+        </message>
+        <message>
+            <source>Bring the bus to INIT and stop</source>
+            <translation>Bus nach INIT bringen und anhalten</translation>
+        </message>
+        <message>
+            <source>&amp;Clear Statistics</source>
+            <translation>Statistik &amp;zurücksetzen</translation>
+        </message>
+        <message>
+            <source>Start counting anew</source>
+            <translation>Neu zu zählen beginnen</translation>
+        </message>
+        <message>
+            <source>Request %1 for all slaves (register 0x0120)</source>
+            <translation>%1 für alle Slaves anfordern (Register 0x0120)</translation>
+        </message>
+        <message>
+            <source>&amp;System Colours</source>
+            <translation>&amp;Systemfarben</translation>
+        </message>
+        <message>
+            <source>&amp;Light</source>
+            <translation>&amp;Hell</translation>
+        </message>
+        <message>
+            <source>&amp;Dark</source>
+            <translation>&amp;Dunkel</translation>
+        </message>
+        <message>
+            <source>Light/Dark</source>
+            <translation>Hell/Dunkel</translation>
+        </message>
+        <message>
+            <source>Switch between light and dark</source>
+            <translation>Zwischen hell und dunkel wechseln</translation>
+        </message>
+        <message>
+            <source>&amp;Reset Layout</source>
+            <translation>&amp;Anordnung zurücksetzen</translation>
+        </message>
+        <message>
+            <source>Put all panels back in their places</source>
+            <translation>Alle Bereiche an ihren Platz zurücksetzen</translation>
+        </message>
+        <message>
+            <source>&amp;About Syncline</source>
+            <translation>&amp;Über Syncline</translation>
+        </message>
+        <message>
+            <source>Version, licence and trademarks</source>
+            <translation>Version, Lizenz und Marken</translation>
+        </message>
+    </context>
+    <context>
+        <name>BusCommands</name>
+        <message>
+            <source>Monitor the sync window</source>
+            <translation>Sync-Fenster überwachen</translation>
+        </message>
+        <message>
+            <source>The bus could not be scanned.</source>
+            <translation>Der Bus konnte nicht gescannt werden.</translation>
+        </message>
+        <message>
+            <source>Scan</source>
+            <translation>Scannen</translation>
+        </message>
+        <message>
+            <source>Go Online</source>
+            <translation>Online gehen</translation>
+        </message>
+        <message>
+            <source>Master</source>
+            <translation>Master</translation>
+        </message>
+        <message>
+            <source>The master could not go online.</source>
+            <translation>Der Master konnte nicht online gehen.</translation>
+        </message>
+    </context>
+    <context>
+        <name>DcmPanel</name>
+        <message>
+            <source>DCM error</source>
+            <translation>DCM-Fehler</translation>
+        </message>
+        <message>
+            <source>Error</source>
+            <translation>Fehler</translation>
+        </message>
+        <message>
+            <source>raw</source>
+            <translation>roh</translation>
+        </message>
+        <message>
+            <source>filtered</source>
+            <translation>gefiltert</translation>
+        </message>
+        <message>
+            <source>Time of the frame at the reference clock minus its wanted time in the cycle.</source>
+            <translation>Zeit des Frames an der Referenzuhr minus seine Sollzeit im Zyklus.</translation>
+        </message>
+        <message>
+            <source>drift %1</source>
+            <translation>Drift %1</translation>
+        </message>
+        <message>
+            <source>DCM is off</source>
+            <translation>DCM ist aus</translation>
+        </message>
+    </context>
+    <context>
+        <name>DeviationPanel</name>
+        <message>
+            <source>DC deviation</source>
+            <translation>DC-Abweichung</translation>
+        </message>
+        <message>
+            <source>Deviation</source>
+            <translation>Abweichung</translation>
+        </message>
+        <message>
+            <source>upper estimate</source>
+            <translation>obere Schätzung</translation>
+        </message>
+        <message>
+            <source>Register 0x092C (System Time Difference). Upper estimate: the wire-or of all slaves read by BRD, at least as large as the largest magnitude. Lines: signed values of single slaves.</source>
+            <translation>Register 0x092C (System Time Difference). Obere Schätzung: das mit BRD gelesene verdrahtete Oder aller Slaves, mindestens so groß wie der größte Betrag. Linien: vorzeichenbehaftete Werte einzelner Slaves.</translation>
+        </message>
+        <message>
+            <source>limit ±%1</source>
+            <translation>Grenze ±%1</translation>
+        </message>
+        <message>
+            <source>peak ≤ %1</source>
+            <translation>Spitze ≤ %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>DeviceEditor</name>
+        <message>
+            <source>Device editor</source>
+            <translation>Geräteeditor</translation>
+        </message>
+        <message>
+            <source>State of the selected node</source>
+            <translation>Zustand des gewählten Knotens</translation>
+        </message>
+        <message>
+            <source>Pages of the selected node</source>
+            <translation>Seiten des gewählten Knotens</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n slave(s), cycle %1</source>
+            <translation>
+                <numerusform>%n Slave, Zyklus %1</numerusform>
+                <numerusform>%n Slaves, Zyklus %1</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>%1, position %2, address %3</source>
+            <translation>%1, Position %2, Adresse %3</translation>
+        </message>
+        <message>
+            <source>Offline</source>
+            <translation>Offline</translation>
+        </message>
+    </context>
+    <context>
+        <name>Error</name>
+        <message>
+            <source>The file {file} does not exist; check its name and folder.</source>
+            <translation>Die Datei {file} gibt es nicht; Namen und Ordner prüfen.</translation>
+        </message>
+        <message>
+            <source>The file {file} cannot be read{because}.</source>
+            <translation>Die Datei {file} kann nicht gelesen werden{because}.</translation>
+        </message>
+        <message>
+            <source>The file {file} cannot be written{because}; check the folder's permissions and free space.</source>
+            <translation>Die Datei {file} kann nicht geschrieben werden{because}; Rechte des Ordners und freien Platz prüfen.</translation>
+        </message>
+        <message>
+            <source>{where}: this is not well-formed XML{because}.</source>
+            <translation>{where}: kein wohlgeformtes XML{because}.</translation>
+        </message>
+        <message>
+            <source>{where}: the element &lt;{subject}&gt; is missing{because}.</source>
+            <translation>{where}: das Element &lt;{subject}&gt; fehlt{because}.</translation>
+        </message>
+        <message>
+            <source>{where}: the value of &lt;{subject}&gt; cannot be used{because}.</source>
+            <translation>{where}: der Wert von &lt;{subject}&gt; ist nicht verwendbar{because}.</translation>
+        </message>
+        <message>
+            <source>{where}: this is another kind of file; expected{because}.</source>
+            <translation>{where}: das ist eine andere Art von Datei; erwartet{because}.</translation>
+        </message>
+        <message>
+            <source>{where}: this is not well-formed TOML{because}.</source>
+            <translation>{where}: kein wohlgeformtes TOML{because}.</translation>
+        </message>
+        <message>
+            <source>{where}: the scenario key "{subject}" cannot be used{because}.</source>
+            <translation>{where}: der Szenario-Schlüssel „{subject}“ ist nicht verwendbar{because}.</translation>
+        </message>
+        <message>
+            <source>The device {subject} is not known{because}; load its ESI file.</source>
+            <translation>Das Gerät {subject} ist nicht bekannt{because}; seine ESI-Datei laden.</translation>
+        </message>
+        <message>
+            <source>No ESI file describes {subject}; put the vendor's ESI file into the ESI folder {detail} and scan again.</source>
+            <translation>Keine ESI-Datei beschreibt {subject}; die ESI-Datei des Herstellers in den ESI-Ordner {detail} legen und neu scannen.</translation>
+        </message>
+        <message>
+            <source>There is no setting "{subject}"{because}.</source>
+            <translation>Es gibt keine Einstellung „{subject}“{because}.</translation>
+        </message>
+        <message>
+            <source>The value of {subject} cannot be used{because}.</source>
+            <translation>Der Wert von {subject} ist nicht verwendbar{because}.</translation>
+        </message>
+        <message>
+            <source>The configuration of {subject} does not work out{because}.</source>
+            <translation>Die Konfiguration von {subject} geht nicht auf{because}.</translation>
+        </message>
+        <message>
+            <source>There is no network adapter or link "{subject}"{because}; list them with "synclinectl adapters".</source>
+            <translation>Es gibt keine Netzwerkkarte und keinen Link „{subject}“{because}; „synclinectl adapters“ listet sie auf.</translation>
+        </message>
+        <message>
+            <source>The link {subject} is down{because}; check the cable and that the interface is up.</source>
+            <translation>Der Link {subject} ist nicht verbunden{because}; Kabel prüfen und ob die Schnittstelle aktiv ist.</translation>
+        </message>
+        <message>
+            <source>No permission to send raw frames on {subject}; grant it once with: {detail}</source>
+            <translation>Keine Berechtigung für rohe Frames auf {subject}; einmalig erteilen mit: {detail}</translation>
+        </message>
+        <message>
+            <source>Sending or receiving on {subject} failed{because}.</source>
+            <translation>Senden oder Empfangen auf {subject} ist fehlgeschlagen{because}.</translation>
+        </message>
+        <message>
+            <source>{subject} is not supported{because}.</source>
+            <translation>{subject} wird nicht unterstützt{because}.</translation>
+        </message>
+        <message>
+            <source>No answer from {subject}; check power, cabling and the working counter of the slaves before it.</source>
+            <translation>Keine Antwort von {subject}; Versorgung, Verkabelung und Working Counter der Slaves davor prüfen.</translation>
+        </message>
+        <message>
+            <source>{subject}: working counter {received} where {expected} was expected; a slave did not process the datagram.</source>
+            <translation>{subject}: Working Counter {received} statt {expected}; ein Slave hat das Datagramm nicht bearbeitet.</translation>
+        </message>
+        <message>
+            <source>The bus has {received} slaves where {expected} were expected; compare the wiring with the configuration.</source>
+            <translation>Der Bus hat {received} Slaves statt {expected}; Verdrahtung mit der Konfiguration vergleichen.</translation>
+        </message>
+        <message>
+            <source>{subject} is another device than configured{because}; scan again or exchange the device.</source>
+            <translation>{subject} ist ein anderes Gerät als konfiguriert{because}; neu scannen oder das Gerät tauschen.</translation>
+        </message>
+        <message>
+            <source>{subject} refused {state} and stays in {actual}: AL status code {alcode}.</source>
+            <translation>{subject} hat {state} verweigert und bleibt in {actual}: AL-Statuscode {alcode}.</translation>
+        </message>
+        <message>
+            <source>{subject} did not reach {state} in time and is in {actual}; raise the timeout or check what the slave waits for.</source>
+            <translation>{subject} hat {state} nicht rechtzeitig erreicht und ist in {actual}; Zeitgrenze erhöhen oder prüfen, worauf der Slave wartet.</translation>
+        </message>
+        <message>
+            <source>{subject} did not answer in its mailbox in time; the slave may be busy or its mailbox is set up wrongly.</source>
+            <translation>{subject} hat in seiner Mailbox nicht rechtzeitig geantwortet; der Slave ist beschäftigt oder seine Mailbox falsch eingerichtet.</translation>
+        </message>
+        <message>
+            <source>{subject} answered in its mailbox with something else than was asked{because}.</source>
+            <translation>{subject} hat in seiner Mailbox etwas anderes geantwortet als gefragt{because}.</translation>
+        </message>
+        <message>
+            <source>{subject}: the slave aborted the SDO transfer with {abort}.</source>
+            <translation>{subject}: der Slave hat die SDO-Übertragung abgebrochen mit {abort}.</translation>
+        </message>
+        <message>
+            <source>The SII (EEPROM) of {subject} cannot be used{because}.</source>
+            <translation>Das SII (EEPROM) von {subject} ist nicht verwendbar{because}.</translation>
+        </message>
+        <message>
+            <source>{subject}: the slave's answer differs from what the init command demands{because}.</source>
+            <translation>{subject}: die Antwort des Slaves weicht von der Vorgabe des Init-Kommandos ab{because}.</translation>
+        </message>
+        <message>
+            <source>{subject} is malformed{because}.</source>
+            <translation>{subject} ist fehlerhaft aufgebaut{because}.</translation>
+        </message>
+        <message>
+            <source>Distributed clocks of {subject} could not be set up{because}.</source>
+            <translation>Die Distributed Clocks von {subject} konnten nicht eingerichtet werden{because}.</translation>
+        </message>
+        <message>
+            <source>{subject}: the DCM error of {received} ns is beyond the limit of {expected} ns; check the host's jitter and the clock's drift.</source>
+            <translation>{subject}: der DCM-Fehler von {received} ns überschreitet die Grenze von {expected} ns; Jitter des Rechners und Drift der Uhr prüfen.</translation>
+        </message>
+        <message>
+            <source>{subject} took too long{because}.</source>
+            <translation>{subject} hat zu lange gedauert{because}.</translation>
+        </message>
+        <message>
+            <source>Cancelled.</source>
+            <translation>Abgebrochen.</translation>
+        </message>
+        <message>
+            <source>{subject}{because}.</source>
+            <translation>{subject}{because}.</translation>
+        </message>
+    </context>
+    <context>
+        <name>Events</name>
+        <message>
+            <source>State %1 → %2</source>
+            <translation>Zustand %1 → %2</translation>
+        </message>
+        <message>
+            <source>AL status %1, code %2: %3. Check: %4</source>
+            <translation>AL-Status %1, Code %2: %3. Prüfen: %4</translation>
+        </message>
+        <message>
+            <source>Master synchronisation stopped with code %1 (drift %2). Measure the host's jitter, or try master shift.</source>
+            <translation>Die Master-Synchronisation endete mit Code %1 (Drift %2). Jitter des Rechners messen oder Master Shift versuchen.</translation>
+        </message>
+        <message>
+            <source>Emergency %1, error register %2</source>
+            <translation>Emergency %1, Fehlerregister %2</translation>
+        </message>
+        <message>
+            <source>Scan finished</source>
+            <translation>Scan beendet</translation>
+        </message>
+        <message>
+            <source>Online: the master runs the configuration</source>
+            <translation>Online: der Master führt die Konfiguration aus</translation>
+        </message>
+        <message>
+            <source>Offline</source>
+            <translation>Offline</translation>
+        </message>
+        <message numerus="yes">
+            <source>Distributed clocks initialised: %n slave(s), reference clock at position %1</source>
+            <translation>
+                <numerusform>Distributed Clocks eingerichtet: %n Slave, Referenzuhr an Position %1</numerusform>
+                <numerusform>Distributed Clocks eingerichtet: %n Slaves, Referenzuhr an Position %1</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Reference clock present</source>
+            <translation>Referenzuhr vorhanden</translation>
+        </message>
+        <message>
+            <source>Reference clock lost</source>
+            <translation>Referenzuhr verloren</translation>
+        </message>
+        <message>
+            <source>All slaves in sync, deviation at most %1</source>
+            <translation>Alle Slaves synchron, Abweichung höchstens %1</translation>
+        </message>
+        <message>
+            <source>Slaves out of sync, deviation %1</source>
+            <translation>Slaves nicht synchron, Abweichung %1</translation>
+        </message>
+        <message>
+            <source>Master synchronisation in sync, error %1</source>
+            <translation>Master-Synchronisation eingerastet, Fehler %1</translation>
+        </message>
+        <message>
+            <source>Master synchronisation out of sync, error %1</source>
+            <translation>Master-Synchronisation nicht eingerastet, Fehler %1</translation>
+        </message>
+        <message>
+            <source>Working counter %1 instead of %2 (%3 times)</source>
+            <translation>Working Counter %1 statt %2 (%3-mal)</translation>
+        </message>
+        <message>
+            <source>Working counter %1 instead of %2</source>
+            <translation>Working Counter %1 statt %2</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n frame(s) lost</source>
+            <translation>
+                <numerusform>%n Frame verloren</numerusform>
+                <numerusform>%n Frames verloren</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Slave does not answer any more</source>
+            <translation>Slave antwortet nicht mehr</translation>
+        </message>
+        <message>
+            <source>Slave answers again</source>
+            <translation>Slave antwortet wieder</translation>
+        </message>
+        <message>
+            <source>Best effort instead of real time: %1</source>
+            <translation>So gut es geht statt Echtzeit: %1</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n event(s) were lost: the queue was full</source>
+            <translation>
+                <numerusform>%n Ereignis ging verloren: die Warteschlange war voll</numerusform>
+                <numerusform>%n Ereignisse gingen verloren: die Warteschlange war voll</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>ExplorerPanel</name>
+        <message>
+            <source>Project explorer</source>
+            <translation>Projektbaum</translation>
+        </message>
+    </context>
+    <context>
+        <name>FileCommands</name>
+        <message>
+            <source>Open Project</source>
+            <translation>Projekt öffnen</translation>
+        </message>
+        <message>
+            <source>Syncline projects (*.syncline);;All files (*)</source>
+            <translation>Syncline-Projekte (*.syncline);;Alle Dateien (*)</translation>
+        </message>
+        <message>
+            <source>Open</source>
+            <translation>Öffnen</translation>
+        </message>
+        <message>
+            <source>The project could not be opened.</source>
+            <translation>Das Projekt konnte nicht geöffnet werden.</translation>
+        </message>
+        <message>
+            <source>Project</source>
+            <translation>Projekt</translation>
+        </message>
+        <message>
+            <source>Opened %1</source>
+            <translation>%1 geöffnet</translation>
+        </message>
+        <message>
+            <source>Save Project</source>
+            <translation>Projekt speichern</translation>
+        </message>
+        <message>
+            <source>Syncline projects (*.syncline)</source>
+            <translation>Syncline-Projekte (*.syncline)</translation>
+        </message>
+        <message>
+            <source>Save</source>
+            <translation>Speichern</translation>
+        </message>
+        <message>
+            <source>The project could not be saved.</source>
+            <translation>Das Projekt konnte nicht gespeichert werden.</translation>
+        </message>
+        <message>
+            <source>Saved %1</source>
+            <translation>%1 gespeichert</translation>
+        </message>
+        <message>
+            <source>Export ENI</source>
+            <translation>ENI exportieren</translation>
+        </message>
+        <message>
+            <source>EtherCAT network information (*.xml)</source>
+            <translation>EtherCAT-Netzwerkbeschreibung (*.xml)</translation>
+        </message>
+        <message>
+            <source>Export</source>
+            <translation>Exportieren</translation>
+        </message>
+        <message>
+            <source>The ENI could not be written.</source>
+            <translation>Die ENI konnte nicht geschrieben werden.</translation>
+        </message>
+        <message>
+            <source>ENI written to %1</source>
+            <translation>ENI nach %1 geschrieben</translation>
+        </message>
+        <message>
+            <source>Syncline</source>
+            <translation>Syncline</translation>
+        </message>
+        <message>
+            <source>Save the changes to %1?</source>
+            <translation>Änderungen an %1 speichern?</translation>
+        </message>
+    </context>
+    <context>
+        <name>Glossary</name>
+        <message>
+            <source>Master</source>
+            <translation>Master</translation>
+        </message>
+        <message>
+            <source>Slave</source>
+            <translation>Slave</translation>
+        </message>
+        <message>
+            <source>No response</source>
+            <translation>Keine Antwort</translation>
+        </message>
+        <message>
+            <source>Not monitored</source>
+            <translation>Nicht überwacht</translation>
+        </message>
+        <message>
+            <source>Not ready</source>
+            <translation>Nicht bereit</translation>
+        </message>
+        <message>
+            <source>Settling</source>
+            <translation>Schwingt ein</translation>
+        </message>
+        <message>
+            <source>In sync</source>
+            <translation>Synchron</translation>
+        </message>
+        <message>
+            <source>Out of sync</source>
+            <translation>Nicht synchron</translation>
+        </message>
+        <message>
+            <source>Off</source>
+            <translation>Aus</translation>
+        </message>
+        <message>
+            <source>Bus shift</source>
+            <translation>Bus Shift</translation>
+        </message>
+        <message>
+            <source>Master shift</source>
+            <translation>Master Shift</translation>
+        </message>
+    </context>
+    <context>
+        <name>Link</name>
+        <message>
+            <source>Demonstration machine (simulated)</source>
+            <translation>Vorführmaschine (simuliert)</translation>
+        </message>
+        <message>
+            <source>Network card %1</source>
+            <translation>Netzwerkkarte %1</translation>
+        </message>
+        <message>
+            <source>Simulated: %1</source>
+            <translation>Simuliert: %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>LinkChooser</name>
+        <message>
+            <source>Choose the Bus</source>
+            <translation>Bus wählen</translation>
+        </message>
+        <message>
+            <source>Where is the bus?</source>
+            <translation>Wo ist der Bus?</translation>
+        </message>
+        <message>
+            <source>Links</source>
+            <translation>Links</translation>
+        </message>
+        <message>
+            <source>Demonstration machine</source>
+            <translation>Vorführmaschine</translation>
+        </message>
+        <message>
+            <source>Simulated bus with a coupler, terminals and drives; no hardware needed</source>
+            <translation>Simulierter Bus mit Koppler, Klemmen und Antrieben; ohne Hardware</translation>
+        </message>
+        <message>
+            <source>Simulated bus</source>
+            <translation>Simulierter Bus</translation>
+        </message>
+        <message>
+            <source>Scenario File…</source>
+            <translation>Szenariodatei …</translation>
+        </message>
+        <message>
+            <source>Simulated bus from a scenario file</source>
+            <translation>Simulierter Bus aus einer Szenariodatei</translation>
+        </message>
+        <message>
+            <source>Network card, link up</source>
+            <translation>Netzwerkkarte, verbunden</translation>
+        </message>
+        <message>
+            <source>Network card, no link</source>
+            <translation>Netzwerkkarte, nicht verbunden</translation>
+        </message>
+        <message>
+            <source>No network card was found that can carry EtherCAT.</source>
+            <translation>Es wurde keine Netzwerkkarte gefunden, die EtherCAT übertragen kann.</translation>
+        </message>
+        <message>
+            <source>Open Scenario</source>
+            <translation>Szenario öffnen</translation>
+        </message>
+        <message>
+            <source>Scenarios (*.toml)</source>
+            <translation>Szenarien (*.toml)</translation>
+        </message>
+    </context>
+    <context>
+        <name>LiveStrip</name>
+        <message>
+            <source>Live plots</source>
+            <translation>Live-Diagramme</translation>
+        </message>
+        <message>
+            <source>No data: go online</source>
+            <translation>Keine Daten: online gehen</translation>
+        </message>
+        <message>
+            <source>Syncline, %1, cycle %2</source>
+            <translation>Syncline, %1, Zyklus %2</translation>
+        </message>
+        <message>
+            <source>Export the range shown</source>
+            <translation>Gezeigten Bereich exportieren</translation>
+        </message>
+        <message>
+            <source>Comma-separated values (*.csv)</source>
+            <translation>Kommagetrennte Werte (*.csv)</translation>
+        </message>
+        <message>
+            <source>Export</source>
+            <translation>Exportieren</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>Export the plots</source>
+            <translation>Diagramme exportieren</translation>
+        </message>
+        <message>
+            <source>PNG picture (*.png)</source>
+            <translation>PNG-Bild (*.png)</translation>
+        </message>
+        <message>
+            <source>Cursor A here</source>
+            <translation>Cursor A hierher</translation>
+        </message>
+        <message>
+            <source>Cursor B here</source>
+            <translation>Cursor B hierher</translation>
+        </message>
+        <message>
+            <source>Remove cursors</source>
+            <translation>Cursor entfernen</translation>
+        </message>
+        <message>
+            <source>Show everything</source>
+            <translation>Alles zeigen</translation>
+        </message>
+        <message>
+            <source>Fit values</source>
+            <translation>Werte einpassen</translation>
+        </message>
+        <message>
+            <source>Keep the value axes as they are</source>
+            <translation>Wertachsen festhalten</translation>
+        </message>
+        <message>
+            <source>Export range as CSV...</source>
+            <translation>Bereich als CSV exportieren …</translation>
+        </message>
+        <message>
+            <source>Export picture...</source>
+            <translation>Bild exportieren …</translation>
+        </message>
+        <message>
+            <source>Copy picture</source>
+            <translation>Bild kopieren</translation>
+        </message>
+    </context>
+    <context>
+        <name>LiveStripToolbar</name>
+        <message>
+            <source>1 s</source>
+            <translation>1 s</translation>
+        </message>
+        <message>
+            <source>10 s</source>
+            <translation>10 s</translation>
+        </message>
+        <message>
+            <source>60 s</source>
+            <translation>60 s</translation>
+        </message>
+        <message>
+            <source>10 min</source>
+            <translation>10 min</translation>
+        </message>
+        <message>
+            <source>Show the last %1</source>
+            <translation>Die letzten %1 zeigen</translation>
+        </message>
+        <message>
+            <source>Live</source>
+            <translation>Live</translation>
+        </message>
+        <message>
+            <source>Follow the newest sample (End)</source>
+            <translation>Dem neuesten Wert folgen (Ende)</translation>
+        </message>
+        <message>
+            <source>Freeze</source>
+            <translation>Einfrieren</translation>
+        </message>
+        <message>
+            <source>Stop the picture, not the acquisition (Space)</source>
+            <translation>Bild anhalten, nicht die Aufnahme (Leertaste)</translation>
+        </message>
+        <message>
+            <source>Cursors</source>
+            <translation>Cursor</translation>
+        </message>
+        <message>
+            <source>Two cursors to drag (keys A and B put them at the pointer)</source>
+            <translation>Zwei ziehbare Cursor (Tasten A und B setzen sie an den Zeiger)</translation>
+        </message>
+        <message>
+            <source>Fit</source>
+            <translation>Einpassen</translation>
+        </message>
+        <message>
+            <source>Fit the value axes to what is shown (F)</source>
+            <translation>Wertachsen an das Gezeigte anpassen (F)</translation>
+        </message>
+        <message>
+            <source>State of the plots</source>
+            <translation>Zustand der Diagramme</translation>
+        </message>
+        <message>
+            <source>Time between the cursors</source>
+            <translation>Zeit zwischen den Cursorn</translation>
+        </message>
+        <message>
+            <source>Export, axes and cursors</source>
+            <translation>Export, Achsen und Cursor</translation>
+        </message>
+        <message>
+            <source>Menu of the live plots</source>
+            <translation>Menü der Live-Diagramme</translation>
+        </message>
+        <message>
+            <source>Frozen, %1 behind</source>
+            <translation>Eingefroren, %1 zurück</translation>
+        </message>
+        <message>
+            <source>History, %1 behind</source>
+            <translation>Verlauf, %1 zurück</translation>
+        </message>
+        <message>
+            <source>   1/Δt %1 Hz</source>
+            <translation>   1/Δt %1 Hz</translation>
+        </message>
+        <message>
+            <source>B−A %1</source>
+            <translation>B−A %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>MainWindow</name>
+        <message>
+            <source>Live plots</source>
+            <translation>Live-Diagramme</translation>
+        </message>
+        <message>
+            <source>Project Explorer</source>
+            <translation>Projektbaum</translation>
+        </message>
+        <message>
+            <source>Messages</source>
+            <translation>Meldungen</translation>
+        </message>
+        <message>
+            <source>&amp;File</source>
+            <translation>&amp;Datei</translation>
+        </message>
+        <message>
+            <source>&amp;Edit</source>
+            <translation>&amp;Bearbeiten</translation>
+        </message>
+        <message>
+            <source>&amp;Network</source>
+            <translation>&amp;Netzwerk</translation>
+        </message>
+        <message>
+            <source>&amp;Request State</source>
+            <translation>&amp;Zustand anfordern</translation>
+        </message>
+        <message>
+            <source>&amp;View</source>
+            <translation>&amp;Ansicht</translation>
+        </message>
+        <message>
+            <source>&amp;Help</source>
+            <translation>&amp;Hilfe</translation>
+        </message>
+        <message>
+            <source>Main</source>
+            <translation>Haupt</translation>
+        </message>
+        <message>
+            <source>Request a state for all slaves</source>
+            <translation>Zustand für alle Slaves anfordern</translation>
+        </message>
+        <message>
+            <source>Request State</source>
+            <translation>Zustand anfordern</translation>
+        </message>
+        <message>
+            <source>Request a state for all slaves (register 0x0120)</source>
+            <translation>Zustand für alle Slaves anfordern (Register 0x0120)</translation>
+        </message>
+        <message>
+            <source>%1[*] – Syncline</source>
+            <translation>%1[*] – Syncline</translation>
+        </message>
+    </context>
+    <context>
+        <name>MasterDcPage</name>
+        <message>
+            <source>Distributed Clocks</source>
+            <translation>Distributed Clocks</translation>
+        </message>
+        <message>
+            <source>Clock Adjustment</source>
+            <translation>Uhrenabgleich</translation>
+        </message>
+        <message>
+            <source>Master Synchronisation (DCM)</source>
+            <translation>Master-Synchronisation (DCM)</translation>
+        </message>
+        <message>
+            <source>Sync Window Monitoring</source>
+            <translation>Überwachung des Sync-Fensters</translation>
+        </message>
+        <message>
+            <source>Slaves, live</source>
+            <translation>Slaves, live</translation>
+        </message>
+        <message>
+            <source>Master, live</source>
+            <translation>Master, live</translation>
+        </message>
+        <message>
+            <source>Switch %1</source>
+            <translation>%1 umschalten</translation>
+        </message>
+        <message>
+            <source>Distributed clocks</source>
+            <translation>Distributed Clocks</translation>
+        </message>
+        <message>
+            <source>Off: no distributed-clocks commands are configured</source>
+            <translation>Aus: keine Distributed-Clocks-Kommandos</translation>
+        </message>
+        <message>
+            <source>Reference clock</source>
+            <translation>Referenzuhr</translation>
+        </message>
+        <message>
+            <source>Change reference clock</source>
+            <translation>Referenzuhr ändern</translation>
+        </message>
+        <message>
+            <source>The slave whose system time leads (register 0x0910, ENI DC/ReferenceClock). Only slaves behind it can be synchronised.</source>
+            <translation>Der Slave, dessen Systemzeit führt (Register 0x0910, ENI DC/ReferenceClock). Nur Slaves dahinter können synchronisiert werden.</translation>
+        </message>
+        <message>
+            <source>Continuous propagation compensation</source>
+            <translation>Laufende Laufzeitkompensation</translation>
+        </message>
+        <message>
+            <source>Repeats the delay measurement while running (BWR 0x0900 in the cyclic frame)</source>
+            <translation>Wiederholt die Laufzeitmessung im Betrieb (BWR 0x0900 im zyklischen Frame)</translation>
+        </message>
+        <message>
+            <source>Show 64-bit system time</source>
+            <translation>64-Bit-Systemzeit zeigen</translation>
+        </message>
+        <message>
+            <source>Reads 8 instead of 4 bytes of register 0x0910 each cycle</source>
+            <translation>Liest je Zyklus 8 statt 4 Byte von Register 0x0910</translation>
+        </message>
+        <message>
+            <source>The master's clock leads: the reference clock is steered by a cyclic write to register 0x0910</source>
+            <translation>Die Uhr des Masters führt: die Referenzuhr wird durch zyklisches Schreiben von Register 0x0910 gestellt</translation>
+        </message>
+        <message>
+            <source>The reference clock leads: the master moves its send time. No extra cyclic command.</source>
+            <translation>Die Referenzuhr führt: der Master verschiebt seinen Sendezeitpunkt. Kein zusätzliches zyklisches Kommando.</translation>
+        </message>
+        <message>
+            <source>Master and slaves run on clocks of their own; the frame drifts through the SYNC grid</source>
+            <translation>Master und Slaves laufen mit eigenen Uhren; der Frame wandert durch das SYNC-Raster</translation>
+        </message>
+        <message>
+            <source>Change master synchronisation</source>
+            <translation>Master-Synchronisation ändern</translation>
+        </message>
+        <message>
+            <source>Set value automatic</source>
+            <translation>Sollwert automatisch</translation>
+        </message>
+        <message>
+            <source>Change set value</source>
+            <translation>Sollwert ändern</translation>
+        </message>
+        <message>
+            <source>Two thirds of the cycle</source>
+            <translation>Zwei Drittel des Zyklus</translation>
+        </message>
+        <message>
+            <source>Set value: send to SYNC0</source>
+            <translation>Sollwert: Senden bis SYNC0</translation>
+        </message>
+        <message>
+            <source>Send to SYNC0</source>
+            <translation>Senden bis SYNC0</translation>
+        </message>
+        <message>
+            <source>Distance from sending the cyclic frame to SYNC0 (EC-Master nCtlSetVal)</source>
+            <translation>Abstand vom Senden des zyklischen Frames bis SYNC0 (EC-Master nCtlSetVal)</translation>
+        </message>
+        <message>
+            <source>In-sync limit</source>
+            <translation>Synchron-Grenze</translation>
+        </message>
+        <message>
+            <source>Change in-sync limit</source>
+            <translation>Synchron-Grenze ändern</translation>
+        </message>
+        <message>
+            <source>Controller error up to which the master counts as in sync (dwInSyncLimit)</source>
+            <translation>Reglerfehler, bis zu dem der Master als synchron gilt (dwInSyncLimit)</translation>
+        </message>
+        <message>
+            <source>Settle time of the master</source>
+            <translation>Einschwingzeit des Masters</translation>
+        </message>
+        <message>
+            <source>Change settle time</source>
+            <translation>Einschwingzeit ändern</translation>
+        </message>
+        <message>
+            <source>Settle time</source>
+            <translation>Einschwingzeit</translation>
+        </message>
+        <message>
+            <source>How long the error must stay within the limit (dwInSyncSettleTime)</source>
+            <translation>Wie lange der Fehler in der Grenze bleiben muss (dwInSyncSettleTime)</translation>
+        </message>
+        <message>
+            <source>Monitor the sync window</source>
+            <translation>Sync-Fenster überwachen</translation>
+        </message>
+        <message>
+            <source>Adds a BRD of register 0x092C to the cyclic frame. Without it slaves are not monitored.</source>
+            <translation>Fügt dem zyklischen Frame ein BRD auf Register 0x092C hinzu. Ohne dieses werden Slaves nicht überwacht.</translation>
+        </message>
+        <message>
+            <source>Limit exponent n</source>
+            <translation>Exponent n der Grenze</translation>
+        </message>
+        <message>
+            <source>Change sync window</source>
+            <translation>Sync-Fenster ändern</translation>
+        </message>
+        <message>
+            <source>Limit</source>
+            <translation>Grenze</translation>
+        </message>
+        <message>
+            <source>Limit 2ⁿ − 1</source>
+            <translation>Grenze 2ⁿ − 1</translation>
+        </message>
+        <message>
+            <source>Wire-ored SystemTimeDifference (register 0x092C) of all slaves, dwDevLimit</source>
+            <translation>Verodertes SystemTimeDifference (Register 0x092C) aller Slaves, dwDevLimit</translation>
+        </message>
+        <message>
+            <source>Settle time of the slaves</source>
+            <translation>Einschwingzeit der Slaves</translation>
+        </message>
+        <message>
+            <source>How long the deviation must stay within the limit</source>
+            <translation>Wie lange die Abweichung in der Grenze bleiben muss</translation>
+        </message>
+        <message>
+            <source>Slaves in sync</source>
+            <translation>Slaves synchron</translation>
+        </message>
+        <message>
+            <source>State</source>
+            <translation>Zustand</translation>
+        </message>
+        <message>
+            <source>Sync window of register 0x092C</source>
+            <translation>Sync-Fenster von Register 0x092C</translation>
+        </message>
+        <message>
+            <source>Deviation</source>
+            <translation>Abweichung</translation>
+        </message>
+        <message>
+            <source>Wire-ored register 0x092C: an upper estimate over all slaves</source>
+            <translation>Verodertes Register 0x092C: obere Schätzung über alle Slaves</translation>
+        </message>
+        <message>
+            <source>Settled after</source>
+            <translation>Eingeschwungen nach</translation>
+        </message>
+        <message>
+            <source>From the first cyclic frame</source>
+            <translation>Ab dem ersten zyklischen Frame</translation>
+        </message>
+        <message>
+            <source>The slave that leads on the bus</source>
+            <translation>Der Slave, der auf dem Bus führt</translation>
+        </message>
+        <message>
+            <source>Master in sync</source>
+            <translation>Master synchron</translation>
+        </message>
+        <message>
+            <source>Controller error against the in-sync limit</source>
+            <translation>Reglerfehler gegen die Synchron-Grenze</translation>
+        </message>
+        <message>
+            <source>Error</source>
+            <translation>Fehler</translation>
+        </message>
+        <message>
+            <source>Frame late in the SYNC grid &gt; 0, filtered</source>
+            <translation>Frame spät im SYNC-Raster &gt; 0, gefiltert</translation>
+        </message>
+        <message>
+            <source>RMS / max</source>
+            <translation>RMS / Max</translation>
+        </message>
+        <message>
+            <source>Since in sync</source>
+            <translation>Seit synchron</translation>
+        </message>
+        <message>
+            <source>Drift</source>
+            <translation>Drift</translation>
+        </message>
+        <message>
+            <source>Reference clock's rate against the host's; the ceiling is about 600 ppm</source>
+            <translation>Gang der Referenzuhr gegen den des Rechners; die Grenze liegt bei etwa 600 ppm</translation>
+        </message>
+        <message>
+            <source>In sync after</source>
+            <translation>Synchron nach</translation>
+        </message>
+        <message>
+            <source>Automatic (first with DC)</source>
+            <translation>Automatisch (erster mit DC)</translation>
+        </message>
+        <message>
+            <source>%1 of %2</source>
+            <translation>%1 von %2</translation>
+        </message>
+        <message>
+            <source>%1 / %2</source>
+            <translation>%1 / %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>MasterGeneralPage</name>
+        <message>
+            <source>General</source>
+            <translation>Allgemein</translation>
+        </message>
+        <message>
+            <source>Settings</source>
+            <translation>Einstellungen</translation>
+        </message>
+        <message>
+            <source>Configuration</source>
+            <translation>Konfiguration</translation>
+        </message>
+        <message>
+            <source>Slaves</source>
+            <translation>Slaves</translation>
+        </message>
+        <message>
+            <source>Configured slaves</source>
+            <translation>Konfigurierte Slaves</translation>
+        </message>
+        <message>
+            <source>Slaves with DC</source>
+            <translation>Slaves mit DC</translation>
+        </message>
+        <message>
+            <source>Operation mode other than none</source>
+            <translation>Mit gewählter Betriebsart</translation>
+        </message>
+        <message>
+            <source>Inputs</source>
+            <translation>Eingänge</translation>
+        </message>
+        <message>
+            <source>Input process image (ENI ProcessImage/Inputs)</source>
+            <translation>Prozessabbild der Eingänge (ENI ProcessImage/Inputs)</translation>
+        </message>
+        <message>
+            <source>Outputs</source>
+            <translation>Ausgänge</translation>
+        </message>
+        <message>
+            <source>Output process image (ENI ProcessImage/Outputs)</source>
+            <translation>Prozessabbild der Ausgänge (ENI ProcessImage/Outputs)</translation>
+        </message>
+        <message>
+            <source>Cyclic frames</source>
+            <translation>Zyklische Frames</translation>
+        </message>
+        <message>
+            <source>Bytes and time on the wire at 100 Mbit/s, each cycle</source>
+            <translation>Byte und Zeit auf der Leitung bei 100 Mbit/s, je Zyklus</translation>
+        </message>
+        <message>
+            <source>State Machine</source>
+            <translation>Zustandsmaschine</translation>
+        </message>
+        <message>
+            <source>Bus</source>
+            <translation>Bus</translation>
+        </message>
+        <message>
+            <source>Name of the master</source>
+            <translation>Name des Masters</translation>
+        </message>
+        <message>
+            <source>Rename master</source>
+            <translation>Master umbenennen</translation>
+        </message>
+        <message>
+            <source>Name</source>
+            <translation>Name</translation>
+        </message>
+        <message>
+            <source>ENI Master/Info/Name</source>
+            <translation>ENI Master/Info/Name</translation>
+        </message>
+        <message>
+            <source>Cycle time</source>
+            <translation>Zykluszeit</translation>
+        </message>
+        <message>
+            <source>Bus cycle, base of every Sync Unit Cycle (ENI Cyclic/CycleTime); 31.25 µs to 100 ms</source>
+            <translation>Buszyklus, Basis jedes Sync Unit Cycle (ENI Cyclic/CycleTime); 31,25 µs bis 100 ms</translation>
+        </message>
+        <message>
+            <source>Current state</source>
+            <translation>Aktueller Zustand</translation>
+        </message>
+        <message>
+            <source>Lowest state of all slaves (register 0x0130)</source>
+            <translation>Niedrigster Zustand aller Slaves (Register 0x0130)</translation>
+        </message>
+        <message>
+            <source>Requested state</source>
+            <translation>Angeforderter Zustand</translation>
+        </message>
+        <message>
+            <source>State asked for last (register 0x0120)</source>
+            <translation>Zuletzt angeforderter Zustand (Register 0x0120)</translation>
+        </message>
+        <message>
+            <source>Request state %1</source>
+            <translation>Zustand %1 anfordern</translation>
+        </message>
+        <message>
+            <source>Request %1 for all slaves (register 0x0120)</source>
+            <translation>%1 für alle Slaves anfordern (Register 0x0120)</translation>
+        </message>
+        <message>
+            <source>Slaves answering</source>
+            <translation>Antwortende Slaves</translation>
+        </message>
+        <message>
+            <source>Slaves that answered the last state reading</source>
+            <translation>Slaves, die die letzte Zustandsabfrage beantwortet haben</translation>
+        </message>
+        <message>
+            <source>Cycles</source>
+            <translation>Zyklen</translation>
+        </message>
+        <message>
+            <source>Bus cycles since going online</source>
+            <translation>Buszyklen seit dem Onlinegehen</translation>
+        </message>
+        <message>
+            <source>Lost frames</source>
+            <translation>Verlorene Frames</translation>
+        </message>
+        <message>
+            <source>Cyclic frames that did not come back within the cycle</source>
+            <translation>Zyklische Frames, die nicht im Zyklus zurückkamen</translation>
+        </message>
+        <message>
+            <source>Working counter errors</source>
+            <translation>Working-Counter-Fehler</translation>
+        </message>
+        <message>
+            <source>Cycles whose working counter was not the expected one</source>
+            <translation>Zyklen, deren Working Counter nicht der erwartete war</translation>
+        </message>
+        <message>
+            <source>Overruns</source>
+            <translation>Überläufe</translation>
+        </message>
+        <message>
+            <source>Cycles that began more than one cycle late</source>
+            <translation>Zyklen, die mehr als einen Zyklus zu spät begannen</translation>
+        </message>
+        <message>
+            <source>Change cycle time</source>
+            <translation>Zykluszeit ändern</translation>
+        </message>
+        <message>
+            <source>%1, %2 on the wire</source>
+            <translation>%1, %2 auf der Leitung</translation>
+        </message>
+        <message>
+            <source>Offline</source>
+            <translation>Offline</translation>
+        </message>
+        <message>
+            <source>%1 of %2</source>
+            <translation>%1 von %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>MessageModel</name>
+        <message>
+            <source>%1
+Setting %2</source>
+            <translation>%1
+Einstellung %2</translation>
+        </message>
+        <message>
+            <source>Project</source>
+            <translation>Projekt</translation>
+        </message>
+        <message>
+            <source>Error</source>
+            <translation>Fehler</translation>
+        </message>
+        <message>
+            <source>Warning</source>
+            <translation>Warnung</translation>
+        </message>
+        <message>
+            <source>Information</source>
+            <translation>Information</translation>
+        </message>
+        <message>
+            <source>Time</source>
+            <translation>Zeit</translation>
+        </message>
+        <message>
+            <source>Severity</source>
+            <translation>Schwere</translation>
+        </message>
+        <message>
+            <source>Source</source>
+            <translation>Quelle</translation>
+        </message>
+        <message>
+            <source>Message</source>
+            <translation>Meldung</translation>
+        </message>
+    </context>
+    <context>
+        <name>MessagesPanel</name>
+        <message>
+            <source>Filter messages</source>
+            <translation>Meldungen filtern</translation>
+        </message>
+        <message>
+            <source>Filter</source>
+            <translation>Filter</translation>
+        </message>
+        <message>
+            <source>Clear the log</source>
+            <translation>Protokoll leeren</translation>
+        </message>
+        <message>
+            <source>Clear the log; findings about the project stay</source>
+            <translation>Protokoll leeren; Befunde zum Projekt bleiben</translation>
+        </message>
+        <message>
+            <source>Messages</source>
+            <translation>Meldungen</translation>
+        </message>
+        <message>
+            <source>Show information</source>
+            <translation>Informationen zeigen</translation>
+        </message>
+        <message>
+            <source>Show warnings</source>
+            <translation>Warnungen zeigen</translation>
+        </message>
+        <message>
+            <source>Show errors</source>
+            <translation>Fehler zeigen</translation>
+        </message>
+    </context>
+    <context>
+        <name>NetworkModel</name>
+        <message>
+            <source>Node</source>
+            <translation>Knoten</translation>
+        </message>
+        <message>
+            <source>Position %1, station address %2 (register 0x0010)</source>
+            <translation>Position %1, Stationsadresse %2 (Register 0x0010)</translation>
+        </message>
+        <message>
+            <source>Reference clock of the project</source>
+            <translation>Referenzuhr des Projekts</translation>
+        </message>
+        <message>
+            <source>Distributed clocks on</source>
+            <translation>Distributed Clocks ein</translation>
+        </message>
+        <message>
+            <source>State %1 (register 0x0130 = %2)</source>
+            <translation>Zustand %1 (Register 0x0130 = %2)</translation>
+        </message>
+        <message>
+            <source>Offline</source>
+            <translation>Offline</translation>
+        </message>
+    </context>
+    <context>
+        <name>Page</name>
+        <message>
+            <source>Project</source>
+            <translation>Projekt</translation>
+        </message>
+    </context>
+    <context>
+        <name>PdoEntryModel</name>
+        <message>
+            <source>(padding)</source>
+            <translation>(Füllbits)</translation>
+        </message>
+        <message>
+            <source>Offset</source>
+            <translation>Offset</translation>
+        </message>
+        <message>
+            <source>Object</source>
+            <translation>Objekt</translation>
+        </message>
+        <message>
+            <source>Entry</source>
+            <translation>Eintrag</translation>
+        </message>
+        <message>
+            <source>Type</source>
+            <translation>Typ</translation>
+        </message>
+        <message>
+            <source>Size</source>
+            <translation>Größe</translation>
+        </message>
+    </context>
+    <context>
+        <name>PdoModel</name>
+        <message>
+            <source>The device needs this PDO (Mandatory in the ESI)</source>
+            <translation>Das Gerät braucht dieses PDO (Mandatory in der ESI)</translation>
+        </message>
+        <message>
+            <source>Excluded by the assigned PDO %1 (Exclude in the ESI)</source>
+            <translation>Ausgeschlossen durch das zugeordnete PDO %1 (Exclude in der ESI)</translation>
+        </message>
+        <message>
+            <source>Assigned through object 0x1C12</source>
+            <translation>Zugeordnet über Objekt 0x1C12</translation>
+        </message>
+        <message>
+            <source>Assigned through object 0x1C13</source>
+            <translation>Zugeordnet über Objekt 0x1C13</translation>
+        </message>
+        <message>
+            <source>PDO</source>
+            <translation>PDO</translation>
+        </message>
+        <message>
+            <source>Name</source>
+            <translation>Name</translation>
+        </message>
+        <message>
+            <source>SM</source>
+            <translation>SM</translation>
+        </message>
+        <message>
+            <source>Size</source>
+            <translation>Größe</translation>
+        </message>
+    </context>
+    <context>
+        <name>ProcessDataPage</name>
+        <message>
+            <source>Process Data</source>
+            <translation>Prozessdaten</translation>
+        </message>
+        <message>
+            <source>Outputs (RxPDO)</source>
+            <translation>Ausgänge (RxPDO)</translation>
+        </message>
+        <message>
+            <source>Inputs (TxPDO)</source>
+            <translation>Eingänge (TxPDO)</translation>
+        </message>
+        <message>
+            <source>Assigned size, %1</source>
+            <translation>Zugeordnete Größe, %1</translation>
+        </message>
+        <message>
+            <source>Change PDO assignment</source>
+            <translation>PDO-Zuordnung ändern</translation>
+        </message>
+        <message>
+            <source>Entries</source>
+            <translation>Einträge</translation>
+        </message>
+        <message>
+            <source>Entries of the selected PDO</source>
+            <translation>Einträge des gewählten PDOs</translation>
+        </message>
+        <message>
+            <source>Entries of %1 %2</source>
+            <translation>Einträge von %1 %2</translation>
+        </message>
+        <message>
+            <source>%1 assigned</source>
+            <translation>%1 zugeordnet</translation>
+        </message>
+    </context>
+    <context>
+        <name>ProjectDocument</name>
+        <message>
+            <source>Untitled</source>
+            <translation>Unbenannt</translation>
+        </message>
+    </context>
+    <context>
+        <name>QObject</name>
+        <message>
+            <source>Syncline</source>
+            <translation>Syncline</translation>
+        </message>
+    </context>
+    <context>
+        <name>ScanProgress</name>
+        <message>
+            <source>Scan</source>
+            <translation>Scannen</translation>
+        </message>
+        <message>
+            <source>Scan progress</source>
+            <translation>Fortschritt des Scans</translation>
+        </message>
+        <message>
+            <source>Looking for slaves…</source>
+            <translation>Suche Slaves …</translation>
+        </message>
+        <message>
+            <source>Reading slave %1 of %2</source>
+            <translation>Lese Slave %1 von %2</translation>
+        </message>
+        <message>
+            <source>Cancelling…</source>
+            <translation>Wird abgebrochen …</translation>
+        </message>
+    </context>
+    <context>
+        <name>SlaveDcPage</name>
+        <message>
+            <source>Distributed Clocks</source>
+            <translation>Distributed Clocks</translation>
+        </message>
+        <message>
+            <source>Operation Mode</source>
+            <translation>Betriebsart</translation>
+        </message>
+        <message>
+            <source>SYNC0</source>
+            <translation>SYNC0</translation>
+        </message>
+        <message>
+            <source>SYNC1</source>
+            <translation>SYNC1</translation>
+        </message>
+        <message>
+            <source>Registers</source>
+            <translation>Register</translation>
+        </message>
+        <message>
+            <source>Live</source>
+            <translation>Live</translation>
+        </message>
+        <message>
+            <source>Operation mode</source>
+            <translation>Betriebsart</translation>
+        </message>
+        <message>
+            <source>Change operation mode</source>
+            <translation>Betriebsart ändern</translation>
+        </message>
+        <message>
+            <source>Mode</source>
+            <translation>Betriebsart</translation>
+        </message>
+        <message>
+            <source>ESI Dc/OpMode</source>
+            <translation>ESI Dc/OpMode</translation>
+        </message>
+        <message>
+            <source>Meaning</source>
+            <translation>Bedeutung</translation>
+        </message>
+        <message>
+            <source>ESI OpMode/Desc</source>
+            <translation>ESI OpMode/Desc</translation>
+        </message>
+        <message>
+            <source>AssignActivate</source>
+            <translation>AssignActivate</translation>
+        </message>
+        <message>
+            <source>ESI OpMode/AssignActivate, written to register 0x0980</source>
+            <translation>ESI OpMode/AssignActivate, geschrieben in Register 0x0980</translation>
+        </message>
+        <message>
+            <source>Bus cycle</source>
+            <translation>Buszyklus</translation>
+        </message>
+        <message>
+            <source>Cycle time of the master, base of the Sync Unit Cycle</source>
+            <translation>Zykluszeit des Masters, Basis des Sync Unit Cycle</translation>
+        </message>
+        <message>
+            <source>Potential reference clock</source>
+            <translation>Mögliche Referenzuhr</translation>
+        </message>
+        <message>
+            <source>Change potential reference clock</source>
+            <translation>Mögliche Referenzuhr ändern</translation>
+        </message>
+        <message>
+            <source>May lead when the reference clock is missing (ENI DC/PotentialReferenceClock)</source>
+            <translation>Darf führen, wenn die Referenzuhr fehlt (ENI DC/PotentialReferenceClock)</translation>
+        </message>
+        <message>
+            <source>0x0980 activation</source>
+            <translation>0x0980 Aktivierung</translation>
+        </message>
+        <message>
+            <source>Compiled value, as written in PREOP to SAFEOP</source>
+            <translation>Berechneter Wert, wie er von PREOP nach SAFEOP geschrieben wird</translation>
+        </message>
+        <message>
+            <source>0x09A0 SYNC0 cycle</source>
+            <translation>0x09A0 SYNC0-Zyklus</translation>
+        </message>
+        <message>
+            <source>Compiled value (ENI DC/CycleTime0)</source>
+            <translation>Berechneter Wert (ENI DC/CycleTime0)</translation>
+        </message>
+        <message>
+            <source>0x09A4 SYNC1</source>
+            <translation>0x09A4 SYNC1</translation>
+        </message>
+        <message>
+            <source>Compiled value (ENI DC/CycleTime1)</source>
+            <translation>Berechneter Wert (ENI DC/CycleTime1)</translation>
+        </message>
+        <message>
+            <source>0x0990 shift</source>
+            <translation>0x0990 Verschiebung</translation>
+        </message>
+        <message>
+            <source>Compiled part of the start time (ENI DC/ShiftTime)</source>
+            <translation>Berechneter Teil der Startzeit (ENI DC/ShiftTime)</translation>
+        </message>
+        <message>
+            <source>Role</source>
+            <translation>Rolle</translation>
+        </message>
+        <message>
+            <source>What this slave's clock does on the bus</source>
+            <translation>Was die Uhr dieses Slaves auf dem Bus tut</translation>
+        </message>
+        <message>
+            <source>Deviation</source>
+            <translation>Abweichung</translation>
+        </message>
+        <message>
+            <source>SystemTimeDifference, register 0x092C</source>
+            <translation>SystemTimeDifference, Register 0x092C</translation>
+        </message>
+        <message>
+            <source>Propagation delay</source>
+            <translation>Laufzeit</translation>
+        </message>
+        <message>
+            <source>Register 0x0928, measured at start-up</source>
+            <translation>Register 0x0928, beim Hochlauf gemessen</translation>
+        </message>
+        <message>
+            <source>Missed SM2 events</source>
+            <translation>Verpasste SM2-Ereignisse</translation>
+        </message>
+        <message>
+            <source>Counter of the device (object 0x1C32)</source>
+            <translation>Zähler des Geräts (Objekt 0x1C32)</translation>
+        </message>
+        <message>
+            <source>Off (no DC commands)</source>
+            <translation>Aus (keine DC-Kommandos)</translation>
+        </message>
+        <message>
+            <source>Offline</source>
+            <translation>Offline</translation>
+        </message>
+        <message>
+            <source>Reference clock</source>
+            <translation>Referenzuhr</translation>
+        </message>
+        <message>
+            <source>Follows</source>
+            <translation>Folgt</translation>
+        </message>
+        <message>
+            <source>DC off</source>
+            <translation>DC aus</translation>
+        </message>
+        <message>
+            <source>%1 (object %2:%3)</source>
+            <translation>%1 (Objekt %2:%3)</translation>
+        </message>
+    </context>
+    <context>
+        <name>SlaveGeneralPage</name>
+        <message>
+            <source>General</source>
+            <translation>Allgemein</translation>
+        </message>
+        <message>
+            <source>Device</source>
+            <translation>Gerät</translation>
+        </message>
+        <message>
+            <source>Address</source>
+            <translation>Adresse</translation>
+        </message>
+        <message>
+            <source>Checks at Start-up</source>
+            <translation>Prüfungen beim Hochlauf</translation>
+        </message>
+        <message>
+            <source>State</source>
+            <translation>Zustand</translation>
+        </message>
+        <message>
+            <source>Time-outs</source>
+            <translation>Zeitgrenzen</translation>
+        </message>
+        <message>
+            <source>Name of the slave</source>
+            <translation>Name des Slaves</translation>
+        </message>
+        <message>
+            <source>Rename slave</source>
+            <translation>Slave umbenennen</translation>
+        </message>
+        <message>
+            <source>Name</source>
+            <translation>Name</translation>
+        </message>
+        <message>
+            <source>ENI Slave/Info/Name</source>
+            <translation>ENI Slave/Info/Name</translation>
+        </message>
+        <message>
+            <source>Type</source>
+            <translation>Typ</translation>
+        </message>
+        <message>
+            <source>ESI Device/Type</source>
+            <translation>ESI Device/Type</translation>
+        </message>
+        <message>
+            <source>Vendor</source>
+            <translation>Hersteller</translation>
+        </message>
+        <message>
+            <source>SII word 0x0008, ESI Vendor/Id</source>
+            <translation>SII-Wort 0x0008, ESI Vendor/Id</translation>
+        </message>
+        <message>
+            <source>Product code</source>
+            <translation>Produktcode</translation>
+        </message>
+        <message>
+            <source>SII word 0x000A, ESI Type@ProductCode</source>
+            <translation>SII-Wort 0x000A, ESI Type@ProductCode</translation>
+        </message>
+        <message>
+            <source>Revision</source>
+            <translation>Revision</translation>
+        </message>
+        <message>
+            <source>SII word 0x000C, ESI Type@RevisionNo</source>
+            <translation>SII-Wort 0x000C, ESI Type@RevisionNo</translation>
+        </message>
+        <message>
+            <source>Serial number</source>
+            <translation>Seriennummer</translation>
+        </message>
+        <message>
+            <source>SII word 0x000E</source>
+            <translation>SII-Wort 0x000E</translation>
+        </message>
+        <message>
+            <source>Described by</source>
+            <translation>Beschrieben durch</translation>
+        </message>
+        <message>
+            <source>File or EEPROM that the device description came from</source>
+            <translation>Datei oder EEPROM, woher die Gerätebeschreibung stammt</translation>
+        </message>
+        <message>
+            <source>Station address</source>
+            <translation>Stationsadresse</translation>
+        </message>
+        <message>
+            <source>Change station address</source>
+            <translation>Stationsadresse ändern</translation>
+        </message>
+        <message>
+            <source>Configured station address (register 0x0010)</source>
+            <translation>Konfigurierte Stationsadresse (Register 0x0010)</translation>
+        </message>
+        <message>
+            <source>Alias</source>
+            <translation>Alias</translation>
+        </message>
+        <message>
+            <source>Change alias</source>
+            <translation>Alias ändern</translation>
+        </message>
+        <message>
+            <source>Configured station alias (register 0x0012, SII word 0x0004)</source>
+            <translation>Konfigurierter Stationsalias (Register 0x0012, SII-Wort 0x0004)</translation>
+        </message>
+        <message>
+            <source>Auto-increment</source>
+            <translation>Auto-Inkrement</translation>
+        </message>
+        <message>
+            <source>Position address used before the station address is set</source>
+            <translation>Positionsadresse, bevor die Stationsadresse gesetzt ist</translation>
+        </message>
+        <message>
+            <source>Connected to</source>
+            <translation>Angeschlossen an</translation>
+        </message>
+        <message>
+            <source>Slave and port in front of this one (ENI PreviousPort)</source>
+            <translation>Slave und Port davor (ENI PreviousPort)</translation>
+        </message>
+        <message>
+            <source>Change check: %1</source>
+            <translation>Prüfung ändern: %1</translation>
+        </message>
+        <message>
+            <source>Compares SII word 0x0008 in INIT to PREOP</source>
+            <translation>Vergleicht SII-Wort 0x0008 von INIT nach PREOP</translation>
+        </message>
+        <message>
+            <source>Compares SII word 0x000A in INIT to PREOP</source>
+            <translation>Vergleicht SII-Wort 0x000A von INIT nach PREOP</translation>
+        </message>
+        <message>
+            <source>Compares SII word 0x000C in INIT to PREOP</source>
+            <translation>Vergleicht SII-Wort 0x000C von INIT nach PREOP</translation>
+        </message>
+        <message>
+            <source>Compares SII word 0x000E in INIT to PREOP</source>
+            <translation>Vergleicht SII-Wort 0x000E von INIT nach PREOP</translation>
+        </message>
+        <message>
+            <source>Current state</source>
+            <translation>Aktueller Zustand</translation>
+        </message>
+        <message>
+            <source>AL status (register 0x0130)</source>
+            <translation>AL-Status (Register 0x0130)</translation>
+        </message>
+        <message>
+            <source>AL status code</source>
+            <translation>AL-Statuscode</translation>
+        </message>
+        <message>
+            <source>Register 0x0134</source>
+            <translation>Register 0x0134</translation>
+        </message>
+        <message>
+            <source>Meaning of the AL status code</source>
+            <translation>Bedeutung des AL-Statuscodes</translation>
+        </message>
+        <message>
+            <source>INIT to PREOP</source>
+            <translation>INIT nach PREOP</translation>
+        </message>
+        <message>
+            <source>ESI Timeout/PreopTimeout</source>
+            <translation>ESI Timeout/PreopTimeout</translation>
+        </message>
+        <message>
+            <source>PREOP to SAFEOP to OP</source>
+            <translation>PREOP nach SAFEOP nach OP</translation>
+        </message>
+        <message>
+            <source>ESI Timeout/SafeopOpTimeout</source>
+            <translation>ESI Timeout/SafeopOpTimeout</translation>
+        </message>
+        <message>
+            <source>Back to INIT</source>
+            <translation>Zurück nach INIT</translation>
+        </message>
+        <message>
+            <source>ESI Timeout/BackToInitTimeout</source>
+            <translation>ESI Timeout/BackToInitTimeout</translation>
+        </message>
+        <message>
+            <source>Back to SAFEOP</source>
+            <translation>Zurück nach SAFEOP</translation>
+        </message>
+        <message>
+            <source>ESI Timeout/BackToSafeopTimeout</source>
+            <translation>ESI Timeout/BackToSafeopTimeout</translation>
+        </message>
+        <message>
+            <source>any</source>
+            <translation>beliebig</translation>
+        </message>
+        <message>
+            <source>%1, port %2</source>
+            <translation>%1, Port %2</translation>
+        </message>
+        <message>
+            <source>Offline</source>
+            <translation>Offline</translation>
+        </message>
+        <message>
+            <source>%1 + error</source>
+            <translation>%1 + Fehler</translation>
+        </message>
+    </context>
+    <context>
+        <name>Sm2Panel</name>
+        <message>
+            <source>SM2 events missed</source>
+            <translation>Verpasste SM2-Ereignisse</translation>
+        </message>
+        <message>
+            <source>Events</source>
+            <translation>Ereignisse</translation>
+        </message>
+        <message>
+            <source>SM event missed counter, object 0x1C32:0B or 0x1C32:0C of the slaves that have one.</source>
+            <translation>Zähler verpasster SM-Ereignisse, Objekt 0x1C32:0B oder 0x1C32:0C der Slaves, die einen haben.</translation>
+        </message>
+        <message>
+            <source>no slave has this counter</source>
+            <translation>kein Slave hat diesen Zähler</translation>
+        </message>
+        <message>
+            <source>none in the range shown</source>
+            <translation>keine im gezeigten Bereich</translation>
+        </message>
+        <message>
+            <source>%1: %2/s</source>
+            <translation>%1: %2/s</translation>
+        </message>
+    </context>
+    <context>
+        <name>StatusPanel</name>
+        <message>
+            <source>Offline</source>
+            <translation>Offline</translation>
+        </message>
+        <message>
+            <source>Starting</source>
+            <translation>Startet</translation>
+        </message>
+        <message>
+            <source>Stopping</source>
+            <translation>Hält an</translation>
+        </message>
+        <message>
+            <source>Online</source>
+            <translation>Online</translation>
+        </message>
+        <message>
+            <source>Connection</source>
+            <translation>Verbindung</translation>
+        </message>
+        <message>
+            <source>Whether the master runs, and the link carries frames</source>
+            <translation>Ob der Master läuft und der Link Frames überträgt</translation>
+        </message>
+        <message>
+            <source>Link</source>
+            <translation>Link</translation>
+        </message>
+        <message>
+            <source>What the bus is connected through</source>
+            <translation>Worüber der Bus verbunden ist</translation>
+        </message>
+        <message>
+            <source>Slaves</source>
+            <translation>Slaves</translation>
+        </message>
+        <message>
+            <source>Slaves in the master's state, of all configured</source>
+            <translation>Slaves im Zustand des Masters, von allen konfigurierten</translation>
+        </message>
+        <message>
+            <source>Slaves in sync</source>
+            <translation>Slaves synchron</translation>
+        </message>
+        <message>
+            <source>Sync window of register 0x092C over all slaves</source>
+            <translation>Sync-Fenster von Register 0x092C über alle Slaves</translation>
+        </message>
+        <message>
+            <source>Master in sync</source>
+            <translation>Master synchron</translation>
+        </message>
+        <message>
+            <source>Master synchronisation: error against its limit</source>
+            <translation>Master-Synchronisation: Fehler gegen seine Grenze</translation>
+        </message>
+        <message>
+            <source>Drift</source>
+            <translation>Drift</translation>
+        </message>
+        <message>
+            <source>Reference clock's rate against the host's</source>
+            <translation>Gang der Referenzuhr gegen den des Rechners</translation>
+        </message>
+        <message>
+            <source>Cycle time</source>
+            <translation>Zykluszeit</translation>
+        </message>
+        <message>
+            <source>Bus cycle</source>
+            <translation>Buszyklus</translation>
+        </message>
+        <message>
+            <source>Lost frames and overruns</source>
+            <translation>Verlorene Frames und Überläufe</translation>
+        </message>
+        <message>
+            <source>Frames that did not come back; cycles that began late; samples the display could not take</source>
+            <translation>Frames, die nicht zurückkamen; Zyklen, die zu spät begannen; Werte, die die Anzeige nicht aufnehmen konnte</translation>
+        </message>
+        <message>
+            <source>No link chosen</source>
+            <translation>Kein Link gewählt</translation>
+        </message>
+        <message>
+            <source>A link is chosen when scanning or going online</source>
+            <translation>Ein Link wird beim Scannen oder Onlinegehen gewählt</translation>
+        </message>
+        <message>
+            <source>Slaves %1/%2 %3</source>
+            <translation>Slaves %1/%2 %3</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n slave(s)</source>
+            <translation>
+                <numerusform>%n Slave</numerusform>
+                <numerusform>%n Slaves</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>DC: %1</source>
+            <translation>DC: %1</translation>
+        </message>
+        <message>
+            <source>DCM: %1</source>
+            <translation>DCM: %1</translation>
+        </message>
+        <message>
+            <source>Drift %1</source>
+            <translation>Drift %1</translation>
+        </message>
+        <message>
+            <source>Cycle %1</source>
+            <translation>Zyklus %1</translation>
+        </message>
+        <message>
+            <source>Lost %1  Overruns %2</source>
+            <translation>Verloren %1  Überläufe %2</translation>
+        </message>
+        <message>
+            <source>  Dropped %1</source>
+            <translation>  Verworfen %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>Sync</name>
+        <message>
+            <source>Offline</source>
+            <translation>Offline</translation>
+        </message>
+        <message>
+            <source>DC off</source>
+            <translation>DC aus</translation>
+        </message>
+    </context>
+    <context>
+        <name>SyncUnitEditor</name>
+        <message>
+            <source>Sync Unit Cycle of %1</source>
+            <translation>Sync Unit Cycle von %1</translation>
+        </message>
+        <message>
+            <source>Sync Unit Cycle</source>
+            <translation>Sync Unit Cycle</translation>
+        </message>
+        <message>
+            <source>Multiple or fraction of the bus cycle; the operation mode of the ESI proposes one</source>
+            <translation>Vielfaches oder Teil des Buszyklus; die Betriebsart der ESI schlägt einen vor</translation>
+        </message>
+        <message>
+            <source>Cycle of %1</source>
+            <translation>Zyklus von %1</translation>
+        </message>
+        <message>
+            <source>Change cycle of %1</source>
+            <translation>Zyklus von %1 ändern</translation>
+        </message>
+        <message>
+            <source>Cycle</source>
+            <translation>Zyklus</translation>
+        </message>
+        <message>
+            <source>Register 0x09A0</source>
+            <translation>Register 0x09A0</translation>
+        </message>
+        <message>
+            <source>Register 0x09A4 holds the delay from SYNC0 to SYNC1</source>
+            <translation>Register 0x09A4 enthält die Verzögerung von SYNC0 bis SYNC1</translation>
+        </message>
+        <message>
+            <source>Shift of %1</source>
+            <translation>Verschiebung von %1</translation>
+        </message>
+        <message>
+            <source>Change shift of %1</source>
+            <translation>Verschiebung von %1 ändern</translation>
+        </message>
+        <message>
+            <source>Shift</source>
+            <translation>Verschiebung</translation>
+        </message>
+        <message>
+            <source>Added to the start time, register 0x0990 (ENI DC/ShiftTime)</source>
+            <translation>Zur Startzeit addiert, Register 0x0990 (ENI DC/ShiftTime)</translation>
+        </message>
+        <message>
+            <source>Moves SYNC1 only (ENI DC/CycleTime1)</source>
+            <translation>Verschiebt nur SYNC1 (ENI DC/CycleTime1)</translation>
+        </message>
+        <message>
+            <source>As operation mode (%1)</source>
+            <translation>Wie Betriebsart (%1)</translation>
+        </message>
+        <message>
+            <source>User defined</source>
+            <translation>Benutzerdefiniert</translation>
+        </message>
+        <message>
+            <source>Factor %1</source>
+            <translation>Faktor %1</translation>
+        </message>
+        <message>
+            <source>Off in this operation mode</source>
+            <translation>Aus in dieser Betriebsart</translation>
+        </message>
+        <message>
+            <source>Change Sync Unit Cycle of SYNC%1</source>
+            <translation>Sync Unit Cycle von SYNC%1 ändern</translation>
+        </message>
+    </context>
+    <context>
+        <name>TracePanel</name>
+        <message>
+            <source>Legend: %1</source>
+            <translation>Legende: %1</translation>
+        </message>
+        <message>
+            <source>Figures: %1</source>
+            <translation>Zahlen: %1</translation>
+        </message>
+        <message>
+            <source>no samples at A or B</source>
+            <translation>keine Werte bei A oder B</translation>
+        </message>
+        <message>
+            <source>B−A %1</source>
+            <translation>B−A %1</translation>
+        </message>
+        <message>
+            <source>   min %1   max %2   mean %3</source>
+            <translation>   Min %1   Max %2   Mittel %3</translation>
+        </message>
+    </context>
+    <context>
+        <name>TracePlot</name>
+        <message>
+            <source>Time before now</source>
+            <translation>Zeit vor jetzt</translation>
+        </message>
+        <message>
+            <source>Time since start</source>
+            <translation>Zeit seit Beginn</translation>
+        </message>
+    </context>
+    <context>
+        <name>Units</name>
+        <message numerus="yes">
+            <source>%n Byte(s)</source>
+            <translation>
+                <numerusform>%n Byte</numerusform>
+                <numerusform>%n Byte</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n Bit(s)</source>
+            <translation>
+                <numerusform>%n Bit</numerusform>
+                <numerusform>%n Bit</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>WelcomePage</name>
+        <message>
+            <source>Welcome</source>
+            <translation>Willkommen</translation>
+        </message>
+        <message>
+            <source>Configure a machine, run it, and see it in sync</source>
+            <translation>Eine Maschine konfigurieren, betreiben und synchron sehen</translation>
+        </message>
+        <message>
+            <source>Begin with the simulated demonstration machine, a bus, or a project file.</source>
+            <translation>Mit der simulierten Vorführmaschine, einem Bus oder einer Projektdatei beginnen.</translation>
+        </message>
+    </context>
+    <context>
+        <name>Workspace</name>
+        <message>
+            <source>Scan</source>
+            <translation>Scannen</translation>
+        </message>
+        <message>
+            <source>Configuration</source>
+            <translation>Konfiguration</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n slave(s) found on %1</source>
+            <translation>
+                <numerusform>%n Slave auf %1 gefunden</numerusform>
+                <numerusform>%n Slaves auf %1 gefunden</numerusform>
+            </translation>
+        </message>
+    </context>
+</TS>

@@ -1,0 +1,76 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!-- SPDX-License-Identifier: Apache-2.0 -->
+<!DOCTYPE TS>
+<TS version="2.1" language="en" sourcelanguage="en">
+    <context>
+        <name>DeviceEditor</name>
+        <message numerus="yes">
+            <source>%n slave(s), cycle %1</source>
+            <translation>
+                <numerusform>%n slave, cycle %1</numerusform>
+                <numerusform>%n slaves, cycle %1</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>Events</name>
+        <message numerus="yes">
+            <source>Distributed clocks initialised: %n slave(s), reference clock at position %1</source>
+            <translation>
+                <numerusform>Distributed clocks initialised: %n slave, reference clock at position %1</numerusform>
+                <numerusform>Distributed clocks initialised: %n slaves, reference clock at position %1</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n frame(s) lost</source>
+            <translation>
+                <numerusform>%n frame lost</numerusform>
+                <numerusform>%n frames lost</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n event(s) were lost: the queue was full</source>
+            <translation>
+                <numerusform>%n event was lost: the queue was full</numerusform>
+                <numerusform>%n events were lost: the queue was full</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>StatusPanel</name>
+        <message numerus="yes">
+            <source>%n slave(s)</source>
+            <translation>
+                <numerusform>%n slave</numerusform>
+                <numerusform>%n slaves</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>Units</name>
+        <message numerus="yes">
+            <source>%n Byte(s)</source>
+            <translation>
+                <numerusform>%n byte</numerusform>
+                <numerusform>%n bytes</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n Bit(s)</source>
+            <translation>
+                <numerusform>%n bit</numerusform>
+                <numerusform>%n bits</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>Workspace</name>
+        <message numerus="yes">
+            <source>%n slave(s) found on %1</source>
+            <translation>
+                <numerusform>%n slave found on %1</numerusform>
+                <numerusform>%n slaves found on %1</numerusform>
+            </translation>
+        </message>
+    </context>
+</TS>
