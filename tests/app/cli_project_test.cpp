@@ -73,7 +73,8 @@ TEST(CliProject, SetOfEveryShownValueChangesNothing) {
   ASSERT_EQ(cli_run({"project", "create", file, "--scan", demo()}).code, cli::kDone);
   const auto before = read_text(file);
   std::vector<std::string> arguments{"project", "set", file};
-  for (const auto& [key, value] : cli_run({"project", "show", file, "--json"}).json()["settings"].items()) {
+  const auto shown = cli_run({"project", "show", file, "--json"}).json();
+  for (const auto& [key, value] : shown["settings"].items()) {
     arguments.push_back(key + "=" + value.get<std::string>());
   }
   ASSERT_GT(arguments.size(), 50U);
@@ -102,11 +103,13 @@ TEST(CliProject, EveryShownKeyIsExplained) {
   const auto file = folder.file("m.syncline");
   ASSERT_EQ(cli_run({"project", "create", file, "--scan", demo()}).code, cli::kDone);
   std::set<std::string> explained;
-  for (const auto& row : cli_run({"project", "keys", "--json"}).json()["keys"]) {
+  const auto keys = cli_run({"project", "keys", "--json"}).json();
+  for (const auto& row : keys["keys"]) {
     explained.insert(row["key"].get<std::string>());
     EXPECT_FALSE(row["meaning"].get<std::string>().empty()) << row["key"];
   }
-  for (const auto& [key, value] : cli_run({"project", "show", file, "--json"}).json()["settings"].items()) {
+  const auto shown = cli_run({"project", "show", file, "--json"}).json();
+  for (const auto& [key, value] : shown["settings"].items()) {
     auto pattern = key;
     if (pattern.starts_with("slave.")) {
       const auto end = pattern.find('.', 6);
