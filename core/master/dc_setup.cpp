@@ -21,6 +21,8 @@ constexpr Nanoseconds kReplyTimeout = 10 * kMillisecond;
 /// Before a filter length of frames (2^12) the small deviation of the beginning says nothing.
 constexpr std::uint32_t kBurstMinimum = 4096;
 constexpr std::uint32_t kSettledDeviation = 31;
+/// Quartzes far apart need more frames than planned; as many again, then it is the cyclic frames' turn.
+constexpr std::uint32_t kBurstPatience = 2;
 
 bool has_system_time(DcCapability capability) {
   return capability == DcCapability::kSystemTime32 || capability == DcCapability::kSystemTime64;
@@ -232,10 +234,11 @@ Status DcSetup::burst() {
   const auto bulk = std::max<std::uint32_t>(settings.burst_bulk, 1);
   auto next = bus_.clock().now();
   std::uint32_t sent = 0;
-  while (sent < settings.burst_total) {
+  const auto total = settings.burst_total * kBurstPatience;
+  while (sent < total) {
     if (auto status = bus_.check_cancel(); !status) return status;
     std::uint32_t deviation = ~0U;
-    const auto frames = burst_bulk(std::min(bulk, settings.burst_total - sent), deviation);
+    const auto frames = burst_bulk(std::min(bulk, total - sent), deviation);
     if (!frames) return tl::unexpected(frames.error());
     sent += *frames;
     if (sent >= kBurstMinimum && deviation <= kSettledDeviation) break;

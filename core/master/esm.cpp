@@ -307,7 +307,10 @@ Status Esm::for_slaves(const std::function<bool(std::size_t)>& applies,
   for (std::size_t i = 0; i < run_.config().slaves.size(); ++i) {
     if (!applies(i)) continue;
     auto status = step(i);
-    if (status) continue;
+    if (status) {
+      if (status = read_al_status(i); !status) return status;
+      continue;
+    }
     if (ends_everything(status.error())) return status;
     report_failure(i, status.error());
     if (result) result = std::move(status);
