@@ -92,6 +92,7 @@ void DeviationPanel::colorItems() {
 
 std::vector<LegendBar::Entry> DeviationPanel::entries(Nanoseconds time) const {
   std::vector<LegendBar::Entry> result{entry(*ored_, time)};
+  result.front().short_name = tr("upper est.");
   if (const auto reading = source().store->series(Series::kDeviationOred).at(time)) {
     result.front().value = QStringLiteral("\u2264 ") + timeText(rounded(static_cast<double>(reading->value)));
   }

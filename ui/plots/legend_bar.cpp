@@ -30,10 +30,7 @@ void LegendBar::setEntries(std::vector<Entry> entries) {
 
 QString LegendBar::text() const {
   QStringList parts;
-  for (const auto& entry : entries_) {
-    const auto name = entry.short_name.isEmpty() ? entry.name : entry.short_name + u' ' + entry.name;
-    parts << name + u' ' + entry.value;
-  }
+  for (const auto& entry : entries_) parts << entry.name + u' ' + entry.value;
   return parts.join(QStringLiteral("; "));
 }
 

@@ -95,7 +95,7 @@ QString TracePanel::measure(const SeriesItem& item, Nanoseconds begin) const {
   const auto a = item.series()->at(*cursors_->at(CursorSet::kA));
   const auto b = item.series()->at(*cursors_->at(CursorSet::kB));
   if (!a || !b) return tr("no samples at A or B");
-  const auto text = tr("B\u2212A %1").arg(valueText(static_cast<double>(b->value) - static_cast<double>(a->value)));
+  const auto text = tr("B−A %1").arg(valueText(static_cast<double>(b->value) - static_cast<double>(a->value)));
   if (statistics.count() == 0) return text;
   return text + tr("   min %1   max %2   mean %3")
                     .arg(valueText(statistics.min()), valueText(statistics.max()), valueText(statistics.mean()));
@@ -111,6 +111,7 @@ LegendBar::Entry TracePanel::entry(const SeriesItem& item, Nanoseconds time) con
 LegendBar::Entry TracePanel::slaveEntry(const SeriesItem& item, int position, Nanoseconds time) const {
   auto result = entry(item, time);
   result.short_name = u'#' + QString::number(position);
+  result.name = result.short_name + u' ' + result.name;
   return result;
 }
 
