@@ -43,6 +43,7 @@ void CyclicFrameSet::add_task(const CyclicTask& task, Nanoseconds base_cycle) {
       entry.frame = frames_.size();
       entry.divider = static_cast<std::uint64_t>(divider);
       entry.datagram.command = command.command;
+      entry.datagram.stamped = entry.role == Role::kReferenceTime || entry.role == Role::kReferenceWrite;
       entry.datagram.address =
           is_logical(command.command) ? command.logical_address : device_address(command.adp, command.ado);
       entries_.push_back(std::move(entry));
@@ -89,14 +90,13 @@ bool CyclicFrameSet::reads_deviation() const {
   return std::ranges::any_of(entries_, [](const Entry& e) { return e.selected && e.role == Role::kDeviation; });
 }
 
-void CyclicFrameSet::prepare(std::uint64_t cycle, std::optional<Nanoseconds> reference_write,
-                             std::optional<Nanoseconds> reference_time) {
+void CyclicFrameSet::prepare(std::uint64_t cycle, bool steer) {
   for (auto& frame : frames_) frame.clear();
   active_.clear();
   for (auto& entry : entries_) {
     entry.sent = entry.selected && cycle % entry.divider == 0;
     if (!entry.sent) continue;
-    fill(entry, reference_write, reference_time);
+    fill(entry, steer);
     entry.sent = frames_[entry.frame].add(entry.datagram);
   }
   for (auto& frame : frames_) {
@@ -104,20 +104,23 @@ void CyclicFrameSet::prepare(std::uint64_t cycle, std::optional<Nanoseconds> ref
   }
 }
 
-void CyclicFrameSet::fill(Entry& entry, std::optional<Nanoseconds> reference_write,
-                          std::optional<Nanoseconds> reference_time) {
+void CyclicFrameSet::fill(Entry& entry, bool steer) {
   const auto& command = *entry.command;
   std::ranges::fill(entry.data, std::uint8_t{0});
   if (entry.role == Role::kReferenceWrite) {
-    entry.datagram.command = reference_write ? command.command : Command::kNop;
-    if (reference_write) fill_time(entry, *reference_write);
-  } else if (entry.role == Role::kReferenceTime) {
-    if (reference_time) fill_time(entry, *reference_time);
+    entry.datagram.command = steer ? command.command : Command::kNop;
   } else if (command.command == Command::kLwr || command.command == Command::kLrw) {
     const auto begin = outputs_.begin() + command.output_offset + data_offset_;
     std::copy_n(begin, entry.data.size(), entry.data.begin());
-  } else {
+  } else if (entry.role != Role::kReferenceTime) {
     std::ranges::copy(command.data, entry.data.begin());
+  }
+}
+
+void CyclicFrameSet::stamp(Nanoseconds reference_time, std::optional<Nanoseconds> reference_write) {
+  for (auto& entry : entries_) {
+    if (entry.role == Role::kReferenceTime) fill_time(entry, reference_time);
+    if (entry.role == Role::kReferenceWrite && reference_write) fill_time(entry, *reference_write);
   }
 }
 

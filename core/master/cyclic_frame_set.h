@@ -24,12 +24,12 @@ class CyclicFrameSet {
   /// True when a command that is sent in the selected state reads 0x092C from all slaves.
   [[nodiscard]] bool reads_deviation() const;
 
-  /// Fills the frames of cycle number `cycle`. `reference_write`: value for the bus-shift command; without one it
-  /// travels as a NOP, because any value written to 0x0910 steers the clock. `reference_time`: what the reference
-  /// clock will show; slaves in front of it are written what the master sends, before the clock has put its own
-  /// time into the datagram.
-  void prepare(std::uint64_t cycle, std::optional<Nanoseconds> reference_write,
-               std::optional<Nanoseconds> reference_time = std::nullopt);
+  /// Fills the frames of cycle number `cycle`. `steer`: the reference clock is to be written (bus shift); if not, that
+  /// command travels as a NOP, because any value written to 0x0910 steers the clock.
+  void prepare(std::uint64_t cycle, bool steer);
+  /// Times that depend on the moment of sending, system time. `reference_time`: what the reference clock will show;
+  /// slaves in front of it are written what the master sends, before the clock has put its own time into the datagram.
+  void stamp(Nanoseconds reference_time, std::optional<Nanoseconds> reference_write);
   [[nodiscard]] std::span<PendingFrame* const> frames() const { return active_; }
 
   /// What the answers of this cycle say.
@@ -62,7 +62,7 @@ class CyclicFrameSet {
   static Role role_of(const CyclicCmd& command);
   void add_task(const CyclicTask& task, Nanoseconds base_cycle);
   void size_images(const NetworkConfig& config);
-  void fill(Entry& entry, std::optional<Nanoseconds> reference_write, std::optional<Nanoseconds> reference_time);
+  void fill(Entry& entry, bool steer);
   static void fill_time(Entry& entry, Nanoseconds time);
   void read(const Entry& entry, Reading& reading);
   void store_inputs(const Entry& entry);

@@ -32,25 +32,40 @@ void CyclicTaskRunner::start(Nanoseconds first_cycle) { scheduled_ = first_cycle
 
 Status CyclicTaskRunner::run_cycle(std::span<Datagram* const> acyclic) {
   clock_.sleep_until(scheduled_);
+  send_time_ = clock_.now();
   CycleSample sample;
   sample.cycle = run_.snapshot.cycles;
-  const auto send_time = clock_.now();
-  sample.send_time = send_time;
-  sample.wake_lateness_ns = to_32(send_time - scheduled_);
-  if (send_time - scheduled_ >= cycle_time_) {
-    sample.flags |= CycleSample::kOverrun;
-    ++run_.snapshot.overruns;
-  }
-  frames_.prepare(sample.cycle, sync_.reference_write(send_time, scheduled_),
-                  sync_.active() ? std::optional(sync_.reference_time_at(send_time)) : std::nullopt);
-  fill_acyclic(acyclic, send_time);
+  steering_ = sync_.reference_write(send_time_, scheduled_).has_value();
+  frames_.prepare(sample.cycle, steering_);
+  fill_acyclic(acyclic, send_time_);
   const auto lost_before = exchange_.lost_frames();
   const auto status = exchange_frames(scheduled_ + cycle_time_ * 8 / 10);
-  health_.observe_lost(exchange_.lost_frames() - lost_before, send_time, sample);
-  evaluate(send_time, sample);
+  note_sending(sample);
+  health_.observe_lost(exchange_.lost_frames() - lost_before, send_time_, sample);
+  evaluate(sample);
   finish_sample(sample);
   schedule_next(adjust_);
   return status;
+}
+
+void CyclicTaskRunner::stamp(Nanoseconds send_time) {
+  if (!sync_.active()) return;
+  frames_.stamp(sync_.reference_time_at(send_time),
+                steering_ ? sync_.reference_write(send_time, scheduled_) : std::nullopt);
+}
+
+void CyclicTaskRunner::note_sending(CycleSample& sample) {
+  const auto sent = frames_.frames();
+  if (!sent.empty()) {
+    const auto& first = *sent.front();
+    send_time_ = first.send_time();
+    if (first.answered()) sample.round_trip_ns = to_32(first.arrival_time() - first.send_time());
+  }
+  sample.send_time = send_time_;
+  sample.wake_lateness_ns = to_32(send_time_ - scheduled_);
+  if (send_time_ - scheduled_ < cycle_time_) return;
+  sample.flags |= CycleSample::kOverrun;
+  ++run_.snapshot.overruns;
 }
 
 void CyclicTaskRunner::fill_acyclic(std::span<Datagram* const> requests, Nanoseconds now) {
@@ -67,7 +82,7 @@ Status CyclicTaskRunner::exchange_frames(Nanoseconds deadline) {
   in_flight_.clear();
   Status status;
   const auto send = [&](PendingFrame& frame) {
-    if (auto sent = exchange_.send(frame); sent) {
+    if (auto sent = exchange_.send(frame, this); sent) {
       in_flight_.push_back(&frame);
     } else {
       status = tl::unexpected(sent.error());
@@ -81,26 +96,21 @@ Status CyclicTaskRunner::exchange_frames(Nanoseconds deadline) {
   return status;
 }
 
-std::optional<Nanoseconds> CyclicTaskRunner::reference_time(const CyclicFrameSet::Reading& reading,
-                                                      Nanoseconds send_time) const {
+std::optional<Nanoseconds> CyclicTaskRunner::reference_time(const CyclicFrameSet::Reading& reading) const {
   if (!reading.reference_time) return std::nullopt;
   if (reading.reference_is_64bit) return static_cast<Nanoseconds>(*reading.reference_time);
-  return sync_.extend(static_cast<std::uint32_t>(*reading.reference_time), send_time);
+  return sync_.extend(static_cast<std::uint32_t>(*reading.reference_time), send_time_);
 }
 
-void CyclicTaskRunner::evaluate(Nanoseconds send_time, CycleSample& sample) {
+void CyclicTaskRunner::evaluate(CycleSample& sample) {
   const auto reading = frames_.evaluate();
-  const auto sent = frames_.frames();
-  if (!sent.empty() && sent.front()->answered()) {
-    sample.round_trip_ns = to_32(sent.front()->arrival_time() - sent.front()->send_time());
-  }
-  health_.observe_wkc(reading.wkc_expected, reading.wkc_received, send_time, sample);
+  health_.observe_wkc(reading.wkc_expected, reading.wkc_received, send_time_, sample);
   if (reading.al_status) slaves_.observe_broadcast(*reading.al_status, *reading.al_status_wkc);
-  const auto all = slaves_.take(send_time, sample);
-  sm2_.take(send_time, sample);
-  adjust_ = sync_.observe_cycle({send_time, scheduled_, reference_time(reading, send_time)}, sample);
+  const auto all = slaves_.take(send_time_, sample);
+  sm2_.take(send_time_, sample);
+  adjust_ = sync_.observe_cycle({send_time_, scheduled_, reference_time(reading)}, sample);
   const auto deviation = reading.deviation_ored ? reading.deviation_ored : all;
-  if (deviation && sync_.active()) sync_.observe_deviation(send_time, *deviation, sample);
+  if (deviation && sync_.active()) sync_.observe_deviation(send_time_, *deviation, sample);
 }
 
 void CyclicTaskRunner::finish_sample(CycleSample& sample) {

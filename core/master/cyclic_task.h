@@ -18,7 +18,7 @@ namespace syncline {
 /// The bus cycle: wakes on its absolute schedule, stamps and sends the cyclic frames and one acyclic
 /// frame, collects the answers and hands them to those who watch. In the steady cycle it allocates,
 /// locks, logs and throws nothing (the snapshot is only published when nobody reads it just then).
-class CyclicTaskRunner final : public CyclePump {
+class CyclicTaskRunner final : public CyclePump, private SendStamp {
  public:
   CyclicTaskRunner(FrameExchange& exchange, Clock& clock, RunState& run, SyncWatch& sync);
 
@@ -37,12 +37,13 @@ class CyclicTaskRunner final : public CyclePump {
   void publish();
 
  private:
+  void stamp(Nanoseconds send_time) override;
+  void note_sending(CycleSample& sample);
   void fill_acyclic(std::span<Datagram* const> requests, Nanoseconds now);
   Status exchange_frames(Nanoseconds deadline);
-  void evaluate(Nanoseconds send_time, CycleSample& sample);
+  void evaluate(CycleSample& sample);
   void schedule_next(Nanoseconds adjust);
-  [[nodiscard]] std::optional<Nanoseconds> reference_time(const CyclicFrameSet::Reading& reading,
-                                                          Nanoseconds send_time) const;
+  [[nodiscard]] std::optional<Nanoseconds> reference_time(const CyclicFrameSet::Reading& reading) const;
   void finish_sample(CycleSample& sample);
 
   FrameExchange& exchange_;
@@ -57,6 +58,8 @@ class CyclicTaskRunner final : public CyclePump {
   std::vector<PendingFrame*> in_flight_;
   Nanoseconds cycle_time_;
   Nanoseconds scheduled_ = 0;
+  Nanoseconds send_time_ = 0;      // of this cycle's first frame
+  bool steering_ = false;
   Nanoseconds last_published_ = 0;
   Nanoseconds adjust_ = 0;
 };

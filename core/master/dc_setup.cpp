@@ -17,6 +17,8 @@ namespace {
 
 constexpr int kLatchRounds = 20;
 constexpr std::uint16_t kSpeedCounterDefault = 0x1000;
+/// Averages 2^4 differences: what the host writes jitters with its send times, what slaves are written does not.
+constexpr std::uint8_t kSteeredFilterDepth = 4;
 constexpr Nanoseconds kReplyTimeout = 10 * kMillisecond;
 /// Before a filter length of frames (2^12) the small deviation of the beginning says nothing.
 constexpr std::uint32_t kBurstMinimum = 4096;
@@ -174,6 +176,10 @@ Status DcSetup::write_times(const Latch& latch) {
     if (!wide) offset_bytes.resize(4);
     auto delay_bytes = le_bytes(slave.delay_ns);
     auto speed_bytes = le_bytes(kSpeedCounterDefault);
+    if (i == network_.reference_clock && config_.dc.dcm.mode == DcmMode::kBusShift) {
+      const auto depth = bus_.write(Command::kFpwr, stations_[i], reg::kFilterDepthDifference, kSteeredFilterDepth);
+      if (!depth) return tl::unexpected(depth.error());
+    }
     std::array<Datagram, 3> writes{{
         {Command::kFpwr, device_address(stations_[i], reg::kSystemTimeOffset), offset_bytes},
         {Command::kFpwr, device_address(stations_[i], reg::kSystemTimeDelay), delay_bytes},
@@ -187,35 +193,37 @@ Status DcSetup::write_times(const Latch& latch) {
   return {};
 }
 
-Result<Nanoseconds> DcSetup::burst_frame(std::uint32_t* deviation_ored) {
+void DcSetup::stamp(Nanoseconds send_time) {
+  if (!anchor_) return;
+  const auto expected = static_cast<std::uint32_t>(send_time + *anchor_);
+  store_le(time_bytes_, expected);  // for slaves in front of the reference clock
+  store_le(steer_bytes_, expected);
+}
+
+Status DcSetup::burst_frame(std::uint32_t* deviation_ored) {
   const auto adp = Position{network_.reference_clock}.auto_increment_address();
-  std::array<std::uint8_t, 4> time{}, steer{}, deviation{};
-  Datagram read{Command::kArmw, device_address(adp, reg::kSystemTime), time};
-  Datagram write{Command::kApwr, device_address(adp, reg::kSystemTime), steer};
+  std::array<std::uint8_t, 4> deviation{};
+  time_bytes_.fill(0);
+  Datagram read{Command::kArmw, device_address(adp, reg::kSystemTime), time_bytes_};
+  Datagram steer{Command::kApwr, device_address(adp, reg::kSystemTime), steer_bytes_};
   Datagram window{Command::kBrd, device_address(0, reg::kSystemTimeDifference), deviation};
+  read.stamped = steer.stamped = true;
   frame_.clear();
   (void)frame_.add(read);
-  if (anchor_) {
-    const auto expected = static_cast<std::uint32_t>(bus_.clock().now() + *anchor_);
-    store_le(time, expected);  // for slaves in front of the reference clock
-    store_le(steer, expected);
-    if (config_.dc.dcm.mode == DcmMode::kBusShift) (void)frame_.add(write);
-  }
+  if (anchor_ && config_.dc.dcm.mode == DcmMode::kBusShift) (void)frame_.add(steer);
   if (deviation_ored != nullptr) (void)frame_.add(window);
-  if (auto status = bus_.exchange().send(frame_); !status) return tl::unexpected(status.error());
+  if (auto status = bus_.exchange().send(frame_, this); !status) return status;
   PendingFrame* frames[] = {&frame_};
-  if (auto status = bus_.exchange().collect(frames, frame_.send_time() + kReplyTimeout); !status) {
-    return tl::unexpected(status.error());
-  }
+  if (auto status = bus_.exchange().collect(frames, frame_.send_time() + kReplyTimeout); !status) return status;
   if (read.wkc > 0) {
     network_.host_time = frame_.send_time();
-    network_.reference_time = dc::extend_32bit(load_le<std::uint32_t>(time), frame_.send_time());
+    network_.reference_time = dc::extend_32bit(load_le<std::uint32_t>(time_bytes_), frame_.send_time());
     if (!anchor_) anchor_ = network_.reference_time - network_.host_time;
   }
   if (deviation_ored != nullptr && window.answered) {
     *deviation_ored = SystemTimeDifference{load_le<std::uint32_t>(deviation)}.magnitude();
   }
-  return frame_.send_time();
+  return {};
 }
 
 Result<std::uint32_t> DcSetup::burst_bulk(std::uint32_t frames, std::uint32_t& deviation_ored) {
@@ -223,7 +231,9 @@ Result<std::uint32_t> DcSetup::burst_bulk(std::uint32_t frames, std::uint32_t& d
   const auto end = bus_.clock().now() + config_.cycle_time() * 6 / 10;
   std::uint32_t sent = 0;
   while (sent < frames && (sent == 0 || bus_.clock().now() < end)) {
-    if (auto time = burst_frame(sent == 0 ? &deviation_ored : nullptr); !time) return tl::unexpected(time.error());
+    if (auto status = burst_frame(sent == 0 ? &deviation_ored : nullptr); !status) {
+      return tl::unexpected(status.error());
+    }
     ++sent;
   }
   return sent;
@@ -247,7 +257,7 @@ Status DcSetup::burst() {
   }
   std::uint32_t deviation = 0;
   for (int attempt = 0; attempt < 4 && network_.reference_time == 0; ++attempt) {
-    if (auto time = burst_frame(&deviation); !time) return tl::unexpected(time.error());
+    if (auto status = burst_frame(&deviation); !status) return status;
   }
   if (network_.reference_time == 0) {
     return fail(ErrorCode::kDcSetup, subject(network_.reference_clock), "its system time cannot be read");

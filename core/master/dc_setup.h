@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -31,7 +32,7 @@ struct DcNetwork {
 /// Measures the propagation delays, sets offsets and delays, and lets the slaves learn their drift by a
 /// burst of ARMW frames (reference: ESC data sheet I, 9.1). Slaves must have their station addresses;
 /// no cyclic operation. An ENI has no commands for this: every master does it by itself.
-class DcSetup {
+class DcSetup : private SendStamp {
  public:
   DcSetup(Bus& bus, const NetworkConfig& config) : bus_(bus), config_(config) {}
 
@@ -47,7 +48,8 @@ class DcSetup {
   Status write_times(const Latch& latch);
   Status burst();
   Result<std::uint32_t> burst_bulk(std::uint32_t frames, std::uint32_t& deviation_ored);
-  Result<Nanoseconds> burst_frame(std::uint32_t* deviation_ored);
+  Status burst_frame(std::uint32_t* deviation_ored);
+  void stamp(Nanoseconds send_time) override;
   [[nodiscard]] std::string subject(std::size_t slave) const;
 
   Bus& bus_;
@@ -56,6 +58,7 @@ class DcSetup {
   std::vector<dc::DelayNode> nodes_;
   DcNetwork network_;
   std::optional<Nanoseconds> anchor_;  // reference minus host at the first burst frame
+  std::array<std::uint8_t, 4> time_bytes_{}, steer_bytes_{};
   PendingFrame frame_;
 };
 

@@ -31,18 +31,32 @@ void FrameExchange::set_addresses(const MacAddress& destination, const MacAddres
   builder_.set_addresses(destination, source);
 }
 
-Status FrameExchange::send(PendingFrame& frame) {
+Status FrameExchange::send(PendingFrame& frame, SendStamp* stamp) {
   builder_.reset();
   frame.index_ = next_index_++;
+  std::size_t stamped = 0;
   for (const auto* datagram : frame.datagrams()) {
-    (void)builder_.add(datagram->command, frame.index_, datagram->address, datagram->data);
+    const auto area = builder_.add(datagram->command, frame.index_, datagram->address, datagram->data);
+    if (datagram->stamped && area && stamped < kMaxStamped) stamped_areas_[stamped++] = *area;
   }
   frame.answered_ = false;
   const auto bytes = builder_.finish();
   frame.send_time_ = clock_.now();
+  if (stamp != nullptr) {
+    stamp->stamp(frame.send_time_);
+    refill_stamped(frame);
+  }
   auto status = link_.send(bytes);
   frame.in_flight_ = status.has_value();
   return status;
+}
+
+void FrameExchange::refill_stamped(const PendingFrame& frame) {
+  std::size_t next = 0;
+  for (const auto* datagram : frame.datagrams()) {
+    if (!datagram->stamped || next == kMaxStamped) continue;
+    std::ranges::copy(datagram->data, stamped_areas_[next++].begin());
+  }
 }
 
 Status FrameExchange::collect(std::span<PendingFrame* const> frames, Nanoseconds deadline) {

@@ -18,8 +18,18 @@ struct Datagram {
   std::span<std::uint8_t> data;  // sent; overwritten by what comes back when answered
   std::uint16_t wkc = 0;
   bool answered = false;
+  bool stamped = false;          // the data depend on the send time: SendStamp fills them
 
   [[nodiscard]] bool done() const { return answered && wkc > 0; }
+};
+
+/// Fills datagrams whose data depend on the moment of sending. Called when the frame is built and
+/// nothing but the link's send() is still to come, so that the stamp is as near to the wire as software
+/// can be.
+class SendStamp {
+ public:
+  virtual ~SendStamp() = default;
+  virtual void stamp(Nanoseconds send_time) = 0;
 };
 
 /// One frame on its way with the datagrams in it. Allocates nothing.
@@ -55,8 +65,8 @@ class FrameExchange {
   FrameExchange(Link& link, Clock& clock) : link_(link), clock_(clock) {}
   void set_addresses(const MacAddress& destination, const MacAddress& source);
 
-  /// Stamps, builds and sends the frame. kLinkIo, kLinkDown from the link.
-  Status send(PendingFrame& frame);
+  /// Builds, stamps and sends the frame. kLinkIo, kLinkDown from the link.
+  Status send(PendingFrame& frame, SendStamp* stamp = nullptr);
   /// Receives until every frame that was sent is answered or `deadline` has passed; frames that did
   /// not come back are counted as lost. Replies that fit none of them are dropped and counted.
   Status collect(std::span<PendingFrame* const> frames, Nanoseconds deadline);
@@ -67,6 +77,9 @@ class FrameExchange {
   [[nodiscard]] const Link& link() const { return link_; }
 
  private:
+  static constexpr std::size_t kMaxStamped = 8;
+
+  void refill_stamped(const PendingFrame& frame);
   bool accept(PendingFrame& frame, std::span<std::uint8_t> bytes);
   bool dispatch(std::span<PendingFrame* const> frames, const ReceivedFrame& received);
 
@@ -74,6 +87,7 @@ class FrameExchange {
   Clock& clock_;
   FrameBuilder builder_;
   std::array<std::uint8_t, 1536> buffer_{};
+  std::array<std::span<std::uint8_t>, kMaxStamped> stamped_areas_{};
   std::uint8_t next_index_ = 0;
   std::uint64_t lost_ = 0, stray_ = 0;
 };
