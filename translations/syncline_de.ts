@@ -1177,12 +1177,12 @@
             <translation>Automatisch (erster mit DC)</translation>
         </message>
         <message>
-            <source>%1 of %2</source>
-            <translation>%1 von %2</translation>
-        </message>
-        <message>
             <source>%1 / %2</source>
             <translation>%1 / %2</translation>
+        </message>
+        <message>
+            <source>%1 (limit %2)</source>
+            <translation>%1 (Grenze %2)</translation>
         </message>
     </context>
     <context>

@@ -116,6 +116,8 @@ TEST_F(MachineFlow, ScansConfiguresExportsRunsAndGetsInSync) {
   configureMaster(reference);
   workspace_.configuration().current();
   EXPECT_EQ(workspace_.messages().count(ui::Severity::kWarning), 0) << messages();
+  const auto marks = workspace_.network().indexOf(reference).data(ui::NetworkModel::kMarksRole).toStringList();
+  EXPECT_TRUE(marks.contains(QStringLiteral("REF")));
   EXPECT_EQ(project().master.dc.reference_clock, static_cast<std::uint16_t>(reference));
   EXPECT_EQ(project().master.dc.dcm.mode, DcmMode::kMasterShift);
   EXPECT_TRUE(project().master.dc.sync_window.enabled);

@@ -44,16 +44,20 @@ TEST(NetworkModel, HasMasterAndSlavesInBusOrder) {
   EXPECT_EQ(model.index(1, 0, root).parent(), root);
 }
 
-TEST(NetworkModel, MarksTheReferenceClock) {
+TEST(NetworkModel, MarksTheReferenceClockThatWasCompiled) {
   NetworkModel model;
-  auto project = smallProject();
-  model.setProject(project);
+  model.setProject(smallProject());
+  NetworkConfig config;
+  config.slaves.resize(3);
+  config.slaves[1].dc = SlaveDcConfig{};
+  config.slaves[2].dc = SlaveDcConfig{};
+  config.slaves[1].dc->reference_clock = true;
+  model.setConfiguration(&config);
   EXPECT_EQ(model.indexOf(0).data(NetworkModel::kMarksRole).toStringList(), QStringList());
   EXPECT_EQ(model.indexOf(1).data(NetworkModel::kMarksRole).toStringList(), marks({"REF", "DC"}));
-  project.master.dc.reference_clock = 2;
-  model.setProject(project);
-  EXPECT_EQ(model.indexOf(1).data(NetworkModel::kMarksRole).toStringList(), marks({"DC"}));
-  EXPECT_EQ(model.indexOf(2).data(NetworkModel::kMarksRole).toStringList(), marks({"REF", "DC"}));
+  EXPECT_EQ(model.indexOf(2).data(NetworkModel::kMarksRole).toStringList(), marks({"DC"}));
+  model.setConfiguration(nullptr);
+  EXPECT_EQ(model.indexOf(1).data(NetworkModel::kMarksRole).toStringList(), QStringList());
 }
 
 TEST(NetworkModel, TellsOnlyOfTheSlavesThatChanged) {

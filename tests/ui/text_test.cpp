@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <QCoreApplication>
 #include <QLocale>
 #include <QTranslator>
 #include <algorithm>
@@ -10,6 +11,8 @@
 #include "protocol/error_text.h"
 #include "ui/text/error_text.h"
 #include "ui/text/event_text.h"
+#include "ui/panels/status_panel.h"
+#include "ui/text/translations.h"
 #include "ui/text/units.h"
 
 namespace syncline::ui {
@@ -39,6 +42,21 @@ TEST(Units, FollowTheUsersLocaleOnScreenOnly) {
   QLocale::setDefault(QLocale::c());
   EXPECT_EQ(microsecondsSetting(1'000'000), QStringLiteral("1000"));
   EXPECT_EQ(microsecondsSetting(-1), QStringLiteral("-0.001"));
+}
+
+TEST(Units, NeverShowANegativeZero) {
+  EXPECT_EQ(plain(ppmText(-0.001)), QStringLiteral("0.00 ppm"));
+  EXPECT_EQ(plain(ppmText(12.345)), QStringLiteral("+12.35 ppm"));
+}
+
+/// German is complete, and the window's classes find it.
+TEST(Translations, GermanReachesTheClasses) {
+  ASSERT_TRUE(installTranslation(QStringLiteral("de")));
+  EXPECT_EQ(StatusPanel::tr("Starting"), QStringLiteral("Startet"));
+  EXPECT_EQ(errorText(Error{ErrorCode::kCancelled}), QStringLiteral("Abgebrochen."));
+  EXPECT_EQ(bitsText(8), QStringLiteral("1 Byte"));
+  for (auto* translator : QCoreApplication::instance()->findChildren<QTranslator*>()) delete translator;
+  QLocale::setDefault(QLocale::c());
 }
 
 TEST(ErrorText, EveryTemplateIsKnownToTheTranslations) {

@@ -15,30 +15,17 @@ namespace {
 constexpr quintptr kMasterId = 0;
 constexpr quintptr kSlaveId = 1;
 
-/// Position of the slave that leads: the chosen one, else the first with DC on.
-int configuredReference(const Project& project) {
-  if (!project.master.dc.enabled) return -1;
-  if (project.master.dc.reference_clock) return *project.master.dc.reference_clock;
-  for (std::size_t i = 0; i < project.slaves.size(); ++i) {
-    if (!project.slaves[i].dc.op_mode.empty()) return static_cast<int>(i);
-  }
-  return -1;
-}
-
 }  // namespace
 
 NetworkModel::NetworkModel(QObject* parent) : QAbstractItemModel(parent) {}
 
 void NetworkModel::setProject(const Project& project) {
-  const int reference = configuredReference(project);
   std::vector<Node> slaves;
   slaves.reserve(project.slaves.size());
   for (const auto& slave : project.slaves) {
     Node node;
     node.name = QString::fromStdString(slave.name);
     node.device = QString::fromStdString(slave.device.type);
-    node.dc = !slave.dc.op_mode.empty();
-    node.configured_reference = static_cast<int>(slaves.size()) == reference;
     node.station_address = slave.station_address;
     slaves.push_back(std::move(node));
   }
@@ -58,9 +45,20 @@ void NetworkModel::assign(std::vector<Node> slaves) {
   for (std::size_t i = 0; i < slaves.size(); ++i) {
     slaves[i].al_status = slaves_[i].al_status;
     slaves[i].live_reference = slaves_[i].live_reference;
+    slaves[i].dc = slaves_[i].dc;
+    slaves[i].configured_reference = slaves_[i].configured_reference;
   }
   slaves_ = std::move(slaves);
   if (!slaves_.empty()) Q_EMIT dataChanged(index(0, 0, root), index(static_cast<int>(slaves_.size()) - 1, 0, root));
+}
+
+void NetworkModel::setConfiguration(const NetworkConfig* config) {
+  for (std::size_t i = 0; i < slaves_.size(); ++i) {
+    const auto* dc = config != nullptr && i < config->slaves.size() && config->slaves[i].dc ? &*config->slaves[i].dc : nullptr;
+    slaves_[i].dc = dc != nullptr;
+    slaves_[i].configured_reference = dc != nullptr && dc->reference_clock;
+  }
+  if (!slaves_.empty()) Q_EMIT dataChanged(indexOf(0), indexOf(static_cast<int>(slaves_.size()) - 1));
 }
 
 void NetworkModel::setSnapshot(const Snapshot& snapshot) {

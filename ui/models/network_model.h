@@ -4,6 +4,7 @@
 #include <QAbstractItemModel>
 #include <vector>
 
+#include "config/network_config.h"
 #include "config/project.h"
 #include "master/channels.h"
 
@@ -24,6 +25,8 @@ class NetworkModel final : public QAbstractItemModel {
   explicit NetworkModel(QObject* parent = nullptr);
 
   void setProject(const Project& project);
+  /// Marks who uses distributed clocks and who leads, as compiled; nullptr when nothing could be compiled.
+  void setConfiguration(const NetworkConfig* config);
   /// Live states; one dataChanged over the rows that differ.
   void setSnapshot(const Snapshot& snapshot);
   [[nodiscard]] QModelIndex indexOf(int slave) const;

@@ -226,7 +226,7 @@ void MasterDcPage::showLive(const Snapshot& snapshot) {
   dcm_state_->setState(master.tone, master.text);
   const bool dc = snapshot.online && snapshot.dc.enabled;
   deviation_->setText(dc && snapshot.dc.monitored
-                          ? tr("%1 of %2").arg(timeText(snapshot.dc.deviation_ored_ns), timeText(snapshot.dc.limit_ns))
+                          ? tr("%1 (limit %2)").arg(timeText(snapshot.dc.deviation_ored_ns), timeText(snapshot.dc.limit_ns))
                           : none);
   settled_->setText(dc ? afterText(snapshot.dc.settled_after_ms) : none);
   leader_->setText(dc && snapshot.dc.reference_clock >= 0

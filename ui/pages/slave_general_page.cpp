@@ -142,7 +142,7 @@ void SlaveGeneralPage::showLive(const Snapshot& snapshot) {
   if (!snapshot.online || node() < 0 || at >= snapshot.slaves.size()) {
     state_->setState(theme::Tone::kNeutral, tr("Offline"));
     status_code_->setText(QStringLiteral("\u2013"));
-    meaning_->clear();
+    meaning_->hide();
     return;
   }
   const auto& status = snapshot.slaves[at];
@@ -152,8 +152,8 @@ void SlaveGeneralPage::showLive(const Snapshot& snapshot) {
                    failed ? tr("%1 + error").arg(stateName(state)) : stateName(state));
   status_code_->setText(hexText(status.al_status_code, 4));
   const auto text = al_status_code_text(status.al_status_code);
-  meaning_->setText(status.al_status_code == 0 ? QString()
-                                               : QStringLiteral("%1. %2").arg(fromView(text.meaning), fromView(text.check)));
+  meaning_->setText(QStringLiteral("%1. %2").arg(fromView(text.meaning), fromView(text.check)));
+  meaning_->setVisible(status.al_status_code != 0);
 }
 
 }  // namespace syncline::ui

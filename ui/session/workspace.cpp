@@ -15,8 +15,14 @@ Workspace::Workspace(Environment environment, QObject* parent)
       scan_(environment_.open_link, environment_.esi_folders),
       live_(environment_.open_link) {
   network_.setProject(document_.project());
-  connect(&document_, &ProjectDocument::projectChanged, this, [this] { network_.setProject(document_.project()); });
-  connect(&configuration_, &ConfigurationMonitor::compiled, this, &Workspace::showFindings);
+  connect(&document_, &ProjectDocument::projectChanged, this, [this] {
+    network_.setProject(document_.project());
+    network_.setConfiguration(configuration_.config());
+  });
+  connect(&configuration_, &ConfigurationMonitor::compiled, this, [this] {
+    network_.setConfiguration(configuration_.config());
+    showFindings();
+  });
   connect(&live_, &LiveSession::snapshotChanged, this, [this] { network_.setSnapshot(live_.snapshot()); });
   connect(&live_, &LiveSession::eventArrived, this, [this](const Event& event) {
     if (auto message = messageOf(event, document_.project())) messages_.append(std::move(*message));

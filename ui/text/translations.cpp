@@ -4,13 +4,28 @@
 #include <QCoreApplication>
 #include <QLocale>
 #include <QTranslator>
+#include <string_view>
 
 namespace syncline::ui {
 
 namespace {
 
+/// lupdate names a context after the class alone where namespaces are nested in one line; tr() asks with
+/// the namespaces.
+class ClassContextTranslator final : public QTranslator {
+ public:
+  using QTranslator::QTranslator;
+  [[nodiscard]] QString translate(const char* context, const char* source, const char* disambiguation,
+                                  int n) const override {
+    constexpr std::string_view kNamespace = "syncline::ui::";
+    const std::string_view name(context);
+    return QTranslator::translate(name.starts_with(kNamespace) ? context + kNamespace.size() : context, source,
+                                  disambiguation, n);
+  }
+};
+
 bool install(const QLocale& locale) {
-  auto* translator = new QTranslator(QCoreApplication::instance());
+  auto* translator = new ClassContextTranslator(QCoreApplication::instance());
   if (!translator->load(locale, QStringLiteral("syncline"), QStringLiteral("_"), QStringLiteral(":/translations"))) {
     delete translator;
     return false;

@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 #include <QLocale>
+#include <cmath>
 #include <cstdlib>
 
 namespace syncline::ui {
@@ -49,8 +50,9 @@ QString cycleText(Nanoseconds value) {
 }
 
 QString ppmText(double ppm) {
-  const auto text = withUnit(QLocale().toString(ppm, 'f', 2), QStringLiteral("ppm"));
-  return ppm > 0 ? u'+' + text : text;
+  const double shown = std::round(ppm * 100) / 100 + 0.0;  // + 0.0: no "-0.00"
+  const auto text = withUnit(QLocale().toString(shown, 'f', 2), QStringLiteral("ppm"));
+  return shown > 0 ? u'+' + text : text;
 }
 
 QString countText(std::uint64_t value) { return QLocale().toString(static_cast<qulonglong>(value)); }
