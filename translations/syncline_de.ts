@@ -240,6 +240,10 @@
             <source>peak ≤ %1</source>
             <translation>Spitze ≤ %1</translation>
         </message>
+        <message>
+            <source>upper est.</source>
+            <translation>obere Sch.</translation>
+        </message>
     </context>
     <context>
         <name>DeviceEditor</name>
@@ -1184,6 +1188,10 @@
             <source>%1 (limit %2)</source>
             <translation>%1 (Grenze %2)</translation>
         </message>
+        <message>
+            <source>at once</source>
+            <translation>sofort</translation>
+        </message>
     </context>
     <context>
         <name>MasterGeneralPage</name>
@@ -1210,10 +1218,6 @@
         <message>
             <source>Slaves with DC</source>
             <translation>Slaves mit DC</translation>
-        </message>
-        <message>
-            <source>Operation mode other than none</source>
-            <translation>Mit gewählter Betriebsart</translation>
         </message>
         <message>
             <source>Inputs</source>
@@ -1350,6 +1354,10 @@
         <message>
             <source>%1 of %2</source>
             <translation>%1 von %2</translation>
+        </message>
+        <message>
+            <source>Slaves whose distributed clock is set up (ENI Slave/DC)</source>
+            <translation>Slaves, deren Distributed Clock eingerichtet wird (ENI Slave/DC)</translation>
         </message>
     </context>
     <context>
@@ -2006,7 +2014,7 @@ Einstellung %2</translation>
         </message>
         <message>
             <source>none in the range shown</source>
-            <translation>keine im gezeigten Bereich</translation>
+            <translation>keine im Bereich</translation>
         </message>
         <message>
             <source>%1: %2/s</source>

@@ -93,7 +93,7 @@ int main(int argc, char* argv[]) {
     return renderScreenshots(window, workspace, QString::fromStdString(demo_link(true)), options.screenshots) ? 0 : 1;
   }
   QTimer::singleShot(0, &window, [&] { begin(options, window, workspace); });
-  if (options.exit_after_ms > 0) QTimer::singleShot(options.exit_after_ms, &app, &QApplication::quit);
+  if (options.exit_after_ms > 0) QTimer::singleShot(options.exit_after_ms, &app, [] { QApplication::exit(0); });  // asks nothing, unlike quit()
   const int result = QApplication::exec();
   if (options.theme.isEmpty()) settings.setValue(kThemeSetting, ui::theme::modeName(ui::theme::current()));
   workspace.live().shutDown();

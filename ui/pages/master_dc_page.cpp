@@ -217,8 +217,9 @@ void MasterDcPage::refresh() {
 
 void MasterDcPage::showLive(const Snapshot& snapshot) {
   const auto none = QStringLiteral("\u2013");
-  const auto afterText = [&none](const std::optional<double>& ms) {
-    return ms ? timeText(static_cast<Nanoseconds>(*ms * 1e6)) : none;
+  const auto afterText = [&none](const std::optional<double>& ms) -> QString {
+    if (!ms) return none;
+    return *ms < 1 ? tr("at once") : timeText(static_cast<Nanoseconds>(*ms * 1e6));
   };
   const auto slaves = slavesSync(snapshot);
   dc_state_->setState(slaves.tone, slaves.text);

@@ -49,7 +49,7 @@ MasterGeneralPage::MasterGeneralPage(Workspace& workspace) : Page(workspace, "ma
   buildSettings(*columns->add(0, tr("Settings")));
   auto* information = columns->add(0, tr("Configuration"));
   slaves_ = information->addValue("masterSlaves", tr("Slaves"), tr("Configured slaves"));
-  dc_slaves_ = information->addValue("masterDcSlaves", tr("Slaves with DC"), tr("Operation mode other than none"));
+  dc_slaves_ = information->addValue("masterDcSlaves", tr("Slaves with DC"), tr("Slaves whose distributed clock is set up (ENI Slave/DC)"));
   inputs_ = information->addValue("masterInputs", tr("Inputs"), tr("Input process image (ENI ProcessImage/Inputs)"));
   outputs_ = information->addValue("masterOutputs", tr("Outputs"), tr("Output process image (ENI ProcessImage/Outputs)"));
   frame_ = information->addValue("masterFrame", tr("Cyclic frames"), tr("Bytes and time on the wire at 100 Mbit/s, each cycle"));
@@ -127,10 +127,11 @@ void MasterGeneralPage::refresh() {
     if (known < 0) cycle_->setEditText(cycleNumber(project.master.cycle_time));
   }
   slaves_->setText(countText(project.slaves.size()));
-  dc_slaves_->setText(countText(static_cast<std::uint64_t>(
-      std::ranges::count_if(project.slaves, [](const SlaveSettings& slave) { return !slave.dc.op_mode.empty(); }))));
   const auto* config = workspace().configuration().config();
   const auto none = QStringLiteral("\u2013");
+  dc_slaves_->setText(config != nullptr ? countText(static_cast<std::uint64_t>(std::ranges::count_if(
+                                              config->slaves, [](const SlaveConfig& slave) { return slave.dc.has_value(); })))
+                                        : none);
   inputs_->setText(config != nullptr ? bitsText(config->image.input_bytes * 8) : none);
   outputs_->setText(config != nullptr ? bitsText(config->image.output_bytes * 8) : none);
   if (config == nullptr) return frame_->setText(none);

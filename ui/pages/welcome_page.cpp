@@ -42,7 +42,7 @@ WelcomePage::WelcomePage(const QList<QAction*>& beginnings, QWidget* parent) : Q
     button->setAccessibleName(action->toolTip());
     button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
     button->setIconSize(QSize(32, 32));
-    button->setMinimumSize(150, 84);
+    button->setMinimumSize(150, 76);
     button->setFocusPolicy(Qt::StrongFocus);
     row->addWidget(button);
   }
