@@ -14,6 +14,7 @@
 #include "eni/esi_catalogue.h"
 #include "eni/project_builder.h"
 #include "master/channels.h"
+#include "protocol/error_text.h"
 #include "protocol/frame.h"
 #include "protocol/registers.h"
 #include "sim/sim_bus.h"
@@ -72,8 +73,7 @@ void bench_simulator(RatioReport& report) {
     std::size_t bytes = 0;
     const double found = cycle_ns(slaves, bytes);
     if (found <= 0) {
-      fmt::print("the simulated bus did not answer\n");
-      return;
+      return report.add_failure(fmt::format("simulated cycle, {} slaves", slaves), "the bus did not answer");
     }
     const auto name = fmt::format("simulated cycle, {} slave{}", slaves, slaves == 1 ? "" : "s");
     report.add(name, found, "a cycle of 1 ms", 1e6, slaves == 100 ? 0.5 : 0);
@@ -85,28 +85,29 @@ void bench_simulator(RatioReport& report) {
 
 /// Ten virtual seconds of the demonstration machine with everything that a run does.
 void bench_virtual_time(RatioReport& report) {
+  const auto fail = [&report](const std::string& why) { report.add_failure("virtual time", why); };
   const auto link = demo_link(true);
   eni::EsiCatalogue catalogue;
-  if (!catalogue.add_folder(resource_folder() + "/esi")) return;
+  if (!catalogue.add_folder(resource_folder() + "/esi")) return fail("no ESI files of the demonstration");
   const auto scan = scan_bus(link);
-  if (!scan) {
-    fmt::print("no demonstration machine\n");
-    return;
-  }
+  if (!scan) return fail(describe(scan.error()));
   auto project = eni::project_from_scan(*scan, catalogue).project;
   const auto compiled = compile(project);
-  if (!compiled) return;
+  if (!compiled) return fail(describe(compiled.error()));
   RunRequest request;
   request.duration = 10 * kSecond;
   const auto start = std::chrono::steady_clock::now();
   const auto outcome = run_network(compiled->config, link, request);
   const double took = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  if (!outcome || outcome->error || outcome->report.state != AlState::kOp || outcome->report.cycles < 9'000) {
-    fmt::print("the demonstration machine did not run\n");
-    return;
+  if (!outcome) return fail(describe(outcome.error()));
+  if (outcome->error) return fail(describe(*outcome->error));
+  // The bring-up is part of the ten seconds.
+  const auto& run = outcome->report;
+  if (run.state != AlState::kOp || run.cycles < 8'000) {
+    return fail(fmt::format("ended with state {} after {} cycles", static_cast<int>(run.state), run.cycles));
   }
   const double cycle_us = static_cast<double>(outcome->report.cycle_time) / 1e3;
-  report.add_factor(fmt::format("virtual time, {} slaves, {} us cycle", scan->slaves.size(), cycle_us), 10 / took, 4);
+  report.add_factor(fmt::format("virtual time, {} slaves, {} us cycle", scan->slaves.size(), cycle_us), 10 / took, 10);
 }
 
 void bench_samples(RatioReport& report) {

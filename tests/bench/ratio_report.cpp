@@ -49,6 +49,10 @@ void RatioReport::add_factor(const std::string& what, double factor, double gate
                    gate <= 0 || factor >= gate});
 }
 
+void RatioReport::add_failure(const std::string& what, const std::string& why) {
+  rows_.push_back({what, "", why, "", "", false});
+}
+
 int RatioReport::finish(const std::string& title) const {
   bool kept = true;
   fmt::print("{}\n  {:<46} {:>10}  {:<42} {:>8}  {:>9}\n", title, "what", "time", "baseline in this run", "ratio", "promise");
