@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "dc/propagation_delay.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "segment_truth.h"
+
+namespace syncline::dc {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::Field;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+DelayNode node(std::optional<std::uint16_t> parent, std::uint8_t parent_port,
+               std::initializer_list<std::pair<unsigned, std::uint32_t>> times, DcKind kind = DcKind::kFull) {
+  DelayNode result;
+  result.kind = kind;
+  result.parent = parent;
+  result.parent_port = parent_port;
+  result.receive_time.fill(1'819'436'374);  // seen on unused ports of real slaves
+  for (const auto& [port, time] : times) {
+    result.active[port] = true;
+    result.receive_time[port] = time;
+  }
+  return result;
+}
+
+TEST(PropagationDelay, LineOfThree) {
+  const std::vector nodes{node({}, 0, {{0, 648'892'279}, {1, 648'894'639}}),
+                          node(0, 1, {{0, 2'796'742'688}, {1, 2'796'744'288}}), node(1, 1, {{0, 2'302'596'891}})};
+  const auto result = propagation_delays(nodes);
+  EXPECT_THAT(result.delay_ns, ElementsAre(0, 400, 1200));
+  EXPECT_THAT(result.findings, IsEmpty());
+}
+
+TEST(PropagationDelay, LineWithoutTDiffIsWrongByHalfOfItAHop) {
+  const std::vector nodes{node({}, 0, {{0, 648'892'279}, {1, 648'894'639}}),
+                          node(0, 1, {{0, 2'796'742'688}, {1, 2'796'744'288}}), node(1, 1, {{0, 2'302'596'891}})};
+  EXPECT_THAT(propagation_delays(nodes, {.t_diff_ns = 0}).delay_ns, ElementsAre(0, 380, 1180));
+}
+
+TEST(PropagationDelay, TreeOfTheDataSheet) {
+  const std::vector nodes{node({}, 0, {{0, 1000}, {1, 5680}}),
+                          node(0, 1, {{0, 7000}, {1, 9260}, {2, 10'920}}),
+                          node(1, 1, {{0, 50}, {1, 750}}), node(2, 1, {{0, 9}}),
+                          node(1, 2, {{0, 4'294'967'000}, {1, 444}}), node(4, 1, {{0, 77}})};
+  EXPECT_THAT(propagation_delays(nodes).delay_ns, ElementsAre(0, 400, 1200, 1550, 3120, 3490));
+}
+
+TEST(PropagationDelay, StarOnAJunction) {
+  const std::vector nodes{
+      node({}, 0, {{0, 648'892'279}, {3, 648'892'959}, {1, 648'893'639}, {2, 648'894'359}}),
+      node(0, 3, {{0, 1}}), node(0, 1, {{0, 2}}), node(0, 2, {{0, 3}})};
+  EXPECT_THAT(propagation_delays(nodes).delay_ns, ElementsAre(0, 340, 1000, 1700));
+}
+
+TEST(PropagationDelay, SlaveWithoutDcInBetweenCountsAsWire) {
+  // A - M (no DC) - C - D, wires 100, 100, 50: the rule is to give C exactly 800.
+  SegmentTruth segment;
+  segment.add({}, 0, 0);
+  segment.add(0, 1, 100, DcKind::kNone);
+  segment.add(1, 1, 100);
+  segment.add(2, 1, 50);
+  segment.walk();
+  const auto result = propagation_delays(segment.nodes());
+  EXPECT_THAT(result.delay_ns, ElementsAre(0, std::nullopt, 800, 1150));
+}
+
+TEST(PropagationDelay, CouplerAndTerminalsAsCaptured) {
+  const std::vector nodes{node({}, 0, {{0, 1'013'059'410}, {1, 1'013'060'010}}),
+                          node(0, 1, {{0, 1'024'186'030}, {1, 1'024'186'340}}, DcKind::kReceiveTimesOnly),
+                          node(1, 1, {{0, 5}})};
+  // The master of that capture left tDiff out.
+  EXPECT_THAT(propagation_delays(nodes, {.t_diff_ns = 0}).delay_ns, ElementsAre(0, 145, 300));
+}
+
+TEST(PropagationDelay, TwoSlavesOnOneCableAsCaptured) {
+  const std::vector nodes{node({}, 0, {{0, 100}, {1, 1540}}), node(0, 1, {{0, 4}})};
+  EXPECT_THAT(propagation_delays(nodes).delay_ns, ElementsAre(0, 720));
+}
+
+TEST(PropagationDelay, ClockThatWrapsBetweenPortsIsNoReversedCable) {
+  const std::vector nodes{node({}, 0, {{0, 4'294'967'196}, {1, 2'260}}), node(0, 1, {{0, 4}})};
+  const auto result = propagation_delays(nodes);
+  EXPECT_THAT(result.entry_port, ElementsAre(0, 0));
+  EXPECT_THAT(result.delay_ns, ElementsAre(0, 1180));
+  EXPECT_THAT(result.findings, IsEmpty());
+}
+
+TEST(PropagationDelay, FirstSlaveWithReceiveTimesIsTheOrigin) {
+  SegmentTruth segment;
+  segment.add({}, 0, 0, DcKind::kNone);
+  segment.add(0, 1, 100);
+  segment.add(1, 1, 100);
+  segment.walk();
+  EXPECT_THAT(propagation_delays(segment.nodes()).delay_ns, ElementsAre(std::nullopt, 0, 400));
+}
+
+TEST(PropagationDelay, ReversedCableIsToldAndMeasured) {
+  SegmentTruth segment;
+  segment.add({}, 0, 0);
+  segment.add(0, 1, 100);
+  segment.slaves[1].entry = 1;
+  segment.add(1, 0, 80);
+  segment.add(2, 1, 60);
+  segment.walk();
+  const auto result = propagation_delays(segment.nodes());
+  EXPECT_THAT(result.entry_port, ElementsAre(0, 1, 0, 0));
+  ASSERT_THAT(result.findings, SizeIs(1));
+  EXPECT_EQ(result.findings[0].position, 1);
+  EXPECT_EQ(result.findings[0].warning, DelayWarning::kReversedCable);
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(result.delay_ns[i], segment.delay(i)) << i;
+}
+
+TEST(PropagationDelay, SubtreeLongerThanItsRoundTripIsNoUnderflow) {
+  // B says that what hangs on it takes longer than A saw it take: noise or a wrong topology.
+  const std::vector nodes{node({}, 0, {{0, 0}, {1, 500}}), node(0, 1, {{0, 0}, {1, 700}}), node(1, 1, {{0, 0}})};
+  const auto result = propagation_delays(nodes);
+  ASSERT_TRUE(result.delay_ns[1]);
+  EXPECT_EQ(*result.delay_ns[1], 0U);
+  EXPECT_THAT(result.findings, ElementsAre(Field(&DelayFinding::warning, DelayWarning::kNegativeHop),
+                                           Field(&DelayFinding::warning, DelayWarning::kNotIncreasing)));
+}
+
+TEST(PropagationDelay, HopOfMoreThanAMillisecondIsTold) {
+  const std::vector nodes{node({}, 0, {{0, 0}, {1, 3'000'000}}), node(0, 1, {{0, 0}})};
+  const auto result = propagation_delays(nodes);
+  ASSERT_THAT(result.findings, SizeIs(1));
+  EXPECT_EQ(result.findings[0].warning, DelayWarning::kImplausibleHop);
+  EXPECT_EQ(result.findings[0].value_ns, 1'500'000);
+}
+
+TEST(PropagationDelay, NothingForNoSlaves) {
+  EXPECT_THAT(propagation_delays({}).delay_ns, IsEmpty());
+}
+
+}  // namespace
+}  // namespace syncline::dc
