@@ -37,6 +37,7 @@ int run(const std::vector<std::string>& arguments, Console console) {
   add_scan_command(app, context);
   add_project_commands(app, context);
   add_export_command(app, context);
+  add_compare_command(app, context);
   add_run_command(app, context);
 
   auto reversed = arguments;  // CLI11 takes them last first

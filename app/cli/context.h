@@ -31,6 +31,7 @@ void add_adapters_command(CLI::App& app, Context& context);
 void add_scan_command(CLI::App& app, Context& context);
 void add_project_commands(CLI::App& app, Context& context);
 void add_export_command(CLI::App& app, Context& context);
+void add_compare_command(CLI::App& app, Context& context);
 void add_run_command(CLI::App& app, Context& context);
 
 [[nodiscard]] std::string hex(std::uint64_t value, int digits);

@@ -151,6 +151,22 @@ TEST(CliProject, OfflineFromEsiFilesEqualsTheScan) {
   EXPECT_EQ(a, b);
 }
 
+TEST(CliCompare, AProjectEqualsItsExportAndNamesWhatAnEditChanges) {
+  const TemporaryFolder folder;
+  const auto project = folder.file("m.syncline");
+  const auto eni = folder.file("m.eni.xml");
+  ASSERT_EQ(cli_run({"project", "create", project, "--scan", demo(), "--shift", "bus"}).code, cli::kDone);
+  ASSERT_EQ(cli_run({"export", project, "-o", eni}).code, cli::kDone);
+  EXPECT_EQ(cli_run({"compare", project, eni}).code, cli::kDone);
+  // Master shift needs no write to the reference clock's time: exactly that command goes.
+  ASSERT_EQ(cli_run({"project", "set", project, "master.dc.mode=master-shift"}).code, cli::kDone);
+  const auto changed = cli_run({"compare", project, eni, "--json"});
+  EXPECT_EQ(changed.code, cli::kAnswerIsNo);
+  const auto report = changed.json();
+  ASSERT_EQ(report["differences"].size(), 1U) << changed.out;
+  EXPECT_THAT(report["differences"][0]["where"].get<std::string>(), HasSubstr("0x0910"));
+}
+
 TEST(CliProject, UnknownDeviceNamesItsIdentity) {
   const TemporaryFolder folder;
   const auto run = cli_run({"project", "create", folder.file("m.syncline"), "--device", "0x1234:0x5678:0x9"});
