@@ -159,10 +159,6 @@
     <context>
         <name>BusCommands</name>
         <message>
-            <source>Monitor the sync window</source>
-            <translation>Sync-Fenster überwachen</translation>
-        </message>
-        <message>
             <source>The bus could not be scanned.</source>
             <translation>Der Bus konnte nicht gescannt werden.</translation>
         </message>
@@ -181,6 +177,10 @@
         <message>
             <source>The master could not go online.</source>
             <translation>Der Master konnte nicht online gehen.</translation>
+        </message>
+        <message>
+            <source>Monitor the sync window</source>
+            <translation>Sync-Fenster überwachen</translation>
         </message>
     </context>
     <context>

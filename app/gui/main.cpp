@@ -59,7 +59,7 @@ ui::Environment environment() {
     if (!opened) return tl::unexpected(opened.error());
     return ui::BusConnection{std::move(opened->clock), std::move(opened->link)};
   };
-  environment.demo_link = QString::fromStdString(demo_link(false));
+  environment.demo_link = QString::fromStdString(demo_link(true));
   environment.esi_folders = {QString::fromStdString(resource_folder()) + QStringLiteral("/esi")};
   environment.version = QStringLiteral(SYNCLINE_VERSION);
   return environment;
@@ -90,7 +90,7 @@ int main(int argc, char* argv[]) {
   ui::MainWindow window(workspace);
   window.show();
   if (!options.screenshots.isEmpty()) {
-    return renderScreenshots(window, workspace, QString::fromStdString(demo_link(true)), options.screenshots) ? 0 : 1;
+    return renderScreenshots(window, workspace, workspace.environment().demo_link, options.screenshots) ? 0 : 1;
   }
   QTimer::singleShot(0, &window, [&] { begin(options, window, workspace); });
   if (options.exit_after_ms > 0) QTimer::singleShot(options.exit_after_ms, &app, [] { QApplication::exit(0); });  // asks nothing, unlike quit()

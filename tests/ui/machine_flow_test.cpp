@@ -215,6 +215,21 @@ TEST_F(MachineFlow, EveryControlHasAnAccessibleName) {
   }
 }
 
+/// As the program runs it: the machine in a thread of its own, the window only looks.
+TEST_F(MachineFlow, RunsInTheBackgroundAndEndsInTheMiddleOfABringUp) {
+  scan();
+  ASSERT_FALSE(HasFatalFailure());
+  workspace_.live().setAutoAdvance(true);
+  action("actionOnline")->trigger();
+  EXPECT_TRUE(test::waitFor([this] { return workspace_.live().snapshot().state == AlState::kOp; })) << messages();
+  action("actionOffline")->trigger();
+  EXPECT_TRUE(test::waitFor([this] { return workspace_.live().phase() == ui::LiveSession::Phase::kOffline; }));
+  action("actionOnline")->trigger();
+  EXPECT_EQ(workspace_.live().phase(), ui::LiveSession::Phase::kStarting);
+  workspace_.live().shutDown();
+  EXPECT_EQ(workspace_.live().phase(), ui::LiveSession::Phase::kOffline);
+}
+
 TEST_F(MachineFlow, ABusThatIsNotThereIsToldAndNothingIsLost) {
   scan();
   ASSERT_FALSE(HasFatalFailure());

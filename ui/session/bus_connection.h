@@ -24,7 +24,7 @@ using LinkOpener = std::function<Result<BusConnection>(const QString& link)>;
 /// What the program that hosts the window knows and the window does not: given once at construction.
 struct Environment {
   LinkOpener open_link;
-  QString demo_link;          // LINK of the demonstration machine on the real clock
+  QString demo_link;          // LINK of the demonstration machine
   QStringList esi_folders;    // where the device descriptions lie
   QString version;
 };

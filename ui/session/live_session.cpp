@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/session/live_session.h"
 
-#include <algorithm>
 #include <chrono>
+#include <thread>
 #include <utility>
 
 #include "master/master_service.h"
+#include "ui/session/virtual_pacer.h"
 
 namespace syncline::ui {
 namespace {
@@ -22,6 +23,7 @@ LiveSession::LiveSession(LinkOpener opener, QObject* parent) : QObject(parent), 
 }
 
 LiveSession::~LiveSession() {
+  pacer_.reset();
   thread_.reset();
   service_.reset();
 }
@@ -41,7 +43,11 @@ Status LiveSession::goOnline(const QString& link, NetworkConfig config) {
   snapshot_ = Snapshot{};
   service_->channels().commands.push(GoOnlineCommand{config_, AlState::kOp});
   setPhase(Phase::kStarting);
-  if (!clock_->is_virtual()) thread_ = std::make_unique<MasterThread>(*service_);
+  if (!clock_->is_virtual()) {
+    thread_ = std::make_unique<MasterThread>(*service_);
+  } else if (auto_advance_) {
+    pacer_ = std::make_unique<VirtualPacer>(*service_);
+  }
   tick_.start();
   return {};
 }
@@ -52,7 +58,7 @@ void LiveSession::goOffline() {
   service_->channels().commands.push(GoOfflineCommand{});
   stopping_since_.start();
   setPhase(Phase::kStopping);
-  if (!thread_) {
+  if (!thread_ && !pacer_) {
     while (service_->step() && service_->online()) {
     }
     drain();
@@ -65,7 +71,7 @@ void LiveSession::shutDown() {
   goOffline();
   if (phase_ == Phase::kOffline) return;
   while (phase_ == Phase::kStopping && stopping_since_.elapsed() < kStopTimeoutMs) {
-    service_->clock().sleep_until(service_->clock().now() + kMillisecond);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
     drain();
   }
   if (phase_ != Phase::kOffline) close();
@@ -80,15 +86,12 @@ void LiveSession::clearStatistics() {
 }
 
 void LiveSession::advance(Nanoseconds duration) {
-  if (!service_ || !isVirtual()) return;
+  if (!service_ || !isVirtual() || pacer_) return;
   service_->run_for(duration);
   drain();
 }
 
 void LiveSession::tick() {
-  if (isVirtual() && auto_advance_ && phase_ != Phase::kStopping) {
-    service_->run_for(std::chrono::duration_cast<std::chrono::nanoseconds>(kTickInterval).count());
-  }
   drain();
   if (phase_ == Phase::kStopping && stopping_since_.elapsed() > kStopTimeoutMs) close();
 }
@@ -123,6 +126,7 @@ void LiveSession::handle(const Event& event) {
 
 void LiveSession::close() {
   tick_.stop();
+  pacer_.reset();
   thread_.reset();
   service_.reset();
   clock_.reset();

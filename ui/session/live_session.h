@@ -20,9 +20,11 @@ class MasterThread;
 
 namespace syncline::ui {
 
+class VirtualPacer;
+
 /// The running master as the window sees it: commands go in, and on one tick the channels are
-/// drained into signals. On the real clock a MasterThread runs the cycles; on a virtual clock the
-/// tick itself does, or a test by advance().
+/// drained into signals. On the real clock a MasterThread runs the cycles, on a virtual clock a
+/// VirtualPacer, or a test by advance().
 class LiveSession final : public QObject {
   Q_OBJECT
 
@@ -43,7 +45,7 @@ class LiveSession final : public QObject {
 
   /// Runs `duration` of machine time at once and drains the channels; virtual clock only.
   void advance(Nanoseconds duration);
-  /// Whether the tick moves a virtual clock on; tests switch it off and call advance().
+  /// Whether a virtual clock runs by itself; tests switch it off before going online and call advance().
   void setAutoAdvance(bool on) { auto_advance_ = on; }
 
   [[nodiscard]] Phase phase() const { return phase_; }
@@ -80,6 +82,7 @@ class LiveSession final : public QObject {
   std::unique_ptr<Clock> clock_;
   std::unique_ptr<MasterService> service_;
   std::unique_ptr<MasterThread> thread_;
+  std::unique_ptr<VirtualPacer> pacer_;
 };
 
 }  // namespace syncline::ui

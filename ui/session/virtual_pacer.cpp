@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/session/virtual_pacer.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "master/master_service.h"
+
+namespace syncline::ui {
+namespace {
+
+using SteadyClock = std::chrono::steady_clock;
+
+constexpr std::chrono::milliseconds kInterval{10};
+/// After a long stop (a suspended host) the machine goes on from where it was.
+constexpr std::chrono::milliseconds kCatchUp{100};
+
+}  // namespace
+
+VirtualPacer::VirtualPacer(MasterService& service) : service_(service), thread_([this] { run(); }) {}
+
+VirtualPacer::~VirtualPacer() {
+  stop_ = true;
+  thread_.join();
+}
+
+void VirtualPacer::run() {
+  auto last = SteadyClock::now();
+  while (!stop_) {
+    const auto now = SteadyClock::now();
+    const auto due = std::min<SteadyClock::duration>(now - last, kCatchUp);
+    last = now;
+    service_.run_for(std::chrono::duration_cast<std::chrono::nanoseconds>(due).count());
+    std::this_thread::sleep_for(kInterval);
+  }
+}
+
+}  // namespace syncline::ui
