@@ -37,6 +37,12 @@ void SnapshotBox::publish(const Snapshot& snapshot) {
   fresh_ = true;
 }
 
+void SnapshotBox::publish_surely(const Snapshot& snapshot) {
+  const std::scoped_lock lock(mutex_);
+  latest_ = snapshot;
+  fresh_ = true;
+}
+
 bool SnapshotBox::read(Snapshot& out) {
   const std::scoped_lock lock(mutex_);
   if (!fresh_) return false;

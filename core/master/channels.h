@@ -136,6 +136,8 @@ struct Snapshot {
 class SnapshotBox {
  public:
   void publish(const Snapshot& snapshot);                  // cyclic thread
+  /// Waits for a reader: for what must not be missed (online, offline), outside the cycle.
+  void publish_surely(const Snapshot& snapshot);
   /// Copies the latest snapshot; false when nothing new came since the last call.
   bool read(Snapshot& out);
 

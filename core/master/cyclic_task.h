@@ -33,10 +33,9 @@ class CyclicTaskRunner final : public CyclePump, private SendStamp {
   [[nodiscard]] BusHealth& health() { return health_; }
   [[nodiscard]] CyclicFrameSet& frames() { return frames_; }
   [[nodiscard]] Nanoseconds next_cycle() const { return scheduled_; }
-  /// Writes what happened so far where others can see it.
-  void publish();
 
  private:
+  void publish();
   void stamp(Nanoseconds send_time) override;
   void note_sending(CycleSample& sample);
   void fill_acyclic(std::span<Datagram* const> requests, Nanoseconds now);

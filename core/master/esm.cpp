@@ -239,7 +239,9 @@ Status Esm::down_to(AlState target) {
   if (const auto transition = transition_between(from, target)) {
     if (auto status = run_master_commands(*transition, true); !status) return status;
   }
-  auto status = for_slaves([&](std::size_t i) { return is_above(state_of(i), target); },
+  // Nobody waits for a slave that is gone.
+  const auto applies = [&](std::size_t i) { return run_.snapshot.slaves[i].present && is_above(state_of(i), target); };
+  auto status = for_slaves(applies,
                            [&](std::size_t i) -> Status {
                              const auto transition = transition_between(state_of(i), target);
                              if (!transition) return {};

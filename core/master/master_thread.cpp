@@ -48,14 +48,16 @@ struct MasterThread::Impl {
   explicit Impl(MasterService& own_service) : service(own_service), thread([this] { run(); }) {}
 
   void run() {
-    if (auto refused = enter_real_time(); !refused.empty()) {
+    auto& clock = service.clock();
+    // Virtual time has no deadlines, and a thread that never sleeps must not have priority.
+    auto refused = clock.is_virtual() ? std::string() : enter_real_time();
+    if (!refused.empty()) {
       Event event;
       event.kind = EventKind::kRealTime;
-      event.time = service.clock().now();
+      event.time = clock.now();
       event.text = std::move(refused);
       service.channels().events.push(std::move(event));
     }
-    auto& clock = service.clock();
     while (!stop.load(std::memory_order_relaxed)) {
       if (!service.step()) clock.sleep_until(clock.now() + kIdlePeriod);
     }

@@ -29,17 +29,17 @@ Status Operation::start(AlState target) {
   snapshot.online = true;
   snapshot.link_up = exchange_.link().describe().up;
   snapshot.requested = target;
-  task_.publish();
+  run_.channels().snapshot.publish_surely(run_.snapshot);
   if (auto status = esm_.reset(); !status) return status;
   if (target == AlState::kInit) return {};
   auto status = esm_.change_to(target);
-  task_.publish();
+  run_.channels().snapshot.publish_surely(run_.snapshot);
   return status;
 }
 
 Status Operation::change_to(AlState target) {
   auto status = esm_.change_to(target);
-  task_.publish();
+  run_.channels().snapshot.publish_surely(run_.snapshot);
   return status;
 }
 
@@ -52,7 +52,7 @@ void Operation::stop() {
   }
   run_.snapshot.online = false;
   run_.snapshot.time = clock_.now();
-  task_.publish();
+  run_.channels().snapshot.publish_surely(run_.snapshot);
 }
 
 void Operation::clear_statistics() {

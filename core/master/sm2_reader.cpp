@@ -52,8 +52,9 @@ void Sm2Reader::begin(Nanoseconds now) {
   give_up_ = now + kTimeout;
   current_ = (current_ + 1) % counters_.size();
   const auto& counter = counters_[current_];
-  const auto state = al_state_of(run_.snapshot.slaves[counter.slave].al_status);
-  if (!counter.supported || (state != AlState::kSafeop && state != AlState::kOp)) return;
+  const auto& status = run_.snapshot.slaves[counter.slave];
+  const auto state = al_state_of(status.al_status);
+  if (!counter.supported || !status.present || (state != AlState::kSafeop && state != AlState::kOp)) return;
   auto& mailbox_counter = run_.mailbox_counters[counter.slave];
   mailbox_counter = next_mailbox_counter(mailbox_counter);
   step_ = Step::kWrite;
@@ -109,8 +110,9 @@ void Sm2Reader::take(Nanoseconds time, CycleSample& sample) {
       take_message(time, sample);
     }
   }
-  // A slave that stays silent costs its turn, no more.
-  if (step_ != Step::kIdle && time >= give_up_) step_ = Step::kIdle;
+  // A slave that stays silent costs its turn, no more; one that is gone not even that.
+  const bool gone = !run_.snapshot.slaves[counters_[current_].slave].present;
+  if (step_ != Step::kIdle && (gone || time >= give_up_)) step_ = Step::kIdle;
 }
 
 void Sm2Reader::take_message(Nanoseconds time, CycleSample& sample) {

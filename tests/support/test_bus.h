@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <deque>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -85,9 +86,11 @@ class TestBus final : public Link {
   std::vector<std::vector<std::uint8_t>> sent;  // filled when `record`
   bool record = false;
   std::size_t frames_sent = 0;
+  std::function<void()> on_frame;               // before a frame is executed
 
   Status send(std::span<const std::uint8_t> frame) override {
     ++frames_sent;
+    if (on_frame) on_frame();
     if (record) sent.emplace_back(frame.begin(), frame.end());
     if (lose_ > 0) {
       --lose_;

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <thread>
 
 #include "config/compile/compile.h"
 #include "eni/esi_reader.h"
@@ -294,6 +295,51 @@ TEST_F(OperationTest, GoesOfflineInInit) {
   EXPECT_FALSE(snapshot.online);
   EXPECT_EQ(count(EventKind::kOffline), 1U);
   for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(link->slave(i).get<std::uint16_t>(reg::kAlStatus), 1);
+}
+
+TEST_F(OperationTest, DoesNotWaitForASlaveThatIsGone) {
+  go_online();
+  link->slave(2).present = false;
+  run(50 * kMillisecond);
+  service->channels().commands.push(GoOfflineCommand{});
+  const auto before = clock.now();
+  while (service->online() && service->step()) {
+  }
+  EXPECT_LT(clock.now() - before, kSecond);
+  EXPECT_EQ(link->slave(1).get<std::uint16_t>(reg::kAlStatus), 1);
+}
+
+TEST_F(OperationTest, CancelEndsABringUpAndTakesTheBusDown) {
+  // While the DCM settles: cyclic operation has begun, the slaves are in PREOP.
+  link->on_frame = [this] {
+    if (link->slave(1).get<std::uint16_t>(reg::kAlStatus) == 2) service->channels().cancel = true;
+  };
+  go_online();
+  ASSERT_TRUE(first_error());
+  EXPECT_EQ(first_error()->code, ErrorCode::kCancelled);
+  EXPECT_FALSE(service->online());
+  EXPECT_FALSE(snapshot.online);
+  EXPECT_EQ(count(EventKind::kOffline), 1U);
+  EXPECT_EQ(link->slave(1).get<std::uint16_t>(reg::kAlStatus), 1);
+  EXPECT_FALSE(service->channels().cancel);
+}
+
+TEST_F(OperationTest, AThreadOfItsOwnDoesTheSame) {
+  service->channels().commands.push(GoOnlineCommand{config, AlState::kOp});
+  MasterThread thread(*service);
+  while (snapshot.state != AlState::kOp || count(EventKind::kOnline) == 0) {
+    drain();
+    std::this_thread::yield();
+  }
+  service->channels().commands.push(GoOfflineCommand{});
+  while (count(EventKind::kOffline) == 0) {
+    drain();
+    std::this_thread::yield();
+  }
+  thread.stop();
+  drain();
+  EXPECT_FALSE(first_error());
+  EXPECT_FALSE(snapshot.online);
 }
 
 TEST_F(OperationTest, StopsAtTheRequestedState) {

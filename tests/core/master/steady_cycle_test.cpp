@@ -24,6 +24,8 @@ void* allocate(std::size_t size) {
 
 }  // namespace
 
+// With inlining the compiler sees malloc on one side only and takes the pair for a mismatch.
+#pragma GCC diagnostic ignored "-Wmismatched-new-delete"
 void* operator new(std::size_t size) { return allocate(size); }
 void* operator new[](std::size_t size) { return allocate(size); }
 void operator delete(void* memory) noexcept { std::free(memory); }
