@@ -79,12 +79,16 @@ Status Esm::reset() {
 Status Esm::change_to(AlState target) {
   run_.snapshot.requested = target;
   if (auto status = quiet_mailboxes(); !status) return status;
-  Status result;
-  if (is_above(run_.snapshot.state, target)) {
-    result = down_to(target);
-  } else {
-    result = up_to(target);
+  // An ended bring-up leaves slaves in states that nobody has looked at.
+  if (bus_.cyclic()) {
+    if (auto status = refresh(); !status) return status;
   }
+  Status result;
+  const auto& slaves = run_.snapshot.slaves;
+  if (std::ranges::any_of(slaves, [&](const auto& s) { return is_above(al_state_of(s.al_status), target); })) {
+    result = down_to(target);
+  }
+  if (result && is_above(target, run_.snapshot.state)) result = up_to(target);
   task_.sm2().set_enabled(bus_.cyclic());
   return result;
 }
@@ -93,7 +97,7 @@ Status Esm::up_to(AlState target) {
   if (bus_.cyclic()) {
     if (auto status = acknowledge_errors(); !status) return status;
   }
-  if (run_.snapshot.state == AlState::kInit && target != AlState::kInit) {
+  if (run_.snapshot.state == AlState::kInit) {
     if (auto status = init_to_preop(); !status) return status;
   }
   if (is_above(target, AlState::kPreop)) {
@@ -106,6 +110,7 @@ Status Esm::up_to(AlState target) {
 // ---- INIT to PREOP ------------------------------------------------------------------------------
 
 Status Esm::init_to_preop() {
+  bus_.set_pump(nullptr);  // the clocks are set up anew
   if (auto status = run_master_commands(Transition::kIP, true); !status) return status;
   const auto all = [](std::size_t) { return true; };
   auto status = for_slaves(all, [this](std::size_t i) {
