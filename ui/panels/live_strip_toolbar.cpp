@@ -87,7 +87,7 @@ void LiveStripToolbar::showState() {
   QString delta;
   if (cursors_->both()) {
     const auto time = cursors_->delta();
-    delta = tr("B\u2212A %1").arg(signedTimeText(time));
+    delta = tr("B−A %1").arg(signedTimeText(time));
     if (time != 0) delta += tr("   1/\u0394t %1 Hz").arg(QLocale().toString(1e9 / std::abs(static_cast<double>(time)), 'g', 6));
   }
   delta_->setText(delta);
