@@ -13,6 +13,7 @@
 #include "ui/dialogs/link_chooser.h"
 #include "ui/main_window.h"
 #include "ui/pages/device_editor.h"
+#include "ui/panels/live_strip.h"
 #include "ui/session/workspace.h"
 #include "ui/theme.h"
 
@@ -67,6 +68,7 @@ void takePages(Camera& camera, ui::MainWindow& window, ui::Workspace& workspace,
     for (int tab = 0; tab < tabs->count(); ++tab) {
       tabs->setCurrentIndex(tab);
       workspace.live().advance(50 * kMillisecond);
+      window.findChild<ui::LiveStrip*>()->refresh();  // its own tick has had no time to pass
       camera.take(window, fileName(theme, slave, *tabs->widget(tab)));
     }
   }
