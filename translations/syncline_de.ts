@@ -472,6 +472,10 @@
             <translation>Alle Slaves synchron, Abweichung höchstens %1</translation>
         </message>
         <message>
+            <source>The slaves&apos; deviation is not monitored</source>
+            <translation>Die Abweichung der Slaves wird nicht überwacht</translation>
+        </message>
+        <message>
             <source>Slaves out of sync, deviation %1</source>
             <translation>Slaves nicht synchron, Abweichung %1</translation>
         </message>

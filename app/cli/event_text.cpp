@@ -28,6 +28,7 @@ std::string words(const Event& e) {
     case EventKind::kDcInitialised: return fmt::format("distributed clocks initialised: {} slaves, reference clock is slave {}", e.a, e.b);
     case EventKind::kReferenceClock: return fmt::format("reference clock {}: {}", who(e.slave), e.a != 0 ? "present" : "LOST");
     case EventKind::kDcSlaveSync:
+      if (e.a == 2) return "slaves not monitored";
       return e.a != 0 ? fmt::format("slaves in sync, deviation {} ns", e.b)
                       : fmt::format("slaves OUT OF SYNC, deviation {} ns{}", e.b, e.slave < 0 ? "" : " at " + who(e.slave));
     case EventKind::kDcmSync: return fmt::format("master {}, error {} ns", e.a != 0 ? "in sync" : "OUT OF SYNC", e.b);

@@ -157,7 +157,8 @@ enum class EventKind : std::uint8_t {
   kAlStatusError,       // slave, a = AL status, b = AL status code
   kDcInitialised,       // a = number of DC slaves, b = position of the reference clock
   kReferenceClock,      // a = 1 present, 0 lost, slave
-  kDcSlaveSync,         // a = 1 in sync, 0 out of sync, b = deviation ns, slave = culprit when out
+  kDcSlaveSync,         // a = 1 in sync, 0 out of sync, 2 taken as in sync because nothing is monitored;
+                        // b = deviation ns, slave = culprit when out
   kDcmSync,             // a = 1 in sync, 0 out of sync, b = error ns
   kDcmError,            // a = DCM error code, b = drift in ppm
   kWkcError,            // a = expected, b = received; repeated ones are counted, c = count

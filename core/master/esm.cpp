@@ -180,7 +180,7 @@ Status Esm::await_slaves_in_sync() {
                             kSyncTimeout / kSecond, dc.limit_ns));
   }
   const auto now = bus_.clock().now();
-  if (!sync_.monitored()) run_.event(EventKind::kDcSlaveSync, now, -1, 1, 0);
+  if (!sync_.monitored()) run_.event(EventKind::kDcSlaveSync, now, -1, 2, 0);
   std::int64_t count = 0;
   for (const auto& slave : run_.snapshot.slaves) count += slave.dc_enabled ? 1 : 0;
   run_.event(EventKind::kDcInitialised, now, -1, count, run_.snapshot.dc.reference_clock);

@@ -76,6 +76,7 @@ std::optional<Message> Words::make(const Event& event) {
       return event.a != 0 ? line(Severity::kInfo, tr("Reference clock present"))
                           : line(Severity::kError, tr("Reference clock lost"));
     case EventKind::kDcSlaveSync:
+      if (event.a == 2) return line(Severity::kInfo, tr("The slaves' deviation is not monitored"));
       return event.a != 0 ? line(Severity::kInfo, tr("All slaves in sync, deviation at most %1").arg(timeText(event.b)))
                           : line(Severity::kWarning, tr("Slaves out of sync, deviation %1").arg(timeText(event.b)));
     case EventKind::kDcmSync:
