@@ -993,14 +993,6 @@
             <translation>Der Slave, dessen Systemzeit führt (Register 0x0910, ENI DC/ReferenceClock). Nur Slaves dahinter können synchronisiert werden.</translation>
         </message>
         <message>
-            <source>Continuous propagation compensation</source>
-            <translation>Laufende Laufzeitkompensation</translation>
-        </message>
-        <message>
-            <source>Repeats the delay measurement while running (BWR 0x0900 in the cyclic frame)</source>
-            <translation>Wiederholt die Laufzeitmessung im Betrieb (BWR 0x0900 im zyklischen Frame)</translation>
-        </message>
-        <message>
             <source>Show 64-bit system time</source>
             <translation>64-Bit-Systemzeit zeigen</translation>
         </message>

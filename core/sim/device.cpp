@@ -34,12 +34,12 @@ std::size_t size_of(std::uint8_t bits) { return (bits + 7U) / 8U; }
 Device::Device(const SimSlaveConfig& config, Esc& esc)
     : config_(config),
       esc_(esc),
-      pdos_((identify(), config_.device), dictionary_, config.behaviour == "servo-y" ? kServoMaxObjects : kMaxObjects),
+      pdos_(identify(), dictionary_, config.behaviour == "servo-y" ? kServoMaxObjects : kMaxObjects),
       coe_(dictionary_) {
   esc_.set_listener(this);
 }
 
-void Device::identify() {
+const DeviceDescription& Device::identify() {
   const auto& device = config_.device;
   dictionary_.add<std::uint32_t>(0x1000, 0, "Device type", device.profiles.empty() ? 0 : device.profiles[0].profile_no);
   dictionary_.add(0x1008, 0, "Device name", std::vector<std::uint8_t>(device.type.begin(), device.type.end()));
@@ -66,6 +66,7 @@ void Device::identify() {
       dictionary_.add(object.index, entry.sub_index, entry.name, std::move(value), entry.writable);
     }
   }
+  return device;
 }
 
 void Device::refuse(AlState state, std::uint16_t code) {

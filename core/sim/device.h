@@ -71,7 +71,8 @@ class Device : public Esc::Listener {
   void map_process_data();
   void answer_mail(Nanoseconds time);
   void check_watchdog(Nanoseconds time);
-  void identify();
+  /// Adds the objects that every device has; they must be there before the PDOs map them.
+  const DeviceDescription& identify();
 
   SimSlaveConfig config_;
   Esc& esc_;

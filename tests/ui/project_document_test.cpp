@@ -44,7 +44,7 @@ TEST_F(Document, EditWithoutEffectMakesNoStep) {
 TEST_F(Document, EveryKeyOfThePagesIsASetting) {
   const auto& project = document_.project();
   for (const char* key : {keys::kMasterName, keys::kCycleTime, keys::kDcEnabled, keys::kReferenceClock, keys::kDcmMode,
-                          keys::kSetValue, keys::kDcmLimit, keys::kDcmSettle, keys::kPropagation, keys::k64Bit,
+                          keys::kSetValue, keys::kDcmLimit, keys::kDcmSettle, keys::k64Bit,
                           keys::kSyncWindow, keys::kSyncWindowExponent, keys::kSyncWindowSettle}) {
     const auto value = get_setting(project, keys::master(key).toStdString());
     ASSERT_TRUE(value.has_value()) << key;

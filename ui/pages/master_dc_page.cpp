@@ -71,8 +71,6 @@ void MasterDcPage::buildClocks(Card& card) {
   card.addRow(tr("Reference clock"), reference_,
               tr("The slave whose system time leads (register 0x0910, ENI DC/ReferenceClock). Only slaves behind it "
                  "can be synchronised."));
-  propagation_ = addSwitch(card, "propagationCompensation", tr("Continuous propagation compensation"), keys::kPropagation,
-                           tr("Repeats the delay measurement while running (BWR 0x0900 in the cyclic frame)"));
   wide_time_ = addSwitch(card, "systemTime64", tr("Show 64-bit system time"), keys::k64Bit,
                          tr("Reads 8 instead of 4 bytes of register 0x0910 each cycle"));
 }
@@ -183,7 +181,6 @@ void MasterDcPage::refresh() {
   const auto& dc = master.dc;
   refreshReferenceClocks();
   enabled_->setChecked(dc.enabled);
-  propagation_->setChecked(dc.continuous_propagation_compensation);
   wide_time_->setChecked(dc.show_64bit_system_time);
   if (auto* button = mode_->button(static_cast<int>(dc.dcm.mode))) button->setChecked(true);
   set_value_auto_->setChecked(!dc.dcm.set_value);
@@ -200,8 +197,8 @@ void MasterDcPage::refresh() {
   monitoring_->setChecked(dc.sync_window.enabled);
   limit_->setText(QStringLiteral("= ") + timeText((Nanoseconds{1} << dc.sync_window.exponent) - 1));
 
-  for (auto* widget : {static_cast<QWidget*>(reference_), static_cast<QWidget*>(propagation_),
-                       static_cast<QWidget*>(wide_time_), static_cast<QWidget*>(monitoring_)}) {
+  for (auto* widget : {static_cast<QWidget*>(reference_), static_cast<QWidget*>(wide_time_),
+                       static_cast<QWidget*>(monitoring_)}) {
     widget->setEnabled(dc.enabled);
   }
   for (auto* button : mode_->buttons()) button->setEnabled(dc.enabled);

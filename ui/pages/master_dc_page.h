@@ -34,7 +34,7 @@ class MasterDcPage final : public Page {
   QCheckBox* addSwitch(Card& card, const char* object_name, const QString& text, const char* key, const QString& tip);
 
   QComboBox* reference_;
-  QCheckBox *enabled_, *propagation_, *wide_time_, *monitoring_, *set_value_auto_;
+  QCheckBox *enabled_, *wide_time_, *monitoring_, *set_value_auto_;
   QButtonGroup* mode_;
   TimeEdit* set_value_;
   QSpinBox *exponent_, *settle_, *dcm_limit_, *dcm_settle_;

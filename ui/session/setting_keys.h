@@ -14,7 +14,6 @@ inline constexpr char kDcmMode[] = "master.dc.mode";
 inline constexpr char kSetValue[] = "master.dc.set_value_us";
 inline constexpr char kDcmLimit[] = "master.dc.in_sync_limit_ns";
 inline constexpr char kDcmSettle[] = "master.dc.in_sync_settle_ms";
-inline constexpr char kPropagation[] = "master.dc.continuous_propagation_compensation";
 inline constexpr char k64Bit[] = "master.dc.show_64bit_system_time";
 inline constexpr char kSyncWindow[] = "master.dc.sync_window";
 inline constexpr char kSyncWindowExponent[] = "master.dc.sync_window_exponent";

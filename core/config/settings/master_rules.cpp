@@ -49,7 +49,7 @@ std::vector<Rule> dc_rules() {
                  [](auto& p, const Place&) -> auto& { return dc(p).enabled; }),
       reference_clock_rule(),
       field_rule("master.dc.continuous_propagation_compensation",
-                 "Measures the propagation delays again while the bus runs.", SwitchCodec{},
+                 "Kept for other masters' sake; Syncline's own master measures the delays at start-up only.", SwitchCodec{},
                  [](auto& p, const Place&) -> auto& { return dc(p).continuous_propagation_compensation; }),
       field_rule("master.dc.show_64bit_system_time", "Reads and shows 64 bits of the system time (0x0910).", SwitchCodec{},
                  [](auto& p, const Place&) -> auto& { return dc(p).show_64bit_system_time; }),

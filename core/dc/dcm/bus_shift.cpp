@@ -5,13 +5,14 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "dc/dcm/dcm_error.h"
+
 namespace syncline::dc {
 namespace {
 
 constexpr double kFilterTime = 20e6;       // ns; well below the ESC loop's 84 ms
 constexpr double kIntegralTime = 500e6;    // ns; well above it, so that the two loops do not fight
 constexpr double kMaxCorrection = 20'000;  // ns; an ESC at its slew limit is not helped by more
-constexpr double kMaxDriftPpm = 600;
 
 }  // namespace
 
@@ -54,12 +55,7 @@ void BusShift::update_state() {
   state_.adjust = static_cast<Nanoseconds>(std::llround(-integral_));
   state_.in_sync = judge_.in_sync();
   state_.in_sync_after = judge_.in_sync_after();
-  state_.error_code = 0;
-  if (drift_.valid() && std::abs(state_.drift_ppm) > kMaxDriftPpm) {
-    state_.error_code = kDcmErrorDriftTooHigh;
-  } else if (judge_.was_in_sync() && !judge_.in_sync()) {
-    state_.error_code = kDcmErrorOutOfLimit;
-  }
+  state_.error_code = dcm_error_code(drift_, judge_);
 }
 
 }  // namespace syncline::dc

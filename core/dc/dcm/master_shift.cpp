@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dc/dcm/dcm_error.h"
+
 namespace syncline::dc {
 namespace {
 
@@ -13,7 +15,6 @@ struct Gains {
 // Critically damped (integral = proportional^2 / 4); time constants of 20 and 200 cycles.
 constexpr Gains kAcquire{0.1, 2.5e-3};
 constexpr Gains kTrack{0.01, 2.5e-5};
-constexpr double kMaxDriftPpm = 600;
 constexpr double kMaxStep = 0.02;           // of the cycle
 constexpr Nanoseconds kOutlier = 15'000;    // ns from the filtered error, after the first lock
 constexpr int kOutliersAreTrue = 20;        // so many in a row are no outliers
@@ -58,22 +59,17 @@ DcmAction MasterShift::observe(const DcmObservation& observation) {
     output_ = -integral_;
   }
   judge_.observe(observation.send_time, error);
-  update_state(observation.send_time);
+  update_state();
   return {static_cast<Nanoseconds>(std::llround(output_)), {}};
 }
 
-void MasterShift::update_state(Nanoseconds) {
+void MasterShift::update_state() {
   state_.error_filtered = static_cast<Nanoseconds>(std::llround(filtered_));
   state_.drift_ppm = drift_.ppm();
   state_.adjust = static_cast<Nanoseconds>(std::llround(output_));
   state_.in_sync = judge_.in_sync();
   state_.in_sync_after = judge_.in_sync_after();
-  state_.error_code = 0;
-  if (drift_.valid() && std::abs(state_.drift_ppm) > kMaxDriftPpm) {
-    state_.error_code = kDcmErrorDriftTooHigh;
-  } else if (judge_.was_in_sync() && !judge_.in_sync()) {
-    state_.error_code = kDcmErrorOutOfLimit;
-  }
+  state_.error_code = dcm_error_code(drift_, judge_);
 }
 
 }  // namespace syncline::dc

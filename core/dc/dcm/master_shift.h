@@ -20,7 +20,7 @@ class MasterShift final : public DcmController {
 
  private:
   [[nodiscard]] bool is_outlier(Nanoseconds error) const;
-  void update_state(Nanoseconds time);
+  void update_state();
 
   PhaseTarget target_;
   SyncJudge judge_;
