@@ -6,6 +6,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "diagnosis/run_findings.h"
+
 namespace syncline::cli {
 namespace {
 
@@ -52,6 +54,25 @@ Json dcm_json(const DcmStatus& dcm) {
           {"error_code", dcm.error_code == 0 ? Json(nullptr) : Json(hex(dcm.error_code, 8))}};
 }
 
+std::string_view severity_text(DiagnosisSeverity severity) {
+  switch (severity) {
+    case DiagnosisSeverity::kNote: return "note";
+    case DiagnosisSeverity::kWarning: return "warning";
+    case DiagnosisSeverity::kError: return "error";
+  }
+  return "note";
+}
+
+Json findings_json(const RunReport& report) {
+  Json rows = Json::array();
+  for (const auto& finding : diagnose(report)) {
+    rows.push_back({{"severity", severity_text(finding.severity)},
+                    {"slave", finding.slave < 0 ? Json(nullptr) : Json(finding.slave)},
+                    {"text", describe(finding)}});
+  }
+  return rows;
+}
+
 std::string or_dash(const std::optional<std::int32_t>& value) { return value ? fmt::format("{}", *value) : "-"; }
 
 std::string ms_text(const std::optional<double>& ms) { return ms ? fmt::format("after {:.0f} ms", *ms) : "not yet"; }
@@ -84,7 +105,8 @@ Json to_json(const RunReport& report) {
           {"dcm", dcm_json(report.dcm)},
           {"wkc_errors", report.wkc_errors},
           {"lost_frames", report.lost_frames},
-          {"overruns", report.overruns}};
+          {"overruns", report.overruns},
+          {"findings", findings_json(report)}};
 }
 
 std::string to_text(const RunReport& report) {
@@ -113,6 +135,9 @@ std::string to_text(const RunReport& report) {
   }
   if (dcm.error_code != 0) fmt::format_to(out, ", DCM error {}", hex(dcm.error_code, 8));
   text += '\n';
+  for (const auto& finding : diagnose(report)) {
+    fmt::format_to(out, "{}: {}\n", severity_text(finding.severity), describe(finding));
+  }
   return text;
 }
 
