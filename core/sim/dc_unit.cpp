@@ -60,7 +60,7 @@ std::uint64_t DcUnit::offset() const {
   return wide_ ? memory_.u64(reg::kSystemTimeOffset) : memory_.u32(reg::kSystemTimeOffset);
 }
 
-std::uint64_t DcUnit::system_time(Nanoseconds time) const { return masked(clock_.exact(time) + offset()); }
+std::uint64_t DcUnit::system_time(Nanoseconds time) const { return masked(unwrapped_time(time)); }
 
 void DcUnit::advance_to(Nanoseconds time) {
   if (!config_.system_time) return;
@@ -68,13 +68,7 @@ void DcUnit::advance_to(Nanoseconds time) {
     const auto due = generator_.due();
     if (!due) break;
     // The generator counts in system time; its value minus the offset is the local time it waits for.
-    std::uint64_t local = due->time - offset();
-    if (!wide_) {
-      const auto now = clock_.exact(time);
-      local = now + static_cast<std::uint64_t>(static_cast<std::int64_t>(
-                        static_cast<std::int32_t>(static_cast<std::uint32_t>(local) - static_cast<std::uint32_t>(now))));
-    }
-    const auto when = clock_.time_of(local);
+    const auto when = clock_.time_of(due->time - offset());
     if (when > time) break;
     clock_.advance_to(when);
     const auto signal = due->signal;
@@ -94,8 +88,7 @@ void DcUnit::refresh_registers() {
   memory_.set<std::uint32_t>(reg::kSystemTimeDifference, loop_.system_time_difference());
   memory_.set<std::uint16_t>(reg::kSpeedCounterDiff, static_cast<std::uint16_t>(loop_.speed_counter_diff()));
   if (generator_.active()) {
-    memory_.set<std::uint64_t>(reg::kStartTimeCyclicOperation, masked(generator_.next_sync0().value_or(
-                                                                   memory_.u64(reg::kStartTimeCyclicOperation))));
+    memory_.set<std::uint64_t>(reg::kStartTimeCyclicOperation, masked(generator_.next_sync0().value_or(start_time_)));
     if (const auto next = generator_.next_sync1()) memory_.set<std::uint64_t>(reg::kNextSync1Pulse, masked(*next));
   }
   write_status();
@@ -119,19 +112,23 @@ void DcUnit::write_activation(Nanoseconds time) {
   if ((activation & 0x01) == 0) {
     generator_.deactivate();
     settings_ = {};
+    start_missed_ = false;
     return;
   }
   if (generator_.active()) return;
   settings_ = {(activation & 0x02) != 0, (activation & 0x04) != 0, memory_.u32(reg::kSync0CycleTime),
                memory_.u32(reg::kSync1CycleTime)};
   // A start time that has passed fires only when the counter comes round again: never, for 64 bit.
-  const auto now = system_time(time);
-  const auto start = wide_ ? memory_.u64(reg::kStartTimeCyclicOperation) : memory_.u32(reg::kStartTimeCyclicOperation);
+  const auto now = unwrapped_time(time);
+  start_time_ = memory_.u64(reg::kStartTimeCyclicOperation);
   std::optional<std::uint64_t> first;
   if (wide_) {
-    if (start > now) first = start;
+    start_missed_ = start_time_ <= now;
+    if (!start_missed_) first = start_time_;
   } else {
-    first = now + static_cast<std::uint32_t>(static_cast<std::uint32_t>(start) - static_cast<std::uint32_t>(now));
+    const auto ahead = static_cast<std::uint32_t>(start_time_) - static_cast<std::uint32_t>(now);
+    start_missed_ = ahead == 0 || ahead > 0x8000'0000U;
+    first = now + (ahead == 0 ? std::uint64_t{1} << 32 : ahead);
   }
   if (!settings_.sync0) first.reset();
   generator_.activate(settings_, first);
@@ -140,7 +137,7 @@ void DcUnit::write_activation(Nanoseconds time) {
 void DcUnit::registers_written(std::uint16_t address, std::size_t length, Nanoseconds frame_end) {
   if (!config_.system_time) return;
   if (touches(address, length, reg::kSystemTime, 4)) compare(frame_end);
-  if (touches(address, length, reg::kSystemTimeOffset, 8)) generator_.realign(system_time(frame_end));
+  if (touches(address, length, reg::kSystemTimeOffset, 8)) generator_.realign(unwrapped_time(frame_end));
   if (touches(address, length, reg::kSpeedCounterStart, 2)) {
     loop_.set_speed_counter_start(memory_.u16(reg::kSpeedCounterStart));
     clock_.advance_to(frame_end);
@@ -152,17 +149,28 @@ void DcUnit::registers_written(std::uint16_t address, std::size_t length, Nanose
   if (touches(address, length, reg::kFilterDepthSpeedCounter, 1)) {
     loop_.set_filter_depth_speed_counter(memory_.u8(reg::kFilterDepthSpeedCounter));
   }
+  if (touches(address, length, reg::kStartTimeCyclicOperation, 24)) restore_locked_registers();
   if (touches(address, length, reg::kActivation, 1)) write_activation(frame_end);
 }
 
-void DcUnit::latch_ports(const std::array<std::optional<Nanoseconds>, 4>& passed, Nanoseconds at_processing_unit) {
+void DcUnit::restore_locked_registers() {
+  if (!generator_.active()) return;
+  memory_.set<std::uint32_t>(reg::kSync0CycleTime, settings_.cycle0);
+  memory_.set<std::uint32_t>(reg::kSync1CycleTime, settings_.cycle1);
+  memory_.set<std::uint64_t>(reg::kStartTimeCyclicOperation, masked(generator_.next_sync0().value_or(start_time_)));
+}
+
+void DcUnit::latch_processing_unit() {
+  if (config_.system_time) memory_.set<std::uint64_t>(reg::kReceiveTimeProcessingUnit, local_at_start_of_frame_);
+}
+
+void DcUnit::latch_ports(const std::array<std::optional<Nanoseconds>, 4>& passed) {
   if (!config_.receive_times) return;
   for (std::uint16_t port = 0; port < 4; ++port) {
     if (!passed[port]) continue;
     memory_.set<std::uint32_t>(static_cast<std::uint16_t>(reg::kReceiveTimePort0 + 4 * port),
                                static_cast<std::uint32_t>(clock_.sample(*passed[port])));
   }
-  if (config_.system_time) memory_.set<std::uint64_t>(reg::kReceiveTimeProcessingUnit, clock_.sample(at_processing_unit));
 }
 
 void DcUnit::step_clock(Nanoseconds delta) { clock_.step(delta); }

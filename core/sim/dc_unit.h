@@ -32,19 +32,26 @@ class DcUnit {
   void refresh_registers();
   /// Writes of this frame become effective; `address`, `length`: the range that was written.
   void registers_written(std::uint16_t address, std::size_t length, Nanoseconds frame_end);
-  /// The frame wrote 0x0900: receive times of the ports it passed.
-  void latch_ports(const std::array<std::optional<Nanoseconds>, 4>& passed, Nanoseconds at_processing_unit);
+  /// The frame wrote 0x0900: time at the processing unit.
+  void latch_processing_unit();
+  /// It did so by BWR or FPWR: receive times of the ports it passed.
+  void latch_ports(const std::array<std::optional<Nanoseconds>, 4>& passed);
 
   /// What the device's firmware reads: local time plus offset, no delay.
   [[nodiscard]] std::uint64_t system_time(Nanoseconds time) const;
   [[nodiscard]] bool sync_active() const { return generator_.active(); }
   [[nodiscard]] bool sync0_enabled() const { return settings_.sync0 && generator_.active(); }
   [[nodiscard]] const SyncGenerator::Settings& settings() const { return settings_; }
+  /// The unit was activated with a start time that had passed.
+  [[nodiscard]] bool start_missed() const { return start_missed_; }
   [[nodiscard]] std::uint32_t deviation_magnitude() const { return loop_.system_time_difference() & 0x7FFF'FFFFU; }
   void step_clock(Nanoseconds delta);
 
  private:
   [[nodiscard]] std::uint64_t offset() const;
+  /// System time that does not wrap; a 32-bit unit shows its low word.
+  [[nodiscard]] std::uint64_t unwrapped_time(Nanoseconds time) const { return clock_.exact(time) + offset(); }
+  void restore_locked_registers();
   [[nodiscard]] std::uint64_t masked(std::uint64_t value) const { return wide_ ? value : value & 0xFFFF'FFFFU; }
   void compare(Nanoseconds frame_end);
   void write_activation(Nanoseconds time);
@@ -58,6 +65,8 @@ class DcUnit {
   TimeControlLoop loop_;
   SyncGenerator generator_;
   SyncGenerator::Settings settings_;
+  bool start_missed_ = false;
+  std::uint64_t start_time_ = 0;   // of the activation
   std::uint64_t local_at_start_of_frame_ = 0;
 };
 

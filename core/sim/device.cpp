@@ -15,7 +15,8 @@ constexpr unsigned kMaxObjects = 64;
 constexpr unsigned kServoMaxObjects = 16;
 
 constexpr std::uint16_t kInvalidRequest = 0x0011, kUnknownRequest = 0x0012, kNoBoot = 0x0013, kInvalidMailbox = 0x0016,
-                        kNoOutputs = 0x0019, kWatchdog = 0x001B, kInvalidOutputs = 0x001D, kInvalidInputs = 0x001E;
+                        kInvalidSyncManager = 0x0017, kNoOutputs = 0x0019, kWatchdog = 0x001B,
+                        kInvalidOutputs = 0x001D, kInvalidInputs = 0x001E;
 
 bool is_allowed(AlState from, AlState to) {
   if (to == AlState::kInit || to == from) return true;
@@ -184,9 +185,19 @@ std::uint16_t Device::check_process_data() {
     const auto bytes = pdos_.byte_length(direction);
     if (!number) return bytes == 0;
     const auto sm = esc_.sync_manager(*number);
-    return bytes == 0 ? !sm.enabled() || sm.length == 0
-                      : sm.enabled() && sm.length == bytes && sm.ecat_writes() == (direction == PdoDirection::kRx);
+    return bytes == 0 ? !sm.enabled() || sm.length == 0 : sm.enabled() && sm.length == bytes;
   };
+  const auto in_place = [this](std::optional<unsigned> number, PdoDirection direction) {
+    if (!number) return true;
+    const auto sm = esc_.sync_manager(*number);
+    return !sm.enabled() || sm.length == 0 ||
+           (sm.start == config_.device.sync_managers[*number].start_address && !sm.is_mailbox() &&
+            sm.ecat_writes() == (direction == PdoDirection::kRx));
+  };
+  if (!in_place(find_sync_manager(SyncManagerType::kOutputs), PdoDirection::kRx) ||
+      !in_place(find_sync_manager(SyncManagerType::kInputs), PdoDirection::kTx)) {
+    return kInvalidSyncManager;
+  }
   if (!fits(find_sync_manager(SyncManagerType::kOutputs), PdoDirection::kRx)) return kInvalidOutputs;
   if (!fits(find_sync_manager(SyncManagerType::kInputs), PdoDirection::kTx)) return kInvalidInputs;
   return 0;

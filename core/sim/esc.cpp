@@ -87,14 +87,26 @@ void Esc::implement_registers() {
   memory_.implement(reg::kSyncManager, static_cast<std::uint16_t>(8 * options_.sync_manager_count), rw);
 }
 
+void Esc::raise_event(std::uint16_t event) {
+  memory_.set<std::uint16_t>(reg::kEcatEventRequest,
+                             static_cast<std::uint16_t>(memory_.u16(reg::kEcatEventRequest) | event));
+}
+
+void Esc::clear_event(std::uint16_t event) {
+  memory_.set<std::uint16_t>(reg::kEcatEventRequest,
+                             static_cast<std::uint16_t>(memory_.u16(reg::kEcatEventRequest) & ~event));
+}
+
 void Esc::set_port(unsigned port, bool open) {
-  auto status = memory_.u16(reg::kDlStatus);
+  const auto before = memory_.u16(reg::kDlStatus);
+  auto status = before;
   const auto bits = static_cast<std::uint16_t>((1U << (4 + port)) | (2U << (8 + 2 * port)));  // link, communication
   const auto closed = static_cast<std::uint16_t>(1U << (8 + 2 * port));
   status = static_cast<std::uint16_t>(open ? (status | bits) & ~closed : (status & ~bits) | closed);
+  if (status == before) return;
+  if (DlStatus{before}.active(port)) memory_.count(static_cast<std::uint16_t>(reg::kLostLinkCounter + port));
   memory_.set<std::uint16_t>(reg::kDlStatus, status);
-  memory_.set<std::uint16_t>(reg::kEcatEventRequest,
-                             static_cast<std::uint16_t>(memory_.u16(reg::kEcatEventRequest) | kEventDlStatus));
+  raise_event(kEventDlStatus);
 }
 
 SyncManager Esc::sync_manager(unsigned number) const {
@@ -139,7 +151,6 @@ bool Esc::addressed(const DatagramHeader& header) const {
 }
 
 void Esc::process(std::span<DatagramView> datagrams, Nanoseconds time) {
-  unit_time_ = time;
   dc_.start_of_frame(time);
   dc_.refresh_registers();
   if (maps_stale_) reload_maps();
@@ -168,20 +179,21 @@ Esc::Access Esc::execute(DatagramView& datagram) {
     case Command::kFprd: return {mine && read_memory(header.ado(), datagram.data, false), false};
     case Command::kBrd: return {read_memory(header.ado(), datagram.data, true), false};
     case Command::kApwr:
-    case Command::kFpwr: return {false, mine && write_memory(header.ado(), datagram.data)};
-    case Command::kBwr: return {false, write_memory(header.ado(), datagram.data)};
+    case Command::kFpwr: return {false, mine && write_memory(header.command, header.ado(), datagram.data)};
+    case Command::kBwr: return {false, write_memory(header.command, header.ado(), datagram.data)};
     case Command::kAprw:
     case Command::kFprw:
     case Command::kBrw: {
       if (!mine) return {};
-      const bool written = write_memory(header.ado(), datagram.data);  // shadowed: the read sees the old value
+      // Shadowed: the read sees the old value.
+      const bool written = write_memory(header.command, header.ado(), datagram.data);
       const bool read = read_memory(header.ado(), datagram.data, header.command == Command::kBrw);
       return {read, written};
     }
     case Command::kArmw:
     case Command::kFrmw:
       if (mine) return {read_memory(header.ado(), datagram.data, false), false};
-      return {false, write_memory(header.ado(), datagram.data)};
+      return {false, write_memory(header.command, header.ado(), datagram.data)};
     case Command::kLrd: return logical(datagram, true, false);
     case Command::kLwr: return logical(datagram, false, true);
     case Command::kLrw: return logical(datagram, true, true);
@@ -190,11 +202,13 @@ Esc::Access Esc::execute(DatagramView& datagram) {
 }
 
 bool Esc::buffer_allows(std::uint32_t address, std::size_t length, bool write) const {
-  for (const auto& sm : sync_managers_) {
+  for (unsigned i = 0; i < sync_managers_.size(); ++i) {
+    const auto& sm = sync_managers_[i];
     if (!sm.enabled() || sm.length == 0 || !overlaps(address, length, sm.start, sm.length)) continue;
     if (sm.ecat_writes() != write) return !write && !sm.is_mailbox();
     const bool full = (sm.status & SyncManager::kStatusMailboxFull) != 0;
     if (sm.is_mailbox() && full == write) return false;  // full: no write; empty: no read
+    if (address > sm.start && (sm_begun_ & (1U << i)) == 0) return false;  // begins at the first byte
   }
   return true;
 }
@@ -204,7 +218,11 @@ void Esc::note_buffer_access(std::uint32_t address, std::size_t length, bool wri
     const auto& sm = sync_managers_[i];
     if (!sm.enabled() || sm.length == 0 || sm.ecat_writes() != write) continue;
     const std::uint32_t last = sm.start + sm.length - 1U;
-    if (address <= last && last < address + length) (write ? sm_written_ : sm_read_) |= 1U << i;
+    if (address <= sm.start && sm.start < address + length) sm_begun_ |= 1U << i;
+    if (address <= last && last < address + length) {
+      (write ? sm_written_ : sm_read_) |= 1U << i;
+      sm_begun_ &= ~(1U << i);
+    }
   }
 }
 
@@ -221,15 +239,12 @@ bool Esc::read_memory(std::uint16_t address, std::span<std::uint8_t> out, bool o
   }
   if (!any) return false;
   note_buffer_access(address, out.size(), false);
-  if (overlaps(address, out.size(), reg::kDlStatus, 2) || overlaps(address, out.size(), reg::kAlStatus, 2)) {
-    const std::uint16_t cleared = overlaps(address, out.size(), reg::kDlStatus, 2) ? kEventDlStatus : kEventAlStatus;
-    memory_.set<std::uint16_t>(reg::kEcatEventRequest,
-                               static_cast<std::uint16_t>(memory_.u16(reg::kEcatEventRequest) & ~cleared));
-  }
+  if (overlaps(address, out.size(), reg::kDlStatus, 2)) clear_event(kEventDlStatus);
+  if (overlaps(address, out.size(), reg::kAlStatus, 2)) clear_event(kEventAlStatus);
   return true;
 }
 
-bool Esc::write_memory(std::uint16_t address, std::span<const std::uint8_t> data) {
+bool Esc::write_memory(Command command, std::uint16_t address, std::span<const std::uint8_t> data) {
   if (address + data.size() > EscMemory::kSize || !buffer_allows(address, data.size(), true)) return false;
   bool any = false;
   for (std::size_t i = 0; i < data.size() && !any; ++i) {
@@ -241,10 +256,35 @@ bool Esc::write_memory(std::uint16_t address, std::span<const std::uint8_t> data
   } else {
     writes_.push_back({address, static_cast<std::uint16_t>(data.size())});
     shadow_.insert(shadow_.end(), data.begin(), data.end());
-    latch_ = latch_ || overlaps(address, data.size(), reg::kReceiveTimePort0, 4);
+    if (overlaps(address, data.size(), reg::kReceiveTimePort0, 4)) {
+      latch_unit_ = true;
+      latch_ports_ = latch_ports_ || command == Command::kBwr || command == Command::kFpwr;
+    }
   }
   note_buffer_access(address, data.size(), true);
   return true;
+}
+
+void Esc::copy_mapped(std::span<std::uint8_t> datagram, std::uint64_t datagram_bit, std::uint64_t memory_bit,
+                      std::uint64_t bits, bool writing) {
+  auto memory = memory_.at(0, EscMemory::kSize);
+  if (datagram_bit % 8 == 0 && memory_bit % 8 == 0 && bits % 8 == 0) {
+    const auto in_frame = datagram.subspan(datagram_bit / 8, bits / 8);
+    const auto in_memory = memory.subspan(memory_bit / 8, bits / 8);
+    if (writing) {
+      std::ranges::copy(in_frame, in_memory.begin());
+    } else {
+      std::ranges::copy(in_memory, in_frame.begin());
+    }
+    return;
+  }
+  for (std::uint64_t bit = 0; bit < bits; ++bit) {
+    if (writing) {
+      put_bit(memory, memory_bit + bit, get_bit(datagram, datagram_bit + bit));
+    } else {
+      put_bit(datagram, datagram_bit + bit, get_bit(memory, memory_bit + bit));
+    }
+  }
 }
 
 Esc::Access Esc::logical(const DatagramView& datagram, bool read, bool write) {
@@ -265,14 +305,7 @@ Esc::Access Esc::logical(const DatagramView& datagram, bool read, bool write) {
       const auto address = static_cast<std::uint32_t>(physical / 8);
       const auto length = static_cast<std::size_t>((physical + (to - from) + 7) / 8 - physical / 8);
       if (address + length > EscMemory::kSize || !buffer_allows(address, length, writing)) continue;
-      auto memory = memory_.at(0, EscMemory::kSize);
-      for (std::uint64_t bit = 0; bit < to - from; ++bit) {
-        if (writing) {
-          put_bit(memory, physical + bit, get_bit(datagram.data, from + bit - 8 * start));
-        } else {
-          put_bit(datagram.data, from + bit - 8 * start, get_bit(memory, physical + bit));
-        }
-      }
+      copy_mapped(datagram.data, from - 8 * start, physical, to - from, writing);
       note_buffer_access(address, length, writing);
       (writing ? access.written : access.read) = true;
     }
@@ -286,6 +319,7 @@ void Esc::commit_register(const Write& write, Nanoseconds time) {
   };
   if (hit(reg::kFmmu, 0x100) || hit(reg::kSyncManager, 0x80)) {
     maps_stale_ = true;
+    if (hit(reg::kSyncManager, 0x80)) sm_begun_ = 0;  // set up anew
   }
   if (hit(reg::kRxErrorCounter, 0x0C)) std::ranges::fill(memory_.at(reg::kRxErrorCounter, 0x0C), std::uint8_t{0});
   if (hit(reg::kLostLinkCounter, 4)) std::ranges::fill(memory_.at(reg::kLostLinkCounter, 4), std::uint8_t{0});
@@ -313,8 +347,9 @@ void Esc::frame_end(Nanoseconds time) {
   }
   writes_.clear();
   shadow_.clear();
-  if (latch_) dc_.latch_ports(port_times_, unit_time_);
-  latch_ = false;
+  if (latch_unit_) dc_.latch_processing_unit();
+  if (latch_ports_) dc_.latch_ports(port_times_);
+  latch_unit_ = latch_ports_ = false;
   port_times_ = {};
   for (unsigned i = 0; i < sync_managers_.size() && (sm_written_ | sm_read_) != 0; ++i) {
     const auto bit = 1U << i;

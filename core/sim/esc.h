@@ -66,6 +66,8 @@ class Esc {
     std::uint16_t address;
     std::uint16_t length;
   };
+  void raise_event(std::uint16_t event);
+  void clear_event(std::uint16_t event);
   /// Working counter parts of one datagram: what was read and written.
   struct Access {
     bool read = false, written = false;
@@ -73,7 +75,10 @@ class Esc {
   [[nodiscard]] Access execute(DatagramView& datagram);
   [[nodiscard]] bool addressed(const DatagramHeader& header) const;
   bool read_memory(std::uint16_t address, std::span<std::uint8_t> out, bool or_into);
-  bool write_memory(std::uint16_t address, std::span<const std::uint8_t> data);
+  /// Copies `bits` between a datagram and the memory, whole bytes at once where the mapping is aligned.
+  void copy_mapped(std::span<std::uint8_t> datagram, std::uint64_t datagram_bit, std::uint64_t memory_bit,
+                   std::uint64_t bits, bool writing);
+  bool write_memory(Command command, std::uint16_t address, std::span<const std::uint8_t> data);
   Access logical(const DatagramView& datagram, bool read, bool write);
   [[nodiscard]] bool buffer_allows(std::uint32_t address, std::size_t length, bool write) const;
   void note_buffer_access(std::uint32_t address, std::size_t length, bool write);
@@ -92,11 +97,12 @@ class Esc {
 
   // Of the frame that is passing:
   std::array<std::optional<Nanoseconds>, 4> port_times_{};
-  Nanoseconds unit_time_ = 0;
-  bool latch_ = false;
+  bool latch_unit_ = false, latch_ports_ = false;
   std::vector<Write> writes_;
   std::vector<std::uint8_t> shadow_;        // bytes of writes_, in order
   std::uint32_t sm_written_ = 0, sm_read_ = 0;  // bit per SyncManager
+  // Bit per SyncManager: a transfer has touched its first byte and not yet its last; lasts over frames.
+  std::uint32_t sm_begun_ = 0;
 };
 
 }  // namespace syncline::sim

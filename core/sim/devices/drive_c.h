@@ -14,6 +14,9 @@ class DriveC final : public Drive {
 
  protected:
   void on_state(AlState state) override;
+
+ private:
+  [[nodiscard]] std::uint16_t synchronisation_status();
 };
 
 }  // namespace syncline::sim

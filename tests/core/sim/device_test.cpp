@@ -23,9 +23,9 @@ class SimServo : public testing::Test {
     MailboxMessage mail;
     mail.counter = counter = next_mailbox_counter(counter);
     mail.data = coe::encode(request);
-    EXPECT_EQ(probe.write(0, 0x1000, mail.encode(128)).wkc, 1);
+    EXPECT_EQ(probe.write(0, mailbox_out, mail.encode(128)).wkc, 1);
     probe.pass(kMillisecond);
-    const auto reply = probe.read(0, 0x1080, 128);
+    const auto reply = probe.read(0, mailbox_in, 128);
     if (reply.wkc == 0) return std::nullopt;
     const auto decoded = MailboxMessage::decode(reply.data);
     if (!decoded) return std::nullopt;
@@ -63,6 +63,7 @@ class SimServo : public testing::Test {
   }
 
   SimProbe probe;
+  std::uint16_t mailbox_out = 0x1000, mailbox_in = 0x1080;
   std::uint8_t counter = 0;
   std::uint64_t first_sync = 0;
 };
@@ -222,6 +223,41 @@ TEST_F(SimServo, MissedSm2EventsCountAndTheIntegratorTrips) {
   EXPECT_EQ(probe.read(0, reg::kAlStatus, 2).value<std::uint16_t>(), 0x14);
   EXPECT_EQ(probe.al_code(0), 0x001A);
   EXPECT_EQ(read_object(0x603F, 0), 0x0A12U);
+}
+
+TEST_F(SimServo, DriveCSaysInItsStatusWhatIsWrongWithTheCycle) {
+  const auto status_with = [this](std::uint32_t cycle, bool late) {
+    probe = SimProbe(line({sim_slave("SL-XE2", "drive-c")}));
+    counter = 0;
+    const auto device = sim_slave("SL-XE2").device;
+    mailbox_out = device.sync_managers[0].start_address;
+    mailbox_in = device.sync_managers[1].start_address;
+    for (unsigned i = 0; i < 2; ++i) {
+      const auto& sm = device.sync_managers[i];
+      probe.set_sync_manager(0, i, sm.start_address, 128, sm.control_byte);
+    }
+    EXPECT_EQ(probe.request(0, 2), 2);
+    start_sync0(cycle);
+    if (late) {
+      probe.write(0, reg::kCyclicUnitControl, {0, 0});
+      probe.pass(10 * kMillisecond);
+      probe.write(0, reg::kStartTimeCyclicOperation, le_bytes(first_sync));
+      probe.write(0, reg::kCyclicUnitControl, {0x00, 0x03});
+    }
+    for (const unsigned i : {2U, 3U}) {
+      const auto& sm = device.sync_managers[i];
+      std::uint32_t bits = 0;
+      for (const auto& pdo : device.pdos(i == 2 ? PdoDirection::kRx : PdoDirection::kTx)) {
+        if (pdo.sync_manager) bits += pdo.bit_length();
+      }
+      probe.set_sync_manager(0, i, sm.start_address, static_cast<std::uint16_t>((bits + 7) / 8), sm.control_byte);
+    }
+    EXPECT_EQ(probe.request(0, 4), 4);
+    return read_object(0x21B4, 0);
+  };
+  EXPECT_EQ(status_with(1'000'000, false), 0x07U);
+  EXPECT_EQ(status_with(312'500, false), 0x01U) << "legal, but only the current loop is synchronised";
+  EXPECT_EQ(status_with(1'000'000, true), 0x0FU) << "start time before system time";
 }
 
 TEST_F(SimServo, RepeatedMailboxCounterIsDroppedAndAFullMailboxRefused) {

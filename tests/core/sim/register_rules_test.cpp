@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "dc/propagation_delay.h"
+#include "protocol/dl_status.h"
+#include "protocol/fmmu.h"
+#include "tests/core/sim/sim_probe.h"
+
+/// Rules of the ESC data sheet that a master notices only when something goes wrong.
+namespace syncline::test {
+namespace {
+
+using testing::ElementsAre;
+
+void broadcast(SimProbe& probe, std::uint16_t ado, std::vector<std::uint8_t> data) {
+  probe.send(Command::kBwr, device_address(0, ado), std::move(data));
+}
+
+// ---- distributed clocks ---------------------------------------------------------------------------
+
+TEST(SimLatch, OnlyBwrAndFpwrLatchThePorts) {
+  SimProbe probe(line({sim_slave("SL-1100"), sim_slave("SL-1100")}));
+  probe.write(0, reg::kStationAddress, {0xE9, 0x03});
+  const auto port0 = [&probe] { return probe.read(0, reg::kReceiveTimePort0, 4).value<std::uint32_t>(); };
+  const auto unit = [&probe] { return probe.read(0, reg::kReceiveTimeProcessingUnit, 8).value<std::uint64_t>(); };
+  broadcast(probe, reg::kReceiveTimePort0, {0, 0, 0, 0});
+  auto latched = port0();
+  EXPECT_EQ(static_cast<std::uint32_t>(unit()), latched) << "the entry port is where the processing unit is";
+
+  const auto unit_before = unit();
+  EXPECT_EQ(probe.write(0, reg::kReceiveTimePort0, {0, 0, 0, 0}).wkc, 1) << "APWR counts";
+  EXPECT_EQ(port0(), latched) << "but does not latch the ports";
+  EXPECT_GT(unit(), unit_before) << "any write latches the processing unit's time";
+
+  EXPECT_EQ(probe.send(Command::kFpwr, device_address(1001, reg::kReceiveTimePort0), {0, 0, 0, 0}).wkc, 1);
+  EXPECT_NE(port0(), latched);
+  latched = port0();
+  EXPECT_EQ(probe.send(Command::kFprw, device_address(1001, reg::kReceiveTimePort0), {0, 0, 0, 0}).wkc, 3);
+  EXPECT_EQ(port0(), latched);
+}
+
+class SimLateStart : public testing::TestWithParam<bool> {};
+
+TEST_P(SimLateStart, AStartTimeThatHasPassedFiresOnlyWhenTheCounterComesRound) {
+  const bool wide = GetParam();
+  auto slave = sim_slave("SL-SV7", "servo-y");
+  slave.dc.is_64bit = wide;
+  slave.oscillator.start_offset = 100 * kMillisecond;
+  SimProbe probe(line({slave}));
+  const auto now = probe.read(0, reg::kSystemTime, 4).value<std::uint32_t>();
+  probe.write(0, reg::kSync0CycleTime, le_bytes(std::uint32_t{1'000'000}));
+  const std::uint64_t start = now - kMillisecond;
+  probe.write(0, reg::kStartTimeCyclicOperation, wide ? le_bytes(start) : le_bytes(static_cast<std::uint32_t>(start)));
+  probe.write(0, reg::kCyclicUnitControl, {0x00, 0x03});
+  const auto pending = [&probe] { return (probe.read(0, reg::kActivationStatus, 1).data[0] & 1) != 0; };
+  EXPECT_TRUE(pending());
+  probe.pass(100 * kMillisecond);
+  EXPECT_TRUE(pending());
+  probe.pass(4'100 * kMillisecond);  // 4.295 s is the period of 32 bit
+  EXPECT_TRUE(pending());
+  probe.pass(100 * kMillisecond);
+  EXPECT_EQ(pending(), wide) << "32 bit have come round, 64 bit take 584 years";
+}
+INSTANTIATE_TEST_SUITE_P(Widths, SimLateStart, testing::Bool());
+
+TEST(SimSync, CycleTimesAreLockedWhileTheUnitRuns) {
+  SimProbe probe(line({sim_slave("SL-SV7", "servo-y")}));
+  const auto now = probe.read(0, reg::kSystemTime, 8).value<std::uint64_t>();
+  const auto start = now + 5 * kMillisecond;
+  probe.write(0, reg::kSync0CycleTime, le_bytes(std::uint32_t{1'000'000}));
+  probe.write(0, reg::kStartTimeCyclicOperation, le_bytes(start));
+  probe.write(0, reg::kCyclicUnitControl, {0x00, 0x03});
+  probe.write(0, reg::kSync0CycleTime, le_bytes(std::uint32_t{250'000}));
+  probe.write(0, reg::kStartTimeCyclicOperation, le_bytes(start + 77));
+  EXPECT_EQ(probe.read(0, reg::kSync0CycleTime, 4).value<std::uint32_t>(), 1'000'000U);
+  EXPECT_EQ(probe.read(0, reg::kStartTimeCyclicOperation, 8).value<std::uint64_t>(), start);
+  probe.pass(20 * kMillisecond);
+  const auto next = probe.read(0, reg::kStartTimeCyclicOperation, 8).value<std::uint64_t>();
+  EXPECT_EQ((next - start) % 1'000'000, 0U) << "the grid is the one that was started";
+  EXPECT_GT(next, start + 14 * kMillisecond);
+}
+
+/// The delays that the registers give are those that the wires have: latch, read, compute.
+TEST(SimPropagation, MeasuredDelaysOfTheDemonstrationMachineAreTheTrueOnes) {
+  const auto config = sim::load_scenario(resource("demo/machine.toml"), device_from).value();
+  SimProbe probe(config);
+  constexpr int kRounds = 15;
+  const auto count = config.slaves.size();
+  std::vector<std::array<std::vector<std::int32_t>, 4>> since_entry(count);
+  for (int round = 0; round < kRounds; ++round) {
+    broadcast(probe, reg::kReceiveTimePort0, {0, 0, 0, 0});
+    for (std::uint16_t i = 0; i < count; ++i) {
+      const auto times = probe.read(i, reg::kReceiveTimePort0, 16);
+      if (times.wkc == 0) continue;
+      for (unsigned port = 0; port < 4; ++port) {
+        const auto bytes = std::span(times.data);
+        since_entry[i][port].push_back(
+            static_cast<std::int32_t>(load_le<std::uint32_t>(bytes.subspan(4 * port)) - load_le<std::uint32_t>(bytes)));
+      }
+    }
+    probe.pass(kMillisecond + 137);  // another phase of the 10 ns counters
+  }
+  std::vector<dc::DelayNode> nodes(count);
+  for (std::uint16_t i = 0; i < count; ++i) {
+    const DlStatus status{probe.read(i, reg::kDlStatus, 2).value<std::uint16_t>()};
+    nodes[i].parent = config.slaves[i].parent;
+    nodes[i].parent_port = config.slaves[i].parent_port;
+    if (since_entry[i][0].empty()) continue;
+    const bool full = probe.read(i, reg::kSystemTime, 4).wkc == 1;
+    nodes[i].kind = full ? dc::DcKind::kFull : dc::DcKind::kReceiveTimesOnly;
+    for (unsigned port = 0; port < 4; ++port) {
+      nodes[i].active[port] = status.active(port);
+      auto& values = since_entry[i][port];
+      std::ranges::nth_element(values, values.begin() + kRounds / 2);
+      nodes[i].receive_time[port] = static_cast<std::uint32_t>(values[kRounds / 2]);
+    }
+  }
+  const auto result = dc::propagation_delays(nodes);
+  int compared = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!result.delay_ns[i]) continue;
+    EXPECT_NEAR(static_cast<double>(*result.delay_ns[i]), probe.bus->true_delay_ns(i), 20) << config.slaves[i].name;
+    ++compared;
+  }
+  EXPECT_GE(compared, 5);
+}
+
+// ---- data link -----------------------------------------------------------------------------------
+
+TEST(SimDataLink, ACutCableIsCountedAndReportedWhereItHappened) {
+  auto config = line({sim_slave("SL-1100"), sim_slave("SL-2002"), sim_slave("SL-1002")});
+  config.faults.push_back({FaultKind::kCableBreak, 2, 20 * kMillisecond, 30 * kMillisecond});
+  SimProbe probe(config);
+  const auto event = [&probe] { return probe.send(Command::kBrd, device_address(0, reg::kType), {0}).irq; };
+  const auto lost = [&probe](std::uint16_t i) { return probe.read(i, reg::kLostLinkCounter, 4).data; };
+  broadcast(probe, reg::kEcatEventMask, {0x04, 0x00});
+  for (std::uint16_t i = 0; i < 3; ++i) probe.read(i, reg::kDlStatus, 2);
+  EXPECT_EQ(event(), 0) << "reading 0x0110 acknowledges";
+  probe.pass(21 * kMillisecond);
+  EXPECT_EQ(event(), 4);
+  EXPECT_THAT(lost(0), ElementsAre(0, 0, 0, 0)) << "nothing happened at the first slave";
+  EXPECT_THAT(lost(1), ElementsAre(0, 1, 0, 0));
+  probe.read(1, reg::kDlStatus, 2);
+  EXPECT_EQ(event(), 0);
+  probe.pass(10 * kMillisecond);
+  EXPECT_EQ(event(), 4) << "the link is back";
+  EXPECT_THAT(lost(1), ElementsAre(0, 1, 0, 0));
+  EXPECT_THAT(lost(2), ElementsAre(1, 0, 0, 0)) << "the other end lost it, too";
+  probe.write(1, reg::kLostLinkCounter, {0});
+  EXPECT_THAT(lost(1), ElementsAre(0, 0, 0, 0)) << "any write clears all";
+}
+
+TEST(SimDataLink, OneReadOfBothStatusRegistersAcknowledgesBoth) {
+  SimProbe probe(line({sim_slave("SL-SV7", "servo-y")}));
+  probe.request(0, 8);  // refused: AL status changes
+  EXPECT_EQ(probe.read(0, reg::kEcatEventRequest, 2).value<std::uint16_t>() & 0x08, 0);
+  probe.write(0, reg::kAlControl, {0x11, 0});
+  probe.pass(kMillisecond);
+  EXPECT_EQ(probe.read(0, reg::kEcatEventRequest, 2).value<std::uint16_t>() & 0x0C, 0x0C);
+  probe.read(0, reg::kDlStatus, 0x22);
+  EXPECT_EQ(probe.read(0, reg::kEcatEventRequest, 2).value<std::uint16_t>() & 0x0C, 0);
+}
+
+// ---- SyncManagers and FMMUs ------------------------------------------------------------------------
+
+TEST(SimSyncManager, ATransferStartsAtTheFirstByteAndEndsAtTheLast) {
+  SimProbe probe(line({sim_slave("SL-SV7", "servo-y")}));
+  probe.set_sync_manager(0, 0, 0x1000, 128, 0x26);
+  const auto full = [&probe] { return (probe.read(0, 0x0805, 1).data[0] & 0x08) != 0; };
+  EXPECT_EQ(probe.write(0, 0x1040, std::vector<std::uint8_t>(64)).wkc, 0) << "not begun";
+  EXPECT_FALSE(full());
+  EXPECT_EQ(probe.write(0, 0x1000, std::vector<std::uint8_t>(16)).wkc, 1);
+  EXPECT_FALSE(full());
+  EXPECT_EQ(probe.write(0, 0x107F, {0}).wkc, 1) << "begun, so the last byte may come alone";
+  EXPECT_TRUE(full());
+}
+
+TEST(SimFmmu, AlignedAndShiftedMappingsMoveTheSameBits) {
+  for (const std::uint8_t shift : {std::uint8_t{0}, std::uint8_t{3}}) {
+    SimProbe probe(line({sim_slave("SL-SV7", "servo-y")}));
+    Fmmu out;
+    out.logical_start = 0x2000;
+    out.length = static_cast<std::uint16_t>(shift == 0 ? 5 : 6);
+    out.logical_start_bit = shift;
+    out.logical_stop_bit = static_cast<std::uint8_t>((shift + 7) % 8);
+    out.physical_start = 0x1800;
+    out.write = out.active = true;
+    auto in = out;
+    in.write = false;
+    in.read = true;
+    in.physical_start = 0x1900;
+    const auto out_image = out.encode();
+    const auto in_image = in.encode();
+    probe.write(0, reg::fmmu(0), {out_image.begin(), out_image.end()});
+    probe.write(0, reg::fmmu(1), {in_image.begin(), in_image.end()});
+    probe.write(0, 0x1900, {0x11, 0x22, 0x33, 0x44, 0x55});
+    // The datagram covers a byte before and a byte behind the mapping.
+    const std::uint64_t value = 0xA1B2'C3D4'E5U;
+    std::vector<std::uint8_t> data(8, 0xFF);
+    for (unsigned bit = 0; bit < 40; ++bit) {
+      const auto mask = static_cast<std::uint8_t>(1U << ((bit + shift) % 8));
+      if (((value >> bit) & 1U) == 0) data[1 + (bit + shift) / 8] &= static_cast<std::uint8_t>(~mask);
+    }
+    const auto reply = probe.send(Command::kLrw, 0x1FFF, data);
+    EXPECT_EQ(reply.wkc, 3);
+    EXPECT_THAT(probe.bus->peek(0, 0x1800, 5), ElementsAre(0xE5, 0xD4, 0xC3, 0xB2, 0xA1));
+    std::uint64_t read = 0;
+    for (unsigned bit = 0; bit < 40; ++bit) {
+      read |= static_cast<std::uint64_t>((reply.data[1 + (bit + shift) / 8] >> ((bit + shift) % 8)) & 1U) << bit;
+    }
+    EXPECT_EQ(read, 0x55'4433'2211U);
+    EXPECT_EQ(reply.data[0], 0xFF) << "bytes that are not mapped stay";
+    EXPECT_EQ(reply.data[7], 0xFF);
+  }
+}
+
+// ---- AL state machine ------------------------------------------------------------------------------
+
+TEST(SimAlState, ProcessDataAtTheWrongPlaceIsAnInvalidSyncManager) {
+  SimProbe probe(line({sim_slave("SL-SV7", "servo-y")}));
+  probe.set_sync_manager(0, 0, 0x1000, 128, 0x26);
+  probe.set_sync_manager(0, 1, 0x1080, 128, 0x22);
+  ASSERT_EQ(probe.request(0, 2), 2);
+  probe.set_sync_manager(0, 2, 0x1180, 16, 0x64);
+  probe.set_sync_manager(0, 3, 0x1400, 20, 0x20);
+  EXPECT_EQ(probe.request(0, 4), 0x12);
+  EXPECT_EQ(probe.al_code(0), 0x0017) << "start address";
+  ASSERT_EQ(probe.request(0, 0x12), 2);
+  probe.set_sync_manager(0, 2, 0x1100, 16, 0x60);
+  EXPECT_EQ(probe.request(0, 4), 0x12);
+  EXPECT_EQ(probe.al_code(0), 0x0017) << "direction";
+  ASSERT_EQ(probe.request(0, 0x12), 2);
+  probe.set_sync_manager(0, 2, 0x1100, 16, 0x64);
+  EXPECT_EQ(probe.request(0, 4), 4);
+}
+
+}  // namespace
+}  // namespace syncline::test
