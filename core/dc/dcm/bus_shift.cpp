@@ -3,59 +3,92 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-
-#include "dc/dcm/dcm_error.h"
 
 namespace syncline::dc {
 namespace {
 
-constexpr double kFilterTime = 20e6;       // ns; well below the ESC loop's 84 ms
-constexpr double kIntegralTime = 500e6;    // ns; well above it, so that the two loops do not fight
+/// How the error is filtered and corrected. Times in ns.
+struct Correction {
+  double filter_time;
+  double share;           // of the filtered error
+  double integral_time;   // in which the integral takes over an error
+};
+/// The filter well below the ESC loop's 84 ms, the integral well above it, so that the loops do not fight.
+constexpr Correction kAcquire{20e6, 1.0, 500e6};
+constexpr Correction kTrack{100e6, 0.2, 10e9};
+/// Short cycles bring the ESC more messages: its loop learns faster, and has to be led faster.
+constexpr double kTrackShareTime = 200e3;
+constexpr double kMaxTrackShare = 0.5;
 constexpr double kMaxCorrection = 20'000;  // ns; an ESC at its slew limit is not helped by more
+constexpr Nanoseconds kFreshCycles = 4;    // a prediction from an older reading is worth less than none
+constexpr int kBlocksAway = 10;
+constexpr double kAwayPpm = 3;
 
 }  // namespace
 
 BusShift::BusShift(const DcmSettings& settings, Nanoseconds cycle_time, Nanoseconds set_value)
-    : target_{0, set_value, cycle_time}, judge_(settings) {}
+    : target_{0, set_value, cycle_time}, monitor_(settings, cycle_time, set_value) {}
 
 void BusShift::start(Nanoseconds base, Nanoseconds first_reference_time, Nanoseconds first_send_time) {
   target_.base = base;
-  judge_.start(first_send_time);
-  drift_.start();
+  monitor_.start(first_send_time);
   state_ = {};
   filtered_ = integral_ = 0;
-  anchor_host_ = first_send_time;
+  blocks_away_ = 0;
+  last_.reset();
   // Nearest place in the grid: the clock is never asked to jump.
-  anchor_reference_ = first_reference_time -
-                      wrap_to_half(first_reference_time - (target_.base - target_.set_value), target_.cycle);
+  anchor_.host_time = first_send_time;
+  anchor_.reference_time = first_reference_time -
+                           wrap_to_half(first_reference_time - (target_.base - target_.set_value), target_.cycle);
+}
+
+Nanoseconds BusShift::wanted_at(Nanoseconds host_time) const {
+  return anchor_.reference_time + (host_time - anchor_.host_time);
+}
+
+bool BusShift::predicts(Nanoseconds send_time) const {
+  return monitor_.in_sync() && last_ && send_time - last_->host_time <= kFreshCycles * target_.cycle;
 }
 
 std::optional<Nanoseconds> BusShift::reference_write(Nanoseconds send_time, Nanoseconds) {
   // Counted from the real send time: a frame that leaves late carries a later time.
-  return anchor_reference_ + (send_time - anchor_host_) - static_cast<Nanoseconds>(std::llround(integral_));
+  if (!predicts(send_time)) return wanted_at(send_time) - static_cast<Nanoseconds>(std::llround(integral_));
+  const double share = std::clamp(kTrackShareTime / static_cast<double>(target_.cycle), kTrack.share, kMaxTrackShare);
+  const auto now = last_->reference_time + (send_time - last_->host_time);
+  return now - static_cast<Nanoseconds>(std::llround(share * filtered_ + integral_));
 }
 
 DcmAction BusShift::observe(const DcmObservation& observation) {
-  if (!observation.reference_time) return {};
-  const auto error = target_.error(observation);
-  (void)drift_.observe(observation.send_time, *observation.reference_time);
-  const auto cycle = static_cast<double>(target_.cycle);
-  filtered_ += std::min(1.0, cycle / kFilterTime) * (static_cast<double>(error) - filtered_);
-  integral_ = std::clamp(integral_ + cycle / kIntegralTime * filtered_, -kMaxCorrection, kMaxCorrection);
-  state_.error = error;
-  judge_.observe(observation.send_time, error);
-  update_state();
+  if (!observation.reference_time) {
+    monitor_.observe(observation, 0);
+    monitor_.report(state_);
+    return {};
+  }
+  last_ = Reading{observation.send_time, *observation.reference_time};
+  // Not folded into a cycle: the clock that falls behind by whole cycles is still behind.
+  const auto lag = *observation.reference_time - wanted_at(observation.send_time);
+  const bool new_block = monitor_.observe(observation, lag);
+  correct(static_cast<double>(lag));
+  if (new_block) watch_runaway();
+  monitor_.report(state_);
+  state_.adjust = static_cast<Nanoseconds>(std::llround(-integral_));
   return {};
 }
 
-void BusShift::update_state() {
-  state_.error_filtered = static_cast<Nanoseconds>(std::llround(filtered_));
-  state_.drift_ppm = drift_.ppm();
-  state_.adjust = static_cast<Nanoseconds>(std::llround(-integral_));
-  state_.in_sync = judge_.in_sync();
-  state_.in_sync_after = judge_.in_sync_after();
-  state_.error_code = dcm_error_code(drift_, judge_);
+void BusShift::correct(double lag) {
+  const auto& correction = monitor_.in_sync() ? kTrack : kAcquire;
+  const auto cycle = static_cast<double>(target_.cycle);
+  filtered_ += std::min(1.0, cycle / correction.filter_time) * (lag - filtered_);
+  integral_ = std::clamp(integral_ + cycle / correction.integral_time * filtered_, -kMaxCorrection, kMaxCorrection);
+}
+
+/// An ESC at the end stop of its speed counter (763 ppm) falls behind for good, however slowly.
+void BusShift::watch_runaway() {
+  const double ppm = monitor_.drift().last_block_ppm();
+  const bool away = std::abs(monitor_.filtered()) > kMaxCorrection && std::abs(ppm) > kAwayPpm &&
+                    (ppm > 0) == (monitor_.filtered() > 0);
+  blocks_away_ = away ? std::min(blocks_away_ + 1, kBlocksAway) : 0;
+  monitor_.set_running_away(blocks_away_ >= kBlocksAway);
 }
 
 }  // namespace syncline::dc

@@ -9,8 +9,8 @@
 namespace syncline::dc {
 
 /// Rate of the reference clock against the host clock, from blocks of cycles: the slope between the
-/// ends of a block is exact to the stamps' noise divided by its length, and a block is short enough to
-/// show a change at once.
+/// ends of a block is exact to the stamps' noise divided by its length, and in the mean of adjoining blocks
+/// the noise of their common ends cancels.
 class DriftEstimator {
  public:
   explicit DriftEstimator(Nanoseconds block = 100 * kMillisecond) : block_(block) {}
@@ -19,13 +19,15 @@ class DriftEstimator {
   bool observe(Nanoseconds host_time, Nanoseconds reference_time);
   /// Reference clock's rate minus host's; 0 until the first block is complete.
   [[nodiscard]] double ppm() const { return ppm_; }
-  [[nodiscard]] bool valid() const { return valid_; }
+  /// Of the last block alone.
+  [[nodiscard]] double last_block_ppm() const { return last_ppm_; }
+  [[nodiscard]] bool valid() const { return blocks_ > 0; }
 
  private:
   Nanoseconds block_;
   std::optional<Nanoseconds> host_, reference_;
-  double ppm_ = 0;
-  bool valid_ = false;
+  double ppm_ = 0, last_ppm_ = 0;
+  int blocks_ = 0;
 };
 
 }  // namespace syncline::dc

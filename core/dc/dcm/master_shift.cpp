@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dc/dcm/dcm_error.h"
-
 namespace syncline::dc {
 namespace {
 
@@ -15,61 +13,53 @@ struct Gains {
 // Critically damped (integral = proportional^2 / 4); time constants of 20 and 200 cycles.
 constexpr Gains kAcquire{0.1, 2.5e-3};
 constexpr Gains kTrack{0.01, 2.5e-5};
-constexpr double kMaxStep = 0.02;           // of the cycle
-constexpr Nanoseconds kOutlier = 15'000;    // ns from the filtered error, after the first lock
-constexpr int kOutliersAreTrue = 20;        // so many in a row are no outliers
+constexpr double kMaxDrift = 2000e-6;        // of the cycle; a drift that is reported as too high is still balanced
+constexpr double kMaxStep = 0.02;            // of the cycle
+constexpr double kOutlier = 15'000;          // ns from the smoothed error, while in sync
+constexpr int kOutliersAreTrue = 20;         // so many in a row are no outliers
+constexpr double kSmoothing = 0.3;
 
 }  // namespace
 
 MasterShift::MasterShift(const DcmSettings& settings, Nanoseconds cycle_time, Nanoseconds set_value)
-    : target_{0, set_value, cycle_time}, judge_(settings) {}
+    : target_{0, set_value, cycle_time}, monitor_(settings, cycle_time, set_value) {}
 
 void MasterShift::start(Nanoseconds base, Nanoseconds, Nanoseconds first_send_time) {
   target_.base = base;
-  judge_.start(first_send_time);
-  drift_.start();
+  monitor_.start(first_send_time);
   state_ = {};
-  filtered_ = integral_ = output_ = 0;
+  smoothed_ = integral_ = output_ = 0;
   outliers_ = 0;
 }
 
-bool MasterShift::is_outlier(Nanoseconds error) const {
-  return judge_.was_in_sync() && std::abs(static_cast<double>(error) - filtered_) > kOutlier;
-}
-
 DcmAction MasterShift::observe(const DcmObservation& observation) {
-  if (!observation.reference_time) return {static_cast<Nanoseconds>(std::llround(-integral_)), {}};  // coast
-  const auto error = target_.error(observation);
-  state_.error = error;
-  (void)drift_.observe(observation.send_time, *observation.reference_time);
-
-  outliers_ = is_outlier(error) ? outliers_ + 1 : 0;
-  const bool gated = outliers_ > 0 && outliers_ < kOutliersAreTrue;
-  if (!gated) {
-    const auto& gains = judge_.was_in_sync() ? kTrack : kAcquire;
-    filtered_ += 0.3 * (static_cast<double>(error) - filtered_);
-    const auto cycle = static_cast<double>(target_.cycle);
-    const double wanted = -(gains.proportional * static_cast<double>(error) + integral_);
-    output_ = std::clamp(wanted, -kMaxStep * cycle, kMaxStep * cycle);
-    // Anti-windup: what the clamp holds back must not pile up in the integral.
-    if (output_ == wanted) integral_ += gains.integral * static_cast<double>(error);
-    const double bound = 1.2 * kMaxDriftPpm * 1e-6 * cycle;
-    integral_ = std::clamp(integral_, -bound, bound);
+  const auto error = observation.reference_time ? target_.error(observation) : 0;
+  monitor_.observe(observation, error);
+  if (observation.reference_time && !is_gated(static_cast<double>(error))) {
+    control(static_cast<double>(error));
   } else {
-    output_ = -integral_;
+    output_ = -integral_;  // coast: the drift is known, the phase is not
   }
-  judge_.observe(observation.send_time, error);
-  update_state();
-  return {static_cast<Nanoseconds>(std::llround(output_)), {}};
+  monitor_.report(state_);
+  state_.adjust = static_cast<Nanoseconds>(std::llround(output_));
+  return {state_.adjust, {}};
 }
 
-void MasterShift::update_state() {
-  state_.error_filtered = static_cast<Nanoseconds>(std::llround(filtered_));
-  state_.drift_ppm = drift_.ppm();
-  state_.adjust = static_cast<Nanoseconds>(std::llround(output_));
-  state_.in_sync = judge_.in_sync();
-  state_.in_sync_after = judge_.in_sync_after();
-  state_.error_code = dcm_error_code(drift_, judge_);
+bool MasterShift::is_gated(double error) {
+  const bool outlier = monitor_.in_sync() && std::abs(error - smoothed_) > kOutlier;
+  outliers_ = outlier ? outliers_ + 1 : 0;
+  return outlier && outliers_ < kOutliersAreTrue;
+}
+
+void MasterShift::control(double error) {
+  smoothed_ += kSmoothing * (error - smoothed_);
+  const auto& gains = monitor_.in_sync() ? kTrack : kAcquire;
+  const auto cycle = static_cast<double>(target_.cycle);
+  const double wanted = -(gains.proportional * error + integral_);
+  output_ = std::clamp(wanted, -kMaxStep * cycle, kMaxStep * cycle);
+  // Anti-windup: what the clamp holds back must not pile up in the integral.
+  if (output_ == wanted) integral_ += gains.integral * error;
+  integral_ = std::clamp(integral_, -kMaxDrift * cycle, kMaxDrift * cycle);
 }
 
 }  // namespace syncline::dc

@@ -2,14 +2,13 @@
 #pragma once
 
 #include "dc/dcm/dcm_controller.h"
-#include "dc/dcm/drift_estimator.h"
+#include "dc/dcm/dcm_monitor.h"
 #include "dc/dcm/phase_error.h"
-#include "dc/dcm/sync_judge.h"
 
 namespace syncline::dc {
 
 /// The host's timer follows the reference clock: a PI controller lengthens or shortens the next
-/// period. Fast gains until the first lock, slow ones afterwards.
+/// period. Fast gains while not in sync, slow ones while in sync.
 class MasterShift final : public DcmController {
  public:
   MasterShift(const DcmSettings& settings, Nanoseconds cycle_time, Nanoseconds set_value);
@@ -19,14 +18,13 @@ class MasterShift final : public DcmController {
   [[nodiscard]] const DcmState& state() const override { return state_; }
 
  private:
-  [[nodiscard]] bool is_outlier(Nanoseconds error) const;
-  void update_state();
+  [[nodiscard]] bool is_gated(double error);
+  void control(double error);
 
   PhaseTarget target_;
-  SyncJudge judge_;
-  DriftEstimator drift_;
+  DcmMonitor monitor_;
   DcmState state_;
-  double filtered_ = 0, integral_ = 0, output_ = 0;  // ns, ns a cycle, ns
+  double smoothed_ = 0, integral_ = 0, output_ = 0;  // ns, ns a cycle, ns
   int outliers_ = 0;
 };
 

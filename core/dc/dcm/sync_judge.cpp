@@ -14,30 +14,38 @@ void SyncJudge::start(Nanoseconds time) {
   start_ = time;
   good_since_.reset();
   bad_since_.reset();
+  silent_since_.reset();
   after_.reset();
   in_sync_ = false;
 }
 
 void SyncJudge::observe(Nanoseconds time, Nanoseconds error) {
   if (time - start_ < delay_) return;
-  if (std::abs(error) <= limit_) {
-    bad_since_.reset();
-    if (!good_since_) good_since_ = time;
-    if (!in_sync_ && time - *good_since_ >= settle_) {
-      in_sync_ = true;
-      if (!after_) after_ = time - start_;
-    }
+  silent_since_.reset();
+  if (std::abs(error) > limit_) {
+    endure(bad_since_, time);
     return;
   }
-  if (!in_sync_) {
-    good_since_.reset();
-    return;
+  bad_since_.reset();
+  if (!good_since_) good_since_ = time;
+  if (!in_sync_ && time - *good_since_ >= settle_) {
+    in_sync_ = true;
+    if (!after_) after_ = time - start_;
   }
-  if (!bad_since_) bad_since_ = time;
-  if (time - *bad_since_ >= kPatience) {
-    in_sync_ = false;
-    good_since_.reset();
-  }
+}
+
+void SyncJudge::observe_silence(Nanoseconds time) {
+  if (time - start_ >= delay_) endure(silent_since_, time);
+}
+
+/// Before the lock a violation starts the settle time again, afterwards only one that lasts takes it.
+void SyncJudge::endure(std::optional<Nanoseconds>& since, Nanoseconds time) {
+  if (!since) since = time;
+  // A single lost frame says nothing about the error, in sync or not.
+  const bool at_once = !in_sync_ && &since == &bad_since_;
+  if (!at_once && time - *since < kPatience) return;
+  in_sync_ = false;
+  good_since_.reset();
 }
 
 }  // namespace syncline::dc

@@ -9,14 +9,16 @@
 namespace syncline::dc {
 
 /// Says from the controller error whether master and reference clock are in sync: after the start delay
-/// the error must stay within the limit for the settle time; it is lost only by a violation that lasts,
-/// because one late frame is no loss of synchronisation.
+/// the error must stay within the limit for the settle time; it is lost only by a violation or a silence
+/// of the reference clock that lasts, because one late or lost frame is no loss of synchronisation.
 class SyncJudge {
  public:
   explicit SyncJudge(const DcmSettings& settings);
   void start(Nanoseconds time);
   /// One cycle; `error` in ns.
   void observe(Nanoseconds time, Nanoseconds error);
+  /// One cycle without a reading of the reference clock.
+  void observe_silence(Nanoseconds time);
   [[nodiscard]] bool in_sync() const { return in_sync_; }
   [[nodiscard]] bool was_in_sync() const { return after_.has_value(); }
   /// From start until the first time in sync, settle time included.
@@ -24,10 +26,11 @@ class SyncJudge {
 
  private:
   static constexpr Nanoseconds kPatience = 200 * kMillisecond;
+  void endure(std::optional<Nanoseconds>& since, Nanoseconds time);
 
   Nanoseconds limit_, settle_, delay_;
   Nanoseconds start_ = 0;
-  std::optional<Nanoseconds> good_since_, bad_since_, after_;
+  std::optional<Nanoseconds> good_since_, bad_since_, silent_since_, after_;
   bool in_sync_ = false;
 };
 

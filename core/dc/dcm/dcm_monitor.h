@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "dc/dcm/bus_cycle_check.h"
+#include "dc/dcm/dcm_controller.h"
+#include "dc/dcm/drift_estimator.h"
+#include "dc/dcm/sync_judge.h"
+
+namespace syncline::dc {
+
+/// What every controller says about its loop, whatever it moves: filtered error, drift, in sync or not,
+/// and the error code.
+class DcmMonitor {
+ public:
+  DcmMonitor(const DcmSettings& settings, Nanoseconds cycle_time, Nanoseconds set_value);
+  void start(Nanoseconds time);
+  /// One cycle; `error` of the schedule in the SYNC grid, ns. Without a reference time the error is not read.
+  /// True when a new reading of the drift is there.
+  bool observe(const DcmObservation& observation, Nanoseconds error);
+  /// The reference clock moves away although it is told to come.
+  void set_running_away(bool running_away) { running_away_ = running_away; }
+  void report(DcmState& state) const;
+
+  /// Error without the noise of single stamps (20 ms), ns.
+  [[nodiscard]] double filtered() const { return filtered_; }
+  [[nodiscard]] bool in_sync() const { return judge_.in_sync(); }
+  [[nodiscard]] const DriftEstimator& drift() const { return drift_; }
+
+ private:
+  [[nodiscard]] std::uint32_t error_code() const;
+
+  Nanoseconds cycle_;
+  bool valid_set_value_;
+  SyncJudge judge_;
+  DriftEstimator drift_;
+  BusCycleCheck bus_cycle_;
+  Nanoseconds error_ = 0;
+  double filtered_ = 0;
+  bool running_away_ = false;
+};
+
+}  // namespace syncline::dc

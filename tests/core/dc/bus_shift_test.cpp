@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "dc/dcm/bus_shift.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "dcm_plant.h"
+
+namespace syncline::dc {
+namespace {
+
+PlantOptions with(JitterProfile jitter, double ppm = 50) {
+  PlantOptions options;
+  options.mode = DcmMode::kBusShift;
+  options.jitter = jitter;
+  options.reference_ppm = ppm;
+  options.slave_ppm = {ppm + 30, ppm - 90};
+  return options;
+}
+
+TEST(BusShift, ReferenceClockFollowsTheHostAndSlavesFollowIt) {
+  for (const auto& jitter : {JitterProfile::none(), JitterProfile::quiet(), JitterProfile::desktop()}) {
+    for (const double ppm : {-400.0, -50.0, 0.0, 50.0, 400.0}) {
+      DcmPlant plant(with(jitter, ppm));
+      plant.run_until(20);
+      EXPECT_LT(plant.in_sync_at(), 1.6) << ppm;
+      EXPECT_EQ(plant.times_lost(), 0) << ppm;
+      EXPECT_LT(plant.worst(&PlantCycle::grid_error, 5), 200) << ppm;
+      EXPECT_LT(plant.worst(&PlantCycle::slave_error, 1), 100) << ppm;
+      EXPECT_LT(plant.worst(&PlantCycle::deviation, 1), 100) << ppm;
+      EXPECT_NEAR(plant.last().state.drift_ppm, 0, 0.2);
+      EXPECT_EQ(plant.last().state.error_code, 0U);
+    }
+  }
+}
+
+TEST(BusShift, LearnsTheDriftWithoutABurst) {
+  auto options = with(JitterProfile::quiet());
+  options.learned = false;
+  DcmPlant plant(options);
+  plant.run_until(40);
+  EXPECT_LT(plant.in_sync_at(), 5);
+  EXPECT_LT(plant.worst(&PlantCycle::grid_error, 30), 200);
+  EXPECT_LT(plant.worst(&PlantCycle::slave_error, 30), 100);
+}
+
+TEST(BusShift, MovesToTheGridWithoutAStep) {
+  for (const double error : {-200e3, 100e3}) {
+    auto options = with(JitterProfile::quiet());
+    options.start_error = error;
+    DcmPlant plant(options);
+    plant.run_until(12);
+    EXPECT_LT(plant.in_sync_at(), 3.5) << error;
+    EXPECT_LT(plant.worst(&PlantCycle::grid_error, 10), 200) << error;
+    // An ESC cannot go faster than 763 ppm; a step would show as more from one cycle to the next.
+    const auto& cycles = plant.cycles();
+    for (std::size_t i = 1; i < cycles.size(); ++i) {
+      const double moved = cycles[i].grid_error - cycles[i - 1].grid_error;
+      ASSERT_LT(std::abs(moved), 900) << i;
+    }
+  }
+}
+
+TEST(BusShift, OneLateCycleDisturbsNobody) {
+  auto options = with(JitterProfile::quiet());
+  options.late = [](int cycle) { return cycle == 8'000 ? 900e3 : 0.0; };
+  DcmPlant plant(options);
+  plant.run_until(12);
+  EXPECT_EQ(plant.times_lost(), 0);
+  EXPECT_LT(plant.worst(&PlantCycle::grid_error, 6), 30);
+  EXPECT_LT(plant.worst(&PlantCycle::slave_error, 6), 30);
+}
+
+TEST(BusShift, ABurstOfLostFramesDisturbsNobody) {
+  auto options = with(JitterProfile::quiet());
+  options.lost = [](int cycle) { return cycle >= 8'000 && cycle < 8'150; };
+  DcmPlant plant(options);
+  plant.run_until(12);
+  EXPECT_EQ(plant.times_lost(), 0);
+  EXPECT_LT(plant.worst(&PlantCycle::grid_error, 6), 100);
+  EXPECT_LT(plant.worst(&PlantCycle::slave_error, 6), 100);
+}
+
+TEST(BusShift, SilenceOfTheReferenceClockLosesTheLock) {
+  auto options = with(JitterProfile::quiet());
+  options.lost = [](int cycle) { return cycle >= 5'000 && cycle < 6'000; };
+  DcmPlant plant(options);
+  plant.run_until(5.5);
+  EXPECT_FALSE(plant.last().state.in_sync);
+  EXPECT_EQ(plant.last().state.error_code, kDcmErrorOutOfLimit);
+  plant.run_until(9);
+  EXPECT_TRUE(plant.last().state.in_sync);
+}
+
+TEST(BusShift, NoiseOfTheSendStampsStaysAwayFromTheSlaves) {
+  auto options = with(JitterProfile::desktop());
+  options.stamp_noise = 500;
+  DcmPlant plant(options);
+  plant.run_until(30);
+  EXPECT_EQ(plant.times_lost(), 0);
+  // Written as it is, that noise moves the slaves by 200 ns.
+  EXPECT_LT(plant.worst(&PlantCycle::slave_error, 10), 60);
+  EXPECT_LT(plant.worst(&PlantCycle::deviation, 10), 60);
+  EXPECT_LT(plant.rms(&PlantCycle::grid_error, 10), 60);
+}
+
+TEST(BusShift, StaysInSyncWithStampsOfAFewMicroseconds) {
+  auto options = with(JitterProfile::desktop());
+  options.stamp_noise = 3'000;
+  DcmPlant plant(options);
+  plant.run_until(30);
+  EXPECT_LT(plant.in_sync_at(), 2);
+  EXPECT_EQ(plant.times_lost(), 0);
+  EXPECT_LT(plant.rms(&PlantCycle::grid_error, 10), 500);
+}
+
+TEST(BusShift, HoldsAtShortAndLongCycles) {
+  for (const Nanoseconds cycle : {62'500, 125'000, 250'000, 2'000'000, 4'000'000}) {
+    auto options = with(JitterProfile::desktop());
+    options.cycle = cycle;
+    options.set_value = cycle * 2 / 3;
+    DcmPlant plant(options);
+    plant.run_until(10);
+    EXPECT_LT(plant.in_sync_at(), 2) << cycle;
+    EXPECT_EQ(plant.times_lost(), 0) << cycle;
+    EXPECT_LT(plant.worst(&PlantCycle::grid_error, 5), 100) << cycle;
+    EXPECT_LT(plant.worst(&PlantCycle::slave_error, 5), 100) << cycle;
+  }
+}
+
+TEST(BusShift, NoSlowBeatBetweenTheTwoClocks) {
+  DcmPlant plant(with(JitterProfile::desktop(), 50));
+  plant.run_until(70);
+  for (double from = 10; from < 65; from += 5) {
+    EXPECT_LT(std::abs(plant.mean(&PlantCycle::grid_error, from, from + 5)), 10) << from;
+  }
+}
+
+TEST(BusShift, AReferenceClockThatCannotFollowIsADriftTooHigh) {
+  for (const double ppm : {-800.0, 800.0}) {
+    DcmPlant plant(with(JitterProfile::quiet(), ppm));
+    plant.run_until(10);
+    EXPECT_EQ(plant.last().state.error_code, kDcmErrorDriftTooHigh) << ppm;
+    // It slides through the grid again and again, and is never in sync on its way.
+    EXPECT_EQ(plant.in_sync_at(), DcmPlant::kEnd) << ppm;
+  }
+}
+
+TEST(BusShift, WritesTheTimeOfTheGridAtTheRealSendTime) {
+  BusShift controller(settings_for(DcmMode::kBusShift), kMillisecond, 600'000);
+  // SYNC0 at n ms, frames pass 600 us before: the nearest place of a clock that shows 5.450 ms is 5.400 ms.
+  controller.start(0, 5'450'000, 1'000 * kMillisecond);
+  EXPECT_EQ(controller.reference_write(1'000 * kMillisecond, 1'000 * kMillisecond), 5'400'000);
+  EXPECT_EQ(controller.reference_write(1'002'000'300, 1'002'000'000), 7'400'300);
+}
+
+}  // namespace
+}  // namespace syncline::dc
