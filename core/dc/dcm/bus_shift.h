@@ -12,8 +12,8 @@ namespace syncline::dc {
 /// loop needs until it has learned the drift.
 ///
 /// Until in sync the whole error is written, so that the clock comes quickly. Afterwards the time is
-/// predicted from the last reading, and only a share of the filtered error is corrected: what is wrong with
-/// one send stamp then cancels with the next, instead of shaking the reference clock and all slaves with it.
+/// predicted from the last reading, and only a share of the error is corrected: what is wrong with one send
+/// stamp then mostly cancels with the next, instead of shaking the reference clock and all slaves with it.
 class BusShift final : public DcmController {
  public:
   BusShift(const DcmSettings& settings, Nanoseconds cycle_time, Nanoseconds set_value);
@@ -27,6 +27,7 @@ class BusShift final : public DcmController {
     Nanoseconds host_time = 0, reference_time = 0;
   };
   [[nodiscard]] Nanoseconds wanted_at(Nanoseconds host_time) const;
+  [[nodiscard]] double track_share() const;
   [[nodiscard]] bool predicts(Nanoseconds send_time) const;
   void correct(double lag);
   void watch_runaway();
@@ -37,6 +38,7 @@ class BusShift final : public DcmController {
   Reading anchor_;                // host time and what the reference clock is to show then
   std::optional<Reading> last_;
   double filtered_ = 0, integral_ = 0;
+  bool tracking_ = false;
   int blocks_away_ = 0;
 };
 

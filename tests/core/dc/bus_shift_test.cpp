@@ -26,9 +26,9 @@ TEST(BusShift, ReferenceClockFollowsTheHostAndSlavesFollowIt) {
       plant.run_until(20);
       EXPECT_LT(plant.in_sync_at(), 1.6) << ppm;
       EXPECT_EQ(plant.times_lost(), 0) << ppm;
-      EXPECT_LT(plant.worst(&PlantCycle::grid_error, 5), 200) << ppm;
-      EXPECT_LT(plant.worst(&PlantCycle::slave_error, 1), 100) << ppm;
-      EXPECT_LT(plant.worst(&PlantCycle::deviation, 1), 100) << ppm;
+      EXPECT_LT(plant.worst(&PlantCycle::grid_error, 5), 40) << ppm;
+      EXPECT_LT(plant.worst(&PlantCycle::slave_error, 1), 50) << ppm;
+      EXPECT_LT(plant.worst(&PlantCycle::deviation, 1), 50) << ppm;
       EXPECT_NEAR(plant.last().state.drift_ppm, 0, 0.2);
       EXPECT_EQ(plant.last().state.error_code, 0U);
     }
@@ -37,12 +37,39 @@ TEST(BusShift, ReferenceClockFollowsTheHostAndSlavesFollowIt) {
 
 TEST(BusShift, LearnsTheDriftWithoutABurst) {
   auto options = with(JitterProfile::quiet());
-  options.learned = false;
+  options.learned_share = 0;
   DcmPlant plant(options);
   plant.run_until(40);
   EXPECT_LT(plant.in_sync_at(), 5);
-  EXPECT_LT(plant.worst(&PlantCycle::grid_error, 30), 200);
-  EXPECT_LT(plant.worst(&PlantCycle::slave_error, 30), 100);
+  EXPECT_LT(plant.worst(&PlantCycle::grid_error, 30), 20);
+  EXPECT_LT(plant.worst(&PlantCycle::slave_error, 30), 50);
+}
+
+TEST(BusShift, RestOfTheDriftThatTheBurstLeftIsNoLongLag) {
+  // A tenth is still to be learned; with the share alone it would leave 2 us that fade over many seconds.
+  for (const double ppm : {-50.0, 50.0}) {
+    auto options = with(JitterProfile::desktop(), ppm);
+    options.learned_share = 0.9;
+    DcmPlant plant(options);
+    plant.run_until(15);
+    EXPECT_LT(plant.worst(&PlantCycle::grid_error, 1.6), 300) << ppm;
+    EXPECT_LT(plant.worst(&PlantCycle::grid_error, 10), 40) << ppm;
+  }
+}
+
+TEST(BusShift, DoesNotSwingWhereTheEscsGainIsHigh) {
+  // Near the end of its speed counter an ESC reacts a hundred times as strongly as near zero.
+  for (const Nanoseconds cycle : {250'000, 1'000'000}) {
+    for (const double ppm : {-550.0, 550.0}) {
+      auto options = with(JitterProfile::desktop(), ppm);
+      options.cycle = cycle;
+      options.set_value = cycle * 2 / 3;
+      DcmPlant plant(options);
+      plant.run_until(12);
+      EXPECT_EQ(plant.times_lost(), 0) << cycle;
+      EXPECT_LT(plant.worst(&PlantCycle::grid_error, 5), 100) << cycle << " " << ppm;
+    }
+  }
 }
 
 TEST(BusShift, MovesToTheGridWithoutAStep) {
@@ -100,8 +127,8 @@ TEST(BusShift, NoiseOfTheSendStampsStaysAwayFromTheSlaves) {
   plant.run_until(30);
   EXPECT_EQ(plant.times_lost(), 0);
   // Written as it is, that noise moves the slaves by 200 ns.
-  EXPECT_LT(plant.worst(&PlantCycle::slave_error, 10), 60);
-  EXPECT_LT(plant.worst(&PlantCycle::deviation, 10), 60);
+  EXPECT_LT(plant.worst(&PlantCycle::slave_error, 10), 100);
+  EXPECT_LT(plant.worst(&PlantCycle::deviation, 10), 100);
   EXPECT_LT(plant.rms(&PlantCycle::grid_error, 10), 60);
 }
 

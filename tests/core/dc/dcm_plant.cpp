@@ -33,8 +33,8 @@ void EscClock::receive(double local_minus_received) {
   diff_ = static_cast<std::int32_t>(std::lround(wanted));
 }
 
-void EscClock::learn(double ppm) {
-  const double wanted = (ppm_ - ppm) * 1e-6;
+void EscClock::learn(double ppm, double share) {
+  const double wanted = (ppm_ - ppm) * 1e-6 * share;
   double low = -kSpeedCounterLimit, high = kSpeedCounterLimit;
   for (int i = 0; i < 60; ++i) {
     period_deviation_ = (low + high) / 2;
@@ -48,12 +48,10 @@ DcmPlant::DcmPlant(PlantOptions options)
   options_.settings.mode = options_.mode;
   controller_ = make_dcm_controller(options_.settings, options_.cycle, options_.set_value);
   for (const double ppm : options_.slave_ppm) slaves_.emplace_back(ppm);
-  if (options_.learned) {
-    // In bus shift all follow the host, otherwise the reference clock.
-    const double rate = options_.mode == DcmMode::kBusShift ? 0 : options_.reference_ppm;
-    if (options_.mode == DcmMode::kBusShift) reference_.learn(rate);
-    for (auto& slave : slaves_) slave.learn(rate);
-  }
+  // In bus shift all follow the host, otherwise the reference clock.
+  const bool steered = options_.mode == DcmMode::kBusShift;
+  if (steered) reference_.learn(0, options_.learned_share);
+  for (auto& slave : slaves_) slave.learn(steered ? 0 : options_.reference_ppm, options_.learned_share);
   const auto first = kReferenceStart + std::llround(options_.start_error);
   reference_.step(options_.start_error);
   for (auto& slave : slaves_) slave.step(options_.start_error);

@@ -23,8 +23,8 @@ class EscClock {
   void advance(double ns);
   /// One time written to 0x0910.
   void receive(double local_minus_received);
-  /// As after a long burst: the loop holds the rate that makes the clock run `ppm` against the host.
-  void learn(double ppm);
+  /// As after a burst: the loop holds `share` of the rate that makes the clock run `ppm` against the host.
+  void learn(double ppm, double share);
   void step(double ns) { time_ += ns; }
   [[nodiscard]] double time() const { return time_; }
   [[nodiscard]] double deviation() const { return mean_; }  // 0x092C, ns
@@ -49,7 +49,7 @@ struct PlantOptions {
   Nanoseconds set_value = 666'667;
   double reference_ppm = 50;
   std::vector<double> slave_ppm{80, -40};
-  bool learned = true;                      // a burst has taught the slaves their drift
+  double learned_share = 1;                 // of their drift, that a burst has taught the clocks before
   double start_error = 0;                   // of the first frame in the SYNC grid, ns
   JitterProfile jitter{};
   double stamp_noise = 0;                   // sigma of the host's send stamp, ns
