@@ -7,19 +7,13 @@
 namespace syncline::dc {
 namespace {
 
-/// Well below the ESC loop's 84 ms; for the integral only, since a filter in the direct path makes the loop
-/// swing where the ESC's gain is high (a hundredfold at 400 ppm, where its speed counter nears the end).
+/// Share of the error that is corrected at once. Not filtered: a filter in the direct path makes the loop swing
+/// where the ESC's gain is high (a hundredfold at 400 ppm, where its speed counter nears the end).
+constexpr double kShare = 0.2;
+/// For the integral, ns: its time stands well above the ESC's, so that the two loops do not fight.
 constexpr double kFilterTime = 20e6;
-/// In which the integral takes over an error; well above the ESC's, so that the two loops do not fight.
-constexpr double kAcquireIntegralTime = 500e6;
-constexpr double kTrackIntegralTime = 2.5e9;
-/// Share of the error that is corrected at once while in sync. Short cycles bring the ESC more messages: its
-/// loop learns faster, and has to be led faster.
-constexpr double kMinTrackShare = 0.2;
-constexpr double kMaxTrackShare = 0.5;
-constexpr double kTrackShareTime = 200e3;
+constexpr double kIntegralTime = 2.5e9;
 constexpr double kMaxCorrection = 20'000;  // ns; an ESC at its slew limit is not helped by more
-constexpr Nanoseconds kFreshCycles = 4;    // a prediction from an older reading is worth less than none
 constexpr int kBlocksAway = 10;
 constexpr double kAwayPpm = 3;
 
@@ -34,7 +28,6 @@ void BusShift::start(Nanoseconds base, Nanoseconds first_reference_time, Nanosec
   state_ = {};
   filtered_ = integral_ = 0;
   blocks_away_ = 0;
-  tracking_ = false;
   last_.reset();
   // Nearest place in the grid: the clock is never asked to jump.
   anchor_.host_time = first_send_time;
@@ -46,20 +39,12 @@ Nanoseconds BusShift::wanted_at(Nanoseconds host_time) const {
   return anchor_.reference_time + (host_time - anchor_.host_time);
 }
 
-bool BusShift::predicts(Nanoseconds send_time) const {
-  return tracking_ && last_ && send_time - last_->host_time <= kFreshCycles * target_.cycle;
-}
-
-double BusShift::track_share() const {
-  return std::clamp(kTrackShareTime / static_cast<double>(target_.cycle), kMinTrackShare, kMaxTrackShare);
-}
-
 std::optional<Nanoseconds> BusShift::reference_write(Nanoseconds send_time, Nanoseconds) {
   // Counted from the real send time: a frame that leaves late carries a later time.
-  if (!predicts(send_time)) return wanted_at(send_time) - static_cast<Nanoseconds>(std::llround(integral_));
-  const auto now = last_->reference_time + (send_time - last_->host_time);
+  if (!last_) return wanted_at(send_time);
+  const auto predicted = last_->reference_time + (send_time - last_->host_time);
   const auto lag = static_cast<double>(last_->reference_time - wanted_at(last_->host_time));
-  return now - static_cast<Nanoseconds>(std::llround(track_share() * lag + integral_));
+  return predicted - static_cast<Nanoseconds>(std::llround(kShare * lag + integral_));
 }
 
 DcmAction BusShift::observe(const DcmObservation& observation) {
@@ -72,23 +57,17 @@ DcmAction BusShift::observe(const DcmObservation& observation) {
   // Not folded into a cycle: the clock that falls behind by whole cycles is still behind.
   const auto lag = *observation.reference_time - wanted_at(observation.send_time);
   const bool new_block = monitor_.observe(observation, lag);
-  correct(static_cast<double>(lag));
+  integrate(static_cast<double>(lag));
   if (new_block) watch_runaway();
   monitor_.report(state_);
   state_.adjust = static_cast<Nanoseconds>(std::llround(-integral_));
   return {};
 }
 
-void BusShift::correct(double lag) {
-  const bool tracking = monitor_.in_sync();
-  // What the share no longer corrects is handed to the integral: the clock must not feel the change.
-  if (tracking && !tracking_) integral_ += (1 - track_share()) * filtered_;
-  if (!tracking && tracking_) integral_ -= (1 - track_share()) * filtered_;
-  tracking_ = tracking;
+void BusShift::integrate(double lag) {
   const auto cycle = static_cast<double>(target_.cycle);
   filtered_ += std::min(1.0, cycle / kFilterTime) * (lag - filtered_);
-  const double integral_time = tracking ? kTrackIntegralTime : kAcquireIntegralTime;
-  integral_ = std::clamp(integral_ + cycle / integral_time * filtered_, -kMaxCorrection, kMaxCorrection);
+  integral_ = std::clamp(integral_ + cycle / kIntegralTime * filtered_, -kMaxCorrection, kMaxCorrection);
 }
 
 /// An ESC at the end stop of its speed counter (763 ppm) falls behind for good, however slowly.

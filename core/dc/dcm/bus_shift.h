@@ -7,13 +7,13 @@
 
 namespace syncline::dc {
 
-/// The reference clock follows the host: each frame carries the time that it ought to be when it passes.
-/// The ESC's own control loop moves the clock; an outer integral takes away the standing error that this
-/// loop needs until it has learned the drift.
+/// The reference clock follows the host: each frame carries to it the time that it ought to be when the frame
+/// passes. The ESC's own control loop moves the clock; an outer integral takes away the standing error that
+/// this loop needs until it has learned the drift.
 ///
-/// Until in sync the whole error is written, so that the clock comes quickly. Afterwards the time is
-/// predicted from the last reading, and only a share of the error is corrected: what is wrong with one send
-/// stamp then mostly cancels with the next, instead of shaking the reference clock and all slaves with it.
+/// What is written is the time predicted from the last reading less a share of the error. What is wrong with
+/// one send stamp then mostly cancels with the next, instead of shaking the reference clock and all slaves
+/// with it.
 class BusShift final : public DcmController {
  public:
   BusShift(const DcmSettings& settings, Nanoseconds cycle_time, Nanoseconds set_value);
@@ -27,9 +27,7 @@ class BusShift final : public DcmController {
     Nanoseconds host_time = 0, reference_time = 0;
   };
   [[nodiscard]] Nanoseconds wanted_at(Nanoseconds host_time) const;
-  [[nodiscard]] double track_share() const;
-  [[nodiscard]] bool predicts(Nanoseconds send_time) const;
-  void correct(double lag);
+  void integrate(double lag);
   void watch_runaway();
 
   PhaseTarget target_;
@@ -38,7 +36,6 @@ class BusShift final : public DcmController {
   Reading anchor_;                // host time and what the reference clock is to show then
   std::optional<Reading> last_;
   double filtered_ = 0, integral_ = 0;
-  bool tracking_ = false;
   int blocks_away_ = 0;
 };
 

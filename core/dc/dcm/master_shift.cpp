@@ -13,7 +13,7 @@ struct Gains {
 // Critically damped (integral = proportional^2 / 4); time constants of 20 and 200 cycles.
 constexpr Gains kAcquire{0.1, 2.5e-3};
 constexpr Gains kTrack{0.01, 2.5e-5};
-constexpr double kMaxDrift = 2000e-6;        // of the cycle; a drift that is reported as too high is still balanced
+constexpr double kMaxDrift = 1000e-6;        // of the cycle; what is reported as too high is still balanced
 constexpr double kMaxStep = 0.02;            // of the cycle
 constexpr double kOutlier = 15'000;          // ns from the smoothed error, while in sync
 constexpr int kOutliersAreTrue = 20;         // so many in a row are no outliers
@@ -55,11 +55,9 @@ void MasterShift::control(double error) {
   smoothed_ += kSmoothing * (error - smoothed_);
   const auto& gains = monitor_.in_sync() ? kTrack : kAcquire;
   const auto cycle = static_cast<double>(target_.cycle);
-  const double wanted = -(gains.proportional * error + integral_);
-  output_ = std::clamp(wanted, -kMaxStep * cycle, kMaxStep * cycle);
-  // Anti-windup: what the clamp holds back must not pile up in the integral.
-  if (output_ == wanted) integral_ += gains.integral * error;
-  integral_ = std::clamp(integral_, -kMaxDrift * cycle, kMaxDrift * cycle);
+  output_ = std::clamp(-(gains.proportional * error + integral_), -kMaxStep * cycle, kMaxStep * cycle);
+  // No more than a drift can be: what a large error piled up would have to be worked off beyond the grid.
+  integral_ = std::clamp(integral_ + gains.integral * error, -kMaxDrift * cycle, kMaxDrift * cycle);
 }
 
 }  // namespace syncline::dc

@@ -78,7 +78,7 @@ TEST(BusShift, MovesToTheGridWithoutAStep) {
     options.start_error = error;
     DcmPlant plant(options);
     plant.run_until(12);
-    EXPECT_LT(plant.in_sync_at(), 3.5) << error;
+    EXPECT_LT(plant.in_sync_at(), 4) << error;
     EXPECT_LT(plant.worst(&PlantCycle::grid_error, 10), 200) << error;
     // An ESC cannot go faster than 763 ppm; a step would show as more from one cycle to the next.
     const auto& cycles = plant.cycles();

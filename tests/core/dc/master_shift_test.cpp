@@ -52,6 +52,19 @@ TEST(MasterShift, BringsAnyStartingPhaseToTheGrid) {
   }
 }
 
+TEST(MasterShift, NoPeriodIsBentByMoreThanAFiftiethAndTheWayBackOvershootsLittle) {
+  auto options = with(JitterProfile::none());
+  options.start_error = 490e3;
+  DcmPlant plant(options);
+  plant.run_until(3);
+  double overshoot = 0;
+  for (const auto& cycle : plant.cycles()) {
+    EXPECT_LE(std::abs(cycle.state.adjust), 20'000);
+    overshoot = std::max(overshoot, -cycle.grid_error);
+  }
+  EXPECT_LT(overshoot, 8'000);
+}
+
 TEST(MasterShift, HoldsAtShortAndLongCycles) {
   for (const Nanoseconds cycle : {62'500, 125'000, 250'000, 2'000'000, 4'000'000}) {
     auto options = with(JitterProfile::quiet());

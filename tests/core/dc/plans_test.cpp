@@ -44,6 +44,10 @@ TEST(StartTime, FollowsThePhaseOfTheBase) {
   EXPECT_EQ(start_time({10 * kMillisecond, 5 * kMillisecond, kMillisecond, 666'667, 0}), 15'666'667);
 }
 
+TEST(StartTime, ComesBeforeABaseThatIsStillToCome) {
+  EXPECT_EQ(start_time({1'000, 0, 10'000, 23'000, 0}), 3'000);
+}
+
 TEST(StartTime, LetsSlavesStartedAtDifferentTimesFireTogether) {
   EXPECT_TRUE(rc::check([] {
     const auto grid = *rc::gen::inRange<Nanoseconds>(31'250, 100 * kMillisecond);

@@ -125,6 +125,15 @@ TEST(PropagationDelay, SubtreeLongerThanItsRoundTripIsNoUnderflow) {
                                            Field(&DelayFinding::warning, DelayWarning::kNotIncreasing)));
 }
 
+TEST(PropagationDelay, ANegativeHopCountsAsNone) {
+  // C says 700 ns below it, B saw 500: C is taken to stand where B stands, not before it.
+  const std::vector nodes{node({}, 0, {{0, 0}, {1, 1300}}), node(0, 1, {{0, 0}, {1, 500}}),
+                          node(1, 1, {{0, 0}, {1, 700}}), node(2, 1, {{0, 0}})};
+  const auto result = propagation_delays(nodes);
+  EXPECT_EQ(result.delay_ns[1], 420U);
+  EXPECT_EQ(result.delay_ns[2], 420U);
+}
+
 TEST(PropagationDelay, HopOfMoreThanAMillisecondIsTold) {
   const std::vector nodes{node({}, 0, {{0, 0}, {1, 3'000'000}}), node(0, 1, {{0, 0}})};
   const auto result = propagation_delays(nodes);
