@@ -39,6 +39,7 @@ int run(const std::vector<std::string>& arguments, Console console) {
   add_export_command(app, context);
   add_compare_command(app, context);
   add_run_command(app, context);
+  add_simulate_command(app, context);
 
   auto reversed = arguments;  // CLI11 takes them last first
   std::reverse(reversed.begin(), reversed.end());

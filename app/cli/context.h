@@ -33,6 +33,7 @@ void add_project_commands(CLI::App& app, Context& context);
 void add_export_command(CLI::App& app, Context& context);
 void add_compare_command(CLI::App& app, Context& context);
 void add_run_command(CLI::App& app, Context& context);
+void add_simulate_command(CLI::App& app, Context& context);
 
 [[nodiscard]] std::string hex(std::uint64_t value, int digits);
 [[nodiscard]] std::string mac_text(const std::array<std::uint8_t, 6>& mac);

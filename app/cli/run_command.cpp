@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <atomic>
-#include <csignal>
 #include <fstream>
 #include <memory>
 #include <optional>
@@ -9,6 +7,7 @@
 #include "app/cli/duration.h"
 #include "app/cli/event_text.h"
 #include "app/cli/findings_text.h"
+#include "app/cli/interrupt.h"
 #include "app/cli/run_json.h"
 #include "app/composition/load_config.h"
 #include "app/composition/run_network.h"
@@ -20,20 +19,6 @@ namespace {
 struct Options {
   std::string file, link, duration = "10s", csv, state = "OP";
   bool json = false;
-};
-
-std::atomic<bool> interrupted{false};
-
-/// Ctrl-C ends the run, not the program: the bus is taken down and the report is printed.
-class InterruptGuard {
- public:
-  InterruptGuard() : previous_(std::signal(SIGINT, [](int) { interrupted = true; })) {}
-  ~InterruptGuard() { std::signal(SIGINT, previous_); }
-  InterruptGuard(const InterruptGuard&) = delete;
-  InterruptGuard& operator=(const InterruptGuard&) = delete;
-
- private:
-  void (*previous_)(int);
 };
 
 /// Streams the samples to FILE.part; the name appears when the run is over.
@@ -84,7 +69,6 @@ void execute(Context& context, const Options& options) {
   RunRequest request;
   request.target = *target;
   request.duration = *duration;
-  request.stop = &interrupted;
   std::optional<Nanoseconds> first;
   if (!options.json) {
     request.on_event = [&context, &first](const Event& event) {
@@ -94,8 +78,8 @@ void execute(Context& context, const Options& options) {
   }
   if (!options.csv.empty()) request.on_samples = [&csv](std::span<const CycleSample> samples) { csv.add(samples); };
 
-  interrupted = false;
   const InterruptGuard guard;
+  request.stop = &guard.interrupted();
   const auto outcome = run_network(compiled->config, options.link, request);
   if (!outcome) return context.fail_with(outcome.error());
   if (!options.csv.empty()) {

@@ -1,48 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/composition/open_link.h"
 
-#include <map>
 #include <utility>
 
 #include "app/composition/link_text.h"
-#include "eni/esi_reader.h"
+#include "app/composition/load_scenario.h"
 #include "link/pcap_link.h"
 #include "link/simulated_link.h"
-#include "sim/scenario_loader.h"
 
 namespace syncline {
 namespace {
 
-/// Reads each ESI file once however many devices of it a scenario names.
-class EsiDeviceSource {
- public:
-  Result<DeviceDescription> operator()(const std::string& path, const std::string& type) {
-    auto found = files_.find(path);
-    if (found == files_.end()) {
-      auto file = eni::read_esi(path);
-      if (!file) return tl::unexpected(file.error());
-      found = files_.emplace(path, std::move(*file)).first;
-    }
-    const auto& devices = found->second.devices;
-    const DeviceDescription* match = nullptr;
-    for (const auto& device : devices) {
-      if (!type.empty() && device.type != type) continue;
-      if (match == nullptr || device.identity.revision_no > match->identity.revision_no) match = &device;
-    }
-    if (match == nullptr) {
-      return fail(ErrorCode::kUnknownDevice, type.empty() ? path : type, "not in " + path);
-    }
-    return *match;
-  }
-
- private:
-  std::map<std::string, eni::EsiFile> files_;
-};
-
 Result<OpenedLink> open_simulated(const LinkText& text) {
-  EsiDeviceSource source;
-  auto config = sim::load_scenario(
-      text.target, [&source](const std::string& path, const std::string& type) { return source(path, type); });
+  auto config = load_scenario_file(text.target);
   if (!config) return tl::unexpected(config.error());
   if (text.seed) config->seed = *text.seed;
 

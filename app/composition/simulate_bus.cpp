@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/composition/simulate_bus.h"
+
+#include "app/composition/load_scenario.h"
+#include "protocol/registers.h"
+#include "support/byte_order.h"
+
+namespace syncline {
+namespace {
+
+std::uint16_t peek16(const sim::SimBus& bus, std::size_t position, std::uint16_t address) {
+  return load_le<std::uint16_t>(bus.peek(position, address, 2));
+}
+
+}  // namespace
+
+Result<SimulateReport> simulate_bus(const SimulateRequest& request) {
+  auto segment = load_scenario_file(request.scenario);
+  if (!segment) return tl::unexpected(segment.error());
+  if (request.seed) segment->seed = *request.seed;
+  RealClock clock;
+  auto port = RawPort::open(request.adapter, clock);
+  if (!port) return tl::unexpected(port.error());
+  const auto start = clock.now();
+  auto bus = sim::SimBus::create(*segment, start);
+  if (!bus) return tl::unexpected(bus.error());
+
+  BusResponder responder(**bus, *port, clock, {request.spin});
+  if (request.on_ready) request.on_ready(*segment, port->adapter());
+  const std::atomic<bool> never{false};
+  const auto end = request.duration > 0 ? clock.now() + request.duration : 0;
+  const auto served = responder.serve(end, request.stop != nullptr ? *request.stop : never);
+  if (!served) return tl::unexpected(served.error());
+
+  SimulateReport report;
+  report.counters = responder.counters();
+  report.duration = clock.now() - start;
+  for (std::size_t i = 0; i < (*bus)->slave_count(); ++i) {
+    report.al_status.push_back(peek16(**bus, i, reg::kAlStatus));
+    report.al_status_code.push_back(peek16(**bus, i, reg::kAlStatusCode));
+  }
+  return report;
+}
+
+}  // namespace syncline

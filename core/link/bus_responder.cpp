@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "link/bus_responder.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "protocol/frame.h"
+
+namespace syncline {
+namespace {
+
+/// The segment's own life (watchdogs, SYNC units, mailboxes) goes on in steps of this when no frame comes.
+constexpr Nanoseconds kIdleStep = kMillisecond;
+
+}  // namespace
+
+Nanoseconds ResponderCounters::service_quantile(double share) const {
+  std::uint64_t total = 0;
+  for (const auto count : service) total += count;
+  if (total == 0) return 0;
+  const auto wanted = static_cast<std::uint64_t>(std::ceil(share * static_cast<double>(total)));
+  std::uint64_t seen = 0;
+  for (std::size_t i = 0; i < service.size(); ++i) {
+    seen += service[i];
+    if (seen >= wanted) return std::min(static_cast<Nanoseconds>(i + 1) * kBucket, longest_service);
+  }
+  return longest_service;
+}
+
+const ResponderCounters& BusResponder::counters() {
+  counters_.dropped = port_.dropped();
+  return counters_;
+}
+
+Status BusResponder::serve(Nanoseconds end, const std::atomic<bool>& stop) {
+  while (!stop.load(std::memory_order_relaxed)) {
+    const auto taken = take_frame();
+    if (!taken) return tl::unexpected(taken.error());
+    if (auto status = send_due(); !status) return status;
+    if (*taken) continue;
+    const auto now = clock_.now();
+    if (end > 0 && now >= end) return {};
+    if (now - bus_time_ >= kIdleStep) {
+      bus_.advance_to(now);
+      bus_time_ = now;
+    }
+    if (now - last_frame_ < options_.spin) continue;
+    port_.wait(idle_time(now, end));
+  }
+  return {};
+}
+
+Nanoseconds BusResponder::idle_time(Nanoseconds now, Nanoseconds end) const {
+  auto until = bus_time_ + kIdleStep;
+  if (!replies_.empty()) until = std::min(until, replies_.front().due);
+  if (end > 0) until = std::min(until, end);
+  return until - now;
+}
+
+Result<bool> BusResponder::take_frame() {
+  const auto found = port_.poll();
+  if (!found) return tl::unexpected(found.error());
+  if (!*found) return false;
+  const auto& frame = **found;
+  ++counters_.frames;
+  counters_.bytes += frame.bytes.size();
+  auto& reply = replies_.emplace_back();
+  reply.length = std::min(frame.bytes.size(), reply.bytes.size());
+  std::copy_n(frame.bytes.begin(), reply.length, reply.bytes.begin());
+
+  // The segment never runs backwards, also when the frame arrived while it was being brought up to date.
+  const auto started = clock_.now();
+  // Nor does a frame start before the one in front has left the wire.
+  bus_time_ = std::max({bus_time_, frame.arrival_time, wire_free_});
+  wire_free_ = bus_time_ + wire_time_ns(reply.length);
+  const auto returned = bus_.execute(std::span(reply.bytes).first(reply.length), bus_time_);
+  const auto finished = clock_.now();
+  last_frame_ = finished;
+  const auto service = finished - started;
+  counters_.longest_service = std::max(counters_.longest_service, service);
+  const auto bucket = std::min<std::size_t>(static_cast<std::size_t>(service / ResponderCounters::kBucket),
+                                            ResponderCounters::kBuckets - 1);
+  ++counters_.service[bucket];
+  if (returned.lost) {
+    ++counters_.lost;
+    replies_.pop_back();
+  } else {
+    reply.due = returned.arrival_time;
+  }
+  return true;
+}
+
+Status BusResponder::send_due() {
+  while (!replies_.empty() && replies_.front().due <= clock_.now()) {
+    const auto& reply = replies_.front();
+    if (auto status = port_.send(std::span(reply.bytes).first(reply.length)); !status) return status;
+    replies_.pop_front();
+  }
+  return {};
+}
+
+}  // namespace syncline

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <deque>
+#include <vector>
+
+#include "link/raw_port.h"
+#include "sim/sim_bus.h"
+#include "support/clock.h"
+
+namespace syncline {
+
+/// What a simulated segment has served.
+struct ResponderCounters {
+  /// Service times are counted in buckets of this width; the last bucket takes all above.
+  static constexpr Nanoseconds kBucket = 500;
+  static constexpr std::size_t kBuckets = 4'000;
+
+  std::uint64_t frames = 0, bytes = 0;
+  std::uint64_t lost = 0;                    // came in and did not leave again: cable, fault, not an EtherCAT frame
+  std::uint64_t dropped = 0;                 // by the kernel, because we were too slow
+  Nanoseconds longest_service = 0;           // executing one frame, without the way through the kernel
+  std::vector<std::uint32_t> service = std::vector<std::uint32_t>(kBuckets);
+
+  /// Service time that `share` (0..1) of the frames did not exceed; 0 without frames.
+  [[nodiscard]] Nanoseconds service_quantile(double share) const;
+};
+
+/// Lets a simulated segment answer on a network adapter in real time: what arrives is executed at its
+/// arrival time and leaves again when it would have come back through the segment's wires. Between frames
+/// the devices' applications, clocks and watchdogs go on. One thread.
+class BusResponder {
+ public:
+  struct Options {
+    /// After a frame the thread looks for the next one this long before it sleeps: waking up costs more than
+    /// executing. Bursts and scans profit; 0 always sleeps.
+    Nanoseconds spin = 100 * kMicrosecond;
+  };
+  /// All three outlive the responder; `clock` is the one on which bus and port run.
+  BusResponder(sim::SimBus& bus, RawPort& port, Clock& clock, Options options)
+      : bus_(bus), port_(port), clock_(clock), options_(options) {}
+
+  /// Serves until `end` (absolute; 0: for ever) or until `stop`, which a signal handler may set. kLinkIo.
+  Status serve(Nanoseconds end, const std::atomic<bool>& stop);
+  [[nodiscard]] const ResponderCounters& counters();
+
+ private:
+  struct Reply {
+    Nanoseconds due = 0;
+    std::size_t length = 0;
+    std::array<std::uint8_t, 1518> bytes{};
+  };
+
+  Result<bool> take_frame();
+  Status send_due();
+  /// How long nothing happens at most.
+  [[nodiscard]] Nanoseconds idle_time(Nanoseconds now, Nanoseconds end) const;
+
+  sim::SimBus& bus_;
+  RawPort& port_;
+  Clock& clock_;
+  Options options_;
+  ResponderCounters counters_;
+  std::deque<Reply> replies_;      // on their way through the segment, in order
+  Nanoseconds bus_time_ = 0;       // the segment has been executed up to here
+  Nanoseconds wire_free_ = 0;      // end of the frame in front
+  Nanoseconds last_frame_ = 0;
+};
+
+}  // namespace syncline

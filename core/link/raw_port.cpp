@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "link/raw_port.h"
+
+#include <pcap/pcap.h>
+#include <poll.h>
+
+#include <algorithm>
+#include <ctime>
+#include <filesystem>
+
+#include "protocol/frame.h"
+
+namespace syncline {
+namespace {
+
+struct PcapCloser {
+  void operator()(pcap_t* handle) const { pcap_close(handle); }
+};
+using PcapHandle = std::unique_ptr<pcap_t, PcapCloser>;
+
+/// What the user has to type to let this very binary open network cards.
+std::string permission_command() {
+  std::error_code error;
+  const auto binary = std::filesystem::read_symlink("/proc/self/exe", error);
+  return "sudo setcap cap_net_raw,cap_net_admin,cap_sys_nice,cap_ipc_lock=ep " +
+         (error ? std::string("synclinectl") : binary.string());
+}
+
+std::string up_command(const std::string& adapter) { return "sudo ip link set " + adapter + " up"; }
+
+Result<AdapterInfo> find_adapter(const std::string& name) {
+  auto adapters = list_adapters();
+  if (!adapters) return tl::unexpected(adapters.error());
+  const auto found = std::ranges::find(*adapters, name, &AdapterInfo::name);
+  if (found == adapters->end()) {
+    std::string names;
+    for (const auto& adapter : *adapters) names += (names.empty() ? "" : ", ") + adapter.name;
+    return fail(ErrorCode::kLinkNotFound, name,
+                names.empty() ? "this machine has no Ethernet adapter" : "there are: " + names);
+  }
+  if (!found->up) return fail(ErrorCode::kLinkDown, name, up_command(name));
+  return *found;
+}
+
+Status set_filter(pcap_t* handle, const std::string& name) {
+  bpf_program program{};
+  if (pcap_compile(handle, &program, "ether proto 0x88a4", 1, PCAP_NETMASK_UNKNOWN) != 0) {
+    return fail(ErrorCode::kLinkIo, name, pcap_geterr(handle));
+  }
+  const int result = pcap_setfilter(handle, &program);
+  pcap_freecode(&program);
+  if (result != 0) return fail(ErrorCode::kLinkIo, name, pcap_geterr(handle));
+  return {};
+}
+
+Status activate(pcap_t* handle, const std::string& adapter) {
+  const int result = pcap_activate(handle);
+  if (result == PCAP_ERROR_PERM_DENIED || result == PCAP_ERROR_PROMISC_PERM_DENIED) {
+    return fail(ErrorCode::kLinkPermission, adapter, permission_command());
+  }
+  if (result == PCAP_ERROR_IFACE_NOT_UP) return fail(ErrorCode::kLinkDown, adapter, up_command(adapter));
+  if (result < 0) return fail(ErrorCode::kLinkIo, adapter, pcap_geterr(handle));
+  if (pcap_datalink(handle) != DLT_EN10MB) return fail(ErrorCode::kNotSupported, adapter, "not an Ethernet adapter");
+  return {};
+}
+
+/// Nanoseconds of the calendar clock, by which the kernel stamps frames.
+Nanoseconds calendar_now() {
+  timespec time{};
+  ::clock_gettime(CLOCK_REALTIME, &time);
+  return time.tv_sec * kSecond + time.tv_nsec;
+}
+
+}  // namespace
+
+struct RawPort::Impl {
+  PcapHandle handle;
+  AdapterInfo adapter;
+  Clock& clock;
+  int fd = -1;
+  bool sees_own = false;
+  Nanoseconds stamp_unit = 1;  // of the fraction in the kernel's stamp
+
+  /// The kernel's stamp on the port's clock. Its age is measured, not its absolute time: somebody may set
+  /// the calendar clock while we run.
+  [[nodiscard]] Nanoseconds arrival_time(const pcap_pkthdr& header) const {
+    const auto stamp = header.ts.tv_sec * kSecond + header.ts.tv_usec * stamp_unit;
+    const auto age = calendar_now() - stamp;
+    return clock.now() - std::clamp<Nanoseconds>(age, 0, kSecond);
+  }
+};
+
+Result<RawPort> RawPort::open(const std::string& adapter, Clock& clock) {
+  auto info = find_adapter(adapter);
+  if (!info) return tl::unexpected(info.error());
+
+  char text[PCAP_ERRBUF_SIZE] = {};
+  PcapHandle handle(pcap_create(adapter.c_str(), text));
+  if (!handle) return fail(ErrorCode::kLinkIo, adapter, text);
+  pcap_set_snaplen(handle.get(), static_cast<int>(kMaxEthernetFrame) + 4);
+  pcap_set_promisc(handle.get(), 1);
+  pcap_set_immediate_mode(handle.get(), 1);
+  pcap_set_timeout(handle.get(), 1);
+  const bool nanoseconds = pcap_set_tstamp_precision(handle.get(), PCAP_TSTAMP_PRECISION_NANO) == 0;
+  if (auto status = activate(handle.get(), adapter); !status) return tl::unexpected(status.error());
+  if (auto status = set_filter(handle.get(), adapter); !status) return tl::unexpected(status.error());
+  const bool sees_own = pcap_setdirection(handle.get(), PCAP_D_IN) != 0;
+  if (pcap_setnonblock(handle.get(), 1, text) != 0) return fail(ErrorCode::kLinkIo, adapter, text);
+  const int fd = pcap_get_selectable_fd(handle.get());
+  return RawPort(std::unique_ptr<Impl>(
+      new Impl{std::move(handle), std::move(*info), clock, fd, sees_own, nanoseconds ? 1 : kMicrosecond}));
+}
+
+RawPort::RawPort(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+RawPort::RawPort(RawPort&&) noexcept = default;
+RawPort& RawPort::operator=(RawPort&&) noexcept = default;
+RawPort::~RawPort() = default;
+
+Result<std::optional<RawPort::Frame>> RawPort::poll() {
+  pcap_pkthdr* header = nullptr;
+  const u_char* bytes = nullptr;
+  const int found = pcap_next_ex(impl_->handle.get(), &header, &bytes);
+  if (found < 0) return fail(ErrorCode::kLinkIo, impl_->adapter.name, pcap_geterr(impl_->handle.get()));
+  if (found == 0) return std::optional<Frame>{};
+  return Frame{{bytes, header->caplen}, impl_->arrival_time(*header)};
+}
+
+void RawPort::wait(Nanoseconds duration) const {
+  if (duration <= 0) return;
+  pollfd entry{impl_->fd, POLLIN, 0};
+  const timespec time{static_cast<time_t>(duration / kSecond), static_cast<long>(duration % kSecond)};
+  // ppoll: poll's millisecond is longer than many bus cycles.
+  (void)::ppoll(&entry, 1, &time, nullptr);
+}
+
+Status RawPort::send(std::span<const std::uint8_t> frame) {
+  if (pcap_inject(impl_->handle.get(), frame.data(), frame.size()) != static_cast<int>(frame.size())) {
+    return fail(ErrorCode::kLinkIo, impl_->adapter.name, pcap_geterr(impl_->handle.get()));
+  }
+  return {};
+}
+
+const AdapterInfo& RawPort::adapter() const { return impl_->adapter; }
+bool RawPort::sees_own() const { return impl_->sees_own; }
+
+std::uint64_t RawPort::dropped() const {
+  pcap_stat statistics{};
+  return pcap_stats(impl_->handle.get(), &statistics) == 0 ? statistics.ps_drop : 0;
+}
+
+}  // namespace syncline
