@@ -6,9 +6,9 @@
 namespace syncline {
 namespace {
 
-/// A frame that is not back by now is lost: the longest segment needs a fraction of it.
-constexpr Nanoseconds kReplyTimeout = 10 * kMillisecond;
-constexpr int kTries = 4;
+/// With bus cycles: no answer for so long, and for so many cycles, is no burst of lost frames any more.
+constexpr Nanoseconds kPatience = 100 * kMillisecond;
+constexpr int kTries = 5;
 
 }  // namespace
 
@@ -19,31 +19,32 @@ Status Bus::check_cancel() const {
   return {};
 }
 
-Status Bus::send_now(std::span<Datagram* const> open) {
-  frame_.clear();
-  for (auto* datagram : open) {
-    if (!frame_.add(*datagram)) break;
-  }
-  if (auto status = exchange_.send(frame_); !status) return status;
-  PendingFrame* frames[] = {&frame_};
-  return exchange_.collect(frames, frame_.send_time() + kReplyTimeout);
-}
-
 Status Bus::transact(std::span<Datagram> datagrams) {
-  open_.clear();
   for (auto& datagram : datagrams) {
     datagram.answered = false;
-    open_.push_back(&datagram);
+    datagram.wkc = 0;
+    datagram.times_sent = 0;
   }
+  if (pump_ != nullptr) return ride_with_cycles(datagrams);
+  return window_.exchange(datagrams, [this] { return check_cancel(); });
+}
+
+Status Bus::ride_with_cycles(std::span<Datagram> datagrams) {
+  open_.clear();
+  for (auto& datagram : datagrams) open_.push_back(&datagram);
   int tries_left = kTries;
+  auto patience_ends = clock_.now() + kPatience;
   while (!open_.empty()) {
     if (auto status = check_cancel(); !status) return status;
     const auto before = open_.size();
-    if (auto status = pump_ != nullptr ? pump_->run_cycle(open_) : send_now(open_); !status) return status;
-    std::erase_if(open_, [](const auto* datagram) { return datagram->answered; });
+    if (auto status = pump_->run_cycle(open_); !status) return status;
+    std::erase_if(open_, [](const auto* datagram) {
+      return datagram->answered || (datagram->times_sent > 0 && !may_repeat(*datagram));
+    });
     if (open_.size() < before) {
       tries_left = kTries;
-    } else if (--tries_left == 0) {
+      patience_ends = clock_.now() + kPatience;
+    } else if (--tries_left <= 0 && clock_.now() >= patience_ends) {
       return fail(ErrorCode::kNoResponse, exchange_.link().describe().name);
     }
   }

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "master/acyclic_window.h"
 #include "master/frame_exchange.h"
 #include "support/byte_order.h"
 
@@ -26,7 +27,7 @@ class CyclePump {
 class Bus {
  public:
   Bus(FrameExchange& exchange, Clock& clock, const std::atomic<bool>* cancel = nullptr)
-      : exchange_(exchange), clock_(clock), cancel_(cancel) {}
+      : exchange_(exchange), clock_(clock), cancel_(cancel), window_(exchange) {}
 
   /// nullptr: no cyclic operation.
   void set_pump(CyclePump* pump) { pump_ = pump; }
@@ -38,8 +39,13 @@ class Bus {
   [[nodiscard]] Clock& clock() { return clock_; }
   [[nodiscard]] FrameExchange& exchange() { return exchange_; }
 
-  /// Exchanges all datagrams, many a frame; a lost frame is repeated three times. Working counters are
-  /// for the caller to judge. kNoResponse, kCancelled, link errors.
+  /// Exchanges all datagrams, many a frame and many frames at once. Datagrams in one frame are executed
+  /// in their order; across frames no order is promised, so what must follow something else goes into
+  /// another call (or is short enough to share its frame). A lost or late frame is repeated: a slave may
+  /// execute a repeated datagram twice (times_sent tells), which is harmless for registers and must be
+  /// recognised for mailboxes (counter, repeat request) by the caller. Never repeated, and left unanswered
+  /// when lost, are `once` datagrams and the commands that read and write in one go (may_repeat()).
+  /// Working counters are for the caller to judge. kNoResponse, kCancelled, link errors.
   Status transact(std::span<Datagram> datagrams);
   Status transact(Datagram& datagram) { return transact(std::span(&datagram, 1)); }
   /// Lets time pass: bus cycles, or sleep. kCancelled.
@@ -65,7 +71,7 @@ class Bus {
   }
 
  private:
-  Status send_now(std::span<Datagram* const> open);
+  Status ride_with_cycles(std::span<Datagram> datagrams);
 
   FrameExchange& exchange_;
   Clock& clock_;
@@ -73,7 +79,7 @@ class Bus {
   CyclePump* pump_ = nullptr;
   bool cancellable_ = true;
   std::vector<Datagram*> open_;
-  PendingFrame frame_;
+  AcyclicWindow window_;
 };
 
 }  // namespace syncline

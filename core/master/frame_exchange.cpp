@@ -7,6 +7,16 @@ namespace syncline {
 namespace {
 
 constexpr std::size_t kFrameCapacity = kMaxEthernetFrame - kEthernetHeaderSize - kEtherCatHeaderSize;
+/// No frame is on its way for longer: hosts and switches that stall for a second drop what they hold.
+constexpr Nanoseconds kIndexRest = 1 * kSecond;
+
+/// The answer to what was sent: slaves count the ADP of device addresses up and change no other address.
+bool same_request(const DatagramView& view, const Datagram& sent) {
+  if (view.header.command != sent.command || view.data.size() != sent.data.size()) return false;
+  const bool counted = is_auto_increment(sent.command) || is_broadcast(sent.command);
+  const std::uint32_t mask = counted ? 0xFFFF'0000U : 0xFFFF'FFFFU;
+  return ((view.header.address ^ sent.address) & mask) == 0;
+}
 
 }  // namespace
 
@@ -33,9 +43,10 @@ void FrameExchange::set_addresses(const MacAddress& destination, const MacAddres
 
 Status FrameExchange::send(PendingFrame& frame, SendStamp* stamp) {
   builder_.reset();
-  frame.index_ = next_index_++;
+  frame.index_ = take_index(clock_.now());
   std::size_t stamped = 0;
-  for (const auto* datagram : frame.datagrams()) {
+  for (auto* datagram : frame.datagrams()) {
+    if (datagram->times_sent < 0xFF) ++datagram->times_sent;
     const auto area = builder_.add(datagram->command, frame.index_, datagram->address, datagram->data);
     if (datagram->stamped && area && stamped < kMaxStamped) stamped_areas_[stamped++] = *area;
   }
@@ -48,7 +59,14 @@ Status FrameExchange::send(PendingFrame& frame, SendStamp* stamp) {
   }
   auto status = link_.send(bytes);
   frame.in_flight_ = status.has_value();
+  if (frame.in_flight_) index_rests_until_[frame.index_] = frame.send_time_ + kIndexRest;
   return status;
+}
+
+std::uint8_t FrameExchange::take_index(Nanoseconds now) {
+  // When all of them rest, the bus is dead; the next one has then rested longest.
+  for (int tried = 0; tried < 256 && index_rests_until_[next_index_] > now; ++tried) ++next_index_;
+  return next_index_++;
 }
 
 void FrameExchange::refill_stamped(const PendingFrame& frame) {
@@ -60,22 +78,29 @@ void FrameExchange::refill_stamped(const PendingFrame& frame) {
 }
 
 Status FrameExchange::collect(std::span<PendingFrame* const> frames, Nanoseconds deadline) {
-  const auto waiting = [&] {
-    return static_cast<std::uint64_t>(std::ranges::count_if(frames, [](const auto* f) { return f->in_flight_; }));
-  };
   Status status;
-  while (waiting() > 0) {
-    const auto received = link_.receive(buffer_, deadline);
-    if (!received) {
-      status = tl::unexpected(received.error());
-      break;
-    }
-    if (received->length == 0) break;
-    if (!dispatch(frames, *received)) ++stray_;
+  while (std::ranges::any_of(frames, &PendingFrame::in_flight)) {
+    const auto received = receive(frames, deadline);
+    if (!received) status = tl::unexpected(received.error());
+    if (!received || !*received) break;
   }
-  lost_ += waiting();
-  for (auto* frame : frames) frame->in_flight_ = false;
+  for (auto* frame : frames) {
+    if (frame->in_flight_) give_up(*frame);
+  }
   return status;
+}
+
+Result<bool> FrameExchange::receive(std::span<PendingFrame* const> frames, Nanoseconds deadline) {
+  const auto received = link_.receive(buffer_, deadline);
+  if (!received) return tl::unexpected(received.error());
+  if (received->length == 0) return false;
+  if (!dispatch(frames, *received)) ++stray_;
+  return true;
+}
+
+void FrameExchange::give_up(PendingFrame& frame) {
+  if (frame.in_flight_) ++lost_;
+  frame.in_flight_ = false;
 }
 
 bool FrameExchange::dispatch(std::span<PendingFrame* const> frames, const ReceivedFrame& received) {
@@ -97,10 +122,7 @@ bool FrameExchange::accept(PendingFrame& frame, std::span<std::uint8_t> bytes) {
   FrameReader check(bytes);
   for (const auto* datagram : frame.datagrams()) {
     const auto view = check.next();
-    if (!view || view->header.command != datagram->command || view->header.index != frame.index_ ||
-        view->data.size() != datagram->data.size()) {
-      return false;
-    }
+    if (!view || view->header.index != frame.index_ || !same_request(*view, *datagram)) return false;
   }
   FrameReader reader(bytes);
   for (auto* datagram : frame.datagrams()) {
@@ -111,6 +133,7 @@ bool FrameExchange::accept(PendingFrame& frame, std::span<std::uint8_t> bytes) {
   }
   frame.in_flight_ = false;
   frame.answered_ = true;
+  index_rests_until_[frame.index_] = 0;
   return true;
 }
 

@@ -19,6 +19,8 @@ struct Datagram {
   std::uint16_t wkc = 0;
   bool answered = false;
   bool stamped = false;          // the data depend on the send time: SendStamp fills them
+  bool once = false;             // Bus::transact() never repeats it
+  std::uint8_t times_sent = 0;   // above 1: an earlier copy may have been executed with its answer lost
 
   [[nodiscard]] bool done() const { return answered && wkc > 0; }
 };
@@ -43,6 +45,9 @@ class PendingFrame {
   [[nodiscard]] bool empty() const { return count_ == 0; }
   [[nodiscard]] std::span<Datagram* const> datagrams() const { return {datagrams_.data(), count_}; }
   [[nodiscard]] bool answered() const { return answered_; }
+  [[nodiscard]] bool in_flight() const { return in_flight_; }
+  /// Bytes of all datagrams with their headers and working counters.
+  [[nodiscard]] std::size_t size() const { return bytes_; }
   /// Host clock just before the frame was handed to the link, and when it came back.
   [[nodiscard]] Nanoseconds send_time() const { return send_time_; }
   [[nodiscard]] Nanoseconds arrival_time() const { return arrival_time_; }
@@ -59,7 +64,9 @@ class PendingFrame {
 };
 
 /// Puts datagrams on the wire and matches what comes back by the datagram index: every datagram of a
-/// frame carries the frame's index.
+/// frame carries the frame's index. An index whose frame did not come back rests for a while, so that
+/// the late frame is known as a stray one and never taken for a newer frame; what is matched must also
+/// have the commands, addresses and lengths that were sent.
 class FrameExchange {
  public:
   FrameExchange(Link& link, Clock& clock) : link_(link), clock_(clock) {}
@@ -70,6 +77,11 @@ class FrameExchange {
   /// Receives until every frame that was sent is answered or `deadline` has passed; frames that did
   /// not come back are counted as lost. Replies that fit none of them are dropped and counted.
   Status collect(std::span<PendingFrame* const> frames, Nanoseconds deadline);
+  /// Receives one frame of the wire, whether it fits one of `frames` or none; false when none came
+  /// until `deadline`. Frames stay in flight until they are answered or given up.
+  Result<bool> receive(std::span<PendingFrame* const> frames, Nanoseconds deadline);
+  /// Counts the frame as lost; its index rests.
+  void give_up(PendingFrame& frame);
 
   [[nodiscard]] std::uint64_t lost_frames() const { return lost_; }
   [[nodiscard]] std::uint64_t stray_frames() const { return stray_; }
@@ -79,6 +91,7 @@ class FrameExchange {
  private:
   static constexpr std::size_t kMaxStamped = 8;
 
+  std::uint8_t take_index(Nanoseconds now);
   void refill_stamped(const PendingFrame& frame);
   bool accept(PendingFrame& frame, std::span<std::uint8_t> bytes);
   bool dispatch(std::span<PendingFrame* const> frames, const ReceivedFrame& received);
@@ -89,6 +102,7 @@ class FrameExchange {
   std::array<std::uint8_t, 1536> buffer_{};
   std::array<std::span<std::uint8_t>, kMaxStamped> stamped_areas_{};
   std::uint8_t next_index_ = 0;
+  std::array<Nanoseconds, 256> index_rests_until_{};
   std::uint64_t lost_ = 0, stray_ = 0;
 };
 
