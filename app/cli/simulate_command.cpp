@@ -62,6 +62,10 @@ void print_summary(std::ostream& out, const SimulateReport& report) {
   out << fmt::format("service time per frame: p50 {:.1f} us, p99 {:.1f} us, largest {:.1f} us\n",
                      microseconds(counters.service_quantile(0.5)), microseconds(counters.service_quantile(0.99)),
                      microseconds(counters.longest_service));
+  if (!report.refused.empty()) {
+    out << fmt::format("answers may have been late: {}; this grants it: {}\n", report.refused,
+                       permission_command());
+  }
   for (std::size_t i = 0; i < report.al_status.size(); ++i) {
     if ((report.al_status[i] & kAlErrorFlag) == 0) continue;
     out << fmt::format("slave {} is left in {} with AL status code 0x{:04X}: {}\n", i, state_text(report.al_status[i]),
@@ -85,6 +89,7 @@ Json summary_json(const SimulateReport& report) {
           {"service_p50_us", microseconds(counters.service_quantile(0.5))},
           {"service_p99_us", microseconds(counters.service_quantile(0.99))},
           {"service_max_us", microseconds(counters.longest_service)},
+          {"refused", report.refused},
           {"states", states}};
 }
 

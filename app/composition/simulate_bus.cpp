@@ -4,9 +4,13 @@
 #include "app/composition/load_scenario.h"
 #include "protocol/registers.h"
 #include "support/byte_order.h"
+#include "support/real_time.h"
 
 namespace syncline {
 namespace {
+
+/// Above a master's cyclic thread on the same machine: a real segment answers whatever the host does.
+constexpr int kPriority = RealTimeScope::kDefaultPriority + 5;
 
 std::uint16_t peek16(const sim::SimBus& bus, std::size_t position, std::uint16_t address) {
   return load_le<std::uint16_t>(bus.peek(position, address, 2));
@@ -25,6 +29,7 @@ Result<SimulateReport> simulate_bus(const SimulateRequest& request) {
   auto bus = sim::SimBus::create(*segment, start);
   if (!bus) return tl::unexpected(bus.error());
 
+  const RealTimeScope real_time(kPriority);
   BusResponder responder(**bus, *port, clock, {request.spin});
   if (request.on_ready) request.on_ready(*segment, port->adapter());
   const std::atomic<bool> never{false};
@@ -33,6 +38,7 @@ Result<SimulateReport> simulate_bus(const SimulateRequest& request) {
   if (!served) return tl::unexpected(served.error());
 
   SimulateReport report;
+  report.refused = real_time.refused();
   report.counters = responder.counters();
   report.duration = clock.now() - start;
   for (std::size_t i = 0; i < (*bus)->slave_count(); ++i) {

@@ -28,6 +28,7 @@ struct SimulateRequest {
 
 struct SimulateReport {
   ResponderCounters counters;
+  std::string refused;                      // real-time means that the system did not grant, in words
   Nanoseconds duration = 0;                 // that the bus was there
   std::vector<std::uint16_t> al_status;     // of every slave at the end, with the error bit
   std::vector<std::uint16_t> al_status_code;

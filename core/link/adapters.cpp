@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <ifaddrs.h>
+#include <linux/ethtool.h>
+#include <linux/sockios.h>
 #include <net/if.h>
 #include <net/if_arp.h>
 #include <netpacket/packet.h>
+#include <sys/ioctl.h>
+#include <sys/socket.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <memory>
 
 #include "link/pcap_link.h"
@@ -15,33 +19,42 @@
 namespace syncline {
 namespace {
 
-namespace fs = std::filesystem;
-
-std::string first_line(const fs::path& path) {
-  std::ifstream in(path);
-  std::string line;
-  std::getline(in, line);
-  return line;
+/// Asks the kernel about one interface. By ioctl and not by /sys: that shows the network namespace in which it
+/// was mounted, not the one in which we are.
+bool ask(unsigned long request, ifreq& about) {
+  const int socket = ::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+  if (socket < 0) return false;
+  const bool answered = ::ioctl(socket, request, &about) == 0;
+  ::close(socket);
+  return answered;
 }
 
-/// "" for interfaces without a device, such as veth and bridges.
+ifreq about_interface(const std::string& name) {
+  ifreq about{};
+  name.copy(about.ifr_name, IFNAMSIZ - 1);
+  return about;
+}
+
+/// "" when the driver does not tell.
 std::string driver_of(const std::string& name) {
-  std::error_code error;
-  const auto link = fs::read_symlink(fs::path("/sys/class/net") / name / "device" / "driver", error);
-  return error ? std::string{} : link.filename().string();
+  ethtool_drvinfo info{};
+  info.cmd = ETHTOOL_GDRVINFO;
+  auto about = about_interface(name);
+  about.ifr_data = reinterpret_cast<char*>(&info);
+  if (!ask(SIOCETHTOOL, about)) return {};
+  return {info.driver, ::strnlen(info.driver, sizeof(info.driver))};
 }
 
 /// Wireless cards call themselves Ethernet too, but carry no foreign frame types in time.
 bool is_wireless(const std::string& name) {
-  std::error_code error;
-  return fs::exists(fs::path("/sys/class/net") / name / "phy80211", error);
+  constexpr unsigned long kGetWirelessName = 0x8B01;  // SIOCGIWNAME of linux/wireless.h, which clashes with net/if.h
+  auto about = about_interface(name);
+  return ask(kGetWirelessName, about);
 }
 
-bool is_up(const std::string& name, unsigned flags) {
-  // A veth end reports "up" only while its peer is up; "unknown" is what drivers without carrier say.
-  const auto state = first_line(fs::path("/sys/class/net") / name / "operstate");
-  return (flags & IFF_UP) != 0 && (state == "up" || state == "unknown");
-}
+/// The kernel sets IFF_RUNNING while there is a carrier, or the driver knows of none. A veth end has it only
+/// while its peer is up.
+bool is_up(unsigned flags) { return (flags & IFF_UP) != 0 && (flags & IFF_RUNNING) != 0; }
 
 }  // namespace
 
@@ -62,8 +75,8 @@ Result<std::vector<AdapterInfo>> list_adapters() {
     adapter.name = entry->ifa_name;
     std::copy_n(address.sll_addr, 6, adapter.mac.begin());
     adapter.driver = driver_of(adapter.name);
-    adapter.description = adapter.driver.empty() ? "virtual Ethernet" : "Ethernet, driver " + adapter.driver;
-    adapter.up = is_up(adapter.name, entry->ifa_flags);
+    adapter.description = adapter.driver.empty() ? "Ethernet" : "Ethernet, driver " + adapter.driver;
+    adapter.up = is_up(entry->ifa_flags);
     adapters.push_back(std::move(adapter));
   }
   std::sort(adapters.begin(), adapters.end(), [](const auto& a, const auto& b) { return a.name < b.name; });

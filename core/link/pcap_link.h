@@ -21,6 +21,9 @@ struct AdapterInfo {
 /// Network adapters that can carry EtherCAT (Ethernet, not loopback), by name.
 [[nodiscard]] Result<std::vector<AdapterInfo>> list_adapters();
 
+/// What the user has to type to let this very binary open network cards and run in real time.
+[[nodiscard]] std::string permission_command();
+
 /// kLinkNotFound, kLinkDown, or kLinkPermission with the exact setcap command for this binary in detail.
 [[nodiscard]] Result<std::unique_ptr<Link>> open_pcap_link(const std::string& adapter, Clock& clock);
 

@@ -18,14 +18,6 @@ struct PcapCloser {
 };
 using PcapHandle = std::unique_ptr<pcap_t, PcapCloser>;
 
-/// What the user has to type to let this very binary open network cards.
-std::string permission_command() {
-  std::error_code error;
-  const auto binary = std::filesystem::read_symlink("/proc/self/exe", error);
-  return "sudo setcap cap_net_raw,cap_net_admin,cap_sys_nice,cap_ipc_lock=ep " +
-         (error ? std::string("synclinectl") : binary.string());
-}
-
 std::string up_command(const std::string& adapter) { return "sudo ip link set " + adapter + " up"; }
 
 Result<AdapterInfo> find_adapter(const std::string& name) {
@@ -72,6 +64,13 @@ Nanoseconds calendar_now() {
 }
 
 }  // namespace
+
+std::string permission_command() {
+  std::error_code error;
+  const auto binary = std::filesystem::read_symlink("/proc/self/exe", error);
+  return "sudo setcap cap_net_raw,cap_net_admin,cap_sys_nice,cap_ipc_lock=ep " +
+         (error ? std::string("synclinectl") : binary.string());
+}
 
 struct RawPort::Impl {
   PcapHandle handle;

@@ -13,6 +13,7 @@
 #include "link/capture_tap.h"
 #include "link/pcap_link.h"
 #include "protocol/frame.h"
+#include "support/net_namespace.h"
 
 namespace syncline {
 namespace {
@@ -37,22 +38,15 @@ TEST(PcapLink, MissingAdapterIsNamed) {
 class VethPair : public testing::Test {
  protected:
   void SetUp() override {
-    if (::geteuid() != 0 || std::system("ip link add slt0 type veth peer name slt1 >/dev/null 2>&1") != 0) {
-      GTEST_SKIP() << "no permission to create a veth pair";
-    }
-    created_ = true;
-    ASSERT_EQ(std::system("ip link set slt0 up && ip link set slt1 up"), 0);
+    if (!network_.ready()) GTEST_SKIP() << "no permission to create a network namespace with a veth pair";
   }
-  void TearDown() override {
-    if (created_) (void)!std::system("ip link del slt0 >/dev/null 2>&1");
-  }
-  bool created_ = false;
+  test::NetNamespace network_;
 };
 
 TEST_F(VethPair, FramesCrossAndTheOwnEchoDoesNotReturn) {
   RealClock clock;
-  auto near = open_pcap_link("slt0", clock);
-  auto far = open_pcap_link("slt1", clock);
+  auto near = open_pcap_link("slm0", clock);
+  auto far = open_pcap_link("slb0", clock);
   ASSERT_TRUE(near) << near.error().detail;
   ASSERT_TRUE(far) << far.error().detail;
   FrameBuilder builder;
@@ -87,8 +81,8 @@ TEST_F(VethPair, FramesCrossAndTheOwnEchoDoesNotReturn) {
 
 TEST_F(VethPair, OtherTrafficIsNotDelivered) {
   RealClock clock;
-  auto near = open_pcap_link("slt0", clock);
-  auto far = open_pcap_link("slt1", clock);
+  auto near = open_pcap_link("slm0", clock);
+  auto far = open_pcap_link("slb0", clock);
   ASSERT_TRUE(near && far);
   std::vector<std::uint8_t> ip(60, 0);
   std::fill_n(ip.begin(), 6, std::uint8_t{0xFF});
@@ -113,7 +107,7 @@ TEST_F(VethPair, WithoutPermissionTheErrorHasTheCommandForThisBinary) {
     std::string text = "could not drop the privileges";
     if (::setuid(kNobody) == 0) {
       RealClock clock;
-      const auto link = open_pcap_link("slt0", clock);
+      const auto link = open_pcap_link("slm0", clock);
       text = link ? "opened" : std::to_string(static_cast<int>(link.error().code)) + " " + link.error().detail;
     }
     (void)!::write(channel[1], text.data(), text.size());
@@ -132,9 +126,9 @@ TEST_F(VethPair, WithoutPermissionTheErrorHasTheCommandForThisBinary) {
 }
 
 TEST_F(VethPair, LinkThatIsDownSaysSo) {
-  ASSERT_EQ(std::system("ip link set slt0 down"), 0);
+  ASSERT_EQ(std::system("ip link set slm0 down"), 0);
   RealClock clock;
-  const auto link = open_pcap_link("slt0", clock);
+  const auto link = open_pcap_link("slm0", clock);
   ASSERT_FALSE(link);
   EXPECT_EQ(link.error().code, ErrorCode::kLinkDown);
 }

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: Apache-2.0
+// The simulated segment on a wire: a veth pair in a network namespace of the test's own. These tests run on
+// the real clock because the wire does; they ask for what must come, never for how soon.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <thread>
+
+#include "app/composition/open_link.h"
+#include "app/composition/run_network.h"
+#include "app/composition/scan_bus.h"
+#include "app/composition/simulate_bus.h"
+#include "config/compile/compile.h"
+#include "eni/esi_catalogue.h"
+#include "eni/project_builder.h"
+#include "protocol/error_text.h"
+#include "protocol/frame.h"
+#include "protocol/registers.h"
+#include "support/net_namespace.h"
+
+namespace syncline {
+namespace {
+
+using test::NetNamespace;
+
+const std::string kMachine = std::string(SYNCLINE_SOURCE_DIR) + "/resources/demo/machine.toml";
+const std::string kMasterLink = std::string("nic:") + NetNamespace::kMasterEnd;
+
+/// Serves a scenario on the bus's end of the pair until it is destroyed.
+class ServedBus {
+ public:
+  explicit ServedBus(const std::string& scenario) {
+    request_.scenario = scenario;
+    request_.adapter = NetNamespace::kBusEnd;
+    request_.stop = &stop_;
+    request_.on_ready = [this](const SimConfig&, const AdapterInfo&) { ready_ = true; };
+    thread_ = std::thread([this] {
+      report_ = simulate_bus(request_);
+      ended_ = true;
+    });
+    while (!ready_ && !ended_) std::this_thread::yield();
+  }
+  ~ServedBus() { (void)finish(); }
+  ServedBus(const ServedBus&) = delete;
+  ServedBus& operator=(const ServedBus&) = delete;
+
+  Result<SimulateReport> finish() {
+    stop_ = true;
+    return wait();
+  }
+  /// For a service that ends by itself.
+  Result<SimulateReport> wait() {
+    if (thread_.joinable()) thread_.join();
+    return report_;
+  }
+
+ private:
+  SimulateRequest request_;
+  std::atomic<bool> stop_{false}, ready_{false}, ended_{false};
+  Result<SimulateReport> report_;
+  std::thread thread_;
+};
+
+class VethBus : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!network_.ready()) GTEST_SKIP() << "no permission to create a network namespace with a veth pair";
+  }
+  NetNamespace network_;
+};
+
+TEST_F(VethBus, ScanOverTheWireFindsWhatTheScenarioSays) {
+  ServedBus bus(kMachine);
+  const auto simulated = scan_bus("sim:" + kMachine + "?virtual");
+  const auto wired = scan_bus(kMasterLink);
+  ASSERT_TRUE(simulated);
+  ASSERT_TRUE(wired) << wired.error().detail;
+  ASSERT_EQ(wired->slaves.size(), simulated->slaves.size());
+  for (std::size_t i = 0; i < wired->slaves.size(); ++i) {
+    EXPECT_EQ(wired->slaves[i].identity, simulated->slaves[i].identity) << i;
+    EXPECT_EQ(wired->slaves[i].alias, simulated->slaves[i].alias) << i;
+    EXPECT_EQ(wired->slaves[i].dl_status.value, simulated->slaves[i].dl_status.value) << i;
+  }
+  const auto report = bus.finish();
+  ASSERT_TRUE(report);
+  EXPECT_GT(report->counters.frames, 20U);
+  EXPECT_EQ(report->counters.lost, 0U);
+  EXPECT_EQ(report->al_status.size(), wired->slaves.size());
+}
+
+TEST_F(VethBus, FramesFromTheShortestToTheLargestComeBackAsLongAsTheyWere) {
+  ServedBus bus(kMachine);
+  auto opened = open_link(kMasterLink);
+  ASSERT_TRUE(opened);
+  FrameBuilder builder;
+  const std::array<std::uint8_t, 6> broadcast{0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF};
+  builder.set_addresses(broadcast, opened->link->describe().mac);
+  for (const std::size_t data : {std::size_t{1}, std::size_t{2}, std::size_t{31}, std::size_t{32}, kMaxDatagramData}) {
+    builder.reset();
+    ASSERT_TRUE(builder.add_zeros(Command::kBrd, 9, device_address(0, reg::kType), static_cast<std::uint16_t>(data)));
+    // A veth carries the frame as it is, without the padding that a cable needs.
+    const auto size = kEthernetHeaderSize + kEtherCatHeaderSize + kDatagramHeaderSize + data + kWkcSize;
+    const auto frame = builder.finish().first(size);
+    ASSERT_TRUE(opened->link->send(frame));
+    std::array<std::uint8_t, 1514> buffer{};
+    const auto received = opened->link->receive(buffer, opened->clock->now() + 10 * kSecond);
+    ASSERT_TRUE(received);
+    ASSERT_EQ(received->length, size);
+    FrameReader reader{std::span(buffer).first(received->length)};
+    const auto datagram = reader.next();
+    ASSERT_TRUE(datagram);
+    EXPECT_EQ(datagram->header.adp(), 9);
+    EXPECT_EQ(datagram->wkc(), 9);
+    EXPECT_NE(datagram->data[0], 0);
+  }
+}
+
+TEST_F(VethBus, WhatIsNoGoodFrameDoesNotComeBack) {
+  ServedBus bus(kMachine);
+  auto opened = open_link(kMasterLink);
+  ASSERT_TRUE(opened);
+  FrameBuilder builder;
+  const std::array<std::uint8_t, 6> broadcast{0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF};
+  builder.set_addresses(broadcast, opened->link->describe().mac);
+  ASSERT_TRUE(builder.add_zeros(Command::kBrd, 1, device_address(0, reg::kType), 2));
+  const auto good = builder.finish();
+  std::vector<std::uint8_t> lying(good.begin(), good.end());
+  lying[22] = 0xFF;  // the datagram claims more bytes than the frame has
+  ASSERT_TRUE(opened->link->send(lying));
+  ASSERT_TRUE(opened->link->send(std::span(lying).first(15)));
+  ASSERT_TRUE(opened->link->send(good));
+  std::array<std::uint8_t, 1514> buffer{};
+  const auto received = opened->link->receive(buffer, opened->clock->now() + 10 * kSecond);
+  ASSERT_TRUE(received);
+  FrameReader reader{std::span(buffer).first(received->length)};
+  const auto datagram = reader.next();
+  ASSERT_TRUE(datagram);
+  EXPECT_EQ(datagram->wkc(), 9);
+}
+
+TEST_F(VethBus, MissingAndSleepingAdaptersAreNamedWithTheRemedy) {
+  SimulateRequest request;
+  request.scenario = kMachine;
+  request.adapter = "no-such-card";
+  auto report = simulate_bus(request);
+  ASSERT_FALSE(report);
+  EXPECT_EQ(report.error().code, ErrorCode::kLinkNotFound);
+  EXPECT_THAT(report.error().detail, testing::HasSubstr(NetNamespace::kBusEnd));
+
+  request.adapter = NetNamespace::kBusEnd;
+  ASSERT_TRUE(NetNamespace::set_up(NetNamespace::kBusEnd, false));
+  report = simulate_bus(request);
+  ASSERT_FALSE(report);
+  EXPECT_EQ(report.error().code, ErrorCode::kLinkDown);
+  EXPECT_EQ(report.error().detail, std::string("sudo ip link set ") + NetNamespace::kBusEnd + " up");
+}
+
+TEST_F(VethBus, AdapterThatGoesAwayEndsTheServiceWithAnError) {
+  ServedBus bus(kMachine);
+  ASSERT_EQ(std::system((std::string("ip link del ") + NetNamespace::kBusEnd).c_str()), 0);
+  const auto report = bus.wait();
+  ASSERT_FALSE(report);
+  EXPECT_EQ(report.error().code, ErrorCode::kLinkIo);
+  EXPECT_EQ(report.error().subject, NetNamespace::kBusEnd);
+}
+
+TEST_F(VethBus, MasterBringsTheMachineToOp) {
+  ServedBus bus(kMachine);
+  const auto scan = scan_bus(kMasterLink);
+  ASSERT_TRUE(scan);
+  eni::EsiCatalogue catalogue;
+  ASSERT_TRUE(catalogue.add_folder(std::string(SYNCLINE_SOURCE_DIR) + "/resources/esi"));
+  auto project = eni::project_from_scan(*scan, catalogue).project;
+  // Long enough for machines that are busy with other things; what is proved here is the wire, not the pace.
+  project.master.cycle_time = 4 * kMillisecond;
+  project.master.dc.sync_window.enabled = true;
+  const auto compiled = compile(project);
+  ASSERT_TRUE(compiled);
+
+  std::atomic<bool> there{false};
+  std::vector<std::string> errors;
+  RunRequest request;
+  request.duration = 60 * kSecond;
+  request.stop = &there;
+  request.on_event = [&](const Event& event) {
+    if (event.kind == EventKind::kStateChanged && event.slave == -1 && event.b == static_cast<int>(AlState::kOp)) {
+      there = true;
+    }
+    if (event.error) errors.push_back(describe(*event.error));
+  };
+  const auto outcome = run_network(compiled->config, kMasterLink, request);
+  ASSERT_TRUE(outcome);
+  EXPECT_TRUE(there) << testing::PrintToString(errors);
+  const auto report = bus.finish();
+  ASSERT_TRUE(report);
+  for (const auto status : report->al_status) EXPECT_EQ(al_state_of(status), AlState::kInit) << "left behind";
+}
+
+}  // namespace
+}  // namespace syncline
