@@ -8,6 +8,7 @@ namespace {
 
 /// Nobody looks at a snapshot more often than this.
 constexpr Nanoseconds kPublishPeriod = 1 * kMillisecond;
+constexpr std::size_t kMostAcyclicFrames = 8;
 
 std::int32_t to_32(Nanoseconds value) {
   return static_cast<std::int32_t>(std::clamp<Nanoseconds>(value, INT32_MIN, INT32_MAX));
@@ -24,6 +25,7 @@ CyclicTaskRunner::CyclicTaskRunner(FrameExchange& exchange, Clock& clock, RunSta
       slaves_(run),
       sm2_(run),
       health_(run),
+      acyclic_(kMostAcyclicFrames),
       cycle_time_(run.config().cycle_time()) {
   in_flight_.reserve(64);
 }
@@ -40,6 +42,7 @@ Status CyclicTaskRunner::run_cycle(std::span<Datagram* const> acyclic) {
   fill_acyclic(acyclic, send_time_);
   const auto lost_before = exchange_.lost_frames();
   const auto status = exchange_frames(scheduled_ + cycle_time_ * 8 / 10);
+  adapt_acyclic_limit();
   note_sending(sample);
   health_.observe_lost(exchange_.lost_frames() - lost_before, send_time_, sample);
   evaluate(sample);
@@ -69,13 +72,34 @@ void CyclicTaskRunner::note_sending(CycleSample& sample) {
 }
 
 void CyclicTaskRunner::fill_acyclic(std::span<Datagram* const> requests, Nanoseconds now) {
-  acyclic_.clear();
+  for (auto& frame : acyclic_) frame.clear();
   // Short and regular readings first: a long mailbox datagram finds room in the next cycle.
-  slaves_.add_to(acyclic_, sync_.monitored() && !frames_.reads_deviation());
+  slaves_.add_to(acyclic_.front(), sync_.monitored() && !frames_.reads_deviation());
+  sm2_.add_to(acyclic_.front(), now);
+  std::size_t frame = 0;
   for (auto* request : requests) {
-    if (!acyclic_.add(*request)) break;
+    while (frame < acyclic_limit_ && !acyclic_[frame].add(*request)) ++frame;
+    if (frame == acyclic_limit_) break;
   }
-  sm2_.add_to(acyclic_, now);
+}
+
+/// A bus with many slaves has many requests, and how many frames a cycle can carry depends on the host,
+/// the wire and the length of the segment: found by trying.
+void CyclicTaskRunner::adapt_acyclic_limit() {
+  std::size_t sent = 0;
+  bool all_back = true;
+  Nanoseconds last = scheduled_;
+  for (const auto& frame : acyclic_) {
+    if (frame.empty()) continue;
+    ++sent;
+    all_back = all_back && frame.answered();
+    last = std::max(last, frame.arrival_time());
+  }
+  if (!all_back) {
+    acyclic_limit_ = std::max<std::size_t>(1, acyclic_limit_ / 2);
+  } else if (sent == acyclic_limit_ && last < scheduled_ + cycle_time_ / 2) {
+    acyclic_limit_ = std::min(acyclic_limit_ + 1, kMostAcyclicFrames);
+  }
 }
 
 Status CyclicTaskRunner::exchange_frames(Nanoseconds deadline) {
@@ -89,7 +113,9 @@ Status CyclicTaskRunner::exchange_frames(Nanoseconds deadline) {
     }
   };
   for (auto* frame : frames_.frames()) send(*frame);
-  if (!acyclic_.empty()) send(acyclic_);
+  for (auto& frame : acyclic_) {
+    if (!frame.empty()) send(frame);
+  }
   // A late wake-up must not leave the frames without time to come back.
   const auto patience = std::max(deadline, clock_.now() + cycle_time_ / 4);
   if (auto collected = exchange_.collect(in_flight_, patience); !collected) return collected;

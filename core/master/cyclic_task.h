@@ -15,8 +15,8 @@
 
 namespace syncline {
 
-/// The bus cycle: wakes on its absolute schedule, stamps and sends the cyclic frames and one acyclic
-/// frame, collects the answers and hands them to those who watch. In the steady cycle it allocates,
+/// The bus cycle: wakes on its absolute schedule, stamps and sends the cyclic frames and as many acyclic
+/// frames as the cycle has room for, collects the answers and hands them to those who watch. In the steady cycle it allocates,
 /// locks, logs and throws nothing (the snapshot is only published when nobody reads it just then).
 class CyclicTaskRunner final : public CyclePump, private SendStamp {
  public:
@@ -39,6 +39,7 @@ class CyclicTaskRunner final : public CyclePump, private SendStamp {
   void stamp(Nanoseconds send_time) override;
   void note_sending(CycleSample& sample);
   void fill_acyclic(std::span<Datagram* const> requests, Nanoseconds now);
+  void adapt_acyclic_limit();
   Status exchange_frames(Nanoseconds deadline);
   void evaluate(CycleSample& sample);
   void schedule_next(Nanoseconds adjust);
@@ -53,7 +54,8 @@ class CyclicTaskRunner final : public CyclePump, private SendStamp {
   SlaveWatch slaves_;
   Sm2Reader sm2_;
   BusHealth health_;
-  PendingFrame acyclic_;
+  std::vector<PendingFrame> acyclic_;
+  std::size_t acyclic_limit_ = 1;  // frames a cycle, as many as come back in time
   std::vector<PendingFrame*> in_flight_;
   Nanoseconds cycle_time_;
   Nanoseconds scheduled_ = 0;

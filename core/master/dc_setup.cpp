@@ -93,11 +93,16 @@ Status DcSetup::read_slaves() {
   if (!has_system_time((*capabilities)[*reference])) {
     return fail(ErrorCode::kDcSetup, subject(*reference), "it has no system time and cannot be the reference clock");
   }
+  std::vector<std::array<std::uint8_t, 2>> bytes(stations_.size());
+  std::vector<Datagram> reads;
+  for (std::size_t i = 0; i < stations_.size(); ++i) {
+    reads.push_back({Command::kFprd, device_address(stations_[i], reg::kDlStatus), bytes[i]});
+  }
+  if (auto read = bus_.transact(reads); !read) return read;
   std::vector<DlStatus> status;
   for (std::size_t i = 0; i < stations_.size(); ++i) {
-    const auto dl = bus_.read<std::uint16_t>(stations_[i], reg::kDlStatus, subject(i));
-    if (!dl) return tl::unexpected(dl.error());
-    status.push_back({*dl});
+    if (reads[i].wkc == 0) return fail(ErrorCode::kNoResponse, subject(i));
+    status.push_back({load_le<std::uint16_t>(bytes[i])});
   }
   const auto previous = find_topology(status);
   for (std::size_t i = 0; i < stations_.size(); ++i) {
@@ -166,29 +171,34 @@ Status DcSetup::measure() {
 }
 
 Status DcSetup::write_times(const Latch& latch) {
+  std::vector<Write> times, filters;
   for (std::size_t i = 0; i < stations_.size(); ++i) {
     const auto& slave = network_.slaves[i];
     if (!has_system_time(slave.capability)) continue;
     const bool wide = slave.capability == DcCapability::kSystemTime64;
     const auto local = load_le<std::uint64_t>(latch.processing_unit[i]);
-    const auto offset = dc::system_time_offset(latch.host_time, local, slave.delay_ns, wide);
-    auto offset_bytes = le_bytes(offset);
-    if (!wide) offset_bytes.resize(4);
-    auto delay_bytes = le_bytes(slave.delay_ns);
-    auto speed_bytes = le_bytes(kSpeedCounterDefault);
+    auto offset = le_bytes(dc::system_time_offset(latch.host_time, local, slave.delay_ns, wide));
+    if (!wide) offset.resize(4);
+    times.push_back({i, reg::kSystemTimeOffset, std::move(offset)});
+    times.push_back({i, reg::kSystemTimeDelay, le_bytes(slave.delay_ns)});
     if (i == network_.reference_clock && config_.dc.dcm.mode == DcmMode::kBusShift) {
-      const auto depth = bus_.write(Command::kFpwr, stations_[i], reg::kFilterDepthDifference, kSteeredFilterDepth);
-      if (!depth) return tl::unexpected(depth.error());
+      filters.push_back({i, reg::kFilterDepthDifference, {kSteeredFilterDepth}});
     }
-    std::array<Datagram, 3> writes{{
-        {Command::kFpwr, device_address(stations_[i], reg::kSystemTimeOffset), offset_bytes},
-        {Command::kFpwr, device_address(stations_[i], reg::kSystemTimeDelay), delay_bytes},
-        {Command::kFpwr, device_address(stations_[i], reg::kSpeedCounterStart), speed_bytes},  // resets the filters
-    }};
-    if (auto status = bus_.transact(writes); !status) return status;
-    for (const auto& write : writes) {
-      if (write.wkc == 0) return fail(ErrorCode::kDcSetup, subject(i), "it does not take its system time offset");
-    }
+    filters.push_back({i, reg::kSpeedCounterStart, le_bytes(kSpeedCounterDefault)});
+  }
+  // Writing the speed counter resets the filters, which must see the new times.
+  return write_all(times).and_then([&] { return write_all(filters); });
+}
+
+Status DcSetup::write_all(std::span<Write> writes) {
+  std::vector<Datagram> datagrams;
+  for (auto& write : writes) {
+    datagrams.push_back({Command::kFpwr, device_address(stations_[write.slave], write.address), write.bytes});
+  }
+  if (auto status = bus_.transact(datagrams); !status) return status;
+  for (std::size_t i = 0; i < writes.size(); ++i) {
+    if (datagrams[i].wkc > 0 || writes[i].address == reg::kFilterDepthDifference) continue;
+    return fail(ErrorCode::kDcSetup, subject(writes[i].slave), "it does not take its system time offset");
   }
   return {};
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "config/network_config.h"
@@ -41,11 +42,17 @@ class DcSetup : private SendStamp {
 
  private:
   struct Latch;
+  struct Write {
+    std::size_t slave;
+    std::uint16_t address;
+    std::vector<std::uint8_t> bytes;
+  };
 
   Status read_slaves();
   Status measure();
   Status latch_round(Latch& latch);
   Status write_times(const Latch& latch);
+  Status write_all(std::span<Write> writes);
   Status burst();
   Result<std::uint32_t> burst_bulk(std::uint32_t frames, std::uint32_t& deviation_ored);
   Status burst_frame(std::uint32_t* deviation_ored);

@@ -7,9 +7,7 @@
 #include <array>
 
 #include "master/bus_scanner.h"
-#include "master/coe_client.h"
 #include "master/dc_setup.h"
-#include "master/dc_start.h"
 #include "protocol/registers.h"
 
 namespace syncline {
@@ -19,18 +17,12 @@ constexpr Nanoseconds kResetTimeout = 5 * kSecond;  // ETG default "back to INIT
 constexpr Nanoseconds kSyncTimeout = 30 * kSecond;
 constexpr int kCyclesBeforeOp = 10;                 // valid outputs before OP is requested
 
-/// Errors after which going on with the other slaves makes no sense.
-bool ends_everything(const Error& error) {
-  return error.code == ErrorCode::kCancelled || error.code == ErrorCode::kLinkIo ||
-         error.code == ErrorCode::kLinkDown || error.code == ErrorCode::kNoResponse;
-}
-
 bool is_above(AlState state, AlState target) { return static_cast<int>(state) > static_cast<int>(target); }
 
 }  // namespace
 
 Esm::Esm(Bus& bus, RunState& run, CyclicTaskRunner& task, SyncWatch& sync)
-    : bus_(bus), run_(run), task_(task), sync_(sync), init_cmds_(bus) {}
+    : bus_(bus), run_(run), task_(task), sync_(sync), commands_(bus, run, sync) {}
 
 AlState Esm::state_of(std::size_t slave) const { return al_state_of(run_.snapshot.slaves[slave].al_status); }
 
@@ -81,7 +73,7 @@ Status Esm::change_to(AlState target) {
   if (auto status = quiet_mailboxes(); !status) return status;
   // An ended bring-up leaves slaves in states that nobody has looked at.
   if (bus_.cyclic()) {
-    if (auto status = refresh(); !status) return status;
+    if (auto status = commands_.read_all(); !status) return status;
   }
   Status result;
   const auto& slaves = run_.snapshot.slaves;
@@ -95,7 +87,7 @@ Status Esm::change_to(AlState target) {
 
 Status Esm::up_to(AlState target) {
   if (bus_.cyclic()) {
-    if (auto status = acknowledge_errors(); !status) return status;
+    if (auto status = commands_.acknowledge(slaves_where([](AlState) { return true; })); !status) return status;
   }
   if (run_.snapshot.state == AlState::kInit) {
     if (auto status = init_to_preop(); !status) return status;
@@ -112,30 +104,42 @@ Status Esm::up_to(AlState target) {
 Status Esm::init_to_preop() {
   bus_.set_pump(nullptr);  // the clocks are set up anew
   if (auto status = run_master_commands(Transition::kIP, true); !status) return status;
-  const auto all = [](std::size_t) { return true; };
-  auto status = for_slaves(all, [this](std::size_t i) {
-    const auto end = preop_request(i);
-    return run_slave_commands(i, Transition::kIP, [end](std::size_t index) { return index < end; });
+  auto slaves = slaves_where([](AlState) { return true; });
+  const auto request = preop_requests();
+  // A slave that is not the configured one, or cannot be set up, ends the bring-up before there is a cycle.
+  const auto set_up = [&](std::size_t slave, std::size_t index) { return index < request[slave]; };
+  if (auto status = commands_.run(slaves, Transition::kIP, set_up); !status) return status;
+  if (auto status = initialise_clocks(); !status) return status;
+  if (auto status = await_slaves_in_sync(); !status) return status;
+  auto status = commands_.run(slaves, Transition::kIP, [&](std::size_t slave, std::size_t index) {
+    return index >= request[slave];
   });
-  if (!status) return status;
-  if (status = initialise_clocks(); !status) return status;
-  if (status = await_slaves_in_sync(); !status) return status;
-  status = for_slaves(all, [this](std::size_t i) {
-    const auto begin = preop_request(i);
-    return run_slave_commands(i, Transition::kIP, [begin](std::size_t index) { return index >= begin; })
-        .and_then([&] { return run_coe_commands(i, Transition::kIP); });
-  });
+  if (!status && ends_everything(status.error())) return status;
+  if (auto coe = commands_.run_coe(slaves, Transition::kIP); status) status = std::move(coe);
   if (!status) return status;
   if (status = run_master_commands(Transition::kIP, false); !status) return status;
-  return refresh();
+  return commands_.read_all();
 }
 
-std::size_t Esm::preop_request(std::size_t slave) const {
-  const auto& commands = run_.config().slaves[slave].init_cmds;
-  for (std::size_t i = 0; i < commands.size(); ++i) {
-    if (has_transition(commands[i], Transition::kIP) && requests_state(commands[i], AlState::kPreop)) return i;
+/// Index of the command that requests PREOP, or behind the last one, for every slave.
+std::vector<std::size_t> Esm::preop_requests() const {
+  std::vector<std::size_t> requests;
+  for (const auto& slave : run_.config().slaves) {
+    const auto found = std::ranges::find_if(slave.init_cmds, [](const InitCmd& command) {
+      return has_transition(command, Transition::kIP) && requests_state(command, AlState::kPreop);
+    });
+    requests.push_back(static_cast<std::size_t>(found - slave.init_cmds.begin()));
   }
-  return commands.size();
+  return requests;
+}
+
+/// Slaves that answer and are in a state that `applies` selects.
+SlaveList Esm::slaves_where(const std::function<bool(AlState)>& applies) const {
+  SlaveList slaves;
+  for (std::size_t i = 0; i < run_.snapshot.slaves.size(); ++i) {
+    if (run_.snapshot.slaves[i].present && applies(state_of(i))) slaves.push_back(i);
+  }
+  return slaves;
 }
 
 Status Esm::initialise_clocks() {
@@ -226,13 +230,12 @@ Status Esm::safeop_to_op() {
 }
 
 Status Esm::step_up(AlState from, Transition transition) {
-  auto status = for_slaves([&](std::size_t i) { return state_of(i) == from; },
-                           [&](std::size_t i) {
-                             return run_coe_commands(i, transition).and_then([&] {
-                               return run_slave_commands(i, transition);
-                             });
-                           });
-  if (auto refreshed = refresh(); !refreshed) return refreshed;
+  auto slaves = slaves_where([&](AlState state) { return state == from; });
+  auto status = commands_.run_coe(slaves, transition);
+  if (!status && ends_everything(status.error())) return status;
+  if (auto registers = commands_.run(slaves, transition); status) status = std::move(registers);
+  if (!status && ends_everything(status.error())) return status;
+  if (auto read = commands_.read_all(); !read) return read;
   return status;
 }
 
@@ -245,14 +248,16 @@ Status Esm::down_to(AlState target) {
     if (auto status = run_master_commands(*transition, true); !status) return status;
   }
   // Nobody waits for a slave that is gone.
-  const auto applies = [&](std::size_t i) { return run_.snapshot.slaves[i].present && is_above(state_of(i), target); };
-  auto status = for_slaves(applies,
-                           [&](std::size_t i) -> Status {
-                             const auto transition = transition_between(state_of(i), target);
-                             if (!transition) return {};
-                             return run_slave_commands(i, *transition);
-                           });
-  if (auto refreshed = refresh(); !refreshed) return refreshed;
+  auto status = Status{};
+  for (const auto state : {AlState::kOp, AlState::kSafeop, AlState::kPreop, AlState::kBoot}) {
+    const auto down = transition_between(state, target);
+    auto slaves = slaves_where([&](AlState s) { return s == state && is_above(s, target); });
+    if (!down || slaves.empty()) continue;
+    auto step = commands_.run(slaves, *down);
+    if (!step && ends_everything(step.error())) return step;
+    if (status) status = std::move(step);
+  }
+  if (auto read = commands_.read_all(); !read) return read;
   if (status) finish_down(target);
   return status;
 }
@@ -267,110 +272,8 @@ void Esm::finish_down(AlState target) {
 Status Esm::run_master_commands(Transition transition, bool before_slave) {
   for (const auto& command : run_.config().master.init_cmds) {
     if (!has_transition(command, transition) || command.before_slave != before_slave) continue;
-    if (auto status = init_cmds_.run(command, "master"); !status) return status;
+    if (auto status = run_init_cmd(bus_, command, "master"); !status) return status;
   }
-  return {};
-}
-
-Status Esm::run_slave_commands(std::size_t slave, Transition transition,
-                               const std::function<bool(std::size_t)>& part) {
-  const auto& config = run_.config().slaves[slave];
-  const auto subject = run_.slave_name(slave);
-  for (std::size_t i = 0; i < config.init_cmds.size(); ++i) {
-    const auto& command = config.init_cmds[i];
-    if (!has_transition(command, transition) || (part && !part(i))) continue;
-    Status status;
-    if (sync_.active() && transition == Transition::kPS && writes_dc_start_time(command)) {
-      const auto now = sync_.reference_time_at(bus_.clock().now());
-      status = init_cmds_.run(command, dc_start_data(run_.config(), config, command, now, sync_.base()), subject);
-    } else {
-      status = init_cmds_.run(command, subject);
-    }
-    if (!status) return status;
-  }
-  return {};
-}
-
-Status Esm::run_coe_commands(std::size_t slave, Transition transition) {
-  const auto& config = run_.config().slaves[slave];
-  if (!config.mailbox) return {};
-  CoeClient client(bus_, config, run_.mailbox_counters[slave], [&](const coe::Emergency& emergency) {
-    run_.event(EventKind::kEmergency, bus_.clock().now(), static_cast<int>(slave), emergency.error_code,
-               emergency.error_register);
-  });
-  for (const auto& [command, ccs] : config.mailbox->coe_commands) {
-    const bool wanted = std::ranges::find(command.transitions, transition) != command.transitions.end();
-    if (!wanted || !command.enabled) continue;
-    client.set_timeout_ms(command.timeout_ms);
-    const auto status = client.download({command.index, command.sub_index}, command.data, command.complete_access);
-    if (!status) return status;
-  }
-  return {};
-}
-
-Status Esm::for_slaves(const std::function<bool(std::size_t)>& applies,
-                       const std::function<Status(std::size_t)>& step) {
-  Status result;
-  for (std::size_t i = 0; i < run_.config().slaves.size(); ++i) {
-    if (!applies(i)) continue;
-    auto status = step(i);
-    if (status) {
-      if (status = read_al_status(i); !status) return status;
-      continue;
-    }
-    if (ends_everything(status.error())) return status;
-    report_failure(i, status.error());
-    if (result) result = std::move(status);
-  }
-  return result;
-}
-
-// ---- AL status ------------------------------------------------------------------------------------
-
-void Esm::report_failure(std::size_t slave, const Error& error) {
-  if (error.code == ErrorCode::kAlState) {
-    // The event is told by the reading; the acknowledge makes the next request possible.
-    if (!read_al_status(slave)) return;
-    const auto al_status = run_.snapshot.slaves[slave].al_status;
-    if ((al_status & kAlErrorFlag) == 0) return;
-    (void)bus_.write(Command::kFpwr, run_.config().slaves[slave].station_address, reg::kAlControl, al_status);
-  } else {
-    run_.error(error, bus_.clock().now());
-  }
-}
-
-Status Esm::acknowledge_errors() {
-  for (std::size_t i = 0; i < run_.config().slaves.size(); ++i) {
-    const auto al_status = run_.snapshot.slaves[i].al_status;
-    if ((al_status & kAlErrorFlag) == 0) continue;
-    const auto station = run_.config().slaves[i].station_address;
-    if (auto wkc = bus_.write(Command::kFpwr, station, reg::kAlControl, al_status); !wkc) {
-      return tl::unexpected(wkc.error());
-    }
-    if (auto status = bus_.wait_a_little(); !status) return status;
-    if (auto status = read_al_status(i); !status) return status;
-  }
-  return {};
-}
-
-Status Esm::read_al_status(std::size_t slave) {
-  std::array<std::uint8_t, 6> bytes{};
-  const auto wkc = bus_.exchange(Command::kFprd, run_.config().slaves[slave].station_address, reg::kAlStatus, bytes);
-  if (!wkc) return tl::unexpected(wkc.error());
-  const auto now = bus_.clock().now();
-  run_.set_present(slave, *wkc > 0, now);
-  if (*wkc > 0) {
-    const std::span<const std::uint8_t> view(bytes);
-    run_.set_al_status(slave, load_le<std::uint16_t>(view), load_le<std::uint16_t>(view.subspan(4)), now);
-  }
-  return {};
-}
-
-Status Esm::refresh() {
-  for (std::size_t i = 0; i < run_.config().slaves.size(); ++i) {
-    if (auto status = read_al_status(i); !status) return status;
-  }
-  run_.update_master_state(bus_.clock().now());
   return {};
 }
 

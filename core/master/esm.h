@@ -2,13 +2,13 @@
 #pragma once
 
 #include <functional>
-#include <string>
+#include <vector>
 
 #include "master/bus.h"
 #include "master/cyclic_task.h"
 #include "master/dc_setup.h"
-#include "master/init_cmd_runner.h"
 #include "master/run_state.h"
+#include "master/slave_commands.h"
 #include "master/sync_watch.h"
 
 namespace syncline {
@@ -43,20 +43,9 @@ class Esm {
   void note_clocks(const DcNetwork& network);
 
   Status run_master_commands(Transition transition, bool before_slave);
-  /// Init commands of one slave; `part` selects among those of the transition.
-  Status run_slave_commands(std::size_t slave, Transition transition,
-                            const std::function<bool(std::size_t index)>& part = {});
-  Status run_coe_commands(std::size_t slave, Transition transition);
-  /// Index of the command that requests PREOP, or behind the last one.
-  [[nodiscard]] std::size_t preop_request(std::size_t slave) const;
-  /// Runs `step` for every slave that `applies` selects; see change_to() about errors.
-  Status for_slaves(const std::function<bool(std::size_t)>& applies, const std::function<Status(std::size_t)>& step);
+  [[nodiscard]] std::vector<std::size_t> preop_requests() const;
+  [[nodiscard]] SlaveList slaves_where(const std::function<bool(AlState)>& applies) const;
   Status step_up(AlState from, Transition transition);
-
-  void report_failure(std::size_t slave, const Error& error);
-  Status acknowledge_errors();
-  Status read_al_status(std::size_t slave);
-  Status refresh();
   Status quiet_mailboxes();
   [[nodiscard]] AlState state_of(std::size_t slave) const;
 
@@ -64,7 +53,7 @@ class Esm {
   RunState& run_;
   CyclicTaskRunner& task_;
   SyncWatch& sync_;
-  InitCmdRunner init_cmds_;
+  SlaveCommands commands_;
 };
 
 }  // namespace syncline

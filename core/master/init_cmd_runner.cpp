@@ -11,10 +11,6 @@
 namespace syncline {
 namespace {
 
-std::uint32_t address_of(const InitCmd& command) {
-  return is_logical(command.command) ? command.logical_address : device_address(command.adp, command.ado);
-}
-
 bool matches(const InitCmdValidate& validate, std::span<const std::uint8_t> read) {
   for (std::size_t i = 0; i < validate.data.size(); ++i) {
     const std::uint8_t mask = i < validate.mask.size() ? validate.mask[i] : std::uint8_t{0xFF};
@@ -49,82 +45,118 @@ bool requests_state(const InitCmd& command, AlState state) {
          !command.data.empty() && al_state_of(command.data[0]) == state;
 }
 
-Status InitCmdRunner::run(const InitCmd& command, const std::string& subject) {
-  auto data = command.data;
-  data.resize(command.length());
-  return run(command, std::move(data), subject);
+InitCmdWork::InitCmdWork(std::vector<const InitCmd*> commands, InitCmdContext context)
+    : commands_(std::move(commands)), context_(std::move(context)) {}
+
+std::uint16_t InitCmdWork::adp() const {
+  const bool by_position = is_auto_increment(command().command);
+  return by_position && context_.auto_increment_address ? *context_.auto_increment_address : command().adp;
 }
 
-Status InitCmdRunner::run(const InitCmd& command, std::vector<std::uint8_t> data, const std::string& subject) {
-  if (command.validate) return validate(command, data, subject);
-  const auto original = data;
-  const auto end = bus_.clock().now() + command.timeout_ms.value_or(0) * kMillisecond;
-  std::uint16_t received = 0;
-  for (std::uint32_t attempt = 0;; ++attempt) {
-    data = original;
-    const auto wkc = send(command, data);
-    if (!wkc) return tl::unexpected(wkc.error());
-    received = *wkc;
-    if (!command.expected_wkc || received == *command.expected_wkc) return {};
-    if (attempt >= command.retries && bus_.clock().now() >= end) break;
-    if (auto status = bus_.wait_a_little(); !status) return status;
+std::uint32_t InitCmdWork::address() const {
+  return is_logical(command().command) ? command().logical_address : device_address(adp(), command().ado);
+}
+
+void InitCmdWork::begin(Nanoseconds now) {
+  const auto& cmd = command();
+  auto other = context_.data ? context_.data(cmd) : std::nullopt;
+  original_ = other ? std::move(*other) : cmd.data;
+  original_.resize(other ? original_.size() : cmd.length());
+  attempt_ = 0;
+  end_ = now + (cmd.validate ? cmd.validate->timeout_ms : cmd.timeout_ms.value_or(0)) * kMillisecond;
+  step_ = Step::kCommand;
+}
+
+Datagram* InitCmdWork::next(Nanoseconds now) {
+  if (over() || now < not_before_) return nullptr;
+  if (step_ == Step::kBegin) begin(now);
+  if (step_ == Step::kStatusCode) {
+    status_code_.fill(0);
+    datagram_ = {command().command, device_address(adp(), reg::kAlStatusCode), status_code_};
+    return &datagram_;
   }
-  Error error{ErrorCode::kWorkingCounter, what(command, subject)};
-  error.expected = *command.expected_wkc;
-  error.received = received;
-  return fail(std::move(error));
+  data_ = original_;
+  if (command().validate) std::ranges::fill(data_, std::uint8_t{0});
+  datagram_ = {command().command, address(), data_};
+  return &datagram_;
 }
 
-Result<std::uint16_t> InitCmdRunner::send(const InitCmd& command, std::span<std::uint8_t> data) {
-  Datagram datagram{command.command, address_of(command), data};
-  if (auto status = bus_.transact(datagram); !status) return tl::unexpected(status.error());
-  return datagram.wkc;
-}
-
-Status InitCmdRunner::validate(const InitCmd& command, std::span<std::uint8_t> data, const std::string& subject) {
-  const auto end = bus_.clock().now() + command.validate->timeout_ms * kMillisecond;
-  const auto wanted = command.expected_wkc.value_or(1);
-  while (true) {
-    std::ranges::fill(data, std::uint8_t{0});
-    const auto wkc = send(command, data);
-    if (!wkc) return tl::unexpected(wkc.error());
-    if (*wkc >= wanted && matches(*command.validate, data)) return {};
-    if (*wkc >= wanted && refused(command, data)) break;
-    if (bus_.clock().now() >= end) {
-      if (*wkc < wanted) {
-        Error error{ErrorCode::kWorkingCounter, what(command, subject)};
-        error.expected = wanted;
-        error.received = *wkc;
-        return fail(std::move(error));
-      }
-      break;
-    }
-    if (auto status = bus_.wait_a_little(); !status) return status;
+void InitCmdWork::take(Nanoseconds now) {
+  if (step_ == Step::kStatusCode) {
+    if (datagram_.wkc > 0) pending_.extra = load_le<std::uint16_t>(status_code_);
+    return fail_with(std::move(pending_));
   }
-  return fail(validation_error(command, data, subject));
+  if (command().validate) return judge_validation(now);
+  judge(now);
 }
 
-Error InitCmdRunner::validation_error(const InitCmd& command, std::span<const std::uint8_t> read,
-                                      const std::string& subject) {
-  const auto& wanted = command.validate->data;
-  if (is_al_status(command) && !wanted.empty()) {
-    Error error{refused(command, read) ? ErrorCode::kAlState : ErrorCode::kAlTimeout, subject};
+void InitCmdWork::judge(Nanoseconds now) {
+  const auto& wanted = command().expected_wkc;
+  if (!wanted || datagram_.wkc == *wanted) return succeed();
+  if (attempt_++ >= command().retries && now >= end_) return fail_with(counter_error(*wanted));
+  try_again(now);
+}
+
+void InitCmdWork::judge_validation(Nanoseconds now) {
+  const auto wanted = command().expected_wkc.value_or(1);
+  const bool answered = datagram_.wkc >= wanted;
+  if (answered && matches(*command().validate, data_)) return succeed();
+  if (answered && refused(command(), data_)) return fail_validation();
+  if (now < end_) return try_again(now);
+  if (!answered) return fail_with(counter_error(wanted));
+  fail_validation();
+}
+
+void InitCmdWork::try_again(Nanoseconds now) { not_before_ = now + context_.pause; }
+
+void InitCmdWork::succeed() {
+  ++index_;
+  step_ = Step::kBegin;
+}
+
+void InitCmdWork::fail_with(Error error) {
+  failed_ = true;
+  result_ = fail(std::move(error));
+}
+
+Error InitCmdWork::counter_error(std::uint16_t wanted) const {
+  Error error{ErrorCode::kWorkingCounter, what(command(), context_.subject)};
+  error.expected = wanted;
+  error.received = datagram_.wkc;
+  return error;
+}
+
+void InitCmdWork::fail_validation() {
+  const auto& wanted = command().validate->data;
+  const std::span<const std::uint8_t> read(data_);
+  if (is_al_status(command()) && !wanted.empty() && !read.empty()) {
+    Error error{refused(command(), read) ? ErrorCode::kAlState : ErrorCode::kAlTimeout, context_.subject};
     error.expected = wanted[0] & 0x0F;
     error.received = read.size() >= 2 ? load_le<std::uint16_t>(read) : read[0];
     if (read.size() >= 6) {
       error.extra = load_le<std::uint16_t>(read.subspan(4));
-    } else if (auto code = bus_.read<std::uint16_t>(command.adp, reg::kAlStatusCode, subject);
-               code && command.command == Command::kFprd) {
-      error.extra = *code;
+      return fail_with(std::move(error));
     }
-    return error;
+    pending_ = std::move(error);
+    step_ = Step::kStatusCode;
+    return;
   }
-  const bool identity = command.ado == reg::kSiiData;
+  const bool identity = command().ado == reg::kSiiData;
   Error error{identity ? ErrorCode::kIdentityMismatch : ErrorCode::kInitCmdValidation,
-              identity ? subject : what(command, subject)};
-  error.detail = fmt::format("expected {}, read {}", hex_bytes(wanted), hex_bytes(read.first(wanted.size())));
-  if (identity && !command.comment.empty()) error.detail = command.comment + ": " + error.detail;
-  return error;
+              identity ? context_.subject : what(command(), context_.subject)};
+  error.detail = fmt::format("expected {}, read {}", hex_bytes(wanted),
+                             hex_bytes(read.first(std::min(read.size(), wanted.size()))));
+  if (identity && !command().comment.empty()) error.detail = command().comment + ": " + error.detail;
+  fail_with(std::move(error));
+}
+
+Nanoseconds init_cmd_pause(const Bus& bus) { return bus.cyclic() ? 0 : kMillisecond; }
+
+Status run_init_cmd(Bus& bus, const InitCmd& command, const std::string& subject) {
+  InitCmdWork work({&command}, {subject, init_cmd_pause(bus), std::nullopt, {}});
+  SlaveWork* const works[] = {&work};
+  if (auto status = run_side_by_side(bus, works); !status) return status;
+  return work.result();
 }
 
 }  // namespace syncline

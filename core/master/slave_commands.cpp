@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "master/slave_commands.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+#include "master/coe_download_work.h"
+#include "master/dc_start.h"
+#include "protocol/registers.h"
+
+namespace syncline {
+namespace {
+
+constexpr Nanoseconds kAcknowledgeTimeout = 1 * kSecond;
+
+template <class Work>
+std::vector<SlaveWork*> pointers(std::vector<Work>& works) {
+  std::vector<SlaveWork*> all;
+  all.reserve(works.size());
+  for (auto& work : works) all.push_back(&work);
+  return all;
+}
+
+std::vector<const StartupCommand*> coe_commands(const SlaveConfig& slave, Transition transition) {
+  std::vector<const StartupCommand*> wanted;
+  if (!slave.mailbox) return wanted;
+  for (const auto& [command, ccs] : slave.mailbox->coe_commands) {
+    const bool now = std::ranges::find(command.transitions, transition) != command.transitions.end();
+    if (now && command.enabled) wanted.push_back(&command);
+  }
+  return wanted;
+}
+
+}  // namespace
+
+bool ends_everything(const Error& error) {
+  return error.code == ErrorCode::kCancelled || error.code == ErrorCode::kLinkIo ||
+         error.code == ErrorCode::kLinkDown || error.code == ErrorCode::kNoResponse;
+}
+
+SlaveCommands::SlaveCommands(Bus& bus, RunState& run, const SyncWatch& sync)
+    : bus_(bus), run_(run), sync_(sync), positions_(run.config().slaves.size()) {
+  std::iota(positions_.begin(), positions_.end(), std::uint16_t{0});
+}
+
+Status SlaveCommands::run(SlaveList& slaves, Transition transition, const Part& part) {
+  const auto& config = run_.config();
+  std::vector<InitCmdWork> works;
+  works.reserve(slaves.size());
+  for (const auto slave : slaves) {
+    const auto& list = config.slaves[slave].init_cmds;
+    std::vector<const InitCmd*> commands;
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      if (has_transition(list[i], transition) && (!part || part(slave, i))) commands.push_back(&list[i]);
+    }
+    InitCmdContext context{run_.slave_name(slave), init_cmd_pause(bus_), std::nullopt, {}};
+    if (positions_[slave] != slave) context.auto_increment_address = Position{positions_[slave]}.auto_increment_address();
+    if (sync_.active() && transition == Transition::kPS) {
+      context.data = [this, slave](const InitCmd& command) -> std::optional<std::vector<std::uint8_t>> {
+        if (!writes_dc_start_time(command)) return std::nullopt;
+        const auto now = sync_.reference_time_at(bus_.clock().now());
+        return dc_start_data(run_.config(), run_.config().slaves[slave], command, now, sync_.base());
+      };
+    }
+    works.emplace_back(std::move(commands), std::move(context));
+  }
+  return finish(slaves, pointers(works));
+}
+
+Status SlaveCommands::run_coe(SlaveList& slaves, Transition transition) {
+  std::vector<CoeDownloadWork> works;
+  SlaveList busy, idle;
+  works.reserve(slaves.size());
+  for (const auto slave : slaves) {
+    auto commands = coe_commands(run_.config().slaves[slave], transition);
+    (commands.empty() ? idle : busy).push_back(slave);
+    if (commands.empty()) continue;
+    works.emplace_back(run_.config().slaves[slave], std::move(commands), run_.mailbox_counters[slave],
+                       [this, slave](const coe::Emergency& emergency) {
+                         run_.event(EventKind::kEmergency, bus_.clock().now(), static_cast<int>(slave),
+                                    emergency.error_code, emergency.error_register);
+                       });
+  }
+  auto status = finish(busy, pointers(works));
+  slaves.clear();
+  std::ranges::merge(busy, idle, std::back_inserter(slaves));
+  return status;
+}
+
+/// Runs the works (one a slave of the list) and takes off the list those that failed.
+Status SlaveCommands::finish(SlaveList& slaves, std::span<SlaveWork* const> works) {
+  if (auto status = run_side_by_side(bus_, works); !status) return status;
+  SlaveList good, failed;
+  std::vector<Error> errors;
+  for (std::size_t i = 0; i < works.size(); ++i) {
+    const auto& result = works[i]->result();
+    (result ? good : failed).push_back(slaves[i]);
+    if (!result) errors.push_back(result.error());
+  }
+  slaves = std::move(good);
+  if (errors.empty()) return {};
+  if (auto status = report(failed, errors); !status) return status;
+  return fail(std::move(errors.front()));
+}
+
+Status SlaveCommands::report(std::span<const std::size_t> slaves, std::span<const Error> errors) {
+  for (const auto& error : errors) {
+    // A refused state is told by the reading below.
+    if (error.code != ErrorCode::kAlState) run_.error(error, bus_.clock().now());
+  }
+  if (auto status = read_al_status(slaves); !status) return status;
+  // The acknowledge makes the next request possible.
+  return write_acknowledge(slaves);
+}
+
+Status SlaveCommands::write_acknowledge(std::span<const std::size_t> slaves) {
+  std::vector<std::array<std::uint8_t, 2>> bytes;
+  std::vector<Datagram> writes;
+  bytes.reserve(slaves.size());
+  for (const auto slave : slaves) {
+    const auto al_status = run_.snapshot.slaves[slave].al_status;
+    if ((al_status & kAlErrorFlag) == 0 || !run_.snapshot.slaves[slave].present) continue;
+    store_le(std::span(bytes.emplace_back()), static_cast<std::uint16_t>(al_status & 0x1F));
+    const auto station = run_.config().slaves[slave].station_address;
+    writes.push_back({Command::kFpwr, device_address(station, reg::kAlControl), bytes.back()});
+  }
+  return writes.empty() ? Status{} : bus_.transact(writes);
+}
+
+Status SlaveCommands::acknowledge(std::span<const std::size_t> slaves) {
+  const auto in_error = [&](std::size_t slave) {
+    const auto& known = run_.snapshot.slaves[slave];
+    return known.present && (known.al_status & kAlErrorFlag) != 0;
+  };
+  if (std::ranges::none_of(slaves, in_error)) return {};
+  if (auto status = write_acknowledge(slaves); !status) return status;
+  const auto end = bus_.clock().now() + kAcknowledgeTimeout;
+  do {
+    if (auto status = bus_.wait_a_little(); !status) return status;
+    if (auto status = read_al_status(slaves); !status) return status;
+  } while (std::ranges::any_of(slaves, in_error) && bus_.clock().now() < end);
+  return {};
+}
+
+Status SlaveCommands::read_al_status(std::span<const std::size_t> slaves) {
+  std::vector<std::array<std::uint8_t, 6>> bytes(slaves.size());
+  std::vector<Datagram> reads;
+  reads.reserve(slaves.size());
+  for (std::size_t i = 0; i < slaves.size(); ++i) {
+    const auto station = run_.config().slaves[slaves[i]].station_address;
+    reads.push_back({Command::kFprd, device_address(station, reg::kAlStatus), bytes[i]});
+  }
+  if (reads.empty()) return {};
+  if (auto status = bus_.transact(reads); !status) return status;
+  const auto now = bus_.clock().now();
+  for (std::size_t i = 0; i < slaves.size(); ++i) {
+    run_.set_present(slaves[i], reads[i].wkc > 0, now);
+    if (reads[i].wkc == 0) continue;
+    const std::span<const std::uint8_t> view(bytes[i]);
+    run_.set_al_status(slaves[i], load_le<std::uint16_t>(view), load_le<std::uint16_t>(view.subspan(4)), now);
+  }
+  return {};
+}
+
+Status SlaveCommands::read_all() {
+  SlaveList all(run_.config().slaves.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  if (auto status = read_al_status(all); !status) return status;
+  run_.update_master_state(bus_.clock().now());
+  return {};
+}
+
+}  // namespace syncline

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "master/bus.h"
+#include "master/init_cmd_runner.h"
+#include "master/run_state.h"
+#include "master/sync_watch.h"
+
+namespace syncline {
+
+/// Positions of slaves in the configuration, ascending.
+using SlaveList = std::vector<std::size_t>;
+
+/// What the state machine does with many slaves at a time: their init commands of a transition and
+/// their AL status, all slaves side by side.
+class SlaveCommands {
+ public:
+  SlaveCommands(Bus& bus, RunState& run, const SyncWatch& sync);
+
+  /// Which of the transition's commands of a slave run: by their index in its list.
+  using Part = std::function<bool(std::size_t slave, std::size_t index)>;
+
+  /// Register commands, or CoE commands. A slave that fails is told by an event, acknowledged when it
+  /// reports an error, and taken off the list; it does not keep the others from finishing. The result is the first
+  /// slave's error; errors of the bus itself (see ends_everything()) end all.
+  Status run(SlaveList& slaves, Transition transition, const Part& part = {});
+  Status run_coe(SlaveList& slaves, Transition transition);
+
+  /// Reads AL status and code of these slaves and tells what is new. Slaves that do not answer are lost.
+  Status read_al_status(std::span<const std::size_t> slaves);
+  Status read_all();
+  /// Acknowledges the error of those that report one; waits until they took it, at most a second.
+  Status acknowledge(std::span<const std::size_t> slaves);
+
+  /// Where slave number `slave` really is, when others in front of it are missing.
+  void set_position(std::size_t slave, std::uint16_t position) { positions_[slave] = position; }
+  [[nodiscard]] std::uint16_t position(std::size_t slave) const { return positions_[slave]; }
+
+ private:
+  Status finish(SlaveList& slaves, std::span<SlaveWork* const> works);
+  Status report(std::span<const std::size_t> slaves, std::span<const Error> errors);
+  Status write_acknowledge(std::span<const std::size_t> slaves);
+
+  Bus& bus_;
+  RunState& run_;
+  const SyncWatch& sync_;
+  std::vector<std::uint16_t> positions_;
+};
+
+/// Errors after which going on with the other slaves makes no sense.
+[[nodiscard]] bool ends_everything(const Error& error);
+
+}  // namespace syncline

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include "master/coe_download_work.h"
+#include "master/init_cmd_runner.h"
+#include "master/master_service.h"
+#include "tests/support/simulated_network.h"
+#include "tests/support/test_bus.h"
+
+namespace syncline {
+namespace {
+
+InitCmd write(std::uint16_t position, std::uint16_t ado, std::uint16_t value) {
+  InitCmd cmd;
+  cmd.command = Command::kApwr;
+  cmd.adp = Position{position}.auto_increment_address();
+  cmd.ado = ado;
+  cmd.data = le_bytes(value);
+  cmd.expected_wkc = 1;
+  return cmd;
+}
+
+class SlaveBatch : public ::testing::Test {
+ protected:
+  VirtualClock clock;
+  test::TestBus link{clock, 3};
+  FrameExchange exchange{link, clock};
+  Bus bus{exchange, clock};
+
+  InitCmdWork work(std::vector<const InitCmd*> commands, std::string subject = "slave") {
+    return InitCmdWork(std::move(commands), {std::move(subject), kMillisecond, std::nullopt, {}});
+  }
+};
+
+TEST_F(SlaveBatch, SendsOneCommandOfEverySlaveInOneFrameAndKeepsEachSlavesOrder) {
+  link.record = true;
+  std::vector<InitCmd> commands;
+  for (std::uint16_t slave = 0; slave < 3; ++slave) {
+    commands.push_back(write(slave, reg::kStationAddress, static_cast<std::uint16_t>(1001 + slave)));
+    commands.push_back(write(slave, 0x0F00, static_cast<std::uint16_t>(7 + slave)));
+  }
+  std::vector<InitCmdWork> works;
+  for (std::size_t slave = 0; slave < 3; ++slave) works.push_back(work({&commands[2 * slave], &commands[2 * slave + 1]}));
+  SlaveWork* const all[] = {&works[0], &works[1], &works[2]};
+  ASSERT_TRUE(run_side_by_side(bus, all));
+  ASSERT_EQ(link.sent.size(), 2U);
+  for (std::uint16_t slave = 0; slave < 3; ++slave) {
+    EXPECT_TRUE(works[slave].result());
+    EXPECT_EQ(link.slave(slave).get<std::uint16_t>(reg::kStationAddress), 1001 + slave);
+    EXPECT_EQ(link.slave(slave).get<std::uint16_t>(0x0F00), 7 + slave);
+  }
+}
+
+TEST_F(SlaveBatch, TriesAgainAsOftenAsTheCommandSays) {
+  auto command = write(7, 0x0F00, 1);  // there is no such slave
+  command.retries = 4;
+  auto lonely = work({&command});
+  SlaveWork* const all[] = {&lonely};
+  ASSERT_TRUE(run_side_by_side(bus, all));
+  EXPECT_EQ(link.frames_sent, 5U);
+  ASSERT_FALSE(lonely.result());
+  EXPECT_EQ(lonely.result().error().code, ErrorCode::kWorkingCounter);
+  EXPECT_EQ(lonely.result().error().expected, 1);
+}
+
+TEST_F(SlaveBatch, OneSlavesFailureDoesNotHoldTheOthers) {
+  auto wrong = write(7, 0x0F00, 1), never = write(0, 0x0F02, 5), right = write(1, 0x0F00, 2), next = write(1, 0x0F02, 3);
+  auto failing = work({&wrong, &never}), good = work({&right, &next});
+  SlaveWork* const all[] = {&failing, &good};
+  ASSERT_TRUE(run_side_by_side(bus, all));
+  EXPECT_FALSE(failing.result());
+  EXPECT_TRUE(good.result());
+  EXPECT_EQ(link.slave(0).get<std::uint16_t>(0x0F02), 0);  // what follows a failed command is not sent
+  EXPECT_EQ(link.slave(1).get<std::uint16_t>(0x0F02), 3);
+}
+
+TEST_F(SlaveBatch, WaitsForValidationUntilItsTimeIsOver) {
+  InitCmd check;
+  check.command = Command::kAprd;
+  check.adp = 0;
+  check.ado = 0x0F00;
+  check.data.resize(2);
+  check.validate = InitCmdValidate{{5, 0}, {0x0F, 0}, 20};
+  int frames = 0;
+  link.on_frame = [&] {
+    if (++frames == 10) link.slave(0).set<std::uint16_t>(0x0F00, 0x35);
+  };
+  auto patient = work({&check}), again = work({&check});
+  SlaveWork* const first[] = {&patient};
+  ASSERT_TRUE(run_side_by_side(bus, first));
+  EXPECT_TRUE(patient.result());
+  EXPECT_EQ(frames, 10);
+  link.slave(0).set<std::uint16_t>(0x0F00, 0x04);
+  SlaveWork* const second[] = {&again};
+  const auto before = clock.now();
+  ASSERT_TRUE(run_side_by_side(bus, second));
+  ASSERT_FALSE(again.result());
+  EXPECT_EQ(again.result().error().code, ErrorCode::kInitCmdValidation);
+  EXPECT_GE(clock.now() - before, 20 * kMillisecond);
+  EXPECT_LT(clock.now() - before, 30 * kMillisecond);
+}
+
+TEST_F(SlaveBatch, ASlaveFoundElsewhereIsAddressedThere) {
+  const auto command = write(2, 0x0F00, 9);
+  InitCmdWork moved({&command}, {"slave", 0, Position{1}.auto_increment_address(), {}});
+  SlaveWork* const all[] = {&moved};
+  ASSERT_TRUE(run_side_by_side(bus, all));
+  EXPECT_EQ(link.slave(1).get<std::uint16_t>(0x0F00), 9);
+  EXPECT_EQ(link.slave(2).get<std::uint16_t>(0x0F00), 0);
+}
+
+TEST_F(SlaveBatch, DownloadsObjectsOfEveryLengthToManySlavesAtOnce) {
+  std::vector<SlaveConfig> slaves(3);
+  std::vector<StartupCommand> commands(2);
+  commands[0].index = 0x6060;
+  commands[0].data = {8};
+  commands[1].index = 0x2000;
+  commands[1].data.resize(300);
+  for (std::size_t i = 0; i < 300; ++i) commands[1].data[i] = static_cast<std::uint8_t>(i);
+  std::vector<std::uint8_t> counters(3);
+  std::vector<CoeDownloadWork> works;
+  std::vector<SlaveWork*> all;
+  for (std::size_t i = 0; i < 3; ++i) {
+    auto& slave = link.slave(i);
+    slave.has_mailbox = true;
+    slave.mailbox_delay = static_cast<int>(i);
+    slave.set<std::uint16_t>(reg::kStationAddress, static_cast<std::uint16_t>(1001 + i));
+    slave.set<std::uint16_t>(reg::kSyncManager, 0x1000);
+    slave.set<std::uint16_t>(reg::kSyncManager + 8, 0x1080);
+    slaves[i].station_address = static_cast<std::uint16_t>(1001 + i);
+    slaves[i].mailbox.emplace();
+    slaves[i].mailbox->send = {0x1000, 128};
+    slaves[i].mailbox->receive = {0x1080, 128};
+  }
+  works.reserve(3);
+  for (std::size_t i = 0; i < 3; ++i) {
+    works.emplace_back(slaves[i], std::vector<const StartupCommand*>{&commands[0], &commands[1]}, counters[i],
+                       CoeDownloadWork::EmergencyHandler{});
+    all.push_back(&works.back());
+  }
+  ASSERT_TRUE(run_side_by_side(bus, all));
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_TRUE(works[i].result()) << i;
+    EXPECT_EQ(link.slave(i).objects[0x606000], commands[0].data);
+    EXPECT_EQ(link.slave(i).objects[0x200000], commands[1].data);
+  }
+}
+
+/// Virtual time until OP; nothing when OP was not reached.
+std::optional<Nanoseconds> time_to_op(const test::SimulatedNetwork& network) {
+  VirtualClock clock;
+  auto link = network.link(clock);
+  if (!link) return std::nullopt;
+  MasterService service(std::move(link), clock);
+  service.channels().commands.push(GoOnlineCommand{network.compiled(), AlState::kOp});
+  const auto start = clock.now();
+  (void)service.step();
+  Snapshot snapshot;
+  (void)service.channels().snapshot.read(snapshot);
+  if (snapshot.state != AlState::kOp) return std::nullopt;
+  return clock.now() - start;
+}
+
+TEST(BringUp, OfManyDrivesTakesLittleLongerThanOfOne) {
+  const auto network = [](std::size_t drives) {
+    test::SimulatedNetwork result;
+    for (std::size_t i = 0; i < drives; ++i) result.add(test::servo(), "servo-y");
+    return result;
+  };
+  const auto one = time_to_op(network(1)), many = time_to_op(network(40));
+  ASSERT_TRUE(one);
+  ASSERT_TRUE(many);
+  // Some 40 commands each: one after the other they took 170 ms more with every drive.
+  EXPECT_LT(*many - *one, 500 * kMillisecond);
+}
+
+}  // namespace
+}  // namespace syncline
