@@ -28,7 +28,7 @@ int run(const std::vector<std::string>& arguments, Console console) {
   Context context{console};
   CLI::App app{
       "synclinectl: EtherCAT configurator and synchronisation monitor without a window.\n"
-      "LINK is sim:FILE[?virtual][&seed=N] or nic:NAME.\n"
+      "LINK is sim:FILE[?virtual][&seed=N], nic:NAME or replay:FILE (a capture).\n"
       "Exit codes: 0 done, 1 the answer is no, 2 usage, 3 bus or file error.",
       "synclinectl"};
   app.require_subcommand(1);

@@ -6,6 +6,7 @@
 #include "app/composition/link_text.h"
 #include "app/composition/load_scenario.h"
 #include "link/pcap_link.h"
+#include "link/replay/replay_link.h"
 #include "link/simulated_link.h"
 
 namespace syncline {
@@ -47,10 +48,17 @@ Result<OpenedLink> open_link(std::string_view text) {
       opened.link = std::move(*link);
       return opened;
     }
-    case LinkKind::kReplay:
-      break;
+    case LinkKind::kReplay: {
+      OpenedLink opened;
+      auto clock = std::make_unique<VirtualClock>();
+      auto link = make_replay_link(parsed->target, *clock);
+      if (!link) return tl::unexpected(link.error());
+      opened.clock = std::move(clock);
+      opened.link = std::move(*link);
+      return opened;
+    }
   }
-  return fail(ErrorCode::kNotSupported, std::string(text), "captures cannot be replayed yet; use sim: or nic:");
+  return fail(ErrorCode::kBadValue, std::string(text));
 }
 
 }  // namespace syncline

@@ -17,8 +17,8 @@ struct OpenedLink {
   std::unique_ptr<Link> link;
 };
 
-/// Opens "sim:FILE[?virtual][&seed=N]" or "nic:NAME". Errors name the file, line and key of a scenario,
-/// or the adapter and the command that grants the permission. "replay:FILE" is kNotSupported.
+/// Opens "sim:FILE[?virtual][&seed=N]", "nic:NAME" or "replay:FILE". Errors name the file, line and key of a scenario,
+/// or the adapter and the command that grants the permission.
 [[nodiscard]] Result<OpenedLink> open_link(std::string_view text);
 
 /// Folder of the resources (ESI files, demo machine): $SYNCLINE_RESOURCES, ../share/syncline beside the

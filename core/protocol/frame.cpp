@@ -152,10 +152,8 @@ FrameReader::FrameReader(std::span<std::uint8_t> frame) {
 std::optional<DatagramView> FrameReader::next() {
   if (!is_ethercat_ || malformed_) return std::nullopt;
   const std::size_t left = body_.size() - position_;
-  if (last_seen_ || (left == 0 && position_ == 0)) {
-    malformed_ = left != 0;  // bytes behind the last datagram
-    return std::nullopt;
-  }
+  // Bytes behind the last datagram are padding: some masters round the frame's length field up.
+  if (last_seen_ || (left == 0 && position_ == 0)) return std::nullopt;
   if (left < kDatagramHeaderSize + kWkcSize) {
     malformed_ = true;
     return std::nullopt;

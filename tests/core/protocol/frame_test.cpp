@@ -204,5 +204,21 @@ TEST(WireTime, MatchesTheReference) {
   EXPECT_EQ(wire_time_ns(1514), 123'040);
 }
 
+TEST(FrameReader, LengthFieldMayBeRoundedUp) {
+  // TwinCAT sends one data byte (13 bytes of datagram) with a length field of 14.
+  FrameBuilder builder;
+  ASSERT_TRUE(builder.add_zeros(Command::kBwr, 4, device_address(0, 0x0101), 1));
+  const auto built = builder.finish();
+  std::vector<std::uint8_t> frame(built.begin(), built.end());
+  ASSERT_EQ(frame[kEthernetHeaderSize], 13);
+  frame[kEthernetHeaderSize] = 14;
+  FrameReader reader(frame);
+  const auto datagram = reader.next();
+  ASSERT_TRUE(datagram);
+  EXPECT_EQ(datagram->data.size(), 1U);
+  EXPECT_FALSE(reader.next());
+  EXPECT_FALSE(reader.malformed());
+}
+
 }  // namespace
 }  // namespace syncline

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "link/replay/pcap_reader.h"
+
+#include <pcap/pcap.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+namespace syncline {
+namespace {
+
+struct PcapCloser {
+  void operator()(pcap_t* handle) const { pcap_close(handle); }  // closes the stream, too
+};
+
+}  // namespace
+
+struct PcapReader::Impl {
+  std::unique_ptr<pcap_t, PcapCloser> handle;
+  std::string name;
+};
+
+PcapReader::PcapReader(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+PcapReader::PcapReader(PcapReader&&) noexcept = default;
+PcapReader& PcapReader::operator=(PcapReader&&) noexcept = default;
+PcapReader::~PcapReader() = default;
+
+Result<PcapReader> PcapReader::from_stream(void* stream, const std::string& name) {
+  auto* file = static_cast<std::FILE*>(stream);
+  char text[PCAP_ERRBUF_SIZE] = {};
+  auto* handle = pcap_fopen_offline_with_tstamp_precision(file, PCAP_TSTAMP_PRECISION_NANO, text);
+  if (handle == nullptr) {
+    std::fclose(file);
+    return fail(Error{ErrorCode::kNotThatKindOfFile, {}, std::string("a pcap or pcapng capture; ") + text, name});
+  }
+  auto impl = std::make_unique<Impl>();
+  impl->handle.reset(handle);
+  impl->name = name;
+  if (pcap_datalink(handle) != DLT_EN10MB) {
+    const char* kind = pcap_datalink_val_to_name(pcap_datalink(handle));
+    return fail(Error{ErrorCode::kNotThatKindOfFile, {},
+                      std::string("a capture of Ethernet frames; this one holds ") + (kind ? kind : "something else"),
+                      name});
+  }
+  return PcapReader(std::move(impl));
+}
+
+Result<PcapReader> PcapReader::open(const std::string& path) {
+  auto* file = std::fopen(path.c_str(), "rb");
+  if (file == nullptr) {
+    if (errno == ENOENT) return fail(Error{ErrorCode::kFileNotFound, {}, {}, path});
+    return fail(Error{ErrorCode::kFileNotReadable, {}, std::strerror(errno), path});
+  }
+  return from_stream(file, path);
+}
+
+Result<PcapReader> PcapReader::from_memory(std::span<const std::uint8_t> bytes, const std::string& name) {
+  // fmemopen refuses size 0, and "rb" writes nothing into the buffer whatever its type says.
+  if (bytes.empty()) return fail(Error{ErrorCode::kNotThatKindOfFile, {}, "a pcap or pcapng capture; it is empty", name});
+  auto* file = ::fmemopen(const_cast<std::uint8_t*>(bytes.data()), bytes.size(), "rb");
+  if (file == nullptr) return fail(Error{ErrorCode::kFileNotReadable, {}, std::strerror(errno), name});
+  return from_stream(file, name);
+}
+
+Result<std::optional<CapturedFrame>> PcapReader::next() {
+  pcap_pkthdr* header = nullptr;
+  const u_char* bytes = nullptr;
+  const int found = pcap_next_ex(impl_->handle.get(), &header, &bytes);
+  if (found == PCAP_ERROR_BREAK) return std::optional<CapturedFrame>{};
+  if (found != 1) {
+    return fail(Error{ErrorCode::kFileNotReadable, {}, pcap_geterr(impl_->handle.get()), impl_->name});
+  }
+  CapturedFrame frame;
+  frame.time = (header->ts.tv_sec - kDcEpochUnixSeconds) * kSecond + header->ts.tv_usec;  // asked for nanoseconds
+  frame.bytes.assign(bytes, bytes + header->caplen);
+  frame.truncated = header->caplen < header->len;
+  return frame;
+}
+
+}  // namespace syncline

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "link/replay/recorded_bus.h"
+
+#include <algorithm>
+
+#include "protocol/registers.h"
+#include "support/byte_order.h"
+
+namespace syncline {
+namespace {
+
+/// More than any master has under way; what is older was lost.
+constexpr std::size_t kMostOpen = 256;
+/// Positions beyond what a segment can have are a damaged frame's.
+constexpr std::size_t kMostSlaves = 4096;
+constexpr std::uint8_t kLocallyAdministered = 0x02;
+constexpr std::uint16_t kSiiBusy = 0x8000;
+constexpr std::uint16_t kSiiReads8Bytes = 0x0040;
+constexpr std::uint16_t kSiiEnd = reg::kSiiData + 8;
+
+bool reads(Command command) {
+  return command != Command::kNop && command != Command::kApwr && command != Command::kFpwr &&
+         command != Command::kBwr && command != Command::kLwr;
+}
+
+bool same_datagram(const DatagramHeader& sent, const DatagramHeader& returned) {
+  // Auto-increment and broadcast addresses were counted up on the way.
+  return sent.command == returned.command && sent.index == returned.index && sent.length == returned.length &&
+         sent.ado() == returned.ado();
+}
+
+}  // namespace
+
+bool RecordedSlave::knows(std::uint32_t address, std::size_t length) const {
+  if (address + length > kSize) return false;
+  for (std::size_t i = 0; i < length; ++i) {
+    if (!known[address + i]) return false;
+  }
+  return true;
+}
+
+RecordedSlave& BusRecorder::slave(std::size_t position) {
+  if (position >= slaves_.size()) {
+    slaves_.resize(position + 1);
+    sii_address_.resize(position + 1);
+    sii_status_.resize(position + 1);
+  }
+  return slaves_[position];
+}
+
+void BusRecorder::add(std::span<std::uint8_t> frame) {
+  FrameReader reader(frame);
+  if (!reader.is_ethercat()) return;
+  SentFrame read;
+  std::copy_n(frame.begin() + 6, 6, read.source.begin());
+  std::vector<std::uint16_t> counters;
+  while (const auto datagram = reader.next()) {
+    read.datagrams.push_back({datagram->header, {datagram->data.begin(), datagram->data.end()}});
+    counters.push_back(datagram->wkc());
+  }
+  if (reader.malformed() || read.datagrams.empty()) return;
+
+  const auto request = find_request(read);
+  if (!request) {
+    if (open_.size() == kMostOpen) open_.erase(open_.begin());
+    open_.push_back(std::move(read));
+    return;
+  }
+  const auto sent = std::move(open_[*request]);
+  open_.erase(open_.begin() + static_cast<std::ptrdiff_t>(*request));
+  ++exchanges_;
+  for (std::size_t i = 0; i < sent.datagrams.size(); ++i) {
+    if (counters[i] > 0) learn(sent.datagrams[i], read.datagrams[i], counters[i]);
+  }
+}
+
+std::optional<std::size_t> BusRecorder::find_request(const SentFrame& frame) const {
+  for (std::size_t i = open_.size(); i > 0; --i) {
+    const auto& sent = open_[i - 1];
+    // The first slave sets the bit; a master whose address has it already leaves no difference.
+    auto marked = sent.source;
+    marked[0] |= kLocallyAdministered;
+    if (marked != frame.source) continue;
+    if (std::ranges::equal(sent.datagrams, frame.datagrams,
+                           [](const Sent& a, const Sent& b) { return same_datagram(a.header, b.header); })) {
+      return i - 1;
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<std::size_t> BusRecorder::position_of(const DatagramHeader& header) const {
+  if (is_auto_increment(header.command)) {
+    const std::size_t position = static_cast<std::uint16_t>(0U - header.adp());
+    return position < kMostSlaves ? std::optional(position) : std::nullopt;
+  }
+  if (!is_fixed_address(header.command)) return std::nullopt;
+  const auto found = stations_.find(header.adp());
+  return found == stations_.end() ? std::nullopt : std::optional(found->second);
+}
+
+void BusRecorder::learn(const Sent& sent, const Sent& returned, std::uint16_t wkc) {
+  if (is_broadcast(sent.header.command)) return learn_broadcast(sent, wkc);
+  const auto position = position_of(sent.header);
+  if (!position) return;
+  const auto address = sent.header.ado();
+  if (writes(sent.header.command) && sent.header.command != Command::kArmw && sent.header.command != Command::kFrmw) {
+    note_write(*position, address, sent.data);
+  }
+  if (reads(sent.header.command)) note_read(*position, address, returned.data);
+}
+
+void BusRecorder::learn_broadcast(const Sent& sent, std::uint16_t wkc) {
+  const std::size_t each = sent.header.command == Command::kBrw ? 3 : 1;
+  const auto count = std::min<std::size_t>(wkc / each, kMostSlaves);
+  if (count > slaves_.size() && wkc % each == 0) (void)slave(count - 1);
+  if (!writes(sent.header.command)) return;  // an OR of all says nothing of one
+  for (std::size_t i = 0; i < slaves_.size(); ++i) note_write(i, sent.header.ado(), sent.data);
+}
+
+void BusRecorder::note_write(std::size_t position, std::uint16_t address, std::span<const std::uint8_t> data) {
+  auto& to = slave(position);
+  if (address == reg::kStationAddress && data.size() >= 2) {
+    std::erase_if(stations_, [position](const auto& entry) { return entry.second == position; });
+    stations_[load_le<std::uint16_t>(data)] = position;
+  }
+  if (address == reg::kSiiControl && data.size() >= 6) sii_address_[position] = load_le<std::uint32_t>(data.subspan(2));
+  if (address == reg::kSiiAddress && data.size() >= 4) sii_address_[position] = load_le<std::uint32_t>(data);
+  // The register is there; its value before the write is not known, and after it is the master's.
+  for (std::size_t i = 0; i < data.size() && address + i < RecordedSlave::kSize; ++i) {
+    if (to.known[address + i]) continue;
+    to.known.set(address + i);
+    to.memory[address + i] = 0;
+  }
+}
+
+void BusRecorder::note_read(std::size_t position, std::uint16_t address, std::span<const std::uint8_t> data) {
+  auto& from = slave(position);
+  if (address == reg::kStationAddress && data.size() >= 2) stations_.try_emplace(load_le<std::uint16_t>(data), position);
+  if (address < kSiiEnd && address + data.size() > reg::kSiiControl) note_sii(position, address, data);
+  for (std::size_t i = 0; i < data.size() && address + i < RecordedSlave::kSize; ++i) {
+    if (from.known[address + i]) continue;
+    from.known.set(address + i);
+    from.memory[address + i] = data[i];
+  }
+}
+
+void BusRecorder::note_sii(std::size_t position, std::uint16_t address, std::span<const std::uint8_t> data) {
+  const auto end = address + data.size();
+  if (address <= reg::kSiiControl && end >= reg::kSiiControl + 2U) {
+    sii_status_[position] = load_le<std::uint16_t>(data.subspan(reg::kSiiControl - address));
+    slaves_[position].reads_8_bytes |= (sii_status_[position] & kSiiReads8Bytes) != 0;
+  }
+  if (address > reg::kSiiData || end <= reg::kSiiData || (sii_status_[position] & kSiiBusy) != 0) return;
+  const auto words = data.subspan(reg::kSiiData - address);
+  const std::size_t valid = slaves_[position].reads_8_bytes ? 8 : 4;
+  for (std::size_t i = 0; i + 1 < std::min(words.size(), valid); i += 2) {
+    slaves_[position].sii.try_emplace(sii_address_[position] + static_cast<std::uint32_t>(i / 2),
+                                      load_le<std::uint16_t>(words.subspan(i)));
+  }
+}
+
+}  // namespace syncline

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <bitset>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "protocol/frame.h"
+
+namespace syncline {
+
+/// What a capture tells of one slave.
+struct RecordedSlave {
+  static constexpr std::uint32_t kSize = 0x10000;
+
+  std::vector<std::uint8_t> memory = std::vector<std::uint8_t>(kSize);
+  std::bitset<kSize> known;                      // bytes that were read or written with a working counter
+  std::map<std::uint32_t, std::uint16_t> sii;    // EEPROM by word address
+  bool reads_8_bytes = false;                    // of the EEPROM at a time
+
+  [[nodiscard]] bool knows(std::uint32_t address, std::size_t length) const;
+};
+
+/// Learns the state of a bus from what a master read from it: each register as it was read first, and the
+/// EEPROM word by word. Feed it every frame of a capture in order; what is no EtherCAT is passed over.
+class BusRecorder {
+ public:
+  /// `frame` is decoded in place and not changed.
+  void add(std::span<std::uint8_t> frame);
+  [[nodiscard]] const std::vector<RecordedSlave>& slaves() const { return slaves_; }
+  [[nodiscard]] std::size_t exchanges() const { return exchanges_; }
+
+ private:
+  struct Sent {
+    DatagramHeader header;
+    std::vector<std::uint8_t> data;
+  };
+  struct SentFrame {
+    std::array<std::uint8_t, 6> source{};
+    std::vector<Sent> datagrams;
+  };
+  [[nodiscard]] std::optional<std::size_t> find_request(const SentFrame& frame) const;
+  void learn(const Sent& sent, const Sent& returned, std::uint16_t wkc);
+  void learn_broadcast(const Sent& sent, std::uint16_t wkc);
+  void note_access(std::size_t position, const Sent& sent, std::span<const std::uint8_t> data);
+  void note_write(std::size_t position, std::uint16_t address, std::span<const std::uint8_t> data);
+  void note_read(std::size_t position, std::uint16_t address, std::span<const std::uint8_t> data);
+  void note_sii(std::size_t position, std::uint16_t address, std::span<const std::uint8_t> data);
+  RecordedSlave& slave(std::size_t position);
+  [[nodiscard]] std::optional<std::size_t> position_of(const DatagramHeader& header) const;
+
+  std::vector<SentFrame> open_;                      // sent and not yet back, oldest first
+  std::vector<RecordedSlave> slaves_;
+  std::map<std::uint16_t, std::size_t> stations_;    // station address to position
+  std::vector<std::uint32_t> sii_address_;           // that the master set last, by position
+  std::vector<std::uint16_t> sii_status_;
+  std::size_t exchanges_ = 0;
+};
+
+}  // namespace syncline

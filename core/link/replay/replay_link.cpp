@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "link/replay/replay_link.h"
+
+#include <algorithm>
+#include <deque>
+
+#include "link/replay/pcap_reader.h"
+#include "link/replay/recorded_bus.h"
+#include "protocol/registers.h"
+#include "support/byte_order.h"
+
+namespace syncline {
+namespace {
+
+constexpr std::uint16_t kSiiReads8Bytes = 0x0040;
+constexpr std::uint16_t kSiiCommandError = 0x2000;
+constexpr unsigned kSiiReadCommand = 1;
+/// What every ESC has and a master must be able to write before it can read anything.
+constexpr bool is_addressing(std::uint32_t address) {
+  return (address >= reg::kStationAddress && address < reg::kStationAddress + 2U) ||
+         (address >= reg::kDlControl && address < reg::kDlControl + 4U) ||
+         (address >= reg::kSiiConfiguration && address < reg::kSiiData + 8U);
+}
+
+class ReplayedSlave {
+ public:
+  explicit ReplayedSlave(RecordedSlave recorded) : recorded_(std::move(recorded)) {
+    // The capture's master gave its own; ours gives others.
+    store(reg::kStationAddress, std::uint16_t{0});
+    store(reg::kSiiControl, status());
+    for (std::uint32_t a = reg::kSiiConfiguration; a < reg::kSiiData + 8U; ++a) recorded_.known.set(a);
+  }
+  [[nodiscard]] std::uint16_t station() const { return load_le<std::uint16_t>(at(reg::kStationAddress, 2)); }
+
+  bool read(std::uint16_t address, std::span<std::uint8_t> out, bool or_into) const {
+    if (!recorded_.knows(address, out.size())) return false;
+    const auto bytes = at(address, out.size());
+    for (std::size_t i = 0; i < out.size(); ++i) {
+      out[i] = or_into ? static_cast<std::uint8_t>(out[i] | bytes[i]) : bytes[i];
+    }
+    return true;
+  }
+  bool write(std::uint16_t address, std::span<const std::uint8_t> data) {
+    for (std::size_t i = 0; i < data.size(); ++i) {
+      const auto a = static_cast<std::uint32_t>(address + i);
+      if (a >= RecordedSlave::kSize || (!recorded_.known[a] && !is_addressing(a))) return false;
+    }
+    for (std::size_t i = 0; i < data.size(); ++i) {
+      recorded_.memory[address + i] = data[i];
+      recorded_.known.set(address + i);
+    }
+    if (address <= reg::kSiiControl + 1U && address + data.size() > reg::kSiiControl + 1U) run_sii_command();
+    return true;
+  }
+
+ private:
+  [[nodiscard]] std::uint16_t status() const { return recorded_.reads_8_bytes ? kSiiReads8Bytes : std::uint16_t{0}; }
+  [[nodiscard]] std::span<const std::uint8_t> at(std::uint32_t address, std::size_t length) const {
+    return std::span(recorded_.memory).subspan(address, length);
+  }
+  template <std::unsigned_integral T>
+  void store(std::uint32_t address, T value) {
+    store_le<T>(std::span(recorded_.memory).subspan(address, sizeof(T)), value);
+    for (std::size_t i = 0; i < sizeof(T); ++i) recorded_.known.set(address + i);
+  }
+
+  void run_sii_command() {
+    const unsigned command = recorded_.memory[reg::kSiiControl + 1U] & 0x07U;
+    auto result = status();
+    if (command == kSiiReadCommand) {
+      const auto word = load_le<std::uint32_t>(at(reg::kSiiAddress, 4));
+      const unsigned words = recorded_.reads_8_bytes ? 4 : 2;
+      for (unsigned i = 0; i < words; ++i) {
+        const auto found = recorded_.sii.find(word + i);
+        // The first word is what was asked for; the rest comes along where it is known.
+        if (found == recorded_.sii.end() && i == 0) result |= kSiiCommandError;
+        store(reg::kSiiData + 2 * i, found == recorded_.sii.end() ? std::uint16_t{0xFFFF} : found->second);
+      }
+    } else if (command != 0) {
+      result |= kSiiCommandError;  // a recording is not written to
+    }
+    store(reg::kSiiControl, result);
+  }
+
+  RecordedSlave recorded_;
+};
+
+class ReplayLink final : public Link {
+ public:
+  ReplayLink(std::string path, const std::vector<RecordedSlave>& slaves, VirtualClock& clock)
+      : path_(std::move(path)), slaves_(slaves.begin(), slaves.end()), clock_(clock) {}
+
+  Status send(std::span<const std::uint8_t> frame) override {
+    std::vector<std::uint8_t> bytes(frame.begin(), frame.end());
+    FrameReader reader(bytes);
+    while (auto datagram = reader.next()) execute(*datagram);
+    if (reader.is_ethercat() && !reader.malformed()) answers_.push_back(std::move(bytes));
+    return {};
+  }
+
+  Result<ReceivedFrame> receive(std::span<std::uint8_t> buffer, Nanoseconds deadline) override {
+    if (answers_.empty()) {
+      clock_.advance_to(std::max(deadline, clock_.now()));
+      return ReceivedFrame{};
+    }
+    const auto bytes = std::move(answers_.front());
+    answers_.pop_front();
+    clock_.advance_to(clock_.now() + wire_time_ns(bytes.size()));
+    const auto length = std::min(bytes.size(), buffer.size());
+    std::copy_n(bytes.begin(), length, buffer.begin());
+    return ReceivedFrame{length, clock_.now()};
+  }
+
+  [[nodiscard]] LinkDescription describe() const override {
+    return {"replay:" + path_, "replay", {0x00, 0x53, 0x4C, 0x00, 0x00, 0x02}, true, false};
+  }
+
+ private:
+  void execute(DatagramView& datagram) {
+    auto& header = datagram.header;
+    auto adp = header.adp();
+    std::uint16_t wkc = datagram.wkc();
+    // What a write puts down is what the master sent, not what an earlier slave answered.
+    const std::vector<std::uint8_t> sent(datagram.data.begin(), datagram.data.end());
+    for (auto& slave : slaves_) {
+      const bool addressed = is_auto_increment(header.command) ? adp == 0
+                             : is_fixed_address(header.command) ? slave.station() == header.adp()
+                                                                : is_broadcast(header.command);
+      if (is_auto_increment(header.command) || is_broadcast(header.command)) ++adp;
+      if (addressed) wkc = static_cast<std::uint16_t>(wkc + access(slave, datagram, sent));
+    }
+    header.address = is_logical(header.command) ? header.address : device_address(adp, header.ado());
+    datagram.store_header();
+    datagram.set_wkc(wkc);
+  }
+
+  static unsigned access(ReplayedSlave& slave, const DatagramView& datagram, std::span<const std::uint8_t> sent) {
+    const auto& header = datagram.header;
+    const bool both = header.command == Command::kAprw || header.command == Command::kFprw || header.command == Command::kBrw;
+    const bool multiple = header.command == Command::kArmw || header.command == Command::kFrmw;
+    unsigned count = 0;
+    if ((!writes(header.command) || both || multiple) &&
+        slave.read(header.ado(), datagram.data, is_broadcast(header.command))) {
+      ++count;
+    }
+    if (writes(header.command) && !multiple && slave.write(header.ado(), sent)) count += both ? 2 : 1;
+    return count;
+  }
+
+  std::string path_;
+  std::vector<ReplayedSlave> slaves_;
+  VirtualClock& clock_;
+  std::deque<std::vector<std::uint8_t>> answers_;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<Link>> make_replay_link(const std::string& path, VirtualClock& clock) {
+  auto reader = PcapReader::open(path);
+  if (!reader) return tl::unexpected(reader.error());
+  BusRecorder recorder;
+  for (;;) {
+    auto frame = reader->next();
+    if (!frame) return tl::unexpected(frame.error());
+    if (!*frame) break;
+    recorder.add((*frame)->bytes);
+  }
+  if (recorder.exchanges() == 0) {
+    return fail(Error{ErrorCode::kNotThatKindOfFile, {}, "a capture with EtherCAT frames and their answers", path});
+  }
+  return std::make_unique<ReplayLink>(path, recorder.slaves(), clock);
+}
+
+}  // namespace syncline
