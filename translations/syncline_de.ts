@@ -414,6 +414,18 @@
             <translation>{subject} hat zu lange gedauert{because}.</translation>
         </message>
         <message>
+            <source>Wiring of {subject}: {detail}.</source>
+            <translation>Verkabelung von {subject}: {detail}.</translation>
+        </message>
+        <message>
+            <source>Identification of {subject}: {detail}.</source>
+            <translation>Identifikation von {subject}: {detail}.</translation>
+        </message>
+        <message>
+            <source>Not read from {subject}: {detail}.</source>
+            <translation>Nicht gelesen von {subject}: {detail}.</translation>
+        </message>
+        <message>
             <source>Cancelled.</source>
             <translation>Abgebrochen.</translation>
         </message>
@@ -443,6 +455,10 @@
         <message>
             <source>Scan finished</source>
             <translation>Scan beendet</translation>
+        </message>
+        <message>
+            <source>The scan touches a running machine: %1 slaves are beyond INIT. States and station addresses stay; %2 EEPROMs are taken from their PDIs while they are read, and the DC receive times are latched</source>
+            <translation>Die Suche berührt eine laufende Maschine: %1 Slaves sind über INIT hinaus. Zustände und Stationsadressen bleiben; %2 EEPROMs werden zum Lesen von ihren PDIs genommen, und die DC-Empfangszeiten werden festgehalten</translation>
         </message>
         <message>
             <source>Online: the master runs the configuration</source>

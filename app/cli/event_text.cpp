@@ -13,10 +13,25 @@ std::string who(int slave) { return slave < 0 ? "master" : fmt::format("slave {}
 
 std::string_view state_name(std::int64_t state) { return al_state_name(static_cast<AlState>(state & 0x0F)); }
 
+char port_letter(std::int64_t port) { return static_cast<char>('A' + (port & 3)); }
+
+std::string_view recovery_text(std::int64_t stage) {
+  switch (stage) {
+    case 0: return "recovery begins";
+    case 1: return "recovered";
+    case 2: return "recovery FAILED";
+    default: return "recovery given up; request the state again when the cause is removed";
+  }
+}
+
 std::string words(const Event& e) {
   switch (e.kind) {
     case EventKind::kScanProgress: return {};
     case EventKind::kScanFinished: return "scan finished";
+    case EventKind::kScanTouchesRunning:
+      return fmt::format("a running machine is touched: {} slaves are beyond INIT. States and station addresses stay; {} EEPROMs "
+                         "are taken from their PDIs while they are read, and the DC receive times are latched. Use "
+                         "--look-only to change nothing", e.a, e.b);
     case EventKind::kOnline: return "online";
     case EventKind::kOffline: return "offline";
     case EventKind::kStateChanged: return fmt::format("{}: {} -> {}", who(e.slave), state_name(e.a), state_name(e.b));
@@ -26,7 +41,7 @@ std::string words(const Event& e) {
                          state_text(static_cast<std::uint16_t>(e.a)), e.b, text.meaning, text.check);
     }
     case EventKind::kDcInitialised: return fmt::format("distributed clocks initialised: {} slaves, reference clock is slave {}", e.a, e.b);
-    case EventKind::kReferenceClock: return fmt::format("reference clock {}: {}", who(e.slave), e.a != 0 ? "present" : "LOST");
+    case EventKind::kReferenceClock: return fmt::format("reference clock {}: {}", who(e.slave), e.a == 2 ? "took over" : e.a != 0 ? "present" : "LOST");
     case EventKind::kDcSlaveSync:
       if (e.a == 2) return "slaves not monitored";
       return e.a != 0 ? fmt::format("slaves in sync, deviation {} ns", e.b)
@@ -41,6 +56,13 @@ std::string words(const Event& e) {
     case EventKind::kRealTime: return "real time: " + e.text;
     case EventKind::kError: return e.error ? describe(*e.error) : e.text;
     case EventKind::kEventsLost: return fmt::format("{} events were lost", e.a);
+    case EventKind::kCable:
+      return fmt::format("cable between {} port {} and {}: {}", who(e.slave), port_letter(e.a), who(static_cast<int>(e.b)),
+                         e.c != 0 ? "healed" : "NOTHING COMES BACK (pulled, broken, or no power behind it)");
+    case EventKind::kWkcExpected: return fmt::format("working counter expected now {} (all slaves: {})", e.b, e.a);
+    case EventKind::kRecovery: return fmt::format("{}: {} (try {})", who(e.slave), recovery_text(e.a), e.b);
+    case EventKind::kUnknownSlave: return fmt::format("unknown device at position {}: {}", e.slave, e.text);
+    case EventKind::kRestarted: return e.text;
     default: return e.text;
   }
 }

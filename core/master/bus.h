@@ -34,6 +34,7 @@ class Bus {
   [[nodiscard]] bool cyclic() const { return pump_ != nullptr; }
   /// A bring-up can be cancelled, the way down to INIT cannot.
   void set_cancellable(bool cancellable) { cancellable_ = cancellable; }
+  [[nodiscard]] bool cancellable() const { return cancellable_; }
   /// kCancelled when the user wants an end; for loops that do not wait through this class.
   [[nodiscard]] Status check_cancel() const;
   [[nodiscard]] Clock& clock() { return clock_; }

@@ -3,98 +3,226 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
+#include "master/device_id.h"
+#include "master/scan_findings.h"
 #include "master/sii_reader.h"
+#include "master/slave_address.h"
 #include "master/topology.h"
+#include "protocol/al_state.h"
 #include "protocol/registers.h"
+#include "support/byte_order.h"
 
 namespace syncline {
 namespace {
 
 constexpr std::uint16_t kFeatureDc64Bit = 0x0008;
+constexpr std::size_t kInformationBytes = 0x14;  // 0x0000 to the station alias
+constexpr std::size_t kReceiveTimeBytes = 16;
+/// Receive times of one frame lie nearer together than this on every bus; others are left from long ago.
+constexpr std::uint32_t kOneRoundTrip = 10'000'000;
 
-/// The same register of many stations in as few frames as possible.
+std::string subject_of(std::size_t position) { return fmt::format("slave {}", position); }
+
+/// One register of every slave.
 template <std::size_t N>
-struct RegisterOfAll {
-  RegisterOfAll(std::span<const std::uint16_t> stations, std::uint16_t ado) : bytes(stations.size()) {
-    for (std::size_t i = 0; i < stations.size(); ++i) {
-      datagrams.push_back({Command::kFprd, device_address(stations[i], ado), bytes[i]});
-    }
+class RegisterOfAll {
+ public:
+  RegisterOfAll(std::span<const SlaveAddress> slaves, std::uint16_t ado, std::vector<Datagram>& datagrams)
+      : bytes_(slaves.size()), all_(datagrams), first_(datagrams.size()) {
+    for (std::size_t i = 0; i < slaves.size(); ++i) datagrams.push_back(slaves[i].read(ado, bytes_[i]));
   }
-  template <std::unsigned_integral T>
+  template <class T>
   [[nodiscard]] T get(std::size_t slave, std::size_t offset = 0) const {
-    return load_le<T>(std::span(bytes[slave]).subspan(offset));
+    return load_le<T>(std::span(bytes_[slave]).subspan(offset));
   }
-  [[nodiscard]] bool answered(std::size_t slave) const { return datagrams[slave].wkc != 0; }
+  [[nodiscard]] bool answered(std::size_t slave) const { return all_[first_ + slave].wkc != 0; }
 
-  std::vector<std::array<std::uint8_t, N>> bytes;
-  std::vector<Datagram> datagrams;
+ private:
+  std::vector<std::array<std::uint8_t, N>> bytes_;
+  const std::vector<Datagram>& all_;
+  std::size_t first_;
 };
 
-Status assign_addresses(Bus& bus, std::span<const std::uint16_t> stations) {
-  // Without the alias enabled a slave listens to one address only.
-  if (auto wkc = bus.write(Command::kBwr, 0, reg::kDlControlAlias, std::uint8_t{0}); !wkc) {
-    return tl::unexpected(wkc.error());
-  }
-  if (auto wkc = bus.write(Command::kBwr, 0, reg::kStationAddress, std::uint16_t{0}); !wkc) {
-    return tl::unexpected(wkc.error());
-  }
-  std::vector<std::array<std::uint8_t, 2>> bytes(stations.size());
-  std::vector<Datagram> datagrams;
-  for (std::size_t i = 0; i < stations.size(); ++i) {
-    store_le(bytes[i], stations[i]);
-    const auto position = Position{static_cast<std::uint16_t>(i)};
-    datagrams.push_back(
-        {Command::kApwr, device_address(position.auto_increment_address(), reg::kStationAddress), bytes[i]});
-  }
-  return bus.transact(datagrams);
+DcCapability capability_of(bool receive_times, bool system_time, std::uint16_t features) {
+  if (!system_time) return receive_times ? DcCapability::kReceiveTimesOnly : DcCapability::kNone;
+  return (features & kFeatureDc64Bit) != 0 ? DcCapability::kSystemTime64 : DcCapability::kSystemTime32;
 }
 
-Status read_registers(Bus& bus, std::span<const std::uint16_t> stations, std::vector<ScannedSlave>& slaves) {
-  RegisterOfAll<10> information(stations, reg::kType);
-  RegisterOfAll<2> alias(stations, reg::kStationAlias);
-  RegisterOfAll<2> dl_status(stations, reg::kDlStatus);
-  RegisterOfAll<2> al_status(stations, reg::kAlStatus);
-  for (auto* datagrams : {&information.datagrams, &alias.datagrams, &dl_status.datagrams, &al_status.datagrams}) {
-    if (auto status = bus.transact(*datagrams); !status) return status;
-  }
-  for (std::size_t i = 0; i < slaves.size(); ++i) {
-    if (!information.answered(i)) return fail(ErrorCode::kNoResponse, fmt::format("slave {}", i));
-    auto& slave = slaves[i];
-    slave.esc_type = information.get<std::uint8_t>(i);
-    slave.fmmu_count = information.get<std::uint8_t>(i, reg::kFmmuCount);
-    slave.sync_manager_count = information.get<std::uint8_t>(i, reg::kSyncManagerCount);
-    slave.features = information.get<std::uint16_t>(i, reg::kFeatures);
-    slave.alias = alias.get<std::uint16_t>(i);
-    slave.dl_status.value = dl_status.get<std::uint16_t>(i);
-    slave.al_status = al_status.get<std::uint16_t>(i);
-  }
-  return {};
-}
+class Scanner {
+ public:
+  Scanner(Bus& bus, const ScanOptions& options, const ScanObserver& observer)
+      : bus_(bus), options_(options), observer_(observer) {}
 
-void take_topology(std::vector<ScannedSlave>& slaves) {
-  std::vector<DlStatus> status;
-  for (const auto& slave : slaves) status.push_back(slave.dl_status);
-  const auto previous = find_topology(status);
-  for (std::size_t i = 0; i < slaves.size(); ++i) slaves[i].previous = previous[i];
-}
+  Result<BusScan> run() {
+    const auto count = count_slaves(bus_);
+    if (!count) return tl::unexpected(count.error());
+    if (*count == 0) return fail(ErrorCode::kNoResponse, bus_.exchange().link().describe().name);
+    begin(*count);
+    SiiAccess access(bus_, addresses_, {.take_ownership = !options_.look_only, .broadcast = !options_.look_only});
+    auto status = look();
+    if (status) status = access.look();
+    if (status) status = touch(access);
+    if (status) status = read_wiring();
+    if (status) status = read_siis(access);
+    if (status) status = read_device_ids(bus_, addresses_, may_write(), scan_.slaves);
+    if (status) status = check_still(*count);
+    if (!status) return tl::unexpected(status.error());
+    add_scan_findings(wiring_, scan_);
+    return std::move(scan_);
+  }
 
-void take_sii(ScannedSlave& slave, SiiContent content) {
-  if (content.error) {
-    slave.sii_error = std::move(content.error);
-    slave.sii_error->subject = fmt::format("slave {}", slave.position);
-    return;
+ private:
+  /// Nothing runs that a write could disturb, and writing is allowed.
+  [[nodiscard]] bool may_write() const { return !options_.look_only && scan_.running == 0; }
+
+  void begin(std::size_t count) {
+    if (observer_.progress) observer_.progress(0, count);
+    scan_.look_only = options_.look_only;
+    scan_.slaves.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      scan_.slaves[i].position = static_cast<std::uint16_t>(i);
+      addresses_.push_back(SlaveAddress::at_position(static_cast<std::uint16_t>(i)));
+    }
   }
-  auto image = sii::decode(content.bytes);
-  if (!image) {
-    slave.sii_error = image.error();
-    if (slave.sii_error->subject.empty()) slave.sii_error->subject = fmt::format("slave {}", slave.position);
-    return;
+
+  Status look() {
+    std::vector<Datagram> datagrams;
+    RegisterOfAll<kInformationBytes> information(addresses_, reg::kType, datagrams);
+    RegisterOfAll<2> dl_status(addresses_, reg::kDlStatus, datagrams);
+    RegisterOfAll<6> al_status(addresses_, reg::kAlStatus, datagrams);
+    RegisterOfAll<4> system_time(addresses_, reg::kSystemTime, datagrams);
+    if (auto status = bus_.transact(datagrams); !status) return status;
+    for (std::size_t i = 0; i < scan_.slaves.size(); ++i) {
+      if (!information.answered(i)) return fail(ErrorCode::kNoResponse, subject_of(i));
+      auto& slave = scan_.slaves[i];
+      slave.esc_type = information.get<std::uint8_t>(i);
+      slave.fmmu_count = information.get<std::uint8_t>(i, reg::kFmmuCount);
+      slave.sync_manager_count = information.get<std::uint8_t>(i, reg::kSyncManagerCount);
+      slave.features = information.get<std::uint16_t>(i, reg::kFeatures);
+      slave.station_address = information.get<std::uint16_t>(i, reg::kStationAddress);
+      slave.alias = information.get<std::uint16_t>(i, reg::kStationAlias);
+      slave.dl_status.value = dl_status.get<std::uint16_t>(i);
+      slave.al_status = al_status.get<std::uint16_t>(i);
+      slave.al_status_code = al_status.get<std::uint16_t>(i, reg::kAlStatusCode - reg::kAlStatus);
+      slave.dc = capability_of(false, system_time.answered(i), slave.features);
+      if (al_state_of(slave.al_status) != AlState::kInit) ++scan_.running;
+    }
+    return {};
   }
-  slave.identity = {image->vendor_id, image->product_code, image->revision_no, image->serial_no};
-  slave.sii = std::move(*image);
-}
+
+  /// The writes of a scan, as far as they are allowed.
+  Status touch(const SiiAccess& access) {
+    if (options_.look_only) return {};
+    if (scan_.running > 0) {
+      std::size_t eeproms = 0;
+      for (std::size_t i = 0; i < access.size(); ++i) eeproms += access.was_assigned_to_pdi(i) ? 1 : 0;
+      if (observer_.touching) observer_.touching(scan_.running, eeproms);
+    } else if (auto status = assign_addresses(); !status) {
+      return status;
+    }
+    std::array<std::uint8_t, 4> zeros{};
+    Datagram latch{Command::kBwr, device_address(0, reg::kReceiveTimePort0), zeros};
+    return bus_.transact(latch);
+  }
+
+  Status assign_addresses() {
+    std::vector<std::array<std::uint8_t, 2>> bytes(addresses_.size());
+    std::vector<Datagram> writes;
+    // Without the alias enabled a slave listens to one address only.
+    std::array<std::uint8_t, 1> no_alias{};
+    writes.push_back({Command::kBwr, device_address(0, reg::kDlControlAlias), no_alias});
+    for (std::size_t i = 0; i < addresses_.size(); ++i) {
+      auto& slave = scan_.slaves[i];
+      slave.station_address = static_cast<std::uint16_t>(kFirstStationAddress + i);
+      store_le(bytes[i], slave.station_address);
+      writes.push_back(addresses_[i].write(reg::kStationAddress, bytes[i]));
+    }
+    return bus_.transact(writes);
+  }
+
+  Status read_wiring() {
+    std::vector<Datagram> datagrams;
+    RegisterOfAll<kReceiveTimeBytes> times(addresses_, reg::kReceiveTimePort0, datagrams);
+    if (auto status = bus_.transact(datagrams); !status) return status;
+    std::vector<PortReport> reports;
+    for (std::size_t i = 0; i < scan_.slaves.size(); ++i) {
+      auto& slave = scan_.slaves[i];
+      PortReport report{slave.dl_status, {}};
+      if (times.answered(i)) {
+        if (slave.dc == DcCapability::kNone) slave.dc = DcCapability::kReceiveTimesOnly;
+        std::array<std::uint32_t, kPortCount> values{};
+        for (std::size_t port = 0; port < kPortCount; ++port) values[port] = times.template get<std::uint32_t>(i, 4 * port);
+        if (plausible(slave.dl_status, values)) report.receive_times = values;
+      }
+      reports.push_back(report);
+    }
+    wiring_ = find_wiring(reports);
+    for (std::size_t i = 0; i < wiring_.size(); ++i) {
+      scan_.slaves[i].previous = wiring_[i].previous;
+      scan_.slaves[i].entry_port = wiring_[i].entry_port;
+    }
+    return {};
+  }
+
+  /// Times that were not latched just now may be from different frames, or from none.
+  static bool plausible(const DlStatus& status, const std::array<std::uint32_t, kPortCount>& times) {
+    std::optional<std::uint32_t> first;
+    for (unsigned port = 0; port < kPortCount; ++port) {
+      if (!status.active(port)) continue;
+      if (!first) first = times[port];
+      const auto ahead = times[port] - *first, behind = *first - times[port];
+      if (std::min(ahead, behind) > kOneRoundTrip) return false;
+      if (port != 0 && times[port] == *first) return false;  // never latched
+    }
+    return true;
+  }
+
+  Status read_siis(SiiAccess& access) {
+    const auto count = scan_.slaves.size();
+    auto contents = read_sii(access, {.share_kinds = options_.share_kinds}, [&](std::size_t done) {
+      if (observer_.progress) observer_.progress(done, count);
+    });
+    if (!contents) return tl::unexpected(contents.error());
+    for (std::size_t i = 0; i < count; ++i) take_sii(scan_.slaves[i], std::move((*contents)[i]));
+    if (observer_.progress) observer_.progress(count, count);
+    return {};
+  }
+
+  static void take_sii(ScannedSlave& slave, SiiContent content) {
+    if (content.error) {
+      slave.sii_error = std::move(content.error);
+      slave.sii_error->subject = subject_of(slave.position);
+      return;
+    }
+    auto image = sii::decode(content.bytes);
+    if (!image) {
+      slave.sii_error = image.error();
+      slave.sii_error->subject = subject_of(slave.position);
+      return;
+    }
+    slave.identity = {image->vendor_id, image->product_code, image->revision_no, image->serial_no};
+    slave.sii = std::move(*image);
+    if (content.shared_with) slave.sii_shared_with = static_cast<std::uint16_t>(*content.shared_with);
+  }
+
+  /// Places are addresses here: a slave that comes or goes meanwhile would shift the others.
+  Status check_still(std::uint16_t before) {
+    const auto now = count_slaves(bus_);
+    if (!now) return tl::unexpected(now.error());
+    if (*now == before) return {};
+    return fail({.code = ErrorCode::kSlaveCount, .expected = before, .received = *now});
+  }
+
+  Bus& bus_;
+  const ScanOptions& options_;
+  const ScanObserver& observer_;
+  std::vector<SlaveAddress> addresses_;
+  std::vector<SlaveWiring> wiring_;
+  BusScan scan_;
+};
 
 }  // namespace
 
@@ -111,52 +239,22 @@ Result<std::uint16_t> count_slaves(Bus& bus) {
 }
 
 Result<std::vector<DcCapability>> probe_dc(Bus& bus, std::span<const std::uint16_t> stations) {
-  RegisterOfAll<2> features(stations, reg::kFeatures);
-  RegisterOfAll<4> system_time(stations, reg::kSystemTime);
-  RegisterOfAll<4> receive_time(stations, reg::kReceiveTimePort0);
-  for (auto* datagrams : {&features.datagrams, &system_time.datagrams, &receive_time.datagrams}) {
-    if (auto status = bus.transact(*datagrams); !status) return tl::unexpected(status.error());
-  }
+  std::vector<SlaveAddress> slaves;
+  for (const auto station : stations) slaves.push_back(SlaveAddress::at_station(station));
+  std::vector<Datagram> datagrams;
+  RegisterOfAll<2> features(slaves, reg::kFeatures, datagrams);
+  RegisterOfAll<4> system_time(slaves, reg::kSystemTime, datagrams);
+  RegisterOfAll<4> receive_time(slaves, reg::kReceiveTimePort0, datagrams);
+  if (auto status = bus.transact(datagrams); !status) return tl::unexpected(status.error());
   std::vector<DcCapability> capabilities;
   for (std::size_t i = 0; i < stations.size(); ++i) {
-    auto capability = receive_time.answered(i) ? DcCapability::kReceiveTimesOnly : DcCapability::kNone;
-    if (system_time.answered(i)) {
-      const bool wide = (features.get<std::uint16_t>(i) & kFeatureDc64Bit) != 0;
-      capability = wide ? DcCapability::kSystemTime64 : DcCapability::kSystemTime32;
-    }
-    capabilities.push_back(capability);
+    capabilities.push_back(capability_of(receive_time.answered(i), system_time.answered(i), features.get<std::uint16_t>(i)));
   }
   return capabilities;
 }
 
-Result<BusScan> scan_slaves(Bus& bus, const ScanProgress& progress) {
-  const auto count = count_slaves(bus);
-  if (!count) return tl::unexpected(count.error());
-  if (*count == 0) return fail(ErrorCode::kNoResponse, bus.exchange().link().describe().name);
-  if (progress) progress(0, *count);
-
-  BusScan scan;
-  std::vector<std::uint16_t> stations;
-  for (std::uint16_t i = 0; i < *count; ++i) {
-    stations.push_back(static_cast<std::uint16_t>(kFirstStationAddress + i));
-    ScannedSlave slave;
-    slave.position = i;
-    slave.station_address = stations.back();
-    scan.slaves.push_back(std::move(slave));
-  }
-  if (auto status = assign_addresses(bus, stations); !status) return tl::unexpected(status.error());
-  if (auto status = read_registers(bus, stations, scan.slaves); !status) return tl::unexpected(status.error());
-  take_topology(scan.slaves);
-  const auto clocks = probe_dc(bus, stations);
-  if (!clocks) return tl::unexpected(clocks.error());
-  for (std::size_t i = 0; i < clocks->size(); ++i) scan.slaves[i].dc = (*clocks)[i];
-
-  auto contents = read_sii(bus, stations, [&](std::size_t done) {
-    if (progress) progress(done, *count);
-  });
-  if (!contents) return tl::unexpected(contents.error());
-  for (std::size_t i = 0; i < contents->size(); ++i) take_sii(scan.slaves[i], std::move((*contents)[i]));
-  return scan;
+Result<BusScan> scan_slaves(Bus& bus, const ScanOptions& options, const ScanObserver& observer) {
+  return Scanner(bus, options, observer).run();
 }
 
 }  // namespace syncline

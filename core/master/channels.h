@@ -156,7 +156,7 @@ enum class EventKind : std::uint8_t {
   kStateChanged,        // slave (-1 master), a = old AlState, b = new AlState
   kAlStatusError,       // slave, a = AL status, b = AL status code
   kDcInitialised,       // a = number of DC slaves, b = position of the reference clock
-  kReferenceClock,      // a = 1 present, 0 lost, slave
+  kReferenceClock,      // slave, a = 1 present, 0 lost, 2 took over from the one that was lost
   kDcSlaveSync,         // a = 1 in sync, 0 out of sync, 2 taken as in sync because nothing is monitored;
                         // b = deviation ns, slave = culprit when out
   kDcmSync,             // a = 1 in sync, 0 out of sync, b = error ns
@@ -169,6 +169,11 @@ enum class EventKind : std::uint8_t {
   kRestarted,           // c: reserved
   kError,               // error
   kEventsLost,          // a = count: the queue was full
+  kScanTouchesRunning,  // a = slaves beyond INIT, b = EEPROMs that are taken from their PDIs to be read
+  kCable,               // slave and its port a lead to slave b; c = 0 nothing comes back from there, 1 healed
+  kWkcExpected,         // a = by the configuration, b = now, without slaves that are lost or below SAFEOP
+  kRecovery,            // slave, a = 0 begun, 1 done, 2 failed, 3 given up; b = number of this try
+  kUnknownSlave,        // slave = position on the bus, text = identity: it is none of the configuration's
 };
 
 struct Event {
@@ -198,7 +203,8 @@ class EventQueue {
 
 // ---- commands -------------------------------------------------------------------------------
 
-struct ScanCommand {};
+/// `look_only`: see ScanOptions.
+struct ScanCommand { bool look_only = false; };
 struct GoOnlineCommand { NetworkConfig config; AlState target = AlState::kOp; };
 struct GoOfflineCommand {};
 struct RequestStateCommand { AlState state = AlState::kInit; };

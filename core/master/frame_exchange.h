@@ -37,7 +37,7 @@ class SendStamp {
 /// One frame on its way with the datagrams in it. Allocates nothing.
 class PendingFrame {
  public:
-  static constexpr std::size_t kMaxDatagrams = 96;
+  static constexpr std::size_t kMaxDatagrams = 120;
 
   void clear();
   /// False when the frame is full; the datagram then belongs into the next one.

@@ -10,6 +10,7 @@ namespace syncline {
 namespace {
 
 constexpr Nanoseconds kIdlePeriod = 1 * kMillisecond;
+constexpr MacAddress kBroadcastMac{0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF};
 
 }  // namespace
 
@@ -17,7 +18,7 @@ struct MasterService::Impl {
   Impl(std::unique_ptr<Link> own_link, Clock& own_clock)
       : link(std::move(own_link)), clock(own_clock), exchange(*link, own_clock) {}
 
-  void execute(const ScanCommand&);
+  void execute(const ScanCommand& command);
   void execute(GoOnlineCommand& command);
   void execute(const GoOfflineCommand&);
   void execute(const RequestStateCommand& command);
@@ -49,17 +50,24 @@ void MasterService::Impl::tell(const Error& error) {
   channels.events.push(std::move(event));
 }
 
-void MasterService::Impl::execute(const ScanCommand&) {
+void MasterService::Impl::execute(const ScanCommand& command) {
   if (operation) return tell(Error{ErrorCode::kConfiguration, "scan", "the bus is online; go offline first"});
-  Bus bus(exchange, clock, &channels.cancel);
-  auto scan = scan_slaves(bus, [this](std::size_t done, std::size_t found) {
+  const auto tell_counts = [this](EventKind kind, std::size_t first, std::size_t second) {
     Event event;
-    event.kind = EventKind::kScanProgress;
+    event.kind = kind;
     event.time = clock.now();
-    event.a = static_cast<std::int64_t>(done);
-    event.b = static_cast<std::int64_t>(found);
+    event.a = static_cast<std::int64_t>(first);
+    event.b = static_cast<std::int64_t>(second);
     channels.events.push(std::move(event));
-  });
+  };
+  exchange.set_addresses(kBroadcastMac, link->describe().mac);
+  Bus bus(exchange, clock, &channels.cancel);
+  ScanObserver observer;
+  observer.progress = [&](std::size_t done, std::size_t found) { tell_counts(EventKind::kScanProgress, done, found); };
+  observer.touching = [&](std::size_t running, std::size_t eeproms) {
+    tell_counts(EventKind::kScanTouchesRunning, running, eeproms);
+  };
+  auto scan = scan_slaves(bus, {.look_only = command.look_only}, observer);
   if (!scan) return tell(scan.error());
   Event event;
   event.kind = EventKind::kScanFinished;

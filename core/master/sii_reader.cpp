@@ -4,160 +4,176 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
-#include "protocol/registers.h"
-#include "protocol/sii.h"
+#include "master/sii_kind.h"
 
 namespace syncline {
 namespace {
 
-constexpr std::uint16_t kReadCommand = 0x0100;
-constexpr std::uint16_t kReadsEightBytes = 0x0040;
-constexpr std::uint16_t kErrorBits = 0x7800;
-constexpr std::uint16_t kCommandError = 0x2000;
-constexpr std::uint16_t kBusy = 0x8000;
-constexpr std::size_t kSizeWord = 0x3E;
-constexpr std::size_t kHeaderBytes = sii::kCategoriesWord * 2;
-constexpr std::size_t kLongestImage = 128 * 1024;  // 1 Mbit, the largest EEPROM in use
-constexpr int kMaxPolls = 2000;
+constexpr std::uint32_t kWordsPerPiece = 4;
+/// Each piece of a shared EEPROM is read from so many slaves.
+constexpr std::size_t kWitnesses = 2;
 
-/// One slave's read in progress: 0x0502 (control, address) and 0x0508 (data) lie side by side, so that
-/// one datagram starts a read and one polls and fetches.
-class SlaveRead {
+class Reader {
  public:
-  explicit SlaveRead(std::uint16_t station) : station_(station) {}
+  Reader(SiiAccess& access, const SiiReadOptions& options, const std::function<void(std::size_t)>& progress)
+      : access_(access), options_(options), progress_(progress), contents_(access.size()), own_(access.size()) {}
 
-  [[nodiscard]] bool done() const { return done_; }
-  SiiContent take() { return std::move(content_); }
-
-  Datagram start() {
-    store_le<std::uint16_t>(buffer_, kReadCommand);
-    store_le(std::span(buffer_).subspan(2), static_cast<std::uint32_t>(content_.bytes.size() / 2));
-    polls_ = 0;
-    fetched_ = false;
-    return {Command::kFpwr, device_address(station_, reg::kSiiControl), std::span(buffer_).first(6)};
-  }
-  [[nodiscard]] bool waiting() const { return !done_ && !fetched_; }
-  Datagram poll() {
-    buffer_.fill(0);
-    return {Command::kFprd, device_address(station_, reg::kSiiControl), buffer_};
-  }
-  void polled(std::uint16_t wkc) {
-    if (wkc == 0) return give_up("no answer");
-    const auto control = load_le<std::uint16_t>(buffer_);
-    if ((control & kBusy) != 0) {
-      if (++polls_ > kMaxPolls) give_up("EEPROM stays busy");
-      return;
+  Status run() {
+    if (auto status = read_own_words(); !status) return status;
+    kinds_ = find_sii_kinds(own_, options_.share_kinds);
+    while (std::ranges::any_of(kinds_, [](const auto& kind) { return !kind.done(); })) {
+      if (auto status = read_round(); !status) return status;
+      tell();
     }
-    fetched_ = true;
-    if ((control & kCommandError) != 0) return give_up("EEPROM acknowledges no read command");
-    const std::size_t count = (control & kReadsEightBytes) != 0 ? 8 : 4;
-    content_.bytes.insert(content_.bytes.end(), buffer_.begin() + 6,
-                          buffer_.begin() + 6 + static_cast<std::ptrdiff_t>(count));
-    walk_categories();
+    for (const auto& kind : kinds_) finish(kind);
+    return {};
   }
-  void give_up(std::string why) {
-    done_ = true;
-    content_.error = Error{ErrorCode::kSii, fmt::format("station {}", station_), std::move(why)};
-  }
+  std::vector<SiiContent> take() { return std::move(contents_); }
 
  private:
-  [[nodiscard]] std::size_t word(std::size_t byte) const {
-    return load_le<std::uint16_t>(std::span(content_.bytes).subspan(byte));
-  }
-  [[nodiscard]] std::size_t size() const {
-    return std::min(kLongestImage, (word(kSizeWord * 2) + 1) * 128);
-  }
-  void walk_categories() {
-    const auto& bytes = content_.bytes;
-    while (bytes.size() >= category_ + 4) {
-      if (word(category_) == static_cast<std::size_t>(sii::CategoryType::kEnd)) {
-        done_ = true;
-        return;
+  /// One piece of one kind in one round: the requests begin..end are its witnesses.
+  struct Piece {
+    std::size_t kind = 0;
+    std::size_t begin = 0, end = 0;
+  };
+
+  Status read_own_words() {
+    std::vector<std::size_t> whom;
+    for (std::size_t i = 0; i < access_.size(); ++i) {
+      if (access_.accessible(i)) {
+        whom.push_back(i);
+      } else {
+        contents_[i].error = Error{ErrorCode::kSii, "slave", "the EEPROM belongs to the PDI and is left to it"};
       }
-      category_ += 4 + 2 * word(category_ + 2);
     }
-    if (bytes.size() > kSizeWord * 2 + 1 && bytes.size() >= size()) done_ = true;
+    for (std::uint32_t word = 0; word < kOwnSiiWords && !whom.empty(); word += kWordsPerPiece) {
+      std::vector<SiiRequest> requests;
+      for (const auto i : whom) requests.push_back({i, word, {}, {}});
+      if (auto status = access_.read(requests, word + kWordsPerPiece); !status) return status;
+      for (auto& request : requests) {
+        auto& own = own_[request.slave];
+        if (request.error) {
+          contents_[request.slave].error = std::move(request.error);
+        } else {
+          own.insert(own.end(), request.data.begin(), request.data.end());
+        }
+      }
+      std::erase_if(whom, [this](std::size_t i) { return contents_[i].error.has_value(); });
+    }
+    return {};
   }
 
-  std::uint16_t station_;
-  std::array<std::uint8_t, 14> buffer_{};
-  std::size_t category_ = kHeaderBytes;  // byte where the next category begins
-  int polls_ = 0;
-  bool fetched_ = false;
-  bool done_ = false;
-  SiiContent content_;
+  /// What to ask now: single slaves their next piece, slaves of a kind several pieces.
+  void plan(std::vector<SiiRequest>& requests, std::vector<Piece>& pieces) const {
+    for (std::size_t k = 0; k < kinds_.size(); ++k) {
+      const auto& kind = kinds_[k];
+      if (kind.done()) continue;
+      const auto witnesses = std::min(kWitnesses, kind.readers.size());
+      const auto count = std::min(kind.pieces_wanted(), kind.readers.size() / witnesses);
+      for (std::size_t n = 0; n < count; ++n) {
+        const auto begin = requests.size();
+        for (std::size_t w = 0; w < witnesses; ++w) {
+          requests.push_back({kind.readers[n * witnesses + w],
+                              kind.next_word() + static_cast<std::uint32_t>(n) * kWordsPerPiece, {}, {}});
+        }
+        pieces.push_back({k, begin, requests.size()});
+      }
+    }
+  }
+
+  Status read_round() {
+    std::vector<SiiRequest> requests;
+    std::vector<Piece> pieces;
+    plan(requests, pieces);
+    // Slaves that are all different walk through their EEPROMs in step; nobody knows the end before.
+    std::optional<std::uint32_t> next;
+    const bool in_step = std::ranges::all_of(requests, [&](const auto& r) { return r.word == requests[0].word; });
+    if (in_step) next = requests[0].word + kWordsPerPiece;
+    if (auto status = access_.read(requests, next); !status) return status;
+    std::vector<std::size_t> broken;
+    for (const auto& piece : pieces) {
+      if (std::ranges::find(broken, piece.kind) != broken.end()) continue;
+      if (!take(piece, requests)) broken.push_back(piece.kind);
+    }
+    return {};
+  }
+
+  /// False when nothing that follows in this round can be used.
+  bool take(const Piece& piece, std::vector<SiiRequest>& requests) {
+    auto& kind = kinds_[piece.kind];
+    const SiiRequest* good = nullptr;
+    bool differ = false;
+    std::optional<Error> error;
+    for (auto n = piece.begin; n < piece.end; ++n) {
+      auto& request = requests[n];
+      if (request.error) {
+        std::erase(kind.readers, request.slave);
+        error = request.error;
+      } else if (good == nullptr) {
+        good = &request;
+      } else {
+        differ = differ || good->data != request.data;
+      }
+    }
+    if (differ) {
+      dissolve(piece.kind);
+      return false;
+    }
+    if (good == nullptr) {
+      if (kind.readers.empty()) kind.give_up(*error);
+      return false;
+    }
+    kind.append(good->data);
+    return true;
+  }
+
+  void dissolve(std::size_t k) {
+    const auto members = kinds_[k].members;
+    kinds_[k] = SiiKind({members[0]}, own_[members[0]]);
+    for (std::size_t n = 1; n < members.size(); ++n) kinds_.emplace_back(std::vector{members[n]}, own_[members[n]]);
+  }
+
+  void finish(const SiiKind& kind) {
+    for (const auto member : kind.members) {
+      auto& content = contents_[member];
+      content.error = kind.error();
+      content.bytes = own_[member];
+      content.bytes.insert(content.bytes.end(), kind.bytes().begin() + 2 * kOwnSiiWords, kind.bytes().end());
+      if (member != kind.members[0]) content.shared_with = kind.members[0];
+    }
+  }
+
+  void tell() {
+    if (!progress_) return;
+    std::size_t done = static_cast<std::size_t>(
+        std::ranges::count_if(contents_, [](const auto& content) { return content.error.has_value(); }));
+    for (const auto& kind : kinds_) done += kind.done() ? kind.members.size() : 0;
+    if (done != told_) progress_(done);
+    told_ = done;
+  }
+
+  SiiAccess& access_;
+  const SiiReadOptions& options_;
+  const std::function<void(std::size_t)>& progress_;
+  std::vector<SiiContent> contents_;
+  std::vector<std::vector<std::uint8_t>> own_;
+  std::vector<SiiKind> kinds_;
+  std::size_t told_ = 0;
 };
-
-/// Sends one datagram for every read that `wanted` selects; afterwards `take` sees its answer.
-template <class Wanted, class Make, class Take>
-Status for_all(Bus& bus, std::vector<SlaveRead>& reads, Wanted wanted, Make make, Take take) {
-  std::vector<Datagram> datagrams;
-  std::vector<SlaveRead*> asked;
-  for (auto& read : reads) {
-    if (!wanted(read)) continue;
-    datagrams.push_back(make(read));
-    asked.push_back(&read);
-  }
-  if (auto status = bus.transact(datagrams); !status) return status;
-  for (std::size_t i = 0; i < asked.size(); ++i) take(*asked[i], datagrams[i].wkc);
-  return {};
-}
-
-/// Takes the EEPROM from the PDI and clears errors of earlier accesses.
-Status take_control(Bus& bus, std::span<const std::uint16_t> stations) {
-  for (const std::uint8_t value : {std::uint8_t{2}, std::uint8_t{0}}) {
-    std::vector<std::array<std::uint8_t, 1>> bytes(stations.size(), {value});
-    std::vector<Datagram> datagrams;
-    for (std::size_t i = 0; i < stations.size(); ++i) {
-      datagrams.push_back({Command::kFpwr, device_address(stations[i], reg::kSiiConfiguration), bytes[i]});
-    }
-    if (auto status = bus.transact(datagrams); !status) return status;
-  }
-  for (const auto station : stations) {
-    const auto control = bus.read<std::uint16_t>(station, reg::kSiiControl, "SII");
-    if (!control) continue;  // told by the read that follows
-    if ((*control & kErrorBits) == 0) continue;
-    if (auto wkc = bus.write(Command::kFpwr, station, reg::kSiiControl, std::uint16_t{0}); !wkc) {
-      return tl::unexpected(wkc.error());
-    }
-  }
-  return {};
-}
 
 }  // namespace
 
-Result<std::vector<SiiContent>> read_sii(Bus& bus, std::span<const std::uint16_t> stations,
+Result<std::vector<SiiContent>> read_sii(SiiAccess& access, const SiiReadOptions& options,
                                          const std::function<void(std::size_t)>& progress) {
-  if (auto status = take_control(bus, stations); !status) return tl::unexpected(status.error());
-  std::vector<SlaveRead> reads;
-  for (const auto station : stations) reads.emplace_back(station);
-  const auto open = [](const SlaveRead& read) { return !read.done(); };
-  const auto count_done = [&] {
-    return reads.size() - static_cast<std::size_t>(std::ranges::count_if(reads, open));
-  };
-  std::size_t done = 0;
-  while (done < reads.size()) {
-    auto status = for_all(
-        bus, reads, open, [](SlaveRead& read) { return read.start(); },
-        [](SlaveRead& read, std::uint16_t wkc) {
-          if (wkc == 0) read.give_up("no answer");
-        });
-    while (status && std::ranges::any_of(reads, &SlaveRead::waiting)) {
-      status = for_all(
-          bus, reads, [](const SlaveRead& read) { return read.waiting(); }, [](SlaveRead& read) { return read.poll(); },
-          [](SlaveRead& read, std::uint16_t wkc) { read.polled(wkc); });
-    }
-    if (!status) return tl::unexpected(status.error());
-    if (const auto now_done = count_done(); now_done != done) {
-      done = now_done;
-      if (progress) progress(done);
-    }
-  }
-  std::vector<SiiContent> contents;
-  for (auto& read : reads) contents.push_back(read.take());
-  return contents;
+  Reader reader(access, options, progress);
+  auto status = access.open();
+  if (status) status = reader.run();
+  // An EEPROM that was taken from its PDI goes back even when the reading ended early.
+  auto closed = access.close();
+  if (!status) return tl::unexpected(status.error());
+  if (!closed) return tl::unexpected(closed.error());
+  return reader.take();
 }
 
 }  // namespace syncline

@@ -127,6 +127,18 @@ std::string_view error_template(ErrorCode code) {
       return "{subject} took too long{because}.";
     case ErrorCode::kCancelled:
       return "Cancelled.";
+    case ErrorCode::kSlaveMissing:
+      return "{subject} is missing{because}; check its power and the cable to it, or take it out of the configuration.";
+    case ErrorCode::kSlaveExtra:
+      return "There is a device that is not in the configuration: {subject}{because}; scan again or take it off the bus.";
+    case ErrorCode::kSlavesSwapped:
+      return "{subject} and {detail} have changed places; swap their cables, or their positions in the configuration.";
+    case ErrorCode::kWiring:
+      return "Wiring of {subject}: {detail}.";
+    case ErrorCode::kIdentification:
+      return "Identification of {subject}: {detail}.";
+    case ErrorCode::kScanScope:
+      return "Not read from {subject}: {detail}.";
   }
   return "{subject}{because}.";
 }

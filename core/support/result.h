@@ -51,6 +51,13 @@ enum class ErrorCode : std::uint16_t {
   kDcmOutOfLimit,       // subject, expected = limit ns, received = error ns
   kTimeout,             // subject
   kCancelled,
+  // scan
+  kWiring,              // subject = slave, detail
+  kIdentification,      // subject = slave, detail
+  kScanScope,           // subject = slave, detail = what the scan left out
+  kSlaveMissing,        // subject = slave, detail = where it should be
+  kSlaveExtra,          // subject = identity, detail = where it is
+  kSlavesSwapped,       // subject = slave, detail = the slave that stands in its place
 };
 
 /// An error is an enum and the facts that prove it; see ErrorCode for which fields a code fills.

@@ -33,6 +33,7 @@ struct TestSlave {
   std::vector<std::uint8_t> sii;
   bool has_system_time = true;
   bool has_mailbox = false;
+  bool shows_sii_address = true;
   bool present = true;
   double ppm = 0;
   double phase = 0;                     // ns, added to the host clock to give the local time
@@ -202,6 +203,7 @@ class TestBus final : public Link {
         slave.memory[reg::kSiiData + n] = byte < slave.sii.size() ? slave.sii[byte] : std::uint8_t{0xFF};
       }
       slave.set<std::uint16_t>(reg::kSiiControl, 0x0040);  // not busy, 8 bytes a read
+      if (slave.shows_sii_address) slave.set(reg::kSiiAddress, word);
       return false;
     } else if (ado == reg::kReceiveTimePort0) {
       latch(slave, position);

@@ -23,6 +23,8 @@ class Words {
   static Message alStatusError(const Event& event);
   static Message dcmError(const Event& event);
   static Message emergency(const Event& event);
+  static Message cable(const Event& event);
+  static Message recovery(const Event& event);
 };
 
 QString fromView(std::string_view text) { return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size())); }
@@ -53,6 +55,29 @@ Message Words::emergency(const Event& event) {
                                            hexText(static_cast<std::uint64_t>(event.b), 2)));
 }
 
+Message Words::cable(const Event& event) {
+  const QChar port = QLatin1Char(static_cast<char>('A' + (event.a & 3)));
+  return event.c != 0 ? line(Severity::kInfo, tr("The cable from port %1 to position %2 is healed").arg(port).arg(event.b))
+                      : line(Severity::kError, tr("Nothing comes back over the cable from port %1 to position %2: pulled, "
+                                                  "broken, or no power behind it")
+                                                   .arg(port)
+                                                   .arg(event.b));
+}
+
+Message Words::recovery(const Event& event) {
+  switch (event.a) {
+    case 0:
+      return line(Severity::kInfo, tr("Recovery begins (try %1)").arg(event.b));
+    case 1:
+      return line(Severity::kInfo, tr("Recovered (try %1)").arg(event.b));
+    case 2:
+      return line(Severity::kWarning, tr("Recovery failed (try %1)").arg(event.b));
+    default:
+      return line(Severity::kError, tr("Recovery given up after try %1; request the state again when the cause is removed")
+                                        .arg(event.b));
+  }
+}
+
 std::optional<Message> Words::make(const Event& event) {
   switch (event.kind) {
     case EventKind::kScanProgress:
@@ -60,6 +85,12 @@ std::optional<Message> Words::make(const Event& event) {
       return std::nullopt;
     case EventKind::kScanFinished:
       return line(Severity::kInfo, tr("Scan finished"));
+    case EventKind::kScanTouchesRunning:
+      return line(Severity::kWarning,
+                  tr("The scan touches a running machine: %1 slaves are beyond INIT. States and station addresses stay; "
+                     "%2 EEPROMs are taken from their PDIs while they are read, and the DC receive times are latched")
+                      .arg(event.a)
+                      .arg(event.b));
     case EventKind::kOnline:
       return line(Severity::kInfo, tr("Online: the master runs the configuration"));
     case EventKind::kOffline:
@@ -73,6 +104,7 @@ std::optional<Message> Words::make(const Event& event) {
                                       nullptr, static_cast<int>(event.a))
                                        .arg(event.b));
     case EventKind::kReferenceClock:
+      if (event.a == 2) return line(Severity::kWarning, tr("This clock took over as reference clock"));
       return event.a != 0 ? line(Severity::kInfo, tr("Reference clock present"))
                           : line(Severity::kError, tr("Reference clock lost"));
     case EventKind::kDcSlaveSync:
@@ -103,6 +135,17 @@ std::optional<Message> Words::make(const Event& event) {
       return line(Severity::kError, event.error ? errorText(*event.error) : QString::fromStdString(event.text));
     case EventKind::kEventsLost:
       return line(Severity::kWarning, tr("%n event(s) were lost: the queue was full", nullptr, static_cast<int>(event.a)));
+    case EventKind::kCable:
+      return cable(event);
+    case EventKind::kWkcExpected:
+      return line(event.a == event.b ? Severity::kInfo : Severity::kWarning,
+                  tr("Working counter expected now %1 (all slaves: %2)").arg(event.b).arg(event.a));
+    case EventKind::kRecovery:
+      return recovery(event);
+    case EventKind::kUnknownSlave:
+      return line(Severity::kError, tr("Device that is not in the configuration, at position %1: %2")
+                                        .arg(event.slave)
+                                        .arg(QString::fromStdString(event.text)));
   }
   return std::nullopt;
 }

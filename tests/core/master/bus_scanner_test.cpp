@@ -55,7 +55,8 @@ TEST_F(BusScannerTest, FindsWhoIsThere) {
   link.slave(2).has_system_time = false;
   link.slave(1).set<std::uint16_t>(reg::kFeatures, 0x0004);
   std::vector<std::pair<std::size_t, std::size_t>> progress;
-  const auto scan = scan_slaves(bus, [&](std::size_t done, std::size_t found) { progress.emplace_back(done, found); });
+  const auto scan = scan_slaves(
+      bus, {}, {.progress = [&](std::size_t done, std::size_t found) { progress.emplace_back(done, found); }});
   ASSERT_TRUE(scan);
   ASSERT_EQ(scan->slaves.size(), 3U);
   EXPECT_EQ(scan->slaves[1].identity, (Identity{0x5C17, 101, 0x10000, 42}));
@@ -95,6 +96,13 @@ TEST_F(BusScannerTest, ASlaveWithABrokenSiiIsStillThere) {
   ASSERT_TRUE(scan->slaves[1].sii_error);
   EXPECT_EQ(scan->slaves[1].sii_error->code, ErrorCode::kSii);
   EXPECT_TRUE(scan->slaves[2].sii);
+}
+
+TEST_F(BusScannerTest, ASlaveThatHidesTheEepromAddressIsReadAllTheSame) {
+  link.slave(1).shows_sii_address = false;
+  const auto scan = scan_slaves(bus);
+  ASSERT_TRUE(scan);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(scan->slaves[i].sii, sii::decode(link.slave(i).sii).value()) << i;
 }
 
 TEST_F(BusScannerTest, AnEmptyBusIsAnError) {
