@@ -35,6 +35,7 @@ int run(const std::vector<std::string>& arguments, Console console) {
   app.set_version_flag("--version", std::string("synclinectl ") + SYNCLINE_VERSION);
   add_adapters_command(app, context);
   add_scan_command(app, context);
+  add_sii_command(app, context);
   add_project_commands(app, context);
   add_export_command(app, context);
   add_compare_command(app, context);

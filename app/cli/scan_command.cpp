@@ -4,8 +4,12 @@
 #include <memory>
 
 #include "app/cli/context.h"
+#include "app/cli/event_text.h"
+#include "app/cli/interrupt.h"
 #include "app/composition/scan_bus.h"
 #include "config/device_description.h"
+#include "protocol/al_state.h"
+#include "protocol/error_text.h"
 
 namespace syncline::cli {
 namespace {
@@ -26,6 +30,14 @@ std::string name_of(const ScannedSlave& slave) {
   return general.order.empty() ? general.name : general.order;
 }
 
+Json ports_json(const DlStatus& status) {
+  Json ports = Json::array();
+  for (unsigned port = 0; port < kPortCount; ++port) {
+    ports.push_back({{"link", status.physical_link(port)}, {"open", status.active(port)}});
+  }
+  return ports;
+}
+
 Json to_json(const ScannedSlave& slave) {
   Json row{{"position", slave.position},
            {"name", name_of(slave)},
@@ -38,46 +50,90 @@ Json to_json(const ScannedSlave& slave) {
            {"dc", dc_text(slave.dc)},
            {"dl_status", hex(slave.dl_status.value, 4)}};
   if (slave.previous) row["previous"] = {{"position", slave.previous->position}, {"port", slave.previous->port}};
+  row["station_address"] = slave.station_address;
+  row["device_id"] = slave.device_id ? Json(*slave.device_id) : Json();
+  row["error"] = (slave.al_status & kAlErrorFlag) != 0;
+  row["al_status_code"] = hex(slave.al_status_code, 4);
+  row["entry_port"] = slave.entry_port;
+  row["ports"] = ports_json(slave.dl_status);
+  row["sii_error"] = slave.sii_error ? Json(describe(*slave.sii_error)) : Json();
   return row;
 }
 
-void scan(Context& context, const std::string& link, bool json) {
-  const auto found = scan_bus(link);
+/// "AB" when ports A and B are open, "a" for a link that frames do not pass.
+std::string ports_text(const DlStatus& status) {
+  std::string text;
+  for (unsigned port = 0; port < kPortCount; ++port) {
+    if (status.active(port)) {
+      text += static_cast<char>('A' + port);
+    } else if (status.physical_link(port)) {
+      text += static_cast<char>('a' + port);
+    }
+  }
+  return text;
+}
+
+std::string state_of(const ScannedSlave& slave) {
+  return fmt::format("{}{}", al_state_name(al_state_of(slave.al_status)), (slave.al_status & kAlErrorFlag) != 0 ? "+E" : "");
+}
+
+std::string behind_text(const BusScan& scan, const ScannedSlave& slave) {
+  if (!slave.previous) return slave.position == 0 || scan.slaves.size() == 1 ? "master" : "?";
+  return fmt::format("{} port {}", slave.previous->position, static_cast<char>('A' + slave.previous->port));
+}
+
+void print_table(std::ostream& out, const BusScan& scan) {
+  out << fmt::format("{:>4} {:<12} {:<32} {:>6} {:>6} {:<8} {:<6} {:<5} {}\n", "POS", "NAME", "VENDOR:PRODUCT:REVISION",
+                     "ALIAS", "ID", "STATE", "DC", "PORTS", "BEHIND");
+  for (const auto& slave : scan.slaves) {
+    out << fmt::format("{:>4} {:<12} {:<32} {:>6} {:>6} {:<8} {:<6} {:<5} {}\n", slave.position, name_of(slave),
+                       to_string(slave.identity), slave.alias, slave.device_id ? fmt::to_string(*slave.device_id) : "-",
+                       state_of(slave), dc_text(slave.dc), ports_text(slave.dl_status), behind_text(scan, slave));
+  }
+  out << fmt::format("{} slaves{}\n", scan.slaves.size(), scan.look_only ? ", looked at only" : "");
+}
+
+struct Options {
+  std::string link;
+  bool look_only = false, json = false;
+};
+
+void scan(Context& context, const Options& options) {
+  const InterruptGuard interrupt;
+  ScanRequest request;
+  request.options.look_only = options.look_only;
+  request.cancel = &interrupt.interrupted();
+  request.on_event = [&context](const Event& event) {
+    if (event.kind != EventKind::kScanTouchesRunning) return;
+    context.console.err << "warning: " << event_text(event, event.time) << '\n' << std::flush;
+  };
+  const auto found = scan_bus(options.link, request);
   if (!found) return context.fail_with(found.error());
   for (const auto& slave : found->slaves) {
     if (slave.sii_error) context.warn(*slave.sii_error);
   }
-  if (json) {
-    Json rows = Json::array();
-    for (const auto& slave : found->slaves) rows.push_back(to_json(slave));
-    return context.print({{"link", link}, {"slaves", rows}});
-  }
-  auto& out = context.console.out;
-  out << fmt::format("{:>3} {:<12} {:<32} {:>6} {:<7} {:<6} {}\n", "POS", "NAME", "VENDOR:PRODUCT:REVISION", "ALIAS",
-                     "STATE", "DC", "BEHIND");
-  for (const auto& slave : found->slaves) {
-    const auto behind = slave.previous ? fmt::format("{} port {}", slave.previous->position,
-                                                     std::string(1, static_cast<char>('A' + slave.previous->port)))
-                                       : std::string("master");
-    out << fmt::format("{:>3} {:<12} {:<32} {:>6} {:<7} {:<6} {}\n", slave.position, name_of(slave),
-                       to_string(slave.identity), slave.alias, al_state_name(al_state_of(slave.al_status)),
-                       dc_text(slave.dc), behind);
-  }
-  out << fmt::format("{} slaves\n", found->slaves.size());
+  for (const auto& finding : found->findings) context.warn(finding);
+  if (!options.json) return print_table(context.console.out, *found);
+  Json rows = Json::array(), findings = Json::array();
+  for (const auto& slave : found->slaves) rows.push_back(to_json(slave));
+  for (const auto& finding : found->findings) findings.push_back(describe(finding));
+  context.print({{"link", options.link},
+                 {"slaves", rows},
+                 {"look_only", found->look_only},
+                 {"running", found->running},
+                 {"findings", findings}});
 }
 
 }  // namespace
 
 void add_scan_command(CLI::App& app, Context& context) {
   auto* command = app.add_subcommand("scan", "List the slaves on a bus");
-  struct Options {
-    std::string link;
-    bool json = false;
-  };
   auto options = std::make_shared<Options>();
   command->add_option("link", options->link, "LINK")->required();
+  command->add_flag("--look-only", options->look_only,
+                    "Change nothing: no station addresses, no EEPROM taken from its PDI, no latching of times");
   command->add_flag("--json", options->json, "Print JSON");
-  command->callback([&context, options] { scan(context, options->link, options->json); });
+  command->callback([&context, options] { scan(context, *options); });
 }
 
 }  // namespace syncline::cli

@@ -1,24 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/composition/scan_bus.h"
 
-#include "app/composition/open_link.h"
-#include "master/master_service.h"
+#include "app/composition/open_bus.h"
 
 namespace syncline {
 
-Result<BusScan> scan_bus(std::string_view link, const std::function<void(const Event&)>& on_event) {
-  auto opened = open_link(link);
+Result<BusScan> scan_bus(std::string_view link, const ScanRequest& request) {
+  auto opened = OpenBus::open(link, request.cancel);
   if (!opened) return tl::unexpected(opened.error());
-  MasterService service(std::move(opened->link), *opened->clock);
-  service.channels().commands.push(ScanCommand{});
-  while (service.step()) {
-    for (const auto& event : service.channels().events.drain()) {
-      if (on_event) on_event(event);
-      if (event.kind == EventKind::kScanFinished && event.scan) return *event.scan;
-      if (event.kind == EventKind::kError && event.error) return tl::unexpected(*event.error);
-    }
-  }
-  return fail(ErrorCode::kNoResponse, std::string(link));
+  auto& bus = (*opened)->bus();
+  const auto tell = [&](EventKind kind, std::size_t a, std::size_t b) {
+    if (!request.on_event) return;
+    Event event;
+    event.kind = kind;
+    event.time = bus.clock().now();
+    event.a = static_cast<std::int64_t>(a);
+    event.b = static_cast<std::int64_t>(b);
+    request.on_event(event);
+  };
+  ScanObserver observer;
+  observer.progress = [&](std::size_t done, std::size_t found) { tell(EventKind::kScanProgress, done, found); };
+  observer.touching = [&](std::size_t running, std::size_t eeproms) {
+    tell(EventKind::kScanTouchesRunning, running, eeproms);
+  };
+  return scan_slaves(bus, request.options, observer);
 }
 
 }  // namespace syncline

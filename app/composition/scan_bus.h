@@ -1,17 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <string_view>
 
 #include "master/bus_scan.h"
+#include "master/bus_scanner.h"
 #include "master/channels.h"
 #include "support/result.h"
 
 namespace syncline {
 
-/// Opens `link`, scans the bus in the calling thread and closes it again. `on_event` sees the progress;
-/// may be empty.
-[[nodiscard]] Result<BusScan> scan_bus(std::string_view link, const std::function<void(const Event&)>& on_event = {});
+struct ScanRequest {
+  ScanOptions options;
+  std::function<void(const Event&)> on_event{};   // progress and warnings, while the scan runs
+  const std::atomic<bool>* cancel = nullptr;
+};
+
+/// Opens `link`, scans the bus in the calling thread and closes it again.
+[[nodiscard]] Result<BusScan> scan_bus(std::string_view link, const ScanRequest& request = {});
 
 }  // namespace syncline

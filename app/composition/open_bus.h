@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <string_view>
+
+#include "app/composition/open_link.h"
+#include "master/bus.h"
+
+namespace syncline {
+
+/// Acyclic access to the slaves behind a LINK, for as long as it lives.
+class OpenBus {
+ public:
+  /// `cancel` ends what runs on the bus; may be nullptr. Errors as open_link().
+  [[nodiscard]] static Result<std::unique_ptr<OpenBus>> open(std::string_view link, const std::atomic<bool>* cancel = nullptr);
+  OpenBus(const OpenBus&) = delete;
+  OpenBus& operator=(const OpenBus&) = delete;
+
+  [[nodiscard]] Bus& bus() { return bus_; }
+
+ private:
+  OpenBus(OpenedLink opened, const std::atomic<bool>* cancel);
+
+  OpenedLink opened_;
+  FrameExchange exchange_;
+  Bus bus_;
+};
+
+}  // namespace syncline

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "app/composition/open_bus.h"
+#include "master/sii_writer.h"
+
+namespace syncline {
+
+/// The EEPROM of the slave at `position` behind a LINK. Each call opens and closes the link. kNoResponse when
+/// there is no such slave, kSii with the slave in its subject, file errors.
+struct EepromRequest {
+  std::string link;
+  std::uint16_t position = 0;
+  const std::atomic<bool>* cancel = nullptr;
+};
+
+/// Copies the EEPROM into a file, complete or not at all; returns its bytes.
+[[nodiscard]] Result<std::size_t> save_eeprom(const EepromRequest& request, const std::string& path);
+/// Makes the EEPROM hold the file's bytes, see write_eeprom().
+[[nodiscard]] Result<SiiWriteReport> load_eeprom(const EepromRequest& request, const std::string& path);
+[[nodiscard]] Result<SiiWriteReport> set_eeprom_alias(const EepromRequest& request, std::uint16_t alias);
+
+}  // namespace syncline
