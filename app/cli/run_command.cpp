@@ -17,7 +17,7 @@ namespace syncline::cli {
 namespace {
 
 struct Options {
-  std::string file, link, duration = "10s", csv, state = "OP";
+  std::string file, link, duration = "10s", csv, capture, state = "OP";
   bool json = false;
 };
 
@@ -69,6 +69,7 @@ void execute(Context& context, const Options& options) {
   RunRequest request;
   request.target = *target;
   request.duration = *duration;
+  request.capture = options.capture;
   std::optional<Nanoseconds> first;
   if (!options.json) {
     request.on_event = [&context, &first](const Event& event) {
@@ -104,6 +105,7 @@ void add_run_command(CLI::App& app, Context& context) {
   command->add_option("--for", options->duration, "How long, e.g. 20s or 500ms")->capture_default_str();
   command->add_option("--state", options->state, "State to reach: INIT, PREOP, SAFEOP or OP")->capture_default_str();
   command->add_option("--csv", options->csv, "Write every cycle's sample to this file");
+  command->add_option("--capture", options->capture, "Write every frame to this pcapng file");
   command->add_flag("--json", options->json, "Print JSON");
   command->callback([&context, options] { execute(context, *options); });
 }

@@ -2,9 +2,11 @@
 #include "app/composition/run_network.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <optional>
 
 #include "app/composition/open_link.h"
+#include "link/capture_tap.h"
 #include "master/master_service.h"
 
 namespace syncline {
@@ -44,20 +46,17 @@ class Drain {
 
 bool stopped(const RunRequest& request) { return request.stop != nullptr && request.stop->load(); }
 
-}  // namespace
-
-Result<RunOutcome> run_network(const NetworkConfig& config, std::string_view link, const RunRequest& request) {
-  auto opened = open_link(link);
-  if (!opened) return tl::unexpected(opened.error());
-  MasterService service(std::move(opened->link), *opened->clock);
+/// The link goes to the service and with it.
+RunOutcome run_on(OpenedLink& opened, const NetworkConfig& config, const RunRequest& request) {
+  MasterService service(std::move(opened.link), *opened.clock);
   auto& channels = service.channels();
   Drain drain(channels, config, request);
   channels.commands.push(GoOnlineCommand{config, request.target});
-  const auto end = opened->clock->now() + request.duration;
+  const auto end = opened.clock->now() + request.duration;
 
-  if (opened->clock->is_virtual()) {
-    while (opened->clock->now() < end && !stopped(request) && !drain.failed()) {
-      service.run_for(std::min(kDrainPeriod, end - opened->clock->now()));
+  if (opened.clock->is_virtual()) {
+    while (opened.clock->now() < end && !stopped(request) && !drain.failed()) {
+      service.run_for(std::min(kDrainPeriod, end - opened.clock->now()));
       drain();
     }
     const auto outcome = drain.outcome();
@@ -68,21 +67,39 @@ Result<RunOutcome> run_network(const NetworkConfig& config, std::string_view lin
   }
 
   MasterThread thread(service);
-  while (opened->clock->now() < end && !stopped(request) && !drain.failed()) {
-    opened->clock->sleep_until(std::min(opened->clock->now() + kDrainPeriod, end));
+  while (opened.clock->now() < end && !stopped(request) && !drain.failed()) {
+    opened.clock->sleep_until(std::min(opened.clock->now() + kDrainPeriod, end));
     drain();
   }
   const auto outcome = drain.outcome();
   channels.cancel = stopped(request);
   channels.commands.push(GoOfflineCommand{});
-  const auto patience = opened->clock->now() + 10 * kSecond;
+  const auto patience = opened.clock->now() + 10 * kSecond;
   Snapshot latest;
   latest.online = true;
-  while (latest.online && opened->clock->now() < patience) {
-    opened->clock->sleep_until(opened->clock->now() + kDrainPeriod);
+  while (latest.online && opened.clock->now() < patience) {
+    opened.clock->sleep_until(opened.clock->now() + kDrainPeriod);
     (void)channels.snapshot.read(latest);
   }
   thread.stop();
+  return outcome;
+}
+
+}  // namespace
+
+Result<RunOutcome> run_network(const NetworkConfig& config, std::string_view link, const RunRequest& request) {
+  auto opened = open_link(link);
+  if (!opened) return tl::unexpected(opened.error());
+  if (!request.capture.empty()) {
+    auto tap = make_capture_tap(std::move(opened->link), request.capture, *opened->clock);
+    if (!tap) return tl::unexpected(tap.error());
+    opened->link = std::move(*tap);
+  }
+  const auto outcome = run_on(*opened, config, request);
+  // The tap went with the service; what could not be completed keeps its provisional name.
+  if (!request.capture.empty() && std::filesystem::exists(request.capture + ".part")) {
+    return fail(Error{ErrorCode::kFileNotWritable, {}, "writing the capture failed; is the disk full?", request.capture});
+  }
   return outcome;
 }
 

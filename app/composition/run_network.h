@@ -4,6 +4,7 @@
 #include <atomic>
 #include <functional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -18,6 +19,7 @@ struct RunRequest {
   AlState target = AlState::kOp;
   Nanoseconds duration = 10 * kSecond;           // from the start of the bring-up
   const std::atomic<bool>* stop = nullptr;       // ends the run early (signal handler)
+  std::string capture;                           // pcapng file of every frame; "" for none. Costs time in each cycle
   std::function<void(const Event&)> on_event;    // may be empty
   std::function<void(std::span<const CycleSample>)> on_samples;
 };
@@ -29,7 +31,7 @@ struct RunOutcome {
 
 /// Runs a configuration on a link: on the virtual clock in the calling thread, on the real clock in a
 /// MasterThread while the calling thread drains the channels. Takes the bus down to INIT at the end.
-/// An Error only when the link cannot be opened.
+/// An Error only when the link cannot be opened or the capture not be written.
 [[nodiscard]] Result<RunOutcome> run_network(const NetworkConfig& config, std::string_view link, const RunRequest& request);
 
 }  // namespace syncline
