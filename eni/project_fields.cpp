@@ -37,12 +37,26 @@ constexpr auto master_dc_fields = [](auto& x, auto& dc) {
   x.child("Dcm", dc.dcm, dcm_fields);
 };
 
+constexpr auto recovery_fields = [](auto& x, auto& recovery) {
+  x.attribute("Automatic", recovery.automatic);
+  x.attribute("ErrorTries", recovery.error_tries);
+  x.attribute("StartIncomplete", recovery.start_incomplete);
+};
+
+constexpr auto real_time_fields = [](auto& x, auto& real_time) {
+  x.attribute("SpinNs", real_time.spin);
+  x.attribute("Cpu", real_time.cpu);
+};
+
 constexpr auto master_fields = [](auto& x, auto& master) {
   x.attribute("CycleTimeNs", master.cycle_time);
   x.attribute("DestinationMac", master.destination_mac);
   x.attribute("SourceMac", master.source_mac);
+  x.attribute("OverlapProcessData", master.overlap_process_data);
   x.text("Name", master.name);
   x.child("DistributedClocks", master.dc, master_dc_fields);
+  x.child("Recovery", master.recovery, recovery_fields);
+  x.child("RealTime", master.real_time, real_time_fields);
 };
 
 constexpr auto previous_fields = [](auto& x, auto& previous) {

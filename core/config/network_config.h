@@ -195,6 +195,9 @@ struct NetworkConfig {
   /// commands; the numbers (limit, settle time, burst, set value) are the project's, or the
   /// defaults when an ENI is run.
   DcMasterSettings dc;
+  /// As `dc`: the project's, or the defaults when an ENI is run.
+  RecoverySettings recovery;
+  RealTimeSettings real_time;
   bool operator==(const NetworkConfig&) const = default;
 
   [[nodiscard]] Nanoseconds cycle_time() const { return cyclic.empty() ? kMillisecond : cyclic.front().cycle_time; }

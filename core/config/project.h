@@ -52,12 +52,37 @@ struct DcMasterSettings {
   bool operator==(const DcMasterSettings&) const = default;
 };
 
+/// What the master does about slaves that go missing or fall into an error state while the bus runs.
+struct RecoverySettings {
+  /// Slaves that come back (cable healed, power back) are set up again and led to the state of the bus.
+  bool automatic = true;
+  /// How often an error state is acknowledged and the state requested again; 0 leaves it to the user.
+  std::uint32_t error_tries = 0;          // 0..1000
+  /// Goes online with the slaves that are there; the others join when they appear.
+  bool start_incomplete = false;
+  bool operator==(const RecoverySettings&) const = default;
+};
+
+/// Of the thread that runs the cycle on the real clock.
+struct RealTimeSettings {
+  /// The last part of each wait is spent asking the clock instead of sleeping: earlier wake-ups for processor time.
+  Nanoseconds spin = 50 * kMicrosecond;   // 0..1 ms, at most a quarter of the cycle is used
+  /// Processor that the thread is bound to.
+  std::optional<std::uint16_t> cpu;
+  bool operator==(const RealTimeSettings&) const = default;
+};
+
 struct MasterSettings {
   std::string name = "Master";
   Nanoseconds cycle_time = kMillisecond;      // 31.25 us .. 100 ms
   std::array<std::uint8_t, 6> destination_mac{0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF};
   std::array<std::uint8_t, 6> source_mac{};
+  /// Inputs and outputs of a slave share logical addresses, which halves the frame; off for slaves or masters that
+  /// cannot do that.
+  bool overlap_process_data = true;
   DcMasterSettings dc;
+  RecoverySettings recovery;
+  RealTimeSettings real_time;
   bool operator==(const MasterSettings&) const = default;
 };
 

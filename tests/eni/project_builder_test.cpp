@@ -105,7 +105,8 @@ ScannedSlave scanned(std::uint16_t position, std::uint32_t product, std::uint32_
 }
 
 TEST_F(ProjectBuilder, ScanTakesWiringAndAliasFromTheBus) {
-  BusScan scan{{scanned(0, 3, 1, DcCapability::kSystemTime64), scanned(1, 2, 0x20, DcCapability::kNone)}};
+  BusScan scan;
+  scan.slaves = {scanned(0, 3, 1, DcCapability::kSystemTime64), scanned(1, 2, 0x20, DcCapability::kNone)};
   scan.slaves[1].alias = 5;
   const auto built = project_from_scan(scan, catalogue_);
   EXPECT_THAT(built.warnings, IsEmpty());
@@ -117,7 +118,8 @@ TEST_F(ProjectBuilder, ScanTakesWiringAndAliasFromTheBus) {
 }
 
 TEST_F(ProjectBuilder, ScanWarnsOfOtherRevisionsAndMissingClocks) {
-  const BusScan scan{{scanned(0, 1, 0x20, DcCapability::kNone), scanned(1, 3, 1, DcCapability::kReceiveTimesOnly)}};
+  BusScan scan;
+  scan.slaves = {scanned(0, 1, 0x20, DcCapability::kNone), scanned(1, 3, 1, DcCapability::kReceiveTimesOnly)};
   const auto built = project_from_scan(scan, catalogue_);
   ASSERT_THAT(built.warnings, SizeIs(2));
   EXPECT_EQ(built.warnings[0].code, ErrorCode::kUnknownDevice);
@@ -128,7 +130,8 @@ TEST_F(ProjectBuilder, ScanWarnsOfOtherRevisionsAndMissingClocks) {
 }
 
 TEST_F(ProjectBuilder, DeviceWithoutEsiComesFromItsEeprom) {
-  BusScan scan{{scanned(0, 9, 1, DcCapability::kNone), scanned(1, 8, 1, DcCapability::kNone)}};
+  BusScan scan;
+  scan.slaves = {scanned(0, 9, 1, DcCapability::kNone), scanned(1, 8, 1, DcCapability::kNone)};
   auto& image = scan.slaves[0].sii.emplace();
   image.vendor_id = 0x5EC;
   image.product_code = 9;

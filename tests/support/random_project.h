@@ -81,6 +81,10 @@ class RandomProject {
     m.cycle_time = number<Nanoseconds>(31'250, 100 * kMillisecond);
     for (auto& byte : m.destination_mac) byte = number<std::uint8_t>(0, 255);
     for (auto& byte : m.source_mac) byte = number<std::uint8_t>(0, 255);
+    m.overlap_process_data = chance(2);
+    m.recovery = {chance(2), number<std::uint32_t>(0, 1000), chance(2)};
+    m.real_time.spin = number<Nanoseconds>(0, kMillisecond);
+    if (chance(2)) m.real_time.cpu = number<std::uint16_t>(0, 1023);
     auto& dc = m.dc;
     dc.enabled = chance(2);
     dc.continuous_propagation_compensation = chance(2);

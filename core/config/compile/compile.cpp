@@ -161,9 +161,12 @@ Result<CompileResult> compile(const Project& project, const CompileOptions& opti
   CompileResult result;
   NetworkConfig& config = result.config;
   config.dc = run_time_dc(project, plans);
+  config.recovery = project.master.recovery;
+  config.real_time = project.master.real_time;
   const CyclicOptions cyclic_settings = cyclic_options(config.dc, plans, options.dialect);
   const ImageLayout image =
-      layout_process_image(plans, options.dialect, max_process_data_length(cyclic_settings));
+      layout_process_image(plans, {options.dialect, max_process_data_length(cyclic_settings),
+                                   project.master.overlap_process_data});
   const CyclicLayout cyclic = cyclic_frames(image, cyclic_settings);
 
   for (SlavePlan& plan : plans) {

@@ -27,8 +27,9 @@ class LogicalArea {
     if (!pack_bits) {
       align();
     }
-    if (chunks_.empty() || (end_bit_ + bits + 7) / 8 - chunks_.back().first_byte > max_length_) {
+    if (chunks_.empty() || begin_chunk_ || (end_bit_ + bits + 7) / 8 - chunks_.back().first_byte > max_length_) {
       align();
+      begin_chunk_ = false;
       chunks_.push_back({end_bit_ / 8, end_bit_ / 8, 0, 0});
     }
     Chunk& chunk = chunks_.back();
@@ -46,6 +47,11 @@ class LogicalArea {
     end_bit_ += bits;
     chunk.end_byte = (end_bit_ + 7) / 8;
   }
+
+  /// The next slave starts a new datagram.
+  void begin_chunk() { begin_chunk_ = true; }
+  [[nodiscard]] bool has_writers(std::size_t chunk) const { return chunks_[chunk].writing_slaves > 0; }
+  [[nodiscard]] bool has_readers(std::size_t chunk) const { return chunks_[chunk].reading_slaves > 0; }
 
   [[nodiscard]] LogicalDatagram datagram(std::size_t chunk_index, Command command) const {
     const Chunk& chunk = chunks_[chunk_index];
@@ -65,32 +71,46 @@ class LogicalArea {
   std::uint32_t start_;
   std::uint16_t max_length_;
   std::uint32_t end_bit_ = 0;
+  bool begin_chunk_ = false;
   std::vector<Chunk> chunks_;
 };
 
 bool has(const SlavePlan& slave, PdoDirection direction) { return slave.image_bits(direction) > 0; }
 
-ImageLayout one_area(std::span<SlavePlan> slaves, std::uint16_t max_length) {
-  LogicalArea area(kEcEngineerLogicalBase, max_length);
-  bool lrw = true;
-  for (SlavePlan& slave : slaves) {
-    area.place(slave, true, true, false);
-    lrw = lrw && !slave.device().use_lrd_lwr;
+/// Commands that a chunk needs. EC-Engineer takes LRW for one direction, too.
+std::vector<Command> commands_of(const LogicalArea& area, std::size_t chunk, bool lrw) {
+  if (lrw) return {Command::kLrw};
+  if (!area.has_readers(chunk)) return {Command::kLwr};
+  if (!area.has_writers(chunk)) return {Command::kLrd};
+  return {Command::kLwr, Command::kLrd};
+}
+
+ImageLayout one_area(std::span<SlavePlan> slaves, const ImageOptions& options) {
+  LogicalArea area(kEcEngineerLogicalBase, options.max_length);
+  std::size_t lrw_chunks = 0;
+  // Slaves that cannot do LRW stand behind the others, in datagrams of their own.
+  for (const bool lrw : {true, false}) {
+    if (!lrw) area.begin_chunk();
+    for (SlavePlan& slave : slaves) {
+      if (slave.device().use_lrd_lwr != lrw) area.place(slave, true, options.overlap, false);
+    }
+    for (SlavePlan& slave : slaves) {
+      if (!options.overlap && slave.device().use_lrd_lwr != lrw) area.place(slave, false, true, false);
+    }
+    if (lrw) lrw_chunks = area.chunk_count();
   }
   ImageLayout layout;
+  std::vector<std::size_t> writing(area.chunk_count()), reading(area.chunk_count());
   for (std::size_t chunk = 0; chunk < area.chunk_count(); ++chunk) {
-    if (lrw) {
-      layout.datagrams.push_back(area.datagram(chunk, Command::kLrw));
-    } else {
-      layout.datagrams.push_back(area.datagram(chunk, Command::kLwr));
-      layout.datagrams.push_back(area.datagram(chunk, Command::kLrd));
+    for (const Command command : commands_of(area, chunk, chunk < lrw_chunks)) {
+      if (command != Command::kLrd) writing[chunk] = layout.datagrams.size();
+      if (command != Command::kLwr) reading[chunk] = layout.datagrams.size();
+      layout.datagrams.push_back(area.datagram(chunk, command));
     }
   }
   for (SlavePlan& slave : slaves) {
-    if (!lrw) {
-      slave.outputs.datagram *= 2;
-      slave.inputs.datagram = slave.inputs.datagram * 2 + 1;
-    }
+    if (slave.outputs.bits > 0) slave.outputs.datagram = writing[slave.outputs.datagram];
+    if (slave.inputs.bits > 0) slave.inputs.datagram = reading[slave.inputs.datagram];
   }
   return layout;
 }
@@ -122,9 +142,10 @@ void add_area(ImageLayout& layout, std::span<SlavePlan> slaves, Command command,
   next_start += (area.end_byte() + kTwinCatAreaStep - 1) / kTwinCatAreaStep * kTwinCatAreaStep;
 }
 
-ImageLayout three_areas(std::span<SlavePlan> slaves, std::uint16_t max_length) {
-  const auto both = [](const SlavePlan& s) {
-    return has(s, PdoDirection::kRx) && has(s, PdoDirection::kTx) && !s.device().use_lrd_lwr;
+ImageLayout three_areas(std::span<SlavePlan> slaves, const ImageOptions& options) {
+  const std::uint16_t max_length = options.max_length;
+  const auto both = [&](const SlavePlan& s) {
+    return options.overlap && has(s, PdoDirection::kRx) && has(s, PdoDirection::kTx) && !s.device().use_lrd_lwr;
   };
   ImageLayout layout;
   std::uint32_t next_start = kTwinCatLogicalBase;
@@ -138,8 +159,8 @@ ImageLayout three_areas(std::span<SlavePlan> slaves, std::uint16_t max_length) {
 
 }  // namespace
 
-ImageLayout layout_process_image(std::span<SlavePlan> slaves, EniDialect dialect, std::uint16_t max_length) {
-  return dialect == EniDialect::kEcEngineer ? one_area(slaves, max_length) : three_areas(slaves, max_length);
+ImageLayout layout_process_image(std::span<SlavePlan> slaves, const ImageOptions& options) {
+  return options.dialect == EniDialect::kEcEngineer ? one_area(slaves, options) : three_areas(slaves, options);
 }
 
 }  // namespace syncline::compiler

@@ -28,12 +28,19 @@ inline constexpr std::uint32_t kTwinCatLogicalBase = 0x0100'0000;
 inline constexpr std::uint32_t kTwinCatAreaStep = 0x800;
 inline constexpr std::uint32_t kMailboxStateLogicalBase = 0x0900'0000;
 
-/// Places the process data of every slave in the logical address space and cuts it into datagrams of at most
-/// `max_length` bytes at slave boundaries. Fills SlavePlan::outputs and inputs.
-/// - EC-Engineer: one area, every slave max(outputs, inputs) bytes, both directions at the same address; LRW, or LWR and
-///   LRD over the same addresses as soon as one slave cannot do LRW.
+struct ImageOptions {
+  EniDialect dialect = EniDialect::kEcEngineer;
+  std::uint16_t max_length = 0;  // bytes of a datagram
+  bool overlap = true;           // both directions of a slave at the same address
+};
+
+/// Places the process data of every slave in the logical address space and cuts it into datagrams at slave boundaries.
+/// Fills SlavePlan::outputs and inputs. Without overlap the directions lie apart: outputs first (EC-Engineer), or no
+/// LRW area (TwinCAT). With it:
+/// - EC-Engineer: one area, every slave max(outputs, inputs) bytes, both directions at the same address; LRW, behind it
+///   LWR and LRD over the same addresses for slaves that cannot do LRW.
 /// - TwinCAT: slaves with both directions (LRW), with outputs (LWR), with inputs (LRD), each kind from a 0x800 boundary;
 ///   byte-oriented slaves first, bit-oriented ones packed bit by bit behind them.
-[[nodiscard]] ImageLayout layout_process_image(std::span<SlavePlan> slaves, EniDialect dialect, std::uint16_t max_length);
+[[nodiscard]] ImageLayout layout_process_image(std::span<SlavePlan> slaves, const ImageOptions& options);
 
 }  // namespace syncline::compiler

@@ -10,6 +10,8 @@ constexpr Nanoseconds kShortestCycle = 31'250, kLongestCycle = 100 * kMillisecon
 constexpr auto master = [](auto& project) -> auto& { return project.master; };
 constexpr auto dc = [](auto& project) -> auto& { return project.master.dc; };
 constexpr auto dcm = [](auto& project) -> auto& { return project.master.dc.dcm; };
+constexpr auto recovery = [](auto& project) -> auto& { return project.master.recovery; };
+constexpr auto real_time = [](auto& project) -> auto& { return project.master.real_time; };
 constexpr auto window = [](auto& project) -> auto& { return project.master.dc.sync_window; };
 
 Rule reference_clock_rule() {
@@ -38,8 +40,37 @@ std::vector<Rule> general_rules() {
                  [](auto& p, const Place&) -> auto& { return master(p).cycle_time; }),
       field_rule("master.destination_mac", "Destination address of the frames; broadcast unless a switch demands another.",
                  MacCodec{}, [](auto& p, const Place&) -> auto& { return master(p).destination_mac; }),
+      field_rule("master.overlap_process_data",
+                 "Inputs and outputs of a slave share logical addresses, which halves the cyclic frame.", SwitchCodec{},
+                 [](auto& p, const Place&) -> auto& { return master(p).overlap_process_data; }),
       field_rule("master.source_mac", "Source address in the ENI file; zeros leave it to the network card.", MacCodec{},
                  [](auto& p, const Place&) -> auto& { return master(p).source_mac; }),
+  };
+}
+
+std::vector<Rule> recovery_rules() {
+  return {
+      field_rule("master.recovery.automatic",
+                 "Slaves that come back (cable healed, power back) are set up again and led to the state of the bus.",
+                 SwitchCodec{}, [](auto& p, const Place&) -> auto& { return recovery(p).automatic; }),
+      field_rule("master.recovery.error_tries",
+                 "How often an error state is acknowledged and the state requested again; 0 leaves it to the user.",
+                 IntegerCodec<std::uint32_t>{0, 1000}, [](auto& p, const Place&) -> auto& { return recovery(p).error_tries; }),
+      field_rule("master.recovery.start_incomplete",
+                 "Goes online with the slaves that are there; the others join when they appear.", SwitchCodec{},
+                 [](auto& p, const Place&) -> auto& { return recovery(p).start_incomplete; }),
+  };
+}
+
+std::vector<Rule> real_time_rules() {
+  return {
+      field_rule("master.real_time.spin_us",
+                 "The last part of each wait is spent asking the clock: earlier wake-ups for processor time. At most a "
+                 "quarter of the cycle is used.",
+                 MicrosecondCodec{0, kMillisecond}, [](auto& p, const Place&) -> auto& { return real_time(p).spin; }),
+      field_rule("master.real_time.cpu", "Processor that the cyclic thread is bound to; auto leaves it to the system.",
+                 AutoCodec<IntegerCodec<std::uint16_t>>{{0, 1023}},
+                 [](auto& p, const Place&) -> auto& { return real_time(p).cpu; }),
   };
 }
 
@@ -95,7 +126,7 @@ std::vector<Rule> dcm_rules() {
 
 std::vector<Rule> master_rules() {
   auto rules = general_rules();
-  for (auto more : {dc_rules(), dcm_rules()}) {
+  for (auto more : {recovery_rules(), real_time_rules(), dc_rules(), dcm_rules()}) {
     rules.insert(rules.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
   }
   return rules;
