@@ -16,6 +16,7 @@ Status Bus::check_cancel() const {
   if (cancellable_ && cancel_ != nullptr && cancel_->load(std::memory_order_relaxed)) {
     return fail(ErrorCode::kCancelled);
   }
+  if (interrupt_ && interrupt_()) return fail(ErrorCode::kCancelled);
   return {};
 }
 

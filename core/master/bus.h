@@ -4,6 +4,7 @@
 #include <atomic>
 #include <concepts>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -35,6 +36,8 @@ class Bus {
   /// A bring-up can be cancelled, the way down to INIT cannot.
   void set_cancellable(bool cancellable) { cancellable_ = cancellable; }
   [[nodiscard]] bool cancellable() const { return cancellable_; }
+  /// A second reason to end what is under way with kCancelled.
+  void set_interrupt(std::function<bool()> interrupt) { interrupt_ = std::move(interrupt); }
   /// kCancelled when the user wants an end; for loops that do not wait through this class.
   [[nodiscard]] Status check_cancel() const;
   [[nodiscard]] Clock& clock() { return clock_; }
@@ -79,6 +82,7 @@ class Bus {
   const std::atomic<bool>* cancel_;
   CyclePump* pump_ = nullptr;
   bool cancellable_ = true;
+  std::function<bool()> interrupt_;
   std::vector<Datagram*> open_;
   AcyclicWindow window_;
 };

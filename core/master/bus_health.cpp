@@ -10,16 +10,17 @@ void BusHealth::observe_wkc(std::uint16_t expected, std::uint16_t received, Nano
   sample.wkc_received = received;
   // A lost frame is told as such, not a second time as a counter of zero.
   if (!judging_ || (sample.flags & CycleSample::kFrameLost) != 0) return;
-  if (expected == received) {
+  if (expected == received || (joining_ && received > expected)) {
     const auto count = std::exchange(wkc_spell_, 0);
     if (count > 1) {
-      run_.event(EventKind::kWkcError, time, -1, expected, last_wrong_, static_cast<std::int64_t>(count));
+      run_.event(EventKind::kWkcError, time, -1, last_expected_, last_wrong_, static_cast<std::int64_t>(count));
     }
     return;
   }
   sample.flags |= CycleSample::kWkcError;
   ++run_.snapshot.wkc_errors;
   last_wrong_ = received;
+  last_expected_ = expected;
   if (wkc_spell_++ == 0) run_.event(EventKind::kWkcError, time, -1, expected, received, 1);
 }
 

@@ -91,6 +91,11 @@ void CommandQueue::push(MasterCommand command) {
   commands_.push_back(std::move(command));
 }
 
+bool CommandQueue::empty() {
+  const std::scoped_lock lock(mutex_);
+  return commands_.empty();
+}
+
 std::optional<MasterCommand> CommandQueue::pop() {
   const std::scoped_lock lock(mutex_);
   if (commands_.empty()) return std::nullopt;

@@ -215,6 +215,7 @@ class CommandQueue {
  public:
   void push(MasterCommand command);
   std::optional<MasterCommand> pop();
+  [[nodiscard]] bool empty();
 
  private:
   std::mutex mutex_;

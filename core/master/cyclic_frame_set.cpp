@@ -31,6 +31,73 @@ CyclicFrameSet::CyclicFrameSet(const NetworkConfig& config) : data_offset_(confi
     entry.datagram.data = entry.data;
   }
   size_images(config);
+  share_counters(config);
+}
+
+/// By the ranges of the slaves in the process image: a slave that reads counts 1, one that writes 1, or 2 in an LRW.
+void CyclicFrameSet::share_counters(const NetworkConfig& config) {
+  const auto touches = [&](const std::optional<ImageRange>& range, std::uint32_t offset, std::uint16_t length) {
+    if (!range || range->bit_length == 0) return false;
+    const auto begin = std::uint64_t{offset + data_offset_} * 8, end = begin + std::uint64_t{length} * 8;
+    return range->bit_start < end && std::uint64_t{range->bit_start} + range->bit_length > begin;
+  };
+  for (std::size_t e = 0; e < entries_.size(); ++e) {
+    const auto& command = *entries_[e].command;
+    if (entries_[e].role != Role::kProcessData) continue;
+    for (std::size_t i = 0; i < config.slaves.size(); ++i) {
+      const auto& slave = config.slaves[i];
+      unsigned wkc = 0;
+      if (command.command != Command::kLrd && touches(slave.send, command.output_offset, command.length())) {
+        wkc += command.command == Command::kLrw ? 2 : 1;
+      }
+      if (command.command != Command::kLwr && touches(slave.receive, command.input_offset, command.length())) ++wkc;
+      if (wkc > 0) shares_.push_back({i, e, static_cast<std::uint16_t>(wkc)});
+    }
+  }
+}
+
+void CyclicFrameSet::expect_without(const std::vector<bool>& slaves) {
+  for (auto& entry : entries_) entry.wkc_without = 0;
+  for (const auto& share : shares_) {
+    if (!slaves[share.slave]) continue;
+    auto& entry = entries_[share.entry];
+    const auto left = static_cast<unsigned>(entry.command->expected_wkc.value_or(0)) - entry.wkc_without;
+    entry.wkc_without = static_cast<std::uint16_t>(entry.wkc_without + std::min<unsigned>(share.wkc, left));
+  }
+}
+
+std::uint16_t CyclicFrameSet::wkc_configured() const {
+  std::uint16_t sum = 0;
+  for (const auto& entry : entries_) {
+    if (entry.role == Role::kProcessData) sum = static_cast<std::uint16_t>(sum + entry.command->expected_wkc.value_or(0));
+  }
+  return sum;
+}
+
+std::uint16_t CyclicFrameSet::wkc_expected() const {
+  std::uint16_t without = 0;
+  for (const auto& entry : entries_) without = static_cast<std::uint16_t>(without + entry.wkc_without);
+  return static_cast<std::uint16_t>(wkc_configured() - without);
+}
+
+void CyclicFrameSet::follow(Leader leader) {
+  leader_ = leader;
+  for (auto& entry : entries_) {
+    if (entry.role == Role::kReferenceTime || entry.role == Role::kReferenceWrite) address_leader(entry);
+  }
+}
+
+void CyclicFrameSet::address_leader(Entry& entry) {
+  const auto& command = *entry.command;
+  const bool reads = entry.role == Role::kReferenceTime;
+  entry.datagram.command = command.command;
+  entry.datagram.address = device_address(command.adp, command.ado);
+  if (leader_.who == Leader::Who::kNobody) {
+    entry.datagram.command = Command::kNop;
+  } else if (leader_.who == Leader::Who::kOther) {
+    entry.datagram.command = reads ? Command::kFrmw : Command::kFpwr;
+    entry.datagram.address = device_address(leader_.station, command.ado);
+  }
 }
 
 void CyclicFrameSet::add_task(const CyclicTask& task, Nanoseconds base_cycle) {
@@ -108,7 +175,8 @@ void CyclicFrameSet::fill(Entry& entry, bool steer) {
   const auto& command = *entry.command;
   std::ranges::fill(entry.data, std::uint8_t{0});
   if (entry.role == Role::kReferenceWrite) {
-    entry.datagram.command = steer ? command.command : Command::kNop;
+    address_leader(entry);
+    if (!steer) entry.datagram.command = Command::kNop;
   } else if (command.command == Command::kLwr || command.command == Command::kLrw) {
     const auto begin = outputs_.begin() + command.output_offset + data_offset_;
     std::copy_n(begin, entry.data.size(), entry.data.begin());
@@ -136,7 +204,10 @@ CyclicFrameSet::Reading CyclicFrameSet::evaluate() {
   Reading reading;
   for (const auto& entry : entries_) {
     if (!entry.sent) continue;
-    if (entry.role == Role::kProcessData) reading.wkc_expected += entry.command->expected_wkc.value_or(0);
+    if (entry.role == Role::kProcessData) {
+      reading.wkc_expected = static_cast<std::uint16_t>(reading.wkc_expected +
+                                                        entry.command->expected_wkc.value_or(0) - entry.wkc_without);
+    }
     if (entry.datagram.answered) read(entry, reading);
   }
   return reading;
@@ -148,7 +219,7 @@ void CyclicFrameSet::read(const Entry& entry, Reading& reading) {
     case Role::kProcessData:
       reading.wkc_received = static_cast<std::uint16_t>(reading.wkc_received + datagram.wkc);
       // A wrong counter means that some slave's inputs are old: none are taken.
-      if (datagram.wkc != *entry.command->expected_wkc) return;
+      if (datagram.wkc != *entry.command->expected_wkc - entry.wkc_without) return;
       break;
     case Role::kAlStatus:
       reading.al_status = load_le<std::uint16_t>(entry.data);

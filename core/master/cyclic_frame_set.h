@@ -32,6 +32,21 @@ class CyclicFrameSet {
   void stamp(Nanoseconds reference_time, std::optional<Nanoseconds> reference_write);
   [[nodiscard]] std::span<PendingFrame* const> frames() const { return active_; }
 
+  /// Whose clock the commands read and steer that the configuration means for the reference clock: that one,
+  /// another slave's, or nobody's (then they travel as NOP: a clock that has just been switched on must not
+  /// be handed to the others).
+  struct Leader {
+    enum class Who : std::uint8_t { kConfigured, kOther, kNobody } who = Who::kConfigured;
+    std::uint16_t station = 0;  // of the other
+  };
+  void follow(Leader leader);
+
+  /// Working counters count without the slaves that are marked: they are lost, or in a state without process data.
+  void expect_without(const std::vector<bool>& slaves);
+  /// Expected process-data counters of all commands, by the configuration and now.
+  [[nodiscard]] std::uint16_t wkc_configured() const;
+  [[nodiscard]] std::uint16_t wkc_expected() const;
+
   /// What the answers of this cycle say.
   struct Reading {
     std::uint16_t wkc_expected = 0, wkc_received = 0;     // process data
@@ -55,13 +70,22 @@ class CyclicFrameSet {
     std::uint64_t divider = 1;  // sent every so many base cycles
     bool selected = false;
     bool sent = false;
+    std::uint16_t wkc_without = 0;  // part of the expected counter that does not come now
     std::vector<std::uint8_t> data;
     Datagram datagram;
+  };
+
+  /// Part of a command's working counter that one slave makes.
+  struct Share {
+    std::size_t slave = 0, entry = 0;
+    std::uint16_t wkc = 0;
   };
 
   static Role role_of(const CyclicCmd& command);
   void add_task(const CyclicTask& task, Nanoseconds base_cycle);
   void size_images(const NetworkConfig& config);
+  void share_counters(const NetworkConfig& config);
+  void address_leader(Entry& entry);
   void fill(Entry& entry, bool steer);
   static void fill_time(Entry& entry, Nanoseconds time);
   void read(const Entry& entry, Reading& reading);
@@ -70,6 +94,8 @@ class CyclicFrameSet {
 
   std::uint32_t data_offset_;
   std::vector<Entry> entries_;
+  std::vector<Share> shares_;
+  Leader leader_;
   std::vector<PendingFrame> frames_;
   std::vector<PendingFrame*> active_;
   std::vector<std::uint8_t> inputs_, outputs_;

@@ -25,6 +25,8 @@ CyclicTaskRunner::CyclicTaskRunner(FrameExchange& exchange, Clock& clock, RunSta
       slaves_(run),
       sm2_(run),
       health_(run),
+      reference_(run, sync, frames_),
+      without_(run.config().slaves.size()),
       acyclic_(kMostAcyclicFrames),
       cycle_time_(run.config().cycle_time()) {
   in_flight_.reserve(64);
@@ -122,6 +124,22 @@ Status CyclicTaskRunner::exchange_frames(Nanoseconds deadline) {
   return status;
 }
 
+/// Slaves were looked at: what is expected of the bus from now on.
+void CyclicTaskRunner::after_sweep() {
+  sweeps_seen_ = slaves_.sweeps();
+  reference_.look(send_time_);
+  if (!health_.judging()) return;
+  for (std::size_t i = 0; i < without_.size(); ++i) {
+    const auto& slave = run_.snapshot.slaves[i];
+    const auto state = al_state_of(slave.al_status);
+    without_[i] = !slave.present || (state != AlState::kSafeop && state != AlState::kOp);
+  }
+  const auto before = frames_.wkc_expected();
+  frames_.expect_without(without_);
+  const auto now = frames_.wkc_expected();
+  if (now != before) run_.event(EventKind::kWkcExpected, send_time_, -1, frames_.wkc_configured(), now);
+}
+
 std::optional<Nanoseconds> CyclicTaskRunner::reference_time(const CyclicFrameSet::Reading& reading) const {
   if (!reading.reference_time) return std::nullopt;
   if (reading.reference_is_64bit) return static_cast<Nanoseconds>(*reading.reference_time);
@@ -133,6 +151,8 @@ void CyclicTaskRunner::evaluate(CycleSample& sample) {
   health_.observe_wkc(reading.wkc_expected, reading.wkc_received, send_time_, sample);
   if (reading.al_status) slaves_.observe_broadcast(*reading.al_status, *reading.al_status_wkc);
   const auto all = slaves_.take(send_time_, sample);
+  slaves_.observe_silence((sample.flags & CycleSample::kFrameLost) != 0 && !reading.al_status, send_time_);
+  if (slaves_.sweeps() != sweeps_seen_) after_sweep();
   sm2_.take(send_time_, sample);
   adjust_ = sync_.observe_cycle({send_time_, scheduled_, reference_time(reading)}, sample);
   const auto deviation = reading.deviation_ored ? reading.deviation_ored : all;

@@ -8,6 +8,7 @@
 #include "master/bus.h"
 #include "master/bus_health.h"
 #include "master/cyclic_frame_set.h"
+#include "master/reference_clock.h"
 #include "master/run_state.h"
 #include "master/slave_watch.h"
 #include "master/sm2_reader.h"
@@ -32,6 +33,7 @@ class CyclicTaskRunner final : public CyclePump, private SendStamp {
   [[nodiscard]] Sm2Reader& sm2() { return sm2_; }
   [[nodiscard]] BusHealth& health() { return health_; }
   [[nodiscard]] CyclicFrameSet& frames() { return frames_; }
+  [[nodiscard]] ReferenceClock& reference() { return reference_; }
   [[nodiscard]] Nanoseconds next_cycle() const { return scheduled_; }
 
  private:
@@ -42,6 +44,7 @@ class CyclicTaskRunner final : public CyclePump, private SendStamp {
   void adapt_acyclic_limit();
   Status exchange_frames(Nanoseconds deadline);
   void evaluate(CycleSample& sample);
+  void after_sweep();
   void schedule_next(Nanoseconds adjust);
   [[nodiscard]] std::optional<Nanoseconds> reference_time(const CyclicFrameSet::Reading& reading) const;
   void finish_sample(CycleSample& sample);
@@ -54,6 +57,9 @@ class CyclicTaskRunner final : public CyclePump, private SendStamp {
   SlaveWatch slaves_;
   Sm2Reader sm2_;
   BusHealth health_;
+  ReferenceClock reference_;
+  std::uint64_t sweeps_seen_ = 0;
+  std::vector<bool> without_;      // slaves that take no part in the process data
   std::vector<PendingFrame> acyclic_;
   std::size_t acyclic_limit_ = 1;  // frames a cycle, as many as come back in time
   std::vector<PendingFrame*> in_flight_;

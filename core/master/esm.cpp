@@ -7,6 +7,7 @@
 #include <array>
 
 #include "master/bus_scanner.h"
+#include "master/dc_join.h"
 #include "master/dc_setup.h"
 #include "protocol/registers.h"
 
@@ -89,8 +90,12 @@ Status Esm::up_to(AlState target) {
   if (bus_.cyclic()) {
     if (auto status = commands_.acknowledge(slaves_where([](AlState) { return true; })); !status) return status;
   }
-  if (run_.snapshot.state == AlState::kInit) {
+  if (std::ranges::all_of(run_.snapshot.slaves, [](const auto& s) { return al_state_of(s.al_status) == AlState::kInit; })) {
     if (auto status = init_to_preop(); !status) return status;
+  } else if (bus_.cyclic()) {
+    // A running bus is not stopped for slaves that fell behind the others.
+    const auto behind = slaves_where([](AlState state) { return state == AlState::kInit || state == AlState::kBoot; });
+    if (auto status = join(behind, AlState::kPreop); !status) return status;
   }
   if (is_above(target, AlState::kPreop)) {
     if (auto status = preop_to_safeop(); !status) return status;
@@ -169,6 +174,7 @@ void Esm::note_clocks(const DcNetwork& network) {
     if (clock.synchronised) watched.push_back(static_cast<std::uint16_t>(i));
   }
   task_.slaves().set_dc_slaves(std::move(watched));
+  task_.reference().start(static_cast<std::uint16_t>(network.reference_clock));
   run_.event(EventKind::kReferenceClock, bus_.clock().now(), network.reference_clock, 1);
 }
 
@@ -189,6 +195,69 @@ Status Esm::await_slaves_in_sync() {
   for (const auto& slave : run_.snapshot.slaves) count += slave.dc_enabled ? 1 : 0;
   run_.event(EventKind::kDcInitialised, now, -1, count, run_.snapshot.dc.reference_clock);
   return {};
+}
+
+// ---- single slaves ------------------------------------------------------------------------------
+
+Status Esm::join(SlaveList slaves, AlState target) {
+  if (slaves.empty()) return {};
+  task_.health().set_joining(true);
+  auto status = join_each(std::move(slaves), target);
+  task_.health().set_joining(false);
+  return status;
+}
+
+Status Esm::join_each(SlaveList slaves, AlState target) {
+  if (auto status = quiet_mailboxes(); !status) return status;
+  if (auto status = commands_.acknowledge(slaves); !status) return status;
+  SlaveList anew;
+  for (const auto slave : slaves) {
+    const auto state = state_of(slave);
+    const bool below = state == AlState::kInit || state == AlState::kBoot || state == AlState::kNone;
+    if (!run_.snapshot.slaves[slave].present || below) anew.push_back(slave);
+  }
+  auto status = join_in_preop(std::move(anew));
+  if (status && is_above(target, AlState::kPreop)) status = lift(slaves, AlState::kPreop, Transition::kPS);
+  if (status && is_above(target, AlState::kSafeop)) {
+    // Valid outputs reach the slave before it is asked to take them.
+    for (int i = 0; status && i < kCyclesBeforeOp; ++i) status = bus_.wait_a_little();
+    if (status) status = lift(slaves, AlState::kSafeop, Transition::kSO);
+  }
+  if (status) status = commands_.read_all();
+  task_.slaves().refresh_al_status();
+  task_.sm2().set_enabled(bus_.cyclic());
+  return status;
+}
+
+Status Esm::lift(const SlaveList& slaves, AlState from, Transition transition) {
+  SlaveList ready;
+  std::ranges::copy_if(slaves, std::back_inserter(ready), [&](std::size_t slave) {
+    return run_.snapshot.slaves[slave].present && state_of(slave) == from;
+  });
+  if (ready.empty()) return {};
+  if (auto status = commands_.run_coe(ready, transition); !status && ends_everything(status.error())) return status;
+  if (auto status = commands_.run(ready, transition); !status && ends_everything(status.error())) return status;
+  return commands_.read_al_status(slaves);
+}
+
+Status Esm::join_in_preop(SlaveList slaves) {
+  if (slaves.empty()) return {};
+  const auto request = preop_requests();
+  if (auto status = commands_.repeat_broadcasts(slaves); !status) return status;
+  auto status = commands_.run(slaves, Transition::kIP, [&](auto slave, auto index) { return index < request[slave]; });
+  if (!status && ends_everything(status.error())) return status;
+  if (status = commands_.read_al_status(slaves); !status) return status;
+  auto& reference = task_.reference();
+  if (sync_.active()) {
+    if (status = DcJoin(bus_, run_, sync_).run(slaves, reference.leader()); !status) return status;
+    const auto back = reference.configured();
+    if (back && std::ranges::find(slaves, *back) != slaves.end()) reference.take_back(bus_.clock().now());
+  }
+  status = commands_.run(slaves, Transition::kIP, [&](auto slave, auto index) { return index >= request[slave]; });
+  if (!status && ends_everything(status.error())) return status;
+  status = commands_.run_coe(slaves, Transition::kIP);
+  if (!status && ends_everything(status.error())) return status;
+  return commands_.read_al_status(slaves);
 }
 
 // ---- PREOP to SAFEOP to OP ------------------------------------------------------------------------
@@ -243,6 +312,7 @@ Status Esm::step_up(AlState from, Transition transition) {
 
 Status Esm::down_to(AlState target) {
   task_.health().set_judging(false);
+  task_.frames().expect_without(std::vector<bool>(run_.config().slaves.size()));
   const auto from = run_.snapshot.state;
   if (const auto transition = transition_between(from, target)) {
     if (auto status = run_master_commands(*transition, true); !status) return status;

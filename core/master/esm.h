@@ -27,8 +27,16 @@ class Esm {
   /// from finishing the step; the error is the first one. kAlState, kAlTimeout, kSdoAbort and others of
   /// the init commands; kDcSetup and kDcmOutOfLimit when synchronism is not reached.
   Status change_to(AlState target);
+  /// Leads these slaves to `target`, each from where it is, while all others go on: a slave that is new on the bus
+  /// or in INIT runs its init commands from the beginning and gets its clock set. Slaves that do not come
+  /// all the way are told by events and stay where they are. Bus errors only.
+  Status join(SlaveList slaves, AlState target);
+  [[nodiscard]] SlaveCommands& commands() { return commands_; }
 
  private:
+  Status join_each(SlaveList slaves, AlState target);
+  Status join_in_preop(SlaveList slaves);
+  Status lift(const SlaveList& slaves, AlState from, Transition transition);
   Status up_to(AlState target);
   Status init_to_preop();
   Status preop_to_safeop();

@@ -13,7 +13,10 @@ Operation::Operation(NetworkConfig config, FrameExchange& exchange, Clock& clock
       run_(config_, channels),
       sync_(run_),
       task_(exchange, clock, run_, sync_),
-      esm_(bus_, run_, task_, sync_) {}
+      esm_(bus_, run_, task_, sync_),
+      recovery_(bus_, run_, task_, esm_) {
+  bus_.set_interrupt([this] { return recovering_ && !run_.channels().commands.empty(); });
+}
 
 Status Operation::check() const {
   if (config_.slaves.empty()) return fail(ErrorCode::kConfiguration, "network", "it has no slaves");
@@ -23,7 +26,8 @@ Status Operation::check() const {
 
 Status Operation::start(AlState target) {
   if (auto status = check(); !status) return status;
-  exchange_.set_addresses(config_.master.destination_mac, config_.master.source_mac);
+  // The configuration's source address is that of the machine it was made on.
+  exchange_.set_addresses(config_.master.destination_mac, exchange_.link().describe().mac);
   auto& snapshot = run_.snapshot;
   snapshot.time = clock_.now();
   snapshot.online = true;
@@ -37,8 +41,21 @@ Status Operation::start(AlState target) {
   return status;
 }
 
+Status Operation::run_cycle() {
+  if (auto status = task_.run_cycle({}); !status) return status;
+  recovering_ = true;
+  auto status = recovery_.after_cycle();
+  recovering_ = false;
+  if (status) return {};
+  // What interrupts or stops a recovery is no reason to go offline: the cycles say whether the bus is alive.
+  const bool ours = status.error().code == ErrorCode::kCancelled || status.error().code == ErrorCode::kNoResponse;
+  return ours ? Status{} : status;
+}
+
 Status Operation::change_to(AlState target) {
-  auto status = esm_.change_to(target);
+  auto status = Status{};
+  if (cyclic() && target != AlState::kInit) status = recovery_.bring_all_back();
+  if (status) status = esm_.change_to(target);
   run_.channels().snapshot.publish_surely(run_.snapshot);
   return status;
 }

@@ -5,6 +5,7 @@
 #include "master/bus.h"
 #include "master/cyclic_task.h"
 #include "master/esm.h"
+#include "master/recovery.h"
 #include "master/run_state.h"
 #include "master/sync_watch.h"
 
@@ -24,7 +25,8 @@ class Operation {
   /// INIT, and no frames afterwards. Cannot be cancelled.
   void stop();
   [[nodiscard]] bool cyclic() const { return bus_.cyclic(); }
-  Status run_cycle() { return task_.run_cycle({}); }
+  /// One bus cycle, and the recovery of slaves when there is something to recover (which takes many cycles).
+  Status run_cycle();
   void clear_statistics();
   [[nodiscard]] RunState& run() { return run_; }
 
@@ -39,6 +41,8 @@ class Operation {
   SyncWatch sync_;
   CyclicTaskRunner task_;
   Esm esm_;
+  Recovery recovery_;
+  bool recovering_ = false;  // on its own account: a command of the user comes first
 };
 
 }  // namespace syncline

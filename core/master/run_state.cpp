@@ -65,8 +65,9 @@ void RunState::set_present(std::size_t slave, bool present, Nanoseconds time) {
   auto& known = snapshot.slaves[slave];
   if (std::exchange(known.present, present) == present) return;
   event(present ? EventKind::kSlaveFound : EventKind::kSlaveLost, time, static_cast<int>(slave));
-  if (known.is_reference_clock) {
-    event(EventKind::kReferenceClock, time, static_cast<int>(slave), present ? 1 : 0);
+  if (!present) {
+    known.deviation_valid = false;
+    known.sm2_missed.valid = false;
   }
 }
 

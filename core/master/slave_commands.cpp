@@ -68,6 +68,24 @@ Status SlaveCommands::run(SlaveList& slaves, Transition transition, const Part& 
   return finish(slaves, pointers(works));
 }
 
+Status SlaveCommands::repeat_broadcasts(std::span<const std::size_t> slaves) {
+  for (const auto& command : run_.config().master.init_cmds) {
+    if (command.command != Command::kBwr || !command.before_slave || !has_transition(command, Transition::kIP)) continue;
+    std::vector<std::vector<std::uint8_t>> bytes;
+    std::vector<Datagram> writes;
+    for (std::size_t i = 0; i < slaves.size(); ++i) {
+      bytes.push_back(command.data);
+      bytes.back().resize(command.length());
+    }
+    for (std::size_t i = 0; i < slaves.size(); ++i) {
+      const auto adp = Position{positions_[slaves[i]]}.auto_increment_address();
+      writes.push_back({Command::kApwr, device_address(adp, command.ado), bytes[i]});
+    }
+    if (auto status = bus_.transact(writes); !status) return status;
+  }
+  return {};
+}
+
 Status SlaveCommands::run_coe(SlaveList& slaves, Transition transition) {
   std::vector<CoeDownloadWork> works;
   SlaveList busy, idle;

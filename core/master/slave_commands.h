@@ -32,6 +32,10 @@ class SlaveCommands {
   Status run(SlaveList& slaves, Transition transition, const Part& part = {});
   Status run_coe(SlaveList& slaves, Transition transition);
 
+  /// What the master's own commands of INIT to PREOP wrote to all slaves (clear FMMUs, SyncManagers, clocks), for
+  /// slaves that were not there then.
+  Status repeat_broadcasts(std::span<const std::size_t> slaves);
+
   /// Reads AL status and code of these slaves and tells what is new. Slaves that do not answer are lost.
   Status read_al_status(std::span<const std::size_t> slaves);
   Status read_all();

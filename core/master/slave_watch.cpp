@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "master/slave_watch.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "protocol/dc_registers.h"
+#include "protocol/dl_status.h"
 #include "protocol/registers.h"
 #include "support/byte_order.h"
 
@@ -11,6 +13,8 @@ namespace syncline {
 namespace {
 
 constexpr std::size_t kAlReadsPerCycle = 16;
+/// Longer than any burst of lost frames.
+constexpr Nanoseconds kSilence = 100 * kMillisecond;
 
 }  // namespace
 
@@ -18,6 +22,8 @@ SlaveWatch::SlaveWatch(RunState& run) : run_(run), al_(run.config().slaves.size(
   for (std::size_t i = 0; i < al_.size(); ++i) {
     al_[i].datagram = {Command::kFprd, device_address(run.config().slaves[i].station_address, reg::kAlStatus),
                        al_[i].bytes};
+    al_[i].dl_datagram = {Command::kFprd, device_address(run.config().slaves[i].station_address, reg::kDlStatus),
+                          al_[i].dl_bytes};
   }
   deviation_ = {Command::kFprd, 0, deviation_bytes_};
   all_ = {Command::kBrd, device_address(0, reg::kSystemTimeDifference), all_bytes_};
@@ -28,6 +34,23 @@ void SlaveWatch::observe_broadcast(std::uint16_t al_status, std::uint16_t wkc) {
   last_status_ = al_status;
   last_wkc_ = wkc;
   if (changed) refresh_al_status();
+}
+
+void SlaveWatch::observe_silence(bool silent, Nanoseconds time) {
+  if (!silent) {
+    silent_since_.reset();
+    return;
+  }
+  if (!silent_since_) silent_since_ = time;
+  if (time - *silent_since_ < kSilence || last_wkc_ == 0) return;
+  last_wkc_ = 0;  // the first answer is a change
+  next_al_ = al_.size();
+  const bool any = std::ranges::any_of(run_.snapshot.slaves, &SlaveStatus::present);
+  if (any) run_.event(EventKind::kCable, time, -1, 0, 0, 0);
+  for (auto& reading : al_) reading.datagram.wkc = 0;
+  for (std::size_t i = 0; i < al_.size(); ++i) run_.set_present(i, false, time);
+  run_.update_master_state(time);
+  ++sweeps_;
 }
 
 void SlaveWatch::add_to(PendingFrame& frame, bool read_deviation_of_all) {
@@ -53,8 +76,10 @@ void SlaveWatch::add_to(PendingFrame& frame, bool read_deviation_of_all) {
 void SlaveWatch::add_al_status(PendingFrame& frame) {
   asked_begin_ = asked_end_ = next_al_;
   while (next_al_ < al_.size() && asked_end_ - asked_begin_ < kAlReadsPerCycle) {
-    al_[next_al_].bytes.fill(0);
-    if (!frame.add(al_[next_al_].datagram)) break;
+    auto& reading = al_[next_al_];
+    reading.bytes.fill(0);
+    reading.dl_bytes.fill(0);
+    if (!frame.add(reading.dl_datagram) || !frame.add(reading.datagram)) break;
     asked_end_ = ++next_al_;
   }
 }
@@ -80,17 +105,47 @@ void SlaveWatch::take_deviation(Nanoseconds time, CycleSample& sample) {
 void SlaveWatch::take_al_status(Nanoseconds time) {
   if (asked_begin_ == asked_end_) return;
   for (std::size_t i = asked_begin_; i < asked_end_; ++i) {
-    auto& reading = al_[i];
-    if (!reading.datagram.answered) {
-      next_al_ = asked_begin_;  // the frame was lost: once more
-      return;
-    }
-    run_.set_present(i, reading.datagram.wkc > 0, time);
-    if (reading.datagram.wkc == 0) continue;
-    const std::span<const std::uint8_t> bytes(reading.bytes);
+    if (al_[i].datagram.answered) continue;
+    next_al_ = std::min(next_al_, asked_begin_);  // the frame was lost: once more
+    return;
+  }
+  if (asked_end_ == al_.size() && next_al_ == al_.size()) finish_sweep(time);
+}
+
+void SlaveWatch::finish_sweep(Nanoseconds time) {
+  ++sweeps_;
+  tell_cables(time, false);
+  tell_presence(time, false);
+  tell_cables(time, true);
+  tell_presence(time, true);
+  for (std::size_t i = 0; i < al_.size(); ++i) {
+    if (!al_[i].present()) continue;
+    const std::span<const std::uint8_t> bytes(al_[i].bytes);
     run_.set_al_status(i, load_le<std::uint16_t>(bytes), load_le<std::uint16_t>(bytes.subspan(4)), time);
   }
-  if (next_al_ == al_.size()) run_.update_master_state(time);
+  run_.update_master_state(time);
+}
+
+/// A cable is known by the slaves at its ends: the near one answers and its port is dead, the far one does
+/// not. Pulled, broken or no power behind it look the same from here.
+void SlaveWatch::tell_cables(Nanoseconds time, bool healed) {
+  for (std::size_t i = 0; i < al_.size(); ++i) {
+    const auto& previous = run_.config().slaves[i].previous;
+    if (!previous || previous->position >= al_.size() || !al_[previous->position].present()) continue;
+    const DlStatus near{load_le<std::uint16_t>(al_[previous->position].dl_bytes)};
+    const bool dead = !near.active(previous->port);
+    const bool broken = dead && !al_[i].present();
+    const bool news = healed ? al_[i].cable_broken && !dead : broken && !al_[i].cable_broken && run_.snapshot.slaves[i].present;
+    if (!news) continue;
+    al_[i].cable_broken = !healed;
+    run_.event(EventKind::kCable, time, previous->position, previous->port, static_cast<std::int64_t>(i), healed ? 1 : 0);
+  }
+}
+
+void SlaveWatch::tell_presence(Nanoseconds time, bool present) {
+  for (std::size_t i = 0; i < al_.size(); ++i) {
+    if (al_[i].present() == present) run_.set_present(i, present, time);
+  }
 }
 
 }  // namespace syncline

@@ -12,8 +12,13 @@
 namespace syncline {
 
 /// Looks after single slaves by acyclic datagrams while the bus runs: 0x092C of one DC slave a cycle in
-/// turn, AL status and code of every slave when the cyclic broadcast says that something changed, and
-/// 0x092C of all where the cyclic frame does not read it. Allocates nothing in the cycle.
+/// turn; AL status, AL status code and DL status of every slave when the cyclic broadcast says that
+/// something changed (a sweep); and 0x092C of all where the cyclic frame does not read it. Allocates
+/// nothing in the cycle.
+///
+/// What a sweep finds is told in a definite order: cables over which nothing comes back any more, slaves
+/// that are lost, cables that are healed, slaves that answer again, states and AL status errors, each in
+/// frame order, the master's state last.
 class SlaveWatch {
  public:
   explicit SlaveWatch(RunState& run);
@@ -24,21 +29,32 @@ class SlaveWatch {
   void set_dc_slaves(std::vector<std::uint16_t> positions) { dc_slaves_ = std::move(positions); }
   /// The cyclic broadcast of AL status: ored value and working counter.
   void observe_broadcast(std::uint16_t al_status, std::uint16_t wkc);
+  /// No cyclic frame of this cycle came back. After a while no slave is there any more.
+  void observe_silence(bool silent, Nanoseconds time);
   void refresh_al_status() { next_al_ = 0; }
   [[nodiscard]] bool refreshing() const { return next_al_ < al_.size(); }
+  /// Slaves that answered the latest cyclic broadcast, with or without a station address.
+  [[nodiscard]] std::optional<std::uint16_t> answering() const { return last_wkc_; }
 
   void add_to(PendingFrame& frame, bool read_deviation_of_all);
   /// After the frame: takes the answers over. The ored 0x092C, if it was asked for.
   std::optional<std::uint32_t> take(Nanoseconds time, CycleSample& sample);
+  /// Number of sweeps that came to their end.
+  [[nodiscard]] std::uint64_t sweeps() const { return sweeps_; }
 
  private:
   struct AlReading {
     std::array<std::uint8_t, 6> bytes{};
-    Datagram datagram;
-    int unanswered = 0;
+    std::array<std::uint8_t, 2> dl_bytes{};
+    Datagram datagram, dl_datagram;
+    bool cable_broken = false;  // nothing comes back over the cable from the parent: told
+    [[nodiscard]] bool present() const { return datagram.wkc > 0; }
   };
   void add_al_status(PendingFrame& frame);
   void take_al_status(Nanoseconds time);
+  void finish_sweep(Nanoseconds time);
+  void tell_cables(Nanoseconds time, bool healed);
+  void tell_presence(Nanoseconds time, bool present);
   void take_deviation(Nanoseconds time, CycleSample& sample);
 
   RunState& run_;
@@ -52,6 +68,8 @@ class SlaveWatch {
   std::vector<AlReading> al_;
   std::size_t next_al_;                       // first slave that is still to be read
   std::size_t asked_begin_ = 0, asked_end_ = 0;
+  std::uint64_t sweeps_ = 0;
+  std::optional<Nanoseconds> silent_since_;
   std::optional<std::uint16_t> last_status_, last_wkc_;
 };
 

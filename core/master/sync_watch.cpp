@@ -10,6 +10,9 @@
 namespace syncline {
 namespace {
 
+/// Lost frames in a row that say nothing about the clocks yet.
+constexpr std::uint32_t kSilentCycles = 50;
+
 double milliseconds(Nanoseconds time) { return static_cast<double>(time) / static_cast<double>(kMillisecond); }
 
 Nanoseconds set_value_of(const NetworkConfig& config) {
@@ -80,6 +83,7 @@ Nanoseconds SyncWatch::observe_cycle(const dc::DcmObservation& observation, Cycl
     sample.reference_time = *observation.reference_time;
     sample.flags |= CycleSample::kReferenceValid;
   }
+  watch_silence(observation.reference_time.has_value(), observation.send_time);
   const auto action = controller_->observe(observation);
   update_dcm(observation.send_time);
   const auto& dcm = run_.snapshot.dcm;
@@ -100,12 +104,12 @@ void SyncWatch::update_dcm(Nanoseconds time) {
   dcm.drift_ppm = state.drift_ppm;
   if (dcm.mode == DcmMode::kOff) return;
   const bool was_in_sync = dcm.state == SyncState::kInSync;
-  if (state.in_sync) {
+  if (state.in_sync && led_ && time >= distrusted_until_) {
     dcm.state = SyncState::kInSync;
   } else {
     dcm.state = state.in_sync_after ? SyncState::kOutOfSync : SyncState::kBusy;
   }
-  if (state.in_sync_after) {
+  if (state.in_sync_after && led_) {
     dcm.in_sync_after_ms = milliseconds(*state.in_sync_after);
     const auto error = static_cast<double>(state.error);
     ++count_;
@@ -137,6 +141,7 @@ void SyncWatch::observe_deviation(Nanoseconds time, std::uint32_t ored_ns, Cycle
   sample.flags |= CycleSample::kDeviationValid;
   const auto edge = monitor_.observe(time, ored_ns);
   dc.state = state_of(monitor_.state());
+  if (!led_ && dc.monitored) dc.state = SyncState::kOutOfSync;
   if (const auto settled = monitor_.settled_after()) dc.settled_after_ms = milliseconds(*settled);
   tell_slave_edge(edge, time, ored_ns);
 }
@@ -146,6 +151,34 @@ void SyncWatch::tell_slave_edge(dc::SyncWindowMonitor::Edge edge, Nanoseconds ti
     run_.event(EventKind::kDcSlaveSync, time, -1, 1, ored_ns);
   } else if (edge == dc::SyncWindowMonitor::Edge::kOutOfSync) {
     run_.event(EventKind::kDcSlaveSync, time, culprit(), 0, ored_ns);
+  }
+}
+
+void SyncWatch::leader_lost(Nanoseconds time) {
+  if (!controller_ || !led_) return;
+  led_ = false;
+  auto& snapshot = run_.snapshot;
+  const bool was_in_sync = snapshot.dcm.state == SyncState::kInSync;
+  if (snapshot.dcm.mode != DcmMode::kOff) snapshot.dcm.state = SyncState::kOutOfSync;
+  if (was_in_sync) tell_dcm_edges(true, time);
+  if (snapshot.dc.monitored) snapshot.dc.state = SyncState::kOutOfSync;
+}
+
+void SyncWatch::leader_found(std::uint16_t position, Nanoseconds time) {
+  if (!controller_) return;
+  led_ = true;
+  silent_cycles_ = 0;
+  distrusted_until_ = time + run_.config().dc.dcm.in_sync_settle_time_ms * kMillisecond;
+  run_.snapshot.dc.reference_clock = position;
+}
+
+/// A reference clock whose time does not come any more is as good as lost, whatever the reason.
+void SyncWatch::watch_silence(bool answered, Nanoseconds time) {
+  if (answered) {
+    if (silent_cycles_ >= kSilentCycles && led_) distrusted_until_ = time + run_.config().dc.dcm.in_sync_settle_time_ms * kMillisecond;
+    silent_cycles_ = 0;
+  } else if (silent_cycles_ < kSilentCycles && ++silent_cycles_ == kSilentCycles) {
+    distrusted_until_ = INT64_MAX;
   }
 }
 

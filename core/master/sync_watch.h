@@ -40,8 +40,14 @@ class SyncWatch {
   [[nodiscard]] Nanoseconds extend(std::uint32_t low, Nanoseconds send_time) const;
   void clear_statistics();
 
+  /// The reference clock is lost, or another one (or the same again) leads. While nobody leads, and until a new
+  /// leader has led for the settle time, nothing counts as in sync.
+  void leader_lost(Nanoseconds time);
+  void leader_found(std::uint16_t position, Nanoseconds time);
+
  private:
   void update_dcm(Nanoseconds time);
+  void watch_silence(bool answered, Nanoseconds time);
   void tell_dcm_edges(bool was_in_sync, Nanoseconds time);
   void tell_slave_edge(dc::SyncWindowMonitor::Edge edge, Nanoseconds time, std::uint32_t ored_ns);
   [[nodiscard]] int culprit() const;
@@ -51,6 +57,9 @@ class SyncWatch {
   dc::SyncWindowMonitor monitor_;
   Nanoseconds base_ = 0, start_ = 0;
   Nanoseconds last_host_ = 0, last_reference_ = 0;
+  bool led_ = true;                  // somebody leads
+  Nanoseconds distrusted_until_ = 0;
+  std::uint32_t silent_cycles_ = 0;  // without the reference clock's time
   std::uint64_t count_ = 0;
   double sum_ = 0, sum_of_squares_ = 0;
 };

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "config/device_description.h"
+
+namespace syncline {
+
+/// A device on the bus, in frame order.
+struct FoundDevice {
+  Identity identity;
+  std::uint16_t station_address = 0;  // 0: it has none (power-on)
+  std::uint16_t alias = 0;
+  bool operator==(const FoundDevice&) const = default;
+};
+
+/// A device as it is configured.
+struct WantedDevice {
+  Identity identity;                  // serial number 0: any
+  std::uint16_t station_address = 0;
+  std::uint16_t alias = 0;            // 0: none
+  bool check_revision = false;
+};
+
+/// How the found devices and the wanted ones belong together. Indices are positions on the bus and in the
+/// configuration.
+struct BusMatch {
+  std::vector<std::optional<std::uint16_t>> position;  // of every wanted device
+  std::vector<std::uint16_t> missing;                  // wanted, not found
+  std::vector<std::uint16_t> extra;                    // found, not wanted
+  std::vector<std::pair<std::uint16_t, std::uint16_t>> swapped;  // wanted pairs that stand in each other's place
+  std::vector<std::uint16_t> wrong;                    // wanted: another device stands in its place
+  [[nodiscard]] bool exact() const { return missing.empty() && extra.empty() && swapped.empty() && wrong.empty(); }
+};
+
+[[nodiscard]] bool is_same_device(const WantedDevice& wanted, const FoundDevice& found);
+
+/// The longest sequence of devices that stand in the configured order, devices with an alias wherever they
+/// are; the rest is explained as swapped, wrong, missing or extra. Pure.
+[[nodiscard]] BusMatch match_bus(std::span<const WantedDevice> wanted, std::span<const FoundDevice> found);
+
+}  // namespace syncline

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "master/bus.h"
+#include "master/run_state.h"
+#include "master/sync_watch.h"
+
+namespace syncline {
+
+/// Sets the clocks of slaves that join a bus whose clocks run already, without a word to the others: each
+/// is read together with the leading clock in one frame, and the offset is what they differ by (a clock
+/// that is read shows what the leader showed when that frame passed it, as far as its propagation delay is
+/// right). The delay is that of the initialisation: the slave hangs where it hung.
+class DcJoin {
+ public:
+  DcJoin(Bus& bus, RunState& run, const SyncWatch& sync) : bus_(bus), run_(run), sync_(sync) {}
+
+  /// `leader`: position of the slave that leads; empty: the master's own idea of the time. Then waits until the
+  /// clocks run with the leader's, some seconds at most. Slaves without a system time are left out. Bus errors.
+  Status run(std::span<const std::size_t> slaves, std::optional<std::uint16_t> leader);
+
+ private:
+  Status set_clock(std::size_t slave, bool wide, std::optional<std::uint16_t> leader);
+  Status await(std::span<const std::size_t> slaves);
+
+  Bus& bus_;
+  RunState& run_;
+  const SyncWatch& sync_;
+};
+
+}  // namespace syncline

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "master/recovery.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "master/sii_access.h"
+#include "protocol/registers.h"
+
+namespace syncline {
+namespace {
+
+constexpr Nanoseconds kLookPeriod = 10 * kMillisecond;
+constexpr Nanoseconds kFirstWait = 50 * kMillisecond;  // a device that is switched on is not there at once
+constexpr Nanoseconds kRetryPeriod = 500 * kMillisecond;
+constexpr Nanoseconds kWellPeriod = 10 * kSecond;      // in the state of the bus so long: the next trouble is a new one
+constexpr std::uint32_t kReturnTries = 10;
+
+constexpr std::uint16_t kIdentityWord = 0x08, kRevisionWord = 0x0C;
+
+bool is_behind(std::uint16_t al_status, AlState target) {
+  return (al_status & kAlErrorFlag) != 0 || static_cast<int>(al_state_of(al_status)) < static_cast<int>(target);
+}
+
+}  // namespace
+
+WantedDevice wanted_device(const SlaveConfig& slave) {
+  WantedDevice wanted{slave.identity, slave.station_address, slave.alias, false};
+  // The configuration says by its init commands whether the revision matters: a check reads the word after its address
+  // was written.
+  for (const auto& command : slave.init_cmds) {
+    if (command.ado == reg::kSiiControl && command.data.size() >= 4 &&
+        load_le<std::uint16_t>(std::span(command.data).subspan(2)) == kRevisionWord) {
+      wanted.check_revision = true;
+    }
+  }
+  return wanted;
+}
+
+Recovery::Recovery(Bus& bus, RunState& run, CyclicTaskRunner& task, Esm& esm)
+    : bus_(bus), run_(run), task_(task), esm_(esm), tracks_(run.config().slaves.size()) {}
+
+void Recovery::forget() {
+  for (auto& track : tracks_) track = {};
+  told_unknown_.clear();
+}
+
+std::size_t Recovery::present_count() const {
+  return static_cast<std::size_t>(std::ranges::count_if(run_.snapshot.slaves, &SlaveStatus::present));
+}
+
+// ---- when -----------------------------------------------------------------------------------------
+
+Status Recovery::after_cycle() {
+  const auto now = run_.snapshot.time;
+  if (now < next_look_) return {};
+  next_look_ = now + kLookPeriod;
+  look();
+  const bool unknown = run_.config().recovery.automatic && task_.slaves().answering().value_or(0) > present_count() &&
+                       std::ranges::any_of(tracks_, [&](const Track& t) { return t.returning && !t.given_up && now >= t.next_try; });
+  bool any = unknown;
+  for (std::size_t i = 0; !any && i < tracks_.size(); ++i) any = due(i, now);
+  if (!any || task_.slaves().refreshing()) return {};
+  return work(false, run_.snapshot.requested);
+}
+
+/// Keeps the tracks up to date.
+void Recovery::look() {
+  const auto now = run_.snapshot.time;
+  for (std::size_t i = 0; i < tracks_.size(); ++i) {
+    const auto& slave = run_.snapshot.slaves[i];
+    auto& track = tracks_[i];
+    if (!slave.present) {
+      if (!track.returning || track.given_up) track = {};
+      if (!track.returning) track.next_try = now + kFirstWait;
+      track.returning = true;
+      continue;
+    }
+    if (is_behind(slave.al_status, run_.snapshot.requested)) {
+      track.well_since.reset();
+      continue;
+    }
+    if (!track.well_since) track.well_since = now;
+    track.returning = false;
+    if (now - *track.well_since >= kWellPeriod) track = {.well_since = track.well_since};
+  }
+}
+
+bool Recovery::wants_help(std::size_t slave) const {
+  const auto& status = run_.snapshot.slaves[slave];
+  return status.present && is_behind(status.al_status, run_.snapshot.requested);
+}
+
+bool Recovery::due(std::size_t slave, Nanoseconds now) const {
+  const auto& track = tracks_[slave];
+  if (track.given_up || now < track.next_try || !wants_help(slave)) return false;
+  if (track.returning) return run_.config().recovery.automatic;
+  const bool error = (run_.snapshot.slaves[slave].al_status & kAlErrorFlag) != 0;
+  return error && track.tries < run_.config().recovery.error_tries;
+}
+
+// ---- what -----------------------------------------------------------------------------------------
+
+Status Recovery::bring_all_back() {
+  for (auto& track : tracks_) {
+    track.given_up = false;
+    track.tries = 0;
+    track.next_try = 0;
+  }
+  return work(true, AlState::kPreop);
+}
+
+Status Recovery::work(bool on_command, AlState target) {
+  const auto now = bus_.clock().now();
+  SlaveList slaves;
+  for (std::size_t i = 0; i < tracks_.size(); ++i) {
+    if (on_command ? tracks_[i].returning && wants_help(i) : due(i, now)) slaves.push_back(i);
+  }
+  if (auto status = locate(slaves); !status) return status;
+  if (slaves.empty()) return {};
+  std::ranges::sort(slaves);
+  for (const auto slave : slaves) {
+    auto& track = tracks_[slave];
+    ++track.tries;
+    tell(slave, 0);
+  }
+  if (auto status = esm_.join(slaves, target); !status) return status;
+  const auto limit = std::max(kReturnTries, run_.config().recovery.error_tries);
+  for (const auto slave : slaves) {
+    auto& track = tracks_[slave];
+    const auto& status = run_.snapshot.slaves[slave];
+    const bool well = status.present && !is_behind(status.al_status, target);
+    tell(slave, well ? 1 : 2);
+    track.next_try = bus_.clock().now() + kRetryPeriod;
+    if (well) {
+      track.returning = false;
+      continue;
+    }
+    const auto tries = track.returning ? limit : run_.config().recovery.error_tries;
+    track.given_up = on_command || track.tries >= tries;
+    if (track.given_up && !on_command) tell(slave, 3);
+  }
+  return {};
+}
+
+void Recovery::tell(std::size_t slave, int stage) {
+  run_.event(EventKind::kRecovery, bus_.clock().now(), static_cast<int>(slave), stage, tracks_[slave].tries);
+}
+
+// ---- where ----------------------------------------------------------------------------------------
+
+/// Devices answer that nobody knows by their station address: a power-on took it from them. They are found by their
+/// place between the known ones, by identity and alias.
+Status Recovery::locate(SlaveList& found) {
+  if (task_.slaves().answering().value_or(0) <= present_count()) return {};
+  std::vector<FoundDevice> devices;
+  if (auto status = read_devices(devices); !status) return status;
+  const auto& slaves = run_.config().slaves;
+  std::vector<std::uint16_t> wanted, positions;
+  std::size_t next = 0;  // first slave of the configuration behind the last known one
+  const auto close_gap = [&](std::size_t end) {
+    for (; next < end; ++next) {
+      if (!run_.snapshot.slaves[next].present) wanted.push_back(static_cast<std::uint16_t>(next));
+    }
+    match_gap(wanted, positions, devices, found);
+    wanted.clear();
+    positions.clear();
+  };
+  for (std::size_t position = 0; position < devices.size(); ++position) {
+    const auto known = std::ranges::find_if(slaves, [&](const SlaveConfig& slave) {
+      const auto index = static_cast<std::size_t>(&slave - slaves.data());
+      return run_.snapshot.slaves[index].present && slave.station_address == devices[position].station_address;
+    });
+    if (known == slaves.end()) {
+      positions.push_back(static_cast<std::uint16_t>(position));
+      continue;
+    }
+    const auto index = static_cast<std::size_t>(known - slaves.begin());
+    esm_.commands().set_position(index, static_cast<std::uint16_t>(position));
+    close_gap(index);
+    next = std::max(next, index + 1);
+  }
+  close_gap(slaves.size());
+  return {};
+}
+
+void Recovery::match_gap(std::span<const std::uint16_t> wanted, std::span<const std::uint16_t> positions,
+                         std::span<const FoundDevice> devices, SlaveList& found) {
+  std::vector<WantedDevice> want;
+  std::vector<FoundDevice> there;
+  for (const auto slave : wanted) want.push_back(wanted_device(run_.config().slaves[slave]));
+  for (const auto position : positions) there.push_back(devices[position]);
+  const auto match = match_bus(want, there);
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    if (!match.position[i]) continue;
+    esm_.commands().set_position(wanted[i], positions[*match.position[i]]);
+    if (!tracks_[wanted[i]].given_up) found.push_back(wanted[i]);
+  }
+  for (std::size_t i = 0; i < there.size(); ++i) {
+    const bool taken = std::ranges::any_of(match.position, [&](const auto& p) { return p == i; });
+    const auto& identity = there[i].identity;
+    const auto key = (std::uint64_t{identity.vendor_id} << 32) | identity.product_code;
+    if (taken || !told_unknown_.emplace(positions[i], key).second) continue;
+    Event event;
+    event.kind = EventKind::kUnknownSlave;
+    event.time = bus_.clock().now();
+    event.slave = positions[i];
+    event.text = to_string(identity);
+    run_.channels().events.push(std::move(event));
+  }
+}
+
+Status Recovery::read_devices(std::vector<FoundDevice>& devices) {
+  const auto count = task_.slaves().answering().value_or(0);
+  devices.resize(count);
+  std::vector<std::array<std::uint8_t, 4>> bytes(count);  // station address and alias
+  std::vector<Datagram> reads;
+  for (std::uint16_t position = 0; position < count; ++position) {
+    reads.push_back(SlaveAddress::at_position(position).read(reg::kStationAddress, bytes[position]));
+  }
+  if (auto status = bus_.transact(reads); !status) return status;
+  std::vector<std::uint16_t> unknown;
+  for (std::uint16_t position = 0; position < count; ++position) {
+    devices[position].station_address = load_le<std::uint16_t>(bytes[position]);
+    devices[position].alias = load_le<std::uint16_t>(std::span(bytes[position]).subspan(2));
+    const auto known = std::ranges::any_of(run_.config().slaves, [&](const SlaveConfig& slave) {
+      return slave.station_address == devices[position].station_address &&
+             run_.snapshot.slaves[static_cast<std::size_t>(&slave - run_.config().slaves.data())].present;
+    });
+    if (!known) unknown.push_back(position);
+  }
+  return read_identities(unknown, devices);
+}
+
+Status Recovery::read_identities(const std::vector<std::uint16_t>& positions, std::vector<FoundDevice>& devices) {
+  if (positions.empty()) return {};
+  std::vector<SlaveAddress> addresses;
+  for (const auto position : positions) addresses.push_back(SlaveAddress::at_position(position));
+  SiiAccess sii(bus_, std::move(addresses), {.take_ownership = true, .broadcast = false});
+  std::vector<SiiRequest> ids(positions.size()), revisions(positions.size());
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    ids[i].slave = revisions[i].slave = i;
+    ids[i].word = kIdentityWord;
+    revisions[i].word = kRevisionWord;
+  }
+  auto status = sii.open().and_then([&] { return sii.read(ids); }).and_then([&] { return sii.read(revisions); });
+  if (auto closed = sii.close(); status) status = std::move(closed);
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    if (ids[i].error || revisions[i].error) continue;
+    const std::span<const std::uint8_t> id(ids[i].data), revision(revisions[i].data);
+    devices[positions[i]].identity = {load_le<std::uint32_t>(id), load_le<std::uint32_t>(id.subspan(4)),
+                                      load_le<std::uint32_t>(revision), load_le<std::uint32_t>(revision.subspan(4))};
+  }
+  return status;
+}
+
+}  // namespace syncline

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "master/bus.h"
+#include "master/bus_match.h"
+#include "master/cyclic_task.h"
+#include "master/esm.h"
+#include "master/run_state.h"
+
+namespace syncline {
+
+/// Brings slaves back while the others go on: those that come back after a cable was healed or their power
+/// returned, and those that fell into an error state, as far as RecoverySettings say so or the user asks.
+class Recovery {
+ public:
+  Recovery(Bus& bus, RunState& run, CyclicTaskRunner& task, Esm& esm);
+
+  /// After a bus cycle; does nothing (and allocates nothing) as long as there is nothing to do. Cycles go on
+  /// while it works. Bus errors; kCancelled when a command of the user came in between.
+  Status after_cycle();
+  /// Takes all slaves that were lost and are there again to PREOP, whatever the settings say: the user's
+  /// request, from where the state machine goes on with all slaves.
+  Status bring_all_back();
+  /// Slaves that were missing at the start count as lost ones.
+  void forget();
+
+ private:
+  struct Track {
+    bool returning = false;      // was lost since it was last in the state of the bus
+    bool given_up = false;
+    std::uint32_t tries = 0;
+    Nanoseconds next_try = 0;
+    std::optional<Nanoseconds> well_since;
+  };
+
+  void look();
+  [[nodiscard]] bool due(std::size_t slave, Nanoseconds now) const;
+  [[nodiscard]] bool wants_help(std::size_t slave) const;
+  Status work(bool on_command, AlState target);
+  Status locate(SlaveList& found);
+  Status read_devices(std::vector<FoundDevice>& devices);
+  Status read_identities(const std::vector<std::uint16_t>& positions, std::vector<FoundDevice>& devices);
+  void match_gap(std::span<const std::uint16_t> wanted, std::span<const std::uint16_t> positions,
+                 std::span<const FoundDevice> devices, SlaveList& found);
+  void tell(std::size_t slave, int stage);
+  [[nodiscard]] std::size_t present_count() const;
+
+  Bus& bus_;
+  RunState& run_;
+  CyclicTaskRunner& task_;
+  Esm& esm_;
+  std::vector<Track> tracks_;
+  std::uint64_t sweeps_seen_ = 0;
+  Nanoseconds next_look_ = 0;
+  std::set<std::pair<std::uint16_t, std::uint64_t>> told_unknown_;  // position, vendor and product
+};
+
+/// The slave as match_bus() wants it.
+[[nodiscard]] WantedDevice wanted_device(const SlaveConfig& slave);
+
+}  // namespace syncline

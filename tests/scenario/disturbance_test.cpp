@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "app/cli/event_text.h"
+#include "master/master_service.h"
+#include "tests/support/simulated_network.h"
+
+namespace syncline {
+namespace {
+
+/// A line of drives and terminals on the simulated bus, disturbed while it runs.
+class Disturbance : public ::testing::Test {
+ protected:
+  VirtualClock clock;
+  test::SimulatedNetwork network;
+  std::unique_ptr<MasterService> service;
+  std::vector<Event> events;
+  std::vector<CycleSample> samples;
+  Snapshot snapshot;
+  Nanoseconds start = 0;
+
+  void SetUp() override {
+    network.add(test::servo(), "servo-y");
+    network.add(test::io8());
+    network.add(test::servo(), "servo-y");
+    network.add(test::io8());
+  }
+  void fault(FaultKind kind, int slave, Nanoseconds at, Nanoseconds until = 0, std::uint32_t count = 1) {
+    FaultConfig fault;
+    fault.kind = kind;
+    fault.slave = slave;
+    fault.at = at;
+    fault.until = until;
+    fault.count = count;
+    network.sim.faults.push_back(fault);
+  }
+  void go_online() {
+    start = clock.now();
+    auto link = network.link(clock);
+    ASSERT_TRUE(link);
+    service = std::make_unique<MasterService>(std::move(link), clock);
+    service->channels().commands.push(GoOnlineCommand{network.compiled(), AlState::kOp});
+    (void)service->step();
+    drain();
+  }
+  void drain() {
+    for (auto& event : service->channels().events.drain()) events.push_back(std::move(event));
+    service->channels().samples.pop(samples);
+    service->channels().snapshot.read(snapshot);
+  }
+  void run_until(Nanoseconds time) {
+    while (clock.now() < start + time) {
+      service->run_for(std::min<Nanoseconds>(100 * kMillisecond, start + time - clock.now()));
+      drain();
+    }
+  }
+  [[nodiscard]] std::string log() const {
+    std::string text;
+    for (const auto& event : events) {
+      if (const auto line = cli::event_text(event, start); !line.empty()) text += line + "\n";
+    }
+    return text;
+  }
+  [[nodiscard]] std::size_t count(EventKind kind, int slave = -2) const {
+    return static_cast<std::size_t>(std::ranges::count_if(
+        events, [&](const Event& e) { return e.kind == kind && (slave == -2 || e.slave == slave); }));
+  }
+  /// Index of the first such event; behind the last one when there is none.
+  [[nodiscard]] std::size_t first(EventKind kind, int slave, std::optional<std::int64_t> a = {}) const {
+    const auto found = std::ranges::find_if(
+        events, [&](const Event& e) { return e.kind == kind && e.slave == slave && (!a || e.a == *a); });
+    return static_cast<std::size_t>(found - events.begin());
+  }
+  /// No cycle was left out and no frame sent twice.
+  void expect_steady_cycle() const {
+    for (std::size_t i = 1; i < samples.size(); ++i) {
+      ASSERT_EQ(samples[i].cycle, samples[i - 1].cycle + 1);
+      ASSERT_LT(samples[i].send_time - samples[i - 1].send_time, 1'200'000) << "cycle " << i;
+      ASSERT_GT(samples[i].send_time - samples[i - 1].send_time, 800'000) << "cycle " << i;
+    }
+  }
+};
+
+TEST_F(Disturbance, APowerCycledSlaveIsSetUpAnewWhileTheOthersStayInOp) {
+  fault(FaultKind::kSlaveOff, 3, 6 * kSecond, 7 * kSecond);
+  go_online();
+  ASSERT_EQ(snapshot.state, AlState::kOp) << log();
+  events.clear();
+  run_until(20 * kSecond);
+  EXPECT_EQ(snapshot.state, AlState::kOp) << log();
+  EXPECT_EQ(snapshot.slaves[3].al_status, 8) << log();
+  // What happened, in its order.
+  const auto cable = first(EventKind::kCable, 2), lost = first(EventKind::kSlaveLost, 3),
+             less = first(EventKind::kWkcExpected, -1), begun = first(EventKind::kRecovery, 3, 0),
+             found = first(EventKind::kSlaveFound, 3), done = first(EventKind::kRecovery, 3, 1);
+  ASSERT_LT(done, events.size()) << log();
+  EXPECT_EQ(events[cable].b, 3);
+  EXPECT_LT(cable, lost) << log();
+  EXPECT_LT(lost, less) << log();
+  EXPECT_LT(less, begun) << log();
+  EXPECT_LT(begun, found) << log();
+  EXPECT_LT(found, done) << log();
+  for (int slave = 0; slave < 3; ++slave) EXPECT_EQ(count(EventKind::kStateChanged, slave), 0U) << log();
+  expect_steady_cycle();
+  EXPECT_EQ(samples.back().wkc_received, 12);
+  EXPECT_LT(std::abs(snapshot.slaves[3].deviation_ns), 1000);
+}
+
+TEST_F(Disturbance, APulledCableIsNamedAndHealsByItself) {
+  fault(FaultKind::kCableBreak, 2, 6 * kSecond, 8 * kSecond);
+  go_online();
+  ASSERT_EQ(snapshot.state, AlState::kOp) << log();
+  events.clear();
+  run_until(7 * kSecond);
+  const auto cable = first(EventKind::kCable, 1);
+  ASSERT_LT(cable, events.size()) << log();
+  EXPECT_EQ(events[cable].a, 1);
+  EXPECT_EQ(events[cable].b, 2);
+  EXPECT_EQ(count(EventKind::kCable), 1U) << log();
+  EXPECT_LT(cable, first(EventKind::kSlaveLost, 2));
+  EXPECT_LT(first(EventKind::kSlaveLost, 2), first(EventKind::kSlaveLost, 3));
+  EXPECT_EQ(snapshot.state, AlState::kOp) << log();  // of those that are there
+  EXPECT_EQ(samples.back().wkc_received, samples.back().wkc_expected);
+  run_until(20 * kSecond);
+  EXPECT_EQ(snapshot.state, AlState::kOp) << log();
+  for (const auto& slave : snapshot.slaves) EXPECT_EQ(slave.al_status, 8) << log();
+  EXPECT_EQ(count(EventKind::kCable), 2U) << log();
+  EXPECT_LT(first(EventKind::kSlaveFound, 2), first(EventKind::kRecovery, 2, 1)) << log();
+  expect_steady_cycle();
+}
+
+TEST_F(Disturbance, WithoutAutomaticRecoverySlavesWaitForTheCommand) {
+  network.project.master.recovery.automatic = false;
+  fault(FaultKind::kSlaveOff, 3, 6 * kSecond, 7 * kSecond);
+  go_online();
+  events.clear();
+  run_until(10 * kSecond);
+  EXPECT_EQ(count(EventKind::kRecovery), 0U) << log();
+  EXPECT_FALSE(snapshot.slaves[3].present);
+  service->channels().commands.push(RequestStateCommand{AlState::kOp});
+  run_until(20 * kSecond);
+  EXPECT_EQ(snapshot.slaves[3].al_status, 8) << log();
+  EXPECT_EQ(count(EventKind::kRecovery, 3), 2U) << log();
+}
+
+TEST_F(Disturbance, ABurstOfLostFramesLosesNoSlave) {
+  fault(FaultKind::kLoseFrames, -1, 6 * kSecond, 0, 4);
+  go_online();
+  events.clear();
+  run_until(8 * kSecond);
+  EXPECT_EQ(count(EventKind::kSlaveLost), 0U) << log();
+  EXPECT_GE(count(EventKind::kFramesLost), 1U);
+  EXPECT_EQ(snapshot.state, AlState::kOp) << log();
+  expect_steady_cycle();
+}
+
+TEST_F(Disturbance, AnErrorStateIsLeftAsOftenAsTheSettingSays) {
+  fault(FaultKind::kLoseFrames, -1, 6 * kSecond, 0, 40);  // the drives give up: 0x001A
+  go_online();
+  events.clear();
+  run_until(8 * kSecond);
+  EXPECT_EQ(snapshot.slaves[0].al_status, 0x14) << log();
+  EXPECT_EQ(count(EventKind::kRecovery), 0U);
+  service->channels().commands.push(RequestStateCommand{AlState::kOp});  // on command
+  run_until(10 * kSecond);
+  EXPECT_EQ(snapshot.state, AlState::kOp) << log();
+
+  events.clear();
+  network.project.master.recovery.error_tries = 2;
+  go_online();
+  run_until(12 * kSecond);
+  EXPECT_EQ(snapshot.state, AlState::kOp) << log();
+  EXPECT_EQ(count(EventKind::kRecovery, 0), 2U) << log();
+  EXPECT_EQ(count(EventKind::kStateChanged, 1), 3U) << log();  // the terminal was never touched after its bring-up
+}
+
+TEST_F(Disturbance, ALostReferenceClockIsNeverInSync) {
+  fault(FaultKind::kSlaveOff, 0, 6 * kSecond, 8 * kSecond);
+  go_online();
+  ASSERT_EQ(snapshot.dcm.state, SyncState::kInSync);
+  events.clear();
+  run_until(7 * kSecond);
+  EXPECT_EQ(count(EventKind::kReferenceClock), 1U) << log();
+  EXPECT_EQ(snapshot.dcm.state, SyncState::kOutOfSync) << log();
+  EXPECT_EQ(samples.back().flags & CycleSample::kDcmInSync, 0);
+  run_until(40 * kSecond);
+  EXPECT_EQ(snapshot.dcm.state, SyncState::kInSync) << log();
+  EXPECT_EQ(snapshot.state, AlState::kOp) << log();
+  for (const auto& slave : snapshot.slaves) EXPECT_EQ(slave.al_status, 8) << log();
+}
+
+TEST_F(Disturbance, AnotherClockTakesOverWhenTheReferenceHangsInABranch) {
+  // A coupler with the reference clock in one branch and a drive in the other.
+  network = {};
+  network.add(test::io8());
+  network.add(test::servo(), "servo-y");
+  network.add(test::servo(), "servo-y");
+  network.sim.slaves[1].parent_port = 3;
+  network.project.slaves[1].previous = PreviousPort{0, 3};
+  network.sim.slaves[2].parent = 0;
+  network.project.slaves[2].previous = PreviousPort{0, 1};
+  network.project.slaves[0].dc.op_mode = "";
+  network.project.master.dc.reference_clock = 1;
+  fault(FaultKind::kSlaveOff, 1, 6 * kSecond, 9 * kSecond);
+  go_online();
+  ASSERT_EQ(snapshot.state, AlState::kOp) << log();
+  events.clear();
+  run_until(7 * kSecond);
+  EXPECT_LT(first(EventKind::kReferenceClock, 1, 0), first(EventKind::kReferenceClock, 2, 2)) << log();
+  EXPECT_EQ(snapshot.dc.reference_clock, 2);
+  EXPECT_TRUE(snapshot.slaves[2].is_reference_clock);
+  EXPECT_EQ(snapshot.dcm.state, SyncState::kOutOfSync);
+  run_until(30 * kSecond);
+  EXPECT_EQ(snapshot.dc.reference_clock, 1) << log();
+  EXPECT_EQ(snapshot.state, AlState::kOp) << log();
+  EXPECT_EQ(count(EventKind::kStateChanged, 2), 0U) << log();
+  EXPECT_EQ(snapshot.dcm.state, SyncState::kInSync) << log();
+}
+
+}  // namespace
+}  // namespace syncline
