@@ -210,7 +210,8 @@ class Scanner {
 
   /// Places are addresses here: a slave that comes or goes meanwhile would shift the others.
   Status check_still(std::uint16_t before) {
-    const auto now = count_slaves(bus_);
+    std::array<std::uint8_t, 1> type{};
+    const auto now = bus_.exchange(Command::kBrd, 0, reg::kType, type);
     if (!now) return tl::unexpected(now.error());
     if (*now == before) return {};
     return fail({.code = ErrorCode::kSlaveCount, .expected = before, .received = *now});

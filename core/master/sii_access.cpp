@@ -22,7 +22,7 @@ constexpr std::size_t kWindowBytes = 14;  // with the eight data bytes at 0x0508
 
 /// An I2C EEPROM gives eight bytes in half a millisecond; a slave whose PDI emulates it may need far longer.
 constexpr Nanoseconds kFirstPause = 600 * kMicrosecond;
-constexpr Nanoseconds kLongestPause = 3 * kMillisecond;
+constexpr Nanoseconds kLongestPause = 5 * kMillisecond;
 constexpr Nanoseconds kShortestPause = 20 * kMicrosecond;
 constexpr Nanoseconds kBusyLimit = 1 * kSecond;
 constexpr int kTries = 4;
@@ -119,14 +119,24 @@ Status SiiAccess::read(std::span<SiiRequest> requests, std::optional<std::uint32
     job.start_time = bus_.clock().now();
     ports_[request.slave].started.reset();
   }
-  bool first = true;
+  const auto all = jobs.size();
+  bool first = true, early = false;
+  Nanoseconds started = 0;
   while (!jobs.empty()) {
     if (auto status = clear_errors(jobs); !status) return status;
     if (auto status = start(jobs); !status) return status;
+    if (first) started = bus_.clock().now();
     if (auto status = bus_.wait(first ? pause_ : std::max(pause_ / 4, kShortestPause)); !status) return status;
-    const auto asked = jobs.size();
+    const auto looked = bus_.clock().now();
     if (auto status = fetch(jobs, next); !status) return status;
-    learn(first, jobs.size(), asked);
+    const bool most_ready = jobs.size() * 8 <= all;
+    if (first) early = !most_ready;
+    if (most_ready && (first || early)) {
+      learn(early, looked - started);
+      early = false;
+    } else if (first) {
+      too_early_ = pause_;
+    }
     first = false;
   }
   return {};
@@ -234,12 +244,11 @@ bool SiiAccess::take(Job& job, bool looked_ahead) {
   return job.got == 8;
 }
 
-/// Keeps the pause a little longer than the slowest EEPROM needs: a look too early costs frames.
-void SiiAccess::learn(bool first, std::size_t busy, std::size_t asked) {
-  if (!first) return;
-  if (busy * 8 > asked) {
-    too_early_ = pause_;
-    pause_ = std::min(pause_ + pause_ / 2 + kShortestPause, kLongestPause);
+/// Keeps the pause a little longer than most EEPROMs need: a look too early costs frames. `early`: the
+/// first look found most of them busy, and after `ready` they were done.
+void SiiAccess::learn(bool early, Nanoseconds ready) {
+  if (early) {
+    pause_ = std::min(ready, kLongestPause);
   } else if (pause_ - pause_ / 8 > too_early_ && pause_ > kShortestPause) {
     pause_ -= pause_ / 8;
   }

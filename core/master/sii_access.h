@@ -68,7 +68,7 @@ class SiiAccess {
   Status fetch(std::vector<Job>& jobs, std::optional<std::uint32_t> next);
   bool take(Job& job, bool looked_ahead);
   bool may_look_ahead(const std::vector<Job>& jobs) const;
-  void learn(bool first, std::size_t busy, std::size_t asked);
+  void learn(bool early, Nanoseconds ready);
   Status clear_errors(std::vector<Job>& jobs);
   Status command(std::size_t slave, std::span<std::uint8_t> bytes, std::string_view what);
 

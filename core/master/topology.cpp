@@ -31,13 +31,30 @@ struct Branching {
   std::vector<std::uint8_t> ports;  // in frame order
 };
 
+/// For how long a frame was away from a slave, in ns of its own clock: behind one port, or behind all of
+/// them. Nothing without receive times.
+std::optional<std::uint32_t> time_behind(const PortReport& slave, std::uint8_t entry, std::optional<std::uint8_t> port) {
+  if (!slave.receive_times) return std::nullopt;
+  std::size_t at = 0;
+  while (kPortOrder[at] != entry) ++at;
+  auto before = entry, last = entry;
+  for (std::size_t step = 1; step < kPortOrder.size(); ++step) {
+    const auto next = static_cast<std::uint8_t>(kPortOrder[(at + step) % kPortOrder.size()]);
+    if (!slave.dl_status.active(next)) continue;
+    before = last;
+    last = next;
+    if (port == next) break;
+  }
+  return (*slave.receive_times)[last] - (*slave.receive_times)[port ? before : entry];
+}
+
 class Builder {
  public:
-  explicit Builder(std::span<const PortReport> slaves) : wiring_(slaves.size()) {
+  explicit Builder(std::span<const PortReport> slaves) : slaves_(slaves), wiring_(slaves.size()) {
     for (std::uint16_t i = 0; i < slaves.size(); ++i) {
       wiring_[i].entry_port = entry_port(slaves[i]);
       auto ways = ways_of(slaves[i].dl_status, wiring_[i].entry_port);
-      adopt(i, ways.before);
+      for (std::size_t n = ways.before.size(); n-- > 0;) adopt(i, ways.before[n]);
       seen_.push_back({i, std::move(ways.behind)});
     }
     const auto roots = join(seen_);
@@ -46,28 +63,29 @@ class Builder {
   std::vector<SlaveWiring> take() { return std::move(wiring_); }
 
  private:
-  /// The last complete subtrees hang at these ports of a slave that comes after them.
-  void adopt(std::uint16_t position, std::span<const std::uint8_t> ports) {
-    if (ports.empty()) return;
-    const auto begin = last_subtrees(ports.size());
-    if (!begin) {
-      for (const auto port : ports) mark(position, port);
-      return;
-    }
+  /// The last complete subtree hangs at this port of a slave that comes after it.
+  void adopt(std::uint16_t position, std::uint8_t port) {
+    const auto begin = last_subtree(time_behind(slaves_[position], wiring_[position].entry_port, port));
+    if (!begin) return mark(position, port);
     const auto roots = join(std::span(seen_).subspan(*begin));
-    for (std::size_t n = 0; n < roots.size(); ++n) wiring_[roots[n]].previous = PreviousPort{position, ports[n]};
+    wiring_[roots.front()].previous = PreviousPort{position, port};
     seen_.resize(*begin);
   }
 
-  /// Where the shortest end of the list begins that is made of `wanted` whole subtrees.
-  [[nodiscard]] std::optional<std::size_t> last_subtrees(std::size_t wanted) const {
+  /// Where the subtree at the end of the list begins. Ports alone leave open how far it reaches up; a frame
+  /// cannot have been longer in it than `away` from the slave that it hangs at.
+  [[nodiscard]] std::optional<std::size_t> last_subtree(std::optional<std::uint32_t> away) const {
+    std::optional<std::size_t> found;
     std::size_t whole = 0;
     for (std::size_t i = seen_.size(); i-- > 0;) {
-      if (seen_[i].ports.size() > whole) return std::nullopt;  // still waits for slaves
+      if (seen_[i].ports.size() > whole) break;  // still waits for slaves
       whole = whole - seen_[i].ports.size() + 1;
-      if (whole == wanted) return i;
+      if (whole != 1) continue;
+      const auto inside = time_behind(slaves_[seen_[i].position], wiring_[seen_[i].position].entry_port, std::nullopt);
+      if (found && (!away || !inside || *inside > *away)) break;
+      found = i;
     }
-    return std::nullopt;
+    return found;
   }
 
   /// Every slave hangs at the next free port of the nearest one before it that has any; those without
@@ -96,6 +114,7 @@ class Builder {
     wiring_[position].unexplained_ports = static_cast<std::uint8_t>(wiring_[position].unexplained_ports | (1U << port));
   }
 
+  std::span<const PortReport> slaves_;
   std::vector<SlaveWiring> wiring_;
   std::vector<Branching> seen_;
 };

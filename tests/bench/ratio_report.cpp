@@ -44,6 +44,13 @@ void RatioReport::add(const std::string& what, double ns, const std::string& bas
                    gate > 0 ? "<= " + ratio_text(gate) : "", gate <= 0 || ratio <= gate});
 }
 
+void RatioReport::add_count(const std::string& what, double count, const std::string& unit, double baseline_count,
+                            const std::string& baseline_unit, double gate) {
+  const double ratio = count / baseline_count;
+  rows_.push_back({what, fmt::format("{:.0f} {}", count, unit), fmt::format("{:.0f} {}", baseline_count, baseline_unit),
+                   ratio_text(ratio), gate > 0 ? "<= " + ratio_text(gate) : "", gate <= 0 || ratio <= gate});
+}
+
 void RatioReport::add_factor(const std::string& what, double factor, double gate) {
   rows_.push_back({what, "", "", fmt::format("{:.1f}x", factor), gate > 0 ? fmt::format(">= {:.1f}x", gate) : "",
                    gate <= 0 || factor >= gate});

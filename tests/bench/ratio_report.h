@@ -18,6 +18,9 @@ class RatioReport {
   void add(const std::string& what, double ns, const std::string& baseline, double baseline_ns, double gate);
   /// A figure that is a ratio by nature ("times real time"); must not be below `gate`.
   void add_factor(const std::string& what, double factor, double gate);
+  /// Things counted against things counted ("183 frames" of "100 slaves").
+  void add_count(const std::string& what, double count, const std::string& unit, double baseline_count,
+                 const std::string& baseline_unit, double gate);
   /// A figure that could not be taken is a promise not kept.
   void add_failure(const std::string& what, const std::string& why);
   /// Prints the table; 0 when every gate is kept.

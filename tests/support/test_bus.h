@@ -34,6 +34,7 @@ struct TestSlave {
   bool has_system_time = true;
   bool has_mailbox = false;
   bool shows_sii_address = true;
+  std::optional<std::uint16_t> device_id;                       // answers the request by AL control bit 5
   bool present = true;
   double ppm = 0;
   double phase = 0;                     // ns, added to the host clock to give the local time
@@ -229,8 +230,9 @@ class TestBus final : public Link {
       slave.set<std::uint16_t>(reg::kAlStatusCode, slave.refuse->second);
       return;
     }
-    slave.set<std::uint16_t>(reg::kAlStatus, control & 0x0F);
-    slave.set<std::uint16_t>(reg::kAlStatusCode, 0);
+    const bool identify = slave.device_id && (control & 0x20) != 0;
+    slave.set<std::uint16_t>(reg::kAlStatus, control & (identify ? 0x2F : 0x0F));
+    slave.set<std::uint16_t>(reg::kAlStatusCode, identify ? *slave.device_id : 0);
   }
 
   void latch(TestSlave& slave, std::size_t position) {

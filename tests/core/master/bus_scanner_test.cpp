@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "master/master_service.h"
 #include "tests/support/test_bus.h"
 
@@ -103,6 +105,29 @@ TEST_F(BusScannerTest, ASlaveThatHidesTheEepromAddressIsReadAllTheSame) {
   const auto scan = scan_slaves(bus);
   ASSERT_TRUE(scan);
   for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(scan->slaves[i].sii, sii::decode(link.slave(i).sii).value()) << i;
+}
+
+TEST_F(BusScannerTest, AsksSlavesWithSwitchesForTheirDeviceId) {
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    auto with_id = image(200 + i);
+    with_id.general->flags = i == 2 ? 0x10 : 0x08;
+    with_id.general->physical_memory_address = 0x0F80;
+    link.slave(i).sii = sii::encode(with_id);
+  }
+  link.slave(0).device_id = 321;
+  link.slave(2).set<std::uint16_t>(0x0F80, 99);
+  const auto scan = scan_slaves(bus);
+  ASSERT_TRUE(scan);
+  EXPECT_EQ(scan->slaves[0].device_id, 321);
+  EXPECT_FALSE(scan->slaves[1].device_id);  // offers it, does not answer
+  EXPECT_EQ(scan->slaves[2].device_id, 99);
+  EXPECT_EQ(link.slave(0).get<std::uint16_t>(reg::kAlStatus), 1);  // the request is taken back
+
+  const auto looked = scan_slaves(bus, {.look_only = true});
+  ASSERT_TRUE(looked);
+  EXPECT_FALSE(looked->slaves[0].device_id);
+  EXPECT_EQ(looked->slaves[2].device_id, 99);
+  EXPECT_EQ(std::ranges::count(looked->findings, ErrorCode::kScanScope, &Error::code), 2);
 }
 
 TEST_F(BusScannerTest, AnEmptyBusIsAnError) {
