@@ -16,6 +16,7 @@ namespace {
 struct Options {
   std::string scenario, adapter, duration;
   std::uint64_t seed = 0;
+  unsigned network = 0;
   bool has_seed = false, json = false;
   double spin_us = 100;
 };
@@ -97,6 +98,7 @@ void simulate(Context& context, const Options& options) {
   SimulateRequest request;
   request.scenario = options.scenario;
   request.adapter = options.adapter;
+  request.network = options.network;
   request.spin = static_cast<Nanoseconds>(options.spin_us * 1'000);
   if (options.has_seed) request.seed = options.seed;
   if (!options.duration.empty()) {
@@ -134,6 +136,7 @@ void add_simulate_command(CLI::App& app, Context& context) {
   command->add_option("--nic", options->adapter, "Network adapter, e.g. one end of a veth pair")->required();
   command->add_option("--for", options->duration, "How long, e.g. 20s; without it until Ctrl-C");
   auto* seed = command->add_option("--seed", options->seed, "Seed instead of the scenario's");
+  command->add_option("--network", options->network, "Which, of a scenario with several networks, from 0");
   command->add_option("--spin-us", options->spin_us, "Look for the next frame this long before sleeping; 0 always sleeps")
       ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str();

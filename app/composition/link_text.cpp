@@ -6,22 +6,31 @@
 namespace syncline {
 namespace {
 
-constexpr std::string_view kForms = "use sim:FILE[?virtual][&seed=N], nic:NAME or replay:FILE";
+constexpr std::string_view kForms = "use sim:FILE[?virtual][&seed=N][&network=N], nic:NAME or replay:FILE";
+
+constexpr std::uint64_t kMostNetworks = 256;
+
+/// True when `option` is `key` and a number.
+bool number_option(std::string_view option, std::string_view key, std::uint64_t& number) {
+  if (!option.starts_with(key)) return false;
+  const auto digits = option.substr(key.size());
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+  return error == std::errc{} && end == digits.data() + digits.size();
+}
 
 Status apply_option(LinkText& link, std::string_view option, std::string_view whole) {
   if (option == "virtual") {
     link.virtual_clock = true;
     return {};
   }
-  constexpr std::string_view kSeed = "seed=";
-  if (option.starts_with(kSeed)) {
-    const auto digits = option.substr(kSeed.size());
-    std::uint64_t seed = 0;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), seed);
-    if (error == std::errc{} && end == digits.data() + digits.size()) {
-      link.seed = seed;
-      return {};
-    }
+  std::uint64_t number = 0;
+  if (number_option(option, "seed=", number)) {
+    link.seed = number;
+    return {};
+  }
+  if (number_option(option, "network=", number) && number < kMostNetworks) {
+    link.network = static_cast<unsigned>(number);
+    return {};
   }
   return fail(ErrorCode::kBadValue, std::string(whole), "unknown option '" + std::string(option) + "'; " + std::string(kForms));
 }

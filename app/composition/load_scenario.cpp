@@ -1,46 +1,92 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/composition/load_scenario.h"
 
+#include <fmt/format.h>
+
 #include <map>
 
 #include "eni/esi_reader.h"
+#include "eni/xml_text.h"
+#include "master/bus_scan.h"
+#include "protocol/sii.h"
 #include "sim/scenario_loader.h"
 
 namespace syncline {
 namespace {
 
-/// Reads each ESI file once however many devices of it a scenario names.
-class EsiDeviceSource {
+/// Reads each file once however many devices of it a scenario names.
+class DeviceFiles {
  public:
-  Result<DeviceDescription> operator()(const std::string& path, const std::string& type) {
-    auto found = files_.find(path);
-    if (found == files_.end()) {
-      auto file = eni::read_esi(path);
-      if (!file) return tl::unexpected(file.error());
-      found = files_.emplace(path, std::move(*file)).first;
-    }
-    const auto& devices = found->second.devices;
-    const DeviceDescription* match = nullptr;
-    for (const auto& device : devices) {
-      if (!type.empty() && device.type != type) continue;
-      if (match == nullptr || device.identity.revision_no > match->identity.revision_no) match = &device;
-    }
-    if (match == nullptr) {
-      return fail(ErrorCode::kUnknownDevice, type.empty() ? path : type, "not in " + path);
-    }
-    return *match;
+  Result<sim::ScenarioDevice> operator()(const sim::DeviceQuery& query) {
+    return query.kind == sim::DeviceQuery::Kind::kSii ? from_sii(query) : from_esi(query);
   }
 
  private:
-  std::map<std::string, eni::EsiFile> files_;
+  Result<sim::ScenarioDevice> from_esi(const sim::DeviceQuery& query) {
+    auto found = esi_.find(query.path);
+    if (found == esi_.end()) {
+      auto file = eni::read_esi(query.path);
+      if (!file) return tl::unexpected(file.error());
+      found = esi_.emplace(query.path, std::move(*file)).first;
+    }
+    const DeviceDescription* match = nullptr;
+    for (const auto& device : found->second.devices) {
+      if (!query.type.empty() && device.type != query.type) continue;
+      if (query.product_code && device.identity.product_code != *query.product_code) continue;
+      if (query.revision_no && device.identity.revision_no != *query.revision_no) continue;
+      if (match == nullptr || device.identity.revision_no > match->identity.revision_no) match = &device;
+    }
+    if (match == nullptr) {
+      return fail(ErrorCode::kUnknownDevice, wanted(query), "not in " + query.path);
+    }
+    return sim::ScenarioDevice{*match, {}};
+  }
+
+  static std::string wanted(const sim::DeviceQuery& query) {
+    auto text = query.type.empty() ? std::string("device") : query.type;
+    if (query.product_code) text += fmt::format(" product code 0x{:08X}", *query.product_code);
+    if (query.revision_no) text += fmt::format(" revision 0x{:08X}", *query.revision_no);
+    return text;
+  }
+
+  static Result<sim::ScenarioDevice> from_sii(const sim::DeviceQuery& query) {
+    const auto bytes = eni::read_file(query.path);
+    if (!bytes) return tl::unexpected(bytes.error());
+    sim::ScenarioDevice found;
+    found.sii_image.assign(bytes->begin(), bytes->end());
+    const auto image = sii::decode(found.sii_image);
+    if (!image) {
+      auto error = image.error();
+      error.file = query.path;
+      return tl::unexpected(error);
+    }
+    found.device = device_from_sii(*image);
+    found.device.identity.serial_no = image->serial_no;
+    if (!query.type.empty() && query.type != found.device.type) {
+      return fail(ErrorCode::kUnknownDevice, query.type, query.path + " is the EEPROM of " + found.device.type);
+    }
+    return found;
+  }
+
+  std::map<std::string, eni::EsiFile> esi_;
 };
 
 }  // namespace
 
 Result<SimConfig> load_scenario_file(const std::string& path) {
-  EsiDeviceSource source;
-  return sim::load_scenario(
-      path, [&source](const std::string& esi, const std::string& type) { return source(esi, type); });
+  DeviceFiles files;
+  return sim::load_scenario(path, [&files](const sim::DeviceQuery& query) { return files(query); });
+}
+
+Result<SimConfig> load_network(const std::string& path, unsigned network, const std::optional<std::uint64_t>& seed) {
+  auto config = load_scenario_file(path);
+  if (!config) return config;
+  if (seed) config->seed = *seed;
+  if (network >= config->networks) {
+    return fail(ErrorCode::kBadValue, fmt::format("network={}", network),
+                fmt::format("{} has {}, counted from 0", path, config->networks));
+  }
+  return config->of_network(network);
 }
 
 }  // namespace syncline

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 
 #include "config/sim_config.h"
@@ -11,5 +13,10 @@ namespace syncline {
 /// Reads a scenario with the ESI files that it names; each ESI file is read once. Errors name the file,
 /// line and key of the scenario or of the ESI.
 [[nodiscard]] Result<SimConfig> load_scenario_file(const std::string& path);
+
+/// The segment `network` of the scenario, with another seed where one is given. kBadValue when the scenario has
+/// fewer networks.
+[[nodiscard]] Result<SimConfig> load_network(const std::string& path, unsigned network,
+                                             const std::optional<std::uint64_t>& seed);
 
 }  // namespace syncline

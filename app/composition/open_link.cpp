@@ -13,9 +13,8 @@ namespace syncline {
 namespace {
 
 Result<OpenedLink> open_simulated(const LinkText& text) {
-  auto config = load_scenario_file(text.target);
+  const auto config = load_network(text.target, text.network, text.seed);
   if (!config) return tl::unexpected(config.error());
-  if (text.seed) config->seed = *text.seed;
 
   OpenedLink opened;
   if (text.virtual_clock) {

@@ -19,9 +19,8 @@ std::uint16_t peek16(const sim::SimBus& bus, std::size_t position, std::uint16_t
 }  // namespace
 
 Result<SimulateReport> simulate_bus(const SimulateRequest& request) {
-  auto segment = load_scenario_file(request.scenario);
+  const auto segment = load_network(request.scenario, request.network, request.seed);
   if (!segment) return tl::unexpected(segment.error());
-  if (request.seed) segment->seed = *request.seed;
   RealClock clock;
   auto port = RawPort::open(request.adapter, clock);
   if (!port) return tl::unexpected(port.error());

@@ -20,6 +20,7 @@ struct SimulateRequest {
   std::string adapter;                    // "veth0"
   Nanoseconds duration = 0;               // 0: until stopped
   std::optional<std::uint64_t> seed;      // overrides the scenario's
+  unsigned network = 0;                   // of a scenario with several
   Nanoseconds spin = 100 * kMicrosecond;  // see BusResponder::Options
   const std::atomic<bool>* stop = nullptr;
   /// Called once the bus answers, before the first frame is taken.

@@ -30,6 +30,7 @@ struct SimSlaveConfig {
   std::string name;
   std::string behaviour;                 // "coupler", "digital-input", "digital-output", "servo-y", "drive-c", "generic"
   DeviceDescription device;
+  std::vector<std::uint8_t> sii_image;   // EEPROM bit for bit; empty: made from `device`
   std::uint16_t alias = 0;
   std::uint32_t serial_no = 0;
   std::optional<std::uint16_t> parent;   // position; empty on the first slave
@@ -63,9 +64,17 @@ struct FaultConfig {
 struct SimConfig {
   std::string name;
   std::uint64_t seed = 1;
+  unsigned networks = 1;                 // segments of this kind side by side; see of_network()
   JitterProfile host_jitter;             // of the master's wake-ups, on the virtual clock
   std::vector<SimSlaveConfig> slaves;    // frame order is found from the wiring and must equal this order
   std::vector<FaultConfig> faults;
+
+  /// The segment of network `number` (from 0): like the others, with random processes of its own.
+  [[nodiscard]] SimConfig of_network(unsigned number) const {
+    auto config = *this;
+    config.seed += number * 0x2545'F491'4F6C'DD1DU;
+    return config;
+  }
 };
 
 }  // namespace syncline

@@ -10,6 +10,9 @@
 #include <string_view>
 #include <toml++/toml.h>
 
+#include "protocol/sii.h"
+#include "support/random.h"
+
 namespace syncline::sim {
 namespace {
 
@@ -95,6 +98,9 @@ JitterProfile jitter_of(Table& table, const std::string& text) {
   return {};
 }
 
+/// Auto-increment addressing has 16 bits; station addresses start at 1001.
+constexpr std::int64_t kMostSlaves = 64'000;
+
 constexpr std::array<std::pair<std::string_view, FaultKind>, 6> kFaults{{
     {"lose-frames", FaultKind::kLoseFrames}, {"cable-break", FaultKind::kCableBreak}, {"slave-off", FaultKind::kSlaveOff},
     {"clock-step", FaultKind::kClockStep}, {"refuse-state", FaultKind::kRefuseState},
@@ -116,6 +122,9 @@ class Loader {
     Table table(root, path_, error_);
     config_.name = table.get<std::string>("name", fs::path(path_).stem().string());
     config_.seed = table.get<std::uint64_t>("seed", 1);
+    const auto networks = table.get<std::int64_t>("networks", 1);
+    if (networks < 1 || networks > 256) table.fail_at("networks", "must be 1 to 256");
+    config_.networks = static_cast<unsigned>(networks);
     if (const auto* host = table.table("host")) read_host(*host);
     if (const auto* slaves = table.tables("slave")) {
       for (const auto& node : *slaves) read_slave(*node.as_table());
@@ -138,19 +147,12 @@ class Loader {
     table.reject_unknown_keys();
   }
 
+  /// One [[slave]]: `count` of them in a line, the first where the keys say.
   void read_slave(const toml::table& node) {
     Table table(node, path_, error_);
     const auto position = config_.slaves.size();
     SimSlaveConfig slave;
-    const auto esi = table.get<std::string>("esi", "");
-    const auto type = table.get<std::string>("type", "");
-    if (esi.empty()) {
-      table.fail_at("esi", "names the ESI file of the device, relative to the scenario");
-    } else if (auto device = devices_((fs::path(path_).parent_path() / esi).lexically_normal().string(), type)) {
-      slave.device = std::move(*device);
-    } else if (!error_) {
-      error_ = device.error();
-    }
+    read_device(table, slave);
     slave.name = table.get<std::string>("name", slave.device.type);
     slave.behaviour = table.get<std::string>("behaviour", "generic");
     constexpr std::array<std::string_view, 3> kBehaviours{"generic", "servo-y", "drive-c"};
@@ -164,8 +166,8 @@ class Loader {
     }
     slave.cable_m = table.get<double>("cable_m", 1.0);
     if (slave.cable_m < 0 || slave.cable_m > 20'000) table.fail_at("cable_m", "must be 0 to 20000");
-    slave.alias = table.get<std::uint16_t>("alias", 0);
-    slave.serial_no = table.get<std::uint32_t>("serial_no", 0);
+    slave.alias = table.get<std::uint16_t>("alias", slave.alias);
+    slave.serial_no = table.get<std::uint32_t>("serial_no", slave.serial_no);
     // The host's clock is true time here: an error of the host is the opposite one of every slave.
     slave.oscillator.ppm = table.get<double>("ppm", 0) - host_ppm_;
     slave.oscillator.wander_ppm = table.get<double>("wander_ppm", 0);
@@ -173,8 +175,57 @@ class Loader {
     slave.dc = dc_of(table, table.get<std::string>("dc", "64"));
     slave.processing_delay_ns = table.get<std::uint32_t>("processing_delay_ns", 300);
     slave.forwarding_delay_ns = table.get<std::uint32_t>("forwarding_delay_ns", 260);
+    const auto count = table.get<std::int64_t>("count", 1);
+    if (count < 1 || count + static_cast<std::int64_t>(position) > kMostSlaves) {
+      table.fail_at("count", fmt::format("must be 1 or more, and a segment has at most {} slaves", kMostSlaves));
+    }
+    const auto spread_ppm = table.get<double>("spread_ppm", 0);
     table.reject_unknown_keys();
-    config_.slaves.push_back(std::move(slave));
+    if (!error_) repeat(slave, count, spread_ppm);
+  }
+
+  void read_device(Table& table, SimSlaveConfig& slave) {
+    const auto esi = table.get<std::string>("esi", "");
+    const auto sii = table.get<std::string>("sii", "");
+    DeviceQuery query;
+    query.type = table.get<std::string>("type", "");
+    if (table.has("product_code")) query.product_code = table.get<std::uint32_t>("product_code", 0);
+    if (table.has("revision_no")) query.revision_no = table.get<std::uint32_t>("revision_no", 0);
+    if (esi.empty() == sii.empty()) {
+      table.fail_at(sii.empty() ? "esi" : "sii", "either esi = an ESI file or sii = an EEPROM image names the device, "
+                                                 "relative to the scenario");
+      return;
+    }
+    query.kind = sii.empty() ? DeviceQuery::Kind::kEsi : DeviceQuery::Kind::kSii;
+    query.path = (fs::path(path_).parent_path() / (sii.empty() ? esi : sii)).lexically_normal().string();
+    auto found = devices_(query);
+    if (!found) {
+      if (!error_) error_ = found.error();
+      return;
+    }
+    slave.device = std::move(found->device);
+    slave.sii_image = std::move(found->sii_image);
+    slave.serial_no = slave.device.identity.serial_no;
+    if (const auto image = sii::decode(slave.sii_image)) slave.alias = image->alias;
+  }
+
+  /// A line of `count` such slaves: numbered names, aliases and serial numbers that count up, quartzes that
+  /// differ by up to `spread_ppm`.
+  void repeat(const SimSlaveConfig& first, std::int64_t count, double spread_ppm) {
+    const auto position = config_.slaves.size();
+    Random random(config_.seed ^ (0x7370'7265'6164'0000U + position));
+    for (std::int64_t i = 0; i < count; ++i) {
+      auto slave = first;
+      if (spread_ppm != 0) slave.oscillator.ppm += spread_ppm * random.uniform(-1, 1);
+      if (count > 1) slave.name += fmt::format(" {}", i + 1);
+      if (i > 0) {
+        slave.parent = static_cast<std::uint16_t>(config_.slaves.size() - 1);
+        slave.parent_port = 1;
+        if (slave.alias != 0) slave.alias = static_cast<std::uint16_t>(slave.alias + i);
+        if (slave.serial_no != 0) slave.serial_no += static_cast<std::uint32_t>(i);
+      }
+      config_.slaves.push_back(std::move(slave));
+    }
   }
 
   void read_fault(const toml::table& node) {

@@ -1,17 +1,32 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "config/sim_config.h"
 #include "support/result.h"
 
 namespace syncline::sim {
 
-/// Finds the device `type` (ESI Type text; empty = the only one) in an ESI file. Given by the
-/// composition, because core reads no XML. `esi_path` is already relative to the scenario's folder.
-using DeviceSource = std::function<Result<DeviceDescription>(const std::string& esi_path, const std::string& type)>;
+/// Which device a scenario means.
+struct DeviceQuery {
+  enum class Kind : std::uint8_t { kEsi, kSii };
+  Kind kind = Kind::kEsi;
+  std::string path;                            // already relative to the scenario's folder
+  std::string type;                            // ESI Type text; empty = any
+  std::optional<std::uint32_t> product_code, revision_no;
+};
+struct ScenarioDevice {
+  DeviceDescription device;
+  std::vector<std::uint8_t> sii_image;         // the EEPROM bit for bit; empty: made from the device
+};
+/// Finds a device in an ESI file (of several that fit, the highest revision) or makes it from an EEPROM image.
+/// Given by the composition, because core reads no XML.
+using DeviceSource = std::function<Result<ScenarioDevice>(const DeviceQuery& query)>;
 
 /// Reads a TOML scenario. Errors are kTomlMalformed or kScenarioKey with file, line and key.
 [[nodiscard]] Result<SimConfig> load_scenario(const std::string& path, const DeviceSource& devices);

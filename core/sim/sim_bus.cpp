@@ -27,7 +27,8 @@ Node power_up(const SimSlaveConfig& config, Nanoseconds time, std::uint64_t seed
   options.alias = config.alias;
   options.device_emulation = config.device.device_emulation();
   Node node;
-  auto sii = sii::encode(sii_from_device(config.device, config.alias, config.serial_no));
+  auto sii = config.sii_image.empty() ? sii::encode(sii_from_device(config.device, config.alias, config.serial_no))
+                                      : config.sii_image;
   node.esc = std::make_unique<Esc>(config, std::move(sii), options, time, seed);
   node.device = make_device(config, *node.esc);
   return node;

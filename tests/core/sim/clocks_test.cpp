@@ -75,7 +75,7 @@ TEST(SimClocks, ReadingSubtractsTheDelay) {
 }
 
 TEST(SimScenario, DemonstrationMachineHasItsBranchesInFrameOrder) {
-  const auto config = sim::load_scenario(resource("demo/machine.toml"), device_from);
+  const auto config = sim::load_scenario(resource("demo/machine.toml"), scenario_device);
   ASSERT_TRUE(config) << config.error().file << config.error().line << config.error().detail;
   ASSERT_EQ(config->slaves.size(), 9U);
   SimProbe probe(*config);
@@ -93,7 +93,10 @@ class SimScenarioErrors : public testing::TestWithParam<BadScenario> {};
 TEST_P(SimScenarioErrors, NameFileLineAndKey) {
   const auto path = testing::TempDir() + "scenario.toml";
   std::ofstream(path) << GetParam().text;
-  const auto config = sim::load_scenario(path, [](const std::string&, const std::string&) { return device_from(resource("esi/SL-1100.xml"), ""); });
+  const auto config = sim::load_scenario(path, [](sim::DeviceQuery query) {
+    query.path = resource("esi/SL-1100.xml");
+    return scenario_device(query);
+  });
   ASSERT_FALSE(config);
   EXPECT_EQ(config.error().file, path);
   EXPECT_EQ(config.error().line, GetParam().line);
@@ -112,11 +115,11 @@ INSTANTIATE_TEST_SUITE_P(Texts, SimScenarioErrors, testing::Values(
 TEST(SimScenario, MalformedTomlNamesTheLineAndAMissingFileItsName) {
   const auto path = testing::TempDir() + "broken.toml";
   std::ofstream(path) << "name = \"x\"\nseed = = 3\n";
-  const auto broken = sim::load_scenario(path, device_from);
+  const auto broken = sim::load_scenario(path, scenario_device);
   ASSERT_FALSE(broken);
   EXPECT_EQ(broken.error().code, ErrorCode::kTomlMalformed);
   EXPECT_EQ(broken.error().line, 2);
-  const auto missing = sim::load_scenario("/nowhere/x.toml", device_from);
+  const auto missing = sim::load_scenario("/nowhere/x.toml", scenario_device);
   ASSERT_FALSE(missing);
   EXPECT_EQ(missing.error().code, ErrorCode::kFileNotFound);
 }
@@ -147,7 +150,7 @@ TEST(SimFaults, FramesCablesAndPowerGoAndComeBack) {
 
 TEST(SimBusDeterminism, SameSeedSameBytes) {
   const auto run = [](std::uint64_t seed) {
-    auto config = sim::load_scenario(resource("demo/machine.toml"), device_from).value();
+    auto config = sim::load_scenario(resource("demo/machine.toml"), scenario_device).value();
     config.seed = seed;
     SimProbe probe(config);
     std::vector<std::uint8_t> all;

@@ -85,7 +85,7 @@ TEST(SimSync, CycleTimesAreLockedWhileTheUnitRuns) {
 
 /// The delays that the registers give are those that the wires have: latch, read, compute.
 TEST(SimPropagation, MeasuredDelaysOfTheDemonstrationMachineAreTheTrueOnes) {
-  const auto config = sim::load_scenario(resource("demo/machine.toml"), device_from).value();
+  const auto config = sim::load_scenario(resource("demo/machine.toml"), scenario_device).value();
   SimProbe probe(config);
   constexpr int kRounds = 15;
   const auto count = config.slaves.size();

@@ -26,6 +26,13 @@ inline Result<DeviceDescription> device_from(const std::string& path, const std:
   return fail(ErrorCode::kUnknownDevice, type);
 }
 
+/// What a scenario of ours names, without the composition.
+inline Result<sim::ScenarioDevice> scenario_device(const sim::DeviceQuery& query) {
+  auto device = device_from(query.path, query.type);
+  if (!device) return tl::unexpected(device.error());
+  return sim::ScenarioDevice{std::move(*device), {}};
+}
+
 inline SimSlaveConfig sim_slave(const std::string& type, const std::string& behaviour = "generic") {
   SimSlaveConfig slave;
   slave.name = type;
