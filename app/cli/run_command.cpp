@@ -8,6 +8,7 @@
 #include "app/cli/event_text.h"
 #include "app/cli/findings_text.h"
 #include "app/cli/interrupt.h"
+#include "app/cli/lateness.h"
 #include "app/cli/run_json.h"
 #include "app/composition/load_config.h"
 #include "app/composition/run_network.h"
@@ -18,7 +19,7 @@ namespace {
 
 struct Options {
   std::string file, link, duration = "10s", csv, capture, state = "OP";
-  bool json = false;
+  bool json = false, lateness = false;
 };
 
 /// Streams the samples to FILE.part; the name appears when the run is over.
@@ -77,7 +78,13 @@ void execute(Context& context, const Options& options) {
       if (const auto line = event_text(event, *first); !line.empty()) context.console.err << line << '\n';
     };
   }
-  if (!options.csv.empty()) request.on_samples = [&csv](std::span<const CycleSample> samples) { csv.add(samples); };
+  LatenessReport lateness;
+  if (!options.csv.empty() || options.lateness) {
+    request.on_samples = [&](std::span<const CycleSample> samples) {
+      if (!options.csv.empty()) csv.add(samples);
+      lateness.add(samples);
+    };
+  }
 
   const InterruptGuard guard;
   request.stop = &guard.interrupted();
@@ -87,9 +94,12 @@ void execute(Context& context, const Options& options) {
     if (auto status = csv.finish(); !status) return context.fail_with(status.error());
   }
   if (options.json) {
-    context.print(to_json(outcome->report));
+    auto json = to_json(outcome->report);
+    if (options.lateness) json["lateness"] = lateness.json();
+    context.print(json);
   } else {
     context.console.out << to_text(outcome->report);
+    if (options.lateness) context.console.out << lateness.text();
   }
   if (!is_good(outcome->report, *target)) context.exit_code = kAnswerIsNo;
   if (outcome->error) context.fail_with(*outcome->error);
@@ -106,6 +116,7 @@ void add_run_command(CLI::App& app, Context& context) {
   command->add_option("--state", options->state, "State to reach: INIT, PREOP, SAFEOP or OP")->capture_default_str();
   command->add_option("--csv", options->csv, "Write every cycle's sample to this file");
   command->add_option("--capture", options->capture, "Write every frame to this pcapng file");
+  command->add_flag("--lateness", options->lateness, "Add how late the frames were sent, and the processor time of a cycle");
   command->add_flag("--json", options->json, "Print JSON");
   command->callback([&context, options] { execute(context, *options); });
 }

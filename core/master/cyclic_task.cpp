@@ -28,14 +28,15 @@ CyclicTaskRunner::CyclicTaskRunner(FrameExchange& exchange, Clock& clock, RunSta
       reference_(run, sync, frames_),
       without_(run.config().slaves.size()),
       acyclic_(kMostAcyclicFrames),
-      cycle_time_(run.config().cycle_time()) {
+      cycle_time_(run.config().cycle_time()),
+      spin_(std::min(run.config().real_time.spin, cycle_time_ / 4)) {
   in_flight_.reserve(64);
 }
 
 void CyclicTaskRunner::start(Nanoseconds first_cycle) { scheduled_ = first_cycle; }
 
 Status CyclicTaskRunner::run_cycle(std::span<Datagram* const> acyclic) {
-  clock_.sleep_until(scheduled_);
+  clock_.sleep_until(scheduled_, spin_);
   send_time_ = clock_.now();
   CycleSample sample;
   sample.cycle = run_.snapshot.cycles;
@@ -68,7 +69,7 @@ void CyclicTaskRunner::note_sending(CycleSample& sample) {
   }
   sample.send_time = send_time_;
   sample.wake_lateness_ns = to_32(send_time_ - scheduled_);
-  if (send_time_ - scheduled_ < cycle_time_) return;
+  if (send_time_ - scheduled_ < cycle_time_ && !skipped_) return;
   sample.flags |= CycleSample::kOverrun;
   ++run_.snapshot.overruns;
 }
@@ -179,9 +180,11 @@ void CyclicTaskRunner::publish() {
 
 void CyclicTaskRunner::schedule_next(Nanoseconds adjust) {
   scheduled_ += cycle_time_ + adjust;
-  // Cycles that are already over are left out; the phase stays.
-  const auto behind = clock_.now() - scheduled_;
-  if (behind > cycle_time_) scheduled_ += behind / cycle_time_ * cycle_time_;
+  // A cycle that is half over is left out, so that a late frame and the next one never go out together: slaves
+  // would see two frames in one SYNC0 period. The phase stays.
+  const auto behind = clock_.now() - scheduled_ - cycle_time_ / 2;
+  skipped_ = behind > 0;
+  if (skipped_) scheduled_ += (behind / cycle_time_ + 1) * cycle_time_;
 }
 
 }  // namespace syncline

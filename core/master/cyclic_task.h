@@ -64,6 +64,8 @@ class CyclicTaskRunner final : public CyclePump, private SendStamp {
   std::size_t acyclic_limit_ = 1;  // frames a cycle, as many as come back in time
   std::vector<PendingFrame*> in_flight_;
   Nanoseconds cycle_time_;
+  Nanoseconds spin_;               // last part of each wait
+  bool skipped_ = false;           // cycles were left out before this one
   Nanoseconds scheduled_ = 0;
   Nanoseconds send_time_ = 0;      // of this cycle's first frame
   bool steering_ = false;

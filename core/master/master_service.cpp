@@ -5,6 +5,7 @@
 
 #include "master/bus_scanner.h"
 #include "master/operation.h"
+#include "support/real_time.h"
 
 namespace syncline {
 namespace {
@@ -23,6 +24,7 @@ struct MasterService::Impl {
   void execute(const GoOfflineCommand&);
   void execute(const RequestStateCommand& command);
   void execute(const ClearStatisticsCommand&);
+  void bind_thread(const RealTimeSettings& settings);
   void run_cycle();
   void go_offline();
   void tell(EventKind kind);
@@ -76,8 +78,19 @@ void MasterService::Impl::execute(const ScanCommand& command) {
   channels.events.push(std::move(event));
 }
 
+/// The thread that executes the command is the one that runs the cycle.
+void MasterService::Impl::bind_thread(const RealTimeSettings& settings) {
+  if (clock.is_virtual() || !settings.cpu) return;
+  Event event;
+  event.kind = EventKind::kRealTime;
+  event.time = clock.now();
+  event.text = bind_to_processor(*settings.cpu);
+  if (!event.text.empty()) channels.events.push(std::move(event));
+}
+
 void MasterService::Impl::execute(GoOnlineCommand& command) {
   if (operation) go_offline();
+  bind_thread(command.config.real_time);
   operation = std::make_unique<Operation>(std::move(command.config), exchange, clock, channels);
   const auto status = operation->start(command.target);
   if (!status) tell(status.error());

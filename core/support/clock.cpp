@@ -35,6 +35,12 @@ void RealClock::sleep_until(Nanoseconds deadline) {
   }
 }
 
+void RealClock::sleep_until(Nanoseconds deadline, Nanoseconds spin) {
+  sleep_until(deadline - spin);
+  while (now() < deadline) {
+  }
+}
+
 struct VirtualClock::State {
   std::atomic<Nanoseconds> now{0};
   JitterProfile jitter;

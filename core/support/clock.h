@@ -17,6 +17,12 @@ class Clock {
   [[nodiscard]] virtual Nanoseconds now() const = 0;
   /// Returns at or after `deadline` (at once when it has passed).
   virtual void sleep_until(Nanoseconds deadline) = 0;
+  /// The same, but the last `spin` of the wait is spent asking the clock instead of sleeping: a processor that is
+  /// awake is on time where one that is woken up is late by tens of microseconds. Real clocks only.
+  virtual void sleep_until(Nanoseconds deadline, Nanoseconds spin) {
+    (void)spin;
+    sleep_until(deadline);
+  }
   /// True when time passes only by sleep_until (virtual time).
   [[nodiscard]] virtual bool is_virtual() const = 0;
 };
@@ -28,6 +34,7 @@ class RealClock final : public Clock {
   RealClock();
   [[nodiscard]] Nanoseconds now() const override;
   void sleep_until(Nanoseconds deadline) override;
+  void sleep_until(Nanoseconds deadline, Nanoseconds spin) override;
   [[nodiscard]] bool is_virtual() const override { return false; }
 
  private:
@@ -62,6 +69,7 @@ class VirtualClock final : public Clock {
   void set_wakeup_jitter(const JitterProfile& profile, std::uint64_t seed);
 
   [[nodiscard]] Nanoseconds now() const override;
+  using Clock::sleep_until;
   void sleep_until(Nanoseconds deadline) override;
   void advance_to(Nanoseconds time);
   [[nodiscard]] bool is_virtual() const override { return true; }

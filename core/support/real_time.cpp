@@ -54,6 +54,17 @@ RealTimeScope::~RealTimeScope() {
   if (latency_fd_ >= 0) ::close(latency_fd_);
 }
 
+std::string bind_to_processor(unsigned cpu) {
+  cpu_set_t set;
+  CPU_ZERO(&set);
+  int error = EINVAL;
+  if (cpu < CPU_SETSIZE) {
+    CPU_SET(cpu, &set);
+    error = ::pthread_setaffinity_np(::pthread_self(), sizeof(set), &set);
+  }
+  return error == 0 ? std::string() : fmt::format("not bound to processor {} ({})", cpu, std::strerror(error));
+}
+
 void RealTimeScope::note(const char* what, int error) {
   if (!refused_.empty()) refused_ += ", ";
   refused_ += fmt::format("{} ({})", what, std::strerror(error));

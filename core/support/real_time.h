@@ -29,4 +29,7 @@ class RealTimeScope {
   int latency_fd_ = -1;
 };
 
+/// Binds the calling thread to one processor; the system's reason when that is refused, else empty.
+[[nodiscard]] std::string bind_to_processor(unsigned cpu);
+
 }  // namespace syncline

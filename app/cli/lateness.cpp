@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/lateness.h"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <bit>
+#include <iterator>
+#include <map>
+
+namespace syncline::cli {
+namespace {
+
+double process_seconds() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  const auto seconds = [](const timeval& t) { return static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_usec) / 1e6; };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+}  // namespace
+
+LatenessReport::LatenessReport() : cpu_at_start_(process_seconds()) {}
+
+void LatenessReport::add(std::span<const CycleSample> samples) {
+  for (const auto& sample : samples) {
+    ++cycles_;
+    if ((sample.flags & CycleSample::kOverrun) != 0) ++overruns_;
+    if (sample.master_state != static_cast<std::uint8_t>(AlState::kOp)) continue;
+    ++in_op_;
+    histogram_.add(sample.wake_lateness_ns);
+  }
+}
+
+double LatenessReport::cpu_us_per_cycle() const {
+  return cycles_ == 0 ? 0 : (process_seconds() - cpu_at_start_) * 1e6 / static_cast<double>(cycles_);
+}
+
+Json LatenessReport::json() const {
+  return {{"cycles", in_op_},
+          {"p50_ns", histogram_.percentile(0.5)},
+          {"p90_ns", histogram_.percentile(0.9)},
+          {"p99_ns", histogram_.percentile(0.99)},
+          {"p99_9_ns", histogram_.percentile(0.999)},
+          {"overruns", overruns_},
+          {"cpu_us_per_cycle", static_cast<double>(static_cast<std::int64_t>(cpu_us_per_cycle() * 1000)) / 1000}};
+}
+
+std::string LatenessReport::text() const {
+  std::string text;
+  const auto out = std::back_inserter(text);
+  const auto us = [this](double fraction) { return static_cast<double>(histogram_.percentile(fraction)) / 1000; };
+  fmt::format_to(out, "lateness of {} cycles in OP: p50 {:.3f}  p90 {:.3f}  p99 {:.3f}  p99.9 {:.3f} us   overruns {}   "
+                 "processor {:.1f} us a cycle (whole process)\n",
+                 in_op_, us(0.5), us(0.9), us(0.99), us(0.999), overruns_, cpu_us_per_cycle());
+  std::map<int, std::uint64_t> octaves;  // exponent: below 2^exponent ns
+  for (const auto& bin : histogram_.bins()) {
+    octaves[static_cast<int>(std::bit_width(static_cast<std::uint64_t>(std::max<std::int64_t>(bin.low, 0))))] += bin.count;
+  }
+  for (const auto& [exponent, count] : octaves) {
+    const auto share = static_cast<double>(count) / static_cast<double>(in_op_);
+    fmt::format_to(out, "  below {:>12.3f} us {:>10} {:>9.4f} % {}\n", static_cast<double>(std::uint64_t{1} << exponent) / 1000,
+                   count, share * 100, std::string(static_cast<std::size_t>(share * 50), '#'));
+  }
+  return text;
+}
+
+}  // namespace syncline::cli

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "app/cli/context.h"
+#include "master/channels.h"
+#include "trace/histogram.h"
+
+namespace syncline::cli {
+
+/// How late the cyclic thread sent, over all cycles in OP, and what the process cost.
+class LatenessReport {
+ public:
+  LatenessReport();
+  void add(std::span<const CycleSample> samples);
+  [[nodiscard]] Json json() const;
+  /// Percentiles and one line a power of two.
+  [[nodiscard]] std::string text() const;
+
+ private:
+  [[nodiscard]] double cpu_us_per_cycle() const;
+
+  Histogram histogram_;
+  std::uint64_t cycles_ = 0, in_op_ = 0, overruns_ = 0;
+  double cpu_at_start_ = 0;  // seconds of the process
+};
+
+}  // namespace syncline::cli
