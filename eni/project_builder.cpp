@@ -76,6 +76,7 @@ void follow_hardware(SlaveSettings& slave, const ScannedSlave& scanned, std::vec
 
 BuiltProject project_from_scan(const BusScan& scan, const EsiCatalogue& catalogue) {
   BuiltProject built;
+  built.warnings = scan.findings;
   for (const ScannedSlave& scanned : scan.slaves) {
     auto slave = default_slave(device_of(scanned, catalogue, built.warnings), scanned.position);
     slave.alias = scanned.alias;

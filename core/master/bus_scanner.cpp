@@ -38,6 +38,7 @@ class RegisterOfAll {
   [[nodiscard]] T get(std::size_t slave, std::size_t offset = 0) const {
     return load_le<T>(std::span(bytes_[slave]).subspan(offset));
   }
+  [[nodiscard]] std::span<const std::uint8_t, N> bytes(std::size_t slave) const { return bytes_[slave]; }
   [[nodiscard]] bool answered(std::size_t slave) const { return all_[first_ + slave].wkc != 0; }
 
  private:
@@ -62,8 +63,7 @@ class Scanner {
     if (*count == 0) return fail(ErrorCode::kNoResponse, bus_.exchange().link().describe().name);
     begin(*count);
     SiiAccess access(bus_, addresses_, {.take_ownership = !options_.look_only, .broadcast = !options_.look_only});
-    auto status = look();
-    if (status) status = access.look();
+    auto status = look(access);
     if (status) status = touch(access);
     if (status) status = read_wiring();
     if (status) status = read_siis(access);
@@ -88,12 +88,13 @@ class Scanner {
     }
   }
 
-  Status look() {
+  Status look(SiiAccess& access) {
     std::vector<Datagram> datagrams;
     RegisterOfAll<kInformationBytes> information(addresses_, reg::kType, datagrams);
     RegisterOfAll<2> dl_status(addresses_, reg::kDlStatus, datagrams);
     RegisterOfAll<6> al_status(addresses_, reg::kAlStatus, datagrams);
     RegisterOfAll<4> system_time(addresses_, reg::kSystemTime, datagrams);
+    RegisterOfAll<SiiAccess::kLookBytes> eeprom(addresses_, reg::kSiiConfiguration, datagrams);
     if (auto status = bus_.transact(datagrams); !status) return status;
     for (std::size_t i = 0; i < scan_.slaves.size(); ++i) {
       if (!information.answered(i)) return fail(ErrorCode::kNoResponse, subject_of(i));
@@ -109,6 +110,7 @@ class Scanner {
       slave.al_status_code = al_status.get<std::uint16_t>(i, reg::kAlStatusCode - reg::kAlStatus);
       slave.dc = capability_of(false, system_time.answered(i), slave.features);
       if (al_state_of(slave.al_status) != AlState::kInit) ++scan_.running;
+      access.set_found(i, eeprom.bytes(i));
     }
     return {};
   }

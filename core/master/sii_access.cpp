@@ -20,8 +20,8 @@ constexpr std::uint16_t kBusy = 0x8000;
 constexpr std::size_t kStatusBytes = 6;   // 0x0502 control and status, 0x0504 address
 constexpr std::size_t kWindowBytes = 14;  // with the eight data bytes at 0x0508
 
-/// An I2C EEPROM gives eight bytes in half a millisecond; a slave whose PDI emulates it may need far longer.
-constexpr Nanoseconds kFirstPause = 600 * kMicrosecond;
+/// An I2C EEPROM at 150 kHz gives eight bytes in 0.7 ms; a slave whose PDI emulates it may need far longer.
+constexpr Nanoseconds kFirstPause = 1 * kMillisecond;
 constexpr Nanoseconds kLongestPause = 5 * kMillisecond;
 constexpr Nanoseconds kShortestPause = 20 * kMicrosecond;
 constexpr Nanoseconds kBusyLimit = 1 * kSecond;
@@ -60,22 +60,25 @@ SiiAccess::SiiAccess(Bus& bus, std::vector<SlaveAddress> slaves, Options options
     : bus_(bus), slaves_(std::move(slaves)), ports_(slaves_.size()), options_(options), pause_(kFirstPause) {}
 
 Status SiiAccess::look() {
-  std::vector<std::array<std::uint8_t, 4>> bytes(size());
+  std::vector<std::array<std::uint8_t, kLookBytes>> bytes(size());
   std::vector<Datagram> datagrams;
   for (std::size_t i = 0; i < size(); ++i) datagrams.push_back(slaves_[i].read(reg::kSiiConfiguration, bytes[i]));
   if (auto status = bus_.transact(datagrams); !status) return status;
-  for (std::size_t i = 0; i < size(); ++i) {
-    const auto control = load_le<std::uint16_t>(std::span(bytes[i]).subspan(2));
-    ports_[i].pdi = ((bytes[i][0] | bytes[i][1]) & 0x01) != 0;
-    ports_[i].old_error = (control & (kCommandError | kWriteEnableError)) != 0;
-    ports_[i].eight_bytes = (control & kReadsEightBytes) != 0;
-  }
-  looked_ = true;
+  for (std::size_t i = 0; i < size(); ++i) set_found(i, bytes[i]);
   return {};
 }
 
+void SiiAccess::set_found(std::size_t slave, std::span<const std::uint8_t, kLookBytes> bytes) {
+  const auto control = load_le<std::uint16_t>(bytes.subspan(2));
+  auto& port = ports_[slave];
+  port.pdi = ((bytes[0] | bytes[1]) & 0x01) != 0;
+  port.old_error = (control & (kCommandError | kWriteEnableError)) != 0;
+  port.eight_bytes = (control & kReadsEightBytes) != 0;
+  port.looked_at = true;
+}
+
 Status SiiAccess::open() {
-  if (!looked_) {
+  if (!std::ranges::all_of(ports_, &Port::looked_at)) {
     if (auto status = look(); !status) return status;
   }
   std::vector<std::size_t> to_take, to_clear;
@@ -126,7 +129,7 @@ Status SiiAccess::read(std::span<SiiRequest> requests, std::optional<std::uint32
     if (auto status = clear_errors(jobs); !status) return status;
     if (auto status = start(jobs); !status) return status;
     if (first) started = bus_.clock().now();
-    if (auto status = bus_.wait(first ? pause_ : std::max(pause_ / 4, kShortestPause)); !status) return status;
+    if (auto status = bus_.wait(first ? pause_ : std::max(pause_ / 2, kShortestPause)); !status) return status;
     const auto looked = bus_.clock().now();
     if (auto status = fetch(jobs, next); !status) return status;
     const bool most_ready = jobs.size() * 8 <= all;
@@ -249,8 +252,8 @@ bool SiiAccess::take(Job& job, bool looked_ahead) {
 void SiiAccess::learn(bool early, Nanoseconds ready) {
   if (early) {
     pause_ = std::min(ready, kLongestPause);
-  } else if (pause_ - pause_ / 8 > too_early_ && pause_ > kShortestPause) {
-    pause_ -= pause_ / 8;
+  } else if (pause_ - pause_ / 16 > too_early_ && pause_ > kShortestPause) {
+    pause_ -= pause_ / 16;
   }
 }
 

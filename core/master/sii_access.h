@@ -34,6 +34,9 @@ class SiiAccess {
 
   /// Reads who owns each EEPROM; changes nothing.
   Status look();
+  /// The same for who has read 0x0500 with these bytes already.
+  static constexpr std::size_t kLookBytes = 4;
+  void set_found(std::size_t slave, std::span<const std::uint8_t, kLookBytes> bytes);
   /// Takes the EEPROMs from their PDIs (ESC data sheet II, 0x0500) and clears old errors.
   Status open();
   /// Gives each EEPROM back to the PDI that had it. Also to be called when something failed.
@@ -56,6 +59,7 @@ class SiiAccess {
 
  private:
   struct Port {
+    bool looked_at = false;
     bool pdi = false;
     bool old_error = false;
     bool eight_bytes = false;
@@ -75,7 +79,6 @@ class SiiAccess {
   Bus& bus_;
   std::vector<SlaveAddress> slaves_;
   std::vector<Port> ports_;
-  bool looked_ = false;
   Options options_;
   Nanoseconds pause_;        // from the start of a read to the first look at it
   Nanoseconds too_early_ = 0;
