@@ -7,6 +7,7 @@
 #include <array>
 
 #include "master/bus_scanner.h"
+#include "master/bus_survey.h"
 #include "master/dc_join.h"
 #include "master/dc_setup.h"
 #include "protocol/registers.h"
@@ -23,7 +24,7 @@ bool is_above(AlState state, AlState target) { return static_cast<int>(state) > 
 }  // namespace
 
 Esm::Esm(Bus& bus, RunState& run, CyclicTaskRunner& task, SyncWatch& sync)
-    : bus_(bus), run_(run), task_(task), sync_(sync), commands_(bus, run, sync) {}
+    : bus_(bus), run_(run), task_(task), sync_(sync), commands_(bus, run, sync), missing_(run.config().slaves.size()) {}
 
 AlState Esm::state_of(std::size_t slave) const { return al_state_of(run_.snapshot.slaves[slave].al_status); }
 
@@ -33,10 +34,7 @@ Status Esm::reset() {
   if (!count) return tl::unexpected(count.error());
   if (*count == 0) return fail(ErrorCode::kNoResponse, bus_.exchange().link().describe().name);
   if (*count != expected) {
-    Error error{ErrorCode::kSlaveCount};
-    error.expected = static_cast<std::int64_t>(expected);
-    error.received = *count;
-    return fail(std::move(error));
+    if (auto status = look_at_bus(*count); !status) return status;
   }
   // First with the acknowledge, for slaves in error; then without, because an ESC that emulates its
   // device mirrors the acknowledge bit as an error.
@@ -60,13 +58,34 @@ Status Esm::reset() {
     error.received = al_status;
     return fail(std::move(error));
   }
-  for (auto& slave : run_.snapshot.slaves) {
-    slave.present = true;
-    slave.al_status = init;
+  for (std::size_t i = 0; i < expected; ++i) {
+    auto& slave = run_.snapshot.slaves[i];
+    slave.present = !missing_[i];
+    slave.al_status = missing_[i] ? 0 : init;
     slave.al_status_code = 0;
   }
   run_.update_master_state(bus_.clock().now());
   return {};
+}
+
+/// The bus has another size than the configuration: who is missing, who is too many. Where the configuration may
+/// run incomplete, those that are there are noted with their places.
+Status Esm::look_at_bus(std::uint16_t count) {
+  Error error{ErrorCode::kSlaveCount};
+  error.expected = static_cast<std::int64_t>(run_.config().slaves.size());
+  error.received = count;
+  return tell_differences(count, fail(std::move(error)));
+}
+
+Status Esm::tell_differences(std::uint16_t count, Status status) {
+  const auto& config = run_.config();
+  const auto found = survey_bus(bus_, count);
+  if (!found) return tl::unexpected(found.error());
+  std::vector<WantedDevice> wanted;
+  for (const auto& slave : config.slaves) wanted.push_back(wanted_device(slave));
+  const auto match = match_bus(wanted, *found);
+  for (const auto& error : explain(match, config, *found)) run_.error(error, bus_.clock().now());
+  return status;
 }
 
 Status Esm::change_to(AlState target) {
@@ -113,7 +132,11 @@ Status Esm::init_to_preop() {
   const auto request = preop_requests();
   // A slave that is not the configured one, or cannot be set up, ends the bring-up before there is a cycle.
   const auto set_up = [&](std::size_t slave, std::size_t index) { return index < request[slave]; };
-  if (auto status = commands_.run(slaves, Transition::kIP, set_up); !status) return status;
+  if (auto status = commands_.run(slaves, Transition::kIP, set_up); !status) {
+    const bool other_device = status.error().code == ErrorCode::kIdentityMismatch;
+    if (!other_device) return status;
+    return tell_differences(static_cast<std::uint16_t>(run_.config().slaves.size()), std::move(status));
+  }
   if (auto status = initialise_clocks(); !status) return status;
   if (auto status = await_slaves_in_sync(); !status) return status;
   auto status = commands_.run(slaves, Transition::kIP, [&](std::size_t slave, std::size_t index) {

@@ -34,6 +34,8 @@ class Esm {
   [[nodiscard]] SlaveCommands& commands() { return commands_; }
 
  private:
+  Status look_at_bus(std::uint16_t count);
+  Status tell_differences(std::uint16_t count, Status status);
   Status join_each(SlaveList slaves, AlState target);
   Status join_in_preop(SlaveList slaves);
   Status lift(const SlaveList& slaves, AlState from, Transition transition);
@@ -62,6 +64,7 @@ class Esm {
   CyclicTaskRunner& task_;
   SyncWatch& sync_;
   SlaveCommands commands_;
+  std::vector<bool> missing_;  // at the start
 };
 
 }  // namespace syncline

@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "master/recovery.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <array>
-
-#include "master/sii_access.h"
-#include "protocol/registers.h"
 
 namespace syncline {
 namespace {
@@ -18,26 +12,11 @@ constexpr Nanoseconds kRetryPeriod = 500 * kMillisecond;
 constexpr Nanoseconds kWellPeriod = 10 * kSecond;      // in the state of the bus so long: the next trouble is a new one
 constexpr std::uint32_t kReturnTries = 10;
 
-constexpr std::uint16_t kIdentityWord = 0x08, kRevisionWord = 0x0C;
-
 bool is_behind(std::uint16_t al_status, AlState target) {
   return (al_status & kAlErrorFlag) != 0 || static_cast<int>(al_state_of(al_status)) < static_cast<int>(target);
 }
 
 }  // namespace
-
-WantedDevice wanted_device(const SlaveConfig& slave) {
-  WantedDevice wanted{slave.identity, slave.station_address, slave.alias, false};
-  // The configuration says by its init commands whether the revision matters: a check reads the word after its address
-  // was written.
-  for (const auto& command : slave.init_cmds) {
-    if (command.ado == reg::kSiiControl && command.data.size() >= 4 &&
-        load_le<std::uint16_t>(std::span(command.data).subspan(2)) == kRevisionWord) {
-      wanted.check_revision = true;
-    }
-  }
-  return wanted;
-}
 
 Recovery::Recovery(Bus& bus, RunState& run, CyclicTaskRunner& task, Esm& esm)
     : bus_(bus), run_(run), task_(task), esm_(esm), tracks_(run.config().slaves.size()) {}
@@ -155,9 +134,10 @@ void Recovery::tell(std::size_t slave, int stage) {
 /// place between the known ones, by identity and alias.
 Status Recovery::locate(SlaveList& found) {
   if (task_.slaves().answering().value_or(0) <= present_count()) return {};
-  std::vector<FoundDevice> devices;
-  if (auto status = read_devices(devices); !status) return status;
-  const auto& slaves = run_.config().slaves;
+  const auto survey = survey_bus(bus_, *task_.slaves().answering(),
+                                 [this](std::uint16_t station) { return known_by(station).has_value(); });
+  if (!survey) return tl::unexpected(survey.error());
+  const auto& devices = *survey;
   std::vector<std::uint16_t> wanted, positions;
   std::size_t next = 0;  // first slave of the configuration behind the last known one
   const auto close_gap = [&](std::size_t end) {
@@ -169,21 +149,27 @@ Status Recovery::locate(SlaveList& found) {
     positions.clear();
   };
   for (std::size_t position = 0; position < devices.size(); ++position) {
-    const auto known = std::ranges::find_if(slaves, [&](const SlaveConfig& slave) {
-      const auto index = static_cast<std::size_t>(&slave - slaves.data());
-      return run_.snapshot.slaves[index].present && slave.station_address == devices[position].station_address;
-    });
-    if (known == slaves.end()) {
+    const auto known = known_by(devices[position].station_address);
+    if (!known) {
       positions.push_back(static_cast<std::uint16_t>(position));
       continue;
     }
-    const auto index = static_cast<std::size_t>(known - slaves.begin());
+    const auto index = *known;
     esm_.commands().set_position(index, static_cast<std::uint16_t>(position));
     close_gap(index);
     next = std::max(next, index + 1);
   }
-  close_gap(slaves.size());
+  close_gap(run_.config().slaves.size());
   return {};
+}
+
+/// The slave that is there and has this station address.
+std::optional<std::size_t> Recovery::known_by(std::uint16_t station) const {
+  const auto& slaves = run_.config().slaves;
+  for (std::size_t i = 0; i < slaves.size(); ++i) {
+    if (slaves[i].station_address == station && run_.snapshot.slaves[i].present) return i;
+  }
+  return std::nullopt;
 }
 
 void Recovery::match_gap(std::span<const std::uint16_t> wanted, std::span<const std::uint16_t> positions,
@@ -210,50 +196,6 @@ void Recovery::match_gap(std::span<const std::uint16_t> wanted, std::span<const 
     event.text = to_string(identity);
     run_.channels().events.push(std::move(event));
   }
-}
-
-Status Recovery::read_devices(std::vector<FoundDevice>& devices) {
-  const auto count = task_.slaves().answering().value_or(0);
-  devices.resize(count);
-  std::vector<std::array<std::uint8_t, 4>> bytes(count);  // station address and alias
-  std::vector<Datagram> reads;
-  for (std::uint16_t position = 0; position < count; ++position) {
-    reads.push_back(SlaveAddress::at_position(position).read(reg::kStationAddress, bytes[position]));
-  }
-  if (auto status = bus_.transact(reads); !status) return status;
-  std::vector<std::uint16_t> unknown;
-  for (std::uint16_t position = 0; position < count; ++position) {
-    devices[position].station_address = load_le<std::uint16_t>(bytes[position]);
-    devices[position].alias = load_le<std::uint16_t>(std::span(bytes[position]).subspan(2));
-    const auto known = std::ranges::any_of(run_.config().slaves, [&](const SlaveConfig& slave) {
-      return slave.station_address == devices[position].station_address &&
-             run_.snapshot.slaves[static_cast<std::size_t>(&slave - run_.config().slaves.data())].present;
-    });
-    if (!known) unknown.push_back(position);
-  }
-  return read_identities(unknown, devices);
-}
-
-Status Recovery::read_identities(const std::vector<std::uint16_t>& positions, std::vector<FoundDevice>& devices) {
-  if (positions.empty()) return {};
-  std::vector<SlaveAddress> addresses;
-  for (const auto position : positions) addresses.push_back(SlaveAddress::at_position(position));
-  SiiAccess sii(bus_, std::move(addresses), {.take_ownership = true, .broadcast = false});
-  std::vector<SiiRequest> ids(positions.size()), revisions(positions.size());
-  for (std::size_t i = 0; i < positions.size(); ++i) {
-    ids[i].slave = revisions[i].slave = i;
-    ids[i].word = kIdentityWord;
-    revisions[i].word = kRevisionWord;
-  }
-  auto status = sii.open().and_then([&] { return sii.read(ids); }).and_then([&] { return sii.read(revisions); });
-  if (auto closed = sii.close(); status) status = std::move(closed);
-  for (std::size_t i = 0; i < positions.size(); ++i) {
-    if (ids[i].error || revisions[i].error) continue;
-    const std::span<const std::uint8_t> id(ids[i].data), revision(revisions[i].data);
-    devices[positions[i]].identity = {load_le<std::uint32_t>(id), load_le<std::uint32_t>(id.subspan(4)),
-                                      load_le<std::uint32_t>(revision), load_le<std::uint32_t>(revision.subspan(4))};
-  }
-  return status;
 }
 
 }  // namespace syncline

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "master/bus.h"
-#include "master/bus_match.h"
+#include "master/bus_survey.h"
 #include "master/cyclic_task.h"
 #include "master/esm.h"
 #include "master/run_state.h"
@@ -44,8 +44,7 @@ class Recovery {
   [[nodiscard]] bool wants_help(std::size_t slave) const;
   Status work(bool on_command, AlState target);
   Status locate(SlaveList& found);
-  Status read_devices(std::vector<FoundDevice>& devices);
-  Status read_identities(const std::vector<std::uint16_t>& positions, std::vector<FoundDevice>& devices);
+  [[nodiscard]] std::optional<std::size_t> known_by(std::uint16_t station) const;
   void match_gap(std::span<const std::uint16_t> wanted, std::span<const std::uint16_t> positions,
                  std::span<const FoundDevice> devices, SlaveList& found);
   void tell(std::size_t slave, int stage);
@@ -60,8 +59,5 @@ class Recovery {
   Nanoseconds next_look_ = 0;
   std::set<std::pair<std::uint16_t, std::uint64_t>> told_unknown_;  // position, vendor and product
 };
-
-/// The slave as match_bus() wants it.
-[[nodiscard]] WantedDevice wanted_device(const SlaveConfig& slave);
 
 }  // namespace syncline

@@ -177,6 +177,41 @@ TEST_F(Disturbance, AnErrorStateIsLeftAsOftenAsTheSettingSays) {
   EXPECT_EQ(count(EventKind::kStateChanged, 1), 3U) << log();  // the terminal was never touched after its bring-up
 }
 
+TEST_F(Disturbance, ABusThatIsNotTheConfiguredOneIsExplained) {
+  const auto errors_of_start = [this] {
+    events.clear();
+    go_online();
+    std::vector<ErrorCode> codes;
+    for (const auto& event : events) {
+      if (event.error) codes.push_back(event.error->code);
+    }
+    return codes;
+  };
+  const auto configured = network;
+  // Missing: the drive in the middle.
+  network.sim.slaves.erase(network.sim.slaves.begin() + 2);
+  network.sim.slaves[2].parent = 1;
+  EXPECT_THAT(errors_of_start(), ::testing::ElementsAre(ErrorCode::kSlaveMissing, ErrorCode::kSlaveCount)) << log();
+  EXPECT_NE(log().find("slave 2"), std::string::npos) << log();
+  EXPECT_FALSE(service->online());
+  // One too many.
+  network = configured;
+  network.project.slaves.pop_back();
+  EXPECT_THAT(errors_of_start(), ::testing::ElementsAre(ErrorCode::kSlaveExtra, ErrorCode::kSlaveCount)) << log();
+  // Swapped: the identity check of both slaves fails, and both are named together.
+  network = configured;
+  std::swap(network.sim.slaves[1].device, network.sim.slaves[2].device);
+  const auto swapped = errors_of_start();
+  EXPECT_THAT(swapped, ::testing::Contains(ErrorCode::kSlavesSwapped)) << log();
+  EXPECT_THAT(swapped, ::testing::Contains(ErrorCode::kIdentityMismatch).Times(3)) << log();
+  // Another device.
+  network = configured;
+  network.sim.slaves[3].device.identity.product_code = 0x4711;
+  const auto wrong = errors_of_start();
+  EXPECT_THAT(wrong, ::testing::Each(ErrorCode::kIdentityMismatch)) << log();
+  EXPECT_NE(log().find("0x00004711"), std::string::npos) << log();
+}
+
 TEST_F(Disturbance, ALostReferenceClockIsNeverInSync) {
   fault(FaultKind::kSlaveOff, 0, 6 * kSecond, 8 * kSecond);
   go_online();

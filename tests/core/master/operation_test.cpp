@@ -356,9 +356,13 @@ TEST_F(OperationTest, StopsAtTheRequestedState) {
 TEST_F(OperationTest, RefusesABusOfAnotherSize) {
   link->slave(2).present = false;
   go_online();
+  // Who is missing, and then what that means.
   ASSERT_TRUE(first_error());
-  EXPECT_EQ(first_error()->code, ErrorCode::kSlaveCount);
-  EXPECT_EQ(first_error()->received, 2);
+  EXPECT_EQ(first_error()->code, ErrorCode::kSlaveMissing);
+  EXPECT_NE(first_error()->subject.find("slave 2"), std::string::npos);
+  const auto last = std::find_if(events.rbegin(), events.rend(), [](const Event& e) { return e.error.has_value(); });
+  EXPECT_EQ(last->error->code, ErrorCode::kSlaveCount);
+  EXPECT_EQ(last->error->received, 2);
   EXPECT_FALSE(service->online());
   EXPECT_FALSE(snapshot.online);
 }
