@@ -129,7 +129,10 @@ Status CyclicTaskRunner::exchange_frames(Nanoseconds deadline) {
 void CyclicTaskRunner::after_sweep() {
   sweeps_seen_ = slaves_.sweeps();
   reference_.look(send_time_);
-  if (!health_.judging()) return;
+  if (health_.judging()) expect_present();
+}
+
+void CyclicTaskRunner::expect_present() {
   for (std::size_t i = 0; i < without_.size(); ++i) {
     const auto& slave = run_.snapshot.slaves[i];
     const auto state = al_state_of(slave.al_status);

@@ -34,6 +34,8 @@ class CyclicTaskRunner final : public CyclePump, private SendStamp {
   [[nodiscard]] BusHealth& health() { return health_; }
   [[nodiscard]] CyclicFrameSet& frames() { return frames_; }
   [[nodiscard]] ReferenceClock& reference() { return reference_; }
+  /// Expects the working counter of those slaves that are there and exchange process data. Tells a change.
+  void expect_present();
   [[nodiscard]] Nanoseconds next_cycle() const { return scheduled_; }
 
  private:

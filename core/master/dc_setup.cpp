@@ -71,28 +71,50 @@ struct DcSetup::Latch {
 };
 
 std::string DcSetup::subject(std::size_t slave) const {
-  return fmt::format("slave {} ({})", slave, config_.slaves[slave].name);
+  return fmt::format("slave {} ({})", slaves_[slave], config_.slaves[slaves_[slave]].name);
 }
 
 Result<DcNetwork> DcSetup::run() {
   if (auto status = read_slaves(); !status) return tl::unexpected(status.error());
   if (auto status = measure(); !status) return tl::unexpected(status.error());
   if (auto status = burst(); !status) return tl::unexpected(status.error());
-  return network_;
+  return for_all_slaves();
+}
+
+/// The network as the configuration counts its slaves.
+DcNetwork DcSetup::for_all_slaves() const {
+  DcNetwork network = network_;
+  network.slaves.assign(config_.slaves.size(), {});
+  for (std::size_t i = 0; i < slaves_.size(); ++i) network.slaves[slaves_[i]] = network_.slaves[i];
+  network.reference_clock = static_cast<std::uint16_t>(slaves_[network_.reference_clock]);
+  for (auto& finding : network.findings) finding.position = static_cast<std::uint16_t>(slaves_[finding.position]);
+  return network;
+}
+
+/// The configured clock; when it is not there, the next one that takes part in distributed clocks.
+Status DcSetup::choose_reference(const std::vector<DcCapability>& capabilities) {
+  const auto configured = configured_reference_clock(config_);
+  if (!configured || *configured >= config_.slaves.size()) {
+    return fail(ErrorCode::kDcSetup, "master", "no slave is configured as reference clock");
+  }
+  for (std::size_t i = 0; i < slaves_.size(); ++i) {
+    const bool is_it = slaves_[i] == *configured;
+    if (is_it && !has_system_time(capabilities[i])) {
+      return fail(ErrorCode::kDcSetup, subject(i), "it has no system time and cannot be the reference clock");
+    }
+    if (is_it || (slaves_[i] > *configured && config_.slaves[slaves_[i]].dc && has_system_time(capabilities[i]))) {
+      network_.reference_clock = static_cast<std::uint16_t>(i);
+      return {};
+    }
+  }
+  return fail(ErrorCode::kDcSetup, "master", "no slave that is there can be the reference clock");
 }
 
 Status DcSetup::read_slaves() {
-  for (const auto& slave : config_.slaves) stations_.push_back(slave.station_address);
+  for (const auto slave : slaves_) stations_.push_back(config_.slaves[slave].station_address);
   const auto capabilities = probe_dc(bus_, stations_);
   if (!capabilities) return tl::unexpected(capabilities.error());
-  const auto reference = configured_reference_clock(config_);
-  if (!reference || *reference >= stations_.size()) {
-    return fail(ErrorCode::kDcSetup, "master", "no slave is configured as reference clock");
-  }
-  network_.reference_clock = *reference;
-  if (!has_system_time((*capabilities)[*reference])) {
-    return fail(ErrorCode::kDcSetup, subject(*reference), "it has no system time and cannot be the reference clock");
-  }
+  if (auto status = choose_reference(*capabilities); !status) return status;
   std::vector<std::array<std::uint8_t, 2>> bytes(stations_.size());
   std::vector<Datagram> reads;
   for (std::size_t i = 0; i < stations_.size(); ++i) {
@@ -114,7 +136,7 @@ Status DcSetup::read_slaves() {
       node.parent_port = previous[i]->port;
     }
     nodes_.push_back(node);
-    network_.slaves.push_back({(*capabilities)[i], has_system_time((*capabilities)[i]) && i >= *reference, 0});
+    network_.slaves.push_back({(*capabilities)[i], has_system_time((*capabilities)[i]) && i >= network_.reference_clock, 0});
   }
   return {};
 }
@@ -216,6 +238,12 @@ Status DcSetup::burst_frame(std::uint32_t* deviation_ored) {
   time_bytes_.fill(0);
   Datagram read{Command::kArmw, device_address(adp, reg::kSystemTime), time_bytes_};
   Datagram steer{Command::kApwr, device_address(adp, reg::kSystemTime), steer_bytes_};
+  if (!complete()) {
+    // Places on the bus are not those of the configuration.
+    const auto station = stations_[network_.reference_clock];
+    read = {Command::kFrmw, device_address(station, reg::kSystemTime), time_bytes_};
+    steer = {Command::kFpwr, device_address(station, reg::kSystemTime), steer_bytes_};
+  }
   Datagram window{Command::kBrd, device_address(0, reg::kSystemTimeDifference), deviation};
   read.stamped = steer.stamped = true;
   frame_.clear();

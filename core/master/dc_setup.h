@@ -35,7 +35,9 @@ struct DcNetwork {
 /// no cyclic operation. An ENI has no commands for this: every master does it by itself.
 class DcSetup : private SendStamp {
  public:
-  DcSetup(Bus& bus, const NetworkConfig& config) : bus_(bus), config_(config) {}
+  /// `slaves`: those of the configuration that are on the bus, in frame order; others get no clock.
+  DcSetup(Bus& bus, const NetworkConfig& config, std::vector<std::size_t> slaves)
+      : bus_(bus), config_(config), slaves_(std::move(slaves)) {}
 
   /// kDcSetup when the reference clock has no system time; kCancelled, link errors.
   Result<DcNetwork> run();
@@ -49,6 +51,9 @@ class DcSetup : private SendStamp {
   };
 
   Status read_slaves();
+  Status choose_reference(const std::vector<DcCapability>& capabilities);
+  [[nodiscard]] DcNetwork for_all_slaves() const;
+  [[nodiscard]] bool complete() const { return slaves_.size() == config_.slaves.size(); }
   Status measure();
   Status latch_round(Latch& latch);
   Status write_times(const Latch& latch);
@@ -61,6 +66,7 @@ class DcSetup : private SendStamp {
 
   Bus& bus_;
   const NetworkConfig& config_;
+  std::vector<std::size_t> slaves_;     // what follows counts these
   std::vector<std::uint16_t> stations_;
   std::vector<dc::DelayNode> nodes_;
   DcNetwork network_;

@@ -85,7 +85,14 @@ Status Esm::tell_differences(std::uint16_t count, Status status) {
   for (const auto& slave : config.slaves) wanted.push_back(wanted_device(slave));
   const auto match = match_bus(wanted, *found);
   for (const auto& error : explain(match, config, *found)) run_.error(error, bus_.clock().now());
-  return status;
+  const bool usable = match.swapped.empty() && match.wrong.empty() && match.missing.size() < config.slaves.size();
+  const bool size = !status && status.error().code == ErrorCode::kSlaveCount;
+  if (!config.recovery.start_incomplete || !usable || !size) return status;
+  for (std::size_t i = 0; i < config.slaves.size(); ++i) {
+    missing_[i] = !match.position[i].has_value();
+    if (match.position[i]) commands_.set_position(i, *match.position[i]);
+  }
+  return {};
 }
 
 Status Esm::change_to(AlState target) {
@@ -109,7 +116,8 @@ Status Esm::up_to(AlState target) {
   if (bus_.cyclic()) {
     if (auto status = commands_.acknowledge(slaves_where([](AlState) { return true; })); !status) return status;
   }
-  if (std::ranges::all_of(run_.snapshot.slaves, [](const auto& s) { return al_state_of(s.al_status) == AlState::kInit; })) {
+  const auto in_init = [](const SlaveStatus& s) { return !s.present || al_state_of(s.al_status) == AlState::kInit; };
+  if (std::ranges::all_of(run_.snapshot.slaves, in_init)) {
     if (auto status = init_to_preop(); !status) return status;
   } else if (bus_.cyclic()) {
     // A running bus is not stopped for slaves that fell behind the others.
@@ -173,7 +181,7 @@ SlaveList Esm::slaves_where(const std::function<bool(AlState)>& applies) const {
 Status Esm::initialise_clocks() {
   std::optional<DcNetwork> network;
   if (configured_reference_clock(run_.config())) {
-    auto result = DcSetup(bus_, run_.config()).run();
+    auto result = DcSetup(bus_, run_.config(), slaves_where([](AlState) { return true; })).run();
     if (!result) return tl::unexpected(result.error());
     network = std::move(*result);
     note_clocks(*network);
@@ -186,6 +194,14 @@ Status Esm::initialise_clocks() {
   return {};
 }
 
+/// Of a slave that was never measured: a usual hop behind the one that it hangs at.
+std::uint32_t Esm::estimated_delay(std::size_t slave) const {
+  constexpr std::uint32_t kUsualHop = 500;  // ns: an ESC with copper ports and some metres of cable
+  const auto& previous = run_.config().slaves[slave].previous;
+  if (!previous || previous->position >= slave) return 0;
+  return run_.snapshot.slaves[previous->position].propagation_delay_ns + kUsualHop;
+}
+
 void Esm::note_clocks(const DcNetwork& network) {
   std::vector<std::uint16_t> watched;
   for (std::size_t i = 0; i < network.slaves.size(); ++i) {
@@ -194,10 +210,16 @@ void Esm::note_clocks(const DcNetwork& network) {
     slave.dc_enabled = clock.synchronised;
     slave.is_reference_clock = i == network.reference_clock;
     slave.propagation_delay_ns = clock.delay_ns;
-    if (clock.synchronised) watched.push_back(static_cast<std::uint16_t>(i));
+    // One that joins later gets its clock then.
+    if (missing_[i] && run_.config().slaves[i].dc) {
+      slave.dc_enabled = true;
+      slave.propagation_delay_ns = estimated_delay(i);
+    }
+    if (slave.dc_enabled) watched.push_back(static_cast<std::uint16_t>(i));
   }
   task_.slaves().set_dc_slaves(std::move(watched));
-  task_.reference().start(static_cast<std::uint16_t>(network.reference_clock));
+  const bool complete = std::ranges::none_of(missing_, [](bool missing) { return missing; });
+  task_.reference().start(*configured_reference_clock(run_.config()), network.reference_clock, complete);
   run_.event(EventKind::kReferenceClock, bus_.clock().now(), network.reference_clock, 1);
 }
 
@@ -215,7 +237,7 @@ Status Esm::await_slaves_in_sync() {
   const auto now = bus_.clock().now();
   if (!sync_.monitored()) run_.event(EventKind::kDcSlaveSync, now, -1, 2, 0);
   std::int64_t count = 0;
-  for (const auto& slave : run_.snapshot.slaves) count += slave.dc_enabled ? 1 : 0;
+  for (const auto& slave : run_.snapshot.slaves) count += slave.dc_enabled && slave.present ? 1 : 0;
   run_.event(EventKind::kDcInitialised, now, -1, count, run_.snapshot.dc.reference_clock);
   return {};
 }
@@ -318,6 +340,7 @@ Status Esm::safeop_to_op() {
   task_.select(AlState::kOp);
   if (auto status = bus_.wait_a_little(); !status) return status;
   task_.health().set_judging(true);
+  task_.expect_present();
   return {};
 }
 

@@ -50,6 +50,7 @@ class Esm {
   Status begin_cyclic();
   Status await_slaves_in_sync();
   Status await_master_in_sync();
+  [[nodiscard]] std::uint32_t estimated_delay(std::size_t slave) const;
   void note_clocks(const DcNetwork& network);
 
   Status run_master_commands(Transition transition, bool before_slave);

@@ -21,11 +21,6 @@ bool is_behind(std::uint16_t al_status, AlState target) {
 Recovery::Recovery(Bus& bus, RunState& run, CyclicTaskRunner& task, Esm& esm)
     : bus_(bus), run_(run), task_(task), esm_(esm), tracks_(run.config().slaves.size()) {}
 
-void Recovery::forget() {
-  for (auto& track : tracks_) track = {};
-  told_unknown_.clear();
-}
-
 std::size_t Recovery::present_count() const {
   return static_cast<std::size_t>(std::ranges::count_if(run_.snapshot.slaves, &SlaveStatus::present));
 }

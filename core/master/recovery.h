@@ -27,8 +27,6 @@ class Recovery {
   /// Takes all slaves that were lost and are there again to PREOP, whatever the settings say: the user's
   /// request, from where the state machine goes on with all slaves.
   Status bring_all_back();
-  /// Slaves that were missing at the start count as lost ones.
-  void forget();
 
  private:
   struct Track {

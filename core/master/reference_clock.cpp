@@ -14,9 +14,14 @@ bool can_lead(const SlaveStatus& slave) {
 
 }  // namespace
 
-void ReferenceClock::start(std::uint16_t position) {
-  configured_ = leader_ = position;
-  frames_.follow({});
+void ReferenceClock::start(std::uint16_t configured, std::uint16_t leader, bool by_place) {
+  configured_ = configured;
+  leader_ = leader;
+  if (by_place) {
+    frames_.follow({});
+  } else {
+    frames_.follow({Who::kOther, run_.config().slaves[leader].station_address});
+  }
 }
 
 void ReferenceClock::look(Nanoseconds time) {
@@ -42,7 +47,7 @@ void ReferenceClock::look(Nanoseconds time) {
 void ReferenceClock::take_back(Nanoseconds time) {
   if (!configured_ || leader_ == configured_) return;
   if (leader_) run_.snapshot.slaves[*leader_].is_reference_clock = false;
-  frames_.follow({});
+  frames_.follow({Who::kOther, run_.config().slaves[*configured_].station_address});
   lead(*configured_, time);
   run_.event(EventKind::kReferenceClock, time, *configured_, 1);
 }

@@ -17,8 +17,9 @@ class ReferenceClock {
  public:
   ReferenceClock(RunState& run, SyncWatch& sync, CyclicFrameSet& frames) : run_(run), sync_(sync), frames_(frames) {}
 
-  /// After the DC initialisation.
-  void start(std::uint16_t position);
+  /// After the DC initialisation: who is to lead and who does. `by_place`: the configuration's places on the bus are
+  /// right, and so are its commands.
+  void start(std::uint16_t configured, std::uint16_t leader, bool by_place);
   /// After slaves were lost or found: a lost leader is replaced. Tells kReferenceClock.
   void look(Nanoseconds time);
   /// The configured clock shows the system time again.

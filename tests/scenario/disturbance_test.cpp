@@ -212,6 +212,24 @@ TEST_F(Disturbance, ABusThatIsNotTheConfiguredOneIsExplained) {
   EXPECT_NE(log().find("0x00004711"), std::string::npos) << log();
 }
 
+TEST_F(Disturbance, ABusMayStartWithoutSlavesThatJoinLater) {
+  network.project.master.recovery.start_incomplete = true;
+  fault(FaultKind::kCableBreak, 2, 0, 6 * kSecond);  // two slaves are not there yet
+  go_online();
+  ASSERT_TRUE(service->online()) << log();
+  EXPECT_EQ(snapshot.state, AlState::kOp) << log();
+  EXPECT_FALSE(snapshot.slaves[2].present);
+  run_until(4 * kSecond);
+  EXPECT_EQ(samples.back().wkc_received, 6) << log();
+  EXPECT_EQ(samples.back().wkc_expected, 6) << log();
+  EXPECT_EQ(snapshot.wkc_errors, 0U) << log();
+  events.clear();
+  run_until(20 * kSecond);
+  for (const auto& slave : snapshot.slaves) EXPECT_EQ(slave.al_status, 8) << log();
+  EXPECT_EQ(count(EventKind::kStateChanged, 0) + count(EventKind::kStateChanged, 1), 0U) << log();
+  EXPECT_EQ(samples.back().wkc_received, 12) << log();
+}
+
 TEST_F(Disturbance, ALostReferenceClockIsNeverInSync) {
   fault(FaultKind::kSlaveOff, 0, 6 * kSecond, 8 * kSecond);
   go_online();
