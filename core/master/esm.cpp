@@ -15,7 +15,6 @@
 namespace syncline {
 namespace {
 
-constexpr Nanoseconds kResetTimeout = 5 * kSecond;  // ETG default "back to INIT"
 constexpr Nanoseconds kSyncTimeout = 30 * kSecond;
 constexpr int kCyclesBeforeOp = 10;                 // valid outputs before OP is requested
 
@@ -43,7 +42,9 @@ Status Esm::reset() {
     if (auto wkc = bus_.write(Command::kBwr, 0, reg::kAlControl, value); !wkc) return tl::unexpected(wkc.error());
     if (auto status = bus_.wait_a_little(); !status) return status;
   }
-  const auto end = bus_.clock().now() + kResetTimeout;
+  std::uint32_t patience_ms = 0;
+  for (const auto& slave : run_.config().slaves) patience_ms = std::max(patience_ms, slave.timeouts.back_to_init);
+  const auto end = bus_.clock().now() + patience_ms * kMillisecond;
   std::uint16_t al_status = 0;
   do {
     std::array<std::uint8_t, 2> bytes{};
@@ -93,6 +94,12 @@ Status Esm::tell_differences(std::uint16_t count, Status status) {
     if (match.position[i]) commands_.set_position(i, *match.position[i]);
   }
   return {};
+}
+
+/// From now on the cyclic commands of this state are sent.
+void Esm::operate(AlState level) {
+  level_ = level;
+  task_.select(level);
 }
 
 Status Esm::change_to(AlState target) {
@@ -189,7 +196,7 @@ Status Esm::initialise_clocks() {
   const auto first_cycle = bus_.clock().now() + run_.config().cycle_time();
   if (network) sync_.start(*network, first_cycle);
   task_.start(first_cycle);
-  task_.select(AlState::kPreop);
+  operate(AlState::kPreop);
   bus_.set_pump(&task_);
   return {};
 }
@@ -326,7 +333,7 @@ Status Esm::preop_to_safeop() {
   if (auto status = run_master_commands(Transition::kPS, true); !status) return status;
   if (auto status = step_up(AlState::kPreop, Transition::kPS); !status) return status;
   if (auto status = run_master_commands(Transition::kPS, false); !status) return status;
-  if (run_.snapshot.state != AlState::kOp) task_.select(AlState::kSafeop);
+  if (level_ != AlState::kOp) operate(AlState::kSafeop);
   return {};
 }
 
@@ -337,7 +344,7 @@ Status Esm::safeop_to_op() {
   if (auto status = run_master_commands(Transition::kSO, true); !status) return status;
   if (auto status = step_up(AlState::kSafeop, Transition::kSO); !status) return status;
   if (auto status = run_master_commands(Transition::kSO, false); !status) return status;
-  task_.select(AlState::kOp);
+  operate(AlState::kOp);
   if (auto status = bus_.wait_a_little(); !status) return status;
   task_.health().set_judging(true);
   task_.expect_present();
@@ -379,7 +386,7 @@ Status Esm::down_to(AlState target) {
 }
 
 void Esm::finish_down(AlState target) {
-  task_.select(target);
+  operate(target);
   if (target == AlState::kInit) bus_.set_pump(nullptr);
 }
 

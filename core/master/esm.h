@@ -32,8 +32,11 @@ class Esm {
   /// all the way are told by events and stay where they are. Bus errors only.
   Status join(SlaveList slaves, AlState target);
   [[nodiscard]] SlaveCommands& commands() { return commands_; }
+  /// State to which the bus as a whole was led; single slaves may be elsewhere.
+  [[nodiscard]] AlState level() const { return level_; }
 
  private:
+  void operate(AlState level);
   Status look_at_bus(std::uint16_t count);
   Status tell_differences(std::uint16_t count, Status status);
   Status join_each(SlaveList slaves, AlState target);
@@ -65,6 +68,7 @@ class Esm {
   CyclicTaskRunner& task_;
   SyncWatch& sync_;
   SlaveCommands commands_;
+  AlState level_ = AlState::kInit;
   std::vector<bool> missing_;  // at the start
 };
 

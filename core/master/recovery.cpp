@@ -37,7 +37,7 @@ Status Recovery::after_cycle() {
   bool any = unknown;
   for (std::size_t i = 0; !any && i < tracks_.size(); ++i) any = due(i, now);
   if (!any || task_.slaves().refreshing()) return {};
-  return work(false, run_.snapshot.requested);
+  return work(false, esm_.level());
 }
 
 /// Keeps the tracks up to date.
@@ -52,7 +52,7 @@ void Recovery::look() {
       track.returning = true;
       continue;
     }
-    if (is_behind(slave.al_status, run_.snapshot.requested)) {
+    if (is_behind(slave.al_status, esm_.level())) {
       track.well_since.reset();
       continue;
     }
@@ -64,7 +64,7 @@ void Recovery::look() {
 
 bool Recovery::wants_help(std::size_t slave) const {
   const auto& status = run_.snapshot.slaves[slave];
-  return status.present && is_behind(status.al_status, run_.snapshot.requested);
+  return status.present && is_behind(status.al_status, esm_.level());
 }
 
 bool Recovery::due(std::size_t slave, Nanoseconds now) const {

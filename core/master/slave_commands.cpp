@@ -123,10 +123,8 @@ Status SlaveCommands::finish(SlaveList& slaves, std::span<SlaveWork* const> work
 }
 
 Status SlaveCommands::report(std::span<const std::size_t> slaves, std::span<const Error> errors) {
-  for (const auto& error : errors) {
-    // A refused state is told by the reading below.
-    if (error.code != ErrorCode::kAlState) run_.error(error, bus_.clock().now());
-  }
+  // First what each slave was asked and what it says, then the states in which that left them.
+  for (const auto& error : errors) run_.error(error, bus_.clock().now());
   if (auto status = read_al_status(slaves); !status) return status;
   // The acknowledge makes the next request possible.
   return write_acknowledge(slaves);

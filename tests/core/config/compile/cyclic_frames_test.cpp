@@ -168,5 +168,41 @@ TEST(WireTime, CountsWhatATapMeasures) {
   EXPECT_EQ(compiler::wire_time(frame), 123'040);
 }
 
+/// "LRW 0x10000000 8 wkc 3" of the process-data commands.
+std::vector<std::string> process_data(const NetworkConfig& config) {
+  std::vector<std::string> out;
+  for (const auto& frame : config.cyclic[0].frames) {
+    for (const auto& cmd : frame.commands) {
+      if (is_logical(cmd.command)) out.push_back(fmt::format("{} {} wkc {}", address_text(cmd), cmd.length(), *cmd.expected_wkc));
+    }
+  }
+  return out;
+}
+
+TEST(CyclicFrames, WithoutOverlapInputsStandBehindOutputs) {
+  Project project = sample::small_machine();
+  project.master.overlap_process_data = false;
+  const NetworkConfig config = compiled(project);
+  // Outputs 1 + 6, inputs 1 + 8.
+  EXPECT_THAT(process_data(config), ElementsAre("LRW 0x10000000 16 wkc 6"));
+  EXPECT_EQ(config.slaves[2].send, (ImageRange{0, 2}));
+  EXPECT_EQ(config.slaves[3].send, (ImageRange{8, 48}));
+  EXPECT_EQ(config.slaves[1].receive, (ImageRange{56, 2}));
+  EXPECT_EQ(config.slaves[3].receive, (ImageRange{64, 64}));
+  EXPECT_THAT(process_data(compiled(project, EniDialect::kTwinCat)),
+              ElementsAre("LWR 0x01000000 7 wkc 2", "LRD 0x01000800 9 wkc 2"));
+}
+
+TEST(CyclicFrames, OnlySlavesThatCannotDoLrwGetLwrAndLrd) {
+  Project project = sample::small_machine();
+  project.slaves.push_back(project.slaves.back());
+  project.slaves.back().station_address = 1005;
+  project.slaves[3].device.use_lrd_lwr = true;
+  const NetworkConfig config = compiled(project);
+  EXPECT_THAT(process_data(config),
+              ElementsAre("LRW 0x10000000 10 wkc 6", "LWR 0x1000000a 8 wkc 1", "LRD 0x1000000a 8 wkc 1"));
+  EXPECT_EQ(config.slaves[4].send, (ImageRange{16, 48}));
+}
+
 }  // namespace
 }  // namespace syncline
