@@ -410,6 +410,18 @@
             <translation>{subject}: der DCM-Fehler von {received} ns überschreitet die Grenze von {expected} ns; Jitter des Rechners und Drift der Uhr prüfen.</translation>
         </message>
         <message>
+            <source>{subject} is missing{because}; check its power and the cable to it, or take it out of the configuration.</source>
+            <translation>{subject} fehlt{because}; Versorgung und Kabel dorthin prüfen, oder aus der Konfiguration nehmen.</translation>
+        </message>
+        <message>
+            <source>There is a device that is not in the configuration: {subject}{because}; scan again or take it off the bus.</source>
+            <translation>Am Bus ist ein Gerät, das nicht in der Konfiguration steht: {subject}{because}; neu suchen oder vom Bus nehmen.</translation>
+        </message>
+        <message>
+            <source>{subject} and {detail} have changed places; swap their cables, or their positions in the configuration.</source>
+            <translation>{subject} und {detail} haben die Plätze getauscht; die Kabel tauschen, oder ihre Positionen in der Konfiguration.</translation>
+        </message>
+        <message>
             <source>{subject} took too long{because}.</source>
             <translation>{subject} hat zu lange gedauert{because}.</translation>
         </message>
@@ -478,6 +490,42 @@
         <message>
             <source>Reference clock present</source>
             <translation>Referenzuhr vorhanden</translation>
+        </message>
+        <message>
+            <source>This clock took over as reference clock</source>
+            <translation>Diese Uhr hat die Referenzuhr abgelöst</translation>
+        </message>
+        <message>
+            <source>Working counter expected now %1 (all slaves: %2)</source>
+            <translation>Erwarteter Working Counter jetzt %1 (alle Slaves: %2)</translation>
+        </message>
+        <message>
+            <source>Device that is not in the configuration, at position %1: %2</source>
+            <translation>Gerät, das nicht in der Konfiguration steht, an Position %1: %2</translation>
+        </message>
+        <message>
+            <source>The cable from port %1 to position %2 is healed</source>
+            <translation>Das Kabel von Port %1 zu Position %2 ist wieder heil</translation>
+        </message>
+        <message>
+            <source>Nothing comes back over the cable from port %1 to position %2: pulled, broken, or no power behind it</source>
+            <translation>Über das Kabel von Port %1 zu Position %2 kommt nichts zurück: gezogen, gebrochen, oder dahinter fehlt die Versorgung</translation>
+        </message>
+        <message>
+            <source>Recovery begins (try %1)</source>
+            <translation>Wiederanlauf beginnt (Versuch %1)</translation>
+        </message>
+        <message>
+            <source>Recovered (try %1)</source>
+            <translation>Wieder da (Versuch %1)</translation>
+        </message>
+        <message>
+            <source>Recovery failed (try %1)</source>
+            <translation>Wiederanlauf gescheitert (Versuch %1)</translation>
+        </message>
+        <message>
+            <source>Recovery given up after try %1; request the state again when the cause is removed</source>
+            <translation>Wiederanlauf nach Versuch %1 aufgegeben; Zustand erneut anfordern, wenn die Ursache behoben ist</translation>
         </message>
         <message>
             <source>Reference clock lost</source>
