@@ -7,6 +7,7 @@
 
 #include "protocol/al_state.h"
 #include "protocol/coe.h"
+#include "protocol/foe.h"
 
 namespace syncline {
 namespace {
@@ -35,6 +36,11 @@ std::string abort_text(std::int64_t code) {
   return fmt::format("0x{:08X} ({})", value, coe::abort_code_text(value));
 }
 
+std::string foe_text(std::int64_t code) {
+  const auto value = static_cast<std::uint32_t>(code);
+  return fmt::format("0x{:04X} ({})", value, foe::error_text(value));
+}
+
 std::optional<std::string> placeholder_text(std::string_view name, const Error& error) {
   if (name == "subject") return error.subject;
   if (name == "detail") return error.detail;
@@ -49,6 +55,7 @@ std::optional<std::string> placeholder_text(std::string_view name, const Error& 
   if (name == "actual") return al_status_text(error.received);
   if (name == "alcode") return al_code_text(error.extra);
   if (name == "abort") return abort_text(error.received);
+  if (name == "foe") return foe_text(error.received);
   return std::nullopt;
 }
 
@@ -139,6 +146,8 @@ std::string_view error_template(ErrorCode code) {
       return "Identification of {subject}: {detail}.";
     case ErrorCode::kScanScope:
       return "Not read from {subject}: {detail}.";
+    case ErrorCode::kFileTransfer:
+      return "{subject}: the slave ended the file transfer with {foe}{because}.";
   }
   return "{subject}{because}.";
 }

@@ -17,6 +17,7 @@ namespace syncline {
 ///   {state}     AL state name of `expected`      {actual}  AL state name of `received`, "+ERR" behind it
 ///   {alcode}    `extra` as AL status code: number, meaning, what to check
 ///   {abort}     `received` as SDO abort code: number and meaning
+///   {foe}       `received` as FoE error code: number and meaning
 [[nodiscard]] std::string_view error_template(ErrorCode code);
 
 /// Fills a (possibly translated) template with the facts of the error. Unknown placeholders stay.

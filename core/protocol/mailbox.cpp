@@ -8,6 +8,11 @@
 #include "support/byte_order.h"
 
 namespace syncline {
+namespace {
+
+constexpr std::uint16_t kErrorService = 1;
+
+}  // namespace
 
 std::vector<std::uint8_t> MailboxMessage::encode(std::size_t mailbox_size) const {
   std::vector<std::uint8_t> bytes;
@@ -40,6 +45,51 @@ Result<MailboxMessage> MailboxMessage::decode(std::span<const std::uint8_t> byte
   }
   message.data.assign(data.begin(), data.end());
   return message;
+}
+
+std::vector<std::uint8_t> MailboxError::encode() const {
+  std::vector<std::uint8_t> bytes;
+  ByteWriter(bytes).u16(kErrorService).u16(static_cast<std::uint16_t>(detail));
+  return bytes;
+}
+
+Result<MailboxError> MailboxError::decode(std::span<const std::uint8_t> data) {
+  ByteReader reader(data);
+  const auto service = reader.u16();
+  const auto detail = reader.u16();
+  if (!reader.ok() || service != kErrorService) {
+    return fail(ErrorCode::kMalformedData, "mailbox error reply",
+                fmt::format("{} bytes, service {}", data.size(), service));
+  }
+  return MailboxError{static_cast<MailboxErrorDetail>(detail)};
+}
+
+std::string_view mailbox_error_text(MailboxErrorDetail detail) {
+  switch (detail) {
+    case MailboxErrorDetail::kSyntax: return "syntax of the mailbox header";
+    case MailboxErrorDetail::kUnsupportedProtocol: return "the slave does not support this protocol";
+    case MailboxErrorDetail::kInvalidChannel: return "the channel does not exist";
+    case MailboxErrorDetail::kServiceNotSupported: return "the slave does not support this service of the protocol";
+    case MailboxErrorDetail::kInvalidHeader: return "the protocol's header is wrong";
+    case MailboxErrorDetail::kSizeTooShort: return "the message is too short";
+    case MailboxErrorDetail::kNoMoreMemory: return "the slave is out of memory";
+    case MailboxErrorDetail::kInvalidSize: return "the length in the message is inconsistent";
+    case MailboxErrorDetail::kServiceInWork: return "the slave is still busy with another service";
+  }
+  return "unknown mailbox error";
+}
+
+std::string_view mailbox_type_name(MailboxType type) {
+  switch (type) {
+    case MailboxType::kError: return "error";
+    case MailboxType::kAoe: return "AoE";
+    case MailboxType::kEoe: return "EoE";
+    case MailboxType::kCoe: return "CoE";
+    case MailboxType::kFoe: return "FoE";
+    case MailboxType::kSoe: return "SoE";
+    case MailboxType::kVoe: return "VoE";
+  }
+  return "unknown";
 }
 
 }  // namespace syncline

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "support/result.h"
@@ -32,6 +33,17 @@ struct MailboxMessage {
   /// Fails when the length field lies about the bytes that are there.
   [[nodiscard]] static Result<MailboxMessage> decode(std::span<const std::uint8_t> bytes);
 };
+
+/// Reply of a slave that cannot take a message as it is: mailbox type 0 (ETG.1000.4, table 32).
+struct MailboxError {
+  MailboxErrorDetail detail = MailboxErrorDetail::kSyntax;
+  bool operator==(const MailboxError&) const = default;
+  [[nodiscard]] std::vector<std::uint8_t> encode() const;
+  /// The data behind the mailbox header. A detail that no table knows is kept as it is.
+  [[nodiscard]] static Result<MailboxError> decode(std::span<const std::uint8_t> data);
+};
+[[nodiscard]] std::string_view mailbox_error_text(MailboxErrorDetail detail);
+[[nodiscard]] std::string_view mailbox_type_name(MailboxType type);  // "CoE"; "unknown"
 
 [[nodiscard]] constexpr std::uint8_t next_mailbox_counter(std::uint8_t counter) {
   return counter >= 7 ? std::uint8_t{1} : static_cast<std::uint8_t>(counter + 1);

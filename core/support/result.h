@@ -58,6 +58,7 @@ enum class ErrorCode : std::uint16_t {
   kSlaveMissing,        // subject = slave, detail = where it should be
   kSlaveExtra,          // subject = identity, detail = where it is
   kSlavesSwapped,       // subject = slave, detail = the slave that stands in its place
+  kFileTransfer,        // subject = slave and file, received = FoE error code, detail = the slave's words
 };
 
 /// An error is an enum and the facts that prove it; see ErrorCode for which fields a code fills.
