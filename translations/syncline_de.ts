@@ -1256,6 +1256,50 @@
     <context>
         <name>MasterGeneralPage</name>
         <message>
+            <source>Recovery</source>
+            <translation>Wiederanlauf</translation>
+        </message>
+        <message>
+            <source>Switch %1</source>
+            <translation>%1 umschalten</translation>
+        </message>
+        <message>
+            <source>Bring back lost slaves</source>
+            <translation>Verlorene Slaves zurückholen</translation>
+        </message>
+        <message>
+            <source>Slaves that come back (cable healed, power back) are set up again and led to the state of the bus</source>
+            <translation>Slaves, die wiederkommen (Kabel heil, Versorgung zurück), werden neu eingerichtet und in den Zustand des Busses geführt</translation>
+        </message>
+        <message>
+            <source>Start without missing slaves</source>
+            <translation>Ohne fehlende Slaves starten</translation>
+        </message>
+        <message>
+            <source>Goes online with the slaves that are there; the others join when they appear</source>
+            <translation>Geht mit den vorhandenen Slaves online; die anderen kommen dazu, sobald sie da sind</translation>
+        </message>
+        <message>
+            <source>Tries to leave an error state</source>
+            <translation>Versuche, einen Fehlerzustand zu verlassen</translation>
+        </message>
+        <message>
+            <source>Change tries</source>
+            <translation>Versuche ändern</translation>
+        </message>
+        <message>
+            <source>How often an error is acknowledged (register 0x0120) and the state requested again; 0 leaves it to you</source>
+            <translation>Wie oft ein Fehler quittiert (Register 0x0120) und der Zustand erneut angefordert wird; bei 0 bleibt es Ihnen überlassen</translation>
+        </message>
+        <message>
+            <source>Overlap inputs and outputs</source>
+            <translation>Eingänge und Ausgänge überlagern</translation>
+        </message>
+        <message>
+            <source>Inputs and outputs of a slave share logical addresses, which halves the cyclic frame</source>
+            <translation>Eingänge und Ausgänge eines Slaves teilen sich logische Adressen; das halbiert das zyklische Telegramm</translation>
+        </message>
+        <message>
             <source>General</source>
             <translation>Allgemein</translation>
         </message>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/pages/master_general_page.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -8,6 +9,7 @@
 #include <QLocale>
 #include <QPushButton>
 #include <QSignalBlocker>
+#include <QSpinBox>
 #include <algorithm>
 
 #include "ui/session/setting_keys.h"
@@ -54,6 +56,7 @@ MasterGeneralPage::MasterGeneralPage(Workspace& workspace) : Page(workspace, "ma
   outputs_ = information->addValue("masterOutputs", tr("Outputs"), tr("Output process image (ENI ProcessImage/Outputs)"));
   frame_ = information->addValue("masterFrame", tr("Cyclic frames"), tr("Bytes and time on the wire at 100 Mbit/s, each cycle"));
   buildStateMachine(*columns->add(1, tr("State Machine")));
+  buildRecovery(*columns->add(1, tr("Recovery")));
   buildCounters(*columns->add(1, tr("Bus")));
   columns->addStretch();
   setWidget(columns);
@@ -77,6 +80,34 @@ void MasterGeneralPage::buildSettings(Card& card) {
   layout->addWidget(cycle_, 1);
   layout->addWidget(new QLabel(QStringLiteral("\u00B5s")));
   card.addRow(tr("Cycle time"), field, tr("Bus cycle, base of every Sync Unit Cycle (ENI Cyclic/CycleTime); 31.25 µs to 100 ms"));
+  overlap_ = addSwitch(card, "masterOverlap", tr("Overlap inputs and outputs"), keys::kOverlap,
+                       tr("Inputs and outputs of a slave share logical addresses, which halves the cyclic frame"));
+}
+
+QCheckBox* MasterGeneralPage::addSwitch(Card& card, const char* object_name, const QString& text, const char* key,
+                                        const QString& tip) {
+  auto* box = named(new QCheckBox(text), object_name, text);
+  connect(box, &QCheckBox::clicked, this, [this, text, key](bool on) {
+    edit(tr("Switch %1").arg(text), keys::master(key), on ? QStringLiteral("on") : QStringLiteral("off"));
+  });
+  card.addWide(box, tip);
+  return box;
+}
+
+void MasterGeneralPage::buildRecovery(Card& card) {
+  automatic_ = addSwitch(card, "recoveryAutomatic", tr("Bring back lost slaves"), keys::kRecoverAutomatic,
+                         tr("Slaves that come back (cable healed, power back) are set up again and led to the state of the bus"));
+  incomplete_ = addSwitch(card, "recoveryIncomplete", tr("Start without missing slaves"), keys::kStartIncomplete,
+                          tr("Goes online with the slaves that are there; the others join when they appear"));
+  error_tries_ = named(new QSpinBox, "recoveryErrorTries", tr("Tries to leave an error state"));
+  error_tries_->setRange(0, 1000);
+  error_tries_->setKeyboardTracking(false);
+  error_tries_->setAlignment(Qt::AlignRight);
+  connect(error_tries_, &QSpinBox::valueChanged, this, [this](int value) {
+    edit(tr("Change tries"), keys::master(keys::kErrorTries), QString::number(value));
+  });
+  card.addRow(tr("Tries to leave an error state"), error_tries_,
+              tr("How often an error is acknowledged (register 0x0120) and the state requested again; 0 leaves it to you"));
 }
 
 void MasterGeneralPage::buildStateMachine(Card& card) {
@@ -125,6 +156,13 @@ void MasterGeneralPage::refresh() {
     const auto known = cycle_->findData(QVariant::fromValue(project.master.cycle_time));
     cycle_->setCurrentIndex(known);
     if (known < 0) cycle_->setEditText(cycleNumber(project.master.cycle_time));
+  }
+  overlap_->setChecked(project.master.overlap_process_data);
+  automatic_->setChecked(project.master.recovery.automatic);
+  incomplete_->setChecked(project.master.recovery.start_incomplete);
+  {
+    const QSignalBlocker quiet(error_tries_);
+    error_tries_->setValue(static_cast<int>(project.master.recovery.error_tries));
   }
   slaves_->setText(countText(project.slaves.size()));
   const auto* config = workspace().configuration().config();

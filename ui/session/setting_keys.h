@@ -8,6 +8,10 @@ namespace syncline::ui::keys {
 
 inline constexpr char kMasterName[] = "master.name";
 inline constexpr char kCycleTime[] = "master.cycle_time_us";
+inline constexpr char kOverlap[] = "master.overlap_process_data";
+inline constexpr char kRecoverAutomatic[] = "master.recovery.automatic";
+inline constexpr char kErrorTries[] = "master.recovery.error_tries";
+inline constexpr char kStartIncomplete[] = "master.recovery.start_incomplete";
 inline constexpr char kDcEnabled[] = "master.dc.enabled";
 inline constexpr char kReferenceClock[] = "master.dc.reference_clock";
 inline constexpr char kDcmMode[] = "master.dc.mode";
