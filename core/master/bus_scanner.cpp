@@ -67,6 +67,7 @@ class Scanner {
     if (status) status = touch(access);
     if (status) status = read_wiring();
     if (status) status = read_siis(access);
+    if (status) status = rescue_identities(access);
     if (status) status = read_device_ids(bus_, addresses_, may_write(), scan_.slaves);
     if (status) status = check_still(*count);
     if (!status) return tl::unexpected(status.error());
@@ -96,8 +97,12 @@ class Scanner {
     RegisterOfAll<4> system_time(addresses_, reg::kSystemTime, datagrams);
     RegisterOfAll<SiiAccess::kLookBytes> eeprom(addresses_, reg::kSiiConfiguration, datagrams);
     if (auto status = bus_.transact(datagrams); !status) return status;
+    std::vector<std::size_t> without_state;
     for (std::size_t i = 0; i < scan_.slaves.size(); ++i) {
-      if (!information.answered(i)) return fail(ErrorCode::kNoResponse, subject_of(i));
+      // Some ESCs and recordings do not have the whole block; what is missing of it reads as zero.
+      if (!information.answered(i) && !dl_status.answered(i) && !eeprom.answered(i)) {
+        return fail(ErrorCode::kNoResponse, subject_of(i));
+      }
       auto& slave = scan_.slaves[i];
       slave.esc_type = information.get<std::uint8_t>(i);
       slave.fmmu_count = information.get<std::uint8_t>(i, reg::kFmmuCount);
@@ -109,9 +114,24 @@ class Scanner {
       slave.al_status = al_status.get<std::uint16_t>(i);
       slave.al_status_code = al_status.get<std::uint16_t>(i, reg::kAlStatusCode - reg::kAlStatus);
       slave.dc = capability_of(false, system_time.answered(i), slave.features);
-      if (al_state_of(slave.al_status) != AlState::kInit) ++scan_.running;
+      if (!al_status.answered(i)) without_state.push_back(i);
       access.set_found(i, eeprom.bytes(i));
     }
+    if (auto status = read_states(without_state); !status) return status;
+    scan_.running = static_cast<std::size_t>(std::ranges::count_if(scan_.slaves, [](const auto& slave) {
+      const auto state = al_state_of(slave.al_status);
+      return state != AlState::kNone && state != AlState::kInit;
+    }));
+    return {};
+  }
+
+  /// The state alone, where it cannot be read together with the AL status code.
+  Status read_states(std::span<const std::size_t> whom) {
+    std::vector<std::array<std::uint8_t, 2>> bytes(whom.size());
+    std::vector<Datagram> reads;
+    for (std::size_t n = 0; n < whom.size(); ++n) reads.push_back(addresses_[whom[n]].read(reg::kAlStatus, bytes[n]));
+    if (auto status = bus_.transact(reads); !status) return status;
+    for (std::size_t n = 0; n < whom.size(); ++n) scan_.slaves[whom[n]].al_status = load_le<std::uint16_t>(bytes[n]);
     return {};
   }
 
@@ -191,6 +211,38 @@ class Scanner {
     for (std::size_t i = 0; i < count; ++i) take_sii(scan_.slaves[i], std::move((*contents)[i]));
     if (observer_.progress) observer_.progress(count, count);
     return {};
+  }
+
+  /// Who a slave is can often still be read when the rest of its EEPROM cannot (damaged categories, a recording
+  /// that holds only what its master asked for).
+  Status rescue_identities(SiiAccess& access) {
+    std::vector<std::size_t> unknown;
+    for (std::size_t i = 0; i < scan_.slaves.size(); ++i) {
+      if (scan_.slaves[i].sii_error && access.accessible(i)) unknown.push_back(i);
+    }
+    // Each pair of words by itself where the ESC reads two at a time: the serial number is not always there.
+    constexpr std::uint32_t kVendorAndProduct = sii::kVendorIdWord, kProductAndRevision = sii::kVendorIdWord + 2,
+                            kRevisionAndSerial = sii::kVendorIdWord + 4;
+    for (const auto word : {kVendorAndProduct, kProductAndRevision, kRevisionAndSerial}) {
+      std::vector<SiiRequest> requests;
+      for (const auto slave : unknown) requests.push_back({slave, word, {}, {}});
+      if (requests.empty()) break;
+      if (auto status = access.open(); !status) return status;
+      auto status = access.read(requests);
+      if (auto closed = access.close(); status) status = closed;
+      if (!status) return status;
+      for (const auto& request : requests) {
+        if (!request.error) take_identity(scan_.slaves[request.slave].identity, word, request.data);
+      }
+    }
+    return {};
+  }
+
+  static void take_identity(Identity& identity, std::uint32_t word, std::span<const std::uint8_t> data) {
+    std::uint32_t* const fields[] = {&identity.vendor_id, &identity.product_code, &identity.revision_no, &identity.serial_no};
+    const auto first = (word - sii::kVendorIdWord) / 2;
+    *fields[first] = load_le<std::uint32_t>(data);
+    *fields[first + 1] = load_le<std::uint32_t>(data.subspan(4));
   }
 
   static void take_sii(ScannedSlave& slave, SiiContent content) {

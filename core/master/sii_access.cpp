@@ -24,7 +24,7 @@ constexpr std::size_t kWindowBytes = 14;  // with the eight data bytes at 0x0508
 constexpr Nanoseconds kFirstPause = 1 * kMillisecond;
 constexpr Nanoseconds kLongestPause = 5 * kMillisecond;
 constexpr Nanoseconds kShortestPause = 20 * kMicrosecond;
-constexpr Nanoseconds kBusyLimit = 1 * kSecond;
+constexpr Nanoseconds kBusyLimit = 300 * kMillisecond;
 constexpr int kTries = 4;
 constexpr int kWriteTries = 20;
 /// One command for everybody pays from here on.

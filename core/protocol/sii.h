@@ -13,6 +13,7 @@
 /// Slave information interface, the EEPROM's content (ETG.1000.6, 5.4; ETG.2010).
 namespace syncline::sii {
 
+inline constexpr std::uint16_t kVendorIdWord = 0x0008;    // then product code, revision, serial number
 inline constexpr std::uint16_t kCategoriesWord = 0x0040;
 enum class CategoryType : std::uint16_t {
   kStrings = 10, kDataTypes = 20, kGeneral = 30, kFmmu = 40, kSyncM = 41, kFmmuExtended = 42,

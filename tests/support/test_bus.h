@@ -34,6 +34,9 @@ struct TestSlave {
   bool has_system_time = true;
   bool has_mailbox = false;
   bool shows_sii_address = true;
+  std::size_t sii_bytes = 8;                                    // a read gives, 4 or 8
+  Nanoseconds sii_time = 0;                                     // that a read takes
+  Nanoseconds sii_ready = 0;
   std::optional<std::uint16_t> device_id;                       // answers the request by AL control bit 5
   bool present = true;
   double ppm = 0;
@@ -173,6 +176,10 @@ class TestBus final : public Link {
 
   bool before_read(TestSlave& slave, std::uint16_t ado, std::span<const std::uint8_t> data, Nanoseconds now) {
     if (ado == reg::kSystemTime) slave.set(reg::kSystemTime, slave.system_time(now));
+    if (ado == reg::kSiiControl && slave.sii_time > 0) {
+      const auto idle = static_cast<std::uint16_t>(slave.get<std::uint16_t>(reg::kSiiControl) & 0x7FFF);
+      slave.set<std::uint16_t>(reg::kSiiControl, now < slave.sii_ready ? idle | 0x8000U : idle);
+    }
     const auto receive = slave.get<std::uint16_t>(reg::kSyncManager + 8);
     if (slave.has_mailbox && ado == reg::kSyncManager + 8 + 5) {
       const bool ready = !slave.answers.empty() && slave.mailbox_delay-- <= 0;
@@ -198,12 +205,14 @@ class TestBus final : public Link {
     if (ado == reg::kAlControl) {
       al_control(slave, data[0]);
     } else if (ado == reg::kSiiControl && data.size() >= 6) {
+      if (now < slave.sii_ready) return false;  // blocked while busy
+      slave.sii_ready = now + slave.sii_time;
       const auto word = load_le<std::uint32_t>(data.subspan(2));
-      for (std::size_t n = 0; n < 8; ++n) {
+      for (std::size_t n = 0; n < slave.sii_bytes; ++n) {
         const auto byte = word * 2 + n;
         slave.memory[reg::kSiiData + n] = byte < slave.sii.size() ? slave.sii[byte] : std::uint8_t{0xFF};
       }
-      slave.set<std::uint16_t>(reg::kSiiControl, 0x0040);  // not busy, 8 bytes a read
+      slave.set<std::uint16_t>(reg::kSiiControl, slave.sii_bytes == 8 ? 0x0040 : 0x0000);
       if (slave.shows_sii_address) slave.set(reg::kSiiAddress, word);
       return false;
     } else if (ado == reg::kReceiveTimePort0) {

@@ -130,6 +130,38 @@ TEST_F(BusScannerTest, AsksSlavesWithSwitchesForTheirDeviceId) {
   EXPECT_EQ(std::ranges::count(looked->findings, ErrorCode::kScanScope, &Error::code), 2);
 }
 
+TEST(SlowEeproms, CostTimeAndFewFrames) {
+  for (const auto takes : {300 * kMicrosecond, 700 * kMicrosecond, 2 * kMillisecond}) {
+    VirtualClock clock;
+    test::TestBus link(clock, 100);
+    for (std::uint32_t i = 0; i < 100; ++i) {
+      auto own = image(7);
+      own.serial_no = i;
+      link.slave(i).sii = sii::encode(own);
+      link.slave(i).sii_time = takes;
+    }
+    FrameExchange exchange(link, clock);
+    Bus bus(exchange, clock);
+    const auto scan = scan_slaves(bus);
+    ASSERT_TRUE(scan);
+    for (std::uint32_t i = 0; i < 100; ++i) {
+      ASSERT_TRUE(scan->slaves[i].sii);
+      EXPECT_EQ(scan->slaves[i].identity.serial_no, i);
+    }
+    EXPECT_LE(link.frames_sent, 40U) << takes;
+  }
+}
+
+TEST_F(BusScannerTest, FourAndEightBytesAReadStandSideBySide) {
+  link.slave(1).sii_bytes = 4;
+  link.slave(1).sii_time = 200 * kMicrosecond;
+  for (const bool share : {true, false}) {
+    const auto scan = scan_slaves(bus, {.share_kinds = share});
+    ASSERT_TRUE(scan);
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(scan->slaves[i].sii, sii::decode(link.slave(i).sii).value()) << i;
+  }
+}
+
 TEST_F(BusScannerTest, AnEmptyBusIsAnError) {
   for (std::size_t i = 0; i < 3; ++i) link.slave(i).present = false;
   const auto scan = scan_slaves(bus);
