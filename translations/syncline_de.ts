@@ -434,6 +434,10 @@
             <translation>Identifikation von {subject}: {detail}.</translation>
         </message>
         <message>
+            <source>{subject}: the slave ended the file transfer with {foe}{because}.</source>
+            <translation>{subject}: Der Slave hat die Dateiübertragung mit {foe} beendet{because}.</translation>
+        </message>
+        <message>
             <source>Not read from {subject}: {detail}.</source>
             <translation>Nicht gelesen von {subject}: {detail}.</translation>
         </message>

@@ -54,6 +54,7 @@ constexpr const char* kSources[] = {
     QT_TRANSLATE_NOOP("Error", "{subject} took too long{because}."),
     QT_TRANSLATE_NOOP("Error", "Cancelled."),
     QT_TRANSLATE_NOOP("Error", "{subject}{because}."),
+    QT_TRANSLATE_NOOP("Error", "{subject}: the slave ended the file transfer with {foe}{because}."),
 };
 
 }  // namespace
