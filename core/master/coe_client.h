@@ -2,50 +2,36 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "config/network_config.h"
-#include "master/bus.h"
+#include "master/mailbox_client.h"
 #include "protocol/coe.h"
-#include "protocol/mailbox.h"
 
 namespace syncline {
 
-/// CoE SDO client of one slave in blocking style: expedited, normal and segmented transfers. Polls the
-/// slave's mailbox through the cyclic operation that runs meanwhile.
+/// CoE SDO client of one slave in blocking style: expedited, normal, segmented transfers and complete access.
+/// A slave that lies about lengths, toggles or ends is refused with kMailboxProtocol and gets an abort.
 class CoeClient {
  public:
-  using EmergencyHandler = std::function<void(const coe::Emergency&)>;
+  /// Objects beyond this are refused before their data are fetched, bytes.
+  static constexpr std::uint32_t kLargestObject = 16U << 20;
 
-  /// `counter`: the slave's mailbox counter, which outlives the client.
-  CoeClient(Bus& bus, const SlaveConfig& slave, std::uint8_t& counter, EmergencyHandler on_emergency = {});
+  explicit CoeClient(MailboxClient& mailbox) : mailbox_(mailbox) {}
 
-  /// Time for each answer; 0 takes the default of 2 s.
-  void set_timeout_ms(std::uint32_t timeout_ms);
-  /// kSdoAbort with the abort code, kMailboxTimeout, kMailboxProtocol.
+  /// kSdoAbort with the abort code, kMailboxTimeout, kMailboxProtocol. Complete access begins at sub-index 0 or 1.
   Status download(coe::ObjectAddress object, std::span<const std::uint8_t> data, bool complete_access = false);
   Result<std::vector<std::uint8_t>> upload(coe::ObjectAddress object, bool complete_access = false);
 
  private:
-  Status write_mailbox(std::vector<std::uint8_t> coe_data);
-  Result<MailboxMessage> read_mailbox();
-  Status wait_until_full(Nanoseconds end);
-  /// Sends a request and waits for its response; emergencies in between are handed on.
-  Result<coe::Response> ask(const coe::Request& request);
   template <class Expected>
   Result<Expected> ask_for(const coe::Request& request, coe::ObjectAddress object);
   Status download_segments(coe::ObjectAddress object, std::span<const std::uint8_t> rest);
+  Status upload_segments(coe::ObjectAddress object, std::uint32_t complete_size, std::vector<std::uint8_t>& data);
+  tl::unexpected<Error> refuse(coe::ObjectAddress object, std::uint32_t abort_code, std::string why);
   [[nodiscard]] std::string subject(coe::ObjectAddress object) const;
 
-  Bus& bus_;
-  const SlaveConfig& slave_;
-  const MailboxConfig& mailbox_;
-  std::uint8_t& counter_;
-  EmergencyHandler on_emergency_;
-  Nanoseconds timeout_;
+  MailboxClient& mailbox_;
 };
 
 }  // namespace syncline

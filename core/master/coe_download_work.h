@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
 
 #include "config/network_config.h"
+#include "master/mailbox_transfer.h"
 #include "master/slave_batch.h"
 #include "protocol/coe.h"
-#include "protocol/mailbox.h"
 
 namespace syncline {
 
@@ -30,33 +29,24 @@ class CoeDownloadWork final : public SlaveWork {
   [[nodiscard]] const Status& result() const override { return result_; }
 
  private:
-  enum class Step : std::uint8_t { kBegin, kWrite, kPoll, kRead, kReadRepeat, kWriteRepeat };
   void begin_command(Nanoseconds now);
   void ask(const coe::Request& request, Nanoseconds now);
-  void take_write(Nanoseconds now);
-  void take_poll(Nanoseconds now);
-  void take_message(Nanoseconds now);
+  void take_message(const MailboxMessage& message, Nanoseconds now);
   void take_response(const coe::Response& response, Nanoseconds now);
   void send_segment(Nanoseconds now);
   void fail_with(Error error);
-  [[nodiscard]] Error mailbox_error(ErrorCode code, std::string detail = {}) const;
+  [[nodiscard]] Error error(ErrorCode code, std::string detail = {}) const;
   [[nodiscard]] const StartupCommand& command() const { return *commands_[index_]; }
   [[nodiscard]] std::string subject() const;
 
-  const SlaveConfig& slave_;
-  const MailboxConfig& mailbox_;
+  MailboxTransfer transfer_;
   std::vector<const StartupCommand*> commands_;
-  std::uint8_t& counter_;
   EmergencyHandler on_emergency_;
   std::size_t index_ = 0;
-  Step step_ = Step::kBegin;
-  bool failed_ = false;
+  bool begun_ = false, failed_ = false;
   std::size_t sent_ = 0;        // bytes of the object that are with the slave
   bool segmented_ = false, toggle_ = false;
-  Nanoseconds end_ = 0;
-  std::vector<std::uint8_t> request_, bytes_;
-  std::array<std::uint8_t, 1> status_{};
-  Datagram datagram_;
+  int unasked_ = 0;             // messages that were no answer
   Status result_;
 };
 
