@@ -13,6 +13,36 @@ std::string who(int slave) { return slave < 0 ? "master" : fmt::format("slave {}
 
 std::string_view state_name(std::int64_t state) { return al_state_name(static_cast<AlState>(state & 0x0F)); }
 
+std::string_view kind_name(EventKind kind) {
+  switch (kind) {
+    case EventKind::kScanProgress: return "scan_progress";
+    case EventKind::kScanFinished: return "scan_finished";
+    case EventKind::kScanTouchesRunning: return "scan_touches_running";
+    case EventKind::kOnline: return "online";
+    case EventKind::kOffline: return "offline";
+    case EventKind::kStateChanged: return "state";
+    case EventKind::kAlStatusError: return "al_status_error";
+    case EventKind::kDcInitialised: return "dc_initialised";
+    case EventKind::kReferenceClock: return "reference_clock";
+    case EventKind::kDcSlaveSync: return "slave_sync";
+    case EventKind::kDcmSync: return "master_sync";
+    case EventKind::kDcmError: return "dcm_error";
+    case EventKind::kWkcError: return "wkc_error";
+    case EventKind::kFramesLost: return "frames_lost";
+    case EventKind::kSlaveLost: return "slave_lost";
+    case EventKind::kSlaveFound: return "slave_found";
+    case EventKind::kEmergency: return "emergency";
+    case EventKind::kRealTime: return "real_time";
+    case EventKind::kError: return "error";
+    case EventKind::kEventsLost: return "events_lost";
+    case EventKind::kCable: return "cable";
+    case EventKind::kWkcExpected: return "wkc_expected";
+    case EventKind::kRecovery: return "recovery";
+    case EventKind::kUnknownSlave: return "unknown_slave";
+    default: return "other";
+  }
+}
+
 char port_letter(std::int64_t port) { return static_cast<char>('A' + (port & 3)); }
 
 std::string_view recovery_text(std::int64_t stage) {
@@ -68,6 +98,15 @@ std::string words(const Event& e) {
 }
 
 }  // namespace
+
+Json event_json(const Event& event, Nanoseconds start) {
+  auto text = words(event);
+  if (text.empty()) return nullptr;
+  return {{"time_ms", static_cast<double>((event.time - start) / 1000) / 1000},
+          {"kind", kind_name(event.kind)},
+          {"slave", event.slave < 0 ? Json(nullptr) : Json(event.slave)},
+          {"text", std::move(text)}};
+}
 
 std::string event_text(const Event& event, Nanoseconds start) {
   const auto text = words(event);

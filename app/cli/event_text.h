@@ -3,11 +3,14 @@
 
 #include <string>
 
+#include "app/cli/context.h"
 #include "master/channels.h"
 
 namespace syncline::cli {
 
 /// One line for people, "" for events that only programs care about. Times are relative to `start`.
 [[nodiscard]] std::string event_text(const Event& event, Nanoseconds start);
+/// As docs/json.md describes it; null for events that only programs care about.
+[[nodiscard]] Json event_json(const Event& event, Nanoseconds start);
 
 }  // namespace syncline::cli

@@ -72,7 +72,13 @@ void execute(Context& context, const Options& options) {
   request.duration = *duration;
   request.capture = options.capture;
   std::optional<Nanoseconds> first;
-  if (!options.json) {
+  Json events = Json::array();
+  if (options.json) {
+    request.on_event = [&events, &first](const Event& event) {
+      if (!first) first = event.time;
+      if (auto json = event_json(event, *first); !json.is_null()) events.push_back(std::move(json));
+    };
+  } else {
     request.on_event = [&context, &first](const Event& event) {
       if (!first) first = event.time;
       if (const auto line = event_text(event, *first); !line.empty()) context.console.err << line << '\n';
@@ -95,6 +101,7 @@ void execute(Context& context, const Options& options) {
   }
   if (options.json) {
     auto json = to_json(outcome->report);
+    json["events"] = std::move(events);
     if (options.lateness) json["lateness"] = lateness.json();
     context.print(json);
   } else {

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "tests/app/cli_runner.h"
@@ -30,6 +31,10 @@ TEST_P(CliRunMode, DemonstrationMachineReachesOpInSync) {
   const auto run = cli_run({"run", export_demo(folder, GetParam()), "--link", demo(), "--for", "20s", "--json"});
   ASSERT_EQ(run.code, cli::kDone) << run.err << run.out;
   const auto report = run.json();
+  const auto& events = report["events"];
+  ASSERT_FALSE(events.empty());
+  EXPECT_EQ(events.front()["time_ms"], 0.0);
+  EXPECT_TRUE(std::any_of(events.begin(), events.end(), [](const auto& e) { return e["kind"] == "master_sync"; }));
   EXPECT_EQ(report["state"], "OP");
   EXPECT_EQ(report["cycle_us"], 1000);
   EXPECT_GT(report["cycles"], 15'000);
