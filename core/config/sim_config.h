@@ -33,6 +33,8 @@ struct SimSlaveConfig {
   std::vector<std::uint8_t> sii_image;   // EEPROM bit for bit; empty: made from `device`
   std::uint16_t alias = 0;
   std::uint32_t serial_no = 0;
+  std::uint16_t device_id = 0;           // explicit device identification: what its switches say
+  std::uint32_t foe_password = 0;        // 0: none needed
   std::optional<std::uint16_t> parent;   // position; empty on the first slave
   std::uint8_t parent_port = 1;          // port of the parent
   double cable_m = 1.0;                  // to the parent
@@ -43,12 +45,14 @@ struct SimSlaveConfig {
 };
 
 enum class FaultKind : std::uint8_t {
-  kLoseFrames,      // count frames from `at`
+  kLoseFrames,      // count frames from `at`; with a slave: on their way to it, those before have executed them
   kCableBreak,      // slave's cable to its parent from `at` until `until`
   kSlaveOff,        // power lost from `at` until `until`
   kClockStep,       // local clock of slave jumps by `value_ns`
   kRefuseState,     // slave answers a request for `state` with AL status code `code`
+  kSlowMailbox,     // slave answers mailbox requests `value_ns` later, from `at` until `until`
   kMailboxSilence,  // slave answers no mailbox from `at` until `until`
+  kBitErrors,       // frames received at the slave's `port` are damaged: `count` of them, or all until `until`
 };
 struct FaultConfig {
   FaultKind kind = FaultKind::kLoseFrames;
@@ -59,6 +63,7 @@ struct FaultConfig {
   Nanoseconds value_ns = 0;
   AlState state = AlState::kNone;
   std::uint16_t code = 0;
+  std::uint8_t port = 0;                 // 0..3
 };
 
 struct SimConfig {

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "protocol/registers.h"
+#include "sim/sii_from_device.h"
 
 namespace syncline::sim {
 namespace {
@@ -16,12 +17,20 @@ constexpr unsigned kServoMaxObjects = 16;
 
 constexpr std::uint16_t kInvalidRequest = 0x0011, kUnknownRequest = 0x0012, kNoBoot = 0x0013, kInvalidMailbox = 0x0016,
                         kInvalidSyncManager = 0x0017, kNoOutputs = 0x0019, kWatchdog = 0x001B,
-                        kInvalidOutputs = 0x001D, kInvalidInputs = 0x001E;
+                        kInvalidOutputs = 0x001D, kInvalidInputs = 0x001E, kInvalidBootMailbox = 0x0015;
+
+// Emergency codes and error registers (ETG.1020; CiA 301).
+constexpr std::uint16_t kPreopToSafeopFailed = 0xA000, kSafeopToOpFailed = 0xA001;
+constexpr std::uint8_t kCommunicationErrorRegister = 0x11, kDeviceErrorRegister = 0x81;
+
+constexpr std::uint16_t kIdentificationRequest = 0x0020;  // AL control and AL status, bit 5
+constexpr std::size_t kBootStrapSize = 8;
 
 bool is_allowed(AlState from, AlState to) {
   if (to == AlState::kInit || to == from) return true;
   switch (to) {
     case AlState::kPreop: return from != AlState::kBoot;
+    case AlState::kBoot: return from == AlState::kInit;
     case AlState::kSafeop: return from == AlState::kPreop || from == AlState::kOp;
     case AlState::kOp: return from == AlState::kSafeop;
     default: return false;
@@ -36,7 +45,9 @@ Device::Device(const SimSlaveConfig& config, Esc& esc)
     : config_(config),
       esc_(esc),
       pdos_(identify(), dictionary_, config.behaviour == "servo-y" ? kServoMaxObjects : kMaxObjects),
-      coe_(dictionary_) {
+      mailbox_(dictionary_, config.device.mailbox.value_or(MailboxDescription{}), config.foe_password),
+      history_(dictionary_) {
+  if (dictionary_.find(diagnosis_history::kIndex, 0) != nullptr) history_.enable();
   esc_.set_listener(this);
 }
 
@@ -53,18 +64,24 @@ const DeviceDescription& Device::identify() {
     for (const auto& pdo : device.pdos(direction)) {
       for (const auto& entry : pdo.entries) {
         if (entry.index == 0 || dictionary_.find(entry.index, entry.sub_index) != nullptr) continue;
-        dictionary_.add(entry.index, entry.sub_index, entry.name,
-                        std::vector<std::uint8_t>(size_of(static_cast<std::uint8_t>(entry.bit_length))),
-                        direction == PdoDirection::kRx);
+        auto& added = dictionary_.add(entry.index, entry.sub_index, entry.name,
+                                      std::vector<std::uint8_t>((entry.bit_length + 7U) / 8U), direction == PdoDirection::kRx);
+        added.bit_length = entry.bit_length;
+        added.data_type = data_type_code(entry.data_type);
+        added.extra_access = direction == PdoDirection::kRx ? coe::access::kRxPdo : coe::access::kTxPdo;
       }
     }
   }
   for (const auto& object : device.dictionary) {
+    dictionary_.set_object_name(object.index, object.name);
     for (const auto& entry : object.entries) {
       if (dictionary_.find(object.index, entry.sub_index) != nullptr) continue;
       auto value = entry.default_data;
       value.resize(std::max<std::size_t>((entry.bit_length + 7U) / 8U, value.size()));
-      dictionary_.add(object.index, entry.sub_index, entry.name, std::move(value), entry.writable);
+      auto& added = dictionary_.add(object.index, entry.sub_index, entry.name, std::move(value), entry.writable);
+      added.bit_length = entry.bit_length;
+      added.data_type = data_type_code(entry.data_type);
+      added.readable = entry.readable || !entry.writable;
     }
   }
   return device;
@@ -77,6 +94,20 @@ void Device::refuse(AlState state, std::uint16_t code) {
 
 // ---- time --------------------------------------------------------------------------------------
 
+void Device::tell_error(std::uint16_t error_code, std::uint8_t error_register, std::uint16_t text_id) {
+  if (!has_mailbox()) return;
+  coe::Emergency emergency{error_code, error_register, {}};
+  store_le(std::span(emergency.data).first(2), text_id);
+  mailbox_.queue_emergency(emergency);
+  DiagnosisMessage message;
+  message.code = 0xE000U | static_cast<std::uint32_t>(error_code) << 16;  // ETG.1020: emergency code in the high word
+  message.type = DiagnosisMessage::Type::kError;
+  message.text_id = text_id;
+  message.time_stamp = esc_.dc().system_time(now_);
+  history_.add(message);
+  if (!mail_due_) mail_due_ = now_ + kMailboxReaction;
+}
+
 void Device::advance_to(Nanoseconds time) {
   for (;;) {
     const auto request = request_due_.value_or(INT64_MAX);
@@ -84,6 +115,7 @@ void Device::advance_to(Nanoseconds time) {
     const auto next = std::min(request, mail);
     if (next > time) break;
     esc_.advance_to(next);
+    now_ = std::max(now_, next);
     if (request <= mail) {
       request_due_.reset();
       take_request(next);
@@ -93,7 +125,9 @@ void Device::advance_to(Nanoseconds time) {
     }
   }
   esc_.advance_to(time);
+  now_ = std::max(now_, time);
   check_watchdog(time);
+  if (state_ == AlState::kOp) check_running(time);
 }
 
 // ---- AL state machine ----------------------------------------------------------------------------
@@ -129,20 +163,33 @@ void Device::take_request(Nanoseconds) {
     case AlState::kPreop:
     case AlState::kSafeop:
     case AlState::kOp: break;
-    case AlState::kBoot: return report(state_, kNoBoot);
+    case AlState::kBoot:
+      if (config_.device.eeprom.boot_strap.size() >= kBootStrapSize) break;
+      return report(state_, kNoBoot);
     default: return report(state_, kUnknownRequest);
   }
-  if (!is_allowed(state_, wanted)) return report(state_, kInvalidRequest);
-  if (wanted == refused_state_ && refusal_code_ != 0) return report(state_, refusal_code_);
-  if (const auto code = check(state_, wanted); code != 0) return report(state_, code);
+  const auto refuse_with = [&](std::uint16_t code) {
+    report(state_, code);
+    if (state_ == AlState::kPreop && wanted == AlState::kSafeop) tell_error(kPreopToSafeopFailed, kDeviceErrorRegister, code);
+    if (state_ == AlState::kSafeop && wanted == AlState::kOp) tell_error(kSafeopToOpFailed, kDeviceErrorRegister, code);
+  };
+  if (!is_allowed(state_, wanted)) return refuse_with(kInvalidRequest);
+  if (wanted == refused_state_ && refusal_code_ != 0) return refuse_with(refusal_code_);
+  if (const auto code = check(state_, wanted); code != 0) return refuse_with(code);
   enter(wanted);
   report(state_, 0);
+  // Explicit device identification: the answer stands where the AL status code would (ETG.1020, 18.4.1).
+  if ((control & kIdentificationRequest) != 0) {
+    esc_.memory().set<std::uint16_t>(reg::kAlStatus,
+                                     static_cast<std::uint16_t>(esc_.memory().u16(reg::kAlStatus) | kIdentificationRequest));
+    esc_.memory().set<std::uint16_t>(reg::kAlStatusCode, config_.device_id);
+  }
 }
 
 void Device::enter(AlState state) {
   const auto from = state_;
   state_ = state;
-  if (state == AlState::kInit) coe_.reset();
+  if (state == AlState::kInit) mailbox_.reset();
   if (from == AlState::kPreop && state == AlState::kSafeop) {
     map_process_data();
     last_outputs_.reset();
@@ -151,6 +198,7 @@ void Device::enter(AlState state) {
 }
 
 std::uint16_t Device::check(AlState from, AlState to) {
+  if (to == AlState::kBoot) return check_bootstrap();
   if (to <= from) return 0;
   if (to == AlState::kPreop) return has_mailbox() ? check_mailbox() : 0;
   if (to == AlState::kSafeop) {
@@ -168,6 +216,18 @@ std::uint16_t Device::check_mailbox() const {
     const bool size_fits = sm.length >= wanted.min_size.value_or(wanted.default_size.value_or(sm.length)) &&
                            sm.length <= wanted.max_size.value_or(wanted.default_size.value_or(sm.length));
     if (!sm.enabled() || !sm.is_mailbox() || sm.start != wanted.start_address || !size_fits) return kInvalidMailbox;
+  }
+  return 0;
+}
+
+std::uint16_t Device::check_bootstrap() const {
+  const std::span<const std::uint8_t> area(config_.device.eeprom.boot_strap);
+  for (unsigned i = 0; i < 2; ++i) {
+    const auto sm = esc_.sync_manager(i);
+    if (!sm.enabled() || !sm.is_mailbox() || sm.start != load_le<std::uint16_t>(area.subspan(4 * i)) ||
+        sm.length != load_le<std::uint16_t>(area.subspan(4 * i + 2))) {
+      return kInvalidBootMailbox;
+    }
   }
   return 0;
 }
@@ -203,10 +263,11 @@ std::uint16_t Device::check_process_data() {
   return 0;
 }
 
-void Device::drop_to_safeop(std::uint16_t code) {
+void Device::drop_to_safeop(std::uint16_t code, std::uint16_t error_code) {
   if (state_ != AlState::kOp) return;
   state_ = AlState::kSafeop;
   report(state_, code);
+  tell_error(error_code, kCommunicationErrorRegister, code);
   on_state(state_);
 }
 
@@ -218,6 +279,7 @@ void Device::check_watchdog(Nanoseconds time) {
   if ((esc_.sync_manager(*output_sm_).control & SyncManager::kControlWatchdog) == 0 || timeout == 0) return;
   if (time - *last_outputs_ <= timeout) return;
   esc_.memory().count(reg::kWatchdogCounterProcessData);
+  clear_outputs();
   drop_to_safeop(kWatchdog);
 }
 
@@ -250,6 +312,10 @@ void Device::outputs_to_dictionary() {
   }
 }
 
+void Device::clear_outputs() {
+  for (const auto& copy : outputs_) std::ranges::fill(copy.entry->value, std::uint8_t{0});
+}
+
 void Device::inputs_from_dictionary() {
   if (!input_sm_) return;
   const auto sm = esc_.sync_manager(*input_sm_);
@@ -262,7 +328,7 @@ void Device::inputs_from_dictionary() {
 
 void Device::sync_manager_written(unsigned number, Nanoseconds time) {
   if (has_mailbox() && number == 0) {
-    mail_due_ = time + kMailboxReaction;
+    mail_due_ = time + kMailboxReaction + mailbox_delay_;
   } else if (output_sm_ == number) {
     last_outputs_ = time;
     if (state_ == AlState::kOp) outputs_to_dictionary();
@@ -271,7 +337,7 @@ void Device::sync_manager_written(unsigned number, Nanoseconds time) {
 }
 
 void Device::sync_manager_read(unsigned number, Nanoseconds time) {
-  if (has_mailbox() && number == 1 && reply_) mail_due_ = time + kMailboxReaction;
+  if (has_mailbox() && number == 1 && mailbox_.waiting()) mail_due_ = time + kMailboxReaction;
 }
 
 void Device::sync_signal(SyncGenerator::Signal signal, Nanoseconds time) {
@@ -284,15 +350,13 @@ void Device::answer_mail(Nanoseconds) {
   const auto in = esc_.sync_manager(0);
   const auto out = esc_.sync_manager(1);
   if (mailbox_silent_ || state_ == AlState::kInit) return;
-  if (!reply_ && (in.status & SyncManager::kStatusMailboxFull) != 0) {
-    const auto request = MailboxMessage::decode(std::as_const(esc_).memory().at(in.start, in.length));
+  if ((in.status & SyncManager::kStatusMailboxFull) != 0) {
+    mailbox_.receive(std::as_const(esc_).memory().at(in.start, in.length), out.length, state_ == AlState::kPreop);
     esc_.set_mailbox_full(0, false);
-    if (request) reply_ = coe_.answer(*request, out.length, state_ == AlState::kPreop);
   }
-  if (reply_ && (out.status & SyncManager::kStatusMailboxFull) == 0 && out.enabled()) {
-    const auto bytes = reply_->encode(out.length);
-    if (bytes.size() <= out.length) std::copy(bytes.begin(), bytes.end(), esc_.memory().at(out.start, out.length).begin());
-    reply_.reset();
+  if (!mailbox_.waiting() || (out.status & SyncManager::kStatusMailboxFull) != 0 || !out.enabled()) return;
+  if (const auto bytes = mailbox_.next(out.length)) {
+    std::ranges::copy(*bytes, esc_.memory().at(out.start, out.length).begin());
     esc_.set_mailbox_full(1, true);
   }
 }

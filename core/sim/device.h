@@ -8,8 +8,9 @@
 
 #include "config/sim_config.h"
 #include "protocol/al_state.h"
-#include "sim/coe_server.h"
+#include "sim/diagnosis_history.h"
 #include "sim/esc.h"
+#include "sim/mailbox/mailbox_server.h"
 #include "sim/object_dictionary.h"
 #include "sim/pdo_objects.h"
 
@@ -32,6 +33,8 @@ class Device : public Esc::Listener {
   // Faults.
   void refuse(AlState state, std::uint16_t code);
   void silence_mailbox(bool silent) { mailbox_silent_ = silent; }
+  /// The application takes so much longer to answer mailbox requests; 0: as usual.
+  void slow_mailbox(Nanoseconds delay) { mailbox_delay_ = delay; }
 
   // Esc::Listener
   void al_control_written(Nanoseconds time) override;
@@ -40,14 +43,24 @@ class Device : public Esc::Listener {
   void sync_signal(SyncGenerator::Signal signal, Nanoseconds time) override;
 
  protected:
+  static constexpr std::uint16_t kCommunicationError = 0x8100;  // CiA 301 emergency code
+
   // What a behaviour adds.
   virtual void on_outputs(Nanoseconds) {}                  // SM2 event with fresh outputs in the dictionary
   virtual void on_sync0(Nanoseconds) {}
   virtual void on_state(AlState) {}
   virtual std::uint16_t check_sync(AlState) { return 0; }  // AL status code, 0 = fine
+  virtual void check_running(Nanoseconds) {}               // in OP, whenever time has passed
 
-  void drop_to_safeop(std::uint16_t code);
+  /// `code`: AL status code; `error_code`: of the emergency that goes with it.
+  void drop_to_safeop(std::uint16_t code, std::uint16_t error_code = kCommunicationError);
+  /// Tells the master: emergency and an entry in the diagnosis history. `text_id` of the ESI's DiagMessages.
+  void tell_error(std::uint16_t error_code, std::uint8_t error_register, std::uint16_t text_id);
+  [[nodiscard]] MailboxServer& mailbox() { return mailbox_; }
+  /// Behaviours that keep a diagnosis history although their ESI has none.
+  void enable_diagnosis_history() { history_.enable(); }
   void outputs_to_dictionary();
+  void clear_outputs();
   void inputs_from_dictionary();
   [[nodiscard]] bool has_mailbox() const { return config_.device.mailbox.has_value(); }
   [[nodiscard]] Esc& esc() { return esc_; }
@@ -66,6 +79,7 @@ class Device : public Esc::Listener {
   void report(AlState state, std::uint16_t code);
   [[nodiscard]] std::uint16_t check(AlState from, AlState to);
   [[nodiscard]] std::uint16_t check_mailbox() const;
+  [[nodiscard]] std::uint16_t check_bootstrap() const;
   [[nodiscard]] std::uint16_t check_process_data();
   [[nodiscard]] std::optional<unsigned> find_sync_manager(SyncManagerType type) const;
   void map_process_data();
@@ -77,15 +91,17 @@ class Device : public Esc::Listener {
   SimSlaveConfig config_;
   Esc& esc_;
   PdoObjects pdos_;
-  CoeServer coe_;
+  MailboxServer mailbox_;
+  DiagnosisHistory history_;
   AlState state_ = AlState::kInit;
   bool error_ = false;
   std::optional<Nanoseconds> request_due_, mail_due_;
-  std::optional<MailboxMessage> reply_;
   std::vector<Copy> outputs_, inputs_;
   std::optional<unsigned> output_sm_, input_sm_;
   std::optional<Nanoseconds> last_outputs_;
+  Nanoseconds now_ = 0;
   bool mailbox_silent_ = false;
+  Nanoseconds mailbox_delay_ = 0;
   AlState refused_state_ = AlState::kNone;
   std::uint16_t refusal_code_ = 0;
 };

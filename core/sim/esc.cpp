@@ -5,6 +5,7 @@
 
 #include "protocol/dl_status.h"
 #include "protocol/registers.h"
+#include "protocol/sii.h"
 
 namespace syncline::sim {
 namespace {
@@ -28,17 +29,12 @@ Esc::Esc(const SimSlaveConfig& config, std::vector<std::uint8_t> sii, const Opti
          std::uint64_t seed)
     : options_(options),
       memory_(0x2000),
+      ports_(memory_),
       dc_(config.oscillator, config.dc, power_on, seed, memory_),
       sii_(std::move(sii), memory_),
       sync_managers_(options.sync_manager_count) {
   implement_registers();
-  const auto& content = sii_.content();
-  if (content.size() >= 6) {  // configuration data that the ESC loads at power-on
-    memory_.set<std::uint8_t>(reg::kPdiControl, content[0]);
-    memory_.set<std::uint8_t>(reg::kEscConfiguration, content[1]);
-    memory_.set<std::uint16_t>(reg::kPdiConfiguration, load_le<std::uint16_t>(std::span(content).subspan(2)));
-    memory_.set<std::uint16_t>(reg::kPulseLength, load_le<std::uint16_t>(std::span(content).subspan(4)));
-  }
+  load_configuration();
   std::uint16_t features = 0x0001;
   if (config.dc.receive_times) features |= 0x0004;
   if (config.dc.is_64bit) features |= 0x0008;
@@ -48,9 +44,6 @@ Esc::Esc(const SimSlaveConfig& config, std::vector<std::uint8_t> sii, const Opti
   memory_.set<std::uint8_t>(reg::kRamSize, 8);
   memory_.set<std::uint8_t>(reg::kPortDescriptor, 0xFF);
   memory_.set<std::uint16_t>(reg::kFeatures, features);
-  memory_.set<std::uint16_t>(reg::kStationAlias, options.alias);
-  memory_.set<std::uint32_t>(reg::kDlControl, 0x0007'0001);
-  memory_.set<std::uint16_t>(reg::kDlStatus, 0x0003);
   memory_.set<std::uint16_t>(reg::kAlControl, 0x0001);
   memory_.set<std::uint16_t>(reg::kAlStatus, 0x0001);
   memory_.set<std::uint16_t>(reg::kWatchdogDivider, 2498);
@@ -65,6 +58,7 @@ void Esc::implement_registers() {
   memory_.implement(reg::kType, 10, r);
   memory_.implement(reg::kStationAddress, 2, rw);
   memory_.implement(reg::kStationAlias, 2, r);
+  memory_.implement(reg::kEscReset, 1, rw);
   memory_.implement(reg::kDlControl, 4, rw);
   memory_.implement(reg::kDlStatus, 2, r);
   memory_.implement(reg::kAlControl, 2, rw);
@@ -87,6 +81,16 @@ void Esc::implement_registers() {
   memory_.implement(reg::kSyncManager, static_cast<std::uint16_t>(8 * options_.sync_manager_count), rw);
 }
 
+void Esc::load_configuration() {
+  const auto& content = sii_.content();
+  if (content.size() < 16 || sii::checksum(std::span(content).first(14)) != content[14]) return;
+  memory_.set<std::uint8_t>(reg::kPdiControl, content[0]);
+  memory_.set<std::uint8_t>(reg::kEscConfiguration, content[1]);
+  memory_.set<std::uint16_t>(reg::kPdiConfiguration, load_le<std::uint16_t>(std::span(content).subspan(2)));
+  memory_.set<std::uint16_t>(reg::kPulseLength, load_le<std::uint16_t>(std::span(content).subspan(4)));
+  memory_.set<std::uint16_t>(reg::kStationAlias, load_le<std::uint16_t>(std::span(content).subspan(8)));
+}
+
 void Esc::raise_event(std::uint16_t event) {
   memory_.set<std::uint16_t>(reg::kEcatEventRequest,
                              static_cast<std::uint16_t>(memory_.u16(reg::kEcatEventRequest) | event));
@@ -95,18 +99,6 @@ void Esc::raise_event(std::uint16_t event) {
 void Esc::clear_event(std::uint16_t event) {
   memory_.set<std::uint16_t>(reg::kEcatEventRequest,
                              static_cast<std::uint16_t>(memory_.u16(reg::kEcatEventRequest) & ~event));
-}
-
-void Esc::set_port(unsigned port, bool open) {
-  const auto before = memory_.u16(reg::kDlStatus);
-  auto status = before;
-  const auto bits = static_cast<std::uint16_t>((1U << (4 + port)) | (2U << (8 + 2 * port)));  // link, communication
-  const auto closed = static_cast<std::uint16_t>(1U << (8 + 2 * port));
-  status = static_cast<std::uint16_t>(open ? (status | bits) & ~closed : (status & ~bits) | closed);
-  if (status == before) return;
-  if (DlStatus{before}.active(port)) memory_.count(static_cast<std::uint16_t>(reg::kLostLinkCounter + port));
-  memory_.set<std::uint16_t>(reg::kDlStatus, status);
-  raise_event(kEventDlStatus);
 }
 
 SyncManager Esc::sync_manager(unsigned number) const {
@@ -138,7 +130,10 @@ void Esc::set_listener(Listener* listener) {
 
 void Esc::frame_at_port(unsigned port, Nanoseconds time) { port_times_[port] = time; }
 
-void Esc::advance_to(Nanoseconds time) { dc_.advance_to(time); }
+void Esc::advance_to(Nanoseconds time) {
+  dc_.advance_to(time);
+  ports_.advance_to(time);
+}
 
 bool Esc::addressed(const DatagramHeader& header) const {
   if (is_auto_increment(header.command)) return header.adp() == 0;
@@ -150,7 +145,18 @@ bool Esc::addressed(const DatagramHeader& header) const {
   return is_broadcast(header.command);
 }
 
-void Esc::process(std::span<DatagramView> datagrams, Nanoseconds time) {
+bool Esc::mark_circulating(std::span<DatagramView> datagrams) {
+  const bool seen = std::ranges::any_of(datagrams, [](const auto& datagram) { return datagram.header.circulating; });
+  if (seen) {
+    ports_.count_processing_unit_error();
+    return false;
+  }
+  for (auto& datagram : datagrams) datagram.header.circulating = true;
+  return true;
+}
+
+bool Esc::process(std::span<DatagramView> datagrams, Nanoseconds time) {
+  if (ports_.port0_automatically_closed() && !mark_circulating(datagrams)) return false;
   dc_.start_of_frame(time);
   dc_.refresh_registers();
   if (maps_stale_) reload_maps();
@@ -168,6 +174,7 @@ void Esc::process(std::span<DatagramView> datagrams, Nanoseconds time) {
     datagram.header.irq = static_cast<std::uint16_t>(datagram.header.irq | event);
     datagram.store_header();
   }
+  return true;
 }
 
 Esc::Access Esc::execute(DatagramView& datagram) {
@@ -321,7 +328,10 @@ void Esc::commit_register(const Write& write, Nanoseconds time) {
     maps_stale_ = true;
     if (hit(reg::kSyncManager, 0x80)) sm_begun_ = 0;  // set up anew
   }
+  if (hit(reg::kDlControl, 4)) ports_.control_written(time);
   if (hit(reg::kRxErrorCounter, 0x0C)) std::ranges::fill(memory_.at(reg::kRxErrorCounter, 0x0C), std::uint8_t{0});
+  if (hit(reg::kProcessingUnitErrorCounter, 1)) memory_.set<std::uint8_t>(reg::kProcessingUnitErrorCounter, 0);
+  if (hit(reg::kPdiErrorCounter, 1)) memory_.set<std::uint8_t>(reg::kPdiErrorCounter, 0);
   if (hit(reg::kLostLinkCounter, 4)) std::ranges::fill(memory_.at(reg::kLostLinkCounter, 4), std::uint8_t{0});
   if (hit(reg::kSiiControl, 2)) sii_.control_written();
   if (write.address >= reg::kReceiveTimePort0 && write.address < 0x0A00) {
@@ -330,10 +340,31 @@ void Esc::commit_register(const Write& write, Nanoseconds time) {
   if (hit(reg::kAlControl, 2) && listener_ != nullptr) listener_->al_control_written(time);
 }
 
+void Esc::follow_reset_sequence(bool written) {
+  const auto value = memory_.u8(reg::kEscReset);
+  if (!written || reset_step_ >= kResetSequence.size() || value != kResetSequence[reset_step_]) {
+    reset_step_ = written && value == kResetSequence[0] ? 1 : 0;
+  } else {
+    ++reset_step_;
+  }
+  memory_.set<std::uint8_t>(reg::kEscReset, static_cast<std::uint8_t>(reset_step_));
+}
+
+void Esc::frame_damaged() {
+  writes_.clear();
+  shadow_.clear();
+  latch_unit_ = latch_ports_ = false;
+  port_times_ = {};
+  sm_written_ = sm_read_ = 0;
+  sm_begun_ = 0;
+}
+
 void Esc::frame_end(Nanoseconds time) {
   dc_.advance_to(time);
   std::size_t position = 0;
+  bool reset_written = false;
   for (const auto& write : writes_) {
+    reset_written = reset_written || overlaps(write.address, write.length, reg::kEscReset, 1);
     for (std::size_t i = 0; i < write.length; ++i) {
       const auto address = static_cast<std::uint32_t>(write.address + i);
       // Receive times are what the latch shows, never what was written to start it.
@@ -345,6 +376,7 @@ void Esc::frame_end(Nanoseconds time) {
     position += write.length;
     commit_register(write, time);
   }
+  if (reset_written || reset_step_ != 0) follow_reset_sequence(reset_written);
   writes_.clear();
   shadow_.clear();
   if (latch_unit_) dc_.latch_processing_unit();

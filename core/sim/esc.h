@@ -15,6 +15,7 @@
 #include "protocol/sync_manager.h"
 #include "sim/dc_unit.h"
 #include "sim/esc_memory.h"
+#include "sim/esc_ports.h"
 #include "sim/sii_interface.h"
 
 namespace syncline::sim {
@@ -26,7 +27,6 @@ class Esc {
   struct Options {
     std::uint8_t fmmu_count = 8;
     std::uint8_t sync_manager_count = 8;
-    std::uint16_t alias = 0;
     bool device_emulation = false;
   };
   Esc(const SimSlaveConfig& config, std::vector<std::uint8_t> sii, const Options& options, Nanoseconds power_on,
@@ -45,10 +45,12 @@ class Esc {
 
   // ---- the frame's way ----
   void frame_at_port(unsigned port, Nanoseconds time);
-  /// The frame passes the processing unit: executes every datagram in place.
-  void process(std::span<DatagramView> datagrams, Nanoseconds time);
+  /// The frame passes the processing unit: executes every datagram in place. False: it is destroyed there.
+  [[nodiscard]] bool process(std::span<DatagramView> datagrams, Nanoseconds time);
   /// The last byte has passed with a good FCS.
   void frame_end(Nanoseconds time);
+  /// The FCS was bad: nothing of what the frame wrote becomes effective, except in RAM.
+  void frame_damaged();
   void advance_to(Nanoseconds time);
 
   // ---- the device's side ----
@@ -59,9 +61,14 @@ class Esc {
   [[nodiscard]] SyncManager sync_manager(unsigned number) const;
   void set_mailbox_full(unsigned number, bool full);
   [[nodiscard]] bool device_emulation() const { return options_.device_emulation; }
-  void set_port(unsigned port, bool open);
+  [[nodiscard]] EscPorts& ports() { return ports_; }
+  /// R, E and S were written to 0x0040 by three consecutive frames: the slave starts anew.
+  [[nodiscard]] bool reset_requested() const { return reset_step_ == kResetSequence.size(); }
+  /// What the EEPROM holds, over power cycles.
+  [[nodiscard]] const std::vector<std::uint8_t>& sii_content() const { return sii_.content(); }
 
  private:
+  static constexpr std::array<std::uint8_t, 3> kResetSequence{'R', 'E', 'S'};
   struct Write {
     std::uint16_t address;
     std::uint16_t length;
@@ -83,17 +90,23 @@ class Esc {
   [[nodiscard]] bool buffer_allows(std::uint32_t address, std::size_t length, bool write) const;
   void note_buffer_access(std::uint32_t address, std::size_t length, bool write);
   void commit_register(const Write& write, Nanoseconds time);
+  /// Forwarding rule for a circulating frame; false: it is destroyed.
+  [[nodiscard]] bool mark_circulating(std::span<DatagramView> datagrams);
+  void follow_reset_sequence(bool written);
+  void load_configuration();
   void reload_maps();
   void implement_registers();
 
   Options options_;
   EscMemory memory_;
+  EscPorts ports_;
   DcUnit dc_;
   SiiInterface sii_;
   Listener* listener_ = nullptr;
   std::vector<Fmmu> fmmus_;                 // decoded, active ones
   std::vector<SyncManager> sync_managers_;  // decoded
   bool maps_stale_ = true;
+  std::size_t reset_step_ = 0;
 
   // Of the frame that is passing:
   std::array<std::optional<Nanoseconds>, 4> port_times_{};

@@ -70,11 +70,11 @@ class Table {
   std::set<std::string> asked_;
 };
 
-std::uint8_t port_number(Table& table, const std::string& text) {
+std::uint8_t port_number(Table& table, const std::string& text, bool towards_master = false) {
   constexpr std::string_view kPorts = "ABCD";
   const auto place = text.size() == 1 ? kPorts.find(text[0]) : std::string_view::npos;
-  if (place == std::string_view::npos || place == 0) {
-    table.fail_at("port", "must be \"B\", \"C\" or \"D\"");
+  if (place == std::string_view::npos || (place == 0 && !towards_master)) {
+    table.fail_at("port", towards_master ? "must be \"A\", \"B\", \"C\" or \"D\"" : "must be \"B\", \"C\" or \"D\"");
     return 1;
   }
   return static_cast<std::uint8_t>(place);
@@ -101,10 +101,10 @@ JitterProfile jitter_of(Table& table, const std::string& text) {
 /// Auto-increment addressing has 16 bits; station addresses start at 1001.
 constexpr std::int64_t kMostSlaves = 64'000;
 
-constexpr std::array<std::pair<std::string_view, FaultKind>, 6> kFaults{{
+constexpr std::array<std::pair<std::string_view, FaultKind>, 8> kFaults{{
     {"lose-frames", FaultKind::kLoseFrames}, {"cable-break", FaultKind::kCableBreak}, {"slave-off", FaultKind::kSlaveOff},
     {"clock-step", FaultKind::kClockStep}, {"refuse-state", FaultKind::kRefuseState},
-    {"mailbox-silence", FaultKind::kMailboxSilence}}};
+    {"mailbox-silence", FaultKind::kMailboxSilence}, {"slow-mailbox", FaultKind::kSlowMailbox}, {"bit-errors", FaultKind::kBitErrors}}};
 
 class Loader {
  public:
@@ -168,6 +168,8 @@ class Loader {
     if (slave.cable_m < 0 || slave.cable_m > 20'000) table.fail_at("cable_m", "must be 0 to 20000");
     slave.alias = table.get<std::uint16_t>("alias", slave.alias);
     slave.serial_no = table.get<std::uint32_t>("serial_no", slave.serial_no);
+    slave.device_id = table.get<std::uint16_t>("device_id", 0);
+    slave.foe_password = table.get<std::uint32_t>("foe_password", 0);
     // The host's clock is true time here: an error of the host is the opposite one of every slave.
     slave.oscillator.ppm = table.get<double>("ppm", 0) - host_ppm_;
     slave.oscillator.wander_ppm = table.get<double>("wander_ppm", 0);
@@ -234,18 +236,19 @@ class Loader {
     const auto kind = table.get<std::string>("kind", "");
     const auto found = std::ranges::find(kFaults, std::string_view(kind), &std::pair<std::string_view, FaultKind>::first);
     if (found == kFaults.end()) {
-      table.fail_at("kind", "must be lose-frames, cable-break, slave-off, clock-step, refuse-state or mailbox-silence");
+      table.fail_at("kind", "must be lose-frames, cable-break, slave-off, clock-step, refuse-state, mailbox-silence or bit-errors");
     } else {
       fault.kind = found->second;
     }
     fault.slave = static_cast<int>(table.get<std::int64_t>("slave", -1));
-    const bool needs_slave = fault.kind != FaultKind::kLoseFrames;
+    const bool needs_slave = fault.kind != FaultKind::kLoseFrames || table.has("slave");
     if (needs_slave && (fault.slave < 0 || static_cast<std::size_t>(fault.slave) >= config_.slaves.size())) {
       table.fail_at("slave", "must be the position of a slave of this scenario");
     }
     fault.at = static_cast<Nanoseconds>(table.get<double>("at_ms", 0) * 1e6);
     fault.until = static_cast<Nanoseconds>(table.get<double>("until_ms", 0) * 1e6);
     fault.count = table.get<std::uint32_t>("count", 1);
+    fault.port = port_number(table, table.get<std::string>("port", "A"), true);
     fault.value_ns = table.get<std::int64_t>("value_ns", 0);
     fault.code = table.get<std::uint16_t>("code", 0);
     const auto state = table.get<std::string>("state", "");

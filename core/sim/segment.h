@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -9,6 +11,16 @@
 #include "support/types.h"
 
 namespace syncline::sim {
+
+/// Who hangs at which port of whom, by position.
+class Wiring {
+ public:
+  explicit Wiring(std::span<const SimSlaveConfig> slaves);
+  [[nodiscard]] std::optional<std::uint16_t> child(std::size_t slave, unsigned port) const { return children_[slave][port]; }
+
+ private:
+  std::vector<std::array<std::optional<std::uint16_t>, 4>> children_;
+};
 
 /// The way of a frame through a segment: every reception at a port, with the time since the master sent.
 struct Passage {
@@ -18,19 +30,25 @@ struct Passage {
   double time_ns = 0;         // since the frame's start left the master
 };
 
-/// State of the cable to a slave's parent and of its power.
-struct SlaveLink {
-  bool cable = true;
-  bool power = true;
+/// Ports of a slave as a frame finds them.
+struct PortState {
+  std::array<bool, 4> link{};
+  std::array<bool, 4> open{};
 };
 
 struct SegmentPath {
   std::vector<Passage> passages;  // in order of time
   double return_ns = 0;           // until the frame's start is back at the master
+  bool swallowed = false;         // the frame leaves a port that is open without a link, or comes to a closed one
+  std::optional<std::uint16_t> closed_entry;  // slave to whose closed port 0 it came
 };
 
 /// Depth first in port order 0-3-1-2 (ESC data sheet I, 3.2): processing delay behind port 0, forwarding
-/// delay behind the others, 5 ns a metre of cable. A port without a partner is closed.
-[[nodiscard]] SegmentPath segment_path(std::span<const SimSlaveConfig> slaves, std::span<const SlaveLink> links);
+/// delay behind the others, 5 ns a metre of cable. Closed ports are passed over.
+[[nodiscard]] SegmentPath segment_path(std::span<const SimSlaveConfig> slaves, const Wiring& wiring,
+                                       std::span<const PortState> ports);
+
+/// Everything is switched on and plugged in.
+[[nodiscard]] std::vector<PortState> all_connected(std::span<const SimSlaveConfig> slaves, const Wiring& wiring);
 
 }  // namespace syncline::sim

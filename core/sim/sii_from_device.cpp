@@ -15,14 +15,6 @@ std::uint16_t config_word(const std::vector<std::uint8_t>& data, std::size_t wor
 }
 
 /// Index of the base data types (ETG.1000.6, table 64) by their ESI names.
-std::uint8_t data_type_code(std::string_view name) {
-  constexpr std::array<std::pair<std::string_view, std::uint8_t>, 12> kTypes{{{"BOOL", 1}, {"SINT", 2}, {"INT", 3},
-      {"DINT", 4}, {"USINT", 5}, {"BYTE", 5}, {"UINT", 6}, {"WORD", 6}, {"UDINT", 7}, {"DWORD", 7}, {"REAL", 8}, {"ULINT", 0x1B}}};
-  for (const auto& [type, code] : kTypes) {
-    if (type == name) return code;
-  }
-  return 0;
-}
 
 sii::Pdo to_sii(const Pdo& pdo) {
   sii::Pdo out;
@@ -88,6 +80,15 @@ std::uint16_t physical_ports(std::string_view physics) {
 }
 
 }  // namespace
+
+std::uint8_t data_type_code(std::string_view name) {
+  constexpr std::array<std::pair<std::string_view, std::uint8_t>, 12> kTypes{{{"BOOL", 1}, {"SINT", 2}, {"INT", 3},
+      {"DINT", 4}, {"USINT", 5}, {"BYTE", 5}, {"UINT", 6}, {"WORD", 6}, {"UDINT", 7}, {"DWORD", 7}, {"REAL", 8}, {"ULINT", 0x1B}}};
+  for (const auto& [type, code] : kTypes) {
+    if (type == name) return code;
+  }
+  return 0;
+}
 
 sii::Image sii_from_device(const DeviceDescription& device, std::uint16_t alias, std::uint32_t serial_no) {
   sii::Image image;

@@ -2,12 +2,16 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 #include "config/device_description.h"
 #include "protocol/sii.h"
 
 namespace syncline::sim {
+
+/// Number of a CoE data type by its ESI name (ETG.1000.6, table 64); 0 when it has none.
+[[nodiscard]] std::uint8_t data_type_code(std::string_view name);
 
 /// EEPROM content that a vendor's tool would make from an ESI device (ETG.2010).
 [[nodiscard]] sii::Image sii_from_device(const DeviceDescription& device, std::uint16_t alias, std::uint32_t serial_no);

@@ -22,17 +22,42 @@ struct Node {
   std::unique_ptr<Device> device;
 };
 
-Node power_up(const SimSlaveConfig& config, Nanoseconds time, std::uint64_t seed) {
+/// What the slave's EEPROM holds when it leaves the factory.
+std::vector<std::uint8_t> factory_sii(const SimSlaveConfig& config) {
+  if (config.sii_image.empty()) return sii::encode(sii_from_device(config.device, config.alias, config.serial_no));
+  auto image = config.sii_image;
+  constexpr std::size_t kAlias = 8, kChecksum = 14;
+  if (image.size() > kChecksum && config.alias != load_le<std::uint16_t>(std::span(image).subspan(kAlias))) {
+    const bool checked = sii::checksum(std::span(image).first(kChecksum)) == image[kChecksum];
+    store_le<std::uint16_t>(std::span(image).subspan(kAlias, 2), config.alias);
+    if (checked) image[kChecksum] = sii::checksum(std::span(image).first(kChecksum));
+  }
+  return image;
+}
+
+Node power_up(const SimSlaveConfig& config, std::vector<std::uint8_t> sii, Nanoseconds time, std::uint64_t seed) {
   Esc::Options options;
-  options.alias = config.alias;
   options.device_emulation = config.device.device_emulation();
   Node node;
-  auto sii = config.sii_image.empty() ? sii::encode(sii_from_device(config.device, config.alias, config.serial_no))
-                                      : config.sii_image;
   node.esc = std::make_unique<Esc>(config, std::move(sii), options, time, seed);
   node.device = make_device(config, *node.esc);
   return node;
 }
+
+/// State of the cable to a slave's parent and of its power.
+struct SlaveLink {
+  bool cable = true;
+  bool power = true;
+};
+
+/// Frames that do not arrive, or arrive damaged, at a port of a slave.
+struct LineFault {
+  std::uint16_t slave = 0;
+  std::uint8_t port = 0;
+  bool damaged = false;
+  std::uint32_t frames = 0;
+};
+constexpr std::uint32_t kAllFrames = 0xFFFF'FFFF;
 
 /// Something that a fault does at a time.
 struct Action {
@@ -44,6 +69,7 @@ struct Action {
 
 struct SimBus::Impl {
   SimConfig config;
+  Wiring wiring;
   std::vector<Node> nodes;
   std::vector<SlaveLink> links;
   SegmentPath path;
@@ -52,10 +78,14 @@ struct SimBus::Impl {
   std::size_t next_action = 0;
   Nanoseconds now = 0;
   std::uint32_t frames_to_lose = 0;
+  std::vector<LineFault> line_faults;
   std::vector<DatagramView> datagrams;
 
-  Impl(SimConfig c, Nanoseconds start) : config(std::move(c)), links(config.slaves.size()), now(start) {
-    for (std::size_t i = 0; i < config.slaves.size(); ++i) nodes.push_back(power_up(config.slaves[i], start, seed_of(i)));
+  Impl(SimConfig c, Nanoseconds start)
+      : config(std::move(c)), wiring(config.slaves), links(config.slaves.size()), now(start) {
+    for (std::size_t i = 0; i < config.slaves.size(); ++i) {
+      nodes.push_back(power_up(config.slaves[i], factory_sii(config.slaves[i]), start, seed_of(i)));
+    }
     rewire();
     true_delay.resize(nodes.size());
     for (const auto& passage : path.passages) {
@@ -65,21 +95,33 @@ struct SimBus::Impl {
   }
 
   [[nodiscard]] std::uint64_t seed_of(std::size_t i) const { return config.seed * 0x9E37'79B9'7F4A'7C15U + i; }
-
-  void rewire() {
-    path = segment_path(config.slaves, links);
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-      for (unsigned port = 0; port < 4; ++port) nodes[i].esc->set_port(port, port_is_open(i, port));
-    }
+  void restart(std::size_t i, Nanoseconds time) {
+    nodes[i] = power_up(config.slaves[i], nodes[i].esc->sii_content(), time, seed_of(i));
   }
 
-  [[nodiscard]] bool port_is_open(std::size_t i, unsigned port) const {
-    if (port == 0) return links[i].cable;
-    for (std::size_t child = i + 1; child < nodes.size(); ++child) {
-      const auto& c = config.slaves[child];
-      if (c.parent == i && c.parent_port == port) return links[child].cable && links[child].power;
+  [[nodiscard]] bool linked(std::size_t i, unsigned port) const {
+    const auto up = [this](std::size_t below) {
+      const auto& parent = config.slaves[below].parent;
+      return links[below].cable && links[below].power && (below == 0 || !parent || links[*parent].power);
+    };
+    if (port == 0) return up(i);
+    const auto child = wiring.child(i, port);
+    return child && up(*child);
+  }
+
+  /// Tells the ports which cables are alive and finds the frames' way anew.
+  void rewire() {
+    std::vector<PortState> ports(nodes.size());
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      auto& esc_ports = nodes[i].esc->ports();
+      for (unsigned port = 0; port < EscPorts::kCount; ++port) {
+        esc_ports.set_link(port, linked(i, port));
+        ports[i].link[port] = esc_ports.link(port);
+        ports[i].open[port] = esc_ports.open(port);
+      }
+      (void)esc_ports.take_changed();
     }
-    return false;
+    path = segment_path(config.slaves, wiring, ports);
   }
 
   void schedule_faults(Nanoseconds start);
@@ -87,14 +129,28 @@ struct SimBus::Impl {
   void run_actions(Nanoseconds time) {
     while (next_action < actions.size() && actions[next_action].time <= time) actions[next_action++].apply();
   }
+  [[nodiscard]] static Nanoseconds time_of(const Passage& passage, Nanoseconds send_time) {
+    return send_time + static_cast<Nanoseconds>(passage.time_ns + 0.5);
+  }
   void advance_to(Nanoseconds time) {
     run_actions(time);
+    bool changed = false;
     for (std::size_t i = 0; i < nodes.size(); ++i) {
-      if (links[i].power) nodes[i].device->advance_to(time);
+      if (!links[i].power) continue;
+      nodes[i].device->advance_to(time);
+      changed = nodes[i].esc->ports().take_changed() || changed;
     }
+    if (changed) rewire();
     now = std::max(now, time);
   }
   Returned execute(std::span<std::uint8_t> frame, Nanoseconds send_time);
+  Returned execute_foreign(bool malformed, Nanoseconds send_time);
+  /// How far this frame gets: receptions before the one at which it is lost, and the first one that is damaged.
+  struct Reach {
+    std::size_t end, damaged;
+  };
+  [[nodiscard]] Reach reach();
+  void end_frame(const Reach& reach, Nanoseconds send_time, Nanoseconds length);
 };
 
 void SimBus::Impl::add_fault(const FaultConfig& fault, Nanoseconds start) {
@@ -102,8 +158,27 @@ void SimBus::Impl::add_fault(const FaultConfig& fault, Nanoseconds start) {
   const auto at = [&](Nanoseconds offset, std::function<void()> what) { actions.push_back({start + offset, std::move(what)}); };
   switch (fault.kind) {
     case FaultKind::kLoseFrames:
-      at(fault.at, [this, count = fault.count] { frames_to_lose += count; });
+      if (fault.slave < 0) {
+        at(fault.at, [this, count = fault.count] { frames_to_lose += count; });
+        break;
+      }
+      [[fallthrough]];
+    case FaultKind::kBitErrors: {
+      const bool damaged = fault.kind == FaultKind::kBitErrors;
+      const auto slave = static_cast<std::uint16_t>(i);
+      const bool burst = fault.until > fault.at;
+      at(fault.at, [this, damaged, slave, burst, fault] {
+        line_faults.push_back({slave, fault.port, damaged, burst ? kAllFrames : fault.count});
+      });
+      if (burst) {
+        at(fault.until, [this, damaged, slave, fault] {
+          std::erase_if(line_faults, [&](const LineFault& line) {
+            return line.slave == slave && line.port == fault.port && line.damaged == damaged && line.frames == kAllFrames;
+          });
+        });
+      }
       break;
+    }
     case FaultKind::kCableBreak:
       at(fault.at, [this, i] { links[i].cable = false; rewire(); });
       if (fault.until > fault.at) at(fault.until, [this, i] { links[i].cable = true; rewire(); });
@@ -112,7 +187,7 @@ void SimBus::Impl::add_fault(const FaultConfig& fault, Nanoseconds start) {
       at(fault.at, [this, i] { links[i].power = false; rewire(); });
       if (fault.until > fault.at) {
         at(fault.until, [this, i, time = start + fault.until] {
-          nodes[i] = power_up(config.slaves[i], time, seed_of(i));
+          restart(i, time);
           links[i].power = true;
           rewire();
         });
@@ -124,6 +199,10 @@ void SimBus::Impl::add_fault(const FaultConfig& fault, Nanoseconds start) {
     case FaultKind::kRefuseState:
       at(fault.at, [this, i, fault] { nodes[i].device->refuse(fault.state, fault.code); });
       if (fault.until > fault.at) at(fault.until, [this, i] { nodes[i].device->refuse(AlState::kNone, 0); });
+      break;
+    case FaultKind::kSlowMailbox:
+      at(fault.at, [this, i, delay = fault.value_ns] { nodes[i].device->slow_mailbox(delay); });
+      if (fault.until > fault.at) at(fault.until, [this, i] { nodes[i].device->slow_mailbox(0); });
       break;
     case FaultKind::kMailboxSilence:
       at(fault.at, [this, i] { nodes[i].device->silence_mailbox(true); });
@@ -139,6 +218,7 @@ void SimBus::Impl::schedule_faults(Nanoseconds start) {
 
 SimBus::Returned SimBus::Impl::execute(std::span<std::uint8_t> frame, Nanoseconds send_time) {
   run_actions(send_time);
+  if (path.swallowed) advance_to(send_time);  // slaves that no frame reaches live on: a setting for a while ends
   now = std::max(now, send_time);
   if (frames_to_lose > 0) {
     --frames_to_lose;
@@ -147,24 +227,86 @@ SimBus::Returned SimBus::Impl::execute(std::span<std::uint8_t> frame, Nanosecond
   FrameReader reader(frame);
   datagrams.clear();
   while (auto datagram = reader.next()) datagrams.push_back(*datagram);
-  // ESCs destroy what is no EtherCAT frame (0x0100.0 = 1), and nobody answers on a dead segment.
-  if (!reader.is_ethercat() || reader.malformed() || path.passages.empty()) return {true, 0};
+  if (!reader.is_ethercat() || reader.malformed()) return execute_foreign(reader.malformed(), send_time);
 
-  const auto time_of = [send_time](double offset) { return send_time + static_cast<Nanoseconds>(offset + 0.5); };
-  for (const auto& passage : path.passages) {
+  auto way = reach();
+  bool mark_source = false;
+  for (std::size_t p = 0; p < way.end; ++p) {
+    const auto& passage = path.passages[p];
     auto& node = nodes[passage.slave];
-    const auto time = time_of(passage.time_ns);
+    const auto time = time_of(passage, send_time);
+    if (p == way.damaged) node.esc->ports().count_invalid_frame(passage.port);
+    if (p > way.damaged) node.esc->ports().count_forwarded_error(passage.port);
     node.esc->frame_at_port(passage.port, time);
     if (!passage.processed) continue;
     node.device->advance_to(time);
-    node.esc->process(datagrams, time);
+    if (!node.esc->process(datagrams, time)) way.end = p;
+    mark_source = mark_source || node.esc->ports().destroys_foreign_frames();
   }
   const auto length = wire_time_ns(frame.size()) - 12 * 80;  // without the gap behind the frame
-  for (const auto& passage : path.passages) {
-    if (passage.processed) nodes[passage.slave].esc->frame_end(time_of(passage.time_ns) + length);
+  const bool lost = path.swallowed || way.end < path.passages.size() || way.damaged < path.passages.size();
+  const auto return_time = send_time + static_cast<Nanoseconds>(path.return_ns + 0.5) + length;
+  end_frame(way, send_time, length);
+  if (lost) return {true, 0};
+  if (mark_source) frame[6] = static_cast<std::uint8_t>(frame[6] | 0x02);  // locally administered
+  return {false, return_time};
+}
+
+SimBus::Impl::Reach SimBus::Impl::reach() {
+  Reach reach{path.passages.size(), path.passages.size()};
+  if (line_faults.empty()) return reach;
+  for (std::size_t p = 0; p < reach.end; ++p) {
+    for (auto& fault : line_faults) {
+      if (fault.slave != path.passages[p].slave || fault.port != path.passages[p].port || fault.frames == 0) continue;
+      if (fault.frames != kAllFrames) --fault.frames;
+      (fault.damaged ? reach.damaged : reach.end) = std::min(fault.damaged ? reach.damaged : reach.end, p);
+    }
   }
-  frame[6] = static_cast<std::uint8_t>(frame[6] | 0x02);  // locally administered: has passed a slave
-  return {false, time_of(path.return_ns) + length};
+  std::erase_if(line_faults, [](const LineFault& fault) { return fault.frames == 0; });
+  return reach;
+}
+
+/// The last byte has passed everywhere: what was written becomes effective where the frame was still good.
+void SimBus::Impl::end_frame(const Reach& reach, Nanoseconds send_time, Nanoseconds length) {
+  bool changed = false;
+  for (std::size_t p = 0; p < reach.end; ++p) {
+    const auto& passage = path.passages[p];
+    if (!passage.processed) continue;
+    auto& esc = *nodes[passage.slave].esc;
+    const auto time = time_of(passage, send_time) + length;
+    if (p < reach.damaged) {
+      esc.frame_end(time);
+    } else {
+      esc.frame_damaged();
+    }
+    if (esc.reset_requested()) {
+      restart(passage.slave, time);
+      changed = true;
+    }
+    changed = nodes[passage.slave].esc->ports().take_changed() || changed;
+  }
+  if (path.closed_entry && reach.end == path.passages.size() && reach.damaged == reach.end) {
+    auto& ports = nodes[*path.closed_entry].esc->ports();
+    ports.frame_at_closed_port(0);
+    changed = ports.take_changed() || changed;
+  }
+  if (changed) rewire();
+}
+
+/// No EtherCAT frame, or one whose lengths contradict each other: the first ESC notices and destroys it.
+SimBus::Returned SimBus::Impl::execute_foreign(bool malformed, Nanoseconds send_time) {
+  bool bad = false;
+  for (const auto& passage : path.passages) {
+    auto& ports = nodes[passage.slave].esc->ports();
+    if (bad) {
+      ports.count_forwarded_error(passage.port);
+    } else if (passage.processed && (malformed || ports.destroys_foreign_frames())) {
+      ports.count_processing_unit_error();
+      bad = true;
+    }
+  }
+  if (bad || path.swallowed) return {true, 0};
+  return {false, send_time + static_cast<Nanoseconds>(path.return_ns + 0.5)};
 }
 
 SimBus::SimBus(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -172,8 +314,8 @@ SimBus::~SimBus() = default;
 
 Result<std::unique_ptr<SimBus>> SimBus::create(const SimConfig& config, Nanoseconds start) {
   if (config.slaves.empty()) return fail(ErrorCode::kConfiguration, config.name, "the segment has no slaves");
-  const std::vector<SlaveLink> all_up(config.slaves.size());
-  const auto path = segment_path(config.slaves, all_up);
+  const Wiring wiring(config.slaves);
+  const auto path = segment_path(config.slaves, wiring, all_connected(config.slaves, wiring));
   std::size_t expected = 0;
   for (const auto& passage : path.passages) {
     if (!passage.processed) continue;

@@ -8,7 +8,10 @@
 namespace syncline::sim {
 namespace {
 
-constexpr std::uint16_t kSyncError = 0x001A, kNoSync = 0x002D, kInvalidSync0Cycle = 0x0036;
+constexpr std::uint16_t kSyncError = 0x001A, kSyncStopped = 0x002C, kNoSync = 0x002D, kPllError = 0x0032,
+                        kInvalidSync0Cycle = 0x0036;
+constexpr std::uint32_t kPllRange = 100'000;  // ns; the drive's PLL cannot lock on a clock that is further away
+constexpr int kMissingSyncs = 8;
 constexpr unsigned kMissWeight = 3;  // added for a missed event; a good one takes 1 away
 
 // CiA 402 statusword patterns
@@ -19,6 +22,7 @@ constexpr std::uint16_t kSwitchOnDisabled = 0x0250, kReadyToSwitchOn = 0x0231, k
 
 Drive::Drive(const SimSlaveConfig& config, Esc& esc, const DriveHabits& habits) : Device(config, esc), habits_(habits) {
   add_objects();
+  enable_diagnosis_history();
 }
 
 void Drive::add_objects() {
@@ -64,8 +68,16 @@ std::uint16_t Drive::check_sync(AlState to) {
   const auto cycle = dc.settings().cycle0;
   if (cycle == 0 || cycle % habits_.cycle_step_ns != 0 || cycle > habits_.cycle_max_ns) return kInvalidSync0Cycle;
   // OP needs a SYNC0 that comes: a start time in the past never fires.
-  if (to == AlState::kOp && !sync_seen_) return kNoSync;
+  if (to == AlState::kOp && !last_sync_) return kNoSync;
+  if (to == AlState::kOp && dc.deviation_magnitude() > kPllRange) return kPllError;
   return 0;
+}
+
+void Drive::check_running(Nanoseconds time) {
+  const auto& dc = esc().dc();
+  // The signal was there when OP was entered; a unit that was switched off or has lost its time fires no more.
+  const auto cycle = static_cast<Nanoseconds>(dc.settings().cycle0);
+  if (last_sync_ && cycle > 0 && time - *last_sync_ > kMissingSyncs * cycle) drop_to_safeop(kSyncStopped);
 }
 
 void Drive::on_state(AlState state) {
@@ -82,7 +94,7 @@ void Drive::on_state(AlState state) {
     dictionary_.set<std::uint16_t>(0x1C32, habits_.sm_missed_sub_index, 0);
     dictionary_.set<std::uint16_t>(0x603F, 0, 0);
   }
-  if (state == AlState::kPreop || state == AlState::kInit) sync_seen_ = false;
+  if (state == AlState::kPreop || state == AlState::kInit) last_sync_.reset();
 }
 
 void Drive::on_outputs(Nanoseconds time) {
@@ -95,7 +107,7 @@ void Drive::on_outputs(Nanoseconds time) {
 }
 
 void Drive::on_sync0(Nanoseconds time) {
-  sync_seen_ = true;
+  last_sync_ = time;
   if (state() == AlState::kOp && any_outputs_) count_sync_event();
   outputs_since_sync_ = false;
   move();
@@ -117,7 +129,7 @@ void Drive::count_sync_event() {
   if (limit == 0 || integrator_ < limit) return;
   dictionary_.set<std::uint16_t>(0x603F, 0, habits_.sync_alarm);
   dictionary_.set<std::uint16_t>(0x6041, 0, kFault);
-  drop_to_safeop(kSyncError);
+  drop_to_safeop(kSyncError, habits_.sync_alarm);
 }
 
 void Drive::power_state_machine() {

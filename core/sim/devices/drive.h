@@ -26,6 +26,7 @@ class Drive : public Device {
   void on_sync0(Nanoseconds time) override;
   void on_state(AlState state) override;
   std::uint16_t check_sync(AlState to) override;
+  void check_running(Nanoseconds time) override;
   /// Once a servo cycle.
   virtual void servo_cycle(Nanoseconds) {}
   [[nodiscard]] const DriveHabits& habits() const { return habits_; }
@@ -37,7 +38,8 @@ class Drive : public Device {
   void power_state_machine();
 
   DriveHabits habits_;
-  bool outputs_since_sync_ = false, any_outputs_ = false, sync_seen_ = false;
+  bool outputs_since_sync_ = false, any_outputs_ = false;
+  std::optional<Nanoseconds> last_sync_;  // since PREOP
   unsigned integrator_ = 0;
 };
 

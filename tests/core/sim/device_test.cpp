@@ -24,13 +24,17 @@ class SimServo : public testing::Test {
     mail.counter = counter = next_mailbox_counter(counter);
     mail.data = coe::encode(request);
     EXPECT_EQ(probe.write(0, mailbox_out, mail.encode(128)).wkc, 1);
-    probe.pass(kMillisecond);
-    const auto reply = probe.read(0, mailbox_in, 128);
-    if (reply.wkc == 0) return std::nullopt;
-    const auto decoded = MailboxMessage::decode(reply.data);
-    if (!decoded) return std::nullopt;
-    const auto response = coe::decode_response(decoded->data);
-    return response ? std::optional(*response) : std::nullopt;
+    for (;;) {
+      probe.pass(kMillisecond);
+      const auto reply = probe.read(0, mailbox_in, 128);
+      if (reply.wkc == 0) return std::nullopt;
+      const auto decoded = MailboxMessage::decode(reply.data);
+      if (!decoded) return std::nullopt;
+      const auto response = coe::decode_response(decoded->data);
+      if (!response) return std::nullopt;
+      if (!std::holds_alternative<coe::Emergency>(*response)) return *response;
+      emergencies.push_back(std::get<coe::Emergency>(*response));  // they come in between
+    }
   }
   std::uint32_t read_object(std::uint16_t index, std::uint8_t sub) {
     const auto response = sdo(coe::UploadRequest{{index, sub}, false});
@@ -66,6 +70,7 @@ class SimServo : public testing::Test {
   std::uint16_t mailbox_out = 0x1000, mailbox_in = 0x1080;
   std::uint8_t counter = 0;
   std::uint64_t first_sync = 0;
+  std::vector<coe::Emergency> emergencies;
 };
 
 TEST_F(SimServo, RefusesStatesForTheReasonsThatTheCodesName) {
@@ -95,7 +100,8 @@ TEST_F(SimServo, AnswersSdosAndAborts) {
   EXPECT_EQ(write_object(0x10F1, 2, {12, 0}), 0U);
   EXPECT_EQ(read_object(0x10F1, 2), 12U);
   EXPECT_EQ(write_object(0x10F1, 2, {16, 0}), 0x06090030U) << "15 is the largest limit";
-  EXPECT_EQ(write_object(0x10F1, 2, {1, 0, 0, 0}), 0x06070010U);
+  EXPECT_EQ(write_object(0x10F1, 2, {1, 0, 0, 0}), 0x06070012U) << "too long";
+  EXPECT_EQ(write_object(0x10F1, 2, {1}), 0x06070013U) << "too short";
   EXPECT_EQ(write_object(0x1018, 1, {1, 0, 0, 0}), 0x06010002U);
   EXPECT_EQ(write_object(0x5555, 0, {1}), 0x06020000U);
   EXPECT_EQ(write_object(0x1018, 9, {1}), 0x06090011U);
@@ -223,6 +229,9 @@ TEST_F(SimServo, MissedSm2EventsCountAndTheIntegratorTrips) {
   EXPECT_EQ(probe.read(0, reg::kAlStatus, 2).value<std::uint16_t>(), 0x14);
   EXPECT_EQ(probe.al_code(0), 0x001A);
   EXPECT_EQ(read_object(0x603F, 0), 0x0A12U);
+  ASSERT_EQ(emergencies.size(), 1U);
+  EXPECT_EQ(emergencies[0].error_code, 0x0A12);
+  EXPECT_EQ(read_object(0x10F3, 4), 1U) << "the history has it, too";
 }
 
 TEST_F(SimServo, DriveCSaysInItsStatusWhatIsWrongWithTheCycle) {
