@@ -2,7 +2,10 @@
 #pragma once
 
 #include <fcntl.h>
+#include <net/if.h>
 #include <sched.h>
+#include <sys/ioctl.h>
+#include <sys/socket.h>
 #include <unistd.h>
 
 #include <cstdlib>
@@ -21,7 +24,7 @@ class NetNamespace {
     if (home_ < 0 || ::unshare(CLONE_NEWNET) != 0) return;
     entered_ = true;
     const std::string pair = std::string("ip link add ") + kMasterEnd + " type veth peer name " + kBusEnd;
-    ready_ = run(pair) && set_up(kMasterEnd, true) && set_up(kBusEnd, true);
+    ready_ = run(pair) && set_up(kMasterEnd, true) && set_up(kBusEnd, true) && carries(kMasterEnd) && carries(kBusEnd);
   }
   ~NetNamespace() {
     if (entered_) (void)::setns(home_, CLONE_NEWNET);
@@ -37,6 +40,19 @@ class NetNamespace {
   }
 
  private:
+  /// The kernel reports the carrier of a new pair a little later.
+  static bool carries(const std::string& adapter) {
+    const int socket = ::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+    ifreq about{};
+    adapter.copy(about.ifr_name, IFNAMSIZ - 1);
+    bool running = false;
+    for (int tries = 0; !running && tries < 10'000; ++tries) {
+      running = ::ioctl(socket, SIOCGIFFLAGS, &about) == 0 && (about.ifr_flags & IFF_RUNNING) != 0;
+      if (!running) ::usleep(1'000);
+    }
+    ::close(socket);
+    return running;
+  }
   static bool run(const std::string& command) { return std::system((command + " >/dev/null 2>&1").c_str()) == 0; }
 
   int home_;

@@ -12,7 +12,6 @@
 namespace syncline {
 namespace {
 
-constexpr std::uint16_t kSiiReads8Bytes = 0x0040;
 constexpr std::uint16_t kSiiCommandError = 0x2000;
 constexpr unsigned kSiiReadCommand = 1;
 /// What every ESC has and a master must be able to write before it can read anything.
@@ -22,21 +21,35 @@ constexpr bool is_addressing(std::uint32_t address) {
          (address >= reg::kSiiConfiguration && address < reg::kSiiData + 8U);
 }
 
+/// Every ESC has these: a broadcast is counted by each slave, also by one whose value nobody read alone.
+constexpr bool is_mandatory(std::uint32_t address) {
+  return address < reg::kFeatures + 2U || (address >= reg::kDlStatus && address < reg::kDlStatus + 2U) ||
+         (address >= reg::kAlStatus && address < reg::kAlStatus + 2U);
+}
+
 class ReplayedSlave {
  public:
   explicit ReplayedSlave(RecordedSlave recorded) : recorded_(std::move(recorded)) {
     // The capture's master gave its own; ours gives others.
     store(reg::kStationAddress, std::uint16_t{0});
-    store(reg::kSiiControl, status());
+    store(reg::kSiiControl, std::uint16_t{0});
     for (std::uint32_t a = reg::kSiiConfiguration; a < reg::kSiiData + 8U; ++a) recorded_.known.set(a);
   }
   [[nodiscard]] std::uint16_t station() const { return load_le<std::uint16_t>(at(reg::kStationAddress, 2)); }
 
-  bool read(std::uint16_t address, std::span<std::uint8_t> out, bool or_into) const {
+  bool read(std::uint16_t address, std::span<std::uint8_t> out) const {
     if (!recorded_.knows(address, out.size())) return false;
-    const auto bytes = at(address, out.size());
+    std::ranges::copy(at(address, out.size()), out.begin());
+    return true;
+  }
+  /// ORs what is known.
+  bool read_broadcast(std::uint16_t address, std::span<std::uint8_t> out) const {
     for (std::size_t i = 0; i < out.size(); ++i) {
-      out[i] = or_into ? static_cast<std::uint8_t>(out[i] | bytes[i]) : bytes[i];
+      const auto a = static_cast<std::uint32_t>(address + i);
+      if (!recorded_.knows(a, 1) && !is_mandatory(a)) return false;
+    }
+    for (std::size_t i = 0; i < out.size(); ++i) {
+      if (recorded_.known[address + i]) out[i] |= recorded_.memory[address + i];
     }
     return true;
   }
@@ -54,7 +67,6 @@ class ReplayedSlave {
   }
 
  private:
-  [[nodiscard]] std::uint16_t status() const { return recorded_.reads_8_bytes ? kSiiReads8Bytes : std::uint16_t{0}; }
   [[nodiscard]] std::span<const std::uint8_t> at(std::uint32_t address, std::size_t length) const {
     return std::span(recorded_.memory).subspan(address, length);
   }
@@ -66,15 +78,14 @@ class ReplayedSlave {
 
   void run_sii_command() {
     const unsigned command = recorded_.memory[reg::kSiiControl + 1U] & 0x07U;
-    auto result = status();
+    std::uint16_t result = 0;
     if (command == kSiiReadCommand) {
+      // Two words at a time, also where the recorded ESC gave four: fewer have to be known.
       const auto word = load_le<std::uint32_t>(at(reg::kSiiAddress, 4));
-      const unsigned words = recorded_.reads_8_bytes ? 4 : 2;
-      for (unsigned i = 0; i < words; ++i) {
+      for (unsigned i = 0; i < 2; ++i) {
         const auto found = recorded_.sii.find(word + i);
-        // The first word is what was asked for; the rest comes along where it is known.
-        if (found == recorded_.sii.end() && i == 0) result |= kSiiCommandError;
-        store(reg::kSiiData + 2 * i, found == recorded_.sii.end() ? std::uint16_t{0xFFFF} : found->second);
+        if (found == recorded_.sii.end()) result |= kSiiCommandError;
+        store(reg::kSiiData + 2 * i, found == recorded_.sii.end() ? std::uint16_t{0} : found->second);
       }
     } else if (command != 0) {
       result |= kSiiCommandError;  // a recording is not written to
@@ -139,9 +150,9 @@ class ReplayLink final : public Link {
     const bool both = header.command == Command::kAprw || header.command == Command::kFprw || header.command == Command::kBrw;
     const bool multiple = header.command == Command::kArmw || header.command == Command::kFrmw;
     unsigned count = 0;
-    if ((!writes(header.command) || both || multiple) &&
-        slave.read(header.ado(), datagram.data, is_broadcast(header.command))) {
-      ++count;
+    if (!writes(header.command) || both || multiple) {
+      count += is_broadcast(header.command) ? slave.read_broadcast(header.ado(), datagram.data)
+                                            : slave.read(header.ado(), datagram.data);
     }
     if (writes(header.command) && !multiple && slave.write(header.ado(), sent)) count += both ? 2 : 1;
     return count;
