@@ -26,6 +26,13 @@ struct SimDcConfig {
   bool is_64bit = true;
 };
 
+/// How an ESC reaches its EEPROM.
+struct SimSiiConfig {
+  Nanoseconds read_time = 0;             // 0x0502.15 stays set for so long; also of a reload
+  Nanoseconds write_time = 0;            // of one word
+  bool eight_bytes = true;               // a read gives 8 bytes, otherwise 4
+};
+
 struct SimSlaveConfig {
   std::string name;
   std::string behaviour;                 // "coupler", "digital-input", "digital-output", "servo-y", "drive-c", "generic"
@@ -40,6 +47,7 @@ struct SimSlaveConfig {
   double cable_m = 1.0;                  // to the parent
   OscillatorConfig oscillator;
   SimDcConfig dc;
+  SimSiiConfig sii;
   std::uint32_t processing_delay_ns = 300;   // tP
   std::uint32_t forwarding_delay_ns = 260;   // tF
 };

@@ -5,7 +5,6 @@
 
 #include "protocol/dl_status.h"
 #include "protocol/registers.h"
-#include "protocol/sii.h"
 
 namespace syncline::sim {
 namespace {
@@ -31,7 +30,7 @@ Esc::Esc(const SimSlaveConfig& config, std::vector<std::uint8_t> sii, const Opti
       memory_(0x2000),
       ports_(memory_),
       dc_(config.oscillator, config.dc, power_on, seed, memory_),
-      sii_(std::move(sii), memory_),
+      sii_(std::move(sii), config.sii, memory_),
       sync_managers_(options.sync_manager_count) {
   implement_registers();
   load_configuration();
@@ -76,14 +75,16 @@ void Esc::implement_registers() {
   memory_.implement(reg::kWatchdogPdi, 2, rw);
   memory_.implement(reg::kWatchdogProcessData, 2, rw);
   memory_.implement(reg::kWatchdogStatus, 4, r);
-  memory_.implement(reg::kSiiConfiguration, 16, rw);
+  memory_.implement(reg::kSiiConfiguration, 1, rw);
+  memory_.implement(reg::kSiiPdiAccess, 1, r);
+  memory_.implement(reg::kSiiControl, 14, rw);
   memory_.implement(reg::kFmmu, static_cast<std::uint16_t>(16 * options_.fmmu_count), rw);
   memory_.implement(reg::kSyncManager, static_cast<std::uint16_t>(8 * options_.sync_manager_count), rw);
 }
 
 void Esc::load_configuration() {
   const auto& content = sii_.content();
-  if (content.size() < 16 || sii::checksum(std::span(content).first(14)) != content[14]) return;
+  if (!sii_.checksum_ok()) return;
   memory_.set<std::uint8_t>(reg::kPdiControl, content[0]);
   memory_.set<std::uint8_t>(reg::kEscConfiguration, content[1]);
   memory_.set<std::uint16_t>(reg::kPdiConfiguration, load_le<std::uint16_t>(std::span(content).subspan(2)));
@@ -133,6 +134,7 @@ void Esc::frame_at_port(unsigned port, Nanoseconds time) { port_times_[port] = t
 void Esc::advance_to(Nanoseconds time) {
   dc_.advance_to(time);
   ports_.advance_to(time);
+  if (sii_.advance_to(time)) load_configuration();
 }
 
 bool Esc::addressed(const DatagramHeader& header) const {
@@ -333,7 +335,7 @@ void Esc::commit_register(const Write& write, Nanoseconds time) {
   if (hit(reg::kProcessingUnitErrorCounter, 1)) memory_.set<std::uint8_t>(reg::kProcessingUnitErrorCounter, 0);
   if (hit(reg::kPdiErrorCounter, 1)) memory_.set<std::uint8_t>(reg::kPdiErrorCounter, 0);
   if (hit(reg::kLostLinkCounter, 4)) std::ranges::fill(memory_.at(reg::kLostLinkCounter, 4), std::uint8_t{0});
-  if (hit(reg::kSiiControl, 2)) sii_.control_written();
+  if (hit(reg::kSiiConfiguration, 2)) sii_.configuration_written();
   if (write.address >= reg::kReceiveTimePort0 && write.address < 0x0A00) {
     dc_.registers_written(write.address, write.length, time);
   }
@@ -362,19 +364,24 @@ void Esc::frame_damaged() {
 void Esc::frame_end(Nanoseconds time) {
   dc_.advance_to(time);
   std::size_t position = 0;
-  bool reset_written = false;
+  bool reset_written = false, sii_command = false;
   for (const auto& write : writes_) {
+    sii_command = sii_command || (overlaps(write.address, write.length, reg::kSiiControl, 2) && !sii_.blocks(reg::kSiiControl));
     reset_written = reset_written || overlaps(write.address, write.length, reg::kEscReset, 1);
     for (std::size_t i = 0; i < write.length; ++i) {
       const auto address = static_cast<std::uint32_t>(write.address + i);
       // Receive times are what the latch shows, never what was written to start it.
       const bool receive_time = address >= reg::kReceiveTimePort0 && address < reg::kSystemTime;
-      if ((memory_.rights(address) & EscMemory::kWrite) != 0 && !receive_time) {
+      if ((memory_.rights(address) & EscMemory::kWrite) != 0 && !receive_time && !sii_.blocks(address)) {
         memory_.set<std::uint8_t>(static_cast<std::uint16_t>(address), shadow_[position + i]);
       }
     }
     position += write.length;
     commit_register(write, time);
+  }
+  if (sii_command) {  // the enable bit and the command may come in two datagrams of one frame
+    sii_.control_written(time);
+    if (sii_.advance_to(time)) load_configuration();
   }
   if (reset_written || reset_step_ != 0) follow_reset_sequence(reset_written);
   writes_.clear();

@@ -65,6 +65,7 @@ class Esc {
   /// R, E and S were written to 0x0040 by three consecutive frames: the slave starts anew.
   [[nodiscard]] bool reset_requested() const { return reset_step_ == kResetSequence.size(); }
   /// What the EEPROM holds, over power cycles.
+  [[nodiscard]] SiiInterface& sii() { return sii_; }
   [[nodiscard]] const std::vector<std::uint8_t>& sii_content() const { return sii_.content(); }
 
  private:

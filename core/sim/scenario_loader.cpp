@@ -175,6 +175,12 @@ class Loader {
     slave.oscillator.wander_ppm = table.get<double>("wander_ppm", 0);
     slave.oscillator.start_offset = static_cast<Nanoseconds>(table.get<double>("start_offset_ms", 0) * 1e6);
     slave.dc = dc_of(table, table.get<std::string>("dc", "64"));
+    slave.sii.read_time = static_cast<Nanoseconds>(table.get<double>("sii_read_ms", 0) * 1e6);
+    slave.sii.write_time = static_cast<Nanoseconds>(table.get<double>("sii_write_ms", 0) * 1e6);
+    const auto sii_bytes = table.get<std::int64_t>("sii_read_bytes", 8);
+    if (sii_bytes != 4 && sii_bytes != 8) table.fail_at("sii_read_bytes", "must be 4 or 8");
+    slave.sii.eight_bytes = sii_bytes == 8;
+    if (slave.sii.read_time < 0 || slave.sii.write_time < 0) table.fail_at("sii_read_ms", "must not be negative");
     slave.processing_delay_ns = table.get<std::uint32_t>("processing_delay_ns", 300);
     slave.forwarding_delay_ns = table.get<std::uint32_t>("forwarding_delay_ns", 260);
     const auto count = table.get<std::int64_t>("count", 1);
