@@ -4,11 +4,12 @@
 #include <algorithm>
 
 #include "protocol/registers.h"
+#include "support/random.h"
 
 namespace syncline::sim {
 namespace {
 
-constexpr std::uint32_t kGarbage = 0x6C72'9A3E;  // what unused ports show on real ESCs: anything but zero
+constexpr std::uint64_t kGarbage = 0x6C72'9A3E'0900'0900;
 
 bool touches(std::uint16_t address, std::size_t length, std::uint16_t reg, std::size_t size) {
   return address < reg + size && reg < address + length;
@@ -19,17 +20,19 @@ bool touches(std::uint16_t address, std::size_t length, std::uint16_t reg, std::
 DcUnit::DcUnit(const OscillatorConfig& oscillator, const SimDcConfig& config, Nanoseconds power_on, std::uint64_t seed,
                EscMemory& memory)
     : memory_(memory), config_(config), wide_(config.is_64bit), clock_(oscillator, power_on, seed) {
-  implement_registers();
+  implement_registers(seed);
 }
 
-void DcUnit::implement_registers() {
+void DcUnit::implement_registers(std::uint64_t seed) {
   constexpr std::uint8_t kRead = EscMemory::kRead;
   constexpr std::uint8_t kBoth = EscMemory::kReadWrite;
   if (!config_.receive_times) return;
   memory_.implement(reg::kReceiveTimePort0, 4, kBoth);
   memory_.implement(reg::kReceiveTimePort1, 12, kRead);
+  Random random(seed ^ kGarbage);  // what unused ports show on real ESCs: anything but zero
   for (std::uint16_t port = 0; port < 4; ++port) {
-    memory_.set<std::uint32_t>(static_cast<std::uint16_t>(reg::kReceiveTimePort0 + 4 * port), kGarbage * (port + 1U));
+    const auto garbage = static_cast<std::uint32_t>(random.next()) | 1U;
+    memory_.set<std::uint32_t>(static_cast<std::uint16_t>(reg::kReceiveTimePort0 + 4 * port), garbage);
   }
   if (!config_.system_time) return;
   const std::uint16_t width = wide_ ? 8 : 4;

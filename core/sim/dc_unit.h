@@ -56,7 +56,7 @@ class DcUnit {
   void compare(Nanoseconds frame_end);
   void write_activation(Nanoseconds time);
   void write_status();
-  void implement_registers();
+  void implement_registers(std::uint64_t seed);
 
   EscMemory& memory_;
   SimDcConfig config_;

@@ -42,6 +42,36 @@ TEST(SimLatch, OnlyBwrAndFpwrLatchThePorts) {
   EXPECT_EQ(port0(), latched);
 }
 
+TEST(SimLatch, PortsThatWereNotPassedShowGarbageThatTheSeedRepeats) {
+  const auto latched = [](std::uint64_t seed) {
+    auto config = line({sim_slave("SL-1100"), sim_slave("SL-1100")});
+    config.seed = seed;
+    SimProbe probe(config);
+    broadcast(probe, reg::kReceiveTimePort0, {0, 0, 0, 0});
+    return probe.read(1, reg::kReceiveTimePort0, 16).data;
+  };
+  const auto times = latched(1);
+  const auto others = latched(2);
+  for (std::size_t port = 1; port < 4; ++port) {
+    EXPECT_GT(load_le<std::uint32_t>(std::span(times).subspan(4 * port)), 0U) << port;
+    EXPECT_FALSE(std::ranges::equal(std::span(times).subspan(4 * port, 4), std::span(others).subspan(4 * port, 4)));
+  }
+  EXPECT_EQ(times, latched(1));
+}
+
+TEST(SimSync, ACycleOfZeroIsASingleShot) {
+  SimProbe probe(line({sim_slave("SL-SV7", "servo-y")}));
+  const auto start = probe.read(0, reg::kSystemTime, 8).value<std::uint64_t>() + 5 * kMillisecond;
+  const auto pending = [&probe] { return probe.read(0, reg::kActivationStatus, 1).data[0] & 1; };
+  probe.write(0, reg::kSync0CycleTime, le_bytes(std::uint32_t{0}));
+  probe.write(0, reg::kStartTimeCyclicOperation, le_bytes(start));
+  probe.write(0, reg::kCyclicUnitControl, {0x00, 0x03});
+  EXPECT_EQ(pending(), 1);
+  probe.pass(10 * kMillisecond);
+  EXPECT_EQ(pending(), 0) << "it has fired";
+  EXPECT_EQ(probe.read(0, reg::kStartTimeCyclicOperation, 8).value<std::uint64_t>(), start) << "and there is no next one";
+}
+
 class SimLateStart : public testing::TestWithParam<bool> {};
 
 TEST_P(SimLateStart, AStartTimeThatHasPassedFiresOnlyWhenTheCounterComesRound) {
