@@ -36,6 +36,9 @@ int run(const std::vector<std::string>& arguments, Console console) {
   add_adapters_command(app, context);
   add_scan_command(app, context);
   add_sii_command(app, context);
+  add_sdo_command(app, context);
+  add_foe_command(app, context);
+  add_slave_commands(app, context);
   add_project_commands(app, context);
   add_export_command(app, context);
   add_compare_command(app, context);

@@ -30,6 +30,9 @@ struct Context {
 void add_adapters_command(CLI::App& app, Context& context);
 void add_scan_command(CLI::App& app, Context& context);
 void add_sii_command(CLI::App& app, Context& context);
+void add_sdo_command(CLI::App& app, Context& context);
+void add_foe_command(CLI::App& app, Context& context);
+void add_slave_commands(CLI::App& app, Context& context);
 void add_project_commands(CLI::App& app, Context& context);
 void add_export_command(CLI::App& app, Context& context);
 void add_compare_command(CLI::App& app, Context& context);

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "app/cli/visit_options.h"
+#include "app/composition/whole_file.h"
+#include "master/foe_client.h"
+
+namespace syncline::cli {
+namespace {
+
+struct Options {
+  VisitRequest slave;
+  std::string name, file;
+  std::uint32_t password = 0;
+  bool json = false;
+};
+
+void report(Context& context, const Options& options, std::size_t bytes, bool written) {
+  if (options.json) {
+    return context.print({{"position", options.slave.position},
+                          {"name", options.name},
+                          {"file", options.file},
+                          {"bytes", bytes},
+                          {"written", written}});
+  }
+  context.console.out << fmt::format("slave {}: {} bytes of \"{}\" {} {}\n", options.slave.position, bytes, options.name,
+                                     written ? "written from" : "read into", options.file);
+}
+
+void read_file(Context& context, const Options& options) {
+  with_mailbox(context, options.slave, [&](SlaveVisit& visit) -> Status {
+    const auto bytes = FoeClient(visit.mailbox()).read(options.name, options.password);
+    if (!bytes) return tl::unexpected(bytes.error());
+    if (auto status = write_whole_file(options.file, *bytes); !status) return status;
+    report(context, options, bytes->size(), false);
+    return {};
+  });
+}
+
+void write_file(Context& context, const Options& options) {
+  const auto bytes = read_whole_file(options.file);
+  if (!bytes) return context.fail_with(bytes.error());
+  with_mailbox(context, options.slave, [&](SlaveVisit& visit) -> Status {
+    if (auto status = FoeClient(visit.mailbox()).write(options.name, *bytes, options.password); !status) return status;
+    report(context, options, bytes->size(), true);
+    return {};
+  });
+}
+
+void add(CLI::App& foe, Context& context, const char* name, const char* description, void (*work)(Context&, const Options&)) {
+  auto options = std::make_shared<Options>();
+  auto* command = foe.add_subcommand(name, description);
+  add_slave_options(*command, options->slave, options->json);
+  command->add_option("name", options->name, "Name of the file in the slave")->required();
+  command->add_option("file", options->file, "File here")->required();
+  command->add_option("--password", options->password, "Password of the slave, a number");
+  command->callback([&context, options, work] { work(context, *options); });
+}
+
+}  // namespace
+
+void add_foe_command(CLI::App& app, Context& context) {
+  auto* foe = app.add_subcommand("foe", "Read or write a file of a slave (FoE)");
+  foe->require_subcommand(1);
+  add(*foe, context, "read", "Copy a file of the slave", read_file);
+  add(*foe, context, "write", "Give a file to the slave", write_file);
+}
+
+}  // namespace syncline::cli

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/visit_options.h"
+
+#include <fmt/format.h>
+
+#include "app/cli/interrupt.h"
+
+namespace syncline::cli {
+
+void add_slave_options(CLI::App& command, VisitRequest& slave, bool& json) {
+  command.add_option("link", slave.link, "LINK")->required();
+  command.add_option("position", slave.position, "Position of the slave, 0 is the first")->required();
+  command.add_flag("--json", json, "Print JSON");
+}
+
+void with_mailbox(Context& context, VisitRequest slave, const std::function<Status(SlaveVisit&)>& work) {
+  const InterruptGuard interrupt;
+  slave.cancel = &interrupt.interrupted();
+  const auto done = visit_slave(slave, [&](SlaveVisit& visit) -> Status {
+    visit.set_emergency_handler([&](const coe::Emergency& emergency) {
+      context.console.err << fmt::format("{}: emergency 0x{:04X}, error register 0x{:02X}\n", visit.name(),
+                                         emergency.error_code, emergency.error_register);
+    });
+    if (auto status = visit.open_mailbox(); !status) return status;
+    if (visit.state() != visit.found()) {
+      context.console.err << fmt::format("{} was in {} and is led to {} meanwhile\n", visit.name(),
+                                         al_state_name(visit.found()), al_state_name(visit.state()));
+    }
+    return work(visit);
+  });
+  if (!done) context.fail_with(done.error());
+}
+
+}  // namespace syncline::cli

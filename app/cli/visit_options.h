@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "app/cli/context.h"
+#include "app/composition/visit_slave.h"
+
+namespace syncline::cli {
+
+/// Adds LINK, POSITION and --json to a command that works on one slave.
+void add_slave_options(CLI::App& command, VisitRequest& slave, bool& json);
+
+/// Opens the slave's mailbox, does `work` and leaves the slave as it was; says on the error stream when the slave
+/// was led to another state for it. Ctrl-C ends it in order. Prints the error, if any.
+void with_mailbox(Context& context, VisitRequest slave, const std::function<Status(SlaveVisit&)>& work);
+
+}  // namespace syncline::cli

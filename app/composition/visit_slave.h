@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "app/composition/open_bus.h"
+#include "master/slave_visit.h"
+
+namespace syncline {
+
+/// A slave behind a LINK, for work that needs no configuration.
+struct VisitRequest {
+  std::string link;
+  std::uint16_t position = 0;
+  const std::atomic<bool>* cancel = nullptr;
+};
+
+/// Opens the link and looks at the slave, does `work`, and leaves the slave as it was found unless `keep_state`.
+/// The first error counts. kNoResponse when there is no such slave.
+[[nodiscard]] Status visit_slave(const VisitRequest& request, const std::function<Status(SlaveVisit&)>& work,
+                                 bool keep_state = false);
+
+}  // namespace syncline
