@@ -35,7 +35,7 @@ struct SimSiiConfig {
 
 struct SimSlaveConfig {
   std::string name;
-  std::string behaviour;                 // "coupler", "digital-input", "digital-output", "servo-y", "drive-c", "generic"
+  std::string behaviour;                 // "generic", "servo-y", "drive-c", "can-gateway", "analog-input"
   DeviceDescription device;
   std::vector<std::uint8_t> sii_image;   // EEPROM bit for bit; empty: made from `device`
   std::uint16_t alias = 0;

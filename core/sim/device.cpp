@@ -17,7 +17,8 @@ constexpr unsigned kServoMaxObjects = 16;
 
 constexpr std::uint16_t kInvalidRequest = 0x0011, kUnknownRequest = 0x0012, kNoBoot = 0x0013, kInvalidMailbox = 0x0016,
                         kInvalidSyncManager = 0x0017, kNoOutputs = 0x0019, kWatchdog = 0x001B,
-                        kInvalidOutputs = 0x001D, kInvalidInputs = 0x001E, kInvalidBootMailbox = 0x0015;
+                        kInvalidOutputs = 0x001D, kInvalidInputs = 0x001E, kInvalidBootMailbox = 0x0015,
+                        kInvalidSyncConfiguration = 0x0030;
 
 // Emergency codes and error registers (ETG.1020; CiA 301).
 constexpr std::uint16_t kPreopToSafeopFailed = 0xA000, kSafeopToOpFailed = 0xA001;
@@ -203,6 +204,7 @@ std::uint16_t Device::check(AlState from, AlState to) {
   if (to == AlState::kPreop) return has_mailbox() ? check_mailbox() : 0;
   if (to == AlState::kSafeop) {
     if (const auto code = check_process_data(); code != 0) return code;
+    if (const auto code = check_dc(); code != 0) return code;
     return check_sync(to);
   }
   if (output_sm_ && !last_outputs_ && pdos_.byte_length(PdoDirection::kRx) > 0) return kNoOutputs;
@@ -261,6 +263,16 @@ std::uint16_t Device::check_process_data() {
   if (!fits(find_sync_manager(SyncManagerType::kOutputs), PdoDirection::kRx)) return kInvalidOutputs;
   if (!fits(find_sync_manager(SyncManagerType::kInputs), PdoDirection::kTx)) return kInvalidInputs;
   return 0;
+}
+
+std::uint16_t Device::check_dc() const {
+  const auto& dc = config_.device.dc;
+  if (!dc || dc->op_modes.empty() || !esc_.dc().sync_active()) return 0;
+  constexpr std::uint16_t kSignals = 0x0700;  // of AssignActivate: unit on, SYNC0, SYNC1
+  const auto written = esc_.memory().u16(reg::kCyclicUnitControl);
+  const bool known = std::ranges::any_of(
+      dc->op_modes, [&](const DcOpMode& mode) { return ((mode.assign_activate ^ written) & kSignals) == 0; });
+  return known ? 0 : kInvalidSyncConfiguration;
 }
 
 void Device::drop_to_safeop(std::uint16_t code, std::uint16_t error_code) {
@@ -338,10 +350,12 @@ void Device::sync_manager_written(unsigned number, Nanoseconds time) {
 
 void Device::sync_manager_read(unsigned number, Nanoseconds time) {
   if (has_mailbox() && number == 1 && mailbox_.waiting()) mail_due_ = time + kMailboxReaction;
+  if (input_sm_ == number) on_inputs_read(time);
 }
 
 void Device::sync_signal(SyncGenerator::Signal signal, Nanoseconds time) {
   if (signal == SyncGenerator::Signal::kSync0) on_sync0(time);
+  if (signal == SyncGenerator::Signal::kSync1) on_sync1(time);
 }
 
 // ---- mailbox ---------------------------------------------------------------------------------------

@@ -48,7 +48,9 @@ class Device : public Esc::Listener {
   // What a behaviour adds.
   virtual void on_outputs(Nanoseconds) {}                  // SM2 event with fresh outputs in the dictionary
   virtual void on_sync0(Nanoseconds) {}
+  virtual void on_inputs_read(Nanoseconds) {}              // SM3 event: the master has fetched the inputs
   virtual void on_state(AlState) {}
+  virtual void on_sync1(Nanoseconds) {}
   virtual std::uint16_t check_sync(AlState) { return 0; }  // AL status code, 0 = fine
   virtual void check_running(Nanoseconds) {}               // in OP, whenever time has passed
 
@@ -63,6 +65,7 @@ class Device : public Esc::Listener {
   void clear_outputs();
   void inputs_from_dictionary();
   [[nodiscard]] bool has_mailbox() const { return config_.device.mailbox.has_value(); }
+  [[nodiscard]] bool has_outputs() const { return !outputs_.empty(); }
   [[nodiscard]] Esc& esc() { return esc_; }
   [[nodiscard]] const SimSlaveConfig& config() const { return config_; }
 
@@ -82,6 +85,8 @@ class Device : public Esc::Listener {
   [[nodiscard]] std::uint16_t check_bootstrap() const;
   [[nodiscard]] std::uint16_t check_process_data();
   [[nodiscard]] std::optional<unsigned> find_sync_manager(SyncManagerType type) const;
+  /// SYNC signals that no operation mode of the device has.
+  [[nodiscard]] std::uint16_t check_dc() const;
   void map_process_data();
   void answer_mail(Nanoseconds time);
   void check_watchdog(Nanoseconds time);

@@ -155,9 +155,9 @@ class Loader {
     read_device(table, slave);
     slave.name = table.get<std::string>("name", slave.device.type);
     slave.behaviour = table.get<std::string>("behaviour", "generic");
-    constexpr std::array<std::string_view, 3> kBehaviours{"generic", "servo-y", "drive-c"};
+    constexpr std::array<std::string_view, 5> kBehaviours{"generic", "servo-y", "drive-c", "can-gateway", "analog-input"};
     if (std::ranges::find(kBehaviours, slave.behaviour) == kBehaviours.end()) {
-      table.fail_at("behaviour", "must be \"generic\", \"servo-y\" or \"drive-c\"");
+      table.fail_at("behaviour", "must be \"generic\", \"servo-y\", \"drive-c\", \"can-gateway\" or \"analog-input\"");
     }
     if (position > 0) {
       slave.parent = static_cast<std::uint16_t>(table.get<std::int64_t>("parent", static_cast<std::int64_t>(position - 1)));
@@ -242,7 +242,8 @@ class Loader {
     const auto kind = table.get<std::string>("kind", "");
     const auto found = std::ranges::find(kFaults, std::string_view(kind), &std::pair<std::string_view, FaultKind>::first);
     if (found == kFaults.end()) {
-      table.fail_at("kind", "must be lose-frames, cable-break, slave-off, clock-step, refuse-state, mailbox-silence or bit-errors");
+      table.fail_at("kind", "must be lose-frames, cable-break, slave-off, clock-step, refuse-state, mailbox-silence, "
+                            "slow-mailbox or bit-errors");
     } else {
       fault.kind = found->second;
     }
@@ -250,6 +251,10 @@ class Loader {
     const bool needs_slave = fault.kind != FaultKind::kLoseFrames || table.has("slave");
     if (needs_slave && (fault.slave < 0 || static_cast<std::size_t>(fault.slave) >= config_.slaves.size())) {
       table.fail_at("slave", "must be the position of a slave of this scenario");
+    }
+    if (!error_ && fault.kind == FaultKind::kRefuseState &&
+        config_.slaves[static_cast<std::size_t>(fault.slave)].device.device_emulation()) {
+      table.fail_at("kind", "this slave has no firmware that could refuse (device emulation)");
     }
     fault.at = static_cast<Nanoseconds>(table.get<double>("at_ms", 0) * 1e6);
     fault.until = static_cast<Nanoseconds>(table.get<double>("until_ms", 0) * 1e6);

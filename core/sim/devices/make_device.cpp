@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sim/device.h"
+#include "sim/devices/analog_input.h"
+#include "sim/devices/can_gateway.h"
 #include "sim/devices/drive.h"
 #include "sim/devices/drive_c.h"
 
@@ -21,6 +23,8 @@ class Generic final : public Device {
 std::unique_ptr<Device> make_device(const SimSlaveConfig& config, Esc& esc) {
   if (config.behaviour == "servo-y") return std::make_unique<Drive>(config, esc, DriveHabits{});
   if (config.behaviour == "drive-c") return std::make_unique<DriveC>(config, esc);
+  if (config.behaviour == "can-gateway") return std::make_unique<CanGateway>(config, esc);
+  if (config.behaviour == "analog-input") return std::make_unique<AnalogInput>(config, esc);
   return std::make_unique<Generic>(config, esc);
 }
 

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include "protocol/coe.h"
+#include "protocol/mailbox.h"
+#include "tests/core/sim/sim_probe.h"
+
+namespace syncline::test {
+namespace {
+
+constexpr std::uint16_t kOutputArea = 0x1100, kInputArea = 0x1200;
+
+/// The CAN gateway alone on the bus. Parameters are set as a device's default values.
+class Gateway : public testing::Test {
+ protected:
+  struct Inputs {
+    std::uint32_t data;
+    std::uint8_t node_state, sync_messages;
+  };
+
+  /// To OP, synchronised by SYNC0 (and SYNC1 so much later) or by the outputs.
+  std::uint16_t start(std::uint32_t sync1_ns = 0, bool dc = true) {
+    probe.emplace(line({sim_slave("SL-6751", "can-gateway")}));
+    probe->set_sync_manager(0, 0, 0x1800, 128, 0x26);
+    probe->set_sync_manager(0, 1, 0x1900, 128, 0x22);
+    EXPECT_EQ(probe->request(0, 2), 2);
+    for (const auto& [sub_index, value] : parameters) write_parameter(sub_index, value);
+    if (dc) {
+      const auto now = probe->read(0, reg::kSystemTime, 8).value<std::uint64_t>();
+      probe->write(0, reg::kSync0CycleTime, le_bytes(std::uint32_t{1'000'000}));
+      probe->write(0, reg::kSync1CycleTime, le_bytes(sync1_ns));
+      probe->write(0, reg::kStartTimeCyclicOperation, le_bytes(now + 5 * kMillisecond));
+      probe->write(0, reg::kCyclicUnitControl, {0x00, static_cast<std::uint8_t>(sync1_ns != 0 ? 0x07 : 0x03)});
+    }
+    probe->set_sync_manager(0, 2, kOutputArea, 4, 0x64);
+    probe->set_sync_manager(0, 3, kInputArea, 6, 0x20);
+    if (const auto status = probe->request(0, 4); status != 4) return status;
+    output(0);
+    return probe->request(0, 8);
+  }
+  void write_parameter(std::uint8_t sub_index, std::uint32_t value) {
+    MailboxMessage mail;
+    mail.counter = counter = next_mailbox_counter(counter);
+    mail.data = coe::encode(coe::Request{coe::DownloadRequest{{0xF800, sub_index}, false, true, 4, le_bytes(value)}});
+    ASSERT_EQ(probe->write(0, 0x1800, mail.encode(128)).wkc, 1);
+    probe->pass(kMillisecond);
+    const auto reply = probe->read(0, 0x1900, 128);
+    ASSERT_EQ(reply.wkc, 1);
+    const auto answer = coe::decode_response(MailboxMessage::decode(reply.data)->data);
+    ASSERT_TRUE(answer && std::holds_alternative<coe::DownloadResponse>(*answer));
+  }
+  void output(std::uint32_t value) { probe->write(0, kOutputArea, le_bytes(value)); }
+  Inputs inputs() {
+    const auto data = probe->read(0, kInputArea, 6).data;
+    return {load_le<std::uint32_t>(data), data[4], data[5]};
+  }
+  /// So many bus cycles of 1 ms with new outputs each.
+  void cycles(unsigned count) {
+    for (unsigned i = 0; i < count; ++i) {
+      output(i + 1);
+      probe->pass(kMillisecond - 20 * kMicrosecond);
+    }
+  }
+
+  std::optional<SimProbe> probe;
+  std::vector<std::pair<std::uint8_t, std::uint32_t>> parameters;
+  std::uint8_t counter = 0;
+};
+
+TEST_F(Gateway, EchoesItsNodeEachSync0) {
+  ASSERT_EQ(start(), 8);
+  probe->pass(5 * kMillisecond);
+  const auto before = inputs().sync_messages;
+  cycles(20);
+  const auto after = inputs();
+  EXPECT_NEAR(static_cast<std::uint8_t>(after.sync_messages - before), 20, 1);
+  EXPECT_GE(after.data, 18U);
+  EXPECT_EQ(after.node_state, 0);
+}
+
+TEST_F(Gateway, WithoutDcTheOutputsStartTheCanCycle) {
+  ASSERT_EQ(start(0, false), 8);
+  const auto before = inputs().sync_messages;
+  cycles(7);
+  EXPECT_EQ(static_cast<std::uint8_t>(inputs().sync_messages - before), 6) << "inputs come with the next CAN cycle";
+  probe->pass(20 * kMillisecond);
+  EXPECT_EQ(static_cast<std::uint8_t>(inputs().sync_messages - before), 6) << "nothing without outputs";
+}
+
+TEST_F(Gateway, TheCanCycleIsAMultipleOfTheBusCycle) {
+  parameters = {{4, 4'000'000}};
+  ASSERT_EQ(start(), 8);
+  probe->pass(5 * kMillisecond);
+  const auto before = inputs().sync_messages;
+  cycles(20);
+  EXPECT_NEAR(static_cast<std::uint8_t>(inputs().sync_messages - before), 5, 1);
+}
+
+TEST_F(Gateway, ACanCycleThatFitsNoBusCycleIsRefused) {
+  parameters = {{4, 1'500'000}};
+  EXPECT_EQ(start(), 0x12);
+  EXPECT_EQ(probe->al_code(0), 0x0026);
+}
+
+TEST_F(Gateway, ABusyCanSkipsCycles) {
+  parameters = {{7, 1'500'000}};
+  ASSERT_EQ(start(), 8);
+  probe->pass(5 * kMillisecond);
+  const auto before = inputs().sync_messages;
+  cycles(20);
+  EXPECT_NEAR(static_cast<std::uint8_t>(inputs().sync_messages - before), 10, 1) << "every other one was skipped";
+}
+
+TEST_F(Gateway, AnswersBehindTheInputShiftTimeAreLate) {
+  parameters = {{5, 300'000}, {6, 200'000}};
+  ASSERT_EQ(start(), 8);
+  cycles(20);
+  EXPECT_EQ(inputs().node_state, 0x28);
+  EXPECT_EQ(inputs().data, 0U) << "the old inputs stay";
+  parameters = {{5, 300'000}, {6, 500'000}};
+  ASSERT_EQ(start(), 8);
+  cycles(20);
+  EXPECT_EQ(inputs().node_state, 0);
+}
+
+TEST_F(Gateway, Sync1ReleasesTheSyncMessage) {
+  // 100 us behind SYNC0 the answer needs 130 us more: too late for 200 us, in time for 300 us.
+  parameters = {{6, 200'000}};
+  ASSERT_EQ(start(100'000), 8);
+  cycles(20);
+  EXPECT_EQ(inputs().node_state, 0x28);
+  parameters = {{6, 300'000}};
+  ASSERT_EQ(start(100'000), 8);
+  cycles(20);
+  EXPECT_EQ(inputs().node_state, 0);
+}
+
+TEST_F(Gateway, SignalsThatNoOperationModeHasAreRefused) {
+  auto slave = sim_slave("SL-6751", "can-gateway");
+  std::erase_if(slave.device.dc->op_modes, [](const DcOpMode& mode) { return mode.assign_activate == 0x0700; });
+  probe.emplace(line({slave}));
+  probe->set_sync_manager(0, 0, 0x1800, 128, 0x26);
+  probe->set_sync_manager(0, 1, 0x1900, 128, 0x22);
+  ASSERT_EQ(probe->request(0, 2), 2);
+  probe->write(0, reg::kSync0CycleTime, le_bytes(std::uint32_t{1'000'000}));
+  probe->write(0, reg::kCyclicUnitControl, {0x00, 0x07});
+  probe->set_sync_manager(0, 2, kOutputArea, 4, 0x64);
+  probe->set_sync_manager(0, 3, kInputArea, 6, 0x20);
+  EXPECT_EQ(probe->request(0, 4), 0x12);
+  EXPECT_EQ(probe->al_code(0), 0x0030);
+}
+
+}  // namespace
+}  // namespace syncline::test
