@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "app/composition/run_network.h"
+#include "app/composition/scan_bus.h"
+#include "config/compile/compile.h"
+#include "eni/esi_catalogue.h"
+#include "eni/project_builder.h"
+#include "protocol/error_text.h"
+
+namespace syncline {
+namespace {
+
+TEST(AllDevices, AreScannedAndBroughtToOp) {
+  const std::string link = "sim:" SYNCLINE_SOURCE_DIR "/resources/scenarios/all-devices.toml?virtual";
+  const auto scan = scan_bus(link);
+  ASSERT_TRUE(scan) << describe(scan.error());
+  ASSERT_EQ(scan->slaves.size(), 10U);
+  EXPECT_EQ(scan->slaves[9].previous->position, 6) << "three branches leave the junction";
+  eni::EsiCatalogue catalogue;
+  ASSERT_TRUE(catalogue.add_folder(SYNCLINE_SOURCE_DIR "/resources/esi"));
+  const auto project = eni::project_from_scan(*scan, catalogue).project;
+  std::set<std::string> types;
+  for (const auto& slave : project.slaves) types.insert(slave.device.type);
+  EXPECT_THAT(types, testing::ElementsAre("SL-1002", "SL-1100", "SL-1122", "SL-2002", "SL-3002", "SL-4002", "SL-6751",
+                                          "SL-SV7", "SL-XE2"));
+  const auto compiled = compile(project);
+  ASSERT_TRUE(compiled);
+  RunRequest request;
+  request.duration = 15 * kSecond;
+  const auto outcome = run_network(compiled->config, link, request);
+  ASSERT_TRUE(outcome);
+  EXPECT_FALSE(outcome->error) << describe(*outcome->error);
+  EXPECT_EQ(outcome->report.state, AlState::kOp);
+  EXPECT_EQ(outcome->report.wkc_errors, 0U);
+}
+
+}  // namespace
+}  // namespace syncline
