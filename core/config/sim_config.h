@@ -48,6 +48,10 @@ struct SimSlaveConfig {
   OscillatorConfig oscillator;
   SimDcConfig dc;
   SimSiiConfig sii;
+  std::uint8_t fmmu_count = 8, sync_manager_count = 8;
+  std::uint8_t ram_kbytes = 4;           // process data RAM from 0x1000 on
+  bool logical_read_write = true;        // the ESC executes LRW
+  bool physical_read_write = true;       // ... and APRW, FPRW, BRW
   std::uint32_t processing_delay_ns = 300;   // tP
   std::uint32_t forwarding_delay_ns = 260;   // tF
 };

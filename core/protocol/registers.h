@@ -83,6 +83,8 @@ inline constexpr std::uint16_t kLatch0NegativeEdge = 0x09B8;
 inline constexpr std::uint16_t kLatch1PositiveEdge = 0x09C0;
 inline constexpr std::uint16_t kLatch1NegativeEdge = 0x09C8;
 inline constexpr std::uint16_t kEcatBufferChangeTime = 0x09F0;
+inline constexpr std::uint16_t kDigitalOutputs = 0x0F00;
+inline constexpr std::uint16_t kUserRam = 0x0F80;
 inline constexpr std::uint16_t kProcessRam = 0x1000;
 
 [[nodiscard]] constexpr std::uint16_t fmmu(unsigned n) { return static_cast<std::uint16_t>(kFmmu + 16 * n); }

@@ -11,7 +11,6 @@ namespace {
 
 constexpr Nanoseconds kFirmwareReaction = 150 * kMicrosecond;  // to an AL request
 constexpr Nanoseconds kMailboxReaction = 250 * kMicrosecond;
-constexpr Nanoseconds kWatchdogTick = 40;                      // ns, of the divider's unit
 constexpr unsigned kMaxObjects = 64;
 constexpr unsigned kServoMaxObjects = 16;
 
@@ -23,6 +22,10 @@ constexpr std::uint16_t kInvalidRequest = 0x0011, kUnknownRequest = 0x0012, kNoB
 // Emergency codes and error registers (ETG.1020; CiA 301).
 constexpr std::uint16_t kPreopToSafeopFailed = 0xA000, kSafeopToOpFailed = 0xA001;
 constexpr std::uint8_t kCommunicationErrorRegister = 0x11, kDeviceErrorRegister = 0x81;
+
+// Bits of the AL event request (0x0220).
+constexpr std::uint32_t kAlEventControl = 0x01, kAlEventSyncManagerSet = 0x10, kAlEventWatchdog = 0x40,
+                        kAlEventSyncManager0 = 0x100;
 
 constexpr std::uint16_t kIdentificationRequest = 0x0020;  // AL control and AL status, bit 5
 constexpr std::size_t kBootStrapSize = 8;
@@ -127,7 +130,6 @@ void Device::advance_to(Nanoseconds time) {
   }
   esc_.advance_to(time);
   now_ = std::max(now_, time);
-  check_watchdog(time);
   if (state_ == AlState::kOp) check_running(time);
 }
 
@@ -155,6 +157,7 @@ void Device::report(AlState state, std::uint16_t code) {
 }
 
 void Device::take_request(Nanoseconds) {
+  esc_.acknowledge_events(kAlEventControl);
   const auto control = esc_.memory().u16(reg::kAlControl);
   const bool acknowledge = (control & kAlErrorFlag) != 0;
   const auto wanted = al_state_of(control);
@@ -283,14 +286,16 @@ void Device::drop_to_safeop(std::uint16_t code, std::uint16_t error_code) {
   on_state(state_);
 }
 
-void Device::check_watchdog(Nanoseconds time) {
-  if (state_ != AlState::kOp || !output_sm_ || !last_outputs_ || esc_.device_emulation()) return;
-  const auto& memory = esc_.memory();
-  const auto tick = (memory.u16(reg::kWatchdogDivider) + 2) * kWatchdogTick;
-  const auto timeout = memory.u16(reg::kWatchdogProcessData) * tick;
-  if ((esc_.sync_manager(*output_sm_).control & SyncManager::kControlWatchdog) == 0 || timeout == 0) return;
-  if (time - *last_outputs_ <= timeout) return;
-  esc_.memory().count(reg::kWatchdogCounterProcessData);
+void Device::process_data_watchdog_expired(Nanoseconds) {
+  esc_.acknowledge_events(kAlEventWatchdog);
+  if (esc_.device_emulation()) {
+    // Digital outputs are the ESC's own: it switches them off itself (ESC data sheet II, 3.8).
+    if (const auto number = find_sync_manager(SyncManagerType::kOutputs)) {
+      const auto sm = esc_.sync_manager(*number);
+      std::ranges::fill(esc_.memory().at(sm.start, sm.length), std::uint8_t{0});
+    }
+    return;
+  }
   clear_outputs();
   drop_to_safeop(kWatchdog);
 }
@@ -339,6 +344,7 @@ void Device::inputs_from_dictionary() {
 }
 
 void Device::sync_manager_written(unsigned number, Nanoseconds time) {
+  esc_.acknowledge_events(kAlEventSyncManager0 << number);
   if (has_mailbox() && number == 0) {
     mail_due_ = time + kMailboxReaction + mailbox_delay_;
   } else if (output_sm_ == number) {
@@ -349,8 +355,14 @@ void Device::sync_manager_written(unsigned number, Nanoseconds time) {
 }
 
 void Device::sync_manager_read(unsigned number, Nanoseconds time) {
+  esc_.acknowledge_events(kAlEventSyncManager0 << number);
   if (has_mailbox() && number == 1 && mailbox_.waiting()) mail_due_ = time + kMailboxReaction;
   if (input_sm_ == number) on_inputs_read(time);
+}
+
+void Device::sync_manager_set(unsigned number, Nanoseconds time) {
+  esc_.acknowledge_events(kAlEventSyncManagerSet);
+  if (has_mailbox() && number == 1 && esc_.repeat_requested(1)) mail_due_ = time + kMailboxReaction;
 }
 
 void Device::sync_signal(SyncGenerator::Signal signal, Nanoseconds time) {
@@ -368,11 +380,22 @@ void Device::answer_mail(Nanoseconds) {
     mailbox_.receive(std::as_const(esc_).memory().at(in.start, in.length), out.length, state_ == AlState::kPreop);
     esc_.set_mailbox_full(0, false);
   }
-  if (!mailbox_.waiting() || (out.status & SyncManager::kStatusMailboxFull) != 0 || !out.enabled()) return;
-  if (const auto bytes = mailbox_.next(out.length)) {
-    std::ranges::copy(*bytes, esc_.memory().at(out.start, out.length).begin());
-    esc_.set_mailbox_full(1, true);
+  if (!out.enabled()) return;
+  const bool full = (out.status & SyncManager::kStatusMailboxFull) != 0;
+  if (esc_.repeat_requested(1)) {
+    if (const auto& again = mailbox_.repeat(full); !again.empty()) load_send_mailbox(again);
+    esc_.acknowledge_repeat(1);
+    return;
   }
+  if (!mailbox_.waiting() || full) return;
+  if (const auto bytes = mailbox_.next(out.length)) load_send_mailbox(*bytes);
+}
+
+void Device::load_send_mailbox(std::span<const std::uint8_t> bytes) {
+  const auto out = esc_.sync_manager(1);
+  const auto size = std::min<std::size_t>(bytes.size(), out.length);
+  std::ranges::copy(bytes.first(size), esc_.memory().at(out.start, out.length).begin());
+  esc_.set_mailbox_full(1, true);
 }
 
 }  // namespace syncline::sim

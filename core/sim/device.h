@@ -40,6 +40,8 @@ class Device : public Esc::Listener {
   void al_control_written(Nanoseconds time) override;
   void sync_manager_written(unsigned number, Nanoseconds time) override;
   void sync_manager_read(unsigned number, Nanoseconds time) override;
+  void sync_manager_set(unsigned number, Nanoseconds time) override;
+  void process_data_watchdog_expired(Nanoseconds time) override;
   void sync_signal(SyncGenerator::Signal signal, Nanoseconds time) override;
 
  protected:
@@ -47,10 +49,10 @@ class Device : public Esc::Listener {
 
   // What a behaviour adds.
   virtual void on_outputs(Nanoseconds) {}                  // SM2 event with fresh outputs in the dictionary
-  virtual void on_sync0(Nanoseconds) {}
   virtual void on_inputs_read(Nanoseconds) {}              // SM3 event: the master has fetched the inputs
-  virtual void on_state(AlState) {}
+  virtual void on_sync0(Nanoseconds) {}
   virtual void on_sync1(Nanoseconds) {}
+  virtual void on_state(AlState) {}
   virtual std::uint16_t check_sync(AlState) { return 0; }  // AL status code, 0 = fine
   virtual void check_running(Nanoseconds) {}               // in OP, whenever time has passed
 
@@ -64,8 +66,8 @@ class Device : public Esc::Listener {
   void outputs_to_dictionary();
   void clear_outputs();
   void inputs_from_dictionary();
-  [[nodiscard]] bool has_mailbox() const { return config_.device.mailbox.has_value(); }
   [[nodiscard]] bool has_outputs() const { return !outputs_.empty(); }
+  [[nodiscard]] bool has_mailbox() const { return config_.device.mailbox.has_value(); }
   [[nodiscard]] Esc& esc() { return esc_; }
   [[nodiscard]] const SimSlaveConfig& config() const { return config_; }
 
@@ -84,12 +86,12 @@ class Device : public Esc::Listener {
   [[nodiscard]] std::uint16_t check_mailbox() const;
   [[nodiscard]] std::uint16_t check_bootstrap() const;
   [[nodiscard]] std::uint16_t check_process_data();
-  [[nodiscard]] std::optional<unsigned> find_sync_manager(SyncManagerType type) const;
   /// SYNC signals that no operation mode of the device has.
   [[nodiscard]] std::uint16_t check_dc() const;
+  [[nodiscard]] std::optional<unsigned> find_sync_manager(SyncManagerType type) const;
   void map_process_data();
   void answer_mail(Nanoseconds time);
-  void check_watchdog(Nanoseconds time);
+  void load_send_mailbox(std::span<const std::uint8_t> bytes);
   /// Adds the objects that every device has; they must be there before the PDOs map them.
   const DeviceDescription& identify();
 

@@ -9,8 +9,16 @@
 namespace syncline::sim {
 namespace {
 
+constexpr std::uint8_t kRepeatBit = 0x02;  // of 0x0806 and 0x0807
+
 constexpr std::uint16_t kEventDlStatus = 0x0004;
 constexpr std::uint16_t kEventAlStatus = 0x0008;
+constexpr std::uint16_t kEventSyncManager0 = 0x0010;
+
+// AL event request (0x0220): what the PDI side has to deal with.
+constexpr std::uint32_t kAlEventControl = 0x01, kAlEventSyncManagerSet = 0x10, kAlEventWatchdog = 0x40,
+                        kAlEventSyncManager0 = 0x100;
+constexpr std::uint16_t kNoLogicalReadWrite = 0x0200, kNoPhysicalReadWrite = 0x0400;  // of 0x0008
 
 bool overlaps(std::uint32_t a, std::size_t a_size, std::uint32_t b, std::size_t b_size) {
   return a < b + b_size && b < a + a_size;
@@ -27,21 +35,24 @@ void put_bit(std::span<std::uint8_t> bytes, std::size_t bit, bool value) {
 Esc::Esc(const SimSlaveConfig& config, std::vector<std::uint8_t> sii, const Options& options, Nanoseconds power_on,
          std::uint64_t seed)
     : options_(options),
-      memory_(0x2000),
+      memory_(0x400U * options.ram_kbytes),
       ports_(memory_),
       dc_(config.oscillator, config.dc, power_on, seed, memory_),
       sii_(std::move(sii), config.sii, memory_),
+      watchdog_(memory_),
       sync_managers_(options.sync_manager_count) {
   implement_registers();
   load_configuration();
-  std::uint16_t features = 0x0001;
+  std::uint16_t features = 0;  // FMMUs map bits
   if (config.dc.receive_times) features |= 0x0004;
   if (config.dc.is_64bit) features |= 0x0008;
   memory_.set<std::uint8_t>(reg::kType, 0x11);
   memory_.set<std::uint8_t>(reg::kFmmuCount, options.fmmu_count);
   memory_.set<std::uint8_t>(reg::kSyncManagerCount, options.sync_manager_count);
-  memory_.set<std::uint8_t>(reg::kRamSize, 8);
+  memory_.set<std::uint8_t>(reg::kRamSize, options.ram_kbytes);
   memory_.set<std::uint8_t>(reg::kPortDescriptor, 0xFF);
+  if (!options.logical_read_write) features |= kNoLogicalReadWrite;
+  if (!options.physical_read_write) features |= kNoPhysicalReadWrite;
   memory_.set<std::uint16_t>(reg::kFeatures, features);
   memory_.set<std::uint16_t>(reg::kAlControl, 0x0001);
   memory_.set<std::uint16_t>(reg::kAlStatus, 0x0001);
@@ -78,6 +89,8 @@ void Esc::implement_registers() {
   memory_.implement(reg::kSiiConfiguration, 1, rw);
   memory_.implement(reg::kSiiPdiAccess, 1, r);
   memory_.implement(reg::kSiiControl, 14, rw);
+  memory_.implement(reg::kDigitalOutputs, 4, rw);
+  memory_.implement(reg::kUserRam, 0x80, rw);
   memory_.implement(reg::kFmmu, static_cast<std::uint16_t>(16 * options_.fmmu_count), rw);
   memory_.implement(reg::kSyncManager, static_cast<std::uint16_t>(8 * options_.sync_manager_count), rw);
 }
@@ -97,6 +110,14 @@ void Esc::raise_event(std::uint16_t event) {
                              static_cast<std::uint16_t>(memory_.u16(reg::kEcatEventRequest) | event));
 }
 
+void Esc::raise_al_event(std::uint32_t event) {
+  memory_.set<std::uint32_t>(reg::kAlEventRequest, memory_.u32(reg::kAlEventRequest) | event);
+}
+
+void Esc::acknowledge_events(std::uint32_t events) {
+  memory_.set<std::uint32_t>(reg::kAlEventRequest, memory_.u32(reg::kAlEventRequest) & ~events);
+}
+
 void Esc::clear_event(std::uint16_t event) {
   memory_.set<std::uint16_t>(reg::kEcatEventRequest,
                              static_cast<std::uint16_t>(memory_.u16(reg::kEcatEventRequest) & ~event));
@@ -111,6 +132,22 @@ void Esc::set_mailbox_full(unsigned number, bool full) {
   const auto status = memory_.u8(address);
   memory_.set<std::uint8_t>(address, static_cast<std::uint8_t>(full ? status | SyncManager::kStatusMailboxFull
                                                                    : status & ~SyncManager::kStatusMailboxFull));
+  maps_stale_ = true;
+  // The ECAT event request mirrors the state of the first eight SyncManagers (0x0210, bits 11..4).
+  if (number < 8) {
+    const auto event = static_cast<std::uint16_t>(kEventSyncManager0 << number);
+    full ? raise_event(event) : clear_event(event);
+  }
+}
+
+bool Esc::repeat_requested(unsigned number) const {
+  const auto base = reg::sync_manager(number);
+  return ((memory_.u8(static_cast<std::uint16_t>(base + 6)) ^ memory_.u8(static_cast<std::uint16_t>(base + 7))) & kRepeatBit) != 0;
+}
+
+void Esc::acknowledge_repeat(unsigned number) {
+  const auto address = static_cast<std::uint16_t>(reg::sync_manager(number) + 7);
+  memory_.set<std::uint8_t>(address, static_cast<std::uint8_t>(memory_.u8(address) ^ kRepeatBit));
   maps_stale_ = true;
 }
 
@@ -135,6 +172,10 @@ void Esc::advance_to(Nanoseconds time) {
   dc_.advance_to(time);
   ports_.advance_to(time);
   if (sii_.advance_to(time)) load_configuration();
+  if (watchdog_.advance_to(time)) {
+    raise_al_event(kAlEventWatchdog);
+    if (listener_ != nullptr) listener_->process_data_watchdog_expired(time);
+  }
 }
 
 bool Esc::addressed(const DatagramHeader& header) const {
@@ -193,7 +234,7 @@ Esc::Access Esc::execute(DatagramView& datagram) {
     case Command::kAprw:
     case Command::kFprw:
     case Command::kBrw: {
-      if (!mine) return {};
+      if (!mine || !options_.physical_read_write) return {};
       // Shadowed: the read sees the old value.
       const bool written = write_memory(header.command, header.ado(), datagram.data);
       const bool read = read_memory(header.ado(), datagram.data, header.command == Command::kBrw);
@@ -205,7 +246,7 @@ Esc::Access Esc::execute(DatagramView& datagram) {
       return {false, write_memory(header.command, header.ado(), datagram.data)};
     case Command::kLrd: return logical(datagram, true, false);
     case Command::kLwr: return logical(datagram, false, true);
-    case Command::kLrw: return logical(datagram, true, true);
+    case Command::kLrw: return options_.logical_read_write ? logical(datagram, true, true) : Access{};
   }
   return {};
 }
@@ -213,7 +254,13 @@ Esc::Access Esc::execute(DatagramView& datagram) {
 bool Esc::buffer_allows(std::uint32_t address, std::size_t length, bool write) const {
   for (unsigned i = 0; i < sync_managers_.size(); ++i) {
     const auto& sm = sync_managers_[i];
-    if (!sm.enabled() || sm.length == 0 || !overlaps(address, length, sm.start, sm.length)) continue;
+    if (!sm.enabled() || sm.length == 0) continue;
+    // Buffers 2 and 3 of a buffered SyncManager belong to the ESC alone.
+    if (!sm.is_mailbox() && sm.start >= EscMemory::kRegisterEnd &&
+        overlaps(address, length, sm.start + sm.length, 2U * sm.length)) {
+      return false;
+    }
+    if (!overlaps(address, length, sm.start, sm.length)) continue;
     if (sm.ecat_writes() != write) return !write && !sm.is_mailbox();
     const bool full = (sm.status & SyncManager::kStatusMailboxFull) != 0;
     if (sm.is_mailbox() && full == write) return false;  // full: no write; empty: no read
@@ -339,7 +386,18 @@ void Esc::commit_register(const Write& write, Nanoseconds time) {
   if (write.address >= reg::kReceiveTimePort0 && write.address < 0x0A00) {
     dc_.registers_written(write.address, write.length, time);
   }
-  if (hit(reg::kAlControl, 2) && listener_ != nullptr) listener_->al_control_written(time);
+  if (listener_ == nullptr) return;
+  for (unsigned i = 0; i < options_.sync_manager_count; ++i) {
+    if (!hit(static_cast<std::uint16_t>(reg::sync_manager(i) + 6), 1)) continue;
+    raise_al_event(kAlEventSyncManagerSet);
+    const auto sm = sync_manager(i);
+    if (!sm.enabled() && (sm.control & SyncManager::kControlWatchdog) != 0) watchdog_.stop();
+    listener_->sync_manager_set(i, time);
+  }
+  if (hit(reg::kAlControl, 2)) {
+    raise_al_event(kAlEventControl);
+    listener_->al_control_written(time);
+  }
 }
 
 void Esc::follow_reset_sequence(bool written) {
@@ -394,10 +452,13 @@ void Esc::frame_end(Nanoseconds time) {
     const auto bit = 1U << i;
     if ((sm_written_ & bit) != 0) {
       if (sync_managers_[i].is_mailbox()) set_mailbox_full(i, true);
+      if ((sync_managers_[i].control & SyncManager::kControlWatchdog) != 0) watchdog_.trigger(time);
+      raise_al_event(kAlEventSyncManager0 << i);
       if (listener_ != nullptr) listener_->sync_manager_written(i, time);
     }
     if ((sm_read_ & bit) != 0) {
       if (sync_managers_[i].is_mailbox()) set_mailbox_full(i, false);
+      raise_al_event(kAlEventSyncManager0 << i);
       if (listener_ != nullptr) listener_->sync_manager_read(i, time);
     }
   }

@@ -16,6 +16,7 @@
 #include "sim/dc_unit.h"
 #include "sim/esc_memory.h"
 #include "sim/esc_ports.h"
+#include "sim/process_data_watchdog.h"
 #include "sim/sii_interface.h"
 
 namespace syncline::sim {
@@ -28,6 +29,9 @@ class Esc {
     std::uint8_t fmmu_count = 8;
     std::uint8_t sync_manager_count = 8;
     bool device_emulation = false;
+    std::uint8_t ram_kbytes = 4;
+    bool logical_read_write = true;       // LRW
+    bool physical_read_write = true;      // APRW, FPRW, BRW
   };
   Esc(const SimSlaveConfig& config, std::vector<std::uint8_t> sii, const Options& options, Nanoseconds power_on,
       std::uint64_t seed);
@@ -38,6 +42,9 @@ class Esc {
     virtual void al_control_written(Nanoseconds time) = 0;
     virtual void sync_manager_written(unsigned number, Nanoseconds time) = 0;  // last byte, good frame
     virtual void sync_manager_read(unsigned number, Nanoseconds time) = 0;
+    /// The master wrote the activation register: switched it on or off, or asks for a repeated message.
+    virtual void sync_manager_set(unsigned number, Nanoseconds time) = 0;
+    virtual void process_data_watchdog_expired(Nanoseconds time) = 0;
     virtual void sync_signal(SyncGenerator::Signal signal, Nanoseconds time) = 0;
   };
   /// The listener must outlive the ESC; the ESC must not move afterwards.
@@ -60,6 +67,11 @@ class Esc {
   [[nodiscard]] const DcUnit& dc() const { return dc_; }
   [[nodiscard]] SyncManager sync_manager(unsigned number) const;
   void set_mailbox_full(unsigned number, bool full);
+  /// Repeat request of the master against the PDI's acknowledgement (0x0806 bit 1, 0x0807 bit 1).
+  [[nodiscard]] bool repeat_requested(unsigned number) const;
+  void acknowledge_repeat(unsigned number);
+  /// The PDI has dealt with these bits of the AL event request (0x0220).
+  void acknowledge_events(std::uint32_t events);
   [[nodiscard]] bool device_emulation() const { return options_.device_emulation; }
   [[nodiscard]] EscPorts& ports() { return ports_; }
   /// R, E and S were written to 0x0040 by three consecutive frames: the slave starts anew.
@@ -75,6 +87,7 @@ class Esc {
     std::uint16_t length;
   };
   void raise_event(std::uint16_t event);
+  void raise_al_event(std::uint32_t event);
   void clear_event(std::uint16_t event);
   /// Working counter parts of one datagram: what was read and written.
   struct Access {
@@ -103,6 +116,7 @@ class Esc {
   EscPorts ports_;
   DcUnit dc_;
   SiiInterface sii_;
+  ProcessDataWatchdog watchdog_;
   Listener* listener_ = nullptr;
   std::vector<Fmmu> fmmus_;                 // decoded, active ones
   std::vector<SyncManager> sync_managers_;  // decoded

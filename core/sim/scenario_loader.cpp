@@ -183,6 +183,7 @@ class Loader {
     if (slave.sii.read_time < 0 || slave.sii.write_time < 0) table.fail_at("sii_read_ms", "must not be negative");
     slave.processing_delay_ns = table.get<std::uint32_t>("processing_delay_ns", 300);
     slave.forwarding_delay_ns = table.get<std::uint32_t>("forwarding_delay_ns", 260);
+    read_esc(table, slave);
     const auto count = table.get<std::int64_t>("count", 1);
     if (count < 1 || count + static_cast<std::int64_t>(position) > kMostSlaves) {
       table.fail_at("count", fmt::format("must be 1 or more, and a segment has at most {} slaves", kMostSlaves));
@@ -190,6 +191,20 @@ class Loader {
     const auto spread_ppm = table.get<double>("spread_ppm", 0);
     table.reject_unknown_keys();
     if (!error_) repeat(slave, count, spread_ppm);
+  }
+
+  /// What the slave's ESC has and lacks.
+  void read_esc(Table& table, SimSlaveConfig& slave) {
+    const auto number = [&table](std::string_view key, std::uint8_t fallback, std::int64_t most) {
+      const auto value = table.get<std::int64_t>(key, fallback);
+      if (value < 1 || value > most) table.fail_at(key, fmt::format("must be 1 to {}", most));
+      return static_cast<std::uint8_t>(value);
+    };
+    slave.fmmu_count = number("fmmus", slave.fmmu_count, 16);
+    slave.sync_manager_count = number("sync_managers", slave.sync_manager_count, 16);
+    slave.ram_kbytes = number("ram_kbytes", slave.ram_kbytes, 60);
+    slave.logical_read_write = table.get<bool>("lrw", true);
+    slave.physical_read_write = table.get<bool>("read_write", true);
   }
 
   void read_device(Table& table, SimSlaveConfig& slave) {

@@ -38,6 +38,11 @@ std::vector<std::uint8_t> factory_sii(const SimSlaveConfig& config) {
 Node power_up(const SimSlaveConfig& config, std::vector<std::uint8_t> sii, Nanoseconds time, std::uint64_t seed) {
   Esc::Options options;
   options.device_emulation = config.device.device_emulation();
+  options.fmmu_count = config.fmmu_count;
+  options.sync_manager_count = config.sync_manager_count;
+  options.ram_kbytes = config.ram_kbytes;
+  options.logical_read_write = config.logical_read_write;
+  options.physical_read_write = config.physical_read_write;
   Node node;
   node.esc = std::make_unique<Esc>(config, std::move(sii), options, time, seed);
   node.device = make_device(config, *node.esc);

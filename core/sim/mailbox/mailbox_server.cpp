@@ -2,6 +2,7 @@
 #include "sim/mailbox/mailbox_server.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace syncline::sim {
 namespace {
@@ -19,6 +20,7 @@ MailboxServer::MailboxServer(ObjectDictionary& dictionary, const MailboxDescript
 void MailboxServer::reset() {
   queue_.clear();
   last_.clear();
+  before_last_.clear();
   sdo_.reset();
   files_.reset();
   last_request_ = counter_ = 0;
@@ -29,7 +31,7 @@ void MailboxServer::queue(MailboxType type, std::vector<std::uint8_t> data) {
   message.type = type;
   message.data = std::move(data);
   message.counter = counter_ = next_mailbox_counter(counter_);
-  queue_.push_back(std::move(message));
+  queue_.push_back(message.encode());
 }
 
 void MailboxServer::queue_error(MailboxErrorDetail detail) {
@@ -45,11 +47,21 @@ void MailboxServer::queue_emergency(const coe::Emergency& emergency) {
 
 std::optional<std::vector<std::uint8_t>> MailboxServer::next(std::size_t reply_size) {
   if (queue_.empty()) return std::nullopt;
-  auto bytes = queue_.front().encode(reply_size);
+  auto bytes = std::move(queue_.front());
   queue_.pop_front();
   if (bytes.size() > reply_size) return std::nullopt;  // a mailbox too small for its own protocol
-  last_ = bytes;
+  bytes.resize(reply_size);
+  before_last_ = std::exchange(last_, bytes);
   return bytes;
+}
+
+const std::vector<std::uint8_t>& MailboxServer::repeat(bool loaded) {
+  if (loaded) {
+    queue_.push_front(std::move(last_));
+    last_ = std::move(before_last_);
+    before_last_.clear();
+  }
+  return last_;
 }
 
 void MailboxServer::receive(std::span<const std::uint8_t> bytes, std::size_t reply_size, bool in_preop) {

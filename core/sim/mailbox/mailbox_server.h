@@ -29,8 +29,9 @@ class MailboxServer {
   void queue_emergency(const coe::Emergency& emergency);
   /// The next message for the send mailbox, padded to its size; nothing when none waits.
   [[nodiscard]] std::optional<std::vector<std::uint8_t>> next(std::size_t reply_size);
-  /// What next() gave last, for a master that did not get it.
-  [[nodiscard]] const std::vector<std::uint8_t>& last() const { return last_; }
+  /// The message that the master has fetched last and did not get; empty when there was none. `loaded`: another
+  /// one is in the send mailbox already; it waits again.
+  [[nodiscard]] const std::vector<std::uint8_t>& repeat(bool loaded);
   [[nodiscard]] bool waiting() const { return !queue_.empty(); }
   void reset();
 
@@ -47,8 +48,8 @@ class MailboxServer {
   SdoServer sdo_;
   InformationServer information_;
   FileServer files_;
-  std::deque<MailboxMessage> queue_;
-  std::vector<std::uint8_t> last_;
+  std::deque<std::vector<std::uint8_t>> queue_;
+  std::vector<std::uint8_t> last_, before_last_;   // as they were loaded
   std::uint8_t last_request_ = 0, counter_ = 0;
 };
 

@@ -93,6 +93,23 @@ TEST_F(SimServo, RefusesStatesForTheReasonsThatTheCodesName) {
   EXPECT_EQ(probe.al_code(0), 0x0019) << "no outputs yet";
 }
 
+TEST_F(SimServo, RepeatRequestBringsTheAnswerAgain) {
+  ASSERT_EQ(probe.request(0, 2), 2);
+  EXPECT_EQ(read_object(0x1018, 1), 0x5C17U);
+  // The frame with the answer was lost: the mailbox is empty, the master toggles 0x080E bit 1.
+  EXPECT_EQ(probe.read(0, mailbox_in, 128).wkc, 0);
+  EXPECT_EQ(probe.write(0, reg::kSyncManager + 8 + 6, {0x03}).wkc, 1);
+  probe.pass(kMillisecond);
+  EXPECT_EQ(probe.read(0, reg::kSyncManager + 8 + 7, 1).data[0] & 0x02, 0x02) << "acknowledged";
+  const auto again = probe.read(0, mailbox_in, 128);
+  EXPECT_EQ(again.wkc, 1);
+  const auto mail = MailboxMessage::decode(again.data);
+  ASSERT_TRUE(mail);
+  const auto response = coe::decode_response(mail->data);
+  ASSERT_TRUE(response);
+  EXPECT_EQ(std::get<coe::UploadResponse>(*response).data, (std::vector<std::uint8_t>{0x17, 0x5C, 0, 0}));
+}
+
 TEST_F(SimServo, AnswersSdosAndAborts) {
   ASSERT_EQ(probe.request(0, 2), 2);
   EXPECT_EQ(read_object(0x1018, 1), 0x5C17U);

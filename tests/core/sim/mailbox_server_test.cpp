@@ -203,9 +203,20 @@ TEST_F(Server, RepeatedCounterIsNotExecutedTwice) {
   message.data = coe::encode(coe::Request{coe::UploadRequest{{0x1000, 0}, false}});
   server().receive(message.encode(), kMailbox, true);
   server().receive(message.encode(), kMailbox, true);
-  EXPECT_TRUE(server().next(kMailbox));
+  const auto answer = server().next(kMailbox);
+  ASSERT_TRUE(answer);
   EXPECT_FALSE(server().next(kMailbox));
-  EXPECT_FALSE(server().last().empty()) << "the answer can be given again";
+  EXPECT_EQ(server().repeat(false), *answer);
+}
+
+TEST_F(Server, RepeatGivesTheLostMessageAndThenTheOneThatWasLoaded) {
+  server().queue_emergency({1, 1, {}});
+  server().queue_emergency({2, 1, {}});
+  const auto first = server().next(kMailbox);
+  const auto second = server().next(kMailbox);
+  ASSERT_TRUE(first && second);
+  EXPECT_EQ(server().repeat(true), *first);
+  EXPECT_EQ(server().next(kMailbox), second);
 }
 
 TEST_F(Server, EmergencyIsDelivered) {
