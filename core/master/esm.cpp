@@ -10,6 +10,7 @@
 #include "master/bus_survey.h"
 #include "master/dc_join.h"
 #include "master/dc_setup.h"
+#include "master/sm2_counter_lookup.h"
 #include "protocol/registers.h"
 
 namespace syncline {
@@ -161,7 +162,8 @@ Status Esm::init_to_preop() {
   if (auto coe = commands_.run_coe(slaves, Transition::kIP); status) status = std::move(coe);
   if (!status) return status;
   if (status = run_master_commands(Transition::kIP, false); !status) return status;
-  return commands_.read_all();
+  if (status = commands_.read_all(); !status) return status;
+  return find_sm2_counters(bus_, run_, task_.sm2());
 }
 
 /// Index of the command that requests PREOP, or behind the last one, for every slave.

@@ -40,6 +40,12 @@ Sm2Reader::Sm2Reader(RunState& run) : run_(run) {
   mailbox_.resize(longest);
 }
 
+std::vector<std::size_t> Sm2Reader::slaves() const {
+  std::vector<std::size_t> slaves;
+  for (const auto& counter : counters_) slaves.push_back(counter.slave);
+  return slaves;
+}
+
 void Sm2Reader::set_sub_index(std::size_t slave, std::uint8_t sub_index) {
   for (auto& counter : counters_) {
     if (counter.slave == slave) counter.sub_index = sub_index;

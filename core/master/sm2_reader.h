@@ -22,6 +22,8 @@ class Sm2Reader {
   /// Off while others use the mailboxes; a transfer under way is still finished.
   void set_enabled(bool enabled) { enabled_ = enabled; }
   [[nodiscard]] bool idle() const { return step_ == Step::kIdle; }
+  /// Slaves whose counter is read.
+  [[nodiscard]] std::vector<std::size_t> slaves() const;
   /// The sub-index that the object's names gave; see sm2_counter_profile.h.
   void set_sub_index(std::size_t slave, std::uint8_t sub_index);
 

@@ -74,6 +74,20 @@ TEST_P(DemoMachine, ReachesOpInSync) {
   EXPECT_EQ(counters, 3U);  // the drives
 }
 
+TEST_P(DemoMachine, CounterOfMissedEventsIsFoundByItsNameWhoeverTheVendorIs) {
+  auto compiled = compile(project);
+  ASSERT_TRUE(compiled);
+  // No table knows these products; the first drive has the older layout, the last one that of ETG.1020.
+  for (const std::size_t drive : {3, 4, 5}) compiled->config.slaves[drive].identity.product_code = 0x7777'0000 + drive;
+  RunRequest request;
+  request.duration = 10 * kSecond;
+  const auto outcome = run_network(compiled->config, demo(), request);
+  ASSERT_TRUE(outcome);
+  ASSERT_TRUE(outcome->report.slaves[3].sm2_missed && outcome->report.slaves[5].sm2_missed);
+  EXPECT_EQ(outcome->report.slaves[3].sm2_missed->sub_index, 0x0C);
+  EXPECT_EQ(outcome->report.slaves[5].sm2_missed->sub_index, 0x0B);
+}
+
 TEST_P(DemoMachine, IsTheSameForTheSameSeedOnly) {
   (void)run(demo("&seed=7"), 5 * kSecond);
   const auto first = std::exchange(samples, {});

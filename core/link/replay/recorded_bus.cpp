@@ -32,9 +32,8 @@ bool same_datagram(const DatagramHeader& sent, const DatagramHeader& returned) {
 }  // namespace
 
 bool RecordedSlave::knows(std::uint32_t address, std::size_t length) const {
-  if (address + length > kSize) return false;
   for (std::size_t i = 0; i < length; ++i) {
-    if (!known[address + i]) return false;
+    if (!memory.contains(static_cast<std::uint32_t>(address + i))) return false;
   }
   return true;
 }
@@ -127,10 +126,8 @@ void BusRecorder::note_write(std::size_t position, std::uint16_t address, std::s
   if (address == reg::kSiiControl && data.size() >= 6) sii_address_[position] = load_le<std::uint32_t>(data.subspan(2));
   if (address == reg::kSiiAddress && data.size() >= 4) sii_address_[position] = load_le<std::uint32_t>(data);
   // The register is there; its value before the write is not known, and after it is the master's.
-  for (std::size_t i = 0; i < data.size() && address + i < RecordedSlave::kSize; ++i) {
-    if (to.known[address + i]) continue;
-    to.known.set(address + i);
-    to.memory[address + i] = 0;
+  for (std::size_t i = 0; i < data.size(); ++i) {
+    to.memory.try_emplace(static_cast<std::uint32_t>(address + i), std::uint8_t{0});
   }
 }
 
@@ -138,10 +135,8 @@ void BusRecorder::note_read(std::size_t position, std::uint16_t address, std::sp
   auto& from = slave(position);
   if (address == reg::kStationAddress && data.size() >= 2) stations_.try_emplace(load_le<std::uint16_t>(data), position);
   if (address < kSiiEnd && address + data.size() > reg::kSiiControl) note_sii(position, address, data);
-  for (std::size_t i = 0; i < data.size() && address + i < RecordedSlave::kSize; ++i) {
-    if (from.known[address + i]) continue;
-    from.known.set(address + i);
-    from.memory[address + i] = data[i];
+  for (std::size_t i = 0; i < data.size(); ++i) {
+    from.memory.try_emplace(static_cast<std::uint32_t>(address + i), data[i]);
   }
 }
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <bitset>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -15,10 +14,7 @@ namespace syncline {
 
 /// What a capture tells of one slave.
 struct RecordedSlave {
-  static constexpr std::uint32_t kSize = 0x10000;
-
-  std::vector<std::uint8_t> memory = std::vector<std::uint8_t>(kSize);
-  std::bitset<kSize> known;                      // bytes that were read or written with a working counter
+  std::map<std::uint32_t, std::uint8_t> memory;  // bytes that were read or written with a working counter
   std::map<std::uint32_t, std::uint16_t> sii;    // EEPROM by word address
   bool reads_8_bytes = false;                    // of the EEPROM at a time
 

@@ -2,6 +2,7 @@
 #include "link/replay/replay_link.h"
 
 #include <algorithm>
+#include <array>
 #include <deque>
 
 #include "link/replay/pcap_reader.h"
@@ -33,13 +34,13 @@ class ReplayedSlave {
     // The capture's master gave its own; ours gives others.
     store(reg::kStationAddress, std::uint16_t{0});
     store(reg::kSiiControl, std::uint16_t{0});
-    for (std::uint32_t a = reg::kSiiConfiguration; a < reg::kSiiData + 8U; ++a) recorded_.known.set(a);
+    for (std::uint32_t a = reg::kSiiConfiguration; a < reg::kSiiData + 8U; ++a) recorded_.memory.try_emplace(a, std::uint8_t{0});
   }
-  [[nodiscard]] std::uint16_t station() const { return load_le<std::uint16_t>(at(reg::kStationAddress, 2)); }
+  [[nodiscard]] std::uint16_t station() const { return load<std::uint16_t>(reg::kStationAddress); }
 
   bool read(std::uint16_t address, std::span<std::uint8_t> out) const {
     if (!recorded_.knows(address, out.size())) return false;
-    std::ranges::copy(at(address, out.size()), out.begin());
+    for (std::size_t i = 0; i < out.size(); ++i) out[i] = byte(address + i);
     return true;
   }
   /// ORs what is known.
@@ -49,39 +50,46 @@ class ReplayedSlave {
       if (!recorded_.knows(a, 1) && !is_mandatory(a)) return false;
     }
     for (std::size_t i = 0; i < out.size(); ++i) {
-      if (recorded_.known[address + i]) out[i] |= recorded_.memory[address + i];
+      out[i] = static_cast<std::uint8_t>(out[i] | byte(address + i));
     }
     return true;
   }
   bool write(std::uint16_t address, std::span<const std::uint8_t> data) {
     for (std::size_t i = 0; i < data.size(); ++i) {
       const auto a = static_cast<std::uint32_t>(address + i);
-      if (a >= RecordedSlave::kSize || (!recorded_.known[a] && !is_addressing(a))) return false;
+      if (!recorded_.knows(a, 1) && !is_addressing(a)) return false;
     }
     for (std::size_t i = 0; i < data.size(); ++i) {
-      recorded_.memory[address + i] = data[i];
-      recorded_.known.set(address + i);
+      recorded_.memory[static_cast<std::uint32_t>(address + i)] = data[i];
     }
     if (address <= reg::kSiiControl + 1U && address + data.size() > reg::kSiiControl + 1U) run_sii_command();
     return true;
   }
 
  private:
-  [[nodiscard]] std::span<const std::uint8_t> at(std::uint32_t address, std::size_t length) const {
-    return std::span(recorded_.memory).subspan(address, length);
+  /// 0 where nothing is known.
+  [[nodiscard]] std::uint8_t byte(std::size_t address) const {
+    const auto found = recorded_.memory.find(static_cast<std::uint32_t>(address));
+    return found == recorded_.memory.end() ? std::uint8_t{0} : found->second;
+  }
+  template <std::unsigned_integral T>
+  [[nodiscard]] T load(std::uint32_t address) const {
+    std::array<std::uint8_t, sizeof(T)> bytes{};
+    for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = byte(address + i);
+    return load_le<T>(bytes);
   }
   template <std::unsigned_integral T>
   void store(std::uint32_t address, T value) {
-    store_le<T>(std::span(recorded_.memory).subspan(address, sizeof(T)), value);
-    for (std::size_t i = 0; i < sizeof(T); ++i) recorded_.known.set(address + i);
+    const auto bytes = le_bytes(value);
+    for (std::size_t i = 0; i < bytes.size(); ++i) recorded_.memory[static_cast<std::uint32_t>(address + i)] = bytes[i];
   }
 
   void run_sii_command() {
-    const unsigned command = recorded_.memory[reg::kSiiControl + 1U] & 0x07U;
+    const unsigned command = byte(reg::kSiiControl + 1U) & 0x07U;
     std::uint16_t result = 0;
     if (command == kSiiReadCommand) {
       // Two words at a time, also where the recorded ESC gave four: fewer have to be known.
-      const auto word = load_le<std::uint32_t>(at(reg::kSiiAddress, 4));
+      const auto word = load<std::uint32_t>(reg::kSiiAddress);
       for (unsigned i = 0; i < 2; ++i) {
         const auto found = recorded_.sii.find(word + i);
         if (found == recorded_.sii.end()) result |= kSiiCommandError;

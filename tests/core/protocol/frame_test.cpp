@@ -209,7 +209,8 @@ TEST(FrameReader, LengthFieldMayBeRoundedUp) {
   FrameBuilder builder;
   ASSERT_TRUE(builder.add_zeros(Command::kBwr, 4, device_address(0, 0x0101), 1));
   const auto built = builder.finish();
-  std::vector<std::uint8_t> frame(built.begin(), built.end());
+  std::array<std::uint8_t, kMinEthernetFrame> frame{};
+  std::ranges::copy(built.first(frame.size()), frame.begin());
   ASSERT_EQ(frame[kEthernetHeaderSize], 13);
   frame[kEthernetHeaderSize] = 14;
   FrameReader reader(frame);
