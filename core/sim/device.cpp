@@ -58,7 +58,16 @@ Device::Device(const SimSlaveConfig& config, Esc& esc)
 const DeviceDescription& Device::identify() {
   const auto& device = config_.device;
   dictionary_.add<std::uint32_t>(0x1000, 0, "Device type", device.profiles.empty() ? 0 : device.profiles[0].profile_no);
-  dictionary_.add(0x1008, 0, "Device name", std::vector<std::uint8_t>(device.type.begin(), device.type.end()));
+  constexpr std::uint16_t kVisibleString = 0x09;
+  dictionary_.add(0x1008, 0, "Device name", std::vector<std::uint8_t>(device.type.begin(), device.type.end())).data_type =
+      kVisibleString;
+  const auto managers = std::min<std::size_t>(device.sync_managers.size(), 32);
+  dictionary_.set_object_name(0x1C00, "Sync manager type");
+  dictionary_.add(0x1C00, 0, "Number of entries", static_cast<std::uint8_t>(managers));
+  for (std::size_t i = 0; i < managers; ++i) {
+    dictionary_.add(0x1C00, static_cast<std::uint8_t>(i + 1), "Communication type",
+                    static_cast<std::uint8_t>(device.sync_managers[i].type));
+  }
   dictionary_.add<std::uint8_t>(0x1018, 0, "Identity", 4);
   dictionary_.add<std::uint32_t>(0x1018, 1, "Vendor ID", device.identity.vendor_id);
   dictionary_.add<std::uint32_t>(0x1018, 2, "Product code", device.identity.product_code);

@@ -8,7 +8,12 @@ namespace syncline::sim {
 ObjectDictionary::Entry& ObjectDictionary::add(std::uint16_t index, std::uint8_t sub_index, std::string name,
                                                std::vector<std::uint8_t> value, bool writable) {
   auto& entry = entries_[{index, sub_index}];
-  entry = Entry{};
+  // A behaviour gives the value; what the ESI said of type and mapping stays.
+  Entry fresh;
+  fresh.data_type = entry.data_type;
+  fresh.extra_access = entry.extra_access;
+  if (entry.value.size() == value.size()) fresh.bit_length = entry.bit_length;
+  entry = std::move(fresh);
   entry.name = std::move(name);
   entry.initial = value;
   entry.value = std::move(value);

@@ -101,6 +101,10 @@ TEST_P(MailboxOnBus, DictionaryIsReadThroughSdoInformation) {
   ASSERT_TRUE(missed) << describe(missed.error());
   EXPECT_EQ(missed->name, "SM event missed counter");
   EXPECT_EQ(missed->bit_length, 16);
+  const auto target = information.entry(0x607A, 0);
+  ASSERT_TRUE(target) << describe(target.error());
+  EXPECT_EQ(target->data_type, 0x04) << "a DINT, as its ESI says";
+  EXPECT_NE(target->access & coe::access::kRxPdo, 0);
 }
 
 TEST_P(MailboxOnBus, EmergencyOfARefusedStateComesOnce) {

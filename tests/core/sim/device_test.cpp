@@ -113,6 +113,7 @@ TEST_F(SimServo, RepeatRequestBringsTheAnswerAgain) {
 TEST_F(SimServo, AnswersSdosAndAborts) {
   ASSERT_EQ(probe.request(0, 2), 2);
   EXPECT_EQ(read_object(0x1018, 1), 0x5C17U);
+  for (std::uint8_t sm = 0; sm < 4; ++sm) EXPECT_EQ(read_object(0x1C00, static_cast<std::uint8_t>(sm + 1)), sm + 1U);
   EXPECT_EQ(read_object(0x10F1, 2), 9U);
   EXPECT_EQ(write_object(0x10F1, 2, {12, 0}), 0U);
   EXPECT_EQ(read_object(0x10F1, 2), 12U);
