@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "link/replay/pcap_reader.h"
 
+#include <fmt/format.h>
 #include <pcap/pcap.h>
 
 #include <cerrno>
@@ -72,7 +73,17 @@ Result<std::optional<CapturedFrame>> PcapReader::next() {
     return fail(Error{ErrorCode::kFileNotReadable, {}, pcap_geterr(impl_->handle.get()), impl_->name});
   }
   CapturedFrame frame;
-  frame.time = (header->ts.tv_sec - kDcEpochUnixSeconds) * kSecond + header->ts.tv_usec;  // asked for nanoseconds
+  // The file decides about these: its seconds may be of 64 bits, and nanoseconds of 64 bits reach 292 years.
+  Nanoseconds since_epoch = 0;
+  Nanoseconds whole_seconds = 0;
+  const Nanoseconds fraction = header->ts.tv_usec;  // asked for nanoseconds
+  if (__builtin_sub_overflow(Nanoseconds{header->ts.tv_sec}, kDcEpochUnixSeconds, &since_epoch) ||
+      __builtin_mul_overflow(since_epoch, kSecond, &whole_seconds) ||
+      __builtin_add_overflow(whole_seconds, fraction, &frame.time)) {
+    return fail(Error{ErrorCode::kFileNotReadable, {},
+                      fmt::format("a frame's time stamp of {} s is outside of the years 1708 to 2292", header->ts.tv_sec),
+                      impl_->name});
+  }
   frame.bytes.assign(bytes, bytes + header->caplen);
   frame.truncated = header->caplen < header->len;
   return frame;

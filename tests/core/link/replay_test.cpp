@@ -172,6 +172,22 @@ TEST(PcapReader, DamagedCapturesEndWithAnErrorAndNeverElse) {
   }
 }
 
+TEST(PcapReader, TimeStampThatNoClockCanShowIsAnError) {
+  CaptureFile file("syncline-replay-time-");
+  std::ifstream in(small_capture(file), std::ios::binary);
+  const std::vector<char> text{std::istreambuf_iterator<char>(in), {}};
+  std::vector<std::uint8_t> bytes(text.begin(), text.end());
+  constexpr std::array<std::uint8_t, 4> kEnhancedPacket{6, 0, 0, 0};
+  const auto block = std::ranges::search(bytes, kEnhancedPacket).begin() - bytes.begin();
+  ASSERT_LT(block + 16, std::ssize(bytes));
+  store_le(std::span(bytes).subspan(static_cast<std::size_t>(block) + 12, 4), std::uint32_t{0xFFFFFFFF});  // upper half
+  auto reader = PcapReader::from_memory(bytes, "late.pcapng");
+  ASSERT_TRUE(reader);
+  const auto frame = reader->next();
+  ASSERT_FALSE(frame);
+  EXPECT_EQ(frame.error().file, "late.pcapng");
+}
+
 /// Every frame of every capture decodes, and what is in it makes sense.
 TEST(Captures, EveryEtherCatFrameDecodes) {
   const auto folder = test::sample_file("pcap");
