@@ -13,6 +13,7 @@
 #include "sim/mailbox/mailbox_server.h"
 #include "sim/object_dictionary.h"
 #include "sim/pdo_objects.h"
+#include "sim/pin_trace.h"
 
 namespace syncline::sim {
 
@@ -35,6 +36,13 @@ class Device : public Esc::Listener {
   void silence_mailbox(bool silent) { mailbox_silent_ = silent; }
   /// The application takes so much longer to answer mailbox requests; 0: as usual.
   void slow_mailbox(Nanoseconds delay) { mailbox_delay_ = delay; }
+  /// The application needs so much longer for each cycle; 0: as usual.
+  void slow_application(Nanoseconds delay) { application_delay_ = delay; }
+
+  /// A frame passes the slave from `begin` to `end`.
+  virtual void frame_received(Nanoseconds, Nanoseconds) {}
+  /// Output pin `number` (from 1), as far as the device has pins that show edges.
+  [[nodiscard]] virtual const PinTrace* output_pin(unsigned) const { return nullptr; }
 
   // Esc::Listener
   void al_control_written(Nanoseconds time) override;
@@ -60,6 +68,7 @@ class Device : public Esc::Listener {
   void drop_to_safeop(std::uint16_t code, std::uint16_t error_code = kCommunicationError);
   /// Tells the master: emergency and an entry in the diagnosis history. `text_id` of the ESI's DiagMessages.
   void tell_error(std::uint16_t error_code, std::uint8_t error_register, std::uint16_t text_id);
+  [[nodiscard]] Nanoseconds application_delay() const { return application_delay_; }
   [[nodiscard]] MailboxServer& mailbox() { return mailbox_; }
   /// Behaviours that keep a diagnosis history although their ESI has none.
   void enable_diagnosis_history() { history_.enable(); }
@@ -108,7 +117,7 @@ class Device : public Esc::Listener {
   std::optional<Nanoseconds> last_outputs_;
   Nanoseconds now_ = 0;
   bool mailbox_silent_ = false;
-  Nanoseconds mailbox_delay_ = 0;
+  Nanoseconds mailbox_delay_ = 0, application_delay_ = 0;
   AlState refused_state_ = AlState::kNone;
   std::uint16_t refusal_code_ = 0;
 };

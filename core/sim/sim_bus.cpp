@@ -279,6 +279,7 @@ void SimBus::Impl::end_frame(const Reach& reach, Nanoseconds send_time, Nanoseco
     if (!passage.processed) continue;
     auto& esc = *nodes[passage.slave].esc;
     const auto time = time_of(passage, send_time) + length;
+    nodes[passage.slave].device->frame_received(time - length, time);
     if (p < reach.damaged) {
       esc.frame_end(time);
     } else {
@@ -346,6 +347,10 @@ std::uint64_t SimBus::system_time(std::size_t position) const {
   return impl_->nodes.at(position).esc->dc().system_time(impl_->now);
 }
 double SimBus::true_delay_ns(std::size_t position) const { return impl_->true_delay.at(position); }
+std::vector<PinEdge> SimBus::pin_edges(std::size_t position, unsigned pin) const {
+  const auto* trace = impl_->nodes.at(position).device->output_pin(pin);
+  return trace != nullptr ? trace->edges() : std::vector<PinEdge>{};
+}
 std::vector<std::uint8_t> SimBus::peek(std::size_t position, std::uint16_t address, std::size_t length) const {
   const auto bytes = std::as_const(*impl_->nodes.at(position).esc).memory().at(address, length);
   return {bytes.begin(), bytes.end()};

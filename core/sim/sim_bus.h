@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "config/sim_config.h"
+#include "sim/pin_trace.h"
 #include "support/result.h"
 #include "support/types.h"
 
@@ -37,6 +38,8 @@ class SimBus {
   [[nodiscard]] std::uint64_t system_time(std::size_t position) const;
   /// True one-way delay from the first slave's port 0 to this slave's, ns.
   [[nodiscard]] double true_delay_ns(std::size_t position) const;
+  /// Edges of a device's output pin (from 1) so far, oldest first; empty when it has none.
+  [[nodiscard]] std::vector<PinEdge> pin_edges(std::size_t position, unsigned pin) const;
   [[nodiscard]] std::vector<std::uint8_t> peek(std::size_t position, std::uint16_t address, std::size_t length) const;
 
  private:

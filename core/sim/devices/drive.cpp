@@ -2,154 +2,321 @@
 #include "sim/devices/drive.h"
 
 #include <algorithm>
+#include <functional>
 
 #include "protocol/registers.h"
 
 namespace syncline::sim {
 namespace {
 
-constexpr std::uint16_t kSyncError = 0x001A, kSyncStopped = 0x002C, kNoSync = 0x002D, kPllError = 0x0032,
-                        kInvalidSync0Cycle = 0x0036;
+// AL status codes
+constexpr std::uint16_t kSyncError = 0x001A, kSyncStopped = 0x002C, kNoSync = 0x002D, kInvalidSyncConfiguration = 0x0030,
+                        kPllError = 0x0032, kInvalidSync0Cycle = 0x0036;
 constexpr std::uint32_t kPllRange = 100'000;  // ns; the drive's PLL cannot lock on a clock that is further away
 constexpr int kMissingSyncs = 8;
 constexpr unsigned kMissWeight = 3;  // added for a missed event; a good one takes 1 away
+constexpr std::uint32_t kCurrentLoop = 62'500;  // ns
 
-// CiA 402 statusword patterns
-constexpr std::uint16_t kSwitchOnDisabled = 0x0250, kReadyToSwitchOn = 0x0231, kSwitchedOn = 0x0233,
-                        kOperationEnabled = 0x1237, kFault = 0x0218;
+// ETG.1000.6, table 64
+constexpr std::uint16_t kSigned8 = 0x02, kSigned32 = 0x04, kUnsigned8 = 0x05, kUnsigned16 = 0x06, kUnsigned32 = 0x07;
+
+constexpr std::uint16_t kControl = 0x6040, kStatus = 0x6041, kMode = 0x6060, kModeDisplay = 0x6061, kDemand = 0x6062,
+                        kActual = 0x6064, kVelocity = 0x606C, kTarget = 0x607A, kProfileVelocity = 0x6081,
+                        kProfileAcceleration = 0x6083, kInterpolationPoint = 0x60C1, kInterpolationTime = 0x60C2,
+                        kFollowingError = 0x60F4, kTargetVelocity = 0x60FF, kErrorCode = 0x603F, kErrorSettings = 0x10F1;
+
+AxisMode axis_mode(std::uint8_t mode) {
+  switch (const auto wanted = static_cast<AxisMode>(mode)) {
+    case AxisMode::kProfilePosition:
+    case AxisMode::kInterpolatedPosition:
+    case AxisMode::kCyclicPosition:
+    case AxisMode::kCyclicVelocity: return wanted;
+    default: return AxisMode::kNone;
+  }
+}
+
+bool is_cyclic(AxisMode mode) { return mode == AxisMode::kCyclicPosition || mode == AxisMode::kCyclicVelocity; }
+
+/// Where the free-running timer stands when nobody leads it: anywhere, but the same in each run.
+Nanoseconds timer_phase(const SimSlaveConfig& config) {
+  const auto hash = std::hash<std::uint64_t>{}(config.serial_no * 7919ULL + config.parent.value_or(77) * 104'729ULL + 12'345ULL);
+  return static_cast<Nanoseconds>(hash * 2'654'435'761ULL % 1'000'003ULL);
+}
 
 }  // namespace
 
-Drive::Drive(const SimSlaveConfig& config, Esc& esc, const DriveHabits& habits) : Device(config, esc), habits_(habits) {
+Drive::Drive(const SimSlaveConfig& config, Esc& esc, const DriveHabits& habits)
+    : Device(config, esc),
+      habits_(habits),
+      outputs_sync_(dictionary_, SyncObject::kOutputs, habits.sync),
+      inputs_sync_(dictionary_, SyncObject::kInputs, habits.sync),
+      clock_(habits.servo_period_ns, config.oscillator.ppm, timer_phase(config)) {
   add_objects();
   enable_diagnosis_history();
 }
 
+/// Keeps what the ESI says of an object, and gives it the value of a drive that is switched on.
+template <std::unsigned_integral T>
+void Drive::object(std::uint16_t index, std::uint8_t sub_index, const char* name, T value, std::uint16_t type, bool writable) {
+  auto* entry = dictionary_.find(index, sub_index);
+  if (entry == nullptr || entry->value.size() != sizeof(T)) {
+    entry = &dictionary_.add(index, sub_index, name, value, writable);
+    entry->data_type = type;
+  }
+  entry->value = le_bytes(value);
+}
+
 void Drive::add_objects() {
-  auto& d = dictionary_;
-  d.add<std::uint16_t>(0x603F, 0, "Error code", 0);
-  d.add<std::uint16_t>(0x6040, 0, "Controlword", 0, true);
-  d.add<std::uint16_t>(0x6041, 0, "Statusword", kSwitchOnDisabled);
-  d.add<std::uint8_t>(0x6060, 0, "Modes of operation", 8, true);
-  d.add<std::uint8_t>(0x6061, 0, "Modes of operation display", 8);
-  d.add<std::uint32_t>(0x6064, 0, "Position actual value", 0);
-  d.add<std::uint32_t>(0x607A, 0, "Target position", 0, true);
-  d.add<std::uint32_t>(0x60F4, 0, "Following error actual value", 0);
-  d.add<std::uint8_t>(0x60C2, 0, "Interpolation time period", 2);
-  d.add<std::uint8_t>(0x60C2, 1, "Interpolation time period value", 1, true);
-  d.add<std::uint8_t>(0x60C2, 2, "Interpolation time index", 0xFD, true);
-  d.add<std::uint8_t>(0x10F1, 0, "Error settings", 2);
-  d.add<std::uint32_t>(0x10F1, 1, "Local error reaction", 1, true);
-  auto& limit = d.add<std::uint16_t>(0x10F1, 2, "Sync error counter limit", habits_.sync_error_limit, true);
-  limit.on_write = [this](std::span<const std::uint8_t> data) {
-    return load_le<std::uint16_t>(data) <= habits_.sync_error_limit_max ? abort::kNone : abort::kRange;
-  };
-  const std::uint8_t missed = habits_.sm_missed_sub_index;
-  const std::uint8_t exceeded = missed == 0x0B ? 0x0C : 0x0B;
-  for (const std::uint16_t index : {std::uint16_t{0x1C32}, std::uint16_t{0x1C33}}) {
-    d.add<std::uint8_t>(index, 0x00, index == 0x1C32 ? "SM output parameter" : "SM input parameter", 0x20);
-    auto& type = d.add<std::uint16_t>(index, 0x01, "Synchronization type", 0, true);
-    type.preop_only = true;
-    d.add<std::uint32_t>(index, 0x02, "Cycle time", 0, true);
-    d.add<std::uint32_t>(index, 0x03, "Shift time", 0);
-    d.add<std::uint16_t>(index, 0x04, "Synchronization types supported", 0x0007);
-    d.add<std::uint32_t>(index, 0x05, "Minimum cycle time", habits_.cycle_step_ns);
-    d.add<std::uint32_t>(index, 0x06, "Calc and copy time", 62'500);
-    d.add<std::uint32_t>(index, 0x09, "Delay time", 0);
-    d.add<std::uint16_t>(index, missed, "SM event missed counter", 0);
-    d.add<std::uint16_t>(index, exceeded, "Cycle exceeded counter", 0);
-    d.add<std::uint8_t>(index, 0x20, "Sync error", 0);
+  object<std::uint16_t>(kErrorCode, 0, "Error code", 0, kUnsigned16);
+  object<std::uint16_t>(kControl, 0, "Controlword", 0, kUnsigned16, true);
+  object<std::uint16_t>(kStatus, 0, "Statusword", power_.statusword(), kUnsigned16);
+  object<std::uint8_t>(kMode, 0, "Modes of operation", 8, kSigned8, true);
+  object<std::uint8_t>(kModeDisplay, 0, "Modes of operation display", 0, kSigned8);
+  object<std::uint32_t>(kDemand, 0, "Position demand value", 0, kSigned32);
+  object<std::uint32_t>(kActual, 0, "Position actual value", 0, kSigned32);
+  object<std::uint32_t>(kVelocity, 0, "Velocity actual value", 0, kSigned32);
+  object<std::uint32_t>(kTarget, 0, "Target position", 0, kSigned32, true);
+  object<std::uint32_t>(kTargetVelocity, 0, "Target velocity", 0, kSigned32, true);
+  object<std::uint32_t>(kProfileVelocity, 0, "Profile velocity", 100'000, kUnsigned32, true);
+  object<std::uint32_t>(kProfileAcceleration, 0, "Profile acceleration", 1'000'000, kUnsigned32, true);
+  object<std::uint32_t>(kFollowingError, 0, "Following error actual value", 0, kSigned32);
+  dictionary_.set_object_name(kInterpolationPoint, "Interpolation data record");
+  object<std::uint8_t>(kInterpolationPoint, 0, "Number of entries", 1, kUnsigned8);
+  object<std::uint32_t>(kInterpolationPoint, 1, "Interpolation position", 0, kSigned32, true);
+  dictionary_.set_object_name(kInterpolationTime, "Interpolation time period");
+  object<std::uint8_t>(kInterpolationTime, 0, "Number of entries", 2, kUnsigned8);
+  object<std::uint8_t>(kInterpolationTime, 1, "Interpolation time period value", 1, kUnsigned8, true);
+  object<std::uint8_t>(kInterpolationTime, 2, "Interpolation time index", 0xFD, kSigned8, true);
+  dictionary_.set_object_name(kErrorSettings, "Error settings");
+  object<std::uint8_t>(kErrorSettings, 0, "Number of entries", 2, kUnsigned8);
+  object<std::uint32_t>(kErrorSettings, 1, "Local error reaction", 1, kUnsigned32, true);
+  object<std::uint16_t>(kErrorSettings, 2, "Sync error counter limit", habits_.sync_error_limit, kUnsigned16, true);
+  if (auto* limit = dictionary_.find(kErrorSettings, 2)) {
+    limit->on_write = [this](std::span<const std::uint8_t> data) {
+      return load_le<std::uint16_t>(data) <= habits_.sync_error_limit_max ? abort::kNone : abort::kRange;
+    };
   }
 }
 
+// ---- AL state ------------------------------------------------------------------------------------
+
 std::uint16_t Drive::check_sync(AlState to) {
   const auto& dc = esc().dc();
-  if (!dc.sync_active()) return 0;
+  if (!dc.sync_active()) {
+    const bool wanted = outputs_sync_.type() == SyncType::kSync0 || inputs_sync_.type() == SyncType::kSync0;
+    return wanted && !habits_.type_follows_dc ? kInvalidSyncConfiguration : std::uint16_t{0};
+  }
   const auto cycle = dc.settings().cycle0;
   if (cycle == 0 || cycle % habits_.cycle_step_ns != 0 || cycle > habits_.cycle_max_ns) return kInvalidSync0Cycle;
+  if (inputs_sync_.shift() >= cycle) return kInvalidSyncConfiguration;
+  if (to != AlState::kOp) return 0;
   // OP needs a SYNC0 that comes: a start time in the past never fires.
-  if (to == AlState::kOp && !last_sync_) return kNoSync;
-  if (to == AlState::kOp && dc.deviation_magnitude() > kPllRange) return kPllError;
+  if (!last_sync_) return kNoSync;
+  if (dc.deviation_magnitude() > kPllRange || !clock_.locked()) return kPllError;
   return 0;
 }
 
+void Drive::choose_types() {
+  const auto& dc = esc().dc();
+  const bool sync0 = dc.sync0_enabled();
+  const auto cycle = dc.settings().cycle0;
+  for (auto* object : {&outputs_sync_, &inputs_sync_}) {
+    if (habits_.type_follows_dc) object->set_type(sync0 ? SyncType::kSync0 : SyncType::kFreeRun);
+    object->set_cycle(sync0 ? cycle : habits_.servo_period_ns);
+    object->set_sync0_cycle(sync0 ? cycle : 0);
+  }
+}
+
+void Drive::on_state(AlState state) {
+  if (was_op_ && state != AlState::kOp) leave_op();
+  was_op_ = state == AlState::kOp;
+  if (state == AlState::kSafeop) choose_types();
+  if (state == AlState::kOp) {
+    integrator_ = 0;
+    busy_until_ = 0;
+    any_outputs_ = false;
+    arriving_.reset();
+    arrived_.reset();
+    if (!habits_.counters_end_with_op) {
+      outputs_sync_.clear_counters();
+      inputs_sync_.clear_counters();
+    }
+  }
+  if (state == AlState::kPreop || state == AlState::kInit) {
+    last_sync_.reset();
+    latch_due_.reset();
+    clock_.release();
+  }
+}
+
+void Drive::leave_op() {
+  power_.disable();
+  axis_.disable();
+  if (habits_.counters_end_with_op) {
+    outputs_sync_.clear_counters();
+    inputs_sync_.clear_counters();
+  }
+  publish_inputs();
+}
+
 void Drive::check_running(Nanoseconds time) {
+  run_servo(time);
   const auto& dc = esc().dc();
   // The signal was there when OP was entered; a unit that was switched off or has lost its time fires no more.
   const auto cycle = static_cast<Nanoseconds>(dc.settings().cycle0);
   if (last_sync_ && cycle > 0 && time - *last_sync_ > kMissingSyncs * cycle) drop_to_safeop(kSyncStopped);
 }
 
-void Drive::on_state(AlState state) {
-  if (state == AlState::kSafeop) {
-    const bool synchronous = esc().dc().sync0_enabled();
-    for (const std::uint16_t index : {std::uint16_t{0x1C32}, std::uint16_t{0x1C33}}) {
-      dictionary_.set<std::uint16_t>(index, 0x01, synchronous ? 2 : (index == 0x1C32 ? 1 : 0x22));
-      if (synchronous) dictionary_.set<std::uint32_t>(index, 0x02, esc().dc().settings().cycle0);
-    }
-  }
-  if (state == AlState::kOp) {
-    integrator_ = 0;
-    any_outputs_ = outputs_since_sync_ = false;
-    dictionary_.set<std::uint16_t>(0x1C32, habits_.sm_missed_sub_index, 0);
-    dictionary_.set<std::uint16_t>(0x603F, 0, 0);
-  }
-  if (state == AlState::kPreop || state == AlState::kInit) last_sync_.reset();
+// ---- events --------------------------------------------------------------------------------------
+
+AxisCommand Drive::read_command() {
+  auto& d = dictionary_;
+  AxisCommand command;
+  command.mode = axis_mode(d.get<std::uint8_t>(kMode, 0));
+  if (habits_.cyclic_modes_need_dc && is_cyclic(command.mode) && !esc().dc().sync0_enabled()) command.mode = AxisMode::kNone;
+  command.controlword = d.get<std::uint16_t>(kControl, 0);
+  command.target_position = static_cast<std::int32_t>(d.get<std::uint32_t>(kTarget, 0));
+  command.target_velocity = static_cast<std::int32_t>(d.get<std::uint32_t>(kTargetVelocity, 0));
+  command.interpolation_point = static_cast<std::int32_t>(d.get<std::uint32_t>(kInterpolationPoint, 1));
+  command.profile_velocity = d.get<std::uint32_t>(kProfileVelocity, 0);
+  command.profile_acceleration = d.get<std::uint32_t>(kProfileAcceleration, 0);
+  return command;
+}
+
+/// Time from one target to the next: the SYNC0 cycle, else what the master has written to 0x60C2.
+Nanoseconds Drive::target_distance() {
+  if (synchronised()) return esc().dc().settings().cycle0;
+  Nanoseconds time = dictionary_.get<std::uint8_t>(kInterpolationTime, 1) * kSecond;
+  const auto index = static_cast<std::int8_t>(dictionary_.get<std::uint8_t>(kInterpolationTime, 2));
+  for (int power = std::clamp<int>(index, -9, 0); power < 0; ++power) time /= 10;
+  return time;
 }
 
 void Drive::on_outputs(Nanoseconds time) {
-  outputs_since_sync_ = any_outputs_ = true;
-  if (!esc().dc().sync0_enabled()) {  // synchronous with the SM2 event
-    move();
-    servo_cycle(time);
-    inputs_from_dictionary();
+  run_servo(time);
+  if (state() != AlState::kOp) return;
+  any_outputs_ = true;
+  take_arrived(time);
+  const auto times = outputs_sync_.next_cycle(application_delay());
+  if (synchronised()) {
+    arriving_ = {read_command(), time + times.calc_and_copy};
+  } else {
+    apply(read_command(), time);
   }
 }
 
-void Drive::on_sync0(Nanoseconds time) {
-  last_sync_ = time;
-  if (state() == AlState::kOp && any_outputs_) count_sync_event();
-  outputs_since_sync_ = false;
-  move();
-  servo_cycle(time);
-  inputs_from_dictionary();
+/// Outputs whose copying has ended by now are the application's.
+void Drive::take_arrived(Nanoseconds time) {
+  if (!arriving_ || arriving_->ready > time) return;
+  arrived_ = arriving_->command;
+  arriving_.reset();
 }
 
-void Drive::count_sync_event() {
-  const bool missed = !outputs_since_sync_;
+void Drive::on_sync0(Nanoseconds time) {
+  run_servo(time);
+  last_sync_ = time;
+  if (!habits_.pll) {
+    clock_.restart(time);
+  } else {
+    const auto cycle = esc().dc().settings().cycle0;
+    clock_.follow(time, cycle % habits_.servo_period_ns == 0 ? habits_.servo_period_ns : kCurrentLoop);
+  }
+  if (state() == AlState::kOp && synchronised()) {
+    take_arrived(time);
+    if (arriving_) outputs_sync_.count_shift_too_short();  // they came, but too late to be calculated with
+    if (any_outputs_) count_sync_event(!arrived_);
+    if (arrived_ && state() == AlState::kOp) apply(*arrived_, time);
+    arrived_.reset();
+  }
+  begin_local_cycle(time);
+  const auto shift = inputs_sync_.shift();
+  if (inputs_sync_.type() != SyncType::kSync0) return;
+  if (shift > 0) {
+    latch_due_ = time + shift;
+  } else {
+    publish_inputs();
+  }
+}
+
+void Drive::begin_local_cycle(Nanoseconds time) {
+  const auto times = inputs_sync_.next_cycle(application_delay());
+  if (state() == AlState::kOp && time < busy_until_) outputs_sync_.count_exceeded();
+  busy_until_ = time + times.calc_and_copy + times.delay;
+}
+
+void Drive::count_sync_event(bool missed) {
   if (missed) {
-    const auto count = dictionary_.get<std::uint16_t>(0x1C32, habits_.sm_missed_sub_index);
-    dictionary_.set<std::uint16_t>(0x1C32, habits_.sm_missed_sub_index, static_cast<std::uint16_t>(count + 1));
+    outputs_sync_.count_missed();
     integrator_ += kMissWeight;
   } else if (integrator_ > 0) {
     --integrator_;
   }
-  dictionary_.set<std::uint8_t>(0x1C32, 0x20, missed ? 1 : 0);
-  const auto limit = dictionary_.get<std::uint16_t>(0x10F1, 2);
-  if (limit == 0 || integrator_ < limit) return;
-  dictionary_.set<std::uint16_t>(0x603F, 0, habits_.sync_alarm);
-  dictionary_.set<std::uint16_t>(0x6041, 0, kFault);
+  outputs_sync_.set_sync_error(missed);
+  const auto limit = dictionary_.get<std::uint16_t>(kErrorSettings, 2);
+  if (limit != 0 && integrator_ >= limit) raise_sync_alarm();
+}
+
+void Drive::raise_sync_alarm() {
+  dictionary_.set<std::uint16_t>(kErrorCode, 0, habits_.sync_alarm);
+  power_.fault();
   drop_to_safeop(kSyncError, habits_.sync_alarm);
 }
 
-void Drive::power_state_machine() {
-  if (dictionary_.get<std::uint16_t>(0x603F, 0) != 0) return;
-  const auto control = dictionary_.get<std::uint16_t>(0x6040, 0) & 0x0FU;
-  std::uint16_t status = kSwitchOnDisabled;
-  if (control == 0x06) status = kReadyToSwitchOn;
-  if (control == 0x07) status = kSwitchedOn;
-  if (control == 0x0F) status = kOperationEnabled;
-  dictionary_.set<std::uint16_t>(0x6041, 0, status);
+// ---- servo loop ----------------------------------------------------------------------------------
+
+void Drive::run_servo(Nanoseconds time) {
+  if (latch_due_ && *latch_due_ < time) {
+    run_ticks(*latch_due_);
+    latch_due_.reset();
+    publish_inputs();
+  }
+  run_ticks(time);
 }
 
-void Drive::move() {
-  power_state_machine();
-  dictionary_.set<std::uint8_t>(0x6061, 0, dictionary_.get<std::uint8_t>(0x6060, 0));
-  const auto target = dictionary_.get<std::uint32_t>(0x607A, 0);
-  if (dictionary_.get<std::uint16_t>(0x6041, 0) != kOperationEnabled) return;
-  const auto actual = dictionary_.get<std::uint32_t>(0x6064, 0);
-  dictionary_.set<std::uint32_t>(0x60F4, 0, target - actual);
-  dictionary_.set<std::uint32_t>(0x6064, 0, target);
+void Drive::run_ticks(Nanoseconds time) {
+  if (!axis_.enabled() && !watched()) return clock_.skip_before(time);
+  bool any = false;
+  while (const auto tick = clock_.take_before(time)) {
+    axis_.step(*tick);
+    servo_tick(*tick);
+    any = true;
+  }
+  // Without a SYNC0 that says when, the inputs are those of the last servo period.
+  if (any && inputs_sync_.type() != SyncType::kSync0) publish_inputs();
+}
+
+void Drive::apply(const AxisCommand& command, Nanoseconds time) {
+  const bool was_enabled = power_.enabled();
+  power_.control(command.controlword);
+  if (power_.take_reset()) dictionary_.set<std::uint16_t>(kErrorCode, 0, 0);
+  if (!power_.enabled()) axis_.disable();
+  if (power_.enabled() && !was_enabled) axis_.enable(time);
+  axis_.command(command, time, target_distance());
+  dictionary_.set(kModeDisplay, 0, static_cast<std::uint8_t>(command.mode));
+}
+
+std::uint16_t Drive::statusword() {
+  constexpr std::uint16_t kTargetReached = 0x0400, kModeSpecific = 0x1000;
+  auto status = power_.statusword();
+  if (!power_.enabled()) return status;
+  const auto mode = static_cast<AxisMode>(dictionary_.get<std::uint8_t>(kModeDisplay, 0));
+  if (mode == AxisMode::kProfilePosition) {
+    if (axis_.target_reached()) status |= kTargetReached;
+    if (axis_.set_point_acknowledged()) status |= kModeSpecific;
+  } else if (mode != AxisMode::kNone) {
+    status |= kModeSpecific;  // follows the command value
+  }
+  return status;
+}
+
+void Drive::publish_inputs() {
+  auto& d = dictionary_;
+  d.set<std::uint16_t>(kStatus, 0, statusword());
+  d.set(kDemand, 0, static_cast<std::uint32_t>(axis_.demand_position()));
+  d.set(kActual, 0, static_cast<std::uint32_t>(axis_.actual_position()));
+  d.set(kVelocity, 0, static_cast<std::uint32_t>(axis_.actual_velocity()));
+  d.set(kFollowingError, 0, static_cast<std::uint32_t>(axis_.following_error()));
+  inputs_from_dictionary();
 }
 
 }  // namespace syncline::sim

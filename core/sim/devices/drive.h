@@ -2,6 +2,10 @@
 #pragma once
 
 #include "sim/device.h"
+#include "sim/devices/power_state.h"
+#include "sim/devices/servo_axis.h"
+#include "sim/devices/servo_clock.h"
+#include "sim/devices/sync_object.h"
 
 namespace syncline::sim {
 
@@ -9,14 +13,20 @@ namespace syncline::sim {
 struct DriveHabits {
   std::uint32_t cycle_step_ns = 125'000;      // SYNC0 cycle must be a multiple
   std::uint32_t cycle_max_ns = 4'000'000;
-  std::uint8_t sm_missed_sub_index = 0x0C;    // of 0x1C32: 0x0C in the older object layout, 0x0B in the newer
+  std::uint32_t servo_period_ns = 125'000;
+  SyncHabits sync{SyncHabits::kFreeRun | SyncHabits::kSync0 | SyncHabits::kLocalShift | SyncHabits::kMeasures,
+                  125'000, 62'500, 10'000, 0x0C, 0x0B};
   std::uint16_t sync_error_limit = 9;         // 0x10F1:02, default
   std::uint16_t sync_error_limit_max = 15;
   std::uint16_t sync_alarm = 0x0A12;          // 0x603F when the limit is reached
+  bool type_follows_dc = true;                // 0x1C32:01 and 0x1C33:01 say what the SYNC signals make of them
+  bool counters_end_with_op = true;           // else they can be read until the next OP
+  bool cyclic_modes_need_dc = true;           // without SYNC0 no cyclic synchronous mode
+  bool pll = false;                           // the servo timer follows SYNC0; otherwise SYNC0 restarts it
 };
 
-/// CiA 402 drive in cyclic synchronous position mode, synchronised by SYNC0 or SM2: sync objects 0x1C32
-/// and 0x1C33, missed SM2 events with the +3/-1 integrator of 0x10F1:02.
+/// CiA 402 drive with profile position, interpolated position and the cyclic synchronous modes for position and velocity:
+/// sync objects 0x1C32 and 0x1C33, free run or SYNC0, missed SM2 events with the +3/-1 integrator of 0x10F1:02.
 class Drive : public Device {
  public:
   Drive(const SimSlaveConfig& config, Esc& esc, const DriveHabits& habits);
@@ -27,19 +37,49 @@ class Drive : public Device {
   void on_state(AlState state) override;
   std::uint16_t check_sync(AlState to) override;
   void check_running(Nanoseconds time) override;
-  /// Once a servo cycle.
-  virtual void servo_cycle(Nanoseconds) {}
+  /// A servo period begins.
+  virtual void servo_tick(Nanoseconds) {}
+  /// Somebody looks at servo_tick(): none may be left out.
+  [[nodiscard]] virtual bool watched() const { return false; }
   [[nodiscard]] const DriveHabits& habits() const { return habits_; }
+  [[nodiscard]] const ServoClock& servo_clock() const { return clock_; }
+  [[nodiscard]] bool synchronised() { return outputs_sync_.type() == SyncType::kSync0 && esc().dc().sync0_enabled(); }
 
  private:
+  /// Outputs on their way from the SyncManager into the application.
+  struct Arriving {
+    AxisCommand command;
+    Nanoseconds ready = 0;
+  };
   void add_objects();
-  void count_sync_event();
-  void move();
-  void power_state_machine();
+  template <std::unsigned_integral T>
+  void object(std::uint16_t index, std::uint8_t sub_index, const char* name, T value, std::uint16_t type, bool writable = false);
+  void choose_types();
+  void leave_op();
+  [[nodiscard]] AxisCommand read_command();
+  [[nodiscard]] Nanoseconds target_distance();
+  void take_arrived(Nanoseconds time);
+  void count_sync_event(bool missed);
+  void raise_sync_alarm();
+  void begin_local_cycle(Nanoseconds time);
+  /// Lets the servo loop run up to `time`, and latches the inputs when the shift time puts them in between.
+  void run_servo(Nanoseconds time);
+  void run_ticks(Nanoseconds time);
+  void apply(const AxisCommand& command, Nanoseconds time);
+  void publish_inputs();
+  [[nodiscard]] std::uint16_t statusword();
 
   DriveHabits habits_;
-  bool outputs_since_sync_ = false, any_outputs_ = false;
-  std::optional<Nanoseconds> last_sync_;  // since PREOP
+  SyncObject outputs_sync_, inputs_sync_;
+  ServoClock clock_;
+  PowerState power_;
+  ServoAxis axis_;
+  std::optional<Arriving> arriving_;
+  std::optional<AxisCommand> arrived_;        // for the next SYNC0
+  std::optional<Nanoseconds> last_sync_;      // since PREOP
+  std::optional<Nanoseconds> latch_due_;
+  Nanoseconds busy_until_ = 0;
+  bool any_outputs_ = false, was_op_ = false;
   unsigned integrator_ = 0;
 };
 
