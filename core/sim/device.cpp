@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "protocol/registers.h"
-#include "sim/sii_from_device.h"
+#include "sim/device_objects.h"
 
 namespace syncline::sim {
 namespace {
@@ -13,11 +13,6 @@ constexpr Nanoseconds kFirmwareReaction = 150 * kMicrosecond;  // to an AL reque
 constexpr Nanoseconds kMailboxReaction = 250 * kMicrosecond;
 constexpr unsigned kMaxObjects = 64;
 constexpr unsigned kServoMaxObjects = 16;
-
-constexpr std::uint16_t kInvalidRequest = 0x0011, kUnknownRequest = 0x0012, kNoBoot = 0x0013, kInvalidMailbox = 0x0016,
-                        kInvalidSyncManager = 0x0017, kNoOutputs = 0x0019, kWatchdog = 0x001B,
-                        kInvalidOutputs = 0x001D, kInvalidInputs = 0x001E, kInvalidBootMailbox = 0x0015,
-                        kInvalidSyncConfiguration = 0x0030;
 
 // Emergency codes and error registers (ETG.1020; CiA 301).
 constexpr std::uint16_t kPreopToSafeopFailed = 0xA000, kSafeopToOpFailed = 0xA001;
@@ -41,63 +36,23 @@ bool is_allowed(AlState from, AlState to) {
   }
 }
 
-std::size_t size_of(std::uint8_t bits) { return (bits + 7U) / 8U; }
-
 }  // namespace
 
 Device::Device(const SimSlaveConfig& config, Esc& esc)
     : config_(config),
       esc_(esc),
-      pdos_(identify(), dictionary_, config.behaviour == "servo-y" ? kServoMaxObjects : kMaxObjects),
+      process_data_(identify(), dictionary_, esc, config.behaviour == "servo-y" ? kServoMaxObjects : kMaxObjects),
+      checks_(config_, esc, process_data_),
       mailbox_(dictionary_, config.device.mailbox.value_or(MailboxDescription{}), config.foe_password),
+      handshake_(esc, mailbox_),
       history_(dictionary_) {
   if (dictionary_.find(diagnosis_history::kIndex, 0) != nullptr) history_.enable();
   esc_.set_listener(this);
 }
 
 const DeviceDescription& Device::identify() {
-  const auto& device = config_.device;
-  dictionary_.add<std::uint32_t>(0x1000, 0, "Device type", device.profiles.empty() ? 0 : device.profiles[0].profile_no);
-  constexpr std::uint16_t kVisibleString = 0x09;
-  dictionary_.add(0x1008, 0, "Device name", std::vector<std::uint8_t>(device.type.begin(), device.type.end())).data_type =
-      kVisibleString;
-  const auto managers = std::min<std::size_t>(device.sync_managers.size(), 32);
-  dictionary_.set_object_name(0x1C00, "Sync manager type");
-  dictionary_.add(0x1C00, 0, "Number of entries", static_cast<std::uint8_t>(managers));
-  for (std::size_t i = 0; i < managers; ++i) {
-    dictionary_.add(0x1C00, static_cast<std::uint8_t>(i + 1), "Communication type",
-                    static_cast<std::uint8_t>(device.sync_managers[i].type));
-  }
-  dictionary_.add<std::uint8_t>(0x1018, 0, "Identity", 4);
-  dictionary_.add<std::uint32_t>(0x1018, 1, "Vendor ID", device.identity.vendor_id);
-  dictionary_.add<std::uint32_t>(0x1018, 2, "Product code", device.identity.product_code);
-  dictionary_.add<std::uint32_t>(0x1018, 3, "Revision", device.identity.revision_no);
-  dictionary_.add<std::uint32_t>(0x1018, 4, "Serial number", config_.serial_no);
-  for (const auto direction : {PdoDirection::kRx, PdoDirection::kTx}) {
-    for (const auto& pdo : device.pdos(direction)) {
-      for (const auto& entry : pdo.entries) {
-        if (entry.index == 0 || dictionary_.find(entry.index, entry.sub_index) != nullptr) continue;
-        auto& added = dictionary_.add(entry.index, entry.sub_index, entry.name,
-                                      std::vector<std::uint8_t>((entry.bit_length + 7U) / 8U), direction == PdoDirection::kRx);
-        added.bit_length = entry.bit_length;
-        added.data_type = data_type_code(entry.data_type);
-        added.extra_access = direction == PdoDirection::kRx ? coe::access::kRxPdo : coe::access::kTxPdo;
-      }
-    }
-  }
-  for (const auto& object : device.dictionary) {
-    dictionary_.set_object_name(object.index, object.name);
-    for (const auto& entry : object.entries) {
-      if (dictionary_.find(object.index, entry.sub_index) != nullptr) continue;
-      auto value = entry.default_data;
-      value.resize(std::max<std::size_t>((entry.bit_length + 7U) / 8U, value.size()));
-      auto& added = dictionary_.add(object.index, entry.sub_index, entry.name, std::move(value), entry.writable);
-      added.bit_length = entry.bit_length;
-      added.data_type = data_type_code(entry.data_type);
-      added.readable = entry.readable || !entry.writable;
-    }
-  }
-  return device;
+  add_device_objects(config_, dictionary_);
+  return config_.device;
 }
 
 void Device::refuse(AlState state, std::uint16_t code) {
@@ -134,7 +89,7 @@ void Device::advance_to(Nanoseconds time) {
       take_request(next);
     } else {
       mail_due_.reset();
-      answer_mail(next);
+      answer_mail();
     }
   }
   esc_.advance_to(time);
@@ -149,7 +104,7 @@ void Device::al_control_written(Nanoseconds time) {
     const auto control = esc_.memory().u16(reg::kAlControl);
     state_ = al_state_of(control);
     esc_.memory().set<std::uint16_t>(reg::kAlStatus, control & 0x000F);
-    if (state_ == AlState::kSafeop || state_ == AlState::kOp) map_process_data();
+    if (state_ == AlState::kSafeop || state_ == AlState::kOp) process_data_.map();
     on_state(state_);
     return;
   }
@@ -178,15 +133,15 @@ void Device::take_request(Nanoseconds) {
     case AlState::kOp: break;
     case AlState::kBoot:
       if (config_.device.eeprom.boot_strap.size() >= kBootStrapSize) break;
-      return report(state_, kNoBoot);
-    default: return report(state_, kUnknownRequest);
+      return report(state_, al_code::kNoBoot);
+    default: return report(state_, al_code::kUnknownRequest);
   }
   const auto refuse_with = [&](std::uint16_t code) {
     report(state_, code);
     if (state_ == AlState::kPreop && wanted == AlState::kSafeop) tell_error(kPreopToSafeopFailed, kDeviceErrorRegister, code);
     if (state_ == AlState::kSafeop && wanted == AlState::kOp) tell_error(kSafeopToOpFailed, kDeviceErrorRegister, code);
   };
-  if (!is_allowed(state_, wanted)) return refuse_with(kInvalidRequest);
+  if (!is_allowed(state_, wanted)) return refuse_with(al_code::kInvalidRequest);
   if (wanted == refused_state_ && refusal_code_ != 0) return refuse_with(refusal_code_);
   if (const auto code = check(state_, wanted); code != 0) return refuse_with(code);
   enter(wanted);
@@ -204,87 +159,22 @@ void Device::enter(AlState state) {
   state_ = state;
   if (state == AlState::kInit) mailbox_.reset();
   if (from == AlState::kPreop && state == AlState::kSafeop) {
-    map_process_data();
+    process_data_.map();
     last_outputs_.reset();
   }
   on_state(state);
 }
 
 std::uint16_t Device::check(AlState from, AlState to) {
-  if (to == AlState::kBoot) return check_bootstrap();
+  if (to == AlState::kBoot) return checks_.bootstrap();
   if (to <= from) return 0;
-  if (to == AlState::kPreop) return has_mailbox() ? check_mailbox() : 0;
+  if (to == AlState::kPreop) return checks_.mailbox();
   if (to == AlState::kSafeop) {
-    if (const auto code = check_process_data(); code != 0) return code;
-    if (const auto code = check_dc(); code != 0) return code;
-    return check_sync(to);
+    const auto code = checks_.safeop();
+    return code != 0 ? code : check_sync(to);
   }
-  if (output_sm_ && !last_outputs_ && pdos_.byte_length(PdoDirection::kRx) > 0) return kNoOutputs;
+  if (!last_outputs_ && process_data_.byte_length(PdoDirection::kRx) > 0) return al_code::kNoOutputs;
   return check_sync(to);
-}
-
-std::uint16_t Device::check_mailbox() const {
-  for (unsigned i = 0; i < 2 && i < config_.device.sync_managers.size(); ++i) {
-    const auto& wanted = config_.device.sync_managers[i];
-    const auto sm = esc_.sync_manager(i);
-    const bool size_fits = sm.length >= wanted.min_size.value_or(wanted.default_size.value_or(sm.length)) &&
-                           sm.length <= wanted.max_size.value_or(wanted.default_size.value_or(sm.length));
-    if (!sm.enabled() || !sm.is_mailbox() || sm.start != wanted.start_address || !size_fits) return kInvalidMailbox;
-  }
-  return 0;
-}
-
-std::uint16_t Device::check_bootstrap() const {
-  const std::span<const std::uint8_t> area(config_.device.eeprom.boot_strap);
-  for (unsigned i = 0; i < 2; ++i) {
-    const auto sm = esc_.sync_manager(i);
-    if (!sm.enabled() || !sm.is_mailbox() || sm.start != load_le<std::uint16_t>(area.subspan(4 * i)) ||
-        sm.length != load_le<std::uint16_t>(area.subspan(4 * i + 2))) {
-      return kInvalidBootMailbox;
-    }
-  }
-  return 0;
-}
-
-std::optional<unsigned> Device::find_sync_manager(SyncManagerType type) const {
-  const auto& managers = config_.device.sync_managers;
-  for (unsigned i = 0; i < managers.size(); ++i) {
-    if (managers[i].type == type) return i;
-  }
-  return std::nullopt;
-}
-
-std::uint16_t Device::check_process_data() {
-  const auto fits = [this](std::optional<unsigned> number, PdoDirection direction) {
-    const auto bytes = pdos_.byte_length(direction);
-    if (!number) return bytes == 0;
-    const auto sm = esc_.sync_manager(*number);
-    return bytes == 0 ? !sm.enabled() || sm.length == 0 : sm.enabled() && sm.length == bytes;
-  };
-  const auto in_place = [this](std::optional<unsigned> number, PdoDirection direction) {
-    if (!number) return true;
-    const auto sm = esc_.sync_manager(*number);
-    return !sm.enabled() || sm.length == 0 ||
-           (sm.start == config_.device.sync_managers[*number].start_address && !sm.is_mailbox() &&
-            sm.ecat_writes() == (direction == PdoDirection::kRx));
-  };
-  if (!in_place(find_sync_manager(SyncManagerType::kOutputs), PdoDirection::kRx) ||
-      !in_place(find_sync_manager(SyncManagerType::kInputs), PdoDirection::kTx)) {
-    return kInvalidSyncManager;
-  }
-  if (!fits(find_sync_manager(SyncManagerType::kOutputs), PdoDirection::kRx)) return kInvalidOutputs;
-  if (!fits(find_sync_manager(SyncManagerType::kInputs), PdoDirection::kTx)) return kInvalidInputs;
-  return 0;
-}
-
-std::uint16_t Device::check_dc() const {
-  const auto& dc = config_.device.dc;
-  if (!dc || dc->op_modes.empty() || !esc_.dc().sync_active()) return 0;
-  constexpr std::uint16_t kSignals = 0x0700;  // of AssignActivate: unit on, SYNC0, SYNC1
-  const auto written = esc_.memory().u16(reg::kCyclicUnitControl);
-  const bool known = std::ranges::any_of(
-      dc->op_modes, [&](const DcOpMode& mode) { return ((mode.assign_activate ^ written) & kSignals) == 0; });
-  return known ? 0 : kInvalidSyncConfiguration;
 }
 
 void Device::drop_to_safeop(std::uint16_t code, std::uint16_t error_code) {
@@ -299,66 +189,22 @@ void Device::process_data_watchdog_expired(Nanoseconds) {
   esc_.acknowledge_events(kAlEventWatchdog);
   if (esc_.device_emulation()) {
     // Digital outputs are the ESC's own: it switches them off itself (ESC data sheet II, 3.8).
-    if (const auto number = find_sync_manager(SyncManagerType::kOutputs)) {
-      const auto sm = esc_.sync_manager(*number);
-      std::ranges::fill(esc_.memory().at(sm.start, sm.length), std::uint8_t{0});
+    if (const auto number = process_data_.sync_manager(PdoDirection::kRx)) {
+      std::ranges::fill(esc_.sync_manager_area(*number), std::uint8_t{0});
     }
     return;
   }
-  clear_outputs();
-  drop_to_safeop(kWatchdog);
-}
-
-// ---- process data --------------------------------------------------------------------------------
-
-void Device::map_process_data() {
-  output_sm_ = find_sync_manager(SyncManagerType::kOutputs);
-  input_sm_ = find_sync_manager(SyncManagerType::kInputs);
-  const auto copies = [this](PdoDirection direction) {
-    std::vector<Copy> list;
-    std::uint32_t offset = 0;
-    for (const auto& object : pdos_.layout(direction)) {
-      auto* entry = object.index == 0 ? nullptr : dictionary_.find(object.index, object.sub_index);
-      if (entry != nullptr && entry->value.size() >= size_of(object.bits)) list.push_back({entry, offset, object.bits});
-      offset += object.bits;
-    }
-    return list;
-  };
-  outputs_ = copies(PdoDirection::kRx);
-  inputs_ = copies(PdoDirection::kTx);
-}
-
-void Device::outputs_to_dictionary() {
-  if (!output_sm_) return;
-  const auto sm = esc_.sync_manager(*output_sm_);
-  const auto bytes = std::as_const(esc_).memory().at(sm.start, sm.length);
-  for (const auto& copy : outputs_) {
-    if (copy.bit_offset + copy.bits > 8U * sm.length) continue;
-    copy_bits(copy.entry->value, 0, bytes, copy.bit_offset, copy.bits);
-  }
-}
-
-void Device::clear_outputs() {
-  for (const auto& copy : outputs_) std::ranges::fill(copy.entry->value, std::uint8_t{0});
-}
-
-void Device::inputs_from_dictionary() {
-  if (!input_sm_) return;
-  const auto sm = esc_.sync_manager(*input_sm_);
-  auto bytes = esc_.memory().at(sm.start, sm.length);
-  for (const auto& copy : inputs_) {
-    if (copy.bit_offset + copy.bits > 8U * sm.length) continue;
-    copy_bits(bytes, copy.bit_offset, copy.entry->value, 0, copy.bits);
-  }
+  process_data_.clear_outputs();
+  drop_to_safeop(al_code::kWatchdog);
 }
 
 void Device::sync_manager_written(unsigned number, Nanoseconds time) {
   esc_.acknowledge_events(kAlEventSyncManager0 << number);
   if (has_mailbox() && number == 0) {
     mail_due_ = time + kMailboxReaction + mailbox_delay_;
-  } else if (output_sm_ == number) {
+  } else if (exchanges_process_data() && process_data_.sync_manager(PdoDirection::kRx) == number) {
     last_outputs_ = time;
-    if (state_ == AlState::kOp) outputs_to_dictionary();
+    if (state_ == AlState::kOp) process_data_.outputs_to_dictionary();
     on_outputs(time);
   }
 }
@@ -366,7 +212,7 @@ void Device::sync_manager_written(unsigned number, Nanoseconds time) {
 void Device::sync_manager_read(unsigned number, Nanoseconds time) {
   esc_.acknowledge_events(kAlEventSyncManager0 << number);
   if (has_mailbox() && number == 1 && mailbox_.waiting()) mail_due_ = time + kMailboxReaction;
-  if (input_sm_ == number) on_inputs_read(time);
+  if (exchanges_process_data() && process_data_.sync_manager(PdoDirection::kTx) == number) on_inputs_read(time);
 }
 
 void Device::sync_manager_set(unsigned number, Nanoseconds time) {
@@ -379,32 +225,8 @@ void Device::sync_signal(SyncGenerator::Signal signal, Nanoseconds time) {
   if (signal == SyncGenerator::Signal::kSync1) on_sync1(time);
 }
 
-// ---- mailbox ---------------------------------------------------------------------------------------
-
-void Device::answer_mail(Nanoseconds) {
-  const auto in = esc_.sync_manager(0);
-  const auto out = esc_.sync_manager(1);
-  if (mailbox_silent_ || state_ == AlState::kInit) return;
-  if ((in.status & SyncManager::kStatusMailboxFull) != 0) {
-    mailbox_.receive(std::as_const(esc_).memory().at(in.start, in.length), out.length, state_ == AlState::kPreop);
-    esc_.set_mailbox_full(0, false);
-  }
-  if (!out.enabled()) return;
-  const bool full = (out.status & SyncManager::kStatusMailboxFull) != 0;
-  if (esc_.repeat_requested(1)) {
-    if (const auto& again = mailbox_.repeat(full); !again.empty()) load_send_mailbox(again);
-    esc_.acknowledge_repeat(1);
-    return;
-  }
-  if (!mailbox_.waiting() || full) return;
-  if (const auto bytes = mailbox_.next(out.length)) load_send_mailbox(*bytes);
-}
-
-void Device::load_send_mailbox(std::span<const std::uint8_t> bytes) {
-  const auto out = esc_.sync_manager(1);
-  const auto size = std::min<std::size_t>(bytes.size(), out.length);
-  std::ranges::copy(bytes.first(size), esc_.memory().at(out.start, out.length).begin());
-  esc_.set_mailbox_full(1, true);
+void Device::answer_mail() {
+  if (!mailbox_silent_ && state_ != AlState::kInit) handshake_.serve(state_ == AlState::kPreop);
 }
 
 }  // namespace syncline::sim

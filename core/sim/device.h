@@ -4,16 +4,17 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <vector>
 
 #include "config/sim_config.h"
 #include "protocol/al_state.h"
+#include "sim/al_checks.h"
 #include "sim/diagnosis_history.h"
 #include "sim/esc.h"
+#include "sim/mailbox/mailbox_handshake.h"
 #include "sim/mailbox/mailbox_server.h"
 #include "sim/object_dictionary.h"
-#include "sim/pdo_objects.h"
 #include "sim/pin_trace.h"
+#include "sim/process_data.h"
 
 namespace syncline::sim {
 
@@ -72,10 +73,8 @@ class Device : public Esc::Listener {
   [[nodiscard]] MailboxServer& mailbox() { return mailbox_; }
   /// Behaviours that keep a diagnosis history although their ESI has none.
   void enable_diagnosis_history() { history_.enable(); }
-  void outputs_to_dictionary();
-  void clear_outputs();
-  void inputs_from_dictionary();
-  [[nodiscard]] bool has_outputs() const { return !outputs_.empty(); }
+  void inputs_from_dictionary() { process_data_.inputs_from_dictionary(); }
+  [[nodiscard]] bool has_outputs() const { return process_data_.has_outputs(); }
   [[nodiscard]] bool has_mailbox() const { return config_.device.mailbox.has_value(); }
   [[nodiscard]] Esc& esc() { return esc_; }
   [[nodiscard]] const SimSlaveConfig& config() const { return config_; }
@@ -83,37 +82,25 @@ class Device : public Esc::Listener {
   ObjectDictionary dictionary_;
 
  private:
-  struct Copy {
-    ObjectDictionary::Entry* entry;
-    std::uint32_t bit_offset;
-    std::uint8_t bits;
-  };
   void take_request(Nanoseconds time);
   void enter(AlState state);
   void report(AlState state, std::uint16_t code);
   [[nodiscard]] std::uint16_t check(AlState from, AlState to);
-  [[nodiscard]] std::uint16_t check_mailbox() const;
-  [[nodiscard]] std::uint16_t check_bootstrap() const;
-  [[nodiscard]] std::uint16_t check_process_data();
-  /// SYNC signals that no operation mode of the device has.
-  [[nodiscard]] std::uint16_t check_dc() const;
-  [[nodiscard]] std::optional<unsigned> find_sync_manager(SyncManagerType type) const;
-  void map_process_data();
-  void answer_mail(Nanoseconds time);
-  void load_send_mailbox(std::span<const std::uint8_t> bytes);
+  void answer_mail();
+  [[nodiscard]] bool exchanges_process_data() const { return state_ == AlState::kSafeop || state_ == AlState::kOp; }
   /// Adds the objects that every device has; they must be there before the PDOs map them.
   const DeviceDescription& identify();
 
   SimSlaveConfig config_;
   Esc& esc_;
-  PdoObjects pdos_;
+  ProcessData process_data_;
+  AlChecks checks_;
   MailboxServer mailbox_;
+  MailboxHandshake handshake_;
   DiagnosisHistory history_;
   AlState state_ = AlState::kInit;
   bool error_ = false;
   std::optional<Nanoseconds> request_due_, mail_due_;
-  std::vector<Copy> outputs_, inputs_;
-  std::optional<unsigned> output_sm_, input_sm_;
   std::optional<Nanoseconds> last_outputs_;
   Nanoseconds now_ = 0;
   bool mailbox_silent_ = false;

@@ -127,6 +127,16 @@ SyncManager Esc::sync_manager(unsigned number) const {
   return SyncManager::decode(memory_.at(reg::sync_manager(number), SyncManager::kSize).first<SyncManager::kSize>());
 }
 
+std::span<std::uint8_t> Esc::sync_manager_area(unsigned number) {
+  const auto sm = sync_manager(number);
+  return memory_.at(sm.start, std::min<std::size_t>(sm.length, EscMemory::kSize - sm.start));
+}
+
+std::span<const std::uint8_t> Esc::sync_manager_area(unsigned number) const {
+  const auto sm = sync_manager(number);
+  return memory_.at(sm.start, std::min<std::size_t>(sm.length, EscMemory::kSize - sm.start));
+}
+
 void Esc::set_mailbox_full(unsigned number, bool full) {
   const auto address = static_cast<std::uint16_t>(reg::sync_manager(number) + 5);
   const auto status = memory_.u8(address);

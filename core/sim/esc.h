@@ -66,6 +66,9 @@ class Esc {
   [[nodiscard]] DcUnit& dc() { return dc_; }
   [[nodiscard]] const DcUnit& dc() const { return dc_; }
   [[nodiscard]] SyncManager sync_manager(unsigned number) const;
+  /// Its memory, cut where a master has set it up beyond the address space.
+  [[nodiscard]] std::span<std::uint8_t> sync_manager_area(unsigned number);
+  [[nodiscard]] std::span<const std::uint8_t> sync_manager_area(unsigned number) const;
   void set_mailbox_full(unsigned number, bool full);
   /// Repeat request of the master against the PDI's acknowledgement (0x0806 bit 1, 0x0807 bit 1).
   [[nodiscard]] bool repeat_requested(unsigned number) const;

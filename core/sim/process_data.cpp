@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim/process_data.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace syncline::sim {
+
+ProcessData::ProcessData(const DeviceDescription& device, ObjectDictionary& dictionary, Esc& esc, unsigned max_objects)
+    : device_(device), dictionary_(dictionary), esc_(esc), pdos_(device, dictionary, max_objects) {
+  output_sm_ = sync_manager(PdoDirection::kRx);
+  input_sm_ = sync_manager(PdoDirection::kTx);
+}
+
+std::optional<unsigned> ProcessData::sync_manager(PdoDirection direction) const {
+  const auto type = direction == PdoDirection::kRx ? SyncManagerType::kOutputs : SyncManagerType::kInputs;
+  const auto& managers = device_.sync_managers;
+  for (unsigned i = 0; i < managers.size(); ++i) {
+    if (managers[i].type == type) return i;
+  }
+  return std::nullopt;
+}
+
+std::vector<ProcessData::Copy> ProcessData::copies(PdoDirection direction) {
+  std::vector<Copy> list;
+  std::uint32_t offset = 0;
+  for (const auto& object : pdos_.layout(direction)) {
+    auto* entry = object.index == 0 ? nullptr : dictionary_.find(object.index, object.sub_index);
+    if (entry != nullptr && 8 * entry->value.size() >= object.bits) list.push_back({entry, offset, object.bits});
+    offset += object.bits;
+  }
+  return list;
+}
+
+void ProcessData::map() {
+  outputs_ = copies(PdoDirection::kRx);
+  inputs_ = copies(PdoDirection::kTx);
+}
+
+void ProcessData::outputs_to_dictionary() {
+  if (!output_sm_) return;
+  const auto bytes = std::as_const(esc_).sync_manager_area(*output_sm_);
+  for (const auto& copy : outputs_) {
+    if (copy.bit_offset + copy.bits > 8U * bytes.size()) continue;
+    copy_bits(copy.entry->value, 0, bytes, copy.bit_offset, copy.bits);
+  }
+}
+
+void ProcessData::clear_outputs() {
+  for (const auto& copy : outputs_) std::ranges::fill(copy.entry->value, std::uint8_t{0});
+}
+
+void ProcessData::inputs_from_dictionary() {
+  if (!input_sm_) return;
+  const auto bytes = esc_.sync_manager_area(*input_sm_);
+  for (const auto& copy : inputs_) {
+    if (copy.bit_offset + copy.bits > 8U * bytes.size()) continue;
+    copy_bits(bytes, copy.bit_offset, copy.entry->value, 0, copy.bits);
+  }
+}
+
+}  // namespace syncline::sim
