@@ -465,8 +465,12 @@
             <translation>Die Master-Synchronisation endete mit Code %1 (Drift %2). Jitter des Rechners messen oder Master Shift versuchen.</translation>
         </message>
         <message>
-            <source>Emergency %1, error register %2</source>
-            <translation>Emergency %1, Fehlerregister %2</translation>
+            <source>Emergency %1, error register %2, data %3</source>
+            <translation>Emergency %1, Fehlerregister %2, Daten %3</translation>
+        </message>
+        <message>
+            <source>Diagnosis message %1, text %2, time stamp %3 ns</source>
+            <translation>Diagnosemeldung %1, Text %2, Zeitstempel %3 ns</translation>
         </message>
         <message>
             <source>Scan finished</source>

@@ -39,6 +39,7 @@ std::string_view kind_name(EventKind kind) {
     case EventKind::kWkcExpected: return "wkc_expected";
     case EventKind::kRecovery: return "recovery";
     case EventKind::kUnknownSlave: return "unknown_slave";
+    case EventKind::kDiagnosis: return "diagnosis";
     default: return "other";
   }
 }
@@ -52,6 +53,28 @@ std::string_view recovery_text(std::int64_t stage) {
     case 2: return "recovery FAILED";
     default: return "recovery given up; request the state again when the cause is removed";
   }
+}
+
+/// 5 bytes, the first one lowest.
+std::string data_bytes(std::int64_t data) {
+  std::string text;
+  for (int i = 0; i < 5; ++i) text += fmt::format("{}{:02x}", i == 0 ? "" : " ", (data >> (8 * i)) & 0xFF);
+  return text;
+}
+
+std::string_view diagnosis_type(std::int64_t type) {
+  switch (type & 0xF) {
+    case 0: return "info";
+    case 1: return "warning";
+    default: return "error";
+  }
+}
+
+std::string diagnosis(const Event& e) {
+  const auto text_id = (e.b >> 16) & 0xFFFF;
+  return fmt::format("{}: diagnosis {} 0x{:08x}, text {}{}", who(e.slave), diagnosis_type(e.b), e.a,
+                     text_id == 0 ? std::string("none") : fmt::format("0x{:04x}", text_id),
+                     e.c == 0 ? std::string() : fmt::format(", time stamp {} ns", e.c));
 }
 
 std::string words(const Event& e) {
@@ -82,7 +105,8 @@ std::string words(const Event& e) {
     case EventKind::kFramesLost: return fmt::format("{} frames lost", e.a);
     case EventKind::kSlaveLost: return fmt::format("{} does not answer", who(e.slave));
     case EventKind::kSlaveFound: return fmt::format("{} answers again", who(e.slave));
-    case EventKind::kEmergency: return fmt::format("{}: emergency 0x{:04x}, error register 0x{:02x}", who(e.slave), e.a, e.b);
+    case EventKind::kEmergency:
+      return fmt::format("{}: emergency 0x{:04x}, error register 0x{:02x}, data {}", who(e.slave), e.a, e.b, data_bytes(e.c));
     case EventKind::kRealTime: return "real time: " + e.text;
     case EventKind::kError: return e.error ? describe(*e.error) : e.text;
     case EventKind::kEventsLost: return fmt::format("{} events were lost", e.a);
@@ -92,6 +116,7 @@ std::string words(const Event& e) {
     case EventKind::kWkcExpected: return fmt::format("working counter expected now {} (all slaves: {})", e.b, e.a);
     case EventKind::kRecovery: return fmt::format("{}: {} (try {})", who(e.slave), recovery_text(e.a), e.b);
     case EventKind::kUnknownSlave: return fmt::format("unknown device at position {}: {}", e.slave, e.text);
+    case EventKind::kDiagnosis: return diagnosis(e);
     case EventKind::kRestarted: return e.text;
     default: return e.text;
   }

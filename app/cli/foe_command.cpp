@@ -14,7 +14,7 @@ struct Options {
   VisitRequest slave;
   std::string name, file;
   std::uint32_t password = 0;
-  bool json = false;
+  bool json = false, boot = false;
 };
 
 void report(Context& context, const Options& options, std::size_t bytes, bool written) {
@@ -36,7 +36,7 @@ void read_file(Context& context, const Options& options) {
     if (auto status = write_whole_file(options.file, *bytes); !status) return status;
     report(context, options, bytes->size(), false);
     return {};
-  });
+  }, options.boot);
 }
 
 void write_file(Context& context, const Options& options) {
@@ -46,7 +46,7 @@ void write_file(Context& context, const Options& options) {
     if (auto status = FoeClient(visit.mailbox()).write(options.name, *bytes, options.password); !status) return status;
     report(context, options, bytes->size(), true);
     return {};
-  });
+  }, options.boot);
 }
 
 void add(CLI::App& foe, Context& context, const char* name, const char* description, void (*work)(Context&, const Options&)) {
@@ -56,6 +56,7 @@ void add(CLI::App& foe, Context& context, const char* name, const char* descript
   command->add_option("name", options->name, "Name of the file in the slave")->required();
   command->add_option("file", options->file, "File here")->required();
   command->add_option("--password", options->password, "Password of the slave, a number");
+  command->add_flag("--boot", options->boot, "Lead the slave to BOOT for it, as firmware updates want, and back afterwards");
   command->callback([&context, options, work] { work(context, *options); });
 }
 

@@ -94,7 +94,7 @@ void print_table(std::ostream& out, const BusScan& scan) {
 }
 
 struct Options {
-  std::string link;
+  std::string link, capture;
   bool look_only = false, json = false;
 };
 
@@ -103,6 +103,7 @@ void scan(Context& context, const Options& options) {
   ScanRequest request;
   request.options.look_only = options.look_only;
   request.cancel = &interrupt.interrupted();
+  request.capture = options.capture;
   request.on_event = [&context](const Event& event) {
     if (event.kind != EventKind::kScanTouchesRunning) return;
     context.console.err << "warning: " << event_text(event, event.time) << '\n' << std::flush;
@@ -132,6 +133,7 @@ void add_scan_command(CLI::App& app, Context& context) {
   command->add_option("link", options->link, "LINK")->required();
   command->add_flag("--look-only", options->look_only,
                     "Change nothing: no station addresses, no EEPROM taken from its PDI, no latching of times");
+  command->add_option("--capture", options->capture, "Write every frame to this pcapng file");
   command->add_flag("--json", options->json, "Print JSON");
   command->callback([&context, options] { scan(context, *options); });
 }

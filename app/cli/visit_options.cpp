@@ -13,7 +13,7 @@ void add_slave_options(CLI::App& command, VisitRequest& slave, bool& json) {
   command.add_flag("--json", json, "Print JSON");
 }
 
-void with_mailbox(Context& context, VisitRequest slave, const std::function<Status(SlaveVisit&)>& work) {
+void with_mailbox(Context& context, VisitRequest slave, const std::function<Status(SlaveVisit&)>& work, bool boot) {
   const InterruptGuard interrupt;
   slave.cancel = &interrupt.interrupted();
   const auto done = visit_slave(slave, [&](SlaveVisit& visit) -> Status {
@@ -21,6 +21,9 @@ void with_mailbox(Context& context, VisitRequest slave, const std::function<Stat
       context.console.err << fmt::format("{}: emergency 0x{:04X}, error register 0x{:02X}\n", visit.name(),
                                          emergency.error_code, emergency.error_register);
     });
+    if (boot) {
+      if (auto status = visit.lead_to(AlState::kBoot); !status) return status;
+    }
     if (auto status = visit.open_mailbox(); !status) return status;
     if (visit.state() != visit.found()) {
       context.console.err << fmt::format("{} was in {} and is led to {} meanwhile\n", visit.name(),

@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "app/composition/capture_file.h"
+
 namespace syncline {
 
 OpenBus::OpenBus(OpenedLink opened, const std::atomic<bool>* cancel)
@@ -10,9 +12,11 @@ OpenBus::OpenBus(OpenedLink opened, const std::atomic<bool>* cancel)
   exchange_.set_addresses({0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF}, opened_.link->describe().mac);
 }
 
-Result<std::unique_ptr<OpenBus>> OpenBus::open(std::string_view link, const std::atomic<bool>* cancel) {
+Result<std::unique_ptr<OpenBus>> OpenBus::open(std::string_view link, const std::atomic<bool>* cancel,
+                                               const std::string& capture) {
   auto opened = open_link(link);
   if (!opened) return tl::unexpected(opened.error());
+  if (auto status = capture_to(capture, *opened); !status) return tl::unexpected(status.error());
   return std::unique_ptr<OpenBus>(new OpenBus(std::move(*opened), cancel));
 }
 

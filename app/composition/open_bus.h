@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <memory>
+#include <string>
 #include <string_view>
 
 #include "app/composition/open_link.h"
@@ -13,8 +14,10 @@ namespace syncline {
 /// Acyclic access to the slaves behind a LINK, for as long as it lives.
 class OpenBus {
  public:
-  /// `cancel` ends what runs on the bus; may be nullptr. Errors as open_link().
-  [[nodiscard]] static Result<std::unique_ptr<OpenBus>> open(std::string_view link, const std::atomic<bool>* cancel = nullptr);
+  /// `cancel` ends what runs on the bus; may be nullptr. `capture`: see capture_to(). Errors as open_link() and
+  /// capture_to().
+  [[nodiscard]] static Result<std::unique_ptr<OpenBus>> open(std::string_view link, const std::atomic<bool>* cancel = nullptr,
+                                                            const std::string& capture = {});
   OpenBus(const OpenBus&) = delete;
   OpenBus& operator=(const OpenBus&) = delete;
 

@@ -2,11 +2,10 @@
 #include "app/composition/run_network.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <optional>
 
+#include "app/composition/capture_file.h"
 #include "app/composition/open_link.h"
-#include "link/capture_tap.h"
 #include "master/master_service.h"
 
 namespace syncline {
@@ -90,16 +89,10 @@ RunOutcome run_on(OpenedLink& opened, const NetworkConfig& config, const RunRequ
 Result<RunOutcome> run_network(const NetworkConfig& config, std::string_view link, const RunRequest& request) {
   auto opened = open_link(link);
   if (!opened) return tl::unexpected(opened.error());
-  if (!request.capture.empty()) {
-    auto tap = make_capture_tap(std::move(opened->link), request.capture, *opened->clock);
-    if (!tap) return tl::unexpected(tap.error());
-    opened->link = std::move(*tap);
-  }
+  if (auto status = capture_to(request.capture, *opened); !status) return tl::unexpected(status.error());
   const auto outcome = run_on(*opened, config, request);
-  // The tap went with the service; what could not be completed keeps its provisional name.
-  if (!request.capture.empty() && std::filesystem::exists(request.capture + ".part")) {
-    return fail(Error{ErrorCode::kFileNotWritable, {}, "writing the capture failed; is the disk full?", request.capture});
-  }
+  // The tap went with the service.
+  if (auto status = capture_complete(request.capture); !status) return tl::unexpected(status.error());
   return outcome;
 }
 

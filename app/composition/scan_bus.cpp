@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/composition/scan_bus.h"
 
+#include "app/composition/capture_file.h"
 #include "app/composition/open_bus.h"
 
 namespace syncline {
 
 Result<BusScan> scan_bus(std::string_view link, const ScanRequest& request) {
-  auto opened = OpenBus::open(link, request.cancel);
+  auto opened = OpenBus::open(link, request.cancel, request.capture);
   if (!opened) return tl::unexpected(opened.error());
   auto& bus = (*opened)->bus();
   const auto tell = [&](EventKind kind, std::size_t a, std::size_t b) {
@@ -23,7 +24,10 @@ Result<BusScan> scan_bus(std::string_view link, const ScanRequest& request) {
   observer.touching = [&](std::size_t running, std::size_t eeproms) {
     tell(EventKind::kScanTouchesRunning, running, eeproms);
   };
-  return scan_slaves(bus, request.options, observer);
+  auto found = scan_slaves(bus, request.options, observer);
+  opened->reset();  // completes the capture
+  if (auto status = capture_complete(request.capture); found && !status) return tl::unexpected(status.error());
+  return found;
 }
 
 }  // namespace syncline

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <functional>
+#include <string>
 #include <string_view>
 
 #include "master/bus_scan.h"
@@ -16,6 +17,7 @@ struct ScanRequest {
   ScanOptions options;
   std::function<void(const Event&)> on_event{};   // progress and warnings, while the scan runs
   const std::atomic<bool>* cancel = nullptr;
+  std::string capture{};                          // pcapng file of every frame; "" for none
 };
 
 /// Opens `link`, scans the bus in the calling thread and closes it again.

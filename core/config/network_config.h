@@ -57,8 +57,16 @@ struct MailboxChannel {
   bool operator==(const MailboxChannel&) const = default;
 };
 
+/// ESI Info/Mailbox/Timeout; an ENI has no place for them, so that one that is read has the defaults.
+struct MailboxTimeouts {
+  std::uint32_t request_ms = 100;       // until the slave has taken a request out of its mailbox
+  std::uint32_t response_ms = 2000;     // until its answer is there
+  bool operator==(const MailboxTimeouts&) const = default;
+};
+
 struct MailboxConfig {
   MailboxChannel send, receive;         // send = master to slave (SM0)
+  MailboxTimeouts timeouts;
   std::optional<std::uint32_t> poll_time_ms;
   std::optional<std::uint32_t> status_bit_address;
   std::optional<MailboxChannel> bootstrap_send, bootstrap_receive;

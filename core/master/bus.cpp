@@ -13,10 +13,9 @@ constexpr int kTries = 5;
 }  // namespace
 
 Status Bus::check_cancel() const {
-  if (cancellable_ && cancel_ != nullptr && cancel_->load(std::memory_order_relaxed)) {
-    return fail(ErrorCode::kCancelled);
-  }
-  if (interrupt_ && interrupt_()) return fail(ErrorCode::kCancelled);
+  if (!cancellable_) return {};
+  const bool cancelled = cancel_ != nullptr && cancel_->load(std::memory_order_relaxed);
+  if (cancelled || (interrupt_ && interrupt_())) return fail(ErrorCode::kCancelled);
   return {};
 }
 

@@ -36,7 +36,7 @@ class Bus {
   /// A bring-up can be cancelled, the way down to INIT cannot.
   void set_cancellable(bool cancellable) { cancellable_ = cancellable; }
   [[nodiscard]] bool cancellable() const { return cancellable_; }
-  /// A second reason to end what is under way with kCancelled.
+  /// A second reason to end what is under way with kCancelled, as long as it may be cancelled.
   void set_interrupt(std::function<bool()> interrupt) { interrupt_ = std::move(interrupt); }
   /// kCancelled when the user wants an end; for loops that do not wait through this class.
   [[nodiscard]] Status check_cancel() const;

@@ -164,7 +164,7 @@ enum class EventKind : std::uint8_t {
   kWkcError,            // a = expected, b = received; repeated ones are counted, c = count
   kFramesLost,          // a = count
   kSlaveLost, kSlaveFound,
-  kEmergency,           // slave, a = error code, b = error register
+  kEmergency,           // slave, a = error code, b = error register, c = the 5 bytes of data, the first one lowest
   kRealTime,            // text: what of SCHED_FIFO, mlock was refused (once)
   kRestarted,           // c: reserved
   kError,               // error
@@ -174,6 +174,8 @@ enum class EventKind : std::uint8_t {
   kWkcExpected,         // a = by the configuration, b = now, without slaves that are lost or below SAFEOP
   kRecovery,            // slave, a = 0 begun, 1 done, 2 failed, 3 given up; b = number of this try
   kUnknownSlave,        // slave = position on the bus, text = identity: it is none of the configuration's
+  kDiagnosis,           // slave: new in its history 0x10F3; a = diag code, b = type (0 info, 1 warning, 2 error) and
+                        // text ID in bits 31..16, c = time stamp in ns (DC system time, or since power-on; 0 none)
 };
 
 struct Event {

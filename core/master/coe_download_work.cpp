@@ -10,15 +10,17 @@
 namespace syncline {
 namespace {
 
-constexpr Nanoseconds kResponseTimeout = 2 * kSecond;  // ESI default
 constexpr std::size_t kExpeditedMax = 4;
 constexpr int kMostUnasked = 64;
 
 }  // namespace
 
-CoeDownloadWork::CoeDownloadWork(const SlaveConfig& slave, std::vector<const StartupCommand*> commands,
+CoeDownloadWork::CoeDownloadWork(MailboxPort port, std::vector<const StartupCommand*> commands,
                                  std::uint8_t& counter, EmergencyHandler on_emergency)
-    : transfer_(mailbox_port(slave), counter), commands_(std::move(commands)), on_emergency_(std::move(on_emergency)) {}
+    : transfer_(std::move(port), counter),
+      response_timeout_(transfer_.port().response_timeout),
+      commands_(std::move(commands)),
+      on_emergency_(std::move(on_emergency)) {}
 
 std::string CoeDownloadWork::subject() const {
   return fmt::format("{}, object 0x{:04X}:{:02X}", transfer_.port().name, command().index, command().sub_index);
@@ -42,7 +44,7 @@ void CoeDownloadWork::begin_command(Nanoseconds now) {
   request.data.assign(data.begin(), data.begin() + static_cast<std::ptrdiff_t>(sent_));
   segmented_ = toggle_ = false;
   begun_ = true;
-  transfer_.set_response_timeout(command().timeout_ms == 0 ? kResponseTimeout : command().timeout_ms * kMillisecond);
+  transfer_.set_response_timeout(command().timeout_ms == 0 ? response_timeout_ : command().timeout_ms * kMillisecond);
   ask(request, now);
 }
 

@@ -19,8 +19,8 @@ class CoeDownloadWork final : public SlaveWork {
  public:
   using EmergencyHandler = std::function<void(const coe::Emergency&)>;
 
-  /// `counter`: the slave's mailbox counter, which outlives the work, as do slave and commands.
-  CoeDownloadWork(const SlaveConfig& slave, std::vector<const StartupCommand*> commands, std::uint8_t& counter,
+  /// `counter`: the slave's mailbox counter, which outlives the work, as do the commands.
+  CoeDownloadWork(MailboxPort port, std::vector<const StartupCommand*> commands, std::uint8_t& counter,
                   EmergencyHandler on_emergency);
 
   Datagram* next(Nanoseconds now) override;
@@ -40,6 +40,7 @@ class CoeDownloadWork final : public SlaveWork {
   [[nodiscard]] std::string subject() const;
 
   MailboxTransfer transfer_;
+  Nanoseconds response_timeout_;  // the slave's, for commands without one of their own
   std::vector<const StartupCommand*> commands_;
   EmergencyHandler on_emergency_;
   std::size_t index_ = 0;

@@ -149,6 +149,22 @@ CyclicFrameSet::Role CyclicFrameSet::role_of(const CyclicCmd& command) {
   }
 }
 
+std::optional<CyclicFrameSet::LogicalByte> CyclicFrameSet::find_logical(std::uint32_t address) const {
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    const auto& command = *entries_[i].command;
+    const bool reads = command.command == Command::kLrd || command.command == Command::kLrw;
+    if (!reads || address < command.logical_address || address - command.logical_address >= command.length()) continue;
+    return LogicalByte{i, address - command.logical_address};
+  }
+  return std::nullopt;
+}
+
+std::optional<std::uint8_t> CyclicFrameSet::read_logical(LogicalByte place) const {
+  const auto& entry = entries_[place.entry];
+  if (!entry.sent || !entry.datagram.done()) return std::nullopt;
+  return entry.data[place.offset];
+}
+
 void CyclicFrameSet::select(AlState state) {
   for (auto& entry : entries_) entry.selected = std::ranges::find(entry.command->states, state) != entry.command->states.end();
 }

@@ -58,6 +58,14 @@ class CyclicFrameSet {
   /// Takes the answers over into the process image and performs the slave-to-slave copies.
   Reading evaluate();
 
+  /// A byte of the logical address space that a command reads from slaves.
+  struct LogicalByte {
+    std::size_t entry = 0, offset = 0;
+  };
+  [[nodiscard]] std::optional<LogicalByte> find_logical(std::uint32_t address) const;
+  /// As it came back in the cycle that was evaluated last, whatever the working counter expected; nothing when it did not.
+  [[nodiscard]] std::optional<std::uint8_t> read_logical(LogicalByte place) const;
+
   [[nodiscard]] std::span<std::uint8_t> outputs() { return outputs_; }
   [[nodiscard]] std::span<const std::uint8_t> inputs() const { return inputs_; }
 

@@ -23,7 +23,10 @@ CyclicTaskRunner::CyclicTaskRunner(FrameExchange& exchange, Clock& clock, RunSta
       sync_(sync),
       frames_(run.config()),
       slaves_(run),
-      sm2_(run),
+      mailbox_(run),
+      mailbox_bits_(run, frames_),
+      mailboxes_(run, mailbox_, mailbox_bits_),
+      sm2_(run, mailbox_),
       health_(run),
       reference_(run, sync, frames_),
       without_(run.config().slaves.size()),
@@ -78,7 +81,9 @@ void CyclicTaskRunner::fill_acyclic(std::span<Datagram* const> requests, Nanosec
   for (auto& frame : acyclic_) frame.clear();
   // Short and regular readings first: a long mailbox datagram finds room in the next cycle.
   slaves_.add_to(acyclic_.front(), sync_.monitored() && !frames_.reads_deviation());
-  sm2_.add_to(acyclic_.front(), now);
+  mailboxes_.add_to(acyclic_.front(), now);
+  sm2_.begin(now);
+  mailbox_.add_to(acyclic_.front(), now);
   std::size_t frame = 0;
   for (auto* request : requests) {
     while (frame < acyclic_limit_ && !acyclic_[frame].add(*request)) ++frame;
@@ -157,10 +162,19 @@ void CyclicTaskRunner::evaluate(CycleSample& sample) {
   const auto all = slaves_.take(send_time_, sample);
   slaves_.observe_silence((sample.flags & CycleSample::kFrameLost) != 0 && !reading.al_status, send_time_);
   if (slaves_.sweeps() != sweeps_seen_) after_sweep();
-  sm2_.take(send_time_, sample);
+  take_mailboxes(sample);
   adjust_ = sync_.observe_cycle({send_time_, scheduled_, reference_time(reading)}, sample);
   const auto deviation = reading.deviation_ored ? reading.deviation_ored : all;
   if (deviation && sync_.active()) sync_.observe_deviation(send_time_, *deviation, sample);
+}
+
+void CyclicTaskRunner::take_mailboxes(CycleSample& sample) {
+  mailbox_bits_.observe();
+  mailboxes_.take_polls();
+  const auto answer = mailbox_.take(send_time_);
+  if (!answer) return;
+  sm2_.take(*answer, sample);
+  mailboxes_.take(*answer, send_time_);
 }
 
 void CyclicTaskRunner::finish_sample(CycleSample& sample) {

@@ -8,6 +8,9 @@
 #include "master/bus.h"
 #include "master/bus_health.h"
 #include "master/cyclic_frame_set.h"
+#include "master/cyclic_mailbox.h"
+#include "master/mailbox_bits.h"
+#include "master/mailbox_watch.h"
 #include "master/reference_clock.h"
 #include "master/run_state.h"
 #include "master/slave_watch.h"
@@ -30,6 +33,8 @@ class CyclicTaskRunner final : public CyclePump, private SendStamp {
   Status run_cycle(std::span<Datagram* const> acyclic) override;
 
   [[nodiscard]] SlaveWatch& slaves() { return slaves_; }
+  [[nodiscard]] CyclicMailbox& mailbox() { return mailbox_; }
+  [[nodiscard]] MailboxWatch& mailboxes() { return mailboxes_; }
   [[nodiscard]] Sm2Reader& sm2() { return sm2_; }
   [[nodiscard]] BusHealth& health() { return health_; }
   [[nodiscard]] CyclicFrameSet& frames() { return frames_; }
@@ -46,6 +51,7 @@ class CyclicTaskRunner final : public CyclePump, private SendStamp {
   void adapt_acyclic_limit();
   Status exchange_frames(Nanoseconds deadline);
   void evaluate(CycleSample& sample);
+  void take_mailboxes(CycleSample& sample);
   void after_sweep();
   void schedule_next(Nanoseconds adjust);
   [[nodiscard]] std::optional<Nanoseconds> reference_time(const CyclicFrameSet::Reading& reading) const;
@@ -57,6 +63,9 @@ class CyclicTaskRunner final : public CyclePump, private SendStamp {
   SyncWatch& sync_;
   CyclicFrameSet frames_;
   SlaveWatch slaves_;
+  CyclicMailbox mailbox_;
+  MailboxBits mailbox_bits_;
+  MailboxWatch mailboxes_;
   Sm2Reader sm2_;
   BusHealth health_;
   ReferenceClock reference_;

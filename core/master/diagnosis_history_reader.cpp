@@ -16,7 +16,7 @@ Result<std::uint8_t> read_byte(CoeClient& client, std::uint8_t sub_index) {
 
 }  // namespace
 
-Result<DiagnosisHistory> read_diagnosis_history(MailboxClient& mailbox) {
+Result<DiagnosisHistory> read_diagnosis_history(MailboxClient& mailbox, std::uint8_t after) {
   CoeClient client(mailbox);
   DiagnosisHistory history;
   const auto last = read_byte(client, 0);
@@ -27,11 +27,17 @@ Result<DiagnosisHistory> read_diagnosis_history(MailboxClient& mailbox) {
   if (!available) return tl::unexpected(available.error());
   history.newest = *newest;
   history.new_available = *available != 0;
+  if (*last < place::kFirstMessage) return history;
+  const unsigned places = *last - place::kFirstMessage + 1U;
+  const auto place_of = [&](unsigned sub_index) { return sub_index - place::kFirstMessage; };
+  const auto in_ring = [&](std::uint8_t sub_index) { return sub_index >= place::kFirstMessage && sub_index <= *last; };
   // The ring begins behind the newest message, as far as it is filled.
-  for (unsigned step = 1; *last >= place::kFirstMessage && step <= *last - place::kFirstMessage + 1U; ++step) {
-    const unsigned places = *last - place::kFirstMessage + 1U;
-    const unsigned start = *newest >= place::kFirstMessage && *newest <= *last ? *newest - place::kFirstMessage : places - 1;
-    const auto sub_index = static_cast<std::uint8_t>(place::kFirstMessage + (start + step) % places);
+  const unsigned newest_place = in_ring(*newest) ? place_of(*newest) : places - 1;
+  const unsigned first = in_ring(after) ? (place_of(after) + 1) % places : (newest_place + 1) % places;
+  unsigned count = (newest_place + places - first) % places + 1;
+  if (in_ring(after) && after == *newest) count = 0;
+  for (unsigned step = 0; step < count; ++step) {
+    const auto sub_index = static_cast<std::uint8_t>(place::kFirstMessage + (first + step) % places);
     const auto bytes = client.upload({place::kIndex, sub_index});
     if (!bytes && bytes.error().code != ErrorCode::kSdoAbort) return tl::unexpected(bytes.error());
     if (!bytes || std::ranges::all_of(*bytes, [](std::uint8_t byte) { return byte == 0; })) continue;  // not used yet

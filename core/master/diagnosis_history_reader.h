@@ -21,7 +21,8 @@ struct DiagnosisHistory {
   std::size_t unreadable = 0;      // messages shorter than they say
 };
 
-/// kSdoAbort when the slave has no history, else as CoeClient::upload().
-[[nodiscard]] Result<DiagnosisHistory> read_diagnosis_history(MailboxClient& mailbox);
+/// Only what came `after` the message of that sub-index; 0: all. kSdoAbort when the slave has no history, else as
+/// CoeClient::upload().
+[[nodiscard]] Result<DiagnosisHistory> read_diagnosis_history(MailboxClient& mailbox, std::uint8_t after = 0);
 
 }  // namespace syncline

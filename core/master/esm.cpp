@@ -116,7 +116,7 @@ Status Esm::change_to(AlState target) {
     result = down_to(target);
   }
   if (result && is_above(target, run_.snapshot.state)) result = up_to(target);
-  task_.sm2().set_enabled(bus_.cyclic());
+  task_.mailbox().set_enabled(bus_.cyclic());
   return result;
 }
 
@@ -279,7 +279,7 @@ Status Esm::join_each(SlaveList slaves, AlState target) {
   }
   if (status) status = commands_.read_all();
   task_.slaves().refresh_al_status();
-  task_.sm2().set_enabled(bus_.cyclic());
+  task_.mailbox().set_enabled(bus_.cyclic());
   return status;
 }
 
@@ -403,8 +403,8 @@ Status Esm::run_master_commands(Transition transition, bool before_slave) {
 }
 
 Status Esm::quiet_mailboxes() {
-  task_.sm2().set_enabled(false);
-  while (bus_.cyclic() && !task_.sm2().idle()) {
+  task_.mailbox().set_enabled(false);
+  while (bus_.cyclic() && !task_.mailbox().idle()) {
     if (auto status = bus_.wait_a_little(); !status) return status;
   }
   return {};

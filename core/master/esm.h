@@ -31,6 +31,8 @@ class Esm {
   /// or in INIT runs its init commands from the beginning and gets its clock set. Slaves that do not come
   /// all the way are told by events and stay where they are. Bus errors only.
   Status join(SlaveList slaves, AlState target);
+  /// The cyclic task begins nothing new with the mailboxes until CyclicMailbox::set_enabled(); what it has begun ends.
+  Status quiet_mailboxes();
   [[nodiscard]] SlaveCommands& commands() { return commands_; }
   /// State to which the bus as a whole was led; single slaves may be elsewhere.
   [[nodiscard]] AlState level() const { return level_; }
@@ -60,7 +62,6 @@ class Esm {
   [[nodiscard]] std::vector<std::size_t> preop_requests() const;
   [[nodiscard]] SlaveList slaves_where(const std::function<bool(AlState)>& applies) const;
   Status step_up(AlState from, Transition transition);
-  Status quiet_mailboxes();
   [[nodiscard]] AlState state_of(std::size_t slave) const;
 
   Bus& bus_;

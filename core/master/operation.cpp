@@ -14,8 +14,9 @@ Operation::Operation(NetworkConfig config, FrameExchange& exchange, Clock& clock
       sync_(run_),
       task_(exchange, clock, run_, sync_),
       esm_(bus_, run_, task_, sync_),
-      recovery_(bus_, run_, task_, esm_) {
-  bus_.set_interrupt([this] { return recovering_ && !run_.channels().commands.empty(); });
+      recovery_(bus_, run_, task_, esm_),
+      history_(bus_, run_, task_, esm_) {
+  bus_.set_interrupt([this] { return unasked_ && !run_.channels().commands.empty(); });
 }
 
 Status Operation::check() const {
@@ -43,11 +44,12 @@ Status Operation::start(AlState target) {
 
 Status Operation::run_cycle() {
   if (auto status = task_.run_cycle({}); !status) return status;
-  recovering_ = true;
+  unasked_ = true;
   auto status = recovery_.after_cycle();
-  recovering_ = false;
+  if (status) status = history_.after_cycle();
+  unasked_ = false;
   if (status) return {};
-  // What interrupts or stops a recovery is no reason to go offline: the cycles say whether the bus is alive.
+  // What interrupts or stops such work is no reason to go offline: the cycles say whether the bus is alive.
   const bool ours = status.error().code == ErrorCode::kCancelled || status.error().code == ErrorCode::kNoResponse;
   return ours ? Status{} : status;
 }

@@ -5,6 +5,7 @@
 #include "master/bus.h"
 #include "master/cyclic_task.h"
 #include "master/esm.h"
+#include "master/history_collector.h"
 #include "master/recovery.h"
 #include "master/run_state.h"
 #include "master/sync_watch.h"
@@ -25,7 +26,8 @@ class Operation {
   /// INIT, and no frames afterwards. Cannot be cancelled.
   void stop();
   [[nodiscard]] bool cyclic() const { return bus_.cyclic(); }
-  /// One bus cycle, and the recovery of slaves when there is something to recover (which takes many cycles).
+  /// One bus cycle; when there is something to do, also the recovery of slaves and the reading of their diagnosis
+  /// histories, which take many cycles.
   Status run_cycle();
   void clear_statistics();
   [[nodiscard]] RunState& run() { return run_; }
@@ -42,7 +44,8 @@ class Operation {
   CyclicTaskRunner task_;
   Esm esm_;
   Recovery recovery_;
-  bool recovering_ = false;  // on its own account: a command of the user comes first
+  HistoryCollector history_;
+  bool unasked_ = false;  // at work on its own account: a command of the user comes first
 };
 
 }  // namespace syncline

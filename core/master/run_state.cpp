@@ -24,7 +24,7 @@ int rank(AlState state) {
 }  // namespace
 
 RunState::RunState(const NetworkConfig& config, MasterChannels& channels)
-    : mailbox_counters(config.slaves.size()), config_(config), channels_(channels) {
+    : mailbox_counters(config.slaves.size()), mailbox_full(config.slaves.size()), config_(config), channels_(channels) {
   snapshot.cycle_time = config.cycle_time();
   snapshot.slaves.resize(config.slaves.size());
 }
@@ -46,6 +46,18 @@ void RunState::error(const Error& error, Nanoseconds time) {
   event.time = time;
   event.error = error;
   channels_.events.push(std::move(event));
+}
+
+void RunState::emergency(std::size_t slave, const coe::Emergency& emergency, Nanoseconds time) {
+  std::int64_t data = 0;
+  for (std::size_t i = emergency.data.size(); i-- > 0;) data = data << 8 | emergency.data[i];
+  event(EventKind::kEmergency, time, static_cast<int>(slave), emergency.error_code, emergency.error_register, data);
+}
+
+MailboxPort RunState::port_of(std::size_t slave) const {
+  auto port = mailbox_port(config_.slaves[slave]);
+  port.full = [this, slave] { return mailbox_full[slave]; };
+  return port;
 }
 
 void RunState::set_al_status(std::size_t slave, std::uint16_t status, std::uint16_t code, Nanoseconds time) {

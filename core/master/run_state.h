@@ -2,11 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "config/network_config.h"
 #include "master/channels.h"
+#include "master/mailbox_handshake.h"
+#include "protocol/coe.h"
 
 namespace syncline {
 
@@ -21,10 +24,15 @@ class RunState {
 
   Snapshot snapshot;
   std::vector<std::uint8_t> mailbox_counters;  // per slave, the last one used
+  /// Per slave, what the latest cyclic frames say about its mailbox; nothing where they do not say it.
+  std::vector<std::optional<bool>> mailbox_full;
 
   void event(EventKind kind, Nanoseconds time, int slave = -1, std::int64_t a = 0, std::int64_t b = 0,
              std::int64_t c = 0);
   void error(const Error& error, Nanoseconds time);
+  void emergency(std::size_t slave, const coe::Emergency& emergency, Nanoseconds time);
+  /// The slave's mailbox with its bit in the process image.
+  [[nodiscard]] MailboxPort port_of(std::size_t slave) const;
   /// Takes over a reading of AL status and code; tells changes and new errors.
   void set_al_status(std::size_t slave, std::uint16_t status, std::uint16_t code, Nanoseconds time);
   void set_present(std::size_t slave, bool present, Nanoseconds time);

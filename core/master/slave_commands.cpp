@@ -94,10 +94,9 @@ Status SlaveCommands::run_coe(SlaveList& slaves, Transition transition) {
     auto commands = coe_commands(run_.config().slaves[slave], transition);
     (commands.empty() ? idle : busy).push_back(slave);
     if (commands.empty()) continue;
-    works.emplace_back(run_.config().slaves[slave], std::move(commands), run_.mailbox_counters[slave],
+    works.emplace_back(run_.port_of(slave), std::move(commands), run_.mailbox_counters[slave],
                        [this, slave](const coe::Emergency& emergency) {
-                         run_.event(EventKind::kEmergency, bus_.clock().now(), static_cast<int>(slave),
-                                    emergency.error_code, emergency.error_register);
+                         run_.emergency(slave, emergency, bus_.clock().now());
                        });
   }
   auto status = finish(busy, pointers(works));

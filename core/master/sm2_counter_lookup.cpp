@@ -20,8 +20,9 @@ bool ends_the_bring_up(const Error& error) {
 }
 
 /// 0 when the slave does not say.
-Result<std::uint8_t> ask(Bus& bus, const SlaveConfig& slave, std::uint8_t& counter) {
-  MailboxClient mailbox(bus, mailbox_port(slave), counter);
+Result<std::uint8_t> ask(Bus& bus, RunState& run, std::size_t slave) {
+  MailboxClient mailbox(bus, run.port_of(slave), run.mailbox_counters[slave],
+                        [&](const coe::Emergency& emergency) { run.emergency(slave, emergency, bus.clock().now()); });
   mailbox.set_response_timeout(kPatience);
   SdoInfoClient information(mailbox);
   std::string names[2];
@@ -49,7 +50,7 @@ Status find_sm2_counters(Bus& bus, RunState& run, Sm2Reader& reader) {
     const auto [kind, unknown] = kinds.try_emplace(
         {config.identity.vendor_id, config.identity.product_code, config.identity.revision_no}, std::uint8_t{0});
     if (unknown) {
-      const auto place = ask(bus, config, run.mailbox_counters[slave]);
+      const auto place = ask(bus, run, slave);
       if (!place) return tl::unexpected(place.error());
       kind->second = *place;
     }

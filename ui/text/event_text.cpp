@@ -23,6 +23,7 @@ class Words {
   static Message alStatusError(const Event& event);
   static Message dcmError(const Event& event);
   static Message emergency(const Event& event);
+  static Message diagnosis(const Event& event);
   static Message cable(const Event& event);
   static Message recovery(const Event& event);
 };
@@ -50,9 +51,21 @@ Message Words::dcmError(const Event& event) {
 }
 
 Message Words::emergency(const Event& event) {
-  return line(Severity::kWarning, tr("Emergency %1, error register %2")
+  QStringList bytes;
+  for (int i = 0; i < 5; ++i) bytes += QStringLiteral("%1").arg((event.c >> (8 * i)) & 0xFF, 2, 16, QLatin1Char('0'));
+  return line(Severity::kWarning, tr("Emergency %1, error register %2, data %3")
                                       .arg(hexText(static_cast<std::uint64_t>(event.a), 4),
-                                           hexText(static_cast<std::uint64_t>(event.b), 2)));
+                                           hexText(static_cast<std::uint64_t>(event.b), 2),
+                                           bytes.join(QLatin1Char(' '))));
+}
+
+Message Words::diagnosis(const Event& event) {
+  const auto type = event.b & 0xF;
+  const auto severity = type == 0 ? Severity::kInfo : type == 1 ? Severity::kWarning : Severity::kError;
+  const auto text_id = static_cast<std::uint64_t>(event.b >> 16) & 0xFFFF;
+  return line(severity, tr("Diagnosis message %1, text %2, time stamp %3 ns")
+                            .arg(hexText(static_cast<std::uint64_t>(event.a), 8), hexText(text_id, 4))
+                            .arg(static_cast<std::uint64_t>(event.c)));
 }
 
 Message Words::cable(const Event& event) {
@@ -129,6 +142,8 @@ std::optional<Message> Words::make(const Event& event) {
       return line(Severity::kInfo, tr("Slave answers again"));
     case EventKind::kEmergency:
       return emergency(event);
+    case EventKind::kDiagnosis:
+      return diagnosis(event);
     case EventKind::kRealTime:
       return line(Severity::kWarning, tr("Best effort instead of real time: %1").arg(QString::fromStdString(event.text)));
     case EventKind::kError:

@@ -62,6 +62,7 @@ MailboxConfig mailbox_config(const SlavePlan& slave, std::uint32_t poll_time_ms)
     config.foe = described->foe;
     config.soe = described->soe;
     config.voe = described->voe;
+    config.timeouts = {described->request_timeout_ms, described->response_timeout_ms};
     if (config.coe) {
       config.profiles = slave.device().profiles;
     }

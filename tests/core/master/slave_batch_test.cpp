@@ -134,7 +134,7 @@ TEST_F(SlaveBatch, DownloadsObjectsOfEveryLengthToManySlavesAtOnce) {
   }
   works.reserve(3);
   for (std::size_t i = 0; i < 3; ++i) {
-    works.emplace_back(slaves[i], std::vector<const StartupCommand*>{&commands[0], &commands[1]}, counters[i],
+    works.emplace_back(mailbox_port(slaves[i]), std::vector<const StartupCommand*>{&commands[0], &commands[1]}, counters[i],
                        CoeDownloadWork::EmergencyHandler{});
     all.push_back(&works.back());
   }
