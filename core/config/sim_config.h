@@ -63,6 +63,7 @@ enum class FaultKind : std::uint8_t {
   kClockStep,       // local clock of slave jumps by `value_ns`
   kRefuseState,     // slave answers a request for `state` with AL status code `code`
   kSlowMailbox,     // slave answers mailbox requests `value_ns` later, from `at` until `until`
+  kSlowApplication, // slave's application needs `value_ns` more for each cycle, from `at` until `until`
   kMailboxSilence,  // slave answers no mailbox from `at` until `until`
   kBitErrors,       // frames received at the slave's `port` are damaged: `count` of them, or all until `until`
 };

@@ -101,10 +101,11 @@ JitterProfile jitter_of(Table& table, const std::string& text) {
 /// Auto-increment addressing has 16 bits; station addresses start at 1001.
 constexpr std::int64_t kMostSlaves = 64'000;
 
-constexpr std::array<std::pair<std::string_view, FaultKind>, 8> kFaults{{
+constexpr std::array<std::pair<std::string_view, FaultKind>, 9> kFaults{{
     {"lose-frames", FaultKind::kLoseFrames}, {"cable-break", FaultKind::kCableBreak}, {"slave-off", FaultKind::kSlaveOff},
     {"clock-step", FaultKind::kClockStep}, {"refuse-state", FaultKind::kRefuseState},
-    {"mailbox-silence", FaultKind::kMailboxSilence}, {"slow-mailbox", FaultKind::kSlowMailbox}, {"bit-errors", FaultKind::kBitErrors}}};
+    {"mailbox-silence", FaultKind::kMailboxSilence}, {"slow-mailbox", FaultKind::kSlowMailbox}, {"bit-errors", FaultKind::kBitErrors},
+    {"slow-application", FaultKind::kSlowApplication}}};
 
 class Loader {
  public:
@@ -258,7 +259,7 @@ class Loader {
     const auto found = std::ranges::find(kFaults, std::string_view(kind), &std::pair<std::string_view, FaultKind>::first);
     if (found == kFaults.end()) {
       table.fail_at("kind", "must be lose-frames, cable-break, slave-off, clock-step, refuse-state, mailbox-silence, "
-                            "slow-mailbox or bit-errors");
+                            "slow-mailbox, slow-application or bit-errors");
     } else {
       fault.kind = found->second;
     }

@@ -209,6 +209,10 @@ void SimBus::Impl::add_fault(const FaultConfig& fault, Nanoseconds start) {
       at(fault.at, [this, i, delay = fault.value_ns] { nodes[i].device->slow_mailbox(delay); });
       if (fault.until > fault.at) at(fault.until, [this, i] { nodes[i].device->slow_mailbox(0); });
       break;
+    case FaultKind::kSlowApplication:
+      at(fault.at, [this, i, delay = fault.value_ns] { nodes[i].device->slow_application(delay); });
+      if (fault.until > fault.at) at(fault.until, [this, i] { nodes[i].device->slow_application(0); });
+      break;
     case FaultKind::kMailboxSilence:
       at(fault.at, [this, i] { nodes[i].device->silence_mailbox(true); });
       if (fault.until > fault.at) at(fault.until, [this, i] { nodes[i].device->silence_mailbox(false); });

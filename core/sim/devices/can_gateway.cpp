@@ -8,65 +8,98 @@ constexpr std::uint16_t kInconsistentSettings = 0x0026;   // AL status code
 constexpr std::uint8_t kNodeInTime = 0x00, kNodeTooLate = 0x28;
 constexpr std::uint32_t kCanFrame = 130 * kMicrosecond;   // 8 data bytes at 1 Mbit/s, stuff bits included
 constexpr std::uint32_t kCanCycle = 300 * kMicrosecond;   // output, SYNC and input message
+constexpr Nanoseconds kSyncMessage = 47 * kMicrosecond;   // 0 data bytes
+constexpr Nanoseconds kHardwareJitter = 500;              // of a message that SYNC1 releases
+constexpr Nanoseconds kPreparation = 20 * kMicrosecond;   // up to this, of the transmit PDOs in front of the SYNC message
 
 // 0xF800: parameters of the CAN bus; times in ns.
 constexpr std::uint16_t kParameters = 0xF800;
-constexpr std::uint8_t kCycleTime = 4, kTxPdoDelay = 5, kInputShift = 6, kBusOccupied = 7;
+constexpr std::uint8_t kCycleTime = 0x04, kInputShift = 0x06, kBusOccupied = 0x07, kAsynchronous = 0x08, kTxPdoDelay = 0x0E;
 
-constexpr std::uint16_t kSyncObject = 0x1C32;
-constexpr std::uint8_t kSyncType = 0x01, kBusCycle = 0x02, kCycleExceeded = 0x0B;
-
-constexpr std::uint16_t kOutputs = 0x7000, kInputs = 0x6000, kDiagnosis = 0xA000;
+constexpr std::uint16_t kOutputs = 0x7000, kInputs = 0x6000, kDiagnosis = 0xA000, kNodeStates = 0xF102;
 constexpr std::uint8_t kNodeState = 1, kSyncMessages = 2;
+
+/// The object layout of its generation: exceeded cycles at 0x0B.
+constexpr SyncHabits kHabits{SyncHabits::kSyncManager | SyncHabits::kSync0 | SyncHabits::kSync1 | SyncHabits::kMeasures,
+                             100'000, 40'000, 20'000, 0x0C, 0x0B};
 
 }  // namespace
 
-CanGateway::CanGateway(const SimSlaveConfig& config, Esc& esc) : Device(config, esc) {
+CanGateway::CanGateway(const SimSlaveConfig& config, Esc& esc)
+    : Device(config, esc),
+      outputs_sync_(dictionary_, SyncObject::kOutputs, kHabits),
+      inputs_sync_(dictionary_, SyncObject::kInputs, kHabits) {
+  outputs_sync_.set_type(SyncType::kOwnSyncManager);
+  inputs_sync_.set_type(SyncType::kSyncManager2);
+  add_parameters();
+}
+
+void CanGateway::add_parameters() {
   auto& d = dictionary_;
   d.set_object_name(kParameters, "CAN bus parameters");
-  d.add<std::uint8_t>(kParameters, 0, "Number of parameters", kBusOccupied);
-  const auto parameter = [&](std::uint8_t sub_index, const char* name, std::uint32_t value) {
+  d.add<std::uint8_t>(kParameters, 0, "Number of entries", kTxPdoDelay);
+  const auto add = [&](std::uint8_t sub_index, const char* name, std::uint32_t value) {
     d.add<std::uint32_t>(kParameters, sub_index, name, value, true).preop_only = true;
   };
-  parameter(kCycleTime, "Cycle time", 0);
-  parameter(kTxPdoDelay, "TxPDO delay", 0);
-  parameter(kInputShift, "Input shift time", 0);
-  parameter(kBusOccupied, "Time that a cycle occupies the bus", kCanCycle);
-  d.set_object_name(kSyncObject, "SM output parameter");
-  d.add<std::uint8_t>(kSyncObject, 0, "Number of parameters", kCycleExceeded);
-  d.add<std::uint16_t>(kSyncObject, kSyncType, "Synchronization type", 1, true).preop_only = true;
-  d.add<std::uint32_t>(kSyncObject, kBusCycle, "Cycle time", 0, true);
-  d.add<std::uint16_t>(kSyncObject, kCycleExceeded, "Cycle exceeded counter", 0);
+  add(kCycleTime, "Cycle time", 0);
+  add(kInputShift, "Input shift time", 0);
+  add(kBusOccupied, "Time that a cycle occupies the bus", kCanCycle);
+  add(kAsynchronous, "Node has asynchronous PDOs", 0);
+  add(kTxPdoDelay, "TxPDO delay", 0);
+  d.set_object_name(kNodeStates, "Node states");
+  d.add<std::uint8_t>(kNodeStates, 0, "Number of entries", 1);
+  d.add<std::uint8_t>(kNodeStates, 1, "State of node 1", kNodeInTime);
 }
+
+Nanoseconds CanGateway::parameter(std::uint8_t sub_index) { return dictionary_.get<std::uint32_t>(kParameters, sub_index); }
+
+Nanoseconds CanGateway::vary(Nanoseconds largest) {
+  noise_ = noise_ * 1'664'525U + 1'013'904'223U;
+  return static_cast<Nanoseconds>(noise_ >> 16) * largest / 0xFFFF;
+}
+
+// ---- AL state ------------------------------------------------------------------------------------
 
 std::uint16_t CanGateway::check_sync(AlState) {
   const auto& dc = esc().dc();
-  const auto bus = dc.sync0_enabled() ? dc.settings().cycle0 : dictionary_.get<std::uint32_t>(kSyncObject, kBusCycle);
-  const auto can = dictionary_.get<std::uint32_t>(kParameters, kCycleTime);
-  multiplier_ = 1;
-  if (can == 0) return 0;
   // Without DC the gateway knows the bus cycle from the master's start-up list only.
-  if (bus == 0 || can % bus != 0) return kInconsistentSettings;
-  multiplier_ = can / bus;
+  const Nanoseconds bus = dc.sync0_enabled() ? dc.settings().cycle0 : outputs_sync_.cycle();
+  const auto can = parameter(kCycleTime);
+  multiplier_ = 1;
+  if (can == 0 || bus == 0) return 0;
+  if (can % bus != 0) return kInconsistentSettings;
+  if (parameter(kAsynchronous) == 0) multiplier_ = static_cast<std::uint32_t>(can / bus);
   return 0;
 }
 
 void CanGateway::on_state(AlState state) {
   const auto& dc = esc().dc();
-  if (state == AlState::kSafeop && dc.sync0_enabled()) {
-    dictionary_.set<std::uint16_t>(kSyncObject, kSyncType, dc.settings().sync1 ? 3 : 2);
-    dictionary_.set<std::uint32_t>(kSyncObject, kBusCycle, dc.settings().cycle0);
+  if (state == AlState::kSafeop) {
+    const bool sync0 = dc.sync0_enabled();
+    const auto trigger = dc.settings().sync1 ? SyncType::kSync1 : SyncType::kSync0;
+    outputs_sync_.set_type(sync0 ? trigger : SyncType::kOwnSyncManager);
+    inputs_sync_.set_type(sync0 ? trigger : has_outputs() ? SyncType::kSyncManager2 : SyncType::kOwnSyncManager);
+    for (auto* object : {&outputs_sync_, &inputs_sync_}) {
+      if (sync0) object->set_cycle(dc.settings().cycle0);
+      object->set_sync0_cycle(sync0 ? dc.settings().cycle0 : 0);
+    }
   }
   if (state != AlState::kOp) return;
   bus_cycles_ = 0;
   busy_until_ = 0;
-  latch_at_.reset();
+  fresh_outputs_ = unchecked_ = check_at_next_ = false;
+  update_at_.reset();
+  check_at_.reset();
   sync_due_.reset();
   answer_at_.reset();
-  dictionary_.set<std::uint16_t>(kSyncObject, kCycleExceeded, 0);
+  outputs_sync_.clear_counters();
+  inputs_sync_.clear_counters();
 }
 
+// ---- triggers ------------------------------------------------------------------------------------
+
 void CanGateway::on_outputs(Nanoseconds time) {
+  fresh_outputs_ = true;
   if (!esc().dc().sync0_enabled()) bus_cycle(time);
 }
 
@@ -74,46 +107,105 @@ void CanGateway::on_inputs_read(Nanoseconds time) {
   if (!has_outputs() && !esc().dc().sync0_enabled()) bus_cycle(time);
 }
 
-void CanGateway::on_sync0(Nanoseconds time) { bus_cycle(time); }
+void CanGateway::on_sync0(Nanoseconds time) {
+  if (state() == AlState::kOp && has_outputs()) {
+    if (!fresh_outputs_) outputs_sync_.count_missed();
+    outputs_sync_.set_sync_error(!fresh_outputs_);
+  }
+  fresh_outputs_ = false;
+  bus_cycle(time);
+}
 
 void CanGateway::on_sync1(Nanoseconds time) {
-  if (sync_due_) send_sync_message(time);
+  if (sync_due_) send_sync_message(time + vary(kHardwareJitter));
 }
 
 void CanGateway::bus_cycle(Nanoseconds time) {
-  if (state() != AlState::kOp || bus_cycles_++ % multiplier_ != 0) return;
+  if (state() != AlState::kOp) return;
+  check_running(time);
+  if (parameter(kAsynchronous) != 0) return asynchronous_cycle(time);
+  const auto shift = parameter(kInputShift);
+  const auto number = bus_cycles_++ % multiplier_;
+  if (number == 0) {
+    synchronous_cycle(time);
+    if (multiplier_ > 1 && answer_at_ && shift > 0) update_at_ = time + shift;
+  }
+  // In the last bus cycle of the CAN cycle the answers are looked for.
+  if (number + 1 == multiplier_ && unchecked_) {
+    if (shift > 0) {
+      check_at_ = time + shift;
+    } else {
+      check_at_next_ = true;
+    }
+  }
+}
+
+void CanGateway::synchronous_cycle(Nanoseconds time) {
   if (time < busy_until_) {
-    const auto count = dictionary_.get<std::uint16_t>(kSyncObject, kCycleExceeded);
-    dictionary_.set(kSyncObject, kCycleExceeded, static_cast<std::uint16_t>(count + 1));
+    (has_outputs() ? outputs_sync_ : inputs_sync_).count_exceeded();
     return;
   }
-  if (answer_at_) latch_inputs(time);
-  busy_until_ = time + dictionary_.get<std::uint32_t>(kParameters, kBusOccupied);
-  const auto shift = dictionary_.get<std::uint32_t>(kParameters, kInputShift);
-  latch_at_ = shift == 0 ? std::nullopt : std::optional(time + shift);
+  if (check_at_next_) check_node(time);
+  const auto times = outputs_sync_.next_cycle(application_delay());
+  busy_until_ = time + parameter(kBusOccupied) + application_delay();
   sent_ = dictionary_.get<std::uint32_t>(kOutputs, 1);
   sync_due_ = time;
-  if (!esc().dc().settings().sync1) send_sync_message(time);
+  unchecked_ = true;
+  if (!esc().dc().settings().sync1) {
+    send_sync_message(time + vary(kPreparation));
+  } else if (esc().dc().settings().cycle1 < times.calc_and_copy) {
+    outputs_sync_.count_shift_too_short();  // SYNC1 comes before the transmit PDOs are prepared
+  }
+}
+
+/// Data that have changed are sent, and what came since the last cycle is taken; no SYNC messages.
+void CanGateway::asynchronous_cycle(Nanoseconds time) {
+  update_inputs(time);
+  const auto wanted = dictionary_.get<std::uint32_t>(kOutputs, 1);
+  if (wanted == sent_ || time < busy_until_) return;
+  sent_ = wanted;
+  busy_until_ = time + kCanFrame;
+  answer_at_ = time + 2 * static_cast<Nanoseconds>(kCanFrame);
 }
 
 void CanGateway::send_sync_message(Nanoseconds time) {
   sync_due_.reset();
   const auto count = dictionary_.get<std::uint8_t>(kDiagnosis, kSyncMessages);
   dictionary_.set(kDiagnosis, kSyncMessages, static_cast<std::uint8_t>(count + 1));
-  answer_at_ = time + dictionary_.get<std::uint32_t>(kParameters, kTxPdoDelay) + kCanFrame;
+  can_sync_.pulse(time, time + kSyncMessage);
+  answer_at_ = time + parameter(kTxPdoDelay) + kCanFrame;
 }
 
-void CanGateway::latch_inputs(Nanoseconds time) {
-  const bool in_time = *answer_at_ <= latch_at_.value_or(time);
-  if (in_time) dictionary_.set(kInputs, 1, sent_);
-  dictionary_.set(kDiagnosis, kNodeState, in_time ? kNodeInTime : kNodeTooLate);
-  answer_at_.reset();
-  latch_at_.reset();
+// ---- inputs --------------------------------------------------------------------------------------
+
+void CanGateway::update_inputs(Nanoseconds time) {
+  if (answer_at_ && *answer_at_ <= time) {
+    dictionary_.set(kInputs, 1, sent_);
+    answer_at_.reset();
+  }
   inputs_from_dictionary();
 }
 
+void CanGateway::check_node(Nanoseconds time) {
+  check_at_.reset();
+  unchecked_ = check_at_next_ = false;
+  const bool too_late = sync_due_ || (answer_at_ && *answer_at_ > time);
+  set_node_state(too_late ? kNodeTooLate : kNodeInTime);
+  update_inputs(time);
+  answer_at_.reset();
+}
+
+void CanGateway::set_node_state(std::uint8_t state) {
+  dictionary_.set(kDiagnosis, kNodeState, state);
+  dictionary_.set(kNodeStates, 1, state);
+}
+
 void CanGateway::check_running(Nanoseconds time) {
-  if (answer_at_ && latch_at_ && time >= *latch_at_) latch_inputs(time);
+  if (update_at_ && time >= *update_at_) {
+    update_inputs(*update_at_);
+    update_at_.reset();
+  }
+  if (check_at_ && time >= *check_at_) check_node(*check_at_);
 }
 
 }  // namespace syncline::sim

@@ -214,6 +214,7 @@ void Drive::take_arrived(Nanoseconds time) {
 
 void Drive::on_sync0(Nanoseconds time) {
   run_servo(time);
+  axis_.step(time);  // the inputs are those of this moment
   last_sync_ = time;
   if (!habits_.pll) {
     clock_.restart(time);
@@ -267,6 +268,7 @@ void Drive::raise_sync_alarm() {
 void Drive::run_servo(Nanoseconds time) {
   if (latch_due_ && *latch_due_ < time) {
     run_ticks(*latch_due_);
+    axis_.step(*latch_due_);
     latch_due_.reset();
     publish_inputs();
   }
@@ -274,8 +276,7 @@ void Drive::run_servo(Nanoseconds time) {
 }
 
 void Drive::run_ticks(Nanoseconds time) {
-  if (!axis_.enabled() && !watched()) return clock_.skip_before(time);
-  bool any = false;
+  bool any = !axis_.enabled() && !watched() && clock_.skip_before(time);
   while (const auto tick = clock_.take_before(time)) {
     axis_.step(*tick);
     servo_tick(*tick);

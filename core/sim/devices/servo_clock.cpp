@@ -33,11 +33,12 @@ std::optional<Nanoseconds> ServoClock::take_before(Nanoseconds time) {
   return tick;
 }
 
-void ServoClock::skip_before(Nanoseconds time) {
+bool ServoClock::skip_before(Nanoseconds time) {
   if (!next_) next_ = time - time % period_ + phase_;
-  if (*next_ >= time) return;
+  if (*next_ >= time) return false;
   const double length = static_cast<double>(period_) * (quartz_ + trim_);
   advance(std::ceil(static_cast<double>(time - *next_) / length));
+  return true;
 }
 
 void ServoClock::restart(Nanoseconds sync0) {

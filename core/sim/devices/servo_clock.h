@@ -15,8 +15,8 @@ class ServoClock {
 
   /// The next start of a servo period when it lies before `time`; each is given once, in order.
   [[nodiscard]] std::optional<Nanoseconds> take_before(Nanoseconds time);
-  /// Passes over all periods before `time` at once.
-  void skip_before(Nanoseconds time);
+  /// Passes over all periods before `time` at once; false when there is none.
+  bool skip_before(Nanoseconds time);
 
   /// The next period starts at `sync0`: for timers that SYNC0 restarts.
   void restart(Nanoseconds sync0);

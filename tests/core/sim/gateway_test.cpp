@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdint>
+
 #include "protocol/coe.h"
 #include "protocol/mailbox.h"
 #include "tests/core/sim/sim_probe.h"
@@ -24,7 +27,8 @@ class Gateway : public testing::Test {
     probe->set_sync_manager(0, 0, 0x1800, 128, 0x26);
     probe->set_sync_manager(0, 1, 0x1900, 128, 0x22);
     EXPECT_EQ(probe->request(0, 2), 2);
-    for (const auto& [sub_index, value] : parameters) write_parameter(sub_index, value);
+    for (const auto& [sub_index, value] : parameters) write_object(0xF800, sub_index, value);
+    if (told_cycle != 0) write_object(0x1C32, 2, told_cycle);
     if (dc) {
       const auto now = probe->read(0, reg::kSystemTime, 8).value<std::uint64_t>();
       probe->write(0, reg::kSync0CycleTime, le_bytes(std::uint32_t{1'000'000}));
@@ -38,16 +42,27 @@ class Gateway : public testing::Test {
     output(0);
     return probe->request(0, 8);
   }
-  void write_parameter(std::uint8_t sub_index, std::uint32_t value) {
+  std::optional<coe::Response> sdo(const coe::Request& request) {
     MailboxMessage mail;
     mail.counter = counter = next_mailbox_counter(counter);
-    mail.data = coe::encode(coe::Request{coe::DownloadRequest{{0xF800, sub_index}, false, true, 4, le_bytes(value)}});
-    ASSERT_EQ(probe->write(0, 0x1800, mail.encode(128)).wkc, 1);
+    mail.data = coe::encode(request);
+    EXPECT_EQ(probe->write(0, 0x1800, mail.encode(128)).wkc, 1);
     probe->pass(kMillisecond);
     const auto reply = probe->read(0, 0x1900, 128);
-    ASSERT_EQ(reply.wkc, 1);
+    if (reply.wkc != 1) return std::nullopt;
     const auto answer = coe::decode_response(MailboxMessage::decode(reply.data)->data);
+    return answer ? std::optional(*answer) : std::nullopt;
+  }
+  void write_object(std::uint16_t index, std::uint8_t sub_index, std::uint32_t value) {
+    const auto answer = sdo(coe::DownloadRequest{{index, sub_index}, false, true, 4, le_bytes(value)});
     ASSERT_TRUE(answer && std::holds_alternative<coe::DownloadResponse>(*answer));
+  }
+  std::uint32_t read_object(std::uint16_t index, std::uint8_t sub_index) {
+    const auto answer = sdo(coe::UploadRequest{{index, sub_index}, false});
+    if (!answer || !std::holds_alternative<coe::UploadResponse>(*answer)) return 0xDEADBEEF;
+    auto data = std::get<coe::UploadResponse>(*answer).data;
+    data.resize(4);
+    return load_le<std::uint32_t>(data);
   }
   void output(std::uint32_t value) { probe->write(0, kOutputArea, le_bytes(value)); }
   Inputs inputs() {
@@ -64,6 +79,7 @@ class Gateway : public testing::Test {
 
   std::optional<SimProbe> probe;
   std::vector<std::pair<std::uint8_t, std::uint32_t>> parameters;
+  std::uint32_t told_cycle = 0;  // 0x1C32:02 in the start-up list
   std::uint8_t counter = 0;
 };
 
@@ -109,15 +125,96 @@ TEST_F(Gateway, ABusyCanSkipsCycles) {
   const auto before = inputs().sync_messages;
   cycles(20);
   EXPECT_NEAR(static_cast<std::uint8_t>(inputs().sync_messages - before), 10, 1) << "every other one was skipped";
+  EXPECT_NEAR(read_object(0x1C32, 0x0B), 13, 4) << "and counted where its generation counts them";
+  EXPECT_LT(read_object(0x1C32, 0x0C), 12U) << "SYNC0s without outputs: while the test used the mailbox";
+}
+
+TEST_F(Gateway, WithoutDcTheMultiplierIsOneUntilTheMasterTellsItsCycle) {
+  parameters = {{4, 4'000'000}};
+  ASSERT_EQ(start(0, false), 8);
+  auto before = inputs().sync_messages;
+  cycles(20);
+  EXPECT_NEAR(static_cast<std::uint8_t>(inputs().sync_messages - before), 20, 1);
+  told_cycle = 1'000'000;
+  ASSERT_EQ(start(0, false), 8);
+  before = inputs().sync_messages;
+  cycles(20);
+  EXPECT_NEAR(static_cast<std::uint8_t>(inputs().sync_messages - before), 5, 1);
+  EXPECT_EQ(read_object(0x1C32, 1), 1U);
+  EXPECT_EQ(read_object(0x1C33, 1), 0x22U);
+}
+
+TEST_F(Gateway, ALongCanCycleMaySendOverSeveralBusCycles) {
+  // The answer comes 2.1 ms behind the start: far too late for one bus cycle, in time for the last one of four.
+  parameters = {{4, 4'000'000}, {6, 200'000}, {7, 3'500'000}, {0x0E, 2'000'000}};
+  ASSERT_EQ(start(), 8);
+  probe->pass(5 * kMillisecond);
+  cycles(20);
+  EXPECT_EQ(inputs().node_state, 0);
+  EXPECT_GE(inputs().data, 12U);
+  EXPECT_EQ(read_object(0x1C32, 0x0B), 0U);
+  EXPECT_EQ(read_object(0xF102, 1), 0U);
+  parameters.back().second = 3'200'000;  // behind the input shift time of the last bus cycle
+  ASSERT_EQ(start(), 8);
+  cycles(20);
+  EXPECT_EQ(inputs().node_state, 0x28);
+  EXPECT_EQ(read_object(0xF102, 1), 0x28U);
+}
+
+TEST_F(Gateway, AsynchronousPdosNeedNoMultiplierAndNoSyncMessages) {
+  parameters = {{4, 4'000'000}, {8, 1}};
+  ASSERT_EQ(start(), 8);
+  probe->pass(5 * kMillisecond);
+  cycles(20);
+  EXPECT_EQ(inputs().sync_messages, 0);
+  EXPECT_GE(inputs().data, 18U) << "each bus cycle is a CAN cycle";
+}
+
+/// Distances of the CAN SYNC messages, largest less smallest.
+Nanoseconds spread(const std::vector<sim::PinEdge>& edges) {
+  Nanoseconds last = 0, least = INT64_MAX, most = 0;
+  for (const auto& edge : edges) {
+    if (!edge.level) continue;
+    if (last != 0) {
+      least = std::min(least, edge.time - last);
+      most = std::max(most, edge.time - last);
+    }
+    last = edge.time;
+  }
+  return most - least;
+}
+
+TEST_F(Gateway, Sync1SendsTheSyncMessageWithinHalfAMicrosecond) {
+  ASSERT_EQ(start(100'000), 8);
+  probe->pass(5 * kMillisecond);
+  cycles(50);
+  ASSERT_GT(probe->bus->pin_edges(0, 1).size(), 80U);
+  EXPECT_LE(spread(probe->bus->pin_edges(0, 1)), 1000) << "0 to 500 ns each";
+  EXPECT_GT(spread(probe->bus->pin_edges(0, 1)), 0);
+  ASSERT_EQ(start(), 8);
+  probe->pass(5 * kMillisecond);
+  cycles(50);
+  EXPECT_GT(spread(probe->bus->pin_edges(0, 1)), 5 * kMicrosecond) << "without SYNC1 the preparation shows";
+}
+
+TEST_F(Gateway, ASync1ThatIsTooEarlyIsCounted) {
+  ASSERT_EQ(start(100'000), 8);
+  cycles(20);
+  EXPECT_EQ(read_object(0x1C32, 0x0D), 0U);
+  ASSERT_EQ(start(20'000), 8);
+  cycles(20);
+  EXPECT_GE(read_object(0x1C32, 0x0D), 10U);
+  EXPECT_EQ(read_object(0x1C32, 1), 3U);
+  EXPECT_EQ(read_object(0x1C32, 0x0A), 1'000'000U);
 }
 
 TEST_F(Gateway, AnswersBehindTheInputShiftTimeAreLate) {
-  parameters = {{5, 300'000}, {6, 200'000}};
+  parameters = {{0x0E, 300'000}, {6, 200'000}};
   ASSERT_EQ(start(), 8);
   cycles(20);
   EXPECT_EQ(inputs().node_state, 0x28);
   EXPECT_EQ(inputs().data, 0U) << "the old inputs stay";
-  parameters = {{5, 300'000}, {6, 500'000}};
+  parameters = {{0x0E, 300'000}, {6, 500'000}};
   ASSERT_EQ(start(), 8);
   cycles(20);
   EXPECT_EQ(inputs().node_state, 0);
