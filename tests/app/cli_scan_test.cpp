@@ -56,6 +56,23 @@ TEST(CliScan, LookOnlyFindsTheSameWithoutAddresses) {
   }
 }
 
+TEST(CliScan, CapturesEveryFrame) {
+  const TemporaryFolder folder;
+  const auto file = folder.file("scan.pcapng");
+  const auto run = cli_run({"scan", demo(), "--capture", file});
+  ASSERT_EQ(run.code, cli::kDone) << run.err;
+  const auto bytes = read_text(file);
+  EXPECT_EQ(bytes.substr(0, 4), "\x0A\x0D\x0D\x0A");
+  // EtherType of each frame, there and back; the first command of a scan counts the slaves.
+  EXPECT_GT(bytes.size(), 10'000U);
+  EXPECT_THAT(bytes, HasSubstr(std::string("\x88\xA4", 2)));
+  EXPECT_FALSE(std::filesystem::exists(file + ".part"));
+  const auto again = cli_run({"scan", "replay:" + file, "--json"});
+  ASSERT_EQ(again.code, cli::kDone) << again.err;
+  EXPECT_EQ(again.json()["slaves"].size(), cli_run({"scan", demo(), "--json"}).json()["slaves"].size());
+  EXPECT_EQ(cli_run({"scan", demo(), "--capture", folder.file("none/scan.pcapng")}).code, cli::kFailed);
+}
+
 TEST(CliSii, ReadsWritesAndVerifies) {
   const TemporaryFolder folder;
   const auto image = folder.file("eeprom.bin");

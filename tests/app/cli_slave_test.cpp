@@ -122,5 +122,15 @@ TEST(CliFoe, NamesTheFileThatIsMissing) {
   EXPECT_FALSE(std::ifstream(folder.file("out.bin")));
 }
 
+TEST(CliFoe, LeadsTheSlaveToBootWhenAsked) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.file("in.bin"), std::ios::binary) << "firmware";
+  const auto position = slave_with_objects();
+  const auto run = cli_run({"foe", "write", demo(), position, "firmware.bin", folder.file("in.bin"), "--boot"});
+  ASSERT_EQ(run.code, cli::kDone) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("was in INIT and is led to BOOT"));
+  EXPECT_THAT(run.out, HasSubstr("8 bytes of \"firmware.bin\" written"));
+}
+
 }  // namespace
 }  // namespace syncline::test
