@@ -19,20 +19,46 @@ constexpr auto sync_window_fields = [](auto& x, auto& window) {
 constexpr auto dcm_fields = [](auto& x, auto& dcm) {
   x.attribute("Mode", dcm.mode);
   x.attribute("SetValueNs", dcm.set_value);
+  x.attribute("GainPpt", dcm.gain_ppt);
+  x.attribute("DriftErrorGain", dcm.drift_error_gain);
+  x.attribute("MaxValidNs", dcm.max_valid_value);
   x.attribute("InSyncLimitNs", dcm.in_sync_limit);
   x.attribute("InSyncSettleTimeMs", dcm.in_sync_settle_time_ms);
   x.attribute("StartDelayMs", dcm.start_delay_ms);
+  x.attribute("ControlOff", dcm.control_off);
+  x.attribute("StandardLoopValues", dcm.standard_loop_values);
+  x.attribute("Log", dcm.log);
+};
+
+constexpr auto dc_loop_fields = [](auto& x, auto& loop) {
+  x.attribute("SpeedCounterStart", loop.speed_counter_start);
+  x.attribute("FilterDepthDifference", loop.filter_depth_difference);
+  x.attribute("FilterDepthSpeedCounter", loop.filter_depth_speed_counter);
+};
+
+constexpr auto dc_notification_fields = [](auto& x, auto& notifications) {
+  x.attribute("ReferenceClock", notifications.reference_clock);
+  x.attribute("SlavesInSync", notifications.slaves_in_sync);
+  x.attribute("DcStatus", notifications.dc_status);
+  x.attribute("DcmInSync", notifications.dcm_in_sync);
 };
 
 constexpr auto master_dc_fields = [](auto& x, auto& dc) {
   x.attribute("Enabled", dc.enabled);
   x.attribute("ReferenceClock", dc.reference_clock);
+  x.attribute("FirstSlaveIsReferenceClock", dc.first_slave_is_reference_clock);
+  x.attribute("AllSlaves", dc.all_slaves);
   x.attribute("ContinuousPropagationCompensation", dc.continuous_propagation_compensation);
   x.attribute("Show64BitSystemTime", dc.show_64bit_system_time);
   x.attribute("BurstTotal", dc.burst_total);
   x.attribute("BurstBulk", dc.burst_bulk);
+  x.attribute("BurstEndsEarly", dc.burst_ends_early);
+  x.attribute("DelayRounds", dc.delay_rounds);
+  x.attribute("DelayDifferenceNs", dc.delay_difference);
   x.attribute("StartTimeSafetyNs", dc.start_time_safety);
   x.attribute("StartTimeGridNs", dc.start_time_grid);
+  x.child("Loop", dc.loop, dc_loop_fields);
+  x.child("Notifications", dc.notifications, dc_notification_fields);
   x.child("SyncWindow", dc.sync_window, sync_window_fields);
   x.child("Dcm", dc.dcm, dcm_fields);
 };

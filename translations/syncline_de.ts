@@ -722,6 +722,22 @@
             <source>Master shift</source>
             <translation>Master Shift</translation>
         </message>
+        <message>
+            <source>Master reference clock</source>
+            <translation>Master-Referenzuhr</translation>
+        </message>
+        <message>
+            <source>Adapter reference clock</source>
+            <translation>Adapter-Referenzuhr</translation>
+        </message>
+        <message>
+            <source>External clock (DCX)</source>
+            <translation>Externe Uhr (DCX)</translation>
+        </message>
+        <message>
+            <source>Master shift by application</source>
+            <translation>Master Shift durch die Anwendung</translation>
+        </message>
     </context>
     <context>
         <name>Link</name>
@@ -1083,6 +1099,22 @@
         <message>
             <source>Master and slaves run on clocks of their own; the frame drifts through the SYNC grid</source>
             <translation>Master und Slaves laufen mit eigenen Uhren; der Frame wandert durch das SYNC-Raster</translation>
+        </message>
+        <message>
+            <source>As bus shift, without a control loop: the reference clock is written the nominal time. Needs an accurate cycle.</source>
+            <translation>Wie Bus Shift, ohne Regelkreis: Der Referenzuhr wird die Sollzeit geschrieben. Braucht einen genauen Zyklus.</translation>
+        </message>
+        <message>
+            <source>As bus shift, with the time that the network adapter puts into each frame while sending it</source>
+            <translation>Wie Bus Shift, mit der Zeit, die der Netzwerkadapter beim Senden in jedes Telegramm einträgt</translation>
+        </message>
+        <message>
+            <source>An external clock leads through a bridge device: the reference clock follows it, the master follows the reference clock</source>
+            <translation>Eine externe Uhr führt über eine Brücke: Die Referenzuhr folgt ihr, der Master folgt der Referenzuhr</translation>
+        </message>
+        <message>
+            <source>The reference clock leads, and the application moves the send time by the reported adjustment</source>
+            <translation>Die Referenzuhr führt, und die Anwendung verschiebt den Sendezeitpunkt um die gemeldete Stellgröße</translation>
         </message>
         <message>
             <source>Change master synchronisation</source>

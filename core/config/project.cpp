@@ -8,13 +8,6 @@
 namespace syncline {
 namespace {
 
-struct DcmModeName {
-  DcmMode mode;
-  std::string_view name;
-};
-constexpr DcmModeName kDcmModes[] = {
-    {DcmMode::kOff, "off"}, {DcmMode::kBusShift, "bus-shift"}, {DcmMode::kMasterShift, "master-shift"}};
-
 constexpr std::uint16_t kFirstStationAddress = 1001;  // as ET9000, TwinCAT and EC-Engineer count
 
 bool contains(const std::vector<std::uint16_t>& indices, std::uint16_t index) {
@@ -47,20 +40,6 @@ void assign(SlaveSettings& slave, PdoDirection direction, const OpModeSyncManage
 }
 
 }  // namespace
-
-std::string_view dcm_mode_name(DcmMode mode) {
-  for (const auto& known : kDcmModes) {
-    if (known.mode == mode) return known.name;
-  }
-  return {};
-}
-
-std::optional<DcmMode> dcm_mode_from_name(std::string_view name) {
-  for (const auto& known : kDcmModes) {
-    if (known.name == name) return known.mode;
-  }
-  return std::nullopt;
-}
 
 std::vector<std::uint16_t> default_assignment(const DeviceDescription& device, PdoDirection direction) {
   const auto& pdos = device.pdos(direction);

@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "config/dcm_check.h"
+
 namespace syncline {
 
 Operation::Operation(NetworkConfig config, FrameExchange& exchange, Clock& clock, MasterChannels& channels)
@@ -22,7 +24,7 @@ Operation::Operation(NetworkConfig config, FrameExchange& exchange, Clock& clock
 Status Operation::check() const {
   if (config_.slaves.empty()) return fail(ErrorCode::kConfiguration, "network", "it has no slaves");
   if (config_.cyclic.empty()) return fail(ErrorCode::kConfiguration, "network", "it has no cyclic frames");
-  return {};
+  return check_dcm(config_);
 }
 
 Status Operation::start(AlState target) {

@@ -4,6 +4,7 @@
 #include <QButtonGroup>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QRadioButton>
@@ -87,17 +88,29 @@ void MasterDcPage::buildShift(Card& card) {
       {DcmMode::kMasterShift, "dcmMasterShift",
        tr("The reference clock leads: the master moves its send time. No extra cyclic command.")},
       {DcmMode::kOff, "dcmOff", tr("Master and slaves run on clocks of their own; the frame drifts through the SYNC grid")},
+      {DcmMode::kMasterRefClock, "dcmMasterRefClock",
+       tr("As bus shift, without a control loop: the reference clock is written the nominal time. Needs an accurate cycle.")},
+      {DcmMode::kLinkLayerRefClock, "dcmLinkLayerRefClock",
+       tr("As bus shift, with the time that the network adapter puts into each frame while sending it")},
+      {DcmMode::kDcx, "dcmDcx",
+       tr("An external clock leads through a bridge device: the reference clock follows it, the master follows the "
+          "reference clock")},
+      {DcmMode::kMasterShiftByApp, "dcmMasterShiftByApp",
+       tr("The reference clock leads, and the application moves the send time by the reported adjustment")},
   };
+  constexpr int kModesPerRow = 3;
   auto* modes = new QWidget;
-  auto* layout = new QHBoxLayout(modes);
+  auto* layout = new QGridLayout(modes);
   layout->setContentsMargins(0, 0, 0, 0);
+  int count = 0;
   for (const auto& row : rows) {
     auto* button = named(new QRadioButton(dcmModeText(row.mode)), row.name, dcmModeText(row.mode));
     button->setToolTip(row.tip);
     mode_->addButton(button, static_cast<int>(row.mode));
-    layout->addWidget(button);
+    layout->addWidget(button, count / kModesPerRow, count % kModesPerRow);
+    ++count;
   }
-  layout->addStretch(1);
+  layout->setColumnStretch(kModesPerRow, 1);
   connect(mode_, &QButtonGroup::idClicked, this, [this](int id) {
     const auto name = dcm_mode_name(static_cast<DcmMode>(id));
     edit(tr("Change master synchronisation"), keys::master(keys::kDcmMode),

@@ -44,6 +44,14 @@ QString dcmModeText(DcmMode mode) {
       return QCoreApplication::translate("Glossary", "Bus shift");
     case DcmMode::kMasterShift:
       return QCoreApplication::translate("Glossary", "Master shift");
+    case DcmMode::kMasterRefClock:
+      return QCoreApplication::translate("Glossary", "Master reference clock");
+    case DcmMode::kLinkLayerRefClock:
+      return QCoreApplication::translate("Glossary", "Adapter reference clock");
+    case DcmMode::kDcx:
+      return QCoreApplication::translate("Glossary", "External clock (DCX)");
+    case DcmMode::kMasterShiftByApp:
+      return QCoreApplication::translate("Glossary", "Master shift by application");
   }
   return {};
 }

@@ -54,7 +54,7 @@ CyclicOptions cyclic_options(const DcMasterSettings& dc, const std::vector<Slave
   if (dc.enabled && dc.reference_clock) {
     options.reference_clock = Position{*dc.reference_clock}.auto_increment_address();
   }
-  options.bus_shift = dc.dcm.mode == DcmMode::kBusShift;
+  options.bus_shift = steers_reference_clock(dc.dcm.mode);
   options.sync_window = dc.sync_window.enabled;
   options.system_time_64bit = dc.show_64bit_system_time;
   options.mailbox_state_count = static_cast<std::uint16_t>(std::ranges::count_if(

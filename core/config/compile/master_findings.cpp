@@ -8,6 +8,7 @@
 
 #include "config/compile/cyclic_frames.h"
 #include "config/compile/finding_list.h"
+#include "config/dcm_check.h"
 
 namespace syncline::compiler {
 namespace {
@@ -61,7 +62,8 @@ void check_reference_clock(FindingList& findings, const Project& project, const 
   }
 }
 
-void check_dc_settings(FindingList& findings, const Project& project, const std::vector<SlavePlan>& slaves) {
+void check_dc_settings(FindingList& findings, const Project& project, const std::vector<SlavePlan>& slaves,
+                       const NetworkConfig& config) {
   const DcMasterSettings& dc = project.master.dc;
   const auto dc_slaves = std::ranges::count_if(slaves, &SlavePlan::dc_commands);
   if (dc.enabled && dc.continuous_propagation_compensation) {
@@ -74,9 +76,10 @@ void check_dc_settings(FindingList& findings, const Project& project, const std:
                                                 "{} slave(s) with DC leave nothing to compare.",
                                                 dc_slaves));
   }
-  if (dc.dcm.set_value && (*dc.dcm.set_value < 0 || *dc.dcm.set_value >= project.master.cycle_time)) {
-    findings.error("dc.set_value_us", fmt::format("{} ns between frame and SYNC0 is outside the cycle of {} ns.",
-                                                   *dc.dcm.set_value, project.master.cycle_time));
+  constexpr std::string_view kMaster = "master.";
+  for (const auto& problem : dcm_problems(config)) {
+    if (!problem.key.starts_with(kMaster)) continue;  // SYNC cycles are found at their slaves
+    findings.error(problem.key.substr(kMaster.size()), problem.detail + ".");
   }
   if (dc.enabled && dc_slaves > 0 && dc.dcm.mode == DcmMode::kOff) {
     findings.warning("dc.mode", "Master and reference clock run at their own rates: the frame wanders through the "
@@ -105,7 +108,7 @@ void find_master_problems(std::vector<Finding>& out, const Project& project, con
   FindingList findings(out, -1);
   check_cycle(findings, project, config);
   check_reference_clock(findings, project, slaves);
-  check_dc_settings(findings, project, slaves);
+  check_dc_settings(findings, project, slaves, config);
   check_addresses(out, slaves);
 }
 

@@ -75,7 +75,7 @@ struct NameCodec {
 struct DcmModeCodec {
   using Value = DcmMode;
   [[nodiscard]] std::string type() const { return "choice"; }
-  [[nodiscard]] std::string range() const { return "off, bus-shift, master-shift"; }
+  [[nodiscard]] std::string range() const { return "off, bus-shift, master-shift, master-ref-clock, link-layer-ref-clock, dcx, master-shift-by-app"; }
   [[nodiscard]] std::string format(DcmMode value) const { return std::string(dcm_mode_name(value)); }
   [[nodiscard]] Result<DcmMode> parse(std::string_view text) const;
 };

@@ -19,8 +19,8 @@ constexpr double kAwayPpm = 3;
 
 }  // namespace
 
-BusShift::BusShift(const DcmSettings& settings, Nanoseconds cycle_time, Nanoseconds set_value)
-    : target_{0, set_value, cycle_time}, monitor_(settings, cycle_time, set_value) {}
+BusShift::BusShift(const DcmSettings& settings, Nanoseconds cycle_time, Nanoseconds set_value, Nanoseconds least)
+    : target_{0, set_value, cycle_time}, monitor_(settings, cycle_time, set_value, least) {}
 
 void BusShift::start(Nanoseconds base, Nanoseconds first_reference_time, Nanoseconds first_send_time) {
   target_.base = base;

@@ -16,7 +16,7 @@ namespace syncline::dc {
 /// with it.
 class BusShift final : public DcmController {
  public:
-  BusShift(const DcmSettings& settings, Nanoseconds cycle_time, Nanoseconds set_value);
+  BusShift(const DcmSettings& settings, Nanoseconds cycle_time, Nanoseconds set_value, Nanoseconds least = 0);
   void start(Nanoseconds base, Nanoseconds first_reference_time, Nanoseconds first_send_time) override;
   std::optional<Nanoseconds> reference_write(Nanoseconds send_time, Nanoseconds scheduled_time) override;
   DcmAction observe(const DcmObservation& observation) override;

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dc/dcm/dcm_controller.h"
 
+#include <type_traits>
+
 #include "dc/dcm/bus_shift.h"
 #include "dc/dcm/master_shift.h"
+#include "dc/dcm/written_clock.h"
 
 namespace syncline::dc {
 namespace {
@@ -35,10 +38,21 @@ class Off final : public DcmController {
 }  // namespace
 
 std::unique_ptr<DcmController> make_dcm_controller(const DcmSettings& settings, Nanoseconds cycle_time,
-                                                   Nanoseconds set_value) {
+                                                   Nanoseconds set_value, Nanoseconds least_set_value) {
+  const auto effective = effective_dcm_settings(settings);
+  const auto make = [&]<class Controller>(std::type_identity<Controller>) {
+    return std::make_unique<Controller>(effective, cycle_time, set_value, least_set_value);
+  };
+  const auto written = [&](WrittenClock::Time time) {
+    return std::make_unique<WrittenClock>(time, effective, cycle_time, set_value, least_set_value);
+  };
   switch (settings.mode) {
-    case DcmMode::kBusShift: return std::make_unique<BusShift>(settings, cycle_time, set_value);
-    case DcmMode::kMasterShift: return std::make_unique<MasterShift>(settings, cycle_time, set_value);
+    case DcmMode::kBusShift: return make(std::type_identity<BusShift>{});
+    case DcmMode::kMasterShift:
+    case DcmMode::kMasterShiftByApp: return make(std::type_identity<MasterShift>{});
+    case DcmMode::kMasterRefClock: return written(WrittenClock::Time::kNominal);
+    case DcmMode::kLinkLayerRefClock: return written(WrittenClock::Time::kOfSending);
+    case DcmMode::kDcx:
     case DcmMode::kOff: break;
   }
   return std::make_unique<Off>(cycle_time, set_value);

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "config/project.h"
+#include "protocol/dcm_error.h"
 #include "support/types.h"
 
 /// Master synchronisation (DCM): brings the send time of the cyclic frame and the system time of the
@@ -37,10 +38,6 @@ struct DcmState {
   std::uint32_t error_code = 0;     // DCM_E_...
 };
 
-inline constexpr std::uint32_t kDcmErrorOutOfLimit = 0x981201C2;
-inline constexpr std::uint32_t kDcmErrorDriftTooHigh = 0x981201CA;
-inline constexpr std::uint32_t kDcmErrorBusCycleWrong = 0x981201CB;
-inline constexpr std::uint32_t kDcmErrorInvalidSetValue = 0x981201C9;
 
 class DcmController {
  public:
@@ -53,8 +50,9 @@ class DcmController {
   [[nodiscard]] virtual const DcmState& state() const = 0;
 };
 
-/// `set_value`: wanted distance from frame send to SYNC0.
+/// `set_value`: wanted distance from frame send to SYNC0. `least_set_value`: frame time plus propagation delay, below
+/// which the controller reports DCM_E_INVALID_SETVAL.
 [[nodiscard]] std::unique_ptr<DcmController> make_dcm_controller(const DcmSettings& settings, Nanoseconds cycle_time,
-                                                                 Nanoseconds set_value);
+                                                                 Nanoseconds set_value, Nanoseconds least_set_value = 0);
 
 }  // namespace syncline::dc

@@ -13,9 +13,10 @@ constexpr double kMaxDriftPpm = 600;
 
 }  // namespace
 
-DcmMonitor::DcmMonitor(const DcmSettings& settings, Nanoseconds cycle_time, Nanoseconds set_value)
+DcmMonitor::DcmMonitor(const DcmSettings& settings, Nanoseconds cycle_time, Nanoseconds set_value,
+                       Nanoseconds least_set_value)
     : cycle_(cycle_time),
-      valid_set_value_(set_value > 0 && set_value < cycle_time),
+      valid_set_value_(set_value > 0 && set_value >= least_set_value && set_value < cycle_time),
       judge_(settings),
       bus_cycle_(cycle_time) {}
 

@@ -12,7 +12,7 @@ namespace syncline::dc {
 /// and the error code.
 class DcmMonitor {
  public:
-  DcmMonitor(const DcmSettings& settings, Nanoseconds cycle_time, Nanoseconds set_value);
+  DcmMonitor(const DcmSettings& settings, Nanoseconds cycle_time, Nanoseconds set_value, Nanoseconds least_set_value);
   void start(Nanoseconds time);
   /// One cycle; `error` of the schedule in the SYNC grid, ns. Without a reference time the error is not read.
   /// True when a new reading of the drift is there.

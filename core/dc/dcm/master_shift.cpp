@@ -21,8 +21,8 @@ constexpr double kSmoothing = 0.3;
 
 }  // namespace
 
-MasterShift::MasterShift(const DcmSettings& settings, Nanoseconds cycle_time, Nanoseconds set_value)
-    : target_{0, set_value, cycle_time}, monitor_(settings, cycle_time, set_value) {}
+MasterShift::MasterShift(const DcmSettings& settings, Nanoseconds cycle_time, Nanoseconds set_value, Nanoseconds least)
+    : target_{0, set_value, cycle_time}, monitor_(settings, cycle_time, set_value, least) {}
 
 void MasterShift::start(Nanoseconds base, Nanoseconds, Nanoseconds first_send_time) {
   target_.base = base;

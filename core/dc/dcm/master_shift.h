@@ -11,7 +11,7 @@ namespace syncline::dc {
 /// period. Fast gains while not in sync, slow ones while in sync.
 class MasterShift final : public DcmController {
  public:
-  MasterShift(const DcmSettings& settings, Nanoseconds cycle_time, Nanoseconds set_value);
+  MasterShift(const DcmSettings& settings, Nanoseconds cycle_time, Nanoseconds set_value, Nanoseconds least = 0);
   void start(Nanoseconds base, Nanoseconds first_reference_time, Nanoseconds first_send_time) override;
   std::optional<Nanoseconds> reference_write(Nanoseconds, Nanoseconds) override { return std::nullopt; }
   DcmAction observe(const DcmObservation& observation) override;

@@ -17,6 +17,11 @@ struct PhaseTarget {
   [[nodiscard]] Nanoseconds error(const DcmObservation& o) const {
     return wrap_to_half(*o.reference_time - (o.send_time - o.scheduled_time) - (base - set_value), cycle);
   }
+
+  /// The place in the grid nearest to a time: a clock that is to be led there is never asked to jump.
+  [[nodiscard]] Nanoseconds nearest(Nanoseconds reference_time) const {
+    return reference_time - wrap_to_half(reference_time - (base - set_value), cycle);
+  }
 };
 
 }  // namespace syncline::dc

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "dc/dcm/dcm_controller.h"
+#include "dc/dcm/dcm_monitor.h"
+#include "dc/dcm/phase_error.h"
+
+namespace syncline::dc {
+
+/// The reference clock is written the master's time without a control loop; the ESC's own loop does the rest.
+/// MasterRefClock writes the nominal time of the cycle, so that the host's jitter reaches the clock as it is;
+/// LinkLayerRefClock writes the time at which the adapter says that it sends.
+class WrittenClock final : public DcmController {
+ public:
+  enum class Time : std::uint8_t { kNominal, kOfSending };
+  WrittenClock(Time time, const DcmSettings& settings, Nanoseconds cycle_time, Nanoseconds set_value, Nanoseconds least);
+  void start(Nanoseconds base, Nanoseconds first_reference_time, Nanoseconds first_send_time) override;
+  std::optional<Nanoseconds> reference_write(Nanoseconds send_time, Nanoseconds scheduled_time) override;
+  DcmAction observe(const DcmObservation& observation) override;
+  [[nodiscard]] const DcmState& state() const override { return state_; }
+
+ private:
+  [[nodiscard]] Nanoseconds wanted_at(Nanoseconds host_time) const { return reference_ + (host_time - host_); }
+
+  Time time_;
+  bool control_off_;
+  PhaseTarget target_;
+  DcmMonitor monitor_;
+  DcmState state_;
+  Nanoseconds host_ = 0, reference_ = 0;  // host time and what the reference clock is to show then
+};
+
+}  // namespace syncline::dc
