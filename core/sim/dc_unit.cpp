@@ -66,19 +66,26 @@ std::uint64_t DcUnit::offset() const {
 std::uint64_t DcUnit::system_time(Nanoseconds time) const { return masked(unwrapped_time(time)); }
 
 void DcUnit::advance_to(Nanoseconds time) {
-  if (!config_.system_time) return;
-  for (;;) {
-    const auto due = generator_.due();
-    if (!due) break;
-    // The generator counts in system time; its value minus the offset is the local time it waits for.
-    const auto when = clock_.time_of(due->time - offset());
-    if (when > time) break;
-    clock_.advance_to(when);
-    const auto signal = due->signal;
+  if (!config_.system_time || time < now_) return;
+  while (next_signal() <= time) {
+    now_ = std::max(now_, *next_signal_);
+    clock_.advance_to(now_);
+    const auto signal = generator_.due()->signal;
     generator_.fired();
-    if (on_sync) on_sync(signal, when);
+    next_signal_.reset();
+    if (on_sync) on_sync(signal, now_);
   }
-  clock_.advance_to(time);
+  now_ = time;
+  if (clock_.advance_to(time)) next_signal_.reset();
+}
+
+Nanoseconds DcUnit::next_signal() {
+  if (!next_signal_) {
+    const auto due = generator_.due();
+    // The generator counts in system time; its value minus the offset is the local time it waits for.
+    next_signal_ = due ? clock_.time_of(due->time - offset()) : INT64_MAX;
+  }
+  return *next_signal_;
 }
 
 void DcUnit::start_of_frame(Nanoseconds time) { local_at_start_of_frame_ = clock_.sample(time); }
@@ -106,8 +113,7 @@ void DcUnit::compare(Nanoseconds frame_end) {
   const auto received = memory_.u32(reg::kSystemTime);
   const auto local = static_cast<std::uint32_t>(local_at_start_of_frame_ + offset()) - memory_.u32(reg::kSystemTimeDelay);
   loop_.observe(static_cast<std::int32_t>(local - received));
-  clock_.advance_to(frame_end);
-  clock_.set_correction(loop_.correction());
+  clock_.set_correction(loop_.correction(), frame_end);
 }
 
 void DcUnit::write_activation(Nanoseconds time) {
@@ -139,12 +145,12 @@ void DcUnit::write_activation(Nanoseconds time) {
 
 void DcUnit::registers_written(std::uint16_t address, std::size_t length, Nanoseconds frame_end) {
   if (!config_.system_time) return;
+  next_signal_.reset();
   if (touches(address, length, reg::kSystemTime, 4)) compare(frame_end);
   if (touches(address, length, reg::kSystemTimeOffset, 8)) generator_.realign(unwrapped_time(frame_end));
   if (touches(address, length, reg::kSpeedCounterStart, 2)) {
     loop_.set_speed_counter_start(memory_.u16(reg::kSpeedCounterStart));
-    clock_.advance_to(frame_end);
-    clock_.set_correction(loop_.correction());
+    clock_.set_correction(loop_.correction(), frame_end);
   }
   if (touches(address, length, reg::kFilterDepthDifference, 1)) {
     loop_.set_filter_depth_difference(memory_.u8(reg::kFilterDepthDifference));
@@ -176,6 +182,9 @@ void DcUnit::latch_ports(const std::array<std::optional<Nanoseconds>, 4>& passed
   }
 }
 
-void DcUnit::step_clock(Nanoseconds delta) { clock_.step(delta); }
+void DcUnit::step_clock(Nanoseconds delta) {
+  clock_.step(delta);
+  next_signal_.reset();
+}
 
 }  // namespace syncline::sim

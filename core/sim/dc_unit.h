@@ -56,6 +56,7 @@ class DcUnit {
   void compare(Nanoseconds frame_end);
   void write_activation(Nanoseconds time);
   void write_status();
+  [[nodiscard]] Nanoseconds next_signal();
   void implement_registers(std::uint64_t seed);
 
   EscMemory& memory_;
@@ -67,6 +68,9 @@ class DcUnit {
   SyncGenerator::Settings settings_;
   bool start_missed_ = false;
   std::uint64_t start_time_ = 0;   // of the activation
+  Nanoseconds now_ = 0;            // up to which SYNC signals have been delivered
+  /// True time of the next SYNC signal, if there is one; empty after what moves it.
+  std::optional<Nanoseconds> next_signal_;
   std::uint64_t local_at_start_of_frame_ = 0;
 };
 

@@ -168,7 +168,11 @@ void Esc::reload_maps() {
     const auto fmmu = Fmmu::decode(memory_.at(reg::fmmu(i), Fmmu::kSize).first<Fmmu::kSize>());
     if (fmmu.active && fmmu.length > 0) fmmus_.push_back(fmmu);
   }
-  for (unsigned i = 0; i < sync_managers_.size(); ++i) sync_managers_[i] = sync_manager(i);
+  buffers_begin_ = EscMemory::kSize;
+  for (unsigned i = 0; i < sync_managers_.size(); ++i) {
+    const auto& sm = sync_managers_[i] = sync_manager(i);
+    if (sm.enabled() && sm.length > 0) buffers_begin_ = std::min<std::uint32_t>(buffers_begin_, sm.start);
+  }
 }
 
 void Esc::set_listener(Listener* listener) {
@@ -225,7 +229,6 @@ bool Esc::process(std::span<DatagramView> datagrams, Nanoseconds time) {
       datagram.header.address = device_address(adp, datagram.header.ado());
     }
     datagram.header.irq = static_cast<std::uint16_t>(datagram.header.irq | event);
-    datagram.store_header();
   }
   return true;
 }
@@ -262,6 +265,7 @@ Esc::Access Esc::execute(DatagramView& datagram) {
 }
 
 bool Esc::buffer_allows(std::uint32_t address, std::size_t length, bool write) const {
+  if (address + length <= buffers_begin_) return true;  // registers, nearly always
   for (unsigned i = 0; i < sync_managers_.size(); ++i) {
     const auto& sm = sync_managers_[i];
     if (!sm.enabled() || sm.length == 0) continue;
@@ -280,6 +284,7 @@ bool Esc::buffer_allows(std::uint32_t address, std::size_t length, bool write) c
 }
 
 void Esc::note_buffer_access(std::uint32_t address, std::size_t length, bool write) {
+  if (address + length <= buffers_begin_) return;
   for (unsigned i = 0; i < sync_managers_.size(); ++i) {
     const auto& sm = sync_managers_[i];
     if (!sm.enabled() || sm.length == 0 || sm.ecat_writes() != write) continue;
@@ -294,6 +299,11 @@ void Esc::note_buffer_access(std::uint32_t address, std::size_t length, bool wri
 
 bool Esc::read_memory(std::uint16_t address, std::span<std::uint8_t> out, bool or_into) {
   if (address + out.size() > EscMemory::kSize || !buffer_allows(address, out.size(), false)) return false;
+  if (address >= EscMemory::kRegisterEnd && address + out.size() <= memory_.ram_end() && !or_into) {
+    std::ranges::copy(memory_.at(address, out.size()), out.begin());
+    note_buffer_access(address, out.size(), false);
+    return !out.empty();
+  }
   bool any = false;
   for (std::size_t i = 0; i < out.size(); ++i) {
     const auto place = static_cast<std::uint32_t>(address + i);

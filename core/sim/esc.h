@@ -52,7 +52,8 @@ class Esc {
 
   // ---- the frame's way ----
   void frame_at_port(unsigned port, Nanoseconds time);
-  /// The frame passes the processing unit: executes every datagram in place. False: it is destroyed there.
+  /// The frame passes the processing unit: executes every datagram in place; their headers go into the frame when it
+  /// has passed all slaves. False: it is destroyed there.
   [[nodiscard]] bool process(std::span<DatagramView> datagrams, Nanoseconds time);
   /// The last byte has passed with a good FCS.
   void frame_end(Nanoseconds time);
@@ -124,6 +125,7 @@ class Esc {
   std::vector<Fmmu> fmmus_;                 // decoded, active ones
   std::vector<SyncManager> sync_managers_;  // decoded
   bool maps_stale_ = true;
+  std::uint32_t buffers_begin_ = 0;         // where the first SyncManager's memory begins
   std::size_t reset_step_ = 0;
 
   // Of the frame that is passing:

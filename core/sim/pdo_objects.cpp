@@ -22,6 +22,10 @@ std::uint32_t mapping_word(const PdoEntry& entry) {
 
 void copy_bits(std::span<std::uint8_t> to, std::size_t to_bit, std::span<const std::uint8_t> from, std::size_t from_bit,
                std::size_t bits) {
+  if (to_bit % 8 == 0 && from_bit % 8 == 0 && bits % 8 == 0) {
+    std::copy_n(from.subspan(from_bit / 8).begin(), bits / 8, to.subspan(to_bit / 8).begin());
+    return;
+  }
   for (std::size_t i = 0; i < bits; ++i) {
     const bool value = ((from[(from_bit + i) / 8] >> ((from_bit + i) % 8)) & 1) != 0;
     const auto mask = static_cast<std::uint8_t>(1U << ((to_bit + i) % 8));

@@ -252,6 +252,7 @@ SimBus::Returned SimBus::Impl::execute(std::span<std::uint8_t> frame, Nanosecond
     if (!node.esc->process(datagrams, time)) way.end = p;
     mark_source = mark_source || node.esc->ports().destroys_foreign_frames();
   }
+  for (auto& datagram : datagrams) datagram.store_header();
   const auto length = wire_time_ns(frame.size()) - 12 * 80;  // without the gap behind the frame
   const bool lost = path.swallowed || way.end < path.passages.size() || way.damaged < path.passages.size();
   const auto return_time = send_time + static_cast<Nanoseconds>(path.return_ns + 0.5) + length;
