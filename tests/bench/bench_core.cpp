@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
+#include <malloc.h>
 
 #include <algorithm>
-#include <chrono>
 #include <memory>
 #include <vector>
 
@@ -14,11 +14,13 @@
 #include "eni/esi_catalogue.h"
 #include "eni/project_builder.h"
 #include "master/channels.h"
+#include "master/master_service.h"
 #include "protocol/error_text.h"
 #include "protocol/frame.h"
 #include "protocol/registers.h"
 #include "sim/sim_bus.h"
 #include "support/clock.h"
+#include "tests/support/simulated_network.h"
 
 /// The simulated bus against the wire it stands for, virtual time against real time, and the sample
 /// ring against reading the clock once.
@@ -69,7 +71,7 @@ double cycle_ns(std::size_t slaves, std::size_t& frame_bytes) {
 
 void bench_simulator(RatioReport& report) {
   double one = 0;
-  for (const std::size_t slaves : {1, 10, 100}) {
+  for (const std::size_t slaves : {1, 10, 100, 1000}) {
     std::size_t bytes = 0;
     const double found = cycle_ns(slaves, bytes);
     if (found <= 0) {
@@ -81,6 +83,62 @@ void bench_simulator(RatioReport& report) {
     if (slaves == 1) one = found;
     if (slaves == 100) report.add("simulated cycle, per slave of 100", found / 100, "a single slave", one, 2);
   }
+}
+
+/// What a simulated slave takes of the memory: EEPROM, registers, 64 KiB of ESC address space, objects.
+void bench_memory(RatioReport& report) {
+  constexpr std::size_t kSlaves = 1'000;
+  for (const bool drives : {false, true}) {
+    test::SimulatedNetwork network;
+    for (std::size_t i = 0; i < kSlaves; ++i) {
+      if (drives) {
+        network.add(test::servo(), "servo-y");
+      } else {
+        network.add(test::io8());
+      }
+    }
+    const auto in_use = [] {
+      const auto info = mallinfo2();
+      return static_cast<double>(info.uordblks + info.hblkhd);
+    };
+    const auto before = in_use();
+    const auto bus = sim::SimBus::create(network.sim, VirtualClock::kDefaultStart);
+    if (!bus) return report.add_failure("memory", describe(bus.error()));
+    report.add_count(fmt::format("memory of a simulated {}", drives ? "drive" : "terminal"),
+                     (in_use() - before) / kSlaves / 1024, "KiB", 256, "KiB", 1);
+  }
+}
+
+/// A hundred slaves with SYNC0 in OP: every cycle with process data, time, deviation and the slaves' own work.
+void bench_virtual_hundred(RatioReport& report) {
+  constexpr Nanoseconds kDuration = 10 * kSecond;
+  test::SimulatedNetwork network;
+  for (int i = 0; i < 100; ++i) network.add(test::io8());
+  network.project.master.dc.sync_window.enabled = true;
+  VirtualClock clock;
+  auto link = network.link(clock);
+  if (!link) return report.add_failure("virtual time, 100 slaves", "no simulated bus");
+  MasterService service(std::move(link), clock);
+  service.channels().commands.push(GoOnlineCommand{network.compiled(), AlState::kOp});
+  (void)service.step();
+  Snapshot snapshot;
+  (void)service.channels().snapshot.read(snapshot);
+  if (snapshot.state != AlState::kOp) return report.add_failure("virtual time, 100 slaves", "not in OP");
+  const double start = processor_seconds();
+  std::vector<CycleSample> samples;
+  std::size_t cycles = 0;
+  for (Nanoseconds done = 0; done < kDuration; done += 100 * kMillisecond) {
+    service.run_for(100 * kMillisecond);
+    samples.clear();
+    service.channels().samples.pop(samples);
+    cycles += samples.size();
+  }
+  const double took = processor_seconds() - start;
+  (void)service.channels().snapshot.read(snapshot);
+  if (snapshot.state != AlState::kOp || cycles < 9'900) {
+    return report.add_failure("virtual time, 100 slaves", fmt::format("{} cycles, then not in OP", cycles));
+  }
+  report.add_factor("virtual time, 100 slaves with DC, 1000 us cycle", static_cast<double>(kDuration) / 1e9 / took, 50);
 }
 
 /// Ten virtual seconds of the demonstration machine with everything that a run does.
@@ -96,9 +154,9 @@ void bench_virtual_time(RatioReport& report) {
   if (!compiled) return fail(describe(compiled.error()));
   RunRequest request;
   request.duration = 10 * kSecond;
-  const auto start = std::chrono::steady_clock::now();
+  const double start = processor_seconds();
   const auto outcome = run_network(compiled->config, link, request);
-  const double took = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const double took = processor_seconds() - start;
   if (!outcome) return fail(describe(outcome.error()));
   if (outcome->error) return fail(describe(*outcome->error));
   // The bring-up is part of the ten seconds.
@@ -136,6 +194,8 @@ void bench_samples(RatioReport& report) {
 int main() {
   syncline::bench::RatioReport report;
   syncline::bench::bench_simulator(report);
+  syncline::bench::bench_memory(report);
+  syncline::bench::bench_virtual_hundred(report);
   syncline::bench::bench_virtual_time(report);
   syncline::bench::bench_samples(report);
   return report.finish("Simulator, virtual time, samples");

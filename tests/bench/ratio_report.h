@@ -7,7 +7,10 @@
 
 namespace syncline::bench {
 
-/// Median time of one call in nanoseconds: `rounds` rounds, each repeated until it is long enough for
+/// Processor time of the calling thread so far. What others do on the machine at the same time does not count.
+[[nodiscard]] double processor_seconds();
+
+/// Median processor time of one call in nanoseconds: `rounds` rounds, each repeated until it is long enough for
 /// the clock.
 [[nodiscard]] double median_ns(const std::function<void()>& call, int rounds = 7);
 
