@@ -3,6 +3,7 @@
 
 #include "dc/dcm/dcm_controller.h"
 #include "dc/dcm/dcm_monitor.h"
+#include "dc/dcm/outlier_gate.h"
 #include "dc/dcm/phase_error.h"
 
 namespace syncline::dc {
@@ -35,6 +36,10 @@ class BusShift final : public DcmController {
   DcmState state_;
   Reading anchor_;                // host time and what the reference clock is to show then
   std::optional<Reading> last_;
+  OutlierGate gate_;
+  bool control_off_;
+  double share_;                  // of the error that is corrected at once
+  double integral_time_;          // ns
   double filtered_ = 0, integral_ = 0;
   int blocks_away_ = 0;
 };

@@ -32,7 +32,9 @@ struct DcmState {
   Nanoseconds error = 0;            // frame late in the SYNC grid > 0
   Nanoseconds error_filtered = 0;
   double drift_ppm = 0;             // reference clock's rate minus host's
-  Nanoseconds adjust = 0;
+  Nanoseconds adjust = 0;           // of the next period, or of what is written; with control off: what it would be
+  double output_sum = 0;            // what the controller has learned: its integral part, ns a cycle
+  Nanoseconds output_total = 0;     // of all adjustments since the start
   bool in_sync = false;
   std::optional<Nanoseconds> in_sync_after;  // since the first observation
   std::uint32_t error_code = 0;     // DCM_E_...

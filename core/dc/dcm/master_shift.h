@@ -4,11 +4,13 @@
 #include "dc/dcm/dcm_controller.h"
 #include "dc/dcm/dcm_monitor.h"
 #include "dc/dcm/phase_error.h"
+#include "dc/dcm/phase_tracker.h"
 
 namespace syncline::dc {
 
-/// The host's timer follows the reference clock: a PI controller lengthens or shortens the next
-/// period. Fast gains while not in sync, slow ones while in sync.
+/// The host's timer follows the reference clock: the next period is longer or shorter by the drift that the tracker has
+/// learned and a share of the phase that it sees. When the application moves the timer (MasterShiftByApp), or control is
+/// off, the adjustment is only reported.
 class MasterShift final : public DcmController {
  public:
   MasterShift(const DcmSettings& settings, Nanoseconds cycle_time, Nanoseconds set_value, Nanoseconds least = 0);
@@ -18,14 +20,14 @@ class MasterShift final : public DcmController {
   [[nodiscard]] const DcmState& state() const override { return state_; }
 
  private:
-  [[nodiscard]] bool is_gated(double error);
-  void control(double error);
+  void follow(const DcmObservation& observation);
 
+  bool moves_timer_;
   PhaseTarget target_;
   DcmMonitor monitor_;
+  PhaseTracker tracker_;
   DcmState state_;
-  double smoothed_ = 0, integral_ = 0, output_ = 0;  // ns, ns a cycle, ns
-  int outliers_ = 0;
+  std::optional<Nanoseconds> last_scheduled_;
 };
 
 }  // namespace syncline::dc

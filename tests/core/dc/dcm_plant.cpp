@@ -46,10 +46,11 @@ void EscClock::learn(double ppm, double share) {
 DcmPlant::DcmPlant(PlantOptions options)
     : options_(std::move(options)), random_(options_.seed), reference_(options_.reference_ppm) {
   options_.settings.mode = options_.mode;
-  controller_ = make_dcm_controller(options_.settings, options_.cycle, options_.set_value);
+  controller_ = options_.controller ? options_.controller()
+                                    : make_dcm_controller(options_.settings, options_.cycle, options_.set_value);
   for (const double ppm : options_.slave_ppm) slaves_.emplace_back(ppm);
   // In bus shift all follow the host, otherwise the reference clock.
-  const bool steered = options_.mode == DcmMode::kBusShift;
+  const bool steered = steers_reference_clock(options_.mode);
   if (steered) reference_.learn(0, options_.learned_share);
   for (auto& slave : slaves_) slave.learn(steered ? 0 : options_.reference_ppm, options_.learned_share);
   const auto first = kReferenceStart + std::llround(options_.start_error);
@@ -80,7 +81,11 @@ void DcmPlant::cycle() {
   PlantCycle result;
   result.jitter = draw_jitter() + options_.late(count_);
   const auto schedule = static_cast<double>(schedule_);
-  const double stamp_error = random_.normal() * options_.stamp_noise;
+  const double stamp_error = -std::abs(random_.normal()) * options_.send_delay + random_.normal() * options_.stamp_noise;
+  if (options_.clock_step.cycle == count_) {
+    reference_.step(options_.clock_step.ns);
+    for (auto& slave : slaves_) slave.step(options_.clock_step.ns);
+  }
   advance_to(schedule + result.jitter);
   const auto host_schedule = kHostStart + schedule_;
   const auto stamp = host_schedule + std::llround(result.jitter + stamp_error);
@@ -104,7 +109,9 @@ void DcmPlant::cycle() {
   result.time = schedule / 1e9;
   result.state = controller_->state();
   cycles_.push_back(result);
-  schedule_ += options_.cycle + action.period_adjust;
+  // An application of MasterShiftByApp does as it is told.
+  const bool by_app = options_.mode == DcmMode::kMasterShiftByApp;
+  schedule_ += options_.cycle + (by_app ? result.state.adjust : action.period_adjust);
   ++count_;
 }
 

@@ -53,6 +53,13 @@ struct PlantOptions {
   double start_error = 0;                   // of the first frame in the SYNC grid, ns
   JitterProfile jitter{};
   double stamp_noise = 0;                   // sigma of the host's send stamp, ns
+  double send_delay = 0;                    // sigma of the one-sided normal time from the stamp to the wire, ns
+  struct {
+    int cycle = -1;
+    double ns = 0;
+  } clock_step{};                           // of the reference clock and all that follow it
+  /// Another controller than the mode's own.
+  std::function<std::unique_ptr<DcmController>()> controller{};
   std::uint64_t seed = 1;
   std::function<bool(int)> lost = [](int) { return false; };
   std::function<double(int)> late = [](int) { return 0.0; };  // ns, of a single cycle

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "dc/dcm/outlier_gate.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace syncline::dc {
+namespace {
+
+constexpr double kScatters = 7.5;   // six standard deviations of a normal distribution
+constexpr double kMemory = 0.02;
+constexpr int kOutliersAreTrue = 20;  // so many in a row
+
+}  // namespace
+
+OutlierGate::Verdict OutlierGate::judge(double surprise, bool trusted) {
+  const double size = std::abs(surprise);
+  const double gate = std::max(limit_, kScatters * scatter_);
+  if (trusted && size > gate) {
+    if (++outliers_ < kOutliersAreTrue) return Verdict::kOutlier;
+    outliers_ = 0;
+    return Verdict::kStep;
+  }
+  outliers_ = 0;
+  scatter_ += kMemory * (std::min(size, gate) - scatter_);
+  return Verdict::kValid;
+}
+
+}  // namespace syncline::dc

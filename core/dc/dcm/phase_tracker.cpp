@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "dc/dcm/phase_tracker.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace syncline::dc {
+namespace {
+
+constexpr double kReading = 1'000;          // ns; a send stamp's error where nothing is known of it
+constexpr double kDriftAtStart = 200e-6;    // of the cycle
+constexpr double kMaxDrift = 1'000e-6;      // of the cycle; what is reported as too high is still balanced
+
+double square(double x) { return x * x; }
+
+}  // namespace
+
+PhaseTracker::PhaseTracker(Gains settled, double cycle_ns, double max_valid_ns)
+    : settled_(settled), cycle_(cycle_ns), gate_(max_valid_ns) {
+  start();
+}
+
+void PhaseTracker::start() {
+  phase_ = drift_ = 0;
+  forget();
+}
+
+void PhaseTracker::forget() {
+  gate_.start();
+  readings_ = 0;
+  p11_ = square(cycle_ / kReading);
+  p12_ = 0;
+  p22_ = square(kDriftAtStart * cycle_ / kReading);
+}
+
+double PhaseTracker::wrapped(double value) const { return value - cycle_ * std::round(value / cycle_); }
+
+void PhaseTracker::advance(double cycles, double moved) {
+  phase_ = wrapped(phase_ + cycles * drift_ + moved);
+  p11_ += 2 * cycles * p12_ + square(cycles) * p22_;
+  p12_ += cycles * p22_;
+}
+
+bool PhaseTracker::update(double phase) {
+  double surprise = wrapped(phase - phase_);
+  switch (gate_.judge(surprise, settled())) {
+    case OutlierGate::Verdict::kOutlier: return false;
+    case OutlierGate::Verdict::kStep:
+      // The phase is another one; the drift is kept until the readings say otherwise.
+      forget();
+      break;
+    case OutlierGate::Verdict::kValid: break;
+  }
+  const double phase_gain = std::max(p11_ / (p11_ + 1), settled_.phase);
+  const double drift_gain = std::max(p12_ / (p11_ + 1), settled_.drift);
+  const double k1 = p11_ / (p11_ + 1), k2 = p12_ / (p11_ + 1);
+  p22_ = std::max(p22_ - k2 * p12_, 0.0);
+  p12_ *= 1 - k1;
+  p11_ *= 1 - k1;
+  phase_ = wrapped(phase_ + phase_gain * surprise);
+  drift_ = std::clamp(drift_ + drift_gain * surprise, -kMaxDrift * cycle_, kMaxDrift * cycle_);
+  readings_ = std::min(readings_ + 1, kTrusted);
+  return true;
+}
+
+}  // namespace syncline::dc

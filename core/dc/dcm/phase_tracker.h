@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "dc/dcm/outlier_gate.h"
+
+namespace syncline::dc {
+
+/// Where the schedule is in the SYNC grid, and how fast it drifts there: a Kalman filter over both, told what the
+/// schedule was moved by. It begins like a straight line laid through all readings, and ends with the fixed gains of
+/// a second-order loop, which are the settings'. Because it knows what was moved, how hard the controller pulls does
+/// not enter its stability.
+class PhaseTracker {
+ public:
+  struct Gains {
+    double phase;  // of the surprise, in a settled cycle: nCtlGain
+    double drift;  // the same, for the drift: nCtlDriftErrorGain * phase^2 / 4
+  };
+  PhaseTracker(Gains settled, double cycle_ns, double max_valid_ns);
+  void start();
+  /// `cycles` have passed, in which the schedule was moved by `moved` ns in all.
+  void advance(double cycles, double moved);
+  /// A reading of the phase, ns. False when it was no valid one.
+  bool update(double phase);
+
+  [[nodiscard]] double phase() const { return phase_; }  // ns, within half a cycle
+  [[nodiscard]] double drift() const { return drift_; }  // ns a cycle
+  [[nodiscard]] bool settled() const { return readings_ >= kTrusted; }
+
+ private:
+  static constexpr int kTrusted = 100;
+  void forget();
+  [[nodiscard]] double wrapped(double value) const;
+
+  Gains settled_;
+  double cycle_;
+  OutlierGate gate_;
+  double phase_ = 0, drift_ = 0;
+  double p11_ = 0, p12_ = 0, p22_ = 0;  // covariance, in units of the readings' variance
+  int readings_ = 0;
+};
+
+}  // namespace syncline::dc

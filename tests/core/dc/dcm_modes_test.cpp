@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "dc/dcm/dcm_controller.h"
+#include "dc/dcm/outlier_gate.h"
+#include "dc/dcm/phase_tracker.h"
+#include "dcm_plant.h"
+
+namespace syncline::dc {
+namespace {
+
+PlantOptions with(DcmMode mode, JitterProfile jitter, double ppm = 50) {
+  PlantOptions options;
+  options.mode = mode;
+  options.jitter = jitter;
+  options.reference_ppm = ppm;
+  options.slave_ppm = {ppm + 30, ppm - 90};
+  return options;
+}
+
+constexpr DcmMode kControlled[] = {DcmMode::kBusShift, DcmMode::kMasterShift};
+
+TEST(DcmModes, TheStandardsOfTheTaskWithNoisyStamps) {
+  struct Profile {
+    JitterProfile jitter;
+    double rms;
+  };
+  // Bus shift at 400 ppm is the worst: there the gain of the ESC is highest.
+  for (const auto& [jitter, rms] : {Profile{JitterProfile::quiet(), 30},
+                                    {JitterProfile::desktop(), 120}, {JitterProfile::bad(), 700}}) {
+    for (const auto mode : kControlled) {
+      for (const double ppm : {-400.0, -50.0, 50.0, 400.0}) {
+        auto options = with(mode, jitter, ppm);
+        options.send_delay = jitter.sigma_ns / 6;
+        DcmPlant plant(options);
+        plant.run_until(20);
+        const auto name = std::string(dcm_mode_name(mode)) + " " + std::to_string(ppm) + " " + std::to_string(jitter.sigma_ns);
+        EXPECT_LT(plant.in_sync_at(), 2) << name;
+        EXPECT_EQ(plant.times_lost(), 0) << name;
+        const double mean = plant.mean(&PlantCycle::grid_error, 10);
+        EXPECT_LT(std::sqrt(std::pow(plant.rms(&PlantCycle::grid_error, 10), 2) - mean * mean), rms) << name;
+      }
+    }
+  }
+}
+
+TEST(DcmModes, MasterRefClockLetsTheJitterThroughThatBusShiftTakesOut) {
+  DcmPlant nominal(with(DcmMode::kMasterRefClock, JitterProfile::desktop()));
+  DcmPlant controlled(with(DcmMode::kBusShift, JitterProfile::desktop()));
+  nominal.run_until(20);
+  controlled.run_until(20);
+  EXPECT_LT(nominal.in_sync_at(), 6);
+  EXPECT_EQ(nominal.last().state.error_code, 0U);
+  EXPECT_EQ(nominal.last().state.adjust, 0);
+  EXPECT_GT(nominal.rms(&PlantCycle::grid_error, 10), 10 * controlled.rms(&PlantCycle::grid_error, 10));
+}
+
+TEST(DcmModes, MasterRefClockNeedsAnAccurateCycleOnly) {
+  DcmPlant plant(with(DcmMode::kMasterRefClock, JitterProfile::none()));
+  plant.run_until(20);
+  EXPECT_LT(plant.in_sync_at(), 2);
+  EXPECT_LT(plant.rms(&PlantCycle::grid_error, 10), 30);
+}
+
+TEST(DcmModes, LinkLayerRefClockTakesTheAdaptersTime) {
+  // The adapter's stamps are what the plant hands over; the host's wake-up is of no concern.
+  DcmPlant plant(with(DcmMode::kLinkLayerRefClock, JitterProfile::bad()));
+  plant.run_until(20);
+  EXPECT_LT(plant.in_sync_at(), 2);
+  EXPECT_EQ(plant.times_lost(), 0);
+  EXPECT_LT(plant.rms(&PlantCycle::grid_error, 10), 30);
+  EXPECT_LT(plant.worst(&PlantCycle::slave_error, 10), 30);
+}
+
+TEST(DcmModes, AnApplicationThatDoesAsItIsToldIsAMasterShift) {
+  auto options = with(DcmMode::kMasterShiftByApp, JitterProfile::quiet());
+  options.start_error = 100e3;
+  DcmPlant plant(options);
+  plant.run_until(10);
+  EXPECT_LT(plant.in_sync_at(), 2.5);
+  EXPECT_LT(plant.worst(&PlantCycle::grid_error, 8), 50);
+}
+
+TEST(DcmModes, NothingMovesByItselfWhenTheApplicationOrNobodyShallMoveIt) {
+  for (const auto mode : {DcmMode::kMasterShift, DcmMode::kMasterShiftByApp, DcmMode::kBusShift, DcmMode::kMasterRefClock}) {
+    auto settings = settings_for(mode);
+    settings.control_off = true;
+    auto controller = make_dcm_controller(settings, kMillisecond, 600'000);
+    controller->start(0, 5'400'000, 0);
+    for (Nanoseconds time = kMillisecond; time < kSecond; time += kMillisecond) {
+      EXPECT_FALSE(controller->reference_write(time, time));
+      EXPECT_EQ(controller->observe({time, time, 5'400'000 + time + time / 20'000}).period_adjust, 0);
+    }
+    EXPECT_NEAR(controller->state().drift_ppm, 50, 0.1) << "the natural drift";
+    if (mode == DcmMode::kMasterShift) {
+      EXPECT_LT(controller->state().adjust, -50) << "what would be adjusted";
+    }
+  }
+}
+
+TEST(DcmModes, AStepOfTheClockIsWorkedOffWithinTheLimitAgain) {
+  for (const auto mode : kControlled) {
+    auto options = with(mode, JitterProfile::quiet());
+    options.clock_step = {8'000, 50e3};
+    DcmPlant plant(options);
+    plant.run_until(16);
+    EXPECT_LT(plant.in_sync_at(), 2);
+    EXPECT_GT(plant.worst(&PlantCycle::grid_error, 7.99, 8.1), 40e3);
+    EXPECT_LT(plant.worst(&PlantCycle::grid_error, 12), 500) << dcm_mode_name(mode);
+    EXPECT_TRUE(plant.last().state.in_sync);
+  }
+}
+
+TEST(DcmModes, TheGainSaysHowMuchOfTheNoiseComesThrough) {
+  const auto rms = [](std::uint32_t gain) {
+    auto options = with(DcmMode::kMasterShift, JitterProfile::desktop());
+    options.stamp_noise = 3'000;
+    options.settings.gain_ppt = gain;
+    DcmPlant plant(options);
+    plant.run_until(20);
+    return plant.rms(&PlantCycle::grid_error, 10);
+  };
+  EXPECT_GT(rms(50), 3 * rms(2));
+  EXPECT_EQ(rms(0), rms(2)) << "zero leaves the default";
+}
+
+TEST(DcmModes, TheDriftErrorGainSaysHowFastAChangeOfRateIsFollowed) {
+  // A quartz that warms up: 0.5 ppm a second, as a growing error of the stamps would look.
+  const auto lag = [](std::uint32_t drift_gain) {
+    PhaseTracker tracker({0.002, drift_gain * 0.002 * 0.002 / 4}, 1e6, 3'000);
+    double phase = 0, rate = 0;
+    for (int i = 0; i < 20'000; ++i) {
+      rate += 5e-4;  // ns a cycle, each cycle
+      phase += rate - tracker.drift();
+      tracker.advance(1, -tracker.drift());
+      tracker.update(phase);
+    }
+    return std::abs(rate - tracker.drift());
+  };
+  EXPECT_GT(lag(1), 2 * lag(3));
+}
+
+TEST(OutlierGate, IsAsWideAsTheLimitOrTheScatterAndBelievesWhatStays) {
+  OutlierGate gate(3'000);
+  using enum OutlierGate::Verdict;
+  EXPECT_EQ(gate.judge(1e6, false), kValid) << "nothing is known yet";
+  gate.start();
+  EXPECT_EQ(gate.judge(2'999, true), kValid);
+  EXPECT_EQ(gate.judge(3'001, true), kOutlier);
+  for (int i = 0; i < 1'000; ++i) (void)gate.judge(i % 2 == 0 ? 1'000 : -1'000, true);
+  EXPECT_EQ(gate.judge(7'000, true), kValid) << "this host is always that bad";
+  EXPECT_EQ(gate.judge(9'000, true), kOutlier);
+  for (int i = 0; i < 18; ++i) EXPECT_EQ(gate.judge(50'000, true), kOutlier);
+  EXPECT_EQ(gate.judge(50'000, true), kStep);
+}
+
+TEST(PhaseTracker, BeginsAsALineThroughAllReadings) {
+  PhaseTracker tracker({0.002, 3e-6}, 1e6, 3'000);
+  for (int i = 0; i < 200; ++i) {
+    if (i > 0) tracker.advance(1, 0);
+    tracker.update(2'000 + 50.0 * i);
+  }
+  EXPECT_NEAR(tracker.drift(), 50, 0.01);
+  EXPECT_NEAR(tracker.phase(), 2'000 + 50.0 * 199, 1);
+  tracker.advance(10, -300);
+  EXPECT_NEAR(tracker.phase(), 2'000 + 50.0 * 209 - 300, 1);
+}
+
+}  // namespace
+}  // namespace syncline::dc
