@@ -13,6 +13,7 @@
 
 #include "config/network_config.h"
 #include "master/bus_scan.h"
+#include "master/cyclic_application.h"
 #include "protocol/al_state.h"
 #include "support/result.h"
 #include "support/types.h"
@@ -230,6 +231,7 @@ struct MasterChannels {
   SnapshotBox snapshot;
   SampleRing samples;
   std::atomic<bool> cancel{false};        // ends a scan or a bring-up within a cycle
+  std::atomic<CyclicApplication*> application{nullptr};  // none: the outputs stay 0; must outlive the cycles
 };
 
 }  // namespace syncline

@@ -44,6 +44,9 @@ Status CyclicTaskRunner::run_cycle(std::span<Datagram* const> acyclic) {
   CycleSample sample;
   sample.cycle = run_.snapshot.cycles;
   steering_ = sync_.reference_write(send_time_, scheduled_).has_value();
+  if (auto* application = run_.channels().application.load(std::memory_order_acquire)) {
+    application->run({sample.cycle, scheduled_, run_.snapshot.state}, frames_.inputs(), frames_.outputs());
+  }
   frames_.prepare(sample.cycle, steering_);
   fill_acyclic(acyclic, send_time_);
   const auto lost_before = exchange_.lost_frames();

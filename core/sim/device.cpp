@@ -108,6 +108,7 @@ void Device::al_control_written(Nanoseconds time) {
     on_state(state_);
     return;
   }
+  requested_at_ = time;
   request_due_ = time + kFirmwareReaction;
 }
 
@@ -120,7 +121,7 @@ void Device::report(AlState state, std::uint16_t code) {
                                    static_cast<std::uint16_t>(esc_.memory().u16(reg::kEcatEventRequest) | 0x0008));
 }
 
-void Device::take_request(Nanoseconds) {
+void Device::take_request(Nanoseconds time) {
   esc_.acknowledge_events(kAlEventControl);
   const auto control = esc_.memory().u16(reg::kAlControl);
   const bool acknowledge = (control & kAlErrorFlag) != 0;
@@ -143,6 +144,10 @@ void Device::take_request(Nanoseconds) {
   };
   if (!is_allowed(state_, wanted)) return refuse_with(al_code::kInvalidRequest);
   if (wanted == refused_state_ && refusal_code_ != 0) return refuse_with(refusal_code_);
+  if (state_ < wanted && settling(wanted, time - requested_at_)) {
+    request_due_ = time + kMillisecond;  // asks itself again
+    return;
+  }
   if (const auto code = check(state_, wanted); code != 0) return refuse_with(code);
   enter(wanted);
   report(state_, 0);

@@ -63,6 +63,8 @@ class Device : public Esc::Listener {
   virtual void on_sync1(Nanoseconds) {}
   virtual void on_state(AlState) {}
   virtual std::uint16_t check_sync(AlState) { return 0; }  // AL status code, 0 = fine
+  /// A request for a higher state has waited so long, and is to wait a little more: something is still on its way.
+  virtual bool settling(AlState, Nanoseconds) { return false; }
   virtual void check_running(Nanoseconds) {}               // in OP, whenever time has passed
 
   /// `code`: AL status code; `error_code`: of the emergency that goes with it.
@@ -102,7 +104,7 @@ class Device : public Esc::Listener {
   bool error_ = false;
   std::optional<Nanoseconds> request_due_, mail_due_;
   std::optional<Nanoseconds> last_outputs_;
-  Nanoseconds now_ = 0;
+  Nanoseconds now_ = 0, requested_at_ = 0;
   bool mailbox_silent_ = false;
   Nanoseconds mailbox_delay_ = 0, application_delay_ = 0;
   AlState refused_state_ = AlState::kNone;

@@ -13,6 +13,7 @@ namespace {
 constexpr std::uint16_t kSyncError = 0x001A, kSyncStopped = 0x002C, kNoSync = 0x002D, kInvalidSyncConfiguration = 0x0030,
                         kPllError = 0x0032, kInvalidSync0Cycle = 0x0036;
 constexpr std::uint32_t kPllRange = 100'000;  // ns; the drive's PLL cannot lock on a clock that is further away
+constexpr Nanoseconds kPllPatience = 2 * kSecond;
 constexpr int kMissingSyncs = 8;
 constexpr unsigned kMissWeight = 3;  // added for a missed event; a good one takes 1 away
 constexpr std::uint32_t kCurrentLoop = 62'500;  // ns
@@ -114,6 +115,12 @@ std::uint16_t Drive::check_sync(AlState to) {
   if (!last_sync_) return kNoSync;
   if (dc.deviation_magnitude() > kPllRange || !clock_.locked()) return kPllError;
   return 0;
+}
+
+/// OP waits for the PLL, as long as SYNC0 comes and there is hope.
+bool Drive::settling(AlState wanted, Nanoseconds waited) {
+  return wanted == AlState::kOp && habits_.pll && esc().dc().sync_active() && last_sync_ && !clock_.locked() &&
+         waited < kPllPatience;
 }
 
 void Drive::choose_types() {

@@ -36,6 +36,7 @@ class Drive : public Device {
   void on_sync0(Nanoseconds time) override;
   void on_state(AlState state) override;
   std::uint16_t check_sync(AlState to) override;
+  bool settling(AlState wanted, Nanoseconds waited) override;
   void check_running(Nanoseconds time) override;
   /// A servo period begins.
   virtual void servo_tick(Nanoseconds) {}

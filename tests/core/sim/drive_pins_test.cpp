@@ -102,7 +102,31 @@ TEST_F(DrivePins, OpWaitsForThePll) {
   ASSERT_EQ(drive.to_safeop(), 4);
   drive.outputs();
   drive.probe.pass(8 * kMillisecond);
-  EXPECT_EQ(drive.probe.request(0, 8), 0x14);
+  EXPECT_EQ(drive.probe.request(0, 8), 4) << "not yet, and not refused";
+  EXPECT_EQ(drive.read(0x21B4, 0), 0x05U);
+  drive.cycles(300);
+  EXPECT_EQ(drive.read(0x21B4, 0), 0x07U);
+  EXPECT_EQ(drive.status(), 8);
+}
+
+TEST_F(DrivePins, OpIsRefusedWhenThePllNeverLocks) {
+  std::vector<FaultConfig> steps;
+  for (int i = 0; i < 400; ++i) {
+    FaultConfig step;
+    step.kind = FaultKind::kClockStep;
+    step.slave = 0;
+    step.at = (20 + 10 * i) * kMillisecond;
+    step.value_ns = i % 2 == 0 ? 80'000 : -80'000;
+    steps.push_back(step);
+  }
+  DriveBed drive("SL-XE2", steps);
+  drive.start_sync0(1'000'000);
+  ASSERT_EQ(drive.to_safeop(), 4);
+  drive.outputs();
+  drive.probe.pass(8 * kMillisecond);
+  EXPECT_EQ(drive.probe.request(0, 8), 4);
+  drive.cycles(2100);
+  EXPECT_EQ(drive.status(), 0x14);
   EXPECT_EQ(drive.probe.al_code(0), 0x0032);
 }
 
