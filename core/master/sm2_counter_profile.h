@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 #include "config/device_description.h"
@@ -9,13 +10,16 @@
 namespace syncline {
 
 inline constexpr std::uint16_t kSyncManager2Parameter = 0x1C32;  // "Output SyncManager parameter"
+inline constexpr std::uint16_t kSyncManager3Parameter = 0x1C33;  // "Input SyncManager parameter"
 
 /// Sub-index of 0x1C32 that counts missed SM2 events. ETG.1020 has it at 0x0B; the older layout, still
 /// in the field, has "cycle exceeded" there and the missed events at 0x0C.
 inline constexpr std::uint8_t kSm2MissedSubIndex = 0x0B;
 inline constexpr std::uint8_t kSm2MissedSubIndexOldLayout = 0x0C;
 
-/// By what is known of the vendor's devices; the ETG place for everybody else.
+/// By what is known of the vendor's devices; nothing for everybody else.
+[[nodiscard]] std::optional<std::uint8_t> known_sm2_missed_sub_index(const Identity& identity);
+/// The same; the ETG place for everybody else.
 [[nodiscard]] std::uint8_t sm2_missed_sub_index(const Identity& identity);
 
 /// By the object's own words ("SM event missed counter"), which are better than any table. 0 when

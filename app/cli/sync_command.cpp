@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "app/cli/visit_options.h"
+#include "master/sync_object_reader.h"
+
+namespace syncline::cli {
+namespace {
+
+struct Options {
+  VisitRequest slave;
+  bool json = false;
+};
+
+std::string_view source_key(CounterSource source) {
+  switch (source) {
+    case CounterSource::kObjectName: return "object_name";
+    case CounterSource::kDeviceProfile: return "device_profile";
+    case CounterSource::kUnknown: break;
+  }
+  return "unknown";
+}
+
+std::string_view source_text(CounterSource source) {
+  switch (source) {
+    case CounterSource::kObjectName: return "the slave names its counters";
+    case CounterSource::kDeviceProfile: return "the slave does not name its counters; what they count is known of this device";
+    case CounterSource::kUnknown: break;
+  }
+  return "the slave does not name its counters and is not known; the one that rises when a frame is lost counts missed events";
+}
+
+std::string value_text(const SyncParameters::Entry& entry) {
+  switch (entry.meaning) {
+    case SyncValue::kType: return fmt::format("{}  ({})", entry.value, sync_type_text(entry.value));
+    case SyncValue::kSupportedTypes: return fmt::format("0x{:04X}  ({})", entry.value, supported_types_text(entry.value));
+    default: return fmt::format("{}{}", entry.value, is_sync_time(entry.meaning) ? " ns" : "");
+  }
+}
+
+void print_text(Context& context, const SlaveVisit& visit, const std::vector<SyncParameters>& objects) {
+  auto& out = context.console.out;
+  out << fmt::format("{}, {}\n", visit.name(), al_state_name(visit.found()));
+  for (const auto& object : objects) {
+    out << fmt::format("0x{:04X}     {}\n", object.index, object.name);
+    for (const auto& entry : object.entries) {
+      out << fmt::format("       :{:02X} {:<32} {}\n", entry.sub_index, entry.name, value_text(entry));
+    }
+    const bool counters = object.value(SyncValue::kMissed) || object.value(SyncValue::kCycleExceeded) ||
+                          object.value(SyncValue::kMissedOrExceeded);
+    if (counters) out << fmt::format("       {}\n", source_text(object.counter_source));
+  }
+  if (objects.empty()) out << "it has no synchronisation objects (0x1C32, 0x1C33)\n";
+}
+
+void print_json(Context& context, const Options& options, const SlaveVisit& visit, const std::vector<SyncParameters>& objects) {
+  Json list = Json::array();
+  for (const auto& object : objects) {
+    Json entries = Json::array();
+    for (const auto& entry : object.entries) {
+      entries.push_back({{"sub_index", entry.sub_index},
+                         {"meaning", sync_value_key(entry.meaning)},
+                         {"name", entry.name},
+                         {"value", entry.value}});
+    }
+    list.push_back({{"index", hex(object.index, 4)},
+                    {"name", object.name},
+                    {"counter_source", source_key(object.counter_source)},
+                    {"entries", entries}});
+  }
+  context.print({{"position", options.slave.position}, {"state", al_state_name(visit.found())}, {"objects", list}});
+}
+
+void show(Context& context, const Options& options) {
+  with_mailbox(context, options.slave, [&](SlaveVisit& visit) -> Status {
+    const auto objects = read_sync_objects(visit.mailbox());
+    if (!objects) return tl::unexpected(objects.error());
+    if (options.json) {
+      print_json(context, options, visit, *objects);
+    } else {
+      print_text(context, visit, *objects);
+    }
+    return {};
+  });
+}
+
+}  // namespace
+
+void add_sync_command(CLI::App& app, Context& context) {
+  auto options = std::make_shared<Options>();
+  auto* command = app.add_subcommand("sync", "Show how a slave is synchronised, and what it has missed (0x1C32, 0x1C33)");
+  add_slave_options(*command, options->slave, options->json);
+  command->callback([&context, options] { show(context, *options); });
+}
+
+}  // namespace syncline::cli
