@@ -20,6 +20,17 @@ Json or_null(const std::optional<T>& value) {
 Json rounded(double value) { return std::round(value * 1000.0) / 1000.0; }
 Json rounded(const std::optional<double>& value) { return value ? rounded(*value) : Json(nullptr); }
 
+/// Where nobody knows which of the two counters it is, both.
+std::string sm2_text(const Sm2MissedStatus& status) {
+  if (status.other_sub_index == 0) return fmt::format("{}", status.value);
+  return fmt::format("{}|{}", status.value, status.other_value);
+}
+
+Json sm2_other(const Sm2MissedStatus& status) {
+  if (status.other_sub_index == 0) return nullptr;
+  return {{"object", fmt::format("0x{:04X}:{:02X}", status.index, status.other_sub_index)}, {"value", status.other_value}};
+}
+
 std::string sm2_object(const Sm2MissedStatus& status) { return fmt::format("0x{:04X}:{:02X}", status.index, status.sub_index); }
 
 Json slave_json(const RunReport::Slave& slave) {
@@ -31,6 +42,7 @@ Json slave_json(const RunReport::Slave& slave) {
           {"deviation_max_ns", or_null(slave.deviation_max_ns)},
           {"sm2_missed", slave.sm2_missed ? Json(slave.sm2_missed->value) : Json(nullptr)},
           {"sm2_object", slave.sm2_missed ? Json(sm2_object(*slave.sm2_missed)) : Json(nullptr)},
+          {"sm2_other", slave.sm2_missed ? sm2_other(*slave.sm2_missed) : Json(nullptr)},
           {"propagation_delay_ns", or_null(slave.propagation_delay_ns)}};
 }
 
@@ -120,7 +132,7 @@ std::string to_text(const RunReport& report) {
   for (const auto& slave : report.slaves) {
     fmt::format_to(out, "{:>3} {:<28} {:<10} {:>12} {:>14} {:>8} {:>12}\n", slave.position, slave.name,
                    state_text(slave.al_status), or_dash(slave.deviation_ns), or_dash(slave.deviation_max_ns),
-                   slave.sm2_missed ? fmt::format("{}", slave.sm2_missed->value) : "-",
+                   slave.sm2_missed ? sm2_text(*slave.sm2_missed) : "-",
                    slave.propagation_delay_ns ? fmt::format("{}", *slave.propagation_delay_ns) : "-");
   }
   const auto& dc = report.dc;

@@ -76,6 +76,8 @@ struct Sm2MissedStatus {
   std::uint32_t value = 0;
   std::uint16_t index = 0x1C32;
   std::uint8_t sub_index = 0;             // 0x0B or 0x0C, by object name or device profile
+  std::uint8_t other_sub_index = 0;       // neither says which: the other one of the two, else 0
+  std::uint32_t other_value = 0;
   bool operator==(const Sm2MissedStatus&) const = default;
 };
 

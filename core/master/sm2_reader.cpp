@@ -19,7 +19,9 @@ bool uses_sync(const SlaveConfig& slave) {
 Sm2Reader::Sm2Reader(RunState& run, CyclicMailbox& mailbox) : run_(run), mailbox_(mailbox) {
   for (std::size_t i = 0; i < run.config().slaves.size(); ++i) {
     const auto& slave = run.config().slaves[i];
-    if (uses_sync(slave)) counters_.push_back({static_cast<std::uint16_t>(i), sm2_missed_sub_index(slave.identity)});
+    if (!uses_sync(slave)) continue;
+    const auto known = known_sm2_missed_sub_index(slave.identity);
+    counters_.push_back({static_cast<std::uint16_t>(i), known.value_or(kSm2MissedSubIndex), !known});
   }
 }
 
@@ -31,7 +33,9 @@ std::vector<std::size_t> Sm2Reader::slaves() const {
 
 void Sm2Reader::set_sub_index(std::size_t slave, std::uint8_t sub_index) {
   for (auto& counter : counters_) {
-    if (counter.slave == slave) counter.sub_index = sub_index;
+    if (counter.slave != slave) continue;
+    counter.sub_index = sub_index;
+    counter.both = false;
   }
 }
 
@@ -39,19 +43,33 @@ void Sm2Reader::begin(Nanoseconds now) {
   if (counters_.empty() || now < next_start_ || !mailbox_.idle()) return;
   next_start_ = now + kPeriod / static_cast<Nanoseconds>(counters_.size());
   current_ = (current_ + 1) % counters_.size();
-  const auto& counter = counters_[current_];
+  auto& counter = counters_[current_];
   const auto state = al_state_of(run_.snapshot.slaves[counter.slave].al_status);
   const bool counting = state == AlState::kSafeop || state == AlState::kOp;
   if (!counter.supported || !counting || !mailbox_.ready_for(counter.slave)) return;
-  mailbox_.upload(counter.slave, {kSyncManager2Parameter, counter.sub_index}, now);
+  counter.other = counter.both && !counter.other;
+  mailbox_.upload(counter.slave, {kSyncManager2Parameter, counter.other ? kSm2MissedSubIndexOldLayout : counter.sub_index}, now);
 }
 
 void Sm2Reader::take(const CyclicMailbox::Answer& answer, CycleSample& sample) {
   if (answer.object.index != kSyncManager2Parameter) return;
   auto& counter = counters_[current_];
-  if (answer.kind == CyclicMailbox::Answer::Kind::kAbort) counter.supported = false;
+  auto& status = run_.snapshot.slaves[counter.slave].sm2_missed;
+  if (answer.kind == CyclicMailbox::Answer::Kind::kAbort) {
+    if (!counter.other) counter.supported = false;
+    counter.both = counter.other = false;  // there are not two
+  }
   if (answer.kind != CyclicMailbox::Answer::Kind::kValue) return;
-  run_.snapshot.slaves[counter.slave].sm2_missed = {true, answer.value, kSyncManager2Parameter, counter.sub_index};
+  if (counter.other) {
+    status.other_sub_index = kSm2MissedSubIndexOldLayout;
+    status.other_value = answer.value;
+    return;
+  }
+  if (!counter.both) status.other_sub_index = 0;
+  status.valid = true;
+  status.value = answer.value;
+  status.index = kSyncManager2Parameter;
+  status.sub_index = counter.sub_index;
   sample.sm2_position = static_cast<std::int16_t>(counter.slave);
   sample.slave_sm2_missed = answer.value;
 }

@@ -30,6 +30,8 @@ class Sm2Reader {
   struct Counter {
     std::uint16_t slave = 0;
     std::uint8_t sub_index = 0;
+    bool both = false;       // nobody knows which of the two it is: they are read in turn
+    bool other = false;      // 0x0C is being asked for, as the other one of the two
     bool supported = true;
   };
 

@@ -56,47 +56,48 @@ Drive::Drive(const SimSlaveConfig& config, Esc& esc, const DriveHabits& habits)
   enable_diagnosis_history();
 }
 
-/// Keeps what the ESI says of an object, and gives it the value of a drive that is switched on.
 template <std::unsigned_integral T>
-void Drive::object(std::uint16_t index, std::uint8_t sub_index, const char* name, T value, std::uint16_t type, bool writable) {
+ObjectValue<T> Drive::object(std::uint16_t index, std::uint8_t sub_index, const char* name, T value, std::uint16_t type,
+                             bool writable) {
   auto* entry = dictionary_.find(index, sub_index);
   if (entry == nullptr || entry->value.size() != sizeof(T)) {
     entry = &dictionary_.add(index, sub_index, name, value, writable);
     entry->data_type = type;
   }
   entry->value = le_bytes(value);
+  return ObjectValue<T>(*entry);
 }
 
 void Drive::add_objects() {
-  object<std::uint16_t>(kErrorCode, 0, "Error code", 0, kUnsigned16);
-  object<std::uint16_t>(kControl, 0, "Controlword", 0, kUnsigned16, true);
-  object<std::uint16_t>(kStatus, 0, "Statusword", power_.statusword(), kUnsigned16);
-  object<std::uint8_t>(kMode, 0, "Modes of operation", 8, kSigned8, true);
-  object<std::uint8_t>(kModeDisplay, 0, "Modes of operation display", 0, kSigned8);
-  object<std::uint32_t>(kDemand, 0, "Position demand value", 0, kSigned32);
-  object<std::uint32_t>(kActual, 0, "Position actual value", 0, kSigned32);
-  object<std::uint32_t>(kVelocity, 0, "Velocity actual value", 0, kSigned32);
-  object<std::uint32_t>(kTarget, 0, "Target position", 0, kSigned32, true);
-  object<std::uint32_t>(kTargetVelocity, 0, "Target velocity", 0, kSigned32, true);
-  object<std::uint32_t>(kProfileVelocity, 0, "Profile velocity", 100'000, kUnsigned32, true);
-  object<std::uint32_t>(kProfileAcceleration, 0, "Profile acceleration", 1'000'000, kUnsigned32, true);
-  object<std::uint32_t>(kFollowingError, 0, "Following error actual value", 0, kSigned32);
+  auto& o = objects_;
+  o.error_code = object<std::uint16_t>(kErrorCode, 0, "Error code", 0, kUnsigned16);
+  o.control = object<std::uint16_t>(kControl, 0, "Controlword", 0, kUnsigned16, true);
+  o.status = object<std::uint16_t>(kStatus, 0, "Statusword", power_.statusword(), kUnsigned16);
+  o.mode = object<std::uint8_t>(kMode, 0, "Modes of operation", 8, kSigned8, true);
+  o.mode_display = object<std::uint8_t>(kModeDisplay, 0, "Modes of operation display", 0, kSigned8);
+  o.demand = object<std::uint32_t>(kDemand, 0, "Position demand value", 0, kSigned32);
+  o.actual = object<std::uint32_t>(kActual, 0, "Position actual value", 0, kSigned32);
+  o.velocity = object<std::uint32_t>(kVelocity, 0, "Velocity actual value", 0, kSigned32);
+  o.target = object<std::uint32_t>(kTarget, 0, "Target position", 0, kSigned32, true);
+  o.target_velocity = object<std::uint32_t>(kTargetVelocity, 0, "Target velocity", 0, kSigned32, true);
+  o.profile_velocity = object<std::uint32_t>(kProfileVelocity, 0, "Profile velocity", 100'000, kUnsigned32, true);
+  o.profile_acceleration = object<std::uint32_t>(kProfileAcceleration, 0, "Profile acceleration", 1'000'000, kUnsigned32, true);
+  o.following_error = object<std::uint32_t>(kFollowingError, 0, "Following error actual value", 0, kSigned32);
   dictionary_.set_object_name(kInterpolationPoint, "Interpolation data record");
   object<std::uint8_t>(kInterpolationPoint, 0, "Number of entries", 1, kUnsigned8);
-  object<std::uint32_t>(kInterpolationPoint, 1, "Interpolation position", 0, kSigned32, true);
+  o.point = object<std::uint32_t>(kInterpolationPoint, 1, "Interpolation position", 0, kSigned32, true);
   dictionary_.set_object_name(kInterpolationTime, "Interpolation time period");
   object<std::uint8_t>(kInterpolationTime, 0, "Number of entries", 2, kUnsigned8);
-  object<std::uint8_t>(kInterpolationTime, 1, "Interpolation time period value", 1, kUnsigned8, true);
-  object<std::uint8_t>(kInterpolationTime, 2, "Interpolation time index", 0xFD, kSigned8, true);
+  o.interpolation_time = object<std::uint8_t>(kInterpolationTime, 1, "Interpolation time period value", 1, kUnsigned8, true);
+  o.interpolation_index = object<std::uint8_t>(kInterpolationTime, 2, "Interpolation time index", 0xFD, kSigned8, true);
   dictionary_.set_object_name(kErrorSettings, "Error settings");
   object<std::uint8_t>(kErrorSettings, 0, "Number of entries", 2, kUnsigned8);
   object<std::uint32_t>(kErrorSettings, 1, "Local error reaction", 1, kUnsigned32, true);
-  object<std::uint16_t>(kErrorSettings, 2, "Sync error counter limit", habits_.sync_error_limit, kUnsigned16, true);
-  if (auto* limit = dictionary_.find(kErrorSettings, 2)) {
-    limit->on_write = [this](std::span<const std::uint8_t> data) {
-      return load_le<std::uint16_t>(data) <= habits_.sync_error_limit_max ? abort::kNone : abort::kRange;
-    };
-  }
+  o.sync_error_limit =
+      object<std::uint16_t>(kErrorSettings, 2, "Sync error counter limit", habits_.sync_error_limit, kUnsigned16, true);
+  dictionary_.find(kErrorSettings, 2)->on_write = [this](std::span<const std::uint8_t> data) {
+    return load_le<std::uint16_t>(data) <= habits_.sync_error_limit_max ? abort::kNone : abort::kRange;
+  };
 }
 
 // ---- AL state ------------------------------------------------------------------------------------
@@ -177,24 +178,24 @@ void Drive::check_running(Nanoseconds time) {
 // ---- events --------------------------------------------------------------------------------------
 
 AxisCommand Drive::read_command() {
-  auto& d = dictionary_;
+  const auto& o = objects_;
   AxisCommand command;
-  command.mode = axis_mode(d.get<std::uint8_t>(kMode, 0));
+  command.mode = axis_mode(o.mode.get());
   if (habits_.cyclic_modes_need_dc && is_cyclic(command.mode) && !esc().dc().sync0_enabled()) command.mode = AxisMode::kNone;
-  command.controlword = d.get<std::uint16_t>(kControl, 0);
-  command.target_position = static_cast<std::int32_t>(d.get<std::uint32_t>(kTarget, 0));
-  command.target_velocity = static_cast<std::int32_t>(d.get<std::uint32_t>(kTargetVelocity, 0));
-  command.interpolation_point = static_cast<std::int32_t>(d.get<std::uint32_t>(kInterpolationPoint, 1));
-  command.profile_velocity = d.get<std::uint32_t>(kProfileVelocity, 0);
-  command.profile_acceleration = d.get<std::uint32_t>(kProfileAcceleration, 0);
+  command.controlword = o.control.get();
+  command.target_position = static_cast<std::int32_t>(o.target.get());
+  command.target_velocity = static_cast<std::int32_t>(o.target_velocity.get());
+  command.interpolation_point = static_cast<std::int32_t>(o.point.get());
+  command.profile_velocity = o.profile_velocity.get();
+  command.profile_acceleration = o.profile_acceleration.get();
   return command;
 }
 
 /// Time from one target to the next: the SYNC0 cycle, else what the master has written to 0x60C2.
 Nanoseconds Drive::target_distance() {
   if (synchronised()) return esc().dc().settings().cycle0;
-  Nanoseconds time = dictionary_.get<std::uint8_t>(kInterpolationTime, 1) * kSecond;
-  const auto index = static_cast<std::int8_t>(dictionary_.get<std::uint8_t>(kInterpolationTime, 2));
+  Nanoseconds time = objects_.interpolation_time.get() * kSecond;
+  const auto index = static_cast<std::int8_t>(objects_.interpolation_index.get());
   for (int power = std::clamp<int>(index, -9, 0); power < 0; ++power) time /= 10;
   return time;
 }
@@ -260,12 +261,12 @@ void Drive::count_sync_event(bool missed) {
     --integrator_;
   }
   outputs_sync_.set_sync_error(missed);
-  const auto limit = dictionary_.get<std::uint16_t>(kErrorSettings, 2);
+  const auto limit = objects_.sync_error_limit.get();
   if (limit != 0 && integrator_ >= limit) raise_sync_alarm();
 }
 
 void Drive::raise_sync_alarm() {
-  dictionary_.set<std::uint16_t>(kErrorCode, 0, habits_.sync_alarm);
+  objects_.error_code.set(habits_.sync_alarm);
   power_.fault();
   drop_to_safeop(kSyncError, habits_.sync_alarm);
 }
@@ -296,18 +297,18 @@ void Drive::run_ticks(Nanoseconds time) {
 void Drive::apply(const AxisCommand& command, Nanoseconds time) {
   const bool was_enabled = power_.enabled();
   power_.control(command.controlword);
-  if (power_.take_reset()) dictionary_.set<std::uint16_t>(kErrorCode, 0, 0);
+  if (power_.take_reset()) objects_.error_code.set(0);
   if (!power_.enabled()) axis_.disable();
   if (power_.enabled() && !was_enabled) axis_.enable(time);
   axis_.command(command, time, target_distance());
-  dictionary_.set(kModeDisplay, 0, static_cast<std::uint8_t>(command.mode));
+  objects_.mode_display.set(static_cast<std::uint8_t>(command.mode));
 }
 
 std::uint16_t Drive::statusword() {
   constexpr std::uint16_t kTargetReached = 0x0400, kModeSpecific = 0x1000;
   auto status = power_.statusword();
   if (!power_.enabled()) return status;
-  const auto mode = static_cast<AxisMode>(dictionary_.get<std::uint8_t>(kModeDisplay, 0));
+  const auto mode = static_cast<AxisMode>(objects_.mode_display.get());
   if (mode == AxisMode::kProfilePosition) {
     if (axis_.target_reached()) status |= kTargetReached;
     if (axis_.set_point_acknowledged()) status |= kModeSpecific;
@@ -318,12 +319,12 @@ std::uint16_t Drive::statusword() {
 }
 
 void Drive::publish_inputs() {
-  auto& d = dictionary_;
-  d.set<std::uint16_t>(kStatus, 0, statusword());
-  d.set(kDemand, 0, static_cast<std::uint32_t>(axis_.demand_position()));
-  d.set(kActual, 0, static_cast<std::uint32_t>(axis_.actual_position()));
-  d.set(kVelocity, 0, static_cast<std::uint32_t>(axis_.actual_velocity()));
-  d.set(kFollowingError, 0, static_cast<std::uint32_t>(axis_.following_error()));
+  auto& o = objects_;
+  o.status.set(statusword());
+  o.demand.set(static_cast<std::uint32_t>(axis_.demand_position()));
+  o.actual.set(static_cast<std::uint32_t>(axis_.actual_position()));
+  o.velocity.set(static_cast<std::uint32_t>(axis_.actual_velocity()));
+  o.following_error.set(static_cast<std::uint32_t>(axis_.following_error()));
   inputs_from_dictionary();
 }
 

@@ -53,8 +53,10 @@ class Drive : public Device {
     Nanoseconds ready = 0;
   };
   void add_objects();
+  /// Keeps what the ESI says of an object, and gives it the value of a drive that is switched on.
   template <std::unsigned_integral T>
-  void object(std::uint16_t index, std::uint8_t sub_index, const char* name, T value, std::uint16_t type, bool writable = false);
+  ObjectValue<T> object(std::uint16_t index, std::uint8_t sub_index, const char* name, T value, std::uint16_t type,
+                        bool writable = false);
   void choose_types();
   void leave_op();
   [[nodiscard]] AxisCommand read_command();
@@ -70,7 +72,16 @@ class Drive : public Device {
   void publish_inputs();
   [[nodiscard]] std::uint16_t statusword();
 
+  /// Objects of every cycle.
+  struct Objects {
+    ObjectValue<std::uint16_t> error_code, control, status, sync_error_limit;
+    ObjectValue<std::uint8_t> mode, mode_display, interpolation_time, interpolation_index;
+    ObjectValue<std::uint32_t> demand, actual, velocity, target, target_velocity, profile_velocity, profile_acceleration,
+        point, following_error;
+  };
+
   DriveHabits habits_;
+  Objects objects_;
   SyncObject outputs_sync_, inputs_sync_;
   ServoClock clock_;
   PowerState power_;

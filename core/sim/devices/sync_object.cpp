@@ -23,31 +23,41 @@ SyncObject::SyncObject(ObjectDictionary& dictionary, std::uint16_t index, const 
 
 void SyncObject::add_entries(const char* name) {
   auto& d = dictionary_;
+  const auto word = [&](std::uint8_t sub_index, const char* text, std::uint16_t value) -> ObjectDictionary::Entry& {
+    return d.add<std::uint16_t>(index_, sub_index, text, value);
+  };
+  const auto time = [&](std::uint8_t sub_index, const char* text, std::uint32_t value, bool writable = false) {
+    auto& entry = d.add<std::uint32_t>(index_, sub_index, text, value, writable);
+    entry.preop_only = true;
+    return ObjectValue<std::uint32_t>(entry);
+  };
   d.set_object_name(index_, name);
   d.add<std::uint8_t>(index_, 0, "Number of entries", kSyncError);
-  auto& type = d.add<std::uint16_t>(index_, kType, "Synchronization type", 0, true);
-  type.preop_only = true;
+  auto& type = word(kType, "Synchronization type", 0);
+  type.writable = type.preop_only = true;
   type.on_write = [this](std::span<const std::uint8_t> data) {
     return supports(static_cast<SyncType>(load_le<std::uint16_t>(data))) ? abort::kNone : abort::kRange;
   };
+  type_ = ObjectValue<std::uint16_t>(type);
   // With a local timer or the SyncManager as trigger, the master tells its cycle; with SYNC signals they do.
-  d.add<std::uint32_t>(index_, kCycle, "Cycle time", 0, true).preop_only = true;
-  d.add<std::uint32_t>(index_, kShift, "Shift time", 0, (habits_.supported & SyncHabits::kLocalShift) != 0).preop_only = true;
-  d.add<std::uint16_t>(index_, kSupported, "Synchronization types supported", habits_.supported);
-  d.add<std::uint32_t>(index_, kMinimumCycle, "Minimum cycle time", habits_.minimum_cycle);
-  d.add<std::uint32_t>(index_, kCalcAndCopy, "Calc and copy time", habits_.calc_and_copy);
-  d.add<std::uint32_t>(index_, kMinimumDelay, "Minimum delay time", habits_.delay / 2);
-  const bool measures = (habits_.supported & SyncHabits::kMeasures) != 0;
-  auto& command = d.add<std::uint16_t>(index_, kGetCycleTime, "Get cycle time", 0, measures);
+  cycle_ = time(kCycle, "Cycle time", 0, true);
+  shift_ = time(kShift, "Shift time", 0, index_ == kInputs && (habits_.supported & SyncHabits::kLocalShift) != 0);
+  word(kSupported, "Synchronization types supported", habits_.supported);
+  minimum_cycle_ = time(kMinimumCycle, "Minimum cycle time", habits_.minimum_cycle);
+  calc_and_copy_ = time(kCalcAndCopy, "Calc and copy time", habits_.calc_and_copy);
+  time(kMinimumDelay, "Minimum delay time", habits_.delay / 2);
+  auto& command = word(kGetCycleTime, "Get cycle time", 0);
+  command.writable = (habits_.supported & SyncHabits::kMeasures) != 0;
   command.on_write = [this](std::span<const std::uint8_t> data) { return start_measurement(data); };
-  d.add<std::uint32_t>(index_, kDelay, "Maximum delay time", habits_.delay);
-  d.add<std::uint32_t>(index_, kSync0Cycle, "Sync0 cycle time", 0);
-  d.add<std::uint16_t>(index_, habits_.missed_sub_index, "SM event missed counter", 0);
-  d.add<std::uint16_t>(index_, habits_.exceeded_sub_index, "Cycle exceeded counter", 0);
-  d.add<std::uint16_t>(index_, kShiftTooShort, "Shift too short counter", 0);
+  delay_ = time(kDelay, "Maximum delay time", habits_.delay);
+  sync0_cycle_ = time(kSync0Cycle, "Sync0 cycle time", 0);
+  missed_ = ObjectValue<std::uint16_t>(word(habits_.missed_sub_index, "SM event missed counter", 0));
+  exceeded_ = ObjectValue<std::uint16_t>(word(habits_.exceeded_sub_index, "Cycle exceeded counter", 0));
+  shift_too_short_ = ObjectValue<std::uint16_t>(word(kShiftTooShort, "Shift too short counter", 0));
   auto& error = d.add<std::uint8_t>(index_, kSyncError, "Sync error", 0);
   error.data_type = kBoolean;
   error.bit_length = 1;
+  sync_error_ = ObjectValue<std::uint8_t>(error);
 }
 
 bool SyncObject::supports(SyncType type) const {
@@ -61,25 +71,8 @@ bool SyncObject::supports(SyncType type) const {
   return false;
 }
 
-SyncType SyncObject::type() { return static_cast<SyncType>(dictionary_.get<std::uint16_t>(index_, kType)); }
-void SyncObject::set_type(SyncType type) { dictionary_.set(index_, kType, static_cast<std::uint16_t>(type)); }
-std::uint32_t SyncObject::cycle() { return dictionary_.get<std::uint32_t>(index_, kCycle); }
-void SyncObject::set_cycle(std::uint32_t ns) { dictionary_.set(index_, kCycle, ns); }
-void SyncObject::set_sync0_cycle(std::uint32_t ns) { dictionary_.set(index_, kSync0Cycle, ns); }
-std::uint32_t SyncObject::shift() { return dictionary_.get<std::uint32_t>(index_, kShift); }
-std::uint16_t SyncObject::missed() { return dictionary_.get<std::uint16_t>(index_, habits_.missed_sub_index); }
-void SyncObject::count_shift_too_short() { count(kShiftTooShort); }
-void SyncObject::set_sync_error(bool error) { dictionary_.set<std::uint8_t>(index_, kSyncError, error ? 1 : 0); }
-
-void SyncObject::count(std::uint8_t sub_index) {
-  const auto value = dictionary_.get<std::uint16_t>(index_, sub_index);
-  dictionary_.set(index_, sub_index, static_cast<std::uint16_t>(value + 1));
-}
-
 void SyncObject::clear_counters() {
-  for (const auto sub_index : {habits_.missed_sub_index, habits_.exceeded_sub_index, kShiftTooShort}) {
-    dictionary_.set<std::uint16_t>(index_, sub_index, 0);
-  }
+  for (auto* counter : {&missed_, &exceeded_, &shift_too_short_}) counter->set(0);
   set_sync_error(false);
 }
 
@@ -88,7 +81,7 @@ std::uint32_t SyncObject::start_measurement(std::span<const std::uint8_t> data) 
   if (command > kMeasure) return abort::kRange;
   measuring_ = command == kMeasure;
   if (measuring_) {
-    for (const auto sub_index : {kMinimumCycle, kCalcAndCopy, kDelay}) dictionary_.set<std::uint32_t>(index_, sub_index, 0);
+    for (auto* value : {&minimum_cycle_, &calc_and_copy_, &delay_}) value->set(0);
   }
   return abort::kNone;
 }
@@ -102,13 +95,12 @@ Nanoseconds SyncObject::vary(std::uint32_t worst) {
 SyncObject::LocalTimes SyncObject::next_cycle(Nanoseconds extra) {
   const LocalTimes times{vary(habits_.calc_and_copy) + extra, vary(habits_.delay)};
   if (measuring_) {
-    const auto note = [this](std::uint8_t sub_index, Nanoseconds value) {
-      const auto largest = std::max(dictionary_.get<std::uint32_t>(index_, sub_index), static_cast<std::uint32_t>(value));
-      dictionary_.set(index_, sub_index, largest);
+    const auto note = [](ObjectValue<std::uint32_t>& largest, Nanoseconds value) {
+      largest.set(std::max(largest.get(), static_cast<std::uint32_t>(value)));
     };
-    note(kCalcAndCopy, times.calc_and_copy);
-    note(kDelay, times.delay);
-    note(kMinimumCycle, times.calc_and_copy + times.delay);
+    note(calc_and_copy_, times.calc_and_copy);
+    note(delay_, times.delay);
+    note(minimum_cycle_, times.calc_and_copy + times.delay);
   }
   return times;
 }

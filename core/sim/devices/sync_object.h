@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "sim/object_dictionary.h"
+#include "sim/devices/object_value.h"
 #include "support/types.h"
 
 namespace syncline::sim {
@@ -36,14 +36,14 @@ class SyncObject {
   SyncObject(const SyncObject&) = delete;
   SyncObject& operator=(const SyncObject&) = delete;
 
-  [[nodiscard]] SyncType type();
+  [[nodiscard]] SyncType type() const { return static_cast<SyncType>(type_.get()); }
   [[nodiscard]] bool supports(SyncType type) const;
-  void set_type(SyncType type);
-  [[nodiscard]] std::uint32_t cycle();
-  void set_cycle(std::uint32_t ns);
+  void set_type(SyncType type) { type_.set(static_cast<std::uint16_t>(type)); }
+  [[nodiscard]] std::uint32_t cycle() const { return cycle_.get(); }
+  void set_cycle(std::uint32_t ns) { cycle_.set(ns); }
   /// Of the SYNC0 signal; 0: none.
-  void set_sync0_cycle(std::uint32_t ns);
-  [[nodiscard]] std::uint32_t shift();
+  void set_sync0_cycle(std::uint32_t ns) { sync0_cycle_.set(ns); }
+  [[nodiscard]] std::uint32_t shift() const { return shift_.get(); }
 
   /// How long this cycle's calculation and copying takes.
   struct LocalTimes {
@@ -52,23 +52,25 @@ class SyncObject {
   /// `extra`: what an overloaded application adds.
   LocalTimes next_cycle(Nanoseconds extra);
 
-  void count_missed() { count(habits_.missed_sub_index); }
-  void count_exceeded() { count(habits_.exceeded_sub_index); }
-  void count_shift_too_short();
-  [[nodiscard]] std::uint16_t missed();
+  void count_missed() { count(missed_); }
+  void count_exceeded() { count(exceeded_); }
+  void count_shift_too_short() { count(shift_too_short_); }
   void clear_counters();
   /// Of the last cycle; not latched.
-  void set_sync_error(bool error);
+  void set_sync_error(bool error) { sync_error_.set(error ? 1 : 0); }
 
  private:
   void add_entries(const char* name);
-  void count(std::uint8_t sub_index);
+  static void count(ObjectValue<std::uint16_t>& counter) { counter.set(static_cast<std::uint16_t>(counter.get() + 1)); }
   std::uint32_t start_measurement(std::span<const std::uint8_t> data);
   [[nodiscard]] Nanoseconds vary(std::uint32_t worst);
 
   ObjectDictionary& dictionary_;
   std::uint16_t index_;
   SyncHabits habits_;
+  ObjectValue<std::uint16_t> type_, missed_, exceeded_, shift_too_short_;
+  ObjectValue<std::uint32_t> cycle_, shift_, minimum_cycle_, calc_and_copy_, delay_, sync0_cycle_;
+  ObjectValue<std::uint8_t> sync_error_;
   std::uint32_t noise_ = 1;
   bool measuring_ = false;
 };
