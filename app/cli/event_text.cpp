@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "app/cli/run_json.h"
+#include "protocol/dcm_error.h"
 #include "protocol/error_text.h"
 
 namespace syncline::cli {
@@ -100,7 +101,11 @@ std::string words(const Event& e) {
       return e.a != 0 ? fmt::format("slaves in sync, deviation {} ns", e.b)
                       : fmt::format("slaves OUT OF SYNC, deviation {} ns{}", e.b, e.slave < 0 ? "" : " at " + who(e.slave));
     case EventKind::kDcmSync: return fmt::format("master {}, error {} ns", e.a != 0 ? "in sync" : "OUT OF SYNC", e.b);
-    case EventKind::kDcmError: return fmt::format("DCM error 0x{:08x}, drift {} ppm", e.a, e.b);
+    case EventKind::kDcmError: {
+      const auto code = static_cast<std::uint32_t>(e.a);
+      return fmt::format("DCM error 0x{:08x} {}: {} The drift is {} ppm.", code, dc::dcm_error_name(code),
+                         dc::dcm_error_text(code), e.b);
+    }
     case EventKind::kWkcError: return fmt::format("working counter {} instead of {} ({} times)", e.b, e.a, e.c);
     case EventKind::kFramesLost: return fmt::format("{} frames lost", e.a);
     case EventKind::kSlaveLost: return fmt::format("{} does not answer", who(e.slave));

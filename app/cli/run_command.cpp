@@ -10,33 +10,33 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/lateness.h"
 #include "app/cli/run_json.h"
+#include "app/cli/run_overrides.h"
 #include "app/composition/load_config.h"
 #include "app/composition/run_network.h"
 #include "trace/csv.h"
+#include "trace/dcm_log.h"
 
 namespace syncline::cli {
 namespace {
 
 struct Options {
-  std::string file, link, duration = "10s", csv, capture, state = "OP";
+  std::string file, link, duration = "10s", csv, dcm_log, capture, state = "OP";
+  std::vector<std::string> overrides;
   bool json = false, lateness = false;
 };
 
-/// Streams the samples to FILE.part; the name appears when the run is over.
-class CsvFile {
+/// Streams text to FILE.part; the name appears when the run is over.
+class StreamedFile {
  public:
-  Status open(const std::string& path) {
+  Status open(const std::string& path, const std::string& header) {
     path_ = path;
     out_.open(path + ".part", std::ios::binary | std::ios::trunc);
     if (!out_) return fail(Error{ErrorCode::kFileNotWritable, {}, "cannot create it", path});
-    out_ << sample_csv_header();
+    out_ << header;
     return {};
   }
-  void add(std::span<const CycleSample> samples) {
-    text_.clear();
-    append_sample_csv(text_, samples);
-    out_ << text_;
-  }
+  void add(const std::string& text) { out_ << text; }
+  [[nodiscard]] bool is_open() const { return !path_.empty(); }
   Status finish() {
     out_.close();
     if (out_.fail() || std::rename((path_ + ".part").c_str(), path_.c_str()) != 0) {
@@ -46,8 +46,45 @@ class CsvFile {
   }
 
  private:
-  std::string path_, text_;
+  std::string path_;
   std::ofstream out_;
+};
+
+/// The tables of a run that are written while it goes on.
+class RunFiles {
+ public:
+  RunFiles(const NetworkConfig& config)
+      : log_(effective_set_value(config.dc.dcm, config.cycle_time()), config.cycle_time()) {}
+  Status open(const std::string& csv, const std::string& dcm_log) {
+    auto status = Status{};
+    if (!csv.empty()) status = csv_.open(csv, sample_csv_header());
+    if (status && !dcm_log.empty()) status = log_file_.open(dcm_log, dcm_log_header());
+    return status;
+  }
+  void add(std::span<const CycleSample> samples) {
+    if (csv_.is_open()) {
+      text_.clear();
+      append_sample_csv(text_, samples);
+      csv_.add(text_);
+    }
+    if (!log_file_.is_open()) return;
+    text_.clear();
+    for (const auto& sample : samples) {
+      if (const auto row = log_.row(sample)) append_dcm_log(text_, *row);
+    }
+    log_file_.add(text_);
+  }
+  void note(const Snapshot& snapshot) { log_.set_start_time(snapshot.dc.start_time); }
+  Status finish() {
+    auto status = csv_.is_open() ? csv_.finish() : Status{};
+    if (auto log = log_file_.is_open() ? log_file_.finish() : Status{}; status) status = log;
+    return status;
+  }
+
+ private:
+  StreamedFile csv_, log_file_;
+  DcmLog log_;
+  std::string text_;
 };
 
 void execute(Context& context, const Options& options) {
@@ -55,18 +92,19 @@ void execute(Context& context, const Options& options) {
   if (!duration) return context.fail_with(duration.error());
   const auto target = al_state_from_name(options.state);
   if (!target) return context.fail_with(Error{ErrorCode::kBadValue, "--state", "use INIT, PREOP, SAFEOP or OP"});
-  const auto compiled = load_config(options.file);
+  auto compiled = load_config(options.file);
   if (!compiled) return context.fail_with(compiled.error());
+  if (auto status = override_settings(compiled->config, options.overrides); !status) {
+    return context.fail_with(status.error());
+  }
   print(context.console.err, compiled->findings);
   if (has_errors(compiled->findings)) {
     context.exit_code = kAnswerIsNo;
     return;
   }
 
-  CsvFile csv;
-  if (!options.csv.empty()) {
-    if (auto status = csv.open(options.csv); !status) return context.fail_with(status.error());
-  }
+  RunFiles files(compiled->config);
+  if (auto status = files.open(options.csv, options.dcm_log); !status) return context.fail_with(status.error());
   RunRequest request;
   request.target = *target;
   request.duration = *duration;
@@ -85,20 +123,17 @@ void execute(Context& context, const Options& options) {
     };
   }
   LatenessReport lateness;
-  if (!options.csv.empty() || options.lateness) {
-    request.on_samples = [&](std::span<const CycleSample> samples) {
-      if (!options.csv.empty()) csv.add(samples);
-      lateness.add(samples);
-    };
-  }
+  request.on_snapshot = [&files](const Snapshot& snapshot) { files.note(snapshot); };
+  request.on_samples = [&files, &lateness](std::span<const CycleSample> samples) {
+    files.add(samples);
+    lateness.add(samples);
+  };
 
   const InterruptGuard guard;
   request.stop = &guard.interrupted();
   const auto outcome = run_network(compiled->config, options.link, request);
   if (!outcome) return context.fail_with(outcome.error());
-  if (!options.csv.empty()) {
-    if (auto status = csv.finish(); !status) return context.fail_with(status.error());
-  }
+  if (auto status = files.finish(); !status) return context.fail_with(status.error());
   if (options.json) {
     auto json = to_json(outcome->report);
     json["events"] = std::move(events);
@@ -122,6 +157,9 @@ void add_run_command(CLI::App& app, Context& context) {
   command->add_option("--for", options->duration, "How long, e.g. 20s or 500ms")->capture_default_str();
   command->add_option("--state", options->state, "State to reach: INIT, PREOP, SAFEOP or OP")->capture_default_str();
   command->add_option("--csv", options->csv, "Write every cycle's sample to this file");
+  command->add_option("--dcm-log", options->dcm_log, "Write the log of the master synchronisation to this file");
+  command->add_option("--set", options->overrides,
+                      "KEY=VALUE for this run, e.g. dcm.set_value_us=400; KEY is one of master.dc.*, dcm. stands for master.dc.");
   command->add_option("--capture", options->capture, "Write every frame to this pcapng file");
   command->add_flag("--lateness", options->lateness, "Add how late the frames were sent, and the processor time of a cycle");
   command->add_flag("--json", options->json, "Print JSON");

@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "diagnosis/run_findings.h"
+#include "protocol/dcm_error.h"
 
 namespace syncline::cli {
 namespace {
@@ -63,7 +64,11 @@ Json dcm_json(const DcmStatus& dcm) {
           {"in_sync_after_ms", rounded(dcm.in_sync_after_ms)},
           {"error_ns", {{"mean", rounded(dcm.error_mean_ns)}, {"rms", rounded(dcm.error_rms_ns)}, {"max", dcm.error_max_ns}}},
           {"drift_ppm", rounded(dcm.drift_ppm)},
-          {"error_code", dcm.error_code == 0 ? Json(nullptr) : Json(hex(dcm.error_code, 8))}};
+          {"error_code", dcm.error_code == 0 ? Json(nullptr) : Json(hex(dcm.error_code, 8))},
+          {"set_value_ns", dcm.set_value_ns},
+          {"adjust_permil", rounded(dcm.adjust_permil)},
+          {"control_off", dcm.control_off},
+          {"bus_shift_configured", dcm.bus_shift_configured}};
 }
 
 std::string_view severity_text(DiagnosisSeverity severity) {
@@ -145,7 +150,11 @@ std::string to_text(const RunReport& report) {
     fmt::format_to(out, " {}, error mean {:.1f} ns, rms {:.1f} ns, largest {} ns, drift {:.3f} ppm",
                    ms_text(dcm.in_sync_after_ms), dcm.error_mean_ns, dcm.error_rms_ns, dcm.error_max_ns, dcm.drift_ppm);
   }
-  if (dcm.error_code != 0) fmt::format_to(out, ", DCM error {}", hex(dcm.error_code, 8));
+  if (dcm.control_off) fmt::format_to(out, ", control is off: the timer would need {:+.4f} per mille", dcm.adjust_permil);
+  if (dcm.error_code != 0) {
+    fmt::format_to(out, "\nDCM error {} {}: {}", hex(dcm.error_code, 8), dc::dcm_error_name(dcm.error_code),
+                   dc::dcm_error_text(dcm.error_code));
+  }
   text += '\n';
   for (const auto& finding : diagnose(report)) {
     fmt::format_to(out, "{}: {}\n", severity_text(finding.severity), describe(finding));
@@ -155,7 +164,7 @@ std::string to_text(const RunReport& report) {
 
 bool is_good(const RunReport& report, AlState target) {
   const bool slaves = !report.dc.monitored || report.dc.state == SyncState::kInSync;
-  const bool master = report.dcm.mode == DcmMode::kOff || !report.dc.enabled || report.dcm.state == SyncState::kInSync;
+  const bool master = report.dcm.mode == DcmMode::kOff || report.dcm.control_off || !report.dc.enabled || report.dcm.state == SyncState::kInSync;
   return report.state == target && slaves && master;
 }
 

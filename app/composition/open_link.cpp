@@ -25,9 +25,11 @@ Result<OpenedLink> open_simulated(const LinkText& text) {
   } else {
     opened.clock = std::make_unique<RealClock>();
   }
+  const auto host = text.virtual_clock ? SimulatedHost::with(config->host_jitter, config->seed ^ 0x7374'616D'7073ULL)
+                                       : SimulatedHost{};  // a real host has errors of its own
   auto bus = sim::SimBus::create(*config, opened.clock->now());
   if (!bus) return tl::unexpected(bus.error());
-  opened.link = make_simulated_link("sim:" + text.target, std::move(*bus), *opened.clock);
+  opened.link = make_simulated_link("sim:" + text.target, std::move(*bus), *opened.clock, host);
   return opened;
 }
 

@@ -21,6 +21,7 @@ class Drain {
       : channels_(channels), request_(request), recorder_(config) {}
 
   void operator()() {
+    if (channels_.snapshot.read(snapshot_) && request_.on_snapshot) request_.on_snapshot(snapshot_);
     samples_.clear();
     channels_.samples.pop(samples_);
     recorder_.add(samples_);
@@ -29,7 +30,6 @@ class Drain {
       if (request_.on_event) request_.on_event(event);
       if (event.kind == EventKind::kError && event.error && !error_) error_ = event.error;
     }
-    (void)channels_.snapshot.read(snapshot_);
   }
   [[nodiscard]] RunOutcome outcome() const { return {recorder_.finish(snapshot_), error_}; }
   [[nodiscard]] bool failed() const { return error_ && !snapshot_.online; }

@@ -22,6 +22,7 @@ struct RunRequest {
   std::string capture;                           // pcapng file of every frame; "" for none. Costs time in each cycle
   std::function<void(const Event&)> on_event;    // may be empty
   std::function<void(std::span<const CycleSample>)> on_samples;
+  std::function<void(const Snapshot&)> on_snapshot;  // a newer one, before the samples that came with it
 };
 
 struct RunOutcome {

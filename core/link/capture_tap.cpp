@@ -17,6 +17,12 @@ class CaptureTap final : public Link {
     return inner_->send(frame);
   }
 
+  Result<Nanoseconds> send_corrected(std::span<const std::uint8_t> frame, const SendTimeField& field) override {
+    // As handed over: what the adapter makes of the time is seen in what comes back.
+    writer_.write(frame, clock_.now(), PcapngWriter::Direction::kSent);
+    return inner_->send_corrected(frame, field);
+  }
+
   Result<ReceivedFrame> receive(std::span<std::uint8_t> buffer, Nanoseconds deadline) override {
     auto received = inner_->receive(buffer, deadline);
     if (received && received->length > 0) {

@@ -96,6 +96,15 @@ Status FaultLink::send(std::span<const std::uint8_t> frame) {
   return impl_->inner->send(frame);
 }
 
+Result<Nanoseconds> FaultLink::send_corrected(std::span<const std::uint8_t> frame, const SendTimeField& field) {
+  ++impl_->injected.sent;
+  if (impl_->happens(impl_->faults.lose_request)) {
+    ++impl_->injected.lost;
+    return field.send_time;
+  }
+  return impl_->inner->send_corrected(frame, field);
+}
+
 Result<ReceivedFrame> FaultLink::receive(std::span<std::uint8_t> buffer, Nanoseconds deadline) {
   for (;;) {
     if (const auto held = impl_->deliver_held(buffer); held.length > 0) return held;

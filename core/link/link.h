@@ -19,11 +19,19 @@ struct LinkDescription {
   MacAddress mac{};         // source address for the master's frames
   bool up = false;
   bool stamps_time = false; // receive() gives the hardware's or the simulator's arrival time
+  bool corrects_send_time = false;  // has send_corrected()
 };
 
 struct ReceivedFrame {
   std::size_t length = 0;        // 0: nothing until the deadline
   Nanoseconds arrival_time = 0;  // on the link's clock
+};
+
+/// A time in a frame that the adapter corrects while it sends.
+struct SendTimeField {
+  std::size_t offset = 0;      // in the frame; 4 or 8 bytes, little-endian, ns
+  std::size_t size = 8;
+  Nanoseconds send_time = 0;   // for which the time was filled in
 };
 
 /// The bus, whatever it is: a network card, the simulated segment, a capture being replayed.
@@ -39,6 +47,9 @@ class Link {
   /// sending (echo) are never delivered.
   virtual Result<ReceivedFrame> receive(std::span<std::uint8_t> buffer, Nanoseconds deadline) = 0;
   [[nodiscard]] virtual LinkDescription describe() const = 0;
+  /// As send(), by an adapter that knows when it sends: adds to the time in the frame by how much later than
+  /// `field.send_time` the frame leaves. Returns when it left. kNotSupported where the adapter has no such clock.
+  virtual Result<Nanoseconds> send_corrected(std::span<const std::uint8_t> frame, const SendTimeField& field);
 };
 
 }  // namespace syncline

@@ -2,32 +2,50 @@
 #include "link/simulated_link.h"
 
 #include <algorithm>
+#include <cmath>
 #include <deque>
 #include <vector>
 
 #include "protocol/frame.h"
+#include "support/byte_order.h"
+#include "support/random.h"
 
 namespace syncline {
 namespace {
 
 class SimulatedLink final : public Link {
  public:
-  SimulatedLink(std::string name, std::unique_ptr<sim::SimBus> bus, Clock& clock)
-      : name_(std::move(name)), bus_(std::move(bus)), clock_(clock), virtual_clock_(dynamic_cast<VirtualClock*>(&clock)) {}
+  SimulatedLink(std::string name, std::unique_ptr<sim::SimBus> bus, Clock& clock, const SimulatedHost& host)
+      : name_(std::move(name)),
+        bus_(std::move(bus)),
+        clock_(clock),
+        virtual_clock_(dynamic_cast<VirtualClock*>(&clock)),
+        send_delay_ns_(host.send_delay_ns),
+        random_(host.seed) {}
 
   Status send(std::span<const std::uint8_t> frame) override {
     auto& slot = take_slot();
     slot.bytes.assign(frame.begin(), frame.end());
-    // The wire carries one frame after the other.
-    const auto start = std::max(clock_.now(), wire_free_);
-    wire_free_ = start + wire_time_ns(frame.size());
-    const auto returned = bus_->execute(slot.bytes, start);
-    if (returned.lost) {
-      in_flight_.pop_back();
-    } else {
-      slot.arrival = returned.arrival_time;
-    }
+    put_on_wire(slot, wire_start());
     return {};
+  }
+
+  Result<Nanoseconds> send_corrected(std::span<const std::uint8_t> frame, const SendTimeField& field) override {
+    const auto start = wire_start();
+    if (field.offset > frame.size() || frame.size() - field.offset < field.size || (field.size != 4 && field.size != 8)) {
+      return fail(ErrorCode::kMalformedData, name_, "the place of the send time is not in the frame");
+    }
+    auto& slot = take_slot();
+    slot.bytes.assign(frame.begin(), frame.end());
+    const auto place = std::span(slot.bytes).subspan(field.offset, field.size);
+    const auto late = static_cast<std::uint64_t>(start - field.send_time);
+    if (field.size == 8) {
+      store_le(place, load_le<std::uint64_t>(place) + late);
+    } else {
+      store_le(place, load_le<std::uint32_t>(place) + static_cast<std::uint32_t>(late));
+    }
+    put_on_wire(slot, start);
+    return start;
   }
 
   Result<ReceivedFrame> receive(std::span<std::uint8_t> buffer, Nanoseconds deadline) override {
@@ -46,7 +64,7 @@ class SimulatedLink final : public Link {
   }
 
   [[nodiscard]] LinkDescription describe() const override {
-    return {name_, "simulated", {0x00, 0x53, 0x4C, 0x00, 0x00, 0x01}, true, true};
+    return {name_, "simulated", {0x00, 0x53, 0x4C, 0x00, 0x00, 0x01}, true, true, true};
   }
 
  private:
@@ -54,6 +72,23 @@ class SimulatedLink final : public Link {
     std::vector<std::uint8_t> bytes;
     Nanoseconds arrival = 0;
   };
+
+  /// The wire carries one frame after the other.
+  Nanoseconds wire_start() {
+    auto ready = clock_.now();
+    if (send_delay_ns_ > 0) ready += std::llround(std::abs(random_.normal()) * send_delay_ns_);
+    return std::max(ready, wire_free_);
+  }
+
+  void put_on_wire(InFlight& slot, Nanoseconds start) {
+    wire_free_ = start + wire_time_ns(slot.bytes.size());
+    const auto returned = bus_->execute(slot.bytes, start);
+    if (returned.lost) {
+      in_flight_.pop_back();
+    } else {
+      slot.arrival = returned.arrival_time;
+    }
+  }
 
   /// Buffers are used again, so that a steady run does not allocate.
   InFlight& take_slot() {
@@ -78,6 +113,8 @@ class SimulatedLink final : public Link {
   std::unique_ptr<sim::SimBus> bus_;
   Clock& clock_;
   VirtualClock* virtual_clock_;
+  double send_delay_ns_;
+  Random random_;
   Nanoseconds wire_free_ = 0;
   std::deque<InFlight> in_flight_;
   std::vector<std::vector<std::uint8_t>> spare_;
@@ -85,8 +122,9 @@ class SimulatedLink final : public Link {
 
 }  // namespace
 
-std::unique_ptr<Link> make_simulated_link(std::string name, std::unique_ptr<sim::SimBus> bus, Clock& clock) {
-  return std::make_unique<SimulatedLink>(std::move(name), std::move(bus), clock);
+std::unique_ptr<Link> make_simulated_link(std::string name, std::unique_ptr<sim::SimBus> bus, Clock& clock,
+                                          const SimulatedHost& host) {
+  return std::make_unique<SimulatedLink>(std::move(name), std::move(bus), clock, host);
 }
 
 }  // namespace syncline

@@ -34,7 +34,10 @@ struct CycleSample {
   std::int32_t dcm_error_ns = 0;          // controller error, raw
   std::int32_t dcm_error_filtered_ns = 0;
   float drift_ppm = 0;                    // host clock against reference clock
-  std::int32_t dcm_adjust_ns = 0;
+  std::int32_t dcm_adjust_ns = 0;         // of the next period, or of what is written to the reference clock
+  float dcm_output_sum_ns = 0;            // what the controller has learned, ns a cycle
+  std::int64_t dcm_output_total_ns = 0;   // all adjustments since it was started
+  std::uint32_t dcm_error_code = 0;       // DCM_E_..., 0 = none
   std::uint32_t deviation_ored_ns = 0;    // magnitude of the wire-ored 0x092C: an upper estimate
   std::int32_t slave_deviation_ns = 0;    // signed 0x092C of slave_position
   std::uint32_t slave_sm2_missed = 0;     // counter of sm2_position
@@ -103,6 +106,7 @@ struct DcStatus {
   std::uint32_t limit_ns = 0;
   std::uint32_t deviation_ored_ns = 0;
   std::optional<double> settled_after_ms; // from the first cyclic frame until the settle time began
+  Nanoseconds start_time = 0;             // system time at which SYNC0 starts, as sent to a slave last; 0 = not yet
   bool operator==(const DcStatus&) const = default;
 };
 
@@ -115,6 +119,10 @@ struct DcmStatus {
   std::int32_t error_max_ns = 0;
   std::optional<double> in_sync_after_ms; // from the first cyclic frame
   std::uint32_t error_code = 0;           // EC-Master DCM codes, 0 = none
+  std::int32_t set_value_ns = 0;
+  double adjust_permil = 0;               // of the host's timer: applied, or wanted when control is off or by application
+  bool control_off = false;               // or left to the application
+  bool bus_shift_configured = false;      // the cyclic frames can steer the reference clock
   bool operator==(const DcmStatus&) const = default;
 };
 
@@ -214,7 +222,13 @@ struct GoOnlineCommand { NetworkConfig config; AlState target = AlState::kOp; };
 struct GoOfflineCommand {};
 struct RequestStateCommand { AlState state = AlState::kInit; };
 struct ClearStatisticsCommand {};
-using MasterCommand = std::variant<ScanCommand, GoOnlineCommand, GoOfflineCommand, RequestStateCommand, ClearStatisticsCommand>;
+/// Parameters of the running master synchronisation; zeros leave what is. The mode cannot change while online: it is
+/// part of the cyclic frames. Refused with kError when a parameter is outside its range.
+struct ConfigureDcmCommand { DcmSettings settings; };
+/// Forgets mean, rms and largest control error, and an error that is over.
+struct ResetDcmStatusCommand {};
+using MasterCommand = std::variant<ScanCommand, GoOnlineCommand, GoOfflineCommand, RequestStateCommand,
+                                   ClearStatisticsCommand, ConfigureDcmCommand, ResetDcmStatusCommand>;
 
 class CommandQueue {
  public:
@@ -233,6 +247,9 @@ struct MasterChannels {
   SnapshotBox snapshot;
   SampleRing samples;
   std::atomic<bool> cancel{false};        // ends a scan or a bring-up within a cycle
+  /// By how much the application makes the host's timer slower, in thousandths of its rate; holds until it is written
+  /// again. In force in the mode master-shift-by-app and with control off. -20..20.
+  std::atomic<double> timer_adjust_permil{0};
   std::atomic<CyclicApplication*> application{nullptr};  // none: the outputs stay 0; must outlive the cycles
 };
 

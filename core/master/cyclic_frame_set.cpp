@@ -165,6 +165,10 @@ std::optional<std::uint8_t> CyclicFrameSet::read_logical(LogicalByte place) cons
   return entry.data[place.offset];
 }
 
+void CyclicFrameSet::correct_by_link() {
+  for (auto& entry : entries_) entry.datagram.corrected_by_link = entry.role == Role::kReferenceWrite;
+}
+
 void CyclicFrameSet::select(AlState state) {
   for (auto& entry : entries_) entry.selected = std::ranges::find(entry.command->states, state) != entry.command->states.end();
 }

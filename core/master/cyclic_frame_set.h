@@ -41,6 +41,9 @@ class CyclicFrameSet {
   };
   void follow(Leader leader);
 
+  /// The time that is written to the reference clock is corrected by the link while it sends.
+  void correct_by_link();
+
   /// Working counters count without the slaves that are marked: they are lost, or in a state without process data.
   void expect_without(const std::vector<bool>& slaves);
   /// Expected process-data counters of all commands, by the configuration and now.

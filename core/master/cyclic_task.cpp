@@ -34,6 +34,7 @@ CyclicTaskRunner::CyclicTaskRunner(FrameExchange& exchange, Clock& clock, RunSta
       cycle_time_(run.config().cycle_time()),
       spin_(std::min(run.config().real_time.spin, cycle_time_ / 4)) {
   in_flight_.reserve(64);
+  if (run.config().dc.dcm.mode == DcmMode::kLinkLayerRefClock) frames_.correct_by_link();
 }
 
 void CyclicTaskRunner::start(Nanoseconds first_cycle) { scheduled_ = first_cycle; }

@@ -63,4 +63,9 @@ std::vector<std::uint8_t> dc_start_data(const NetworkConfig& config, const Slave
   return data;
 }
 
+Nanoseconds written_start_time(std::span<const std::uint8_t> data, Nanoseconds now) {
+  if (data.size() >= 8) return static_cast<Nanoseconds>(load_le<std::uint64_t>(data));
+  return data.size() >= 4 ? dc::extend_32bit(load_le<std::uint32_t>(data), now) : 0;
+}
+
 }  // namespace syncline

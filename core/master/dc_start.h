@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "config/network_config.h"
@@ -21,5 +22,8 @@ namespace syncline {
 /// the SYNC grid. The shift is that of the slave's DC element, or the command's own data.
 [[nodiscard]] std::vector<std::uint8_t> dc_start_data(const NetworkConfig& config, const SlaveConfig& slave,
                                                       const InitCmd& command, Nanoseconds now, Nanoseconds base);
+
+/// The time in such data, extended to 64 bit where it is none.
+[[nodiscard]] Nanoseconds written_start_time(std::span<const std::uint8_t> data, Nanoseconds now);
 
 }  // namespace syncline

@@ -45,10 +45,12 @@ Status FrameExchange::send(PendingFrame& frame, SendStamp* stamp) {
   builder_.reset();
   frame.index_ = take_index(clock_.now());
   std::size_t stamped = 0;
+  std::span<const std::uint8_t> corrected;
   for (auto* datagram : frame.datagrams()) {
     if (datagram->times_sent < 0xFF) ++datagram->times_sent;
     const auto area = builder_.add(datagram->command, frame.index_, datagram->address, datagram->data);
     if (datagram->stamped && area && stamped < kMaxStamped) stamped_areas_[stamped++] = *area;
+    if (datagram->corrected_by_link && datagram->command != Command::kNop && area) corrected = *area;
   }
   frame.answered_ = false;
   const auto bytes = builder_.finish();
@@ -57,10 +59,20 @@ Status FrameExchange::send(PendingFrame& frame, SendStamp* stamp) {
     stamp->stamp(frame.send_time_);
     refill_stamped(frame);
   }
-  auto status = link_.send(bytes);
+  auto status = hand_over(frame, bytes, corrected);
   frame.in_flight_ = status.has_value();
   if (frame.in_flight_) index_rests_until_[frame.index_] = frame.send_time_ + kIndexRest;
   return status;
+}
+
+Status FrameExchange::hand_over(PendingFrame& frame, std::span<const std::uint8_t> bytes,
+                                std::span<const std::uint8_t> corrected) {
+  if (corrected.empty()) return link_.send(bytes);
+  const auto offset = static_cast<std::size_t>(corrected.data() - bytes.data());
+  const auto left = link_.send_corrected(bytes, {offset, corrected.size(), frame.send_time_});
+  if (!left) return tl::unexpected(left.error());
+  frame.send_time_ = *left;
+  return {};
 }
 
 std::uint8_t FrameExchange::take_index(Nanoseconds now) {

@@ -19,6 +19,7 @@ struct Datagram {
   std::uint16_t wkc = 0;
   bool answered = false;
   bool stamped = false;          // the data depend on the send time: SendStamp fills them
+  bool corrected_by_link = false;  // a stamped time that the adapter corrects while it sends; one in a frame
   bool once = false;             // Bus::transact() never repeats it
   std::uint8_t times_sent = 0;   // above 1: an earlier copy may have been executed with its answer lost
 
@@ -92,6 +93,7 @@ class FrameExchange {
   static constexpr std::size_t kMaxStamped = 8;
 
   std::uint8_t take_index(Nanoseconds now);
+  Status hand_over(PendingFrame& frame, std::span<const std::uint8_t> bytes, std::span<const std::uint8_t> corrected);
   void refill_stamped(const PendingFrame& frame);
   bool accept(PendingFrame& frame, std::span<std::uint8_t> bytes);
   bool dispatch(std::span<PendingFrame* const> frames, const ReceivedFrame& received);

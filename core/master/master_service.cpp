@@ -24,6 +24,8 @@ struct MasterService::Impl {
   void execute(const GoOfflineCommand&);
   void execute(const RequestStateCommand& command);
   void execute(const ClearStatisticsCommand&);
+  void execute(const ConfigureDcmCommand& command);
+  void execute(const ResetDcmStatusCommand&);
   void bind_thread(const RealTimeSettings& settings);
   void run_cycle();
   void go_offline();
@@ -115,6 +117,15 @@ void MasterService::Impl::execute(const RequestStateCommand& command) {
 
 void MasterService::Impl::execute(const ClearStatisticsCommand&) {
   if (operation) operation->clear_statistics();
+}
+
+void MasterService::Impl::execute(const ConfigureDcmCommand& command) {
+  if (!operation) return tell(Error{ErrorCode::kConfiguration, "master synchronisation", "the bus is offline"});
+  if (auto status = operation->configure_dcm(command.settings); !status) tell(status.error());
+}
+
+void MasterService::Impl::execute(const ResetDcmStatusCommand&) {
+  if (operation) operation->reset_dcm_status();
 }
 
 void MasterService::Impl::run_cycle() {

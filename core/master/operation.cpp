@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "config/dcm_check.h"
+#include "protocol/dcm_error.h"
 
 namespace syncline {
 
@@ -24,6 +25,11 @@ Operation::Operation(NetworkConfig config, FrameExchange& exchange, Clock& clock
 Status Operation::check() const {
   if (config_.slaves.empty()) return fail(ErrorCode::kConfiguration, "network", "it has no slaves");
   if (config_.cyclic.empty()) return fail(ErrorCode::kConfiguration, "network", "it has no cyclic frames");
+  if (config_.dc.dcm.mode == DcmMode::kLinkLayerRefClock && !exchange_.link().describe().corrects_send_time) {
+    return fail(Error{.code = ErrorCode::kNotSupported, .subject = "master.dc.mode",
+                      .detail = "link-layer-ref-clock: this link cannot put its send time into frames",
+                      .received = dc::kDcmErrorInvalidHardwareLayer});
+  }
   return check_dcm(config_);
 }
 

@@ -30,6 +30,8 @@ class Operation {
   /// histories, which take many cycles.
   Status run_cycle();
   void clear_statistics();
+  Status configure_dcm(const DcmSettings& change) { return sync_.configure(change); }
+  void reset_dcm_status() { sync_.clear_statistics(); }
   [[nodiscard]] RunState& run() { return run_; }
 
  private:

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "config/dcm_check.h"
 #include "dc/plans.h"
 
 namespace syncline {
@@ -14,10 +15,6 @@ namespace {
 constexpr std::uint32_t kSilentCycles = 50;
 
 double milliseconds(Nanoseconds time) { return static_cast<double>(time) / static_cast<double>(kMillisecond); }
-
-Nanoseconds set_value_of(const NetworkConfig& config) {
-  return config.dc.dcm.set_value.value_or(config.cycle_time() * 2 / 3);
-}
 
 SyncState state_of(dc::SyncWindowMonitor::State state) {
   switch (state) {
@@ -35,8 +32,35 @@ std::int32_t to_32(Nanoseconds value) {
 
 }  // namespace
 
-SyncWatch::SyncWatch(RunState& run) : run_(run) {
-  run_.snapshot.dcm.mode = run_.config().dc.enabled ? run_.config().dc.dcm.mode : DcmMode::kOff;
+SyncWatch::SyncWatch(RunState& run) : run_(run), settings_(effective_dcm_settings(run.config().dc.dcm)) {
+  if (!run_.config().dc.enabled) settings_.mode = DcmMode::kOff;
+  note_settings();
+}
+
+void SyncWatch::note_settings() {
+  auto& dcm = run_.snapshot.dcm;
+  dcm.mode = settings_.mode;
+  dcm.control_off = settings_.control_off || settings_.mode == DcmMode::kMasterShiftByApp;
+  dcm.set_value_ns = to_32(effective_set_value(settings_, run_.config().cycle_time()));
+  dcm.bus_shift_configured = bus_shift_configured(run_.config());
+}
+
+void SyncWatch::make_controller() {
+  const auto cycle = run_.config().cycle_time();
+  controller_ = dc::make_dcm_controller(settings_, cycle, effective_set_value(settings_, cycle), least_set_value_);
+}
+
+Status SyncWatch::configure(const DcmSettings& change) {
+  auto merged = merge_dcm_settings(settings_, change);
+  merged.mode = settings_.mode;
+  if (auto status = check_dcm_settings(merged, run_.config().cycle_time()); !status) return status;
+  settings_ = merged;
+  note_settings();
+  if (!controller_) return {};
+  make_controller();
+  controller_->start(base_, last_reference_, last_host_);
+  clear_statistics();
+  return {};
 }
 
 void SyncWatch::start(const DcNetwork& network, Nanoseconds first_cycle) {
@@ -44,13 +68,14 @@ void SyncWatch::start(const DcNetwork& network, Nanoseconds first_cycle) {
   start_ = first_cycle;
   last_host_ = network.host_time;
   last_reference_ = network.reference_time;
-  const auto set_value = set_value_of(config);
+  const auto set_value = effective_set_value(settings_, config.cycle_time());
   const auto first_reference = reference_time_at(first_cycle);
   // The grid is laid where the frames pass anyway: the controller starts with an error near zero.
   base_ = (first_reference + set_value) % config.cycle_time();
-  auto settings = config.dc.dcm;
-  settings.mode = run_.snapshot.dcm.mode;
-  controller_ = dc::make_dcm_controller(settings, config.cycle_time(), set_value);
+  Nanoseconds farthest = 0;
+  for (const auto& slave : network.slaves) farthest = std::max<Nanoseconds>(farthest, slave.delay_ns);
+  least_set_value_ = least_set_value(config, farthest);
+  make_controller();
   controller_->start(base_, first_reference, first_cycle);
 
   auto& dc = run_.snapshot.dc;
@@ -68,7 +93,9 @@ bool SyncWatch::slaves_in_sync() const {
 }
 
 bool SyncWatch::master_in_sync() const {
-  return run_.snapshot.dcm.mode == DcmMode::kOff || run_.snapshot.dcm.state == SyncState::kInSync;
+  // Nobody is waited for who is not asked to come.
+  const auto& dcm = run_.snapshot.dcm;
+  return dcm.mode == DcmMode::kOff || dcm.control_off || dcm.state == SyncState::kInSync;
 }
 
 std::optional<Nanoseconds> SyncWatch::reference_write(Nanoseconds send_time, Nanoseconds scheduled_time) {
@@ -90,10 +117,23 @@ Nanoseconds SyncWatch::observe_cycle(const dc::DcmObservation& observation, Cycl
   sample.dcm_error_ns = dcm.error_ns;
   sample.dcm_error_filtered_ns = dcm.error_filtered_ns;
   sample.drift_ppm = static_cast<float>(dcm.drift_ppm);
-  sample.dcm_adjust_ns = to_32(controller_->state().adjust);
+  const auto& state = controller_->state();
+  sample.dcm_adjust_ns = to_32(state.adjust);
+  sample.dcm_output_sum_ns = static_cast<float>(state.output_sum);
+  sample.dcm_output_total_ns = state.output_total;
+  sample.dcm_error_code = state.error_code;
   if (dcm.mode != DcmMode::kOff) sample.flags |= CycleSample::kDcmActive;
   if (dcm.state == SyncState::kInSync) sample.flags |= CycleSample::kDcmInSync;
-  return action.period_adjust;
+  return period_adjust(action.period_adjust);
+}
+
+/// An application that moves the timer says so in the channel, and nobody else moves it then.
+Nanoseconds SyncWatch::period_adjust(Nanoseconds by_controller) const {
+  if (!run_.snapshot.dcm.control_off) return by_controller;
+  constexpr double kMostPermil = 20;
+  const double wanted = run_.channels().timer_adjust_permil.load(std::memory_order_relaxed);
+  const double permil = std::isfinite(wanted) ? std::clamp(wanted, -kMostPermil, kMostPermil) : 0;
+  return std::llround(permil * 1e-3 * static_cast<double>(run_.config().cycle_time()));
 }
 
 void SyncWatch::update_dcm(Nanoseconds time) {
@@ -102,6 +142,7 @@ void SyncWatch::update_dcm(Nanoseconds time) {
   dcm.error_ns = to_32(state.error);
   dcm.error_filtered_ns = to_32(state.error_filtered);
   dcm.drift_ppm = state.drift_ppm;
+  dcm.adjust_permil = static_cast<double>(state.adjust) * 1e3 / static_cast<double>(run_.config().cycle_time());
   if (dcm.mode == DcmMode::kOff) return;
   const bool was_in_sync = dcm.state == SyncState::kInSync;
   if (state.in_sync && led_ && time >= distrusted_until_) {
@@ -168,14 +209,14 @@ void SyncWatch::leader_found(std::uint16_t position, Nanoseconds time) {
   if (!controller_) return;
   led_ = true;
   silent_cycles_ = 0;
-  distrusted_until_ = time + run_.config().dc.dcm.in_sync_settle_time_ms * kMillisecond;
+  distrusted_until_ = time + settings_.in_sync_settle_time_ms * kMillisecond;
   run_.snapshot.dc.reference_clock = position;
 }
 
 /// A reference clock whose time does not come any more is as good as lost, whatever the reason.
 void SyncWatch::watch_silence(bool answered, Nanoseconds time) {
   if (answered) {
-    if (silent_cycles_ >= kSilentCycles && led_) distrusted_until_ = time + run_.config().dc.dcm.in_sync_settle_time_ms * kMillisecond;
+    if (silent_cycles_ >= kSilentCycles && led_) distrusted_until_ = time + settings_.in_sync_settle_time_ms * kMillisecond;
     silent_cycles_ = 0;
   } else if (silent_cycles_ < kSilentCycles && ++silent_cycles_ == kSilentCycles) {
     distrusted_until_ = INT64_MAX;

@@ -39,6 +39,8 @@ class SyncWatch {
   /// The latest reading extended to 64 bit.
   [[nodiscard]] Nanoseconds extend(std::uint32_t low, Nanoseconds send_time) const;
   void clear_statistics();
+  /// Other parameters of the running controller; zeros leave what is. Nothing changes when they are refused.
+  Status configure(const DcmSettings& change);
 
   /// The reference clock is lost, or another one (or the same again) leads. While nobody leads, and until a new
   /// leader has led for the settle time, nothing counts as in sync.
@@ -52,7 +54,13 @@ class SyncWatch {
   void tell_slave_edge(dc::SyncWindowMonitor::Edge edge, Nanoseconds time, std::uint32_t ored_ns);
   [[nodiscard]] int culprit() const;
 
+  void make_controller();
+  void note_settings();
+  [[nodiscard]] Nanoseconds period_adjust(Nanoseconds by_controller) const;
+
   RunState& run_;
+  DcmSettings settings_;
+  Nanoseconds least_set_value_ = 0;
   std::unique_ptr<dc::DcmController> controller_;
   dc::SyncWindowMonitor monitor_;
   Nanoseconds base_ = 0, start_ = 0;

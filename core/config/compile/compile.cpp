@@ -16,6 +16,7 @@
 #include "config/compile/process_image.h"
 #include "config/compile/slave_init_cmds.h"
 #include "config/compile/variables.h"
+#include "protocol/registers.h"
 
 namespace syncline {
 namespace {
@@ -174,6 +175,11 @@ Result<CompileResult> compile(const Project& project, const CompileOptions& opti
     config.slaves.push_back(slave_config(plan, project.master.cycle_time, options.dialect));
   }
   config.master = master_config(project.master, plans, cyclic_settings.mailbox_state_count);
+  if (config.dc.dcm.standard_loop_values) {
+    std::erase_if(config.master.init_cmds, [](const InitCmd& command) {
+      return command.ado == reg::kSpeedCounterStart || command.ado == reg::kFilterDepthDifference;
+    });
+  }
   config.cyclic.push_back({project.master.cycle_time, cyclic.frames});
   fill_image(config, plans, image, cyclic);
   result.findings = find_problems(project, plans, config);
