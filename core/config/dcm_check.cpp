@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "config/compile/cyclic_frames.h"
+#include "config/external_clock.h"
 #include "protocol/dcm_error.h"
 #include "protocol/registers.h"
 
@@ -88,6 +89,12 @@ std::vector<DcmProblem> dcm_problems(const NetworkConfig& config, Nanoseconds pr
                                     "it (APWR or FPWR of 0x0910); choose off, master-shift or master-shift-by-app",
                                     dcm_mode_name(dcm.mode)),
                         dc::kDcmErrorInvalidData});
+  }
+  if (dcm.mode == DcmMode::kDcx && !find_external_clock(config)) {
+    problems.push_back({"master.dc.mode",
+                        "dcx follows an external clock, but no slave maps both time stamps of the external "
+                        "synchronisation (0x10F4:11 and :12) into its inputs",
+                        dc::kDcxErrorNoExternalClock});
   }
   return problems;
 }

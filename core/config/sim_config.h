@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,7 +36,7 @@ struct SimSiiConfig {
 
 struct SimSlaveConfig {
   std::string name;
-  std::string behaviour;                 // "generic", "servo-y", "drive-c", "can-gateway", "analog-input"
+  std::string behaviour;                 // "generic", "servo-y", "drive-c", "can-gateway", "analog-input", "sync-bridge"
   DeviceDescription device;
   std::vector<std::uint8_t> sii_image;   // EEPROM bit for bit; empty: made from `device`
   std::uint16_t alias = 0;
@@ -48,6 +49,8 @@ struct SimSlaveConfig {
   OscillatorConfig oscillator;
   SimDcConfig dc;
   SimSiiConfig sii;
+  /// "sync-bridge": system time of the network on its other side at a true time; nothing while none is connected.
+  std::function<std::optional<Nanoseconds>(Nanoseconds)> external_time;
   std::uint8_t fmmu_count = 8, sync_manager_count = 8;
   std::uint8_t ram_kbytes = 4;           // process data RAM from 0x1000 on
   bool logical_read_write = true;        // the ESC executes LRW

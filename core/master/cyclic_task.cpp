@@ -35,6 +35,7 @@ CyclicTaskRunner::CyclicTaskRunner(FrameExchange& exchange, Clock& clock, RunSta
       spin_(std::min(run.config().real_time.spin, cycle_time_ / 4)) {
   in_flight_.reserve(64);
   if (run.config().dc.dcm.mode == DcmMode::kLinkLayerRefClock) frames_.correct_by_link();
+  if (run.config().dc.dcm.mode == DcmMode::kDcx) external_clock_ = find_external_clock(run.config());
 }
 
 void CyclicTaskRunner::start(Nanoseconds first_cycle) { scheduled_ = first_cycle; }
@@ -159,6 +160,15 @@ std::optional<Nanoseconds> CyclicTaskRunner::reference_time(const CyclicFrameSet
   return sync_.extend(static_cast<std::uint32_t>(*reading.reference_time), send_time_);
 }
 
+dc::DcmObservation CyclicTaskRunner::observation(const CyclicFrameSet::Reading& reading) const {
+  dc::DcmObservation result{send_time_, scheduled_, reference_time(reading)};
+  if (external_clock_) {
+    result.external_expected = run_.snapshot.state == AlState::kOp;
+    if (result.external_expected) result.external_difference = external_difference(*external_clock_, frames_.inputs());
+  }
+  return result;
+}
+
 void CyclicTaskRunner::evaluate(CycleSample& sample) {
   const auto reading = frames_.evaluate();
   health_.observe_wkc(reading.wkc_expected, reading.wkc_received, send_time_, sample);
@@ -167,7 +177,7 @@ void CyclicTaskRunner::evaluate(CycleSample& sample) {
   slaves_.observe_silence((sample.flags & CycleSample::kFrameLost) != 0 && !reading.al_status, send_time_);
   if (slaves_.sweeps() != sweeps_seen_) after_sweep();
   take_mailboxes(sample);
-  adjust_ = sync_.observe_cycle({send_time_, scheduled_, reference_time(reading)}, sample);
+  adjust_ = sync_.observe_cycle(observation(reading), sample);
   const auto deviation = reading.deviation_ored ? reading.deviation_ored : all;
   if (deviation && sync_.active()) sync_.observe_deviation(send_time_, *deviation, sample);
 }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "config/external_clock.h"
 #include "master/bus.h"
 #include "master/bus_health.h"
 #include "master/cyclic_frame_set.h"
@@ -54,6 +55,7 @@ class CyclicTaskRunner final : public CyclePump, private SendStamp {
   void take_mailboxes(CycleSample& sample);
   void after_sweep();
   void schedule_next(Nanoseconds adjust);
+  [[nodiscard]] dc::DcmObservation observation(const CyclicFrameSet::Reading& reading) const;
   [[nodiscard]] std::optional<Nanoseconds> reference_time(const CyclicFrameSet::Reading& reading) const;
   void finish_sample(CycleSample& sample);
 
@@ -82,6 +84,7 @@ class CyclicTaskRunner final : public CyclePump, private SendStamp {
   bool steering_ = false;
   Nanoseconds last_published_ = 0;
   Nanoseconds adjust_ = 0;
+  std::optional<ExternalClockPlace> external_clock_;
 };
 
 }  // namespace syncline

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <set>
 #include <string_view>
@@ -156,9 +157,10 @@ class Loader {
     read_device(table, slave);
     slave.name = table.get<std::string>("name", slave.device.type);
     slave.behaviour = table.get<std::string>("behaviour", "generic");
-    constexpr std::array<std::string_view, 5> kBehaviours{"generic", "servo-y", "drive-c", "can-gateway", "analog-input"};
+    constexpr std::array<std::string_view, 6> kBehaviours{"generic",     "servo-y",      "drive-c",
+                                                          "can-gateway", "analog-input", "sync-bridge"};
     if (std::ranges::find(kBehaviours, slave.behaviour) == kBehaviours.end()) {
-      table.fail_at("behaviour", "must be \"generic\", \"servo-y\", \"drive-c\", \"can-gateway\" or \"analog-input\"");
+      table.fail_at("behaviour", "must be \"generic\", \"servo-y\", \"drive-c\", \"can-gateway\", \"analog-input\" or \"sync-bridge\"");
     }
     if (position > 0) {
       slave.parent = static_cast<std::uint16_t>(table.get<std::int64_t>("parent", static_cast<std::int64_t>(position - 1)));
@@ -172,6 +174,12 @@ class Loader {
     slave.device_id = table.get<std::uint16_t>("device_id", 0);
     slave.foe_password = table.get<std::uint32_t>("foe_password", 0);
     // The host's clock is true time here: an error of the host is the opposite one of every slave.
+    if (const double ppm = table.get<double>("external_ppm", 0); slave.behaviour == "sync-bridge") {
+      slave.external_time = [ppm](Nanoseconds time) {
+        const auto passed = static_cast<double>(time - VirtualClock::kDefaultStart);
+        return std::optional(time + static_cast<Nanoseconds>(std::llround(passed * ppm * 1e-6)));
+      };
+    }
     slave.oscillator.ppm = table.get<double>("ppm", 0) - host_ppm_;
     slave.oscillator.wander_ppm = table.get<double>("wander_ppm", 0);
     slave.oscillator.start_offset = static_cast<Nanoseconds>(table.get<double>("start_offset_ms", 0) * 1e6);

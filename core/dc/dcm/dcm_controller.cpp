@@ -4,6 +4,7 @@
 #include <type_traits>
 
 #include "dc/dcm/bus_shift.h"
+#include "dc/dcm/dcx.h"
 #include "dc/dcm/master_shift.h"
 #include "dc/dcm/written_clock.h"
 
@@ -52,7 +53,7 @@ std::unique_ptr<DcmController> make_dcm_controller(const DcmSettings& settings, 
     case DcmMode::kMasterShiftByApp: return make(std::type_identity<MasterShift>{});
     case DcmMode::kMasterRefClock: return written(WrittenClock::Time::kNominal);
     case DcmMode::kLinkLayerRefClock: return written(WrittenClock::Time::kOfSending);
-    case DcmMode::kDcx:
+    case DcmMode::kDcx: return make(std::type_identity<Dcx>{});
     case DcmMode::kOff: break;
   }
   return std::make_unique<Off>(cycle_time, set_value);

@@ -19,6 +19,9 @@ struct DcmObservation {
   Nanoseconds send_time = 0;        // host clock, when the frame was really sent
   Nanoseconds scheduled_time = 0;   // host clock, when it should have been sent
   std::optional<Nanoseconds> reference_time;  // empty: frame lost or reference clock silent
+  /// DCX: time of the external clock less that of the segment, from the bridge; and whether it ought to be there.
+  std::optional<Nanoseconds> external_difference{};
+  bool external_expected = false;
 };
 
 /// What to do next.
@@ -38,6 +41,7 @@ struct DcmState {
   bool in_sync = false;
   std::optional<Nanoseconds> in_sync_after;  // since the first observation
   std::uint32_t error_code = 0;     // DCM_E_...
+  std::optional<Nanoseconds> external_error;  // DCX: the reference clock ahead of the external one, within half a cycle
 };
 
 

@@ -4,6 +4,7 @@
 #include "sim/devices/can_gateway.h"
 #include "sim/devices/drive.h"
 #include "sim/devices/drive_c.h"
+#include "sim/devices/sync_bridge.h"
 
 namespace syncline::sim {
 namespace {
@@ -25,6 +26,7 @@ std::unique_ptr<Device> make_device(const SimSlaveConfig& config, Esc& esc) {
   if (config.behaviour == "drive-c") return std::make_unique<DriveC>(config, esc);
   if (config.behaviour == "can-gateway") return std::make_unique<CanGateway>(config, esc);
   if (config.behaviour == "analog-input") return std::make_unique<AnalogInput>(config, esc);
+  if (config.behaviour == "sync-bridge") return std::make_unique<SyncBridge>(config, esc);
   return std::make_unique<Generic>(config, esc);
 }
 

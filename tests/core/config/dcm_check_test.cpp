@@ -24,7 +24,7 @@ NetworkConfig network(DcmMode mode = DcmMode::kBusShift) {
 
 TEST(DcmCheck, FindsNothingInAMachineOfAnyMode) {
   for (const auto mode : {DcmMode::kOff, DcmMode::kBusShift, DcmMode::kMasterShift, DcmMode::kMasterRefClock,
-                          DcmMode::kLinkLayerRefClock, DcmMode::kDcx, DcmMode::kMasterShiftByApp}) {
+                          DcmMode::kLinkLayerRefClock, DcmMode::kMasterShiftByApp}) {
     const auto config = network(mode);
     EXPECT_THAT(dcm_problems(config), IsEmpty()) << dcm_mode_name(mode);
     EXPECT_EQ(bus_shift_configured(config), steers_reference_clock(mode)) << dcm_mode_name(mode);
@@ -62,6 +62,13 @@ TEST(DcmCheck, ASyncCycleThatDoesNotFitTheBusCycleIsNamedWithItsSlave) {
   EXPECT_EQ(problems[0].code, 0x981201C8);
   EXPECT_THAT(problems[0].detail, HasSubstr(config.slaves[drive].name));
   EXPECT_THAT(problems[0].detail, HasSubstr("1300000 ns"));
+}
+
+TEST(DcmCheck, AnExternalClockNeedsABridge) {
+  const auto status = check_dcm(network(DcmMode::kDcx));
+  ASSERT_FALSE(status);
+  EXPECT_EQ(status.error().received, 0x981201CC);
+  EXPECT_THAT(status.error().detail, HasSubstr("0x10F4"));
 }
 
 TEST(DcmCheck, AModeThatSteersNeedsItsCyclicCommand) {

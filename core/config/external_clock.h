@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+
+#include "config/network_config.h"
+
+namespace syncline {
+
+/// Where a bridge device shows the time of another network: its "external synchronisation" object 0x10F4 (ETG.1020),
+/// of which it maps both time stamps into the process data.
+struct ExternalClockPlace {
+  std::size_t slave = 0;
+  std::size_t internal_byte = 0, external_byte = 0;  // in the image of the inputs, 8 bytes each
+};
+[[nodiscard]] std::optional<ExternalClockPlace> find_external_clock(const NetworkConfig& config);
+
+/// External less internal time, both of the same moment; nothing while the bridge shows none (zero).
+[[nodiscard]] std::optional<Nanoseconds> external_difference(const ExternalClockPlace& place, std::span<const std::uint8_t> inputs);
+
+}  // namespace syncline

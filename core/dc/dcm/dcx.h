@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "dc/dcm/dcm_controller.h"
+#include "dc/dcm/master_shift.h"
+
+namespace syncline::dc {
+
+/// Two segments in step: the reference clock follows an external clock that a bridge device shows, so that both are the
+/// same in their cycles' phase, and the host's timer follows the reference clock.
+class Dcx final : public DcmController {
+ public:
+  Dcx(const DcmSettings& settings, Nanoseconds cycle_time, Nanoseconds set_value, Nanoseconds least = 0);
+  void start(Nanoseconds base, Nanoseconds first_reference_time, Nanoseconds first_send_time) override;
+  std::optional<Nanoseconds> reference_write(Nanoseconds send_time, Nanoseconds scheduled_time) override;
+  DcmAction observe(const DcmObservation& observation) override;
+  [[nodiscard]] const DcmState& state() const override { return state_; }
+
+ private:
+  struct Reading {
+    Nanoseconds host_time = 0, reference_time = 0;
+  };
+  void take(const DcmObservation& observation);
+
+  bool control_off_;
+  Nanoseconds cycle_, limit_;
+  MasterShift host_;
+  DcmState state_;
+  std::optional<Reading> last_;
+  std::optional<double> behind_;              // the reference clock behind the external one, within half a cycle
+  std::optional<Nanoseconds> missing_since_;  // the external clock
+  double integral_ = 0;
+};
+
+}  // namespace syncline::dc

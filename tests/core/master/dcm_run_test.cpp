@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "dc/plans.h"
+#include "master/dcm_query.h"
+#include "master/master_service.h"
+#include "protocol/dcm_error.h"
+#include "tests/support/simulated_network.h"
+#include "trace/dcm_log.h"
+
+namespace syncline {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// Three simulated terminals with clocks and a master on virtual time.
+class DcmRun : public ::testing::Test {
+ protected:
+  VirtualClock clock;
+  test::SimulatedNetwork network;
+  std::unique_ptr<MasterService> service;
+  sim::SimBus* bus = nullptr;
+  Snapshot snapshot;
+  std::vector<Event> events;
+  std::vector<CycleSample> samples;
+
+  void SetUp() override {
+    for (int i = 0; i < 3; ++i) network.add(test::io8());
+    for (auto& slave : network.sim.slaves) slave.oscillator.ppm += 40;
+    network.project.master.dc.burst_total = 3'000;
+  }
+  DcmSettings& dcm() { return network.project.master.dc.dcm; }
+  void go_online(const JitterProfile& jitter = JitterProfile::quiet()) {
+    clock.set_wakeup_jitter(jitter, 3);
+    auto made = sim::SimBus::create(network.sim, clock.now());
+    ASSERT_TRUE(made);
+    bus = made->get();
+    auto link = make_simulated_link("sim", std::move(*made), clock, SimulatedHost::with(jitter, 4));
+    service = std::make_unique<MasterService>(std::move(link), clock);
+    service->channels().commands.push(GoOnlineCommand{network.compiled(), AlState::kOp});
+    (void)service->step();
+    drain();
+  }
+  void run(Nanoseconds duration) {
+    service->run_for(duration);
+    drain();
+  }
+  void drain() {
+    for (auto& event : service->channels().events.drain()) events.push_back(std::move(event));
+    service->channels().samples.pop(samples);
+    service->channels().snapshot.read(snapshot);
+  }
+  [[nodiscard]] std::optional<Error> error() const {
+    for (const auto& event : events) {
+      if (event.error) return event.error;
+    }
+    return std::nullopt;
+  }
+};
+
+TEST_F(DcmRun, EveryModeThatControlsComesInSyncOnTheBus) {
+  for (const auto mode : {DcmMode::kBusShift, DcmMode::kMasterShift, DcmMode::kMasterRefClock, DcmMode::kLinkLayerRefClock}) {
+    dcm().mode = mode;
+    events.clear();
+    go_online();
+    run(3 * kSecond);
+    EXPECT_FALSE(error()) << dcm_mode_name(mode) << error().value_or(Error{}).detail;
+    EXPECT_EQ(dcm_status(snapshot).state, SyncState::kInSync) << dcm_mode_name(mode);
+    EXPECT_LT(snapshot.dcm.in_sync_after_ms.value_or(1e9), 2'000) << dcm_mode_name(mode);
+    EXPECT_EQ(dcm_bus_shift_configured(snapshot), steers_reference_clock(mode));
+    EXPECT_EQ(snapshot.dcm.set_value_ns, 666'666);
+    EXPECT_GT(snapshot.dc.start_time, VirtualClock::kDefaultStart);
+  }
+}
+
+TEST_F(DcmRun, TheLinkCorrectsWhatSoftwareDoesNotKnow) {
+  const auto rms = [this](DcmMode mode) {
+    dcm().mode = mode;
+    go_online(JitterProfile::desktop());
+    run(2 * kSecond);
+    service->channels().commands.push(ResetDcmStatusCommand{});
+    run(5 * kSecond);
+    return snapshot.dcm.error_rms_ns;
+  };
+  EXPECT_GT(rms(DcmMode::kBusShift), 2 * rms(DcmMode::kLinkLayerRefClock));
+}
+
+TEST_F(DcmRun, ALinkWithoutAClockIsNoHardwareForIt) {
+  struct Plain final : Link {
+    Status send(std::span<const std::uint8_t>) override { return {}; }
+    Result<ReceivedFrame> receive(std::span<std::uint8_t>, Nanoseconds) override { return ReceivedFrame{}; }
+    [[nodiscard]] LinkDescription describe() const override { return {}; }
+  };
+  dcm().mode = DcmMode::kLinkLayerRefClock;
+  service = std::make_unique<MasterService>(std::make_unique<Plain>(), clock);
+  service->channels().commands.push(GoOnlineCommand{network.compiled(), AlState::kOp});
+  (void)service->step();
+  drain();
+  ASSERT_TRUE(error());
+  EXPECT_EQ(error()->received, dc::kDcmErrorInvalidHardwareLayer);
+}
+
+TEST_F(DcmRun, TheStatusIsResetAndParametersChangeWhileItRuns) {
+  dcm().mode = DcmMode::kMasterShift;
+  go_online();
+  run(2 * kSecond);
+  ASSERT_EQ(dcm_status(snapshot).state, SyncState::kInSync);
+  EXPECT_GT(dcm_status(snapshot).difference_max_ns, 0);
+  EXPECT_FALSE(dcm_adjust(snapshot)) << "the controller has the timer";
+
+  auto change = dcm();
+  change.set_value = 400'000;
+  service->channels().commands.push(ConfigureDcmCommand{change});
+  run(3 * kSecond);
+  EXPECT_EQ(snapshot.dcm.set_value_ns, 400'000);
+  EXPECT_EQ(dcm_status(snapshot).state, SyncState::kInSync);
+  // SYNC0 stands where it was; the frames moved.
+  const auto distance = ((snapshot.dc.start_time - samples.back().reference_time) % kMillisecond + kMillisecond) % kMillisecond;
+  EXPECT_NEAR(static_cast<double>(distance), 400'000, 2'000);
+
+  change.gain_ppt = 501;
+  service->channels().commands.push(ConfigureDcmCommand{change});
+  run(kMillisecond);
+  ASSERT_TRUE(error());
+  EXPECT_EQ(error()->subject, "master.dc.gain_ppt");
+  EXPECT_EQ(snapshot.dcm.set_value_ns, 400'000);
+}
+
+TEST_F(DcmRun, AnApplicationMovesTheTimerByTheReportedAdjustment) {
+  dcm().mode = DcmMode::kMasterShiftByApp;
+  go_online();
+  ASSERT_FALSE(error());
+  EXPECT_EQ(snapshot.state, AlState::kOp) << "nobody waits for the application";
+  for (int i = 0; i < 4'000; ++i) {
+    const auto adjust = dcm_adjust(snapshot);
+    ASSERT_TRUE(adjust);
+    service->channels().timer_adjust_permil = *adjust;
+    run(kMillisecond);
+  }
+  EXPECT_EQ(dcm_status(snapshot).state, SyncState::kInSync);
+  EXPECT_NEAR(*dcm_adjust(snapshot), -0.035, 0.002) << "35 ppm";
+}
+
+TEST_F(DcmRun, DriftThatNobodyBalancesIsTheErrorThatSaysSo) {
+  for (auto& slave : network.sim.slaves) slave.oscillator.ppm = 700;
+  dcm().mode = DcmMode::kMasterShift;
+  go_online();
+  run(2 * kSecond);
+  EXPECT_EQ(dcm_status(snapshot).error_code, 0x981201CAU);
+}
+
+TEST_F(DcmRun, TheLogSaysTheRun) {
+  dcm().mode = DcmMode::kMasterShift;
+  go_online();
+  run(3 * kSecond);
+  DcmLog log(snapshot.dcm.set_value_ns, snapshot.cycle_time);
+  log.set_start_time(snapshot.dc.start_time);
+  std::vector<DcmLogRow> rows;
+  for (const auto& sample : samples) {
+    if (auto row = log.row(sample)) rows.push_back(*row);
+  }
+  ASSERT_GT(rows.size(), 3'000U);
+  const auto& last = rows.back();
+  EXPECT_TRUE(last.dcm_in_sync && last.dc_in_sync);
+  EXPECT_FALSE(rows.front().dcm_in_sync);
+  EXPECT_EQ(last.bus_time_off_ns, last.bus_time_ns % kMillisecond);
+  EXPECT_NEAR(last.drift_ppm, -35, 1) << "the host is the slower one";
+  EXPECT_NEAR(last.output_sum, -35, 3) << "ns a cycle";
+  EXPECT_NEAR(static_cast<double>(last.output_total), last.time_ms * -35, 5'000);
+}
+
+/// A terminal that maps the time stamps of its external synchronisation.
+DeviceDescription bridge() {
+  auto device = test::io8();
+  device.type = device.name = "bridge";
+  device.identity.product_code = 0x0109;
+  device.tx_pdos[0].entries = {{0x10F4, 0x11, 64, "Internal time", "ULINT"}, {0x10F4, 0x12, 64, "External time", "ULINT"}};
+  return device;
+}
+
+class DcmDcx : public DcmRun {
+ protected:
+  std::unique_ptr<sim::SimBus> other;  // the segment on the other side
+
+  void SetUp() override {
+    DcmRun::SetUp();
+    network.add(bridge(), "sync-bridge");
+    test::SimulatedNetwork other_network;
+    other_network.add(test::io8());
+    other_network.sim.slaves[0].oscillator.ppm = -25;
+    auto made = sim::SimBus::create(other_network.sim, clock.now());
+    ASSERT_TRUE(made);
+    other = std::move(*made);
+    dcm().mode = DcmMode::kDcx;
+  }
+  [[nodiscard]] Nanoseconds apart() {
+    const auto theirs = static_cast<Nanoseconds>(other->system_time(0)), ours = static_cast<Nanoseconds>(bus->system_time(0));
+    return dc::wrap_to_half(theirs - ours, kMillisecond);
+  }
+};
+
+TEST_F(DcmDcx, TwoSegmentsKeepTheSameTimeThroughABridge) {
+  network.sim.slaves.back().external_time = [this](Nanoseconds time) {
+    other->advance_to(time);
+    return std::optional(static_cast<Nanoseconds>(other->system_time(0)));
+  };
+  go_online();
+  ASSERT_FALSE(error()) << error()->detail;
+  run(20 * kSecond);
+  EXPECT_EQ(dcm_status(snapshot).error_code, 0U);
+  EXPECT_EQ(dcm_status(snapshot).state, SyncState::kInSync);
+  for (int i = 0; i < 500; ++i) {
+    run(10 * kMillisecond);
+    other->advance_to(clock.now());
+    bus->advance_to(clock.now());
+    ASSERT_LT(std::abs(apart()), 1'000) << i;
+  }
+}
+
+TEST_F(DcmDcx, ABridgeWithNobodyBehindItIsNoExternalClock) {
+  go_online();
+  ASSERT_FALSE(error()) << error()->detail;
+  run(2 * kSecond);
+  EXPECT_EQ(dcm_status(snapshot).error_code, dc::kDcxErrorNoExternalClock);
+  EXPECT_NE(dcm_status(snapshot).state, SyncState::kInSync);
+}
+
+}  // namespace
+}  // namespace syncline
