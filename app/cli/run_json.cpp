@@ -43,6 +43,8 @@ Json slave_json(const RunReport::Slave& slave) {
           {"deviation_max_ns", or_null(slave.deviation_max_ns)},
           {"sm2_missed", slave.sm2_missed ? Json(slave.sm2_missed->value) : Json(nullptr)},
           {"sm2_object", slave.sm2_missed ? Json(sm2_object(*slave.sm2_missed)) : Json(nullptr)},
+          {"sm2_integrator_max", slave.sm2_missed ? Json(slave.sm2_missed->integrator_highest) : Json(nullptr)},
+          {"sm2_limit", slave.sm2_missed ? Json(slave.sm2_missed->limit) : Json(nullptr)},
           {"sm2_other", slave.sm2_missed ? sm2_other(*slave.sm2_missed) : Json(nullptr)},
           {"propagation_delay_ns", or_null(slave.propagation_delay_ns)}};
 }

@@ -41,6 +41,7 @@ struct CycleSample {
   std::uint32_t deviation_ored_ns = 0;    // magnitude of the wire-ored 0x092C: an upper estimate
   std::int32_t slave_deviation_ns = 0;    // signed 0x092C of slave_position
   std::uint32_t slave_sm2_missed = 0;     // counter of sm2_position
+  std::uint32_t slave_sm2_integrator = 0; // see Sm2MissedStatus::integrator
   std::int16_t slave_position = -1;       // round robin, -1 = none in this cycle
   std::int16_t sm2_position = -1;
   std::uint16_t wkc_expected = 0;         // sum over the process-data commands
@@ -81,6 +82,9 @@ struct Sm2MissedStatus {
   std::uint8_t sub_index = 0;             // 0x0B or 0x0C, by object name or device profile
   std::uint8_t other_sub_index = 0;       // neither says which: the other one of the two, else 0
   std::uint32_t other_value = 0;
+  std::uint32_t integrator = 0;           // what 0x10F1 makes of the misses at most, see sync_error_integrator.h
+  std::uint32_t integrator_highest = 0;   // so far
+  std::uint32_t limit = 0;                // 0x10F1:02, at which the slave gives up; 0 = never, or not told
   bool operator==(const Sm2MissedStatus&) const = default;
 };
 

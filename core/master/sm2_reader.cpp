@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "master/sm2_reader.h"
 
+#include <algorithm>
+
 #include "master/sm2_counter_profile.h"
 #include "protocol/dc_registers.h"
 
@@ -9,6 +11,7 @@ namespace {
 
 /// Often enough for a live plot, seldom enough to leave the slaves' mailboxes to others.
 constexpr Nanoseconds kPeriod = 20 * kMillisecond;
+constexpr coe::ObjectAddress kSyncErrorLimit{0x10F1, 2};
 
 bool uses_sync(const SlaveConfig& slave) {
   return slave.mailbox && slave.mailbox->coe && slave.dc && AssignActivate{slave.dc->assign_activate}.sync0();
@@ -47,12 +50,32 @@ void Sm2Reader::begin(Nanoseconds now) {
   const auto state = al_state_of(run_.snapshot.slaves[counter.slave].al_status);
   const bool counting = state == AlState::kSafeop || state == AlState::kOp;
   if (!counter.supported || !counting || !mailbox_.ready_for(counter.slave)) return;
+  if (state != AlState::kOp) counter.integrator.reset();  // the slave counts in OP
+  if (!counter.limit_known) return mailbox_.upload(counter.slave, kSyncErrorLimit, now);
   counter.other = counter.both && !counter.other;
   mailbox_.upload(counter.slave, {kSyncManager2Parameter, counter.other ? kSm2MissedSubIndexOldLayout : counter.sub_index}, now);
 }
 
 void Sm2Reader::take(const CyclicMailbox::Answer& answer, CycleSample& sample) {
-  if (answer.object.index != kSyncManager2Parameter) return;
+  if (counters_.empty() || counters_[current_].slave != answer.slave) return;
+  if (answer.object.index == kSyncErrorLimit.index) take_limit(answer);
+  if (answer.object.index == kSyncManager2Parameter) take_counter(answer, sample);
+}
+
+void Sm2Reader::take_limit(const CyclicMailbox::Answer& answer) {
+  auto& counter = counters_[current_];
+  counter.limit_known = answer.kind == CyclicMailbox::Answer::Kind::kValue || answer.kind == CyclicMailbox::Answer::Kind::kAbort;
+  const bool told = answer.kind == CyclicMailbox::Answer::Kind::kValue;
+  run_.snapshot.slaves[counter.slave].sm2_missed.limit = told ? answer.value : 0;
+}
+
+std::uint64_t Sm2Reader::sync_cycle(std::size_t slave, std::uint64_t bus_cycle) const {
+  const auto bus = run_.config().cycle_time();
+  const auto sync = run_.config().slaves[slave].dc->cycle_time0;
+  return sync > bus ? bus_cycle / static_cast<std::uint64_t>(sync / bus) : bus_cycle;
+}
+
+void Sm2Reader::take_counter(const CyclicMailbox::Answer& answer, CycleSample& sample) {
   auto& counter = counters_[current_];
   auto& status = run_.snapshot.slaves[counter.slave].sm2_missed;
   if (answer.kind == CyclicMailbox::Answer::Kind::kAbort) {
@@ -66,12 +89,16 @@ void Sm2Reader::take(const CyclicMailbox::Answer& answer, CycleSample& sample) {
     return;
   }
   if (!counter.both) status.other_sub_index = 0;
+  counter.integrator.read(answer.value, sync_cycle(counter.slave, sample.cycle));
   status.valid = true;
   status.value = answer.value;
   status.index = kSyncManager2Parameter;
   status.sub_index = counter.sub_index;
+  status.integrator = counter.integrator.value();
+  status.integrator_highest = std::max(status.integrator_highest, status.integrator);
   sample.sm2_position = static_cast<std::int16_t>(counter.slave);
   sample.slave_sm2_missed = answer.value;
+  sample.slave_sm2_integrator = status.integrator;
 }
 
 }  // namespace syncline

@@ -5,12 +5,13 @@
 #include <vector>
 
 #include "master/cyclic_mailbox.h"
+#include "master/sync_error_integrator.h"
 #include "master/run_state.h"
 
 namespace syncline {
 
 /// Reads the counters of missed SM2 events of all slaves with SYNC signals, one after the other, through the
-/// mailboxes of the running bus. Allocates nothing.
+/// mailboxes of the running bus, and once the limit that they obey (0x10F1:02). Allocates nothing.
 class Sm2Reader {
  public:
   Sm2Reader(RunState& run, CyclicMailbox& mailbox);
@@ -33,7 +34,12 @@ class Sm2Reader {
     bool both = false;       // nobody knows which of the two it is: they are read in turn
     bool other = false;      // 0x0C is being asked for, as the other one of the two
     bool supported = true;
+    bool limit_known = false;  // or the slave has none
+    SyncErrorIntegrator integrator{};
   };
+  void take_limit(const CyclicMailbox::Answer& answer);
+  void take_counter(const CyclicMailbox::Answer& answer, CycleSample& sample);
+  [[nodiscard]] std::uint64_t sync_cycle(std::size_t slave, std::uint64_t bus_cycle) const;
 
   RunState& run_;
   CyclicMailbox& mailbox_;

@@ -8,14 +8,14 @@ namespace syncline {
 namespace {
 
 /// A drive that loses ten frames while it runs; what the master knows of its counters then.
-Sm2MissedStatus counters_of(const DeviceDescription& device, const std::string& behaviour) {
+Sm2MissedStatus counters_of(const DeviceDescription& device, const std::string& behaviour, std::uint8_t limit = 0) {
   test::SimulatedNetwork network;
   network.add(device, behaviour);
-  StartupCommand no_alarm;
-  no_alarm.index = 0x10F1;
-  no_alarm.sub_index = 2;
-  no_alarm.data = {0, 0};
-  network.project.slaves[0].startup.push_back(no_alarm);
+  StartupCommand alarm;
+  alarm.index = 0x10F1;
+  alarm.sub_index = 2;
+  alarm.data = {limit, 0};
+  network.project.slaves[0].startup.push_back(alarm);
   for (int i = 0; i < 10; ++i) {
     FaultConfig loss;
     loss.kind = FaultKind::kLoseFrames;
@@ -61,6 +61,10 @@ TEST(SyncCounters, OfAKnownDeviceOneIsRead) {
   EXPECT_EQ(status.sub_index, 0x0C);
   EXPECT_EQ(status.other_sub_index, 0);
   EXPECT_GE(status.value, 8U);
+  EXPECT_EQ(status.limit, 0U);
+  EXPECT_EQ(status.integrator_highest, 3U) << "single misses";
+  EXPECT_EQ(status.integrator, 0U) << "long ago";
+  EXPECT_EQ(counters_of(device, "servo-y", 12).limit, 12U);
 }
 
 }  // namespace
