@@ -80,7 +80,8 @@ void add_create(CLI::App& project, Context& context) {
   scan->excludes(device);
   command->add_option("--esi", options->esi_folders, "Folder of ESI files, repeatable");
   command->add_option("--cycle", options->cycle_us, "Cycle time in us");
-  command->add_option("--shift", options->shift, "bus or master")->check(CLI::IsMember({"bus", "master"}));
+  command->add_option("--shift", options->shift,
+                      "bus, master, off, master-ref-clock, link-layer-ref-clock, dcx or master-shift-by-app");
   command->add_option("--sync-window", options->sync_window, "on or off")->check(CLI::IsMember({"on", "off"}));
   command->add_option("--reference-clock", options->reference_clock, "auto or a position");
   command->add_option("--op-mode", options->op_modes, "POSITION=NAME, repeatable");

@@ -75,7 +75,10 @@ Result<Project> build(Context& context, const CreateOptions& options) {
 Result<std::vector<SettingValue>> edits_of(const CreateOptions& options) {
   std::vector<SettingValue> edits;
   if (!options.cycle_us.empty()) edits.push_back({"master.cycle_time_us", options.cycle_us});
-  if (!options.shift.empty()) edits.push_back({"master.dc.mode", options.shift + "-shift"});
+  if (!options.shift.empty()) {
+    const bool is_short = options.shift == "bus" || options.shift == "master";
+    edits.push_back({"master.dc.mode", is_short ? options.shift + "-shift" : options.shift});
+  }
   if (!options.sync_window.empty()) edits.push_back({"master.dc.sync_window", options.sync_window});
   if (!options.reference_clock.empty()) edits.push_back({"master.dc.reference_clock", options.reference_clock});
   for (const auto& text : options.op_modes) {

@@ -175,6 +175,8 @@ class Loader {
     slave.foe_password = table.get<std::uint32_t>("foe_password", 0);
     // The host's clock is true time here: an error of the host is the opposite one of every slave.
     if (const double ppm = table.get<double>("external_ppm", 0); slave.behaviour == "sync-bridge") {
+      constexpr double kMostPpm = 10'000;
+      if (!(std::abs(ppm) <= kMostPpm)) table.fail_at("external_ppm", "must be within -10000 and 10000");
       slave.external_time = [ppm](Nanoseconds time) {
         const auto passed = static_cast<double>(time - VirtualClock::kDefaultStart);
         return std::optional(time + static_cast<Nanoseconds>(std::llround(passed * ppm * 1e-6)));

@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <sstream>
 
 #include "tests/app/cli_runner.h"
+#include "trace/dcm_log.h"
 
 namespace syncline::test {
 namespace {
@@ -98,6 +101,46 @@ TEST(CliRun, BrokenFileNamesFileAndLine) {
   const auto run = cli_run({"run", file, "--link", demo(), "--for", "1s"});
   EXPECT_EQ(run.code, cli::kFailed);
   EXPECT_THAT(run.err, HasSubstr(file));
+}
+
+TEST(CliRun, WritesTheLogOfTheMasterSynchronisationAndTakesItsParameters) {
+  const TemporaryFolder folder;
+  const auto project = folder.file("m.syncline");
+  ASSERT_EQ(cli_run({"project", "create", project, "--scan", demo(), "--shift", "master-ref-clock"}).code, cli::kDone);
+  const auto log = folder.file("dcm.csv");
+  const auto run = cli_run({"run", project, "--link", demo(), "--for", "5s", "--json", "--dcm-log", log, "--set",
+                            "dcm.set_value_us=400", "--set", "master.dc.mode=master-shift"});
+  ASSERT_EQ(run.code, cli::kDone) << run.err;
+  EXPECT_EQ(run.json()["dcm"]["mode"], "master-shift");
+  EXPECT_EQ(run.json()["dcm"]["set_value_ns"], 400'000);
+  EXPECT_EQ(run.json()["dcm"]["bus_shift_configured"], true);
+  std::ifstream file(log);
+  std::ostringstream text;
+  text << file.rdbuf();
+  const auto rows = read_dcm_log(text.str());
+  ASSERT_TRUE(rows) << rows.error().detail;
+  ASSERT_GT(rows->size(), 2'000U);
+  EXPECT_EQ(rows->back().set_value_ns, 400'000);
+  EXPECT_TRUE(rows->back().dcm_in_sync);
+  EXPECT_GT(rows->back().dc_start_time_ns, 0);
+  EXPECT_NEAR(rows->back().drift_ppm, -12.5, 0.5);
+}
+
+TEST(CliRun, ParametersThatCannotWorkAreRefusedByName) {
+  const TemporaryFolder folder;
+  const auto project = folder.file("m.syncline");
+  ASSERT_EQ(cli_run({"project", "create", project, "--scan", demo(), "--shift", "master"}).code, cli::kDone);
+  const auto refused = [&](const std::string& setting) {
+    const auto run = cli_run({"run", project, "--link", demo(), "--for", "1s", "--set", setting});
+    EXPECT_NE(run.code, cli::kDone) << setting;
+    return run.err;
+  };
+  EXPECT_THAT(refused("dcm.set_value_us=5"), testing::AllOf(HasSubstr("master.dc.set_value_us"), HasSubstr("5000 ns")));
+  EXPECT_THAT(refused("dcm.gain_ppt=501"), testing::AllOf(HasSubstr("master.dc.gain_ppt"), HasSubstr("0..500")));
+  EXPECT_THAT(refused("dcm.mode=bus-shift"), HasSubstr("0x0910"));
+  EXPECT_THAT(refused("dcm.mode=dcx"), HasSubstr("0x0910"));
+  EXPECT_THAT(refused("master.cycle_time_us=500"), HasSubstr("master.dc.*"));
+  EXPECT_NE(cli_run({"project", "create", project, "--scan", demo(), "--shift", "sideways"}).code, cli::kDone);
 }
 
 }  // namespace

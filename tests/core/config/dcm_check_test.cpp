@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 #include "config/compile/compile.h"
@@ -80,6 +81,17 @@ TEST(DcmCheck, AModeThatSteersNeedsItsCyclicCommand) {
   EXPECT_THAT(status.error().detail, HasSubstr("master-ref-clock"));
   config.dc.enabled = false;
   EXPECT_TRUE(check_dcm(config));
+}
+
+TEST(DcmCheck, StandardLoopValuesAreLeftAlone) {
+  const auto writes = [](bool standard) {
+    auto project = sample::small_machine();
+    project.master.dc.dcm.standard_loop_values = standard;
+    const auto config = compile(project)->config;
+    return std::ranges::count_if(config.master.init_cmds, [](const InitCmd& c) { return c.ado >= 0x0930 && c.ado <= 0x0935; });
+  };
+  EXPECT_EQ(writes(false), 2);
+  EXPECT_EQ(writes(true), 0);
 }
 
 TEST(DcmCheck, EachOfTheFourteenCodesHasANameAndWords) {
