@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -37,8 +38,8 @@ class Device : public Esc::Listener {
   void silence_mailbox(bool silent) { mailbox_silent_ = silent; }
   /// The application takes so much longer to answer mailbox requests; 0: as usual.
   void slow_mailbox(Nanoseconds delay) { mailbox_delay_ = delay; }
-  /// The application needs so much longer for each cycle; 0: as usual.
-  void slow_application(Nanoseconds delay) { application_delay_ = delay; }
+  /// The application needs so much longer for each cycle, at most an hour; 0: as usual.
+  void slow_application(Nanoseconds delay) { application_delay_ = std::clamp<Nanoseconds>(delay, 0, 3600 * kSecond); }
 
   /// A frame passes the slave from `begin` to `end`.
   virtual void frame_received(Nanoseconds, Nanoseconds) {}
