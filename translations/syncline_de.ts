@@ -453,6 +453,29 @@
     <context>
         <name>Events</name>
         <message>
+            <source>Connected by port %1 instead of A: its delay is right here, but other masters take it wrong without a word</source>
+            <translation>Über Port %1 statt A angeschlossen: Die Laufzeit stimmt hier, andere Master messen sie wortlos falsch</translation>
+        </message>
+        <message>
+            <source>Port %1 has a link and no slave behind it: a closed ring or another master</source>
+            <translation>Port %1 hat einen Link und keinen Slave dahinter: ein geschlossener Ring oder ein anderer Master</translation>
+        </message>
+        <message>
+            <source>Implausible propagation delay: %1</source>
+            <translation>Unglaubwürdige Laufzeit: %1</translation>
+        </message>
+        <message>
+            <source>Propagation delays measured again: nothing to correct</source>
+            <translation>Laufzeiten erneut gemessen: nichts zu berichtigen</translation>
+        </message>
+        <message numerus="yes">
+            <source>Propagation delays measured again: %n slave(s) to correct, by %1 at most</source>
+            <translation>
+                <numerusform>Laufzeiten erneut gemessen: %n Slave zu berichtigen, um höchstens %1</numerusform>
+                <numerusform>Laufzeiten erneut gemessen: %n Slaves zu berichtigen, um höchstens %1</numerusform>
+            </translation>
+        </message>
+        <message>
             <source>State %1 → %2</source>
             <translation>Zustand %1 → %2</translation>
         </message>

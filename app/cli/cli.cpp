@@ -40,6 +40,7 @@ int run(const std::vector<std::string>& arguments, Console console) {
   add_foe_command(app, context);
   add_slave_commands(app, context);
   add_sync_command(app, context);
+  add_dc_command(app, context);
   add_project_commands(app, context);
   add_export_command(app, context);
   add_compare_command(app, context);

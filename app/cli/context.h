@@ -34,6 +34,7 @@ void add_sdo_command(CLI::App& app, Context& context);
 void add_foe_command(CLI::App& app, Context& context);
 void add_slave_commands(CLI::App& app, Context& context);
 void add_sync_command(CLI::App& app, Context& context);
+void add_dc_command(CLI::App& app, Context& context);
 void add_project_commands(CLI::App& app, Context& context);
 void add_export_command(CLI::App& app, Context& context);
 void add_compare_command(CLI::App& app, Context& context);

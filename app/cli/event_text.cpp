@@ -5,6 +5,7 @@
 
 #include "app/cli/run_json.h"
 #include "protocol/dcm_error.h"
+#include "dc/delay_text.h"
 #include "protocol/error_text.h"
 
 namespace syncline::cli {
@@ -41,6 +42,8 @@ std::string_view kind_name(EventKind kind) {
     case EventKind::kRecovery: return "recovery";
     case EventKind::kUnknownSlave: return "unknown_slave";
     case EventKind::kDiagnosis: return "diagnosis";
+    case EventKind::kDelayFinding: return "delay_finding";
+    case EventKind::kDelaysMeasured: return "delays_measured";
     default: return "other";
   }
 }
@@ -122,6 +125,11 @@ std::string words(const Event& e) {
     case EventKind::kRecovery: return fmt::format("{}: {} (try {})", who(e.slave), recovery_text(e.a), e.b);
     case EventKind::kUnknownSlave: return fmt::format("unknown device at position {}: {}", e.slave, e.text);
     case EventKind::kDiagnosis: return diagnosis(e);
+    case EventKind::kDelayFinding:
+      return fmt::format("{}: {}", who(e.slave), delay_warning_text(static_cast<dc::DelayWarning>(e.a), e.b));
+    case EventKind::kDelaysMeasured:
+      return e.a == 0 ? std::string("propagation delays measured again: nothing to correct")
+                      : fmt::format("propagation delays measured again: {} slaves to correct, by {:+} ns at most", e.a, e.b);
     case EventKind::kRestarted: return e.text;
     default: return e.text;
   }

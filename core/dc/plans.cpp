@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dc/plans.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace syncline::dc {
 
 std::uint64_t system_time_offset(Nanoseconds reference_time_at_latch, std::uint64_t local_time_at_latch,
@@ -17,6 +20,12 @@ Nanoseconds start_time(const StartTimeInput& input) {
   auto phase = (earliest - input.base) % grid;
   if (phase < 0) phase += grid;
   return earliest + (phase == 0 ? 0 : grid - phase) + input.shift;
+}
+
+std::uint16_t speed_counter_start(Nanoseconds cycle) {
+  constexpr double kShare = 0.2, kSmallest = 0x0100, kLargest = 0x3FFF;
+  const auto wanted = std::sqrt(static_cast<double>(std::max<Nanoseconds>(cycle, 0)) / (5 * kShare));
+  return static_cast<std::uint16_t>(std::lround(std::clamp(wanted, kSmallest, kLargest)));
 }
 
 Nanoseconds extend_32bit(std::uint32_t low, Nanoseconds nearby) {

@@ -296,13 +296,17 @@ Result<std::uint16_t> count_slaves(Bus& bus) {
 Result<std::vector<DcCapability>> probe_dc(Bus& bus, std::span<const std::uint16_t> stations) {
   std::vector<SlaveAddress> slaves;
   for (const auto station : stations) slaves.push_back(SlaveAddress::at_station(station));
+  return probe_dc(bus, slaves);
+}
+
+Result<std::vector<DcCapability>> probe_dc(Bus& bus, std::span<const SlaveAddress> slaves) {
   std::vector<Datagram> datagrams;
   RegisterOfAll<2> features(slaves, reg::kFeatures, datagrams);
   RegisterOfAll<4> system_time(slaves, reg::kSystemTime, datagrams);
   RegisterOfAll<4> receive_time(slaves, reg::kReceiveTimePort0, datagrams);
   if (auto status = bus.transact(datagrams); !status) return tl::unexpected(status.error());
   std::vector<DcCapability> capabilities;
-  for (std::size_t i = 0; i < stations.size(); ++i) {
+  for (std::size_t i = 0; i < slaves.size(); ++i) {
     capabilities.push_back(capability_of(receive_time.answered(i), system_time.answered(i), features.get<std::uint16_t>(i)));
   }
   return capabilities;

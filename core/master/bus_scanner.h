@@ -7,6 +7,7 @@
 
 #include "master/bus.h"
 #include "master/bus_scan.h"
+#include "master/slave_address.h"
 
 namespace syncline {
 
@@ -44,5 +45,6 @@ inline constexpr std::uint16_t kFirstStationAddress = 1001;
 
 /// What the clocks can do, by asking (feature bits lie): for each station address.
 [[nodiscard]] Result<std::vector<DcCapability>> probe_dc(Bus& bus, std::span<const std::uint16_t> stations);
+[[nodiscard]] Result<std::vector<DcCapability>> probe_dc(Bus& bus, std::span<const SlaveAddress> slaves);
 
 }  // namespace syncline

@@ -191,6 +191,8 @@ enum class EventKind : std::uint8_t {
   kUnknownSlave,        // slave = position on the bus, text = identity: it is none of the configuration's
   kDiagnosis,           // slave: new in its history 0x10F3; a = diag code, b = type (0 info, 1 warning, 2 error) and
                         // text ID in bits 31..16, c = time stamp in ns (DC system time, or since power-on; 0 none)
+  kDelayFinding,        // slave, a = dc::DelayWarning, b = its value: what the delay measurement stumbled over
+  kDelaysMeasured,      // while the bus runs: a = slaves whose delay is being corrected, b = largest change in ns
 };
 
 struct Event {
@@ -231,8 +233,11 @@ struct ClearStatisticsCommand {};
 struct ConfigureDcmCommand { DcmSettings settings; };
 /// Forgets mean, rms and largest control error, and an error that is over.
 struct ResetDcmStatusCommand {};
-using MasterCommand = std::variant<ScanCommand, GoOnlineCommand, GoOfflineCommand, RequestStateCommand,
-                                   ClearStatisticsCommand, ConfigureDcmCommand, ResetDcmStatusCommand>;
+/// Continuous compensation of the propagation delays, on or off while the bus runs.
+struct CompensateDelaysCommand { bool on = false; };
+using MasterCommand =
+    std::variant<ScanCommand, GoOnlineCommand, GoOfflineCommand, RequestStateCommand, ClearStatisticsCommand,
+                 ConfigureDcmCommand, ResetDcmStatusCommand, CompensateDelaysCommand>;
 
 class CommandQueue {
  public:

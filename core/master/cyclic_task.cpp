@@ -85,7 +85,8 @@ void CyclicTaskRunner::note_sending(CycleSample& sample) {
 void CyclicTaskRunner::fill_acyclic(std::span<Datagram* const> requests, Nanoseconds now) {
   for (auto& frame : acyclic_) frame.clear();
   // Short and regular readings first: a long mailbox datagram finds room in the next cycle.
-  slaves_.add_to(acyclic_.front(), sync_.monitored() && !frames_.reads_deviation());
+  slaves_.add_to(acyclic_.front(), sync_.monitored() && !frames_.reads_deviation(),
+                 sync_.looking_for_culprit());
   mailboxes_.add_to(acyclic_.front(), now);
   sm2_.begin(now);
   mailbox_.add_to(acyclic_.front(), now);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -11,6 +10,8 @@
 #include "dc/propagation_delay.h"
 #include "master/bus.h"
 #include "master/bus_scan.h"
+#include "master/clock_segment.h"
+#include "master/delay_latch.h"
 
 namespace syncline {
 
@@ -26,6 +27,11 @@ struct DcNetwork {
   /// A host time and the reference clock's system time at that moment.
   Nanoseconds host_time = 0, reference_time = 0;
   std::vector<dc::DelayFinding> findings;
+  /// The slaves that were measured: their positions in the configuration, and how they are wired.
+  std::vector<std::size_t> measured;
+  ClockSegment segment;
+  std::uint32_t burst_frames = 0;
+  bool settled = false;                 // the burst ended because all clocks were near each other
 
   [[nodiscard]] std::size_t synchronised_count() const;
 };
@@ -33,7 +39,7 @@ struct DcNetwork {
 /// Measures the propagation delays, sets offsets and delays, and lets the slaves learn their drift by a
 /// burst of ARMW frames (reference: ESC data sheet I, 9.1). Slaves must have their station addresses;
 /// no cyclic operation. An ENI has no commands for this: every master does it by itself.
-class DcSetup : private SendStamp {
+class DcSetup {
  public:
   /// `slaves`: those of the configuration that are on the bus, in frame order; others get no clock.
   DcSetup(Bus& bus, const NetworkConfig& config, std::vector<std::size_t> slaves)
@@ -43,7 +49,6 @@ class DcSetup : private SendStamp {
   Result<DcNetwork> run();
 
  private:
-  struct Latch;
   struct Write {
     std::size_t slave;
     std::uint16_t address;
@@ -51,30 +56,30 @@ class DcSetup : private SendStamp {
   };
 
   Status read_slaves();
-  Status choose_reference(const std::vector<DcCapability>& capabilities);
+  Status choose_reference();
   [[nodiscard]] DcNetwork for_all_slaves() const;
   [[nodiscard]] bool complete() const { return slaves_.size() == config_.slaves.size(); }
+  [[nodiscard]] bool steered() const;
   Status measure();
-  Status latch_round(Latch& latch);
-  Status write_times(const Latch& latch);
+  Result<bool> latch_round(DelayLatch& latch);
+  Status write_times(const DelayLatch& latch);
+  void add_loop_values(std::size_t slave, std::vector<Write>& filters) const;
   Status write_all(std::span<Write> writes);
   Status burst();
-  Result<std::uint32_t> burst_bulk(std::uint32_t frames, std::uint32_t& deviation_ored);
-  Status burst_frame(std::uint32_t* deviation_ored);
-  void stamp(Nanoseconds send_time) override;
   [[nodiscard]] std::string subject(std::size_t slave) const;
 
   Bus& bus_;
   const NetworkConfig& config_;
   std::vector<std::size_t> slaves_;     // what follows counts these
-  std::vector<std::uint16_t> stations_;
-  std::vector<dc::DelayNode> nodes_;
+  std::vector<SlaveAddress> addresses_;
+  ClockSegment segment_;
   DcNetwork network_;
-  std::optional<Nanoseconds> anchor_;  // reference minus host at the first burst frame
-  std::array<std::uint8_t, 4> time_bytes_{}, steer_bytes_{};
+  Nanoseconds latch_time_ = 0;          // host time of the latest latch
   PendingFrame frame_;
 };
 
+/// tDiff of the configuration, or the usual one.
+[[nodiscard]] dc::DelayOptions delay_options(const DcMasterSettings& settings);
 /// Position of the clock that all others follow: as configured, else the first slave with DC.
 [[nodiscard]] std::optional<std::uint16_t> configured_reference_clock(const NetworkConfig& config);
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "master/dc_start.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 #include "dc/plans.h"
@@ -41,7 +44,8 @@ bool writes_dc_start_time(const InitCmd& command) {
 }
 
 std::vector<std::uint8_t> dc_start_data(const NetworkConfig& config, const SlaveConfig& slave,
-                                        const InitCmd& command, Nanoseconds now, Nanoseconds base) {
+                                        const InitCmd& command, Nanoseconds now, Nanoseconds base,
+                                        const DcStartTimeCallback& callback) {
   auto data = command.data;
   data.resize(command.length());
   dc::StartTimeInput input;
@@ -54,7 +58,8 @@ std::vector<std::uint8_t> dc_start_data(const NetworkConfig& config, const Slave
   } else {
     input.shift = static_cast<std::int32_t>(load_le<std::uint32_t>(data));
   }
-  const auto start = static_cast<std::uint64_t>(dc::start_time(input));
+  const auto own = callback ? callback(slave.station_address) : std::nullopt;
+  const auto start = static_cast<std::uint64_t>(own ? *own + input.shift : dc::start_time(input));
   if (data.size() >= 8) {
     store_le(data, start);
   } else {
@@ -66,6 +71,68 @@ std::vector<std::uint8_t> dc_start_data(const NetworkConfig& config, const Slave
 Nanoseconds written_start_time(std::span<const std::uint8_t> data, Nanoseconds now) {
   if (data.size() >= 8) return static_cast<Nanoseconds>(load_le<std::uint64_t>(data));
   return data.size() >= 4 ? dc::extend_32bit(load_le<std::uint32_t>(data), now) : 0;
+}
+
+namespace {
+
+/// 0x0980..0x0997: activation, its status and the next SYNC0, and the time of reading them.
+struct SyncReading {
+  std::array<std::uint8_t, 24> unit{};
+  std::array<std::uint8_t, 8> time{};
+  Datagram read_unit, read_time;
+};
+
+/// How far ahead `next` lies, on a counter as wide as the slave's.
+std::int64_t ahead_of(std::uint64_t next, std::uint64_t now, bool wide) {
+  return wide ? static_cast<std::int64_t>(next - now) : static_cast<std::int32_t>(next - now);
+}
+
+std::optional<Error> judge(const SyncReading& reading, const SlaveConfig& slave, std::size_t position) {
+  constexpr std::size_t kActivationAt = 1, kStatusAt = 4, kNextAt = 0x10;
+  const std::span<const std::uint8_t> unit(reading.unit);
+  const auto name = fmt::format("slave {} ({})", position, slave.name);
+  if ((unit[kActivationAt] & 0x01) == 0) {
+    return Error{ErrorCode::kDcSetup, name, "its SYNC unit is not active (0x0981)"};
+  }
+  if (!reading.read_time.done()) return std::nullopt;
+  const auto next = load_le<std::uint64_t>(unit.subspan(kNextAt));
+  const auto now = load_le<std::uint64_t>(reading.time);
+  // A clock of 32 bits leaves the upper word of both at zero.
+  const bool wide = (next >> 32) != 0 && (now >> 32) != 0;
+  const auto ahead = ahead_of(next, now, wide);
+  // Between the two readings of a frame a pulse may come.
+  if ((unit[kStatusAt] & 0x01) == 0 || ahead > 0) return std::nullopt;
+  return Error{ErrorCode::kDcSetup, name,
+               fmt::format("its SYNC0 will never come: the start time {} (0x0990) had passed by {} ns at {}", next, -ahead, now)};
+}
+
+}  // namespace
+
+Result<std::vector<Error>> check_dc_start(Bus& bus, const NetworkConfig& config, std::span<const std::size_t> slaves) {
+  std::vector<std::size_t> asked;
+  for (const auto slave : slaves) {
+    const auto& dc = config.slaves[slave].dc;
+    const bool sync0 = dc && AssignActivate{dc->assign_activate}.unit_on() && AssignActivate{dc->assign_activate}.sync0();
+    const auto& commands = config.slaves[slave].init_cmds;
+    if (sync0 && std::ranges::any_of(commands, writes_dc_start_time)) asked.push_back(slave);
+  }
+  std::vector<SyncReading> readings(asked.size());
+  std::vector<Datagram> reads;
+  for (std::size_t i = 0; i < asked.size(); ++i) {
+    const auto station = config.slaves[asked[i]].station_address;
+    reads.push_back({Command::kFprd, device_address(station, reg::kCyclicUnitControl), readings[i].unit});
+    reads.push_back({Command::kFprd, device_address(station, reg::kSystemTime), readings[i].time});
+  }
+  if (reads.empty()) return std::vector<Error>{};
+  if (auto status = bus.transact(reads); !status) return tl::unexpected(status.error());
+  std::vector<Error> errors;
+  for (std::size_t i = 0; i < asked.size(); ++i) {
+    readings[i].read_unit = reads[2 * i];
+    readings[i].read_time = reads[2 * i + 1];
+    if (!readings[i].read_unit.done()) continue;  // gone: the next sweep tells
+    if (auto error = judge(readings[i], config.slaves[asked[i]], asked[i])) errors.push_back(std::move(*error));
+  }
+  return errors;
 }
 
 }  // namespace syncline

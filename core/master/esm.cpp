@@ -10,6 +10,7 @@
 #include "master/bus_survey.h"
 #include "master/dc_join.h"
 #include "master/dc_setup.h"
+#include "master/dc_start.h"
 #include "master/sm2_counter_lookup.h"
 #include "protocol/registers.h"
 
@@ -23,8 +24,8 @@ bool is_above(AlState state, AlState target) { return static_cast<int>(state) > 
 
 }  // namespace
 
-Esm::Esm(Bus& bus, RunState& run, CyclicTaskRunner& task, SyncWatch& sync)
-    : bus_(bus), run_(run), task_(task), sync_(sync), commands_(bus, run, sync), missing_(run.config().slaves.size()) {}
+Esm::Esm(Bus& bus, RunState& run, CyclicTaskRunner& task, SyncWatch& sync, DelayCompensation& delays)
+    : bus_(bus), run_(run), task_(task), sync_(sync), delays_(delays), commands_(bus, run, sync), missing_(run.config().slaves.size()) {}
 
 AlState Esm::state_of(std::size_t slave) const { return al_state_of(run_.snapshot.slaves[slave].al_status); }
 
@@ -195,8 +196,12 @@ Status Esm::initialise_clocks() {
     network = std::move(*result);
     note_clocks(*network);
   }
-  const auto first_cycle = bus_.clock().now() + run_.config().cycle_time();
-  if (network) sync_.start(*network, first_cycle);
+  auto first_cycle = bus_.clock().now() + run_.config().cycle_time();
+  if (network) first_cycle = sync_.first_cycle(*network, first_cycle);
+  if (network) {
+    sync_.start(*network, first_cycle);
+    delays_.start(*network, first_cycle);
+  }
   task_.start(first_cycle);
   operate(AlState::kPreop);
   bus_.set_pump(&task_);
@@ -227,6 +232,10 @@ void Esm::note_clocks(const DcNetwork& network) {
     if (slave.dc_enabled) watched.push_back(static_cast<std::uint16_t>(i));
   }
   task_.slaves().set_dc_slaves(std::move(watched));
+  for (const auto& finding : network.findings) {
+    run_.event(EventKind::kDelayFinding, bus_.clock().now(), finding.position, static_cast<std::int64_t>(finding.warning),
+               finding.value_ns);
+  }
   const bool complete = std::ranges::none_of(missing_, [](bool missing) { return missing; });
   task_.reference().start(*configured_reference_clock(run_.config()), network.reference_clock, complete);
   run_.event(EventKind::kReferenceClock, bus_.clock().now(), network.reference_clock, 1);
@@ -291,6 +300,9 @@ Status Esm::lift(const SlaveList& slaves, AlState from, Transition transition) {
   if (ready.empty()) return {};
   if (auto status = commands_.run_coe(ready, transition); !status && ends_everything(status.error())) return status;
   if (auto status = commands_.run(ready, transition); !status && ends_everything(status.error())) return status;
+  if (transition == Transition::kPS) {
+    if (auto status = check_sync_signals(ready); !status && ends_everything(status.error())) return status;
+  }
   return commands_.read_al_status(slaves);
 }
 
@@ -359,8 +371,21 @@ Status Esm::step_up(AlState from, Transition transition) {
   if (!status && ends_everything(status.error())) return status;
   if (auto registers = commands_.run(slaves, transition); status) status = std::move(registers);
   if (!status && ends_everything(status.error())) return status;
+  if (transition == Transition::kPS) {
+    if (auto started = check_sync_signals(slaves); status) status = std::move(started);
+    if (!status && ends_everything(status.error())) return status;
+  }
   if (auto read = commands_.read_all(); !read) return read;
   return status;
+}
+
+/// The first error is the result; every one is told.
+Status Esm::check_sync_signals(const SlaveList& slaves) {
+  if (!sync_.active()) return {};
+  const auto errors = check_dc_start(bus_, run_.config(), slaves);
+  if (!errors) return tl::unexpected(errors.error());
+  for (const auto& error : *errors) run_.error(error, bus_.clock().now());
+  return errors->empty() ? Status{} : fail(errors->front());
 }
 
 // ---- down -----------------------------------------------------------------------------------------

@@ -6,6 +6,7 @@
 
 #include "master/bus.h"
 #include "master/cyclic_task.h"
+#include "master/delay_compensation.h"
 #include "master/dc_setup.h"
 #include "master/run_state.h"
 #include "master/slave_commands.h"
@@ -18,7 +19,7 @@ namespace syncline {
 /// synchronism, DC start times, start and end of the cyclic operation.
 class Esm {
  public:
-  Esm(Bus& bus, RunState& run, CyclicTaskRunner& task, SyncWatch& sync);
+  Esm(Bus& bus, RunState& run, CyclicTaskRunner& task, SyncWatch& sync, DelayCompensation& delays);
 
   /// Brings every slave to INIT whatever it is doing and checks that the bus is the configured one in
   /// size. No cyclic operation. kSlaveCount, kNoResponse, kAlTimeout.
@@ -61,6 +62,7 @@ class Esm {
   Status run_master_commands(Transition transition, bool before_slave);
   [[nodiscard]] std::vector<std::size_t> preop_requests() const;
   [[nodiscard]] SlaveList slaves_where(const std::function<bool(AlState)>& applies) const;
+  Status check_sync_signals(const SlaveList& slaves);
   Status step_up(AlState from, Transition transition);
   [[nodiscard]] AlState state_of(std::size_t slave) const;
 
@@ -68,6 +70,7 @@ class Esm {
   RunState& run_;
   CyclicTaskRunner& task_;
   SyncWatch& sync_;
+  DelayCompensation& delays_;
   SlaveCommands commands_;
   AlState level_ = AlState::kInit;
   std::vector<bool> missing_;  // at the start

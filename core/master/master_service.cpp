@@ -26,6 +26,7 @@ struct MasterService::Impl {
   void execute(const ClearStatisticsCommand&);
   void execute(const ConfigureDcmCommand& command);
   void execute(const ResetDcmStatusCommand&);
+  void execute(const CompensateDelaysCommand& command);
   void bind_thread(const RealTimeSettings& settings);
   void run_cycle();
   void go_offline();
@@ -37,6 +38,7 @@ struct MasterService::Impl {
   MasterChannels channels;
   FrameExchange exchange;
   std::unique_ptr<Operation> operation;
+  DcStartTimeCallback start_time;
 };
 
 void MasterService::Impl::tell(EventKind kind) {
@@ -94,6 +96,7 @@ void MasterService::Impl::execute(GoOnlineCommand& command) {
   if (operation) go_offline();
   bind_thread(command.config.real_time);
   operation = std::make_unique<Operation>(std::move(command.config), exchange, clock, channels);
+  operation->set_start_time(start_time);
   const auto status = operation->start(command.target);
   if (!status) tell(status.error());
   const bool cancelled = !status && status.error().code == ErrorCode::kCancelled;
@@ -128,6 +131,11 @@ void MasterService::Impl::execute(const ResetDcmStatusCommand&) {
   if (operation) operation->reset_dcm_status();
 }
 
+void MasterService::Impl::execute(const CompensateDelaysCommand& command) {
+  if (!operation) return tell(Error{ErrorCode::kConfiguration, "continuous delay compensation", "the bus is offline"});
+  operation->compensate_delays(command.on);
+}
+
 void MasterService::Impl::run_cycle() {
   if (!operation->cyclic()) {
     clock.sleep_until(clock.now() + kIdlePeriod);
@@ -147,6 +155,8 @@ MasterChannels& MasterService::channels() { return impl_->channels; }
 Clock& MasterService::clock() { return impl_->clock; }
 const Link& MasterService::link() const { return *impl_->link; }
 bool MasterService::online() const { return impl_->operation != nullptr; }
+
+void MasterService::set_dc_start_time(DcStartTimeCallback callback) { impl_->start_time = std::move(callback); }
 
 bool MasterService::step() {
   if (auto command = impl_->channels.commands.pop()) {

@@ -5,6 +5,7 @@
 
 #include "link/link.h"
 #include "master/channels.h"
+#include "master/dc_start.h"
 #include "support/clock.h"
 
 namespace syncline {
@@ -21,6 +22,10 @@ class MasterService {
   [[nodiscard]] MasterChannels& channels();
   [[nodiscard]] Clock& clock();
   [[nodiscard]] const Link& link() const;
+
+  /// Who calculates the start times of the SYNC signals instead of the master, from the next time of going online.
+  /// Called in the thread that runs the cycle. Before that thread is started.
+  void set_dc_start_time(DcStartTimeCallback callback);
 
   /// Takes one command (a bring-up or a scan runs to its end, cycles go on meanwhile and the
   /// channels are fed), or runs one bus cycle when online. False when there was nothing to do.

@@ -16,7 +16,8 @@ Operation::Operation(NetworkConfig config, FrameExchange& exchange, Clock& clock
       run_(config_, channels),
       sync_(run_),
       task_(exchange, clock, run_, sync_),
-      esm_(bus_, run_, task_, sync_),
+      delays_(run_),
+      esm_(bus_, run_, task_, sync_, delays_),
       recovery_(bus_, run_, task_, esm_),
       history_(bus_, run_, task_, esm_) {
   bus_.set_interrupt([this] { return unasked_ && !run_.channels().commands.empty(); });
@@ -51,7 +52,8 @@ Status Operation::start(AlState target) {
 }
 
 Status Operation::run_cycle() {
-  if (auto status = task_.run_cycle({}); !status) return status;
+  if (auto status = task_.run_cycle(delays_.requests(clock_.now())); !status) return status;
+  delays_.take(clock_.now(), task_.reference().leader());
   unasked_ = true;
   auto status = recovery_.after_cycle();
   if (status) status = history_.after_cycle();
@@ -81,6 +83,8 @@ void Operation::stop() {
   run_.snapshot.time = clock_.now();
   run_.channels().snapshot.publish_surely(run_.snapshot);
 }
+
+void Operation::compensate_delays(bool on) { delays_.set_enabled(on, clock_.now()); }
 
 void Operation::clear_statistics() {
   run_.snapshot.lost_frames = run_.snapshot.wkc_errors = run_.snapshot.overruns = 0;

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <utility>
+
 #include "config/network_config.h"
 #include "master/bus.h"
 #include "master/cyclic_task.h"
+#include "master/delay_compensation.h"
 #include "master/esm.h"
 #include "master/history_collector.h"
 #include "master/recovery.h"
@@ -32,6 +35,9 @@ class Operation {
   void clear_statistics();
   Status configure_dcm(const DcmSettings& change) { return sync_.configure(change); }
   void reset_dcm_status() { sync_.clear_statistics(); }
+  /// Continuous compensation of the propagation delays.
+  void compensate_delays(bool on);
+  void set_start_time(DcStartTimeCallback callback) { sync_.set_start_time(std::move(callback)); }
   [[nodiscard]] RunState& run() { return run_; }
 
  private:
@@ -44,6 +50,7 @@ class Operation {
   RunState run_;
   SyncWatch sync_;
   CyclicTaskRunner task_;
+  DelayCompensation delays_;
   Esm esm_;
   Recovery recovery_;
   HistoryCollector history_;

@@ -29,7 +29,20 @@ RunState::RunState(const NetworkConfig& config, MasterChannels& channels)
   snapshot.slaves.resize(config.slaves.size());
 }
 
+/// Notifications of the clocks can be switched off.
+bool RunState::told(EventKind kind) const {
+  const auto& notifications = config_.dc.notifications;
+  switch (kind) {
+    case EventKind::kReferenceClock: return notifications.reference_clock;
+    case EventKind::kDcSlaveSync: return notifications.slaves_in_sync;
+    case EventKind::kDcInitialised: return notifications.dc_status;
+    case EventKind::kDcmSync: return notifications.dcm_in_sync;
+    default: return true;
+  }
+}
+
 void RunState::event(EventKind kind, Nanoseconds time, int slave, std::int64_t a, std::int64_t b, std::int64_t c) {
+  if (!told(kind)) return;
   Event event;
   event.kind = kind;
   event.time = time;

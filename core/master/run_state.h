@@ -41,6 +41,8 @@ class RunState {
   [[nodiscard]] std::string slave_name(std::size_t slave) const;
 
  private:
+  [[nodiscard]] bool told(EventKind kind) const;
+
   const NetworkConfig& config_;
   MasterChannels& channels_;
 };

@@ -60,7 +60,7 @@ Status SlaveCommands::run(SlaveList& slaves, Transition transition, const Part& 
       context.data = [this, slave](const InitCmd& command) -> std::optional<std::vector<std::uint8_t>> {
         if (!writes_dc_start_time(command)) return std::nullopt;
         const auto now = sync_.reference_time_at(bus_.clock().now());
-        auto data = dc_start_data(run_.config(), run_.config().slaves[slave], command, now, sync_.base());
+        auto data = dc_start_data(run_.config(), run_.config().slaves[slave], command, now, sync_.base(), sync_.start_time());
         run_.snapshot.dc.start_time = written_start_time(data, now);
         return data;
       };

@@ -25,7 +25,6 @@ SlaveWatch::SlaveWatch(RunState& run) : run_(run), al_(run.config().slaves.size(
     al_[i].dl_datagram = {Command::kFprd, device_address(run.config().slaves[i].station_address, reg::kDlStatus),
                           al_[i].dl_bytes};
   }
-  deviation_ = {Command::kFprd, 0, deviation_bytes_};
   all_ = {Command::kBrd, device_address(0, reg::kSystemTimeDifference), all_bytes_};
 }
 
@@ -53,24 +52,29 @@ void SlaveWatch::observe_silence(bool silent, Nanoseconds time) {
   ++sweeps_;
 }
 
-void SlaveWatch::add_to(PendingFrame& frame, bool read_deviation_of_all) {
-  asked_deviation_.reset();
+void SlaveWatch::add_to(PendingFrame& frame, bool read_deviation_of_all, bool hurry) {
+  asked_deviations_ = 0;
   asked_all_ = false;
-  if (!dc_slaves_.empty()) {
-    const auto position = dc_slaves_[next_dc_ % dc_slaves_.size()];
-    deviation_bytes_.fill(0);
-    deviation_.address =
-        device_address(run_.config().slaves[position].station_address, reg::kSystemTimeDifference);
-    if (frame.add(deviation_)) {
-      asked_deviation_ = position;
-      ++next_dc_;
-    }
+  const auto wanted = std::min(hurry ? deviations_.size() : 1, dc_slaves_.size());
+  while (asked_deviations_ < wanted && add_deviation(frame)) {
   }
   if (read_deviation_of_all) {
     all_bytes_.fill(0);
     asked_all_ = frame.add(all_);
   }
   add_al_status(frame);
+}
+
+bool SlaveWatch::add_deviation(PendingFrame& frame) {
+  auto& reading = deviations_[asked_deviations_];
+  reading.slave = dc_slaves_[next_dc_ % dc_slaves_.size()];
+  reading.bytes.fill(0);
+  const auto station = run_.config().slaves[reading.slave].station_address;
+  reading.datagram = {Command::kFprd, device_address(station, reg::kSystemTimeDifference), reading.bytes};
+  if (!frame.add(reading.datagram)) return false;
+  ++asked_deviations_;
+  ++next_dc_;
+  return true;
 }
 
 void SlaveWatch::add_al_status(PendingFrame& frame) {
@@ -85,21 +89,26 @@ void SlaveWatch::add_al_status(PendingFrame& frame) {
 }
 
 std::optional<std::uint32_t> SlaveWatch::take(Nanoseconds time, CycleSample& sample) {
-  take_deviation(time, sample);
+  take_deviations(time, sample);
   take_al_status(time);
   if (!std::exchange(asked_all_, false) || !all_.done()) return std::nullopt;
   return SystemTimeDifference{load_le<std::uint32_t>(all_bytes_)}.magnitude();
 }
 
-void SlaveWatch::take_deviation(Nanoseconds time, CycleSample& sample) {
-  if (!asked_deviation_ || !deviation_.done()) return;
-  const auto deviation = SystemTimeDifference{load_le<std::uint32_t>(deviation_bytes_)}.signed_value();
-  auto& slave = run_.snapshot.slaves[*asked_deviation_];
-  slave.deviation_ns = deviation;
-  slave.deviation_valid = true;
-  slave.deviation_time = time;
-  sample.slave_position = static_cast<std::int16_t>(*asked_deviation_);
-  sample.slave_deviation_ns = deviation;
+/// The sample shows the last one.
+void SlaveWatch::take_deviations(Nanoseconds time, CycleSample& sample) {
+  for (std::size_t i = 0; i < asked_deviations_; ++i) {
+    const auto& reading = deviations_[i];
+    if (!reading.datagram.done()) continue;
+    const auto deviation =
+        static_cast<std::int32_t>(SystemTimeDifference{load_le<std::uint32_t>(reading.bytes)}.signed_value());
+    auto& slave = run_.snapshot.slaves[reading.slave];
+    slave.deviation_ns = deviation;
+    slave.deviation_valid = true;
+    slave.deviation_time = time;
+    sample.slave_position = static_cast<std::int16_t>(reading.slave);
+    sample.slave_deviation_ns = deviation;
+  }
 }
 
 void SlaveWatch::take_al_status(Nanoseconds time) {

@@ -36,7 +36,8 @@ class SlaveWatch {
   /// Slaves that answered the latest cyclic broadcast, with or without a station address.
   [[nodiscard]] std::optional<std::uint16_t> answering() const { return last_wkc_; }
 
-  void add_to(PendingFrame& frame, bool read_deviation_of_all);
+  /// `hurry`: the deviations of many slaves in each cycle, to find out who left the sync window.
+  void add_to(PendingFrame& frame, bool read_deviation_of_all, bool hurry = false);
   /// After the frame: takes the answers over. The ored 0x092C, if it was asked for.
   std::optional<std::uint32_t> take(Nanoseconds time, CycleSample& sample);
   /// Number of sweeps that came to their end.
@@ -55,14 +56,21 @@ class SlaveWatch {
   void finish_sweep(Nanoseconds time);
   void tell_cables(Nanoseconds time, bool healed);
   void tell_presence(Nanoseconds time, bool present);
-  void take_deviation(Nanoseconds time, CycleSample& sample);
+  void take_deviations(Nanoseconds time, CycleSample& sample);
+  bool add_deviation(PendingFrame& frame);
 
   RunState& run_;
   std::vector<std::uint16_t> dc_slaves_;
   std::size_t next_dc_ = 0;
-  std::array<std::uint8_t, 4> deviation_bytes_{}, all_bytes_{};
-  Datagram deviation_, all_;
-  std::optional<std::size_t> asked_deviation_;
+  struct DeviationReading {
+    std::uint16_t slave = 0;
+    std::array<std::uint8_t, 4> bytes{};
+    Datagram datagram;
+  };
+  std::array<DeviationReading, 16> deviations_;
+  std::size_t asked_deviations_ = 0;
+  std::array<std::uint8_t, 4> all_bytes_{};
+  Datagram all_;
   bool asked_all_ = false;
 
   std::vector<AlReading> al_;

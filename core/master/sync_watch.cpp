@@ -13,6 +13,8 @@ namespace {
 
 /// Lost frames in a row that say nothing about the clocks yet.
 constexpr std::uint32_t kSilentCycles = 50;
+/// A slave that does not answer must not keep the others' news.
+constexpr Nanoseconds kCulpritPatience = 100 * kMillisecond;
 
 double milliseconds(Nanoseconds time) { return static_cast<double>(time) / static_cast<double>(kMillisecond); }
 
@@ -63,6 +65,16 @@ Status SyncWatch::configure(const DcmSettings& change) {
   return {};
 }
 
+Nanoseconds SyncWatch::first_cycle(const DcNetwork& network, Nanoseconds earliest) const {
+  const auto& config = run_.config();
+  if (config.dc.start_time_grid <= 0) return earliest;
+  const auto reference = network.reference_time + (earliest - network.host_time);
+  const auto cycle = config.cycle_time();
+  auto phase = (reference + effective_set_value(settings_, cycle)) % cycle;
+  if (phase < 0) phase += cycle;
+  return earliest + (phase == 0 ? 0 : cycle - phase);
+}
+
 void SyncWatch::start(const DcNetwork& network, Nanoseconds first_cycle) {
   const auto& config = run_.config();
   start_ = first_cycle;
@@ -71,7 +83,8 @@ void SyncWatch::start(const DcNetwork& network, Nanoseconds first_cycle) {
   const auto set_value = effective_set_value(settings_, config.cycle_time());
   const auto first_reference = reference_time_at(first_cycle);
   // The grid is laid where the frames pass anyway: the controller starts with an error near zero.
-  base_ = (first_reference + set_value) % config.cycle_time();
+  // With a grid it lies at its multiples, and the frames were laid to suit that: see first_cycle().
+  base_ = config.dc.start_time_grid > 0 ? 0 : (first_reference + set_value) % config.cycle_time();
   Nanoseconds farthest = 0;
   for (const auto& slave : network.slaves) farthest = std::max<Nanoseconds>(farthest, slave.delay_ns);
   least_set_value_ = least_set_value(config, farthest);
@@ -189,10 +202,24 @@ void SyncWatch::observe_deviation(Nanoseconds time, std::uint32_t ored_ns, Cycle
 
 void SyncWatch::tell_slave_edge(dc::SyncWindowMonitor::Edge edge, Nanoseconds time, std::uint32_t ored_ns) {
   if (edge == dc::SyncWindowMonitor::Edge::kInSync) {
+    if (out_since_) tell_culprit(*out_since_ + kCulpritPatience);
     run_.event(EventKind::kDcSlaveSync, time, -1, 1, ored_ns);
   } else if (edge == dc::SyncWindowMonitor::Edge::kOutOfSync) {
-    run_.event(EventKind::kDcSlaveSync, time, culprit(), 0, ored_ns);
+    out_since_ = time;
+    out_by_ = ored_ns;
   }
+  tell_culprit(time);
+}
+
+/// The wire-ored value names nobody: told when every slave has been read since.
+void SyncWatch::tell_culprit(Nanoseconds time) {
+  if (!out_since_) return;
+  const bool all_read = std::ranges::all_of(run_.snapshot.slaves, [this](const SlaveStatus& slave) {
+    return !slave.present || !slave.dc_enabled || (slave.deviation_valid && slave.deviation_time > *out_since_);
+  });
+  if (!all_read && time - *out_since_ < kCulpritPatience) return;
+  run_.event(EventKind::kDcSlaveSync, *out_since_, culprit(), 0, out_by_);
+  out_since_.reset();
 }
 
 void SyncWatch::leader_lost(Nanoseconds time) {

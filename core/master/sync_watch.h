@@ -4,10 +4,12 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "dc/dcm/dcm_controller.h"
 #include "dc/sync_window_monitor.h"
 #include "master/dc_setup.h"
+#include "master/dc_start.h"
 #include "master/run_state.h"
 
 namespace syncline {
@@ -18,6 +20,9 @@ class SyncWatch {
  public:
   explicit SyncWatch(RunState& run);
 
+  /// First cycle at or behind `earliest` that suits the start time grid: with one, SYNC0 comes at multiples of the cycle in
+  /// system time, so that networks whose reference clocks follow one host are in phase; without, `earliest` itself.
+  [[nodiscard]] Nanoseconds first_cycle(const DcNetwork& network, Nanoseconds earliest) const;
   /// After the DC initialisation, before the first cyclic frame, which is scheduled for `first_cycle`.
   /// Without distributed clocks it is not called and nothing is watched.
   void start(const DcNetwork& network, Nanoseconds first_cycle);
@@ -26,6 +31,8 @@ class SyncWatch {
   [[nodiscard]] Nanoseconds base() const { return base_; }
   [[nodiscard]] bool monitored() const { return run_.snapshot.dc.monitored; }
   [[nodiscard]] bool slaves_in_sync() const;
+  /// Somebody left the sync window: who it is, the slaves' own readings will say.
+  [[nodiscard]] bool looking_for_culprit() const { return out_since_.has_value(); }
   [[nodiscard]] bool master_in_sync() const;
 
   /// Value for the reference clock, just before the frame is sent.
@@ -41,6 +48,8 @@ class SyncWatch {
   void clear_statistics();
   /// Other parameters of the running controller; zeros leave what is. Nothing changes when they are refused.
   Status configure(const DcmSettings& change);
+  void set_start_time(DcStartTimeCallback callback) { start_time_ = std::move(callback); }
+  [[nodiscard]] const DcStartTimeCallback& start_time() const { return start_time_; }
 
   /// The reference clock is lost, or another one (or the same again) leads. While nobody leads, and until a new
   /// leader has led for the settle time, nothing counts as in sync.
@@ -52,6 +61,7 @@ class SyncWatch {
   void watch_silence(bool answered, Nanoseconds time);
   void tell_dcm_edges(bool was_in_sync, Nanoseconds time);
   void tell_slave_edge(dc::SyncWindowMonitor::Edge edge, Nanoseconds time, std::uint32_t ored_ns);
+  void tell_culprit(Nanoseconds time);
   [[nodiscard]] int culprit() const;
 
   void make_controller();
@@ -65,11 +75,14 @@ class SyncWatch {
   dc::SyncWindowMonitor monitor_;
   Nanoseconds base_ = 0, start_ = 0;
   Nanoseconds last_host_ = 0, last_reference_ = 0;
+  std::optional<Nanoseconds> out_since_;  // out of sync, and not told yet
+  std::uint32_t out_by_ = 0;
   bool led_ = true;                  // somebody leads
   Nanoseconds distrusted_until_ = 0;
   std::uint32_t silent_cycles_ = 0;  // without the reference clock's time
   std::uint64_t count_ = 0;
   double sum_ = 0, sum_of_squares_ = 0;
+  DcStartTimeCallback start_time_;
 };
 
 }  // namespace syncline

@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 
+#include "dc/propagation_delay.h"
 #include "ui/text/error_text.h"
 #include "ui/text/glossary.h"
 #include "ui/text/units.h"
@@ -26,6 +27,7 @@ class Words {
   static Message diagnosis(const Event& event);
   static Message cable(const Event& event);
   static Message recovery(const Event& event);
+  static Message delayFinding(const Event& event);
 };
 
 QString fromView(std::string_view text) { return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size())); }
@@ -75,6 +77,23 @@ Message Words::cable(const Event& event) {
                                                   "broken, or no power behind it")
                                                    .arg(port)
                                                    .arg(event.b));
+}
+
+Message Words::delayFinding(const Event& event) {
+  switch (static_cast<dc::DelayWarning>(event.a)) {
+    case dc::DelayWarning::kReversedCable:
+      return line(Severity::kWarning, tr("Connected by port %1 instead of A: its delay is right here, but other masters "
+                                         "take it wrong without a word")
+                                          .arg(QChar('A' + static_cast<int>(event.b & 3))));
+    case dc::DelayWarning::kUnexplainedPort:
+      return line(Severity::kWarning, tr("Port %1 has a link and no slave behind it: a closed ring or another master")
+                                          .arg(QChar('A' + static_cast<int>(event.b & 3))));
+    case dc::DelayWarning::kNegativeHop:
+    case dc::DelayWarning::kImplausibleHop:
+    case dc::DelayWarning::kNotIncreasing:
+      break;
+  }
+  return line(Severity::kWarning, tr("Implausible propagation delay: %1").arg(signedTimeText(event.b)));
 }
 
 Message Words::recovery(const Event& event) {
@@ -161,6 +180,14 @@ std::optional<Message> Words::make(const Event& event) {
       return line(Severity::kError, tr("Device that is not in the configuration, at position %1: %2")
                                         .arg(event.slave)
                                         .arg(QString::fromStdString(event.text)));
+    case EventKind::kDelayFinding:
+      return delayFinding(event);
+    case EventKind::kDelaysMeasured:
+      return line(Severity::kInfo, event.a == 0
+                                       ? tr("Propagation delays measured again: nothing to correct")
+                                       : tr("Propagation delays measured again: %n slave(s) to correct, by %1 at most",
+                                            nullptr, static_cast<int>(event.a))
+                                             .arg(signedTimeText(event.b)));
   }
   return std::nullopt;
 }

@@ -17,16 +17,23 @@ bool is_clock_only(const SlavePlan& slave) {
 }  // namespace
 
 std::optional<std::uint16_t> resolve_reference_clock(const Project& project, std::span<const SlavePlan> slaves) {
-  if (!project.master.dc.enabled || std::ranges::none_of(slaves, &SlavePlan::dc_commands)) {
+  const auto& settings = project.master.dc;
+  const auto has_clock = [](const SlavePlan& slave) { return slave.device().dc.has_value(); };
+  const bool used = std::ranges::any_of(slaves, &SlavePlan::dc_commands) ||
+                    (settings.all_slaves && std::ranges::any_of(slaves, has_clock));
+  if (!settings.enabled || !used) {
     return std::nullopt;
   }
-  const auto chosen = project.master.dc.reference_clock;
+  if (settings.first_slave_is_reference_clock) {
+    return std::ranges::find_if(slaves, has_clock)->position;
+  }
+  const auto chosen = settings.reference_clock;
   if (chosen && *chosen < slaves.size() && slaves[*chosen].device().dc) {
     return chosen;
   }
   // The first that takes part in DC: those before it could not be synchronised by it.
-  return std::ranges::find_if(slaves, [](const SlavePlan& slave) {
-           return slave.dc_commands() || is_clock_only(slave);
+  return std::ranges::find_if(slaves, [&](const SlavePlan& slave) {
+           return slave.dc_commands() || is_clock_only(slave) || (settings.all_slaves && has_clock(slave));
          })->position;
 }
 
@@ -47,6 +54,13 @@ void plan_dc(const Project& project, std::span<SlavePlan> slaves) {
                                .assign_activate = mode->assign_activate};
     } else if (user.potential_reference_clock && slave.device().dc) {
       slave.dc = SlaveDcConfig{.potential_reference_clock = true};
+    }
+  }
+  if (project.master.dc.all_slaves) {
+    for (SlavePlan& slave : slaves) {
+      if (!slave.dc && slave.device().dc) {
+        slave.dc = SlaveDcConfig{};
+      }
     }
   }
   if (std::ranges::any_of(slaves, &SlavePlan::dc_commands)) {

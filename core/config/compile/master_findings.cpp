@@ -45,7 +45,7 @@ void check_reference_clock(FindingList& findings, const Project& project, const 
     }
     return;
   }
-  if (!chosen) {
+  if (!chosen || project.master.dc.first_slave_is_reference_clock) {
     return;
   }
   if (*chosen >= slaves.size()) {
@@ -66,11 +66,6 @@ void check_dc_settings(FindingList& findings, const Project& project, const std:
                        const NetworkConfig& config) {
   const DcMasterSettings& dc = project.master.dc;
   const auto dc_slaves = std::ranges::count_if(slaves, &SlavePlan::dc_commands);
-  if (dc.enabled && dc.continuous_propagation_compensation) {
-    findings.info("dc.continuous_propagation_compensation",
-                  "The propagation delays are measured at start-up only: the cyclic frame carries the place for a repeated "
-                  "measurement (NOP 0x0900), which Syncline's own master leaves as it is.");
-  }
   if (dc.enabled && dc.sync_window.enabled && dc_slaves < 2) {
     findings.info("dc.sync_window", fmt::format("Sync window monitoring compares slaves with the reference clock; "
                                                 "{} slave(s) with DC leave nothing to compare.",

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: Apache-2.0
+// The initialisation of the clocks against the simulated segment, whose delays and clocks are known.
+#include "master/dc_setup.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <cstdlib>
+
+#include "sim/sim_bus.h"
+#include "support/random.h"
+#include "tests/support/clock_bed.h"
+
+namespace syncline {
+namespace {
+
+using test::ClockBed;
+using test::random_tree;
+using test::SimulatedNetwork;
+
+/// Largest difference of what was recovered and what is built in, of slaves that have receive times.
+std::int64_t worst_delay_error(const ClockBed& bed, const DcNetwork& network) {
+  std::int64_t worst = 0;
+  const auto origin = bed.bus().true_delay_ns(network.reference_clock);
+  for (std::size_t i = 0; i < network.slaves.size(); ++i) {
+    if (!network.slaves[i].synchronised) continue;
+    const auto truth = std::llround(bed.bus().true_delay_ns(i) - origin);
+    worst = std::max<std::int64_t>(worst, std::abs(truth - std::int64_t{network.slaves[i].delay_ns}));
+  }
+  return worst;
+}
+
+TEST(DcSetup, RecoversTheDelaysOfRandomTreesWithin20ns) {
+  EXPECT_TRUE(rc::check([] {
+    const auto seed = *rc::gen::arbitrary<std::uint64_t>();
+    const auto size = *rc::gen::inRange<std::size_t>(1, 40);
+    ClockBed bed(random_tree(size, seed, false));
+    const auto network = bed.set_up();
+    RC_ASSERT(network.has_value());
+    RC_ASSERT(worst_delay_error(bed, *network) <= 20);
+    RC_ASSERT(network->findings.empty());
+  }));
+}
+
+TEST(DcSetup, RecoversTheDelaysBehindSlavesWithoutClocksToo) {
+  EXPECT_TRUE(rc::check([] {
+    const auto seed = *rc::gen::arbitrary<std::uint64_t>();
+    ClockBed bed(random_tree(*rc::gen::inRange<std::size_t>(2, 40), seed, true));
+    const auto network = bed.set_up();
+    RC_ASSERT(network.has_value());
+    RC_ASSERT(worst_delay_error(bed, *network) <= 20);
+  }));
+}
+
+TEST(DcSetup, RecoversTheDelaysOfTwoHundredSlaves) {
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+    ClockBed bed(random_tree(200, seed, seed == 3));
+    const auto network = bed.set_up();
+    ASSERT_TRUE(network);
+    EXPECT_LE(worst_delay_error(bed, *network), 20) << "seed " << seed;
+  }
+}
+
+TEST(DcSetup, ClocksShowTheTimeOfTheReferenceWhenTheLastSlaveIsFarAway) {
+  // Without the delay in the offset the last slave would start its own delay behind: 60 us here.
+  auto network = random_tree(1, 1, false);
+  for (int i = 1; i < 200; ++i) network.add(test::io8());
+  for (auto& slave : network.sim.slaves) slave.oscillator.ppm = 0;
+  network.project.master.dc.burst_total = 1;
+  network.project.master.dc.burst_ends_early = false;
+  ClockBed bed(std::move(network));
+  ASSERT_TRUE(bed.set_up());
+  EXPECT_GT(bed.bus().true_delay_ns(199), 59'000);
+  EXPECT_LT(bed.largest_clock_difference(), 100);
+}
+
+TEST(DcSetup, ClocksOf32And64BitsShowTheSameTime) {
+  auto network = random_tree(12, 7, false);
+  for (std::size_t i = 0; i < 12; ++i) {
+    network.sim.slaves[i].dc.is_64bit = i % 3 != 0;
+    network.sim.slaves[i].oscillator.start_offset = 4'294'967'296 - 20 * kMillisecond;  // wraps while it is measured
+  }
+  ClockBed bed(std::move(network));
+  ASSERT_TRUE(bed.set_up());
+  EXPECT_LT(bed.largest_clock_difference(), 100);
+}
+
+TEST(DcSetup, ProcessingDifferenceOfOtherEscsCanBeSet) {
+  auto network = random_tree(1, 1, false);
+  for (int i = 1; i < 20; ++i) network.add(test::io8());
+  for (auto& slave : network.sim.slaves) slave.forwarding_delay_ns = slave.processing_delay_ns - 100;
+  network.project.master.dc.delay_difference = 100;
+  ClockBed bed(network);
+  const auto right = bed.set_up();
+  ASSERT_TRUE(right);
+  EXPECT_LE(worst_delay_error(bed, *right), 20);
+  network.project.master.dc.delay_difference = 0;
+  ClockBed other(network);
+  const auto wrong = other.set_up();
+  ASSERT_TRUE(wrong);
+  EXPECT_GT(worst_delay_error(other, *wrong), 500);  // half of it a hop
+}
+
+class Burst : public ::testing::TestWithParam<DcmMode> {};
+
+TEST_P(Burst, EndsWhenAllClocksAreNear) {
+  auto network = random_tree(20, 5, false);
+  for (std::size_t i = 0; i < 20; ++i) network.sim.slaves[i].oscillator.ppm = i % 2 == 0 ? 50 : -50;
+  network.project.master.dc.dcm.mode = GetParam();
+  ClockBed bed(std::move(network));
+  const auto clocks = bed.set_up();
+  ASSERT_TRUE(clocks);
+  EXPECT_TRUE(clocks->settled);
+  EXPECT_LT(bed.largest_clock_difference(), 100);
+  if (GetParam() == DcmMode::kMasterShift) {
+    EXPECT_LT(clocks->burst_frames, 3000U);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Modes, Burst, ::testing::Values(DcmMode::kMasterShift, DcmMode::kBusShift));
+
+TEST(DcSetup, BurstSendsWhatItIsToldWhenItMayNotEndEarly) {
+  auto network = random_tree(5, 5, false);
+  auto& dc = network.project.master.dc;
+  dc.burst_total = 1000;
+  dc.burst_bulk = 7;
+  dc.burst_ends_early = false;
+  ClockBed bed(network);
+  const auto begin = bed.clock.now();
+  const auto clocks = bed.set_up();
+  ASSERT_TRUE(clocks);
+  EXPECT_EQ(clocks->burst_frames, 1000U);
+  EXPECT_GE(bed.clock.now() - begin, 1000 / 7 * kMillisecond);
+  EXPECT_LT(bed.clock.now() - begin, 1000 / 6 * kMillisecond);
+}
+
+TEST(DcSetup, LoopsGetTheStartValuesThatAreSet) {
+  auto network = random_tree(4, 5, false);
+  auto& dc = network.project.master.dc;
+  dc.dcm.mode = DcmMode::kMasterShift;
+  dc.loop = {0x0800, std::uint8_t{3}, std::uint8_t{11}};
+  ClockBed bed(std::move(network));
+  ASSERT_TRUE(bed.set_up());
+  EXPECT_EQ(bed.bus().peek(1, 0x0930, 2), (std::vector<std::uint8_t>{0x00, 0x08}));
+  EXPECT_EQ(bed.bus().peek(1, 0x0934, 2), (std::vector<std::uint8_t>{3, 11}));
+}
+
+TEST(DcSetup, FirstSlaveWithASystemTimeLeadsByOverride) {
+  auto network = random_tree(1, 1, false);
+  for (int i = 1; i < 5; ++i) network.add(test::io8());
+  network.sim.slaves[0].dc.system_time = false;  // its feature bits say otherwise
+  network.project.master.dc.reference_clock = 3;
+  ClockBed configured(network);
+  auto clocks = configured.set_up();
+  ASSERT_TRUE(clocks);
+  EXPECT_EQ(clocks->reference_clock, 3);
+  EXPECT_FALSE(clocks->slaves[1].synchronised);  // in front of it
+  network.project.master.dc.first_slave_is_reference_clock = true;
+  ClockBed overridden(network);
+  clocks = overridden.set_up();
+  ASSERT_TRUE(clocks);
+  EXPECT_EQ(clocks->reference_clock, 1);
+  EXPECT_TRUE(clocks->slaves[4].synchronised);
+}
+
+TEST(DcSetup, RefusesAReferenceClockWithoutSystemTime) {
+  auto network = random_tree(1, 1, false);
+  for (int i = 1; i < 3; ++i) network.add(test::io8());
+  network.sim.slaves[1].dc.system_time = false;
+  network.project.master.dc.reference_clock = 1;
+  ClockBed bed(std::move(network));
+  const auto clocks = bed.set_up();
+  ASSERT_FALSE(clocks);
+  EXPECT_EQ(clocks.error().code, ErrorCode::kDcSetup);
+  EXPECT_NE(clocks.error().subject.find("slave 1"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace syncline
