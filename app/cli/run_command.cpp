@@ -104,7 +104,9 @@ void execute(Context& context, const Options& options) {
   }
 
   RunFiles files(compiled->config);
-  if (auto status = files.open(options.csv, options.dcm_log); !status) return context.fail_with(status.error());
+  // The manual's name for a log that is on without another name.
+  const bool log_is_on = options.dcm_log.empty() && compiled->config.dc.dcm.log;
+  if (auto status = files.open(options.csv, log_is_on ? "dcmlog0.0.csv" : options.dcm_log); !status) return context.fail_with(status.error());
   RunRequest request;
   request.target = *target;
   request.duration = *duration;
