@@ -49,7 +49,7 @@ void check_clocks(const RunReport& report, Findings& findings) {
   if (dcm.mode == DcmMode::kOff) return;
   if (std::abs(dcm.drift_ppm) > kMaxDriftPpm) {
     findings.push_back({Code::kDriftTooHigh, Severity::kError, -1, std::llround(dcm.drift_ppm)});
-  } else if (dcm.state != SyncState::kInSync) {
+  } else if (dcm.state != SyncState::kInSync && !dcm.control_off) {
     findings.push_back({Code::kMasterNotLocked, Severity::kError, -1, dcm.error_ns});
   }
 }

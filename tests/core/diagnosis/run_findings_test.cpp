@@ -75,6 +75,14 @@ TEST(RunFindings, NotMonitoredIsANoteAndNeverInSync) {
   EXPECT_THAT(describe(findings[0]), HasSubstr("not monitored"));
 }
 
+TEST(RunFindings, AMasterThatIsNotToBeLockedIsNoFinding) {
+  auto report = healthy();
+  report.dcm.state = SyncState::kBusy;
+  EXPECT_THAT(codes(report), ElementsAre(DiagnosisCode::kMasterNotLocked));
+  report.dcm.control_off = true;
+  EXPECT_THAT(codes(report), IsEmpty());
+}
+
 TEST(RunFindings, MissedSm2EventsMeanDifferentThingsLockedAndUnlocked) {
   auto report = healthy();
   report.slaves[2].sm2_missed->value = 7;
