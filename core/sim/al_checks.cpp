@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "protocol/fmmu.h"
 #include "protocol/registers.h"
 #include "support/byte_order.h"
 
@@ -35,8 +36,77 @@ std::uint16_t AlChecks::bootstrap() const {
 }
 
 std::uint16_t AlChecks::safeop() const {
-  const auto code = process_data();
-  return code != 0 ? code : dc();
+  if (config_.device.mailbox && (set_up(0U) != mailbox_[0] || set_up(1U) != mailbox_[1])) return al_code::kNeedsInit;
+  for (const auto check : {&AlChecks::process_data, &AlChecks::watchdog, &AlChecks::mapping, &AlChecks::dc}) {
+    if (const auto code = (this->*check)(); code != 0) return code;
+  }
+  return 0;
+}
+
+std::uint16_t AlChecks::op() const {
+  const bool same = set_up(PdoDirection::kRx) == data_[0] && set_up(PdoDirection::kTx) == data_[1];
+  return same ? std::uint16_t{0} : al_code::kNeedsPreop;
+}
+
+AlChecks::SetUp AlChecks::set_up(unsigned number) const {
+  const auto sm = esc_.sync_manager(number);
+  return {sm.start, sm.length, sm.control, sm.enabled()};
+}
+
+AlChecks::SetUp AlChecks::set_up(PdoDirection direction) const {
+  const auto number = process_data_.sync_manager(direction);
+  return number ? set_up(*number) : SetUp{};
+}
+
+void AlChecks::note_mailbox() { mailbox_ = {set_up(0U), set_up(1U)}; }
+void AlChecks::note_process_data() { data_ = {set_up(PdoDirection::kRx), set_up(PdoDirection::kTx)}; }
+
+bool AlChecks::type_fits(PdoDirection direction) const {
+  const auto number = process_data_.sync_manager(direction);
+  if (!number) return true;
+  const auto sm = esc_.sync_manager(*number);
+  constexpr unsigned kMode = 0x03;
+  return !sm.enabled() || sm.length == 0 || ((sm.control ^ config_.device.sync_managers[*number].control_byte) & kMode) == 0;
+}
+
+std::uint16_t AlChecks::watchdog() const {
+  // Motion may not go on without its master. A description that switches the watchdog off means it.
+  constexpr std::uint32_t kProfileMask = 0xFFFF, kDrives = 402;
+  const auto& profiles = config_.device.profiles;
+  const bool drive = !profiles.empty() && (profiles[0].profile_no & kProfileMask) == kDrives;
+  const auto number = process_data_.sync_manager(PdoDirection::kRx);
+  if (!drive || !number || config_.device.reg_0420 == 0) return 0;
+  const bool watched = (esc_.sync_manager(*number).control & SyncManager::kControlWatchdog) != 0;
+  return watched && esc_.memory().u16(reg::kWatchdogProcessData) == 0 ? al_code::kInvalidWatchdog : std::uint16_t{0};
+}
+
+bool AlChecks::mapping_fits(PdoDirection direction) const {
+  const auto number = process_data_.sync_manager(direction);
+  if (!number) return true;
+  const auto sm = esc_.sync_manager(*number);
+  if (!sm.enabled() || sm.length == 0) return true;
+  const std::uint32_t begin = sm.start, end = begin + sm.length;
+  const bool outputs = direction == PdoDirection::kRx;
+  const bool buffered = !sm.is_mailbox() && begin >= EscMemory::kRegisterEnd;
+  bool any = false, reached = false;
+  for (unsigned i = 0; i < esc_.memory().u8(reg::kFmmuCount); ++i) {
+    const auto fmmu = Fmmu::decode(esc_.memory().at(reg::fmmu(i), Fmmu::kSize).first<Fmmu::kSize>());
+    if (!fmmu.active || fmmu.bit_length() == 0) continue;
+    const std::uint32_t from = fmmu.physical_start;
+    const std::uint32_t to = from + (fmmu.physical_start_bit + fmmu.bit_length() + 7) / 8;
+    const bool touches = from < end && begin < to;
+    if (touches && !outputs && fmmu.write && !fmmu.read) return false;
+    if (!(outputs ? fmmu.write : fmmu.read)) continue;
+    if (buffered && touches && to > end) return false;  // the buffers behind belong to the ESC
+    any = any || from >= EscMemory::kRegisterEnd;       // the mailbox state and the like count for nothing
+    reached = reached || touches;
+  }
+  return reached || !any;  // without any FMMU the master addresses the data directly
+}
+
+std::uint16_t AlChecks::mapping() const {
+  if (!mapping_fits(PdoDirection::kRx)) return al_code::kInvalidOutputMapping;
+  return mapping_fits(PdoDirection::kTx) ? std::uint16_t{0} : al_code::kInvalidInputMapping;
 }
 
 bool AlChecks::fits(PdoDirection direction) const {
@@ -52,12 +122,13 @@ bool AlChecks::in_place(PdoDirection direction) const {
   if (!number) return true;
   const auto sm = esc_.sync_manager(*number);
   return !sm.enabled() || sm.length == 0 ||
-         (sm.start == config_.device.sync_managers[*number].start_address && !sm.is_mailbox() &&
+         (sm.start == config_.device.sync_managers[*number].start_address &&
           sm.ecat_writes() == (direction == PdoDirection::kRx));
 }
 
 std::uint16_t AlChecks::process_data() const {
   if (!in_place(PdoDirection::kRx) || !in_place(PdoDirection::kTx)) return al_code::kInvalidSyncManager;
+  if (!type_fits(PdoDirection::kRx) || !type_fits(PdoDirection::kTx)) return al_code::kInvalidTypes;
   if (!fits(PdoDirection::kRx)) return al_code::kInvalidOutputs;
   if (!fits(PdoDirection::kTx)) return al_code::kInvalidInputs;
   return 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "config/sim_config.h"
@@ -13,8 +14,10 @@ namespace syncline::sim {
 namespace al_code {
 inline constexpr std::uint16_t kInvalidRequest = 0x0011, kUnknownRequest = 0x0012, kNoBoot = 0x0013,
                                kInvalidBootMailbox = 0x0015, kInvalidMailbox = 0x0016, kInvalidSyncManager = 0x0017,
-                               kNoOutputs = 0x0019, kWatchdog = 0x001B, kInvalidOutputs = 0x001D, kInvalidInputs = 0x001E,
-                               kInvalidSyncConfiguration = 0x0030;
+                               kNoOutputs = 0x0019, kWatchdog = 0x001B, kInvalidTypes = 0x001C, kInvalidOutputs = 0x001D,
+                               kInvalidInputs = 0x001E, kInvalidWatchdog = 0x001F, kNeedsInit = 0x0021,
+                               kNeedsPreop = 0x0022, kInvalidInputMapping = 0x0024, kInvalidOutputMapping = 0x0025,
+                               kSyncStopped = 0x002C, kNoSync = 0x002D, kInvalidSyncConfiguration = 0x0030;
 }  // namespace al_code
 
 /// What a device's firmware examines before it enters a state: the registers that the master has set up, against
@@ -29,11 +32,31 @@ class AlChecks {
   [[nodiscard]] std::uint16_t bootstrap() const;
   /// INIT -> PREOP.
   [[nodiscard]] std::uint16_t mailbox() const;
-  /// PREOP -> SAFEOP: SyncManagers of the process data, then SYNC signals.
+  /// PREOP -> SAFEOP: mailbox as it was, SyncManagers, watchdog and FMMUs of the process data, then SYNC signals.
   [[nodiscard]] std::uint16_t safeop() const;
+  /// SAFEOP -> OP: SyncManagers as they were.
+  [[nodiscard]] std::uint16_t op() const;
+  /// The device has set itself up for the SyncManagers as they are now.
+  void note_mailbox();
+  void note_process_data();
 
  private:
+  /// What a device relies on: start, length, control, and whether it is on.
+  struct SetUp {
+    std::uint16_t start = 0, length = 0;
+    std::uint8_t control = 0;
+    bool enabled = false;
+    bool operator==(const SetUp&) const = default;
+  };
+  [[nodiscard]] SetUp set_up(unsigned number) const;
+  [[nodiscard]] SetUp set_up(PdoDirection direction) const;
   [[nodiscard]] std::uint16_t process_data() const;
+  /// Process data in mailbox mode or the reverse.
+  [[nodiscard]] bool type_fits(PdoDirection direction) const;
+  [[nodiscard]] std::uint16_t watchdog() const;
+  [[nodiscard]] std::uint16_t mapping() const;
+  /// An FMMU that can never work: it reaches the ESC's own buffers, writes inputs, or misses all the data.
+  [[nodiscard]] bool mapping_fits(PdoDirection direction) const;
   [[nodiscard]] bool in_place(PdoDirection direction) const;
   [[nodiscard]] bool fits(PdoDirection direction) const;
   /// SYNC signals that no operation mode of the device has.
@@ -42,6 +65,7 @@ class AlChecks {
   const SimSlaveConfig& config_;
   const Esc& esc_;
   const ProcessData& process_data_;
+  std::array<SetUp, 2> mailbox_{}, data_{};
 };
 
 }  // namespace syncline::sim

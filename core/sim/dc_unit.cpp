@@ -11,6 +11,13 @@ namespace {
 
 constexpr std::uint64_t kGarbage = 0x6C72'9A3E'0900'0900;
 
+/// Faster than that the signals cannot be told apart: one level, one edge.
+constexpr std::uint32_t kShortestCycle = 1000;  // ns
+
+// Bits of the activation register (0x0981).
+constexpr unsigned kUnitOn = 0x01, kSync0On = 0x02, kSync1On = 0x04, kAutoActivation = 0x08, kExtendStartTime = 0x10,
+                   kCheckStartTime = 0x20, kNearFuture2s = 0x40;
+
 bool touches(std::uint16_t address, std::size_t length, std::uint16_t reg, std::size_t size) {
   return address < reg + size && reg < address + length;
 }
@@ -19,7 +26,8 @@ bool touches(std::uint16_t address, std::size_t length, std::uint16_t reg, std::
 
 DcUnit::DcUnit(const OscillatorConfig& oscillator, const SimDcConfig& config, Nanoseconds power_on, std::uint64_t seed,
                EscMemory& memory)
-    : memory_(memory), config_(config), wide_(config.is_64bit), clock_(oscillator, power_on, seed) {
+    : memory_(memory), config_(config), wide_(config.is_64bit), clock_(oscillator, power_on, seed),
+      latches_(memory, config.is_64bit) {
   implement_registers(seed);
 }
 
@@ -51,9 +59,7 @@ void DcUnit::implement_registers(std::uint64_t seed) {
   memory_.implement(reg::kStartTimeCyclicOperation, width, kBoth);
   memory_.implement(reg::kNextSync1Pulse, width, kRead);
   memory_.implement(reg::kSync0CycleTime, 8, kBoth);
-  memory_.implement(reg::kLatch0Control, 2, kBoth);
-  memory_.implement(reg::kLatch0Status, 2, kRead);
-  memory_.implement(reg::kLatch0PositiveEdge, 32, kRead);
+  latches_.implement_registers();
   memory_.set<std::uint16_t>(reg::kSpeedCounterStart, TimeControlLoop::kDefaultSpeedCounterStart);
   memory_.set<std::uint8_t>(reg::kFilterDepthDifference, loop_.filter_depth_difference());
   memory_.set<std::uint8_t>(reg::kFilterDepthSpeedCounter, loop_.filter_depth_speed_counter());
@@ -73,7 +79,7 @@ void DcUnit::advance_to(Nanoseconds time) {
     const auto signal = generator_.due()->signal;
     generator_.fired();
     next_signal_.reset();
-    if (on_sync) on_sync(signal, now_);
+    pulse(signal, now_);
   }
   now_ = time;
   if (clock_.advance_to(time)) next_signal_.reset();
@@ -86,6 +92,23 @@ Nanoseconds DcUnit::next_signal() {
     next_signal_ = due ? clock_.time_of(due->time - offset()) : INT64_MAX;
   }
   return *next_signal_;
+}
+
+void DcUnit::pulse(SyncGenerator::Signal signal, Nanoseconds time) {
+  if (memory_.u16(reg::kPulseLength) == 0) {
+    const auto status = signal == SyncGenerator::Signal::kSync0 ? reg::kSync0Status : reg::kSync1Status;
+    if (memory_.u8(status) != 0) return;
+    memory_.set<std::uint8_t>(status, 1);
+  }
+  if (on_sync) on_sync(signal, time);
+}
+
+void DcUnit::acknowledge_sync(SyncGenerator::Signal signal) {
+  memory_.set<std::uint8_t>(signal == SyncGenerator::Signal::kSync0 ? reg::kSync0Status : reg::kSync1Status, 0);
+}
+
+bool DcUnit::latch_input(unsigned number, bool level, Nanoseconds time) {
+  return config_.system_time && latches_.input(number, level, masked(clock_.sample(time) + offset()));
 }
 
 void DcUnit::start_of_frame(Nanoseconds time) { local_at_start_of_frame_ = clock_.sample(time); }
@@ -105,7 +128,8 @@ void DcUnit::refresh_registers() {
 }
 
 void DcUnit::write_status() {
-  const unsigned pending = (generator_.sync0_pending() ? 1U : 0U) | (generator_.sync1_pending() ? 2U : 0U);
+  const unsigned pending = (generator_.sync0_pending() ? 1U : 0U) | (generator_.sync1_pending() ? 2U : 0U) |
+                           (start_implausible_ ? 4U : 0U);
   memory_.set<std::uint8_t>(reg::kActivationStatus, static_cast<std::uint8_t>(pending));
 }
 
@@ -118,29 +142,63 @@ void DcUnit::compare(Nanoseconds frame_end) {
 
 void DcUnit::write_activation(Nanoseconds time) {
   const auto activation = memory_.u8(reg::kActivation);
-  if ((activation & 0x01) == 0) {
+  if ((activation & kUnitOn) == 0) {
     generator_.deactivate();
     settings_ = {};
-    start_missed_ = false;
+    start_missed_ = start_implausible_ = false;
+    memory_.set<std::uint16_t>(reg::kSync0Status, 0);
     return;
   }
   if (generator_.active()) return;
-  settings_ = {(activation & 0x02) != 0, (activation & 0x04) != 0, memory_.u32(reg::kSync0CycleTime),
+  settings_ = {(activation & kSync0On) != 0, (activation & kSync1On) != 0, memory_.u32(reg::kSync0CycleTime),
                memory_.u32(reg::kSync1CycleTime)};
-  // A start time that has passed fires only when the counter comes round again: never, for 64 bit.
-  const auto now = unwrapped_time(time);
-  start_time_ = memory_.u64(reg::kStartTimeCyclicOperation);
-  std::optional<std::uint64_t> first;
-  if (wide_) {
-    start_missed_ = start_time_ <= now;
-    if (!start_missed_) first = start_time_;
-  } else {
-    const auto ahead = static_cast<std::uint32_t>(start_time_) - static_cast<std::uint32_t>(now);
-    start_missed_ = ahead == 0 || ahead > 0x8000'0000U;
-    first = now + (ahead == 0 ? std::uint64_t{1} << 32 : ahead);
-  }
+  auto first = first_sync0(unwrapped_time(time));
   if (!settings_.sync0) first.reset();
-  generator_.activate(settings_, first);
+  auto generated = settings_;
+  if (generated.cycle0 < kShortestCycle) generated.cycle0 = 0;
+  generator_.activate(generated, first);
+}
+
+std::optional<std::uint64_t> DcUnit::first_sync0(std::uint64_t now) {
+  const auto activation = memory_.u8(reg::kActivation);
+  start_time_ = memory_.u64(reg::kStartTimeCyclicOperation);
+  const std::uint64_t half = wide_ ? std::uint64_t{1} << 63 : std::uint64_t{1} << 31;
+  const std::uint64_t near_future = (activation & kNearFuture2s) != 0 ? std::uint64_t{1} << 31 : half;
+  const auto ahead = masked(start_time_ - now);
+  start_implausible_ = ahead == 0 || ahead > near_future;
+  if (start_implausible_ && (activation & kCheckStartTime) != 0) return now;
+  // A start time that has passed fires only when the counter comes round again: never, for 64 bit.
+  start_missed_ = ahead == 0 || ahead > half;
+  if (!wide_) return now + (ahead == 0 ? std::uint64_t{1} << 32 : ahead);
+  return start_missed_ ? std::nullopt : std::optional(start_time_);
+}
+
+void DcUnit::extend_start_time(std::uint64_t now) {
+  const auto ahead = memory_.u32(reg::kStartTimeCyclicOperation) - static_cast<std::uint32_t>(now);
+  memory_.set<std::uint64_t>(reg::kStartTimeCyclicOperation, now + ahead);
+}
+
+void DcUnit::start_time_written(std::uint16_t address, std::size_t length, Nanoseconds time) {
+  const auto activation = memory_.u8(reg::kActivation);
+  if (generator_.active()) return;
+  const bool upper = touches(address, length, reg::kStartTimeCyclicOperation + 4, 4);
+  if (wide_ && !upper && (activation & kExtendStartTime) != 0) extend_start_time(unwrapped_time(time));
+  if ((activation & kAutoActivation) == 0) return;
+  memory_.set<std::uint8_t>(reg::kActivation, static_cast<std::uint8_t>(activation | kUnitOn));
+  write_activation(time);
+}
+
+void DcUnit::follow_ownership() {
+  const auto rights = [this](unsigned bit) {
+    const bool pdi = (memory_.u8(reg::kCyclicUnitControl) >> bit & 1U) != 0;
+    return pdi ? EscMemory::kRead : EscMemory::kReadWrite;
+  };
+  memory_.implement(reg::kActivation, 1, rights(0));
+  memory_.implement(reg::kStartTimeCyclicOperation, wide_ ? 8 : 4, rights(0));
+  memory_.implement(reg::kSync0CycleTime, 8, rights(0));
+  for (std::uint16_t number = 0; number < LatchUnit::kInputs; ++number) {
+    memory_.implement(static_cast<std::uint16_t>(reg::kLatch0Control + number), 1, rights(4U + number));
+  }
 }
 
 void DcUnit::registers_written(std::uint16_t address, std::size_t length, Nanoseconds frame_end) {
@@ -159,7 +217,9 @@ void DcUnit::registers_written(std::uint16_t address, std::size_t length, Nanose
     loop_.set_filter_depth_speed_counter(memory_.u8(reg::kFilterDepthSpeedCounter));
   }
   if (touches(address, length, reg::kStartTimeCyclicOperation, 24)) restore_locked_registers();
+  if (touches(address, length, reg::kStartTimeCyclicOperation, 4)) start_time_written(address, length, frame_end);
   if (touches(address, length, reg::kActivation, 1)) write_activation(frame_end);
+  if (touches(address, length, reg::kCyclicUnitControl, 1)) follow_ownership();
 }
 
 void DcUnit::restore_locked_registers() {

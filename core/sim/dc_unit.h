@@ -9,6 +9,7 @@
 
 #include "config/sim_config.h"
 #include "sim/esc_memory.h"
+#include "sim/latch_unit.h"
 #include "sim/local_clock.h"
 #include "sim/sync_generator.h"
 #include "sim/time_control_loop.h"
@@ -37,6 +38,13 @@ class DcUnit {
   /// It did so by BWR or FPWR: receive times of the ports it passed.
   void latch_ports(const std::array<std::optional<Nanoseconds>, 4>& passed);
 
+  /// In acknowledge mode (pulse length 0) a signal stays active until the PDI reads its status; no edge before that.
+  void acknowledge_sync(SyncGenerator::Signal signal);
+
+  /// The level at a latch input; true when its time was taken.
+  bool latch_input(unsigned number, bool level, Nanoseconds time);
+  [[nodiscard]] LatchUnit& latches() { return latches_; }
+
   /// What the device's firmware reads: local time plus offset, no delay.
   [[nodiscard]] std::uint64_t system_time(Nanoseconds time) const;
   [[nodiscard]] bool sync_active() const { return generator_.active(); }
@@ -54,7 +62,15 @@ class DcUnit {
   void restore_locked_registers();
   [[nodiscard]] std::uint64_t masked(std::uint64_t value) const { return wide_ ? value : value & 0xFFFF'FFFFU; }
   void compare(Nanoseconds frame_end);
+  void pulse(SyncGenerator::Signal signal, Nanoseconds time);
   void write_activation(Nanoseconds time);
+  /// When the unit activated at `now` fires first, in system time that does not wrap.
+  [[nodiscard]] std::optional<std::uint64_t> first_sync0(std::uint64_t now);
+  /// A start time written in 32 bits, made the nearest future one of 64.
+  void extend_start_time(std::uint64_t now);
+  void start_time_written(std::uint16_t address, std::size_t length, Nanoseconds time);
+  /// 0x0980: who may write the registers of which unit.
+  void follow_ownership();
   void write_status();
   [[nodiscard]] Nanoseconds next_signal();
   void implement_registers(std::uint64_t seed);
@@ -66,7 +82,8 @@ class DcUnit {
   TimeControlLoop loop_;
   SyncGenerator generator_;
   SyncGenerator::Settings settings_;
-  bool start_missed_ = false;
+  LatchUnit latches_;
+  bool start_missed_ = false, start_implausible_ = false;
   std::uint64_t start_time_ = 0;   // of the activation
   Nanoseconds now_ = 0;            // up to which SYNC signals have been delivered
   /// True time of the next SYNC signal, if there is one; empty after what moves it.

@@ -5,22 +5,24 @@
 
 #include "protocol/registers.h"
 #include "sim/device_objects.h"
+#include "sim/esc_events.h"
 
 namespace syncline::sim {
+
+using namespace esc_events;
+
 namespace {
 
 constexpr Nanoseconds kFirmwareReaction = 150 * kMicrosecond;  // to an AL request
 constexpr Nanoseconds kMailboxReaction = 250 * kMicrosecond;
+constexpr Nanoseconds kLongestWaitForSync = 200 * kMillisecond;
+constexpr int kMissingSyncs = 8;                               // in a row: the signal has stopped
 constexpr unsigned kMaxObjects = 64;
 constexpr unsigned kServoMaxObjects = 16;
 
 // Emergency codes and error registers (ETG.1020; CiA 301).
 constexpr std::uint16_t kPreopToSafeopFailed = 0xA000, kSafeopToOpFailed = 0xA001;
 constexpr std::uint8_t kCommunicationErrorRegister = 0x11, kDeviceErrorRegister = 0x81;
-
-// Bits of the AL event request (0x0220).
-constexpr std::uint32_t kAlEventControl = 0x01, kAlEventSyncManagerSet = 0x10, kAlEventWatchdog = 0x40,
-                        kAlEventSyncManager0 = 0x100;
 
 constexpr std::uint16_t kIdentificationRequest = 0x0020;  // AL control and AL status, bit 5
 constexpr std::size_t kBootStrapSize = 8;
@@ -95,6 +97,10 @@ void Device::advance_to(Nanoseconds time) {
   esc_.advance_to(time);
   now_ = std::max(now_, time);
   if (state_ == AlState::kOp) check_running(time);
+  // The signal was there when OP was entered; a unit that was switched off or has lost its time fires no more.
+  if (state_ == AlState::kOp && sync0_cycle_ > 0 && last_sync0_ && time - *last_sync0_ > kMissingSyncs * sync0_cycle_) {
+    drop_to_safeop(al_code::kSyncStopped);
+  }
 }
 
 // ---- AL state machine ----------------------------------------------------------------------------
@@ -121,6 +127,13 @@ void Device::report(AlState state, std::uint16_t code) {
                                    static_cast<std::uint16_t>(esc_.memory().u16(reg::kEcatEventRequest) | 0x0008));
 }
 
+/// OP needs SYNC0: the answer waits for the first one as long as it may still come.
+bool Device::waits_for_sync(Nanoseconds waited) const {
+  const auto& dc = esc_.dc();
+  return dc.sync0_enabled() && !last_sync0_ && !dc.start_missed() && waited < kLongestWaitForSync &&
+         (!needs_outputs() || last_outputs_);
+}
+
 void Device::take_request(Nanoseconds time) {
   esc_.acknowledge_events(kAlEventControl);
   const auto control = esc_.memory().u16(reg::kAlControl);
@@ -144,7 +157,8 @@ void Device::take_request(Nanoseconds time) {
   };
   if (!is_allowed(state_, wanted)) return refuse_with(al_code::kInvalidRequest);
   if (wanted == refused_state_ && refusal_code_ != 0) return refuse_with(refusal_code_);
-  if (state_ < wanted && settling(wanted, time - requested_at_)) {
+  const auto waited = time - requested_at_;
+  if (state_ < wanted && ((wanted == AlState::kOp && waits_for_sync(waited)) || settling(wanted, waited))) {
     request_due_ = time + kMillisecond;  // asks itself again
     return;
   }
@@ -163,8 +177,12 @@ void Device::enter(AlState state) {
   const auto from = state_;
   state_ = state;
   if (state == AlState::kInit) mailbox_.reset();
+  if (state == AlState::kInit || state == AlState::kPreop) last_sync0_.reset();
+  if (from == AlState::kInit && state == AlState::kPreop) checks_.note_mailbox();
+  if (state == AlState::kOp) sync0_cycle_ = esc_.dc().sync0_enabled() ? esc_.dc().settings().cycle0 : 0;
   if (from == AlState::kPreop && state == AlState::kSafeop) {
     process_data_.map();
+    checks_.note_process_data();
     last_outputs_.reset();
   }
   on_state(state);
@@ -178,8 +196,10 @@ std::uint16_t Device::check(AlState from, AlState to) {
     const auto code = checks_.safeop();
     return code != 0 ? code : check_sync(to);
   }
-  if (!last_outputs_ && process_data_.byte_length(PdoDirection::kRx) > 0) return al_code::kNoOutputs;
-  return check_sync(to);
+  if (needs_outputs() && !last_outputs_) return al_code::kNoOutputs;
+  if (const auto code = checks_.op(); code != 0) return code;
+  if (const auto code = check_sync(to); code != 0) return code;
+  return esc_.dc().sync0_enabled() && !last_sync0_ ? al_code::kNoSync : std::uint16_t{0};
 }
 
 void Device::drop_to_safeop(std::uint16_t code, std::uint16_t error_code) {
@@ -226,6 +246,8 @@ void Device::sync_manager_set(unsigned number, Nanoseconds time) {
 }
 
 void Device::sync_signal(SyncGenerator::Signal signal, Nanoseconds time) {
+  if (!esc_.device_emulation()) esc_.acknowledge_sync(signal);
+  if (signal == SyncGenerator::Signal::kSync0) last_sync0_ = time;
   if (signal == SyncGenerator::Signal::kSync0) on_sync0(time);
   if (signal == SyncGenerator::Signal::kSync1) on_sync1(time);
 }

@@ -88,6 +88,8 @@ class Device : public Esc::Listener {
   void take_request(Nanoseconds time);
   void enter(AlState state);
   void report(AlState state, std::uint16_t code);
+  [[nodiscard]] bool waits_for_sync(Nanoseconds waited) const;
+  [[nodiscard]] bool needs_outputs() const { return process_data_.byte_length(PdoDirection::kRx) > 0; }
   [[nodiscard]] std::uint16_t check(AlState from, AlState to);
   void answer_mail();
   [[nodiscard]] bool exchanges_process_data() const { return state_ == AlState::kSafeop || state_ == AlState::kOp; }
@@ -105,6 +107,8 @@ class Device : public Esc::Listener {
   bool error_ = false;
   std::optional<Nanoseconds> request_due_, mail_due_;
   std::optional<Nanoseconds> last_outputs_;
+  std::optional<Nanoseconds> last_sync0_;     // since PREOP
+  Nanoseconds sync0_cycle_ = 0;               // when OP was entered; 0: none
   Nanoseconds now_ = 0, requested_at_ = 0;
   bool mailbox_silent_ = false;
   Nanoseconds mailbox_delay_ = 0, application_delay_ = 0;

@@ -5,20 +5,13 @@
 
 #include "protocol/dl_status.h"
 #include "protocol/registers.h"
+#include "sim/esc_events.h"
 
 namespace syncline::sim {
+
+using namespace esc_events;
+
 namespace {
-
-constexpr std::uint8_t kRepeatBit = 0x02;  // of 0x0806 and 0x0807
-
-constexpr std::uint16_t kEventDlStatus = 0x0004;
-constexpr std::uint16_t kEventAlStatus = 0x0008;
-constexpr std::uint16_t kEventSyncManager0 = 0x0010;
-
-// AL event request (0x0220): what the PDI side has to deal with.
-constexpr std::uint32_t kAlEventControl = 0x01, kAlEventSyncManagerSet = 0x10, kAlEventWatchdog = 0x40,
-                        kAlEventSyncManager0 = 0x100;
-constexpr std::uint16_t kNoLogicalReadWrite = 0x0200, kNoPhysicalReadWrite = 0x0400;  // of 0x0008
 
 bool overlaps(std::uint32_t a, std::size_t a_size, std::uint32_t b, std::size_t b_size) {
   return a < b + b_size && b < a + a_size;
@@ -32,135 +25,6 @@ void put_bit(std::span<std::uint8_t> bytes, std::size_t bit, bool value) {
 
 }  // namespace
 
-Esc::Esc(const SimSlaveConfig& config, std::vector<std::uint8_t> sii, const Options& options, Nanoseconds power_on,
-         std::uint64_t seed)
-    : options_(options),
-      memory_(0x400U * options.ram_kbytes),
-      ports_(memory_),
-      dc_(config.oscillator, config.dc, power_on, seed, memory_),
-      sii_(std::move(sii), config.sii, memory_),
-      watchdog_(memory_),
-      sync_managers_(options.sync_manager_count) {
-  implement_registers();
-  load_configuration();
-  std::uint16_t features = 0;  // FMMUs map bits
-  if (config.dc.receive_times) features |= 0x0004;
-  if (config.dc.is_64bit) features |= 0x0008;
-  memory_.set<std::uint8_t>(reg::kType, 0x11);
-  memory_.set<std::uint8_t>(reg::kFmmuCount, options.fmmu_count);
-  memory_.set<std::uint8_t>(reg::kSyncManagerCount, options.sync_manager_count);
-  memory_.set<std::uint8_t>(reg::kRamSize, options.ram_kbytes);
-  memory_.set<std::uint8_t>(reg::kPortDescriptor, 0xFF);
-  if (!options.logical_read_write) features |= kNoLogicalReadWrite;
-  if (!options.physical_read_write) features |= kNoPhysicalReadWrite;
-  memory_.set<std::uint16_t>(reg::kFeatures, features);
-  memory_.set<std::uint16_t>(reg::kAlControl, 0x0001);
-  memory_.set<std::uint16_t>(reg::kAlStatus, 0x0001);
-  memory_.set<std::uint16_t>(reg::kWatchdogDivider, 2498);
-  memory_.set<std::uint16_t>(reg::kWatchdogPdi, 1000);
-  memory_.set<std::uint16_t>(reg::kWatchdogProcessData, 1000);
-  memory_.set<std::uint16_t>(reg::kWatchdogStatus, 1);
-}
-
-void Esc::implement_registers() {
-  constexpr auto r = EscMemory::kRead;
-  constexpr auto rw = EscMemory::kReadWrite;
-  memory_.implement(reg::kType, 10, r);
-  memory_.implement(reg::kStationAddress, 2, rw);
-  memory_.implement(reg::kStationAlias, 2, r);
-  memory_.implement(reg::kEscReset, 1, rw);
-  memory_.implement(reg::kDlControl, 4, rw);
-  memory_.implement(reg::kDlStatus, 2, r);
-  memory_.implement(reg::kAlControl, 2, rw);
-  memory_.implement(reg::kAlStatus, 2, r);
-  memory_.implement(reg::kAlStatusCode, 2, r);
-  memory_.implement(reg::kPdiControl, 2, r);
-  memory_.implement(reg::kPdiConfiguration, 4, r);
-  memory_.implement(reg::kEcatEventMask, 2, rw);
-  memory_.implement(reg::kAlEventMask, 4, r);
-  memory_.implement(reg::kEcatEventRequest, 2, r);
-  memory_.implement(reg::kAlEventRequest, 4, r);
-  memory_.implement(reg::kRxErrorCounter, 0x0E, rw);
-  memory_.implement(reg::kLostLinkCounter, 4, rw);
-  memory_.implement(reg::kWatchdogDivider, 2, rw);
-  memory_.implement(reg::kWatchdogPdi, 2, rw);
-  memory_.implement(reg::kWatchdogProcessData, 2, rw);
-  memory_.implement(reg::kWatchdogStatus, 4, r);
-  memory_.implement(reg::kSiiConfiguration, 1, rw);
-  memory_.implement(reg::kSiiPdiAccess, 1, r);
-  memory_.implement(reg::kSiiControl, 14, rw);
-  memory_.implement(reg::kDigitalOutputs, 4, rw);
-  memory_.implement(reg::kUserRam, 0x80, rw);
-  memory_.implement(reg::kFmmu, static_cast<std::uint16_t>(16 * options_.fmmu_count), rw);
-  memory_.implement(reg::kSyncManager, static_cast<std::uint16_t>(8 * options_.sync_manager_count), rw);
-}
-
-void Esc::load_configuration() {
-  const auto& content = sii_.content();
-  if (!sii_.checksum_ok()) return;
-  memory_.set<std::uint8_t>(reg::kPdiControl, content[0]);
-  memory_.set<std::uint8_t>(reg::kEscConfiguration, content[1]);
-  memory_.set<std::uint16_t>(reg::kPdiConfiguration, load_le<std::uint16_t>(std::span(content).subspan(2)));
-  memory_.set<std::uint16_t>(reg::kPulseLength, load_le<std::uint16_t>(std::span(content).subspan(4)));
-  memory_.set<std::uint16_t>(reg::kStationAlias, load_le<std::uint16_t>(std::span(content).subspan(8)));
-}
-
-void Esc::raise_event(std::uint16_t event) {
-  memory_.set<std::uint16_t>(reg::kEcatEventRequest,
-                             static_cast<std::uint16_t>(memory_.u16(reg::kEcatEventRequest) | event));
-}
-
-void Esc::raise_al_event(std::uint32_t event) {
-  memory_.set<std::uint32_t>(reg::kAlEventRequest, memory_.u32(reg::kAlEventRequest) | event);
-}
-
-void Esc::acknowledge_events(std::uint32_t events) {
-  memory_.set<std::uint32_t>(reg::kAlEventRequest, memory_.u32(reg::kAlEventRequest) & ~events);
-}
-
-void Esc::clear_event(std::uint16_t event) {
-  memory_.set<std::uint16_t>(reg::kEcatEventRequest,
-                             static_cast<std::uint16_t>(memory_.u16(reg::kEcatEventRequest) & ~event));
-}
-
-SyncManager Esc::sync_manager(unsigned number) const {
-  return SyncManager::decode(memory_.at(reg::sync_manager(number), SyncManager::kSize).first<SyncManager::kSize>());
-}
-
-std::span<std::uint8_t> Esc::sync_manager_area(unsigned number) {
-  const auto sm = sync_manager(number);
-  return memory_.at(sm.start, std::min<std::size_t>(sm.length, EscMemory::kSize - sm.start));
-}
-
-std::span<const std::uint8_t> Esc::sync_manager_area(unsigned number) const {
-  const auto sm = sync_manager(number);
-  return memory_.at(sm.start, std::min<std::size_t>(sm.length, EscMemory::kSize - sm.start));
-}
-
-void Esc::set_mailbox_full(unsigned number, bool full) {
-  const auto address = static_cast<std::uint16_t>(reg::sync_manager(number) + 5);
-  const auto status = memory_.u8(address);
-  memory_.set<std::uint8_t>(address, static_cast<std::uint8_t>(full ? status | SyncManager::kStatusMailboxFull
-                                                                   : status & ~SyncManager::kStatusMailboxFull));
-  maps_stale_ = true;
-  // The ECAT event request mirrors the state of the first eight SyncManagers (0x0210, bits 11..4).
-  if (number < 8) {
-    const auto event = static_cast<std::uint16_t>(kEventSyncManager0 << number);
-    full ? raise_event(event) : clear_event(event);
-  }
-}
-
-bool Esc::repeat_requested(unsigned number) const {
-  const auto base = reg::sync_manager(number);
-  return ((memory_.u8(static_cast<std::uint16_t>(base + 6)) ^ memory_.u8(static_cast<std::uint16_t>(base + 7))) & kRepeatBit) != 0;
-}
-
-void Esc::acknowledge_repeat(unsigned number) {
-  const auto address = static_cast<std::uint16_t>(reg::sync_manager(number) + 7);
-  memory_.set<std::uint8_t>(address, static_cast<std::uint8_t>(memory_.u8(address) ^ kRepeatBit));
-  maps_stale_ = true;
-}
-
 void Esc::reload_maps() {
   maps_stale_ = false;
   fmmus_.clear();
@@ -173,11 +37,6 @@ void Esc::reload_maps() {
     const auto& sm = sync_managers_[i] = sync_manager(i);
     if (sm.enabled() && sm.length > 0) buffers_begin_ = std::min<std::uint32_t>(buffers_begin_, sm.start);
   }
-}
-
-void Esc::set_listener(Listener* listener) {
-  listener_ = listener;
-  dc_.on_sync = [listener](SyncGenerator::Signal signal, Nanoseconds time) { listener->sync_signal(signal, time); };
 }
 
 void Esc::frame_at_port(unsigned port, Nanoseconds time) { port_times_[port] = time; }
@@ -214,6 +73,7 @@ bool Esc::mark_circulating(std::span<DatagramView> datagrams) {
 
 bool Esc::process(std::span<DatagramView> datagrams, Nanoseconds time) {
   if (ports_.port0_automatically_closed() && !mark_circulating(datagrams)) return false;
+  protection_.start_of_frame();
   dc_.start_of_frame(time);
   dc_.refresh_registers();
   if (maps_stale_) reload_maps();
@@ -269,6 +129,7 @@ bool Esc::buffer_allows(std::uint32_t address, std::size_t length, bool write) c
   for (unsigned i = 0; i < sync_managers_.size(); ++i) {
     const auto& sm = sync_managers_[i];
     if (!sm.enabled() || sm.length == 0) continue;
+    if ((sm.pdi_control & kPdiDeactivated) != 0 && overlaps(address, length, sm.start, sm.length)) return false;
     // Buffers 2 and 3 of a buffered SyncManager belong to the ESC alone.
     if (!sm.is_mailbox() && sm.start >= EscMemory::kRegisterEnd &&
         overlaps(address, length, sm.start + sm.length, 2U * sm.length)) {
@@ -297,13 +158,23 @@ void Esc::note_buffer_access(std::uint32_t address, std::size_t length, bool wri
   }
 }
 
+void Esc::open_buffer(std::uint32_t address, std::size_t length) {
+  for (unsigned i = 0; any_pending_ && i < sync_managers_.size(); ++i) {
+    if (pending_[i].empty()) continue;
+    const auto start = sync_managers_[i].start;
+    if (address <= start && start < address + length) show_pending(i);
+  }
+}
+
 bool Esc::read_memory(std::uint16_t address, std::span<std::uint8_t> out, bool or_into) {
   if (address + out.size() > EscMemory::kSize || !buffer_allows(address, out.size(), false)) return false;
+  open_buffer(address, out.size());
   if (address >= EscMemory::kRegisterEnd && address + out.size() <= memory_.ram_end() && !or_into) {
     std::ranges::copy(memory_.at(address, out.size()), out.begin());
     note_buffer_access(address, out.size(), false);
     return !out.empty();
   }
+  dc_.latches().before_read(address, out.size());
   bool any = false;
   for (std::size_t i = 0; i < out.size(); ++i) {
     const auto place = static_cast<std::uint32_t>(address + i);
@@ -315,6 +186,7 @@ bool Esc::read_memory(std::uint16_t address, std::span<std::uint8_t> out, bool o
   }
   if (!any) return false;
   note_buffer_access(address, out.size(), false);
+  read_latches(address, out.size());
   if (overlaps(address, out.size(), reg::kDlStatus, 2)) clear_event(kEventDlStatus);
   if (overlaps(address, out.size(), reg::kAlStatus, 2)) clear_event(kEventAlStatus);
   return true;
@@ -322,6 +194,7 @@ bool Esc::read_memory(std::uint16_t address, std::span<std::uint8_t> out, bool o
 
 bool Esc::write_memory(Command command, std::uint16_t address, std::span<const std::uint8_t> data) {
   if (address + data.size() > EscMemory::kSize || !buffer_allows(address, data.size(), true)) return false;
+  if (!protection_.allows(address, data.size())) return false;
   bool any = false;
   for (std::size_t i = 0; i < data.size() && !any; ++i) {
     any = (memory_.rights(static_cast<std::uint32_t>(address + i)) & EscMemory::kWrite) != 0;
@@ -381,6 +254,8 @@ Esc::Access Esc::logical(const DatagramView& datagram, bool read, bool write) {
       const auto address = static_cast<std::uint32_t>(physical / 8);
       const auto length = static_cast<std::size_t>((physical + (to - from) + 7) / 8 - physical / 8);
       if (address + length > EscMemory::kSize || !buffer_allows(address, length, writing)) continue;
+      if (writing && !protection_.allows(address, length)) continue;
+      if (!writing) open_buffer(address, length);
       copy_mapped(datagram.data, from - 8 * start, physical, to - from, writing);
       note_buffer_access(address, length, writing);
       (writing ? access.written : access.read) = true;
@@ -395,7 +270,11 @@ void Esc::commit_register(const Write& write, Nanoseconds time) {
   };
   if (hit(reg::kFmmu, 0x100) || hit(reg::kSyncManager, 0x80)) {
     maps_stale_ = true;
-    if (hit(reg::kSyncManager, 0x80)) sm_begun_ = 0;  // set up anew
+    if (hit(reg::kSyncManager, 0x80)) {  // set up anew
+      sm_begun_ = 0;
+      for (auto& bytes : pending_) bytes.clear();
+      any_pending_ = false;
+    }
   }
   if (hit(reg::kDlControl, 4)) ports_.control_written(time);
   if (hit(reg::kRxErrorCounter, 0x0C)) std::ranges::fill(memory_.at(reg::kRxErrorCounter, 0x0C), std::uint8_t{0});
@@ -478,6 +357,7 @@ void Esc::frame_end(Nanoseconds time) {
     }
     if ((sm_read_ & bit) != 0) {
       if (sync_managers_[i].is_mailbox()) set_mailbox_full(i, false);
+      show_pending(i);
       raise_al_event(kAlEventSyncManager0 << i);
       if (listener_ != nullptr) listener_->sync_manager_read(i, time);
     }

@@ -18,6 +18,7 @@
 #include "sim/esc_ports.h"
 #include "sim/process_data_watchdog.h"
 #include "sim/sii_interface.h"
+#include "sim/write_protection.h"
 
 namespace syncline::sim {
 
@@ -74,6 +75,14 @@ class Esc {
   /// Repeat request of the master against the PDI's acknowledgement (0x0806 bit 1, 0x0807 bit 1).
   [[nodiscard]] bool repeat_requested(unsigned number) const;
   void acknowledge_repeat(unsigned number);
+  /// The PDI locks the memory of a SyncManager against the master, or gives it free (0x0807 bit 0).
+  void deactivate_sync_manager(unsigned number, bool deactivated);
+  /// Bytes that the master reads from a buffered SyncManager: a transfer under way still shows the buffer before.
+  void put_buffer(unsigned number, std::span<const std::uint8_t> bytes);
+  /// The level at a LATCH input (0, 1) as of `time`; false: no time taken, or the pin is a SYNC output (0x0151).
+  bool latch_input(unsigned number, bool level, Nanoseconds time);
+  /// The PDI has read 0x098E or 0x098F.
+  void acknowledge_sync(SyncGenerator::Signal signal);
   /// The PDI has dealt with these bits of the AL event request (0x0220).
   void acknowledge_events(std::uint32_t events);
   [[nodiscard]] bool device_emulation() const { return options_.device_emulation; }
@@ -105,6 +114,12 @@ class Esc {
                    std::uint64_t bits, bool writing);
   bool write_memory(Command command, std::uint16_t address, std::span<const std::uint8_t> data);
   Access logical(const DatagramView& datagram, bool read, bool write);
+  /// The first byte of a buffer is read: the newest one, whatever became of the transfer before.
+  void open_buffer(std::uint32_t address, std::size_t length);
+  void show_pending(unsigned number);
+  void read_latches(std::uint16_t address, std::size_t length);
+  void follow_latch_events();
+  void sync_fired(SyncGenerator::Signal signal, Nanoseconds time);
   [[nodiscard]] bool buffer_allows(std::uint32_t address, std::size_t length, bool write) const;
   void note_buffer_access(std::uint32_t address, std::size_t length, bool write);
   void commit_register(const Write& write, Nanoseconds time);
@@ -121,6 +136,7 @@ class Esc {
   DcUnit dc_;
   SiiInterface sii_;
   ProcessDataWatchdog watchdog_;
+  WriteProtection protection_;
   Listener* listener_ = nullptr;
   std::vector<Fmmu> fmmus_;                 // decoded, active ones
   std::vector<SyncManager> sync_managers_;  // decoded
@@ -136,6 +152,8 @@ class Esc {
   std::uint32_t sm_written_ = 0, sm_read_ = 0;  // bit per SyncManager
   // Bit per SyncManager: a transfer has touched its first byte and not yet its last; lasts over frames.
   std::uint32_t sm_begun_ = 0;
+  std::vector<std::vector<std::uint8_t>> pending_;  // of each SyncManager, not yet shown; empty: nothing
+  bool any_pending_ = false;
 };
 
 }  // namespace syncline::sim

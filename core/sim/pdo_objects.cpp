@@ -57,9 +57,16 @@ void PdoObjects::add_mapping(const Pdo& pdo, PdoDirection) {
       const auto mapped = load_le<std::uint32_t>(data);
       const auto object = static_cast<std::uint16_t>(mapped >> 16);
       const auto sub_index = static_cast<std::uint8_t>(mapped >> 8);
-      return object == 0 || dictionary_.find(object, sub_index) != nullptr ? abort::kNone : abort::kNotMappable;
+      return check_mapped(object, sub_index, static_cast<std::uint8_t>(mapped));
     };
   }
+}
+
+std::uint32_t PdoObjects::check_mapped(std::uint16_t object, std::uint8_t sub_index, std::uint8_t bits) const {
+  if (object == 0) return abort::kNone;  // padding
+  const auto* entry = dictionary_.find(object, sub_index);
+  if (entry == nullptr) return abort::kNotMappable;
+  return entry->bits() == bits ? abort::kNone : abort::kNotMappable;
 }
 
 std::uint32_t PdoObjects::check_assigned(PdoDirection direction, unsigned count) const {

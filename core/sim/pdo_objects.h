@@ -29,6 +29,8 @@ class PdoObjects {
  private:
   void add_mapping(const Pdo& pdo, PdoDirection direction);
   void add_assignment(const DeviceDescription& device, PdoDirection direction);
+  /// A PDO maps whole objects: `bits` as many as the object has.
+  [[nodiscard]] std::uint32_t check_mapped(std::uint16_t object, std::uint8_t sub_index, std::uint8_t bits) const;
   [[nodiscard]] std::uint32_t check_assigned(PdoDirection direction, unsigned count) const;
 
   ObjectDictionary& dictionary_;

@@ -52,11 +52,12 @@ void ProcessData::clear_outputs() {
 
 void ProcessData::inputs_from_dictionary() {
   if (!input_sm_) return;
-  const auto bytes = esc_.sync_manager_area(*input_sm_);
+  input_buffer_.assign(esc_.sync_manager(*input_sm_).length, 0);
   for (const auto& copy : inputs_) {
-    if (copy.bit_offset + copy.bits > 8U * bytes.size()) continue;
-    copy_bits(bytes, copy.bit_offset, copy.entry->value, 0, copy.bits);
+    if (copy.bit_offset + copy.bits > 8U * input_buffer_.size()) continue;
+    copy_bits(input_buffer_, copy.bit_offset, copy.entry->value, 0, copy.bits);
   }
+  esc_.put_buffer(*input_sm_, input_buffer_);
 }
 
 }  // namespace syncline::sim

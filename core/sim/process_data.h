@@ -42,6 +42,7 @@ class ProcessData {
   Esc& esc_;
   PdoObjects pdos_;
   std::vector<Copy> outputs_, inputs_;
+  std::vector<std::uint8_t> input_buffer_;
   std::optional<unsigned> output_sm_, input_sm_;
 };
 

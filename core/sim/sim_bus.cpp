@@ -347,6 +347,9 @@ SimBus::Returned SimBus::execute(std::span<std::uint8_t> frame, Nanoseconds send
   return impl_->execute(frame, send_time);
 }
 void SimBus::advance_to(Nanoseconds time) { impl_->advance_to(time); }
+bool SimBus::latch_input(std::size_t position, unsigned number, bool level) {
+  return impl_->nodes.at(position).esc->latch_input(number, level, impl_->now);
+}
 std::size_t SimBus::slave_count() const { return impl_->nodes.size(); }
 std::uint64_t SimBus::system_time(std::size_t position) const {
   return impl_->nodes.at(position).esc->dc().system_time(impl_->now);

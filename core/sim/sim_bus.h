@@ -32,6 +32,9 @@ class SimBus {
   /// Lets the devices' applications, oscillators and SYNC units run up to `time` without a frame.
   void advance_to(Nanoseconds time);
 
+  /// The level at a slave's LATCH input (0, 1), from now on; false: no time taken (see Esc::latch_input).
+  bool latch_input(std::size_t position, unsigned number, bool level);
+
   // What tests and plots may look at, never the master.
   [[nodiscard]] std::size_t slave_count() const;
   /// PDI view of the system time (local + offset) of a slave at its current time.

@@ -2,12 +2,15 @@
 #include "sim/mailbox/file_server.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace syncline::sim {
 namespace {
 
 /// All the memory that the device has for a file.
 constexpr std::size_t kLargestFile = 1024 * 1024;
+/// Of its flash; each is erased when the first byte behind it arrives, and the device is busy meanwhile.
+constexpr std::size_t kSector = 64 * 1024;
 
 }  // namespace
 
@@ -68,6 +71,9 @@ foe::Message FileServer::take(const foe::Data& data, std::size_t mailbox_size) {
   auto& t = *transfer_;
   if (data.packet_no != t.packet_no + 1) return refuse(foe::error::kPacketNumber);
   if (t.bytes.size() + data.bytes.size() > kLargestFile) return refuse(foe::error::kDiskFull);
+  const bool next_sector = (t.bytes.size() + data.bytes.size()) / kSector > t.bytes.size() / kSector;
+  if (next_sector && !std::exchange(t.erased, true)) return foe::Busy{0, 0, "erasing"};  // the master repeats the packet
+  t.erased = false;
   t.packet_no = data.packet_no;
   t.bytes.insert(t.bytes.end(), data.bytes.begin(), data.bytes.end());
   if (data.bytes.size() < foe::data_capacity(mailbox_size)) {

@@ -39,6 +39,7 @@ class Gateway : public testing::Test {
     probe->set_sync_manager(0, 2, kOutputArea, 4, 0x64);
     probe->set_sync_manager(0, 3, kInputArea, 6, 0x20);
     if (const auto status = probe->request(0, 4); status != 4) return status;
+    if (dc) probe->pass(5 * kMillisecond);  // OP needs the first SYNC0
     output(0);
     return probe->request(0, 8);
   }

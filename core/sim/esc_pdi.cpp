@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
+#include "protocol/registers.h"
+#include "sim/esc.h"
+#include "sim/esc_events.h"
+
+/// What the device's side of an ESC sees and does: events, SyncManagers, pins.
+namespace syncline::sim {
+
+using namespace esc_events;
+
+void Esc::set_listener(Listener* listener) {
+  listener_ = listener;
+  dc_.on_sync = [this](SyncGenerator::Signal signal, Nanoseconds time) { sync_fired(signal, time); };
+}
+
+void Esc::raise_event(std::uint16_t event) {
+  memory_.set<std::uint16_t>(reg::kEcatEventRequest,
+                             static_cast<std::uint16_t>(memory_.u16(reg::kEcatEventRequest) | event));
+}
+
+void Esc::raise_al_event(std::uint32_t event) {
+  memory_.set<std::uint32_t>(reg::kAlEventRequest, memory_.u32(reg::kAlEventRequest) | event);
+}
+
+void Esc::acknowledge_events(std::uint32_t events) {
+  memory_.set<std::uint32_t>(reg::kAlEventRequest, memory_.u32(reg::kAlEventRequest) & ~events);
+}
+
+void Esc::clear_event(std::uint16_t event) {
+  memory_.set<std::uint16_t>(reg::kEcatEventRequest,
+                             static_cast<std::uint16_t>(memory_.u16(reg::kEcatEventRequest) & ~event));
+}
+
+SyncManager Esc::sync_manager(unsigned number) const {
+  return SyncManager::decode(memory_.at(reg::sync_manager(number), SyncManager::kSize).first<SyncManager::kSize>());
+}
+
+std::span<std::uint8_t> Esc::sync_manager_area(unsigned number) {
+  const auto sm = sync_manager(number);
+  return memory_.at(sm.start, std::min<std::size_t>(sm.length, EscMemory::kSize - sm.start));
+}
+
+std::span<const std::uint8_t> Esc::sync_manager_area(unsigned number) const {
+  const auto sm = sync_manager(number);
+  return memory_.at(sm.start, std::min<std::size_t>(sm.length, EscMemory::kSize - sm.start));
+}
+
+void Esc::set_mailbox_full(unsigned number, bool full) {
+  const auto address = static_cast<std::uint16_t>(reg::sync_manager(number) + 5);
+  const auto status = memory_.u8(address);
+  memory_.set<std::uint8_t>(address, static_cast<std::uint8_t>(full ? status | SyncManager::kStatusMailboxFull
+                                                                   : status & ~SyncManager::kStatusMailboxFull));
+  maps_stale_ = true;
+  // The ECAT event request mirrors the state of the first eight SyncManagers (0x0210, bits 11..4).
+  if (number < 8) {
+    const auto event = static_cast<std::uint16_t>(kEventSyncManager0 << number);
+    full ? raise_event(event) : clear_event(event);
+  }
+}
+
+bool Esc::repeat_requested(unsigned number) const {
+  const auto base = reg::sync_manager(number);
+  return ((memory_.u8(static_cast<std::uint16_t>(base + 6)) ^ memory_.u8(static_cast<std::uint16_t>(base + 7))) & kRepeatBit) != 0;
+}
+
+void Esc::acknowledge_repeat(unsigned number) {
+  const auto address = static_cast<std::uint16_t>(reg::sync_manager(number) + 7);
+  memory_.set<std::uint8_t>(address, static_cast<std::uint8_t>(memory_.u8(address) ^ kRepeatBit));
+  maps_stale_ = true;
+}
+
+void Esc::deactivate_sync_manager(unsigned number, bool deactivated) {
+  const auto address = static_cast<std::uint16_t>(reg::sync_manager(number) + 7);
+  const auto control = memory_.u8(address);
+  memory_.set<std::uint8_t>(address, static_cast<std::uint8_t>(deactivated ? control | kPdiDeactivated : control & ~kPdiDeactivated));
+  maps_stale_ = true;
+}
+
+void Esc::put_buffer(unsigned number, std::span<const std::uint8_t> bytes) {
+  if (number >= pending_.size()) return;
+  const auto area = sync_manager_area(number);
+  bytes = bytes.first(std::min(bytes.size(), area.size()));
+  if ((sm_begun_ & (1U << number)) != 0) {
+    pending_[number].assign(bytes.begin(), bytes.end());
+    any_pending_ = true;
+  } else {
+    pending_[number].clear();
+    std::ranges::copy(bytes, area.begin());
+  }
+}
+
+void Esc::show_pending(unsigned number) {
+  const auto area = sync_manager_area(number);
+  const auto& bytes = pending_[number];
+  std::copy_n(bytes.begin(), std::min(bytes.size(), area.size()), area.begin());
+  pending_[number].clear();
+}
+
+bool Esc::latch_input(unsigned number, bool level, Nanoseconds time) {
+  const bool output = (memory_.u8(reg::kSyncLatchConfiguration) >> (2 + 4 * number) & 1U) != 0;
+  const bool taken = !output && dc_.latch_input(number, level, time);
+  follow_latch_events();
+  return taken;
+}
+
+void Esc::follow_latch_events() {
+  dc_.latches().master_event() ? raise_event(kEventLatch) : clear_event(kEventLatch);
+  dc_.latches().pdi_event() ? raise_al_event(kAlEventLatch) : acknowledge_events(kAlEventLatch);
+}
+
+void Esc::read_latches(std::uint16_t address, std::size_t length) {
+  if (address >= reg::kLatch1NegativeEdge + 8 || address + length <= reg::kLatch0PositiveEdge) return;
+  dc_.latches().acknowledge(address, length);
+  follow_latch_events();
+}
+
+void Esc::sync_fired(SyncGenerator::Signal signal, Nanoseconds time) {
+  const unsigned number = signal == SyncGenerator::Signal::kSync0 ? 0 : 1;
+  const bool mapped = (memory_.u8(reg::kSyncLatchConfiguration) >> (3 + 4 * number) & 1U) != 0;
+  if (mapped) raise_al_event(kAlEventSync0 << number);
+  if (listener_ != nullptr) listener_->sync_signal(signal, time);
+}
+
+void Esc::acknowledge_sync(SyncGenerator::Signal signal) {
+  dc_.acknowledge_sync(signal);
+  acknowledge_events(signal == SyncGenerator::Signal::kSync0 ? kAlEventSync0 : kAlEventSync0 << 1);
+}
+
+}  // namespace syncline::sim
