@@ -77,6 +77,14 @@ TEST(PropagationDelay, CouplerAndTerminalsAsCaptured) {
   EXPECT_THAT(propagation_delays(nodes, {.t_diff_ns = 0}).delay_ns, ElementsAre(0, 145, 300));
 }
 
+TEST(PropagationDelay, ForkAtACouplerAsReadFromHardware) {
+  // A coupler with terminals at port 1 and a second branch at port 2; published with the delays without tDiff.
+  const std::vector nodes{node({}, 0, {{0, 3'380'373'882}, {1, 3'380'374'482}, {2, 3'380'375'762}}),
+                          node(0, 1, {{0, 3'384'116'362}, {2, 3'384'116'672}}), node(1, 2, {{0, 7}}),
+                          node(0, 2, {{0, 3'373'883'962}, {1, 3'373'884'272}}), node(3, 1, {{0, 8}})};
+  EXPECT_THAT(propagation_delays(nodes, {.t_diff_ns = 0}).delay_ns, ElementsAre(0, 145, 300, 1085, 1240));
+}
+
 TEST(PropagationDelay, TwoSlavesOnOneCableAsCaptured) {
   const std::vector nodes{node({}, 0, {{0, 100}, {1, 1540}}), node(0, 1, {{0, 4}})};
   EXPECT_THAT(propagation_delays(nodes).delay_ns, ElementsAre(0, 720));

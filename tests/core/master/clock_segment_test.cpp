@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "master/clock_segment.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace syncline {
+namespace {
+
+/// DL status with these ports open and communicating, all others closed.
+DlStatus open_ports(std::initializer_list<unsigned> ports) {
+  std::uint16_t value = 0x0001;
+  for (unsigned port = 0; port < kPortCount; ++port) value |= static_cast<std::uint16_t>(1U << (8 + 2 * port));
+  for (const auto port : ports) {
+    value = static_cast<std::uint16_t>(value & ~(1U << (8 + 2 * port)));
+    value = static_cast<std::uint16_t>(value | (1U << (9 + 2 * port)) | (1U << (4 + port)));
+  }
+  return {value};
+}
+
+dc::DelayNode node(const DlStatus& status, std::initializer_list<std::pair<unsigned, std::uint32_t>> times) {
+  dc::DelayNode result;
+  result.kind = dc::DcKind::kFull;
+  result.receive_time.fill(1'819'436'374);
+  for (unsigned port = 0; port < kPortCount; ++port) result.active[port] = status.active(port);
+  for (const auto& [port, time] : times) result.receive_time[port] = time;
+  return result;
+}
+
+bool has(const dc::DelayResult& result, dc::DelayWarning warning, std::uint16_t position) {
+  return std::ranges::any_of(result.findings, [&](const dc::DelayFinding& finding) {
+    return finding.warning == warning && finding.position == position;
+  });
+}
+
+TEST(SegmentDelays, SlaveConnectedByItsPort1HasItsTrueDelayAndAWarning) {
+  // A - B - C with wires of 100 and 200 ns, tP 300, tF 260; B's cables are swapped: the frame comes in at port 1, passes
+  // no processing unit on its way out by port 0, and is processed on its way back, behind C.
+  const std::vector status{open_ports({0, 1}), open_ports({0}), open_ports({0, 1})};
+  // Frame: A in 0, out 300, B in 400 (port 1), out 660, C in 860, out 1160, B in 1360 (port 0), out 1660, A in 1760.
+  const std::vector nodes{node(status[0], {{0, 5'000}, {1, 6'760}}), node(status[1], {{0, 77}}),
+                          node(status[2], {{1, 400}, {0, 1'360}})};
+  const auto result = segment_delays(nodes, status, {});
+  ASSERT_TRUE(result.delay_ns[1] && result.delay_ns[2]);
+  EXPECT_EQ(*result.delay_ns[2], 400U);
+  EXPECT_EQ(*result.delay_ns[1], 860U);
+  EXPECT_TRUE(has(result, dc::DelayWarning::kReversedCable, 2));
+}
+
+TEST(SegmentDelays, ClosedRingIsLeftOutWithAWarning) {
+  // The last slave's port 1 leads to another port of the master: it latches nothing there.
+  const std::vector status{open_ports({0, 1}), open_ports({0, 1})};
+  const std::vector nodes{node(status[0], {{0, 1'000}, {1, 2'440}}), node(status[1], {{0, 9'000}})};
+  const auto result = segment_delays(nodes, status, {});
+  ASSERT_TRUE(result.delay_ns[1]);
+  EXPECT_EQ(*result.delay_ns[1], 720U);
+  EXPECT_TRUE(has(result, dc::DelayWarning::kUnexplainedPort, 1));
+}
+
+TEST(SegmentDelays, SlavesThatNobodyAskedAboutAreNoRing) {
+  // The frame came back at port 1 after 800 ns: something hangs there.
+  const std::vector status{open_ports({0, 1}), open_ports({0, 1})};
+  const std::vector nodes{node(status[0], {{0, 1'000}, {1, 3'240}}), node(status[1], {{0, 9'000}, {1, 9'800}})};
+  const auto result = segment_delays(nodes, status, {.t_diff_ns = 0});
+  ASSERT_TRUE(result.delay_ns[1]);
+  EXPECT_EQ(*result.delay_ns[1], 720U);
+  EXPECT_TRUE(result.findings.empty());
+}
+
+}  // namespace
+}  // namespace syncline
