@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "config/dc_check.h"
 #include "config/dcm_check.h"
 #include "protocol/dcm_error.h"
 
@@ -31,6 +32,7 @@ Status Operation::check() const {
                       .detail = "link-layer-ref-clock: this link cannot put its send time into frames",
                       .received = dc::kDcmErrorInvalidHardwareLayer});
   }
+  if (auto status = check_dc(config_); !status) return status;
   return check_dcm(config_);
 }
 
