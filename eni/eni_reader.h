@@ -12,6 +12,8 @@ namespace syncline::eni {
 
 [[nodiscard]] MasterConfig read_master(const EniElement& master);
 [[nodiscard]] SlaveConfig read_slave(const EniElement& slave, std::uint16_t position);
+/// One command, an InitCmd or an IdentifyCmd.
+[[nodiscard]] InitCmd read_init_cmd(const EniElement& element);
 [[nodiscard]] std::vector<InitCmd> read_init_cmds(const EniElement& init_cmds);
 [[nodiscard]] CyclicTask read_cyclic(const EniElement& cyclic);
 [[nodiscard]] ProcessImage read_process_image(const EniElement& image);

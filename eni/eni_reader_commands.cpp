@@ -38,18 +38,6 @@ std::optional<InitCmdValidate> read_validate(const EniElement& element) {
                          element.number_of<std::uint32_t>("Timeout")};
 }
 
-InitCmd read_init_cmd(const EniElement& element) {
-  InitCmd cmd;
-  cmd.transitions = read_transitions(element);
-  cmd.before_slave = element.boolean_of("BeforeSlave");
-  cmd.requires_cycle = element.text_of("Requires") == "cycle";
-  read_datagram(element, cmd);
-  cmd.retries = element.number_of<std::uint32_t>("Retries");
-  cmd.validate = read_validate(element.child("Validate"));
-  cmd.timeout_ms = element.optional_number_of<std::uint32_t>("Timeout");
-  return cmd;
-}
-
 std::vector<AlState> read_states(const EniElement& element) {
   std::vector<AlState> states;
   for (const EniElement& state : element.children("State")) {
@@ -99,6 +87,18 @@ std::vector<Transition> read_transitions(const EniElement& cmd) {
     }
   }
   return transitions;
+}
+
+InitCmd read_init_cmd(const EniElement& element) {
+  InitCmd cmd;
+  cmd.transitions = read_transitions(element);
+  cmd.before_slave = element.boolean_of("BeforeSlave");
+  cmd.requires_cycle = element.text_of("Requires") == "cycle";
+  read_datagram(element, cmd);
+  cmd.retries = element.number_of<std::uint32_t>("Retries");
+  cmd.validate = read_validate(element.child("Validate"));
+  cmd.timeout_ms = element.optional_number_of<std::uint32_t>("Timeout");
+  return cmd;
 }
 
 std::vector<InitCmd> read_init_cmds(const EniElement& init_cmds) {

@@ -170,6 +170,19 @@ std::optional<MailboxConfig> read_mailbox(const EniElement& element) {
   return mailbox;
 }
 
+std::optional<HotConnectConfig> read_hot_connect(const EniElement& element) {
+  if (!element) {
+    return std::nullopt;
+  }
+  HotConnectConfig group;
+  group.group = element.text_of("GroupName");
+  group.member_count = std::max<std::uint16_t>(1, element.number_of<std::uint16_t>("GroupMemberCnt", 1));
+  for (const EniElement& command : element.children("IdentifyCmd")) {
+    group.identify_cmds.push_back(read_init_cmd(command));
+  }
+  return group;
+}
+
 std::optional<SlaveDcConfig> read_dc(const EniElement& element) {
   SlaveDcConfig dc;
   dc.potential_reference_clock = element.boolean_of("PotentialReferenceClock");
@@ -192,6 +205,7 @@ SlaveConfig read_slave(const EniElement& element, std::uint16_t position) {
   read_process_data(element.child("ProcessData"), slave);
   slave.mailbox = read_mailbox(element.child("Mailbox"));
   slave.init_cmds = read_init_cmds(element.child("InitCmds"));
+  slave.hot_connect = read_hot_connect(element.child("HotConnect"));
   slave.dc = read_dc(element.child("DC"));
   derive_slave(slave);
   return slave;

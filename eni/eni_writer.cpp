@@ -33,6 +33,16 @@ void write_previous(EniText& out, const PreviousPort& previous, const std::vecto
   out.close();
 }
 
+void write_hot_connect(EniText& out, const HotConnectConfig& group) {
+  out.open("HotConnect");
+  out.text("GroupName", group.group);
+  out.number("GroupMemberCnt", group.member_count);
+  for (const auto& command : group.identify_cmds) {
+    write_init_cmd(out, command, "IdentifyCmd");
+  }
+  out.close();
+}
+
 void write_info(EniText& out, const SlaveConfig& slave) {
   out.open("Info");
   out.text("Name", slave.name);
@@ -88,6 +98,9 @@ void write_slave(EniText& out, const SlaveConfig& slave, const std::vector<Slave
   write_init_cmds(out, slave.init_cmds);
   if (slave.previous) {
     write_previous(out, *slave.previous, all);
+  }
+  if (slave.hot_connect) {
+    write_hot_connect(out, *slave.hot_connect);
   }
   write_dc(out, slave.dc);
   out.close();

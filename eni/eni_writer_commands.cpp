@@ -32,35 +32,6 @@ void write_validate(EniText& out, const InitCmdValidate& validate) {
   out.close();
 }
 
-void write_init_cmd(EniText& out, const InitCmd& cmd) {
-  out.open("InitCmd");
-  for (const Transition transition : cmd.transitions) {
-    out.text("Transition", transition_name(transition));
-  }
-  if (cmd.before_slave) {
-    out.boolean("BeforeSlave", true);
-  }
-  if (!cmd.comment.empty()) {
-    out.text("Comment", cmd.comment);
-  }
-  if (cmd.requires_cycle) {
-    out.text("Requires", "cycle");
-  }
-  out.number("Cmd", static_cast<std::uint32_t>(cmd.command));
-  write_address(out, cmd.command, cmd.adp, cmd.ado, cmd.logical_address);
-  write_payload(out, cmd.data, cmd.data_length);
-  if (cmd.expected_wkc) {
-    out.number("Cnt", *cmd.expected_wkc);
-  }
-  out.number("Retries", cmd.retries);
-  if (cmd.validate) {
-    write_validate(out, *cmd.validate);
-  } else if (cmd.timeout_ms) {
-    out.number("Timeout", *cmd.timeout_ms);
-  }
-  out.close();
-}
-
 void write_cyclic_cmd(EniText& out, const CyclicCmd& cmd) {
   out.open("Cmd");
   for (const AlState state : cmd.states) {
@@ -112,13 +83,42 @@ void write_variables(EniText& out, std::string_view element, std::uint32_t bytes
 
 }  // namespace
 
+void write_init_cmd(EniText& out, const InitCmd& cmd, const char* element) {
+  out.open(element);
+  for (const Transition transition : cmd.transitions) {
+    out.text("Transition", transition_name(transition));
+  }
+  if (cmd.before_slave) {
+    out.boolean("BeforeSlave", true);
+  }
+  if (!cmd.comment.empty()) {
+    out.text("Comment", cmd.comment);
+  }
+  if (cmd.requires_cycle) {
+    out.text("Requires", "cycle");
+  }
+  out.number("Cmd", static_cast<std::uint32_t>(cmd.command));
+  write_address(out, cmd.command, cmd.adp, cmd.ado, cmd.logical_address);
+  write_payload(out, cmd.data, cmd.data_length);
+  if (cmd.expected_wkc) {
+    out.number("Cnt", *cmd.expected_wkc);
+  }
+  out.number("Retries", cmd.retries);
+  if (cmd.validate) {
+    write_validate(out, *cmd.validate);
+  } else if (cmd.timeout_ms) {
+    out.number("Timeout", *cmd.timeout_ms);
+  }
+  out.close();
+}
+
 void write_init_cmds(EniText& out, const std::vector<InitCmd>& cmds) {
   if (cmds.empty()) {
     return;
   }
   out.open("InitCmds");
   for (const auto& cmd : cmds) {
-    write_init_cmd(out, cmd);
+    write_init_cmd(out, cmd, "InitCmd");
   }
   out.close();
 }

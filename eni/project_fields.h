@@ -35,6 +35,9 @@ class FieldWriter {
   }
   void attribute(const char* name, const DcmMode& mode) { xml_.attribute(name, dcm_mode_name(mode)); }
   void attribute(const char* name, const std::array<std::uint8_t, 6>& mac) { xml_.attribute(name, hex_bytes(mac)); }
+  void attribute(const char* name, const std::string& value) {
+    if (!value.empty()) xml_.attribute(name, value);
+  }
   void text(const char* name, const std::string& value) { xml_.element(name, value); }
   void indices(const char* name, const std::vector<std::uint16_t>& values) {
     std::string text;
@@ -81,6 +84,9 @@ class FieldReader {
   template <class T>
   void attribute(const char* name, std::optional<T>& value) {
     value = node_.number<T>(name);
+  }
+  void attribute(const char* name, std::string& value) {
+    if (node_.has(name)) value = node_.attribute(name);
   }
   void attribute(const char* name, DcmMode& mode) {
     if (!node_.has(name)) return;

@@ -496,6 +496,18 @@
             <translation>Diagnosemeldung %1, Text %2, Zeitstempel %3 ns</translation>
         </message>
         <message>
+            <source>Connected (hot-connect group %1)</source>
+            <translation>Angesteckt (Hot-Connect-Gruppe %1)</translation>
+        </message>
+        <message>
+            <source>Disconnected (hot-connect group %1)</source>
+            <translation>Abgesteckt (Hot-Connect-Gruppe %1)</translation>
+        </message>
+        <message>
+            <source>Not there yet (hot-connect group %1)</source>
+            <translation>Noch nicht da (Hot-Connect-Gruppe %1)</translation>
+        </message>
+        <message>
             <source>Scan finished</source>
             <translation>Scan beendet</translation>
         </message>

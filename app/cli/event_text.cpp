@@ -42,6 +42,7 @@ std::string_view kind_name(EventKind kind) {
     case EventKind::kRecovery: return "recovery";
     case EventKind::kUnknownSlave: return "unknown_slave";
     case EventKind::kDiagnosis: return "diagnosis";
+    case EventKind::kHotConnect: return "hot_connect";
     case EventKind::kDelayFinding: return "delay_finding";
     case EventKind::kDelaysMeasured: return "delays_measured";
     default: return "other";
@@ -125,6 +126,9 @@ std::string words(const Event& e) {
     case EventKind::kRecovery: return fmt::format("{}: {} (try {})", who(e.slave), recovery_text(e.a), e.b);
     case EventKind::kUnknownSlave: return fmt::format("unknown device at position {}: {}", e.slave, e.text);
     case EventKind::kDiagnosis: return diagnosis(e);
+    case EventKind::kHotConnect:
+      return fmt::format("{}: {} (hot-connect group \"{}\")", who(e.slave),
+                         e.a == 1 ? "connected" : e.a == 0 ? "disconnected" : "not there yet", e.text);
     case EventKind::kDelayFinding:
       return fmt::format("{}: {}", who(e.slave), delay_warning_text(static_cast<dc::DelayWarning>(e.a), e.b));
     case EventKind::kDelaysMeasured:

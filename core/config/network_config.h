@@ -108,6 +108,18 @@ struct SlaveDcConfig {
   bool operator==(const SlaveDcConfig&) const = default;
 };
 
+/// ENI Slave/HotConnect: this slave and those of its group that follow it may be absent, and may be connected anywhere.
+struct HotConnectConfig {
+  std::string group;
+  std::uint16_t member_count = 1;       // slaves of the group, this one being the first
+  /// By which it is known: commands to the device at a position, that read and validate its alias (0x0012) or its
+  /// explicit device ID.
+  std::vector<InitCmd> identify_cmds;
+  bool operator==(const HotConnectConfig&) const = default;
+  /// When the alias is what they compare.
+  [[nodiscard]] std::optional<std::uint16_t> alias() const;
+};
+
 struct SlaveConfig {
   std::string name;
   std::uint16_t station_address = 0;
@@ -121,6 +133,7 @@ struct SlaveConfig {
   std::optional<MailboxConfig> mailbox;
   std::vector<InitCmd> init_cmds;
   std::optional<PreviousPort> previous;
+  std::optional<HotConnectConfig> hot_connect;
   /// Present when DC is used.
   std::optional<SlaveDcConfig> dc;
   StateTimeouts timeouts;
@@ -211,6 +224,8 @@ struct NetworkConfig {
   [[nodiscard]] Nanoseconds cycle_time() const { return cyclic.empty() ? kMillisecond : cyclic.front().cycle_time; }
   /// Position of the slave whose DC element says ReferenceClock, if any.
   [[nodiscard]] std::optional<std::uint16_t> reference_clock() const;
+  /// First slave of the hot-connect group that this slave belongs to, if any.
+  [[nodiscard]] std::optional<std::size_t> hot_connect_head(std::size_t slave) const;
 };
 
 }  // namespace syncline

@@ -135,6 +135,9 @@ struct SlaveSettings {
   DeviceDescription device;
   std::optional<PreviousPort> previous;       // empty on the first slave
   IdentityCheck check;
+  /// Name of the hot-connect group that this slave and those behind it form: they may be absent and be plugged in
+  /// anywhere, and are known by this slave's alias. Empty: the slave has its place.
+  std::string hot_connect;
   std::vector<std::uint16_t> assigned_rx_pdos, assigned_tx_pdos;
   /// Changed mappings of PDOs that are not fixed; others as in the device.
   std::vector<Pdo> changed_pdos;

@@ -23,7 +23,9 @@ class Matcher {
   }
 
   BusMatch run() {
+    take_identified();
     take_where([](const WantedDevice& w, const FoundDevice& f) { return w.alias != 0 && w.alias == f.alias; });
+    take_groups();
     find_swapped();
     take_in_order();
     find_wrong();
@@ -39,6 +41,29 @@ class Matcher {
     open_found_.erase(open_found_.begin() + static_cast<std::ptrdiff_t>(f));
   }
   [[nodiscard]] bool fits(std::uint16_t w, std::uint16_t f) const { return is_same_device(wanted_[w], found_[f]); }
+
+  /// Devices of hot-connect groups stand anywhere and take no part in what follows.
+  void take_identified() {
+    for (std::size_t w = open_wanted_.size(); w-- > 0;) {
+      const auto f = std::ranges::find_if(open_found_, [&](auto i) { return found_[i].identified_as == open_wanted_[w]; });
+      if (f != open_found_.end()) take(w, static_cast<std::size_t>(f - open_found_.begin()));
+    }
+  }
+  void take_groups() {
+    const Open candidates = open_wanted_;
+    for (const auto w : candidates) {
+      if (!wanted_[w].optional) continue;
+      const auto& before = wanted_[w].follows;
+      const auto place = before ? match_.position[*before] : std::nullopt;
+      const auto behind = static_cast<std::uint16_t>(place.value_or(0) + 1);
+      if (place && std::ranges::find(open_found_, behind) != open_found_.end() && fits(w, behind)) {
+        this->place(w, behind);
+      } else {
+        match_.absent.push_back(w);
+        std::erase(open_wanted_, w);
+      }
+    }
+  }
 
   template <class Belongs>
   void take_where(Belongs belongs) {
@@ -89,10 +114,10 @@ class Matcher {
     if (wanted_.size() != found_.size()) return;
     for (std::size_t n = 0; n < wanted_.size(); ++n) {
       const auto a = static_cast<std::uint16_t>(n);
-      if (fits(a, a)) continue;
+      if (fits(a, a) || wanted_[n].optional) continue;
       for (std::size_t i = a + 1U; i < wanted_.size(); ++i) {
         const auto b = static_cast<std::uint16_t>(i);
-        if (fits(b, b) || !fits(a, b) || !fits(b, a) || match_.position[a] || match_.position[b]) continue;
+        if (wanted_[i].optional || fits(b, b) || !fits(a, b) || !fits(b, a) || match_.position[a] || match_.position[b]) continue;
         match_.swapped.emplace_back(a, b);
         place(a, b);
         place(b, a);

@@ -189,6 +189,7 @@ enum class EventKind : std::uint8_t {
   kWkcExpected,         // a = by the configuration, b = now, without slaves that are lost or below SAFEOP
   kRecovery,            // slave, a = 0 begun, 1 done, 2 failed, 3 given up; b = number of this try
   kUnknownSlave,        // slave = position on the bus, text = identity: it is none of the configuration's
+  kHotConnect,          // slave of a group, a = 1 connected, 0 disconnected, 2 not there at the start; text = the group
   kDiagnosis,           // slave: new in its history 0x10F3; a = diag code, b = type (0 info, 1 warning, 2 error) and
                         // text ID in bits 31..16, c = time stamp in ns (DC system time, or since power-on; 0 none)
   kDelayFinding,        // slave, a = dc::DelayWarning, b = its value: what the delay measurement stumbled over

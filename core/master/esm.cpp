@@ -34,7 +34,9 @@ Status Esm::reset() {
   const auto count = count_slaves(bus_);
   if (!count) return tl::unexpected(count.error());
   if (*count == 0) return fail(ErrorCode::kNoResponse, bus_.exchange().link().describe().name);
-  if (*count != expected) {
+  const auto& slaves = run_.config().slaves;
+  const bool groups = std::ranges::any_of(slaves, [](const SlaveConfig& slave) { return slave.hot_connect.has_value(); });
+  if (*count != expected || groups) {
     if (auto status = look_at_bus(*count); !status) return status;
   }
   // First with the acknowledge, for slaves in error; then without, because an ESC that emulates its
@@ -82,19 +84,24 @@ Status Esm::look_at_bus(std::uint16_t count) {
 
 Status Esm::tell_differences(std::uint16_t count, Status status) {
   const auto& config = run_.config();
-  const auto found = survey_bus(bus_, count);
+  auto found = survey_bus(bus_, count);
   if (!found) return tl::unexpected(found.error());
+  if (auto known = identify_groups(bus_, config, *found); !known) return known;
   std::vector<WantedDevice> wanted;
-  for (const auto& slave : config.slaves) wanted.push_back(wanted_device(slave));
+  for (std::size_t i = 0; i < config.slaves.size(); ++i) wanted.push_back(wanted_device(config, i));
   const auto match = match_bus(wanted, *found);
   for (const auto& error : explain(match, config, *found)) run_.error(error, bus_.clock().now());
-  const bool usable = match.swapped.empty() && match.wrong.empty() && match.missing.size() < config.slaves.size();
+  const bool any = match.missing.size() + match.absent.size() < config.slaves.size();
+  const bool usable = match.swapped.empty() && match.wrong.empty() && any;
   const bool size = !status && status.error().code == ErrorCode::kSlaveCount;
-  if (!config.recovery.start_incomplete || !usable || !size) return status;
+  // Hot-connect groups may be absent; others only where the user said so.
+  const bool complete = match.missing.empty() && match.extra.empty();
+  if (!usable || !size || (!complete && !config.recovery.start_incomplete)) return status;
   for (std::size_t i = 0; i < config.slaves.size(); ++i) {
     missing_[i] = !match.position[i].has_value();
     if (match.position[i]) commands_.set_position(i, *match.position[i]);
   }
+  for (const auto slave : match.absent) run_.hot_connect(slave, 2, bus_.clock().now());
   return {};
 }
 

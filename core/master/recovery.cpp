@@ -32,12 +32,19 @@ Status Recovery::after_cycle() {
   if (now < next_look_) return {};
   next_look_ = now + kLookPeriod;
   look();
-  const bool unknown = run_.config().recovery.automatic && task_.slaves().answering().value_or(0) > present_count() &&
-                       std::ranges::any_of(tracks_, [&](const Track& t) { return t.returning && !t.given_up && now >= t.next_try; });
+  const auto due_again = [&](std::size_t i) { return comes_back(i) && !tracks_[i].given_up && now >= tracks_[i].next_try; };
+  bool waiting = false;
+  for (std::size_t i = 0; !waiting && i < tracks_.size(); ++i) waiting = due_again(i);
+  const bool unknown = task_.slaves().answering().value_or(0) > present_count() && waiting;
   bool any = unknown;
   for (std::size_t i = 0; !any && i < tracks_.size(); ++i) any = due(i, now);
   if (!any || task_.slaves().refreshing()) return {};
   return work(false, esm_.level());
+}
+
+/// Was away, and is set up again without a command of the user: always so in a hot-connect group.
+bool Recovery::comes_back(std::size_t slave) const {
+  return tracks_[slave].returning && (run_.config().recovery.automatic || run_.config().hot_connect_head(slave));
 }
 
 /// Keeps the tracks up to date.
@@ -70,7 +77,7 @@ bool Recovery::wants_help(std::size_t slave) const {
 bool Recovery::due(std::size_t slave, Nanoseconds now) const {
   const auto& track = tracks_[slave];
   if (track.given_up || now < track.next_try || !wants_help(slave)) return false;
-  if (track.returning) return run_.config().recovery.automatic;
+  if (track.returning) return comes_back(slave);
   const bool error = (run_.snapshot.slaves[slave].al_status & kAlErrorFlag) != 0;
   return error && track.tries < run_.config().recovery.error_tries;
 }
@@ -129,15 +136,18 @@ void Recovery::tell(std::size_t slave, int stage) {
 /// place between the known ones, by identity and alias.
 Status Recovery::locate(SlaveList& found) {
   if (task_.slaves().answering().value_or(0) <= present_count()) return {};
-  const auto survey = survey_bus(bus_, *task_.slaves().answering(),
-                                 [this](std::uint16_t station) { return known_by(station).has_value(); });
+  const auto is_known = [this](std::uint16_t station) { return known_by(station).has_value(); };
+  auto survey = survey_bus(bus_, *task_.slaves().answering(), is_known);
   if (!survey) return tl::unexpected(survey.error());
-  const auto& devices = *survey;
+  auto& devices = *survey;
+  if (auto status = identify_groups(bus_, run_.config(), devices, is_known); !status) return status;
+  match_groups(devices, found);
   std::vector<std::uint16_t> wanted, positions;
   std::size_t next = 0;  // first slave of the configuration behind the last known one
   const auto close_gap = [&](std::size_t end) {
     for (; next < end; ++next) {
-      if (!run_.snapshot.slaves[next].present) wanted.push_back(static_cast<std::uint16_t>(next));
+      if (run_.snapshot.slaves[next].present || run_.config().hot_connect_head(next)) continue;
+      wanted.push_back(static_cast<std::uint16_t>(next));
     }
     match_gap(wanted, positions, devices, found);
     wanted.clear();
@@ -145,6 +155,7 @@ Status Recovery::locate(SlaveList& found) {
   };
   for (std::size_t position = 0; position < devices.size(); ++position) {
     const auto known = known_by(devices[position].station_address);
+    if (known ? run_.config().hot_connect_head(*known).has_value() : devices[position].identified_as.has_value()) continue;  // stands anywhere
     if (!known) {
       positions.push_back(static_cast<std::uint16_t>(position));
       continue;
@@ -156,6 +167,36 @@ Status Recovery::locate(SlaveList& found) {
   }
   close_gap(run_.config().slaves.size());
   return {};
+}
+
+void Recovery::place(std::size_t slave, std::uint16_t position, SlaveList& found) {
+  esm_.commands().set_position(slave, position);
+  if (!tracks_[slave].given_up) found.push_back(slave);
+}
+
+/// Hot-connect groups, wherever they were connected. What belongs to one is marked as identified.
+void Recovery::match_groups(std::vector<FoundDevice>& devices, SlaveList& found) {
+  const auto& config = run_.config();
+  const auto open = [&](std::size_t at, std::size_t slave) {
+    return at < devices.size() && !known_by(devices[at].station_address) && is_same_device(wanted_device(config, slave), devices[at]);
+  };
+  for (std::size_t head = 0; head < config.slaves.size(); ++head) {
+    const auto& group = config.slaves[head].hot_connect;
+    if (!group || run_.snapshot.slaves[head].present) continue;
+    const auto alias = group->alias();
+    std::size_t at = 0;
+    const auto is_head = [&] {
+      if (alias) return devices[at].alias == *alias && open(at, head);
+      return devices[at].identified_as == head;
+    };
+    while (at < devices.size() && !is_head()) ++at;
+    if (at == devices.size()) continue;
+    const auto members = std::min<std::size_t>(group->member_count, config.slaves.size() - head);
+    for (std::size_t n = 0; n < members && open(at + n, head + n); ++n) {
+      devices[at + n].identified_as = static_cast<std::uint16_t>(head + n);
+      place(head + n, static_cast<std::uint16_t>(at + n), found);
+    }
+  }
 }
 
 /// The slave that is there and has this station address.
@@ -171,13 +212,12 @@ void Recovery::match_gap(std::span<const std::uint16_t> wanted, std::span<const 
                          std::span<const FoundDevice> devices, SlaveList& found) {
   std::vector<WantedDevice> want;
   std::vector<FoundDevice> there;
-  for (const auto slave : wanted) want.push_back(wanted_device(run_.config().slaves[slave]));
+  for (const auto slave : wanted) want.push_back(wanted_device(run_.config(), slave));
   for (const auto position : positions) there.push_back(devices[position]);
   const auto match = match_bus(want, there);
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     if (!match.position[i]) continue;
-    esm_.commands().set_position(wanted[i], positions[*match.position[i]]);
-    if (!tracks_[wanted[i]].given_up) found.push_back(wanted[i]);
+    place(wanted[i], positions[*match.position[i]], found);
   }
   for (std::size_t i = 0; i < there.size(); ++i) {
     const bool taken = std::ranges::any_of(match.position, [&](const auto& p) { return p == i; });

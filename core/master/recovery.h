@@ -42,6 +42,9 @@ class Recovery {
   [[nodiscard]] bool wants_help(std::size_t slave) const;
   Status work(bool on_command, AlState target);
   Status locate(SlaveList& found);
+  void match_groups(std::vector<FoundDevice>& devices, SlaveList& found);
+  void place(std::size_t slave, std::uint16_t position, SlaveList& found);
+  [[nodiscard]] bool comes_back(std::size_t slave) const;
   [[nodiscard]] std::optional<std::size_t> known_by(std::uint16_t station) const;
   void match_gap(std::span<const std::uint16_t> wanted, std::span<const std::uint16_t> positions,
                  std::span<const FoundDevice> devices, SlaveList& found);

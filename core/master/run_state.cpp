@@ -67,6 +67,19 @@ void RunState::emergency(std::size_t slave, const coe::Emergency& emergency, Nan
   event(EventKind::kEmergency, time, static_cast<int>(slave), emergency.error_code, emergency.error_register, data);
 }
 
+bool RunState::hot_connect(std::size_t slave, int what, Nanoseconds time) {
+  const auto head = config_.hot_connect_head(slave);
+  if (!head) return false;
+  Event event;
+  event.kind = EventKind::kHotConnect;
+  event.time = time;
+  event.slave = static_cast<int>(slave);
+  event.a = what;
+  event.text = config_.slaves[*head].hot_connect->group;
+  channels_.events.push(std::move(event));
+  return true;
+}
+
 MailboxPort RunState::port_of(std::size_t slave) const {
   auto port = mailbox_port(config_.slaves[slave]);
   port.full = [this, slave] { return mailbox_full[slave]; };
@@ -89,7 +102,8 @@ void RunState::set_al_status(std::size_t slave, std::uint16_t status, std::uint1
 void RunState::set_present(std::size_t slave, bool present, Nanoseconds time) {
   auto& known = snapshot.slaves[slave];
   if (std::exchange(known.present, present) == present) return;
-  event(present ? EventKind::kSlaveFound : EventKind::kSlaveLost, time, static_cast<int>(slave));
+  const bool told = hot_connect(slave, present ? 1 : 0, time);
+  if (!told) event(present ? EventKind::kSlaveFound : EventKind::kSlaveLost, time, static_cast<int>(slave));
   if (!present) {
     known.deviation_valid = false;
     known.sm2_missed.valid = false;

@@ -31,6 +31,8 @@ class RunState {
              std::int64_t c = 0);
   void error(const Error& error, Nanoseconds time);
   void emergency(std::size_t slave, const coe::Emergency& emergency, Nanoseconds time);
+  /// Tells of a slave that comes and goes as it likes; false when it is none.
+  bool hot_connect(std::size_t slave, int what, Nanoseconds time);
   /// The slave's mailbox with its bit in the process image.
   [[nodiscard]] MailboxPort port_of(std::size_t slave) const;
   /// Takes over a reading of AL status and code; tells changes and new errors.

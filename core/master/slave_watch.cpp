@@ -140,6 +140,7 @@ void SlaveWatch::finish_sweep(Nanoseconds time) {
 void SlaveWatch::tell_cables(Nanoseconds time, bool healed) {
   for (std::size_t i = 0; i < al_.size(); ++i) {
     const auto& previous = run_.config().slaves[i].previous;
+    if (run_.config().hot_connect_head(i)) continue;  // its cable is meant to be plugged and pulled
     if (!previous || previous->position >= al_.size() || !al_[previous->position].present()) continue;
     const DlStatus near{load_le<std::uint16_t>(al_[previous->position].dl_bytes)};
     const bool dead = !near.active(previous->port);

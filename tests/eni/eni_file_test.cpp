@@ -34,6 +34,7 @@ Project full_machine() {
   auto& servo = project.slaves[4];
   servo.name = "Vorsch\xC3\xBC" "be";
   servo.alias = 77;
+  servo.hot_connect = "Trolley";
   servo.previous = PreviousPort{0, 2};
   servo.device.identity.vendor_id = 0x80000001;
   servo.device.identity.product_code = 0xFFFFFFFF;

@@ -230,6 +230,60 @@ TEST_F(Disturbance, ABusMayStartWithoutSlavesThatJoinLater) {
   EXPECT_EQ(samples.back().wkc_received, 12) << log();
 }
 
+/// Slaves 3 and 4 form a group that is plugged into the last port of the line at 6 s and pulled at 12 s.
+TEST_F(Disturbance, AHotConnectGroupComesAndGoesWithoutAnError) {
+  ASSERT_GE(network.project.slaves.size(), 4U);
+  const auto head = network.project.slaves.size() - 2;
+  network.project.slaves[head].alias = 77;
+  network.project.slaves[head].hot_connect = "Trolley";
+  network.sim.slaves[head].alias = 77;
+  fault(FaultKind::kCableBreak, static_cast<int>(head), 0, 6 * kSecond);
+  fault(FaultKind::kCableBreak, static_cast<int>(head), 15 * kSecond, 60 * kSecond);
+  go_online();
+  ASSERT_TRUE(service->online()) << log();
+  EXPECT_EQ(snapshot.state, AlState::kOp) << log();
+  EXPECT_FALSE(snapshot.slaves[head].present);
+  EXPECT_EQ(count(EventKind::kHotConnect), 2U) << log();
+  EXPECT_EQ(count(EventKind::kError), 0U) << log();
+  run_until(5 * kSecond);
+  EXPECT_EQ(samples.back().wkc_received, samples.back().wkc_expected) << log();
+  events.clear();
+  run_until(14 * kSecond);
+  for (const auto& slave : snapshot.slaves) EXPECT_EQ(slave.al_status, 8) << log();
+  EXPECT_LT(first(EventKind::kHotConnect, static_cast<int>(head), 1), events.size()) << log();
+  EXPECT_EQ(snapshot.wkc_errors, 0U) << log();
+  events.clear();
+  run_until(20 * kSecond);
+  EXPECT_LT(first(EventKind::kHotConnect, static_cast<int>(head), 0), events.size()) << log();
+  EXPECT_EQ(count(EventKind::kSlaveLost) + count(EventKind::kError) + count(EventKind::kStateChanged, 0), 0U) << log();
+  EXPECT_EQ(snapshot.slaves[0].al_status, 8) << log();
+}
+
+/// The group is plugged in behind another slave than the one behind which it was configured.
+TEST_F(Disturbance, AHotConnectGroupIsKnownByItsAliasWhereverItStands) {
+  const auto head = network.project.slaves.size() - 1;
+  network.project.slaves[head].alias = 77;
+  network.project.slaves[head].hot_connect = "Trolley";
+  network.sim.slaves[head].alias = 77;
+  network.sim.slaves[head].parent = 0;       // at port D of the first, in front of the others
+  network.sim.slaves[head].parent_port = 3;
+  auto moved = std::move(network.sim.slaves.back());
+  network.sim.slaves.pop_back();
+  for (auto& slave : network.sim.slaves) {
+    if (slave.parent && *slave.parent >= 1) ++*slave.parent;
+  }
+  network.sim.slaves.insert(network.sim.slaves.begin() + 1, std::move(moved));
+  fault(FaultKind::kCableBreak, 1, 0, 6 * kSecond);
+  go_online();
+  ASSERT_TRUE(service->online()) << log();
+  EXPECT_FALSE(snapshot.slaves[head].present);
+  run_until(20 * kSecond);
+  for (const auto& slave : snapshot.slaves) EXPECT_EQ(slave.al_status, 8) << log();
+  EXPECT_TRUE(snapshot.slaves[head].present);
+  EXPECT_EQ(count(EventKind::kError), 0U) << log();
+  EXPECT_EQ(samples.back().wkc_received, samples.back().wkc_expected) << log();
+}
+
 TEST_F(Disturbance, ALostReferenceClockIsNeverInSync) {
   fault(FaultKind::kSlaveOff, 0, 6 * kSecond, 8 * kSecond);
   go_online();

@@ -251,6 +251,7 @@ class RandomProject {
     s.name = name();
     s.station_address = number<std::uint16_t>(1, 0xFFFF);
     s.alias = number<std::uint16_t>(0, 0xFFFF);
+    if (s.alias % 4 == 1) s.hot_connect = name();
     if (position > 0 && !chance(4)) s.previous = PreviousPort{number<std::uint16_t>(0, position - 1), number<std::uint8_t>(0, 3)};
     s.check = {chance(2), chance(2), chance(2), chance(2)};
     s.assigned_rx_pdos = assignment(s.device.rx_pdos);

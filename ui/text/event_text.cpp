@@ -163,6 +163,12 @@ std::optional<Message> Words::make(const Event& event) {
       return emergency(event);
     case EventKind::kDiagnosis:
       return diagnosis(event);
+    case EventKind::kHotConnect: {
+      const auto text = event.a == 1   ? tr("Connected (hot-connect group %1)")
+                        : event.a == 0 ? tr("Disconnected (hot-connect group %1)")
+                                       : tr("Not there yet (hot-connect group %1)");
+      return line(Severity::kInfo, text.arg(QString::fromStdString(event.text)));
+    }
     case EventKind::kRealTime:
       return line(Severity::kWarning, tr("Best effort instead of real time: %1").arg(QString::fromStdString(event.text)));
     case EventKind::kError:

@@ -10,6 +10,7 @@
 #include "config/compile/dc_plan.h"
 #include "config/compile/findings.h"
 #include "config/compile/fmmu_plan.h"
+#include "config/compile/hot_connect_plan.h"
 #include "config/compile/mailbox_plan.h"
 #include "config/compile/master_init_cmds.h"
 #include "config/compile/pdo_assignment.h"
@@ -173,6 +174,7 @@ Result<CompileResult> compile(const Project& project, const CompileOptions& opti
   for (SlavePlan& plan : plans) {
     plan.fmmus = plan_fmmus(plan);
     config.slaves.push_back(slave_config(plan, project.master.cycle_time, options.dialect));
+    config.slaves.back().hot_connect = plan_hot_connect(project, plan.position);
   }
   config.master = master_config(project.master, plans, cyclic_settings.mailbox_state_count);
   if (config.dc.dcm.standard_loop_values) {

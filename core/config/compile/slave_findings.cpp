@@ -29,6 +29,18 @@ void check_memory(FindingList& findings, const SlavePlan& slave) {
   }
 }
 
+void check_hot_connect(FindingList& findings, const SlavePlan& slave) {
+  const auto& settings = *slave.settings;
+  if (settings.hot_connect.empty()) return;
+  if (settings.alias == 0) {
+    findings.error("alias", "The first slave of a hot-connect group is known by its alias; it has none. Write one to its "
+                            "EEPROM (synclinectl sii alias) and set it here.");
+  }
+  if (slave.position == 0) {
+    findings.error("hot_connect", "The first slave of the bus cannot be in a hot-connect group: nobody could be in front of it.");
+  }
+}
+
 void check_mailbox(FindingList& findings, const SlavePlan& slave) {
   constexpr std::uint16_t kMailboxHeader = 6;
   if (slave.device().mailbox && !slave.mailbox) {
@@ -104,6 +116,7 @@ void find_slave_problems(std::vector<Finding>& out, const Project& project, cons
   FindingList findings(out, slave.position);
   find_pdo_problems(findings, slave);
   check_memory(findings, slave);
+  check_hot_connect(findings, slave);
   check_mailbox(findings, slave);
   check_dc(findings, project, slave);
   check_interpolation_time(findings, project, slave);

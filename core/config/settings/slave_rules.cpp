@@ -76,6 +76,31 @@ Rule previous_rule() {
   return rule;
 }
 
+/// Name of a group, or none.
+Rule hot_connect_rule() {
+  Rule rule{.key = "slave.N.hot_connect",
+            .type = "name",
+            .range = "none, name of the group",
+            .meaning = "This slave and those behind it may be absent and be plugged in anywhere, known by this slave's alias.",
+            .get = {},
+            .set = {}};
+  rule.get = [](const Project& project, const Place& place) {
+    const auto& group = at(project, place).hot_connect;
+    return group.empty() ? std::string(kNone) : group;
+  };
+  rule.set = [](Project& project, const Place& place, std::string_view text) -> Status {
+    if (text == kNone) {
+      at(project, place).hot_connect.clear();
+      return {};
+    }
+    const auto name = NameCodec{}.parse(text);
+    if (!name) return tl::unexpected(name.error());
+    at(project, place).hot_connect = *name;
+    return {};
+  };
+  return rule;
+}
+
 struct FactorCodec : IntegerCodec<int> {
   FactorCodec() : IntegerCodec<int>{-1000, 1000} {}
   [[nodiscard]] static std::string range() { return "-1000..-1, 1..1000"; }
@@ -117,6 +142,7 @@ std::vector<Rule> identity_rules() {
       field_rule("slave.N.alias", "Address in the slave's EEPROM (0x0012); 0 is none.", IntegerCodec<std::uint16_t>{0, 65'535},
                  [](auto& p, const Place& place) -> auto& { return at(p, place).alias; }),
       previous_rule(),
+      hot_connect_rule(),
       check("vendor", &IdentityCheck::vendor),
       check("product", &IdentityCheck::product),
       check("revision", &IdentityCheck::revision),

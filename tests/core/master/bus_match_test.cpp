@@ -35,6 +35,20 @@ TEST(BusMatch, NamesTheMissingSlaveAndWhereTheOthersAre) {
   EXPECT_THAT(match.position, ElementsAre(0, std::nullopt, 1, 2));
 }
 
+TEST(BusMatch, AHotConnectGroupMayBeAbsentAndStandAnywhere) {
+  auto want = wanted({1, 2, 3, 2});
+  want[1].optional = want[2].optional = true;  // a group of two with the alias 77
+  want[1].alias = 77;
+  want[2].follows = 1;
+  const auto absent = match_bus(want, found({1, 2}));
+  EXPECT_THAT(absent.position, ElementsAre(0, std::nullopt, std::nullopt, 1));
+  EXPECT_THAT(absent.absent, ElementsAre(1, 2));
+  EXPECT_TRUE(absent.exact()) << "the other of its kind has no such alias, and nobody is missing";
+  auto there = found({1, 2, 2, 3});
+  there[2].alias = 77;
+  EXPECT_THAT(match_bus(want, there).position, ElementsAre(0, 2, 3, 1));
+}
+
 TEST(BusMatch, NamesTheExtraDevice) {
   const auto match = match_bus(wanted({1, 2, 3}), found({1, 2, 9, 3}));
   EXPECT_THAT(match.extra, ElementsAre(2));

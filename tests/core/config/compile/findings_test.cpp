@@ -49,6 +49,17 @@ TEST(Findings, AssignmentOfADeviceThatCannotBeTold) {
   EXPECT_THAT(found(project), ElementsAre("warning slave.1.pdo.tx"));
 }
 
+TEST(Findings, HotConnectGroups) {
+  Project project = sample::small_machine();
+  project.slaves[3].hot_connect = "Trolley";
+  EXPECT_THAT(found(project), ElementsAre("error slave.3.alias"));
+  project.slaves[3].alias = 5;
+  EXPECT_THAT(found(project), IsEmpty());
+  project.slaves[0].hot_connect = "All";
+  project.slaves[0].alias = 6;
+  EXPECT_THAT(found(project), ElementsAre("error slave.0.hot_connect"));
+}
+
 TEST(Findings, SyncManagerSizes) {
   Project project = sample::small_machine();
   project.slaves[3].device.sync_managers[2].max_size = 5;

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "config/network_config.h"
+#include "config/project.h"
+
+namespace syncline::compiler {
+
+/// The hot-connect group that `slave` heads, if it does: as many of the slaves that follow in the frame's way as hang
+/// behind it, and the command that compares its alias (ENI Slave/HotConnect).
+[[nodiscard]] std::optional<HotConnectConfig> plan_hot_connect(const Project& project, std::size_t slave);
+
+}  // namespace syncline::compiler
