@@ -122,7 +122,7 @@ constexpr auto slave_fields = [](auto& x, auto& slave) {
   x.attribute("StationAddress", slave.station_address);
   x.attribute("Alias", slave.alias);
   x.text("Name", slave.name);
-  x.attribute("HotConnect", slave.hot_connect);
+  x.optional_text("HotConnect", slave.hot_connect);
   x.child("Previous", slave.previous, previous_fields);
   x.child("Check", slave.check, check_fields);
   x.indices("RxPdos", slave.assigned_rx_pdos);

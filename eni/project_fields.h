@@ -35,8 +35,8 @@ class FieldWriter {
   }
   void attribute(const char* name, const DcmMode& mode) { xml_.attribute(name, dcm_mode_name(mode)); }
   void attribute(const char* name, const std::array<std::uint8_t, 6>& mac) { xml_.attribute(name, hex_bytes(mac)); }
-  void attribute(const char* name, const std::string& value) {
-    if (!value.empty()) xml_.attribute(name, value);
+  void optional_text(const char* name, const std::string& value) {
+    if (!value.empty()) xml_.element(name, value);
   }
   void text(const char* name, const std::string& value) { xml_.element(name, value); }
   void indices(const char* name, const std::vector<std::uint16_t>& values) {
@@ -85,9 +85,7 @@ class FieldReader {
   void attribute(const char* name, std::optional<T>& value) {
     value = node_.number<T>(name);
   }
-  void attribute(const char* name, std::string& value) {
-    if (node_.has(name)) value = node_.attribute(name);
-  }
+  void optional_text(const char* name, std::string& value) { text(name, value); }
   void attribute(const char* name, DcmMode& mode) {
     if (!node_.has(name)) return;
     const auto known = dcm_mode_from_name(node_.attribute(name));

@@ -52,9 +52,6 @@ void write_header(std::span<std::uint8_t> bytes, const DatagramHeader& header) {
 
 }  // namespace
 
-std::uint16_t DatagramView::wkc() const { return load_le<std::uint16_t>(wkc_bytes); }
-void DatagramView::set_wkc(std::uint16_t value) { store_le(wkc_bytes, value); }
-
 void DatagramView::store_header() {
   header.length = load_le<std::uint16_t>(header_bytes.subspan(kLengthFieldOffset)) & kLengthMask;
   write_header(header_bytes, header);

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "protocol/command.h"
+#include "support/byte_order.h"
 #include "support/result.h"
 
 namespace syncline {
@@ -48,8 +49,8 @@ struct DatagramView {
   std::span<std::uint8_t> data;
   std::span<std::uint8_t> wkc_bytes;     // 2
 
-  [[nodiscard]] std::uint16_t wkc() const;
-  void set_wkc(std::uint16_t value);
+  [[nodiscard]] std::uint16_t wkc() const { return load_le<std::uint16_t>(wkc_bytes); }
+  void set_wkc(std::uint16_t value) { store_le(wkc_bytes, value); }
   /// Writes `header` back into header_bytes (the length stays as it is on the wire).
   void store_header();
 };

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <bit>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <optional>
 #include <span>
 #include <type_traits>
@@ -15,6 +17,11 @@ namespace syncline {
 /// (callers that take foreign input use ByteReader, which checks).
 template <std::unsigned_integral T>
 [[nodiscard]] constexpr T load_le(std::span<const std::uint8_t> bytes) {
+  if (!std::is_constant_evaluated() && std::endian::native == std::endian::little) {
+    T value;
+    std::memcpy(&value, bytes.data(), sizeof(T));
+    return value;
+  }
   std::uint64_t value = 0;
   for (std::size_t i = 0; i < sizeof(T); ++i) {
     value |= static_cast<std::uint64_t>(bytes[i]) << (8 * i);
@@ -25,6 +32,10 @@ template <std::unsigned_integral T>
 /// Writes an unsigned little-endian integer into the first sizeof(T) bytes.
 template <std::unsigned_integral T>
 constexpr void store_le(std::span<std::uint8_t> bytes, T value) {
+  if (!std::is_constant_evaluated() && std::endian::native == std::endian::little) {
+    std::memcpy(bytes.data(), &value, sizeof(T));
+    return;
+  }
   for (std::size_t i = 0; i < sizeof(T); ++i) {
     bytes[i] = static_cast<std::uint8_t>(static_cast<std::uint64_t>(value) >> (8 * i));
   }

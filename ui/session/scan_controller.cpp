@@ -63,6 +63,8 @@ Result<BusScan> ScanController::scan(const QString& link) {
         QMetaObject::invokeMethod(this, [this, done, all] { Q_EMIT progress(done, all); }, Qt::QueuedConnection);
       } else if (event.kind == EventKind::kScanFinished && event.scan) {
         outcome = *event.scan;
+      } else if (event.kind == EventKind::kScanTouchesRunning) {
+        QMetaObject::invokeMethod(this, [this, event] { Q_EMIT eventArrived(event); }, Qt::QueuedConnection);
       } else if (event.kind == EventKind::kError && event.error) {
         outcome = tl::unexpected(*event.error);
       }

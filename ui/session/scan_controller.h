@@ -10,12 +10,9 @@
 
 #include "eni/project_builder.h"
 #include "master/bus_scan.h"
+#include "master/channels.h"
 #include "support/result.h"
 #include "ui/session/bus_connection.h"
-
-namespace syncline {
-struct MasterChannels;
-}
 
 namespace syncline::ui {
 
@@ -36,6 +33,8 @@ class ScanController final : public QObject {
  Q_SIGNALS:
   void started(const QString& link);
   void progress(int done, int found);
+  /// What a user has to know while the scan runs: a running machine is touched.
+  void eventArrived(const syncline::Event& event);
   void finished(const QString& link, const syncline::eni::BuiltProject& built);
   void failed(const QString& link, const syncline::Error& error);
 

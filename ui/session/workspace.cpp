@@ -27,6 +27,9 @@ Workspace::Workspace(Environment environment, QObject* parent)
   connect(&live_, &LiveSession::eventArrived, this, [this](const Event& event) {
     if (auto message = messageOf(event, document_.project())) messages_.append(std::move(*message));
   });
+  connect(&scan_, &ScanController::eventArrived, this, [this](const Event& event) {
+    if (auto message = messageOf(event, document_.project())) messages_.append(std::move(*message));
+  });
   connect(&scan_, &ScanController::finished, this, &Workspace::takeScan);
   connect(&scan_, &ScanController::failed, this, [this](const QString&, const Error& error) {
     report(error, error.code == ErrorCode::kCancelled ? Severity::kInfo : Severity::kError, tr("Scan"));
