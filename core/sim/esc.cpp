@@ -13,6 +13,8 @@ using namespace esc_events;
 
 namespace {
 
+constexpr std::uint16_t kDcEnd = 0x0A00;  // of the registers of the DC unit
+
 bool overlaps(std::uint32_t a, std::size_t a_size, std::uint32_t b, std::size_t b_size) {
   return a < b + b_size && b < a + a_size;
 }
@@ -33,9 +35,12 @@ void Esc::reload_maps() {
     if (fmmu.active && fmmu.length > 0) fmmus_.push_back(fmmu);
   }
   buffers_begin_ = EscMemory::kSize;
+  active_managers_.clear();
   for (unsigned i = 0; i < sync_managers_.size(); ++i) {
     const auto& sm = sync_managers_[i] = sync_manager(i);
-    if (sm.enabled() && sm.length > 0) buffers_begin_ = std::min<std::uint32_t>(buffers_begin_, sm.start);
+    if (!sm.enabled() || sm.length == 0) continue;
+    active_managers_.push_back(static_cast<std::uint8_t>(i));
+    buffers_begin_ = std::min<std::uint32_t>(buffers_begin_, sm.start);
   }
 }
 
@@ -69,6 +74,15 @@ bool Esc::mark_circulating(std::span<DatagramView> datagrams) {
   }
   for (auto& datagram : datagrams) datagram.header.circulating = true;
   return true;
+}
+
+bool Esc::is_untouched_by(std::span<const DatagramView> datagrams) const {
+  if (reset_step_ != 0 || ports_.port0_automatically_closed()) return false;
+  if ((memory_.u16(reg::kEcatEventRequest) & memory_.u16(reg::kEcatEventMask)) != 0) return false;
+  return std::ranges::all_of(datagrams, [this](const DatagramView& datagram) {
+    const auto& header = datagram.header;
+    return is_fixed_address(header.command) && header.command != Command::kFrmw && !addressed(header);
+  });
 }
 
 bool Esc::process(std::span<DatagramView> datagrams, Nanoseconds time) {
@@ -126,9 +140,8 @@ Esc::Access Esc::execute(DatagramView& datagram) {
 
 bool Esc::buffer_allows(std::uint32_t address, std::size_t length, bool write) const {
   if (address + length <= buffers_begin_) return true;  // registers, nearly always
-  for (unsigned i = 0; i < sync_managers_.size(); ++i) {
+  for (const unsigned i : active_managers_) {
     const auto& sm = sync_managers_[i];
-    if (!sm.enabled() || sm.length == 0) continue;
     if ((sm.pdi_control & kPdiDeactivated) != 0 && overlaps(address, length, sm.start, sm.length)) return false;
     // Buffers 2 and 3 of a buffered SyncManager belong to the ESC alone.
     if (!sm.is_mailbox() && sm.start >= EscMemory::kRegisterEnd &&
@@ -146,9 +159,9 @@ bool Esc::buffer_allows(std::uint32_t address, std::size_t length, bool write) c
 
 void Esc::note_buffer_access(std::uint32_t address, std::size_t length, bool write) {
   if (address + length <= buffers_begin_) return;
-  for (unsigned i = 0; i < sync_managers_.size(); ++i) {
+  for (const unsigned i : active_managers_) {
     const auto& sm = sync_managers_[i];
-    if (!sm.enabled() || sm.length == 0 || sm.ecat_writes() != write) continue;
+    if (sm.ecat_writes() != write) continue;
     const std::uint32_t last = sm.start + sm.length - 1U;
     if (address <= sm.start && sm.start < address + length) sm_begun_ |= 1U << i;
     if (address <= last && last < address + length) {
@@ -265,6 +278,10 @@ Esc::Access Esc::logical(const DatagramView& datagram, bool read, bool write) {
 }
 
 void Esc::commit_register(const Write& write, Nanoseconds time) {
+  if (write.address >= reg::kReceiveTimePort0) {  // nothing else has a meaning from here on
+    if (write.address < kDcEnd) dc_.registers_written(write.address, write.length, time);
+    return;
+  }
   const auto hit = [&write](std::uint16_t address, std::size_t size) {
     return overlaps(write.address, write.length, address, size);
   };
@@ -282,9 +299,6 @@ void Esc::commit_register(const Write& write, Nanoseconds time) {
   if (hit(reg::kPdiErrorCounter, 1)) memory_.set<std::uint8_t>(reg::kPdiErrorCounter, 0);
   if (hit(reg::kLostLinkCounter, 4)) std::ranges::fill(memory_.at(reg::kLostLinkCounter, 4), std::uint8_t{0});
   if (hit(reg::kSiiConfiguration, 2)) sii_.configuration_written();
-  if (write.address >= reg::kReceiveTimePort0 && write.address < 0x0A00) {
-    dc_.registers_written(write.address, write.length, time);
-  }
   if (listener_ == nullptr) return;
   for (unsigned i = 0; i < options_.sync_manager_count; ++i) {
     if (!hit(static_cast<std::uint16_t>(reg::sync_manager(i) + 6), 1)) continue;
@@ -318,6 +332,18 @@ void Esc::frame_damaged() {
   sm_begun_ = 0;
 }
 
+void Esc::take_over(const Write& write, std::span<const std::uint8_t> bytes) {
+  const bool sii = overlaps(write.address, write.length, reg::kSiiControl, 0x20);
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    const auto address = static_cast<std::uint32_t>(write.address + i);
+    // Receive times are what the latch shows, never what was written to start it.
+    const bool receive_time = address >= reg::kReceiveTimePort0 && address < reg::kSystemTime;
+    if ((memory_.rights(address) & EscMemory::kWrite) != 0 && !receive_time && !(sii && sii_.blocks(address))) {
+      memory_.set<std::uint8_t>(static_cast<std::uint16_t>(address), bytes[i]);
+    }
+  }
+}
+
 void Esc::frame_end(Nanoseconds time) {
   dc_.advance_to(time);
   std::size_t position = 0;
@@ -325,14 +351,7 @@ void Esc::frame_end(Nanoseconds time) {
   for (const auto& write : writes_) {
     sii_command = sii_command || (overlaps(write.address, write.length, reg::kSiiControl, 2) && !sii_.blocks(reg::kSiiControl));
     reset_written = reset_written || overlaps(write.address, write.length, reg::kEscReset, 1);
-    for (std::size_t i = 0; i < write.length; ++i) {
-      const auto address = static_cast<std::uint32_t>(write.address + i);
-      // Receive times are what the latch shows, never what was written to start it.
-      const bool receive_time = address >= reg::kReceiveTimePort0 && address < reg::kSystemTime;
-      if ((memory_.rights(address) & EscMemory::kWrite) != 0 && !receive_time && !sii_.blocks(address)) {
-        memory_.set<std::uint8_t>(static_cast<std::uint16_t>(address), shadow_[position + i]);
-      }
-    }
+    take_over(write, std::span(shadow_).subspan(position, write.length));
     position += write.length;
     commit_register(write, time);
   }

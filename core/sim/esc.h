@@ -53,6 +53,9 @@ class Esc {
 
   // ---- the frame's way ----
   void frame_at_port(unsigned port, Nanoseconds time);
+  /// Nothing of the frame is for this slave, nor does it leave a trace in it: all datagrams are for the station addresses
+  /// of others.
+  [[nodiscard]] bool is_untouched_by(std::span<const DatagramView> datagrams) const;
   /// The frame passes the processing unit: executes every datagram in place; their headers go into the frame when it
   /// has passed all slaves. False: it is destroyed there.
   [[nodiscard]] bool process(std::span<DatagramView> datagrams, Nanoseconds time);
@@ -122,6 +125,7 @@ class Esc {
   void sync_fired(SyncGenerator::Signal signal, Nanoseconds time);
   [[nodiscard]] bool buffer_allows(std::uint32_t address, std::size_t length, bool write) const;
   void note_buffer_access(std::uint32_t address, std::size_t length, bool write);
+  void take_over(const Write& write, std::span<const std::uint8_t> bytes);
   void commit_register(const Write& write, Nanoseconds time);
   /// Forwarding rule for a circulating frame; false: it is destroyed.
   [[nodiscard]] bool mark_circulating(std::span<DatagramView> datagrams);
@@ -141,6 +145,7 @@ class Esc {
   std::vector<Fmmu> fmmus_;                 // decoded, active ones
   std::vector<SyncManager> sync_managers_;  // decoded
   bool maps_stale_ = true;
+  std::vector<std::uint8_t> active_managers_;  // those that are on and have a length
   std::uint32_t buffers_begin_ = 0;         // where the first SyncManager's memory begins
   std::size_t reset_step_ = 0;
 

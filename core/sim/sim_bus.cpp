@@ -85,12 +85,14 @@ struct SimBus::Impl {
   std::uint32_t frames_to_lose = 0;
   std::vector<LineFault> line_faults;
   std::vector<DatagramView> datagrams;
+  std::vector<std::uint8_t> untouched;  // of every slave: the frame that is passing is only for others
 
   Impl(SimConfig c, Nanoseconds start)
       : config(std::move(c)), wiring(config.slaves), links(config.slaves.size()), now(start) {
     for (std::size_t i = 0; i < config.slaves.size(); ++i) {
       nodes.push_back(power_up(config.slaves[i], factory_sii(config.slaves[i]), start, seed_of(i)));
     }
+    untouched.resize(nodes.size());
     rewire();
     true_delay.resize(nodes.size());
     for (const auto& passage : path.passages) {
@@ -239,6 +241,7 @@ SimBus::Returned SimBus::Impl::execute(std::span<std::uint8_t> frame, Nanosecond
   if (!reader.is_ethercat() || reader.malformed()) return execute_foreign(reader.malformed(), send_time);
 
   auto way = reach();
+  const bool for_single_slaves = std::ranges::all_of(datagrams, [](const auto& d) { return is_fixed_address(d.header.command); });
   bool mark_source = false;
   for (std::size_t p = 0; p < way.end; ++p) {
     const auto& passage = path.passages[p];
@@ -246,10 +249,13 @@ SimBus::Returned SimBus::Impl::execute(std::span<std::uint8_t> frame, Nanosecond
     const auto time = time_of(passage, send_time);
     if (p == way.damaged) node.esc->ports().count_invalid_frame(passage.port);
     if (p > way.damaged) node.esc->ports().count_forwarded_error(passage.port);
-    node.esc->frame_at_port(passage.port, time);
+    if (passage.processed) untouched[passage.slave] = for_single_slaves && node.esc->is_untouched_by(datagrams);
+    if (untouched[passage.slave] == 0) node.esc->frame_at_port(passage.port, time);
     if (!passage.processed) continue;
-    node.device->advance_to(time);
-    if (!node.esc->process(datagrams, time)) way.end = p;
+    if (untouched[passage.slave] == 0) {
+      node.device->advance_to(time);
+      if (!node.esc->process(datagrams, time)) way.end = p;
+    }
     mark_source = mark_source || node.esc->ports().destroys_foreign_frames();
   }
   for (auto& datagram : datagrams) datagram.store_header();
@@ -281,7 +287,7 @@ void SimBus::Impl::end_frame(const Reach& reach, Nanoseconds send_time, Nanoseco
   bool changed = false;
   for (std::size_t p = 0; p < reach.end; ++p) {
     const auto& passage = path.passages[p];
-    if (!passage.processed) continue;
+    if (!passage.processed || untouched[passage.slave] != 0) continue;
     auto& esc = *nodes[passage.slave].esc;
     const auto time = time_of(passage, send_time) + length;
     nodes[passage.slave].device->frame_received(time - length, time);
