@@ -98,7 +98,7 @@ void MasterDcPage::buildShift(Card& card) {
       {DcmMode::kMasterShiftByApp, "dcmMasterShiftByApp",
        tr("The reference clock leads, and the application moves the send time by the reported adjustment")},
   };
-  constexpr int kModesPerRow = 3;
+  constexpr int kModesPerRow = 2;
   auto* modes = new QWidget;
   auto* layout = new QGridLayout(modes);
   layout->setContentsMargins(0, 0, 0, 0);
