@@ -2,6 +2,8 @@
 #include "sim/esc.h"
 
 #include <algorithm>
+#include <bit>
+#include <utility>
 
 #include "protocol/dl_status.h"
 #include "protocol/registers.h"
@@ -29,10 +31,10 @@ void put_bit(std::span<std::uint8_t> bytes, std::size_t bit, bool value) {
 
 void Esc::reload_maps() {
   maps_stale_ = false;
-  fmmus_.clear();
+  mappings_.clear();
   for (unsigned i = 0; i < options_.fmmu_count; ++i) {
     const auto fmmu = Fmmu::decode(memory_.at(reg::fmmu(i), Fmmu::kSize).first<Fmmu::kSize>());
-    if (fmmu.active && fmmu.length > 0) fmmus_.push_back(fmmu);
+    if (fmmu.active && fmmu.length > 0) mappings_.push_back({fmmu});
   }
   buffers_begin_ = EscMemory::kSize;
   active_managers_.clear();
@@ -42,6 +44,7 @@ void Esc::reload_maps() {
     active_managers_.push_back(static_cast<std::uint8_t>(i));
     buffers_begin_ = std::min<std::uint32_t>(buffers_begin_, sm.start);
   }
+  for (auto& mapping : mappings_) mapping.whole_buffer = find_whole_buffer(mapping.fmmu);
 }
 
 void Esc::frame_at_port(unsigned port, Nanoseconds time) { port_times_[port] = time; }
@@ -188,16 +191,17 @@ bool Esc::read_memory(std::uint16_t address, std::span<std::uint8_t> out, bool o
     return !out.empty();
   }
   dc_.latches().before_read(address, out.size());
-  bool any = false;
-  for (std::size_t i = 0; i < out.size(); ++i) {
-    const auto place = static_cast<std::uint32_t>(address + i);
-    const bool readable = (memory_.rights(place) & EscMemory::kRead) != 0;
-    any = any || readable;
-    const auto value = readable ? memory_.u8(static_cast<std::uint16_t>(place)) : std::uint8_t{0};
-    if (!any && !readable) continue;
+  const auto readable = [&](std::size_t i) {
+    return (memory_.rights(static_cast<std::uint32_t>(address + i)) & EscMemory::kRead) != 0;
+  };
+  std::size_t first = 0;
+  while (first < out.size() && !readable(first)) ++first;
+  if (first == out.size()) return false;
+  const auto from = std::as_const(memory_).at(address, out.size());
+  for (std::size_t i = first; i < out.size(); ++i) {
+    const auto value = readable(i) ? from[i] : std::uint8_t{0};
     out[i] = or_into ? static_cast<std::uint8_t>(out[i] | value) : value;
   }
-  if (!any) return false;
   note_buffer_access(address, out.size(), false);
   read_latches(address, out.size());
   if (overlaps(address, out.size(), reg::kDlStatus, 2)) clear_event(kEventDlStatus);
@@ -249,6 +253,42 @@ void Esc::copy_mapped(std::span<std::uint8_t> datagram, std::uint64_t datagram_b
   }
 }
 
+std::optional<unsigned> Esc::find_whole_buffer(const Fmmu& fmmu) const {
+  if (fmmu.logical_start_bit != 0 || fmmu.physical_start_bit != 0 || fmmu.bit_length() != 8U * fmmu.length ||
+      fmmu.read == fmmu.write || fmmu.physical_start + fmmu.length > EscMemory::kSize) {
+    return std::nullopt;
+  }
+  std::optional<unsigned> found;
+  for (const unsigned i : active_managers_) {
+    const auto& sm = sync_managers_[i];
+    const bool same = sm.start == fmmu.physical_start && sm.length == fmmu.length;
+    const bool plain = !sm.is_mailbox() && sm.ecat_writes() == fmmu.write && (sm.pdi_control & kPdiDeactivated) == 0;
+    if (same && plain && !found) {
+      found = i;
+    } else if (overlaps(fmmu.physical_start, fmmu.length, sm.start, (sm.is_mailbox() ? 1U : 3U) * sm.length)) {
+      return std::nullopt;
+    }
+  }
+  return found;
+}
+
+/// A transfer of the whole buffer: begins and ends it.
+bool Esc::pass_whole_buffer(unsigned number, std::span<std::uint8_t> bytes, bool writing) {
+  const std::uint32_t bit = 1U << number;
+  const auto start = sync_managers_[number].start;
+  if (writing && !protection_.allows(start, bytes.size())) return false;
+  if (!writing && any_pending_ && !pending_[number].empty()) show_pending(number);
+  const auto buffer = memory_.at(start, bytes.size());
+  if (writing) {
+    std::ranges::copy(bytes, buffer.begin());
+  } else {
+    std::ranges::copy(buffer, bytes.begin());
+  }
+  sm_begun_ &= ~bit;
+  (writing ? sm_written_ : sm_read_) |= bit;
+  return true;
+}
+
 Esc::Access Esc::logical(const DatagramView& datagram, bool read, bool write) {
   Access access;
   const std::uint64_t start = datagram.header.address;
@@ -256,13 +296,18 @@ Esc::Access Esc::logical(const DatagramView& datagram, bool read, bool write) {
   // The write side takes the bytes as they came in; the read side replaces them afterwards.
   for (const bool writing : {true, false}) {
     if (writing ? !write : !read) continue;
-    for (const auto& fmmu : fmmus_) {
+    for (const auto& [fmmu, whole_buffer] : mappings_) {
       if (writing ? !fmmu.write : !fmmu.read) continue;
       const std::uint64_t first_bit = 8ULL * fmmu.logical_start + fmmu.logical_start_bit;
       const std::uint64_t bits = fmmu.bit_length();
       const std::uint64_t from = std::max(first_bit, 8 * start);
       const std::uint64_t to = std::min(first_bit + bits, 8 * end);
       if (from >= to) continue;
+      if (whole_buffer && to - from == bits) {
+        const auto bytes = datagram.data.subspan((from - 8 * start) / 8, bits / 8);
+        if (pass_whole_buffer(*whole_buffer, bytes, writing)) (writing ? access.written : access.read) = true;
+        continue;
+      }
       const std::uint64_t physical = 8ULL * fmmu.physical_start + fmmu.physical_start_bit + (from - first_bit);
       const auto address = static_cast<std::uint32_t>(physical / 8);
       const auto length = static_cast<std::size_t>((physical + (to - from) + 7) / 8 - physical / 8);
@@ -366,7 +411,8 @@ void Esc::frame_end(Nanoseconds time) {
   if (latch_ports_) dc_.latch_ports(port_times_);
   latch_unit_ = latch_ports_ = false;
   port_times_ = {};
-  for (unsigned i = 0; i < sync_managers_.size() && (sm_written_ | sm_read_) != 0; ++i) {
+  for (auto touched = sm_written_ | sm_read_; touched != 0; touched &= touched - 1) {
+    const auto i = static_cast<unsigned>(std::countr_zero(touched));
     const auto bit = 1U << i;
     if ((sm_written_ & bit) != 0) {
       if (sync_managers_[i].is_mailbox()) set_mailbox_full(i, true);

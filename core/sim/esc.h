@@ -142,7 +142,15 @@ class Esc {
   ProcessDataWatchdog watchdog_;
   WriteProtection protection_;
   Listener* listener_ = nullptr;
-  std::vector<Fmmu> fmmus_;                 // decoded, active ones
+  /// An active FMMU; with the buffered SyncManager that it maps as a whole, where nothing but the write protection can
+  /// forbid such an access: the usual case, which is then decided once and not in each frame.
+  struct Mapping {
+    Fmmu fmmu;
+    std::optional<unsigned> whole_buffer{};
+  };
+  [[nodiscard]] std::optional<unsigned> find_whole_buffer(const Fmmu& fmmu) const;
+  bool pass_whole_buffer(unsigned number, std::span<std::uint8_t> bytes, bool writing);
+  std::vector<Mapping> mappings_;
   std::vector<SyncManager> sync_managers_;  // decoded
   bool maps_stale_ = true;
   std::vector<std::uint8_t> active_managers_;  // those that are on and have a length
