@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/composition/open_bus.h"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 #include "app/composition/capture_file.h"
+#include "master/bus_scanner.h"
 
 namespace syncline {
 
@@ -18,6 +21,18 @@ Result<std::unique_ptr<OpenBus>> OpenBus::open(std::string_view link, const std:
   if (!opened) return tl::unexpected(opened.error());
   if (auto status = capture_to(capture, *opened); !status) return tl::unexpected(status.error());
   return std::unique_ptr<OpenBus>(new OpenBus(std::move(*opened), cancel));
+}
+
+Result<std::unique_ptr<OpenBus>> OpenBus::open_for_slave(std::string_view link, std::uint16_t position,
+                                                         const std::atomic<bool>* cancel) {
+  auto opened = open(link, cancel);
+  if (!opened) return opened;
+  const auto count = count_slaves((*opened)->bus());
+  if (!count) return tl::unexpected(count.error());
+  if (position >= *count) {
+    return fail(ErrorCode::kNoResponse, fmt::format("slave {} ({} slaves are there)", position, *count));
+  }
+  return opened;
 }
 
 }  // namespace syncline

@@ -18,6 +18,9 @@ class OpenBus {
   /// capture_to().
   [[nodiscard]] static Result<std::unique_ptr<OpenBus>> open(std::string_view link, const std::atomic<bool>* cancel = nullptr,
                                                             const std::string& capture = {});
+  /// The same, for a slave that must be there. kNoResponse when it is not.
+  [[nodiscard]] static Result<std::unique_ptr<OpenBus>> open_for_slave(std::string_view link, std::uint16_t position,
+                                                                      const std::atomic<bool>* cancel = nullptr);
   OpenBus(const OpenBus&) = delete;
   OpenBus& operator=(const OpenBus&) = delete;
 

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include "app/composition/whole_file.h"
-#include "master/bus_scanner.h"
 
 namespace syncline {
 namespace {
@@ -17,14 +16,9 @@ Error with_slave(Error error, std::uint16_t position) {
 
 template <class Work>
 auto with_slave_of(const EepromRequest& request, Work work) -> decltype(work(std::declval<Bus&>(), std::declval<SlaveAddress>())) {
-  auto opened = OpenBus::open(request.link, request.cancel);
+  auto opened = OpenBus::open_for_slave(request.link, request.position, request.cancel);
   if (!opened) return tl::unexpected(opened.error());
   auto& bus = (*opened)->bus();
-  const auto count = count_slaves(bus);
-  if (!count) return tl::unexpected(count.error());
-  if (request.position >= *count) {
-    return fail(ErrorCode::kNoResponse, fmt::format("slave {} ({} slaves are there)", request.position, *count));
-  }
   auto result = work(bus, SlaveAddress::at_position(request.position));
   if (!result) return tl::unexpected(with_slave(result.error(), request.position));
   return result;

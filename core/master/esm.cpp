@@ -7,7 +7,6 @@
 #include <array>
 
 #include "master/bus_scanner.h"
-#include "master/bus_survey.h"
 #include "master/dc_join.h"
 #include "master/dc_setup.h"
 #include "master/dc_start.h"
@@ -25,7 +24,8 @@ bool is_above(AlState state, AlState target) { return static_cast<int>(state) > 
 }  // namespace
 
 Esm::Esm(Bus& bus, RunState& run, CyclicTaskRunner& task, SyncWatch& sync, DelayCompensation& delays)
-    : bus_(bus), run_(run), task_(task), sync_(sync), delays_(delays), commands_(bus, run, sync), missing_(run.config().slaves.size()) {}
+    : bus_(bus), run_(run), task_(task), sync_(sync), delays_(delays), commands_(bus, run, sync),
+      attendance_(bus, run, commands_) {}
 
 AlState Esm::state_of(std::size_t slave) const { return al_state_of(run_.snapshot.slaves[slave].al_status); }
 
@@ -34,11 +34,7 @@ Status Esm::reset() {
   const auto count = count_slaves(bus_);
   if (!count) return tl::unexpected(count.error());
   if (*count == 0) return fail(ErrorCode::kNoResponse, bus_.exchange().link().describe().name);
-  const auto& slaves = run_.config().slaves;
-  const bool groups = std::ranges::any_of(slaves, [](const SlaveConfig& slave) { return slave.hot_connect.has_value(); });
-  if (*count != expected || groups) {
-    if (auto status = look_at_bus(*count); !status) return status;
-  }
+  if (auto status = attendance_.check(*count); !status) return status;
   // First with the acknowledge, for slaves in error; then without, because an ESC that emulates its
   // device mirrors the acknowledge bit as an error.
   const auto init = static_cast<std::uint16_t>(AlState::kInit);
@@ -65,43 +61,11 @@ Status Esm::reset() {
   }
   for (std::size_t i = 0; i < expected; ++i) {
     auto& slave = run_.snapshot.slaves[i];
-    slave.present = !missing_[i];
-    slave.al_status = missing_[i] ? 0 : init;
+    slave.present = !attendance_.missing(i);
+    slave.al_status = slave.present ? init : 0;
     slave.al_status_code = 0;
   }
   run_.update_master_state(bus_.clock().now());
-  return {};
-}
-
-/// The bus has another size than the configuration: who is missing, who is too many. Where the configuration may
-/// run incomplete, those that are there are noted with their places.
-Status Esm::look_at_bus(std::uint16_t count) {
-  Error error{ErrorCode::kSlaveCount};
-  error.expected = static_cast<std::int64_t>(run_.config().slaves.size());
-  error.received = count;
-  return tell_differences(count, fail(std::move(error)));
-}
-
-Status Esm::tell_differences(std::uint16_t count, Status status) {
-  const auto& config = run_.config();
-  auto found = survey_bus(bus_, count);
-  if (!found) return tl::unexpected(found.error());
-  if (auto known = identify_groups(bus_, config, *found); !known) return known;
-  std::vector<WantedDevice> wanted;
-  for (std::size_t i = 0; i < config.slaves.size(); ++i) wanted.push_back(wanted_device(config, i));
-  const auto match = match_bus(wanted, *found);
-  for (const auto& error : explain(match, config, *found)) run_.error(error, bus_.clock().now());
-  const bool any = match.missing.size() + match.absent.size() < config.slaves.size();
-  const bool usable = match.swapped.empty() && match.wrong.empty() && any;
-  const bool size = !status && status.error().code == ErrorCode::kSlaveCount;
-  // Hot-connect groups may be absent; others only where the user said so.
-  const bool complete = match.missing.empty() && match.extra.empty();
-  if (!usable || !size || (!complete && !config.recovery.start_incomplete)) return status;
-  for (std::size_t i = 0; i < config.slaves.size(); ++i) {
-    missing_[i] = !match.position[i].has_value();
-    if (match.position[i]) commands_.set_position(i, *match.position[i]);
-  }
-  for (const auto slave : match.absent) run_.hot_connect(slave, 2, bus_.clock().now());
   return {};
 }
 
@@ -159,7 +123,7 @@ Status Esm::init_to_preop() {
   if (auto status = commands_.run(slaves, Transition::kIP, set_up); !status) {
     const bool other_device = status.error().code == ErrorCode::kIdentityMismatch;
     if (!other_device) return status;
-    return tell_differences(static_cast<std::uint16_t>(run_.config().slaves.size()), std::move(status));
+    return attendance_.explain_refusal(std::move(status));
   }
   if (auto status = initialise_clocks(); !status) return status;
   if (auto status = await_slaves_in_sync(); !status) return status;
@@ -204,8 +168,8 @@ Status Esm::initialise_clocks() {
     note_clocks(*network);
   }
   auto first_cycle = bus_.clock().now() + run_.config().cycle_time();
-  if (network) first_cycle = sync_.first_cycle(*network, first_cycle);
   if (network) {
+    first_cycle = sync_.first_cycle(*network, first_cycle);
     sync_.start(*network, first_cycle);
     delays_.start(*network, first_cycle);
   }
@@ -232,7 +196,7 @@ void Esm::note_clocks(const DcNetwork& network) {
     slave.is_reference_clock = i == network.reference_clock;
     slave.propagation_delay_ns = clock.delay_ns;
     // One that joins later gets its clock then.
-    if (missing_[i] && run_.config().slaves[i].dc) {
+    if (attendance_.missing(i) && run_.config().slaves[i].dc) {
       slave.dc_enabled = true;
       slave.propagation_delay_ns = estimated_delay(i);
     }
@@ -243,8 +207,7 @@ void Esm::note_clocks(const DcNetwork& network) {
     run_.event(EventKind::kDelayFinding, bus_.clock().now(), finding.position, static_cast<std::int64_t>(finding.warning),
                finding.value_ns);
   }
-  const bool complete = std::ranges::none_of(missing_, [](bool missing) { return missing; });
-  task_.reference().start(*configured_reference_clock(run_.config()), network.reference_clock, complete);
+  task_.reference().start(*configured_reference_clock(run_.config()), network.reference_clock, attendance_.complete());
   run_.event(EventKind::kReferenceClock, bus_.clock().now(), network.reference_clock, 1);
 }
 

@@ -4,6 +4,7 @@
 #include <functional>
 #include <vector>
 
+#include "master/attendance.h"
 #include "master/bus.h"
 #include "master/cyclic_task.h"
 #include "master/delay_compensation.h"
@@ -40,8 +41,6 @@ class Esm {
 
  private:
   void operate(AlState level);
-  Status look_at_bus(std::uint16_t count);
-  Status tell_differences(std::uint16_t count, Status status);
   Status join_each(SlaveList slaves, AlState target);
   Status join_in_preop(SlaveList slaves);
   Status lift(const SlaveList& slaves, AlState from, Transition transition);
@@ -73,7 +72,7 @@ class Esm {
   DelayCompensation& delays_;
   SlaveCommands commands_;
   AlState level_ = AlState::kInit;
-  std::vector<bool> missing_;  // at the start
+  Attendance attendance_;
 };
 
 }  // namespace syncline

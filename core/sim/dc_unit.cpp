@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "protocol/registers.h"
+#include "sim/esc_ranges.h"
 #include "support/random.h"
 
 namespace syncline::sim {
@@ -17,10 +18,6 @@ constexpr std::uint32_t kShortestCycle = 1000;  // ns
 // Bits of the activation register (0x0981).
 constexpr unsigned kUnitOn = 0x01, kSync0On = 0x02, kSync1On = 0x04, kAutoActivation = 0x08, kExtendStartTime = 0x10,
                    kCheckStartTime = 0x20, kNearFuture2s = 0x40;
-
-bool touches(std::uint16_t address, std::size_t length, std::uint16_t reg, std::size_t size) {
-  return address < reg + size && reg < address + length;
-}
 
 }  // namespace
 
@@ -181,7 +178,7 @@ void DcUnit::extend_start_time(std::uint64_t now) {
 void DcUnit::start_time_written(std::uint16_t address, std::size_t length, Nanoseconds time) {
   const auto activation = memory_.u8(reg::kActivation);
   if (generator_.active()) return;
-  const bool upper = touches(address, length, reg::kStartTimeCyclicOperation + 4, 4);
+  const bool upper = overlaps(address, length, reg::kStartTimeCyclicOperation + 4, 4);
   if (wide_ && !upper && (activation & kExtendStartTime) != 0) extend_start_time(unwrapped_time(time));
   if ((activation & kAutoActivation) == 0) return;
   memory_.set<std::uint8_t>(reg::kActivation, static_cast<std::uint8_t>(activation | kUnitOn));
@@ -204,22 +201,22 @@ void DcUnit::follow_ownership() {
 void DcUnit::registers_written(std::uint16_t address, std::size_t length, Nanoseconds frame_end) {
   if (!config_.system_time) return;
   next_signal_.reset();
-  if (touches(address, length, reg::kSystemTime, 4)) compare(frame_end);
-  if (touches(address, length, reg::kSystemTimeOffset, 8)) generator_.realign(unwrapped_time(frame_end));
-  if (touches(address, length, reg::kSpeedCounterStart, 2)) {
+  if (overlaps(address, length, reg::kSystemTime, 4)) compare(frame_end);
+  if (overlaps(address, length, reg::kSystemTimeOffset, 8)) generator_.realign(unwrapped_time(frame_end));
+  if (overlaps(address, length, reg::kSpeedCounterStart, 2)) {
     loop_.set_speed_counter_start(memory_.u16(reg::kSpeedCounterStart));
     clock_.set_correction(loop_.correction(), frame_end);
   }
-  if (touches(address, length, reg::kFilterDepthDifference, 1)) {
+  if (overlaps(address, length, reg::kFilterDepthDifference, 1)) {
     loop_.set_filter_depth_difference(memory_.u8(reg::kFilterDepthDifference));
   }
-  if (touches(address, length, reg::kFilterDepthSpeedCounter, 1)) {
+  if (overlaps(address, length, reg::kFilterDepthSpeedCounter, 1)) {
     loop_.set_filter_depth_speed_counter(memory_.u8(reg::kFilterDepthSpeedCounter));
   }
-  if (touches(address, length, reg::kStartTimeCyclicOperation, 24)) restore_locked_registers();
-  if (touches(address, length, reg::kStartTimeCyclicOperation, 4)) start_time_written(address, length, frame_end);
-  if (touches(address, length, reg::kActivation, 1)) write_activation(frame_end);
-  if (touches(address, length, reg::kCyclicUnitControl, 1)) follow_ownership();
+  if (overlaps(address, length, reg::kStartTimeCyclicOperation, 24)) restore_locked_registers();
+  if (overlaps(address, length, reg::kStartTimeCyclicOperation, 4)) start_time_written(address, length, frame_end);
+  if (overlaps(address, length, reg::kActivation, 1)) write_activation(frame_end);
+  if (overlaps(address, length, reg::kCyclicUnitControl, 1)) follow_ownership();
 }
 
 void DcUnit::restore_locked_registers() {

@@ -8,6 +8,7 @@
 #include "protocol/dl_status.h"
 #include "protocol/registers.h"
 #include "sim/esc_events.h"
+#include "sim/esc_ranges.h"
 
 namespace syncline::sim {
 
@@ -17,35 +18,7 @@ namespace {
 
 constexpr std::uint16_t kDcEnd = 0x0A00;  // of the registers of the DC unit
 
-bool overlaps(std::uint32_t a, std::size_t a_size, std::uint32_t b, std::size_t b_size) {
-  return a < b + b_size && b < a + a_size;
-}
-
-bool get_bit(std::span<const std::uint8_t> bytes, std::size_t bit) { return ((bytes[bit / 8] >> (bit % 8)) & 1) != 0; }
-void put_bit(std::span<std::uint8_t> bytes, std::size_t bit, bool value) {
-  const auto mask = static_cast<std::uint8_t>(1U << (bit % 8));
-  bytes[bit / 8] = static_cast<std::uint8_t>(value ? bytes[bit / 8] | mask : bytes[bit / 8] & ~mask);
-}
-
 }  // namespace
-
-void Esc::reload_maps() {
-  maps_stale_ = false;
-  mappings_.clear();
-  for (unsigned i = 0; i < options_.fmmu_count; ++i) {
-    const auto fmmu = Fmmu::decode(memory_.at(reg::fmmu(i), Fmmu::kSize).first<Fmmu::kSize>());
-    if (fmmu.active && fmmu.length > 0) mappings_.push_back({fmmu});
-  }
-  buffers_begin_ = EscMemory::kSize;
-  active_managers_.clear();
-  for (unsigned i = 0; i < sync_managers_.size(); ++i) {
-    const auto& sm = sync_managers_[i] = sync_manager(i);
-    if (!sm.enabled() || sm.length == 0) continue;
-    active_managers_.push_back(static_cast<std::uint8_t>(i));
-    buffers_begin_ = std::min<std::uint32_t>(buffers_begin_, sm.start);
-  }
-  for (auto& mapping : mappings_) mapping.whole_buffer = find_whole_buffer(mapping.fmmu);
-}
 
 void Esc::frame_at_port(unsigned port, Nanoseconds time) { port_times_[port] = time; }
 
@@ -141,47 +114,6 @@ Esc::Access Esc::execute(DatagramView& datagram) {
   return {};
 }
 
-bool Esc::buffer_allows(std::uint32_t address, std::size_t length, bool write) const {
-  if (address + length <= buffers_begin_) return true;  // registers, nearly always
-  for (const unsigned i : active_managers_) {
-    const auto& sm = sync_managers_[i];
-    if ((sm.pdi_control & kPdiDeactivated) != 0 && overlaps(address, length, sm.start, sm.length)) return false;
-    // Buffers 2 and 3 of a buffered SyncManager belong to the ESC alone.
-    if (!sm.is_mailbox() && sm.start >= EscMemory::kRegisterEnd &&
-        overlaps(address, length, sm.start + sm.length, 2U * sm.length)) {
-      return false;
-    }
-    if (!overlaps(address, length, sm.start, sm.length)) continue;
-    if (sm.ecat_writes() != write) return !write && !sm.is_mailbox();
-    const bool full = (sm.status & SyncManager::kStatusMailboxFull) != 0;
-    if (sm.is_mailbox() && full == write) return false;  // full: no write; empty: no read
-    if (address > sm.start && (sm_begun_ & (1U << i)) == 0) return false;  // begins at the first byte
-  }
-  return true;
-}
-
-void Esc::note_buffer_access(std::uint32_t address, std::size_t length, bool write) {
-  if (address + length <= buffers_begin_) return;
-  for (const unsigned i : active_managers_) {
-    const auto& sm = sync_managers_[i];
-    if (sm.ecat_writes() != write) continue;
-    const std::uint32_t last = sm.start + sm.length - 1U;
-    if (address <= sm.start && sm.start < address + length) sm_begun_ |= 1U << i;
-    if (address <= last && last < address + length) {
-      (write ? sm_written_ : sm_read_) |= 1U << i;
-      sm_begun_ &= ~(1U << i);
-    }
-  }
-}
-
-void Esc::open_buffer(std::uint32_t address, std::size_t length) {
-  for (unsigned i = 0; any_pending_ && i < sync_managers_.size(); ++i) {
-    if (pending_[i].empty()) continue;
-    const auto start = sync_managers_[i].start;
-    if (address <= start && start < address + length) show_pending(i);
-  }
-}
-
 bool Esc::read_memory(std::uint16_t address, std::span<std::uint8_t> out, bool or_into) {
   if (address + out.size() > EscMemory::kSize || !buffer_allows(address, out.size(), false)) return false;
   open_buffer(address, out.size());
@@ -229,97 +161,6 @@ bool Esc::write_memory(Command command, std::uint16_t address, std::span<const s
   }
   note_buffer_access(address, data.size(), true);
   return true;
-}
-
-void Esc::copy_mapped(std::span<std::uint8_t> datagram, std::uint64_t datagram_bit, std::uint64_t memory_bit,
-                      std::uint64_t bits, bool writing) {
-  auto memory = memory_.at(0, EscMemory::kSize);
-  if (datagram_bit % 8 == 0 && memory_bit % 8 == 0 && bits % 8 == 0) {
-    const auto in_frame = datagram.subspan(datagram_bit / 8, bits / 8);
-    const auto in_memory = memory.subspan(memory_bit / 8, bits / 8);
-    if (writing) {
-      std::ranges::copy(in_frame, in_memory.begin());
-    } else {
-      std::ranges::copy(in_memory, in_frame.begin());
-    }
-    return;
-  }
-  for (std::uint64_t bit = 0; bit < bits; ++bit) {
-    if (writing) {
-      put_bit(memory, memory_bit + bit, get_bit(datagram, datagram_bit + bit));
-    } else {
-      put_bit(datagram, datagram_bit + bit, get_bit(memory, memory_bit + bit));
-    }
-  }
-}
-
-std::optional<unsigned> Esc::find_whole_buffer(const Fmmu& fmmu) const {
-  if (fmmu.logical_start_bit != 0 || fmmu.physical_start_bit != 0 || fmmu.bit_length() != 8U * fmmu.length ||
-      fmmu.read == fmmu.write || fmmu.physical_start + fmmu.length > EscMemory::kSize) {
-    return std::nullopt;
-  }
-  std::optional<unsigned> found;
-  for (const unsigned i : active_managers_) {
-    const auto& sm = sync_managers_[i];
-    const bool same = sm.start == fmmu.physical_start && sm.length == fmmu.length;
-    const bool plain = !sm.is_mailbox() && sm.ecat_writes() == fmmu.write && (sm.pdi_control & kPdiDeactivated) == 0;
-    if (same && plain && !found) {
-      found = i;
-    } else if (overlaps(fmmu.physical_start, fmmu.length, sm.start, (sm.is_mailbox() ? 1U : 3U) * sm.length)) {
-      return std::nullopt;
-    }
-  }
-  return found;
-}
-
-/// A transfer of the whole buffer: begins and ends it.
-bool Esc::pass_whole_buffer(unsigned number, std::span<std::uint8_t> bytes, bool writing) {
-  const std::uint32_t bit = 1U << number;
-  const auto start = sync_managers_[number].start;
-  if (writing && !protection_.allows(start, bytes.size())) return false;
-  if (!writing && any_pending_ && !pending_[number].empty()) show_pending(number);
-  const auto buffer = memory_.at(start, bytes.size());
-  if (writing) {
-    std::ranges::copy(bytes, buffer.begin());
-  } else {
-    std::ranges::copy(buffer, bytes.begin());
-  }
-  sm_begun_ &= ~bit;
-  (writing ? sm_written_ : sm_read_) |= bit;
-  return true;
-}
-
-Esc::Access Esc::logical(const DatagramView& datagram, bool read, bool write) {
-  Access access;
-  const std::uint64_t start = datagram.header.address;
-  const std::uint64_t end = start + datagram.data.size();
-  // The write side takes the bytes as they came in; the read side replaces them afterwards.
-  for (const bool writing : {true, false}) {
-    if (writing ? !write : !read) continue;
-    for (const auto& [fmmu, whole_buffer] : mappings_) {
-      if (writing ? !fmmu.write : !fmmu.read) continue;
-      const std::uint64_t first_bit = 8ULL * fmmu.logical_start + fmmu.logical_start_bit;
-      const std::uint64_t bits = fmmu.bit_length();
-      const std::uint64_t from = std::max(first_bit, 8 * start);
-      const std::uint64_t to = std::min(first_bit + bits, 8 * end);
-      if (from >= to) continue;
-      if (whole_buffer && to - from == bits) {
-        const auto bytes = datagram.data.subspan((from - 8 * start) / 8, bits / 8);
-        if (pass_whole_buffer(*whole_buffer, bytes, writing)) (writing ? access.written : access.read) = true;
-        continue;
-      }
-      const std::uint64_t physical = 8ULL * fmmu.physical_start + fmmu.physical_start_bit + (from - first_bit);
-      const auto address = static_cast<std::uint32_t>(physical / 8);
-      const auto length = static_cast<std::size_t>((physical + (to - from) + 7) / 8 - physical / 8);
-      if (address + length > EscMemory::kSize || !buffer_allows(address, length, writing)) continue;
-      if (writing && !protection_.allows(address, length)) continue;
-      if (!writing) open_buffer(address, length);
-      copy_mapped(datagram.data, from - 8 * start, physical, to - from, writing);
-      note_buffer_access(address, length, writing);
-      (writing ? access.written : access.read) = true;
-    }
-  }
-  return access;
 }
 
 void Esc::commit_register(const Write& write, Nanoseconds time) {

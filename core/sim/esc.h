@@ -124,6 +124,7 @@ class Esc {
   void follow_latch_events();
   void sync_fired(SyncGenerator::Signal signal, Nanoseconds time);
   [[nodiscard]] bool buffer_allows(std::uint32_t address, std::size_t length, bool write) const;
+  void end_transfer(unsigned number, bool write);
   void note_buffer_access(std::uint32_t address, std::size_t length, bool write);
   void take_over(const Write& write, std::span<const std::uint8_t> bytes);
   void commit_register(const Write& write, Nanoseconds time);
@@ -149,7 +150,6 @@ class Esc {
     std::optional<unsigned> whole_buffer{};
   };
   [[nodiscard]] std::optional<unsigned> find_whole_buffer(const Fmmu& fmmu) const;
-  bool pass_whole_buffer(unsigned number, std::span<std::uint8_t> bytes, bool writing);
   std::vector<Mapping> mappings_;
   std::vector<SyncManager> sync_managers_;  // decoded
   bool maps_stale_ = true;
