@@ -17,10 +17,17 @@
 /// writer serialises it, the master executes it.
 namespace syncline {
 
+/// ENI Validate@Type: how the answer has to stand to the expected value for the command to be done.
+enum class ValidateType : std::uint8_t {
+  kEqual, kNotEqual, kGreaterOrEqual, kLessOrEqual, kGreater, kLess, kNone  // kNone: any answer will do
+};
+
 struct InitCmdValidate {
   std::vector<std::uint8_t> data;
   std::vector<std::uint8_t> mask;       // empty = compare all
   std::uint32_t timeout_ms = 0;
+  ValidateType type = ValidateType::kEqual;
+  bool is_signed = false;               // Validate@Signed: of the comparisons by size
   bool operator==(const InitCmdValidate&) const = default;
 };
 
@@ -43,6 +50,7 @@ struct InitCmd {
   [[nodiscard]] std::uint16_t length() const {
     return data_length ? *data_length : static_cast<std::uint16_t>(data.size());
   }
+  bool requires_frame = false;          // Requires = frame: not together with others in one frame
 };
 
 struct CoeInitCmd {
@@ -51,9 +59,37 @@ struct CoeInitCmd {
   bool operator==(const CoeInitCmd&) const = default;
 };
 
+/// Start-up message of AoE, EoE, FoE or VoE: what follows the mailbox header, in wire order.
+struct MailboxInitCmd {
+  std::vector<Transition> transitions;
+  std::vector<std::uint8_t> data;
+  std::uint32_t timeout_ms = 0;         // 0 = the master's default
+  bool enabled = true;
+  bool fixed = false;
+  std::string comment;
+  bool operator==(const MailboxInitCmd&) const = default;
+};
+
+/// Start-up write to an IDN of a SoE drive.
+struct SoeInitCmd {
+  std::vector<Transition> transitions;
+  std::uint8_t op_code = 3;             // write request
+  std::uint8_t drive_no = 0;
+  std::uint16_t idn = 0;
+  std::uint8_t elements = 0x40;         // which elements of the IDN; 0x40 = its value
+  std::uint8_t attribute = 0;
+  std::vector<std::uint8_t> data;
+  std::uint32_t timeout_ms = 0;         // 0 = the master's default
+  bool enabled = true;
+  bool fixed = false;
+  std::string comment;
+  bool operator==(const SoeInitCmd&) const = default;
+};
+
 struct MailboxChannel {
   std::uint16_t start = 0;
   std::uint16_t length = 0;
+  bool short_send = false;              // ENI ShortSend: only the bytes of the message, not the whole buffer
   bool operator==(const MailboxChannel&) const = default;
 };
 
@@ -74,6 +110,10 @@ struct MailboxConfig {
   bool aoe = false, eoe = false, coe = false, foe = false, soe = false, voe = false;
   std::vector<CoeInitCmd> coe_commands;
   std::vector<ChannelProfile> profiles;
+  std::vector<SoeInitCmd> soe_commands;
+  std::vector<MailboxInitCmd> aoe_commands, eoe_commands, foe_commands, voe_commands;
+  std::string aoe_net_id;               // "1.2.3.4.5.6"; "" = none
+  bool eoe_disabled = false;            // EoE@Disabled: the slave could, the configuration does not want it
   bool operator==(const MailboxConfig&) const = default;
 };
 
@@ -81,6 +121,7 @@ struct MailboxConfig {
 struct ImageRange {
   std::uint32_t bit_start = 0;
   std::uint32_t bit_length = 0;
+  std::uint16_t sync_managers = 0;      // ENI Send@Sm0..Sm15 as bits; 0 = not said
   bool operator==(const ImageRange&) const = default;
 };
 
@@ -88,6 +129,7 @@ struct ConfiguredSyncManager {
   std::uint8_t number = 0;
   SyncManagerDescription description;
   std::vector<std::uint16_t> pdos;      // assigned
+  std::optional<std::uint32_t> watchdog;  // ENI Sm*/Watchdog
   bool operator==(const ConfiguredSyncManager&) const = default;
 };
 
@@ -120,6 +162,21 @@ struct HotConnectConfig {
   [[nodiscard]] std::optional<std::uint16_t> alias() const;
 };
 
+/// ENI Info/Identification of another kind than the alias: value and the register it is read from.
+struct Identification {
+  std::uint16_t ado = 0;
+  std::uint32_t value = 0;
+  bool operator==(const Identification&) const = default;
+};
+
+/// One of the places where a slave may hang, as the ENI names it; the selected one is SlaveConfig::previous.
+struct PossiblePort {
+  std::uint8_t port = 1;                // 0..3 = A..D
+  std::optional<std::uint16_t> station_address;  // of the slave in front
+  std::optional<std::uint32_t> device_id;        // deprecated by the schema
+  bool operator==(const PossiblePort&) const = default;
+};
+
 struct SlaveConfig {
   std::string name;
   std::uint16_t station_address = 0;
@@ -137,6 +194,11 @@ struct SlaveConfig {
   /// Present when DC is used.
   std::optional<SlaveDcConfig> dc;
   StateTimeouts timeouts;
+  std::string product_revision;             // ENI ProductRevision, "EL2008-0000-0018"; "" = not written
+  std::optional<Identification> identification;  // other than `alias`
+  std::vector<PossiblePort> other_ports;    // PreviousPort that are not selected
+  /// Where a tool writes one Send or Recv for each SyncManager: those pieces; `send` and `receive` span them.
+  std::vector<ImageRange> send_parts, receive_parts;
   bool operator==(const SlaveConfig&) const = default;
 };
 
@@ -169,12 +231,17 @@ struct CyclicCmd {
 
 struct CyclicFrame {
   std::vector<CyclicCmd> commands;
+  std::string comment;
   bool operator==(const CyclicFrame&) const = default;
 };
 
 struct CyclicTask {
   Nanoseconds cycle_time = kMillisecond;
   std::vector<CyclicFrame> frames;
+  std::string comment;
+  std::optional<std::int32_t> priority;
+  std::string task_id;
+  bool cycle_time_given = true;         // false: the ENI says none, cycle_time is the best guess
   bool operator==(const CyclicTask&) const = default;
 };
 
@@ -197,6 +264,14 @@ struct ProcessImage {
   bool operator==(const ProcessImage&) const = default;
 };
 
+/// ENI Master/EoE: sizes of the switch that the master is between its EoE slaves.
+struct EoeSettings {
+  std::uint32_t max_ports = 2;
+  std::uint32_t max_frames = 120;
+  std::uint32_t max_macs = 100;
+  bool operator==(const EoeSettings&) const = default;
+};
+
 struct MasterConfig {
   std::string name;
   std::array<std::uint8_t, 6> destination_mac{0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF};
@@ -204,6 +279,9 @@ struct MasterConfig {
   bool eoe = false;                          // any EoE slave
   std::optional<std::uint16_t> mailbox_state_count;
   std::vector<InitCmd> init_cmds;
+  EoeSettings eoe_settings;                  // when `eoe`
+  std::uint32_t mailbox_state_start = 0x0900'0000;  // logical address of the status bits
+  std::uint16_t ether_type = 0x88A4;
   bool operator==(const MasterConfig&) const = default;
 };
 
