@@ -438,6 +438,14 @@
             <translation>{subject}: Der Slave hat die Dateiübertragung mit {foe} beendet{because}.</translation>
         </message>
         <message>
+            <source>{where}: the file is beyond what is read{because}.</source>
+            <translation>{where}: Die Datei ist größer, als gelesen wird{because}.</translation>
+        </message>
+        <message>
+            <source>The device catalogue {file} cannot be used{because}; delete it or choose another one.</source>
+            <translation>Der Gerätekatalog {file} kann nicht benutzt werden{because}; löschen Sie ihn oder wählen Sie einen anderen.</translation>
+        </message>
+        <message>
             <source>Not read from {subject}: {detail}.</source>
             <translation>Nicht gelesen von {subject}: {detail}.</translation>
         </message>

@@ -36,6 +36,7 @@ void add_slave_commands(CLI::App& app, Context& context);
 void add_sync_command(CLI::App& app, Context& context);
 void add_dc_command(CLI::App& app, Context& context);
 void add_project_commands(CLI::App& app, Context& context);
+void add_esi_commands(CLI::App& app, Context& context);
 void add_export_command(CLI::App& app, Context& context);
 void add_compare_command(CLI::App& app, Context& context);
 void add_run_command(CLI::App& app, Context& context);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/project_create.h"
 
-#include <charconv>
-
+#include "app/cli/identity_text.h"
 #include "app/composition/open_link.h"
 #include "app/composition/scan_bus.h"
 #include "config/settings_keys.h"
@@ -12,34 +11,6 @@
 
 namespace syncline::cli {
 namespace {
-
-Result<std::uint32_t> parse_number(std::string_view text, std::string_view whole) {
-  const bool is_hex = text.starts_with("0x") || text.starts_with("0X");
-  const auto digits = is_hex ? text.substr(2) : text;
-  std::uint32_t value = 0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value, is_hex ? 16 : 10);
-  if (error != std::errc{} || end != digits.data() + digits.size()) {
-    return fail(ErrorCode::kBadValue, std::string(whole), "use VENDOR:PRODUCT[:REVISION], each decimal or 0x hexadecimal");
-  }
-  return value;
-}
-
-Result<Identity> parse_identity(std::string_view text) {
-  Identity identity;
-  std::uint32_t* fields[] = {&identity.vendor_id, &identity.product_code, &identity.revision_no};
-  std::size_t count = 0;
-  auto rest = text;
-  while (count < 3) {
-    const auto colon = rest.find(':');
-    const auto number = parse_number(rest.substr(0, colon), text);
-    if (!number) return tl::unexpected(number.error());
-    *fields[count++] = *number;
-    if (colon == std::string_view::npos) break;
-    rest = rest.substr(colon + 1);
-  }
-  if (count < 2) return fail(ErrorCode::kBadValue, std::string(text), "use VENDOR:PRODUCT[:REVISION]");
-  return identity;
-}
 
 Result<eni::EsiCatalogue> open_catalogue(const std::vector<std::string>& folders) {
   eni::EsiCatalogue catalogue;

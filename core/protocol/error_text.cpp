@@ -148,6 +148,10 @@ std::string_view error_template(ErrorCode code) {
       return "Not read from {subject}: {detail}.";
     case ErrorCode::kFileTransfer:
       return "{subject}: the slave ended the file transfer with {foe}{because}.";
+    case ErrorCode::kFileLimit:
+      return "{where}: the file is beyond what is read{because}.";
+    case ErrorCode::kCatalogue:
+      return "The device catalogue {file} cannot be used{because}; delete it or choose another one.";
   }
   return "{subject}{because}.";
 }

@@ -59,6 +59,9 @@ enum class ErrorCode : std::uint16_t {
   kSlaveExtra,          // subject = identity, detail = where it is
   kSlavesSwapped,       // subject = slave, detail = the slave that stands in its place
   kFileTransfer,        // subject = slave and file, received = FoE error code, detail = the slave's words
+  // files again
+  kFileLimit,           // file, line, detail = the limit that the file exceeds
+  kCatalogue,           // file = database, received = SQLite result code, detail = its words
 };
 
 /// An error is an enum and the facts that prove it; see ErrorCode for which fields a code fills.

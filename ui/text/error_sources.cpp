@@ -55,6 +55,8 @@ constexpr const char* kSources[] = {
     QT_TRANSLATE_NOOP("Error", "Cancelled."),
     QT_TRANSLATE_NOOP("Error", "{subject}{because}."),
     QT_TRANSLATE_NOOP("Error", "{subject}: the slave ended the file transfer with {foe}{because}."),
+    QT_TRANSLATE_NOOP("Error", "{where}: the file is beyond what is read{because}."),
+    QT_TRANSLATE_NOOP("Error", "The device catalogue {file} cannot be used{because}; delete it or choose another one."),
 };
 
 }  // namespace

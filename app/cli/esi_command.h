@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "app/cli/context.h"
+
+/// The sub-commands of `synclinectl esi`, one file each.
+namespace syncline::cli {
+
+void add_esi_match(CLI::App& esi, Context& context);
+
+}  // namespace syncline::cli
