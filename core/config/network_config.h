@@ -265,11 +265,11 @@ struct ProcessImage {
 };
 
 /// ENI Master/EoE: sizes of the switch that the master is between its EoE slaves.
-struct EoeSettings {
+struct EoeSwitchSettings {
   std::uint32_t max_ports = 2;
   std::uint32_t max_frames = 120;
   std::uint32_t max_macs = 100;
-  bool operator==(const EoeSettings&) const = default;
+  bool operator==(const EoeSwitchSettings&) const = default;
 };
 
 struct MasterConfig {
@@ -279,7 +279,7 @@ struct MasterConfig {
   bool eoe = false;                          // any EoE slave
   std::optional<std::uint16_t> mailbox_state_count;
   std::vector<InitCmd> init_cmds;
-  EoeSettings eoe_settings;                  // when `eoe`
+  EoeSwitchSettings eoe_settings;                  // when `eoe`
   std::uint32_t mailbox_state_start = 0x0900'0000;  // logical address of the status bits
   std::uint16_t ether_type = 0x88A4;
   bool operator==(const MasterConfig&) const = default;
