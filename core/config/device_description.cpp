@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace syncline {
 
 std::string to_string(const Identity& identity) {
@@ -13,6 +15,18 @@ std::uint32_t Pdo::bit_length() const {
   std::uint32_t bits = 0;
   for (const PdoEntry& entry : entries) bits += entry.bit_length;
   return bits;
+}
+
+std::optional<std::uint32_t> SlotDescription::default_module() const {
+  const auto chosen = std::ranges::find_if(modules, &ModuleIdent::is_default);
+  if (chosen != modules.end()) return chosen->ident;
+  if (min_instances > 0 && !modules.empty()) return modules.front().ident;
+  return std::nullopt;
+}
+
+const ModuleDescription* DeviceDescription::module(std::uint32_t ident) const {
+  const auto found = std::ranges::find(modules, ident, &ModuleDescription::ident);
+  return found == modules.end() ? nullptr : &*found;
 }
 
 }  // namespace syncline

@@ -6,7 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "protocol/al_state.h"
+#include "config/dc_description.h"
+#include "config/esi_text.h"
+#include "config/mailbox_description.h"
+#include "config/module_description.h"
+#include "config/object_description.h"
+#include "config/pdo_description.h"
 
 /// What an ESI file (ETG.2000) or a slave's SII says about a device: plain values, no XML.
 namespace syncline {
@@ -20,29 +25,6 @@ struct Identity {
 };
 [[nodiscard]] std::string to_string(const Identity& identity);  // "0x00000002:0x044c2c52:0x00120000"
 
-enum class PdoDirection : std::uint8_t { kRx, kTx };  // Rx = outputs (master to slave), Tx = inputs
-
-struct PdoEntry {
-  std::uint16_t index = 0;      // 0 = padding
-  std::uint8_t sub_index = 0;
-  std::uint16_t bit_length = 0;
-  std::string name;
-  std::string data_type;        // ESI name: "UINT", "DINT", "BOOL" ...
-  bool operator==(const PdoEntry&) const = default;
-};
-
-struct Pdo {
-  std::uint16_t index = 0;
-  std::string name;
-  std::optional<std::uint8_t> sync_manager;  // default assignment by the ESI
-  bool fixed = false;                        // mapping cannot be changed
-  bool mandatory = false;
-  std::vector<std::uint16_t> exclude;
-  std::vector<PdoEntry> entries;
-  bool operator==(const Pdo&) const = default;
-  [[nodiscard]] std::uint32_t bit_length() const;
-};
-
 enum class SyncManagerType : std::uint8_t { kUnused = 0, kMailboxOut = 1, kMailboxIn = 2, kOutputs = 3, kInputs = 4 };
 
 struct SyncManagerDescription {
@@ -53,77 +35,61 @@ struct SyncManagerDescription {
   bool enable = false;
   bool is_virtual = false;
   bool op_only = false;
+  bool one_byte_mode = false;      // only triggers watchdog and PDI interrupt
+  std::optional<bool> watchdog{};
   bool operator==(const SyncManagerDescription&) const = default;
 };
 
 enum class FmmuUse : std::uint8_t { kUnused = 0, kOutputs = 1, kInputs = 2, kMailboxState = 3 };
 
-/// A CoE object written at a transition: from the ESI, or the user's own start-up list.
-struct StartupCommand {
-  std::vector<Transition> transitions{Transition::kPS};
-  std::uint16_t index = 0;
-  std::uint8_t sub_index = 0;
-  std::vector<std::uint8_t> data;
-  bool complete_access = false;
-  bool fixed = false;
-  bool enabled = true;
-  std::uint32_t timeout_ms = 0;  // 0 = the master's default
-  std::string comment;
-  bool operator==(const StartupCommand&) const = default;
+/// Attributes of an Fmmu element.
+struct FmmuOptions {
+  std::optional<std::uint8_t> sync_manager{};  // Sm
+  std::optional<std::uint8_t> sync_unit{};     // Su
+  bool op_only = false;
+  bool operator==(const FmmuOptions&) const = default;
 };
 
-struct CoeDescription {
-  bool sdo_info = false;
-  bool pdo_assign = false;
-  bool pdo_config = false;
-  bool pdo_upload = false;
-  bool complete_access = false;
-  bool segmented_sdo = false;
-  std::vector<StartupCommand> init_commands;
-  bool operator==(const CoeDescription&) const = default;
+/// Su: process data of a device that may live in frames of its own.
+struct SyncUnitDescription {
+  std::string name{};
+  bool separate_su = false;
+  bool separate_frame = false;
+  bool depend_on_input_state = false;
+  bool frame_repeat_support = false;
+  bool operator==(const SyncUnitDescription&) const = default;
 };
 
-struct MailboxDescription {
-  bool data_link_layer = false;
-  bool aoe = false, eoe = false, foe = false, soe = false, voe = false;
-  std::optional<CoeDescription> coe;
-  std::uint32_t request_timeout_ms = 100;
-  std::uint32_t response_timeout_ms = 2000;
-  bool operator==(const MailboxDescription&) const = default;
+/// Type@CheckRevisionNo: which revisions count as this device.
+enum class RevisionCheck : std::uint8_t {
+  kNone,
+  kEqual,
+  kEqualOrGreater,
+  kLowWordEqual,
+  kLowWordEqualHighWordEqualOrGreater,
 };
 
-/// CycleTimeSync0/1 and ShiftTimeSync0/1 of an OpMode: fixed value (ns) or factor of the Sync Unit
-/// Cycle; reference/eni rules in config/compile/dc_times.h.
-struct DcTime {
-  std::int64_t value_ns = 0;
-  std::optional<int> factor;
-  bool input = false;  // ShiftTimeSync0@Input
-  bool operator==(const DcTime&) const = default;
+/// HideType, AlternativeType, SubDevice: another device of the vendor.
+struct DeviceReference {
+  std::string type{};
+  std::optional<std::uint32_t> product_code{};  // empty: the same product
+  std::optional<std::uint32_t> revision_no{};
+  std::string product_revision{};               // @ProductRevision, older files: "EL1002-0000-0016"
+  bool operator==(const DeviceReference&) const = default;
 };
 
-struct OpModeSyncManager {
-  std::uint8_t number = 0;
-  std::optional<std::uint16_t> sync_type;       // -> 0x1C32/0x1C33:01
-  std::vector<std::uint16_t> pdos;              // assignment of that mode, empty = unchanged
-  bool operator==(const OpModeSyncManager&) const = default;
+/// Info/Port.
+struct PortDescription {
+  std::string type{};                           // MII, EBUS, NONE
+  std::string connector{}, label{};
+  std::optional<std::int32_t> rx_delay{}, tx_delay{};  // 100 ps
+  bool operator==(const PortDescription&) const = default;
 };
 
-struct DcOpMode {
-  std::string name;
-  std::string description;
-  std::uint16_t assign_activate = 0;
-  DcTime cycle_time_sync0, shift_time_sync0, cycle_time_sync1, shift_time_sync1;
-  std::vector<OpModeSyncManager> sync_managers;
-  bool operator==(const DcOpMode&) const = default;
-};
-
-struct DcDescription {
-  bool time_loop_control_only = false;
-  bool unknown_frmw = false;
-  bool unknown_64bit = false;
-  bool potential_reference_clock = false;
-  std::vector<DcOpMode> op_modes;  // the first is the default
-  bool operator==(const DcDescription&) const = default;
+/// Info/StateMachine/Behavior: states that the device may start up in, and how it leaves SAFEOP.
+struct StartBehavior {
+  bool to_init = false, to_preop = false, to_safeop = false, to_safeop_no_sync = false;
+  bool operator==(const StartBehavior&) const = default;
 };
 
 /// ESI Info/StateMachine/Timeout, ms; ETG defaults where the ESI is silent.
@@ -135,34 +101,20 @@ struct StateTimeouts {
   bool operator==(const StateTimeouts&) const = default;
 };
 
+struct EepromCategory {
+  std::uint16_t number = 0;
+  std::vector<std::uint8_t> data{};
+  bool operator==(const EepromCategory&) const = default;
+};
+
 struct EepromDescription {
   std::uint32_t byte_size = 2048;
   std::vector<std::uint8_t> config_data;  // first 14 bytes of the SII
   std::vector<std::uint8_t> boot_strap;   // 8 bytes: out start, out length, in start, in length
+  std::vector<std::uint8_t> image{};      // Data: the whole content, where the ESI gives that
+  std::vector<EepromCategory> categories{};  // the vendor's own
+  bool assign_to_pdi = false;
   bool operator==(const EepromDescription&) const = default;
-};
-
-struct ChannelProfile {
-  std::uint32_t profile_no = 0;
-  std::uint32_t add_info = 0;
-  bool operator==(const ChannelProfile&) const = default;
-};
-
-struct ObjectEntry {
-  std::uint8_t sub_index = 0;
-  std::string name;
-  std::string data_type;
-  std::uint16_t bit_length = 0;
-  bool readable = true;
-  bool writable = false;
-  std::vector<std::uint8_t> default_data;  // little endian; empty = zeros
-  bool operator==(const ObjectEntry&) const = default;
-};
-struct ObjectDescription {
-  std::uint16_t index = 0;
-  std::string name;
-  std::vector<ObjectEntry> entries;  // sub-index ascending
-  bool operator==(const ObjectDescription&) const = default;
 };
 
 struct DeviceDescription {
@@ -184,6 +136,28 @@ struct DeviceDescription {
   std::optional<std::uint16_t> reg_0400, reg_0410, reg_0420;
   std::vector<ChannelProfile> profiles;
   std::vector<ObjectDescription> dictionary;
+  std::vector<EnumDescription> enums{};
+  std::vector<LocalizedText> names{};                       // in all languages; `name` is the reader's choice
+  std::string group_name{};
+  EsiImage image{};
+  bool invisible = false;                                   // not offered by catalogues
+  std::vector<DeviceReference> hides{}, alternatives{}, sub_devices{};
+  std::optional<bool> check_product_code{}, check_serial_no{};  // empty: ESI is silent
+  std::optional<RevisionCheck> check_revision{};
+  std::vector<FmmuOptions> fmmu_options{};                  // empty or one for each of `fmmus`
+  std::vector<SyncUnitDescription> sync_units{};
+  std::optional<SlotsDescription> slots{};
+  std::vector<ModuleDescription> modules{};                 // those that fit a slot, file order
+  std::optional<int> module_pdo_group{};                    // Type@ModulePdoGroup: place of the device's own PDOs
+  bool download_module_list = false;
+  bool identification_reg134 = false;                       // ID switch is read in register 0x0134
+  std::optional<std::uint16_t> identification_ado{};        // or in this register
+  std::optional<std::int32_t> ebus_current_ma{};            // negative: supplies
+  std::vector<PortDescription> ports{};
+  StartBehavior behavior{};
+  std::optional<std::uint32_t> dpram_size{};                // bytes
+  std::optional<std::uint8_t> sync_manager_count{}, fmmu_count{};
+  std::optional<std::uint16_t> reg_0108{};
   std::string source;        // file the description came from, or "SII"
   bool operator==(const DeviceDescription&) const = default;
 
@@ -194,6 +168,8 @@ struct DeviceDescription {
   [[nodiscard]] const std::vector<Pdo>& pdos(PdoDirection direction) const {
     return direction == PdoDirection::kRx ? rx_pdos : tx_pdos;
   }
+  /// The module with that ident; null when no slot takes it.
+  [[nodiscard]] const ModuleDescription* module(std::uint32_t ident) const;
 };
 
 }  // namespace syncline
