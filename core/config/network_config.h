@@ -61,28 +61,28 @@ struct CoeInitCmd {
 
 /// Start-up message of AoE, EoE, FoE or VoE: what follows the mailbox header, in wire order.
 struct MailboxInitCmd {
-  std::vector<Transition> transitions;
-  std::vector<std::uint8_t> data;
+  std::vector<Transition> transitions{};
+  std::vector<std::uint8_t> data{};
   std::uint32_t timeout_ms = 0;         // 0 = the master's default
   bool enabled = true;
   bool fixed = false;
-  std::string comment;
+  std::string comment{};
   bool operator==(const MailboxInitCmd&) const = default;
 };
 
 /// Start-up write to an IDN of a SoE drive.
 struct SoeInitCmd {
-  std::vector<Transition> transitions;
+  std::vector<Transition> transitions{};
   std::uint8_t op_code = 3;             // write request
   std::uint8_t drive_no = 0;
   std::uint16_t idn = 0;
   std::uint8_t elements = 0x40;         // which elements of the IDN; 0x40 = its value
   std::uint8_t attribute = 0;
-  std::vector<std::uint8_t> data;
+  std::vector<std::uint8_t> data{};
   std::uint32_t timeout_ms = 0;         // 0 = the master's default
   bool enabled = true;
   bool fixed = false;
-  std::string comment;
+  std::string comment{};
   bool operator==(const SoeInitCmd&) const = default;
 };
 
@@ -110,9 +110,9 @@ struct MailboxConfig {
   bool aoe = false, eoe = false, coe = false, foe = false, soe = false, voe = false;
   std::vector<CoeInitCmd> coe_commands;
   std::vector<ChannelProfile> profiles;
-  std::vector<SoeInitCmd> soe_commands;
-  std::vector<MailboxInitCmd> aoe_commands, eoe_commands, foe_commands, voe_commands;
-  std::string aoe_net_id;               // "1.2.3.4.5.6"; "" = none
+  std::vector<SoeInitCmd> soe_commands{};
+  std::vector<MailboxInitCmd> aoe_commands{}, eoe_commands{}, foe_commands{}, voe_commands{};
+  std::string aoe_net_id{};               // "1.2.3.4.5.6"; "" = none
   bool eoe_disabled = false;            // EoE@Disabled: the slave could, the configuration does not want it
   bool operator==(const MailboxConfig&) const = default;
 };
@@ -129,7 +129,7 @@ struct ConfiguredSyncManager {
   std::uint8_t number = 0;
   SyncManagerDescription description;
   std::vector<std::uint16_t> pdos;      // assigned
-  std::optional<std::uint32_t> watchdog;  // ENI Sm*/Watchdog
+  std::optional<std::uint32_t> watchdog{};  // ENI Sm*/Watchdog
   bool operator==(const ConfiguredSyncManager&) const = default;
 };
 
@@ -172,8 +172,8 @@ struct Identification {
 /// One of the places where a slave may hang, as the ENI names it; the selected one is SlaveConfig::previous.
 struct PossiblePort {
   std::uint8_t port = 1;                // 0..3 = A..D
-  std::optional<std::uint16_t> station_address;  // of the slave in front
-  std::optional<std::uint32_t> device_id;        // deprecated by the schema
+  std::optional<std::uint16_t> station_address{};  // of the slave in front
+  std::optional<std::uint32_t> device_id{};        // deprecated by the schema
   bool operator==(const PossiblePort&) const = default;
 };
 
@@ -194,11 +194,11 @@ struct SlaveConfig {
   /// Present when DC is used.
   std::optional<SlaveDcConfig> dc;
   StateTimeouts timeouts;
-  std::string product_revision;             // ENI ProductRevision, "EL2008-0000-0018"; "" = not written
-  std::optional<Identification> identification;  // other than `alias`
-  std::vector<PossiblePort> other_ports;    // PreviousPort that are not selected
+  std::string product_revision{};             // ENI ProductRevision, "EL2008-0000-0018"; "" = not written
+  std::optional<Identification> identification{};  // other than `alias`
+  std::vector<PossiblePort> other_ports{};    // PreviousPort that are not selected
   /// Where a tool writes one Send or Recv for each SyncManager: those pieces; `send` and `receive` span them.
-  std::vector<ImageRange> send_parts, receive_parts;
+  std::vector<ImageRange> send_parts{}, receive_parts{};
   bool operator==(const SlaveConfig&) const = default;
 };
 
@@ -231,16 +231,16 @@ struct CyclicCmd {
 
 struct CyclicFrame {
   std::vector<CyclicCmd> commands;
-  std::string comment;
+  std::string comment{};
   bool operator==(const CyclicFrame&) const = default;
 };
 
 struct CyclicTask {
   Nanoseconds cycle_time = kMillisecond;
   std::vector<CyclicFrame> frames;
-  std::string comment;
-  std::optional<std::int32_t> priority;
-  std::string task_id;
+  std::string comment{};
+  std::optional<std::int32_t> priority{};
+  std::string task_id{};
   bool cycle_time_given = true;         // false: the ENI says none, cycle_time is the best guess
   bool operator==(const CyclicTask&) const = default;
 };
