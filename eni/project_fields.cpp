@@ -74,6 +74,22 @@ constexpr auto real_time_fields = [](auto& x, auto& real_time) {
   x.attribute("Cpu", real_time.cpu);
 };
 
+constexpr auto image_fields = [](auto& x, auto& image) {
+  x.attribute("LogicalStart", image.logical_start);
+  x.attribute("Alignment", image.alignment);
+  x.attribute("BitPacking", image.bit_packing);
+};
+
+constexpr auto task_fields = [](auto& x, auto& task) {
+  x.attribute("Multiple", task.multiple);
+  x.text("Name", task.name);
+};
+
+constexpr auto unit_fields = [](auto& x, auto& unit) {
+  x.text("Name", unit.name);
+  x.optional_text("Task", unit.task);
+};
+
 constexpr auto master_fields = [](auto& x, auto& master) {
   x.attribute("CycleTimeNs", master.cycle_time);
   x.attribute("DestinationMac", master.destination_mac);
@@ -83,6 +99,9 @@ constexpr auto master_fields = [](auto& x, auto& master) {
   x.child("DistributedClocks", master.dc, master_dc_fields);
   x.child("Recovery", master.recovery, recovery_fields);
   x.child("RealTime", master.real_time, real_time_fields);
+  x.unless_default("ProcessImage", master.image, image_fields);
+  x.optional_list("Tasks", "Task", master.tasks, task_fields);
+  x.optional_list("SyncUnits", "SyncUnit", master.sync_units, unit_fields);
 };
 
 constexpr auto previous_fields = [](auto& x, auto& previous) {
@@ -95,6 +114,9 @@ constexpr auto check_fields = [](auto& x, auto& check) {
   x.attribute("Product", check.product);
   x.attribute("Revision", check.revision);
   x.attribute("Serial", check.serial);
+  x.attribute("RevisionRule", check.revision_rule);
+  x.attribute("DeviceId", check.device_id);
+  x.attribute_if_set("Alias", check.alias);
 };
 
 constexpr auto sync_unit_fields = [](auto& x, auto& unit) {
@@ -118,9 +140,70 @@ constexpr auto startup_fields = [](auto& x, auto& command) {
   x.init_cmd(command);
 };
 
+constexpr auto soe_fields = [](auto& x, auto& soe) {
+  x.attribute("Drive", soe.command.drive);
+  x.attribute("Idn", soe.command.idn);
+  x.attribute("Enabled", soe.enabled);
+  x.attribute("Fixed", soe.fixed);
+  x.attribute("TimeoutMs", soe.timeout_ms);
+  x.transitions(soe.command.transitions);
+  x.bytes("Data", soe.command.data);
+  x.optional_text("Comment", soe.command.comment);
+};
+
+constexpr auto module_fields = [](auto& x, auto& module) {
+  x.attribute("Slot", module.slot);
+  x.attribute("Ident", module.ident);
+};
+
+constexpr auto oversampling_fields = [](auto& x, auto& oversampling) {
+  x.attribute("Pdo", oversampling.pdo);
+  x.attribute("Factor", oversampling.factor);
+};
+
+constexpr auto watchdog_fields = [](auto& x, auto& watchdog) {
+  x.attribute("Divider", watchdog.divider);
+  x.attribute("Pdi", watchdog.pdi);
+  x.attribute("ProcessData", watchdog.process_data);
+  x.attribute("Outputs", watchdog.outputs);
+};
+
+constexpr auto timeout_fields = [](auto& x, auto& timeouts) {
+  x.attribute("PreopMs", timeouts.preop);
+  x.attribute("SafeopOpMs", timeouts.safeop_op);
+  x.attribute("BackToInitMs", timeouts.back_to_init);
+  x.attribute("BackToSafeopMs", timeouts.back_to_safeop);
+  x.attribute("MailboxRequestMs", timeouts.mailbox_request);
+  x.attribute("MailboxResponseMs", timeouts.mailbox_response);
+};
+
+constexpr auto mailbox_fields = [](auto& x, auto& mailbox) {
+  x.attribute("OutSize", mailbox.out_size);
+  x.attribute("InSize", mailbox.in_size);
+  x.attribute("StateBit", mailbox.state_bit);
+  x.attribute("PollTimeMs", mailbox.poll_time_ms);
+};
+
+constexpr auto eoe_fields = [](auto& x, auto& eoe) {
+  x.attribute("Enabled", eoe.enabled);
+  x.attribute("Mac", eoe.mac);
+  x.optional_text("Ip", eoe.ip);
+  x.optional_text("Subnet", eoe.subnet);
+  x.optional_text("Gateway", eoe.gateway);
+  x.optional_text("Dns", eoe.dns);
+  x.optional_text("HostName", eoe.host_name);
+};
+
+constexpr auto variable_fields = [](auto& x, auto& variable) {
+  x.attribute("Pdo", variable.pdo);
+  x.attribute("Entry", variable.entry);
+  x.text("Name", variable.name);
+};
+
 constexpr auto slave_fields = [](auto& x, auto& slave) {
   x.attribute("StationAddress", slave.station_address);
   x.attribute("Alias", slave.alias);
+  x.attribute_if_set("Optional", slave.optional);
   x.text("Name", slave.name);
   x.optional_text("HotConnect", slave.hot_connect);
   x.child("Previous", slave.previous, previous_fields);
@@ -130,6 +213,17 @@ constexpr auto slave_fields = [](auto& x, auto& slave) {
   x.pdos("ChangedPdos", slave.changed_pdos);
   x.child("DistributedClocks", slave.dc, slave_dc_fields);
   x.list("Startup", "InitCmd", slave.startup, startup_fields);
+  x.optional_list("SoeStartup", "InitCmd", slave.soe_startup, soe_fields);
+  x.optional_list("Modules", "Module", slave.modules, module_fields);
+  x.optional_list("Oversampling", "Pdo", slave.oversampling, oversampling_fields);
+  x.unless_default("Watchdog", slave.watchdog, watchdog_fields);
+  x.unless_default("Timeouts", slave.timeouts, timeout_fields);
+  x.unless_default("Mailbox", slave.mailbox, mailbox_fields);
+  x.unless_default("Eoe", slave.eoe, eoe_fields);
+  x.optional_text("AmsNetId", slave.ams_net_id);
+  x.optional_text("OutputUnit", slave.output_unit);
+  x.optional_text("InputUnit", slave.input_unit);
+  x.optional_list("VariableNames", "Variable", slave.variable_names, variable_fields);
 };
 
 }  // namespace
@@ -145,6 +239,15 @@ void FieldReader::indices(const char* name, std::vector<std::uint16_t>& values) 
     }
     values.push_back(static_cast<std::uint16_t>(*index));
     rest.remove_prefix(word.size());
+  }
+}
+
+void FieldReader::transitions(std::vector<Transition>& values) {
+  values.clear();
+  for (const Node& node : node_.children("Transition")) {
+    const auto transition = transition_from_name(node.trimmed());
+    if (!transition) return node.fail(ErrorCode::kXmlBadValue, fmt::format("\"{}\" is no transition", node.trimmed()));
+    values.push_back(*transition);
   }
 }
 

@@ -33,10 +33,20 @@ class FieldWriter {
   void attribute(const char* name, const std::optional<T>& value) {
     if (value) attribute(name, *value);
   }
+  void attribute(const char* name, const std::optional<RevisionCheck>& rule) {
+    if (rule) xml_.attribute(name, revision_check_name(*rule));
+  }
+  void attribute_if_set(const char* name, bool value) {
+    if (value) attribute(name, value);
+  }
   void attribute(const char* name, const DcmMode& mode) { xml_.attribute(name, dcm_mode_name(mode)); }
   void attribute(const char* name, const std::array<std::uint8_t, 6>& mac) { xml_.attribute(name, hex_bytes(mac)); }
   void optional_text(const char* name, const std::string& value) {
     if (!value.empty()) xml_.element(name, value);
+  }
+  void bytes(const char* name, const std::vector<std::uint8_t>& value) { xml_.element(name, hex_bytes(value)); }
+  void transitions(const std::vector<Transition>& values) {
+    for (const auto value : values) xml_.element("Transition", transition_name(value));
   }
   void text(const char* name, const std::string& value) { xml_.element(name, value); }
   void indices(const char* name, const std::vector<std::uint16_t>& values) {
@@ -65,6 +75,15 @@ class FieldWriter {
     for (const T& value : values) child(item, value, fields);
     xml_.close();
   }
+  /// Left out where it says nothing, so that files of projects that do not use it stay as they were.
+  template <class T, class Fields>
+  void unless_default(const char* name, const T& value, Fields fields) {
+    if (!(value == T{})) child(name, value, fields);
+  }
+  template <class T, class Fields>
+  void optional_list(const char* name, const char* item, const std::vector<T>& values, Fields fields) {
+    if (!values.empty()) list(name, item, values, fields);
+  }
   void init_cmd(const StartupCommand& command) { write_init_cmd_content(xml_, command); }
 
  private:
@@ -77,6 +96,7 @@ class FieldReader {
   explicit FieldReader(Node node) : node_(node) {}
 
   void attribute(const char* name, bool& value) { value = node_.boolean(name).value_or(value); }
+  void attribute_if_set(const char* name, bool& value) { attribute(name, value); }
   template <std::integral T>
   void attribute(const char* name, T& value) {
     value = node_.number<T>(name).value_or(value);
@@ -84,6 +104,15 @@ class FieldReader {
   template <class T>
   void attribute(const char* name, std::optional<T>& value) {
     value = node_.number<T>(name);
+  }
+  void attribute(const char* name, std::optional<bool>& value) { value = node_.boolean(name); }
+  void attribute(const char* name, std::optional<std::array<std::uint8_t, 6>>& mac) {
+    if (node_.has(name)) attribute(name, mac.emplace());
+  }
+  void attribute(const char* name, std::optional<RevisionCheck>& rule) {
+    if (!node_.has(name)) return;
+    rule = revision_check_from_name(node_.attribute(name));
+    if (!rule) bad(name, "is no rule");
   }
   void optional_text(const char* name, std::string& value) { text(name, value); }
   void attribute(const char* name, DcmMode& mode) {
@@ -122,6 +151,18 @@ class FieldReader {
       fields(reader, values.emplace_back());
     }
   }
+  template <class T, class Fields>
+  void unless_default(const char* name, T& value, Fields fields) {
+    child(name, value, fields);
+  }
+  template <class T, class Fields>
+  void optional_list(const char* name, const char* item, std::vector<T>& values, Fields fields) {
+    list(name, item, values, fields);
+  }
+  void bytes(const char* name, std::vector<std::uint8_t>& value) {
+    if (const Node found = node_.child(name)) value = found.bytes();
+  }
+  void transitions(std::vector<Transition>& values);
   void init_cmd(StartupCommand& command);
 
  private:

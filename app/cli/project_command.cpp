@@ -13,23 +13,31 @@ namespace {
 
 struct FileOptions {
   std::string file;
+  std::string network;                 // of a file with several
   std::vector<std::string> arguments;  // KEY=VALUE for set, KEY for show
   bool json = false;
 };
 
-void set(Context& context, const FileOptions& options) {
-  auto project = eni::load_project(options.file);
-  if (!project) return context.fail_with(project.error());
-  for (const auto& argument : options.arguments) {
+Status apply(Project& project, const std::vector<std::string>& assignments) {
+  for (const auto& argument : assignments) {
     const auto equals = argument.find('=');
-    if (equals == std::string::npos) {
-      return context.fail_with(Error{ErrorCode::kBadValue, argument, "use KEY=VALUE"});
-    }
-    const auto status = set_setting(*project, std::string_view(argument).substr(0, equals),
+    if (equals == std::string::npos) return fail(ErrorCode::kBadValue, argument, "use KEY=VALUE");
+    const auto status = set_setting(project, std::string_view(argument).substr(0, equals),
                                     std::string_view(argument).substr(equals + 1));
-    if (!status) return context.fail_with(status.error());
+    if (!status) return status;
   }
-  if (auto status = eni::save_project(*project, options.file); !status) return context.fail_with(status.error());
+  return {};
+}
+
+void set(Context& context, const FileOptions& options) {
+  auto machine = eni::load_machine(options.file);
+  if (!machine) return context.fail_with(machine.error());
+  const auto network = eni::find_network(*machine, options.network);
+  if (!network) return context.fail_with(network.error());
+  if (auto status = apply(machine->networks[*network], options.arguments); !status) {
+    return context.fail_with(status.error());
+  }
+  if (auto status = eni::save_machine(*machine, options.file); !status) return context.fail_with(status.error());
 }
 
 Result<std::vector<SettingValue>> wanted_settings(const Project& project, const std::vector<std::string>& keys) {
@@ -44,7 +52,7 @@ Result<std::vector<SettingValue>> wanted_settings(const Project& project, const 
 }
 
 void show(Context& context, const FileOptions& options) {
-  const auto project = eni::load_project(options.file);
+  const auto project = eni::load_project(options.file, options.network);
   if (!project) return context.fail_with(project.error());
   const auto values = wanted_settings(*project, options.arguments);
   if (!values) return context.fail_with(values.error());
@@ -85,6 +93,8 @@ void add_create(CLI::App& project, Context& context) {
   command->add_option("--sync-window", options->sync_window, "on or off")->check(CLI::IsMember({"on", "off"}));
   command->add_option("--reference-clock", options->reference_clock, "auto or a position");
   command->add_option("--op-mode", options->op_modes, "POSITION=NAME, repeatable");
+  command->add_option("--network", options->network,
+                      "Name of the network; joins or replaces it in a file that exists already");
   command->add_flag("--json", options->json, "Print JSON");
   command->callback([&context, options] {
     if (options->scan.empty() && options->devices.empty()) {
@@ -101,6 +111,7 @@ void add_file_command(CLI::App& project, Context& context, const char* name, con
   command->add_option("file", options->file, "Project file")->required();
   auto* arguments = command->add_option("settings", options->arguments, what);
   if (required) arguments->required();
+  command->add_option("--network", options->network, "Network of a file that holds several: name or number");
   command->add_flag("--json", options->json, "Print JSON");
   command->callback([&context, options, action] { action(context, *options); });
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/project_create.h"
 
+#include <algorithm>
+
 #include "app/cli/identity_text.h"
 #include "app/composition/open_link.h"
 #include "app/composition/scan_bus.h"
@@ -60,6 +62,21 @@ Result<std::vector<SettingValue>> edits_of(const CreateOptions& options) {
   return edits;
 }
 
+/// Puts a named network beside those that the file has; an unnamed one makes the file new.
+Status save(const Project& project, const CreateOptions& options) {
+  if (options.network.empty()) return eni::save_project(project, options.file);
+  auto machine = eni::load_machine(options.file);
+  if (!machine && machine.error().code != ErrorCode::kFileNotFound) return tl::unexpected(machine.error());
+  if (!machine) machine = Machine{};
+  const auto known = std::ranges::find(machine->networks, options.network, &Project::name);
+  if (known != machine->networks.end()) {
+    *known = project;
+  } else {
+    machine->networks.push_back(project);
+  }
+  return eni::save_machine(*machine, options.file);
+}
+
 }  // namespace
 
 void create_project(Context& context, const CreateOptions& options) {
@@ -70,7 +87,8 @@ void create_project(Context& context, const CreateOptions& options) {
   for (const auto& edit : *edits) {
     if (auto status = set_setting(*project, edit.key, edit.value); !status) return context.fail_with(status.error());
   }
-  if (auto status = eni::save_project(*project, options.file); !status) return context.fail_with(status.error());
+  project->name = options.network;
+  if (auto status = save(*project, options); !status) return context.fail_with(status.error());
   if (options.json) {
     return context.print({{"file", options.file}, {"slaves", project->slaves.size()}});
   }

@@ -16,6 +16,7 @@ struct CreateOptions {
   std::vector<std::string> esi_folders;    // default: our own resources
   std::string cycle_us, shift, sync_window, reference_clock;
   std::vector<std::string> op_modes;       // POSITION=NAME
+  std::string network;                     // name; joins or replaces a network of an existing file. "" = a new file
   bool json = false;
 };
 

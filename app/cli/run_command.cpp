@@ -20,7 +20,7 @@ namespace syncline::cli {
 namespace {
 
 struct Options {
-  std::string file, link, duration = "10s", csv, dcm_log, capture, state = "OP";
+  std::string file, network, link, duration = "10s", csv, dcm_log, capture, state = "OP";
   std::vector<std::string> overrides;
   bool json = false, lateness = false;
 };
@@ -92,7 +92,7 @@ void execute(Context& context, const Options& options) {
   if (!duration) return context.fail_with(duration.error());
   const auto target = al_state_from_name(options.state);
   if (!target) return context.fail_with(Error{ErrorCode::kBadValue, "--state", "use INIT, PREOP, SAFEOP or OP"});
-  auto compiled = load_config(options.file);
+  auto compiled = load_config(options.file, {}, options.network);
   if (!compiled) return context.fail_with(compiled.error());
   if (auto status = override_settings(compiled->config, options.overrides); !status) {
     return context.fail_with(status.error());
@@ -155,6 +155,7 @@ void add_run_command(CLI::App& app, Context& context) {
   auto* command = app.add_subcommand("run", "Bring a bus to OP with a project or an ENI and report how well it is in sync");
   auto options = std::make_shared<Options>();
   command->add_option("file", options->file, "Project or ENI file")->required();
+  command->add_option("--network", options->network, "Network of a project that holds several: name or number");
   command->add_option("--link", options->link, "LINK")->required();
   command->add_option("--for", options->duration, "How long, e.g. 20s or 500ms")->capture_default_str();
   command->add_option("--state", options->state, "State to reach: INIT, PREOP, SAFEOP or OP")->capture_default_str();

@@ -6,8 +6,8 @@
 
 namespace syncline {
 
-Result<CompileResult> load_config(const std::string& path, const CompileOptions& options) {
-  const auto project = eni::load_project(path);
+Result<CompileResult> load_config(const std::string& path, const CompileOptions& options, std::string_view network) {
+  const auto project = eni::load_project(path, network);
   if (project) return compile(*project, options);
   if (project.error().code != ErrorCode::kNotThatKindOfFile) return tl::unexpected(project.error());
   auto config = eni::read_eni(path);

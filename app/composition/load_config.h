@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "config/compile/compile.h"
@@ -9,7 +10,9 @@
 
 namespace syncline {
 
-/// A file that can be run or exported: a project is compiled, an ENI is read as it is.
-[[nodiscard]] Result<CompileResult> load_config(const std::string& path, const CompileOptions& options = {});
+/// A file that can be run or exported: a project is compiled, an ENI is read as it is. `network` chooses one of a project
+/// file that holds several, see eni::find_network.
+[[nodiscard]] Result<CompileResult> load_config(const std::string& path, const CompileOptions& options = {},
+                                                std::string_view network = {});
 
 }  // namespace syncline

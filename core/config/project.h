@@ -10,6 +10,8 @@
 
 #include "config/dcm_settings.h"
 #include "config/device_description.h"
+#include "config/slave_options.h"
+#include "config/task_settings.h"
 #include "support/types.h"
 
 namespace syncline {
@@ -97,6 +99,9 @@ struct MasterSettings {
   DcMasterSettings dc;
   RecoverySettings recovery;
   RealTimeSettings real_time;
+  ProcessImageSettings image;
+  std::vector<TaskSettings> tasks;            // beside the base task, whose cycle is `cycle_time`
+  std::vector<SyncUnit> sync_units;           // beside the unnamed one of the base task
   bool operator==(const MasterSettings&) const = default;
 };
 
@@ -123,11 +128,6 @@ struct PreviousPort {
   bool operator==(const PreviousPort&) const = default;
 };
 
-struct IdentityCheck {
-  bool vendor = true, product = true, revision = false, serial = false;
-  bool operator==(const IdentityCheck&) const = default;
-};
-
 struct SlaveSettings {
   std::string name;
   std::uint16_t station_address = 0;
@@ -143,6 +143,19 @@ struct SlaveSettings {
   std::vector<Pdo> changed_pdos;
   DcSlaveSettings dc;
   std::vector<StartupCommand> startup;        // ESI's first, then the user's own
+  /// May be missing when the bus starts; like a hot-connect group it is then left out, but it has its place.
+  bool optional = false;
+  std::vector<PluggedModule> modules;         // slot ascending, one a slot
+  std::vector<PdoOversampling> oversampling;  // the user's factors; others as the operation mode says
+  WatchdogSettings watchdog;
+  TimeoutSettings timeouts;
+  MailboxSettings mailbox;
+  EoeSlaveSettings eoe;
+  std::vector<SoeStartupCommand> soe_startup;   // ESI's first, then the user's own
+  std::string ams_net_id;                     // AoE, "5.1.2.3.1.1"; "" = none given
+  /// Names of Sync Units for outputs and inputs; "" = the unnamed one.
+  std::string output_unit, input_unit;
+  std::vector<VariableName> variable_names;   // by PDO and entry, ascending
   bool operator==(const SlaveSettings&) const = default;
 };
 
@@ -150,7 +163,15 @@ struct SlaveSettings {
 struct Project {
   MasterSettings master;
   std::vector<SlaveSettings> slaves;          // frame order
+  std::string name;                           // of the network, where a machine has several
   bool operator==(const Project&) const = default;
+};
+
+/// A machine with one EtherCAT network or several, each with a master of its own: what a project file holds.
+struct Machine {
+  std::string name;
+  std::vector<Project> networks;
+  bool operator==(const Machine&) const = default;
 };
 
 /// PDOs that the ESI assigns (Sm attribute) or demands (Mandatory), in its order, without those that exclude each other.

@@ -5,6 +5,7 @@ namespace syncline::ui {
 
 ProjectPatch ProjectPatch::between(const Project& before, const Project& after) {
   ProjectPatch patch;
+  if (before.name != after.name) patch.name_ = before.name;
   if (!(before.master == after.master)) patch.master_ = before.master;
   if (before.slaves.size() != after.slaves.size()) {
     patch.all_slaves_ = before.slaves;
@@ -17,6 +18,7 @@ ProjectPatch ProjectPatch::between(const Project& before, const Project& after) 
 }
 
 void ProjectPatch::restore(Project& project) const {
+  if (name_) project.name = *name_;
   if (master_) project.master = *master_;
   if (all_slaves_) project.slaves = *all_slaves_;
   for (const auto& [position, slave] : slaves_) project.slaves[position] = slave;

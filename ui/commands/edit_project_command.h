@@ -4,6 +4,7 @@
 #include <QUndoCommand>
 #include <functional>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -21,11 +22,12 @@ class ProjectPatch {
  public:
   static ProjectPatch between(const Project& before, const Project& after);
   void restore(Project& project) const;
-  [[nodiscard]] bool empty() const { return !master_ && !all_slaves_ && slaves_.empty(); }
+  [[nodiscard]] bool empty() const { return !name_ && !master_ && !all_slaves_ && slaves_.empty(); }
   /// Slaves came, went or changed their names and places (not only their settings).
   [[nodiscard]] bool structural() const { return all_slaves_.has_value(); }
 
  private:
+  std::optional<std::string> name_;
   std::optional<MasterSettings> master_;
   std::optional<std::vector<SlaveSettings>> all_slaves_;
   std::vector<std::pair<std::size_t, SlaveSettings>> slaves_;

@@ -46,6 +46,7 @@ void ProjectDocument::replace(const QString& text, Project project) {
 
 void ProjectDocument::reset() {
   project_ = Project{};
+  machine_ = Machine{};
   path_.clear();
   undo_.clear();
   Q_EMIT pathChanged();
@@ -53,9 +54,10 @@ void ProjectDocument::reset() {
 }
 
 Status ProjectDocument::load(const QString& path) {
-  auto loaded = eni::load_project(path.toStdString());
+  auto loaded = eni::load_machine(path.toStdString());
   if (!loaded) return tl::unexpected(loaded.error());
-  project_ = std::move(*loaded);
+  machine_ = std::move(*loaded);
+  project_ = machine_.networks.front();
   path_ = path;
   undo_.clear();
   Q_EMIT pathChanged();
@@ -64,7 +66,9 @@ Status ProjectDocument::load(const QString& path) {
 }
 
 Status ProjectDocument::save(const QString& path) {
-  if (auto status = eni::save_project(project_, path.toStdString()); !status) return status;
+  if (machine_.networks.empty()) machine_.networks.emplace_back();
+  machine_.networks.front() = project_;
+  if (auto status = eni::save_machine(machine_, path.toStdString()); !status) return status;
   path_ = path;
   undo_.setClean();
   Q_EMIT pathChanged();

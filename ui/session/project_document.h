@@ -51,6 +51,8 @@ class ProjectDocument final : public QObject, private ProjectHolder {
   void projectEdited(bool structural) override;
 
   Project project_;
+  /// The file that `project_` came from: its other networks go back into it when it is saved.
+  Machine machine_;
   QUndoStack undo_;
   QString path_;
 };

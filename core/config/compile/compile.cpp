@@ -91,7 +91,7 @@ SlaveConfig slave_config(const SlavePlan& plan, Nanoseconds cycle, EniDialect di
     config.identity.serial_no = 0;
   }
   for (const auto& channel : plan.channels) {
-    config.sync_managers.push_back({channel.number, channel.description, channel.pdos});
+    config.sync_managers.push_back({channel.number, channel.description, channel.pdos, {}});
   }
   config.pdos = plan.pdos;
   if (plan.mailbox) {
@@ -182,7 +182,7 @@ Result<CompileResult> compile(const Project& project, const CompileOptions& opti
       return command.ado == reg::kSpeedCounterStart || command.ado == reg::kFilterDepthDifference;
     });
   }
-  config.cyclic.push_back({project.master.cycle_time, cyclic.frames});
+  config.cyclic.push_back({project.master.cycle_time, cyclic.frames, {}, {}, {}});
   fill_image(config, plans, image, cyclic);
   result.findings = find_problems(project, plans, config);
   return result;

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "config/slave_options.h"
+
+#include <array>
+#include <utility>
+
+namespace syncline {
+namespace {
+
+constexpr std::array<std::pair<RevisionCheck, std::string_view>, 5> kNames{{
+    {RevisionCheck::kNone, "NONE"},
+    {RevisionCheck::kEqual, "EQ"},
+    {RevisionCheck::kEqualOrGreater, "EQ_OR_G"},
+    {RevisionCheck::kLowWordEqual, "LW_EQ"},
+    {RevisionCheck::kLowWordEqualHighWordEqualOrGreater, "LW_EQ_HW_EQ_OR_G"},
+}};
+
+}  // namespace
+
+std::string_view revision_check_name(RevisionCheck check) {
+  for (const auto& [value, name] : kNames) {
+    if (value == check) return name;
+  }
+  return {};
+}
+
+std::optional<RevisionCheck> revision_check_from_name(std::string_view name) {
+  for (const auto& [value, known] : kNames) {
+    if (known == name) return value;
+  }
+  return std::nullopt;
+}
+
+}  // namespace syncline
