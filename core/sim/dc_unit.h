@@ -73,6 +73,8 @@ class DcUnit {
   void follow_ownership();
   void write_status();
   [[nodiscard]] Nanoseconds next_signal();
+  /// After what may bring the next SYNC signal forward by more than the time control loop does.
+  void signals_moved();
   void implement_registers(std::uint64_t seed);
 
   EscMemory& memory_;
@@ -88,6 +90,7 @@ class DcUnit {
   Nanoseconds now_ = 0;            // up to which SYNC signals have been delivered
   /// True time of the next SYNC signal, if there is one; empty after what moves it.
   std::optional<Nanoseconds> next_signal_;
+  Nanoseconds quiet_until_ = INT64_MIN;  // no SYNC signal before, whatever the time control loop does
   std::uint64_t local_at_start_of_frame_ = 0;
 };
 

@@ -69,31 +69,39 @@ bool Esc::process(std::span<DatagramView> datagrams, Nanoseconds time) {
   if (maps_stale_) reload_maps();
   const auto event = static_cast<std::uint16_t>(memory_.u16(reg::kEcatEventRequest) & memory_.u16(reg::kEcatEventMask));
   for (auto& datagram : datagrams) {
+    datagram.header.irq = static_cast<std::uint16_t>(datagram.header.irq | event);
+    const auto command = datagram.header.command;
+    if (command == Command::kNop) continue;
     const auto access = execute(datagram);
-    const bool read_write = datagram.header.command == Command::kAprw || datagram.header.command == Command::kFprw ||
-                            datagram.header.command == Command::kBrw || datagram.header.command == Command::kLrw;
+    const bool read_write = command == Command::kAprw || command == Command::kFprw || command == Command::kBrw ||
+                            command == Command::kLrw;
     const unsigned count = (access.read ? 1U : 0U) + (access.written ? (read_write ? 2U : 1U) : 0U);
     if (count > 0) datagram.set_wkc(static_cast<std::uint16_t>(datagram.wkc() + count));
-    if (is_auto_increment(datagram.header.command) || is_broadcast(datagram.header.command)) {
+    if (is_auto_increment(command) || is_broadcast(command)) {
       const auto adp = static_cast<std::uint16_t>(datagram.header.adp() + 1);
       datagram.header.address = device_address(adp, datagram.header.ado());
     }
-    datagram.header.irq = static_cast<std::uint16_t>(datagram.header.irq | event);
   }
   return true;
 }
 
 Esc::Access Esc::execute(DatagramView& datagram) {
   const auto& header = datagram.header;
-  const bool mine = addressed(header);
   switch (header.command) {
     case Command::kNop: return {};
+    case Command::kBrd: return {read_memory(header.ado(), datagram.data, true), false};
+    case Command::kBwr: return {false, write_memory(header.command, header.ado(), datagram.data)};
+    case Command::kLrd: return logical(datagram, true, false);
+    case Command::kLwr: return logical(datagram, false, true);
+    case Command::kLrw: return options_.logical_read_write ? logical(datagram, true, true) : Access{};
+    default: break;
+  }
+  const bool mine = addressed(header);
+  switch (header.command) {
     case Command::kAprd:
     case Command::kFprd: return {mine && read_memory(header.ado(), datagram.data, false), false};
-    case Command::kBrd: return {read_memory(header.ado(), datagram.data, true), false};
     case Command::kApwr:
     case Command::kFpwr: return {false, mine && write_memory(header.command, header.ado(), datagram.data)};
-    case Command::kBwr: return {false, write_memory(header.command, header.ado(), datagram.data)};
     case Command::kAprw:
     case Command::kFprw:
     case Command::kBrw: {
@@ -107,11 +115,8 @@ Esc::Access Esc::execute(DatagramView& datagram) {
     case Command::kFrmw:
       if (mine) return {read_memory(header.ado(), datagram.data, false), false};
       return {false, write_memory(header.command, header.ado(), datagram.data)};
-    case Command::kLrd: return logical(datagram, true, false);
-    case Command::kLwr: return logical(datagram, false, true);
-    case Command::kLrw: return options_.logical_read_write ? logical(datagram, true, true) : Access{};
+    default: return {};
   }
-  return {};
 }
 
 bool Esc::read_memory(std::uint16_t address, std::span<std::uint8_t> out, bool or_into) {
@@ -123,17 +128,16 @@ bool Esc::read_memory(std::uint16_t address, std::span<std::uint8_t> out, bool o
     return !out.empty();
   }
   dc_.latches().before_read(address, out.size());
-  const auto readable = [&](std::size_t i) {
-    return (memory_.rights(static_cast<std::uint32_t>(address + i)) & EscMemory::kRead) != 0;
-  };
-  std::size_t first = 0;
-  while (first < out.size() && !readable(first)) ++first;
-  if (first == out.size()) return false;
+  bool any = false;
   const auto from = std::as_const(memory_).at(address, out.size());
-  for (std::size_t i = first; i < out.size(); ++i) {
-    const auto value = readable(i) ? from[i] : std::uint8_t{0};
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    const bool readable = (memory_.rights(static_cast<std::uint32_t>(address + i)) & EscMemory::kRead) != 0;
+    if (!readable && !any) continue;
+    any = true;
+    const auto value = readable ? from[i] : std::uint8_t{0};
     out[i] = or_into ? static_cast<std::uint8_t>(out[i] | value) : value;
   }
+  if (!any) return false;
   note_buffer_access(address, out.size(), false);
   read_latches(address, out.size());
   if (overlaps(address, out.size(), reg::kDlStatus, 2)) clear_event(kEventDlStatus);
@@ -235,8 +239,10 @@ void Esc::frame_end(Nanoseconds time) {
   std::size_t position = 0;
   bool reset_written = false, sii_command = false;
   for (const auto& write : writes_) {
-    sii_command = sii_command || (overlaps(write.address, write.length, reg::kSiiControl, 2) && !sii_.blocks(reg::kSiiControl));
-    reset_written = reset_written || overlaps(write.address, write.length, reg::kEscReset, 1);
+    if (write.address < reg::kReceiveTimePort0) {
+      sii_command = sii_command || (overlaps(write.address, write.length, reg::kSiiControl, 2) && !sii_.blocks(reg::kSiiControl));
+      reset_written = reset_written || overlaps(write.address, write.length, reg::kEscReset, 1);
+    }
     take_over(write, std::span(shadow_).subspan(position, write.length));
     position += write.length;
     commit_register(write, time);

@@ -123,7 +123,11 @@ class Esc {
   void read_latches(std::uint16_t address, std::size_t length);
   void follow_latch_events();
   void sync_fired(SyncGenerator::Signal signal, Nanoseconds time);
-  [[nodiscard]] bool buffer_allows(std::uint32_t address, std::size_t length, bool write) const;
+  /// Whether the SyncManagers let the master at this memory now.
+  [[nodiscard]] bool buffer_allows(std::uint32_t address, std::size_t length, bool write) const {
+    return address + length <= buffers_begin_ || managers_allow(address, length, write);  // registers, nearly always
+  }
+  [[nodiscard]] bool managers_allow(std::uint32_t address, std::size_t length, bool write) const;
   void end_transfer(unsigned number, bool write);
   void note_buffer_access(std::uint32_t address, std::size_t length, bool write);
   void take_over(const Write& write, std::span<const std::uint8_t> bytes);
@@ -150,7 +154,10 @@ class Esc {
     std::optional<unsigned> whole_buffer{};
   };
   [[nodiscard]] std::optional<unsigned> find_whole_buffer(const Fmmu& fmmu) const;
-  std::vector<Mapping> mappings_;
+  [[nodiscard]] bool map_datagram(const DatagramView& datagram, std::span<const Mapping> mappings, bool writing);
+  /// What one FMMU maps of a datagram, byte by byte or bit by bit.
+  [[nodiscard]] bool map_part(const DatagramView& datagram, const Fmmu& fmmu, bool writing);
+  std::vector<Mapping> write_mappings_, read_mappings_;
   std::vector<SyncManager> sync_managers_;  // decoded
   bool maps_stale_ = true;
   std::vector<std::uint8_t> active_managers_;  // those that are on and have a length

@@ -6,6 +6,7 @@
 #include "sim/esc.h"
 #include "sim/esc_events.h"
 #include "sim/esc_ranges.h"
+#include "sim/short_copy.h"
 
 namespace syncline::sim {
 
@@ -23,10 +24,13 @@ void put_bit(std::span<std::uint8_t> bytes, std::size_t bit, bool value) {
 
 void Esc::reload_maps() {
   maps_stale_ = false;
-  mappings_.clear();
+  read_mappings_.clear();
+  write_mappings_.clear();
   for (unsigned i = 0; i < options_.fmmu_count; ++i) {
     const auto fmmu = Fmmu::decode(memory_.at(reg::fmmu(i), Fmmu::kSize).first<Fmmu::kSize>());
-    if (fmmu.active && fmmu.length > 0) mappings_.push_back({fmmu});
+    if (!fmmu.active || fmmu.length == 0) continue;
+    if (fmmu.write) write_mappings_.push_back({fmmu});
+    if (fmmu.read) read_mappings_.push_back({fmmu});
   }
   buffers_begin_ = EscMemory::kSize;
   active_managers_.clear();
@@ -36,7 +40,9 @@ void Esc::reload_maps() {
     active_managers_.push_back(static_cast<std::uint8_t>(i));
     buffers_begin_ = std::min<std::uint32_t>(buffers_begin_, sm.start);
   }
-  for (auto& mapping : mappings_) mapping.whole_buffer = find_whole_buffer(mapping.fmmu);
+  for (auto* mappings : {&write_mappings_, &read_mappings_}) {
+    for (auto& mapping : *mappings) mapping.whole_buffer = find_whole_buffer(mapping.fmmu);
+  }
 }
 
 /// Whether the FMMU maps a buffered SyncManager as a whole, and nothing else: then only the write protection can forbid an
@@ -55,8 +61,7 @@ std::optional<unsigned> Esc::find_whole_buffer(const Fmmu& fmmu) const {
   return buffer_allows(fmmu.physical_start, fmmu.length, fmmu.write) ? found : std::nullopt;
 }
 
-bool Esc::buffer_allows(std::uint32_t address, std::size_t length, bool write) const {
-  if (address + length <= buffers_begin_) return true;  // registers, nearly always
+bool Esc::managers_allow(std::uint32_t address, std::size_t length, bool write) const {
   for (const unsigned i : active_managers_) {
     const auto& sm = sync_managers_[i];
     if ((sm.pdi_control & kPdiDeactivated) != 0 && overlaps(address, length, sm.start, sm.length)) return false;
@@ -106,11 +111,7 @@ void Esc::copy_mapped(std::span<std::uint8_t> datagram, std::uint64_t datagram_b
   if (datagram_bit % 8 == 0 && memory_bit % 8 == 0 && bits % 8 == 0) {
     const auto in_frame = datagram.subspan(datagram_bit / 8, bits / 8);
     const auto in_memory = memory.subspan(memory_bit / 8, bits / 8);
-    if (writing) {
-      std::ranges::copy(in_frame, in_memory.begin());
-    } else {
-      std::ranges::copy(in_memory, in_frame.begin());
-    }
+    writing ? short_copy(in_frame, in_memory) : short_copy(in_memory, in_frame);
     return;
   }
   for (std::uint64_t bit = 0; bit < bits; ++bit) {
@@ -123,36 +124,46 @@ void Esc::copy_mapped(std::span<std::uint8_t> datagram, std::uint64_t datagram_b
 }
 
 Esc::Access Esc::logical(const DatagramView& datagram, bool read, bool write) {
-  Access access;
+  // The write side takes the bytes as they came in; the read side replaces them afterwards.
+  const bool written = write && map_datagram(datagram, write_mappings_, true);
+  return {read && map_datagram(datagram, read_mappings_, false), written};
+}
+
+bool Esc::map_datagram(const DatagramView& datagram, std::span<const Mapping> mappings, bool writing) {
+  bool any = false;
   const std::uint64_t start = datagram.header.address;
   const std::uint64_t end = start + datagram.data.size();
-  // The write side takes the bytes as they came in; the read side replaces them afterwards.
-  for (const bool writing : {true, false}) {
-    if (writing ? !write : !read) continue;
-    for (const auto& [fmmu, whole_buffer] : mappings_) {
-      if (writing ? !fmmu.write : !fmmu.read) continue;
-      const std::uint64_t first_bit = 8ULL * fmmu.logical_start + fmmu.logical_start_bit;
-      const std::uint64_t bits = fmmu.bit_length();
-      const std::uint64_t from = std::max(first_bit, 8 * start);
-      const std::uint64_t to = std::min(first_bit + bits, 8 * end);
-      if (from >= to) continue;
-      const std::uint64_t physical = 8ULL * fmmu.physical_start + fmmu.physical_start_bit + (from - first_bit);
-      const auto address = static_cast<std::uint32_t>(physical / 8);
-      const auto length = static_cast<std::size_t>((physical + (to - from) + 7) / 8 - physical / 8);
-      const bool whole = whole_buffer && to - from == bits;
-      if (!whole && (address + length > EscMemory::kSize || !buffer_allows(address, length, writing))) continue;
-      if (writing && !protection_.allows(address, length)) continue;
-      if (!writing) open_buffer(address, length);
-      copy_mapped(datagram.data, from - 8 * start, physical, to - from, writing);
-      if (whole) {
-        end_transfer(*whole_buffer, writing);
-      } else {
-        note_buffer_access(address, length, writing);
-      }
-      (writing ? access.written : access.read) = true;
+  for (const auto& [fmmu, whole_buffer] : mappings) {
+    if (whole_buffer && fmmu.logical_start >= start && fmmu.logical_start + std::uint64_t{fmmu.length} <= end) {
+      if (writing && !protection_.allows(fmmu.physical_start, fmmu.length)) continue;
+      if (!writing) open_buffer(fmmu.physical_start, fmmu.length);
+      const auto in_frame = datagram.data.subspan(fmmu.logical_start - start, fmmu.length);
+      const auto in_memory = memory_.at(fmmu.physical_start, fmmu.length);
+      writing ? short_copy(in_frame, in_memory) : short_copy(in_memory, in_frame);
+      end_transfer(*whole_buffer, writing);
+      any = true;
+    } else if (map_part(datagram, fmmu, writing)) {
+      any = true;
     }
   }
-  return access;
+  return any;
+}
+
+bool Esc::map_part(const DatagramView& datagram, const Fmmu& fmmu, bool writing) {
+  const std::uint64_t start = 8ULL * datagram.header.address;
+  const std::uint64_t first_bit = 8ULL * fmmu.logical_start + fmmu.logical_start_bit;
+  const std::uint64_t from = std::max(first_bit, start);
+  const std::uint64_t to = std::min(first_bit + fmmu.bit_length(), start + 8 * datagram.data.size());
+  if (from >= to) return false;
+  const std::uint64_t physical = 8ULL * fmmu.physical_start + fmmu.physical_start_bit + (from - first_bit);
+  const auto address = static_cast<std::uint32_t>(physical / 8);
+  const auto length = static_cast<std::size_t>((physical + (to - from) + 7) / 8 - physical / 8);
+  if (address + length > EscMemory::kSize || !buffer_allows(address, length, writing)) return false;
+  if (writing && !protection_.allows(address, length)) return false;
+  if (!writing) open_buffer(address, length);
+  copy_mapped(datagram.data, from - start, physical, to - from, writing);
+  note_buffer_access(address, length, writing);
+  return true;
 }
 
 }  // namespace syncline::sim

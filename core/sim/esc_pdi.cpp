@@ -4,6 +4,7 @@
 #include "protocol/registers.h"
 #include "sim/esc.h"
 #include "sim/esc_events.h"
+#include "sim/short_copy.h"
 
 /// What the device's side of an ESC sees and does: events, SyncManagers, pins.
 namespace syncline::sim {
@@ -38,13 +39,14 @@ SyncManager Esc::sync_manager(unsigned number) const {
 }
 
 std::span<std::uint8_t> Esc::sync_manager_area(unsigned number) {
-  const auto sm = sync_manager(number);
-  return memory_.at(sm.start, std::min<std::size_t>(sm.length, EscMemory::kSize - sm.start));
+  const auto area = std::as_const(*this).sync_manager_area(number);
+  return memory_.at(static_cast<std::uint32_t>(area.data() - memory_.at(0, 0).data()), area.size());
 }
 
 std::span<const std::uint8_t> Esc::sync_manager_area(unsigned number) const {
-  const auto sm = sync_manager(number);
-  return memory_.at(sm.start, std::min<std::size_t>(sm.length, EscMemory::kSize - sm.start));
+  const auto start = memory_.u16(reg::sync_manager(number));
+  const auto length = memory_.u16(static_cast<std::uint16_t>(reg::sync_manager(number) + 2));
+  return memory_.at(start, std::min<std::size_t>(length, EscMemory::kSize - start));
 }
 
 void Esc::set_mailbox_full(unsigned number, bool full) {
@@ -86,8 +88,8 @@ void Esc::put_buffer(unsigned number, std::span<const std::uint8_t> bytes) {
     pending_[number].assign(bytes.begin(), bytes.end());
     any_pending_ = true;
   } else {
-    pending_[number].clear();
-    std::ranges::copy(bytes, area.begin());
+    if (any_pending_) pending_[number].clear();
+    short_copy(bytes, area);
   }
 }
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "sim/short_copy.h"
+
 namespace syncline::sim {
 namespace {
 
@@ -23,7 +25,7 @@ std::uint32_t mapping_word(const PdoEntry& entry) {
 void copy_bits(std::span<std::uint8_t> to, std::size_t to_bit, std::span<const std::uint8_t> from, std::size_t from_bit,
                std::size_t bits) {
   if (to_bit % 8 == 0 && from_bit % 8 == 0 && bits % 8 == 0) {
-    std::copy_n(from.subspan(from_bit / 8).begin(), bits / 8, to.subspan(to_bit / 8).begin());
+    short_copy(from.subspan(from_bit / 8, bits / 8), to.subspan(to_bit / 8));
     return;
   }
   for (std::size_t i = 0; i < bits; ++i) {

@@ -35,6 +35,7 @@ std::vector<ProcessData::Copy> ProcessData::copies(PdoDirection direction) {
 void ProcessData::map() {
   outputs_ = copies(PdoDirection::kRx);
   inputs_ = copies(PdoDirection::kTx);
+  input_buffer_.clear();
 }
 
 void ProcessData::outputs_to_dictionary() {
@@ -52,7 +53,8 @@ void ProcessData::clear_outputs() {
 
 void ProcessData::inputs_from_dictionary() {
   if (!input_sm_) return;
-  input_buffer_.assign(esc_.sync_manager(*input_sm_).length, 0);
+  const auto length = std::as_const(esc_).sync_manager_area(*input_sm_).size();
+  if (input_buffer_.size() != length) input_buffer_.assign(length, 0);  // bits that nothing is mapped to stay zero
   for (const auto& copy : inputs_) {
     if (copy.bit_offset + copy.bits > 8U * input_buffer_.size()) continue;
     copy_bits(input_buffer_, copy.bit_offset, copy.entry->value, 0, copy.bits);
