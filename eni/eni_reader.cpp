@@ -22,6 +22,15 @@ void read_mac(const EniElement& element, std::array<std::uint8_t, 6>& mac) {
   }
 }
 
+std::optional<std::uint8_t> read_port(const EniElement& element) {
+  const std::string port = element.text_of("Port");
+  if (port.size() != 1 || port[0] < 'A' || port[0] > 'D') {
+    element.child("Port").report(ErrorCode::kXmlBadValue, port);
+    return std::nullopt;
+  }
+  return static_cast<std::uint8_t>(port[0] - 'A');
+}
+
 /// Station address of the selected previous port, 0 = none.
 std::uint16_t read_previous(const EniElement& slave, SlaveConfig& config) {
   const auto ports = slave.children("PreviousPort");
@@ -29,15 +38,17 @@ std::uint16_t read_previous(const EniElement& slave, SlaveConfig& config) {
   if (selected == ports.end() && ports.size() == 1) {
     selected = ports.begin();
   }
-  if (selected == ports.end()) {
+  for (auto port = ports.begin(); port != ports.end(); ++port) {
+    if (const auto number = port == selected ? std::nullopt : read_port(*port)) {
+      config.other_ports.push_back({*number, port->optional_number_of<std::uint16_t>("PhysAddr"),
+                                    port->optional_number_of<std::uint32_t>("DeviceId")});
+    }
+  }
+  const auto port = selected == ports.end() ? std::nullopt : read_port(*selected);
+  if (!port) {
     return 0;
   }
-  const std::string port = selected->text_of("Port");
-  if (port.size() != 1 || port[0] < 'A' || port[0] > 'D') {
-    selected->child("Port").report(ErrorCode::kXmlBadValue, port);
-    return 0;
-  }
-  config.previous = PreviousPort{0, static_cast<std::uint8_t>(port[0] - 'A')};
+  config.previous = PreviousPort{0, *port};
   return selected->number_of<std::uint16_t>("PhysAddr");
 }
 
@@ -69,8 +80,19 @@ MasterConfig read_master(const EniElement& master) {
   config.name = info.text_of("Name");
   read_mac(info.child("Destination"), config.destination_mac);
   read_mac(info.child("Source"), config.source_mac);
-  config.eoe = static_cast<bool>(master.child("EoE"));
-  config.mailbox_state_count = master.child("MailboxStates").optional_number_of<std::uint16_t>("Count");
+  if (const auto type = info.child("EtherType") ? info.child("EtherType").bytes() : std::vector<std::uint8_t>{};
+      type.size() == 2) {
+    config.ether_type = static_cast<std::uint16_t>(type[0] | type[1] << 8);
+  }
+  if (const EniElement eoe = master.child("EoE")) {
+    config.eoe = true;
+    config.eoe_settings = {eoe.number_of<std::uint32_t>("MaxPorts"), eoe.number_of<std::uint32_t>("MaxFrames"),
+                           eoe.number_of<std::uint32_t>("MaxMACs")};
+  }
+  if (const EniElement states = master.child("MailboxStates")) {
+    config.mailbox_state_count = states.optional_number_of<std::uint16_t>("Count");
+    config.mailbox_state_start = states.number_of<std::uint32_t>("StartAddr", config.mailbox_state_start);
+  }
   config.init_cmds = read_init_cmds(master.child("InitCmds"));
   return config;
 }

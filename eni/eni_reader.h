@@ -11,6 +11,7 @@
 namespace syncline::eni {
 
 [[nodiscard]] MasterConfig read_master(const EniElement& master);
+[[nodiscard]] std::optional<MailboxConfig> read_mailbox(const EniElement& element);
 [[nodiscard]] SlaveConfig read_slave(const EniElement& slave, std::uint16_t position);
 /// One command, an InitCmd or an IdentifyCmd.
 [[nodiscard]] InitCmd read_init_cmd(const EniElement& element);

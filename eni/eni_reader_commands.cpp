@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "eni/eni_reader.h"
+#include "eni/eni_writer.h"
 
 namespace syncline::eni {
 namespace {
@@ -27,15 +28,28 @@ void read_datagram(const EniElement& element, Cmd& cmd) {
   cmd.expected_wkc = element.optional_number_of<std::uint16_t>("Cnt");
 }
 
+ValidateType read_validate_type(const EniElement& element) {
+  const std::string name = element.attribute("Type");
+  for (const ValidateType type :
+       {ValidateType::kEqual, ValidateType::kNotEqual, ValidateType::kGreaterOrEqual, ValidateType::kLessOrEqual,
+        ValidateType::kGreater, ValidateType::kLess, ValidateType::kNone}) {
+    if (name == validate_name(type)) {
+      return type;
+    }
+  }
+  if (!name.empty()) {
+    element.report(ErrorCode::kXmlBadValue, "Type=\"" + name + "\"");
+  }
+  return ValidateType::kEqual;
+}
+
 std::optional<InitCmdValidate> read_validate(const EniElement& element) {
   if (!element) {
     return std::nullopt;
   }
-  if (const std::string type = element.attribute("Type"); !type.empty() && type != "EQ") {
-    element.report(ErrorCode::kXmlBadValue, "Type=\"" + type + "\" (only EQ is supported)");
-  }
   return InitCmdValidate{element.child("Data").bytes(), element.child("DataMask").bytes(),
-                         element.number_of<std::uint32_t>("Timeout")};
+                         element.number_of<std::uint32_t>("Timeout"), read_validate_type(element),
+                         element.boolean_attribute("Signed")};
 }
 
 std::vector<AlState> read_states(const EniElement& element) {
@@ -93,7 +107,9 @@ InitCmd read_init_cmd(const EniElement& element) {
   InitCmd cmd;
   cmd.transitions = read_transitions(element);
   cmd.before_slave = element.boolean_of("BeforeSlave");
-  cmd.requires_cycle = element.text_of("Requires") == "cycle";
+  const std::string requires_what = element.text_of("Requires");
+  cmd.requires_cycle = requires_what == "cycle";
+  cmd.requires_frame = requires_what == "frame";
   read_datagram(element, cmd);
   cmd.retries = element.number_of<std::uint32_t>("Retries");
   cmd.validate = read_validate(element.child("Validate"));
@@ -111,9 +127,14 @@ std::vector<InitCmd> read_init_cmds(const EniElement& init_cmds) {
 
 CyclicTask read_cyclic(const EniElement& cyclic) {
   CyclicTask task;
+  task.comment = cyclic.text_of("Comment");
   task.cycle_time = cyclic.number_of<std::uint32_t>("CycleTime") * kMicrosecond;
+  task.cycle_time_given = task.cycle_time > 0;
+  task.priority = cyclic.optional_number_of<std::int32_t>("Priority");
+  task.task_id = cyclic.text_of("TaskId");
   for (const EniElement& frame_element : cyclic.children("Frame")) {
     CyclicFrame& frame = task.frames.emplace_back();
+    frame.comment = frame_element.text_of("Comment");
     for (const EniElement& element : frame_element.children("Cmd")) {
       frame.commands.push_back(read_cyclic_cmd(element));
     }

@@ -11,35 +11,67 @@ constexpr std::uint16_t kFirstStationAddress = 1001;
 constexpr std::uint16_t kAliasRegister = 0x0012;
 constexpr int kMaxSyncManagers = 16;
 
+void read_identification(const EniElement& element, SlaveConfig& slave) {
+  if (!element) {
+    return;
+  }
+  const Identification found{element.number_of<std::uint16_t>("Ado"),
+                             element.number_attribute<std::uint32_t>("Value").value_or(0)};
+  if (found.ado == kAliasRegister && found.value <= UINT16_MAX) {
+    slave.alias = static_cast<std::uint16_t>(found.value);
+  } else {
+    slave.identification = found;
+  }
+}
+
 void read_info(const EniElement& info, SlaveConfig& slave, std::uint16_t position) {
   slave.name = info.text_of("Name");
   slave.station_address =
       info.number_of<std::uint16_t>("PhysAddr", static_cast<std::uint16_t>(kFirstStationAddress + position));
   slave.auto_increment_address =
       info.number_of<std::uint16_t>("AutoIncAddr", Position{position}.auto_increment_address());
-  if (const EniElement identification = info.child("Identification");
-      identification && identification.number_of<std::uint16_t>("Ado") == kAliasRegister) {
-    slave.alias = identification.number_attribute<std::uint16_t>("Value").value_or(0);
-  }
+  read_identification(info.child("Identification"), slave);
   slave.physics = info.text_of("Physics");
   slave.identity = {info.number_of<std::uint32_t>("VendorId"), info.number_of<std::uint32_t>("ProductCode"),
                     info.number_of<std::uint32_t>("RevisionNo"), info.number_of<std::uint32_t>("SerialNo")};
+  slave.product_revision = info.text_of("ProductRevision");
 }
 
-std::optional<ImageRange> read_range(const EniElement& process_data, const char* name) {
-  const auto parts = process_data.children(name);
-  if (parts.empty()) {
-    return std::nullopt;
+std::vector<ImageRange> read_ranges(const EniElement& process_data, const char* name) {
+  std::vector<ImageRange> ranges;
+  for (const EniElement& element : process_data.children(name)) {
+    ImageRange range{element.number_of<std::uint32_t>("BitStart"), element.number_of<std::uint32_t>("BitLength")};
+    for (int number = 0; number < kMaxSyncManagers; ++number) {
+      if (element.boolean_attribute(("Sm" + std::to_string(number)).c_str())) {
+        range.sync_managers = static_cast<std::uint16_t>(range.sync_managers | 1U << number);
+      }
+    }
+    if (range.bit_length > UINT32_MAX - range.bit_start) {
+      element.report(ErrorCode::kXmlBadValue, element.text_of("BitLength"));
+      range = {};
+    }
+    ranges.push_back(range);
   }
-  // One element a SyncManager is allowed; the slave's part of the image spans them.
+  return ranges;
+}
+
+/// One element a SyncManager is allowed; the slave's part of the image spans them.
+void take_ranges(std::vector<ImageRange> ranges, std::optional<ImageRange>& whole, std::vector<ImageRange>& parts) {
+  if (ranges.empty()) {
+    return;
+  }
+  if (ranges.size() == 1) {
+    whole = ranges.front();
+    return;
+  }
   std::uint32_t first = UINT32_MAX;
   std::uint32_t end = 0;
-  for (const EniElement& part : parts) {
-    const auto start = part.number_of<std::uint32_t>("BitStart");
-    first = std::min(first, start);
-    end = std::max(end, start + part.number_of<std::uint32_t>("BitLength"));
+  for (const ImageRange& range : ranges) {
+    first = std::min(first, range.bit_start);
+    end = std::max(end, range.bit_start + range.bit_length);
   }
-  return ImageRange{first, end - first};
+  whole = ImageRange{first, end - first};
+  parts = std::move(ranges);
 }
 
 SyncManagerType read_type(const EniElement& element) {
@@ -66,10 +98,35 @@ ConfiguredSyncManager read_sync_manager(const EniElement& element, int number) {
   description.control_byte = element.number_of<std::uint8_t>("ControlByte");
   description.enable = element.boolean_of("Enable");
   description.is_virtual = element.boolean_of("Virtual");
+  manager.watchdog = element.optional_number_of<std::uint32_t>("Watchdog");
   for (const EniElement& pdo : element.children("Pdo")) {
     manager.pdos.push_back(pdo.number<std::uint16_t>());
   }
   return manager;
+}
+
+/// "1" to "3" and the words of xs:boolean.
+std::uint8_t read_swap(const EniElement& data_type) {
+  const std::string text = data_type.attribute("SwapData");
+  if (text == "true" || text == "false") {
+    return text == "true" ? 1 : 0;
+  }
+  return data_type.number_attribute<std::uint8_t>("SwapData").value_or(0);
+}
+
+PdoEntry read_entry(const EniElement& element) {
+  PdoEntry entry;
+  entry.index = element.number_of<std::uint16_t>("Index");
+  entry.sub_index = element.number_of<std::uint8_t>("SubIndex");
+  entry.bit_length = element.number_of<std::uint16_t>("BitLen");
+  entry.name = element.text_of("Name");
+  entry.fixed = element.boolean_attribute("Fixed");
+  entry.comment = element.text_of("Comment");
+  const EniElement data_type = element.child("DataType");
+  entry.data_type = data_type.text();
+  entry.scale = data_type.attribute("DScale");
+  entry.swap = read_swap(data_type);
+  return entry;
 }
 
 ConfiguredPdo read_pdo(const EniElement& element) {
@@ -81,19 +138,26 @@ ConfiguredPdo read_pdo(const EniElement& element) {
   pdo.sync_manager = element.number_attribute<std::uint8_t>("Sm");
   pdo.fixed = element.boolean_attribute("Fixed");
   pdo.mandatory = element.boolean_attribute("Mandatory");
+  pdo.is_virtual = element.boolean_attribute("Virtual");
+  pdo.sync_unit = element.number_attribute<std::uint8_t>("Su");
+  pdo.order = element.number_attribute<int>("PdoOrder");
+  pdo.os_factor = element.number_attribute<std::uint16_t>("OSFac");
+  pdo.os_min = element.number_attribute<std::uint16_t>("OSMin");
+  pdo.os_max = element.number_attribute<std::uint16_t>("OSMax");
+  pdo.os_index_increment = element.number_attribute<std::uint16_t>("OSIndexInc");
+  pdo.overwritten_by_module = element.boolean_attribute("OverwrittenByModule");
   for (const EniElement& excluded : element.children("Exclude")) {
     pdo.exclude.push_back(excluded.number<std::uint16_t>());
   }
   for (const EniElement& entry : element.children("Entry")) {
-    pdo.entries.push_back({entry.number_of<std::uint16_t>("Index"), entry.number_of<std::uint8_t>("SubIndex"),
-                           entry.number_of<std::uint16_t>("BitLen"), entry.text_of("Name"), entry.text_of("DataType")});
+    pdo.entries.push_back(read_entry(entry));
   }
   return out;
 }
 
 void read_process_data(const EniElement& process_data, SlaveConfig& slave) {
-  slave.send = read_range(process_data, "Send");
-  slave.receive = read_range(process_data, "Recv");
+  take_ranges(read_ranges(process_data, "Send"), slave.send, slave.send_parts);
+  take_ranges(read_ranges(process_data, "Recv"), slave.receive, slave.receive_parts);
   for (int number = 0; number < kMaxSyncManagers; ++number) {
     const std::string name = "Sm" + std::to_string(number);
     if (const EniElement element = process_data.child(name.c_str())) {
@@ -105,69 +169,6 @@ void read_process_data(const EniElement& process_data, SlaveConfig& slave) {
       slave.pdos.push_back(read_pdo(pdo));
     }
   }
-}
-
-MailboxChannel read_channel(const EniElement& element) {
-  return {element.number_of<std::uint16_t>("Start"), element.number_of<std::uint16_t>("Length")};
-}
-
-CoeInitCmd read_coe_cmd(const EniElement& element) {
-  CoeInitCmd cmd;
-  StartupCommand& command = cmd.command;
-  command.transitions = read_transitions(element);
-  command.comment = element.text_of("Comment");
-  command.timeout_ms = element.number_of<std::uint32_t>("Timeout");
-  cmd.ccs = element.number_of<std::uint8_t>("Ccs", 1);
-  command.index = element.number_of<std::uint16_t>("Index");
-  command.sub_index = element.number_of<std::uint8_t>("SubIndex");
-  command.data = element.child("Data").bytes();
-  command.enabled = !element.boolean_of("Disabled");
-  command.fixed = element.boolean_attribute("Fixed");
-  command.complete_access = element.boolean_attribute("CompleteAccess");
-  return cmd;
-}
-
-void read_protocols(const EniElement& element, MailboxConfig& mailbox) {
-  const std::pair<std::string_view, bool*> protocols[] = {{"AoE", &mailbox.aoe}, {"EoE", &mailbox.eoe},
-                                                          {"CoE", &mailbox.coe}, {"FoE", &mailbox.foe},
-                                                          {"SoE", &mailbox.soe}, {"VoE", &mailbox.voe}};
-  for (const EniElement& protocol : element.children("Protocol")) {
-    const std::string name = protocol.text();
-    const auto known = std::ranges::find(protocols, name, &std::pair<std::string_view, bool*>::first);
-    if (known != std::end(protocols)) {
-      *known->second = true;
-    } else {
-      protocol.report(ErrorCode::kXmlBadValue, name);
-    }
-  }
-}
-
-std::optional<MailboxConfig> read_mailbox(const EniElement& element) {
-  if (!element) {
-    return std::nullopt;
-  }
-  MailboxConfig mailbox;
-  mailbox.data_link_layer = element.boolean_attribute("DataLinkLayer");
-  mailbox.send = read_channel(element.child("Send"));
-  // "Receive" is what one hand-written file in the field says.
-  const EniElement receive = element.child("Recv") ? element.child("Recv") : element.child("Receive");
-  mailbox.receive = read_channel(receive);
-  mailbox.poll_time_ms = receive.optional_number_of<std::uint32_t>("PollTime");
-  mailbox.status_bit_address = receive.optional_number_of<std::uint32_t>("StatusBitAddr");
-  if (const EniElement bootstrap = element.child("BootStrap")) {
-    mailbox.bootstrap_send = read_channel(bootstrap.child("Send"));
-    mailbox.bootstrap_receive = read_channel(bootstrap.child("Recv"));
-  }
-  read_protocols(element, mailbox);
-  const EniElement coe = element.child("CoE");
-  for (const EniElement& cmd : coe.child("InitCmds").children("InitCmd")) {
-    mailbox.coe_commands.push_back(read_coe_cmd(cmd));
-  }
-  for (const EniElement& channel : coe.child("Profile").children("ChannelInfo")) {
-    mailbox.profiles.push_back(
-        {channel.number_of<std::uint32_t>("ProfileNo"), channel.number_of<std::uint32_t>("AddInfo")});
-  }
-  return mailbox;
 }
 
 std::optional<HotConnectConfig> read_hot_connect(const EniElement& element) {

@@ -7,6 +7,9 @@
 /// The parts of the ENI writer; write_eni() of eni_file.h puts them together. Element order is that of the schema.
 namespace syncline::eni {
 
+/// ENI Validate@Type.
+[[nodiscard]] std::string_view validate_name(ValidateType type);
+
 void write_master(EniText& out, const MasterConfig& master);
 void write_slave(EniText& out, const SlaveConfig& slave, const std::vector<SlaveConfig>& all);
 void write_process_data(EniText& out, const SlaveConfig& slave);

@@ -23,7 +23,8 @@ void write_payload(EniText& out, const std::vector<std::uint8_t>& data, const st
 }
 
 void write_validate(EniText& out, const InitCmdValidate& validate) {
-  out.open("Validate");
+  out.open("Validate", {{"Type", validate.type == ValidateType::kEqual ? "" : std::string(validate_name(validate.type))},
+                        {"Signed", out.flag(validate.is_signed)}});
   out.bytes("Data", validate.data);
   if (!validate.mask.empty()) {
     out.bytes("DataMask", validate.mask);
@@ -83,6 +84,19 @@ void write_variables(EniText& out, std::string_view element, std::uint32_t bytes
 
 }  // namespace
 
+std::string_view validate_name(ValidateType type) {
+  switch (type) {
+    case ValidateType::kEqual: return "EQ";
+    case ValidateType::kNotEqual: return "NOT_EQ";
+    case ValidateType::kGreaterOrEqual: return "EQ_OR_G";
+    case ValidateType::kLessOrEqual: return "EQ_OR_L";
+    case ValidateType::kGreater: return "G";
+    case ValidateType::kLess: return "L";
+    case ValidateType::kNone: return "NONE";
+  }
+  return "EQ";
+}
+
 void write_init_cmd(EniText& out, const InitCmd& cmd, const char* element) {
   out.open(element);
   for (const Transition transition : cmd.transitions) {
@@ -94,8 +108,8 @@ void write_init_cmd(EniText& out, const InitCmd& cmd, const char* element) {
   if (!cmd.comment.empty()) {
     out.text("Comment", cmd.comment);
   }
-  if (cmd.requires_cycle) {
-    out.text("Requires", "cycle");
+  if (cmd.requires_cycle || cmd.requires_frame) {
+    out.text("Requires", cmd.requires_cycle ? "cycle" : "frame");
   }
   out.number("Cmd", static_cast<std::uint32_t>(cmd.command));
   write_address(out, cmd.command, cmd.adp, cmd.ado, cmd.logical_address);
@@ -128,10 +142,24 @@ void write_cyclic(EniText& out, const CyclicTask& task) {
     return;
   }
   out.open("Cyclic");
+  if (!task.comment.empty()) {
+    out.text("Comment", task.comment);
+  }
   // Whole microseconds; compile() reports a cycle that is none.
-  out.signed_number("CycleTime", (task.cycle_time + kMicrosecond / 2) / kMicrosecond);
+  if (task.cycle_time_given) {
+    out.signed_number("CycleTime", (task.cycle_time + kMicrosecond / 2) / kMicrosecond);
+  }
+  if (task.priority) {
+    out.signed_number("Priority", *task.priority);
+  }
+  if (!task.task_id.empty()) {
+    out.text("TaskId", task.task_id);
+  }
   for (const auto& frame : task.frames) {
     out.open("Frame");
+    if (!frame.comment.empty()) {
+      out.text("Comment", frame.comment);
+    }
     for (const auto& cmd : frame.commands) {
       write_cyclic_cmd(out, cmd);
     }

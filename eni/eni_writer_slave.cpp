@@ -4,6 +4,8 @@
 namespace syncline::eni {
 namespace {
 
+constexpr int kMaxSyncManagers = 16;
+
 std::string_view type_name(SyncManagerType type) {
   switch (type) {
     case SyncManagerType::kMailboxOut: return "MBoxOut";
@@ -15,12 +17,30 @@ std::string_view type_name(SyncManagerType type) {
   return "Outputs";
 }
 
-void write_range(EniText& out, std::string_view element, const std::optional<ImageRange>& range) {
-  if (range) {
-    out.open(element);
-    out.number("BitStart", range->bit_start);
-    out.number("BitLength", range->bit_length);
-    out.close();
+void write_range(EniText& out, std::string_view element, const ImageRange& range) {
+  std::vector<std::string> names;
+  for (int number = 0; number < kMaxSyncManagers; ++number) {
+    if ((range.sync_managers >> number & 1) != 0) {
+      names.push_back("Sm" + EniText::decimal(number));
+    }
+  }
+  std::vector<EniText::Attribute> attributes;
+  for (const std::string& name : names) {
+    attributes.push_back({name, out.flag(true)});
+  }
+  out.open(element, attributes);
+  out.number("BitStart", range.bit_start);
+  out.number("BitLength", range.bit_length);
+  out.close();
+}
+
+void write_ranges(EniText& out, std::string_view element, const std::optional<ImageRange>& whole,
+                  const std::vector<ImageRange>& parts) {
+  if (parts.empty() && whole) {
+    write_range(out, element, *whole);
+  }
+  for (const ImageRange& part : parts) {
+    write_range(out, element, part);
   }
 }
 
@@ -43,6 +63,9 @@ void write_sync_manager(EniText& out, const ConfiguredSyncManager& manager) {
   if (description.is_virtual) {
     out.boolean("Virtual", true);
   }
+  if (manager.watchdog) {
+    out.number("Watchdog", *manager.watchdog);
+  }
   for (const std::uint16_t pdo : manager.pdos) {
     out.number("Pdo", pdo);
   }
@@ -50,7 +73,7 @@ void write_sync_manager(EniText& out, const ConfiguredSyncManager& manager) {
 }
 
 void write_entry(EniText& out, const PdoEntry& entry) {
-  out.open("Entry");
+  out.open("Entry", {{"Fixed", out.flag(entry.fixed)}});
   out.hex_number("Index", entry.index);
   if (entry.index != 0) {
     out.number("SubIndex", entry.sub_index);
@@ -59,18 +82,36 @@ void write_entry(EniText& out, const PdoEntry& entry) {
   if (entry.index != 0 || !entry.name.empty()) {
     out.text("Name", entry.name);
   }
+  if (!entry.comment.empty()) {
+    out.text("Comment", entry.comment);
+  }
   if (!entry.data_type.empty()) {
-    out.text("DataType", entry.data_type);
+    out.open("DataType", {{"DScale", entry.scale}, {"SwapData", entry.swap == 0 ? "" : EniText::decimal(entry.swap)}});
+    out.content(entry.data_type);
+    out.close();
   }
   out.close();
+}
+
+template <class T>
+std::string optional_text(const std::optional<T>& value) {
+  return value ? EniText::decimal(*value) : std::string();
 }
 
 void write_pdo(EniText& out, const ConfiguredPdo& configured) {
   const Pdo& pdo = configured.pdo;
   out.open(configured.direction == PdoDirection::kTx ? "TxPdo" : "RxPdo",
-           {{"Fixed", pdo.fixed ? "1" : ""},
-            {"Mandatory", pdo.mandatory ? "1" : ""},
-            {"Sm", pdo.sync_manager ? EniText::decimal(*pdo.sync_manager) : ""}});
+           {{"Fixed", out.flag(pdo.fixed)},
+            {"Mandatory", out.flag(pdo.mandatory)},
+            {"Virtual", out.flag(pdo.is_virtual)},
+            {"Sm", optional_text(pdo.sync_manager)},
+            {"Su", optional_text(pdo.sync_unit)},
+            {"PdoOrder", optional_text(pdo.order)},
+            {"OSFac", optional_text(pdo.os_factor)},
+            {"OSMin", optional_text(pdo.os_min)},
+            {"OSMax", optional_text(pdo.os_max)},
+            {"OSIndexInc", optional_text(pdo.os_index_increment)},
+            {"OverwrittenByModule", out.flag(pdo.overwritten_by_module)}});
   out.hex_number("Index", pdo.index);
   out.text("Name", pdo.name);
   for (const std::uint16_t excluded : pdo.exclude) {
@@ -82,78 +123,6 @@ void write_pdo(EniText& out, const ConfiguredPdo& configured) {
   out.close();
 }
 
-void write_channel(EniText& out, std::string_view element, const MailboxChannel& channel) {
-  out.open(element);
-  out.number("Start", channel.start);
-  out.number("Length", channel.length);
-  out.close();
-}
-
-void write_receive(EniText& out, const MailboxConfig& mailbox) {
-  out.open("Recv");
-  out.number("Start", mailbox.receive.start);
-  out.number("Length", mailbox.receive.length);
-  if (mailbox.poll_time_ms) {
-    out.number("PollTime", *mailbox.poll_time_ms);
-  }
-  if (mailbox.status_bit_address) {
-    out.number("StatusBitAddr", *mailbox.status_bit_address);
-  }
-  out.close();
-}
-
-void write_coe_cmd(EniText& out, const CoeInitCmd& cmd) {
-  const StartupCommand& command = cmd.command;
-  out.open("InitCmd", {{"Fixed", command.fixed ? "1" : ""}, {"CompleteAccess", command.complete_access ? "1" : ""}});
-  for (const Transition transition : command.transitions) {
-    out.text("Transition", transition_name(transition));
-  }
-  if (!command.comment.empty()) {
-    out.text("Comment", command.comment);
-  }
-  out.number("Timeout", command.timeout_ms);
-  out.number("Ccs", cmd.ccs);
-  out.number("Index", command.index);
-  out.number("SubIndex", command.sub_index);
-  if (!command.data.empty()) {
-    out.bytes("Data", command.data);
-  }
-  if (!command.enabled) {
-    out.boolean("Disabled", true);
-  }
-  out.close();
-}
-
-void write_profiles(EniText& out, const std::vector<ChannelProfile>& profiles) {
-  if (profiles.empty()) {
-    return;
-  }
-  out.open("Profile");
-  for (const auto& profile : profiles) {
-    out.open("ChannelInfo");
-    out.number("ProfileNo", profile.profile_no);
-    out.number("AddInfo", profile.add_info);
-    out.close();
-  }
-  out.close();
-}
-
-void write_coe(EniText& out, const MailboxConfig& mailbox) {
-  if (mailbox.coe_commands.empty() && mailbox.profiles.empty()) {
-    return;
-  }
-  out.open("CoE");
-  if (!mailbox.coe_commands.empty()) {
-    out.open("InitCmds");
-    for (const auto& cmd : mailbox.coe_commands) {
-      write_coe_cmd(out, cmd);
-    }
-    out.close();
-  }
-  write_profiles(out, mailbox.profiles);
-  out.close();
-}
-
 }  // namespace
 
 void write_process_data(EniText& out, const SlaveConfig& slave) {
@@ -161,36 +130,14 @@ void write_process_data(EniText& out, const SlaveConfig& slave) {
     return;
   }
   out.open("ProcessData");
-  write_range(out, "Send", slave.send);
-  write_range(out, "Recv", slave.receive);
+  write_ranges(out, "Send", slave.send, slave.send_parts);
+  write_ranges(out, "Recv", slave.receive, slave.receive_parts);
   for (const auto& manager : slave.sync_managers) {
     write_sync_manager(out, manager);
   }
   for (const auto& pdo : slave.pdos) {
     write_pdo(out, pdo);
   }
-  out.close();
-}
-
-void write_mailbox(EniText& out, const MailboxConfig& mailbox) {
-  out.open("Mailbox", {{"DataLinkLayer", mailbox.data_link_layer ? "1" : ""}});
-  write_channel(out, "Send", mailbox.send);
-  write_receive(out, mailbox);
-  if (mailbox.bootstrap_send && mailbox.bootstrap_receive) {
-    out.open("BootStrap");
-    write_channel(out, "Send", *mailbox.bootstrap_send);
-    write_channel(out, "Recv", *mailbox.bootstrap_receive);
-    out.close();
-  }
-  const std::pair<bool, std::string_view> protocols[] = {{mailbox.aoe, "AoE"}, {mailbox.eoe, "EoE"},
-                                                         {mailbox.coe, "CoE"}, {mailbox.soe, "SoE"},
-                                                         {mailbox.foe, "FoE"}, {mailbox.voe, "VoE"}};
-  for (const auto& [supported, name] : protocols) {
-    if (supported) {
-      out.text("Protocol", name);
-    }
-  }
-  write_coe(out, mailbox);
   out.close();
 }
 

@@ -94,6 +94,8 @@ void XmlWriter::begin_child() {
   indent();
 }
 
-void XmlWriter::indent() { out_.append(2 * path_.size(), ' '); }
+void XmlWriter::indent() {
+  for (std::size_t level = 0; level < path_.size(); ++level) out_ += indent_;
+}
 
 }  // namespace syncline::eni

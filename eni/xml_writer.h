@@ -11,7 +11,10 @@ namespace syncline::eni {
 /// ends, tabs and lone spaces are written as character references where a parser would change them.
 class XmlWriter {
  public:
-  XmlWriter() : out_("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n") {}
+  /// `indent` stands before an element once for each level; `declaration` is the first line.
+  explicit XmlWriter(std::string indent = "  ",
+                     std::string_view declaration = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>")
+      : out_(std::string(declaration) + "\n"), indent_(std::move(indent)) {}
 
   XmlWriter& open(std::string_view name);
   /// Of the element just opened, before its content.
@@ -31,6 +34,7 @@ class XmlWriter {
   void indent();
 
   std::string out_;
+  std::string indent_;
   std::vector<std::string> path_;
   bool start_tag_open_ = false;
   bool has_text_ = false;

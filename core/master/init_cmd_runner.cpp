@@ -6,19 +6,11 @@
 
 #include <algorithm>
 
+#include "config/validate.h"
 #include "protocol/registers.h"
 
 namespace syncline {
 namespace {
-
-bool matches(const InitCmdValidate& validate, std::span<const std::uint8_t> read) {
-  for (std::size_t i = 0; i < validate.data.size(); ++i) {
-    const std::uint8_t mask = i < validate.mask.size() ? validate.mask[i] : std::uint8_t{0xFF};
-    const std::uint8_t got = i < read.size() ? read[i] : std::uint8_t{0};
-    if (((got ^ validate.data[i]) & mask) != 0) return false;
-  }
-  return true;
-}
 
 bool is_al_status(const InitCmd& command) { return command.ado == reg::kAlStatus && !is_logical(command.command); }
 
@@ -100,7 +92,7 @@ void InitCmdWork::judge(Nanoseconds now) {
 void InitCmdWork::judge_validation(Nanoseconds now) {
   const auto wanted = command().expected_wkc.value_or(1);
   const bool answered = datagram_.wkc >= wanted;
-  if (answered && matches(*command().validate, data_)) return succeed();
+  if (answered && satisfies(*command().validate, data_)) return succeed();
   if (answered && refused(command(), data_)) return fail_validation();
   if (now < end_) return try_again(now);
   if (!answered) return fail_with(counter_error(wanted));
@@ -144,7 +136,7 @@ void InitCmdWork::fail_validation() {
   const bool identity = command().ado == reg::kSiiData;
   Error error{identity ? ErrorCode::kIdentityMismatch : ErrorCode::kInitCmdValidation,
               identity ? context_.subject : what(command(), context_.subject)};
-  error.detail = fmt::format("expected {}, read {}", hex_bytes(wanted),
+  error.detail = fmt::format("expected {}{}, read {}", relation(command().validate->type), hex_bytes(wanted),
                              hex_bytes(read.first(std::min(read.size(), wanted.size()))));
   if (identity && !command().comment.empty()) error.detail = command().comment + ": " + error.detail;
   fail_with(std::move(error));

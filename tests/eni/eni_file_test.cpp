@@ -222,7 +222,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "</EtherCATConfig>",
                 ErrorCode::kXmlBadValue, 2, "Destination"},
         BadFile{"OtherValidation",
-                "<EtherCATConfig><Config><Master><InitCmds><InitCmd><Cmd>1</Cmd>\n<Validate Type=\"NOT_EQ\"/></InitCmd>"
+                "<EtherCATConfig><Config><Master><InitCmds><InitCmd><Cmd>1</Cmd>\n<Validate Type=\"OFTEN\"/></InitCmd>"
                 "</InitCmds></Master></Config></EtherCATConfig>",
                 ErrorCode::kXmlBadValue, 2, "Validate"}),
     [](const auto& test) { return test.param.name; });

@@ -10,31 +10,18 @@
 #include "config/compile/compile.h"
 #include "core/config/compile/sample_devices.h"
 #include "eni/eni_file.h"
+#include "eni/schema_check.h"
 #include "support/sample_folder.h"
 
 namespace syncline::eni {
 namespace {
-
-bool have_xmllint() { return std::system("xmllint --version >/dev/null 2>&1") == 0; }
-
-void expect_valid(const NetworkConfig& config, const std::string& schema, const std::string& name) {
-  const auto file = std::filesystem::temp_directory_path() / (name + std::to_string(::getpid()) + ".xml");
-  ASSERT_TRUE(save_eni(config, file.string()));
-  const std::string command = "xmllint --noout --nonet --schema '" + schema + "' '" + file.string() + "' 2>&1";
-  FILE* pipe = ::popen(command.c_str(), "r");
-  ASSERT_NE(pipe, nullptr);
-  std::string said;
-  for (int c; (c = std::fgetc(pipe)) != EOF;) said += static_cast<char>(c);
-  EXPECT_EQ(::pclose(pipe), 0) << said;
-  std::filesystem::remove(file);
-}
 
 TEST(EniSchema, AcceptsWhatWeWrite) {
   SYNCLINE_SAMPLE(schema, "schema/EtherCATConfig.xsd");
   if (!have_xmllint()) GTEST_SKIP() << "xmllint is not installed";
   for (const auto dialect : {EniDialect::kEcEngineer, EniDialect::kTwinCat}) {
     Project project = sample::small_machine();
-    expect_valid(compile(project, {dialect}).value().config, schema, "syncline-small");
+    expect_valid(write_eni(compile(project, {dialect}).value().config, style_of(dialect)), schema);
     project.master.dc.sync_window.enabled = true;
     project.slaves.push_back(sample::slave(sample::servo(), 4));
     auto& servo = project.slaves[4];
@@ -46,7 +33,7 @@ TEST(EniSchema, AcceptsWhatWeWrite) {
     servo.name = "<&>\"'";
     servo.startup[0].enabled = false;
     servo.startup[0].data.clear();
-    expect_valid(compile(project, {dialect}).value().config, schema, "syncline-full");
+    expect_valid(write_eni(compile(project, {dialect}).value().config, style_of(dialect)), schema);
   }
 }
 
@@ -59,7 +46,7 @@ TEST(EniSchema, AcceptsFieldFilesAsWeWriteThemBack) {
   for (const auto& file : {beckhoff, twincat, acontis}) {
     const auto config = read_eni(file);
     ASSERT_TRUE(config);
-    expect_valid(*config, schema, "syncline-field");
+    expect_valid(write_eni(*config), schema);
   }
 }
 
