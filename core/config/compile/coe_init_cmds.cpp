@@ -14,6 +14,7 @@ namespace {
 constexpr std::uint16_t kSyncManagerPdoAssign = 0x1C10;   // + SyncManager
 constexpr std::uint16_t kSyncManagerParameter = 0x1C30;   // + SyncManager
 constexpr std::uint16_t kInterpolationTimePeriod = 0x60C2;
+constexpr std::uint16_t kModuleIdentList = 0xF030;
 
 using Bytes = std::vector<std::uint8_t>;
 
@@ -31,6 +32,36 @@ class CoeList {
  public:
   CoeList(const SlavePlan& slave, const CoeDescription& coe, EniDialect dialect)
       : slave_(slave), coe_(coe), dialect_(dialect) {}
+
+  /// Configured module ident list: the device compares it with what is plugged, or takes its shape from it.
+  void add_module_idents() {
+    const auto& device = slave_.device();
+    if (!device.slots || !(device.slots->download_ident_list || device.download_module_list)) return;
+    std::vector<std::uint32_t> idents;
+    for (const PluggedModule& module : slave_.settings->modules) {
+      idents.resize(std::max<std::size_t>(idents.size(), module.slot + 1U));
+      idents[module.slot] = module.ident;
+    }
+    const std::size_t first = out_.size();
+    if (coe_.complete_access) {
+      Bytes data;
+      ByteWriter writer(data);
+      writer.u16(static_cast<std::uint16_t>(idents.size()));
+      for (const std::uint32_t ident : idents) writer.u32(ident);
+      out_.push_back(generated(kModuleIdentList, 0, std::move(data), "list of modules"));
+      out_.back().command.complete_access = true;
+    } else {
+      out_.push_back(generated(kModuleIdentList, 0, {0}, "clear list of modules"));
+      for (std::size_t i = 0; i < std::min<std::size_t>(idents.size(), 254); ++i) {
+        out_.push_back(generated(kModuleIdentList, static_cast<std::uint8_t>(i + 1), le_bytes(idents[i]),
+                                 fmt::format("module in place {}", i)));
+      }
+      out_.push_back(generated(kModuleIdentList, 0, {static_cast<std::uint8_t>(std::min<std::size_t>(idents.size(), 254))},
+                               "number of modules"));
+    }
+    const auto when = transition_from_name(device.slots->download_transition).value_or(Transition::kPS);
+    for (std::size_t i = first; i < out_.size(); ++i) out_[i].command.transitions = {when};
+  }
 
   void add_clear_assignment() {
     // One complete access replaces the whole object, so ET9000 leaves the clear out; EC-Engineer keeps it.
@@ -195,17 +226,18 @@ bool is_from_esi(const StartupCommand& command, const DeviceDescription& device)
          std::ranges::find(device.mailbox->coe->init_commands, command) != device.mailbox->coe->init_commands.end();
 }
 
-std::vector<CoeInitCmd> coe_init_cmds(const SlavePlan& slave, Nanoseconds bus_cycle, EniDialect dialect) {
+std::vector<CoeInitCmd> coe_init_cmds(const SlavePlan& slave, EniDialect dialect) {
   const auto& mailbox = slave.device().mailbox;
   if (!slave.mailbox || !mailbox || !mailbox->coe) {
     return {};
   }
   CoeList list(slave, *mailbox->coe, dialect);
+  list.add_module_idents();
   list.add_clear_assignment();
   list.add_mappings();
   list.add_assignment();
   list.add_sync_types();
-  list.add_startup(bus_cycle);
+  list.add_startup(slave.cycle_time);
   return list.take();
 }
 

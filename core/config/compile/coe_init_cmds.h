@@ -10,9 +10,9 @@
 
 namespace syncline::compiler {
 
-/// The CoE downloads of a slave, in order: PDO assignment cleared, mappings of the PDOs that are not fixed, PDO
-/// assignment, synchronisation type of the op mode, then the start-up list. Empty for a slave without CoE.
-[[nodiscard]] std::vector<CoeInitCmd> coe_init_cmds(const SlavePlan& slave, Nanoseconds bus_cycle, EniDialect dialect);
+/// The CoE downloads of a slave, in order: list of its modules (0xF030), PDO assignment cleared, mappings of the PDOs that
+/// are not fixed, PDO assignment, synchronisation type of the op mode, then the start-up list. Empty for a slave without CoE.
+[[nodiscard]] std::vector<CoeInitCmd> coe_init_cmds(const SlavePlan& slave, EniDialect dialect);
 
 /// Object 0x60C2 (CiA 402): cycle = value * 10^exponent s. Empty when a byte cannot say it exactly.
 struct InterpolationTime {

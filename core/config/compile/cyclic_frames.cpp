@@ -83,80 +83,83 @@ class ServiceCommands {
   const CyclicOptions& options_;
 };
 
-/// All commands in order; `process_data` gets the index of the first process-data command.
-std::vector<CyclicCmd> command_sequence(const ImageLayout& image, const CyclicOptions& options,
-                                        std::size_t& process_data) {
+/// A command and the datagram of the image that it carries, if it carries one.
+struct Placed {
+  CyclicCmd command;
+  std::optional<std::size_t> datagram{};
+};
+
+void append_process_data(std::vector<Placed>& out, const ImageLayout& image, std::size_t task) {
+  for (std::size_t i = 0; i < image.datagrams.size(); ++i) {
+    if (image.datagrams[i].task == task) out.push_back({ServiceCommands::process_data(image.datagrams[i]), i});
+  }
+}
+
+/// All commands of the base task in order.
+std::vector<Placed> command_sequence(const ImageLayout& image, const CyclicOptions& options) {
   const ServiceCommands service(options);
-  std::vector<CyclicCmd> commands;
-  if (options.dialect == EniDialect::kEcEngineer) {
-    commands.push_back(service.al_status());
-  }
-  service.append_dc(commands);
-  service.append_mailbox_states(commands);
-  process_data = commands.size();
-  for (const auto& datagram : image.datagrams) {
-    commands.push_back(ServiceCommands::process_data(datagram));
-  }
-  service.append_sync_window(commands);
-  if (options.dialect == EniDialect::kTwinCat) {
-    commands.push_back(service.al_status());
+  std::vector<CyclicCmd> before, after;
+  (options.dialect == EniDialect::kEcEngineer ? before : after).push_back(service.al_status());
+  service.append_dc(before);
+  service.append_mailbox_states(before);
+  std::vector<CyclicCmd> window;
+  service.append_sync_window(window);
+  std::vector<Placed> commands;
+  for (auto& cmd : before) commands.push_back({std::move(cmd)});
+  append_process_data(commands, image, 0);
+  for (auto* tail : {&window, &after}) {
+    for (auto& cmd : *tail) commands.push_back({std::move(cmd)});
   }
   return commands;
 }
 
 std::uint32_t size_on_wire(const CyclicCmd& cmd) { return kDatagramOverhead + cmd.length(); }
 
-std::vector<CyclicFrame> split_into_frames(const std::vector<CyclicCmd>& commands) {
-  std::vector<CyclicFrame> frames;
+using PlacedFrame = std::vector<Placed>;
+
+std::vector<PlacedFrame> split_into_frames(std::vector<Placed> commands) {
+  std::vector<PlacedFrame> frames;
   std::uint32_t used = kMaxDatagramBytes;
-  for (const CyclicCmd& cmd : commands) {
-    if (frames.empty() || used + size_on_wire(cmd) > kMaxDatagramBytes) {
+  for (Placed& placed : commands) {
+    const std::uint32_t size = size_on_wire(placed.command);
+    if (frames.empty() || used + size > kMaxDatagramBytes) {
       frames.emplace_back();
       used = 0;
     }
-    frames.back().commands.push_back(cmd);
-    used += size_on_wire(cmd);
+    frames.back().push_back(std::move(placed));
+    used += size;
   }
   return frames;
 }
 
 /// Data offsets: process data from 0 as in the logical area, the rest behind it in command order.
-void set_data_offsets(CyclicLayout& layout, const ImageLayout& image) {
-  const auto is_process_data = [](const CyclicCmd& cmd) {
-    return is_logical(cmd.command) && cmd.logical_address != kMailboxStateLogicalBase;
-  };
+void set_data_offsets(CyclicLayout& layout, std::vector<PlacedFrame>& frames, const ImageLayout& image,
+                      std::uint32_t logical_base) {
   std::uint32_t end = 0;
   for (const auto& datagram : image.datagrams) {
-    const std::uint32_t offset = datagram.logical_address - kEcEngineerLogicalBase;
+    const std::uint32_t offset = datagram.logical_address - logical_base;
     layout.data_offsets.push_back(offset);
     end = std::max(end, offset + datagram.length);
   }
-  std::size_t next = 0;
-  for (auto& frame : layout.frames) {
-    for (auto& cmd : frame.commands) {
-      const std::uint32_t offset = is_process_data(cmd) ? layout.data_offsets[next++] : end;
-      if (!is_process_data(cmd)) {
-        end += cmd.length();
-      }
-      cmd.input_offset = cmd.output_offset = offset;
+  for (auto& frame : frames) {
+    for (auto& [cmd, datagram] : frame) {
+      cmd.input_offset = cmd.output_offset = datagram ? layout.data_offsets[*datagram] : end;
+      if (!datagram) end += cmd.length();
     }
   }
   layout.image_bytes = end;
 }
 
 /// Header offsets: where the datagram stands in its Ethernet frame, one image page a frame.
-void set_header_offsets(CyclicLayout& layout, std::size_t first_process_data, std::size_t process_data_count) {
-  std::size_t index = 0;
+void set_header_offsets(CyclicLayout& layout, std::vector<PlacedFrame>& frames, std::size_t datagram_count) {
+  layout.data_offsets.resize(datagram_count);
   std::uint32_t page = 0;
-  for (auto& frame : layout.frames) {
+  for (auto& frame : frames) {
     std::uint32_t offset = page + kEthernetAndEtherCatHeader;
-    for (auto& cmd : frame.commands) {
+    for (auto& [cmd, datagram] : frame) {
       cmd.input_offset = cmd.output_offset = offset;
-      if (index >= first_process_data && index < first_process_data + process_data_count) {
-        layout.data_offsets.push_back(offset + kHeaderToData);
-      }
+      if (datagram) layout.data_offsets[*datagram] = offset + kHeaderToData;
       offset += size_on_wire(cmd);
-      ++index;
     }
     page += kTwinCatImageBytes;
   }
@@ -164,25 +167,51 @@ void set_header_offsets(CyclicLayout& layout, std::size_t first_process_data, st
   layout.command_data_offset = kHeaderToData;
 }
 
+std::size_t task_count(const ImageLayout& image) {
+  std::size_t count = 1;
+  for (const auto& datagram : image.datagrams) count = std::max(count, datagram.task + 1);
+  return count;
+}
+
+CyclicFrame take(PlacedFrame& placed) {
+  CyclicFrame frame;
+  for (Placed& command : placed) frame.commands.push_back(std::move(command.command));
+  return frame;
+}
+
 }  // namespace
 
 std::uint16_t max_process_data_length(const CyclicOptions& options) {
-  std::size_t ignored = 0;
   std::uint32_t others = kDatagramOverhead;
-  for (const CyclicCmd& cmd : command_sequence({}, options, ignored)) {
-    others += size_on_wire(cmd);
-  }
+  for (const Placed& placed : command_sequence({}, options)) others += size_on_wire(placed.command);
   return static_cast<std::uint16_t>(kMaxDatagramBytes - others);
 }
 
 CyclicLayout cyclic_frames(const ImageLayout& image, const CyclicOptions& options) {
-  std::size_t first_process_data = 0;
+  const std::size_t tasks = task_count(image);
+  std::vector<PlacedFrame> frames;
+  std::vector<std::size_t> ends;  // of each task's frames
+  for (std::size_t task = 0; task < tasks; ++task) {
+    std::vector<Placed> commands;
+    if (task == 0) {
+      commands = command_sequence(image, options);
+    } else {
+      append_process_data(commands, image, task);
+    }
+    for (auto& frame : split_into_frames(std::move(commands))) frames.push_back(std::move(frame));
+    ends.push_back(frames.size());
+  }
   CyclicLayout layout;
-  layout.frames = split_into_frames(command_sequence(image, options, first_process_data));
   if (options.dialect == EniDialect::kEcEngineer) {
-    set_data_offsets(layout, image);
+    set_data_offsets(layout, frames, image, options.logical_base);
   } else {
-    set_header_offsets(layout, first_process_data, image.datagrams.size());
+    set_header_offsets(layout, frames, image.datagrams.size());
+  }
+  layout.slower.resize(tasks - 1);
+  std::size_t task = 0;
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    while (i >= ends[task]) ++task;
+    (task == 0 ? layout.frames : layout.slower[task - 1]).push_back(take(frames[i]));
   }
   return layout;
 }

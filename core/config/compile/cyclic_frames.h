@@ -24,13 +24,16 @@ struct CyclicOptions {
   bool sync_window = false;
   bool system_time_64bit = false;
   std::uint16_t mailbox_state_count = 0;
+  std::uint32_t logical_base = kEcEngineerLogicalBase;  // ImageOptions::logical_base()
 };
 
 /// Room that the process data of one datagram may take, so that it fits beside the other commands in the first frame.
 [[nodiscard]] std::uint16_t max_process_data_length(const CyclicOptions& options);
 
 struct CyclicLayout {
-  std::vector<CyclicFrame> frames;
+  std::vector<CyclicFrame> frames;            // of the base task
+  /// Of the slower tasks, process data only; index + 1 is LogicalDatagram::task. Behind the last that has data it ends.
+  std::vector<std::vector<CyclicFrame>> slower;
   std::vector<std::uint32_t> data_offsets;  // byte of ImageLayout::datagrams[i] in the process image
   std::uint32_t image_bytes = 0;            // same for inputs and outputs
   std::uint32_t command_data_offset = 0;    // ProcessImage::command_data_offset

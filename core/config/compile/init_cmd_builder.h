@@ -35,8 +35,8 @@ class InitCmdEdit {
     cmd_.timeout_ms = ms;
     return *this;
   }
-  InitCmdEdit& validate(Bytes data, Bytes mask, std::uint32_t timeout_ms) {
-    cmd_.validate = InitCmdValidate{std::move(data), std::move(mask), timeout_ms};
+  InitCmdEdit& validate(Bytes data, Bytes mask, std::uint32_t timeout_ms, ValidateType type = ValidateType::kEqual) {
+    cmd_.validate = InitCmdValidate{std::move(data), std::move(mask), timeout_ms, type, false};
     return *this;
   }
 

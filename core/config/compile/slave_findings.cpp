@@ -71,7 +71,7 @@ void check_sync_units(FindingList& findings, const DcOpMode& mode, const DcTimes
   }
 }
 
-void check_dc(FindingList& findings, const Project& project, const SlavePlan& slave) {
+void check_dc(FindingList& findings, const SlavePlan& slave) {
   const DcSlaveSettings& user = slave.settings->dc;
   if (user.op_mode.empty()) {
     return;
@@ -80,13 +80,13 @@ void check_dc(FindingList& findings, const Project& project, const SlavePlan& sl
   if (mode == nullptr) {
     findings.error("dc.op_mode", fmt::format("The ESI has no operation mode \"{}\".", user.op_mode));
   } else if (slave.dc_commands()) {
-    check_sync_units(findings, *mode, dc_times(*mode, user, project.master.cycle_time), project.master.cycle_time);
+    check_sync_units(findings, *mode, dc_times(*mode, user, slave.cycle_time), slave.cycle_time);
   }
 }
 
-void check_interpolation_time(FindingList& findings, const Project& project, const SlavePlan& slave) {
+void check_interpolation_time(FindingList& findings, const SlavePlan& slave) {
   constexpr std::uint16_t kInterpolationTimePeriod = 0x60C2;
-  if (interpolation_time(project.master.cycle_time)) {
+  if (interpolation_time(slave.cycle_time)) {
     return;
   }
   const auto& startup = slave.settings->startup;
@@ -94,7 +94,7 @@ void check_interpolation_time(FindingList& findings, const Project& project, con
     if (startup[k].index == kInterpolationTimePeriod && is_from_esi(startup[k], slave.device())) {
       findings.warning(fmt::format("startup.{}", k),
                        fmt::format("Object 0x60C2 cannot express a cycle of {} ns; the ESI's value is kept.",
-                                   project.master.cycle_time));
+                                   slave.cycle_time));
     }
   }
 }
@@ -112,14 +112,14 @@ void check_topology(FindingList& findings, const SlavePlan& slave) {
 
 }  // namespace
 
-void find_slave_problems(std::vector<Finding>& out, const Project& project, const SlavePlan& slave) {
+void find_slave_problems(std::vector<Finding>& out, const SlavePlan& slave) {
   FindingList findings(out, slave.position);
   find_pdo_problems(findings, slave);
   check_memory(findings, slave);
   check_hot_connect(findings, slave);
   check_mailbox(findings, slave);
-  check_dc(findings, project, slave);
-  check_interpolation_time(findings, project, slave);
+  check_dc(findings, slave);
+  check_interpolation_time(findings, slave);
   check_topology(findings, slave);
 }
 

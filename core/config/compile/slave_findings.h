@@ -9,6 +9,6 @@
 namespace syncline::compiler {
 
 /// PDO assignment, memory, DC times, mailbox, topology of one slave.
-void find_slave_problems(std::vector<Finding>& out, const Project& project, const SlavePlan& slave);
+void find_slave_problems(std::vector<Finding>& out, const SlavePlan& slave);
 
 }  // namespace syncline::compiler

@@ -2,6 +2,7 @@
 #include "config/compile/slave_init_cmds.h"
 
 #include "config/compile/dc_init_cmds.h"
+#include "config/compile/identity_cmds.h"
 #include "config/compile/init_cmd_builder.h"
 #include "config/compile/memory_init_cmds.h"
 #include "config/compile/state_init_cmds.h"
@@ -11,42 +12,6 @@
 
 namespace syncline::compiler {
 namespace {
-
-constexpr std::uint32_t kSiiTimeoutMs = 100;
-
-/// Reads `length` bytes of the SII from `word` on and compares.
-void check_sii(InitCmdBuilder& cmds, const std::string& what, std::uint16_t word, Bytes expected) {
-  Bytes request;
-  ByteWriter(request).u16(0x0100).u16(word).u16(0);  // read command, word address
-  cmds.apwr({Transition::kIP}, "read " + what + " from SII", reg::kSiiControl, std::move(request)).answered();
-  const std::size_t length = expected.size();
-  cmds.aprd({Transition::kIP}, "check " + what, reg::kSiiData, length)
-      .cycle()
-      .answered()
-      .validate(std::move(expected), {}, kSiiTimeoutMs);
-}
-
-void add_identity(InitCmdBuilder& cmds, const SlavePlan& slave) {
-  const IdentityCheck& check = slave.settings->check;
-  const Identity& identity = slave.device().identity;
-  cmds.apwr({Transition::kIP}, "assign SII to EtherCAT", reg::kSiiConfiguration, {0}).cycle().answered();
-  if (check.vendor) {
-    check_sii(cmds, "vendor id", 0x08, le_bytes(identity.vendor_id));
-  }
-  if (check.product) {
-    check_sii(cmds, "product code", 0x0A, le_bytes(identity.product_code));
-  }
-  if (check.revision) {
-    if (slave.device().check_revision_low_word) {
-      check_sii(cmds, "revision number (low word)", 0x0C, le_bytes(static_cast<std::uint16_t>(identity.revision_no)));
-    } else {
-      check_sii(cmds, "revision number", 0x0C, le_bytes(identity.revision_no));
-    }
-  }
-  if (check.serial && identity.serial_no != 0) {
-    check_sii(cmds, "serial number", 0x0E, le_bytes(identity.serial_no));
-  }
-}
 
 void add_station_address(InitCmdBuilder& cmds, const SlavePlan& slave) {
   cmds.apwr({Transition::kIP, Transition::kIB}, "set station address", reg::kStationAddress,
@@ -76,7 +41,7 @@ std::vector<InitCmd> slave_init_cmds(const SlavePlan& slave, EniDialect dialect)
 
   states.add_back_to_init(cmds, slave.dc_commands());
   states.add_start_in_init(cmds);
-  add_identity(cmds, slave);
+  add_identity_check(cmds, slave);
   add_station_address(cmds, slave);
   add_watchdogs(cmds, slave.device());
   memory.add_mailbox(cmds);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -47,10 +48,13 @@ struct Placement {
   std::uint32_t logical_address = 0;  // byte
   std::uint8_t start_bit = 0;         // inside that byte; not 0 only for bit-packed slaves
   std::size_t datagram = 0;           // index in ImageLayout::datagrams
+  bool operator==(const Placement&) const = default;
 };
 
 struct SlavePlan {
+  /// As effective_slave() gives it: what the user sets against the ESI is in the description.
   const SlaveSettings* settings = nullptr;
+  std::shared_ptr<const SlaveSettings> effective;  // keeps a changed one; null when `settings` is the project's own
   std::uint16_t position = 0;
   std::vector<ConfiguredPdo> pdos;           // every PDO: Tx, then Rx; sync_manager set on assigned ones only
   std::vector<ProcessDataChannel> channels;  // SyncManager order
@@ -58,6 +62,10 @@ struct SlavePlan {
   std::optional<SlaveDcConfig> dc;
   /// Digital terminals without mailbox whose entries are all smaller than a byte are mapped bit by bit.
   bool bit_oriented = false;
+  /// Sync Units of the two directions: 0 is the unnamed one, 1.. those of MasterSettings::sync_units.
+  std::size_t output_unit = 0, input_unit = 0;
+  /// Of the fastest task that exchanges its process data, ns: the Sync Unit Cycle.
+  Nanoseconds cycle_time = kMillisecond;
   Placement outputs, inputs;
   std::vector<FmmuPlan> fmmus;  // index = FMMU number
 
