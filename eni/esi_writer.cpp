@@ -1,22 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "eni/esi_writer.h"
 
-#include <fmt/format.h>
+#include <algorithm>
 
-#include "eni/xml_number.h"
+#include "eni/esi_attributes.h"
+#include "eni/esi_check_words.h"
+#include "eni/esi_words.h"
 
 namespace syncline::eni {
 namespace {
 
-std::string decimal(std::int64_t value) { return fmt::format("{}", value); }
-
-/// Attributes that the schema's default leaves out.
-void flag(XmlWriter& xml, std::string_view name, bool value) {
-  if (value) xml.attribute(name, "1");
-}
-void size_attribute(XmlWriter& xml, std::string_view name, const std::optional<std::uint16_t>& value) {
-  if (value) xml.attribute(name, decimal(*value));
-}
 void register_element(XmlWriter& xml, std::string_view name, const std::optional<std::uint16_t>& value) {
   if (value) xml.element(name, hex_dec(*value));
 }
@@ -42,125 +35,141 @@ std::string_view sync_manager_text(SyncManagerType type) {
   return "";
 }
 
+void write_check(XmlWriter& xml, std::string_view name, const std::optional<bool>& check) {
+  if (check) xml.attribute(name, *check ? "EQ" : "NONE");
+}
+
+void write_references(XmlWriter& xml, std::string_view tag, const std::vector<DeviceReference>& references) {
+  for (const DeviceReference& reference : references) {
+    xml.open(tag);
+    hex_attribute(xml, "ProductCode", reference.product_code);
+    hex_attribute(xml, "RevisionNo", reference.revision_no);
+    text_attribute(xml, "ProductRevision", reference.product_revision);
+    xml.text(reference.type).close();
+  }
+}
+
+/// Descriptions made from an SII know the older, narrower flag only.
+std::optional<RevisionCheck> revision_check(const DeviceDescription& device) {
+  if (device.check_revision || !device.check_revision_low_word) return device.check_revision;
+  return RevisionCheck::kLowWordEqual;
+}
+
 void write_type(XmlWriter& xml, const DeviceDescription& device) {
   xml.open("Type")
       .attribute("ProductCode", hex_dec(device.identity.product_code, 8))
       .attribute("RevisionNo", hex_dec(device.identity.revision_no, 8));
   if (device.identity.serial_no != 0) xml.attribute("SerialNo", hex_dec(device.identity.serial_no, 8));
-  if (device.check_revision_low_word) xml.attribute("CheckRevisionNo", "LW_EQ");
+  write_check(xml, "CheckProductCode", device.check_product_code);
+  if (const auto check = revision_check(device)) {
+    xml.attribute("CheckRevisionNo", std::ranges::find(kRevisionChecks, *check, &RevisionCheckWord::check)->text);
+  }
+  write_check(xml, "CheckSerialNo", device.check_serial_no);
   flag(xml, "UseLrdLwr", device.use_lrd_lwr);
+  optional_attribute(xml, "ModulePdoGroup", device.module_pdo_group);
+  flag(xml, "DownloadModuleList", device.download_module_list);
   xml.text(device.type).close();
-  xml.open("Name").attribute("LcId", "1033").text(device.name).close();
+  write_references(xml, "HideType", device.hides);
+  write_references(xml, "AlternativeType", device.alternatives);
+  write_references(xml, "SubDevice", device.sub_devices);
+  write_texts(xml, "Name", device.name, device.names);
+}
+
+void write_state_machine(XmlWriter& xml, const DeviceDescription& device) {
+  const auto& t = device.timeouts;
+  xml.open("StateMachine").open("Timeout");
+  xml.element("PreopTimeout", decimal(t.preop)).element("SafeopOpTimeout", decimal(t.safeop_op));
+  xml.element("BackToInitTimeout", decimal(t.back_to_init)).element("BackToSafeopTimeout", decimal(t.back_to_safeop));
+  xml.close();
+  if (const auto& b = device.behavior; b != StartBehavior{}) {
+    xml.open("Behavior");
+    flag(xml, "StartToInit", b.to_init);
+    flag(xml, "StartToPreop", b.to_preop);
+    flag(xml, "StartToSafeop", b.to_safeop);
+    flag(xml, "StartToSafeopNoSync", b.to_safeop_no_sync);
+    xml.close();
+  }
+  xml.close();
+}
+
+void write_controller(XmlWriter& xml, const DeviceDescription& device) {
+  if (!device.dpram_size && !device.sync_manager_count && !device.fmmu_count) return;
+  xml.open("EtherCATController");
+  optional_element(xml, "DpramSize", device.dpram_size);
+  optional_element(xml, "SmCount", device.sync_manager_count);
+  optional_element(xml, "FmmuCount", device.fmmu_count);
+  xml.close();
+}
+
+void write_port(XmlWriter& xml, const PortDescription& port) {
+  xml.open("Port").element("Type", port.type);
+  text_element(xml, "Connector", port.connector);
+  text_element(xml, "Label", port.label);
+  optional_element(xml, "RxDelay", port.rx_delay);
+  optional_element(xml, "TxDelay", port.tx_delay);
+  xml.close();
 }
 
 void write_info(XmlWriter& xml, const DeviceDescription& device) {
-  const auto& t = device.timeouts;
-  xml.open("Info").open("StateMachine").open("Timeout");
-  xml.element("PreopTimeout", decimal(t.preop)).element("SafeopOpTimeout", decimal(t.safeop_op));
-  xml.element("BackToInitTimeout", decimal(t.back_to_init)).element("BackToSafeopTimeout", decimal(t.back_to_safeop));
-  xml.close().close();
+  xml.open("Info");
+  if (device.ebus_current_ma) {
+    xml.open("Electrical").element("EBusCurrent", decimal(*device.ebus_current_ma)).close();
+  }
+  write_state_machine(xml, device);
   if (device.mailbox) {
     xml.open("Mailbox").open("Timeout");
     xml.element("RequestTimeout", decimal(device.mailbox->request_timeout_ms));
     xml.element("ResponseTimeout", decimal(device.mailbox->response_timeout_ms));
     xml.close().close();
   }
+  write_controller(xml, device);
+  for (const PortDescription& port : device.ports) write_port(xml, port);
+  if (device.identification_ado) xml.element("IdentificationAdo", hex_dec(*device.identification_ado));
+  if (device.identification_reg134) xml.element("IdentificationReg134", "true");
   xml.close();
 }
 
-void write_profile(XmlWriter& xml, const DeviceDescription& device) {
-  if (device.profiles.empty() && device.dictionary.empty()) return;
-  xml.open("Profile");
-  for (const ChannelProfile& profile : device.profiles) {
-    xml.open("ChannelInfo").element("ProfileNo", decimal(profile.profile_no));
-    if (profile.add_info != 0) xml.element("AddInfo", decimal(profile.add_info));
-    xml.close();
+void write_fmmus(XmlWriter& xml, const DeviceDescription& device) {
+  for (std::size_t i = 0; i < device.fmmus.size(); ++i) {
+    xml.open("Fmmu");
+    if (i < device.fmmu_options.size()) {
+      const FmmuOptions& options = device.fmmu_options[i];
+      flag(xml, "OpOnly", options.op_only);
+      optional_attribute(xml, "Sm", options.sync_manager);
+      optional_attribute(xml, "Su", options.sync_unit);
+    }
+    xml.text(fmmu_text(device.fmmus[i])).close();
   }
-  write_dictionary(xml, device.dictionary);
-  xml.close();
+}
+
+void write_sync_unit(XmlWriter& xml, const SyncUnitDescription& unit) {
+  xml.open("Su");
+  flag(xml, "SeparateSu", unit.separate_su);
+  flag(xml, "SeparateFrame", unit.separate_frame);
+  flag(xml, "DependOnInputState", unit.depend_on_input_state);
+  flag(xml, "FrameRepeatSupport", unit.frame_repeat_support);
+  xml.text(unit.name).close();
 }
 
 void write_sync_manager(XmlWriter& xml, const SyncManagerDescription& manager) {
   xml.open("Sm");
-  size_attribute(xml, "MinSize", manager.min_size);
-  size_attribute(xml, "MaxSize", manager.max_size);
-  size_attribute(xml, "DefaultSize", manager.default_size);
+  optional_attribute(xml, "MinSize", manager.min_size);
+  optional_attribute(xml, "MaxSize", manager.max_size);
+  optional_attribute(xml, "DefaultSize", manager.default_size);
   xml.attribute("StartAddress", hex_dec(manager.start_address));
   xml.attribute("ControlByte", hex_dec(manager.control_byte, 2));
   xml.attribute("Enable", manager.enable ? "1" : "0");
+  flag(xml, "OneByteMode", manager.one_byte_mode);
   flag(xml, "Virtual", manager.is_virtual);
+  optional_flag(xml, "Watchdog", manager.watchdog);
   flag(xml, "OpOnly", manager.op_only);
   xml.text(sync_manager_text(manager.type)).close();
 }
 
-void write_coe(XmlWriter& xml, const CoeDescription& coe) {
-  xml.open("CoE");
-  flag(xml, "SdoInfo", coe.sdo_info);
-  flag(xml, "PdoAssign", coe.pdo_assign);
-  flag(xml, "PdoConfig", coe.pdo_config);
-  flag(xml, "PdoUpload", coe.pdo_upload);
-  flag(xml, "CompleteAccess", coe.complete_access);
-  flag(xml, "SegmentedSdo", coe.segmented_sdo);
-  for (const StartupCommand& command : coe.init_commands) {
-    xml.open("InitCmd");
-    flag(xml, "Fixed", command.fixed);
-    flag(xml, "CompleteAccess", command.complete_access);
-    write_init_cmd_content(xml, command);
-    xml.close();
-  }
-  xml.close();
-}
-
-void write_mailbox(XmlWriter& xml, const MailboxDescription& mailbox) {
-  xml.open("Mailbox");
-  flag(xml, "DataLinkLayer", mailbox.data_link_layer);
-  if (mailbox.aoe) xml.element("AoE", "");
-  if (mailbox.eoe) xml.element("EoE", "");
-  if (mailbox.coe) write_coe(xml, *mailbox.coe);
-  if (mailbox.foe) xml.element("FoE", "");
-  if (mailbox.soe) xml.element("SoE", "");
-  if (mailbox.voe) xml.element("VoE", "");
-  xml.close();
-}
-
-void write_time(XmlWriter& xml, std::string_view name, const DcTime& time) {
-  if (time == DcTime{}) return;
-  xml.open(name);
-  if (time.factor) xml.attribute("Factor", decimal(*time.factor));
-  flag(xml, "Input", time.input);
-  xml.text(decimal(time.value_ns)).close();
-}
-
-void write_op_mode(XmlWriter& xml, const DcOpMode& mode) {
-  xml.open("OpMode").element("Name", mode.name);
-  if (!mode.description.empty()) xml.element("Desc", mode.description);
-  xml.element("AssignActivate", hex_dec(mode.assign_activate));
-  write_time(xml, "CycleTimeSync0", mode.cycle_time_sync0);
-  write_time(xml, "ShiftTimeSync0", mode.shift_time_sync0);
-  write_time(xml, "CycleTimeSync1", mode.cycle_time_sync1);
-  write_time(xml, "ShiftTimeSync1", mode.shift_time_sync1);
-  for (const OpModeSyncManager& manager : mode.sync_managers) {
-    xml.open("Sm").attribute("No", decimal(manager.number));
-    if (manager.sync_type) xml.element("SyncType", decimal(*manager.sync_type));
-    for (const auto index : manager.pdos) xml.element("Pdo", hex_dec(index));
-    xml.close();
-  }
-  xml.close();
-}
-
-void write_dc(XmlWriter& xml, const DcDescription& dc) {
-  xml.open("Dc");
-  flag(xml, "TimeLoopControlOnly", dc.time_loop_control_only);
-  flag(xml, "UnknownFRMW", dc.unknown_frmw);
-  flag(xml, "Unknown64Bit", dc.unknown_64bit);
-  flag(xml, "PotentialReferenceClock", dc.potential_reference_clock);
-  for (const DcOpMode& mode : dc.op_modes) write_op_mode(xml, mode);
-  xml.close();
-}
-
 void write_esc(XmlWriter& xml, const DeviceDescription& device) {
-  if (!device.reg_0400 && !device.reg_0410 && !device.reg_0420) return;
+  if (!device.reg_0108 && !device.reg_0400 && !device.reg_0410 && !device.reg_0420) return;
   xml.open("ESC");
+  register_element(xml, "Reg0108", device.reg_0108);
   register_element(xml, "Reg0400", device.reg_0400);
   register_element(xml, "Reg0410", device.reg_0410);
   register_element(xml, "Reg0420", device.reg_0420);
@@ -168,53 +177,55 @@ void write_esc(XmlWriter& xml, const DeviceDescription& device) {
 }
 
 void write_eeprom(XmlWriter& xml, const EepromDescription& eeprom) {
-  xml.open("Eeprom").element("ByteSize", decimal(eeprom.byte_size));
-  xml.element("ConfigData", hex_bytes(eeprom.config_data));
+  xml.open("Eeprom");
+  if (!eeprom.image.empty()) {  // stands for all the others
+    xml.element("Data", hex_bytes(eeprom.image)).close();
+    return;
+  }
+  flag(xml, "AssignToPdi", eeprom.assign_to_pdi);
+  xml.element("ByteSize", decimal(eeprom.byte_size)).element("ConfigData", hex_bytes(eeprom.config_data));
   if (!eeprom.boot_strap.empty()) xml.element("BootStrap", hex_bytes(eeprom.boot_strap));
+  for (const EepromCategory& category : eeprom.categories) {
+    xml.open("Category").element("CatNo", decimal(category.number)).element("Data", hex_bytes(category.data)).close();
+  }
   xml.close();
 }
 
 }  // namespace
 
-void write_pdo(XmlWriter& xml, std::string_view tag, const Pdo& pdo) {
-  xml.open(tag);
-  flag(xml, "Fixed", pdo.fixed);
-  flag(xml, "Mandatory", pdo.mandatory);
-  if (pdo.sync_manager) xml.attribute("Sm", decimal(*pdo.sync_manager));
-  xml.element("Index", hex_dec(pdo.index)).element("Name", pdo.name);
-  for (const auto index : pdo.exclude) xml.element("Exclude", hex_dec(index));
-  for (const PdoEntry& entry : pdo.entries) {
-    xml.open("Entry").element("Index", hex_dec(entry.index));
-    if (entry.index != 0 || entry.sub_index != 0) xml.element("SubIndex", decimal(entry.sub_index));
-    xml.element("BitLen", decimal(entry.bit_length));
-    if (!entry.name.empty()) xml.element("Name", entry.name);
-    if (!entry.data_type.empty()) xml.element("DataType", entry.data_type);
+void write_profile(XmlWriter& xml, const std::vector<ChannelProfile>& profiles,
+                   const std::vector<ObjectDescription>& objects, const std::vector<EnumDescription>& enums) {
+  if (profiles.empty() && objects.empty() && enums.empty()) return;
+  xml.open("Profile");
+  if (!profiles.empty()) xml.element("ChannelCount", decimal(std::ssize(profiles)));
+  for (const ChannelProfile& profile : profiles) {
+    xml.open("ChannelInfo").element("ProfileNo", decimal(profile.profile_no));
+    if (profile.add_info != 0) xml.element("AddInfo", decimal(profile.add_info));
     xml.close();
   }
+  write_dictionary(xml, objects, enums);
   xml.close();
 }
 
-void write_init_cmd_content(XmlWriter& xml, const StartupCommand& command) {
-  for (const auto transition : command.transitions) xml.element("Transition", transition_name(transition));
-  xml.element("Index", hex_dec(command.index)).element("SubIndex", decimal(command.sub_index));
-  xml.element("Data", hex_bytes(command.data));
-  if (!command.comment.empty()) xml.element("Comment", command.comment);
-}
-
 void write_device(XmlWriter& xml, const DeviceDescription& device) {
-  xml.open("Device").attribute("Physics", device.physics);
+  xml.open("Device");
+  flag(xml, "Invisible", device.invisible);
+  xml.attribute("Physics", device.physics);
   write_type(xml, device);
   write_info(xml, device);
   xml.element("GroupType", device.group_type);
-  write_profile(xml, device);
-  for (const FmmuUse use : device.fmmus) xml.element("Fmmu", fmmu_text(use));
+  write_profile(xml, device.profiles, device.dictionary, device.enums);
+  write_fmmus(xml, device);
   for (const auto& manager : device.sync_managers) write_sync_manager(xml, manager);
+  for (const auto& unit : device.sync_units) write_sync_unit(xml, unit);
   for (const Pdo& pdo : device.rx_pdos) write_pdo(xml, "RxPdo", pdo);
   for (const Pdo& pdo : device.tx_pdos) write_pdo(xml, "TxPdo", pdo);
   if (device.mailbox) write_mailbox(xml, *device.mailbox);
   if (device.dc) write_dc(xml, *device.dc);
+  if (device.slots) write_slots(xml, *device.slots);
   write_esc(xml, device);
   write_eeprom(xml, device.eeprom);
+  write_image(xml, device.image);
   xml.close();
 }
 
@@ -222,10 +233,14 @@ std::string write_esi(const DeviceDescription& device) {
   XmlWriter xml;
   xml.open("EtherCATInfo").open("Vendor").element("Id", hex_dec(device.identity.vendor_id, 8));
   xml.element("Name", device.vendor_name).close();
-  xml.open("Descriptions").open("Groups").open("Group");
-  xml.element("Type", device.group_type).element("Name", device.group_type).close().close();
-  xml.open("Devices");
+  xml.open("Descriptions").open("Groups");
+  if (!device.group_name.empty()) {
+    xml.open("Group").element("Type", device.group_type).element("Name", device.group_name).close();
+  }
+  xml.close().open("Devices");
   write_device(xml, device);
+  xml.close();
+  write_modules(xml, device.modules);
   return xml.take();
 }
 

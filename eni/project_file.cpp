@@ -33,20 +33,27 @@ void write_devices(XmlWriter& xml, const Devices& devices) {
     xml.open("DeviceDescription").attribute("Id", std::to_string(i + 1));
     xml.attribute("VendorId", hex_dec(device.identity.vendor_id, 8)).attribute("VendorName", device.vendor_name);
     xml.attribute("Source", device.source);
+    if (!device.group_name.empty()) xml.attribute("GroupName", device.group_name);
     write_device(xml, device);
+    write_modules(xml, device.modules);
     xml.close();
   }
   xml.close();
 }
 
-DeviceDescription read_embedded(const Node& node) {
+DeviceDescription read_embedded(const Node& outer) {
   FileWarnings warnings;
+  Reading reading(outer.reading().file(), warnings);
+  const Node node = outer.with(reading);
   const EsiVendor vendor{node.number<std::uint32_t>("VendorId").value_or(0), node.attribute("VendorName")};
-  auto device = read_device(node.required("Device"), vendor, warnings);
+  auto device = read_device(node.required("Device"),
+                            {.vendor = vendor, .modules = read_modules(node.child("Modules"), nullptr)});
   device.source = node.attribute("Source");
+  device.group_name = node.attribute("GroupName");
+  if (!reading.ok()) outer.reading().fail(*reading.error());
   if (!warnings.empty()) {  // the program wrote this itself: what cannot be read was damaged
     const FileWarning& first = warnings.front();
-    node.reading().fail(ErrorCode::kXmlBadValue, first.line, first.element, first.text);
+    outer.reading().fail(ErrorCode::kXmlBadValue, first.line, first.element, first.text);
   }
   return device;
 }

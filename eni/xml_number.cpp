@@ -17,7 +17,41 @@ std::optional<int> nibble(char c) {
   return std::nullopt;
 }
 
+std::optional<std::int64_t> hexadecimal(std::string_view digits) {
+  std::int64_t value = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value, 16);
+  if (digits.empty() || digits.front() == '-' || error != std::errc{} || end != digits.data() + digits.size()) {
+    return std::nullopt;
+  }
+  return value;
+}
+
+/// Digits, then a fraction of zeros or a unit.
+std::optional<std::int64_t> with_tail(std::string_view text) {
+  std::int64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{}) return std::nullopt;
+  const std::string_view tail(end, static_cast<std::size_t>(text.data() + text.size() - end));
+  if (tail.starts_with('.') && tail.find_first_not_of('0', 1) == std::string_view::npos) return value;
+  const auto unit = trim(tail);
+  return unit == "ms" || unit == "ns" || unit == "bit" || unit == "bits" ? std::optional(value) : std::nullopt;
+}
+
 }  // namespace
+
+std::optional<std::int64_t> parse_sloppy_number(std::string_view text) {
+  std::string word;
+  for (const char c : text) {
+    if (c != ' ' && c != '\t' && c != '\r' && c != '\n') word.push_back(c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c);
+  }
+  if (const auto number = parse_number(word)) return number;
+  const std::string_view view = word;
+  for (const std::string_view prefix : {"16#", "&h", "#", "x", "$"}) {
+    if (view.starts_with(prefix)) return hexadecimal(view.substr(prefix.size()));
+  }
+  if (view.ends_with('h')) return hexadecimal(view.substr(0, view.size() - 1));
+  return with_tail(trim(text));
+}
 
 std::optional<std::int64_t> parse_number(std::string_view text) {
   text = trim(text);

@@ -10,8 +10,6 @@
 namespace syncline::eni {
 namespace {
 
-constexpr std::string_view kEnglish = "1033";  // Windows language code that ESI files use
-
 std::string_view malformed_text(tinyxml2::XMLError error) {
   switch (error) {
     case tinyxml2::XML_ERROR_MISMATCHED_ELEMENT:
@@ -53,6 +51,23 @@ void Reading::fail(ErrorCode code, int line, std::string subject, std::string de
   error_ = Error{.code = code, .subject = std::move(subject), .detail = std::move(detail), .file = file_, .line = line};
 }
 
+void Reading::fail(const Error& error) {
+  if (!error_) error_ = error;
+}
+
+Reading Reading::of_file(const std::string& file) const {
+  Reading part(file);
+  part.warnings_ = warnings_;
+  part.language_ = language_;
+  return part;
+}
+
+void Reading::warn(int line, std::string element, std::string text) {
+  constexpr std::size_t kMost = 1000;  // a file that is wrong throughout shall not fill the memory with words
+  if (warnings_ == nullptr || warnings_->size() >= kMost) return;
+  warnings_->push_back({file_, line, std::move(element), std::move(text)});
+}
+
 Node Node::child(const char* name) const {
   const auto* found = element_ ? element_->FirstChildElement(name) : nullptr;
   return found ? Node(found, *reading_) : Node();
@@ -74,13 +89,15 @@ std::vector<Node> Node::children(const char* name) const {
 }
 
 Node Node::localized(const char* name) const {
-  Node first, neutral;
+  Node first, neutral, english;
   for (const Node& node : children(name)) {
-    if (node.attribute("LcId") == kEnglish) return node;
+    const auto language = parse_number(node.attribute("LcId"));
+    if (language == reading_->language()) return node;
+    if (!english && language == Reading::kEnglish) english = node;
     if (!neutral && !node.has("LcId")) neutral = node;
     if (!first) first = node;
   }
-  return neutral ? neutral : first;
+  return english ? english : neutral ? neutral : first;
 }
 
 std::string Node::text() const {
@@ -121,6 +138,21 @@ std::optional<bool> Node::boolean(const char* attribute_name) const {
 
 void Node::fail(ErrorCode code, std::string detail) const {
   if (element_) reading_->fail(code, line(), std::string(name()), std::move(detail));
+}
+
+void Node::warn(std::string text) const {
+  if (element_) reading_->warn(line(), std::string(name()), std::move(text));
+}
+
+std::optional<std::int64_t> Node::sloppy_number(std::string_view element, std::string_view attribute,
+                                                std::string_view value) const {
+  if (reading_ == nullptr || !reading_->tolerant()) return std::nullopt;
+  const auto number = parse_sloppy_number(value);
+  if (number) {
+    auto subject = attribute.empty() ? std::string(element) : fmt::format("{}@{}", element, attribute);
+    reading_->warn(line(), std::move(subject), fmt::format("\"{}\" is read as {}", trim(value), *number));
+  }
+  return number;
 }
 
 void Node::bad_value(std::string_view element, std::string_view attribute, std::string_view value,

@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "eni/file_warning.h"
 #include "eni/xml_number.h"
 #include "support/result.h"
 
@@ -21,15 +22,31 @@ namespace syncline::eni {
 /// Where errors go while a piece of a file is read. Only the first one is kept: what follows is often its consequence.
 class Reading {
  public:
+  static constexpr int kEnglish = 1033;  // LcId: the Windows language code that ESI files use
+
   explicit Reading(std::string file) : file_(std::move(file)) {}
+  /// Sloppy values whose meaning is clear are taken, with a warning in `warnings`; texts are in `language` where they can.
+  Reading(std::string file, FileWarnings& warnings, int language = kEnglish)
+      : file_(std::move(file)), warnings_(&warnings), language_(language) {}
+  /// For a part of the same file whose errors must not take the rest with it.
+  [[nodiscard]] Reading of_part() const { return of_file(file_); }
+  /// For another file that this one refers to.
+  [[nodiscard]] Reading of_file(const std::string& file) const;
+
   [[nodiscard]] const std::string& file() const { return file_; }
+  [[nodiscard]] int language() const { return language_; }
   [[nodiscard]] const std::optional<Error>& error() const { return error_; }
   [[nodiscard]] bool ok() const { return !error_; }
+  [[nodiscard]] bool tolerant() const { return warnings_ != nullptr; }
   void fail(ErrorCode code, int line, std::string subject, std::string detail);
+  void fail(const Error& error);
+  void warn(int line, std::string element, std::string text);
 
  private:
   std::string file_;
   std::optional<Error> error_;
+  FileWarnings* warnings_ = nullptr;
+  int language_ = kEnglish;
 };
 
 /// One element, or none: reading from none gives empty values, so that optional branches need no test.
@@ -42,6 +59,7 @@ class Node {
   [[nodiscard]] std::string_view name() const { return element_ ? element_->Name() : std::string_view{}; }
   [[nodiscard]] int line() const { return element_ ? element_->GetLineNum() : 0; }
   [[nodiscard]] Reading& reading() const { return *reading_; }
+  [[nodiscard]] const tinyxml2::XMLElement* element() const { return element_; }
   /// The same element with its errors going elsewhere.
   [[nodiscard]] Node with(Reading& reading) const { return {element_, reading}; }
 
@@ -49,7 +67,7 @@ class Node {
   /// kXmlMissingElement with the line of this element when there is none.
   [[nodiscard]] Node required(const char* name) const;
   [[nodiscard]] std::vector<Node> children(const char* name = nullptr) const;
-  /// Of the children of that name the one with LcId 1033 (English), else the one without LcId, else the first.
+  /// Of the children of that name the one in the reading's language, else in English, else without LcId, else the first.
   [[nodiscard]] Node localized(const char* name) const;
 
   /// Text as it stands, with CDATA, without comments.
@@ -80,11 +98,13 @@ class Node {
   }
 
   void fail(ErrorCode code, std::string detail) const;
+  void warn(std::string text) const;
 
  private:
   template <class T>
   [[nodiscard]] T convert(std::string_view value, std::string_view element, std::string_view attribute) const {
-    const auto number = parse_number(value);
+    auto number = parse_number(value);
+    if (!number) number = sloppy_number(element, attribute, value);
     if (!number) {
       bad_value(element, attribute, value, "is no number");
       return T{};
@@ -99,6 +119,9 @@ class Node {
     }
     return static_cast<T>(*number);
   }
+  /// In a tolerant reading: what else people write for a number.
+  [[nodiscard]] std::optional<std::int64_t> sloppy_number(std::string_view element, std::string_view attribute,
+                                                          std::string_view value) const;
   void bad_value(std::string_view element, std::string_view attribute, std::string_view value,
                  std::string_view problem) const;
 

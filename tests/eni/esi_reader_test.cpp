@@ -116,7 +116,7 @@ TEST(EsiReader, ReadsMailboxAndInitCommands) {
   ASSERT_THAT(coe.init_commands, SizeIs(1));
   EXPECT_EQ(coe.init_commands[0], (StartupCommand{.transitions = {Transition::kPS, Transition::kSO}, .index = 0x6060,
                                                   .sub_index = 0, .data = {8}, .complete_access = true, .fixed = true,
-                                                  .comment = "Op mode"}));
+                                                  .comment = "Op mode", .adapt_automatically = true}));
 }
 
 TEST(EsiReader, ReadsOperationModesAndEeprom) {
@@ -131,7 +131,9 @@ TEST(EsiReader, ReadsOperationModesAndEeprom) {
   EXPECT_EQ(mode.shift_time_sync0, (DcTime{50000, std::nullopt, true}));
   EXPECT_EQ(mode.cycle_time_sync1, (DcTime{0, -2, false}));
   EXPECT_EQ(mode.shift_time_sync1, (DcTime{-25, std::nullopt, false}));
-  EXPECT_THAT(mode.sync_managers, ElementsAre(OpModeSyncManager{2, 2, {0x1600}}));
+  OpModeSyncManager outputs{2, 2, {0x1600}};
+  outputs.cycle_time = OpModeTime{.factor = 1};
+  EXPECT_THAT(mode.sync_managers, ElementsAre(outputs));
   EXPECT_EQ(device.eeprom.byte_size, 4096U);
   EXPECT_THAT(device.eeprom.config_data, ElementsAre(0x05, 0x0C, 0x80, 0x08));
   EXPECT_THAT(device.eeprom.boot_strap, SizeIs(8));
@@ -155,9 +157,12 @@ TEST(EsiReader, FlattensTheDictionary) {
   ASSERT_THAT(device.dictionary, SizeIs(2)) << "the broken object alone is left out";
   EXPECT_THAT(device.dictionary[0].entries,
               ElementsAre(ObjectEntry{0, "Device type", "UDINT", 32, true, false, {0x92, 0x01, 0x02, 0x00}}));
-  EXPECT_THAT(device.dictionary[1].entries, ElementsAre(ObjectEntry{0, "Count", "USINT", 8, true, false, {2}},
-                                                        ObjectEntry{1, "First", "UDINT", 32, true, true, {}},
-                                                        ObjectEntry{2, "SubIndex 002", "UDINT", 32, true, true, {}}));
+  ObjectEntry first{1, "First", "UDINT", 32, true, true, {}}, second{2, "SubIndex 002", "UDINT", 32, true, true, {}};
+  first.bit_offset = 16;
+  second.bit_offset = 48;
+  first.write_restrictions = second.write_restrictions = "PreOP";
+  EXPECT_THAT(device.dictionary[1].entries, ElementsAre(ObjectEntry{0, "Count", "USINT", 8, true, false, {2}}, first, second));
+  EXPECT_EQ(device.dictionary[1].code, ObjectCode::kArray);
 }
 
 TEST(EsiReader, BrokenDeviceIsLeftOutWithLineAndElement) {

@@ -20,6 +20,8 @@ class RandomProject {
     const int slaves = number(0, 4);
     for (int i = 0; i < slaves; ++i) p.slaves.push_back(slave(static_cast<std::uint16_t>(i)));
     if (slaves > 0 && chance(2)) p.master.dc.reference_clock = number<std::uint16_t>(0, slaves - 1);
+    if (chance(2)) p.name = name();
+    arrange_tasks(p);
     return p;
   }
 
@@ -32,7 +34,8 @@ class RandomProject {
     d.type = text();
     d.name = trimmed_text();
     d.physics = pick({"YY", "KK", "YKY", "KK Y", ""});
-    d.check_revision_low_word = chance(2);
+    if (chance(2)) d.check_revision = static_cast<RevisionCheck>(number(0, 4));
+    d.check_revision_low_word = d.check_revision == RevisionCheck::kLowWordEqual;
     d.use_lrd_lwr = chance(3);
     for (int i = number(0, 4); i > 0; --i) d.fmmus.push_back(static_cast<FmmuUse>(number(0, 3)));
     for (int i = 0; i < 4; ++i) d.sync_managers.push_back(sync_manager(static_cast<SyncManagerType>(i + 1)));
@@ -207,6 +210,7 @@ class RandomProject {
     const int entries = chance(3) ? 1 : number(1, 4);
     for (int i = 0; i < entries; ++i) {
       const bool writable = chance(2);
+      if (entries > 1) o.code = ObjectCode::kRecord;
       o.entries.push_back({static_cast<std::uint8_t>(i), entries == 1 ? o.name : trimmed_text(), pick({"UINT", "STRING(4)", ""}),
                            number<std::uint16_t>(0, 64), !writable || chance(2), writable,
                            chance(2) ? bytes(number(1, 4)) : std::vector<std::uint8_t>{}});
@@ -237,6 +241,75 @@ class RandomProject {
     }
   }
 
+  void arrange_tasks(Project& p) {
+    auto& image = p.master.image;
+    if (chance(3)) image.logical_start = number<std::uint32_t>(0, 0x7FFF'0000);
+    image.alignment = static_cast<std::uint8_t>(1 << number(0, 3));
+    image.bit_packing = chance(2);
+    for (int i = number(0, 3); i > 0; --i) {
+      p.master.tasks.push_back({"Task " + std::to_string(i), number<std::uint32_t>(1, 1000)});
+    }
+    for (int i = number(0, 3); i > 0; --i) {
+      auto& unit = p.master.sync_units.emplace_back(SyncUnit{"Unit " + std::to_string(i), ""});
+      if (!p.master.tasks.empty() && chance(2)) unit.task = p.master.tasks.front().name;
+    }
+    if (p.master.sync_units.empty()) return;
+    for (auto& slave : p.slaves) {
+      if (chance(2)) slave.output_unit = p.master.sync_units.front().name;
+      if (chance(2)) slave.input_unit = p.master.sync_units.back().name;
+    }
+  }
+
+  void set_options(SlaveSettings& s) {
+    s.optional = chance(4);
+    if (chance(2)) s.check.revision_rule = static_cast<RevisionCheck>(number(0, 4));
+    s.check.alias = chance(3);
+    if (chance(3)) s.check.device_id = number<std::uint16_t>(0, 0xFFFF);
+    for (auto* value : {&s.watchdog.divider, &s.watchdog.pdi, &s.watchdog.process_data}) {
+      if (chance(3)) *value = number<std::uint16_t>(0, 0xFFFF);
+    }
+    if (chance(3)) s.watchdog.outputs = chance(2);
+    auto& t = s.timeouts;
+    for (auto* value : {&t.preop, &t.safeop_op, &t.back_to_init, &t.back_to_safeop, &t.mailbox_request, &t.mailbox_response}) {
+      if (chance(3)) *value = number<std::uint32_t>(1, 600'000);
+    }
+    if (chance(3)) s.mailbox.out_size = number<std::uint16_t>(24, 1486);
+    if (chance(3)) s.mailbox.in_size = number<std::uint16_t>(24, 1486);
+    s.mailbox.state_bit = !chance(3);
+    if (chance(3)) s.mailbox.poll_time_ms = number<std::uint32_t>(1, 60'000);
+    set_mailbox_protocols(s);
+    for (const auto* pdos : {&s.device.rx_pdos, &s.device.tx_pdos}) {
+      for (const Pdo& pdo : *pdos) {
+        if (!pdo.entries.empty() && pdo.entries.front().index != 0 && chance(4)) s.variable_names.push_back({pdo.index, 0, name()});
+      }
+    }
+    std::ranges::sort(s.variable_names, {}, &VariableName::pdo);
+  }
+
+  void set_mailbox_protocols(SlaveSettings& s) {
+    s.eoe.enabled = !chance(4);
+    if (chance(3)) s.eoe.mac = std::array<std::uint8_t, 6>{2, 0, 0, number<std::uint8_t>(0, 255), 0, 1};
+    if (chance(3)) s.eoe.ip = "192.168.1." + std::to_string(number(1, 254));
+    if (chance(3)) s.eoe.subnet = "255.255.255.0";
+    if (chance(3)) s.eoe.gateway = "192.168.1.1";
+    if (chance(3)) s.eoe.dns = "8.8.4.4";
+    if (chance(3)) s.eoe.host_name = "drive-" + std::to_string(number(1, 99));
+    if (chance(3)) s.ams_net_id = "5.1.2.3.4." + std::to_string(number(0, 255));
+    if (!s.device.mailbox || !s.device.mailbox->soe) return;
+    for (int i = number(0, 3); i > 0; --i) {
+      SoeStartupCommand command;
+      command.command.transitions = {Transition::kPS, Transition::kSO};
+      command.command.drive = number<std::uint8_t>(0, 7);
+      command.command.idn = number<std::uint16_t>(0, 0xFFFF);
+      command.command.data = bytes(number(1, 4));
+      command.command.comment = chance(2) ? "limit" : "";
+      command.fixed = chance(2);
+      command.enabled = chance(2);
+      command.timeout_ms = chance(2) ? number<std::uint32_t>(1, 99999) : 0;
+      s.soe_startup.push_back(std::move(command));
+    }
+  }
+
   SyncUnitSettings sync_unit() {
     SyncUnitSettings u;
     if (chance(2)) u.cycle_factor = chance(2) ? number(1, 100) : number(-100, -1);
@@ -253,10 +326,11 @@ class RandomProject {
     s.alias = number<std::uint16_t>(0, 0xFFFF);
     if (s.alias % 4 == 1) s.hot_connect = name();
     if (position > 0 && !chance(4)) s.previous = PreviousPort{number<std::uint16_t>(0, position - 1), number<std::uint8_t>(0, 3)};
-    s.check = {chance(2), chance(2), chance(2), chance(2)};
+    s.check = {.vendor = chance(2), .product = chance(2), .revision = chance(2), .serial = chance(2)};
     s.assigned_rx_pdos = assignment(s.device.rx_pdos);
     s.assigned_tx_pdos = assignment(s.device.tx_pdos);
     change_mappings(s);
+    set_options(s);
     if (s.device.dc && !s.device.dc->op_modes.empty() && !chance(3)) {
       s.dc.op_mode = s.device.dc->op_modes[number<std::size_t>(0, static_cast<std::int64_t>(s.device.dc->op_modes.size()) - 1)].name;
     }
