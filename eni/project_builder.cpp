@@ -48,16 +48,20 @@ DeviceDescription device_without_esi(const ScannedSlave& slave) {
 }
 
 DeviceDescription device_of(const ScannedSlave& slave, const EsiCatalogue& catalogue, std::vector<Error>& warnings) {
-  const auto match = catalogue.find(slave.identity);
-  if (match && match->exact_revision) return *match->device;
+  const auto match = catalogue.device_for(slave.identity);
   if (match) {
-    warnings.push_back(Error{.code = ErrorCode::kUnknownDevice,
-                             .subject = slave_text(slave),
-                             .detail = fmt::format("its settings are taken from revision 0x{:08x} of {}",
-                                                   match->device->identity.revision_no, match->device->source)});
+    if (match->kind != MatchKind::kExact) {
+      warnings.push_back(Error{.code = ErrorCode::kIdentification,
+                               .subject = slave_text(slave),
+                               .detail = fmt::format("{} ({})", match->words, match->device->source)});
+    }
     return *match->device;
   }
-  warnings.push_back(Error{.code = ErrorCode::kMissingEsi, .subject = slave_text(slave), .detail = "that you use"});
+  if (match.error().code == ErrorCode::kUnknownDevice) {
+    warnings.push_back(Error{.code = ErrorCode::kMissingEsi, .subject = slave_text(slave), .detail = "that you use"});
+  } else {
+    warnings.push_back(match.error());  // there is one, and it cannot be read
+  }
   if (slave.sii_error) warnings.push_back(*slave.sii_error);
   return device_without_esi(slave);
 }
@@ -90,11 +94,8 @@ BuiltProject project_from_scan(const BusScan& scan, const EsiCatalogue& catalogu
 Result<Project> project_from_devices(const std::vector<Identity>& devices, const EsiCatalogue& catalogue) {
   Project project;
   for (const Identity& identity : devices) {
-    const auto match = catalogue.find(identity);
-    if (!match) {
-      return fail(ErrorCode::kUnknownDevice, to_string(identity),
-                  fmt::format("none of the {} devices in the ESI files has this vendor and product", catalogue.devices().size()));
-    }
+    const auto match = catalogue.device_for(identity);
+    if (!match) return tl::unexpected(match.error());
     if (!match->exact_revision) {
       return fail(ErrorCode::kUnknownDevice, to_string(identity),
                   fmt::format("the ESI files have revision 0x{:08x}", match->device->identity.revision_no));

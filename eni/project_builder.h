@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "config/project.h"
-#include "eni/esi_catalogue.h"
+#include "eni/catalogue/esi_catalogue.h"
 #include "master/bus_scan.h"
 #include "support/result.h"
 

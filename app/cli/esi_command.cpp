@@ -6,6 +6,9 @@ namespace syncline::cli {
 void add_esi_commands(CLI::App& app, Context& context) {
   auto* esi = app.add_subcommand("esi", "Find devices in folders of ESI files");
   esi->require_subcommand(1);
+  add_esi_index(*esi, context);
+  add_esi_search(*esi, context);
+  add_esi_show(*esi, context);
   add_esi_match(*esi, context);
 }
 

@@ -2,37 +2,50 @@
 #include <memory>
 
 #include "app/cli/esi_command.h"
+#include "app/cli/esi_folders.h"
 #include "app/cli/identity_text.h"
-#include "eni/esi_catalogue.h"
+#include "protocol/error_text.h"
 
 namespace syncline::cli {
 namespace {
 
 struct MatchOptions {
   std::string identity;
-  std::vector<std::string> folders;
+  EsiFolders esi;
+  bool json = false;
 };
 
 void match(Context& context, const MatchOptions& options) {
   const auto identity = parse_identity(options.identity);
   if (!identity) return context.fail_with(identity.error());
-  eni::EsiCatalogue catalogue;
-  for (const auto& folder : options.folders) {
-    if (const auto status = catalogue.add_folder(folder); !status) return context.fail_with(status.error());
+  const auto catalogue = open_catalogue(context, options.esi);
+  if (!catalogue) return context.fail_with(catalogue.error());
+  const auto found = catalogue->match(*identity);
+  if (!found && found.error().code != ErrorCode::kUnknownDevice) return context.fail_with(found.error());
+  if (!found) context.exit_code = kAnswerIsNo;
+  if (options.json) {
+    return context.print({{"identity", to_string(*identity)},
+                          {"match", found ? Json(eni::match_kind_name(found->kind)) : Json(nullptr)},
+                          {"words", found ? found->words : describe(found.error())},
+                          {"device", found ? entry_json(found->entry) : Json(nullptr)}});
   }
-  const auto found = catalogue.find(*identity);
-  if (!found) return context.fail_with(Error{.code = ErrorCode::kUnknownDevice, .subject = to_string(*identity)});
-  context.console.out << to_string(found->device->identity) << "  " << found->device->type << "  " << found->device->source
-                      << '\n';
+  if (!found) {
+    context.console.out << describe(found.error()) << '\n';
+    return;
+  }
+  context.console.out << entry_line(found->entry) << '\n'
+                      << found->words << '\n'
+                      << found->entry.file << ':' << found->entry.line << '\n';
 }
 
 }  // namespace
 
 void add_esi_match(CLI::App& esi, Context& context) {
-  auto* command = esi.add_subcommand("match", "Say which ESI device describes a scanned identity");
+  auto* command = esi.add_subcommand("match", "Say which ESI device describes an identity that was found on a bus");
   auto options = std::make_shared<MatchOptions>();
   command->add_option("identity", options->identity, "VENDOR:PRODUCT[:REVISION]")->required();
-  command->add_option("--esi", options->folders, "Folder of ESI files, repeatable")->required();
+  add_esi_folders(*command, options->esi);
+  command->add_flag("--json", options->json, "Print JSON");
   command->callback([&context, options] { match(context, *options); });
 }
 

@@ -86,7 +86,7 @@ void add_create(CLI::App& project, Context& context) {
   auto* scan = command->add_option("--scan", options->scan, "LINK of a bus to scan");
   auto* device = command->add_option("--device", options->devices, "VENDOR:PRODUCT[:REVISION], repeated in bus order");
   scan->excludes(device);
-  command->add_option("--esi", options->esi_folders, "Folder of ESI files, repeatable");
+  add_esi_folders(*command, options->esi);
   command->add_option("--cycle", options->cycle_us, "Cycle time in us");
   command->add_option("--shift", options->shift,
                       "bus, master, off, master-ref-clock, link-layer-ref-clock, dcx or master-shift-by-app");

@@ -4,29 +4,17 @@
 #include <algorithm>
 
 #include "app/cli/identity_text.h"
-#include "app/composition/open_link.h"
 #include "app/composition/scan_bus.h"
 #include "config/settings_keys.h"
-#include "eni/esi_catalogue.h"
+#include "eni/catalogue/esi_catalogue.h"
 #include "eni/project_builder.h"
 #include "eni/project_file.h"
 
 namespace syncline::cli {
 namespace {
 
-Result<eni::EsiCatalogue> open_catalogue(const std::vector<std::string>& folders) {
-  eni::EsiCatalogue catalogue;
-  if (folders.empty()) {
-    if (auto status = catalogue.add_folder(resource_folder() + "/esi"); !status) return tl::unexpected(status.error());
-  }
-  for (const auto& folder : folders) {
-    if (auto status = catalogue.add_folder(folder); !status) return tl::unexpected(status.error());
-  }
-  return catalogue;
-}
-
 Result<Project> build(Context& context, const CreateOptions& options) {
-  auto catalogue = open_catalogue(options.esi_folders);
+  auto catalogue = open_catalogue(context, options.esi);
   if (!catalogue) return tl::unexpected(catalogue.error());
   if (!options.scan.empty()) {
     const auto scan = scan_bus(options.scan);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/cli/context.h"
+#include "app/cli/esi_folders.h"
 
 namespace syncline::cli {
 
@@ -13,7 +14,7 @@ struct CreateOptions {
   std::string file;
   std::string scan;                        // LINK, "" = offline
   std::vector<std::string> devices;        // VENDOR:PRODUCT[:REVISION] in bus order
-  std::vector<std::string> esi_folders;    // default: our own resources
+  EsiFolders esi;
   std::string cycle_us, shift, sync_window, reference_clock;
   std::vector<std::string> op_modes;       // POSITION=NAME
   std::string network;                     // name; joins or replaces a network of an existing file. "" = a new file

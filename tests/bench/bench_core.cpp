@@ -11,7 +11,7 @@
 #include "app/composition/scan_bus.h"
 #include "bench/ratio_report.h"
 #include "config/compile/compile.h"
-#include "eni/esi_catalogue.h"
+#include "eni/catalogue/esi_catalogue.h"
 #include "eni/project_builder.h"
 #include "master/channels.h"
 #include "master/master_service.h"

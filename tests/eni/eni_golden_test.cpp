@@ -9,7 +9,7 @@
 #include "config/network_compare.h"
 #include "core/config/compile/sample_devices.h"
 #include "eni/eni_file.h"
-#include "eni/esi_catalogue.h"
+#include "eni/catalogue/esi_catalogue.h"
 #include "protocol/error_text.h"
 #include "support/byte_order.h"
 #include "support/sample_folder.h"

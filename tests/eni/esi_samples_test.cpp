@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "eni/esi_catalogue.h"
+#include "eni/catalogue/esi_catalogue.h"
 #include "eni/esi_reader.h"
 #include "eni/esi_writer.h"
 #include "eni/project_builder.h"

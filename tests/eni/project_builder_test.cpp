@@ -55,7 +55,7 @@ class ProjectBuilder : public ::testing::Test {
 };
 
 TEST_F(ProjectBuilder, CatalogueReadsAFolderAndWarnsOfWhatItCannotRead) {
-  EXPECT_THAT(catalogue_.devices(), SizeIs(4));
+  EXPECT_EQ(catalogue_.device_count(), 4U);
   ASSERT_THAT(catalogue_.warnings(), SizeIs(1));
   EXPECT_THAT(catalogue_.warnings()[0].file, HasSubstr("broken.XML"));
   EsiCatalogue other;
@@ -122,7 +122,7 @@ TEST_F(ProjectBuilder, ScanWarnsOfOtherRevisionsAndMissingClocks) {
   scan.slaves = {scanned(0, 1, 0x20, DcCapability::kNone), scanned(1, 3, 1, DcCapability::kReceiveTimesOnly)};
   const auto built = project_from_scan(scan, catalogue_);
   ASSERT_THAT(built.warnings, SizeIs(2));
-  EXPECT_EQ(built.warnings[0].code, ErrorCode::kUnknownDevice);
+  EXPECT_EQ(built.warnings[0].code, ErrorCode::kIdentification);
   EXPECT_THAT(built.warnings[0].subject, HasSubstr("slave 0"));
   EXPECT_THAT(built.warnings[0].detail, HasSubstr("0x00000010"));
   EXPECT_EQ(built.warnings[1].code, ErrorCode::kDcSetup);

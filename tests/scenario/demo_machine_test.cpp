@@ -9,7 +9,7 @@
 #include "app/composition/scan_bus.h"
 #include "config/compile/compile.h"
 #include "eni/eni_file.h"
-#include "eni/esi_catalogue.h"
+#include "eni/catalogue/esi_catalogue.h"
 #include "eni/project_builder.h"
 #include "master/master_service.h"
 

@@ -8,7 +8,7 @@
 #include "app/composition/run_network.h"
 #include "app/composition/scan_bus.h"
 #include "config/compile/compile.h"
-#include "eni/esi_catalogue.h"
+#include "eni/catalogue/esi_catalogue.h"
 #include "eni/project_builder.h"
 #include "protocol/error_text.h"
 #include "support/sample_folder.h"

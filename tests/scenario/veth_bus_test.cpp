@@ -12,7 +12,7 @@
 #include "app/composition/scan_bus.h"
 #include "app/composition/simulate_bus.h"
 #include "config/compile/compile.h"
-#include "eni/esi_catalogue.h"
+#include "eni/catalogue/esi_catalogue.h"
 #include "eni/project_builder.h"
 #include "protocol/error_text.h"
 #include "protocol/frame.h"

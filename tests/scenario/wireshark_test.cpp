@@ -12,7 +12,7 @@
 #include "app/composition/run_network.h"
 #include "app/composition/scan_bus.h"
 #include "config/compile/compile.h"
-#include "eni/esi_catalogue.h"
+#include "eni/catalogue/esi_catalogue.h"
 #include "eni/project_builder.h"
 
 namespace syncline {

@@ -4,7 +4,7 @@
 #include <QMetaObject>
 #include <utility>
 
-#include "eni/esi_catalogue.h"
+#include "eni/catalogue/esi_catalogue.h"
 #include "master/master_service.h"
 
 namespace syncline::ui {

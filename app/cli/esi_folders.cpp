@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/esi_folders.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "app/composition/open_link.h"
+#include "eni/xml_text.h"
+
+namespace syncline::cli {
+namespace {
+
+/// Those of `esi index`, as far as they are still there, and last our own simulated devices.
+std::vector<std::string> usual_folders(const eni::EsiCatalogue& catalogue) {
+  auto known = catalogue.known_folders().value_or(std::vector<std::string>{});
+  std::erase_if(known, [](const std::string& folder) {
+    std::error_code error;
+    return !std::filesystem::is_directory(folder, error);
+  });
+  known.push_back(resource_folder() + "/esi");
+  return known;
+}
+
+}  // namespace
+
+void add_esi_folders(CLI::App& command, EsiFolders& options) {
+  command.add_option("--esi", options.folders, "Folder of ESI files, repeatable (otherwise those indexed before)");
+  command.add_option("--cache", options.cache, "Database of the catalogue (otherwise in the user's cache folder)");
+}
+
+Result<eni::EsiCatalogue> open_catalogue(Context& context, const EsiFolders& options) {
+  auto catalogue =
+      options.cache.empty() ? Result<eni::EsiCatalogue>(eni::EsiCatalogue::open_default()) : eni::EsiCatalogue::open(options.cache);
+  if (!catalogue) return catalogue;
+  const auto folders = options.folders.empty() ? usual_folders(*catalogue) : options.folders;
+  for (const auto& folder : folders) {
+    if (const auto report = catalogue->add_folder(folder); !report) return tl::unexpected(report.error());
+  }
+  for (const auto& note : catalogue->notes()) context.console.err << "note: " << note.file << ": " << note.text << '\n';
+  return catalogue;
+}
+
+Json entry_json(const eni::CatalogueEntry& entry) {
+  return {{"vendor_id", hex(entry.identity.vendor_id, 8)},
+          {"product_code", hex(entry.identity.product_code, 8)},
+          {"revision_no", hex(entry.identity.revision_no, 8)},
+          {"vendor", entry.vendor_name},
+          {"type", std::string(eni::trim(entry.type))},
+          {"name", entry.name},
+          {"group_type", entry.group_type},
+          {"group", entry.group_name},
+          {"physics", entry.physics},
+          {"revision_rule", entry.revision_rule.empty() ? Json(nullptr) : Json(entry.revision_rule)},
+          {"hidden", entry.hidden},
+          {"file", entry.file},
+          {"line", entry.line}};
+}
+
+std::string entry_line(const eni::CatalogueEntry& entry) {
+  return fmt::format("{:08x}:{:08x}:{:08x}  {:<18} {}{}", entry.identity.vendor_id, entry.identity.product_code,
+                     entry.identity.revision_no, eni::trim(entry.type), entry.name, entry.hidden ? " (hidden)" : "");
+}
+
+}  // namespace syncline::cli

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "eni/catalogue/catalogue_entry.h"
+#include "eni/catalogue/catalogue_store.h"
+
+/// Questions to the index; only chosen files answer.
+namespace syncline::eni {
+
+/// All revisions of a product, each in the order in which its files were chosen.
+[[nodiscard]] Result<std::vector<CatalogueEntry>> entries_of(CatalogueStore& store, std::uint32_t vendor_id,
+                                                             std::uint32_t product_code);
+/// Fast enough for each key that a user presses. Types that begin with the words come first, then by type; newest
+/// revision first.
+[[nodiscard]] Result<std::vector<CatalogueEntry>> search(CatalogueStore& store, const CatalogueSearch& search);
+[[nodiscard]] Result<std::vector<DuplicateDevice>> duplicates(CatalogueStore& store);
+
+}  // namespace syncline::eni

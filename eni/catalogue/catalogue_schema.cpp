@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "eni/catalogue/catalogue_schema.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <filesystem>
+#include <fstream>
+
+namespace syncline::eni {
+namespace {
+
+constexpr int kApplicationId = 0x53594E43;  // "SYNC", SQLite's place for whose file it is
+constexpr int kSchemaVersion = 1;           // other versions are thrown away: a cache needs no migration
+
+constexpr const char* kTables = R"(
+CREATE TABLE folders(path TEXT PRIMARY KEY);
+CREATE TABLE files(id INTEGER PRIMARY KEY, path TEXT NOT NULL UNIQUE, size INTEGER, changed_ns INTEGER, content INTEGER);
+CREATE TABLE devices(id INTEGER PRIMARY KEY, file INTEGER NOT NULL, line INTEGER, vendor_id INTEGER, product_code INTEGER,
+  revision_no INTEGER, vendor_name TEXT, type TEXT COLLATE NOCASE, name TEXT, group_type TEXT, group_name TEXT, physics TEXT,
+  revision_rule TEXT, invisible INTEGER, content INTEGER);
+CREATE INDEX devices_by_file ON devices(file);
+CREATE INDEX devices_by_identity ON devices(vendor_id, product_code, revision_no);
+CREATE INDEX devices_by_type ON devices(type, revision_no);
+CREATE INDEX devices_by_group ON devices(group_type);
+CREATE TABLE hides(device INTEGER NOT NULL, vendor_id INTEGER, product_code INTEGER, revision_no INTEGER);
+CREATE INDEX hides_by_device ON hides(device);
+CREATE INDEX hides_by_identity ON hides(vendor_id, product_code);
+CREATE TABLE problems(file INTEGER NOT NULL, line INTEGER, element TEXT, text TEXT);
+CREATE INDEX problems_by_file ON problems(file);
+CREATE VIRTUAL TABLE words USING fts5(text, detail=none, columnsize=0, prefix='1 2 3', tokenize='unicode61 remove_diacritics 2');
+)";
+
+// A cache may lose its last transaction with the power, not with the program: no waiting for the disk.
+constexpr const char* kConnection = R"(
+PRAGMA synchronous=OFF;
+PRAGMA temp_store=MEMORY;
+CREATE TEMP TABLE chosen(rank INTEGER PRIMARY KEY, file INTEGER UNIQUE);
+)";
+
+Result<std::int64_t> pragma(SqlDatabase& database, std::string_view sql) {
+  auto statement = database.prepare(sql);
+  if (!statement) return tl::unexpected(statement.error());
+  std::int64_t value = 0;
+  if (auto status = statement->each([&] { value = statement->integer(0); }); !status) return tl::unexpected(status.error());
+  return value;
+}
+
+enum class Owner { kNobody, kUs, kOthers };
+
+/// From the file's first bytes alone, so that a damaged one is known too: SQLite keeps the application id at offset 68.
+Owner owner_of(const std::string& path) {
+  std::error_code error;
+  const auto size = std::filesystem::file_size(path, error);
+  if (error || size == 0) return Owner::kNobody;
+  std::array<char, 72> header{};
+  std::ifstream(path, std::ios::binary).read(header.data(), header.size());
+  std::uint32_t id = 0;
+  for (std::size_t i = 68; i < header.size(); ++i) id = id << 8 | static_cast<std::uint8_t>(header[i]);
+  return std::string_view(header.data(), 15) == "SQLite format 3" && id == kApplicationId ? Owner::kUs : Owner::kOthers;
+}
+
+Status make_tables(SqlDatabase& database) {
+  auto transaction = SqlTransaction::begin(database);
+  if (!transaction) return tl::unexpected(transaction.error());
+  // Somebody else may have made them while we waited.
+  const auto version = pragma(database, "PRAGMA user_version");
+  if (!version) return tl::unexpected(version.error());
+  if (*version == 0) {
+    if (auto status = database.execute(kTables); !status) return status;
+    const auto mark = fmt::format("PRAGMA application_id={}; PRAGMA user_version={};", kApplicationId, kSchemaVersion);
+    if (auto status = database.execute(mark.c_str()); !status) return status;
+  }
+  return transaction->commit();
+}
+
+/// An error, or the version of what was found; 0 for an empty database.
+Result<SqlDatabase> try_open(const std::string& path, std::string& reason) {
+  auto database = SqlDatabase::open(path);
+  if (!database) return database;
+  const auto version = pragma(*database, "PRAGMA user_version");
+  if (!version) return tl::unexpected(version.error());
+  if (*version == 0) {
+    if (auto status = make_tables(*database); !status) return tl::unexpected(status.error());
+  } else if (*version != kSchemaVersion) {
+    reason = fmt::format("it is of version {}, this program uses version {}", *version, kSchemaVersion);
+  }
+  if (auto status = database->execute(kConnection); !status) return tl::unexpected(status.error());
+  return database;
+}
+
+}  // namespace
+
+Result<SqlDatabase> open_catalogue_database(const std::string& path, std::string& replaced) {
+  const bool named_as_ours = std::filesystem::path(path).extension() == ".sqlite" && path.find("esi-catalogue") != std::string::npos;
+  if (!path.empty() && owner_of(path) == Owner::kOthers && !named_as_ours) {
+    return fail(Error{.code = ErrorCode::kCatalogue, .detail = "it is no device catalogue", .file = path});
+  }
+  auto database = try_open(path, replaced);
+  if (!database && is_damaged(database.error())) replaced = "it was damaged: " + database.error().detail;
+  if (replaced.empty()) return database;
+  if (database) *database = {};  // closed before its file goes
+  std::error_code ignored;
+  std::filesystem::remove(path, ignored);
+  std::filesystem::remove(path + "-journal", ignored);
+  std::string again;
+  return try_open(path, again);
+}
+
+}  // namespace syncline::eni

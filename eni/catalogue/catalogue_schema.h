@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "eni/catalogue/sqlite_database.h"
+
+namespace syncline::eni {
+
+/// Opens a catalogue's database and makes its tables where it is new; see CatalogueStore::open.
+[[nodiscard]] Result<SqlDatabase> open_catalogue_database(const std::string& path, std::string& replaced);
+
+}  // namespace syncline::eni

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "eni/catalogue/esi_cards.h"
+
+#include <fmt/format.h>
+
+#include <map>
+
+#include "eni/catalogue/content_hash.h"
+#include "eni/catalogue/revision_rule.h"
+#include "eni/xml_reader.h"
+#include "eni/xml_text.h"
+#include "protocol/error_text.h"
+
+namespace syncline::eni {
+namespace {
+
+class InfoReader {
+ public:
+  InfoReader(const Node& info, EsiCards& found) : info_(info), found_(found) {}
+
+  void read() {
+    const Node vendor = info_.required("Vendor");
+    vendor_id_ = vendor.required("Id").number<std::uint32_t>();
+    vendor_name_ = vendor.localized("Name").trimmed();
+    const Node descriptions = info_.required("Descriptions");
+    for (const Node& group : descriptions.child("Groups").children("Group")) {
+      group_names_.emplace(group.child("Type").trimmed(), group.localized("Name").trimmed());
+    }
+    for (const Node& device : descriptions.child("Devices").children("Device")) read_device(device);
+  }
+
+ private:
+  void read_device(const Node& given) {
+    Reading reading(given.reading().file());  // its own: one broken device must not take the others with it
+    const Node device = given.with(reading);
+    EsiCard card = read_card(device);
+    if (reading.ok()) {
+      card.content = content_hash(*device.element());
+      found_.cards.push_back(std::move(card));
+      return;
+    }
+    const Error& error = *reading.error();
+    found_.warnings.push_back({error.file, error.line, error.subject,
+                               fmt::format("Device {} is left out: {}", trim(card.type), describe(error))});
+  }
+
+  EsiCard read_card(const Node& device) {
+    const Node type = device.required("Type");
+    EsiCard card;
+    card.line = device.line();
+    card.type = type.text();
+    card.identity.vendor_id = vendor_id_;
+    card.identity.product_code = type.number<std::uint32_t>("ProductCode").value_or(0);
+    card.identity.revision_no = type.number<std::uint32_t>("RevisionNo").value_or(0);
+    card.vendor_name = vendor_name_;
+    card.name = device.child("Name") ? device.localized("Name").trimmed() : std::string(trim(card.type));
+    card.group_type = device.child("GroupType").trimmed();
+    if (const auto group = group_names_.find(card.group_type); group != group_names_.end()) card.group_name = group->second;
+    card.physics = device.attribute("Physics");
+    card.revision_rule = type.attribute("CheckRevisionNo");
+    card.invisible = is_true(device.attribute("Invisible"));
+    for (const Node& hide : device.children("HideType")) read_hide(hide, card);
+    return card;
+  }
+
+  /// A reference that names neither product nor revision (the legacy @ProductRevision alone) hides nothing here.
+  static void read_hide(const Node& hide, EsiCard& card) {
+    Reading tolerant(hide.reading().file());
+    const Node node = hide.with(tolerant);
+    const auto product = node.number<std::uint32_t>("ProductCode");
+    const auto revision = node.number<std::uint32_t>("RevisionNo");
+    if (!tolerant.ok() || (!product && !revision)) return;
+    card.hides.push_back({product.value_or(card.identity.product_code), revision});
+  }
+
+  static bool is_true(std::string_view text) { return parse_bool(text).value_or(false); }
+
+  Node info_;
+  EsiCards& found_;
+  std::uint32_t vendor_id_ = 0;
+  std::string vendor_name_;
+  std::map<std::string, std::string, std::less<>> group_names_;
+};
+
+}  // namespace
+
+Result<EsiCards> read_cards(std::string_view text, const std::string& file_name) {
+  const auto document = parse_xml(text, file_name);
+  if (!document) return tl::unexpected(document.error());
+  Reading reading(file_name);
+  const Node root((*document)->RootElement(), reading);
+  EsiCards found;
+  if (root.name() == "EtherCATInfo") {
+    InfoReader(root, found).read();
+  } else if (root.name() == "EtherCATInfoList") {
+    for (const Node& info : root.children("EtherCATInfo")) InfoReader(info, found).read();
+  } else if (root.name() != "EtherCATModule" && root.name() != "EtherCATModules" && root.name() != "EtherCATDict") {
+    return fail(Error{.code = ErrorCode::kNotThatKindOfFile,
+                      .subject = std::string(root.name()),
+                      .detail = fmt::format("an ESI file with the root <EtherCATInfo>, not <{}>", root.name()),
+                      .file = file_name,
+                      .line = root.line()});
+  }
+  if (!reading.ok()) return tl::unexpected(*reading.error());
+  return found;
+}
+
+}  // namespace syncline::eni

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "eni/catalogue/sqlite_database.h"
+
+#include <sqlite3.h>
+
+#include <utility>
+
+namespace syncline::eni {
+namespace {
+
+constexpr int kBusyTimeoutMs = 10'000;  // another program may be indexing the same folders
+
+tl::unexpected<Error> sql_error(sqlite3* database, int code) {
+  const char* const name = sqlite3_db_filename(database, "main");
+  return fail(Error{.code = ErrorCode::kCatalogue,
+                    .detail = database ? sqlite3_errmsg(database) : sqlite3_errstr(code),
+                    .file = name ? name : "",
+                    .received = code & 0xFF});
+}
+
+}  // namespace
+
+SqlStatement& SqlStatement::bind(int parameter, std::int64_t value) {
+  sqlite3_bind_int64(statement_, parameter + 1, value);
+  return *this;
+}
+
+SqlStatement& SqlStatement::bind(int parameter, std::string_view text) {
+  // An empty text, not NULL, where the view has no storage.
+  sqlite3_bind_text(statement_, parameter + 1, text.empty() ? "" : text.data(), static_cast<int>(text.size()), SQLITE_TRANSIENT);
+  return *this;
+}
+
+Result<bool> SqlStatement::step() {
+  const int code = sqlite3_step(statement_);
+  if (code == SQLITE_ROW) return true;
+  if (code == SQLITE_DONE) return false;
+  return sql_error(sqlite3_db_handle(statement_), code);
+}
+
+Status SqlStatement::run() {
+  const auto done = step();
+  reset();
+  if (!done) return tl::unexpected(done.error());
+  return {};
+}
+
+std::int64_t SqlStatement::integer(int column) const { return sqlite3_column_int64(statement_, column); }
+
+std::string_view SqlStatement::text(int column) const {
+  const auto* const text = reinterpret_cast<const char*>(sqlite3_column_text(statement_, column));
+  return text ? std::string_view(text, static_cast<std::size_t>(sqlite3_column_bytes(statement_, column))) : std::string_view{};
+}
+
+void SqlStatement::reset() {
+  sqlite3_reset(statement_);
+  sqlite3_clear_bindings(statement_);
+}
+
+void SqlDatabase::Close::operator()(sqlite3* database) const { sqlite3_close_v2(database); }
+void SqlDatabase::Finalize::operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
+
+Result<SqlDatabase> SqlDatabase::open(const std::string& path) {
+  SqlDatabase opened;
+  opened.path_ = path;
+  sqlite3* database = nullptr;
+  const int flags = SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_NOMUTEX;
+  const int code = sqlite3_open_v2(path.empty() ? ":memory:" : path.c_str(), &database, flags, nullptr);
+  opened.database_.reset(database);
+  if (code != SQLITE_OK) {
+    auto error = sql_error(database, code);
+    error.value().file = path;
+    return error;
+  }
+  sqlite3_busy_timeout(database, kBusyTimeoutMs);
+  return opened;
+}
+
+Status SqlDatabase::execute(const char* sql) {
+  const int code = sqlite3_exec(database_.get(), sql, nullptr, nullptr, nullptr);
+  if (code != SQLITE_OK) return sql_error(database_.get(), code);
+  return {};
+}
+
+Result<SqlStatement> SqlDatabase::prepare(std::string_view sql) {
+  auto& known = statements_[sql];
+  if (!known) {
+    sqlite3_stmt* statement = nullptr;
+    const int code = sqlite3_prepare_v3(database_.get(), sql.data(), static_cast<int>(sql.size()), SQLITE_PREPARE_PERSISTENT,
+                                        &statement, nullptr);
+    if (code != SQLITE_OK) return sql_error(database_.get(), code);
+    known.reset(statement);
+  }
+  SqlStatement statement(known.get());
+  statement.reset();
+  return statement;
+}
+
+std::int64_t SqlDatabase::last_row() const { return sqlite3_last_insert_rowid(database_.get()); }
+
+bool is_damaged(const Error& error) {
+  return error.code == ErrorCode::kCatalogue && (error.received == SQLITE_CORRUPT || error.received == SQLITE_NOTADB);
+}
+
+Result<SqlTransaction> SqlTransaction::begin(SqlDatabase& database) {
+  if (auto status = database.execute("BEGIN IMMEDIATE"); !status) return tl::unexpected(status.error());
+  return SqlTransaction(database);
+}
+
+SqlTransaction::~SqlTransaction() {
+  if (database_ != nullptr) (void)database_->execute("ROLLBACK");
+}
+
+Status SqlTransaction::commit() {
+  auto status = database_->execute("COMMIT");
+  if (status) database_ = nullptr;
+  return status;
+}
+
+}  // namespace syncline::eni

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+
+#include "support/result.h"
+
+struct sqlite3;
+struct sqlite3_stmt;
+
+/// SQLite without its C interface: values that close themselves, kCatalogue with SQLite's code and words.
+namespace syncline::eni {
+
+/// A prepared statement. Parameters and columns count from 0. Texts of a row live until the next step().
+class SqlStatement {
+ public:
+  explicit SqlStatement(sqlite3_stmt* statement) : statement_(statement) {}
+  SqlStatement& bind(int parameter, std::int64_t value);
+  SqlStatement& bind(int parameter, std::string_view text);
+  /// True: there is a row to read. False: done.
+  [[nodiscard]] Result<bool> step();
+  /// For statements that give no rows: runs it and makes it ready for the next use.
+  [[nodiscard]] Status run();
+  /// Calls `take` for each row, until it returns false where it returns something; then ready for the next use.
+  template <class Take>
+  [[nodiscard]] Status each(Take&& take) {
+    for (;;) {
+      const auto row = step();
+      bool more = row && *row;
+      if (more) {
+        if constexpr (std::is_void_v<decltype(take())>) {
+          take();
+        } else {
+          more = take();
+        }
+      }
+      if (more) continue;
+      reset();
+      return row ? Status{} : Status(tl::unexpected(row.error()));
+    }
+  }
+  [[nodiscard]] std::int64_t integer(int column) const;
+  [[nodiscard]] std::string_view text(int column) const;
+  void reset();
+
+ private:
+  sqlite3_stmt* statement_;
+};
+
+/// One connection; for one thread at a time.
+class SqlDatabase {
+ public:
+  /// "" is a database in memory that ends with this object.
+  [[nodiscard]] static Result<SqlDatabase> open(const std::string& path);
+
+  [[nodiscard]] const std::string& path() const { return path_; }
+  /// Statements without parameters and rows, several separated by ";".
+  [[nodiscard]] Status execute(const char* sql);
+  /// The statement of this text, prepared once and reset. `sql` must be a literal: the pointer is remembered.
+  [[nodiscard]] Result<SqlStatement> prepare(std::string_view sql);
+  [[nodiscard]] std::int64_t last_row() const;
+
+ private:
+  struct Close {
+    void operator()(sqlite3* database) const;
+  };
+  struct Finalize {
+    void operator()(sqlite3_stmt* statement) const;
+  };
+  std::string path_;
+  std::unique_ptr<sqlite3, Close> database_;
+  std::map<std::string_view, std::unique_ptr<sqlite3_stmt, Finalize>> statements_;  // gone before database_
+};
+
+/// True when the file is no database or a broken one: nothing in it can be trusted.
+[[nodiscard]] bool is_damaged(const Error& error);
+
+/// BEGIN now, ROLLBACK at the end unless commit() came before.
+class SqlTransaction {
+ public:
+  [[nodiscard]] static Result<SqlTransaction> begin(SqlDatabase& database);
+  SqlTransaction(SqlTransaction&& other) noexcept : database_(std::exchange(other.database_, nullptr)) {}
+  SqlTransaction& operator=(SqlTransaction&&) = delete;
+  ~SqlTransaction();
+  [[nodiscard]] Status commit();
+
+ private:
+  explicit SqlTransaction(SqlDatabase& database) : database_(&database) {}
+  SqlDatabase* database_;
+};
+
+}  // namespace syncline::eni

@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "eni/catalogue/esi_catalogue.h"
+
+#include <gmock/gmock.h>
+
+#include "eni/catalogue/esi_folder.h"
+#include "eni/catalogue/sqlite_database.h"
+#include "protocol/error_text.h"
+
+namespace syncline::eni {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::Field;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+MATCHER_P4(ReportIs, files, read, touched, removed, "") {
+  const std::vector<std::size_t> found{arg->files, arg->read, arg->touched, arg->removed};
+  *result_listener << testing::PrintToString(found);
+  return found == std::vector<std::size_t>{static_cast<std::size_t>(files), static_cast<std::size_t>(read),
+                                           static_cast<std::size_t>(touched), static_cast<std::size_t>(removed)};
+}
+
+class Catalogue : public EsiFolderTest {
+ protected:
+  [[nodiscard]] EsiCatalogue opened() const { return std::move(*EsiCatalogue::open(database())); }
+  /// Folder added in a new program.
+  [[nodiscard]] Result<IndexReport> update() const { return opened().add_folder(folder().string()); }
+  [[nodiscard]] static std::vector<std::string> types(const EsiCatalogue& catalogue, const CatalogueSearch& search) {
+    std::vector<std::string> found;
+    const auto entries = catalogue.search(search);
+    if (!entries) return {describe(entries.error())};
+    for (const auto& entry : *entries) found.push_back(entry.type);
+    return found;
+  }
+};
+
+TEST_F(Catalogue, KeepsWhatItReadAndReadsOnlyWhatChanged) {
+  put("a.xml", esi_text({{1, 0x10, "A1"}}));
+  put("sub/b.XML", esi_text({{2, 0x10, "B1"}, {3, 0x10, "B2"}}));
+  put("notes.txt", "no ESI");
+  EXPECT_THAT(update(), ReportIs(2, 2, 0, 0));
+  EXPECT_THAT(update(), ReportIs(2, 0, 0, 0));
+
+  put("a.xml", esi_text({{1, 0x10, "A1"}}), 50);  // another time, the same content
+  EXPECT_THAT(update(), ReportIs(2, 0, 1, 0));
+  EXPECT_THAT(update(), ReportIs(2, 0, 0, 0));
+
+  put("a.xml", esi_text({{1, 0x11, "A1"}}), 40);
+  EXPECT_THAT(update(), ReportIs(2, 1, 0, 0));
+  auto catalogue = opened();
+  ASSERT_TRUE(catalogue.add_folder(folder().string()));
+  EXPECT_EQ(catalogue.match({0x5EC, 1, 0x10, 0})->entry.identity.revision_no, 0x11U);
+
+  std::filesystem::remove(file("sub/b.XML"));
+  EXPECT_THAT(update(), ReportIs(1, 0, 0, 1));
+  auto after = opened();
+  ASSERT_TRUE(after.add_folder(folder().string()));
+  EXPECT_EQ(after.device_count(), 1U);
+  EXPECT_THAT(types(after, {"B"}), IsEmpty());
+}
+
+TEST_F(Catalogue, LooksTwiceIntoAFileThatWasWrittenJustNow) {
+  put("a.xml", esi_text({{1, 0x10}}), 0);
+  const auto time = std::filesystem::last_write_time(file("a.xml"));
+  EXPECT_THAT(update(), ReportIs(1, 1, 0, 0));
+  std::ofstream(file("a.xml")) << esi_text({{1, 0x11}});  // the same size, and the file system's clock did not tick
+  std::filesystem::last_write_time(file("a.xml"), time);
+  EXPECT_THAT(update(), ReportIs(1, 1, 0, 0));
+}
+
+TEST_F(Catalogue, TellsItsProgressAndKeepsWhatWasReadBeforeItIsCancelled) {
+  for (const char* name : {"a.xml", "b.xml", "c.xml"}) put(name, esi_text({{1, 0x10, name}}));
+  std::vector<std::string> seen;
+  const auto two = [&](const IndexProgress& progress) {
+    EXPECT_EQ(progress.files, 3U);
+    EXPECT_EQ(progress.files_done, seen.size());
+    seen.push_back(std::filesystem::path(progress.file).filename().string());
+    return seen.size() < 3;
+  };
+  auto catalogue = opened();
+  const auto report = catalogue.add_folder(folder().string(), two);
+  ASSERT_TRUE(report);
+  EXPECT_TRUE(report->cancelled);
+  EXPECT_EQ(report->read, 2U);
+  EXPECT_THAT(seen, ElementsAre("a.xml", "b.xml", "c.xml"));
+  EXPECT_EQ(catalogue.device_count(), 2U);
+  EXPECT_THAT(update(), ReportIs(3, 1, 0, 0));
+}
+
+TEST_F(Catalogue, SearchesTheFoldersOfThisProgramOnly) {
+  put("a.xml", esi_text({{1, 0x10, "A1"}}));
+  put("sub/b.xml", esi_text({{2, 0x10, "B1"}}));
+  ASSERT_TRUE(update());
+  auto catalogue = opened();
+  EXPECT_EQ(catalogue.device_count(), 0U);
+  EXPECT_EQ(catalogue.match({0x5EC, 2, 0x10, 0}).error().code, ErrorCode::kUnknownDevice);
+  ASSERT_TRUE(catalogue.add_folder((folder() / "sub").string()));
+  EXPECT_THAT(types(catalogue, {}), ElementsAre("B1"));
+  EXPECT_FALSE(catalogue.find({0x5EC, 1, 0x10, 0}));
+  EXPECT_TRUE(catalogue.find({0x5EC, 2, 0x10, 0}));
+}
+
+TEST_F(Catalogue, FindsWhileSomebodyTypes) {
+  put("a.xml", esi_text({{1, 0x10, "EL2004", "4K. Dig. Ausgang 24V"}, {1, 0x11, "EL2004", "4Ch. Dig. Output 24V"},
+                         {2, 0x10, "EL2004-0010", "4Ch. Dig. Output 24V"}, {3, 0x10, "EK1100", "Koppler für EtherCAT"},
+                         {0x44C2C52, 0x10, "EL1100", "", "Analogue"}}));
+  put("b.xml", esi_text({{1, 0x10, "XEL 2", "Drive"}}, "Łódź Drives", 7));
+  EsiCatalogue catalogue;
+  ASSERT_TRUE(catalogue.add_folder(folder().string()));
+  EXPECT_THAT(types(catalogue, {"el20"}), ElementsAre("EL2004", "EL2004-0010"));
+  EXPECT_EQ(catalogue.search({"el20"})->front().identity.revision_no, 0x11U);  // the newest stands for all
+  EXPECT_THAT(types(catalogue, {.words = "el20", .all_revisions = true}), ElementsAre("EL2004", "EL2004", "EL2004-0010"));
+  EXPECT_THAT(types(catalogue, {"EL2004-0"}), ElementsAre("EL2004-0010"));
+  EXPECT_THAT(types(catalogue, {"2004"}), ElementsAre("EL2004", "EL2004-0010"));  // users remember numbers
+  EXPECT_THAT(types(catalogue, {"outp dig maker"}), ElementsAre("EL2004", "EL2004-0010"));
+  EXPECT_THAT(types(catalogue, {"digital term"}), testing::Not(IsEmpty()));  // the group's name
+  EXPECT_THAT(types(catalogue, {"fur"}), ElementsAre("EK1100"));
+  EXPECT_THAT(types(catalogue, {"0x44c2"}), ElementsAre("EL1100"));
+  EXPECT_THAT(types(catalogue, {"el"}), ElementsAre("EL1100", "EL2004", "EL2004-0010"));
+  EXPECT_THAT(types(catalogue, {"łód"}), ElementsAre("XEL 2"));
+  EXPECT_THAT(types(catalogue, {.words = "", .vendor_id = 7}), ElementsAre("XEL 2"));
+  EXPECT_THAT(types(catalogue, {.words = "", .product_code = 3}), ElementsAre("EK1100"));
+  EXPECT_THAT(types(catalogue, {.words = "el", .group_type = "Analogue"}), ElementsAre("EL1100"));
+  EXPECT_THAT(types(catalogue, {.words = "", .limit = 2}), SizeIs(2));
+  for (const char* strange : {"\"", "* OR *", "NEAR(", "a:b", "'; DROP TABLE devices", "\xFF", "%", "-"}) {
+    EXPECT_TRUE(catalogue.search({strange})) << strange;
+  }
+  EXPECT_EQ(catalogue.device_count(), 6U);
+}
+
+TEST_F(Catalogue, LeavesOutWhatANewerDeviceHides) {
+  put("a.xml", esi_text({{1, 0x10, "A1"}, {1, 0x11, "A2", "", "", "<HideType RevisionNo=\"#x10\"/>"},
+                         {2, 0x10, "B1"}, {3, 0x10, "C1", "", "", "<HideType ProductCode=\"2\">B1</HideType>"}}));
+  EsiCatalogue catalogue;
+  ASSERT_TRUE(catalogue.add_folder(folder().string()));
+  EXPECT_THAT(types(catalogue, {}), ElementsAre("A2", "C1"));
+  EXPECT_THAT(types(catalogue, {.with_hidden = true}), ElementsAre("A1", "A2", "B1", "C1"));
+  const auto match = catalogue.match({0x5EC, 1, 0x10, 0});  // found on a bus it is what it is
+  ASSERT_TRUE(match);
+  EXPECT_EQ(match->kind, MatchKind::kExact);
+  EXPECT_TRUE(match->entry.hidden);
+}
+
+TEST_F(Catalogue, ReportsDuplicatesAndConflicts) {
+  put("a.xml", esi_text({{1, 0x10, "A1"}, {2, 0x10, "B1"}, {3, 0x10, "C1"}}));
+  put("b.xml", "<?xml version=\"1.0\"?>\n" + esi_text({{1, 0x10, "A1", "Thing<!-- comment -->"}, {2, 0x10, "B1", "Other"}}));
+  EsiCatalogue catalogue;
+  ASSERT_TRUE(catalogue.add_folder(folder().string()));
+  const auto found = *catalogue.duplicates();
+  ASSERT_THAT(found, SizeIs(2));
+  EXPECT_EQ(found[0].identity.product_code, 1U);
+  EXPECT_FALSE(found[0].conflict);
+  EXPECT_EQ(found[1].identity.product_code, 2U);
+  EXPECT_TRUE(found[1].conflict);
+  EXPECT_THAT(found[1].entries, ElementsAre(Field(&CatalogueEntry::file, file("a.xml")), Field(&CatalogueEntry::file, file("b.xml"))));
+  const auto match = *catalogue.match({0x5EC, 2, 0x10, 0});
+  EXPECT_EQ(match.entry.file, file("a.xml"));
+  EXPECT_THAT(match.words, HasSubstr("b.xml line"));
+  EXPECT_THAT(catalogue.match({0x5EC, 1, 0x10, 0})->words, testing::Not(HasSubstr("b.xml")));
+}
+
+TEST_F(Catalogue, TellsOfFilesThatCannotBeReadEachTime) {
+  put("bad.xml", "<EtherCATInfo>\n<Vendor>");
+  put("eni.xml", "<EtherCATConfig/>");
+  put("module.xml", "<EtherCATModule/>");
+  put("part.xml", esi_text({{1, 0x10, "A1"}, {2, 0x10, "B1", "", "", "", "SerialNo=\"1\" CheckRevisionNo=\"EQ\""}}) );
+  put("device.xml", "<EtherCATInfo><Vendor><Id>1</Id></Vendor><Descriptions><Devices>\n<Device><Type ProductCode=\"x\">T</Type>"
+                    "</Device></Devices></Descriptions></EtherCATInfo>");
+  for (int twice = 0; twice < 2; ++twice) {
+    auto catalogue = opened();
+    ASSERT_TRUE(catalogue.add_folder(folder().string()));
+    const auto warnings = catalogue.warnings();
+    ASSERT_THAT(warnings, SizeIs(3));
+    EXPECT_THAT(warnings[0].file, HasSubstr("bad.xml"));
+    EXPECT_EQ(warnings[0].line, 2);
+    EXPECT_THAT(warnings[1].file, HasSubstr("device.xml"));
+    EXPECT_EQ(warnings[1].line, 2);
+    EXPECT_THAT(warnings[1].text, HasSubstr("Device T is left out"));
+    EXPECT_THAT(warnings[2].text, HasSubstr("EtherCATConfig"));
+    EXPECT_EQ(catalogue.device_count(), 2U);
+  }
+  EsiCatalogue one;
+  EXPECT_EQ(one.add_file(file("bad.xml")).error().code, ErrorCode::kXmlMalformed);
+  EXPECT_EQ(one.add_file(file("none.xml")).error().code, ErrorCode::kFileNotFound);
+  EXPECT_TRUE(one.add_file(file("part.xml")));
+}
+
+TEST_F(Catalogue, ReadsTheWholeDeviceFromItsFileWhenAsked) {
+  put("a.xml", esi_text({{1, 0x10, "A1", "Thing", "Digital", "<Sm StartAddress=\"#x1000\" ControlByte=\"#x26\">MBoxOut</Sm>"}}));
+  auto catalogue = opened();
+  ASSERT_TRUE(catalogue.add_folder(folder().string()));
+  const auto match = catalogue.device_for({0x5EC, 1, 0x10, 0});
+  ASSERT_TRUE(match);
+  EXPECT_THAT(match->device->sync_managers, SizeIs(1));
+  EXPECT_EQ(match->device->vendor_name, "Maker & Sons");
+  EXPECT_EQ(match->device, catalogue.find({0x5EC, 1, 0x10, 0})->device);
+
+  auto later = opened();
+  ASSERT_TRUE(later.add_folder(folder().string()));
+  put("a.xml", esi_text({{2, 0x10, "A2"}}));  // changed behind the catalogue's back
+  EXPECT_EQ(later.device_for({0x5EC, 1, 0x10, 0}).error().code, ErrorCode::kUnknownDevice);
+  auto gone = opened();
+  ASSERT_TRUE(gone.add_folder(folder().string()));
+  std::filesystem::remove(file("a.xml"));
+  EXPECT_EQ(gone.device_for({0x5EC, 2, 0x10, 0}).error().code, ErrorCode::kFileNotFound);
+}
+
+TEST_F(Catalogue, RemembersAndForgetsAFolder) {
+  put("a.xml", esi_text({{1, 0x10, "A1"}}));
+  auto catalogue = opened();
+  ASSERT_TRUE(catalogue.add_folder(folder().string()));
+  EXPECT_THAT(*catalogue.known_folders(), IsEmpty());  // used once is not kept
+  ASSERT_TRUE(catalogue.remember_folder(folder().string()));
+  EXPECT_THAT(*opened().known_folders(), ElementsAre(folder().string()));
+  ASSERT_TRUE(catalogue.forget_folder(folder().string()));
+  EXPECT_THAT(*catalogue.known_folders(), IsEmpty());
+  EXPECT_EQ(catalogue.device_count(), 0U);
+}
+
+// ---- databases that went wrong ---------------------------------------------------------------------
+
+TEST_F(Catalogue, MakesADamagedDatabaseAgainAndSaysSo) {
+  for (int i = 0; i < 40; ++i) put(std::to_string(i) + ".xml", esi_text({{1, static_cast<std::uint32_t>(i), "A1"}}));
+  ASSERT_TRUE(update());
+  {  // behind the header everything is gone
+    std::fstream stream(database(), std::ios::in | std::ios::out | std::ios::binary);
+    stream.seekp(100);
+    stream << std::string(std::filesystem::file_size(database()) - 100, '\xA5');
+  }
+  auto catalogue = opened();
+  EXPECT_THAT(catalogue.add_folder(folder().string()), ReportIs(40, 40, 0, 0));
+  ASSERT_THAT(catalogue.notes(), SizeIs(1));
+  EXPECT_THAT(catalogue.notes()[0].text, HasSubstr("made again: it was damaged"));
+  EXPECT_THAT(update(), ReportIs(40, 0, 0, 0));
+}
+
+TEST_F(Catalogue, SurvivesADatabaseThatIsDamagedAnywhere) {
+  for (int i = 0; i < 40; ++i) put(std::to_string(i) + ".xml", esi_text({{1, static_cast<std::uint32_t>(i), "A1"}}));
+  ASSERT_TRUE(update());
+  const auto size = std::filesystem::file_size(database());
+  const auto good = database() + ".good";
+  std::filesystem::copy_file(database(), good);
+  constexpr std::size_t kPage = 4096;
+  for (std::size_t page = 1; page < size / kPage; ++page) {
+    std::filesystem::copy_file(good, database(), std::filesystem::copy_options::overwrite_existing);
+    {
+      std::fstream stream(database(), std::ios::in | std::ios::out | std::ios::binary);
+      stream.seekp(static_cast<std::streamoff>(page * kPage));
+      stream << std::string(kPage, '\x5A');
+    }
+    auto catalogue = opened();
+    const auto report = catalogue.add_folder(folder().string());
+    ASSERT_TRUE(report) << "page " << page << ": " << describe(report.error());
+    const auto match = catalogue.match({0x5EC, 1, 7, 0});
+    ASSERT_TRUE(match) << "page " << page << ": " << describe(match.error());
+    EXPECT_EQ(match->kind, MatchKind::kExact);
+    EXPECT_TRUE(catalogue.search({"maker"})) << "page " << page;
+  }
+}
+
+TEST_F(Catalogue, MakesADatabaseOfAnotherVersionAgain) {
+  put("a.xml", esi_text({{1, 0x10, "A1"}}));
+  ASSERT_TRUE(update());
+  ASSERT_TRUE(SqlDatabase::open(database())->execute("PRAGMA user_version=99; DROP TABLE devices"));
+  auto catalogue = opened();
+  EXPECT_THAT(catalogue.add_folder(folder().string()), ReportIs(1, 1, 0, 0));
+  ASSERT_THAT(catalogue.notes(), SizeIs(1));
+  EXPECT_THAT(catalogue.notes()[0].text, HasSubstr("version 99"));
+}
+
+TEST_F(Catalogue, LeavesFilesOfOthersAlone) {
+  const auto project = file("machine.syncline");
+  put("machine.syncline", "a project that somebody named as cache by mistake");
+  const auto opened_project = EsiCatalogue::open(project);
+  ASSERT_FALSE(opened_project);
+  EXPECT_EQ(opened_project.error().code, ErrorCode::kCatalogue);
+  EXPECT_EQ(opened_project.error().file, project);
+  EXPECT_EQ(std::filesystem::file_size(project), 49U);
+
+  const auto foreign = file("photos.db");
+  ASSERT_TRUE(SqlDatabase::open(foreign)->execute("CREATE TABLE photos(name)"));
+  const auto size = std::filesystem::file_size(foreign);
+  EXPECT_FALSE(EsiCatalogue::open(foreign));
+  EXPECT_EQ(std::filesystem::file_size(foreign), size);
+}
+
+TEST_F(Catalogue, WorksWithoutAPlaceForItsDatabase) {
+  put("a.xml", esi_text({{1, 0x10, "A1"}}));
+  put("nofolder", "a file where the cache's folder should be");
+  ::setenv("XDG_CACHE_HOME", file("nofolder").c_str(), 1);
+  auto catalogue = EsiCatalogue::open_default();
+  ::unsetenv("XDG_CACHE_HOME");
+  EXPECT_THAT(catalogue.add_folder(folder().string()), ReportIs(1, 1, 0, 0));
+  ASSERT_THAT(catalogue.notes(), SizeIs(1));
+  EXPECT_THAT(catalogue.notes()[0].text, HasSubstr("read anew each time"));
+  EXPECT_TRUE(catalogue.find({0x5EC, 1, 0x10, 0}));
+}
+
+TEST_F(Catalogue, TwoProgramsMayIndexTheSameFolder) {
+  for (int i = 0; i < 10; ++i) put(std::to_string(i) + ".xml", esi_text({{1, static_cast<std::uint32_t>(i), "A1"}}));
+  auto first = opened(), second = opened();
+  ASSERT_TRUE(first.add_folder(folder().string()));
+  put("0.xml", esi_text({{1, 0x100, "A1"}}), 30);
+  EXPECT_THAT(second.add_folder(folder().string()), ReportIs(10, 1, 0, 0));
+  EXPECT_EQ(first.match({0x5EC, 1, 0x100, 0})->kind, MatchKind::kExact);
+  EXPECT_EQ(second.device_count(), 10U);
+}
+
+}  // namespace
+}  // namespace syncline::eni
