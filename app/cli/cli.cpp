@@ -44,6 +44,7 @@ int run(const std::vector<std::string>& arguments, Console console) {
   add_project_commands(app, context);
   add_esi_commands(app, context);
   add_export_command(app, context);
+  add_check_command(app, context);
   add_compare_command(app, context);
   add_run_command(app, context);
   add_simulate_command(app, context);

@@ -38,6 +38,7 @@ void add_dc_command(CLI::App& app, Context& context);
 void add_project_commands(CLI::App& app, Context& context);
 void add_esi_commands(CLI::App& app, Context& context);
 void add_export_command(CLI::App& app, Context& context);
+void add_check_command(CLI::App& app, Context& context);
 void add_compare_command(CLI::App& app, Context& context);
 void add_run_command(CLI::App& app, Context& context);
 void add_simulate_command(CLI::App& app, Context& context);

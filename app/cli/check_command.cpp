@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <set>
+
+#include "app/cli/context.h"
+#include "eni/check/eni_check.h"
+
+namespace syncline::cli {
+namespace {
+
+struct Options {
+  std::string file, severity = "note";
+  bool strict = false, rules = false, json = false;
+};
+
+CheckSeverity severity_of(const std::string& name) {
+  for (const auto severity : {CheckSeverity::kError, CheckSeverity::kWarning}) {
+    if (name == severity_name(severity)) return severity;
+  }
+  return CheckSeverity::kNote;
+}
+
+Json to_json(const CheckRule& rule) {
+  return {{"code", rule.code},
+          {"severity", severity_name(rule.severity)},
+          {"title", rule.title},
+          {"why", rule.why},
+          {"mend", rule.mend}};
+}
+
+Json to_json(const eni::EniFinding& finding) {
+  const CheckRule& rule = *find_check_rule(finding.code);
+  return {{"code", finding.code},
+          {"severity", severity_name(finding.severity)},
+          {"line", finding.line},
+          {"path", finding.path},
+          {"slave", finding.slave < 0 ? Json() : Json(finding.slave)},
+          {"slave_name", finding.slave < 0 ? Json() : Json(finding.slave_name)},
+          {"what", finding.what},
+          {"title", rule.title},
+          {"why", rule.why},
+          {"mend", rule.mend}};
+}
+
+std::size_t count(const std::vector<eni::EniFinding>& findings, CheckSeverity severity) {
+  return static_cast<std::size_t>(std::ranges::count(findings, severity, &eni::EniFinding::severity));
+}
+
+/// Why and how stand once a rule: a mistake in a hundred slaves is one mistake to understand.
+void print(std::ostream& out, const std::string& file, const std::vector<eni::EniFinding>& findings) {
+  std::set<std::string_view> explained;
+  for (const auto& finding : findings) {
+    const CheckRule& rule = *find_check_rule(finding.code);
+    const std::string line = finding.line > 0 ? fmt::format("{}:{}", file, finding.line) : file;
+    const std::string slave =
+        finding.slave < 0 ? "" : fmt::format(" slave {} ({}):", finding.slave, finding.slave_name);
+    out << fmt::format("{}: {}:{} {} [{}]\n", line, severity_name(finding.severity), slave, finding.what, finding.code);
+    if (!explained.insert(finding.code).second) continue;
+    if (!finding.path.empty()) out << fmt::format("    at   {}\n", finding.path);
+    out << fmt::format("    rule {}\n    why  {}\n    mend {}\n", rule.title, rule.why, rule.mend);
+  }
+}
+
+void print_rules(Context& context, bool json) {
+  if (json) {
+    Json rows = Json::array();
+    for (const CheckRule& rule : check_rules()) rows.push_back(to_json(rule));
+    return context.print({{"rules", rows}});
+  }
+  for (const CheckRule& rule : check_rules()) {
+    context.console.out << fmt::format("{:<12} {:<7} {}\n", rule.code, severity_name(rule.severity), rule.title);
+  }
+}
+
+void check(Context& context, const Options& options) {
+  if (options.rules) return print_rules(context, options.json);
+  if (options.file.empty()) {
+    return context.fail_with(
+        Error{.code = ErrorCode::kBadValue, .subject = "FILE", .detail = "name an ENI file, or --rules"});
+  }
+  auto checked = eni::check_eni(options.file);
+  if (!checked) return context.fail_with(checked.error());
+  auto& findings = checked->findings;
+  const std::size_t errors = count(findings, CheckSeverity::kError);
+  const std::size_t warnings = count(findings, CheckSeverity::kWarning);
+  const std::size_t notes = count(findings, CheckSeverity::kNote);
+  if (errors > 0 || (options.strict && warnings > 0)) context.exit_code = kAnswerIsNo;
+  std::erase_if(findings, [&](const auto& finding) { return finding.severity < severity_of(options.severity); });
+  if (options.json) {
+    Json rows = Json::array();
+    for (const auto& finding : findings) rows.push_back(to_json(finding));
+    return context.print({{"file", options.file},
+                          {"understood", checked->understood},
+                          {"slaves", checked->slaves},
+                          {"errors", errors},
+                          {"warnings", warnings},
+                          {"notes", notes},
+                          {"findings", rows}});
+  }
+  print(context.console.out, options.file, findings);
+  if (!checked->understood) {
+    context.console.out << options.file
+                        << ": only the structure was checked; mend the errors above, then check again\n";
+  }
+  context.console.out << fmt::format("{} errors, {} warnings, {} notes\n", errors, warnings, notes);
+}
+
+}  // namespace
+
+void add_check_command(CLI::App& app, Context& context) {
+  auto* command =
+      app.add_subcommand("check", "Check an ENI file: structure, references, commands, clocks, process image");
+  auto options = std::make_shared<Options>();
+  command->add_option("file", options->file, "ENI file");
+  command->add_option("--severity", options->severity, "Lowest severity shown: note, warning or error")
+      ->check(CLI::IsMember({"note", "warning", "error"}));
+  command->add_flag("--strict", options->strict, "Warnings count as errors for the exit code");
+  command->add_flag("--rules", options->rules, "List the rules instead");
+  command->add_flag("--json", options->json, "Print JSON");
+  command->callback([&context, options] { check(context, *options); });
+}
+
+}  // namespace syncline::cli
