@@ -264,21 +264,38 @@ void plug_default_modules(SlaveSettings& slave) {
   }
 }
 
+std::vector<Pdo> pdos_of(const SlaveSettings& slave, PdoDirection direction) {
+  std::vector<Pdo> pdos = slave.device.pdos(direction);
+  for (auto& [place, module] : plugged_modules(slave)) {
+    for (Pdo& pdo : direction == PdoDirection::kRx ? module.rx_pdos : module.tx_pdos) {
+      std::erase_if(pdos, [&](const Pdo& own) { return own.overwritten_by_module && own.index == pdo.index; });
+      pdos.push_back(std::move(pdo));
+    }
+  }
+  return pdos;
+}
+
+std::optional<Pdo> pdo_of(const SlaveSettings& slave, std::uint32_t index) {
+  for (const auto direction : {PdoDirection::kRx, PdoDirection::kTx}) {
+    const auto find = [index](const std::vector<Pdo>& pdos) -> std::optional<Pdo> {
+      const auto found = std::ranges::find_if(pdos, [index](const Pdo& pdo) { return pdo.index == index; });
+      return found == pdos.end() ? std::nullopt : std::optional(*found);
+    };
+    auto pdo = slave.modules.empty() ? find(slave.device.pdos(direction)) : find(pdos_of(slave, direction));
+    if (pdo) return pdo;
+  }
+  return std::nullopt;
+}
+
 DeviceDescription device_with_modules(const SlaveSettings& slave) {
   DeviceDescription device = slave.device;
-  for (auto& [place, module] : plugged_modules(slave)) {
-    const auto append = [](std::vector<Pdo>& to, std::vector<Pdo>& from) {
-      for (Pdo& pdo : from) {
-        std::erase_if(to, [&](const Pdo& own) { return own.overwritten_by_module && own.index == pdo.index; });
-        to.push_back(std::move(pdo));
-      }
-    };
-    append(device.rx_pdos, module.rx_pdos);
-    append(device.tx_pdos, module.tx_pdos);
-    if (module.coe && device.mailbox && device.mailbox->coe) {
-      auto& commands = device.mailbox->coe->init_commands;
-      commands.insert(commands.end(), module.coe->init_commands.begin(), module.coe->init_commands.end());
-    }
+  device.rx_pdos = pdos_of(slave, PdoDirection::kRx);
+  device.tx_pdos = pdos_of(slave, PdoDirection::kTx);
+  if (!device.mailbox || !device.mailbox->coe) return device;
+  for (const auto& [place, module] : plugged_modules(slave)) {
+    if (!module.coe) continue;
+    auto& commands = device.mailbox->coe->init_commands;
+    commands.insert(commands.end(), module.coe->init_commands.begin(), module.coe->init_commands.end());
   }
   return device;
 }

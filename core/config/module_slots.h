@@ -39,6 +39,10 @@ struct SlotPlace {
 /// The modules that the ESI marks as default or demands, for a slave that has none yet.
 void plug_default_modules(SlaveSettings& slave);
 
+/// PDOs of the device and of its modules.
+[[nodiscard]] std::vector<Pdo> pdos_of(const SlaveSettings& slave, PdoDirection direction);
+[[nodiscard]] std::optional<Pdo> pdo_of(const SlaveSettings& slave, std::uint32_t index);
+
 /// The device as the bus sees it: with the PDOs and init commands of its modules beside its own.
 [[nodiscard]] DeviceDescription device_with_modules(const SlaveSettings& slave);
 

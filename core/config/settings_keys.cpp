@@ -21,7 +21,10 @@ constexpr std::string_view kSlave = "N", kNumber = "K", kIndex = "0xIIII";
 const std::vector<Rule>& rules() {
   static const std::vector<Rule> all = [] {
     std::vector<Rule> table;
-    for (auto part : {settings::master_rules(), settings::slave_rules(), settings::pdo_rules(), settings::startup_rules()}) {
+    // Modules come before the PDOs and commands that they bring, so that a list can be applied from the top.
+    for (auto part : {settings::master_rules(), settings::task_rules(), settings::slave_rules(),
+                      settings::slave_option_rules(), settings::module_rules(), settings::pdo_rules(),
+                      settings::startup_rules(), settings::variable_rules()}) {
       table.insert(table.end(), std::make_move_iterator(part.begin()), std::make_move_iterator(part.end()));
     }
     return table;
@@ -46,6 +49,7 @@ std::optional<std::uint32_t> small_number(std::string_view text) {
 std::optional<Place> match(const Rule& rule, std::string_view key) {
   Place place;
   std::string_view pattern = rule.key;
+  bool has_item = false;
   if (key.ends_with('.')) return std::nullopt;
   while (!pattern.empty() && !key.empty()) {
     const auto wanted = next_part(pattern);
@@ -59,7 +63,8 @@ std::optional<Place> match(const Rule& rule, std::string_view key) {
     if (wanted == kSlave) {
       place.slave = *number;
     } else {
-      place.item = *number;
+      (has_item ? place.sub : place.item) = *number;
+      has_item = true;
     }
   }
   return pattern.empty() && key.empty() ? std::optional(place) : std::nullopt;
@@ -67,15 +72,18 @@ std::optional<Place> match(const Rule& rule, std::string_view key) {
 
 std::string key_of(const Rule& rule, const Place& place) {
   std::string key;
+  bool has_item = false;
   for (std::string_view pattern = rule.key; !pattern.empty();) {
     const auto part = next_part(pattern);
     if (!key.empty()) key += '.';
     if (part == kSlave) {
       key += std::to_string(place.slave);
     } else if (part == kNumber) {
-      key += std::to_string(place.item);
+      key += std::to_string(has_item ? place.sub : place.item);
+      has_item = true;
     } else if (part == kIndex) {
       key += fmt::format("0x{:04x}", place.item);
+      has_item = true;
     } else {
       key += part;
     }
@@ -99,23 +107,23 @@ Result<Found> find(const Project& project, std::string_view key, bool to_set) {
       return unknown(fmt::format("slaves in the project: {}, counted from 0", project.slaves.size()));
     }
     if (rule.items) {
-      const auto items = rule.items(project.slaves[place->slave]);
-      const bool exists = std::ranges::find(items, place->item) != items.end();
+      const auto items = rule.items(project, place->slave);
+      const bool exists = std::ranges::find(items, *place) != items.end();
       const bool extends = to_set && rule.extendable && place->item == items.size();
-      if (!exists && !extends) return unknown(fmt::format("slave {} has no such item", place->slave));
+      if (!exists && !extends) {
+        return unknown(is_slave_rule(rule) ? fmt::format("slave {} has no such item", place->slave)
+                                           : std::string("there is no such item"));
+      }
     }
     return Found{&rule, *place};
   }
   return unknown("list all with \"synclinectl project keys\"");
 }
 
-void append(std::vector<SettingValue>& out, const Project& project, const Rule& rule, Place place) {
-  const auto add = [&] { out.push_back({key_of(rule, place), rule.get(project, place)}); };
-  if (!rule.items) return add();
-  for (const auto item : rule.items(project.slaves[place.slave])) {
-    place.item = item;
-    add();
-  }
+void append(std::vector<SettingValue>& out, const Project& project, const Rule& rule, const Place& slave) {
+  const auto add = [&](const Place& place) { out.push_back({key_of(rule, place), rule.get(project, place)}); };
+  if (!rule.items) return add(slave);
+  for (const Place& place : rule.items(project, slave.slave)) add(place);
 }
 
 }  // namespace
@@ -133,7 +141,7 @@ std::vector<SettingValue> list_settings(const Project& project) {
   }
   for (std::size_t slave = 0; slave < project.slaves.size(); ++slave) {
     for (const Rule& rule : rules()) {
-      if (is_slave_rule(rule)) append(values, project, rule, {.slave = slave, .item = 0});
+      if (is_slave_rule(rule)) append(values, project, rule, {.slave = slave});
     }
   }
   return values;

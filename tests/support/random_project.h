@@ -280,10 +280,14 @@ class RandomProject {
     set_mailbox_protocols(s);
     for (const auto* pdos : {&s.device.rx_pdos, &s.device.tx_pdos}) {
       for (const Pdo& pdo : *pdos) {
-        if (!pdo.entries.empty() && pdo.entries.front().index != 0 && chance(4)) s.variable_names.push_back({pdo.index, 0, name()});
+        const auto changed = std::ranges::find(s.changed_pdos, pdo.index, &Pdo::index);
+        const auto& entries = changed == s.changed_pdos.end() ? pdo.entries : changed->entries;
+        if (!entries.empty() && entries.front().index != 0 && chance(4)) s.variable_names.push_back({pdo.index, 0, name()});
       }
     }
     std::ranges::sort(s.variable_names, {}, &VariableName::pdo);
+    const auto twice = std::ranges::unique(s.variable_names, {}, &VariableName::pdo);
+    s.variable_names.erase(twice.begin(), twice.end());
   }
 
   void set_mailbox_protocols(SlaveSettings& s) {

@@ -88,16 +88,28 @@ struct MacCodec {
   [[nodiscard]] Result<Value> parse(std::string_view text) const;
 };
 
-/// "auto" for an empty optional: something else decides (the operation mode, the master).
+/// Like NameCodec, but may be empty.
+struct TextCodec {
+  using Value = std::string;
+  [[nodiscard]] std::string type() const { return "text"; }
+  [[nodiscard]] std::string range() const { return "nothing, 1..255 bytes of text"; }
+  [[nodiscard]] std::string format(const std::string& value) const { return value; }
+  [[nodiscard]] Result<std::string> parse(std::string_view text) const {
+    return text.empty() ? Result<std::string>{} : NameCodec{}.parse(text);
+  }
+};
+
+/// "auto" for an empty optional: something else decides (the operation mode, the master). Or another word.
 template <class Codec>
 struct AutoCodec {
   using Value = std::optional<typename Codec::Value>;
   Codec codec{};
+  const char* word = "auto";
   [[nodiscard]] std::string type() const { return codec.type(); }
-  [[nodiscard]] std::string range() const { return "auto, " + codec.range(); }
-  [[nodiscard]] std::string format(const Value& value) const { return value ? codec.format(*value) : "auto"; }
+  [[nodiscard]] std::string range() const { return std::string(word) + ", " + codec.range(); }
+  [[nodiscard]] std::string format(const Value& value) const { return value ? codec.format(*value) : word; }
   [[nodiscard]] Result<Value> parse(std::string_view text) const {
-    if (text == "auto") return Value{};
+    if (text == word) return Value{};
     auto value = codec.parse(text);
     if (!value) return tl::unexpected(value.error());
     return Value{std::move(*value)};

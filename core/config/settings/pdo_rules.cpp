@@ -3,7 +3,9 @@
 
 #include <algorithm>
 
+#include "config/module_slots.h"
 #include "config/settings/codecs.h"
+#include "config/settings/pdo_places.h"
 
 namespace syncline::settings {
 namespace {
@@ -13,11 +15,6 @@ using Indices = std::vector<std::uint16_t>;
 const Pdo* find(const std::vector<Pdo>& pdos, std::uint32_t index) {
   const auto found = std::ranges::find_if(pdos, [index](const Pdo& pdo) { return pdo.index == index; });
   return found == pdos.end() ? nullptr : &*found;
-}
-
-const Pdo* device_pdo(const DeviceDescription& device, std::uint32_t index) {
-  const Pdo* rx = find(device.rx_pdos, index);
-  return rx ? rx : find(device.tx_pdos, index);
 }
 
 std::vector<std::string_view> split(std::string_view text) {
@@ -88,7 +85,7 @@ Rule assignment_rule(const char* name, PdoDirection direction, Indices SlaveSett
     auto chosen = parse_indices(text);
     if (!chosen) return tl::unexpected(chosen.error());
     if (*chosen == slave.*assigned) return {};
-    if (auto status = check_assignment(slave.device.pdos(direction), *chosen); !status) return status;
+    if (auto status = check_assignment(pdos_of(slave, direction), *chosen); !status) return status;
     slave.*assigned = std::move(*chosen);
     return {};
   };
@@ -101,9 +98,11 @@ bool same_object(const PdoEntry& a, const PdoEntry& b) {
   return a.index == b.index && a.sub_index == b.sub_index && a.bit_length == b.bit_length;
 }
 
-const std::vector<PdoEntry>& mapped_entries(const SlaveSettings& slave, std::uint32_t index) {
+std::vector<PdoEntry> mapped_entries(const SlaveSettings& slave, std::uint32_t index) {
   const Pdo* changed = find(slave.changed_pdos, index);
-  return changed ? changed->entries : device_pdo(slave.device, index)->entries;
+  if (changed != nullptr) return changed->entries;
+  const auto pdo = pdo_of(slave, index);
+  return pdo ? pdo->entries : std::vector<PdoEntry>{};
 }
 
 std::string format_mapping(const std::vector<PdoEntry>& entries) {
@@ -144,7 +143,7 @@ void describe_entry(const SlaveSettings& slave, const std::vector<PdoEntry>& cur
   };
   if (take(current) || entry.index == 0) return;
   for (const auto direction : {PdoDirection::kRx, PdoDirection::kTx}) {
-    for (const Pdo& pdo : slave.device.pdos(direction)) {
+    for (const Pdo& pdo : pdos_of(slave, direction)) {
       if (take(pdo.entries)) return;
     }
   }
@@ -181,17 +180,18 @@ void store_mapping(SlaveSettings& slave, const Pdo& of_device, std::vector<PdoEn
 }
 
 Status set_mapping(SlaveSettings& slave, std::uint32_t index, std::string_view text) {
-  const Pdo& of_device = *device_pdo(slave.device, index);
+  const auto of_device = pdo_of(slave, index);
+  if (!of_device) return bad_value("the device has no such PDO");
   const auto current = mapped_entries(slave, index);
   if (text == format_mapping(current)) return {};
-  if (of_device.fixed) return bad_value("the ESI says that the mapping of this PDO is fixed");
+  if (of_device->fixed) return bad_value("the ESI says that the mapping of this PDO is fixed");
   if (!slave.device.mailbox || !slave.device.mailbox->coe || !slave.device.mailbox->coe->pdo_config) {
     return bad_value("the device does not take another mapping (CoE PdoConfig in its ESI)");
   }
   auto entries = parse_mapping(text, slave, current);
   if (!entries) return tl::unexpected(entries.error());
   if (std::ranges::equal(*entries, current, same_object)) return {};
-  store_mapping(slave, of_device, std::move(*entries));
+  store_mapping(slave, *of_device, std::move(*entries));
   return {};
 }
 
@@ -208,15 +208,7 @@ Rule mapping_rule() {
   rule.set = [](Project& project, const Place& place, std::string_view text) {
     return set_mapping(project.slaves[place.slave], place.item, text);
   };
-  rule.items = [](const SlaveSettings& slave) {
-    std::vector<std::uint32_t> indices;
-    for (const auto direction : {PdoDirection::kRx, PdoDirection::kTx}) {
-      for (const Pdo& pdo : slave.device.pdos(direction)) {
-        if (std::ranges::find(indices, pdo.index) == indices.end()) indices.push_back(pdo.index);
-      }
-    }
-    return indices;
-  };
+  rule.items = [](const Project& project, std::size_t slave) { return pdo_places(project.slaves[slave], slave); };
   return rule;
 }
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <numeric>
-
 #include "config/settings/setting_rule.h"
 #include "config/settings/startup_text.h"
 
@@ -29,7 +27,7 @@ Status set_command(SlaveSettings& slave, std::uint32_t number, std::string_view 
 std::vector<Rule> startup_rules() {
   Rule rule{.key = "slave.N.startup.K",
             .type = "start-up command",
-            .range = "TRANSITIONS INDEX:SUB=HEX [complete] [fixed] [off] [timeout=MS] [# comment]; nothing removes it",
+            .range = "TRANSITIONS INDEX:SUB=HEX [complete] [fixed] [off] [adapt] [timeout=MS] [# comment]; nothing removes it",
             .meaning = "CoE object that is written at these transitions, K counts from 0; the number behind the last adds one.",
             .get = {},
             .set = {}};
@@ -40,11 +38,7 @@ std::vector<Rule> startup_rules() {
   rule.set = [](Project& project, const Place& place, std::string_view text) {
     return set_command(project.slaves[place.slave], place.item, text);
   };
-  rule.items = [](const SlaveSettings& slave) {
-    std::vector<std::uint32_t> numbers(slave.startup.size());
-    std::iota(numbers.begin(), numbers.end(), 0U);
-    return numbers;
-  };
+  rule.items = [](const Project& project, std::size_t slave) { return numbered(slave, project.slaves[slave].startup.size()); };
   rule.extendable = true;
   return {rule};
 }

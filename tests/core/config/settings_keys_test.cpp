@@ -44,6 +44,7 @@ TEST(SettingsKeys, TheKeysCarryEveryFieldOfAProject) {
     for (const auto& slave : original.slaves) {
       copy.slaves.push_back(default_slave(slave.device, static_cast<std::uint16_t>(copy.slaves.size())));
       copy.slaves.back().startup.clear();
+      copy.slaves.back().soe_startup.clear();
     }
     for (const auto& setting : list_settings(original)) {
       const auto status = set_setting(copy, setting.key, setting.value);
@@ -61,8 +62,8 @@ TEST(SettingsKeys, EveryListedKeyIsDescribedOnce) {
   }
   for (const auto& setting : list_settings(random_project(7))) {
     auto key = std::regex_replace(setting.key, std::regex("^slave\\.[0-9]+"), "slave.N");
-    key = std::regex_replace(key, std::regex("startup\\.[0-9]+"), "startup.K");
-    key = std::regex_replace(key, std::regex("map\\.0x[0-9a-f]+"), "map.0xIIII");
+    key = std::regex_replace(key, std::regex("\\.0x[0-9a-f]+"), ".0xIIII");
+    key = std::regex_replace(key, std::regex("(startup|task|sync_unit|soe|module|IIII)\\.[0-9]+"), "$1.K");
     EXPECT_TRUE(described.contains(key)) << setting.key;
   }
 }
