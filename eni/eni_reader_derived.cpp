@@ -98,7 +98,13 @@ void derive_dc(NetworkConfig& config) {
       }
     }
   }
-  if (config.dc.enabled) {
+  // A tool may leave the distribution of the time to its own master: the slaves' SYNC commands say that there is one.
+  const bool by_slaves = std::ranges::any_of(
+      config.slaves, [](const SlaveConfig& slave) { return slave.dc && slave.dc->assign_activate != 0; });
+  if (!config.dc.enabled && by_slaves) {
+    config.dc.enabled = true;
+    config.dc.reference_clock = config.reference_clock();
+  } else if (config.dc.enabled) {
     config.dc.dcm.mode = bus_shift ? DcmMode::kBusShift : DcmMode::kMasterShift;
   }
 }

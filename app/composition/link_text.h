@@ -12,7 +12,8 @@ namespace syncline {
 
 enum class LinkKind : std::uint8_t { kSimulated, kAdapter, kReplay };
 
-/// A LINK as the user writes it: "sim:FILE[?virtual][&seed=N][&network=N]", "nic:NAME", "replay:FILE".
+/// A LINK as the user writes it: "sim:FILE[?virtual][&seed=N][&network=N]", "nic:NAME", "replay:FILE". FILE is a scenario, or an
+/// ENI or a project whose bus is simulated.
 struct LinkText {
   LinkKind kind = LinkKind::kSimulated;
   std::string target;                  // file or adapter

@@ -3,9 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <map>
 
+#include "config/recover/simulated_network.h"
+#include "eni/eni_file.h"
 #include "eni/esi_reader.h"
+#include "eni/project_file.h"
 #include "eni/xml_text.h"
 #include "master/bus_scan.h"
 #include "protocol/sii.h"
@@ -71,9 +75,29 @@ class DeviceFiles {
   std::map<std::string, eni::EsiFile> esi_;
 };
 
+/// Scenarios are TOML; what is XML says by its root element what it is.
+bool describes_network(const std::string& path) {
+  const auto extension = std::filesystem::path(path).extension();
+  return extension == ".xml" || extension == ".syncline";
+}
+
+/// The bus that a project or an ENI describes.
+Result<SimConfig> simulated_file(const std::string& path) {
+  const auto project = eni::load_project(path);
+  if (project) return simulated_network(*project);
+  if (project.error().code != ErrorCode::kNotThatKindOfFile) return tl::unexpected(project.error());
+  const auto config = eni::read_eni(path);
+  if (!config) return tl::unexpected(config.error());
+  if (config->slaves.empty()) {
+    return fail(Error{.code = ErrorCode::kBadValue, .subject = path, .detail = "it has no slaves to simulate"});
+  }
+  return simulated_network(*config);
+}
+
 }  // namespace
 
 Result<SimConfig> load_scenario_file(const std::string& path) {
+  if (describes_network(path)) return simulated_file(path);
   DeviceFiles files;
   return sim::load_scenario(path, [&files](const sim::DeviceQuery& query) { return files(query); });
 }

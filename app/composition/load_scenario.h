@@ -11,7 +11,7 @@
 namespace syncline {
 
 /// Reads a scenario with the ESI files that it names; each ESI file is read once. Errors name the file,
-/// line and key of the scenario or of the ESI.
+/// line and key of the scenario or of the ESI. An ENI (.xml) or a project (.syncline) gives the bus that it describes.
 [[nodiscard]] Result<SimConfig> load_scenario_file(const std::string& path);
 
 /// The segment `network` of the scenario, with another seed where one is given. kBadValue when the scenario has

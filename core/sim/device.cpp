@@ -38,12 +38,24 @@ bool is_allowed(AlState from, AlState to) {
   }
 }
 
+/// Firmware can take at least what it assigns by itself.
+unsigned most_objects(const SimSlaveConfig& config) {
+  if (config.behaviour == "servo-y") return kServoMaxObjects;
+  std::size_t most = kMaxObjects;
+  for (const auto direction : {PdoDirection::kRx, PdoDirection::kTx}) {
+    std::size_t objects = 0;
+    for (const auto& pdo : config.device.pdos(direction)) objects += pdo.sync_manager ? pdo.entries.size() : 0;
+    most = std::max(most, objects);
+  }
+  return static_cast<unsigned>(most);
+}
+
 }  // namespace
 
 Device::Device(const SimSlaveConfig& config, Esc& esc)
     : config_(config),
       esc_(esc),
-      process_data_(identify(), dictionary_, esc, config.behaviour == "servo-y" ? kServoMaxObjects : kMaxObjects),
+      process_data_(identify(), dictionary_, esc, most_objects(config)),
       checks_(config_, esc, process_data_),
       mailbox_(dictionary_, config.device.mailbox.value_or(MailboxDescription{}), config.foe_password),
       handshake_(esc, mailbox_),

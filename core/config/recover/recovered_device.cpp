@@ -74,24 +74,43 @@ void add_fmmus(DeviceDescription& device, const SlaveConfig& slave, const Regist
   if (slave.mailbox && slave.mailbox->status_bit_address) device.fmmus.push_back(FmmuUse::kMailboxState);
 }
 
-/// Process data whose meaning nobody tells: padding of the right size, in PDOs that a device can describe.
-std::vector<Pdo> nameless_pdos(PdoDirection direction, std::uint8_t manager, std::uint32_t bits) {
+/// Indexes that the start-up commands assign to a SyncManager (0x1C10 + number), one by one or all at once.
+std::vector<std::uint16_t> commanded_pdos(const SlaveConfig& slave, std::uint8_t manager) {
+  std::vector<std::uint16_t> indexes;
+  if (!slave.mailbox) return indexes;
+  for (const auto& [command, ccs] : slave.mailbox->coe_commands) {
+    if (command.index != 0x1C10 + manager || !command.enabled) continue;
+    const std::span<const std::uint8_t> data(command.data);
+    if (command.complete_access && command.sub_index == 0 && data.size() >= 4) {
+      indexes.clear();
+      for (std::size_t at = 2; at + 2 <= data.size(); at += 2) indexes.push_back(load_le<std::uint16_t>(data.subspan(at)));
+    } else if (command.sub_index > 0 && data.size() == 2) {
+      indexes.push_back(load_le<std::uint16_t>(data));
+    }
+  }
+  return indexes;
+}
+
+/// Process data whose meaning nobody tells: padding of the right size, in PDOs that a device can describe. Which of several
+/// PDOs has which part is unknown; the first takes all.
+std::vector<Pdo> nameless_pdos(PdoDirection direction, std::uint8_t manager, std::uint32_t bits,
+                               const std::vector<std::uint16_t>& indexes) {
   constexpr std::uint32_t kMostBits = 248, kMostEntries = 32;
   const auto first = static_cast<std::uint16_t>((direction == PdoDirection::kRx ? 0x1600 : 0x1A00) + 0x10U * manager);
   std::vector<Pdo> pdos;
-  while (bits > 0) {
-    if (pdos.empty() || pdos.back().entries.size() == kMostEntries) {
-      Pdo pdo;
-      pdo.index = static_cast<std::uint16_t>(first + pdos.size());
-      pdo.name = fmt::format("SM {}", manager);
-      pdo.sync_manager = manager;
-      pdo.fixed = true;
-      pdos.push_back(std::move(pdo));
+  while (bits > 0 || pdos.size() < indexes.size()) {
+    Pdo pdo;
+    pdo.index = pdos.size() < indexes.size() ? indexes[pdos.size()] : static_cast<std::uint16_t>(first + pdos.size());
+    pdo.name = fmt::format("SM {}", manager);
+    pdo.sync_manager = manager;
+    pdo.fixed = true;
+    while (bits > 0 && pdo.entries.size() < kMostEntries) {
+      PdoEntry entry;
+      entry.bit_length = static_cast<std::uint16_t>(std::min(bits, kMostBits));
+      bits -= entry.bit_length;
+      pdo.entries.push_back(std::move(entry));
     }
-    PdoEntry entry;
-    entry.bit_length = static_cast<std::uint16_t>(std::min(bits, kMostBits));
-    bits -= entry.bit_length;
-    pdos.back().entries.push_back(std::move(entry));
+    pdos.push_back(std::move(pdo));
   }
   return pdos;
 }
@@ -116,7 +135,8 @@ void add_pdos(DeviceDescription& device, const SlaveConfig& slave, const Registe
     if (named) continue;
     const auto range = direction == PdoDirection::kRx ? slave.send : slave.receive;
     const bool bits_fit = range && (range->bit_length + 7) / 8 == written.length;
-    auto nameless = nameless_pdos(direction, number, bits_fit ? range->bit_length : 8U * written.length);
+    auto nameless = nameless_pdos(direction, number, bits_fit ? range->bit_length : 8U * written.length,
+                                   commanded_pdos(slave, number));
     std::ranges::move(nameless, std::back_inserter(pdos));
   }
 }
@@ -160,12 +180,14 @@ void add_mailbox(DeviceDescription& device, const SlaveConfig& slave) {
 }
 
 /// Words 0 to 6 of the SII: a PDI without (digital I/O) or with (SPI) a controller, and the DC unit.
-std::vector<std::uint8_t> config_data(const RegisterWrites& writes, bool dc) {
+std::vector<std::uint8_t> config_data(const RegisterWrites& writes, const SlaveConfig& slave) {
   constexpr std::uint8_t kDigitalIo = 0x04, kSpi = 0x05, kEmulation = 0x01, kDcUnit = 0x0C;
-  const bool emulation = writes.state_request && (*writes.state_request & kAlErrorFlag) == 0;
+  // Without a controller there is no mailbox either, whatever a tool leaves out of its requests.
+  const bool emulation = !slave.mailbox && writes.state_request && (*writes.state_request & kAlErrorFlag) == 0;
   std::vector<std::uint8_t> data(14);
   data[0] = emulation ? kDigitalIo : kSpi;
-  data[1] = static_cast<std::uint8_t>((emulation ? kEmulation : 0U) | (dc ? kDcUnit : 0U));
+  data[1] = static_cast<std::uint8_t>((emulation ? kEmulation : 0U) | (slave.dc ? kDcUnit : 0U));
+  std::copy_n(writes.pdi.begin(), std::min<std::size_t>(writes.pdi.size(), 2), data.begin());
   return data;
 }
 
@@ -223,7 +245,7 @@ DeviceDescription recovered_device(const SlaveConfig& slave, Nanoseconds bus_cyc
   add_mailbox(device, slave);
   device.dc = recovered_dc(slave, bus_cycle);
   device.timeouts = slave.timeouts;
-  device.eeprom.config_data = config_data(writes, device.dc.has_value());
+  device.eeprom.config_data = config_data(writes, slave);
   device.reg_0400 = writes.reg_0400;
   device.reg_0410 = writes.reg_0410;
   device.reg_0420 = writes.reg_0420;

@@ -45,6 +45,9 @@ void take_word(const InitCmd& cmd, std::uint16_t reg, std::optional<std::uint16_
 RegisterWrites register_writes(const std::vector<InitCmd>& commands) {
   RegisterWrites found;
   for (const InitCmd& cmd : commands) {
+    if (cmd.ado == reg::kPdiControl && cmd.validate && cmd.validate->type == ValidateType::kEqual) {
+      found.pdi = cmd.validate->data;
+    }
     if (!writes(cmd) || !on_the_way_up(cmd)) continue;
     each_record<SyncManager::kSize>(cmd, reg::kSyncManager, [&](std::uint8_t number, auto record) {
       found.sync_managers[number] = SyncManager::decode(record);
