@@ -12,6 +12,7 @@ namespace syncline::compiler {
 namespace {
 
 constexpr std::uint8_t kWatchdogTrigger = 0x40;  // SyncManager control, bit 6
+constexpr std::uint16_t kMaxFactor = 1000;       // far beyond what a frame can carry
 
 bool has_oversampling(const SlaveSettings& slave) {
   if (!slave.oversampling.empty()) return true;
@@ -88,13 +89,14 @@ void apply_mailbox_sizes(DeviceDescription& device, const MailboxSettings& user)
 }  // namespace
 
 std::uint16_t oversampling_factor(const SlaveSettings& slave, std::uint16_t pdo) {
+  const auto bounded = [](std::uint16_t factor) { return std::clamp<std::uint16_t>(factor, 1, kMaxFactor); };
   const auto of_user = std::ranges::find(slave.oversampling, pdo, &PdoOversampling::pdo);
-  if (of_user != slave.oversampling.end()) return of_user->factor;
+  if (of_user != slave.oversampling.end()) return bounded(of_user->factor);
   const DcOpMode* mode = selected_op_mode(slave);
   if (mode == nullptr) return 1;
   for (const OpModeSyncManager& manager : mode->sync_managers) {
     const auto of_mode = std::ranges::find(manager.oversampling, pdo, &PdoOversampling::pdo);
-    if (of_mode != manager.oversampling.end()) return of_mode->factor;
+    if (of_mode != manager.oversampling.end()) return bounded(of_mode->factor);
   }
   return 1;
 }

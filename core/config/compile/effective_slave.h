@@ -14,7 +14,7 @@ namespace syncline::compiler {
 [[nodiscard]] std::shared_ptr<const SlaveSettings> effective_slave(const SlaveSettings& slave);
 
 /// How often a PDO's entries are in the process data of one cycle: the user's factor, else that of the operation mode,
-/// else 1.
+/// else 1. At most 1000, at least 1.
 [[nodiscard]] std::uint16_t oversampling_factor(const SlaveSettings& slave, std::uint16_t pdo);
 
 }  // namespace syncline::compiler

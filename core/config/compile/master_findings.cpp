@@ -8,6 +8,7 @@
 
 #include "config/compile/cyclic_frames.h"
 #include "config/compile/finding_list.h"
+#include "config/compile/task_plan.h"
 #include "config/dcm_check.h"
 
 namespace syncline::compiler {
@@ -82,6 +83,61 @@ void check_dc_settings(FindingList& findings, const Project& project, const std:
   }
 }
 
+/// Frames of the slower tasks are sent together with those of the base task when their cycle comes.
+void check_busiest_cycle(FindingList& findings, const NetworkConfig& config) {
+  if (config.cyclic.size() < 2) return;
+  Nanoseconds on_wire = 0;
+  for (const auto& task : config.cyclic) {
+    for (const auto& frame : task.frames) on_wire += wire_time(frame);
+  }
+  if (const Nanoseconds cycle = config.cycle_time(); on_wire >= cycle) {
+    findings.error("cycle_time_us",
+                   fmt::format("When all tasks are due in one cycle their frames take {} of {} us of wire time.",
+                               on_wire / kMicrosecond, cycle / kMicrosecond));
+  }
+}
+
+void check_tasks(FindingList& findings, const MasterSettings& master) {
+  for (std::size_t i = 0; i < master.sync_units.size(); ++i) {
+    const SyncUnit& unit = master.sync_units[i];
+    if (!unit.task.empty() && std::ranges::find(master.tasks, unit.task, &TaskSettings::name) == master.tasks.end()) {
+      findings.error(fmt::format("sync_unit.{}", i),
+                     fmt::format("Sync Unit \"{}\" is to run in task \"{}\", which does not exist; it stays in the base task.",
+                                 unit.name, unit.task));
+    }
+  }
+}
+
+/// Room for the process data below the mailbox-state area, where an address was chosen that lies below it.
+void check_logical_start(FindingList& findings, const MasterSettings& master, const NetworkConfig& config) {
+  if (!master.image.logical_start) return;
+  for (const auto& task : config.cyclic) {
+    for (const auto& frame : task.frames) {
+      for (const auto& cmd : frame.commands) {
+        const bool is_state = cmd.logical_address == config.master.mailbox_state_start;
+        if (!is_logical(cmd.command) || is_state || !config.master.mailbox_state_count) continue;
+        const std::uint64_t begin = cmd.logical_address, end = begin + cmd.length();
+        const std::uint64_t states = config.master.mailbox_state_start;
+        if (begin < states + *config.master.mailbox_state_count / 8U + 1 && end > states) {
+          return findings.error("image.logical_start", "The process data lie over the mailbox states at 0x09000000.");
+        }
+      }
+    }
+  }
+}
+
+void check_sync_units(std::vector<Finding>& out, const MasterSettings& master, const std::vector<SlavePlan>& slaves) {
+  for (const SlavePlan& slave : slaves) {
+    FindingList findings(out, slave.position);
+    const auto check = [&](const std::string& name, const char* key) {
+      if (name.empty() || sync_unit_number(master, name) != 0) return;
+      findings.error(key, fmt::format("There is no Sync Unit \"{}\"; the unnamed one is used.", name));
+    };
+    check(slave.settings->output_unit, "sync_unit.outputs");
+    check(slave.settings->input_unit, "sync_unit.inputs");
+  }
+}
+
 void check_addresses(std::vector<Finding>& out, const std::vector<SlavePlan>& slaves) {
   std::map<std::uint16_t, const SlavePlan*> used;
   for (const SlavePlan& slave : slaves) {
@@ -104,7 +160,11 @@ void find_master_problems(std::vector<Finding>& out, const Project& project, con
   check_cycle(findings, project, config);
   check_reference_clock(findings, project, slaves);
   check_dc_settings(findings, project, slaves, config);
+  check_busiest_cycle(findings, config);
+  check_tasks(findings, project.master);
+  check_logical_start(findings, project.master, config);
   check_addresses(out, slaves);
+  check_sync_units(out, project.master, slaves);
 }
 
 }  // namespace syncline::compiler

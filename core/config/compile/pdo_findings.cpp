@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "config/drive_limits.h"
+
 namespace syncline::compiler {
 namespace {
 
@@ -87,12 +89,98 @@ void check_sizes(FindingList& findings, const SlavePlan& slave) {
   }
 }
 
+void check_object_limits(FindingList& findings, const SlavePlan& slave) {
+  const DeviceLimits limits = device_limits(slave.device());
+  for (const bool outputs : {true, false}) {
+    std::size_t objects = 0;
+    for (const auto& channel : slave.channels) {
+      if (channel.is_output() != outputs) continue;
+      for (const std::uint16_t index : channel.pdos) {
+        const Pdo* pdo = slave.find_pdo(index);
+        if (pdo == nullptr) continue;
+        objects += static_cast<std::size_t>(std::ranges::count_if(pdo->entries, [](const PdoEntry& e) { return e.index != 0; }));
+      }
+    }
+    if (limits.objects_per_direction && objects > *limits.objects_per_direction) {
+      findings.error(outputs ? "pdo.rx" : "pdo.tx",
+                     fmt::format("{} objects are mapped in this direction, {} drives take {}. Unassign a PDO, or map "
+                                 "fewer objects and exchange the slow ones by SDO.",
+                                 objects, limits.family, *limits.objects_per_direction));
+    }
+  }
+}
+
+/// The mapping and assignment objects count in one byte, and sub-index 255 is taken.
+void check_counts(FindingList& findings, const SlavePlan& slave) {
+  constexpr std::size_t kMost = 254;
+  const auto& mailbox = slave.device().mailbox;
+  if (!mailbox || !mailbox->coe) return;
+  for (const auto& [direction, pdo] : slave.pdos) {
+    if (mailbox->coe->pdo_config && !pdo.fixed && pdo.entries.size() > kMost) {
+      findings.error(fmt::format("pdo.map.0x{:04x}", pdo.index),
+                     fmt::format("{} entries are mapped; the object 0x{:04X} takes {}.", pdo.entries.size(), pdo.index, kMost));
+    }
+  }
+  for (const auto& channel : slave.channels) {
+    if (mailbox->coe->pdo_assign && channel.pdos.size() > kMost) {
+      findings.error(channel.is_output() ? "pdo.rx" : "pdo.tx",
+                     fmt::format("{} PDOs are assigned to SyncManager {}; its object takes {}.", channel.pdos.size(),
+                                 channel.number, kMost));
+    }
+  }
+}
+
+void check_excluded_managers(FindingList& findings, const SlavePlan& slave) {
+  for (const auto& [direction, pdo] : slave.pdos) {
+    const auto& excluded = pdo.excluded_sync_managers;
+    if (!pdo.sync_manager || std::ranges::find(excluded, *pdo.sync_manager) == excluded.end()) continue;
+    findings.error(direction == PdoDirection::kRx ? "pdo.rx" : "pdo.tx",
+                   fmt::format("PDO 0x{:04X} must not lie in SyncManager {} (ESI ExcludedSm).", pdo.index, *pdo.sync_manager));
+  }
+}
+
+void check_oversampling(FindingList& findings, const SlavePlan& slave) {
+  for (const PdoOversampling& wanted : slave.settings->oversampling) {
+    const Pdo* pdo = slave.find_pdo(wanted.pdo);
+    const std::string key = fmt::format("pdo.oversampling.0x{:04x}", wanted.pdo);
+    if (pdo == nullptr) {
+      findings.error(key, fmt::format("The device has no PDO 0x{:04X}.", wanted.pdo));
+    } else if (wanted.factor < pdo->os_min.value_or(1) || wanted.factor > pdo->os_max.value_or(1000)) {
+      findings.error(key, fmt::format("PDO 0x{:04X} takes {} to {} samples a cycle, not {}.", wanted.pdo,
+                                      pdo->os_min.value_or(1), pdo->os_max.value_or(1000), wanted.factor));
+    }
+  }
+}
+
+/// A mapping without an entry that the ESI fixes would be refused by the device.
+void check_fixed_entries(FindingList& findings, const SlavePlan& slave) {
+  for (const Pdo& changed : slave.settings->changed_pdos) {
+    const Pdo* pdo = nullptr;
+    for (const auto direction : {PdoDirection::kRx, PdoDirection::kTx}) {
+      const auto& pdos = slave.device().pdos(direction);
+      const auto found = std::ranges::find(pdos, changed.index, &Pdo::index);
+      if (found != pdos.end()) pdo = &*found;
+    }
+    if (pdo == nullptr) continue;
+    for (const PdoEntry& entry : pdo->entries) {
+      const bool kept = std::ranges::any_of(changed.entries, [&](const PdoEntry& e) {
+        return e.index == entry.index && e.sub_index == entry.sub_index && e.bit_length == entry.bit_length;
+      });
+      if (entry.fixed && !kept) {
+        findings.error(fmt::format("pdo.map.0x{:04x}", changed.index),
+                       fmt::format("0x{:04X}:{:02X} must stay in PDO 0x{:04X} (ESI Entry@Fixed).", entry.index,
+                                   entry.sub_index, changed.index));
+      }
+    }
+  }
+}
+
 void check_changed(FindingList& findings, const SlavePlan& slave) {
   const auto& mailbox = slave.device().mailbox;
   const bool configurable = mailbox && mailbox->coe && mailbox->coe->pdo_config;
   for (const Pdo& changed : slave.settings->changed_pdos) {
     const Pdo* pdo = slave.find_pdo(changed.index);
-    const std::string key = fmt::format("pdo.map.0x{:04X}", changed.index);
+    const std::string key = fmt::format("pdo.map.0x{:04x}", changed.index);
     if (pdo == nullptr) {
       findings.error(key, fmt::format("The device has no PDO 0x{:04X}.", changed.index));
     } else if (pdo->fixed || !configurable) {
@@ -113,6 +201,11 @@ void find_pdo_problems(FindingList& findings, const SlavePlan& slave) {
   }
   check_sizes(findings, slave);
   check_changed(findings, slave);
+  check_fixed_entries(findings, slave);
+  check_excluded_managers(findings, slave);
+  check_counts(findings, slave);
+  check_object_limits(findings, slave);
+  check_oversampling(findings, slave);
 }
 
 }  // namespace syncline::compiler

@@ -10,6 +10,7 @@
 #include "config/compile/dc_times.h"
 #include "config/compile/finding_list.h"
 #include "config/compile/fmmu_plan.h"
+#include "config/compile/module_findings.h"
 #include "config/compile/pdo_findings.h"
 #include "protocol/dc_registers.h"
 
@@ -31,13 +32,54 @@ void check_memory(FindingList& findings, const SlavePlan& slave) {
 
 void check_hot_connect(FindingList& findings, const SlavePlan& slave) {
   const auto& settings = *slave.settings;
-  if (settings.hot_connect.empty()) return;
-  if (settings.alias == 0) {
-    findings.error("alias", "The first slave of a hot-connect group is known by its alias; it has none. Write one to its "
-                            "EEPROM (synclinectl sii alias) and set it here.");
+  if (settings.hot_connect.empty() && !settings.optional) return;
+  const char* key = settings.hot_connect.empty() ? "optional" : "hot_connect";
+  const char* who = settings.hot_connect.empty() ? "An optional slave" : "The first slave of a hot-connect group";
+  if (settings.alias == 0 && !settings.check.device_id) {
+    findings.error("alias", fmt::format("{} is known by its alias; it has none. Write one to its EEPROM (synclinectl sii "
+                                        "alias) and set it here, or set the device ID of its switches (check.device_id).",
+                                        who));
   }
   if (slave.position == 0) {
-    findings.error("hot_connect", "The first slave of the bus cannot be in a hot-connect group: nobody could be in front of it.");
+    findings.error(key, fmt::format("{} cannot be the first slave of the bus: nobody could be in front of it.", who));
+  }
+}
+
+void check_device_id(FindingList& findings, const SlavePlan& slave) {
+  const auto& device = slave.device();
+  if (slave.settings->check.device_id && !device.identification_ado && !device.identification_reg134) {
+    findings.warning("check.device_id", "The ESI does not say that the device has an explicit device ID; it is asked by the "
+                                        "request bit of AL control all the same.");
+  }
+}
+
+void check_eoe(FindingList& findings, const SlavePlan& slave) {
+  const auto& eoe = slave.settings->eoe;
+  const bool wanted = eoe.mac || !eoe.ip.empty() || !eoe.subnet.empty() || !eoe.gateway.empty() || !eoe.dns.empty() ||
+                      !eoe.host_name.empty();
+  const bool able = slave.device().mailbox && slave.device().mailbox->eoe;
+  if (wanted && !able) findings.warning("eoe.ip", "The device has no EoE; its addresses are not set.");
+  if (!slave.settings->ams_net_id.empty() && !(slave.device().mailbox && slave.device().mailbox->aoe)) {
+    findings.warning("aoe.net_id", "The device has no AoE; its AMS Net ID is not written.");
+  }
+}
+
+/// (divider + 2) * 40 ns times the watchdog's value: how long outputs may stay away.
+void check_watchdog(FindingList& findings, const SlavePlan& slave) {
+  constexpr std::uint32_t kUsualDivider = 2498;  // 100 us, after reset
+  constexpr std::uint32_t kUsualTime = 1000;     // 100 ms
+  const auto& device = slave.device();
+  const bool triggered = std::ranges::any_of(slave.channels, [](const ProcessDataChannel& channel) {
+    return channel.is_output() && channel.bit_length > 0 && (channel.description.control_byte & 0x40) != 0;
+  });
+  const std::uint32_t count = device.reg_0420 ? *device.reg_0420 : kUsualTime;
+  if (!triggered || count == 0) return;
+  const Nanoseconds unit = (Nanoseconds{device.reg_0400 ? *device.reg_0400 : kUsualDivider} + 2) * 40;
+  if (const Nanoseconds time = unit * count; time <= slave.cycle_time * 2) {
+    findings.error("watchdog.process_data",
+                   fmt::format("The process data watchdog runs out after {} us, outputs come every {} us: one lost frame "
+                               "stops the slave. Raise watchdog.process_data, or 0 switches it off.",
+                               time / kMicrosecond, slave.cycle_time / kMicrosecond));
   }
 }
 
@@ -116,7 +158,11 @@ void find_slave_problems(std::vector<Finding>& out, const SlavePlan& slave) {
   FindingList findings(out, slave.position);
   find_pdo_problems(findings, slave);
   check_memory(findings, slave);
+  find_module_problems(findings, slave);
   check_hot_connect(findings, slave);
+  check_device_id(findings, slave);
+  check_watchdog(findings, slave);
+  check_eoe(findings, slave);
   check_mailbox(findings, slave);
   check_dc(findings, slave);
   check_interpolation_time(findings, slave);

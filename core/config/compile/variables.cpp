@@ -5,6 +5,8 @@
 
 #include <unordered_map>
 
+#include "config/compile/effective_slave.h"
+
 namespace syncline::compiler {
 namespace {
 
@@ -25,15 +27,32 @@ class VariableList {
   std::vector<Variable> out_;
 };
 
+/// The user's name for entry `number` of a PDO, nullptr when there is none.
+const std::string* own_name(const SlaveSettings& slave, std::uint16_t pdo, std::size_t number) {
+  for (const VariableName& name : slave.variable_names) {
+    if (name.pdo == pdo && name.entry == number) return &name.name;
+  }
+  return nullptr;
+}
+
+std::string variable_name(const SlaveSettings& slave, const Pdo& pdo, std::size_t number, std::size_t samples) {
+  const std::size_t mapped = pdo.entries.size() / samples;
+  const std::string* own = slave.variable_names.empty() ? nullptr : own_name(slave, pdo.index, number % mapped);
+  if (own == nullptr) return fmt::format("{}.{}.{}", slave.name, pdo.name, pdo.entries[number].name);
+  return samples == 1 ? *own : fmt::format("{}[{}]", *own, number / mapped);
+}
+
 void add_channel(VariableList& list, const SlavePlan& slave, const ProcessDataChannel& channel, std::uint32_t bit) {
   for (const std::uint16_t index : channel.pdos) {
     const Pdo* pdo = slave.find_pdo(index);
     if (pdo == nullptr) {
       continue;
     }
-    for (const PdoEntry& entry : pdo->entries) {
+    const std::size_t samples = oversampling_factor(*slave.settings, index);
+    for (std::size_t i = 0; i < pdo->entries.size(); ++i) {
+      const PdoEntry& entry = pdo->entries[i];
       if (entry.index != 0) {
-        list.add(fmt::format("{}.{}.{}", slave.settings->name, pdo->name, entry.name), entry, bit);
+        list.add(variable_name(*slave.settings, *pdo, i, samples), entry, bit);
       }
       bit += entry.bit_length;
     }

@@ -114,8 +114,8 @@ struct AlignmentCodec : IntegerCodec<std::uint8_t> {
 };
 
 struct AddressCodec : IntegerCodec<std::uint32_t> {
-  AddressCodec() : IntegerCodec<std::uint32_t>{0, 0xFFFF'0000} {}
-  [[nodiscard]] static std::string range() { return "0x00000000..0xffff0000"; }
+  AddressCodec() : IntegerCodec<std::uint32_t>{0, 0xF000'0000} {}
+  [[nodiscard]] static std::string range() { return "0x00000000..0xf0000000"; }
   [[nodiscard]] static std::string format(std::uint32_t value) { return fmt::format("0x{:08x}", value); }
 };
 
