@@ -125,6 +125,8 @@ void BusRecorder::note_write(std::size_t position, std::uint16_t address, std::s
   }
   if (address == reg::kSiiControl && data.size() >= 6) sii_address_[position] = load_le<std::uint32_t>(data.subspan(2));
   if (address == reg::kSiiAddress && data.size() >= 4) sii_address_[position] = load_le<std::uint32_t>(data);
+  // Receive times are not what is written there, which only latches them.
+  if (address >= reg::kReceiveTimePort0 && address < reg::kSystemTime) return;
   // The register is there; its value before the write is not known, and after it is the master's.
   for (std::size_t i = 0; i < data.size(); ++i) {
     to.memory.try_emplace(static_cast<std::uint32_t>(address + i), std::uint8_t{0});
