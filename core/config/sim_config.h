@@ -68,6 +68,7 @@ enum class FaultKind : std::uint8_t {
   kSlowMailbox,     // slave answers mailbox requests `value_ns` later, from `at` until `until`
   kSlowApplication, // slave's application needs `value_ns` more for each cycle, from `at` until `until`
   kMailboxSilence,  // slave answers no mailbox from `at` until `until`
+  kStopApplication, // slave's firmware hangs from `at` until `until`: no answer, no access to its ESC
   kBitErrors,       // frames received at the slave's `port` are damaged: `count` of them, or all until `until`
 };
 struct FaultConfig {
@@ -82,6 +83,15 @@ struct FaultConfig {
   std::uint8_t port = 0;                 // 0..3
 };
 
+/// Pulses at a LATCH input of a slave: high for `width`, every `period`, `count` of them.
+struct LatchPulses {
+  std::uint16_t slave = 0;
+  std::uint8_t input = 0;                // 0, 1
+  Nanoseconds at = 0;                    // first rising edge, after the bus was switched on
+  Nanoseconds width = 0, period = 0;     // width < period
+  std::uint32_t count = 1;
+};
+
 struct SimConfig {
   std::string name;
   std::uint64_t seed = 1;
@@ -89,6 +99,7 @@ struct SimConfig {
   JitterProfile host_jitter;             // of the master's wake-ups, on the virtual clock
   std::vector<SimSlaveConfig> slaves;    // frame order is found from the wiring and must equal this order
   std::vector<FaultConfig> faults;
+  std::vector<LatchPulses> latch_pulses;
 
   /// The segment of network `number` (from 0): like the others, with random processes of its own.
   [[nodiscard]] SimConfig of_network(unsigned number) const {

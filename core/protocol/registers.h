@@ -43,6 +43,7 @@ inline constexpr std::uint16_t kWatchdogPdi = 0x0410;
 inline constexpr std::uint16_t kWatchdogProcessData = 0x0420;
 inline constexpr std::uint16_t kWatchdogStatus = 0x0440;
 inline constexpr std::uint16_t kWatchdogCounterProcessData = 0x0442;
+inline constexpr std::uint16_t kWatchdogCounterPdi = 0x0443;
 inline constexpr std::uint16_t kSiiConfiguration = 0x0500;
 inline constexpr std::uint16_t kSiiPdiAccess = 0x0501;
 inline constexpr std::uint16_t kSiiControl = 0x0502;

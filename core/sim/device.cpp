@@ -2,6 +2,7 @@
 #include "sim/device.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "protocol/registers.h"
 #include "sim/device_objects.h"
@@ -90,8 +91,23 @@ void Device::tell_error(std::uint16_t error_code, std::uint8_t error_register, s
   if (!mail_due_) mail_due_ = now_ + kMailboxReaction;
 }
 
+void Device::stop_application(Nanoseconds time) {
+  if (std::exchange(stopped_, true)) return;
+  esc_.pdi_stops(std::max(now_, time));
+}
+
+void Device::resume_application(Nanoseconds time) {
+  if (!std::exchange(stopped_, false)) return;
+  esc_.pdi_works();
+  const auto now = std::max(now_, time);
+  for (auto* due : {&request_due_, &mail_due_}) {
+    if (*due) *due = std::max(**due, now);
+  }
+  if (state_ == AlState::kOp && esc_.outputs_expired()) process_data_watchdog_expired(now);
+}
+
 void Device::advance_to(Nanoseconds time) {
-  for (;;) {
+  while (!stopped_) {
     const auto request = request_due_.value_or(INT64_MAX);
     const auto mail = mail_due_.value_or(INT64_MAX);
     const auto next = std::min(request, mail);
@@ -108,6 +124,7 @@ void Device::advance_to(Nanoseconds time) {
   }
   esc_.advance_to(time);
   now_ = std::max(now_, time);
+  if (stopped_) return;
   if (state_ == AlState::kOp) check_running(time);
   // The signal was there when OP was entered; a unit that was switched off or has lost its time fires no more.
   if (state_ == AlState::kOp && sync0_cycle_ > 0 && last_sync0_ && time - *last_sync0_ > kMissingSyncs * sync0_cycle_) {
@@ -223,6 +240,7 @@ void Device::drop_to_safeop(std::uint16_t code, std::uint16_t error_code) {
 }
 
 void Device::process_data_watchdog_expired(Nanoseconds) {
+  if (stopped_) return;
   esc_.acknowledge_events(kAlEventWatchdog);
   if (esc_.device_emulation()) {
     // Digital outputs are the ESC's own: it switches them off itself (ESC data sheet II, 3.8).
@@ -236,10 +254,10 @@ void Device::process_data_watchdog_expired(Nanoseconds) {
 }
 
 void Device::sync_manager_written(unsigned number, Nanoseconds time) {
-  esc_.acknowledge_events(kAlEventSyncManager0 << number);
+  if (!stopped_) esc_.acknowledge_events(kAlEventSyncManager0 << number);
   if (has_mailbox() && number == 0) {
     mail_due_ = time + kMailboxReaction + mailbox_delay_;
-  } else if (exchanges_process_data() && process_data_.sync_manager(PdoDirection::kRx) == number) {
+  } else if (!stopped_ && exchanges_process_data() && process_data_.sync_manager(PdoDirection::kRx) == number) {
     last_outputs_ = time;
     if (state_ == AlState::kOp) process_data_.outputs_to_dictionary();
     on_outputs(time);
@@ -247,17 +265,18 @@ void Device::sync_manager_written(unsigned number, Nanoseconds time) {
 }
 
 void Device::sync_manager_read(unsigned number, Nanoseconds time) {
-  esc_.acknowledge_events(kAlEventSyncManager0 << number);
+  if (!stopped_) esc_.acknowledge_events(kAlEventSyncManager0 << number);
   if (has_mailbox() && number == 1 && mailbox_.waiting()) mail_due_ = time + kMailboxReaction;
-  if (exchanges_process_data() && process_data_.sync_manager(PdoDirection::kTx) == number) on_inputs_read(time);
+  if (!stopped_ && exchanges_process_data() && process_data_.sync_manager(PdoDirection::kTx) == number) on_inputs_read(time);
 }
 
 void Device::sync_manager_set(unsigned number, Nanoseconds time) {
-  esc_.acknowledge_events(kAlEventSyncManagerSet);
+  if (!stopped_) esc_.acknowledge_events(kAlEventSyncManagerSet);
   if (has_mailbox() && number == 1 && esc_.repeat_requested(1)) mail_due_ = time + kMailboxReaction;
 }
 
 void Device::sync_signal(SyncGenerator::Signal signal, Nanoseconds time) {
+  if (stopped_) return;
   if (!esc_.device_emulation()) esc_.acknowledge_sync(signal);
   if (signal == SyncGenerator::Signal::kSync0) last_sync0_ = time;
   if (signal == SyncGenerator::Signal::kSync0) on_sync0(time);

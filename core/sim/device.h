@@ -41,6 +41,10 @@ class Device : public Esc::Listener {
   /// The application needs so much longer for each cycle, at most an hour; 0: as usual.
   void slow_application(Nanoseconds delay) { application_delay_ = std::clamp<Nanoseconds>(delay, 0, 3600 * kSecond); }
 
+  /// The firmware hangs: it sees nothing of what its ESC does, until it goes on with what it finds there.
+  void stop_application(Nanoseconds time);
+  void resume_application(Nanoseconds time);
+
   /// A frame passes the slave from `begin` to `end`.
   virtual void frame_received(Nanoseconds, Nanoseconds) {}
   /// Output pin `number` (from 1), as far as the device has pins that show edges.
@@ -111,6 +115,7 @@ class Device : public Esc::Listener {
   Nanoseconds sync0_cycle_ = 0;               // when OP was entered; 0: none
   Nanoseconds now_ = 0, requested_at_ = 0;
   bool mailbox_silent_ = false;
+  bool stopped_ = false;                      // the firmware hangs
   Nanoseconds mailbox_delay_ = 0, application_delay_ = 0;
   AlState refused_state_ = AlState::kNone;
   std::uint16_t refusal_code_ = 0;

@@ -26,6 +26,7 @@ void Esc::advance_to(Nanoseconds time) {
   dc_.advance_to(time);
   ports_.advance_to(time);
   if (sii_.advance_to(time)) load_configuration();
+  if (pdi_watchdog_.advance_to(time)) raise_event(kEventDlStatus);
   if (watchdog_.advance_to(time)) {
     raise_al_event(kAlEventWatchdog);
     if (listener_ != nullptr) listener_->process_data_watchdog_expired(time);

@@ -12,10 +12,12 @@
 #include "config/sim_config.h"
 #include "protocol/fmmu.h"
 #include "protocol/frame.h"
+#include "protocol/registers.h"
 #include "protocol/sync_manager.h"
 #include "sim/dc_unit.h"
 #include "sim/esc_memory.h"
 #include "sim/esc_ports.h"
+#include "sim/pdi_watchdog.h"
 #include "sim/process_data_watchdog.h"
 #include "sim/sii_interface.h"
 #include "sim/write_protection.h"
@@ -88,6 +90,11 @@ class Esc {
   void acknowledge_sync(SyncGenerator::Signal signal);
   /// The PDI has dealt with these bits of the AL event request (0x0220).
   void acknowledge_events(std::uint32_t events);
+  /// The device stops to ask the ESC, or does so again.
+  void pdi_stops(Nanoseconds time) { pdi_watchdog_.pdi_stops(time); }
+  void pdi_works();
+  /// The process data watchdog has expired and not been triggered since.
+  [[nodiscard]] bool outputs_expired() const { return memory_.u16(reg::kWatchdogStatus) == 0; }
   [[nodiscard]] bool device_emulation() const { return options_.device_emulation; }
   [[nodiscard]] EscPorts& ports() { return ports_; }
   /// R, E and S were written to 0x0040 by three consecutive frames: the slave starts anew.
@@ -145,6 +152,7 @@ class Esc {
   DcUnit dc_;
   SiiInterface sii_;
   ProcessDataWatchdog watchdog_;
+  PdiWatchdog pdi_watchdog_;
   WriteProtection protection_;
   Listener* listener_ = nullptr;
   /// An active FMMU; with the buffered SyncManager that it maps as a whole, where nothing but the write protection can

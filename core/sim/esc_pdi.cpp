@@ -125,6 +125,10 @@ void Esc::sync_fired(SyncGenerator::Signal signal, Nanoseconds time) {
   if (listener_ != nullptr) listener_->sync_signal(signal, time);
 }
 
+void Esc::pdi_works() {
+  if (pdi_watchdog_.pdi_works()) raise_event(kEventDlStatus);
+}
+
 void Esc::acknowledge_sync(SyncGenerator::Signal signal) {
   dc_.acknowledge_sync(signal);
   acknowledge_events(signal == SyncGenerator::Signal::kSync0 ? kAlEventSync0 : kAlEventSync0 << 1);

@@ -19,6 +19,7 @@ Esc::Esc(const SimSlaveConfig& config, std::vector<std::uint8_t> sii, const Opti
       dc_(config.oscillator, config.dc, power_on, seed, memory_),
       sii_(std::move(sii), config.sii, memory_),
       watchdog_(memory_),
+      pdi_watchdog_(memory_),
       protection_(memory_),
       sync_managers_(options.sync_manager_count),
       pending_(options.sync_manager_count) {

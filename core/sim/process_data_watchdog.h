@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstdint>
-#include <limits>
-
-#include "sim/esc_memory.h"
-#include "support/types.h"
+#include "protocol/registers.h"
+#include "sim/watchdog_timer.h"
 
 namespace syncline::sim {
 
@@ -13,20 +10,19 @@ namespace syncline::sim {
 /// the first write to a SyncManager with the watchdog trigger, restarted by each further one.
 class ProcessDataWatchdog {
  public:
-  explicit ProcessDataWatchdog(EscMemory& memory) : memory_(memory) {}
+  explicit ProcessDataWatchdog(EscMemory& memory) : memory_(memory), timer_(memory, reg::kWatchdogProcessData) {}
 
   void trigger(Nanoseconds time);
   /// True when it expires now: once, until the next trigger.
-  bool advance_to(Nanoseconds time) { return time >= deadline_ && expire(); }
+  bool advance_to(Nanoseconds time) { return timer_.advance_to(time) && expire(); }
   /// The SyncManager was switched off: nothing to watch.
-  void stop() { deadline_ = kNever; }
+  void stop() { timer_.stop(); }
 
  private:
-  static constexpr Nanoseconds kNever = std::numeric_limits<Nanoseconds>::max();
   bool expire();
 
   EscMemory& memory_;
-  Nanoseconds deadline_ = kNever;
+  WatchdogTimer timer_;
 };
 
 }  // namespace syncline::sim

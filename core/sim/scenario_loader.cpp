@@ -102,11 +102,11 @@ JitterProfile jitter_of(Table& table, const std::string& text) {
 /// Auto-increment addressing has 16 bits; station addresses start at 1001.
 constexpr std::int64_t kMostSlaves = 64'000;
 
-constexpr std::array<std::pair<std::string_view, FaultKind>, 9> kFaults{{
+constexpr std::array<std::pair<std::string_view, FaultKind>, 10> kFaults{{
     {"lose-frames", FaultKind::kLoseFrames}, {"cable-break", FaultKind::kCableBreak}, {"slave-off", FaultKind::kSlaveOff},
     {"clock-step", FaultKind::kClockStep}, {"refuse-state", FaultKind::kRefuseState},
     {"mailbox-silence", FaultKind::kMailboxSilence}, {"slow-mailbox", FaultKind::kSlowMailbox}, {"bit-errors", FaultKind::kBitErrors},
-    {"slow-application", FaultKind::kSlowApplication}}};
+    {"slow-application", FaultKind::kSlowApplication}, {"stop-application", FaultKind::kStopApplication}}};
 
 class Loader {
  public:
@@ -135,6 +135,9 @@ class Loader {
     }
     if (const auto* faults = table.tables("fault")) {
       for (const auto& node : *faults) read_fault(*node.as_table());
+    }
+    if (const auto* latches = table.tables("latch")) {
+      for (const auto& node : *latches) read_latch(*node.as_table());
     }
     table.reject_unknown_keys();
     if (error_) return tl::unexpected(*error_);
@@ -269,7 +272,7 @@ class Loader {
     const auto found = std::ranges::find(kFaults, std::string_view(kind), &std::pair<std::string_view, FaultKind>::first);
     if (found == kFaults.end()) {
       table.fail_at("kind", "must be lose-frames, cable-break, slave-off, clock-step, refuse-state, mailbox-silence, "
-                            "slow-mailbox, slow-application or bit-errors");
+                            "slow-mailbox, slow-application, stop-application or bit-errors");
     } else {
       fault.kind = found->second;
     }
@@ -278,9 +281,10 @@ class Loader {
     if (needs_slave && (fault.slave < 0 || static_cast<std::size_t>(fault.slave) >= config_.slaves.size())) {
       table.fail_at("slave", "must be the position of a slave of this scenario");
     }
-    if (!error_ && fault.kind == FaultKind::kRefuseState &&
+    const bool by_firmware = fault.kind == FaultKind::kRefuseState || fault.kind == FaultKind::kStopApplication;
+    if (!error_ && by_firmware &&
         config_.slaves[static_cast<std::size_t>(fault.slave)].device.device_emulation()) {
-      table.fail_at("kind", "this slave has no firmware that could refuse (device emulation)");
+      table.fail_at("kind", "this slave has no firmware that could refuse or stop (device emulation)");
     }
     fault.at = static_cast<Nanoseconds>(table.get<double>("at_ms", 0) * 1e6);
     fault.until = static_cast<Nanoseconds>(table.get<double>("until_ms", 0) * 1e6);
@@ -298,6 +302,38 @@ class Loader {
     }
     table.reject_unknown_keys();
     config_.faults.push_back(fault);
+  }
+
+  /// One [[latch]]: pulses at an input of a slave.
+  void read_latch(const toml::table& node) {
+    Table table(node, path_, error_);
+    constexpr double kMostMs = 86'400'000;  // a day
+    const auto time = [&](std::string_view key, double fallback) {
+      const auto ms = table.get<double>(key, fallback);
+      if (!(ms >= 0 && ms <= kMostMs)) table.fail_at(key, "must be 0 to 86400000 ms");
+      return error_ ? Nanoseconds{0} : static_cast<Nanoseconds>(ms * 1e6);
+    };
+    LatchPulses pulses;
+    const auto slave = table.get<std::int64_t>("slave", -1);
+    if (slave < 0 || static_cast<std::size_t>(slave) >= config_.slaves.size()) {
+      table.fail_at("slave", "must be the position of a slave of this scenario");
+    }
+    const auto input = table.get<std::int64_t>("input", 0);
+    if (input != 0 && input != 1) table.fail_at("input", "must be 0 or 1");
+    const auto count = table.get<std::int64_t>("count", 1);
+    if (count < 1 || count > 100'000) table.fail_at("count", "must be 1 to 100000");
+    pulses.slave = static_cast<std::uint16_t>(slave);
+    pulses.input = static_cast<std::uint8_t>(input);
+    pulses.count = static_cast<std::uint32_t>(count);
+    pulses.at = time("at_ms", 0);
+    pulses.period = time("period_ms", 1);
+    pulses.width = time("width_ms", 0.1);
+    if (static_cast<double>(count) * static_cast<double>(pulses.period) > kMostMs * 1e6) {
+      table.fail_at("period_ms", "all pulses must come within a day");
+    }
+    if (pulses.width <= 0 || pulses.width >= pulses.period) table.fail_at("width_ms", "must be above 0 and below period_ms");
+    table.reject_unknown_keys();
+    if (!error_) config_.latch_pulses.push_back(pulses);
   }
 
   const std::string& path_;

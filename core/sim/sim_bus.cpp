@@ -98,7 +98,7 @@ struct SimBus::Impl {
     for (const auto& passage : path.passages) {
       if (passage.processed) true_delay[passage.slave] = passage.time_ns - path.passages.front().time_ns;
     }
-    schedule_faults(start);
+    schedule_actions(start);
   }
 
   [[nodiscard]] std::uint64_t seed_of(std::size_t i) const { return config.seed * 0x9E37'79B9'7F4A'7C15U + i; }
@@ -131,8 +131,9 @@ struct SimBus::Impl {
     path = segment_path(config.slaves, wiring, ports);
   }
 
-  void schedule_faults(Nanoseconds start);
+  void schedule_actions(Nanoseconds start);
   void add_fault(const FaultConfig& fault, Nanoseconds start);
+  void add_pulses(const LatchPulses& pulses, Nanoseconds start);
   void run_actions(Nanoseconds time) {
     while (next_action < actions.size() && actions[next_action].time <= time) actions[next_action++].apply();
   }
@@ -215,6 +216,12 @@ void SimBus::Impl::add_fault(const FaultConfig& fault, Nanoseconds start) {
       at(fault.at, [this, i, delay = fault.value_ns] { nodes[i].device->slow_application(delay); });
       if (fault.until > fault.at) at(fault.until, [this, i] { nodes[i].device->slow_application(0); });
       break;
+    case FaultKind::kStopApplication:
+      at(fault.at, [this, i, time = start + fault.at] { nodes[i].device->stop_application(time); });
+      if (fault.until > fault.at) {
+        at(fault.until, [this, i, time = start + fault.until] { nodes[i].device->resume_application(time); });
+      }
+      break;
     case FaultKind::kMailboxSilence:
       at(fault.at, [this, i] { nodes[i].device->silence_mailbox(true); });
       if (fault.until > fault.at) at(fault.until, [this, i] { nodes[i].device->silence_mailbox(false); });
@@ -222,8 +229,24 @@ void SimBus::Impl::add_fault(const FaultConfig& fault, Nanoseconds start) {
   }
 }
 
-void SimBus::Impl::schedule_faults(Nanoseconds start) {
+void SimBus::Impl::add_pulses(const LatchPulses& pulses, Nanoseconds start) {
+  const auto edge = [&](bool level, Nanoseconds time) {
+    actions.push_back({time, [this, level, time, slave = pulses.slave, input = pulses.input] {
+                         auto& device = *nodes[slave].device;
+                         device.advance_to(time);
+                         (void)nodes[slave].esc->latch_input(input, level, time);
+                       }});
+  };
+  for (std::uint32_t i = 0; i < pulses.count; ++i) {
+    const auto rise = start + pulses.at + i * pulses.period;
+    edge(true, rise);
+    edge(false, rise + pulses.width);
+  }
+}
+
+void SimBus::Impl::schedule_actions(Nanoseconds start) {
   for (const auto& fault : config.faults) add_fault(fault, start);
+  for (const auto& pulses : config.latch_pulses) add_pulses(pulses, start);
   std::stable_sort(actions.begin(), actions.end(), [](const Action& a, const Action& b) { return a.time < b.time; });
 }
 

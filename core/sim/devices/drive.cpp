@@ -11,7 +11,7 @@ namespace {
 
 // AL status codes
 constexpr std::uint16_t kSyncError = 0x001A, kSyncStopped = 0x002C, kNoSync = 0x002D, kInvalidSyncConfiguration = 0x0030,
-                        kPllError = 0x0032, kInvalidSync0Cycle = 0x0036;
+                        kPllError = 0x0032, kInvalidSync0Cycle = 0x0036, kInvalidSync1Cycle = 0x0037;
 constexpr std::uint32_t kPllRange = 100'000;  // ns; the drive's PLL cannot lock on a clock that is further away
 constexpr Nanoseconds kPllPatience = 2 * kSecond;
 constexpr int kMissingSyncs = 8;
@@ -110,6 +110,7 @@ std::uint16_t Drive::check_sync(AlState to) {
   }
   const auto cycle = dc.settings().cycle0;
   if (cycle == 0 || cycle % habits_.cycle_step_ns != 0 || cycle > habits_.cycle_max_ns) return kInvalidSync0Cycle;
+  if (dc.settings().sync1 && dc.settings().cycle1 % habits_.cycle_step_ns != 0) return kInvalidSync1Cycle;
   if (inputs_sync_.shift() >= cycle) return kInvalidSyncConfiguration;
   if (to != AlState::kOp) return 0;
   // OP needs a SYNC0 that comes: a start time in the past never fires.

@@ -52,6 +52,24 @@ TEST_F(SimLatchUnit, EachEdgeHasItsTimeAndReadingAcknowledgesIt) {
   EXPECT_EQ(time(reg::kLatch1PositiveEdge), other);
 }
 
+TEST(SimLatchPulses, ComeWhenTheScenarioSaysSo) {
+  auto config = line({sim_slave("SL-SV7", "servo-y")});
+  config.latch_pulses.push_back({0, 1, 2 * kMillisecond, 100 * kMicrosecond, 3 * kMillisecond, 2});
+  SimProbe probe(config);
+  const auto edge_time = [&probe](std::uint16_t ado) { return probe.read(0, ado, 8).value<std::uint64_t>(); };
+  probe.pass(kMillisecond);
+  EXPECT_EQ(edge_time(reg::kLatch1PositiveEdge), 0U);
+  probe.pass(2 * kMillisecond);
+  const auto first = edge_time(reg::kLatch1PositiveEdge);
+  EXPECT_NEAR(static_cast<double>(edge_time(reg::kLatch1NegativeEdge) - first), 100'000, 20);
+  EXPECT_EQ(edge_time(reg::kLatch0PositiveEdge), 0U) << "the other input";
+  probe.pass(10 * kMillisecond);
+  EXPECT_NEAR(static_cast<double>(edge_time(reg::kLatch1PositiveEdge) - first), 3e6, 20);
+  const auto last = edge_time(reg::kLatch1PositiveEdge);
+  probe.pass(20 * kMillisecond);
+  EXPECT_EQ(edge_time(reg::kLatch1PositiveEdge), last) << "two pulses";
+}
+
 TEST_F(SimLatchUnit, ContinuousModeShowsTheLastEdgeAndSingleEventModeTheFirst) {
   edge(true);
   edge(false);

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "protocol/error_text.h"
 #include "tests/core/sim/sim_probe.h"
 
 namespace syncline::test {
@@ -26,6 +27,33 @@ TEST(ScenarioRules, OnlyDevicesWithFirmwareCanRefuseStates) {
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, ErrorCode::kScenarioKey);
   EXPECT_EQ(refused.error().line, 5);
+}
+
+TEST(ScenarioRules, OnlyFirmwareCanHang) {
+  EXPECT_TRUE(load("SL-3002", "kind = \"stop-application\"\nat_ms = 5\n"));
+  EXPECT_FALSE(load("SL-1002", "kind = \"stop-application\"\n"));
+}
+
+/// The same with a [[latch]] behind.
+Result<SimConfig> load_latch(const std::string& latch) {
+  return load("SL-SV7", "kind = \"slow-mailbox\"\n[[latch]]\n" + latch);
+}
+
+TEST(ScenarioRules, LatchPulsesHaveAPlaceAndAShape) {
+  const auto config = load_latch("slave = 0\ninput = 1\nat_ms = 2\nwidth_ms = 0.25\nperiod_ms = 3\ncount = 4\n");
+  ASSERT_TRUE(config) << describe(config.error());
+  ASSERT_EQ(config->latch_pulses.size(), 1U);
+  const auto& pulses = config->latch_pulses[0];
+  EXPECT_EQ(pulses.input, 1);
+  EXPECT_EQ(pulses.at, 2 * kMillisecond);
+  EXPECT_EQ(pulses.width, 250 * kMicrosecond);
+  EXPECT_EQ(pulses.period, 3 * kMillisecond);
+  EXPECT_EQ(pulses.count, 4U);
+  for (const auto* wrong : {"slave = 1\n", "slave = -1\n", "slave = 0\ninput = 2\n", "slave = 0\nwidth_ms = 1\n",
+                            "slave = 0\nwidth_ms = -0.1\n", "slave = 0\ncount = 0\n", "slave = 0\nat_ms = nan\n",
+                            "slave = 0\nperiod_ms = 86400000\ncount = 2\n", "slave = 0\nlevel = 1\n"}) {
+    EXPECT_FALSE(load_latch(wrong)) << wrong;
+  }
 }
 
 TEST(ScenarioRules, SlowMailboxSaysHowSlow) {

@@ -48,6 +48,50 @@ TEST_F(Outputs, FollowTheDividerAndStayWithoutAWatchdog) {
   EXPECT_EQ(status(), 1) << "a watchdog that is off counts as well";
 }
 
+/// A device whose firmware hangs from 10 ms until 400 ms after power-on.
+class HungFirmware : public testing::Test {
+ protected:
+  HungFirmware() : probe(hanging()) {}
+  static SimConfig hanging() {
+    auto config = line({sim_slave("SL-SV7", "servo-y")});
+    FaultConfig fault;
+    fault.kind = FaultKind::kStopApplication;
+    fault.slave = 0;
+    fault.at = 10 * kMillisecond;
+    fault.until = 400 * kMillisecond;
+    config.faults.push_back(fault);
+    return config;
+  }
+  bool pdi_fine() { return (probe.read(0, reg::kDlStatus, 2).value<std::uint16_t>() & 0x0002) != 0; }
+  unsigned expirations() { return probe.read(0, reg::kWatchdogCounterPdi, 1).data[0]; }
+
+  SimProbe probe;
+};
+
+TEST_F(HungFirmware, LetsThePdiWatchdogExpireOnceAndAnswersNoRequest) {
+  probe.write(0, reg::kEcatEventMask, {0x04, 0x00});
+  probe.pass(105 * kMillisecond);
+  EXPECT_TRUE(pdi_fine()) << "100 ms since the last access";
+  probe.set_sync_manager(0, 0, 0x1000, 128, 0x26);
+  probe.set_sync_manager(0, 1, 0x1080, 128, 0x22);
+  EXPECT_EQ(probe.request(0, 0x02) & 0x0F, 0x01) << "it does not even see the request";
+  probe.pass(150 * kMillisecond);
+  EXPECT_NE(probe.read(0, reg::kType, 1).irq & 0x0004, 0) << "the DL status has changed";
+  EXPECT_FALSE(pdi_fine());
+  EXPECT_EQ(expirations(), 1U);
+  probe.pass(200 * kMillisecond);
+  EXPECT_TRUE(pdi_fine());
+  EXPECT_EQ(expirations(), 1U);
+  EXPECT_EQ(probe.read(0, reg::kAlStatus, 2).data[0], 0x02) << "it goes on with what it finds";
+}
+
+TEST_F(HungFirmware, IsNotNoticedWithoutAWatchdogTime) {
+  probe.write(0, reg::kWatchdogPdi, {0, 0});
+  probe.pass(300 * kMillisecond);
+  EXPECT_TRUE(pdi_fine());
+  EXPECT_EQ(expirations(), 0U);
+}
+
 TEST(SimEsc, LacksWhatTheScenarioTakesAway) {
   auto slave = sim_slave("SL-1100");
   slave.logical_read_write = slave.physical_read_write = false;
