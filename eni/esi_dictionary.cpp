@@ -93,7 +93,7 @@ void read_values(const Node& info, ObjectEntry& entry) {
   set("Max", entry.max_data);
 }
 
-constexpr std::size_t kMostEntries = 256;           // of one object: sub-indices are bytes
+constexpr std::size_t kMostEntries = 1024;          // of one object; sub-indices are bytes, but some files repeat them
 constexpr std::size_t kMostOfDictionary = 500'000;  // data types multiply: few lines of a file can stand for many entries
 
 class DictionaryReader {
@@ -117,7 +117,7 @@ class DictionaryReader {
     const auto flags = read_flags(node.child("Flags"));
     if (type.child("SubItem")) {
       add_items(object, type, flags);
-      if (object.entries.size() > kMostEntries) node.fail(ErrorCode::kXmlBadValue, "it has more than 256 sub-indices");
+      if (object.entries.size() > kMostEntries) node.fail(ErrorCode::kXmlBadValue, "it has too many sub-indices");
       add_defaults(object, node.child("Info"));
     } else {
       object.entries.push_back(variable(node, object.name, type_name, flags));
@@ -166,12 +166,13 @@ class DictionaryReader {
         std::clamp<std::int64_t>(item.child_number<std::int64_t>("BitOffs").value_or(0), 0, 0xFFFFFF));
     const Node type = find(type_name);
     const Node array = type.child("ArrayInfo");
-    if (array) {
+    // An array that has a sub-index is the value of that one entry, e.g. the 16 bytes of a diagnosis message.
+    entry.sub_index = item.child_number<std::uint8_t>("SubIdx").value_or(0);
+    if (array && entry.sub_index == 0) {
       add_elements(object, type, array, std::move(entry));
       return;
     }
-    // Sub-item without SubIdx: the number of entries, which every structure begins with.
-    entry.sub_index = item.child_number<std::uint8_t>("SubIdx").value_or(0);
+    // Without SubIdx: the number of entries, which every structure begins with.
     if (entry.bit_length == 0) entry.bit_length = bit_size(type);
     read_values(item, entry);
     object.entries.push_back(std::move(entry));

@@ -65,8 +65,9 @@ std::uint32_t end_of(const ObjectDescription& object) {
 }
 
 void write_item(XmlWriter& xml, const ObjectEntry& entry, const std::string& type, std::uint32_t bits) {
-  xml.open("SubItem").element("SubIdx", decimal(entry.sub_index)).element("Name", entry.name);
-  xml.element("Type", type).element("BitSize", decimal(bits)).element("BitOffs", decimal(entry.bit_offset));
+  xml.open("SubItem");
+  if (entry.sub_index != 0) xml.element("SubIdx", decimal(entry.sub_index));
+  xml.element("Name", entry.name).element("Type", type).element("BitSize", decimal(bits)).element("BitOffs", decimal(entry.bit_offset));
   write_flags(xml, entry);
   xml.close();
 }
@@ -89,6 +90,7 @@ void write_array(XmlWriter& xml, const std::string& type_name, const ObjectDescr
   write_item(xml, object.entries.front(), object.entries.front().data_type, object.entries.front().bit_length);
   auto elements = first;
   elements.name = "Elements";
+  elements.sub_index = 0;  // stands for all of them
   write_item(xml, elements, type_name + "ARR", bits);
   xml.close();
 }

@@ -46,7 +46,7 @@ std::optional<std::int64_t> parse_sloppy_number(std::string_view text) {
   }
   if (const auto number = parse_number(word)) return number;
   const std::string_view view = word;
-  for (const std::string_view prefix : {"16#", "&h", "#", "x", "$"}) {
+  for (const std::string_view prefix : {"#x0x", "0x0x", "16#", "&h", "#", "x", "$"}) {
     if (view.starts_with(prefix)) return hexadecimal(view.substr(prefix.size()));
   }
   if (view.ends_with('h')) return hexadecimal(view.substr(0, view.size() - 1));

@@ -5,6 +5,7 @@
 
 #include <utility>
 
+#include "eni/xml_limits.h"
 #include "eni/xml_text.h"
 
 namespace syncline::eni {
@@ -114,6 +115,9 @@ std::string Node::trimmed() const { return std::string(trim(text())); }
 std::vector<std::uint8_t> Node::bytes() const {
   const auto value = text();
   auto parsed = parse_hex_bytes(value);
+  if (!parsed && reading_ != nullptr && reading_->tolerant() && (parsed = parse_hex_bytes("0" + value))) {
+    warn(fmt::format("\"{}\" has an odd number of digits; a zero is put in front", trim(value)));
+  }
   if (!parsed) bad_value(name(), {}, value, "is no hexadecimal data");
   return parsed ? std::move(*parsed) : std::vector<std::uint8_t>{};
 }
@@ -166,8 +170,10 @@ void Node::bad_value(std::string_view element, std::string_view attribute, std::
 }
 
 Result<XmlDocument> parse_xml(std::string_view text, const std::string& file_name) {
+  std::string converted;
+  const auto utf8 = as_utf8(text, converted);
+  if (auto status = check_xml_limits(utf8, file_name); !status) return tl::unexpected(status.error());
   auto document = std::make_unique<tinyxml2::XMLDocument>();
-  const auto utf8 = to_utf8(std::string(text));
   const auto status = document->Parse(utf8.data(), utf8.size());
   if (status != tinyxml2::XML_SUCCESS) {
     return fail(Error{.code = ErrorCode::kXmlMalformed,

@@ -10,6 +10,7 @@ void add_esi_commands(CLI::App& app, Context& context) {
   add_esi_search(*esi, context);
   add_esi_show(*esi, context);
   add_esi_match(*esi, context);
+  add_esi_try(*esi, context);
 }
 
 }  // namespace syncline::cli

@@ -10,5 +10,6 @@ void add_esi_index(CLI::App& esi, Context& context);
 void add_esi_search(CLI::App& esi, Context& context);
 void add_esi_show(CLI::App& esi, Context& context);
 void add_esi_match(CLI::App& esi, Context& context);
+void add_esi_try(CLI::App& esi, Context& context);
 
 }  // namespace syncline::cli

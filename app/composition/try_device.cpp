@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/composition/try_device.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "config/check/check_network.h"
+#include "config/check/check_rule.h"
+#include "config/compile/compile.h"
+#include "config/compile/effective_slave.h"
+#include "config/network_compare.h"
+#include "config/project.h"
+#include "config/sim_config.h"
+#include "eni/eni_file.h"
+#include "link/simulated_link.h"
+#include "master/master_service.h"
+#include "protocol/error_text.h"
+#include "sim/sim_bus.h"
+#include "support/clock.h"
+
+namespace syncline {
+namespace {
+
+constexpr Nanoseconds kLimit = 60 * kSecond;     // virtual time to reach OP
+constexpr Nanoseconds kSlice = 20 * kMillisecond;
+constexpr std::uint64_t kCycles = 50;            // in OP
+
+/// Where a try ended, and why.
+struct Stop {
+  TryOutcome outcome = TryOutcome::kFailed;
+  TryStep step = TryStep::kCompile;
+  std::string reason;
+};
+template <class T>
+using Step = tl::expected<T, Stop>;
+
+tl::unexpected<Stop> failed(TryStep step, std::string reason) {
+  return tl::unexpected(Stop{TryOutcome::kFailed, step, std::move(reason)});
+}
+
+Project project_of(const DeviceDescription& device) {
+  Project project;
+  auto& slave = project.slaves.emplace_back(default_slave(device, 0));
+  slave.station_address = 1001;
+  return project;
+}
+
+Step<NetworkConfig> compiled(const Project& project) {
+  auto result = compile(project);
+  if (!result) return failed(TryStep::kCompile, describe(result.error()));
+  const auto error = std::ranges::find(result->findings, FindingSeverity::kError, &Finding::severity);
+  if (error != result->findings.end()) return failed(TryStep::kCompile, error->text);
+  return std::move(result->config);
+}
+
+/// The configuration as it stands in the exported file, which another master would get.
+Step<NetworkConfig> exported(const NetworkConfig& config) {
+  auto again = eni::parse_eni(eni::write_eni(config), "exported.xml");
+  if (!again) return failed(TryStep::kExport, describe(again.error()));
+  const auto differences = compare_networks(config, *again);
+  if (!differences.empty()) return failed(TryStep::kExport, describe(differences.front()));
+  return std::move(*again);
+}
+
+Step<void> checked(const NetworkConfig& config) {
+  for (const CheckFinding& finding : check_network(config)) {
+    const CheckRule* rule = find_check_rule(finding.code);
+    if (rule != nullptr && rule->severity != CheckSeverity::kError) continue;
+    return failed(TryStep::kCheck, fmt::format("{}: {}", finding.code, finding.what));
+  }
+  return {};
+}
+
+/// The device as its project configures it: with the modules in their slots.
+SimConfig simulated(const SlaveSettings& slave) {
+  SimConfig sim;
+  auto& device = sim.slaves.emplace_back();
+  device.name = slave.name;
+  device.behaviour = "generic";
+  const auto effective = compiler::effective_slave(slave);
+  device.device = effective ? effective->device : slave.device;
+  device.oscillator.ppm = 3;
+  if (slave.device.fmmu_count) device.fmmu_count = *slave.device.fmmu_count;
+  if (slave.device.sync_manager_count) device.sync_manager_count = *slave.device.sync_manager_count;
+  return sim;
+}
+
+/// What the samples of a run say.
+struct Run {
+  std::uint16_t wkc_expected = 0;
+  std::uint64_t good = 0;  // cycles in OP one after the other
+  std::optional<CycleSample> bad;
+
+  void add(const CycleSample& sample) {
+    if (sample.master_state != static_cast<std::uint8_t>(AlState::kOp)) return;
+    wkc_expected = sample.wkc_expected;
+    if (sample.wkc_received == sample.wkc_expected && (sample.flags & CycleSample::kFrameLost) == 0) {
+      ++good;
+    } else {
+      bad = sample;
+    }
+  }
+};
+
+Step<Run> run(const NetworkConfig& config, const SimConfig& sim) {
+  VirtualClock clock;
+  auto bus = sim::SimBus::create(sim, clock.now());
+  if (!bus) return failed(TryStep::kRun, describe(bus.error()));
+  MasterService service(make_simulated_link("sim", std::move(*bus), clock), clock);
+  auto& channels = service.channels();
+  channels.commands.push(GoOnlineCommand{config, AlState::kOp});
+  Run run;
+  std::vector<CycleSample> samples;
+  const auto end = clock.now() + kLimit;
+  while (run.good < kCycles && clock.now() < end) {
+    service.run_for(kSlice);
+    for (const auto& event : channels.events.drain()) {
+      if (event.kind == EventKind::kError && event.error) return failed(TryStep::kRun, describe(*event.error));
+    }
+    samples.clear();
+    channels.samples.pop(samples);
+    for (const auto& sample : samples) run.add(sample);
+    if (run.bad) {
+      return failed(TryStep::kRun, fmt::format("working counter {} instead of {} in OP", run.bad->wkc_received,
+                                               run.bad->wkc_expected));
+    }
+  }
+  if (run.good < kCycles) return failed(TryStep::kRun, "OP was not reached");
+  return run;
+}
+
+Step<Run> all_steps(const DeviceDescription& device, TriedDevice& tried) {
+  const auto project = project_of(device);
+  tried.modules = static_cast<std::uint32_t>(project.slaves.front().modules.size());
+  auto config = compiled(project);
+  if (!config) return tl::unexpected(config.error());
+  auto again = exported(*config);
+  if (!again) return tl::unexpected(again.error());
+  if (auto fine = checked(*again); !fine) return tl::unexpected(fine.error());
+  return run(*again, simulated(project.slaves.front()));
+}
+
+}  // namespace
+
+std::string_view outcome_name(TryOutcome outcome) {
+  switch (outcome) {
+    case TryOutcome::kPassed: return "passed";
+    case TryOutcome::kExcepted: return "excepted";
+    case TryOutcome::kFailed: return "failed";
+  }
+  return "";
+}
+
+std::string_view step_name(TryStep step) {
+  switch (step) {
+    case TryStep::kRead: return "read";
+    case TryStep::kCompile: return "compile";
+    case TryStep::kExport: return "export";
+    case TryStep::kCheck: return "check";
+    case TryStep::kRun: return "run";
+    case TryStep::kDone: return "done";
+  }
+  return "";
+}
+
+TriedDevice try_device(const DeviceDescription& device) {
+  TriedDevice tried{.file = device.source, .identity = device.identity, .type = device.type, .name = device.name};
+  const auto run = all_steps(device, tried);
+  if (run) {
+    tried.wkc_expected = run->wkc_expected;
+    tried.cycles = run->good;
+  } else {
+    tried.outcome = run.error().outcome;
+    tried.step = run.error().step;
+    tried.reason = run.error().reason;
+  }
+  return tried;
+}
+
+}  // namespace syncline

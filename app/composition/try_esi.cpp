@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/composition/try_esi.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <mutex>
+#include <thread>
+
+#include "eni/esi_reader.h"
+#include "protocol/error_text.h"
+
+namespace syncline {
+namespace {
+
+constexpr unsigned kMostThreads = 8;
+
+bool is_xml(const std::filesystem::path& path) {
+  auto extension = path.extension().string();
+  std::ranges::transform(extension, extension.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
+  return extension == ".xml";
+}
+
+Result<std::vector<std::string>> files_of(const std::string& path) {
+  std::error_code error;
+  if (std::filesystem::is_regular_file(path, error)) return std::vector<std::string>{path};
+  std::vector<std::string> files;
+  for (std::filesystem::directory_iterator it(path, error), end; !error && it != end; it.increment(error)) {
+    if (is_xml(it->path()) && !it->is_directory()) files.push_back(it->path().string());
+  }
+  if (error) {
+    const bool missing = error == std::errc::no_such_file_or_directory;
+    return fail(Error{.code = missing ? ErrorCode::kFileNotFound : ErrorCode::kFileNotReadable,
+                      .detail = error.message(),
+                      .file = path});
+  }
+  std::ranges::sort(files);  // the same folder gives the same report on every machine
+  return files;
+}
+
+TriedDevice rejected(const Error& error) {
+  return {.file = error.file,
+          .line = error.line,
+          .outcome = TryOutcome::kExcepted,
+          .step = TryStep::kRead,
+          .reason = "the ESI file does not describe it: " + describe(error)};
+}
+
+/// Files are taken by the threads one by one; each has its place in the report.
+class Trial {
+ public:
+  Trial(const TryRequest& request, std::vector<std::string> files)
+      : request_(request), files_(std::move(files)), of_file_(files_.size()) {}
+
+  TryReport run() {
+    const unsigned processors = std::max(std::thread::hardware_concurrency(), 1U);
+    const unsigned wanted = std::min(request_.threads != 0 ? request_.threads : processors, kMostThreads);
+    std::vector<std::jthread> threads;
+    for (unsigned i = 1; i < wanted; ++i) threads.emplace_back([this] { work(); });
+    work();
+    threads.clear();
+    for (auto& tried : of_file_) std::ranges::move(tried, std::back_inserter(report_.devices));
+    report_.files = files_.size();
+    std::ranges::sort(report_.unreadable, {}, &Error::file);
+    return std::move(report_);
+  }
+
+ private:
+  [[nodiscard]] bool stopped() const { return request_.stop != nullptr && request_.stop->load(); }
+
+  void work() {
+    for (std::size_t i = next_++; i < files_.size() && !stopped(); i = next_++) try_file(i);
+  }
+
+  void try_file(std::size_t number) {
+    const auto file = eni::read_esi(files_[number]);
+    if (!file) {
+      const std::lock_guard lock(mutex_);
+      report_.unreadable.push_back(file.error());
+      return;
+    }
+    for (const Error& error : file->rejected) done(number, rejected(error));
+    for (std::size_t i = 0; i < file->devices.size() && !stopped(); i += std::max(request_.every, 1U)) {
+      done(number, try_device(file->devices[i]));
+    }
+  }
+
+  void done(std::size_t number, TriedDevice tried) {
+    const std::lock_guard lock(mutex_);
+    if (request_.on_device) request_.on_device(tried);
+    of_file_[number].push_back(std::move(tried));
+  }
+
+  const TryRequest& request_;
+  std::vector<std::string> files_;
+  std::vector<std::vector<TriedDevice>> of_file_;
+  std::atomic<std::size_t> next_{0};
+  std::mutex mutex_;
+  TryReport report_;
+};
+
+}  // namespace
+
+std::size_t TryReport::count(TryOutcome outcome) const {
+  return static_cast<std::size_t>(std::ranges::count(devices, outcome, &TriedDevice::outcome));
+}
+
+Result<TryReport> try_esi(const TryRequest& request) {
+  auto files = files_of(request.path);
+  if (!files) return tl::unexpected(files.error());
+  return Trial(request, std::move(*files)).run();
+}
+
+}  // namespace syncline
