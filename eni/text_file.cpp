@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -7,9 +8,8 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
+#include "eni/xml_limits.h"
 #include "eni/xml_text.h"
 
 namespace syncline::eni {
@@ -18,6 +18,22 @@ namespace {
 tl::unexpected<Error> file_error(ErrorCode code, const std::string& path, int number) {
   return fail(Error{.code = code, .detail = std::strerror(number), .file = path});
 }
+
+constexpr std::size_t kPipeChunk = 1U << 16;
+
+tl::unexpected<Error> too_long(const std::string& path) {
+  return fail(Error{.code = ErrorCode::kFileLimit, .detail = fmt::format("it has more than {} MB", kMaxFileBytes >> 20), .file = path});
+}
+
+struct OpenFile {
+  explicit OpenFile(const std::string& path) : descriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {}
+  ~OpenFile() {
+    if (descriptor >= 0) ::close(descriptor);
+  }
+  OpenFile(const OpenFile&) = delete;
+  OpenFile& operator=(const OpenFile&) = delete;
+  int descriptor;
+};
 
 bool write_all(int descriptor, std::string_view content) {
   while (!content.empty()) {
@@ -57,17 +73,27 @@ std::string link_target(const std::string& path) {
 }  // namespace
 
 Result<std::string> read_file(const std::string& path) {
+  const OpenFile file(path);
   struct stat status{};
-  if (::stat(path.c_str(), &status) != 0) {
+  if (file.descriptor < 0 || ::fstat(file.descriptor, &status) != 0) {
     return file_error(errno == ENOENT ? ErrorCode::kFileNotFound : ErrorCode::kFileNotReadable, path, errno);
   }
   if (S_ISDIR(status.st_mode)) return file_error(ErrorCode::kFileNotReadable, path, EISDIR);
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) return file_error(ErrorCode::kFileNotReadable, path, errno);
-  std::ostringstream content;
-  content << stream.rdbuf();
-  if (stream.bad()) return file_error(ErrorCode::kFileNotReadable, path, EIO);
-  return std::move(content).str();
+  if (S_ISREG(status.st_mode) && static_cast<std::uintmax_t>(status.st_size) > kMaxFileBytes) return too_long(path);
+  // One more than it has: the end is then seen at once. What is no ordinary file (a pipe) has no size.
+  std::string content(S_ISREG(status.st_mode) ? static_cast<std::size_t>(status.st_size) + 1 : kPipeChunk, '\0');
+  std::size_t size = 0;
+  for (;;) {
+    const auto count = ::read(file.descriptor, content.data() + size, content.size() - size);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) return file_error(ErrorCode::kFileNotReadable, path, errno);
+    if (count == 0) break;
+    size += static_cast<std::size_t>(count);
+    if (size > kMaxFileBytes) return too_long(path);
+    if (size == content.size()) content.resize(2 * size);
+  }
+  content.resize(size);
+  return content;
 }
 
 Status write_file_atomic(const std::string& path, std::string_view content) {

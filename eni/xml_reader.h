@@ -131,7 +131,7 @@ class Node {
 
 /// A parsed file: the tree and the encoding-corrected text behind it.
 using XmlDocument = std::unique_ptr<tinyxml2::XMLDocument>;
-/// kXmlMalformed with line and reason. `file_name` is for messages.
+/// kXmlMalformed with line and reason, kFileLimit (xml_limits.h). `file_name` is for messages.
 [[nodiscard]] Result<XmlDocument> parse_xml(std::string_view text, const std::string& file_name);
 [[nodiscard]] Result<XmlDocument> load_xml(const std::string& path);
 

@@ -60,11 +60,19 @@ std::string from_utf16(std::string_view text, bool big_endian) {
 
 }  // namespace
 
+std::string_view as_utf8(std::string_view text, std::string& buffer) {
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
+    return buffer = from_utf16(text.substr(2), text.starts_with("\xFE"));
+  }
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  return is_utf8(text) ? text : std::string_view(buffer = from_latin1(text));
+}
+
 std::string to_utf8(std::string text) {
-  if (text.starts_with("\xFF\xFE")) return from_utf16(std::string_view(text).substr(2), false);
-  if (text.starts_with("\xFE\xFF")) return from_utf16(std::string_view(text).substr(2), true);
-  if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
-  return is_utf8(text) ? text : from_latin1(text);
+  std::string buffer;
+  const auto converted = as_utf8(text, buffer);
+  if (converted.size() == text.size() && buffer.empty()) return text;
+  return std::string(converted);
 }
 
 std::string printable_text(std::string text) {

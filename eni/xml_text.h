@@ -8,7 +8,7 @@
 
 namespace syncline::eni {
 
-/// Bytes of a file. kFileNotFound, kFileNotReadable (a folder, no permission).
+/// Bytes of a file. kFileNotFound, kFileNotReadable (a folder, no permission), kFileLimit (beyond kMaxFileBytes).
 [[nodiscard]] Result<std::string> read_file(const std::string& path);
 
 /// Writes a temporary file beside `path`, syncs it to the disk and renames it over `path`: a reader sees the old or the
@@ -18,6 +18,8 @@ namespace syncline::eni {
 /// UTF-8 without byte order mark. UTF-16 is known by its byte order mark; text that is no UTF-8 is taken for ISO-8859-1,
 /// which the field's tools declare and write.
 [[nodiscard]] std::string to_utf8(std::string text);
+/// The same without a copy where nothing is to be converted: a view of `text`, or of `buffer`.
+[[nodiscard]] std::string_view as_utf8(std::string_view text, std::string& buffer);
 
 /// Valid UTF-8 without control characters: for strings out of a slave's EEPROM, which XML may not be able to carry.
 [[nodiscard]] std::string printable_text(std::string text);

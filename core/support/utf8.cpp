@@ -2,6 +2,7 @@
 #include "support/utf8.h"
 
 #include <cstdint>
+#include <cstring>
 
 namespace syncline {
 namespace {
@@ -25,7 +26,15 @@ std::size_t sequence_length(std::string_view text, std::size_t i) {
 }  // namespace
 
 bool is_utf8(std::string_view text) {
+  constexpr std::uint64_t kHighBits = 0x8080808080808080;
   for (std::size_t i = 0; i < text.size();) {
+    if (std::uint64_t eight = 0; i + sizeof eight <= text.size()) {  // most text is ASCII
+      std::memcpy(&eight, text.data() + i, sizeof eight);
+      if ((eight & kHighBits) == 0) {
+        i += sizeof eight;
+        continue;
+      }
+    }
     const auto length = sequence_length(text, i);
     if (length == 0) return false;
     i += length;

@@ -31,7 +31,7 @@ class InfoReader {
 
  private:
   void read_device(const Node& given) {
-    Reading reading(given.reading().file());  // its own: one broken device must not take the others with it
+    Reading reading = given.reading().of_part();  // its own: one broken device must not take the others with it
     const Node device = given.with(reading);
     EsiCard card = read_card(device);
     if (reading.ok()) {
@@ -87,14 +87,15 @@ class InfoReader {
 Result<EsiCards> read_cards(std::string_view text, const std::string& file_name) {
   const auto document = parse_xml(text, file_name);
   if (!document) return tl::unexpected(document.error());
-  Reading reading(file_name);
+  FileWarnings tolerated;  // whoever reads the whole device tells of them
+  Reading reading(file_name, tolerated);
   const Node root((*document)->RootElement(), reading);
   EsiCards found;
   if (root.name() == "EtherCATInfo") {
     InfoReader(root, found).read();
   } else if (root.name() == "EtherCATInfoList") {
     for (const Node& info : root.children("EtherCATInfo")) InfoReader(info, found).read();
-  } else if (root.name() != "EtherCATModule" && root.name() != "EtherCATModules" && root.name() != "EtherCATDict") {
+  } else if (root.name() != "EtherCATModule" && root.name() != "EtherCATDict") {
     return fail(Error{.code = ErrorCode::kNotThatKindOfFile,
                       .subject = std::string(root.name()),
                       .detail = fmt::format("an ESI file with the root <EtherCATInfo>, not <{}>", root.name()),

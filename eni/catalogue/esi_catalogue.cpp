@@ -194,21 +194,12 @@ Result<const DeviceDescription*> EsiCatalogue::device(const CatalogueEntry& entr
     if (identity == entry.identity && device.type == entry.type) return &device;
   }
   // The index takes a device by its first lines; the reader may have left it out because of a later one.
-  const FileWarning* reason = nullptr;
-  for (const auto& warning : (*file)->warnings) {
-    if (warning.line >= entry.line && (reason == nullptr || warning.line < reason->line) &&
-        warning.text.find("is left out") != std::string::npos) {
-      reason = &warning;
-    }
+  const Error* reason = nullptr;
+  for (const auto& error : (*file)->rejected) {
+    if (error.line >= entry.line && (reason == nullptr || error.line < reason->line)) reason = &error;
   }
-  if (reason == nullptr) {
-    return fail(ErrorCode::kUnknownDevice, to_string(entry.identity), entry.file + " has it no longer");
-  }
-  return fail(Error{.code = ErrorCode::kXmlBadValue,
-                    .subject = reason->element,
-                    .detail = reason->text,
-                    .file = reason->file,
-                    .line = reason->line});
+  if (reason != nullptr) return fail(*reason);
+  return fail(ErrorCode::kUnknownDevice, to_string(entry.identity), entry.file + " has it no longer");
 }
 
 Result<DeviceMatch> EsiCatalogue::device_for(const Identity& identity) const {
