@@ -31,7 +31,11 @@ class ServiceCommands {
     }
     const std::uint16_t clock = *options_.reference_clock;
     const std::uint16_t length = options_.system_time_64bit ? 8 : 4;
-    out.push_back(read(Command::kNop, 0, reg::kReceiveTimePort0, 4, "DC: room for receive time latch"));
+    if (options_.latch_receive_times) {
+      out.push_back(read(Command::kBwr, 0, reg::kReceiveTimePort0, 4, "DC: latch receive times"));
+    } else {
+      out.push_back(read(Command::kNop, 0, reg::kReceiveTimePort0, 4, "DC: room for receive time latch"));
+    }
     out.push_back(read(Command::kArmw, clock, reg::kSystemTime, length, "DC: distribute reference time"));
     if (options_.bus_shift) {
       out.push_back(read(Command::kApwr, clock, reg::kSystemTime, 4, "DC: steer reference clock (bus shift)"));
@@ -152,7 +156,7 @@ void set_data_offsets(CyclicLayout& layout, std::vector<PlacedFrame>& frames, co
 
 /// Header offsets: where the datagram stands in its Ethernet frame, one image page a frame.
 void set_header_offsets(CyclicLayout& layout, std::vector<PlacedFrame>& frames, std::size_t datagram_count) {
-  layout.data_offsets.resize(datagram_count);
+  layout.data_offsets = std::vector<std::uint32_t>(datagram_count, 0);
   std::uint32_t page = 0;
   for (auto& frame : frames) {
     std::uint32_t offset = page + kEthernetAndEtherCatHeader;
