@@ -88,6 +88,7 @@ class FmmuCheck {
       return memory.overlaps({manager.manager.start, std::uint64_t{manager.manager.start} + manager.manager.length});
     });
     if (touched == managers.end()) {
+      if (is_described(slave, memory)) return;  // that the SyncManager is off is said where it is described
       add("ENI-FMMU-04", slave, write,
           fmt::format("memory 0x{:04x} to 0x{:04x} belongs to no SyncManager that is on", memory.begin,
                       memory.end - 1));
@@ -95,6 +96,7 @@ class FmmuCheck {
     }
     const SyncManager& manager = touched->manager;
     const Range buffer{manager.start, std::uint64_t{manager.start} + manager.length};
+    if (contradicts_itself(slave, *touched)) return;
     if (manager.is_mailbox() || manager.ecat_writes() != fmmu.write) {
       add("ENI-FMMU-05", slave, write,
           fmt::format("it {} SM{}, which is {}", fmmu.write ? "writes" : "reads", touched->number,
@@ -106,6 +108,23 @@ class FmmuCheck {
           fmt::format("it maps 0x{:04x} to 0x{:04x}, SM{} is 0x{:04x} to 0x{:04x}", memory.begin, memory.end - 1,
                       touched->number, buffer.begin, buffer.end - 1));
     }
+  }
+
+  [[nodiscard]] bool is_described(std::size_t slave, const Range& memory) const {
+    return std::ranges::any_of(view_.config.slaves[slave].sync_managers, [&](const ConfiguredSyncManager& manager) {
+      return manager.description.start_address == memory.begin;
+    });
+  }
+
+  /// The control byte says another direction than the SyncManager's element: that is the mistake, not the FMMU.
+  [[nodiscard]] bool contradicts_itself(std::size_t slave, const SyncManagerWrite& write) const {
+    const auto& managers = view_.config.slaves[slave].sync_managers;
+    const auto manager = std::ranges::find(managers, write.number, &ConfiguredSyncManager::number);
+    if (manager == managers.end()) return false;
+    const SyncManagerType type = manager->description.type;
+    return type == SyncManagerType::kOutputs  ? write.manager.is_mailbox() || !write.manager.ecat_writes()
+           : type == SyncManagerType::kInputs ? write.manager.is_mailbox() || write.manager.ecat_writes()
+                                              : false;
   }
 
   struct Mapping {

@@ -19,23 +19,28 @@ class MailboxCheck {
       : view_(view), slave_(slave), mailbox_(*view.config.slaves[slave].mailbox), findings_(findings) {}
 
   void run() {
-    const bool sends = check_channel(mailbox_.send, "Send");
-    const bool receives = check_channel(mailbox_.receive, "Recv");
-    if (sends && receives && range(mailbox_.send).overlaps(range(mailbox_.receive))) {
-      add("ENI-MBX-02",
-          fmt::format("Send (0x{:04x}, {} bytes) and Recv (0x{:04x}, {} bytes) share memory", mailbox_.send.start,
-                      mailbox_.send.length, mailbox_.receive.start, mailbox_.receive.length));
-    }
-    if (sends) check_manager(0, mailbox_.send, "Send");
-    if (receives) check_manager(1, mailbox_.receive, "Recv");
     check_protocols();
-    if (!mailbox_.poll_time_ms && !mailbox_.status_bit_address) {
+    if (mailbox_.status_bit_address) {
+      check_status_bit(*mailbox_.status_bit_address);
+    } else if (!mailbox_.poll_time_ms) {
       add("ENI-MBX-05", "Recv has neither PollTime nor StatusBitAddr");
     }
-    if (mailbox_.status_bit_address) check_status_bit(*mailbox_.status_bit_address);
+    check_memory();
   }
 
  private:
+  void check_memory() {
+    const bool sends = check_channel(mailbox_.send, "Send");
+    const bool receives = check_channel(mailbox_.receive, "Recv");
+    if (sends && receives && range(mailbox_.send).overlaps(range(mailbox_.receive))) {
+      return add("ENI-MBX-02", fmt::format("Send (0x{:04x}, {} bytes) and Recv (0x{:04x}, {} bytes) share memory",
+                                           mailbox_.send.start, mailbox_.send.length, mailbox_.receive.start,
+                                           mailbox_.receive.length));
+    }
+    if (sends) check_manager(0, mailbox_.send, "Send");
+    if (receives) check_manager(1, mailbox_.receive, "Recv");
+  }
+
   void add(std::string_view code, std::string what) {
     findings_.add(code, {PlaceKind::kMailbox, slave_}, std::move(what));
   }

@@ -21,7 +21,7 @@ constexpr CheckRule kRules[] = {
     {"ENI-DC-05", kError, "The write that steers the reference clock does not reach it",
      "The bus shift has no effect, or disturbs a clock that follows another",
      "Give it the Adp of the ARMW, or remove it"},
-    {"ENI-DC-06", kWarning, "The sync window is monitored with fewer than two clocks",
+    {"ENI-DC-06", kNote, "The sync window is monitored with fewer than two clocks",
      "There is nothing to compare: EC-Master leaves the monitoring out", "Remove the BRD of 0x092C"},
     {"ENI-DC-07", kError, "A slave with distributed clocks stands before the reference clock",
      "The frame passes it before it carries the time, so that it is set to 0 each cycle",
@@ -76,7 +76,6 @@ constexpr CheckRule kRules[] = {
     {"ENI-FRM-04", kError, "Two commands carry the same process data",
      "The second overwrites the data of the first; buffers change twice a cycle",
      "Give them logical addresses that do not meet, or states that exclude each other"},
-    {"ENI-FRM-05", kWarning, "A frame has no commands", "It costs wire time and does nothing", "Remove it"},
 };
 
 }  // namespace

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "eni/check/eni_check.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <map>
+#include <sstream>
+
+#include "eni/check/check_bed.h"
+#include "eni/check/rule_cases.h"
+#include "support/sample_folder.h"
+
+namespace syncline::test {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::istringstream in(text);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+std::vector<RuleCase> all_cases() {
+  std::vector<RuleCase> all;
+  for (const auto& part : {slave_cases(), command_cases(), clock_cases(), image_cases()}) {
+    all.insert(all.end(), part.begin(), part.end());
+  }
+  return all;
+}
+
+TEST(EniCheck, AMachineOfOursIsWithoutFinding) {
+  EXPECT_THAT(codes(eni::write_eni(checked_machine())), IsEmpty());
+  EXPECT_THAT(codes(eni::write_eni(checked_machine(EniDialect::kTwinCat))), testing::ElementsAre("ENI-DIA-02"));
+}
+
+TEST(EniCheck, EachRuleFindsWhatItIsForAndNothingElse) {
+  for (const RuleCase& rule : all_cases()) {
+    NetworkConfig config = checked_machine(rule.twincat ? EniDialect::kTwinCat : EniDialect::kEcEngineer);
+    rule.break_it(config);
+    auto expected = rule.companions;
+    expected.insert(rule.code);
+    EXPECT_EQ(codes(eni::write_eni(config)), expected) << rule.code;
+  }
+}
+
+TEST(EniCheck, EachRuleOfTheStructureFindsWhatItIsForAndNothingElse) {
+  const std::string good = eni::write_eni(checked_machine());
+  for (const TextCase& rule : text_cases()) {
+    EXPECT_EQ(codes(rule.break_it(good)), std::set<std::string>{rule.code}) << rule.code;
+  }
+}
+
+TEST(EniCheck, EachRuleHasACaseAndTexts) {
+  std::set<std::string> tested;
+  for (const RuleCase& rule : all_cases()) tested.insert(rule.code);
+  for (const TextCase& rule : text_cases()) tested.insert(rule.code);
+  std::set<std::string> rules;
+  for (const CheckRule& rule : check_rules()) {
+    EXPECT_TRUE(rules.emplace(rule.code).second) << rule.code;
+    EXPECT_FALSE(rule.title.empty() || rule.why.empty() || rule.mend.empty()) << rule.code;
+  }
+  EXPECT_EQ(tested, rules);
+}
+
+TEST(EniCheck, AFindingNamesLinePathAndSlave) {
+  NetworkConfig config = checked_machine();
+  command(config, kLastDrive, Transition::kPS, reg::sync_manager(2)).adp = 1001;
+  const std::string text = eni::write_eni(config);
+  const auto check = eni::check_eni_text(text, "test.xml");
+  ASSERT_EQ(check->findings.size(), 1U);
+  const eni::EniFinding& finding = check->findings[0];
+  EXPECT_EQ(finding.slave, 4);
+  EXPECT_EQ(finding.slave_name, config.slaves[kLastDrive].name);
+  const auto& commands = config.slaves[kLastDrive].init_cmds;
+  const auto index = &command(config, kLastDrive, Transition::kPS, reg::sync_manager(2)) - commands.data() + 1;
+  EXPECT_EQ(finding.path, "/EtherCATConfig/Config/Slave[5]/InitCmds/InitCmd[" + std::to_string(index) + "]");
+  const auto lines = lines_of(text);
+  ASSERT_GT(lines.size(), static_cast<std::size_t>(finding.line));
+  EXPECT_THAT(lines[static_cast<std::size_t>(finding.line) - 1], HasSubstr("<InitCmd>"));
+  // The command that begins on that line is the one with the wrong address.
+  std::string command_text;
+  for (auto i = static_cast<std::size_t>(finding.line); lines[i].find("</InitCmd>") == std::string::npos; ++i) {
+    command_text += lines[i];
+  }
+  EXPECT_THAT(command_text, HasSubstr("<Adp>1001</Adp>"));
+  EXPECT_THAT(command_text, HasSubstr("<Ado>2064</Ado>"));
+}
+
+/// Every kind of place: the line that it names begins the element that its path ends with.
+TEST(EniCheck, LinesAndPathsAgree) {
+  for (const RuleCase& rule : all_cases()) {
+    NetworkConfig config = checked_machine(rule.twincat ? EniDialect::kTwinCat : EniDialect::kEcEngineer);
+    rule.break_it(config);
+    const std::string text = eni::write_eni(config);
+    const auto lines = lines_of(text);
+    const auto check = eni::check_eni_text(text, "test.xml");
+    for (const auto& finding : check->findings) {
+      ASSERT_GT(finding.line, 0) << finding.code;
+      std::string element = finding.path.substr(finding.path.rfind('/') + 1);
+      element = element.substr(0, element.find('['));
+      EXPECT_THAT(lines[static_cast<std::size_t>(finding.line) - 1], HasSubstr("<" + element)) << finding.code;
+    }
+  }
+}
+
+TEST(EniCheck, BrokenXmlIsAFindingAndNoEniIsAnError) {
+  const auto broken = eni::check_eni_text("<EtherCATConfig>\n<Config>", "broken.xml");
+  ASSERT_TRUE(broken);
+  EXPECT_FALSE(broken->understood);
+  ASSERT_EQ(broken->findings.size(), 1U);
+  EXPECT_EQ(broken->findings[0].code, "ENI-XML-01");
+  EXPECT_EQ(eni::check_eni_text("<EtherCATInfo/>", "esi.xml").error().code, ErrorCode::kNotThatKindOfFile);
+  EXPECT_EQ(eni::check_eni("there-is-no-such-file.xml").error().code, ErrorCode::kFileNotFound);
+}
+
+TEST(EniCheck, HostileNumbersAreFindingsToo) {
+  NetworkConfig config = checked_machine();
+  for (auto& variable : config.image.inputs) variable.bit_offset = variable.bit_size = UINT32_MAX;
+  for (auto& slave : config.slaves) {
+    slave.send = slave.receive = ImageRange{0x7FFF'FFFF, 0x7FFF'FFFF};
+    if (slave.dc) *slave.dc = {true, true, INT32_MAX, INT32_MIN, INT32_MIN, 0};
+    for (auto& cmd : slave.init_cmds) {
+      if (cmd.ado >= reg::kFmmu && cmd.ado < 0x0900) std::ranges::fill(cmd.data, 0xFF);
+    }
+  }
+  for (auto& cmd : frame(config)) {
+    cmd.input_offset = cmd.output_offset = UINT32_MAX;
+    cmd.logical_address = UINT32_MAX;
+    cmd.copy_infos = {{UINT32_MAX, UINT32_MAX, UINT32_MAX}};
+    cmd.data.clear();
+    cmd.data_length = 0xFFFF;
+  }
+  config.cyclic.front().cycle_time = Nanoseconds{INT32_MAX} * kMicrosecond;
+  const auto found = codes(eni::write_eni(config));
+  for (const char* code : {"ENI-IMG-01", "ENI-IMG-04", "ENI-FMMU-01", "ENI-FRM-01", "ENI-TIME-05", "ENI-IMG-11"}) {
+    EXPECT_TRUE(found.contains(code)) << code;
+  }
+}
+
+TEST(EniCheck, RealExportsAreWithoutErrorAndWarning) {
+  const auto folder = sample_folder();
+  if (!folder) GTEST_SKIP() << "samples not here";
+  int checked = 0;
+  for (const char* name :
+       {"jasper-node__jn-ec-master__mega_master_eni.xml", "kj4tmp__pyecm__basic.xml", "kj4tmp__pyecm__empty.xml",
+        "kpierczy__ethercat-lib__test_eni.xml", "magnate3__rocos-ethercat__bcr_eni.xml",
+        "magnate3__rocos-ethercat__eni.xml", "magnate3__rocos-ethercat__eni4.xml"}) {
+    const auto check = eni::check_eni((*folder / "eni" / name).string());
+    if (!check) continue;
+    ++checked;
+    for (const auto& finding : check->findings) {
+      EXPECT_EQ(finding.severity, CheckSeverity::kNote)
+          << name << ':' << finding.line << ' ' << finding.code << ' ' << finding.what;
+    }
+  }
+  EXPECT_GE(checked, 7);
+}
+
+/// Hand-written files and one maker's dialect: what is wrong with them is found, with the line.
+TEST(EniCheck, OddSamplesAreFoundOut) {
+  const std::map<std::string, std::set<std::string>> expected = {
+      {"OpenEtherCATsociety__SOEM__sample-eni.xml",
+       {"ENI-XML-02", "ENI-XML-03", "ENI-XML-04", "ENI-XML-06", "ENI-COE-02"}},
+      {"jasper-node__jn-ec-master__coe_slave.eni.xml", {"ENI-XML-02", "ENI-REF-05"}},
+      {"magnate3__rocos-ethercat__eni1.xml", {"ENI-XML-03", "ENI-XML-04", "ENI-DC-01", "ENI-COE-08"}},
+  };
+  for (const auto& [name, wanted] : expected) {
+    SYNCLINE_SAMPLE(path, "eni/" + name);
+    std::set<std::string> found;
+    const auto check = eni::check_eni(path);
+    ASSERT_TRUE(check) << name;
+    for (const auto& finding : check->findings) {
+      found.emplace(finding.code);
+      EXPECT_GT(finding.line, 0);
+    }
+    EXPECT_THAT(wanted, testing::Each(testing::Truly([&](const std::string& code) { return found.contains(code); })))
+        << name;
+  }
+}
+
+TEST(EniCheck, GoldenExportsAreWithoutErrorAndWarning) {
+  for (const char* name : {"small_machine.eni.xml", "small_machine_twincat.eni.xml"}) {
+    const auto check = eni::check_eni(std::string(SYNCLINE_SOURCE_DIR "/tests/golden/") + name);
+    ASSERT_TRUE(check);
+    for (const auto& finding : check->findings) {
+      EXPECT_EQ(finding.severity, CheckSeverity::kNote) << name << ':' << finding.line << ' ' << finding.what;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace syncline::test
