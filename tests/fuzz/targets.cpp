@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdlib>
 
+#include "fuzz/xml_targets.h"
 #include "link/replay/pcap_reader.h"
 #include "link/replay/recorded_bus.h"
 #include "protocol/coe.h"
@@ -163,10 +164,13 @@ std::vector<Bytes> captures() {
   return {file};
 }
 
-constexpr std::array<Target, 4> kTargets{{{"frame", run_frame, frames},
+constexpr std::array<Target, 7> kTargets{{{"frame", run_frame, frames},
                                           {"sii", run_sii, siis},
                                           {"mailbox", run_mailbox, mailboxes},
-                                          {"pcap", run_pcap, captures}}};
+                                          {"pcap", run_pcap, captures},
+                                          {"esi", run_esi, esis, true},
+                                          {"eni", run_eni, enis, true},
+                                          {"project", run_project, projects, true}}};
 
 }  // namespace
 

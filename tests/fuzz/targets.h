@@ -16,9 +16,10 @@ struct Target {
   const char* name;
   void (*run)(std::span<const std::uint8_t> bytes);
   std::vector<Bytes> (*corpus)();
+  bool is_xml = false;
 };
 
-/// frame, sii, mailbox, pcap.
+/// frame, sii, mailbox, pcap, esi, eni, project.
 [[nodiscard]] std::span<const Target> targets();
 /// nullptr when there is none of this name.
 [[nodiscard]] const Target* find_target(std::string_view name);

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fuzz/xml_targets.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "config/compile/compile.h"
+#include "core/config/compile/sample_devices.h"
+#include "eni/catalogue/esi_cards.h"
+#include "eni/eni_file.h"
+#include "eni/esi_reader.h"
+#include "eni/esi_writer.h"
+#include "eni/project_file.h"
+#include "tests/support/random_project.h"
+
+namespace syncline::fuzz {
+namespace {
+
+constexpr const char* kName = "fuzz.xml";
+
+void promise(bool kept) {
+  if (!kept) std::abort();
+}
+
+std::string_view text_of(std::span<const std::uint8_t> bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+Bytes bytes_of(std::string_view text) { return {text.begin(), text.end()}; }
+
+/// The errors of a file name it.
+void promise_place(const Error& error) { promise(error.file == kName); }
+
+void configure(const DeviceDescription& device) {
+  Project project;
+  project.slaves.push_back(default_slave(device, 0));
+  const auto compiled = compile(project);
+  if (!compiled) return;
+  const auto eni = eni::parse_eni(eni::write_eni(compiled->config), kName);
+  promise(eni.has_value());
+}
+
+}  // namespace
+
+void run_esi(std::span<const std::uint8_t> bytes) {
+  const auto cards = eni::read_cards(text_of(bytes), kName);
+  if (!cards) promise_place(cards.error());
+  const auto file = eni::parse_esi(text_of(bytes), kName);
+  if (!file) return promise_place(file.error());
+  constexpr std::size_t kSome = 4;
+  for (std::size_t i = 0; i < std::min(kSome, file->devices.size()); ++i) {
+    const auto& device = file->devices[i];
+    const auto again = eni::parse_esi(eni::write_esi(device), kName);
+    promise(again.has_value());
+    configure(device);
+  }
+}
+
+void run_eni(std::span<const std::uint8_t> bytes) {
+  const auto config = eni::parse_eni(text_of(bytes), kName);
+  if (!config) return promise_place(config.error());
+  const auto text = eni::write_eni(*config);
+  const auto again = eni::parse_eni(text, kName);
+  promise(again.has_value());
+}
+
+void run_project(std::span<const std::uint8_t> bytes) {
+  const auto project = eni::parse_project(text_of(bytes), kName);
+  if (!project) return promise_place(project.error());
+  const auto text = eni::write_project(*project);
+  const auto again = eni::parse_project(text, kName);
+  promise(again.has_value());
+  promise(eni::write_project(*again) == text);
+  (void)compile(*project);
+}
+
+std::vector<Bytes> esis() {
+  std::vector<Bytes> corpus;
+  for (const auto& slave : sample::small_machine().slaves) corpus.push_back(bytes_of(eni::write_esi(slave.device)));
+  corpus.push_back(bytes_of(eni::write_esi(test::RandomProject(7).device())));
+  return corpus;
+}
+
+std::vector<Bytes> enis() { return {bytes_of(eni::write_eni(compile(sample::small_machine())->config))}; }
+
+std::vector<Bytes> projects() {
+  return {bytes_of(eni::write_project(sample::small_machine())), bytes_of(eni::write_project(test::RandomProject(11).project()))};
+}
+
+}  // namespace syncline::fuzz
