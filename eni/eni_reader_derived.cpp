@@ -91,6 +91,8 @@ void derive_dc(NetworkConfig& config) {
                                           : std::optional(static_cast<std::uint16_t>(0U - cmd.adp));
         } else if (system_time && (cmd.command == Command::kApwr || cmd.command == Command::kFpwr)) {
           bus_shift = true;
+        } else if (cmd.ado == reg::kReceiveTimePort0 && cmd.command == Command::kBwr) {
+          config.dc.continuous_propagation_compensation = true;
         } else if (cmd.ado == reg::kSystemTimeDifference &&
                    (cmd.command == Command::kBrd || cmd.command == Command::kFprd)) {
           config.dc.sync_window.enabled = true;

@@ -2,56 +2,91 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 
 #include "app/cli/context.h"
 #include "app/cli/findings_text.h"
 #include "app/composition/load_config.h"
+#include "config/exports/exports.h"
+#include "config/recover/recover_project.h"
 #include "eni/eni_file.h"
+#include "eni/xml_text.h"
 
 namespace syncline::cli {
 namespace {
 
 struct Options {
-  std::string file, output, dialect = "ec-master";
+  std::string file, network, output, dialect, format = "eni";
   bool json = false;
 };
 
-void export_eni(Context& context, const Options& options) {
-  CompileOptions compile_options;
-  if (options.dialect == "twincat") compile_options.dialect = EniDialect::kTwinCat;
-  const auto compiled = load_config(options.file, compile_options);
-  if (!compiled) return context.fail_with(compiled.error());
-  const bool refused = has_errors(compiled->findings);
+EniDialect chosen_dialect(const Options& options) {
+  return options.dialect == "twincat" ? EniDialect::kTwinCat : EniDialect::kEcEngineer;
+}
+
+std::string content(const Options& options, const NetworkConfig& config) {
+  if (options.format == "c-header") {
+    return exports::c_header(config, std::filesystem::path(options.output).stem().string());
+  }
+  if (options.format == "csv") return exports::image_csv(config);
+  if (options.format == "pdo-csv") return exports::pdo_csv(config);
+  if (options.format == "slaves-csv") return exports::slaves_csv(config);
+  if (options.format == "svg") return exports::topology_svg(config);
+  return eni::write_eni(config, eni::style_of(chosen_dialect(options)));
+}
+
+/// An ENI that is exported again keeps its commands, and with them the layout of its image.
+std::vector<Finding> about_layout(const Options& options, const LoadedConfig& loaded) {
+  if (!loaded.is_eni || options.dialect.empty() || dialect_of(loaded.config) == chosen_dialect(options)) return {};
+  return {{FindingSeverity::kWarning, -1, "",
+           fmt::format("{} is an ENI: its commands and the layout of its image stay as they are, only the spelling follows "
+                       "--dialect. \"project create --eni\" makes a project that can be laid out anew.",
+                       options.file)}};
+}
+
+void export_file(Context& context, const Options& options) {
+  auto loaded = load_any_config(options.file, {chosen_dialect(options)}, options.network);
+  if (!loaded) return context.fail_with(loaded.error());
+  for (auto& finding : about_layout(options, *loaded)) loaded->findings.push_back(std::move(finding));
+  const bool refused = has_errors(loaded->findings);
   if (!refused) {
-    if (auto status = eni::save_eni(compiled->config, options.output); !status) return context.fail_with(status.error());
+    const auto status = eni::write_file_atomic(options.output, content(options, loaded->config));
+    if (!status) return context.fail_with(status.error());
   }
   if (refused) context.exit_code = kAnswerIsNo;
+  const auto slaves = loaded->config.slaves.size();
   if (options.json) {
     return context.print({{"file", options.output},
                           {"written", !refused},
-                          {"slaves", compiled->config.slaves.size()},
-                          {"findings", to_json(compiled->findings)}});
+                          {"slaves", slaves},
+                          {"findings", to_json(loaded->findings)},
+                          {"format", options.format}});
   }
-  print(context.console.err, compiled->findings);
+  print(context.console.err, loaded->findings);
   if (refused) {
     context.console.err << "synclinectl: " << options.output << " was not written; mend the errors above first\n";
   } else {
-    context.console.out << fmt::format("{}: {} slaves\n", options.output, compiled->config.slaves.size());
+    context.console.out << fmt::format("{}: {} slaves\n", options.output, slaves);
   }
 }
 
 }  // namespace
 
 void add_export_command(CLI::App& app, Context& context) {
-  auto* command = app.add_subcommand("export", "Write the ENI file of a project (or of an ENI)");
+  auto* command = app.add_subcommand("export", "Write the ENI file of a project or of an ENI, or tables, a C header, a drawing");
   auto options = std::make_shared<Options>();
   command->add_option("file", options->file, "Project or ENI file")->required();
-  command->add_option("-o,--output", options->output, "ENI file to write")->required();
+  command->add_option("-o,--output", options->output, "File to write")->required();
+  command->add_option("--format", options->format,
+                      "eni, c-header (process image for C and C++), csv (process image), pdo-csv (PDOs and their entries), "
+                      "slaves-csv (slave list) or svg (topology)")
+      ->check(CLI::IsMember({"eni", "c-header", "csv", "pdo-csv", "slaves-csv", "svg"}));
   command->add_option("--dialect", options->dialect, "ec-master or twincat")
       ->check(CLI::IsMember({"ec-master", "twincat"}));
+  command->add_option("--network", options->network, "Network of a file that holds several: name or number");
   command->add_flag("--json", options->json, "Print JSON");
-  command->callback([&context, options] { export_eni(context, *options); });
+  command->callback([&context, options] { export_file(context, *options); });
 }
 
 }  // namespace syncline::cli

@@ -5,6 +5,7 @@
 
 #include "app/cli/context.h"
 #include "app/cli/project_create.h"
+#include "app/composition/load_config.h"
 #include "config/settings_keys.h"
 #include "eni/project_file.h"
 
@@ -52,7 +53,7 @@ Result<std::vector<SettingValue>> wanted_settings(const Project& project, const 
 }
 
 void show(Context& context, const FileOptions& options) {
-  const auto project = eni::load_project(options.file, options.network);
+  const auto project = load_any_project(options.file, options.network);
   if (!project) return context.fail_with(project.error());
   const auto values = wanted_settings(*project, options.arguments);
   if (!values) return context.fail_with(values.error());
@@ -80,12 +81,14 @@ void keys(Context& context, bool json) {
 }
 
 void add_create(CLI::App& project, Context& context) {
-  auto* command = project.add_subcommand("create", "Create a project from a bus or from ESI files");
+  auto* command = project.add_subcommand("create", "Create a project from a bus, from ESI files or from an ENI");
   auto options = std::make_shared<CreateOptions>();
   command->add_option("file", options->file, "Project file to write")->required();
   auto* scan = command->add_option("--scan", options->scan, "LINK of a bus to scan");
   auto* device = command->add_option("--device", options->devices, "VENDOR:PRODUCT[:REVISION], repeated in bus order");
-  scan->excludes(device);
+  auto* eni = command->add_option("--eni", options->eni, "ENI file whose project is wanted, any tool's");
+  scan->excludes(device)->excludes(eni);
+  device->excludes(eni);
   add_esi_folders(*command, options->esi);
   command->add_option("--cycle", options->cycle_us, "Cycle time in us");
   command->add_option("--shift", options->shift,
@@ -97,8 +100,9 @@ void add_create(CLI::App& project, Context& context) {
                       "Name of the network; joins or replaces it in a file that exists already");
   command->add_flag("--json", options->json, "Print JSON");
   command->callback([&context, options] {
-    if (options->scan.empty() && options->devices.empty()) {
-      return context.fail_with(Error{ErrorCode::kBadValue, "project create", "give --scan LINK or --device VENDOR:PRODUCT"});
+    if (options->scan.empty() && options->devices.empty() && options->eni.empty()) {
+      return context.fail_with(
+          Error{ErrorCode::kBadValue, "project create", "give --scan LINK, --device VENDOR:PRODUCT or --eni FILE"});
     }
     create_project(context, *options);
   });

@@ -3,19 +3,65 @@
 
 #include <algorithm>
 
+#include "app/cli/findings_text.h"
 #include "app/cli/identity_text.h"
 #include "app/composition/scan_bus.h"
+#include "config/recover/recover_project.h"
 #include "config/settings_keys.h"
 #include "eni/catalogue/esi_catalogue.h"
+#include "eni/eni_file.h"
 #include "eni/project_builder.h"
 #include "eni/project_file.h"
 
 namespace syncline::cli {
 namespace {
 
-Result<Project> build(Context& context, const CreateOptions& options) {
+/// Findings and differences are for the user: they do not make the project useless.
+Result<Project> recover(Context& context, const CreateOptions& options, const eni::EsiCatalogue& catalogue,
+                        RecoveredProject& recovered) {
+  const auto config = eni::read_eni(options.eni);
+  if (!config) return tl::unexpected(config.error());
+  recovered = recover_project(*config, [&catalogue](const Identity& identity) -> const DeviceDescription* {
+    const auto match = catalogue.find(identity);
+    return match && match->exact_revision ? match->device : nullptr;
+  });
+  if (!options.json) {
+    print(context.console.err, recovered.findings);
+    for (const auto& difference : recovered.differences) {
+      context.console.err << "not as in the ENI: " << describe(difference) << '\n';
+    }
+  }
+  return recovered.project;
+}
+
+Json differences_json(const std::vector<NetworkDifference>& differences) {
+  Json rows = Json::array();
+  for (const auto& d : differences) {
+    rows.push_back({{"where", d.where}, {"field", d.field}, {"left", d.left}, {"right", d.right}});
+  }
+  return rows;
+}
+
+void report(Context& context, const CreateOptions& options, std::size_t slaves, const RecoveredProject& recovered) {
+  if (options.json) {
+    Json json{{"file", options.file}, {"slaves", slaves}};
+    if (!options.eni.empty()) {
+      json["findings"] = to_json(recovered.findings);
+      json["differences"] = differences_json(recovered.differences);
+    }
+    return context.print(json);
+  }
+  context.console.out << options.file << ": " << slaves << " slaves";
+  if (!options.eni.empty()) {
+    context.console.out << ", " << recovered.differences.size() << " differences to the commands of the ENI";
+  }
+  context.console.out << '\n';
+}
+
+Result<Project> build(Context& context, const CreateOptions& options, RecoveredProject& recovered) {
   auto catalogue = open_catalogue(context, options.esi);
   if (!catalogue) return tl::unexpected(catalogue.error());
+  if (!options.eni.empty()) return recover(context, options, *catalogue, recovered);
   if (!options.scan.empty()) {
     const auto scan = scan_bus(options.scan);
     if (!scan) return tl::unexpected(scan.error());
@@ -68,7 +114,8 @@ Status save(const Project& project, const CreateOptions& options) {
 }  // namespace
 
 void create_project(Context& context, const CreateOptions& options) {
-  auto project = build(context, options);
+  RecoveredProject recovered;
+  auto project = build(context, options, recovered);
   if (!project) return context.fail_with(project.error());
   const auto edits = edits_of(options);
   if (!edits) return context.fail_with(edits.error());
@@ -77,10 +124,7 @@ void create_project(Context& context, const CreateOptions& options) {
   }
   project->name = options.network;
   if (auto status = save(*project, options); !status) return context.fail_with(status.error());
-  if (options.json) {
-    return context.print({{"file", options.file}, {"slaves", project->slaves.size()}});
-  }
-  context.console.out << options.file << ": " << project->slaves.size() << " slaves\n";
+  report(context, options, project->slaves.size(), recovered);
 }
 
 }  // namespace syncline::cli

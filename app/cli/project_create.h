@@ -9,10 +9,11 @@
 
 namespace syncline::cli {
 
-/// `project create FILE`: from a bus (scan) or from ESI files (devices); the rest are settings.
+/// `project create FILE`: from a bus (scan), from ESI files (devices) or from an ENI; the rest are settings.
 struct CreateOptions {
   std::string file;
   std::string scan;                        // LINK, "" = offline
+  std::string eni;                         // ENI file
   std::vector<std::string> devices;        // VENDOR:PRODUCT[:REVISION] in bus order
   EsiFolders esi;
   std::string cycle_us, shift, sync_window, reference_clock;

@@ -1,18 +1,37 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/composition/load_config.h"
 
+#include "config/recover/recover_project.h"
 #include "eni/eni_file.h"
 #include "eni/project_file.h"
 
 namespace syncline {
 
-Result<CompileResult> load_config(const std::string& path, const CompileOptions& options, std::string_view network) {
+Result<LoadedConfig> load_any_config(const std::string& path, const CompileOptions& options, std::string_view network) {
   const auto project = eni::load_project(path, network);
-  if (project) return compile(*project, options);
+  if (project) {
+    auto compiled = compile(*project, options);
+    if (!compiled) return tl::unexpected(compiled.error());
+    return LoadedConfig{std::move(compiled->config), std::move(compiled->findings), false};
+  }
   if (project.error().code != ErrorCode::kNotThatKindOfFile) return tl::unexpected(project.error());
   auto config = eni::read_eni(path);
   if (!config) return tl::unexpected(config.error());
-  return CompileResult{std::move(*config), {}};
+  return LoadedConfig{std::move(*config), {}, true};
+}
+
+Result<CompileResult> load_config(const std::string& path, const CompileOptions& options, std::string_view network) {
+  auto loaded = load_any_config(path, options, network);
+  if (!loaded) return tl::unexpected(loaded.error());
+  return CompileResult{std::move(loaded->config), std::move(loaded->findings)};
+}
+
+Result<Project> load_any_project(const std::string& path, std::string_view network) {
+  auto project = eni::load_project(path, network);
+  if (project || project.error().code != ErrorCode::kNotThatKindOfFile) return project;
+  const auto config = eni::read_eni(path);
+  if (!config) return tl::unexpected(config.error());
+  return recover_project(*config).project;
 }
 
 }  // namespace syncline

@@ -15,4 +15,16 @@ namespace syncline {
 [[nodiscard]] Result<CompileResult> load_config(const std::string& path, const CompileOptions& options = {},
                                                 std::string_view network = {});
 
+struct LoadedConfig {
+  NetworkConfig config;
+  std::vector<Finding> findings;
+  bool is_eni = false;
+};
+/// The same for those who want to know which of the two it was.
+[[nodiscard]] Result<LoadedConfig> load_any_config(const std::string& path, const CompileOptions& options = {},
+                                                   std::string_view network = {});
+
+/// A project file, or the project that an ENI lets be seen (recover_project() without ESI files).
+[[nodiscard]] Result<Project> load_any_project(const std::string& path, std::string_view network = {});
+
 }  // namespace syncline

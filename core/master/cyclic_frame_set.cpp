@@ -109,7 +109,9 @@ void CyclicFrameSet::add_task(const CyclicTask& task, Nanoseconds base_cycle) {
       entry.role = role_of(command);
       entry.frame = frames_.size();
       entry.divider = static_cast<std::uint64_t>(divider);
-      entry.datagram.command = command.command;
+      // This master latches by itself (DelayCompensation); a latch in every cycle would spoil what it is reading.
+      const bool latches = command.command == Command::kBwr && command.ado == reg::kReceiveTimePort0;
+      entry.datagram.command = latches ? Command::kNop : command.command;
       entry.datagram.stamped = entry.role == Role::kReferenceTime || entry.role == Role::kReferenceWrite;
       entry.datagram.address =
           is_logical(command.command) ? command.logical_address : device_address(command.adp, command.ado);

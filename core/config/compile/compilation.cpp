@@ -48,6 +48,7 @@ CyclicOptions cyclic_options(const DcMasterSettings& dc, const std::vector<Slave
   options.bus_shift = steers_reference_clock(dc.dcm.mode);
   options.sync_window = dc.sync_window.enabled;
   options.system_time_64bit = dc.show_64bit_system_time;
+  options.latch_receive_times = dc.continuous_propagation_compensation;
   options.mailbox_state_count = static_cast<std::uint16_t>(std::ranges::count_if(
       plans, [](const SlavePlan& plan) { return plan.mailbox && plan.mailbox->uses_status_bit; }));
   return options;

@@ -23,6 +23,7 @@ struct CyclicOptions {
   bool bus_shift = false;
   bool sync_window = false;
   bool system_time_64bit = false;
+  bool latch_receive_times = false;  // in every cycle, for the continuous compensation of propagation delays
   std::uint16_t mailbox_state_count = 0;
   std::uint32_t logical_base = kEcEngineerLogicalBase;  // ImageOptions::logical_base()
 };

@@ -7,6 +7,7 @@
 #include "config/compile/mailbox_init_cmds.h"
 #include "config/compile/mailbox_plan.h"
 #include "config/compile/master_init_cmds.h"
+#include "config/compile/product_revision.h"
 #include "config/compile/slave_init_cmds.h"
 #include "protocol/registers.h"
 
@@ -35,6 +36,7 @@ SlaveConfig slave_config(const SlavePlan& plan, EniDialect dialect) {
   config.alias = settings.alias;
   config.physics = settings.device.physics;
   config.identity = settings.device.identity;
+  if (dialect == EniDialect::kTwinCat) config.product_revision = product_revision(settings.device);
   if (!settings.check.serial) config.identity.serial_no = 0;
   if (settings.check.device_id) {
     config.identification = Identification{settings.device.identification_ado.value_or(reg::kAlStatusCode),
