@@ -58,9 +58,9 @@ std::string content(const std::filesystem::path& path) {
 }
 
 /// SYNCLINE_WRITE_GOLDEN=1 writes the files anew, for review.
-void expect_golden(const NetworkConfig& config, const std::string& name) {
+void expect_golden(const NetworkConfig& config, const std::string& name, const EniStyle& style = {}) {
   const auto path = std::filesystem::path(SYNCLINE_SOURCE_DIR) / "tests/golden" / name;
-  const std::string text = write_eni(config);
+  const std::string text = write_eni(config, style);
   if (std::getenv("SYNCLINE_WRITE_GOLDEN") != nullptr) {
     std::ofstream(path, std::ios::binary) << text;
   }
@@ -76,7 +76,8 @@ TEST(GoldenFile, SmallMachineAsEcEngineer) {
 TEST(GoldenFile, SmallMachineAsTwinCat) {
   Project project = sample::small_machine();
   project.master.dc.dcm.mode = DcmMode::kMasterShift;
-  expect_golden(compile(project, {EniDialect::kTwinCat}).value().config, "small_machine_twincat.eni.xml");
+  expect_golden(compile(project, {EniDialect::kTwinCat}).value().config, "small_machine_twincat.eni.xml",
+                style_of(EniDialect::kTwinCat));
 }
 
 }  // namespace

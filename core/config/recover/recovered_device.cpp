@@ -228,7 +228,14 @@ std::vector<std::uint16_t> assigned_pdos(const SlaveConfig& slave, PdoDirection 
   for (const auto& configured : slave.pdos) {
     if (configured.direction == direction && configured.pdo.sync_manager) marked.push_back(configured.pdo.index);
   }
-  return listed.empty() ? marked : listed;
+  if (!listed.empty() || !marked.empty() || !slave.pdos.empty()) return listed.empty() ? marked : listed;
+  // Nothing is described; what the start-up commands assign is.
+  const auto wanted = direction == PdoDirection::kRx ? SyncManagerType::kOutputs : SyncManagerType::kInputs;
+  for (const auto& [number, written] : register_writes(slave.init_cmds).sync_managers) {
+    if (type_of(written) != wanted) continue;
+    std::ranges::copy(commanded_pdos(slave, number), std::back_inserter(marked));
+  }
+  return marked;
 }
 
 DeviceDescription recovered_device(const SlaveConfig& slave, Nanoseconds bus_cycle) {

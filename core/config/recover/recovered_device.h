@@ -18,7 +18,8 @@ namespace syncline::recover {
 /// AssignActivate and times, from the element DC or else from the commands.
 [[nodiscard]] std::optional<SlaveDcConfig> dc_of(const SlaveConfig& slave);
 
-/// PDOs that the ENI assigns in this direction: as the SyncManagers list them, else those with an Sm attribute.
+/// PDOs that the ENI assigns in this direction: as the SyncManagers list them, else those with an Sm attribute,
+/// else what the start-up commands assign.
 [[nodiscard]] std::vector<std::uint16_t> assigned_pdos(const SlaveConfig& slave, PdoDirection direction);
 
 }  // namespace syncline::recover

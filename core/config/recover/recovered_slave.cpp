@@ -43,7 +43,7 @@ std::string misfit(const DeviceDescription& device, const SlaveConfig& slave) {
       const auto used = std::ranges::find_if(slave.pdos, [&](const ConfiguredPdo& configured) {
         return configured.direction == direction && configured.pdo.index == index;
       });
-      if (pdo->fixed && !same_mapping(*pdo, used->pdo)) {
+      if (used != slave.pdos.end() && pdo->fixed && !same_mapping(*pdo, used->pdo)) {
         return fmt::format("its fixed PDO 0x{:04X} maps other entries", index);
       }
     }

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+// Exports of other tools whose slaves an ESI of the samples covers: the project with that ESI and the settings that the
+// export shows compiles to the same commands, or the difference stands here with its reason.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include "config/recover/recover_project.h"
+#include "eni/eni_file.h"
+#include "eni/esi_reader.h"
+#include "protocol/error_text.h"
+#include "support/sample_folder.h"
+
+namespace syncline::eni {
+namespace {
+
+struct Reason {
+  const char* file;        // whose differences it explains, "" = of every file
+  const char* difference;  // regular expression of the whole text
+  const char* why;
+};
+
+constexpr const char* kTimeOut = R"(slave \d+, init command \d+ \([AF]PWR .*:0x0120, .*\): time-out is \d+ in the first file, none in the second)";
+constexpr const char* kTwinCat3 =
+    "TwinCAT 3 gives the AL control writes a time-out, which the check behind them has anyway; ET9000, which the dialect "
+    "follows, does not";
+
+constexpr Reason kReasons[] = {
+    {"jasper-node__jn-ec-master__mega_master_eni.xml", kTimeOut, kTwinCat3},
+    {"kpierczy__ethercat-lib__test_eni.xml", kTimeOut, kTwinCat3},
+    {"kpierczy__ethercat-lib__test_eni.xml", R"(cyclic task 1, frame 1, command [45]: only in the (first|second) file: LR[DW] .*)",
+     "TwinCAT 3 orders its areas by sync units: here the input that has one of its own comes before the drives"},
+    {"kpierczy__ethercat-lib__test_eni.xml", R"(slave [1-4], init command 3[12] \(FPWR 100[2-5]:0x06[01]0, PS\): data is .*)",
+     "the logical addresses of these areas"},
+    {"kpierczy__ethercat-lib__test_eni.xml", R"(slave 0, init command 2[2-8].* FPWR 1001:0x06[012]0, .*)",
+     "TwinCAT 3 gives an output SyncManager without data a switched-off FMMU, so that the numbers of the others move"},
+    {"kpierczy__ethercat-lib__test_eni.xml", R"(slave 0, init command 22 \(FPWR 1001:0x0600, PS\): data is .*)",
+     "the same"},
+    {"magnate3__rocos-ethercat__eni1.xml", ".*",
+     "Elmo Application Studio has a list of commands of its own (order, transitions, no working counters, one by one), a "
+     "master that distributes the time without commands in the frames, and no PDOs in its files"},
+};
+
+/// ESI files of the slaves of each ENI.
+std::map<std::string, std::set<std::string>> pairs(const std::string& table) {
+  std::map<std::string, std::set<std::string>> found;
+  std::ifstream in(table);
+  std::string row;
+  std::getline(in, row);
+  while (std::getline(in, row)) {
+    std::vector<std::string> fields;
+    std::istringstream cells(row);
+    for (std::string field; std::getline(cells, field, '\t');) fields.push_back(field);
+    if (fields.size() >= 8 && fields[6] == "EXACT") found[fields[0]].insert(fields[7]);
+  }
+  return found;
+}
+
+std::vector<DeviceDescription> devices_of(const std::set<std::string>& files) {
+  std::vector<DeviceDescription> devices;
+  for (const auto& file : files) {
+    const auto path = test::sample_file("esi/" + file);
+    if (!path) continue;
+    if (auto esi = read_esi(*path)) {
+      for (auto& device : esi->devices) devices.push_back(std::move(device));
+    }
+  }
+  return devices;
+}
+
+bool is_explained(const std::string& file, const std::string& difference) {
+  return std::ranges::any_of(kReasons, [&](const Reason& reason) {
+    return (*reason.file == 0 || file == reason.file) && std::regex_match(difference, std::regex(reason.difference));
+  });
+}
+
+TEST(EniPairs, CompileToTheSameCommands) {
+  SYNCLINE_SAMPLE(table, "eni/ESI_PAIRS.tsv");
+  std::size_t files = 0, slaves = 0, with_esi = 0, explained = 0;
+  for (const auto& [file, esi_files] : pairs(table)) {
+    SCOPED_TRACE(file);
+    const auto path = test::sample_file("eni/" + file);
+    ASSERT_TRUE(path);
+    const auto config = read_eni(*path);
+    ASSERT_TRUE(config) << describe(config.error());
+    const auto devices = devices_of(esi_files);
+    const auto recovered = recover_project(*config, [&](const Identity& identity) -> const DeviceDescription* {
+      for (const auto& device : devices) {
+        const auto& of = device.identity;
+        if (of.vendor_id == identity.vendor_id && of.product_code == identity.product_code &&
+            of.revision_no == identity.revision_no) {
+          return &device;
+        }
+      }
+      return nullptr;
+    });
+    for (const auto& slave : recovered.project.slaves) with_esi += slave.device.source != "ENI" ? 1 : 0;
+    for (const auto& difference : recovered.differences) {
+      const auto words = describe(difference);
+      EXPECT_TRUE(is_explained(file, words)) << words;
+      ++explained;
+    }
+    ++files;
+    slaves += config->slaves.size();
+  }
+  EXPECT_EQ(with_esi, 21U) << "ESI files of the table that were not taken";
+  fmt::print("{} files, {} slaves, {} of them with their ESI, {} differences explained\n", files, slaves, with_esi, explained);
+}
+
+}  // namespace
+}  // namespace syncline::eni
