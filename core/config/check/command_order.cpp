@@ -101,15 +101,15 @@ void check_master(const NetworkView& view, Findings& findings) {
     const char* what;
   };
   if (view.config.slaves.empty()) return;
-  for (const auto& [ado, what] :
+  for (const Cleared& cleared_area :
        {Cleared{reg::kStationAddress, "station addresses (0x0010)"}, Cleared{reg::kFmmu, "FMMUs (0x0600)"},
         Cleared{reg::kSyncManager, "SyncManagers (0x0800)"}}) {
     const bool cleared = std::ranges::any_of(view.config.master.init_cmds, [&](const InitCmd& cmd) {
-      return cmd.command == Command::kBwr && has(cmd, Transition::kIP) && writes_register(cmd, ado);
+      return cmd.command == Command::kBwr && has(cmd, Transition::kIP) && writes_register(cmd, cleared_area.ado);
     });
     if (!cleared) {
       findings.add("ENI-ORD-08", {PlaceKind::kMaster},
-                   fmt::format("no command of the master on IP clears the {}", what));
+                   fmt::format("no command of the master on IP clears the {}", cleared_area.what));
     }
   }
 }
