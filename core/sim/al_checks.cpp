@@ -14,8 +14,9 @@ std::uint16_t AlChecks::mailbox() const {
   for (unsigned i = 0; i < 2 && i < config_.device.sync_managers.size(); ++i) {
     const auto& wanted = config_.device.sync_managers[i];
     const auto sm = esc_.sync_manager(i);
-    const bool size_fits = sm.length >= wanted.min_size.value_or(wanted.default_size.value_or(sm.length)) &&
-                           sm.length <= wanted.max_size.value_or(wanted.default_size.value_or(sm.length));
+    const auto usual = wanted.default_size.value_or(sm.length);  // some ESI files give one outside of their own limits
+    const bool size_fits = sm.length == usual || (sm.length >= wanted.min_size.value_or(usual) &&
+                                                  sm.length <= wanted.max_size.value_or(usual));
     if (!sm.enabled() || !sm.is_mailbox() || sm.start != wanted.start_address || !size_fits) {
       return al_code::kInvalidMailbox;
     }

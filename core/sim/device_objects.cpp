@@ -59,12 +59,24 @@ void add_described_objects(const DeviceDescription& device, ObjectDictionary& di
   }
 }
 
+/// What the description wants to be written at state transitions must be there, also where it has no dictionary.
+void add_commanded_objects(const DeviceDescription& device, ObjectDictionary& dictionary) {
+  if (!device.mailbox || !device.mailbox->coe) return;
+  for (const auto& command : device.mailbox->coe->init_commands) {
+    const bool pdo_object = command.index >= 0x1600 && command.index < 0x1C20;  // PdoObjects makes these
+    if (pdo_object || command.complete_access) continue;
+    if (dictionary.find(command.index, command.sub_index) != nullptr) continue;
+    dictionary.add(command.index, command.sub_index, command.comment, std::vector<std::uint8_t>(command.data.size()), true);
+  }
+}
+
 }  // namespace
 
 void add_device_objects(const SimSlaveConfig& config, ObjectDictionary& dictionary) {
   add_identity(config, dictionary);
   add_mapped_objects(config.device, dictionary);
   add_described_objects(config.device, dictionary);
+  add_commanded_objects(config.device, dictionary);
 }
 
 }  // namespace syncline::sim

@@ -9,7 +9,8 @@ namespace syncline::sim {
 namespace {
 
 constexpr std::uint16_t kAssignRx = 0x1C12, kAssignTx = 0x1C13;
-constexpr unsigned kMaxEntries = 32;
+constexpr unsigned kMaxEntries = 32;        // of a mapping that can be changed
+constexpr unsigned kMaxFixedEntries = 255;  // sub-indices are bytes
 
 std::uint16_t assignment_index(PdoDirection direction) {
   return direction == PdoDirection::kRx ? kAssignRx : kAssignTx;
@@ -46,11 +47,11 @@ PdoObjects::PdoObjects(const DeviceDescription& device, ObjectDictionary& dictio
 
 void PdoObjects::add_mapping(const Pdo& pdo, PdoDirection) {
   const bool changeable = !pdo.fixed;
-  const auto count = static_cast<std::uint8_t>(std::min<std::size_t>(pdo.entries.size(), kMaxEntries));
+  const auto most = changeable ? kMaxEntries : kMaxFixedEntries;
+  const auto count = static_cast<std::uint8_t>(std::min<std::size_t>(pdo.entries.size(), most));
   auto& head = dictionary_.add(pdo.index, 0, "Number of mapped objects", count, changeable);
   head.preop_only = true;
-  for (unsigned sub = 1; sub <= kMaxEntries; ++sub) {
-    if (sub > count && !changeable) break;
+  for (unsigned sub = 1; sub <= (changeable ? kMaxEntries : count); ++sub) {
     const auto word = sub <= count ? mapping_word(pdo.entries[sub - 1]) : 0U;
     auto& entry = dictionary_.add(pdo.index, static_cast<std::uint8_t>(sub), "Mapped object", word, changeable);
     entry.preop_only = true;

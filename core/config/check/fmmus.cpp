@@ -95,7 +95,7 @@ class FmmuCheck {
       return;
     }
     const SyncManager& manager = touched->manager;
-    const Range buffer{manager.start, std::uint64_t{manager.start} + manager.length};
+    const Range buffer = with_neighbours(slave, manager);
     if (contradicts_itself(slave, *touched)) return;
     if (manager.is_mailbox() || manager.ecat_writes() != fmmu.write) {
       add("ENI-FMMU-05", slave, write,
@@ -108,6 +108,25 @@ class FmmuCheck {
           fmt::format("it maps 0x{:04x} to 0x{:04x}, SM{} is 0x{:04x} to 0x{:04x}", memory.begin, memory.end - 1,
                       touched->number, buffer.begin, buffer.end - 1));
     }
+  }
+
+  /// A SyncManager's memory, and that of those in the same direction that begin where it ends: one FMMU may map them all.
+  [[nodiscard]] Range with_neighbours(std::size_t slave, const SyncManager& first) const {
+    Range memory{first.start, std::uint64_t{first.start} + first.length};
+    for (const SyncManagerWrite& write : view_.registers[slave].managers) {
+      const SyncManager& next = write.manager;
+      const bool joins = !next.is_mailbox() && next.ecat_writes() == first.ecat_writes() && next.start == memory.end;
+      if (joins && maps_beyond(slave, memory)) memory.end += next.length;
+    }
+    return memory;
+  }
+
+  /// Some FMMU of the slave begins with that memory and goes on behind it.
+  [[nodiscard]] bool maps_beyond(std::size_t slave, const Range& memory) const {
+    return std::ranges::any_of(view_.registers[slave].fmmus, [&](const FmmuWrite& write) {
+      const std::uint32_t bits = write.fmmu.physical_start_bit + write.fmmu.bit_length();
+      return write.fmmu.physical_start == memory.begin && memory.begin + (bits + 7) / 8 > memory.end;
+    });
   }
 
   [[nodiscard]] bool is_described(std::size_t slave, const Range& memory) const {

@@ -66,6 +66,12 @@ class LogicalToImage {
   std::vector<Piece> pieces_;
 };
 
+/// The "mailbox full" bit lies among the registers of the SyncManagers; other mapped registers are process data.
+bool is_mailbox_state(const Fmmu& fmmu) {
+  constexpr std::uint16_t kBegin = 0x0800, kEnd = 0x0900;
+  return fmmu.physical_start >= kBegin && fmmu.physical_start < kEnd;
+}
+
 void check_direction(const NetworkView& view, bool inputs, Findings& findings) {
   const LogicalToImage map(view, inputs);
   for (std::size_t i = 0; i < view.config.slaves.size(); ++i) {
@@ -73,7 +79,7 @@ void check_direction(const NetworkView& view, bool inputs, Findings& findings) {
     if (!range) continue;
     std::optional<std::uint64_t> first;
     for (const FmmuWrite& write : view.registers[i].fmmus) {
-      if ((inputs ? write.fmmu.read : write.fmmu.write) && write.fmmu.physical_start >= 0x0F00) {
+      if ((inputs ? write.fmmu.read : write.fmmu.write) && !is_mailbox_state(write.fmmu)) {
         const auto bit = map.image_bit(logical_bits(write.fmmu).begin);
         if (bit) first = std::min(first.value_or(*bit), *bit);
       }

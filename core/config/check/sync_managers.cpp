@@ -11,15 +11,18 @@ namespace {
 
 constexpr std::uint16_t kProcessMemory = 0x1000;
 constexpr std::uint16_t kFirstDataAddress = 0x0F00;
+constexpr unsigned kDigitalInputs = 4;
 constexpr unsigned kBuffers = 3;  // of a SyncManager that buffers
 
 bool is_output(SyncManagerType type) {
   return type == SyncManagerType::kOutputs || type == SyncManagerType::kMailboxOut;
 }
 
-/// Memory that a SyncManager occupies: three buffers in buffered mode, except for the registers of digital I/O.
+/// Memory that a SyncManager occupies: three buffers in buffered mode, except for the registers of digital I/O (outputs at
+/// 0x0F00, inputs at 0x1000 to 0x1003).
 Range occupied(const SyncManager& manager) {
-  const unsigned buffers = manager.is_mailbox() || manager.start < kProcessMemory ? 1 : kBuffers;
+  const bool digital = manager.start + manager.length <= kProcessMemory + kDigitalInputs;
+  const unsigned buffers = manager.is_mailbox() || digital ? 1 : kBuffers;
   return {manager.start, manager.start + std::uint64_t{manager.length} * buffers};
 }
 
@@ -82,7 +85,9 @@ class SyncManagerCheck {
     }
     const bool process_data =
         description.type == SyncManagerType::kOutputs || description.type == SyncManagerType::kInputs;
-    if (write.manager.ecat_writes() != is_output(description.type) || write.manager.is_mailbox() == process_data) {
+    // Process data in one buffer (mailbox mode) are unusual, but several digital terminals have them.
+    const bool wrong_mode = !process_data && !write.manager.is_mailbox();
+    if (write.manager.ecat_writes() != is_output(description.type) || wrong_mode) {
       findings_.add(
           "ENI-SM-04", place,
           fmt::format("the control byte 0x{:02x} of SM{} makes it {}, its Type says {}", write.manager.control,

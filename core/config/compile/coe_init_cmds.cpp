@@ -69,6 +69,7 @@ class CoeList {
       return;
     }
     for (const auto& channel : slave_.channels) {
+      if (channel.is_virtual()) continue;  // has no object
       const auto index = assign_object(channel);
       out_.push_back(generated(index, 0, {0}, fmt::format("clear PDO assignment 0x{:04X}", index)));
     }
@@ -90,7 +91,7 @@ class CoeList {
       return;
     }
     for (const auto& channel : slave_.channels) {
-      if (!channel.pdos.empty()) {
+      if (!channel.pdos.empty() && !channel.is_virtual()) {
         coe_.complete_access ? add_assignment_at_once(channel) : add_assignment_of(channel);
       }
     }

@@ -23,6 +23,29 @@ Fmmu process_data_fmmu(const Placement& at, std::uint32_t offset, std::uint32_t 
   return fmmu;
 }
 
+/// A SyncManager whose data begin where those of the one before it end, in the ESC and in the process image.
+bool continues(const Fmmu& before, const Fmmu& next) {
+  return before.logical_stop_bit == 7 && next.logical_start_bit == 0 &&
+         next.logical_start == before.logical_start + before.length &&
+         next.physical_start == before.physical_start + before.length;
+}
+
+/// Several digital terminals have more SyncManagers of a byte each than FMMUs: one FMMU maps neighbours together.
+void join_neighbours(std::vector<FmmuPlan>& fmmus) {
+  std::vector<FmmuPlan> joined;
+  for (const FmmuPlan& fmmu : fmmus) {
+    const bool joins = !joined.empty() && joined.back().use == fmmu.use && continues(joined.back().image, fmmu.image);
+    if (!joins) {
+      joined.push_back(fmmu);
+      continue;
+    }
+    Fmmu& before = joined.back().image;
+    before.length = static_cast<std::uint16_t>(before.length + fmmu.image.length);
+    before.logical_stop_bit = fmmu.image.logical_stop_bit;
+  }
+  fmmus = std::move(joined);
+}
+
 void add_direction(std::vector<FmmuPlan>& fmmus, const SlavePlan& slave, bool outputs) {
   const Placement& at = outputs ? slave.outputs : slave.inputs;
   std::uint32_t offset = 0;
@@ -56,6 +79,7 @@ std::vector<FmmuPlan> plan_fmmus(const SlavePlan& slave) {
   std::vector<FmmuPlan> fmmus;
   add_direction(fmmus, slave, true);
   add_direction(fmmus, slave, false);
+  if (!slave.device().fmmus.empty() && fmmus.size() > slave.device().fmmus.size()) join_neighbours(fmmus);
   if (slave.mailbox && slave.mailbox->uses_status_bit) {
     fmmus.push_back({FmmuUse::kMailboxState, mailbox_state_fmmu(*slave.mailbox)});
   }

@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+
 #include "protocol/registers.h"
 
 namespace syncline::compiler {
@@ -57,12 +60,14 @@ void MemoryCommands::add_mailbox(InitCmdBuilder& cmds) const {
 }
 
 void MemoryCommands::add_sync_managers(InitCmdBuilder& cmds) const {
-  if (slave_.channels.empty()) {
+  std::vector<ProcessDataChannel> channels;
+  std::ranges::remove_copy_if(slave_.channels, std::back_inserter(channels), &ProcessDataChannel::is_virtual);
+  if (channels.empty()) {
     return;
   }
   using enum Transition;
-  const std::uint8_t first = slave_.channels.front().number;
-  const std::uint8_t last = slave_.channels.back().number;
+  const std::uint8_t first = channels.front().number;
+  const std::uint8_t last = channels.back().number;
   const auto length = static_cast<std::uint16_t>((last - first + 1U) * SyncManager::kSize);
   const Transitions leaving{kIP, kSP, kSI, kOP, kOI};
   if (dialect_ == EniDialect::kEcEngineer) {
@@ -70,14 +75,14 @@ void MemoryCommands::add_sync_managers(InitCmdBuilder& cmds) const {
   } else {
     cmds.fpwr(leaving, "clear process data SyncManagers", reg::sync_manager(first), Bytes(length));
   }
-  for (const auto& channel : slave_.channels) {
+  for (const auto& channel : channels) {
     // Such a device must not accept outputs below OP: its SyncManager is open only there.
     if (channel.description.op_only) {
       cmds.fpwr({kOS}, fmt::format("clear SM {} (outputs)", channel.number), reg::sync_manager(channel.number),
                 Bytes(SyncManager::kSize));
     }
   }
-  for (const auto& channel : slave_.channels) {
+  for (const auto& channel : channels) {
     cmds.fpwr({channel.description.op_only ? kSO : kPS},
               fmt::format("set SM {} ({})", channel.number, channel.is_output() ? "outputs" : "inputs"),
               reg::sync_manager(channel.number), bytes_of(channel.image()))

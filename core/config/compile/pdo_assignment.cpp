@@ -63,7 +63,7 @@ std::vector<ProcessDataChannel> process_data_channels(const SlaveSettings& slave
   for (std::size_t n = 0; n < managers.size(); ++n) {
     const bool process_data =
         managers[n].type == SyncManagerType::kOutputs || managers[n].type == SyncManagerType::kInputs;
-    if (process_data && !managers[n].is_virtual) {
+    if (process_data) {
       channels.push_back({static_cast<std::uint8_t>(n), managers[n], {}, 0});
     }
   }
@@ -78,8 +78,9 @@ std::vector<ProcessDataChannel> process_data_channels(const SlaveSettings& slave
       }
     }
   }
+  std::erase_if(channels, [](const auto& c) { return c.description.is_virtual && c.bit_length == 0; });
   for (auto& channel : channels) {
-    channel.description.enable = channel.bit_length > 0;
+    channel.description.enable = channel.bit_length > 0 && !channel.description.is_virtual;
   }
   return channels;
 }

@@ -21,6 +21,8 @@ struct ProcessDataChannel {
   std::vector<std::uint16_t> pdos;  // assigned, in order
   std::uint32_t bit_length = 0;     // sum of the PDOs
 
+  /// Registers that are process data, e.g. latched times: an FMMU maps them, no SyncManager guards them.
+  [[nodiscard]] bool is_virtual() const { return description.is_virtual; }
   [[nodiscard]] bool is_output() const { return description.type == SyncManagerType::kOutputs; }
   [[nodiscard]] std::uint16_t byte_length() const { return static_cast<std::uint16_t>((bit_length + 7) / 8); }
   /// Register image; inactive when the channel carries nothing.
