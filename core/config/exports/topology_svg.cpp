@@ -95,11 +95,10 @@ std::string cables(const Tree& tree) {
 }
 
 std::string process_data_text(const SlaveConfig& slave) {
-  const auto bytes = [](const std::optional<ImageRange>& range) {
-    const std::uint32_t bits = range ? range->bit_length : 0;
-    return bits % 8 == 0 ? fmt::format("{}", bits / 8) : fmt::format("{}.{}", bits / 8, bits % 8);
-  };
-  return slave.send || slave.receive ? fmt::format("{} / {} bytes", bytes(slave.send), bytes(slave.receive)) : "";
+  const std::uint32_t outputs = slave.send ? slave.send->bit_length : 0, inputs = slave.receive ? slave.receive->bit_length : 0;
+  if (outputs == 0 && inputs == 0) return {};
+  if (outputs % 8 != 0 || inputs % 8 != 0) return fmt::format("{} / {} bits", outputs, inputs);
+  return fmt::format("{} / {} bytes", outputs / 8, inputs / 8);
 }
 
 const char* kind_of(const SlaveConfig& slave) {

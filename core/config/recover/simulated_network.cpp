@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "config/compile/compile.h"
 #include "config/recover/recovered_device.h"
 #include "config/recover/register_writes.h"
 
@@ -64,10 +65,15 @@ bool is_mapped(const DeviceDescription& device, const StartupCommand& command) {
   return false;
 }
 
-/// Mapped inputs that the start-up list writes are writable too.
+bool is_described(const DeviceDescription& device, std::uint16_t index) {
+  return std::ranges::count(device.dictionary, index, &ObjectDescription::index) > 0;
+}
+
+/// The objects that the start-up commands write, where the device does not describe them itself.
 void make_objects(DeviceDescription& device, const MailboxConfig& mailbox) {
+  const DeviceDescription described = device;
   for (const auto& [command, ccs] : mailbox.coe_commands) {
-    if (!command.enabled || is_known(device, command.index)) continue;
+    if (!command.enabled || is_known(device, command.index) || is_described(described, command.index)) continue;
     if (command.complete_access && command.sub_index == 0) {
       add_complete(device, command);
     } else if (!is_mapped(device, command)) {
@@ -114,7 +120,7 @@ void straighten(SimConfig& config) {
   for (std::size_t i = 1; i < config.slaves.size(); ++i) {
     auto& ports = taken[*config.slaves[i].parent];
     const auto port = 1U << config.slaves[i].parent_port;
-    // Ports are passed in the order D, B, C; a port has one cable; a branch is finished before the next one begins.
+    // A port has one cable.
     consistent = consistent && config.slaves[i].parent_port >= 1 && config.slaves[i].parent_port <= 3 && (ports & port) == 0;
     ports |= port;
   }
@@ -140,6 +146,7 @@ SimConfig simulated_network(const NetworkConfig& config) {
 SimConfig simulated_network(const Project& project) {
   SimConfig simulated;
   simulated.name = project.master.name;
+  const auto compiled = compile(project);
   for (std::size_t i = 0; i < project.slaves.size(); ++i) {
     const SlaveSettings& slave = project.slaves[i];
     SimSlaveConfig& added = simulated.slaves.emplace_back();
@@ -151,6 +158,7 @@ SimConfig simulated_network(const Project& project) {
     added.serial_no = slave.device.identity.serial_no;
     added.sync_manager_count = at_least(added.sync_manager_count, slave.device.sync_managers.size());
     added.fmmu_count = at_least(added.fmmu_count, slave.device.fmmus.size());
+    if (compiled && compiled->config.slaves[i].mailbox) make_objects(added.device, *compiled->config.slaves[i].mailbox);
     wire(added, i, slave.previous);
   }
   straighten(simulated);

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+// `export` in every format, and ENI files wherever a project is taken.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "tests/app/cli_runner.h"
+
+namespace syncline::test {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+std::string content(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+class CliExport : public testing::Test {
+ protected:
+  void SetUp() override {
+    project_ = folder_.file("machine.syncline");
+    eni_ = folder_.file("machine.xml");
+    ASSERT_EQ(cli_run({"project", "create", project_, "--scan", demo()}).code, cli::kDone);
+    ASSERT_EQ(cli_run({"export", project_, "-o", eni_}).code, cli::kDone);
+  }
+  std::string exported(const std::string& file, const std::string& format, const std::string& name) {
+    const auto path = folder_.file(name);
+    const auto run = cli_run({"export", file, "-o", path, "--format", format});
+    EXPECT_EQ(run.code, cli::kDone) << run.err;
+    return content(path);
+  }
+  TemporaryFolder folder_;
+  std::string project_, eni_;
+};
+
+TEST_F(CliExport, WritesAnEniAgainByteForByte) {
+  const auto again = folder_.file("again.xml");
+  const auto run = cli_run({"export", eni_, "-o", again});
+  ASSERT_EQ(run.code, cli::kDone) << run.err;
+  EXPECT_EQ(content(again), content(eni_));
+  EXPECT_EQ(cli_run({"compare", eni_, again}).code, cli::kDone);
+}
+
+TEST_F(CliExport, SpellsAsTheDialectAndSaysThatTheLayoutStays) {
+  const auto other = folder_.file("twincat.xml");
+  const auto run = cli_run({"export", eni_, "-o", other, "--dialect", "twincat"});
+  ASSERT_EQ(run.code, cli::kDone) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("the layout of its image stay"));
+  EXPECT_THAT(content(other), HasSubstr("<BeforeSlave>true</BeforeSlave>"));
+  EXPECT_EQ(cli_run({"compare", eni_, other}).code, cli::kDone);
+  EXPECT_EQ(cli_run({"export", project_, "-o", other, "--dialect", "twincat"}).err.find("layout"), std::string::npos);
+}
+
+TEST_F(CliExport, WritesTablesAHeaderAndADrawing) {
+  for (const auto& file : {project_, eni_}) {
+    EXPECT_THAT(exported(file, "csv", "image.csv"), StartsWith("direction,name,data_type,bits,byte,bit,comment\r\n"));
+    EXPECT_THAT(exported(file, "pdo-csv", "pdo.csv"), StartsWith("slave,slave_name,direction,pdo,"));
+    EXPECT_THAT(exported(file, "slaves-csv", "slaves.csv"), StartsWith("position,name,station_address,"));
+    EXPECT_THAT(exported(file, "svg", "topology.svg"), HasSubstr("<svg xmlns="));
+    EXPECT_THAT(exported(file, "c-header", "my machine.h"), HasSubstr("#ifndef MY_MACHINE_PROCESS_IMAGE_H"));
+  }
+  EXPECT_EQ(cli_run({"export", project_, "-o", folder_.file("x"), "--format", "pdf"}).code, cli::kUsage);
+}
+
+TEST_F(CliExport, AnEniBecomesAProjectThatExportsTheSame) {
+  const auto recovered = folder_.file("recovered.syncline");
+  const auto run = cli_run({"project", "create", recovered, "--eni", eni_, "--esi", SYNCLINE_SOURCE_DIR "/resources/esi",
+                            "--json"});
+  ASSERT_EQ(run.code, cli::kDone) << run.err;
+  EXPECT_EQ(run.json()["differences"], nlohmann::json::array()) << run.out;
+  const auto again = folder_.file("again.xml");
+  ASSERT_EQ(cli_run({"export", recovered, "-o", again}).code, cli::kDone);
+  const auto compared = cli_run({"compare", eni_, again});
+  EXPECT_EQ(compared.code, cli::kDone) << compared.out;
+}
+
+TEST_F(CliExport, AnEniIsShownAsAProject) {
+  const auto of_eni = cli_run({"project", "show", eni_, "--json"});
+  ASSERT_EQ(of_eni.code, cli::kDone) << of_eni.err;
+  const auto of_project = cli_run({"project", "show", project_, "--json"});
+  EXPECT_EQ(of_eni.json()["settings"]["master.cycle_time_us"], of_project.json()["settings"]["master.cycle_time_us"]);
+  EXPECT_EQ(of_eni.json()["settings"]["slave.1.name"], of_project.json()["settings"]["slave.1.name"]);
+}
+
+TEST_F(CliExport, ProjectAndEniRunOnTheBusThatTheyDescribe) {
+  for (const auto& file : {project_, eni_}) {
+    const auto run = cli_run({"run", file, "--link", "sim:" + file + "?virtual", "--for", "8s", "--json"});
+    EXPECT_EQ(run.code, cli::kDone) << run.err << run.out.substr(0, 2000);
+    const auto scanned = cli_run({"scan", "sim:" + file + "?virtual", "--json"});
+    EXPECT_EQ(scanned.code, cli::kDone) << scanned.err;
+  }
+}
+
+TEST_F(CliExport, AnEniThatIsNoneIsAFileError) {
+  const auto file = folder_.file("other.xml");
+  std::ofstream(file) << "<Network/>";
+  for (const auto& arguments : {std::vector<std::string>{"export", file, "-o", folder_.file("x.xml")},
+                                std::vector<std::string>{"project", "create", folder_.file("p"), "--eni", file},
+                                std::vector<std::string>{"run", eni_, "--link", "sim:" + file + "?virtual"}}) {
+    const auto run = cli_run(arguments);
+    EXPECT_EQ(run.code, cli::kFailed) << run.out;
+    EXPECT_THAT(run.err, HasSubstr(file));
+  }
+}
+
+}  // namespace
+}  // namespace syncline::test
