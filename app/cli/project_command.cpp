@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "app/cli/context.h"
+#include "app/cli/project_advice.h"
 #include "app/cli/project_create.h"
 #include "app/composition/load_config.h"
 #include "config/settings_keys.h"
@@ -128,6 +129,7 @@ void add_project_commands(CLI::App& app, Context& context) {
   add_create(*project, context);
   add_file_command(*project, context, "set", "Change settings", "KEY=VALUE", true, &set);
   add_file_command(*project, context, "show", "Show settings", "KEY (all when none is given)", false, &show);
+  add_project_advice(*project, context);
   auto* command = project->add_subcommand("keys", "Explain every settings key");
   auto json = std::make_shared<bool>(false);
   command->add_flag("--json", *json, "Print JSON");

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "config/cycle_time_help.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+
+#include "config/compile/coe_init_cmds.h"
+#include "config/compile/compile.h"
+#include "config/compile/cyclic_frames.h"
+#include "config/compile/dc_times.h"
+#include "config/compile/task_plan.h"
+#include "config/drive_limits.h"
+#include "protocol/dc_registers.h"
+
+namespace syncline {
+namespace {
+
+constexpr Nanoseconds kShortest = 31'250, kLongest = 100 * kMillisecond;
+
+std::string us(Nanoseconds time) { return fmt::format("{:g} us", static_cast<double>(time) / 1e3); }
+
+/// What one slave demands of the cycle of its task.
+struct Demand {
+  int slave = 0;
+  const SlaveSettings* settings = nullptr;
+  DeviceLimits limits;
+  std::uint32_t multiple = 1;        // cycles of the bus that its task takes
+  bool dc = false;                   // a SYNC signal is on
+  std::vector<Nanoseconds> fixed;    // SYNC cycles that do not follow the bus
+  std::vector<int> divisors;         // of negative factors
+  bool interpolates = false;         // 0x60C2 of the ESI follows the cycle
+};
+
+void add_unit(Demand& demand, const DcTime& time, const SyncUnitSettings& user) {
+  if (user.user_cycle) {
+    // The user's cycle is multiplied by the factor, if there is one: it does not follow the bus.
+    demand.fixed.push_back(*user.user_cycle);
+    return;
+  }
+  const int factor = user.cycle_factor ? *user.cycle_factor : time.value_ns != 0 ? 0 : time.factor.value_or(0);
+  if (factor < -1) demand.divisors.push_back(-factor);
+  if (factor == 0 && time.value_ns > 0) demand.fixed.push_back(time.value_ns);
+}
+
+Demand demand_of(const Project& project, std::size_t position, const std::vector<std::size_t>& tasks) {
+  const SlaveSettings& slave = project.slaves[position];
+  const auto multiple = [&](const std::string& unit) {
+    const std::size_t task = tasks[compiler::sync_unit_number(project.master, unit)];
+    return static_cast<std::uint32_t>(compiler::task_cycle(project.master, task) / project.master.cycle_time);
+  };
+  Demand demand;
+  demand.slave = static_cast<int>(position);
+  demand.settings = &slave;
+  demand.limits = device_limits(slave.device);
+  demand.multiple = std::max<std::uint32_t>(std::min(multiple(slave.output_unit), multiple(slave.input_unit)), 1);
+  const DcOpMode* mode = project.master.dc.enabled ? compiler::selected_op_mode(slave) : nullptr;
+  if (mode != nullptr && mode->assign_activate != 0) {
+    demand.dc = true;
+    const AssignActivate activate{mode->assign_activate};
+    if (activate.sync0()) add_unit(demand, mode->cycle_time_sync0, slave.dc.sync0);
+  }
+  demand.interpolates = std::ranges::any_of(slave.startup, [&](const StartupCommand& command) {
+    return command.index == 0x60C2 && compiler::is_from_esi(command, slave.device);
+  });
+  return demand;
+}
+
+/// Why a slave does not take a bus cycle; empty when it does.
+std::string refusal(const Demand& demand, Nanoseconds bus_cycle) {
+  const Nanoseconds cycle = bus_cycle * demand.multiple;
+  const DeviceLimits& limits = demand.limits;
+  const std::string& family = limits.family;
+  const bool synchronous = demand.dc;  // a free-running drive takes process data whenever they come
+  if (limits.cycle_step && synchronous && cycle % *limits.cycle_step != 0) {
+    return fmt::format("{} drives take multiples of {}", family, us(*limits.cycle_step));
+  }
+  if (limits.shortest_cycle && cycle < *limits.shortest_cycle) {
+    return fmt::format("{} is the shortest cycle that {}", us(*limits.shortest_cycle),
+                       family.empty() ? "its object 0x1C32:05 names" : family + " drives take");
+  }
+  if (limits.longest_cycle && synchronous && cycle > *limits.longest_cycle) {
+    return fmt::format("{} is the longest cycle that {} drives take", us(*limits.longest_cycle), family);
+  }
+  for (const Nanoseconds fixed : demand.fixed) {
+    if (cycle % fixed != 0 && fixed % cycle != 0) {
+      return fmt::format("its operation mode {} has a SYNC0 every {}, which is neither a multiple nor a part of it",
+                         demand.settings->dc.op_mode, us(fixed));
+    }
+  }
+  for (const int divisor : demand.divisors) {
+    if (cycle % divisor != 0) {
+      return fmt::format("its operation mode {} divides the cycle by {}, which leaves a rest", demand.settings->dc.op_mode,
+                         divisor);
+    }
+  }
+  if (demand.interpolates && !compiler::interpolation_time(cycle)) {
+    return "its object 0x60C2 (interpolation time) cannot express it";
+  }
+  return {};
+}
+
+Nanoseconds wire_time_of(const NetworkConfig& config) {
+  Nanoseconds sum = 0;
+  for (const auto& task : config.cyclic) {
+    for (const auto& frame : task.frames) sum += compiler::wire_time(frame);
+  }
+  return sum;
+}
+
+class Help {
+ public:
+  Help(const Project& project, const NetworkConfig& config) : project_(project), wire_time_(wire_time_of(config)) {
+    const auto tasks = compiler::unit_tasks(project.master);
+    for (std::size_t i = 0; i < project.slaves.size(); ++i) demands_.push_back(demand_of(project, i, tasks));
+  }
+
+  CycleTimeHelp build() {
+    find_limits();
+    std::set<Nanoseconds> cycles{project_.master.cycle_time};
+    for (Nanoseconds usual : {31'250, 62'500, 125'000, 250'000, 500'000, 1'000'000, 2'000'000, 4'000'000, 5'000'000, 8'000'000,
+                              10'000'000, 16'000'000, 20'000'000}) {
+      cycles.insert(usual);
+    }
+    for (const Nanoseconds found : shortest_accepted()) cycles.insert(found);
+    for (const Nanoseconds cycle : cycles) help_.candidates.push_back(judge(cycle));
+    help_.current = judge(project_.master.cycle_time);
+    return std::move(help_);
+  }
+
+ private:
+  /// Least common multiple, bounded: beyond the longest cycle nothing is left to accept.
+  static Nanoseconds common_multiple(Nanoseconds a, Nanoseconds b) {
+    const Nanoseconds part = b / std::gcd(a, b);
+    return a > kLongest / part ? kLongest + 1 : a * part;
+  }
+
+  void find_limits() {
+    for (const Demand& demand : demands_) {
+      const auto multiple = static_cast<Nanoseconds>(demand.multiple);
+      if (demand.limits.cycle_step && demand.dc) {
+        help_.step = common_multiple(help_.step, *demand.limits.cycle_step / std::gcd(*demand.limits.cycle_step, multiple));
+      }
+      if (demand.limits.shortest_cycle) {
+        const Nanoseconds least = (*demand.limits.shortest_cycle + multiple - 1) / multiple;
+        help_.shortest = std::max(help_.shortest.value_or(0), least);
+      }
+      if (demand.limits.longest_cycle && demand.dc) {
+        const Nanoseconds most = *demand.limits.longest_cycle / multiple;
+        help_.longest = std::min(help_.longest.value_or(kLongest), most);
+      }
+    }
+  }
+
+  /// A few of the shortest cycles in whole steps that everybody accepts.
+  [[nodiscard]] std::vector<Nanoseconds> shortest_accepted() const {
+    constexpr std::size_t kWanted = 3;
+    constexpr int kTries = 4000;
+    std::vector<Nanoseconds> found;
+    const Nanoseconds step = std::max<Nanoseconds>(help_.step, 1);
+    const Nanoseconds grid = step >= kShortest ? step : common_multiple(step, kShortest);
+    Nanoseconds cycle = grid;
+    for (int i = 0; i < kTries && cycle <= kLongest && found.size() < kWanted; ++i, cycle += grid) {
+      if (judge(cycle).accepted()) found.push_back(cycle);
+    }
+    return found;
+  }
+
+  [[nodiscard]] CycleCandidate judge(Nanoseconds cycle) const {
+    CycleCandidate candidate{cycle, {}};
+    if (cycle < kShortest || cycle > kLongest) {
+      candidate.refusals.push_back({-1, {}, fmt::format("the bus cycle is {} to {}", us(kShortest), us(kLongest))});
+    }
+    if (wire_time_ >= cycle) {
+      candidate.refusals.push_back({-1, {}, fmt::format("the cyclic frames take {} of wire time", us(wire_time_))});
+    }
+    for (const Demand& demand : demands_) {
+      auto reason = refusal(demand, cycle);
+      if (!reason.empty()) candidate.refusals.push_back({demand.slave, demand.settings->name, std::move(reason)});
+    }
+    return candidate;
+  }
+
+  const Project& project_;
+  Nanoseconds wire_time_;
+  std::vector<Demand> demands_;
+  CycleTimeHelp help_;
+};
+
+}  // namespace
+
+Result<CycleTimeHelp> cycle_time_help(const Project& project) {
+  const auto compiled = compile(project);
+  if (!compiled) return tl::unexpected(compiled.error());
+  return Help(project, compiled->config).build();
+}
+
+}  // namespace syncline

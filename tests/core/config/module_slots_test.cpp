@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "config/module_slots.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "config/compile/compile.h"
+#include "config/settings_keys.h"
+#include "core/config/compile/sample_devices.h"
+
+namespace syncline {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+constexpr std::uint32_t kAxis = 0x100, kIo = 0x200;
+
+ModuleDescription module(std::uint32_t ident, std::uint16_t rx, std::uint16_t tx, std::uint16_t object, std::uint16_t bits) {
+  ModuleDescription out;
+  out.ident = ident;
+  out.type = "M" + std::to_string(ident);
+  Pdo outputs = sample::pdo(rx, "Outputs", 2, {{object, 1, bits, "Out", "UINT", false, true}});
+  Pdo inputs = sample::pdo(tx, "Inputs", 3, {{static_cast<std::uint16_t>(object + 1), 1, bits, "In", "UINT", false, true}});
+  outputs.depend_on_slot = inputs.depend_on_slot = true;
+  out.rx_pdos = {outputs};
+  out.tx_pdos = {inputs};
+  StartupCommand command;
+  command.index = 0x8000;
+  command.data = {1};
+  command.depend_on_slot = true;
+  out.coe.emplace().init_commands = {command};
+  return out;
+}
+
+/// One place without increments, then three in a row: PDOs 0x10 apart, objects 0x800 apart.
+DeviceDescription gateway() {
+  DeviceDescription device = sample::servo();
+  device.rx_pdos.clear();
+  device.tx_pdos.clear();
+  device.dc.reset();
+  device.modules = {module(kAxis, 0x1600, 0x1A00, 0x6040, 16), module(kIo, 0x1601, 0x1A01, 0x7000, 8)};
+  SlotDescription status, axes;
+  status.max_instances = 1;
+  status.modules = {{kIo, false}};
+  axes.name = "Axis";
+  axes.min_instances = 1;
+  axes.max_instances = 3;
+  axes.modules = {{kAxis, true}, {kIo, false}};
+  axes.increments.slot_pdo = 0x10;
+  axes.increments.slot_index = 0x800;
+  device.slots.emplace().slots = {status, axes};
+  device.download_module_list = true;
+  return device;
+}
+
+TEST(ModuleSlots, PlacesCountIncrementsOfThoseBefore) {
+  const auto device = gateway();
+  const auto places = slot_places(device);
+  ASSERT_EQ(places.size(), 4U);
+  EXPECT_EQ(places[1].pdo_offset, 0);      // the first slot moves nothing
+  EXPECT_EQ(places[3].pdo_offset, 0x20);
+  EXPECT_EQ(places[3].index_offset, 0x1000);
+  EXPECT_TRUE(places[1].demanded);
+  EXPECT_FALSE(places[2].demanded);
+}
+
+TEST(ModuleSlots, NoMoreThanTheDeviceTakes) {
+  auto device = gateway();
+  device.slots->slots[1].max_instances = 0xFFFF;
+  EXPECT_EQ(slot_places(device).size(), 1024U);
+  device.slots->max_slot_count = 12;
+  EXPECT_EQ(slot_places(device).size(), 12U);
+}
+
+TEST(ModuleSlots, DefaultsArePlugged) {
+  const auto slave = default_slave(gateway(), 0);
+  EXPECT_THAT(slave.modules, ElementsAre(PluggedModule{1, kAxis}, PluggedModule{2, kAxis}, PluggedModule{3, kAxis}));
+  EXPECT_THAT(slave.assigned_rx_pdos, ElementsAre(0x1600, 0x1610, 0x1620));
+  EXPECT_THAT(slave.assigned_tx_pdos, ElementsAre(0x1A00, 0x1A10, 0x1A20));
+}
+
+TEST(ModuleSlots, PullingTakesBackWhatPluggingBrought) {
+  auto slave = default_slave(gateway(), 0);
+  const auto before = slave;
+  ASSERT_TRUE(plug_module(slave, 2, kIo));
+  EXPECT_THAT(slave.assigned_rx_pdos, ElementsAre(0x1600, 0x1611, 0x1620));
+  ASSERT_TRUE(plug_module(slave, 2, std::nullopt));
+  EXPECT_THAT(slave.assigned_rx_pdos, ElementsAre(0x1600, 0x1620));
+  EXPECT_EQ(slave.startup.size(), before.startup.size() - 1);
+  ASSERT_TRUE(plug_module(slave, 2, kAxis));
+  EXPECT_EQ(slave.assigned_rx_pdos, before.assigned_rx_pdos);
+  EXPECT_EQ(slave.modules, before.modules);
+}
+
+TEST(ModuleSlots, WhatDoesNotFitIsRefused) {
+  auto slave = default_slave(gateway(), 0);
+  const auto before = slave;
+  EXPECT_THAT(plug_module(slave, 0, kAxis).error().detail, HasSubstr("these do: 0x00000200 M512"));
+  EXPECT_THAT(plug_module(slave, 4, kAxis).error().detail, HasSubstr("4 places"));
+  EXPECT_EQ(slave, before);
+}
+
+TEST(ModuleSlots, CompiledWithTheIndicesOfTheirPlaces) {
+  Project project;
+  project.slaves = {default_slave(gateway(), 0)};
+  const auto result = compile(project).value();
+  EXPECT_THAT(result.findings, IsEmpty());
+  const SlaveConfig& slave = result.config.slaves[0];
+  EXPECT_EQ(slave.send->bit_length, 3 * 16U);
+  EXPECT_EQ(slave.pdos.back().pdo.index, 0x1620);
+  EXPECT_EQ(slave.pdos.back().pdo.entries[0].index, 0x7040);
+  // 0xF030: cleared, four places (the first is empty), the count; then the start-up commands of the modules.
+  const auto& commands = slave.mailbox->coe_commands;
+  ASSERT_GE(commands.size(), 6U);
+  EXPECT_EQ(commands[1].command.index, 0xF030);
+  EXPECT_THAT(commands[1].command.data, ElementsAre(0, 0, 0, 0));
+  EXPECT_THAT(commands[4].command.data, ElementsAre(0, 1, 0, 0));
+  EXPECT_THAT(commands[5].command.data, ElementsAre(4));
+  EXPECT_EQ(commands.back().command.index, 0x9000);
+}
+
+TEST(ModuleSlots, FindingsNameThePlace) {
+  Project project;
+  project.slaves = {default_slave(gateway(), 0)};
+  ASSERT_TRUE(plug_module(project.slaves[0], 1, std::nullopt));
+  auto findings = compile(project).value().findings;
+  ASSERT_EQ(findings.size(), 1U);
+  EXPECT_EQ(findings[0].key, "slave.0.module.1");
+  project.slaves[0].modules.insert(project.slaves[0].modules.begin(), {1, 0x999});
+  findings = compile(project).value().findings;
+  ASSERT_EQ(findings.size(), 1U);
+  EXPECT_THAT(findings[0].text, HasSubstr("0x00000999"));
+}
+
+TEST(ModuleSlots, AKeyPlugsThem) {
+  Project project;
+  project.slaves = {default_slave(gateway(), 0)};
+  ASSERT_TRUE(set_setting(project, "slave.0.module.3", "0x200"));
+  EXPECT_EQ(get_setting(project, "slave.0.module.3"), "0x00000200");
+  EXPECT_EQ(get_setting(project, "slave.0.pdo.map.0x1621"), "0x8000:01:8");
+  EXPECT_EQ(set_setting(project, "slave.0.module.4", "none").error().code, ErrorCode::kUnknownKey);
+  EXPECT_THAT(set_setting(project, "slave.0.module.3", "x").error().detail, HasSubstr("neither none nor"));
+}
+
+TEST(ModuleSlots, GroupsComeInOrderAndAligned) {
+  auto device = gateway();
+  ModulePdoGroup group;
+  group.alignment = 2;
+  group.rx_pdo = 0x16FF;
+  device.rx_pdos = {sample::pdo(0x16FF, "Gap", std::nullopt, {{0, 0, 8, "", ""}})};
+  device.slots->pdo_groups = {group};
+  device.modules[0].pdo_group = 1;
+  auto slave = default_slave(device, 0);
+  ASSERT_TRUE(plug_module(slave, 0, kIo));
+  ASSERT_TRUE(plug_module(slave, 3, std::nullopt));
+  EXPECT_THAT(slave.assigned_rx_pdos, ElementsAre(0x1601, 0x16FF, 0x1600, 0x1610));  // 8 bits, gap, the axes
+}
+
+}  // namespace
+}  // namespace syncline
