@@ -22,7 +22,8 @@ struct CatalogueEntry {
   bool hidden = false;            // Device@Invisible, or a newer device hides it (HideType)
   std::string file;
   int line = 0;
-  std::uint64_t content = 0;      // equal where two files say the same
+  int place = 0;                  // of its Device element among all of the file
+  std::uint64_t content = 0;      // equal where two files say the same; 0 unless its identity occurs twice
   bool operator==(const CatalogueEntry&) const = default;
 };
 

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <bit>
+#include <map>
 #include <set>
 #include <tuple>
 
+#include "eni/catalogue/esi_cards.h"
 #include "eni/xml_text.h"
 #include "support/utf8.h"
 
@@ -15,7 +17,7 @@ namespace {
 // Which columns an entry is read from; the tables are d = devices, f = files.
 #define ENTRY_COLUMNS                                                                                               \
   "d.id, d.vendor_id, d.product_code, d.revision_no, d.vendor_name, d.type, d.name, d.group_type, d.group_name, "   \
-  "d.physics, d.revision_rule, d.invisible, f.path, d.line, d.content"
+  "d.physics, d.revision_rule, d.invisible, f.path, d.line, d.content, d.place"
 
 CatalogueEntry entry_of(const SqlStatement& row) {
   const auto text = [&row](int column) { return std::string(row.text(column)); };
@@ -34,6 +36,7 @@ CatalogueEntry entry_of(const SqlStatement& row) {
   entry.file = text(12);
   entry.line = static_cast<int>(row.integer(13));
   entry.content = std::bit_cast<std::uint64_t>(row.integer(14));
+  entry.place = static_cast<int>(row.integer(15));
   return entry;
 }
 
@@ -129,6 +132,24 @@ Status offer_words(CatalogueStore& store, const std::string& expression, Picker&
   return picker.error();
 }
 
+/// Entries of which another one has the identity get the fingerprints of their contents: from the store, else from their
+/// files, and into the store.
+Status compare_contents(CatalogueStore& store, std::vector<CatalogueEntry>& entries) {
+  std::map<std::string, std::vector<std::uint64_t>> read;
+  for (auto& entry : entries) {
+    const auto same_identity = [&](const auto& other) { return other.identity == entry.identity; };
+    if (entry.content != 0 || std::ranges::count_if(entries, same_identity) < 2) continue;
+    const auto [contents, is_new] = read.try_emplace(entry.file);
+    if (is_new) {
+      if (const auto text = read_file(entry.file)) contents->second = read_contents(*text, entry.file).value_or(contents->second);
+      if (auto status = store.put_contents(entry.file, contents->second); !status) return status;
+    }
+    const auto place = static_cast<std::size_t>(entry.place);
+    if (place < contents->second.size()) entry.content = contents->second[place];
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<std::vector<CatalogueEntry>> entries_of(CatalogueStore& store, std::uint32_t vendor_id, std::uint32_t product_code) {
@@ -142,6 +163,7 @@ Result<std::vector<CatalogueEntry>> entries_of(CatalogueStore& store, std::uint3
   for (auto& entry : entries) {
     if (auto status = mark_hidden(store, entry); !status) return tl::unexpected(status.error());
   }
+  if (auto status = compare_contents(store, entries); !status) return tl::unexpected(status.error());
   return entries;
 }
 

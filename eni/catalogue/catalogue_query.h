@@ -10,7 +10,7 @@
 /// Questions to the index; only chosen files answer.
 namespace syncline::eni {
 
-/// All revisions of a product, each in the order in which its files were chosen.
+/// All revisions of a product, each in the order in which its files were chosen, compared where one occurs twice.
 [[nodiscard]] Result<std::vector<CatalogueEntry>> entries_of(CatalogueStore& store, std::uint32_t vendor_id,
                                                              std::uint32_t product_code);
 /// Fast enough for each key that a user presses. Types that begin with the words come first, then by type; newest

@@ -11,12 +11,12 @@ namespace syncline::eni {
 namespace {
 
 constexpr int kApplicationId = 0x53594E43;  // "SYNC", SQLite's place for whose file it is
-constexpr int kSchemaVersion = 1;           // other versions are thrown away: a cache needs no migration
+constexpr int kSchemaVersion = 2;           // other versions are thrown away: a cache needs no migration
 
 constexpr const char* kTables = R"(
 CREATE TABLE folders(path TEXT PRIMARY KEY);
 CREATE TABLE files(id INTEGER PRIMARY KEY, path TEXT NOT NULL UNIQUE, size INTEGER, changed_ns INTEGER, content INTEGER);
-CREATE TABLE devices(id INTEGER PRIMARY KEY, file INTEGER NOT NULL, line INTEGER, vendor_id INTEGER, product_code INTEGER,
+CREATE TABLE devices(id INTEGER PRIMARY KEY, file INTEGER NOT NULL, line INTEGER, place INTEGER, vendor_id INTEGER, product_code INTEGER,
   revision_no INTEGER, vendor_name TEXT, type TEXT COLLATE NOCASE, name TEXT, group_type TEXT, group_name TEXT, physics TEXT,
   revision_rule TEXT, invisible INTEGER, content INTEGER);
 CREATE INDEX devices_by_file ON devices(file);

@@ -100,14 +100,14 @@ Result<std::int64_t> CatalogueStore::put(std::string_view path, const IndexedFil
 
 Status CatalogueStore::put_device(std::int64_t file, const EsiCard& card) {
   auto insert = database_.prepare(
-      "INSERT INTO devices(file, line, vendor_id, product_code, revision_no, vendor_name, type, name, group_type, group_name, "
-      "physics, revision_rule, invisible, content) VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+      "INSERT INTO devices(file, line, place, vendor_id, product_code, revision_no, vendor_name, type, name, group_type, group_name, "
+      "physics, revision_rule, invisible) VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
   if (!insert) return tl::unexpected(insert.error());
   const Identity& identity = card.identity;
-  insert->bind(0, file).bind(1, card.line).bind(2, identity.vendor_id).bind(3, identity.product_code);
-  insert->bind(4, identity.revision_no).bind(5, card.vendor_name).bind(6, card.type).bind(7, card.name);
-  insert->bind(8, card.group_type).bind(9, card.group_name).bind(10, card.physics).bind(11, card.revision_rule);
-  insert->bind(12, card.invisible).bind(13, stored(card.content));
+  insert->bind(0, file).bind(1, card.line).bind(2, card.place).bind(3, identity.vendor_id).bind(4, identity.product_code);
+  insert->bind(5, identity.revision_no).bind(6, card.vendor_name).bind(7, card.type).bind(8, card.name);
+  insert->bind(9, card.group_type).bind(10, card.group_name).bind(11, card.physics).bind(12, card.revision_rule);
+  insert->bind(13, card.invisible);
   if (auto status = insert->run(); !status) return status;
   const auto device = database_.last_row();
 
@@ -121,6 +121,17 @@ Status CatalogueStore::put_device(std::int64_t file, const EsiCard& card) {
     hide->bind(0, device).bind(1, identity.vendor_id).bind(2, hidden.product_code);
     if (hidden.revision_no) hide->bind(3, *hidden.revision_no);
     if (auto status = hide->run(); !status) return status;
+  }
+  return {};
+}
+
+Status CatalogueStore::put_contents(std::string_view path, const std::vector<std::uint64_t>& contents) {
+  for (std::size_t place = 0; place < contents.size(); ++place) {
+    auto query = database_.prepare(
+        "UPDATE devices SET content = ? WHERE place = ? AND file = (SELECT id FROM files WHERE path = ?)");
+    if (!query) return tl::unexpected(query.error());
+    query->bind(0, stored(contents[place])).bind(1, static_cast<std::int64_t>(place)).bind(2, path);
+    if (auto status = query->run(); !status) return status;
   }
   return {};
 }

@@ -33,6 +33,8 @@ class CatalogueStore {
   [[nodiscard]] Result<std::optional<IndexedFile>> file(std::string_view path);
   /// Forgets what was known of the file and stores this. The file's id.
   [[nodiscard]] Result<std::int64_t> put(std::string_view path, const IndexedFile& file, const EsiCards& cards);
+  /// Fingerprints of the file's devices (read_contents), for when they are needed again.
+  [[nodiscard]] Status put_contents(std::string_view path, const std::vector<std::uint64_t>& contents);
   [[nodiscard]] Status touch(std::int64_t file, std::int64_t changed_ns);
   [[nodiscard]] Status remove(std::int64_t file);
   /// Files below a folder, by path.

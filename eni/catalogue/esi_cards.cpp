@@ -16,7 +16,7 @@ namespace {
 
 class InfoReader {
  public:
-  InfoReader(const Node& info, EsiCards& found) : info_(info), found_(found) {}
+  InfoReader(const Node& info, EsiCards& found, int& place) : info_(info), found_(found), place_(place) {}
 
   void read() {
     const Node vendor = info_.required("Vendor");
@@ -26,16 +26,16 @@ class InfoReader {
     for (const Node& group : descriptions.child("Groups").children("Group")) {
       group_names_.emplace(group.child("Type").trimmed(), group.localized("Name").trimmed());
     }
-    for (const Node& device : descriptions.child("Devices").children("Device")) read_device(device);
+    for (const Node& device : descriptions.child("Devices").children("Device")) read_device(device, place_++);
   }
 
  private:
-  void read_device(const Node& given) {
+  void read_device(const Node& given, int place) {
     Reading reading = given.reading().of_part();  // its own: one broken device must not take the others with it
     const Node device = given.with(reading);
     EsiCard card = read_card(device);
     if (reading.ok()) {
-      card.content = content_hash(*device.element());
+      card.place = place;
       found_.cards.push_back(std::move(card));
       return;
     }
@@ -77,6 +77,7 @@ class InfoReader {
 
   Node info_;
   EsiCards& found_;
+  int& place_;
   std::uint32_t vendor_id_ = 0;
   std::string vendor_name_;
   std::map<std::string, std::string, std::less<>> group_names_;
@@ -91,10 +92,11 @@ Result<EsiCards> read_cards(std::string_view text, const std::string& file_name)
   Reading reading(file_name, tolerated);
   const Node root((*document)->RootElement(), reading);
   EsiCards found;
+  int place = 0;
   if (root.name() == "EtherCATInfo") {
-    InfoReader(root, found).read();
+    InfoReader(root, found, place).read();
   } else if (root.name() == "EtherCATInfoList") {
-    for (const Node& info : root.children("EtherCATInfo")) InfoReader(info, found).read();
+    for (const Node& info : root.children("EtherCATInfo")) InfoReader(info, found, place).read();
   } else if (root.name() != "EtherCATModule" && root.name() != "EtherCATDict") {
     return fail(Error{.code = ErrorCode::kNotThatKindOfFile,
                       .subject = std::string(root.name()),
@@ -104,6 +106,20 @@ Result<EsiCards> read_cards(std::string_view text, const std::string& file_name)
   }
   if (!reading.ok()) return tl::unexpected(*reading.error());
   return found;
+}
+
+Result<std::vector<std::uint64_t>> read_contents(std::string_view text, const std::string& file_name) {
+  const auto document = parse_xml(text, file_name);
+  if (!document) return tl::unexpected(document.error());
+  Reading reading(file_name);
+  const Node root((*document)->RootElement(), reading);
+  std::vector<std::uint64_t> contents;
+  for (const Node& info : root.name() == "EtherCATInfoList" ? root.children("EtherCATInfo") : std::vector<Node>{root}) {
+    for (const Node& device : info.child("Descriptions").child("Devices").children("Device")) {
+      contents.push_back(content_hash(*device.element()));
+    }
+  }
+  return contents;
 }
 
 }  // namespace syncline::eni

@@ -24,10 +24,10 @@ struct HiddenDevice {
 struct EsiCard {
   Identity identity;
   int line = 0;
+  int place = 0;                  // of its Device element among all of the file
   std::string vendor_name, type, name, group_type, group_name, physics;
   std::string revision_rule;      // Type@CheckRevisionNo, "" = none given
   bool invisible = false;         // Device@Invisible
-  std::uint64_t content = 0;      // fingerprint of the Device element
   std::vector<HiddenDevice> hides;
   bool operator==(const EsiCard&) const = default;
 };
@@ -36,6 +36,10 @@ struct EsiCards {
   std::vector<EsiCard> cards;          // file order
   std::vector<FileWarning> warnings;   // devices that are left out
 };
+
+/// Fingerprints of all Device elements of a file, by EsiCard::place. Takes as long as reading the cards again: for the few
+/// devices that are described twice.
+[[nodiscard]] Result<std::vector<std::uint64_t>> read_contents(std::string_view text, const std::string& file_name);
 
 /// kXmlMalformed, kFileLimit, kNotThatKindOfFile with file and line. A side file (EtherCATModule, EtherCATDict) has no
 /// cards and is no error.

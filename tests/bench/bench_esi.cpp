@@ -106,7 +106,7 @@ eni::EsiCards cards_of(std::uint32_t file) {
     for (std::uint32_t revision = 1; revision <= kRevisions; ++revision) {
       eni::EsiCard card;
       card.identity = {file % 40 + 1, file * 1'000 + product, revision << 16, 0};
-      card.line = static_cast<int>(product * 100 + revision);
+      card.place = static_cast<int>(product * kRevisions + revision);
       card.vendor_name = fmt::format("Vendor {}", file % 40 + 1);
       card.type = fmt::format("EL{}-{:04}", 1'000 + file * 7 % 9'000, product);
       card.name = fmt::format("{}Ch. Digital {} 24V, {}us", product % 8 + 1, product % 2 == 0 ? "Input" : "Output", file);
