@@ -98,7 +98,7 @@ TEST(ProjectFile, DamageIsNamedWithLineAndElement) {
       {"<Slave Device=\"2\"", "<Slave Device=\"9\"", ErrorCode::kXmlBadValue, "Slave"},
       {"<Slaves>", "<Slaves Version=\"1\"><Slave Device=\"1\"><RxPdos>what</RxPdos></Slave>", ErrorCode::kXmlBadValue, "RxPdos"},
       {"<ByteSize>", "<ByteSize>x", ErrorCode::kXmlBadValue, "ByteSize"},
-      {"SynclineProject Version=\"1\"", "SynclineProject Version=\"2\"", ErrorCode::kNotThatKindOfFile, "SynclineProject"},
+      {"SynclineProject Version=\"1\"", "SynclineProject Version=\"3\"", ErrorCode::kNotThatKindOfFile, "SynclineProject"},
   };
   for (const auto& damage : cases) {
     auto spoilt = text;
