@@ -5,6 +5,7 @@
 
 #include "app/cli/context.h"
 #include "app/composition/load_config.h"
+#include "config/compare/compare_configs.h"
 #include "config/network_compare.h"
 
 namespace syncline::cli {
@@ -12,8 +13,25 @@ namespace {
 
 struct Options {
   std::string left, right;
-  bool json = false;
+  bool details = false, json = false;
 };
+
+Json position(const std::optional<std::size_t>& slave) { return slave ? Json(*slave) : Json(); }
+
+Json to_json(const std::vector<ConfigDifference>& differences) {
+  Json rows = Json::array();
+  for (const auto& d : differences) {
+    rows.push_back({{"where", place_text(d)},
+                    {"field", d.what},
+                    {"left", d.left},
+                    {"right", d.right},
+                    {"group", group_name(d.group)},
+                    {"slave", position(d.left_slave)},
+                    {"right_slave", position(d.right_slave)},
+                    {"text", describe(d)}});
+  }
+  return rows;
+}
 
 Json to_json(const std::vector<NetworkDifference>& differences) {
   Json rows = Json::array();
@@ -23,27 +41,49 @@ Json to_json(const std::vector<NetworkDifference>& differences) {
   return rows;
 }
 
+/// One line a difference, below a heading for each slave.
+void print(std::ostream& out, const std::vector<ConfigDifference>& differences) {
+  std::string place;
+  for (const auto& difference : differences) {
+    if (place_text(difference) != place) {
+      place = place_text(difference);
+      out << place << '\n';
+    }
+    const std::string text = describe(difference);
+    out << fmt::format("  {:<13} {}\n", group_name(difference.group), text.substr(place.size() + 2));
+  }
+}
+
 void compare(Context& context, const Options& options) {
   const auto left = load_config(options.left);
   if (!left) return context.fail_with(left.error());
   const auto right = load_config(options.right);
   if (!right) return context.fail_with(right.error());
-  const auto differences = compare_networks(left->config, right->config);
+  const auto differences = compare_configs(left->config, right->config);
+  const auto details =
+      options.details ? compare_networks(left->config, right->config) : std::vector<NetworkDifference>{};
   if (!differences.empty()) context.exit_code = kAnswerIsNo;
   if (options.json) {
-    return context.print({{"left", options.left}, {"right", options.right}, {"differences", to_json(differences)}});
+    Json report{{"left", options.left}, {"right", options.right}, {"differences", to_json(differences)}};
+    if (options.details) report["details"] = to_json(details);
+    return context.print(report);
   }
-  for (const auto& difference : differences) context.console.out << describe(difference) << '\n';
-  context.console.out << fmt::format("{} differences in the commands\n", differences.size());
+  print(context.console.out, differences);
+  if (options.details) {
+    context.console.out << "commands\n";
+    for (const auto& difference : details) context.console.out << "  " << describe(difference) << '\n';
+  }
+  context.console.out << fmt::format("{} differences\n", differences.size());
 }
 
 }  // namespace
 
 void add_compare_command(CLI::App& app, Context& context) {
-  auto* command = app.add_subcommand("compare", "Compare what two projects or ENI files make a master send");
+  auto* command = app.add_subcommand("compare", "Compare the meaning of two ENI files or projects");
   auto options = std::make_shared<Options>();
   command->add_option("left", options->left, "Project or ENI file")->required();
   command->add_option("right", options->right, "Project or ENI file")->required();
+  command->add_flag("--details", options->details, "Also every command that differs, with its bytes");
   command->add_flag("--json", options->json, "Print JSON");
   command->callback([&context, options] { compare(context, *options); });
 }

@@ -18,20 +18,31 @@ std::string optional_text(const std::optional<T>& value) {
   return value ? fmt::format("{}", *value) : "none";
 }
 
-/// Pairs of equal keys in both lists, as many as possible in order (longest common subsequence).
-std::vector<std::pair<std::size_t, std::size_t>> align(const std::vector<std::string>& left,
-                                                       const std::vector<std::string>& right) {
-  const std::size_t rows = left.size() + 1;
-  const std::size_t columns = right.size() + 1;
+constexpr std::size_t kMostCells = 4'000'000;  // beyond, what differs is paired by place
+
+using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
+
+/// Longest common subsequence of what lies between equal beginnings and ends.
+void align_middle(Pairs& pairs, const std::vector<std::string>& left, const std::vector<std::string>& right,
+                  std::size_t begin, std::size_t left_end, std::size_t right_end) {
+  const std::size_t rows = left_end - begin + 1;
+  const std::size_t columns = right_end - begin + 1;
+  if (rows > kMostCells / columns) {
+    for (std::size_t i = begin; i < std::min(left_end, right_end); ++i) {
+      if (left[i] == right[i]) pairs.emplace_back(i, i);
+    }
+    return;
+  }
   std::vector<std::uint32_t> longest(rows * columns, 0);
-  const auto at = [&](std::size_t i, std::size_t j) -> std::uint32_t& { return longest[i * columns + j]; };
-  for (std::size_t i = left.size(); i-- > 0;) {
-    for (std::size_t j = right.size(); j-- > 0;) {
+  const auto at = [&](std::size_t i, std::size_t j) -> std::uint32_t& {
+    return longest[(i - begin) * columns + j - begin];
+  };
+  for (std::size_t i = left_end; i-- > begin;) {
+    for (std::size_t j = right_end; j-- > begin;) {
       at(i, j) = left[i] == right[j] ? at(i + 1, j + 1) + 1 : std::max(at(i + 1, j), at(i, j + 1));
     }
   }
-  std::vector<std::pair<std::size_t, std::size_t>> pairs;
-  for (std::size_t i = 0, j = 0; i < left.size() && j < right.size();) {
+  for (std::size_t i = begin, j = begin; i < left_end && j < right_end;) {
     if (left[i] == right[j]) {
       pairs.emplace_back(i++, j++);
     } else if (at(i + 1, j) >= at(i, j + 1)) {
@@ -40,6 +51,22 @@ std::vector<std::pair<std::size_t, std::size_t>> align(const std::vector<std::st
       ++j;
     }
   }
+}
+
+/// Pairs of equal keys in both lists, as many as possible in order.
+Pairs align(const std::vector<std::string>& left, const std::vector<std::string>& right) {
+  std::size_t begin = 0;
+  std::size_t left_end = left.size();
+  std::size_t right_end = right.size();
+  Pairs pairs;
+  for (; begin < left_end && begin < right_end && left[begin] == right[begin]; ++begin)
+    pairs.emplace_back(begin, begin);
+  while (left_end > begin && right_end > begin && left[left_end - 1] == right[right_end - 1]) {
+    --left_end;
+    --right_end;
+  }
+  align_middle(pairs, left, right, begin, left_end, right_end);
+  for (; left_end < left.size(); ++left_end, ++right_end) pairs.emplace_back(left_end, right_end);
   return pairs;
 }
 
@@ -48,6 +75,7 @@ template <class Item>
 void compare_lists(Differences& out, const std::string& where, const std::vector<Item>& left,
                    const std::vector<Item>& right, const std::function<std::string(const Item&)>& key,
                    const std::function<void(const std::string&, const Item&, const Item&)>& compare) {
+  if (left == right) return;
   std::vector<std::string> left_keys, right_keys;
   std::ranges::transform(left, std::back_inserter(left_keys), key);
   std::ranges::transform(right, std::back_inserter(right_keys), key);
@@ -149,7 +177,8 @@ void compare_tasks(Differences& out, const NetworkConfig& left, const NetworkCon
     const CyclicTask& l = t < left.cyclic.size() ? left.cyclic[t] : none;
     const CyclicTask& r = t < right.cyclic.size() ? right.cyclic[t] : none;
     const std::string where = fmt::format("cyclic task {}", t + 1);
-    FieldComparison(out, where).field("cycle time", fmt::format("{} ns", l.cycle_time), fmt::format("{} ns", r.cycle_time));
+    FieldComparison(out, where)
+        .field("cycle time", fmt::format("{} ns", l.cycle_time), fmt::format("{} ns", r.cycle_time));
     for (std::size_t f = 0; f < std::max(l.frames.size(), r.frames.size()); ++f) {
       const CyclicFrame empty;
       compare_frames(out, fmt::format("{}, frame {}", where, f + 1), f < l.frames.size() ? l.frames[f] : empty,
@@ -185,7 +214,8 @@ std::vector<NetworkDifference> compare_networks(const NetworkConfig& left, const
                                                 const CompareOptions& options) {
   Differences out;
   compare_init_cmds(out, "master, init command", left.master.init_cmds, right.master.init_cmds);
-  FieldComparison(out, "network").field("slaves", std::to_string(left.slaves.size()), std::to_string(right.slaves.size()));
+  FieldComparison(out, "network")
+      .field("slaves", std::to_string(left.slaves.size()), std::to_string(right.slaves.size()));
   for (std::size_t i = 0; i < std::min(left.slaves.size(), right.slaves.size()); ++i) {
     const auto of_slave = compare_slaves(left.slaves[i], right.slaves[i], fmt::format("slave {}", i));
     out.insert(out.end(), of_slave.begin(), of_slave.end());
