@@ -11,7 +11,7 @@ namespace syncline::ui {
 ConfigurationMonitor::ConfigurationMonitor(ProjectDocument& document, QObject* parent)
     : QObject(parent), document_(document), result_(fail(ErrorCode::kConfiguration, "project", "no slaves")) {
   debounce_.setSingleShot(true);
-  debounce_.setInterval(std::chrono::milliseconds(120));
+  debounce_.setInterval(std::chrono::milliseconds(20));
   connect(&debounce_, &QTimer::timeout, this, &ConfigurationMonitor::compileNow);
   connect(&document_, &ProjectDocument::projectChanged, this, [this](bool structural) {
     // A new set of slaves must never be shown beside the registers of the old one.
@@ -36,7 +36,11 @@ bool ConfigurationMonitor::hasErrors() const {
 
 void ConfigurationMonitor::compileNow() {
   debounce_.stop();
-  result_ = compile(document_.project());
+  if (const auto updated = compiler_.update(document_.project())) {
+    result_ = **updated;
+  } else {
+    result_ = tl::unexpected(updated.error());
+  }
   Q_EMIT compiled();
 }
 

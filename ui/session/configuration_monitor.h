@@ -5,7 +5,7 @@
 #include <QTimer>
 #include <optional>
 
-#include "config/compile/compile.h"
+#include "config/compile/incremental.h"
 #include "support/result.h"
 
 namespace syncline::ui {
@@ -35,6 +35,7 @@ class ConfigurationMonitor final : public QObject {
 
   ProjectDocument& document_;
   QTimer debounce_;
+  IncrementalCompiler compiler_;
   Result<CompileResult> result_;
 };
 
