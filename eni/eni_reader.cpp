@@ -111,7 +111,13 @@ Result<NetworkConfig> parse_eni(std::string_view text, const std::string& file_n
                       .file = file_name});
   }
   Reading reading(file_name);
-  return read_config(EniElement(Node(root, reading)), reading);
+  const EniElement element(Node(root, reading));
+  if (root_name == "EncryptedEtherCATConfig" && !element.child("Config")) {
+    return fail(Error{.code = ErrorCode::kNotThatKindOfFile,
+                      .detail = "an ENI file that others can read: its maker has encrypted it",
+                      .file = file_name});
+  }
+  return read_config(element, reading);
 }
 
 Result<NetworkConfig> read_eni(const std::string& path) {

@@ -221,6 +221,10 @@ INSTANTIATE_TEST_SUITE_P(
                 "<EtherCATConfig><Config><Master><Info>\n<Destination>0102</Destination></Info></Master></Config>"
                 "</EtherCATConfig>",
                 ErrorCode::kXmlBadValue, 2, "Destination"},
+        BadFile{"Encrypted",
+                "<EncryptedEtherCATConfig EncryptionVersion=\"1\"><Manufacturer Signature=\"#x1\">A</Manufacturer>"
+                "<Data>00ff</Data></EncryptedEtherCATConfig>",
+                ErrorCode::kNotThatKindOfFile, 0, ""},
         BadFile{"OtherValidation",
                 "<EtherCATConfig><Config><Master><InitCmds><InitCmd><Cmd>1</Cmd>\n<Validate Type=\"OFTEN\"/></InitCmd>"
                 "</InitCmds></Master></Config></EtherCATConfig>",

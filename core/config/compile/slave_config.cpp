@@ -60,9 +60,12 @@ MasterConfig master_config(const MasterSettings& settings, const std::vector<Sla
   config.name = settings.name;
   config.destination_mac = settings.destination_mac;
   config.source_mac = settings.source_mac;
-  config.eoe = std::ranges::any_of(plans, [](const SlavePlan& plan) {
+  const auto eoe_slaves = std::ranges::count_if(plans, [](const SlavePlan& plan) {
     return plan.mailbox && plan.device().mailbox && plan.device().mailbox->eoe && plan.settings->eoe.enabled;
   });
+  config.eoe = eoe_slaves > 0;
+  // A port for each slave and one for the host.
+  if (config.eoe) config.eoe_settings.max_ports = static_cast<std::uint32_t>(eoe_slaves) + 1;
   if (mailbox_states > 0) config.mailbox_state_count = mailbox_states;
   config.init_cmds = master_init_cmds();
   if (dc.dcm.standard_loop_values) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "config/recover/recovered_slave.h"
+#include "config/recover/recovered_tasks.h"
 
 namespace syncline {
 namespace {
@@ -72,10 +73,6 @@ void recover_master(Project& project, const NetworkConfig& config, FindingList& 
     findings.warning("cycle_time_us", fmt::format("The ENI has no cycle time; {} us is taken.",
                                                   config.cycle_time() / kMicrosecond));
   }
-  if (config.cyclic.size() > 1) {
-    findings.warning("", fmt::format("The ENI has {} cyclic tasks; all slaves were put into the first one.",
-                                     config.cyclic.size()));
-  }
 }
 
 void report_copies(const NetworkConfig& config, FindingList& findings) {
@@ -105,6 +102,7 @@ RecoveredProject recover_project(const NetworkConfig& config, const DeviceLookup
     FindingList findings(recovered.findings, static_cast<int>(i));
     recovered.project.slaves.push_back(recover::recovered_slave(config, i, devices, findings));
   }
+  recover::recover_tasks(recovered.project, config, of_master);
   recover_startup(recovered.project, config, recovered.dialect);
   report_copies(config, of_master);
   if (const auto compiled = compile(recovered.project, {recovered.dialect})) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "config/compile/compile.h"
+#include "config/compile/effective_slave.h"
 #include "config/recover/recovered_device.h"
 #include "config/recover/register_writes.h"
 
@@ -148,7 +149,8 @@ SimConfig simulated_network(const Project& project) {
   simulated.name = project.master.name;
   const auto compiled = compile(project);
   for (std::size_t i = 0; i < project.slaves.size(); ++i) {
-    const SlaveSettings& slave = project.slaves[i];
+    const auto effective = compiler::effective_slave(project.slaves[i]);
+    const SlaveSettings& slave = effective ? *effective : project.slaves[i];
     SimSlaveConfig& added = simulated.slaves.emplace_back();
     added.name = slave.name;
     added.behaviour = "generic";

@@ -84,6 +84,28 @@ TEST(RecoverProject, SaysWhatItCannotKeep) {
   EXPECT_THAT(words(recovered), testing::ElementsAre(HasSubstr("slave 4")));
 }
 
+TEST_P(RecoverProject, PutsSlavesIntoTheTasksOfTheEni) {
+  auto project = machine();
+  project.master.tasks = {{"slow", 4}};
+  project.master.sync_units = {{"axis", "slow"}};
+  project.slaves[3].output_unit = project.slaves[3].input_unit = "axis";
+  const auto config = compiled(project, GetParam());
+  ASSERT_EQ(config.cyclic.size(), 2U);
+  const auto recovered = recover_project(config);
+  EXPECT_THAT(words(recovered), IsEmpty());
+  ASSERT_EQ(recovered.project.master.tasks.size(), 1U);
+  EXPECT_EQ(recovered.project.master.tasks[0].multiple, 4U);
+  EXPECT_EQ(recovered.project.slaves[3].input_unit, recovered.project.master.sync_units[0].name);
+  EXPECT_EQ(recovered.project.slaves[4].input_unit, "");
+}
+
+TEST(RecoverProject, SaysWhichTaskDoesNotFit) {
+  auto config = compiled(machine(), EniDialect::kEcEngineer);
+  config.cyclic.push_back({3 * kMillisecond, {}, {}, {}, {}});
+  EXPECT_THAT(recover_project(config).findings,
+              testing::Contains(testing::Field(&Finding::text, HasSubstr("task 2, 3000 us, is no multiple of 2000 us"))));
+}
+
 TEST(RecoverProject, TakesNoEsiThatDoesNotFit) {
   const auto project = machine();
   const auto config = compiled(project, EniDialect::kEcEngineer);
