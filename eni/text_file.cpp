@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -8,6 +9,9 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <optional>
+#include <utility>
+#include <vector>
 
 #include "eni/xml_limits.h"
 #include "eni/xml_text.h"
@@ -70,6 +74,63 @@ std::string link_target(const std::string& path) {
   return error ? path : target.string();
 }
 
+/// What a file is written to before it gets its name. While its descriptor is open it is locked: another program that cleans
+/// up knows that somebody is at work.
+class TemporaryFile {
+ public:
+  static std::optional<TemporaryFile> beside(const std::string& target) {
+    for (;;) {
+      TemporaryFile file;
+      file.name_ = temporary_prefix(target) + "XXXXXX";
+      file.descriptor_ = ::mkstemp(file.name_.data());
+      if (file.descriptor_ < 0) return std::nullopt;
+      struct stat status{};
+      // Somebody may have cleaned it up before it was locked.
+      if (::flock(file.descriptor_, LOCK_EX) != 0 || ::fstat(file.descriptor_, &status) != 0 || status.st_nlink > 0) return file;
+    }
+  }
+
+  /// Hidden, and no name that a user would give: "folder/.name.saving-" and six characters.
+  static std::string temporary_prefix(const std::string& target) {
+    constexpr std::size_t kLongest = 200;  // names of 255 bytes are the most that file systems take
+    const std::filesystem::path file(target);
+    return (file.parent_path() / ("." + file.filename().string().substr(0, kLongest) + ".saving-")).string();
+  }
+
+  TemporaryFile(TemporaryFile&& other) noexcept
+      : name_(std::move(other.name_)), descriptor_(std::exchange(other.descriptor_, -1)) {}
+  TemporaryFile& operator=(TemporaryFile&&) = delete;
+  ~TemporaryFile() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+
+  bool fill(std::string_view content, mode_t mode) const { return ::fchmod(descriptor_, mode) == 0 && write_all(descriptor_, content); }
+  bool rename_to(const std::string& target) const { return std::rename(name_.c_str(), target.c_str()) == 0; }
+  void remove() const { ::unlink(name_.c_str()); }
+
+ private:
+  TemporaryFile() = default;
+  std::string name_;
+  int descriptor_ = -1;
+};
+
+/// Temporary files of programs that were killed while they saved `target`.
+void remove_left_overs(const std::string& target) {
+  constexpr std::size_t kRandomCharacters = 6;
+  const auto prefix = std::filesystem::path(TemporaryFile::temporary_prefix(target)).filename().string();
+  const auto folder = std::filesystem::path(target).parent_path();
+  std::error_code error;
+  std::vector<std::string> found;
+  for (std::filesystem::directory_iterator it(folder.empty() ? "." : folder, error), end; !error && it != end; it.increment(error)) {
+    const auto name = it->path().filename().string();
+    if (name.size() == prefix.size() + kRandomCharacters && name.starts_with(prefix)) found.push_back(it->path().string());
+  }
+  for (const auto& name : found) {
+    const OpenFile file(name);
+    if (file.descriptor >= 0 && ::flock(file.descriptor, LOCK_EX | LOCK_NB) == 0) ::unlink(name.c_str());
+  }
+}
+
 }  // namespace
 
 Result<std::string> read_file(const std::string& path) {
@@ -98,21 +159,12 @@ Result<std::string> read_file(const std::string& path) {
 
 Status write_file_atomic(const std::string& path, std::string_view content) {
   const std::string target = link_target(path);
-  std::string temporary = target + ".XXXXXX";
-  const int descriptor = ::mkstemp(temporary.data());
-  if (descriptor < 0) return file_error(ErrorCode::kFileNotWritable, path, errno);
-  bool ok = ::fchmod(descriptor, ordinary_mode(target)) == 0 && write_all(descriptor, content);
-  int number = errno;
-  if (::close(descriptor) != 0 && ok) {
-    ok = false;
-    number = errno;
-  }
-  if (ok && std::rename(temporary.c_str(), target.c_str()) != 0) {
-    ok = false;
-    number = errno;
-  }
-  if (!ok) {
-    ::unlink(temporary.c_str());
+  remove_left_overs(target);
+  auto temporary = TemporaryFile::beside(target);
+  if (!temporary) return file_error(ErrorCode::kFileNotWritable, path, errno);
+  if (!temporary->fill(content, ordinary_mode(target)) || !temporary->rename_to(target)) {
+    const int number = errno;
+    temporary->remove();
     return file_error(ErrorCode::kFileNotWritable, path, number);
   }
   sync_folder(std::filesystem::path(target).parent_path());

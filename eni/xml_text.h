@@ -12,7 +12,8 @@ namespace syncline::eni {
 [[nodiscard]] Result<std::string> read_file(const std::string& path);
 
 /// Writes a temporary file beside `path`, syncs it to the disk and renames it over `path`: a reader sees the old or the
-/// new content, never half of it. kFileNotWritable with the system's reason; `path` is then unchanged.
+/// new content, never half of it. What a killed program left beside it goes at the next save. kFileNotWritable with the
+/// system's reason; `path` is then unchanged.
 [[nodiscard]] Status write_file_atomic(const std::string& path, std::string_view content);
 
 /// UTF-8 without byte order mark. UTF-16 is known by its byte order mark; text that is no UTF-8 is taken for ISO-8859-1,

@@ -38,8 +38,8 @@ class Mappings {
       if (it->logical.overlaps(bytes)) slaves.push_back(it->slave);
     }
     std::ranges::sort(slaves);
-    const auto [first, last] = std::ranges::unique(slaves);
-    return slaves.size() - static_cast<std::size_t>(last - first);
+    // Not std::ranges::unique: clang 14 cannot compile what libstdc++ 12 makes of it.
+    return static_cast<std::size_t>(std::unique(slaves.begin(), slaves.end()) - slaves.begin());
   }
 
  private:
