@@ -109,7 +109,21 @@ class CoeList {
         out_.push_back(generated(index, 1, le_bytes(*manager.sync_type),
                                  fmt::format("set synchronisation type of SM {}", manager.number)));
       }
+      add_time(index, 2, manager.cycle_time, "cycle time", manager.number);
+      add_time(index, 3, manager.shift_time, "shift time", manager.number);
     }
+  }
+
+  /// Sm/CycleTime and Sm/ShiftTime of the op mode: a value, else a factor of the cycle (below 0 divides).
+  void add_time(std::uint16_t index, std::uint8_t sub_index, const std::optional<OpModeTime>& time, const char* what,
+                std::uint8_t manager) {
+    if (!time || is_read_only(index, sub_index)) return;
+    const int factor = time->factor.value_or(0);
+    const Nanoseconds scaled = factor >= 0 ? factor * slave_.cycle_time : slave_.cycle_time / -Nanoseconds{factor};
+    const Nanoseconds value = time->value_ns != 0 ? time->value_ns : scaled;
+    if (value <= 0 || value > 0xFFFF'FFFF) return;
+    out_.push_back(generated(index, sub_index, le_bytes(static_cast<std::uint32_t>(value)),
+                             fmt::format("set {} of SM {}", what, manager)));
   }
 
   void add_startup(Nanoseconds bus_cycle) {
@@ -127,6 +141,8 @@ class CoeList {
         cmd.command.data = {period->value};
       } else if (adapt && command.sub_index == 2) {
         cmd.command.data = {static_cast<std::uint8_t>(period->exponent)};
+      } else if (is_cycle_time(command) && bus_cycle <= 0xFFFF'FFFF) {
+        cmd.command.data = le_bytes(static_cast<std::uint32_t>(bus_cycle));
       }
       out_.push_back(cmd);
       if (adapt && command.sub_index == 1 && !has_exponent && period->exponent != InterpolationTime{}.exponent) {
@@ -141,6 +157,11 @@ class CoeList {
   [[nodiscard]] std::vector<CoeInitCmd> take() { return std::move(out_); }
 
  private:
+  /// 0x1C32:02 or 0x1C33:02, which the ESI leaves to the configurator (Data@AdaptAutomatically).
+  static bool is_cycle_time(const StartupCommand& command) {
+    const bool parameter = command.index == kSyncManagerParameter + 2 || command.index == kSyncManagerParameter + 3;
+    return command.adapt_automatically && parameter && command.sub_index == 2 && command.data.size() == 4;
+  }
   static std::uint16_t assign_object(const ProcessDataChannel& channel) {
     return static_cast<std::uint16_t>(kSyncManagerPdoAssign + channel.number);
   }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 
 #include "config/compile/compile.h"
 #include "config/settings_keys.h"
@@ -153,6 +154,27 @@ TEST(SlaveOptions, OversamplingRepeatsTheEntries) {
   EXPECT_EQ(config.image.inputs[3].bit_offset - config.image.inputs[1].bit_offset, 64U);
   project.slaves[1].oversampling[0].factor = 5;
   EXPECT_THAT(keys_of(project), testing::Contains("slave.1.pdo.oversampling.0x1a00"));
+}
+
+TEST(SlaveOptions, TimesOfSyncManagersFollowTheModeAndTheCycle) {
+  Project project = machine();
+  auto& mode = project.slaves[1].device.dc->op_modes[0];
+  OpModeTime cycle, shift;
+  cycle.factor = -2;
+  shift.value_ns = 5000;
+  mode.sync_managers = {{2, std::nullopt, {}, {}, cycle, shift}};
+  StartupCommand adapted;
+  adapted.index = 0x1C33;
+  adapted.sub_index = 2;
+  adapted.data = {0, 0, 0, 0};
+  adapted.adapt_automatically = true;
+  project.slaves[1].startup.push_back(adapted);
+  std::map<std::pair<int, int>, std::vector<std::uint8_t>> written;
+  const auto servo = servo_of(project);
+  for (const auto& cmd : servo.mailbox->coe_commands) written[{cmd.command.index, cmd.command.sub_index}] = cmd.command.data;
+  EXPECT_THAT((written[{0x1C32, 2}]), ElementsAre(0x20, 0xA1, 0x07, 0x00));  // 500 us
+  EXPECT_THAT((written[{0x1C32, 3}]), ElementsAre(0x88, 0x13, 0x00, 0x00));
+  EXPECT_THAT((written[{0x1C33, 2}]), ElementsAre(0x40, 0x42, 0x0F, 0x00));  // 1 ms
 }
 
 TEST(SlaveOptions, MoreObjectsThanTheDriveTakes) {
