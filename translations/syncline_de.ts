@@ -1320,8 +1320,8 @@
             <translation>Synchron nach</translation>
         </message>
         <message>
-            <source>Automatic (first with DC)</source>
-            <translation>Automatisch (erster mit DC)</translation>
+            <source>First with DC</source>
+            <translation>Erster mit DC</translation>
         </message>
         <message>
             <source>%1 / %2</source>

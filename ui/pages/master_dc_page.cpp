@@ -179,7 +179,7 @@ void MasterDcPage::refreshReferenceClocks() {
   const auto& project = workspace().document().project();
   const QSignalBlocker quiet(reference_);
   reference_->clear();
-  reference_->addItem(tr("Automatic (first with DC)"), QStringLiteral("auto"));
+  reference_->addItem(tr("First with DC"), QStringLiteral("auto"));
   for (std::size_t i = 0; i < project.slaves.size(); ++i) {
     const auto& slave = project.slaves[i];
     if (!slave.device.dc) continue;
