@@ -7,6 +7,7 @@
 
 #include "app/composition/open_link.h"
 #include "eni/xml_text.h"
+#include "protocol/error_text.h"
 
 namespace syncline::cli {
 namespace {
@@ -55,6 +56,12 @@ Json entry_json(const eni::CatalogueEntry& entry) {
           {"hidden", entry.hidden},
           {"file", entry.file},
           {"line", entry.line}};
+}
+
+Json match_json(const Result<eni::CatalogueMatch>& match) {
+  return {{"match", match ? Json(eni::match_kind_name(match->kind)) : Json(nullptr)},
+          {"words", match ? match->words : describe(match.error())},
+          {"device", match ? entry_json(match->entry) : Json(nullptr)}};
 }
 
 std::string entry_line(const eni::CatalogueEntry& entry) {

@@ -23,6 +23,8 @@ void add_esi_folders(CLI::App& command, EsiFolders& options);
 
 /// What list and search show of a device.
 [[nodiscard]] Json entry_json(const eni::CatalogueEntry& entry);
+/// `match` (null without one), `words`, `device`.
+[[nodiscard]] Json match_json(const Result<eni::CatalogueMatch>& match);
 [[nodiscard]] std::string entry_line(const eni::CatalogueEntry& entry);
 
 }  // namespace syncline::cli

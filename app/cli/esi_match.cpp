@@ -24,10 +24,9 @@ void match(Context& context, const MatchOptions& options) {
   if (!found && found.error().code != ErrorCode::kUnknownDevice) return context.fail_with(found.error());
   if (!found) context.exit_code = kAnswerIsNo;
   if (options.json) {
-    return context.print({{"identity", to_string(*identity)},
-                          {"match", found ? Json(eni::match_kind_name(found->kind)) : Json(nullptr)},
-                          {"words", found ? found->words : describe(found.error())},
-                          {"device", found ? entry_json(found->entry) : Json(nullptr)}});
+    Json json{{"identity", to_string(*identity)}};
+    json.update(match_json(found));
+    return context.print(json);
   }
   if (!found) {
     context.console.out << describe(found.error()) << '\n';

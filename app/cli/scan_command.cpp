@@ -2,12 +2,15 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <optional>
 
 #include "app/cli/context.h"
+#include "app/cli/esi_folders.h"
 #include "app/cli/event_text.h"
 #include "app/cli/interrupt.h"
 #include "app/composition/scan_bus.h"
 #include "config/device_description.h"
+#include "eni/xml_text.h"
 #include "protocol/al_state.h"
 #include "protocol/error_text.h"
 
@@ -95,8 +98,21 @@ void print_table(std::ostream& out, const BusScan& scan) {
 
 struct Options {
   std::string link, capture;
+  EsiFolders esi;
   bool look_only = false, json = false;
+
+  [[nodiscard]] bool looks_up() const { return !esi.folders.empty() || !esi.cache.empty(); }
 };
+
+/// Which ESI device describes each slave, for the commands that make projects of them.
+void print_matches(std::ostream& out, const BusScan& scan, const eni::EsiCatalogue& catalogue) {
+  for (const auto& slave : scan.slaves) {
+    const auto match = catalogue.match(slave.identity);
+    out << (match ? fmt::format("{:>4} {}: {} ({}:{})\n", slave.position, eni::trim(match->entry.type), match->words,
+                                match->entry.file, match->entry.line)
+                  : fmt::format("{:>4} {}\n", slave.position, describe(match.error())));
+  }
+}
 
 void scan(Context& context, const Options& options) {
   const InterruptGuard interrupt;
@@ -114,9 +130,22 @@ void scan(Context& context, const Options& options) {
     if (slave.sii_error) context.warn(*slave.sii_error);
   }
   for (const auto& finding : found->findings) context.warn(finding);
-  if (!options.json) return print_table(context.console.out, *found);
+  std::optional<eni::EsiCatalogue> catalogue;
+  if (options.looks_up()) {
+    auto opened = open_catalogue(context, options.esi);
+    if (!opened) return context.fail_with(opened.error());
+    catalogue = std::move(*opened);
+  }
+  if (!options.json) {
+    print_table(context.console.out, *found);
+    if (catalogue) print_matches(context.console.out, *found, *catalogue);
+    return;
+  }
   Json rows = Json::array(), findings = Json::array();
-  for (const auto& slave : found->slaves) rows.push_back(to_json(slave));
+  for (const auto& slave : found->slaves) {
+    rows.push_back(to_json(slave));
+    if (catalogue) rows.back()["esi"] = match_json(catalogue->match(slave.identity));
+  }
   for (const auto& finding : found->findings) findings.push_back(describe(finding));
   context.print({{"link", options.link},
                  {"slaves", rows},
@@ -134,6 +163,7 @@ void add_scan_command(CLI::App& app, Context& context) {
   command->add_flag("--look-only", options->look_only,
                     "Change nothing: no station addresses, no EEPROM taken from its PDI, no latching of times");
   command->add_option("--capture", options->capture, "Write every frame to this pcapng file");
+  add_esi_folders(*command, options->esi);
   command->add_flag("--json", options->json, "Print JSON");
   command->callback([&context, options] { scan(context, *options); });
 }
