@@ -54,11 +54,13 @@ TEST(ImageReport, MovingAnObjectSavesWhatIsSaid) {
     project.master.overlap_process_data = overlap;
     for (auto& slave : project.slaves) {
       slave.assigned_rx_pdos = {0x1600, 0x1601};
-      slave.device.rx_pdos[1].entries.push_back({0x60B2, 0, 16, "Torque offset", "INT"});
+      // 15 bytes out and 8 in: without the 8 bytes of one object the inputs are the longer ones.
+      slave.device.rx_pdos[1].entries = {{0x60FF, 0, 8, "Velocity", "SINT"}, {0x2000, 0, 64, "Time", "ULINT"}};
     }
     const auto before = report(project);
     ASSERT_EQ(before.movable.size(), 10U);
-    EXPECT_EQ(before.movable[0].index, 0x60FF);
+    EXPECT_EQ(before.movable[0].index, 0x2000);
+    EXPECT_EQ(before.movable[0].saved_bytes, overlap ? 7U : 8U);
     for (const auto& object : before.movable) {
       Project moved = project;
       Pdo pdo = moved.slaves[object.slave].device.rx_pdos[1];
