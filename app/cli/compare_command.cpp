@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "app/cli/context.h"
+#include "app/composition/compare_bus.h"
 #include "app/composition/load_config.h"
 #include "config/compare/compare_configs.h"
 #include "config/network_compare.h"
@@ -13,7 +14,7 @@ namespace {
 
 struct Options {
   std::string left, right;
-  bool details = false, json = false;
+  bool details = false, look_only = false, json = false;
 };
 
 Json position(const std::optional<std::size_t>& slave) { return slave ? Json(*slave) : Json(); }
@@ -54,36 +55,61 @@ void print(std::ostream& out, const std::vector<ConfigDifference>& differences) 
   }
 }
 
-void compare(Context& context, const Options& options) {
+/// LINK texts begin with one of these; everything else is a file.
+bool is_link(const std::string& text) {
+  return text.starts_with("sim:") || text.starts_with("nic:") || text.starts_with("replay:");
+}
+
+struct Compared {
+  std::vector<ConfigDifference> differences;
+  std::vector<NetworkDifference> details;
+  std::vector<Error> scan_findings;
+};
+
+Result<Compared> compare_any(const Options& options) {
   const auto left = load_config(options.left);
-  if (!left) return context.fail_with(left.error());
+  if (!left) return tl::unexpected(left.error());
+  Compared out;
+  if (is_link(options.right)) {
+    auto bus = compare_bus(left->config, options.right, {.look_only = options.look_only});
+    if (!bus) return tl::unexpected(bus.error());
+    return Compared{std::move(bus->differences), {}, std::move(bus->findings)};
+  }
   const auto right = load_config(options.right);
-  if (!right) return context.fail_with(right.error());
-  const auto differences = compare_configs(left->config, right->config);
-  const auto details =
-      options.details ? compare_networks(left->config, right->config) : std::vector<NetworkDifference>{};
-  if (!differences.empty()) context.exit_code = kAnswerIsNo;
+  if (!right) return tl::unexpected(right.error());
+  out.differences = compare_configs(left->config, right->config);
+  if (options.details) out.details = compare_networks(left->config, right->config);
+  return out;
+}
+
+void compare(Context& context, const Options& options) {
+  const auto compared = compare_any(options);
+  if (!compared) return context.fail_with(compared.error());
+  if (!compared->differences.empty()) context.exit_code = kAnswerIsNo;
+  for (const Error& finding : compared->scan_findings) context.warn(finding);
   if (options.json) {
-    Json report{{"left", options.left}, {"right", options.right}, {"differences", to_json(differences)}};
-    if (options.details) report["details"] = to_json(details);
+    Json report{{"left", options.left}, {"right", options.right}, {"differences", to_json(compared->differences)}};
+    if (options.details) report["details"] = to_json(compared->details);
     return context.print(report);
   }
-  print(context.console.out, differences);
+  print(context.console.out, compared->differences);
   if (options.details) {
     context.console.out << "commands\n";
-    for (const auto& difference : details) context.console.out << "  " << describe(difference) << '\n';
+    for (const auto& difference : compared->details) context.console.out << "  " << describe(difference) << '\n';
   }
-  context.console.out << fmt::format("{} differences\n", differences.size());
+  context.console.out << fmt::format("{} differences\n", compared->differences.size());
 }
 
 }  // namespace
 
 void add_compare_command(CLI::App& app, Context& context) {
-  auto* command = app.add_subcommand("compare", "Compare the meaning of two ENI files or projects");
+  auto* command =
+      app.add_subcommand("compare", "Compare the meaning of two ENI files or projects, or of one with a bus");
   auto options = std::make_shared<Options>();
   command->add_option("left", options->left, "Project or ENI file")->required();
-  command->add_option("right", options->right, "Project or ENI file")->required();
+  command->add_option("right", options->right, "Project or ENI file, or the LINK of a bus")->required();
   command->add_flag("--details", options->details, "Also every command that differs, with its bytes");
+  command->add_flag("--look-only", options->look_only, "Scan the bus without writing to it, as scan does");
   command->add_flag("--json", options->json, "Print JSON");
   command->callback([&context, options] { compare(context, *options); });
 }

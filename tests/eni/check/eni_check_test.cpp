@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "eni/check/eni_check.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -65,6 +66,22 @@ TEST(EniCheck, EachRuleHasACaseAndTexts) {
     EXPECT_FALSE(rule.title.empty() || rule.why.empty() || rule.mend.empty()) << rule.code;
   }
   EXPECT_EQ(tested, rules);
+}
+
+TEST(EniCheck, TheManualHasEachRuleWithItsTexts) {
+  std::ifstream in(SYNCLINE_SOURCE_DIR "/docs/check.md");
+  std::set<std::string> lines;
+  std::size_t rows = 0;
+  for (std::string line; std::getline(in, line);) {
+    rows += line.starts_with("| ENI-") ? 1 : 0;
+    lines.insert(line);
+  }
+  EXPECT_EQ(rows, check_rules().size());
+  for (const CheckRule& rule : check_rules()) {
+    const auto row = fmt::format("| {} | {} | {} | {} | {} |", rule.code, severity_name(rule.severity), rule.title,
+                                 rule.why, rule.mend);
+    EXPECT_TRUE(lines.contains(row)) << row;
+  }
 }
 
 TEST(EniCheck, AFindingNamesLinePathAndSlave) {

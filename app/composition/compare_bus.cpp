@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/composition/compare_bus.h"
+
+#include <algorithm>
+
+#include "app/composition/open_bus.h"
+#include "master/bus_compare.h"
+
+namespace syncline {
+
+Result<ComparedBus> compare_bus(const NetworkConfig& config, std::string_view link, const ScanOptions& options) {
+  auto opened = OpenBus::open(link);
+  if (!opened) return tl::unexpected(opened.error());
+  Bus& bus = (*opened)->bus();
+  const auto scan = scan_slaves(bus, options);
+  if (!scan) return tl::unexpected(scan.error());
+  const auto running = read_running_registers(bus, *scan);
+  if (!running) return tl::unexpected(running.error());
+  ComparedBus out;
+  out.differences = compare_with_bus(config, *scan, *running);
+  out.findings = scan->findings;
+  out.running = static_cast<std::size_t>(
+      std::ranges::count_if(*running, [](const auto& registers) { return registers.has_value(); }));
+  return out;
+}
+
+}  // namespace syncline

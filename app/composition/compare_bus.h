@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "config/compare/compare_configs.h"
+#include "master/bus_scanner.h"
+#include "support/result.h"
+
+namespace syncline {
+
+struct ComparedBus {
+  std::vector<ConfigDifference> differences;  // left = configuration, right = bus
+  std::vector<Error> findings;                // of the scan: what could not be read
+  std::size_t running = 0;                    // slaves in SAFEOP or OP, whose registers were compared, too
+};
+
+/// Scans the bus behind a LINK and compares it with a configuration. Errors as scan_bus().
+[[nodiscard]] Result<ComparedBus> compare_bus(const NetworkConfig& config, std::string_view link,
+                                              const ScanOptions& options = {});
+
+}  // namespace syncline
