@@ -131,7 +131,8 @@ void write_aoe(EniText& out, const MailboxConfig& mailbox) {
   out.close();
 }
 
-void write_messages(EniText& out, std::string_view protocol, const std::vector<MailboxInitCmd>& cmds, bool disabled = false) {
+void write_messages(EniText& out, std::string_view protocol, const std::vector<MailboxInitCmd>& cmds,
+                    bool disabled = false) {
   if (!cmds.empty() || disabled) {
     out.open(protocol, {{"Disabled", out.flag(disabled)}});
     write_list(out, cmds, write_message);

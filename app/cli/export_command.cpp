@@ -39,10 +39,11 @@ std::string content(const Options& options, const NetworkConfig& config) {
 /// An ENI that is exported again keeps its commands, and with them the layout of its image.
 std::vector<Finding> about_layout(const Options& options, const LoadedConfig& loaded) {
   if (!loaded.is_eni || options.dialect.empty() || dialect_of(loaded.config) == chosen_dialect(options)) return {};
-  return {{FindingSeverity::kWarning, -1, "",
-           fmt::format("{} is an ENI: its commands and the layout of its image stay as they are, only the spelling follows "
-                       "--dialect. \"project create --eni\" makes a project that can be laid out anew.",
-                       options.file)}};
+  return {
+      {FindingSeverity::kWarning, -1, "",
+       fmt::format("{} is an ENI: its commands and the layout of its image stay as they are, only the spelling follows "
+                   "--dialect. \"project create --eni\" makes a project that can be laid out anew.",
+                   options.file)}};
 }
 
 void export_file(Context& context, const Options& options) {
@@ -74,13 +75,16 @@ void export_file(Context& context, const Options& options) {
 }  // namespace
 
 void add_export_command(CLI::App& app, Context& context) {
-  auto* command = app.add_subcommand("export", "Write the ENI file of a project or of an ENI, or tables, a C header, a drawing");
+  auto* command =
+      app.add_subcommand("export", "Write the ENI file of a project or of an ENI, or tables, a C header, a drawing");
   auto options = std::make_shared<Options>();
   command->add_option("file", options->file, "Project or ENI file")->required();
   command->add_option("-o,--output", options->output, "File to write")->required();
-  command->add_option("--format", options->format,
-                      "eni, c-header (process image for C and C++), csv (process image), pdo-csv (PDOs and their entries), "
-                      "slaves-csv (slave list) or svg (topology)")
+  command
+      ->add_option(
+          "--format", options->format,
+          "eni, c-header (process image for C and C++), csv (process image), pdo-csv (PDOs and their entries), "
+          "slaves-csv (slave list) or svg (topology)")
       ->check(CLI::IsMember({"eni", "c-header", "csv", "pdo-csv", "slaves-csv", "svg"}));
   command->add_option("--dialect", options->dialect, "ec-master or twincat")
       ->check(CLI::IsMember({"ec-master", "twincat"}));

@@ -10,8 +10,8 @@
 
 namespace syncline {
 
-/// A file that can be run or exported: a project is compiled, an ENI is read as it is. `network` chooses one of a project
-/// file that holds several, see eni::find_network.
+/// A file that can be run or exported: a project is compiled, an ENI is read as it is. `network` chooses one of a
+/// project file that holds several, see eni::find_network.
 [[nodiscard]] Result<CompileResult> load_config(const std::string& path, const CompileOptions& options = {},
                                                 std::string_view network = {});
 

@@ -9,8 +9,8 @@
 
 namespace syncline {
 
-/// Whether what was read satisfies the check: masked and, where sizes count, taken as one little-endian number. Bytes that
-/// were not read count as 0.
+/// Whether what was read satisfies the check: masked and, where sizes count, taken as one little-endian number. Bytes
+/// that were not read count as 0.
 [[nodiscard]] bool satisfies(const InitCmdValidate& validate, std::span<const std::uint8_t> read);
 
 /// Before the expected value in a sentence: "", "not ", "at least " and so on.

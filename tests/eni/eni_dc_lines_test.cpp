@@ -97,11 +97,10 @@ TEST(DcLines, BusShiftIsOneApwrOf0910) {
   for (const auto mode : {DcmMode::kMasterShift, DcmMode::kOff}) {
     const auto change = edited([mode](Project& project) { project.master.dc.dcm.mode = mode; });
     EXPECT_THAT(change.added, IsEmpty());
-    EXPECT_THAT(change.removed,
-                testing::UnorderedElementsAre("<Cmd>", "<State>PREOP</State>", "<State>SAFEOP</State>", "<State>OP</State>",
-                                              "<Comment>DC: steer reference clock (bus shift)</Comment>", "<Cmd>2</Cmd>",
-                                              "<Adp>65535</Adp>", "<Ado>2320</Ado>", "<DataLength>4</DataLength>",
-                                              "</Cmd>"));
+    EXPECT_THAT(change.removed, testing::UnorderedElementsAre(
+                                    "<Cmd>", "<State>PREOP</State>", "<State>SAFEOP</State>", "<State>OP</State>",
+                                    "<Comment>DC: steer reference clock (bus shift)</Comment>", "<Cmd>2</Cmd>",
+                                    "<Adp>65535</Adp>", "<Ado>2320</Ado>", "<DataLength>4</DataLength>", "</Cmd>"));
   }
 }
 
@@ -119,12 +118,12 @@ TEST(DcLines, ContinuousCompensationTurnsTheNopIntoALatch) {
 
 TEST(DcLines, TheReferenceClockIsAddressedAndFlagged) {
   const auto change = edited([](Project& project) { project.master.dc.reference_clock = 2; });
-  EXPECT_THAT(change.removed, testing::UnorderedElementsAre("<ReferenceClock>1</ReferenceClock>",
-                                                            "<ReferenceClock>0</ReferenceClock>", "<Adp>65535</Adp>",
-                                                            "<Adp>65535</Adp>"));
-  EXPECT_THAT(change.added, testing::UnorderedElementsAre("<ReferenceClock>0</ReferenceClock>",
-                                                          "<ReferenceClock>1</ReferenceClock>", "<Adp>65534</Adp>",
-                                                          "<Adp>65534</Adp>"));
+  EXPECT_THAT(change.removed,
+              testing::UnorderedElementsAre("<ReferenceClock>1</ReferenceClock>", "<ReferenceClock>0</ReferenceClock>",
+                                            "<Adp>65535</Adp>", "<Adp>65535</Adp>"));
+  EXPECT_THAT(change.added,
+              testing::UnorderedElementsAre("<ReferenceClock>0</ReferenceClock>", "<ReferenceClock>1</ReferenceClock>",
+                                            "<Adp>65534</Adp>", "<Adp>65534</Adp>"));
 }
 
 TEST(DcLines, APotentialReferenceClockIsOneFlag) {

@@ -26,24 +26,29 @@ struct Reason {
   const char* why;
 };
 
-constexpr const char* kTimeOut = R"(slave \d+, init command \d+ \([AF]PWR .*:0x0120, .*\): time-out is \d+ in the first file, none in the second)";
+constexpr const char* kTimeOut =
+    R"(slave \d+, init command \d+ \([AF]PWR .*:0x0120, .*\): time-out is \d+ in the first file, none in the second)";
 constexpr const char* kTwinCat3 =
-    "TwinCAT 3 gives the AL control writes a time-out, which the check behind them has anyway; ET9000, which the dialect "
+    "TwinCAT 3 gives the AL control writes a time-out, which the check behind them has anyway; ET9000, which the "
+    "dialect "
     "follows, does not";
 
 constexpr Reason kReasons[] = {
     {"jasper-node__jn-ec-master__mega_master_eni.xml", kTimeOut, kTwinCat3},
     {"kpierczy__ethercat-lib__test_eni.xml", kTimeOut, kTwinCat3},
-    {"kpierczy__ethercat-lib__test_eni.xml", R"(cyclic task 1, frame 1, command [45]: only in the (first|second) file: LR[DW] .*)",
+    {"kpierczy__ethercat-lib__test_eni.xml",
+     R"(cyclic task 1, frame 1, command [45]: only in the (first|second) file: LR[DW] .*)",
      "TwinCAT 3 orders its areas by sync units: here the input that has one of its own comes before the drives"},
-    {"kpierczy__ethercat-lib__test_eni.xml", R"(slave [1-4], init command 3[12] \(FPWR 100[2-5]:0x06[01]0, PS\): data is .*)",
+    {"kpierczy__ethercat-lib__test_eni.xml",
+     R"(slave [1-4], init command 3[12] \(FPWR 100[2-5]:0x06[01]0, PS\): data is .*)",
      "the logical addresses of these areas"},
     {"kpierczy__ethercat-lib__test_eni.xml", R"(slave 0, init command 2[2-8].* FPWR 1001:0x06[012]0, .*)",
      "TwinCAT 3 gives an output SyncManager without data a switched-off FMMU, so that the numbers of the others move"},
     {"kpierczy__ethercat-lib__test_eni.xml", R"(slave 0, init command 22 \(FPWR 1001:0x0600, PS\): data is .*)",
      "the same"},
     {"magnate3__rocos-ethercat__eni1.xml", ".*",
-     "Elmo Application Studio has a list of commands of its own (order, transitions, no working counters, one by one), a "
+     "Elmo Application Studio has a list of commands of its own (order, transitions, no working counters, one by one), "
+     "a "
      "master that distributes the time without commands in the frames, and no PDOs in its files"},
 };
 
@@ -110,7 +115,8 @@ TEST(EniPairs, CompileToTheSameCommands) {
     slaves += config->slaves.size();
   }
   EXPECT_EQ(with_esi, 21U) << "ESI files of the table that were not taken";
-  fmt::print("{} files, {} slaves, {} of them with their ESI, {} differences explained\n", files, slaves, with_esi, explained);
+  fmt::print("{} files, {} slaves, {} of them with their ESI, {} differences explained\n", files, slaves, with_esi,
+             explained);
 }
 
 }  // namespace

@@ -3,7 +3,13 @@
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
+#include <functional>
+
 #include "config/compile/compile.h"
+#include "config/exports/exports.h"
+#include "config/recover/recover_project.h"
+#include "config/recover/simulated_network.h"
 #include "core/config/compile/sample_devices.h"
 #include "eni/eni_file.h"
 
@@ -34,6 +40,39 @@ RC_GTEST_PROP(EniReader, SurvivesDamage, ()) {
   } else {
     RC_ASSERT(config.error().file == "damaged.xml");
   }
+}
+
+/// Begin and length of every number in the text of an element.
+std::vector<std::pair<std::size_t, std::size_t>> numbers_of(const std::string& text) {
+  std::vector<std::pair<std::size_t, std::size_t>> found;
+  for (std::size_t at = text.find('>'); at != std::string::npos; at = text.find('>', at + 1)) {
+    const auto end = text.find_first_not_of("0123456789", at + 1);
+    if (end != std::string::npos && end > at + 1 && text[end] == '<') found.emplace_back(at + 1, end - at - 1);
+  }
+  return found;
+}
+
+/// Whatever numbers a file has: all that is made from it ends, and in a memory of the file's size.
+RC_GTEST_PROP(EniReader, ExtremeNumbersHarmNothingThatIsMadeFromTheFile, ()) {
+  static const std::string whole = write_eni(compile(sample::small_machine())->config);
+  static const auto places = numbers_of(whole);
+  std::string text = whole;
+  auto chosen = *rc::gen::container<std::vector<std::size_t>>(3, rc::gen::inRange<std::size_t>(0, places.size()));
+  std::ranges::sort(chosen, std::greater{});
+  for (const std::size_t place : chosen) {
+    const std::string number = *rc::gen::element<std::string>("0", "-1", "1", "255", "65535", "32768", "2147483647", "16");
+    text.replace(places[place].first, places[place].second, number);
+  }
+  const auto config = parse_eni(text, "extreme.xml");
+  if (!config) return;
+  const auto recovered = recover_project(*config);
+  RC_ASSERT(recovered.project.slaves.size() == config->slaves.size());
+  RC_ASSERT(simulated_network(*config).slaves.size() == config->slaves.size());
+  RC_ASSERT(simulated_network(recovered.project).slaves.size() == config->slaves.size());
+  const std::size_t bytes = exports::c_header(*config, "x").size() + exports::image_csv(*config).size() +
+                            exports::pdo_csv(*config).size() + exports::slaves_csv(*config).size() +
+                            exports::topology_svg(*config).size();
+  RC_ASSERT(bytes < 4 * text.size());
 }
 
 }  // namespace

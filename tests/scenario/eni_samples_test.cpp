@@ -45,7 +45,8 @@ std::vector<std::string> sample_enis() {
 
 std::string test_name(const testing::TestParamInfo<std::string>& info) {
   std::string name = info.param.empty() ? "None" : info.param;
-  std::ranges::replace_if(name, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
+  std::ranges::replace_if(
+      name, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
   return name;
 }
 

@@ -4,14 +4,16 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <set>
+#include <map>
 
 #include "config/exports/exports.h"
 
 namespace syncline::exports {
 namespace {
 
-bool is_plain(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 && static_cast<unsigned char>(c) < 0x80; }
+bool is_plain(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 && static_cast<unsigned char>(c) < 0x80;
+}
 
 /// Letters and digits with single underscores between: what C and C++ both leave to the user.
 std::string identifier(std::string_view text) {
@@ -42,7 +44,8 @@ std::string lower(std::string text) {
 std::string comment_text(std::string_view text) {
   std::string out;
   for (const char c : text) {
-    const bool ends = (c == '/' && !out.empty() && out.back() == '*') || (c == '*' && !out.empty() && out.back() == '/');
+    const bool ends =
+        (c == '/' && !out.empty() && out.back() == '*') || (c == '*' && !out.empty() && out.back() == '/');
     if (ends) out += ' ';
     out += static_cast<unsigned char>(c) < 0x20 || c == '\\' ? ' ' : c;
   }
@@ -75,7 +78,9 @@ class Header {
     out_ = fmt::format("/* Process image of \"{}\", {} slaves. Made by Syncline; do not edit. */\n",
                        comment_text(config.master.name), config.slaves.size());
     out_ += fmt::format("#ifndef {0}_PROCESS_IMAGE_H\n#define {0}_PROCESS_IMAGE_H\n\n", macro_);
-    out_ += "#include <stddef.h>\n#include <stdint.h>\n#include <string.h>\n\n#ifdef __cplusplus\nextern \"C\" {\n#endif\n\n";
+    out_ +=
+        "#include <stddef.h>\n#include <stdint.h>\n#include <string.h>\n\n#ifdef __cplusplus\nextern \"C\" "
+        "{\n#endif\n\n";
     out_ += fmt::format("#define {}_SLAVES {}u\n", macro_, config.slaves.size());
     out_ += fmt::format("#define {}_CYCLE_NS {}u\n", macro_, config.cycle_time());
     out_ += fmt::format("#define {}_INPUT_BYTES {}u\n", macro_, config.image.input_bytes);
@@ -136,7 +141,8 @@ class Header {
       return;
     }
     const std::string macro = fmt::format("{}_{}", macro_, upper(name));
-    out_ += fmt::format("#define {}_BIT {}u\n#define {}_BITS {}u\n", macro, variable.bit_offset, macro, variable.bit_size);
+    out_ +=
+        fmt::format("#define {}_BIT {}u\n#define {}_BITS {}u\n", macro, variable.bit_offset, macro, variable.bit_size);
     if (variable.bit_size > 64) return;  // a buffer: copy it
     output ? write_setter(variable, lower(name)) : write_getter(variable, lower(name));
   }
@@ -146,13 +152,15 @@ class Header {
     const auto load = fmt::format("{}_load(image, {}u, {}u)", prefix_, variable.bit_offset, variable.bit_size);
     out_ += fmt::format("static inline {} {}_{}(const uint8_t* image) {{\n", type.c_name, prefix_, name);
     if (type.is_float) {
-      out_ += fmt::format("  uint{0}_t bits = (uint{0}_t){1};\n  {2} value;\n  memcpy(&value, &bits, sizeof value);\n"
-                          "  return value;\n}}\n",
-                          variable.bit_size, load, type.c_name);
+      out_ += fmt::format(
+          "  uint{0}_t bits = (uint{0}_t){1};\n  {2} value;\n  memcpy(&value, &bits, sizeof value);\n"
+          "  return value;\n}}\n",
+          variable.bit_size, load, type.c_name);
     } else if (type.is_signed && variable.bit_size % 8 != 0) {
-      out_ += fmt::format("  uint64_t value = {0};\n  uint64_t sign = (uint64_t)1 << {1};\n"
-                          "  return ({2})((value ^ sign) - sign);\n}}\n",
-                          load, variable.bit_size - 1, type.c_name);
+      out_ += fmt::format(
+          "  uint64_t value = {0};\n  uint64_t sign = (uint64_t)1 << {1};\n"
+          "  return ({2})((value ^ sign) - sign);\n}}\n",
+          load, variable.bit_size - 1, type.c_name);
     } else {
       out_ += fmt::format("  return ({}){};\n}}\n", type.c_name, load);
     }
@@ -166,19 +174,24 @@ class Header {
       out_ += fmt::format("  uint{}_t bits;\n  memcpy(&bits, &value, sizeof bits);\n", variable.bit_size);
       value = "(uint64_t)bits";
     }
-    out_ += fmt::format("  {}_store(image, {}u, {}u, {});\n}}\n", prefix_, variable.bit_offset, variable.bit_size, value);
+    out_ +=
+        fmt::format("  {}_store(image, {}u, {}u, {});\n}}\n", prefix_, variable.bit_offset, variable.bit_size, value);
   }
 
   /// Names that differ in case or in signs only get numbers.
   std::string unique(std::string_view text) {
     const std::string base = identifier(text);
-    std::string name = base;
-    for (int number = 2; !used_.insert(upper(name)).second; ++number) name = fmt::format("{}_{}", base, number);
+    int& number = used_[upper(base)];
+    if (++number == 1) return base;
+    std::string name = fmt::format("{}_{}", base, number);
+    // Somebody may be called so already.
+    while (used_.contains(upper(name))) name = fmt::format("{}_{}", base, ++number);
+    used_[upper(name)] = 1;
     return name;
   }
 
   std::string prefix_, macro_, out_;
-  std::set<std::string> used_;
+  std::map<std::string, int> used_;  // names in capitals, and the last number given
 };
 
 }  // namespace

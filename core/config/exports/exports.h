@@ -5,12 +5,13 @@
 
 #include "config/network_config.h"
 
-/// What programs and people need of a configuration beside the ENI. Pure text, the same bytes for the same configuration;
-/// CSV as RFC 4180 with a header row, comma, UTF-8 and CR LF.
+/// What programs and people need of a configuration beside the ENI. Pure text, the same bytes for the same
+/// configuration; CSV as RFC 4180 with a header row, comma, UTF-8 and CR LF.
 namespace syncline::exports {
 
-/// Header for C99 and C++: sizes, cycle time, and for each variable its place in the image with functions that read inputs
-/// and write outputs, whatever the byte order and alignment of the machine. `name` gives prefix and include guard.
+/// Header for C99 and C++: sizes, cycle time, and for each variable its place in the image with functions that read
+/// inputs and write outputs, whatever the byte order and alignment of the machine. `name` gives prefix and include
+/// guard.
 [[nodiscard]] std::string c_header(const NetworkConfig& config, const std::string& name);
 
 /// One row a variable: direction, name, data type, bits, byte and bit in the image.

@@ -24,7 +24,8 @@ void append_variables(std::string& out, const char* direction, const std::vector
   }
 }
 
-/// Where the assigned PDOs lie: one behind the other in the order of the SyncManagers, in the slave's part of the image.
+/// Where the assigned PDOs lie: one behind the other in the order of the SyncManagers, in the slave's part of the
+/// image.
 class Places {
  public:
   explicit Places(const SlaveConfig& slave) {
@@ -120,7 +121,8 @@ std::string image_csv(const NetworkConfig& config) {
 
 std::string pdo_csv(const NetworkConfig& config) {
   std::string out =
-      "slave,slave_name,direction,pdo,pdo_name,sync_manager,index,sub_index,bits,name,data_type,image_byte,image_bit\r\n";
+      "slave,slave_name,direction,pdo,pdo_name,sync_manager,index,sub_index,bits,name,data_type,image_byte,image_"
+      "bit\r\n";
   for (std::size_t i = 0; i < config.slaves.size(); ++i) append_entries(out, i, config.slaves[i]);
   return out;
 }

@@ -8,18 +8,28 @@
 namespace syncline::exports {
 namespace {
 
-constexpr int kMargin = 24, kIndent = 56, kBoxWidth = 400, kBoxHeight = 52, kRowHeight = 72, kTrunk = 28, kLegendHeight = 40;
+constexpr int kMargin = 24, kIndent = 56, kBoxWidth = 400, kBoxHeight = 52, kRowHeight = 72, kTrunk = 28,
+              kLegendHeight = 40;
 constexpr int kFirstRow = kMargin + kRowHeight;
 
 std::string escaped(std::string_view text) {
   std::string out;
   for (const char c : text) {
     switch (c) {
-      case '&': out += "&amp;"; break;
-      case '<': out += "&lt;"; break;
-      case '>': out += "&gt;"; break;
-      case '"': out += "&quot;"; break;
-      default: out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      default:
+        out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
     }
   }
   return out;
@@ -95,7 +105,8 @@ std::string cables(const Tree& tree) {
 }
 
 std::string process_data_text(const SlaveConfig& slave) {
-  const std::uint32_t outputs = slave.send ? slave.send->bit_length : 0, inputs = slave.receive ? slave.receive->bit_length : 0;
+  const std::uint32_t outputs = slave.send ? slave.send->bit_length : 0,
+                      inputs = slave.receive ? slave.receive->bit_length : 0;
   if (outputs == 0 && inputs == 0) return {};
   if (outputs % 8 != 0 || inputs % 8 != 0) return fmt::format("{} / {} bits", outputs, inputs);
   return fmt::format("{} / {} bytes", outputs / 8, inputs / 8);
@@ -161,12 +172,13 @@ std::string topology_svg(const NetworkConfig& config) {
   const int width = 2 * kMargin + (tree.columns() - 1) * kIndent + kBoxWidth;
   const int height = top(config.slaves.size()) + kLegendHeight;
   std::string out = fmt::format(
-      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" "
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" "
+      "height=\"{1}\" "
       "viewBox=\"0 0 {0} {1}\">\n{2}<rect width=\"{0}\" height=\"{1}\" fill=\"#f5f7fa\"/>\n",
       width, height, kStyle);
   if (!config.slaves.empty()) out += cables(tree);
-  out += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" rx=\"6\" class=\"master\"/>\n", kMargin, kMargin,
-                     kBoxWidth, kBoxHeight);
+  out += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" rx=\"6\" class=\"master\"/>\n", kMargin,
+                     kMargin, kBoxWidth, kBoxHeight);
   out += label(kMargin + 18, kMargin + 31, "master-name",
                fmt::format("{}, {} slaves", shortened(config.master.name, 34), config.slaves.size()));
   for (std::size_t i = 0; i < config.slaves.size(); ++i) out += box(tree.nodes()[i], i, config.slaves[i]);

@@ -22,7 +22,8 @@ bool same(const StartupCommand& left, const StartupCommand& right) {
 std::vector<StartupCommand> without(const std::vector<CoeInitCmd>& wanted, std::vector<CoeInitCmd> generated) {
   std::vector<StartupCommand> rest;
   for (const CoeInitCmd& cmd : wanted) {
-    const auto found = std::ranges::find_if(generated, [&](const CoeInitCmd& g) { return same(g.command, cmd.command); });
+    const auto found =
+        std::ranges::find_if(generated, [&](const CoeInitCmd& g) { return same(g.command, cmd.command); });
     if (found == generated.end()) {
       rest.push_back(cmd.command);
     } else {
@@ -37,8 +38,9 @@ void recover_startup(Project& project, const NetworkConfig& config, EniDialect d
   for (std::size_t i = 0; i < project.slaves.size(); ++i) {
     if (!config.slaves[i].mailbox) continue;
     const bool known = compiled && i < compiled->config.slaves.size() && compiled->config.slaves[i].mailbox;
-    project.slaves[i].startup = without(config.slaves[i].mailbox->coe_commands,
-                                        known ? compiled->config.slaves[i].mailbox->coe_commands : std::vector<CoeInitCmd>{});
+    project.slaves[i].startup =
+        without(config.slaves[i].mailbox->coe_commands,
+                known ? compiled->config.slaves[i].mailbox->coe_commands : std::vector<CoeInitCmd>{});
   }
 }
 
@@ -66,12 +68,13 @@ void recover_master(Project& project, const NetworkConfig& config, FindingList& 
   master.recovery = config.recovery;
   master.real_time = config.real_time;
   if (config.dc.enabled) {
-    findings.info("dc.mode", "An ENI says of the clocks' settings only which commands are sent: limit and settle time of the "
-                             "sync window, set value, burst and controller have their defaults.");
+    findings.info("dc.mode",
+                  "An ENI says of the clocks' settings only which commands are sent: limit and settle time of the "
+                  "sync window, set value, burst and controller have their defaults.");
   }
   if (!config.cyclic.empty() && !config.cyclic.front().cycle_time_given) {
-    findings.warning("cycle_time_us", fmt::format("The ENI has no cycle time; {} us is taken.",
-                                                  config.cycle_time() / kMicrosecond));
+    findings.warning("cycle_time_us",
+                     fmt::format("The ENI has no cycle time; {} us is taken.", config.cycle_time() / kMicrosecond));
   }
 }
 
@@ -83,7 +86,8 @@ void report_copies(const NetworkConfig& config, FindingList& findings) {
     }
   }
   if (copies > 0) {
-    findings.warning("", fmt::format("{} slave-to-slave copies cannot be kept: a project has no place for them.", copies));
+    findings.warning("",
+                     fmt::format("{} slave-to-slave copies cannot be kept: a project has no place for them.", copies));
   }
 }
 

@@ -23,8 +23,8 @@ struct RecoveredProject {
 };
 
 /// A project from which compile() makes this configuration again, as far as a project can say it. Slaves get the ESI's
-/// device where `devices` has it and it fits what the ENI assigns, else a device of what the ENI shows. Start-up commands
-/// are those that compile() does not generate. Never fails: what is odd is a finding.
+/// device where `devices` has it and it fits what the ENI assigns, else a device of what the ENI shows. Start-up
+/// commands are those that compile() does not generate. Never fails: what is odd is a finding.
 [[nodiscard]] RecoveredProject recover_project(const NetworkConfig& config, const DeviceLookup& devices = {});
 
 /// The dialect in which the cyclic commands are laid out.

@@ -83,7 +83,8 @@ std::vector<std::uint16_t> commanded_pdos(const SlaveConfig& slave, std::uint8_t
     const std::span<const std::uint8_t> data(command.data);
     if (command.complete_access && command.sub_index == 0 && data.size() >= 4) {
       indexes.clear();
-      for (std::size_t at = 2; at + 2 <= data.size(); at += 2) indexes.push_back(load_le<std::uint16_t>(data.subspan(at)));
+      for (std::size_t at = 2; at + 2 <= data.size(); at += 2)
+        indexes.push_back(load_le<std::uint16_t>(data.subspan(at)));
     } else if (command.sub_index > 0 && data.size() == 2) {
       indexes.push_back(load_le<std::uint16_t>(data));
     }
@@ -91,8 +92,8 @@ std::vector<std::uint16_t> commanded_pdos(const SlaveConfig& slave, std::uint8_t
   return indexes;
 }
 
-/// Process data whose meaning nobody tells: padding of the right size, in PDOs that a device can describe. Which of several
-/// PDOs has which part is unknown; the first takes all.
+/// Process data whose meaning nobody tells: padding of the right size, in PDOs that a device can describe. Which of
+/// several PDOs has which part is unknown; the first takes all.
 std::vector<Pdo> nameless_pdos(PdoDirection direction, std::uint8_t manager, std::uint32_t bits,
                                const std::vector<std::uint16_t>& indexes) {
   constexpr std::uint32_t kMostBits = 248, kMostEntries = 32;
@@ -128,15 +129,16 @@ void add_pdos(DeviceDescription& device, const SlaveConfig& slave, const Registe
   }
   for (const auto& [number, written] : writes.sync_managers) {
     const auto type = device.sync_managers[number].type;
-    if (!written.enabled() || (type != SyncManagerType::kOutputs && type != SyncManagerType::kInputs)) continue;
+    if (!written.enabled() || written.length == 0) continue;
+    if (type != SyncManagerType::kOutputs && type != SyncManagerType::kInputs) continue;
     const auto direction = type == SyncManagerType::kOutputs ? PdoDirection::kRx : PdoDirection::kTx;
     auto& pdos = pdos_of(device, direction);
     const bool named = std::ranges::any_of(pdos, [&](const Pdo& pdo) { return pdo.sync_manager == number; });
     if (named) continue;
     const auto range = direction == PdoDirection::kRx ? slave.send : slave.receive;
-    const bool bits_fit = range && (range->bit_length + 7) / 8 == written.length;
+    const bool bits_fit = range && (std::uint64_t{range->bit_length} + 7) / 8 == written.length;
     auto nameless = nameless_pdos(direction, number, bits_fit ? range->bit_length : 8U * written.length,
-                                   commanded_pdos(slave, number));
+                                  commanded_pdos(slave, number));
     std::ranges::move(nameless, std::back_inserter(pdos));
   }
 }

@@ -8,11 +8,13 @@
 namespace syncline::recover {
 
 /// A description of the device as far as the ENI lets it be seen: identity, SyncManagers, FMMUs, PDOs, mailbox, one DC
-/// operation mode named "DC" with the times that the ENI sets (a SYNC0 cycle that is the bus cycle as factor 1), time-outs,
-/// watchdog registers. Not to be seen: what the device could do besides, its object dictionary, its other operation modes.
+/// operation mode named "DC" with the times that the ENI sets (a SYNC0 cycle that is the bus cycle as factor 1),
+/// time-outs, watchdog registers. Not to be seen: what the device could do besides, its object dictionary, its other
+/// operation modes.
 [[nodiscard]] DeviceDescription recovered_device(const SlaveConfig& slave, Nanoseconds bus_cycle);
 
-/// The device type that tools put into names: "Slave_1001 [type]", "Drive 1 (type)"; else from ProductRevision; else the name.
+/// The device type that tools put into names: "Slave_1001 [type]", "Drive 1 (type)"; else from ProductRevision; else
+/// the name.
 [[nodiscard]] std::string device_type(const SlaveConfig& slave);
 
 /// AssignActivate and times, from the element DC or else from the commands.

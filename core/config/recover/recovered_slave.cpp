@@ -61,8 +61,9 @@ DeviceDescription choose_device(const SlaveConfig& slave, const DeviceLookup& de
     return recovered_device(slave, cycle);
   }
   if (const auto why = misfit(*found, slave); !why.empty()) {
-    findings.warning("", fmt::format("The ESI's {} was not taken, {}: the device is described by what the ENI uses of it.",
-                                     found->type, why));
+    findings.warning("",
+                     fmt::format("The ESI's {} was not taken, {}: the device is described by what the ENI uses of it.",
+                                 found->type, why));
     return recovered_device(slave, cycle);
   }
   return *found;
@@ -92,16 +93,23 @@ void recover_checks(SlaveSettings& settings, const std::vector<SiiCheck>& checks
   for (const SiiCheck& check : checks) {
     constexpr std::size_t kWord = 2;
     switch (check.word) {
-      case 0x08: settings.check.vendor = true; break;
-      case 0x0A: settings.check.product = true; break;
+      case 0x08:
+        settings.check.vendor = true;
+        break;
+      case 0x0A:
+        settings.check.product = true;
+        break;
       case 0x0C:
         settings.check.revision = true;
-        settings.check.revision_rule = check.expected.size() == kWord                    ? RevisionCheck::kLowWordEqual
+        settings.check.revision_rule = check.expected.size() == kWord                ? RevisionCheck::kLowWordEqual
                                        : check.type == ValidateType::kGreaterOrEqual ? RevisionCheck::kEqualOrGreater
                                                                                      : RevisionCheck::kEqual;
         break;
-      case 0x0E: settings.check.serial = true; break;
-      default: break;
+      case 0x0E:
+        settings.check.serial = true;
+        break;
+      default:
+        break;
     }
   }
 }
@@ -139,7 +147,8 @@ void recover_mailbox(SlaveSettings& settings, const SlaveConfig& slave, EniDiale
   settings.eoe.enabled = !mailbox.eoe_disabled;
   for (const SoeInitCmd& cmd : mailbox.soe_commands) {
     SoeStartupCommand& added = settings.soe_startup.emplace_back();
-    added.command = {cmd.transitions, cmd.drive_no, cmd.idn, cmd.data, cmd.fixed, cmd.enabled, cmd.timeout_ms, cmd.comment};
+    added.command = {cmd.transitions, cmd.drive_no, cmd.idn,        cmd.data,
+                     cmd.fixed,       cmd.enabled,  cmd.timeout_ms, cmd.comment};
     added.fixed = cmd.fixed;
     added.enabled = cmd.enabled;
     added.timeout_ms = cmd.timeout_ms;
@@ -157,8 +166,9 @@ void recover_dc(SlaveSettings& settings, const SlaveConfig& slave, Nanoseconds c
   const auto choice = recovered_dc_settings(slave, settings.device, cycle);
   settings.dc = choice.settings;
   if (!choice.exact) {
-    findings.warning("dc.op_mode", fmt::format("No operation mode of {} has the AssignActivate 0x{:04X} of the ENI: DC is off.",
-                                               settings.device.type, dc_of(slave)->assign_activate));
+    findings.warning("dc.op_mode",
+                     fmt::format("No operation mode of {} has the AssignActivate 0x{:04X} of the ENI: DC is off.",
+                                 settings.device.type, dc_of(slave)->assign_activate));
   }
 }
 

@@ -7,7 +7,7 @@
 namespace syncline::recover {
 
 /// The settings of one slave, without those start-up commands that can only be told apart when the rest is compiled.
-[[nodiscard]] SlaveSettings recovered_slave(const NetworkConfig& config, std::size_t position, const DeviceLookup& devices,
-                                            compiler::FindingList& findings);
+[[nodiscard]] SlaveSettings recovered_slave(const NetworkConfig& config, std::size_t position,
+                                            const DeviceLookup& devices, compiler::FindingList& findings);
 
 }  // namespace syncline::recover

@@ -52,9 +52,8 @@ RegisterWrites register_writes(const std::vector<InitCmd>& commands) {
     each_record<SyncManager::kSize>(cmd, reg::kSyncManager, [&](std::uint8_t number, auto record) {
       found.sync_managers[number] = SyncManager::decode(record);
     });
-    each_record<Fmmu::kSize>(cmd, reg::kFmmu, [&](std::uint8_t number, auto record) {
-      found.fmmus[number] = Fmmu::decode(record);
-    });
+    each_record<Fmmu::kSize>(cmd, reg::kFmmu,
+                             [&](std::uint8_t number, auto record) { found.fmmus[number] = Fmmu::decode(record); });
     take_word(cmd, reg::kWatchdogDivider, found.reg_0400);
     take_word(cmd, reg::kWatchdogPdi, found.reg_0410);
     take_word(cmd, reg::kWatchdogProcessData, found.reg_0420);

@@ -14,11 +14,11 @@
 namespace syncline::recover {
 
 struct RegisterWrites {
-  std::map<std::uint8_t, SyncManager> sync_managers;   // by number; those that are set, not those that are cleared
+  std::map<std::uint8_t, SyncManager> sync_managers;  // by number; those that are set, not those that are cleared
   std::map<std::uint8_t, Fmmu> fmmus;
   std::optional<std::uint16_t> reg_0400, reg_0410, reg_0420;
-  std::vector<std::uint8_t> pdi;                       // what 0x0140 is expected to hold
-  std::optional<std::uint8_t> state_request;           // first byte of the AL control write that asks for PREOP
+  std::vector<std::uint8_t> pdi;              // what 0x0140 is expected to hold
+  std::optional<std::uint8_t> state_request;  // first byte of the AL control write that asks for PREOP
 };
 
 [[nodiscard]] RegisterWrites register_writes(const std::vector<InitCmd>& commands);

@@ -122,7 +122,8 @@ void straighten(SimConfig& config) {
     auto& ports = taken[*config.slaves[i].parent];
     const auto port = 1U << config.slaves[i].parent_port;
     // A port has one cable.
-    consistent = consistent && config.slaves[i].parent_port >= 1 && config.slaves[i].parent_port <= 3 && (ports & port) == 0;
+    consistent =
+        consistent && config.slaves[i].parent_port >= 1 && config.slaves[i].parent_port <= 3 && (ports & port) == 0;
     ports |= port;
   }
   if (consistent) return;

@@ -43,7 +43,8 @@ NetworkConfig odd_names() {
                          {"nibble", "SINT", "", 4, 1},
                          {"text", "STRING(15)", "", 128, 0},
                          {"state", "UINT", "", 16, 250}};
-  config.image.outputs = {{"axis.pos", "DINT", "", 32, 3}, {"int", "BOOL", "", 1, 7}, {"", "LINT", "", 64, 64}, {"r", "REAL", "", 32, 128}};
+  config.image.outputs = {
+      {"axis.pos", "DINT", "", 32, 3}, {"int", "BOOL", "", 1, 7}, {"", "LINT", "", 64, 64}, {"r", "REAL", "", 32, 128}};
   return config;
 }
 
@@ -107,7 +108,8 @@ TEST(PdoCsv, AgreesWithTheVariables) {
   for (const auto* variables : {&config.image.inputs, &config.image.outputs}) {
     for (const auto& variable : *variables) {
       const auto entry = variable.name.substr(variable.name.find('.', variable.name.find('.') + 1) + 1);
-      const auto place = "," + std::to_string(variable.bit_offset / 8) + "," + std::to_string(variable.bit_offset % 8) + "\r\n";
+      const auto place =
+          "," + std::to_string(variable.bit_offset / 8) + "," + std::to_string(variable.bit_offset % 8) + "\r\n";
       const auto plain = "," + std::to_string(variable.bit_size) + "," + entry + "," + variable.data_type + place;
       found += csv.find(plain) != std::string::npos ? 1 : 0;
     }
@@ -129,13 +131,16 @@ TEST(TopologySvg, DrawsEachSlaveOnceAndItsCable) {
   project.slaves[1].previous = PreviousPort{0, 3};
   project.slaves[2].previous = PreviousPort{1, 1};
   project.slaves[3].previous = PreviousPort{0, 1};
-  project.slaves[3].name = "<Vorsch\xC3\xBC" "be & Co> mit einem sehr sehr langen Namen";
+  project.slaves[3].name =
+      "<Vorsch\xC3\xBC"
+      "be & Co> mit einem sehr sehr langen Namen";
   const auto svg = topology_svg(compile(project).value().config);
   std::size_t boxes = 0;
   for (std::size_t at = 0; (at = svg.find("class=\"box", at)) != std::string::npos; ++at) ++boxes;
   EXPECT_EQ(boxes, 4U);
   EXPECT_THAT(svg, HasSubstr("port D"));
-  EXPECT_THAT(svg, HasSubstr("3  &lt;Vorsch\xC3\xBC" "be &amp; Co&gt; mit einem sehr s\xE2\x80\xA6"));
+  EXPECT_THAT(svg, HasSubstr("3  &lt;Vorsch\xC3\xBC"
+                             "be &amp; Co&gt; mit einem sehr s\xE2\x80\xA6"));
   // The branch is moved to the right, the last slave is not.
   EXPECT_THAT(svg, HasSubstr("<rect x=\"80\" y=\"168\""));
   EXPECT_THAT(svg, HasSubstr("<rect x=\"24\" y=\"312\""));

@@ -20,14 +20,15 @@ std::vector<std::string> words(const RecoveredProject& recovered) {
 }
 
 Project machine() {
-  Project project = sample::project({sample::coupler(), sample::digital_input(), sample::digital_output(), sample::servo(),
-                                     sample::servo()});
+  Project project = sample::project(
+      {sample::coupler(), sample::digital_input(), sample::digital_output(), sample::servo(), sample::servo()});
   auto& servo = project.slaves[4];
   servo.name = "Feeder";
   servo.alias = 77;
   servo.check.revision = servo.check.vendor = true;
   servo.dc.sync0.shift = 125'000;
-  servo.startup.push_back({.transitions = {Transition::kPS}, .index = 0x6060, .sub_index = 0, .data = {8}, .comment = {}});
+  servo.startup.push_back(
+      {.transitions = {Transition::kPS}, .index = 0x6060, .sub_index = 0, .data = {8}, .comment = {}});
   project.master.cycle_time = 2 * kMillisecond;
   project.master.dc.sync_window.enabled = true;
   return project;
@@ -71,7 +72,9 @@ TEST_P(RecoverProject, CompilesToTheSameCommandsWithTheEsi) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Dialects, RecoverProject, testing::Values(EniDialect::kEcEngineer, EniDialect::kTwinCat),
-                         [](const auto& test) { return test.param == EniDialect::kTwinCat ? "TwinCat" : "EcEngineer"; });
+                         [](const auto& test) {
+                           return test.param == EniDialect::kTwinCat ? "TwinCat" : "EcEngineer";
+                         });
 
 TEST(RecoverProject, SaysWhatItCannotKeep) {
   auto config = compiled(machine(), EniDialect::kEcEngineer);
@@ -79,7 +82,8 @@ TEST(RecoverProject, SaysWhatItCannotKeep) {
   config.cyclic[0].frames[0].commands[0].copy_infos.push_back({0, 8, 8});
   config.slaves[4].init_cmds.erase(config.slaves[4].init_cmds.begin() + 3);
   const auto recovered = recover_project(config);
-  EXPECT_THAT(recovered.findings, testing::Contains(testing::Field(&Finding::text, HasSubstr("of VoE cannot be kept"))));
+  EXPECT_THAT(recovered.findings,
+              testing::Contains(testing::Field(&Finding::text, HasSubstr("of VoE cannot be kept"))));
   EXPECT_THAT(recovered.findings, testing::Contains(testing::Field(&Finding::text, HasSubstr("slave-to-slave"))));
   EXPECT_THAT(words(recovered), testing::ElementsAre(HasSubstr("slave 4")));
 }
@@ -102,8 +106,9 @@ TEST_P(RecoverProject, PutsSlavesIntoTheTasksOfTheEni) {
 TEST(RecoverProject, SaysWhichTaskDoesNotFit) {
   auto config = compiled(machine(), EniDialect::kEcEngineer);
   config.cyclic.push_back({3 * kMillisecond, {}, {}, {}, {}});
-  EXPECT_THAT(recover_project(config).findings,
-              testing::Contains(testing::Field(&Finding::text, HasSubstr("task 2, 3000 us, is no multiple of 2000 us"))));
+  EXPECT_THAT(
+      recover_project(config).findings,
+      testing::Contains(testing::Field(&Finding::text, HasSubstr("task 2, 3000 us, is no multiple of 2000 us"))));
 }
 
 TEST(RecoverProject, TakesNoEsiThatDoesNotFit) {
