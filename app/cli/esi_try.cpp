@@ -10,7 +10,7 @@ namespace syncline::cli {
 namespace {
 
 struct TryOptions {
-  std::string path;
+  std::string path, keep;
   unsigned threads = 0, every = 1;
   bool json = false, all = false;
 };
@@ -53,7 +53,7 @@ void print_device(std::ostream& out, const TriedDevice& device) {
 void try_devices(Context& context, const TryOptions& options) {
   const InterruptGuard interrupt;
   TryRequest request{.path = options.path, .threads = options.threads, .every = options.every,
-                     .stop = &interrupt.interrupted()};
+                     .keep = options.keep, .stop = &interrupt.interrupted()};
   if (!options.json) {
     request.on_device = [&](const TriedDevice& device) {
       if (options.all || device.outcome != TryOutcome::kPassed) print_device(context.console.out, device);
@@ -78,6 +78,7 @@ void add_esi_try(CLI::App& esi, Context& context) {
   command->add_option("path", options->path, "ESI file, or folder of ESI files")->required();
   command->add_option("--threads", options->threads, "Devices tried at the same time; 0: one for each processor");
   command->add_option("--every", options->every, "Try only each n-th device of a file")->check(CLI::Range(1, 100000));
+  command->add_option("--keep", options->keep, "Folder to keep the ENI file of each device in")->check(CLI::ExistingDirectory);
   command->add_flag("--all", options->all, "List the devices that passed too");
   command->add_flag("--json", options->json, "Print JSON");
   command->callback([&context, options] { try_devices(context, *options); });

@@ -6,13 +6,12 @@
 #include <algorithm>
 #include <optional>
 
-#include "config/check/check_network.h"
-#include "config/check/check_rule.h"
 #include "config/compile/compile.h"
 #include "config/compile/effective_slave.h"
 #include "config/network_compare.h"
 #include "config/project.h"
 #include "config/sim_config.h"
+#include "eni/check/eni_check.h"
 #include "eni/eni_file.h"
 #include "link/simulated_link.h"
 #include "master/master_service.h"
@@ -47,6 +46,71 @@ Project project_of(const DeviceDescription& device) {
   return project;
 }
 
+tl::unexpected<Stop> excepted(TryStep step, std::string reason) {
+  return tl::unexpected(Stop{TryOutcome::kExcepted, step, std::move(reason)});
+}
+
+/// Mailboxes without a size, or one in the other: impossible on any bus, whoever configures it.
+std::string impossible_mailbox(const DeviceDescription& device) {
+  struct Memory {
+    std::uint32_t begin, end;
+  };
+  const auto has = [&](SyncManagerType type) {
+    return std::ranges::find(device.sync_managers, type, &SyncManagerDescription::type) != device.sync_managers.end();
+  };
+  if (!has(SyncManagerType::kMailboxOut) || !has(SyncManagerType::kMailboxIn)) return {};
+  std::vector<Memory> mailboxes;
+  for (const auto& manager : device.sync_managers) {
+    const bool mailbox = manager.type == SyncManagerType::kMailboxOut || manager.type == SyncManagerType::kMailboxIn;
+    if (!mailbox) continue;
+    const auto size = manager.default_size.value_or(manager.min_size.value_or(manager.max_size.value_or(0)));
+    if (size == 0) return "the ESI gives the mailbox no size";
+    const Memory memory{manager.start_address, manager.start_address + std::uint32_t{size}};
+    for (const auto& other : mailboxes) {
+      if (memory.begin >= other.end || other.begin >= memory.end) continue;
+      return fmt::format("the ESI puts one mailbox (0x{:04x} to 0x{:04x}) into the other (0x{:04x} to 0x{:04x})",
+                         memory.begin, memory.end - 1, other.begin, other.end - 1);
+    }
+    mailboxes.push_back(memory);
+  }
+  return {};
+}
+
+/// PDOs of the ESI's own assignment that do not fit into the SyncManager that the ESI gives them.
+std::string oversize(const DeviceDescription& device) {
+  for (std::size_t n = 0; n < device.sync_managers.size(); ++n) {
+    const auto& limit = device.sync_managers[n].max_size;
+    for (const auto direction : {PdoDirection::kRx, PdoDirection::kTx}) {
+      for (const Pdo& pdo : device.pdos(direction)) {
+        const auto bytes = (pdo.bit_length() + 7) / 8;
+        if (!pdo.fixed || pdo.sync_manager != n || !limit || *limit == 0 || bytes <= *limit) continue;
+        return fmt::format("the ESI assigns PDO 0x{:04x} of {} bytes to SM{}, which takes {}", pdo.index, bytes, n, *limit);
+      }
+    }
+  }
+  return {};
+}
+
+/// Start-up commands of the ESI that empty the PDO assignment which the same ESI gives.
+std::string emptied_assignment(const DeviceDescription& device) {
+  if (!device.mailbox || !device.mailbox->coe) return {};
+  for (const auto& command : device.mailbox->coe->init_commands) {
+    const bool rx = command.index == 0x1C12, tx = command.index == 0x1C13;
+    const bool empties = command.sub_index == 0 && !command.data.empty() && command.data[0] == 0;
+    if (empties && (rx || tx) && !default_assignment(device, rx ? PdoDirection::kRx : PdoDirection::kTx).empty()) {
+      return fmt::format("a start-up command of the ESI empties 0x{:04x}, to which the ESI assigns PDOs", command.index);
+    }
+  }
+  return {};
+}
+
+Step<void> describable(const DeviceDescription& device) {
+  for (const auto& check : {impossible_mailbox, oversize, emptied_assignment}) {
+    if (auto reason = check(device); !reason.empty()) return excepted(TryStep::kRead, std::move(reason));
+  }
+  return {};
+}
+
 Step<NetworkConfig> compiled(const Project& project) {
   auto result = compile(project);
   if (!result) return failed(TryStep::kCompile, describe(result.error()));
@@ -55,22 +119,27 @@ Step<NetworkConfig> compiled(const Project& project) {
   return std::move(result->config);
 }
 
+/// Structure and meaning of the exported file; notes and warnings are no failures.
+Step<void> checked(const std::string& text) {
+  const auto check = eni::check_eni_text(text, "exported.xml");
+  if (!check) return failed(TryStep::kCheck, describe(check.error()));
+  const auto error = std::ranges::find(check->findings, CheckSeverity::kError, &eni::EniFinding::severity);
+  if (error == check->findings.end()) return {};
+  return failed(TryStep::kCheck, fmt::format("{}: {} (line {})", error->code, error->what, error->line));
+}
+
 /// The configuration as it stands in the exported file, which another master would get.
-Step<NetworkConfig> exported(const NetworkConfig& config) {
-  auto again = eni::parse_eni(eni::write_eni(config), "exported.xml");
+Step<NetworkConfig> exported(const NetworkConfig& config, const std::string& keep) {
+  const auto text = eni::write_eni(config);
+  if (!keep.empty()) {
+    if (auto saved = eni::save_eni(config, keep); !saved) return failed(TryStep::kExport, describe(saved.error()));
+  }
+  auto again = eni::parse_eni(text, "exported.xml");
   if (!again) return failed(TryStep::kExport, describe(again.error()));
   const auto differences = compare_networks(config, *again);
   if (!differences.empty()) return failed(TryStep::kExport, describe(differences.front()));
+  if (auto fine = checked(text); !fine) return tl::unexpected(fine.error());
   return std::move(*again);
-}
-
-Step<void> checked(const NetworkConfig& config) {
-  for (const CheckFinding& finding : check_network(config)) {
-    const CheckRule* rule = find_check_rule(finding.code);
-    if (rule != nullptr && rule->severity != CheckSeverity::kError) continue;
-    return failed(TryStep::kCheck, fmt::format("{}: {}", finding.code, finding.what));
-  }
-  return {};
 }
 
 /// The device as its project configures it: with the modules in their slots.
@@ -131,14 +200,14 @@ Step<Run> run(const NetworkConfig& config, const SimConfig& sim) {
   return run;
 }
 
-Step<Run> all_steps(const DeviceDescription& device, TriedDevice& tried) {
+Step<Run> all_steps(const DeviceDescription& device, const std::string& keep, TriedDevice& tried) {
+  if (auto sensible = describable(device); !sensible) return tl::unexpected(sensible.error());
   const auto project = project_of(device);
   tried.modules = static_cast<std::uint32_t>(project.slaves.front().modules.size());
   auto config = compiled(project);
   if (!config) return tl::unexpected(config.error());
-  auto again = exported(*config);
+  auto again = exported(*config, keep);
   if (!again) return tl::unexpected(again.error());
-  if (auto fine = checked(*again); !fine) return tl::unexpected(fine.error());
   return run(*again, simulated(project.slaves.front()));
 }
 
@@ -165,9 +234,9 @@ std::string_view step_name(TryStep step) {
   return "";
 }
 
-TriedDevice try_device(const DeviceDescription& device) {
+TriedDevice try_device(const DeviceDescription& device, const std::string& keep) {
   TriedDevice tried{.file = device.source, .identity = device.identity, .type = device.type, .name = device.name};
-  const auto run = all_steps(device, tried);
+  const auto run = all_steps(device, keep, tried);
   if (run) {
     tried.wkc_expected = run->wkc_expected;
     tried.cycles = run->good;

@@ -80,8 +80,15 @@ class Trial {
     }
     for (const Error& error : file->rejected) done(number, rejected(error));
     for (std::size_t i = 0; i < file->devices.size() && !stopped(); i += std::max(request_.every, 1U)) {
-      done(number, try_device(file->devices[i]));
+      done(number, try_device(file->devices[i], kept_file(files_[number], i)));
     }
+  }
+
+  /// "KEEP/Maker_Drives-3.xml": the third device of Maker_Drives.xml.
+  [[nodiscard]] std::string kept_file(const std::string& file, std::size_t device) const {
+    if (request_.keep.empty()) return {};
+    const auto stem = std::filesystem::path(file).stem().string();
+    return (std::filesystem::path(request_.keep) / (stem + "-" + std::to_string(device + 1) + ".xml")).string();
   }
 
   void done(std::size_t number, TriedDevice tried) {

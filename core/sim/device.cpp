@@ -260,6 +260,7 @@ void Device::sync_manager_written(unsigned number, Nanoseconds time) {
   } else if (!stopped_ && exchanges_process_data() && process_data_.sync_manager(PdoDirection::kRx) == number) {
     last_outputs_ = time;
     if (state_ == AlState::kOp) process_data_.outputs_to_dictionary();
+    process_data_.take_outputs();
     on_outputs(time);
   }
 }
@@ -267,7 +268,10 @@ void Device::sync_manager_written(unsigned number, Nanoseconds time) {
 void Device::sync_manager_read(unsigned number, Nanoseconds time) {
   if (!stopped_) esc_.acknowledge_events(kAlEventSyncManager0 << number);
   if (has_mailbox() && number == 1 && mailbox_.waiting()) mail_due_ = time + kMailboxReaction;
-  if (!stopped_ && exchanges_process_data() && process_data_.sync_manager(PdoDirection::kTx) == number) on_inputs_read(time);
+  if (!stopped_ && exchanges_process_data() && process_data_.sync_manager(PdoDirection::kTx) == number) {
+    on_inputs_read(time);
+    process_data_.offer_inputs();
+  }
 }
 
 void Device::sync_manager_set(unsigned number, Nanoseconds time) {

@@ -59,14 +59,41 @@ void add_described_objects(const DeviceDescription& device, ObjectDictionary& di
   }
 }
 
+/// An object of which only the bytes of one complete access are known: one entry takes them all.
+void add_whole_object(const StartupCommand& command, ObjectDictionary& dictionary) {
+  constexpr std::size_t kHead = 2;  // sub-index 0 and its padding
+  const std::size_t head = command.sub_index == 0 ? std::min(kHead, command.data.size()) : 0;
+  if (dictionary.find(command.index, 0) != nullptr || dictionary.find(command.index, 1) != nullptr) return;
+  dictionary.add(command.index, 0, "Number of entries", std::uint8_t{1}, true);
+  dictionary.add(command.index, 1, command.comment, std::vector<std::uint8_t>(command.data.size() - head), true);
+}
+
 /// What the description wants to be written at state transitions must be there, also where it has no dictionary.
 void add_commanded_objects(const DeviceDescription& device, ObjectDictionary& dictionary) {
   if (!device.mailbox || !device.mailbox->coe) return;
   for (const auto& command : device.mailbox->coe->init_commands) {
     const bool pdo_object = command.index >= 0x1600 && command.index < 0x1C20;  // PdoObjects makes these
-    if (pdo_object || command.complete_access) continue;
+    if (pdo_object) continue;
+    if (command.complete_access) {
+      add_whole_object(command, dictionary);
+      continue;
+    }
     if (dictionary.find(command.index, command.sub_index) != nullptr) continue;
     dictionary.add(command.index, command.sub_index, command.comment, std::vector<std::uint8_t>(command.data.size()), true);
+  }
+}
+
+/// The synchronisation type (0x1C32:01, 0x1C33:01) that an operation mode sets must be there to be set.
+void add_sync_types(const DeviceDescription& device, ObjectDictionary& dictionary) {
+  if (!device.dc || !device.mailbox || !device.mailbox->coe) return;
+  constexpr std::uint16_t kFirst = 0x1C30;  // of SyncManager 0
+  for (const auto& mode : device.dc->op_modes) {
+    for (const auto& manager : mode.sync_managers) {
+      const auto index = static_cast<std::uint16_t>(kFirst + manager.number);
+      if (!manager.sync_type || manager.number > 31 || dictionary.find(index, 1) != nullptr) continue;
+      dictionary.add<std::uint8_t>(index, 0, "Number of entries", 1);
+      dictionary.add<std::uint16_t>(index, 1, "Synchronisation type", 0, true);
+    }
   }
 }
 
@@ -77,6 +104,7 @@ void add_device_objects(const SimSlaveConfig& config, ObjectDictionary& dictiona
   add_mapped_objects(config.device, dictionary);
   add_described_objects(config.device, dictionary);
   add_commanded_objects(config.device, dictionary);
+  add_sync_types(config.device, dictionary);
 }
 
 }  // namespace syncline::sim

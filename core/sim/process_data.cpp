@@ -36,6 +36,20 @@ void ProcessData::map() {
   outputs_ = copies(PdoDirection::kRx);
   inputs_ = copies(PdoDirection::kTx);
   input_buffer_.clear();
+  const auto one_buffer = [this](const std::optional<unsigned>& number) {
+    return number && esc_.sync_manager(*number).enabled() && esc_.sync_manager(*number).is_mailbox();
+  };
+  one_output_buffer_ = one_buffer(output_sm_);
+  one_input_buffer_ = one_buffer(input_sm_);
+  offer_inputs();
+}
+
+void ProcessData::take_outputs() {
+  if (one_output_buffer_) esc_.set_mailbox_full(*output_sm_, false);
+}
+
+void ProcessData::offer_inputs() {
+  if (one_input_buffer_) esc_.set_mailbox_full(*input_sm_, true);
 }
 
 void ProcessData::outputs_to_dictionary() {

@@ -23,6 +23,9 @@ class ProcessData {
   void outputs_to_dictionary();
   void clear_outputs();
   void inputs_from_dictionary();
+  /// Process data in one buffer (SyncManager in mailbox mode): the outputs were taken and make room, the inputs are there.
+  void take_outputs();
+  void offer_inputs();
 
   [[nodiscard]] std::uint32_t byte_length(PdoDirection direction) const { return pdos_.byte_length(direction); }
   [[nodiscard]] bool has_outputs() const { return !outputs_.empty(); }
@@ -44,6 +47,7 @@ class ProcessData {
   std::vector<Copy> outputs_, inputs_;
   std::vector<std::uint8_t> input_buffer_;
   std::optional<unsigned> output_sm_, input_sm_;
+  bool one_output_buffer_ = false, one_input_buffer_ = false;
 };
 
 }  // namespace syncline::sim

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "app/composition/try_esi.h"
+#include "cli_runner.h"
+#include "support/sample_folder.h"
+
+namespace syncline::cli {
+namespace {
+
+using ::testing::HasSubstr;
+
+std::string esi(const std::string& devices, const std::string& modules = "") {
+  return "<EtherCATInfo><Vendor><Id>#x5C17</Id><Name>Maker</Name></Vendor><Descriptions><Groups/><Devices>" + devices +
+         "</Devices>" + modules + "</Descriptions></EtherCATInfo>";
+}
+
+/// A terminal with two bytes of outputs in neighbouring SyncManagers and one FMMU for both.
+constexpr const char* kNeighbours = R"(<Device Physics="KK"><Type ProductCode="1" RevisionNo="1">DO16</Type>
+  <Fmmu OpOnly="1">Outputs</Fmmu>
+  <Sm DefaultSize="1" StartAddress="#x0f00" ControlByte="#x44" Enable="1" OpOnly="1">Outputs</Sm>
+  <Sm DefaultSize="1" StartAddress="#x0f01" ControlByte="#x44" Enable="1" OpOnly="1">Outputs</Sm>
+  <RxPdo Fixed="1" Mandatory="1" Sm="0"><Index>#x1600</Index><Name>A</Name>
+    <Entry><Index>#x7000</Index><SubIndex>1</SubIndex><BitLen>8</BitLen><Name>A</Name><DataType>USINT</DataType></Entry></RxPdo>
+  <RxPdo Fixed="1" Mandatory="1" Sm="1"><Index>#x1601</Index><Name>B</Name>
+    <Entry><Index>#x7010</Index><SubIndex>1</SubIndex><BitLen>8</BitLen><Name>B</Name><DataType>USINT</DataType></Entry></RxPdo>
+  <Eeprom><ByteSize>2048</ByteSize><ConfigData>0401000000000000</ConfigData></Eeprom></Device>)";
+
+/// Latched times as process data: a register behind a virtual SyncManager.
+constexpr const char* kRegisters = R"(<Device Physics="KK"><Type ProductCode="2" RevisionNo="1">LATCH</Type>
+  <Fmmu Sm="0">Inputs</Fmmu><Fmmu Sm="1">Inputs</Fmmu>
+  <Sm DefaultSize="1" StartAddress="#x1000" ControlByte="#x00" Enable="1">Inputs</Sm>
+  <Sm StartAddress="#x0990" Virtual="true">Inputs</Sm>
+  <TxPdo Fixed="1" Mandatory="1" Sm="0"><Index>#x1A00</Index><Name>Channel</Name>
+    <Entry><Index>#x6000</Index><SubIndex>1</SubIndex><BitLen>8</BitLen><Name>In</Name><DataType>USINT</DataType></Entry></TxPdo>
+  <TxPdo Fixed="1" Sm="1" Virtual="true"><Index>#x1A10</Index><Name>Time</Name>
+    <Entry><Index>#x1D09</Index><SubIndex>#x90</SubIndex><BitLen>64</BitLen><Name>Time</Name><DataType>ULINT</DataType></Entry></TxPdo>
+  <Dc><OpMode><Name>Dc</Name><AssignActivate>#x0300</AssignActivate><CycleTimeSync0 Factor="1">0</CycleTimeSync0></OpMode></Dc>
+  <Eeprom><ByteSize>2048</ByteSize><ConfigData>0401000000000000</ConfigData></Eeprom></Device>)";
+
+constexpr const char* kMailboxes = R"(
+  <Fmmu>Outputs</Fmmu><Fmmu>Inputs</Fmmu>
+  <Sm MinSize="64" MaxSize="256" DefaultSize="128" StartAddress="#x1000" ControlByte="#x26" Enable="1">MBoxOut</Sm>
+  <Sm MinSize="64" MaxSize="256" DefaultSize="128" StartAddress="#x1080" ControlByte="#x22" Enable="1">MBoxIn</Sm>
+  <Sm StartAddress="#x1100" ControlByte="#x64" Enable="1">Outputs</Sm>
+  <Sm StartAddress="#x1400" ControlByte="#x20" Enable="1">Inputs</Sm>
+  <Mailbox><CoE SdoInfo="1" PdoAssign="1" PdoConfig="1" CompleteAccess="1"/></Mailbox>)";
+
+/// Two slots with an analogue module each; the module writes an object that no dictionary names.
+std::string modular() {
+  return std::string(R"(<Device Physics="YY"><Type ProductCode="3" RevisionNo="1">STATION</Type>)") + kMailboxes +
+         R"(<Slots MaxSlotCount="2" SlotPdoIncrement="1" SlotIndexIncrement="16">
+           <Slot MinInstances="2" MaxInstances="2"><Name>Slot</Name><ModuleIdent Default="1">#x21</ModuleIdent></Slot></Slots>
+         <Eeprom><ByteSize>2048</ByteSize><ConfigData>0500000000000000</ConfigData></Eeprom></Device>)";
+}
+constexpr const char* kModules = R"(<Modules><Module><Type ModuleIdent="#x21">AI</Type><Name>Analogue</Name>
+  <RxPdo Sm="2"><Index DependOnSlot="1">#x1600</Index><Name>Out</Name>
+    <Entry><Index DependOnSlot="1">#x7000</Index><SubIndex>1</SubIndex><BitLen>16</BitLen><Name>Out</Name><DataType>INT</DataType></Entry></RxPdo>
+  <TxPdo Sm="3"><Index DependOnSlot="1">#x1A00</Index><Name>In</Name>
+    <Entry><Index DependOnSlot="1">#x6000</Index><SubIndex>1</SubIndex><BitLen>32</BitLen><Name>In</Name><DataType>DINT</DataType></Entry></TxPdo>
+  <Mailbox><CoE><InitCmd><Transition>PS</Transition><Index DependOnSlot="1">#x8000</Index><SubIndex>1</SubIndex>
+    <Data>0100</Data></InitCmd></CoE></Mailbox></Module></Modules>)";
+
+class EsiTry : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = std::filesystem::path(::testing::TempDir()) /
+              ("esi_try_" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+  void write(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name) << text; }
+  [[nodiscard]] TryReport report() const {
+    auto report = try_esi({.path = folder_.string(), .threads = 1});
+    EXPECT_TRUE(report);
+    return report ? *std::move(report) : TryReport{};
+  }
+
+  std::filesystem::path folder_;
+};
+
+void expect_passed(const TriedDevice& device, std::uint16_t wkc) {
+  EXPECT_EQ(device.outcome, TryOutcome::kPassed) << device.type << ": " << step_name(device.step) << ": " << device.reason;
+  EXPECT_EQ(device.wkc_expected, wkc) << device.type;
+  EXPECT_GE(device.cycles, 50U) << device.type;
+}
+
+TEST_F(EsiTry, DevicesOfEveryKindReachOp) {
+  write("a.xml", esi(kNeighbours));
+  write("b.xml", esi(kRegisters));
+  write("c.XML", esi(modular(), kModules));
+  const auto tried = report();
+  ASSERT_EQ(tried.devices.size(), 3U);
+  EXPECT_EQ(tried.files, 3U);
+  expect_passed(tried.devices[0], 2);  // LRW: written
+  expect_passed(tried.devices[1], 1);  // read
+  expect_passed(tried.devices[2], 3);
+  EXPECT_EQ(tried.devices[2].modules, 2U);
+}
+
+TEST_F(EsiTry, DescriptionsThatContradictThemselvesAreExceptedWithTheReason) {
+  std::string in_each_other = modular();
+  in_each_other.replace(in_each_other.find("#x1080"), 6, "#x1040");
+  write("a.xml", esi(in_each_other, kModules));
+  std::string twice = kNeighbours;
+  twice.replace(twice.find("#x1601"), 6, "#x1600");
+  write("b.xml", esi(twice));
+  std::string negative = kNeighbours;
+  negative.replace(negative.find("<BitLen>8"), 9, "<BitLen>-8");
+  write("c.xml", esi("\n" + negative));
+  const auto tried = report();
+  ASSERT_EQ(tried.devices.size(), 3U);
+  for (const auto& device : tried.devices) EXPECT_EQ(device.outcome, TryOutcome::kExcepted) << device.reason;
+  EXPECT_THAT(tried.devices[0].reason, HasSubstr("one mailbox"));
+  EXPECT_THAT(tried.devices[1].reason, HasSubstr("0x1600 is used twice"));
+  EXPECT_THAT(tried.devices[2].reason, HasSubstr("\"-8\" is out of range"));
+  EXPECT_EQ(tried.devices[2].line, 7);
+}
+
+/// What a vendor's file says of its own SyncManager is not what the compiler can do: such a device fails, visibly.
+TEST_F(EsiTry, FailuresAndUnreadableFilesAreTheAnswerNo) {
+  std::string too_many = kRegisters;
+  too_many.replace(too_many.find("<Fmmu Sm=\"1\">Inputs</Fmmu>"), 26, "");
+  write("a.xml", esi(too_many));
+  const auto run = test::cli_run({"esi", "try", folder_.string(), "--json"});
+  EXPECT_EQ(run.code, kAnswerIsNo);
+  const auto json = run.json();
+  EXPECT_EQ(json["tried"], 1);
+  EXPECT_EQ(json["failed"], 1);
+  EXPECT_EQ(json["devices"][0]["step"], "compile");
+  EXPECT_THAT(json["devices"][0]["reason"].get<std::string>(), HasSubstr("FMMU"));
+  write("a.xml", esi(kRegisters));
+  EXPECT_EQ(test::cli_run({"esi", "try", folder_.string()}).code, kDone);
+  write("b.xml", "<EtherCATConfig/>");
+  EXPECT_EQ(test::cli_run({"esi", "try", folder_.string()}).code, kAnswerIsNo);
+  EXPECT_EQ(test::cli_run({"esi", "try", (folder_ / "absent").string()}).code, kFailed);
+}
+
+TEST(EsiTryOwnFiles, EachReachesOp) {
+  const auto tried = try_esi({.path = std::string(SYNCLINE_SOURCE_DIR) + "/resources/esi", .threads = 2});
+  ASSERT_TRUE(tried);
+  EXPECT_GT(tried->devices.size(), 5U);
+  for (const auto& device : tried->devices) {
+    EXPECT_EQ(device.outcome, TryOutcome::kPassed) << device.file << ": " << device.reason;
+  }
+}
+
+/// Devices of several vendors; the sanitizers make do with a part of them.
+TEST(EsiTrySamples, EveryDeviceReachesOpOrItsEsiContradictsItself) {
+  SYNCLINE_SAMPLE(folder, "esi");
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  constexpr unsigned kEvery = 10;
+#else
+  constexpr unsigned kEvery = 1;
+#endif
+  const auto tried = try_esi({.path = folder, .threads = 2, .every = kEvery});
+  ASSERT_TRUE(tried);
+  for (const auto& device : tried->devices) {
+    EXPECT_NE(device.outcome, TryOutcome::kFailed)
+        << device.file << ": " << device.type << " " << to_string(device.identity) << ": " << step_name(device.step) << ": "
+        << device.reason;
+  }
+  std::cout << tried->devices.size() << " devices tried, " << tried->count(TryOutcome::kPassed) << " passed, "
+            << tried->count(TryOutcome::kExcepted) << " excepted\n";
+  EXPECT_TRUE(tried->unreadable.empty());
+  EXPECT_GT(tried->count(TryOutcome::kPassed), 50 * tried->count(TryOutcome::kExcepted));
+}
+
+}  // namespace
+}  // namespace syncline::cli
