@@ -100,7 +100,7 @@ TEST(CliCompare, SettingsHaveNamesAndDetailsHaveBytes) {
   const auto eni = folder.file("m.eni.xml");
   ASSERT_EQ(cli_run({"project", "create", project, "--scan", demo()}).code, cli::kDone);
   ASSERT_EQ(cli_run({"export", project, "-o", eni}).code, cli::kDone);
-  ASSERT_EQ(cli_run({"project", "set", project, "slave.1.dc.sync0.factor=2"}).code, cli::kDone);
+  ASSERT_EQ(cli_run({"project", "set", project, "slave.3.dc.sync0.factor=2"}).code, cli::kDone);
   const auto run = cli_run({"compare", eni, project, "--details"});
   EXPECT_EQ(run.code, cli::kAnswerIsNo);
   EXPECT_THAT(run.out, HasSubstr("SYNC0 cycle 1 ms -> 2 ms"));
