@@ -5,6 +5,7 @@
 #include <random>
 #include <string>
 
+#include "config/module_slots.h"
 #include "config/project.h"
 
 namespace syncline::test {
@@ -290,6 +291,17 @@ class RandomProject {
     s.variable_names.erase(twice.begin(), twice.end());
   }
 
+  void choose_samples(SlaveSettings& s) {
+    for (auto* pdos : {&s.device.rx_pdos, &s.device.tx_pdos}) {
+      for (Pdo& pdo : *pdos) {
+        if (!chance(5) || pdo.os_max || std::ranges::count(s.oversampling, pdo.index, &PdoOversampling::pdo) > 0) continue;
+        pdo.os_max = number<std::uint16_t>(2, 8);
+        s.oversampling.push_back({pdo.index, number<std::uint16_t>(1, *pdo.os_max)});
+      }
+    }
+    std::ranges::sort(s.oversampling, {}, &PdoOversampling::pdo);
+  }
+
   void set_mailbox_protocols(SlaveSettings& s) {
     s.eoe.enabled = !chance(4);
     if (chance(3)) s.eoe.mac = std::array<std::uint8_t, 6>{2, 0, 0, number<std::uint8_t>(0, 255), 0, 1};
@@ -322,9 +334,42 @@ class RandomProject {
     return u;
   }
 
+  ModuleDescription module(std::uint32_t ident) {
+    ModuleDescription m;
+    m.ident = ident;
+    m.type = "Module " + std::to_string(ident);
+    m.name = m.type;
+    Pdo pdo;
+    pdo.index = static_cast<std::uint16_t>(0x1610 + ident);
+    pdo.name = "Outputs";
+    pdo.sync_manager = 2;
+    pdo.depend_on_slot = true;
+    pdo.entries = {{static_cast<std::uint16_t>(0x7100 + ident), 1, number<std::uint16_t>(1, 32), "Value", "UDINT", false, true}};
+    m.rx_pdos = {pdo};
+    return m;
+  }
+
+  void add_slots(DeviceDescription& d) {
+    d.modules = {module(1), module(2)};
+    SlotDescription slot;
+    slot.name = "Terminals";
+    slot.max_instances = number<std::uint16_t>(1, 3);
+    slot.modules = {{1, false}, {2, chance(2)}};
+    d.slots.emplace().slots = {slot};
+    d.slots->increments.slot_pdo = 4;
+    d.slots->increments.slot_index = 0x10;
+  }
+
+  void plug_modules(SlaveSettings& s) {
+    for (const auto& place : slot_places(s.device)) {
+      if (!chance(3)) static_cast<void>(plug_module(s, place.number, number<std::uint32_t>(1, 2)));
+    }
+  }
+
   SlaveSettings slave(std::uint16_t position) {
     SlaveSettings s;
     s.device = device();
+    if (chance(4)) add_slots(s.device);
     s.name = name();
     s.station_address = number<std::uint16_t>(1, 0xFFFF);
     s.alias = number<std::uint16_t>(0, 0xFFFF);
@@ -333,6 +378,8 @@ class RandomProject {
     s.check = {.vendor = chance(2), .product = chance(2), .revision = chance(2), .serial = chance(2)};
     s.assigned_rx_pdos = assignment(s.device.rx_pdos);
     s.assigned_tx_pdos = assignment(s.device.tx_pdos);
+    plug_modules(s);
+    choose_samples(s);
     change_mappings(s);
     set_options(s);
     if (s.device.dc && !s.device.dc->op_modes.empty() && !chance(3)) {
