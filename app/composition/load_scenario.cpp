@@ -82,8 +82,8 @@ bool describes_network(const std::string& path) {
 }
 
 /// The bus that a project or an ENI describes.
-Result<SimConfig> simulated_file(const std::string& path) {
-  const auto project = eni::load_project(path);
+Result<SimConfig> simulated_file(const std::string& path, const std::string& network) {
+  const auto project = eni::load_project(path, network);
   if (project) return simulated_network(*project);
   if (project.error().code != ErrorCode::kNotThatKindOfFile) return tl::unexpected(project.error());
   const auto config = eni::read_eni(path);
@@ -97,15 +97,17 @@ Result<SimConfig> simulated_file(const std::string& path) {
 }  // namespace
 
 Result<SimConfig> load_scenario_file(const std::string& path) {
-  if (describes_network(path)) return simulated_file(path);
+  if (describes_network(path)) return simulated_file(path, "");
   DeviceFiles files;
   return sim::load_scenario(path, [&files](const sim::DeviceQuery& query) { return files(query); });
 }
 
 Result<SimConfig> load_network(const std::string& path, unsigned network, const std::optional<std::uint64_t>& seed) {
-  auto config = load_scenario_file(path);
+  const bool is_project = std::filesystem::path(path).extension() == ".syncline";
+  auto config = is_project ? simulated_file(path, std::to_string(network)) : load_scenario_file(path);
   if (!config) return config;
   if (seed) config->seed = *seed;
+  if (is_project) return config;
   if (network >= config->networks) {
     return fail(ErrorCode::kBadValue, fmt::format("network={}", network),
                 fmt::format("{} has {}, counted from 0", path, config->networks));

@@ -95,6 +95,22 @@ TEST_F(CliExport, ProjectAndEniRunOnTheBusThatTheyDescribe) {
   }
 }
 
+TEST_F(CliExport, EachNetworkOfAMachineHasABusOfItsOwn) {
+  const auto machine = folder_.file("two.syncline");
+  ASSERT_EQ(cli_run({"project", "create", machine, "--eni", eni_, "--network", "left"}).code, cli::kDone);
+  ASSERT_EQ(cli_run({"project", "create", machine, "--device", "0x5c17:0x1100", "--esi",
+                     SYNCLINE_SOURCE_DIR "/resources/esi", "--network", "right"})
+                .code,
+            cli::kDone);
+  const auto left = cli_run({"scan", "sim:" + machine + "?virtual&network=0", "--json"});
+  const auto right = cli_run({"scan", "sim:" + machine + "?virtual&network=1", "--json"});
+  ASSERT_EQ(left.code, cli::kDone) << left.err;
+  ASSERT_EQ(right.code, cli::kDone) << right.err;
+  EXPECT_EQ(left.json()["slaves"].size(), 9U);
+  EXPECT_EQ(right.json()["slaves"].size(), 1U);
+  EXPECT_NE(cli_run({"scan", "sim:" + machine + "?virtual&network=2"}).code, cli::kDone);
+}
+
 TEST_F(CliExport, AnEniThatIsNoneIsAFileError) {
   const auto file = folder_.file("other.xml");
   std::ofstream(file) << "<Network/>";

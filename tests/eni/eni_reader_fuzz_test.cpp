@@ -12,6 +12,7 @@
 #include "config/recover/simulated_network.h"
 #include "core/config/compile/sample_devices.h"
 #include "eni/eni_file.h"
+#include "support/random_project.h"
 
 namespace syncline::eni {
 namespace {
@@ -24,8 +25,12 @@ RC_GTEST_PROP(EniReader, SurvivesDamage, ()) {
   for (int i = 0; i < damages; ++i) {
     const auto at = *rc::gen::inRange<std::size_t>(0, text.size());
     switch (*rc::gen::inRange(0, 3)) {
-      case 0: text.erase(at, *rc::gen::inRange<std::size_t>(1, 40)); break;
-      case 1: text[at] = *rc::gen::arbitrary<char>(); break;
+      case 0:
+        text.erase(at, *rc::gen::inRange<std::size_t>(1, 40));
+        break;
+      case 1:
+        text[at] = *rc::gen::arbitrary<char>();
+        break;
       default: {
         const auto from = *rc::gen::inRange<std::size_t>(0, text.size());
         text.insert(at, text.substr(from, *rc::gen::inRange<std::size_t>(1, 40)));
@@ -40,6 +45,17 @@ RC_GTEST_PROP(EniReader, SurvivesDamage, ()) {
   } else {
     RC_ASSERT(config.error().file == "damaged.xml");
   }
+}
+
+/// Whatever a user sets, in whatever devices: what is read of the ENI is written as it was.
+RC_GTEST_PROP(EniReader, ReadsTheEniOfAnyProject, (std::uint32_t seed, bool twincat)) {
+  const auto dialect = twincat ? EniDialect::kTwinCat : EniDialect::kEcEngineer;
+  const auto compiled = compile(test::RandomProject(seed).project(), {dialect});
+  if (!compiled) return;
+  const std::string text = write_eni(compiled->config, style_of(dialect));
+  const auto again = parse_eni(text, "any.xml");
+  RC_ASSERT(again.has_value());
+  RC_ASSERT(write_eni(*again, style_of(dialect)) == text);
 }
 
 /// Begin and length of every number in the text of an element.
@@ -60,7 +76,8 @@ RC_GTEST_PROP(EniReader, ExtremeNumbersHarmNothingThatIsMadeFromTheFile, ()) {
   auto chosen = *rc::gen::container<std::vector<std::size_t>>(3, rc::gen::inRange<std::size_t>(0, places.size()));
   std::ranges::sort(chosen, std::greater{});
   for (const std::size_t place : chosen) {
-    const std::string number = *rc::gen::element<std::string>("0", "-1", "1", "255", "65535", "32768", "2147483647", "16");
+    const std::string number =
+        *rc::gen::element<std::string>("0", "-1", "1", "255", "65535", "32768", "2147483647", "16");
     text.replace(places[place].first, places[place].second, number);
   }
   const auto config = parse_eni(text, "extreme.xml");
