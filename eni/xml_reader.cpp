@@ -60,6 +60,7 @@ Reading Reading::of_file(const std::string& file) const {
   Reading part(file);
   part.warnings_ = warnings_;
   part.language_ = language_;
+  if (file == file_) part.told_of_prefix_ = told_of_prefix_;
   return part;
 }
 
@@ -67,6 +68,11 @@ void Reading::warn(int line, std::string element, std::string text) {
   constexpr std::size_t kMost = 1000;  // a file that is wrong throughout shall not fill the memory with words
   if (warnings_ == nullptr || warnings_->size() >= kMost) return;
   warnings_->push_back({file_, line, std::move(element), std::move(text)});
+}
+
+void Reading::warn_of_prefix(int line, std::string element) {
+  if (!*told_of_prefix_) warn(line, std::move(element), "hexadecimal numbers of this file begin with 0x instead of #x");
+  *told_of_prefix_ = true;
 }
 
 Node Node::child(const char* name) const {

@@ -41,11 +41,14 @@ class Reading {
   void fail(ErrorCode code, int line, std::string subject, std::string detail);
   void fail(const Error& error);
   void warn(int line, std::string element, std::string text);
+  /// "0x1A00", which ETG.2000 writes "#x1A00": told once a file, because it is in all of it or nowhere.
+  void warn_of_prefix(int line, std::string element);
 
  private:
   std::string file_;
   std::optional<Error> error_;
   FileWarnings* warnings_ = nullptr;
+  std::shared_ptr<bool> told_of_prefix_ = std::make_shared<bool>(false);  // shared by the parts of a file
   int language_ = kEnglish;
 };
 
@@ -104,6 +107,7 @@ class Node {
   template <class T>
   [[nodiscard]] T convert(std::string_view value, std::string_view element, std::string_view attribute) const {
     auto number = parse_number(value);
+    if (number && reading_->tolerant() && value.find("0x") == 0) reading_->warn_of_prefix(line(), std::string(element));
     if (!number) number = sloppy_number(element, attribute, value);
     if (!number) {
       bad_value(element, attribute, value, "is no number");

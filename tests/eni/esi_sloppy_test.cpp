@@ -53,6 +53,18 @@ TEST(SloppyEsi, ClearMeaningIsTakenWithAWarningThatNamesElementAndLine) {
   EXPECT_EQ(file->warnings[4].element, "Data");
 }
 
+TEST(SloppyEsi, OtherPrefixIsToldOnceAFile) {
+  const auto file = parse_esi(esi("<Device><Type ProductCode=\"0x10\" RevisionNo=\"0x20\">A</Type></Device>\n"
+                                  "<Device><Type ProductCode=\"0x11\">B</Type></Device>"),
+                              "s.xml");
+  ASSERT_TRUE(file);
+  ASSERT_THAT(file->devices, SizeIs(2));
+  EXPECT_EQ(file->devices[0].identity.revision_no, 0x20U);
+  ASSERT_THAT(file->warnings, SizeIs(1));
+  EXPECT_EQ(file->warnings[0].line, 2);
+  EXPECT_THAT(file->warnings[0].text, HasSubstr("0x instead of #x"));
+}
+
 TEST(SloppyEsi, EncodingThatIsNotWhatTheFileSaysIsAWarning) {
   const std::string latin = esi("<Device><Type ProductCode=\"1\">A</Type><Name>Gr\xF6\xDF" "e</Name></Device>");
   const auto undeclared = parse_esi(latin, "s.xml");
