@@ -28,6 +28,12 @@ Group group_of(const InitCmd& cmd) {
   return Group::kCommands;
 }
 
+/// To the slave itself, or to whom the address does not matter.
+bool goes_to(const InitCmd& cmd, const SlaveConfig& slave) {
+  if (is_fixed_address(cmd.command)) return cmd.adp == slave.station_address;
+  return !is_auto_increment(cmd.command) || cmd.adp == slave.auto_increment_address;
+}
+
 /// A copy without what follows from the slave's place: addresses, and the logical start of FMMUs.
 std::vector<InitCmd> without_place(const SlaveConfig& slave, Group group) {
   std::vector<InitCmd> out;
@@ -35,7 +41,7 @@ std::vector<InitCmd> without_place(const SlaveConfig& slave, Group group) {
     if (group_of(cmd) != group) continue;
     InitCmd& copy = out.emplace_back(cmd);
     copy.comment.clear();
-    copy.adp = 0;
+    if (goes_to(cmd, slave)) copy.adp = 0;
     if (cmd.ado == reg::kStationAddress && cmd.data.size() == 2 &&
         (cmd.data[0] | cmd.data[1] << 8) == slave.station_address) {
       copy.data = {0, 0};

@@ -195,17 +195,26 @@ void compare_image(const NetworkConfig& left, const NetworkConfig& right, const 
                    DifferenceList& out) {
   std::size_t outputs = 0;
   std::size_t inputs = 0;
+  std::size_t state_bits = 0;
   for (std::size_t i = 0; i < left.slaves.size(); ++i) {
     if (!pairing.right_of[i]) continue;
     const SlaveConfig& l = left.slaves[i];
     const SlaveConfig& r = right.slaves[*pairing.right_of[i]];
     if (l.send && r.send && l.send->bit_start != r.send->bit_start) ++outputs;
     if (l.receive && r.receive && l.receive->bit_start != r.receive->bit_start) ++inputs;
+    // With other slaves in front it is another bit.
+    if (*pairing.right_of[i] == i && l.mailbox && r.mailbox && l.mailbox->status_bit_address &&
+        r.mailbox->status_bit_address && l.mailbox->status_bit_address != r.mailbox->status_bit_address) {
+      ++state_bits;
+    }
   }
   if (outputs > 0)
     out.add(Group::kImage, fmt::format("outputs of {} slaves begin elsewhere in the image", outputs), "", "");
   if (inputs > 0)
     out.add(Group::kImage, fmt::format("inputs of {} slaves begin elsewhere in the image", inputs), "", "");
+  if (state_bits > 0) {
+    out.add(Group::kImage, fmt::format("mailbox states of {} slaves have other bits", state_bits), "", "");
+  }
   // Other commands in the frames need another image.
   if (out.has(Group::kCyclic) || out.has(Group::kClocks)) return;
   out.number(Group::kImage, "size of the inputs", left.image.input_bytes, right.image.input_bytes, " bytes");
