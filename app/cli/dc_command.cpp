@@ -17,7 +17,7 @@ namespace syncline::cli {
 namespace {
 
 struct Options {
-  std::string link, file;
+  std::string link, file, network;
   bool json = false, look_only = false;
   std::size_t rounds = 20;
 };
@@ -36,7 +36,7 @@ struct Segment {
 Result<Segment> open_segment(const Options& options) {
   Segment segment;
   if (!options.file.empty()) {
-    auto compiled = load_config(options.file);
+    auto compiled = load_config(options.file, {}, options.network);
     if (!compiled) return tl::unexpected(compiled.error());
     segment.config = std::move(compiled->config);
   }
@@ -193,6 +193,7 @@ void show_delays(Context& context, const Options& options) {
 void add_common(CLI::App& command, Options& options) {
   command.add_option("link", options.link, "LINK")->required();
   command.add_option("--project,--eni", options.file, "Project or ENI file: names, and what should be");
+  command.add_option("--network", options.network, "Network of a project that holds several: name or number");
   command.add_flag("--json", options.json, "Print JSON");
 }
 

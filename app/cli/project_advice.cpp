@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <memory>
 
+#include "app/composition/load_config.h"
 #include "config/cycle_time_help.h"
 #include "config/image_report.h"
-#include "eni/project_file.h"
 
 namespace syncline::cli {
 namespace {
@@ -62,7 +62,7 @@ void print_text(Context& context, const CycleTimeHelp& help) {
 }
 
 void cycle_times(Context& context, const Options& options) {
-  const auto project = eni::load_project(options.file, options.network);
+  const auto project = load_any_project(options.file, options.network);
   if (!project) return context.fail_with(project.error());
   const auto help = cycle_time_help(*project);
   if (!help) return context.fail_with(help.error());
@@ -125,7 +125,7 @@ void print_text(Context& context, const ImageReport& report) {
 }
 
 void report(Context& context, const Options& options) {
-  const auto project = eni::load_project(options.file, options.network);
+  const auto project = load_any_project(options.file, options.network);
   if (!project) return context.fail_with(project.error());
   const auto compiled = compile(*project);
   if (!compiled) return context.fail_with(compiled.error());
@@ -136,7 +136,7 @@ void report(Context& context, const Options& options) {
 void add(CLI::App& project, Context& context, const char* name, const char* help, void (*action)(Context&, const Options&)) {
   auto* command = project.add_subcommand(name, help);
   auto options = std::make_shared<Options>();
-  command->add_option("file", options->file, "Project file")->required();
+  command->add_option("file", options->file, "Project or ENI file")->required();
   command->add_option("--network", options->network, "Network of a file that holds several: name or number");
   command->add_flag("--json", options->json, "Print JSON");
   command->callback([&context, options, action] { action(context, *options); });

@@ -46,6 +46,16 @@ TEST_F(CliProjectAdvice, CycleTimesSayNoToACycleThatSomebodyRefuses) {
   EXPECT_THAT(cli_run({"project", "cycle-times", file}).out, HasSubstr("refused (the project's cycle)"));
 }
 
+TEST_F(CliProjectAdvice, AnEniIsTakenToo) {
+  const auto eni = folder.file("m.xml");
+  ASSERT_EQ(cli_run({"export", file, "-o", eni}).code, cli::kDone);
+  const auto of_project = cli_run({"project", "report", file, "--json"}).json();
+  const auto of_eni = cli_run({"project", "report", eni, "--json"});
+  ASSERT_EQ(of_eni.code, cli::kDone) << of_eni.err;
+  EXPECT_EQ(of_eni.json()["wire_time_us"], of_project["wire_time_us"]);
+  EXPECT_EQ(of_eni.json()["frames"], of_project["frames"]);
+}
+
 TEST_F(CliProjectAdvice, OneFileForSeveralNetworks) {
   const auto machine = folder.file("machine.syncline");
   for (const char* name : {"Feeder", "Press"}) {
