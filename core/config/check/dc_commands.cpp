@@ -82,7 +82,7 @@ class DcCommandCheck {
     for (const std::size_t slave : clocks_) {
       if (slave >= *addressee) break;
       findings_.add("ENI-DC-07", {PlaceKind::kDc, slave},
-                    fmt::format("{} stands before the reference clock {}", view_.name(slave), view_.name(*addressee)));
+                    fmt::format("it stands before the reference clock, {}", view_.name(*addressee)));
     }
   }
 

@@ -23,8 +23,9 @@ constexpr CheckRule kRules[] = {
      "Give it the Adp of the ARMW, or remove it"},
     {"ENI-DC-06", kNote, "The sync window is monitored with fewer than two clocks",
      "There is nothing to compare: EC-Master leaves the monitoring out", "Remove the BRD of 0x092C"},
-    {"ENI-DC-07", kError, "A slave with distributed clocks stands before the reference clock",
-     "The frame passes it before it carries the time, so that it is set to 0 each cycle",
+    {"ENI-DC-07", kWarning, "A slave with distributed clocks stands before the reference clock",
+     "The frame passes it before it carries the time of this cycle, so that it is given the last one, or 0, and stays "
+     "off",
      "Make the first slave with distributed clocks the reference clock"},
     {"ENI-DC-08", kError, "A command to a clock register has the wrong length",
      "The ESC takes the time over only when all its bytes are accessed", "Use 4 or 8 bytes for 0x0910, 4 for 0x092C"},
