@@ -30,17 +30,17 @@ struct Demand {
   std::uint32_t multiple = 1;        // cycles of the bus that its task takes
   bool dc = false;                   // a SYNC signal is on
   std::vector<Nanoseconds> fixed;    // SYNC cycles that do not follow the bus
-  std::vector<int> divisors;         // of negative factors
+  std::vector<std::int64_t> divisors;  // of negative factors
   bool interpolates = false;         // 0x60C2 of the ESI follows the cycle
 };
 
 void add_unit(Demand& demand, const DcTime& time, const SyncUnitSettings& user) {
   if (user.user_cycle) {
-    // The user's cycle is multiplied by the factor, if there is one: it does not follow the bus.
-    demand.fixed.push_back(*user.user_cycle);
+    // It replaces the factor and does not follow the bus.
+    if (*user.user_cycle > 0) demand.fixed.push_back(*user.user_cycle);
     return;
   }
-  const int factor = user.cycle_factor ? *user.cycle_factor : time.value_ns != 0 ? 0 : time.factor.value_or(0);
+  const std::int64_t factor = user.cycle_factor ? *user.cycle_factor : time.value_ns != 0 ? 0 : time.factor.value_or(0);
   if (factor < -1) demand.divisors.push_back(-factor);
   if (factor == 0 && time.value_ns > 0) demand.fixed.push_back(time.value_ns);
 }
@@ -90,7 +90,7 @@ std::string refusal(const Demand& demand, Nanoseconds bus_cycle) {
                          demand.settings->dc.op_mode, us(fixed));
     }
   }
-  for (const int divisor : demand.divisors) {
+  for (const std::int64_t divisor : demand.divisors) {
     if (cycle % divisor != 0) {
       return fmt::format("its operation mode {} divides the cycle by {}, which leaves a rest", demand.settings->dc.op_mode,
                          divisor);

@@ -118,8 +118,9 @@ class CoeList {
   void add_time(std::uint16_t index, std::uint8_t sub_index, const std::optional<OpModeTime>& time, const char* what,
                 std::uint8_t manager) {
     if (!time || is_read_only(index, sub_index)) return;
-    const int factor = time->factor.value_or(0);
-    const Nanoseconds scaled = factor >= 0 ? factor * slave_.cycle_time : slave_.cycle_time / -Nanoseconds{factor};
+    constexpr std::int64_t kLargestFactor = 1'000'000;  // a file may say any number
+    const auto factor = std::clamp<std::int64_t>(time->factor.value_or(0), -kLargestFactor, kLargestFactor);
+    const Nanoseconds scaled = factor >= 0 ? factor * slave_.cycle_time : slave_.cycle_time / -factor;
     const Nanoseconds value = time->value_ns != 0 ? time->value_ns : scaled;
     if (value <= 0 || value > 0xFFFF'FFFF) return;
     out_.push_back(generated(index, sub_index, le_bytes(static_cast<std::uint32_t>(value)),

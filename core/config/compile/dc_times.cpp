@@ -8,14 +8,24 @@
 namespace syncline::compiler {
 namespace {
 
+/// Files may say any number. The registers hold 4.3 s; what is bounded here is far beyond, and no product of two such
+/// numbers overflows.
+constexpr Nanoseconds kBound = 1'000 * kSecond;
+constexpr std::int64_t kFactorBound = 1'000'000;
+
+Nanoseconds bounded(Nanoseconds time) { return std::clamp(time, -kBound, kBound); }
+std::int64_t bounded_factor(const std::optional<int>& factor) {
+  return std::clamp<std::int64_t>(factor.value_or(0), -kFactorBound, kFactorBound);
+}
+
 class Calculation {
  public:
-  explicit Calculation(Nanoseconds bus_cycle) : bus_cycle_(bus_cycle) {}
+  explicit Calculation(Nanoseconds bus_cycle) : bus_cycle_(bounded(bus_cycle)) {}
 
   /// factor > 0 multiplies, < 0 divides the bus cycle, 0 gives 0.
-  Nanoseconds scaled(int factor) {
+  Nanoseconds scaled(std::int64_t factor) {
     if (factor >= 0) {
-      return factor * bus_cycle_;
+      return bounded(factor * bus_cycle_);
     }
     exact_ = exact_ && bus_cycle_ % -factor == 0;
     return bus_cycle_ / -factor;
@@ -25,7 +35,7 @@ class Calculation {
     if (const auto chosen = user_cycle(user)) {
       return *chosen;
     }
-    return esi.value_ns != 0 ? esi.value_ns : scaled(esi.factor.value_or(0));
+    return esi.value_ns != 0 ? bounded(esi.value_ns) : scaled(bounded_factor(esi.factor));
   }
 
   Nanoseconds cycle1(const DcTime& esi, const SyncUnitSettings& user, Nanoseconds cycle0) {
@@ -33,14 +43,14 @@ class Calculation {
       return *chosen;
     }
     if (esi.value_ns != 0) {
-      return esi.value_ns;
+      return bounded(esi.value_ns);
     }
-    const int factor = esi.factor.value_or(0);
-    return factor >= 0 ? factor * cycle0 : -static_cast<Nanoseconds>(factor) * bus_cycle_;
+    const std::int64_t factor = bounded_factor(esi.factor);
+    return bounded(factor >= 0 ? factor * cycle0 : -factor * bus_cycle_);
   }
 
   Nanoseconds shift(const DcTime& esi, const SyncUnitSettings& user) {
-    return user.shift ? *user.shift : esi.value_ns + scaled(esi.factor.value_or(0));
+    return user.shift ? bounded(*user.shift) : bounded(bounded(esi.value_ns) + scaled(bounded_factor(esi.factor)));
   }
 
   [[nodiscard]] bool exact() const { return exact_; }
@@ -48,9 +58,9 @@ class Calculation {
  private:
   std::optional<Nanoseconds> user_cycle(const SyncUnitSettings& user) {
     if (user.user_cycle) {
-      return user.user_cycle;
+      return bounded(*user.user_cycle);
     }
-    return user.cycle_factor ? std::optional(scaled(*user.cycle_factor)) : std::nullopt;
+    return user.cycle_factor ? std::optional(scaled(bounded_factor(user.cycle_factor))) : std::nullopt;
   }
 
   Nanoseconds bus_cycle_;

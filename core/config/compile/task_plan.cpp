@@ -22,7 +22,8 @@ std::vector<std::size_t> unit_tasks(const MasterSettings& master) {
 }
 
 Nanoseconds task_cycle(const MasterSettings& master, std::size_t task) {
-  const std::uint32_t multiple = task == 0 ? 1 : std::max<std::uint32_t>(master.tasks[task - 1].multiple, 1);
+  constexpr std::uint32_t kLargest = 1000;  // a file may say any number
+  const std::uint32_t multiple = task == 0 ? 1 : std::clamp<std::uint32_t>(master.tasks[task - 1].multiple, 1, kLargest);
   return master.cycle_time * multiple;
 }
 

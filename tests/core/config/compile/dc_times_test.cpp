@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <limits>
+
 #include "core/config/compile/sample_devices.h"
 
 namespace syncline::compiler {
@@ -25,6 +28,19 @@ TEST(DcTimes, FollowTheFactorsOfTheEsi) {
   EXPECT_EQ(dc_times(mode, {}, kMillisecond).cycle_time0, 2 * kMillisecond);
   EXPECT_EQ(dc_times(sample::op_mode("m", 0x0300, -8), {}, kMillisecond).cycle_time0, 125'000);
   EXPECT_EQ(dc_times(sample::op_mode("m", 0x0300, 0), {}, kMillisecond).cycle_time0, 0);
+}
+
+TEST(DcTimes, NumbersThatNoDeviceMeansStayBounded) {
+  constexpr int kInts[] = {std::numeric_limits<int>::min(), std::numeric_limits<int>::max()};
+  constexpr std::int64_t kLongs[] = {0, std::numeric_limits<std::int64_t>::min(), std::numeric_limits<std::int64_t>::max()};
+  for (const int f : kInts) {
+    for (const std::int64_t v : kLongs) {
+      const auto times = dc_times(both_syncs(factor(f, v), factor(f, v), factor(f, v), factor(f, v)), {}, 100 * kSecond);
+      for (const auto time : {times.cycle_time0, times.cycle_time1, times.shift_time}) {
+        EXPECT_LE(std::abs(time), 3'000 * kSecond);
+      }
+    }
+  }
 }
 
 TEST(DcTimes, AFixedValueIsStrongerThanTheFactor) {
