@@ -127,7 +127,8 @@ void add_pdos(DeviceDescription& device, const SlaveConfig& slave, const Registe
       if (std::ranges::count(manager.pdos, pdo.index) > 0) added.sync_manager = manager.number;
     }
   }
-  for (const auto& [number, written] : writes.sync_managers) {
+  for (const auto& [manager, written] : writes.sync_managers) {
+    const std::uint8_t number = manager;  // clang 14 captures no structured bindings
     const auto type = device.sync_managers[number].type;
     if (!written.enabled() || written.length == 0) continue;
     if (type != SyncManagerType::kOutputs && type != SyncManagerType::kInputs) continue;
