@@ -113,6 +113,8 @@ TEST(EsiModules, DeviceKeepsAllThatTheFileSaysOfIt) {
   EXPECT_EQ(device.identification_ado, 0x134);
   EXPECT_TRUE(device.identification_reg134);
   EXPECT_EQ(device.fmmu_count, 4);
+  EXPECT_TRUE(device.behavior.to_safeop_no_sync);
+  EXPECT_THAT(device.ports, ElementsAre(PortDescription{"MII", "", "X1", 2000, std::nullopt}));
   EXPECT_EQ(device.reg_0108, 0x11);
   EXPECT_THAT(device.fmmu_options, ElementsAre(FmmuOptions{2, 1, true}, FmmuOptions{}));
   EXPECT_THAT(device.sync_units, ElementsAre(SyncUnitDescription{"Axes", true, true, true, true}));
