@@ -6,8 +6,10 @@
 #include <tinyxml2.h>
 
 #include "bench/ratio_report.h"
+#include "config/compare/compare_configs.h"
 #include "config/compile/compile.h"
 #include "core/config/compile/sample_devices.h"
+#include "eni/check/eni_check.h"
 #include "eni/eni_file.h"
 #include "eni/line_wiring.h"
 #include "protocol/error_text.h"
@@ -36,6 +38,22 @@ double peak_mib() {
   return static_cast<double>(usage.ru_maxrss) * 1024 / kMiB;
 }
 
+/// As the command does: both files are read, then compared; once the same, once with something else in every slave.
+void bench_compare(RatioReport& report, const NetworkConfig& config, const std::string& text, double read) {
+  const auto again = eni::parse_eni(text, "bench.xml");
+  if (!again) return report.add_failure("compare", describe(again.error()));
+  auto other = *again;
+  for (auto& slave : other.slaves) slave.alias = static_cast<std::uint16_t>(slave.alias + 1);
+  const auto same = compare_configs(config, *again), different = compare_configs(config, other);
+  if (!same.empty() || different.size() < kSlaves) {
+    return report.add_failure("compare", fmt::format("{} and {} differences found", same.size(), different.size()));
+  }
+  const double equal = median_ns([&] { (void)compare_configs(config, *again); }, 3);
+  const double all = median_ns([&] { (void)compare_configs(config, other); }, 3);
+  report.add("read and compare two equal ones", 2 * read + equal, "a second", kSecondNs, 1);
+  report.add("read and compare, every slave different", 2 * read + all, "a second", kSecondNs, 1);
+}
+
 void bench_write(RatioReport& report) {
   const auto project = thousand_slaves();
   const double peak_before = peak_mib();
@@ -60,6 +78,11 @@ void bench_write(RatioReport& report) {
   report.add_count("peak memory of it, beside the project", peak - peak_before, "MiB", peak_before, "MiB before", 0);
   const double read = median_ns([&] { (void)eni::parse_eni(text, "bench.xml"); }, 3);
   report.add("read it again", read, "a second", kSecondNs, 1);
+  const auto findings = eni::check_eni_text(text, "bench.xml");
+  if (!findings || !findings->understood) return report.add_failure("check", "the file was not understood");
+  const double check = median_ns([&] { (void)eni::check_eni_text(text, "bench.xml"); }, 3);
+  report.add(fmt::format("check it ({} findings)", findings->findings.size()), check, "a second", kSecondNs, 1);
+  bench_compare(report, compiled->config, text, read);
 }
 
 }  // namespace
