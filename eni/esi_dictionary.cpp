@@ -179,7 +179,7 @@ class DictionaryReader {
   }
 
   void add_elements(ObjectDescription& object, const Node& type, const Node& array, ObjectEntry entry) const {
-    const auto first = std::max<std::int64_t>(array.child_number<std::int64_t>("LBound").value_or(1), 0);
+    const auto first = std::clamp<std::int64_t>(array.child_number<std::int64_t>("LBound").value_or(1), 0, 256);
     const auto count = std::clamp<std::int64_t>(array.child_number<std::int64_t>("Elements").value_or(0), 0, 255);
     const auto base_name = type.child("BaseType").trimmed();
     const auto base_bits = bit_size(find(base_name));

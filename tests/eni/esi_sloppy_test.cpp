@@ -120,6 +120,20 @@ TEST(SloppyEsi, TemplatesOfOlderFilesAreMovedByTheChannel) {
   EXPECT_EQ(pdo.sync_manager, 3);
 }
 
+TEST(SloppyEsi, BoundsOfArraysMayBeAnything) {
+  for (const char* bound : {"-9223372036854775808", "9223372036854775807", "255"}) {
+    const auto file = parse_esi(
+        esi(std::string("<Device><Type>A</Type><Profile><Dictionary><DataTypes><DataType><Name>ARR</Name><BaseType>BYTE</BaseType>"
+                        "<BitSize>16</BitSize><ArrayInfo><LBound>") + bound + "</LBound><Elements>9223372036854775807</Elements>"
+            "</ArrayInfo></DataType><DataType><Name>T</Name><SubItem><Name>x</Name><Type>ARR</Type></SubItem></DataType></DataTypes>"
+            "<Objects><Object><Index>#x2000</Index><Type>T</Type></Object></Objects></Dictionary></Profile></Device>"),
+        "s.xml");
+    ASSERT_TRUE(file && file->devices.size() == 1) << bound;
+    ASSERT_THAT(file->devices[0].dictionary, SizeIs(1));
+    EXPECT_LE(file->devices[0].dictionary[0].entries.size(), 256U);
+  }
+}
+
 /// Data types multiply: without a bound 20 lines would stand for millions of entries.
 TEST(SloppyEsi, DictionariesThatExplodeAreBounded) {
   std::string items, objects;
