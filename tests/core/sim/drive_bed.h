@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -59,12 +60,13 @@ class DriveBed {
   }
 
   // ---- states ----
-  void start_sync0(std::uint32_t ns) {
+  void start_sync0(std::uint32_t ns, std::optional<std::uint32_t> sync1 = std::nullopt) {
     cycle = ns;
     first_sync = probe.read(0, reg::kSystemTime, 8).value<std::uint64_t>() + 5 * kMillisecond;
     probe.write(0, reg::kSync0CycleTime, le_bytes(ns));
     probe.write(0, reg::kStartTimeCyclicOperation, le_bytes(first_sync));
-    probe.write(0, reg::kCyclicUnitControl, {0x00, 0x03});
+    if (sync1) probe.write(0, reg::kSync1CycleTime, le_bytes(*sync1));
+    probe.write(0, reg::kCyclicUnitControl, {0x00, static_cast<std::uint8_t>(sync1 ? 0x07 : 0x03)});
   }
   std::uint16_t to_safeop() {
     for (const unsigned i : {2U, 3U}) {

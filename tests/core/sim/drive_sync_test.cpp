@@ -64,6 +64,15 @@ TEST(DriveSync, CycleRulesOfTheServo) {
   }
 }
 
+TEST(DriveSync, Sync1KeepsTheStepOfTheCycleToo) {
+  for (const auto& [delay, code] : std::vector<std::pair<std::uint32_t, int>>{{500'000, 0}, {100'001, 0x0037}}) {
+    DriveBed drive("SL-XE2");
+    drive.start_sync0(1'000'000, delay);
+    drive.to_safeop();
+    EXPECT_EQ(drive.probe.al_code(0), code) << delay;
+  }
+}
+
 TEST(DriveSync, GetCycleTimeMeasuresTheLargestTimes) {
   DriveBed drive("SL-SV7");
   drive.start_sync0(1'000'000);

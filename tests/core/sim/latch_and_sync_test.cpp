@@ -204,6 +204,20 @@ TEST_F(SimSyncSignals, Sync1BelongsToTheFirstSync0BehindItsPredecessor) {
   }
 }
 
+TEST_F(SimSyncSignals, ANewActivationDoesNotWaitForTheOldCycle) {
+  make(1000);
+  start(100'000'000, 0, 1'000'000, 0x03);
+  esc->advance_to(2 * kMillisecond);
+  ASSERT_EQ(sync0.size(), 1U);
+  now = 2 * kMillisecond;
+  write(reg::kActivation, {0x00});
+  sync0.clear();
+  start(1'000'000, 0, 4'000'000, 0x03);
+  esc->advance_to(4'500'000);
+  ASSERT_EQ(sync0.size(), 1U);
+  EXPECT_EQ(sync0[0], 4 * kMillisecond);
+}
+
 TEST_F(SimSyncSignals, InAcknowledgeModeASignalStaysUntilThePdiReadsIt) {
   make(0);
   start(250'000, 0, 1'000'000, 0x03);

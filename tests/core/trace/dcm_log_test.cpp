@@ -105,6 +105,9 @@ TEST(ClockDifferences, AreInTheSampleTableUnderTheirNames) {
   const CycleSample without_clocks;
   append_sample_csv(text, std::span(&without_clocks, 1));
   EXPECT_THAT(text, ::testing::EndsWith(",0,0\n"));
+  auto unheard = sample(1);  // a controller runs, but the reference clock did not answer in this cycle
+  unheard.flags = CycleSample::kDcmActive;
+  EXPECT_FALSE(clock_difference_signals()[1].value(unheard));
   EXPECT_EQ(clock_difference_signals()[0].name, "NetworkToSubDeviceClkDiff");
 }
 
