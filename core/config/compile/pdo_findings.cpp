@@ -130,6 +130,22 @@ void check_counts(FindingList& findings, const SlavePlan& slave) {
   }
 }
 
+/// The dictionary lists as many sub-indices of a mapping object as the device keeps room for.
+void check_room(FindingList& findings, const SlavePlan& slave) {
+  for (const Pdo& changed : slave.settings->changed_pdos) {
+    const auto& dictionary = slave.device().dictionary;
+    const auto object = std::ranges::find(dictionary, changed.index, &ObjectDescription::index);
+    if (object == dictionary.end() || object->entries.empty()) continue;
+    const std::size_t room = object->entries.back().sub_index;
+    if (room > 0 && changed.entries.size() > room) {
+      findings.warning(fmt::format("pdo.map.0x{:04x}", changed.index),
+                       fmt::format("{} entries are mapped; the device's dictionary has room for {} in 0x{:04X}. Map fewer, or "
+                                   "use another PDO for the rest.",
+                                   changed.entries.size(), room, changed.index));
+    }
+  }
+}
+
 void check_excluded_managers(FindingList& findings, const SlavePlan& slave) {
   for (const auto& [direction, pdo] : slave.pdos) {
     const auto& excluded = pdo.excluded_sync_managers;
@@ -204,6 +220,7 @@ void find_pdo_problems(FindingList& findings, const SlavePlan& slave) {
   check_fixed_entries(findings, slave);
   check_excluded_managers(findings, slave);
   check_counts(findings, slave);
+  check_room(findings, slave);
   check_object_limits(findings, slave);
   check_oversampling(findings, slave);
 }

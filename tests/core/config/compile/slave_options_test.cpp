@@ -189,6 +189,18 @@ TEST(SlaveOptions, MoreObjectsThanTheDriveTakes) {
   EXPECT_THAT(keys_of(project), ElementsAre("slave.1.pdo.tx"));
 }
 
+TEST(SlaveOptions, MoreEntriesThanTheMappingObjectHasRoomFor) {
+  Project project = machine();
+  auto& device = project.slaves[1].device;
+  Pdo changed = device.rx_pdos[1];
+  changed.entries.push_back({0x60B1, 0, 16, "Velocity offset", "INT"});
+  project.slaves[1].changed_pdos = {changed};
+  device.dictionary = {{0x1601, "Mapping", {{0, "Count", "USINT", 8, true, false, {}}, {2, "Entry 2", "UDINT", 32, true, false, {}}}}};
+  EXPECT_THAT(keys_of(project), ElementsAre());
+  device.dictionary[0].entries.back().sub_index = 1;
+  EXPECT_THAT(keys_of(project), ElementsAre("slave.1.pdo.map.0x1601"));
+}
+
 TEST(SlaveOptions, EntriesThatTheEsiFixesStay) {
   Project project = machine();
   auto& device = project.slaves[1].device;
