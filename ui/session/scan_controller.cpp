@@ -37,7 +37,7 @@ Result<eni::BuiltProject> ScanController::run(const QString& link) {
   const auto found = scan(link);
   if (!found) return tl::unexpected(found.error());
   if (cancelled_) return fail(ErrorCode::kCancelled);
-  eni::EsiCatalogue catalogue;
+  auto catalogue = eni::EsiCatalogue::open_default();  // reads only what changed since the last scan
   std::vector<Error> warnings;
   for (const auto& folder : esi_folders_) {
     if (auto status = catalogue.add_folder(folder.toStdString()); !status) warnings.push_back(status.error());
