@@ -180,9 +180,10 @@ Result<std::vector<CatalogueEntry>> search(CatalogueStore& store, const Catalogu
 }
 
 Result<std::vector<DuplicateDevice>> duplicates(CatalogueStore& store) {
+  // Without a product code (parts that are no slaves of their own) nothing is described twice.
   auto query = store.database().prepare(
       "SELECT d.vendor_id, d.product_code, d.revision_no FROM devices d CROSS JOIN chosen ON chosen.file = d.file "
-      "GROUP BY d.vendor_id, d.product_code, d.revision_no HAVING count(*) > 1");
+      "WHERE d.product_code <> 0 GROUP BY d.vendor_id, d.product_code, d.revision_no HAVING count(*) > 1");
   if (!query) return tl::unexpected(query.error());
   std::vector<DuplicateDevice> found;
   const auto number = [&](int column) { return static_cast<std::uint32_t>(query->integer(column)); };

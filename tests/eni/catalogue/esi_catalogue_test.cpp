@@ -145,7 +145,7 @@ TEST_F(Catalogue, LeavesOutWhatANewerDeviceHides) {
 }
 
 TEST_F(Catalogue, ReportsDuplicatesAndConflicts) {
-  put("a.xml", esi_text({{1, 0x10, "A1"}, {2, 0x10, "B1"}, {3, 0x10, "C1"}}));
+  put("a.xml", esi_text({{1, 0x10, "A1"}, {2, 0x10, "B1"}, {3, 0x10, "C1"}, {0, 0, "P1"}, {0, 0, "P2"}}));
   put("b.xml", "<?xml version=\"1.0\"?>\n" + esi_text({{1, 0x10, "A1", "Thing<!-- comment -->"}, {2, 0x10, "B1", "Other"}}));
   EsiCatalogue catalogue;
   ASSERT_TRUE(catalogue.add_folder(folder().string()));
