@@ -7,7 +7,9 @@
 #include "app/composition/compare_bus.h"
 #include "app/composition/load_config.h"
 #include "config/compare/compare_configs.h"
+#include "config/compare/compare_run_time.h"
 #include "config/network_compare.h"
+#include "eni/project_file.h"
 
 namespace syncline::cli {
 namespace {
@@ -79,6 +81,12 @@ Result<Compared> compare_any(const Options& options) {
   if (!right) return tl::unexpected(right.error());
   out.differences = compare_configs(left->config, right->config);
   if (options.details) out.details = compare_networks(left->config, right->config);
+  const auto left_project = eni::load_project(options.left);
+  const auto right_project = eni::load_project(options.right);
+  if (left_project && right_project) {
+    const auto run_time = compare_run_time(*left_project, *right_project);
+    out.differences.insert(out.differences.end(), run_time.begin(), run_time.end());
+  }
   return out;
 }
 

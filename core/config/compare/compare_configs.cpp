@@ -154,6 +154,8 @@ std::string_view group_name(DifferenceGroup group) {
       return "image";
     case DifferenceGroup::kMaster:
       return "master";
+    case DifferenceGroup::kRunTime:
+      return "run time";
   }
   return "master";
 }

@@ -21,6 +21,7 @@ enum class DifferenceGroup : std::uint8_t {
   kCyclic,    // cycle times, frames
   kImage,     // places in the process image
   kMaster,
+  kRunTime,  // what no ENI carries, see compare_run_time()
 };
 [[nodiscard]] std::string_view group_name(DifferenceGroup group);  // "slaves", "process data" ...
 

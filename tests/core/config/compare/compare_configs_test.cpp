@@ -6,6 +6,7 @@
 
 #include <functional>
 
+#include "config/compare/compare_run_time.h"
 #include "config/compile/compile.h"
 #include "config/network_compare.h"
 #include "core/config/compile/sample_devices.h"
@@ -146,6 +147,18 @@ TEST(CompareConfigs, WhatFollowsFromASettingIsNotToldAgain) {
   edited.slaves[3].device.timeouts.preop = 4000;
   EXPECT_THAT(words(compare_configs(config(machine()), config(edited))),
               ElementsAre("slave 3 (Slave_1004 [SV402]): time-out to PREOP 3000 ms -> 4000 ms"));
+}
+
+TEST(CompareConfigs, WhatNoEniCarriesIsComparedBetweenProjects) {
+  Project edited = machine();
+  edited.master.dc.dcm.in_sync_limit = 12'345;
+  edited.master.recovery.automatic = false;
+  edited.master.dc.sync_window.enabled = !edited.master.dc.sync_window.enabled;  // stands in the commands
+  EXPECT_THAT(words(compare_run_time(machine(), machine())), IsEmpty());
+  const auto found = words(compare_run_time(machine(), edited));
+  EXPECT_EQ(found.size(), 2U);
+  EXPECT_THAT(found, Contains(AllOf(HasSubstr("master.dc.in_sync_limit_ns"), HasSubstr("-> 12345"))));
+  EXPECT_THAT(found, Contains(HasSubstr("master.recovery.automatic")));
 }
 
 TEST(CompareConfigs, SpellingDoesNotCount) {
