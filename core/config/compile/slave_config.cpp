@@ -25,6 +25,12 @@ MailboxConfig mailbox_with_commands(const SlavePlan& plan, EniDialect dialect) {
   return mailbox;
 }
 
+/// The ENI has no letter for ports with Fast Hot-Connect (ESI "H"), which are 100BASE-TX otherwise.
+std::string ports_of(std::string physics) {
+  std::ranges::replace(physics, 'H', 'Y');
+  return physics;
+}
+
 }  // namespace
 
 SlaveConfig slave_config(const SlavePlan& plan, EniDialect dialect) {
@@ -34,7 +40,7 @@ SlaveConfig slave_config(const SlavePlan& plan, EniDialect dialect) {
   config.station_address = settings.station_address;
   config.auto_increment_address = Position{plan.position}.auto_increment_address();
   config.alias = settings.alias;
-  config.physics = settings.device.physics;
+  config.physics = ports_of(settings.device.physics);
   config.identity = settings.device.identity;
   if (dialect == EniDialect::kTwinCat) config.product_revision = product_revision(settings.device);
   if (!settings.check.serial) config.identity.serial_no = 0;

@@ -43,6 +43,12 @@ TEST(SlaveOptions, WatchdogsReplaceThoseOfTheEsi) {
   EXPECT_EQ(find_cmd(servo_of(machine()), "set SM 2 (outputs)")->data[4], 0x64);
 }
 
+TEST(SlaveOptions, PortsWithFastHotConnectAreWrittenWithTheLettersOfTheEni) {
+  Project project = machine();
+  project.slaves[1].device.physics = "KHKH";
+  EXPECT_EQ(servo_of(project).physics, "KYKY");
+}
+
 TEST(SlaveOptions, AWatchdogShorterThanTheCycleIsFound) {
   Project project = machine();
   project.slaves[1].watchdog.process_data = 15;  // times 100 us
