@@ -131,7 +131,7 @@ Status Esm::init_to_preop() {
     return index >= request[slave];
   });
   if (!status && ends_everything(status.error())) return status;
-  if (auto coe = commands_.run_coe(slaves, Transition::kIP); status) status = std::move(coe);
+  if (auto coe = commands_.run_mailbox(slaves, Transition::kIP); status) status = std::move(coe);
   if (!status) return status;
   if (status = run_master_commands(Transition::kIP, false); !status) return status;
   if (status = commands_.read_all(); !status) return status;
@@ -268,7 +268,7 @@ Status Esm::lift(const SlaveList& slaves, AlState from, Transition transition) {
     return run_.snapshot.slaves[slave].present && state_of(slave) == from;
   });
   if (ready.empty()) return {};
-  if (auto status = commands_.run_coe(ready, transition); !status && ends_everything(status.error())) return status;
+  if (auto status = commands_.run_mailbox(ready, transition); !status && ends_everything(status.error())) return status;
   if (auto status = commands_.run(ready, transition); !status && ends_everything(status.error())) return status;
   if (transition == Transition::kPS) {
     if (auto status = check_sync_signals(ready); !status && ends_everything(status.error())) return status;
@@ -291,7 +291,7 @@ Status Esm::join_in_preop(SlaveList slaves) {
   }
   status = commands_.run(slaves, Transition::kIP, [&](auto slave, auto index) { return index >= request[slave]; });
   if (!status && ends_everything(status.error())) return status;
-  status = commands_.run_coe(slaves, Transition::kIP);
+  status = commands_.run_mailbox(slaves, Transition::kIP);
   if (!status && ends_everything(status.error())) return status;
   return commands_.read_al_status(slaves);
 }
@@ -337,7 +337,7 @@ Status Esm::safeop_to_op() {
 
 Status Esm::step_up(AlState from, Transition transition) {
   auto slaves = slaves_where([&](AlState state) { return state == from; });
-  auto status = commands_.run_coe(slaves, transition);
+  auto status = commands_.run_mailbox(slaves, transition);
   if (!status && ends_everything(status.error())) return status;
   if (auto registers = commands_.run(slaves, transition); status) status = std::move(registers);
   if (!status && ends_everything(status.error())) return status;

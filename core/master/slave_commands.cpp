@@ -7,6 +7,7 @@
 
 #include "master/coe_download_work.h"
 #include "master/dc_start.h"
+#include "master/startup_message_work.h"
 #include "protocol/registers.h"
 
 namespace syncline {
@@ -88,15 +89,29 @@ Status SlaveCommands::repeat_broadcasts(std::span<const std::size_t> slaves) {
   return {};
 }
 
-Status SlaveCommands::run_coe(SlaveList& slaves, Transition transition) {
-  std::vector<CoeDownloadWork> works;
+Status SlaveCommands::run_mailbox(SlaveList& slaves, Transition transition) {
+  auto status = send_all<CoeDownloadWork>(slaves, [&](std::size_t slave) {
+    return coe_commands(run_.config().slaves[slave], transition);
+  });
+  if (!status && ends_everything(status.error())) return status;
+  auto others = send_all<StartupMessageWork>(slaves, [&](std::size_t slave) {
+    const auto& mailbox = run_.config().slaves[slave].mailbox;
+    return mailbox ? startup_messages(*mailbox, transition) : std::vector<StartupMessage>{};
+  });
+  return status ? others : status;
+}
+
+/// What each slave is to get, side by side; slaves that fail leave the list.
+template <class Work, class Messages>
+Status SlaveCommands::send_all(SlaveList& slaves, Messages messages) {
+  std::vector<Work> works;
   SlaveList busy, idle;
   works.reserve(slaves.size());
   for (const auto slave : slaves) {
-    auto commands = coe_commands(run_.config().slaves[slave], transition);
-    (commands.empty() ? idle : busy).push_back(slave);
-    if (commands.empty()) continue;
-    works.emplace_back(run_.port_of(slave), std::move(commands), run_.mailbox_counters[slave],
+    auto list = messages(slave);
+    (list.empty() ? idle : busy).push_back(slave);
+    if (list.empty()) continue;
+    works.emplace_back(run_.port_of(slave), std::move(list), run_.mailbox_counters[slave],
                        [this, slave](const coe::Emergency& emergency) {
                          run_.emergency(slave, emergency, bus_.clock().now());
                        });

@@ -26,11 +26,11 @@ class SlaveCommands {
   /// Which of the transition's commands of a slave run: by their index in its list.
   using Part = std::function<bool(std::size_t slave, std::size_t index)>;
 
-  /// Register commands, or CoE commands. A slave that fails is told by an event, acknowledged when it
+  /// Register commands, or mailbox commands (CoE objects first, then the other protocols). A slave that fails is told by an event, acknowledged when it
   /// reports an error, and taken off the list; it does not keep the others from finishing. The result is the first
   /// slave's error; errors of the bus itself (see ends_everything()) end all.
   Status run(SlaveList& slaves, Transition transition, const Part& part = {});
-  Status run_coe(SlaveList& slaves, Transition transition);
+  Status run_mailbox(SlaveList& slaves, Transition transition);
 
   /// What the master's own commands of INIT to PREOP wrote to all slaves (clear FMMUs, SyncManagers, clocks), for
   /// slaves that were not there then.
@@ -47,6 +47,8 @@ class SlaveCommands {
   [[nodiscard]] std::uint16_t position(std::size_t slave) const { return positions_[slave]; }
 
  private:
+  template <class Work, class Messages>
+  Status send_all(SlaveList& slaves, Messages messages);
   Status finish(SlaveList& slaves, std::span<SlaveWork* const> works);
   Status report(std::span<const std::size_t> slaves, std::span<const Error> errors);
   Status write_acknowledge(std::span<const std::size_t> slaves);

@@ -23,6 +23,7 @@ void MailboxServer::reset() {
   before_last_.clear();
   sdo_.reset();
   files_.reset();
+  eoe_.reset();
   last_request_ = counter_ = 0;
 }
 
@@ -32,6 +33,10 @@ void MailboxServer::queue(MailboxType type, std::vector<std::uint8_t> data) {
   message.data = std::move(data);
   message.counter = counter_ = next_mailbox_counter(counter_);
   queue_.push_back(message.encode());
+}
+
+void MailboxServer::queue_answer(MailboxType type, std::vector<std::uint8_t> data) {
+  if (!data.empty()) queue(type, std::move(data));
 }
 
 void MailboxServer::queue_error(MailboxErrorDetail detail) {
@@ -77,6 +82,18 @@ void MailboxServer::receive(std::span<const std::uint8_t> bytes, std::size_t rep
       break;
     case MailboxType::kFoe:
       if (mailbox_.foe) return receive_foe(*request, reply_size);
+      break;
+    case MailboxType::kEoe:
+      if (mailbox_.eoe) return queue_answer(request->type, eoe_.respond(request->data));
+      break;
+    case MailboxType::kSoe:
+      if (mailbox_.soe) return queue_answer(request->type, soe_.respond(request->data));
+      break;
+    case MailboxType::kAoe:
+      if (mailbox_.aoe) return queue_answer(request->type, aoe_.respond(request->data));
+      break;
+    case MailboxType::kVoe:
+      if (mailbox_.voe) return;  // the vendor's own: nothing to say
       break;
     default: break;
   }

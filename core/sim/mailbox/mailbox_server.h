@@ -10,9 +10,12 @@
 #include "config/device_description.h"
 #include "protocol/coe.h"
 #include "protocol/mailbox.h"
+#include "sim/mailbox/aoe_server.h"
+#include "sim/mailbox/eoe_server.h"
 #include "sim/mailbox/file_server.h"
 #include "sim/mailbox/information_server.h"
 #include "sim/mailbox/sdo_server.h"
+#include "sim/mailbox/soe_server.h"
 
 namespace syncline::sim {
 
@@ -42,12 +45,16 @@ class MailboxServer {
   void receive_information(const MailboxMessage& request, std::size_t reply_size);
   void receive_foe(const MailboxMessage& request, std::size_t reply_size);
   void queue(MailboxType type, std::vector<std::uint8_t> data);
+  void queue_answer(MailboxType type, std::vector<std::uint8_t> data);  // nothing, when there is none
   void queue_error(MailboxErrorDetail detail);
 
   MailboxDescription mailbox_;
   SdoServer sdo_;
   InformationServer information_;
   FileServer files_;
+  EoeServer eoe_;
+  SoeServer soe_;
+  AoeServer aoe_;
   std::deque<std::vector<std::uint8_t>> queue_;
   std::vector<std::uint8_t> last_, before_last_;   // as they were loaded
   std::uint8_t last_request_ = 0, counter_ = 0;

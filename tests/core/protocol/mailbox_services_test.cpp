@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
 #include <rapidcheck.h>
 
+#include "protocol/aoe.h"
 #include "protocol/diagnosis_message.h"
 #include "protocol/foe.h"
 #include "protocol/sdo_information.h"
+#include "protocol/soe.h"
 
 namespace syncline {
 namespace {
@@ -111,6 +114,38 @@ TEST(MailboxServices, AnyBytesAreReadOrRefused) {
     }
     for (std::uint8_t opcode = 0; opcode < 9; ++opcode) (void)coe::decode_information_response(opcode, bytes);
   }));
+}
+
+TEST(SoeMessage, KeepsEveryField) {
+  soe::Header header;
+  header.op_code = soe::OpCode::kWriteRequest;
+  header.drive_no = 5;
+  header.idn = 0x8021;
+  header.incomplete = header.error = true;
+  const auto bytes = soe::encode(header);
+  EXPECT_EQ(bytes, (std::vector<std::uint8_t>{0xBB, 0x40, 0x21, 0x80}));
+  EXPECT_EQ(soe::decode(bytes).value(), header);
+  for (const auto* wrong : {"\x00\x40\x00\x00", "\x07\x40\x00\x00"}) {
+    const std::vector<std::uint8_t> message(wrong, wrong + 4);
+    EXPECT_FALSE(soe::decode(message));
+  }
+  EXPECT_FALSE(soe::decode(std::span(bytes).first(3)));
+}
+
+TEST(AoeMessage, KeepsEveryField) {
+  aoe::Header header;
+  header.target = {{1, 2, 3, 4, 5, 6}, 0x0102};
+  header.source = {{6, 5, 4, 3, 2, 1}, 0x8001};
+  header.command = aoe::kReadWrite;
+  header.state_flags = 5;
+  header.length = 70'000;
+  header.error_code = 0x701;
+  header.invoke_id = 0xDEADBEEF;
+  const auto bytes = aoe::encode(header);
+  ASSERT_EQ(bytes.size(), aoe::Header::kSize);
+  EXPECT_EQ(bytes[16], 9) << "command behind two addresses of eight bytes";
+  EXPECT_EQ(aoe::decode(bytes).value(), header);
+  EXPECT_FALSE(aoe::decode(std::span(bytes).first(31)));
 }
 
 }  // namespace
