@@ -6,6 +6,7 @@
 #include <set>
 
 #include "app/cli/context.h"
+#include "app/cli/counted.h"
 #include "eni/check/eni_check.h"
 
 namespace syncline::cli {
@@ -105,7 +106,7 @@ void check(Context& context, const Options& options) {
     context.console.out << options.file
                         << ": only the structure was checked; mend the errors above, then check again\n";
   }
-  context.console.out << fmt::format("{} errors, {} warnings, {} notes\n", errors, warnings, notes);
+  context.console.out << fmt::format("{}, {}, {}\n", counted(errors, "error"), counted(warnings, "warning"), counted(notes, "note"));
 }
 
 }  // namespace

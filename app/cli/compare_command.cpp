@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "app/cli/context.h"
+#include "app/cli/counted.h"
 #include "app/composition/compare_bus.h"
 #include "app/composition/load_config.h"
 #include "config/compare/compare_configs.h"
@@ -105,7 +106,7 @@ void compare(Context& context, const Options& options) {
     context.console.out << "commands\n";
     for (const auto& difference : compared->details) context.console.out << "  " << describe(difference) << '\n';
   }
-  context.console.out << fmt::format("{} differences\n", compared->differences.size());
+  context.console.out << counted(compared->differences.size(), "difference") + "\n";
 }
 
 }  // namespace

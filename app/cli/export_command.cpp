@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "app/cli/context.h"
+#include "app/cli/counted.h"
 #include "app/cli/findings_text.h"
 #include "app/composition/load_config.h"
 #include "config/exports/exports.h"
@@ -68,7 +69,7 @@ void export_file(Context& context, const Options& options) {
   if (refused) {
     context.console.err << "synclinectl: " << options.output << " was not written; mend the errors above first\n";
   } else {
-    context.console.out << fmt::format("{}: {} slaves\n", options.output, slaves);
+    context.console.out << fmt::format("{}: {}\n", options.output, counted(slaves, "slave"));
   }
 }
 

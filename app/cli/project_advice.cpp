@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "app/cli/counted.h"
 #include "app/composition/load_config.h"
 #include "config/cycle_time_help.h"
 #include "config/image_report.h"
@@ -100,13 +101,16 @@ void print_json(Context& context, const Options& options, const ImageReport& rep
 
 void print_text(Context& context, const ImageReport& report) {
   auto& out = context.console.out;
-  out << fmt::format("{} bytes out, {} bytes in; {:g} frames a cycle of {:g} us take {:g} us of wire time: {:.1f} % of the bandwidth\n",
-                     report.output_bytes, report.input_bytes, report.frames_per_cycle, us(report.cycle), us(report.wire_time),
+  const bool one = report.frames_per_cycle == 1;
+  out << fmt::format("{} out, {} in; {:g} {} a cycle of {:g} us {} {:g} us of wire time: {:.1f} % of the bandwidth\n",
+                     counted(report.output_bytes, "byte"), counted(report.input_bytes, "byte"), report.frames_per_cycle,
+                     one ? "frame" : "frames", us(report.cycle), one ? "takes" : "take", us(report.wire_time),
                      report.bandwidth * 100);
   for (std::size_t i = 0; i < report.frames.size(); ++i) {
     const auto& frame = report.frames[i];
-    out << fmt::format("frame {}: every {:g} us, {} datagrams, {} bytes ({} of process data), {:g} us\n", i, us(frame.cycle),
-                       frame.datagrams, frame.bytes, frame.process_data_bytes, us(frame.wire_time));
+    out << fmt::format("frame {}: every {:g} us, {}, {} ({} of process data), {:g} us\n", i, us(frame.cycle),
+                       counted(frame.datagrams, "datagram"), counted(frame.bytes, "byte"), frame.process_data_bytes,
+                       us(frame.wire_time));
   }
   out << "costliest slaves:\n";
   for (std::size_t i = 0; i < std::min(kRows, report.slaves.size()); ++i) {
@@ -114,13 +118,13 @@ void print_text(Context& context, const ImageReport& report) {
     out << fmt::format("  {:>3} {}: {} out, {} in, {:g} us a cycle\n", slave.slave, slave.name, slave.output_bytes,
                        slave.input_bytes, us(slave.wire_time));
   }
-  if (report.movable.empty()) return;
-  out << "objects that could be exchanged by SDO:\n";
-  for (std::size_t i = 0; i < std::min(kRows, report.movable.size()); ++i) {
-    const auto& object = report.movable[i];
-    out << fmt::format("  {:>3} {}: 0x{:04x}:{:02x} {} in PDO 0x{:04x}, {} bits, saves {} bytes, {:g} us\n", object.slave,
-                       object.name, object.index, object.sub_index, object.object, object.pdo, object.bits, object.saved_bytes,
-                       us(object.saved_wire_time));
+  std::size_t row = 0;  // the most worth while first; what saves nothing by itself is in the JSON only
+  for (const auto& object : report.movable) {
+    if (object.saved_bytes == 0 || row == kRows) break;
+    if (row++ == 0) out << "objects that could be exchanged by SDO:\n";
+    out << fmt::format("  {:>3} {}: 0x{:04x}:{:02x} {} in PDO 0x{:04x}, {} bits, saves {}, {:g} us\n", object.slave,
+                       object.name, object.index, object.sub_index, object.object, object.pdo, object.bits,
+                       counted(object.saved_bytes, "byte"), us(object.saved_wire_time));
   }
 }
 

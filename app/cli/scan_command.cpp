@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "app/cli/context.h"
+#include "app/cli/counted.h"
 #include "app/cli/esi_folders.h"
 #include "app/cli/event_text.h"
 #include "app/cli/interrupt.h"
@@ -93,7 +94,7 @@ void print_table(std::ostream& out, const BusScan& scan) {
                        to_string(slave.identity), slave.alias, slave.device_id ? fmt::to_string(*slave.device_id) : "-",
                        state_of(slave), dc_text(slave.dc), ports_text(slave.dl_status), behind_text(scan, slave));
   }
-  out << fmt::format("{} slaves{}\n", scan.slaves.size(), scan.look_only ? ", looked at only" : "");
+  out << fmt::format("{}{}\n", counted(scan.slaves.size(), "slave"), scan.look_only ? ", looked at only" : "");
 }
 
 struct Options {

@@ -67,7 +67,7 @@ TEST(CliCheck, SeverityAndStrictSayWhatCounts) {
   EXPECT_THAT(cli_run({"check", eni}).out, HasSubstr("ENI-XML-06"));
   const auto errors_only = cli_run({"check", eni, "--severity", "error"});
   EXPECT_THAT(errors_only.out, testing::Not(HasSubstr("ENI-XML-06")));
-  EXPECT_THAT(errors_only.out, HasSubstr("0 errors, 1 warnings"));
+  EXPECT_THAT(errors_only.out, HasSubstr("0 errors, 1 warning,"));
 }
 
 TEST(CliCheck, OtherFilesAndNoFileAreRefused) {
