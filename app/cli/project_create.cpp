@@ -5,6 +5,7 @@
 
 #include "app/cli/findings_text.h"
 #include "app/cli/identity_text.h"
+#include "app/composition/describe_devices.h"
 #include "app/composition/scan_bus.h"
 #include "config/recover/recover_project.h"
 #include "config/settings_keys.h"
@@ -66,6 +67,7 @@ Result<Project> build(Context& context, const CreateOptions& options, RecoveredP
     const auto scan = scan_bus(options.scan);
     if (!scan) return tl::unexpected(scan.error());
     auto built = eni::project_from_scan(*scan, *catalogue);
+    if (options.read_dictionaries) describe_devices(built, options.scan);
     for (const auto& warning : built.warnings) context.warn(warning);
     return std::move(built.project);
   }

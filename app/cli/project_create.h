@@ -19,6 +19,7 @@ struct CreateOptions {
   std::string cycle_us, shift, sync_window, reference_clock;
   std::vector<std::string> op_modes;       // POSITION=NAME
   std::string network;                     // name; joins or replaces a network of an existing file. "" = a new file
+  bool read_dictionaries = true;           // of devices without an ESI that are on the bus
   bool json = false;
 };
 

@@ -2,31 +2,11 @@
 #include <fmt/format.h>
 
 #include "master/bus_scan.h"
+#include "protocol/coe_data_type.h"
 #include "support/byte_order.h"
 
 namespace syncline {
 namespace {
-
-/// CoE data type numbers (ETG.1000.6, table 64) as ESI names them.
-std::string data_type_name(std::uint8_t type, unsigned bits) {
-  switch (type) {
-    case 0x01: return "BOOL";
-    case 0x02: return "SINT";
-    case 0x03: return "INT";
-    case 0x04: return "DINT";
-    case 0x05: return "USINT";
-    case 0x06: return "UINT";
-    case 0x07: return "UDINT";
-    case 0x08: return "REAL";
-    case 0x11: return "LREAL";
-    case 0x15: return "LINT";
-    case 0x1B: return "ULINT";
-    case 0x1E: return "BYTE";
-    case 0x1F: return "WORD";
-    case 0x20: return "DWORD";
-    default: return bits == 1 ? "BOOL" : fmt::format("BIT{}", bits);
-  }
-}
 
 Pdo pdo_of(const sii::Pdo& from) {
   Pdo pdo;
@@ -35,7 +15,7 @@ Pdo pdo_of(const sii::Pdo& from) {
   if (from.sync_manager != 0xFF) pdo.sync_manager = from.sync_manager;
   for (const auto& entry : from.entries) {
     PdoEntry out{entry.index, entry.sub_index, entry.bit_length, entry.name, {}};
-    if (entry.index != 0) out.data_type = data_type_name(entry.data_type, entry.bit_length);
+    if (entry.index != 0) out.data_type = coe::esi_type_name(entry.data_type, entry.bit_length);
     pdo.entries.push_back(std::move(out));
   }
   return pdo;
