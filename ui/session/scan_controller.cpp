@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "eni/catalogue/esi_catalogue.h"
+#include "eni/describe_slaves.h"
 #include "master/master_service.h"
 
 namespace syncline::ui {
@@ -44,7 +45,22 @@ Result<eni::BuiltProject> ScanController::run(const QString& link) {
   }
   auto built = eni::project_from_scan(*found, catalogue);
   built.warnings.insert(built.warnings.begin(), warnings.begin(), warnings.end());
+  if (eni::has_undescribed_slaves(built)) {
+    if (auto status = describe(built, link); !status) return tl::unexpected(status.error());
+  }
+  if (cancelled_) return fail(ErrorCode::kCancelled);
   return built;
+}
+
+/// Slaves without an ESI tell what they are.
+Status ScanController::describe(eni::BuiltProject& built, const QString& link) {
+  auto connection = opener_(link);
+  if (!connection) return tl::unexpected(connection.error());
+  FrameExchange exchange(*connection->link, *connection->clock);
+  exchange.set_addresses({0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF}, connection->link->describe().mac);
+  Bus bus(exchange, *connection->clock, &cancelled_);
+  eni::describe_slaves(built, bus);
+  return {};
 }
 
 Result<BusScan> ScanController::scan(const QString& link) {

@@ -41,6 +41,7 @@ class ScanController final : public QObject {
  private:
   Result<eni::BuiltProject> run(const QString& link);
   Result<BusScan> scan(const QString& link);
+  Status describe(eni::BuiltProject& built, const QString& link);
   void deliver(const QString& link, Result<eni::BuiltProject> result);
 
   LinkOpener opener_;
