@@ -19,6 +19,16 @@ bool wanted(const Command& command, Transition transition) {
   return command.enabled && std::ranges::find(command.transitions, transition) != command.transitions.end();
 }
 
+/// Some tools write the parameters of "set IP" without the four bytes of EoE in front.
+void complete_eoe(std::vector<std::uint8_t>& data) {
+  if (!eoe::is_ip_parameters(data)) return;
+  eoe::Header header;
+  header.kind = eoe::Kind::kSetIpRequest;
+  header.last_fragment = true;
+  const auto bytes = eoe::encode(header);
+  data.insert(data.begin(), bytes.begin(), bytes.end());
+}
+
 std::string name_of(MailboxType type, std::size_t number, const std::string& comment) {
   return fmt::format("{} start-up message {}{}", mailbox_type_name(type), number,
                      comment.empty() ? std::string() : " (" + comment + ")");
@@ -68,6 +78,7 @@ std::vector<StartupMessage> startup_messages(const MailboxConfig& mailbox, Trans
       if (!wanted(commands[i], transition)) continue;
       messages.push_back({type, commands[i].data, commands[i].timeout_ms, name_of(type, i + 1, commands[i].comment),
                           type != MailboxType::kVoe});
+      if (type == MailboxType::kEoe) complete_eoe(messages.back().data);
     }
   };
   add(MailboxType::kAoe, mailbox.aoe_commands);

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <array>
+
 #include "support/byte_order.h"
 
 namespace syncline::eoe {
@@ -40,6 +42,16 @@ Result<Header> decode(std::span<const std::uint8_t> data) {
   header.offset = static_cast<std::uint8_t>((second >> 6) & 0x3F);
   header.frame_no = static_cast<std::uint8_t>(second >> 12);
   return header;
+}
+
+bool is_ip_parameters(std::span<const std::uint8_t> data) {
+  constexpr std::array<std::size_t, 6> kSizes{6, 4, 4, 4, 4, 32};
+  ByteReader reader(data);
+  const auto flags = reader.u32();
+  if (!reader.ok() || flags == 0 || flags >= 1U << kSizes.size()) return false;
+  std::size_t size = 0;
+  for (unsigned i = 0; i < kSizes.size(); ++i) size += (flags >> i & 1U) != 0 ? kSizes[i] : 0;
+  return size == reader.remaining();
 }
 
 }  // namespace syncline::eoe

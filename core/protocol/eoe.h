@@ -40,4 +40,8 @@ struct Header {
 /// The first four bytes behind the mailbox header. kMalformedData.
 [[nodiscard]] Result<Header> decode(std::span<const std::uint8_t> data);
 
+/// Whether these are the parameters of a "set IP" request and nothing else: flags, and as many bytes as they announce
+/// (MAC, address, mask, gateway, DNS server, name).
+[[nodiscard]] bool is_ip_parameters(std::span<const std::uint8_t> data);
+
 }  // namespace syncline::eoe

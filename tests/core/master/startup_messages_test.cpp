@@ -134,6 +134,22 @@ TEST(StartupMessages, ComeInTheOrderOfTheEniAtTheirTransition) {
   EXPECT_TRUE(startup_messages(mailbox, Transition::kIP).empty());
 }
 
+TEST(StartupMessages, IpParametersWithoutAHeaderGetOne) {
+  MailboxConfig mailbox;
+  MailboxInitCmd command;
+  command.transitions = {Transition::kIP};
+  command.data = {0x06, 0, 0, 0, 192, 168, 0, 7, 255, 255, 255, 0};  // address and mask
+  mailbox.eoe_commands = {command};
+  const auto completed = startup_messages(mailbox, Transition::kIP)[0].data;
+  ASSERT_EQ(completed.size(), 16U);
+  EXPECT_EQ(eoe::decode(completed)->kind, eoe::Kind::kSetIpRequest);
+  EXPECT_TRUE(std::equal(command.data.begin(), command.data.end(), completed.begin() + 4));
+  mailbox.eoe_commands[0].data = completed;
+  EXPECT_EQ(startup_messages(mailbox, Transition::kIP)[0].data, completed) << "it has one";
+  mailbox.eoe_commands[0].data.resize(7);
+  EXPECT_EQ(startup_messages(mailbox, Transition::kIP)[0].data.size(), 7U) << "something else";
+}
+
 TEST(StartupMessages, AnswersAreToldFromRequestsAndRefusalsFromConsent) {
   eoe::Header eoe;
   EXPECT_FALSE(judge_startup_answer(MailboxType::kEoe, eoe::encode(eoe)).is_answer) << "a frame";
