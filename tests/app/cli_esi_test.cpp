@@ -99,7 +99,8 @@ TEST_F(CliEsi, ShowAndMatchAgree) {
 TEST_F(CliEsi, ScanSaysWhichEsiDescribesEachSlave) {
   const auto run = cli_run({"scan", demo(), "--esi", kEsi, "--cache", database(), "--json"});
   ASSERT_EQ(run.code, cli::kDone) << run.err;
-  for (const auto& slave : run.json()["slaves"]) EXPECT_EQ(slave["esi"]["match"], "exact") << slave.dump();
+  const auto scan = run.json();
+  for (const auto& slave : scan["slaves"]) EXPECT_EQ(slave["esi"]["match"], "exact") << slave.dump();
   const auto words = cli_run({"scan", demo(), "--esi", kEsi, "--cache", database()});
   EXPECT_THAT(words.out, HasSubstr("exactly"));
   EXPECT_FALSE(cli_run({"scan", demo(), "--json"}).json()["slaves"][0].contains("esi"));
