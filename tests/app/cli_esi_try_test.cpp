@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <set>
 
 #include "app/composition/try_esi.h"
 #include "cli_runner.h"
@@ -167,7 +169,16 @@ TEST(EsiTrySamples, EveryDeviceReachesOpOrItsEsiContradictsItself) {
   std::cout << tried->devices.size() << " devices tried, " << tried->count(TryOutcome::kPassed) << " passed, "
             << tried->count(TryOutcome::kExcepted) << " excepted\n";
   EXPECT_TRUE(tried->unreadable.empty());
-  EXPECT_GT(tried->count(TryOutcome::kPassed), 20 * tried->count(TryOutcome::kExcepted));
+  // Whose ESI contradicts itself, each looked at by hand.
+  const std::set<std::string> known{"CX2040 EtherCAT slave", "AX2000-B120", "kickcat_esi_test_sm_fmmu",
+                                    "B090.SO.3.0",           "B090.SO.3.1", "line 55388"};  // EL2252: not read
+  for (const auto& device : tried->devices) {
+    if (device.outcome == TryOutcome::kExcepted) {
+      const auto name = device.type.empty() ? fmt::format("line {}", device.line) : device.type;
+      EXPECT_TRUE(known.contains(name)) << device.file << ": " << device.type << ": " << device.reason;
+    }
+  }
+  EXPECT_LE(tried->count(TryOutcome::kExcepted), known.size());
 }
 
 }  // namespace

@@ -4,12 +4,13 @@
 #include <algorithm>
 #include <charconv>
 
+#include "protocol/eoe.h"
 #include "support/byte_order.h"
 
 namespace syncline::compiler {
 namespace {
 
-constexpr int kSetIpParameter = 2;
+constexpr int kSetIpParameter = static_cast<int>(eoe::Kind::kSetIpRequest);
 constexpr std::size_t kHostNameBytes = 32;
 
 /// `N` numbers 0..255 with dots.
@@ -27,14 +28,15 @@ std::optional<std::array<std::uint8_t, N>> dotted_bytes(std::string_view text) {
   return at == end ? std::optional(bytes) : std::nullopt;
 }
 
-/// EoE header (ETG.1000.6): type, one fragment which is the last, no time stamp; then the service's data.
+/// One fragment which is the last, no time stamp; then the service's data.
 MailboxInitCmd eoe_message(int type, const std::vector<std::uint8_t>& data, std::vector<Transition> when, std::string comment) {
-  constexpr std::uint16_t kLastFragment = 0x0100;
   MailboxInitCmd message;
   message.transitions = std::move(when);
   message.comment = std::move(comment);
-  ByteWriter writer(message.data);
-  writer.u16(static_cast<std::uint16_t>((static_cast<unsigned>(type) & 0xFU) | kLastFragment)).u16(0);
+  eoe::Header header;
+  header.kind = static_cast<eoe::Kind>(type & 0x0F);
+  header.last_fragment = true;
+  message.data = eoe::encode(header);
   message.data.insert(message.data.end(), data.begin(), data.end());
   return message;
 }
