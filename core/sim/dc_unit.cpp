@@ -72,7 +72,7 @@ std::uint64_t DcUnit::offset() const {
 
 std::uint64_t DcUnit::system_time(Nanoseconds time) const { return masked(unwrapped_time(time)); }
 
-void DcUnit::advance_to(Nanoseconds time) {
+void DcUnit::deliver_until(Nanoseconds time) {
   if (!config_.system_time || time < now_) return;
   while (time >= quiet_until_ && next_signal() <= time) {
     now_ = std::max(now_, *next_signal_);
@@ -99,6 +99,7 @@ Nanoseconds DcUnit::next_signal() {
     const auto due = generator_.due();
     // The generator counts in system time; its value minus the offset is the local time it waits for.
     next_signal_ = due ? clock_.time_of(due->time - offset()) : INT64_MAX;
+    if (!due) quiet_until_ = INT64_MAX;
   }
   return *next_signal_;
 }

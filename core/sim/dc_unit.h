@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <functional>
@@ -25,7 +26,13 @@ class DcUnit {
 
   /// SYNC0/SYNC1 up to `time` are delivered in order.
   std::function<void(SyncGenerator::Signal, Nanoseconds)> on_sync;
-  void advance_to(Nanoseconds time);
+  void advance_to(Nanoseconds time) {
+    if (time < quiet_until_ && !clock_.changes_until(time)) {  // several times in every frame
+      now_ = std::max(now_, time);
+    } else {
+      deliver_until(time);
+    }
+  }
 
   /// A frame starts at the processing unit: the system time that reads in this frame show.
   void start_of_frame(Nanoseconds time);
@@ -56,6 +63,7 @@ class DcUnit {
   void step_clock(Nanoseconds delta);
 
  private:
+  void deliver_until(Nanoseconds time);
   [[nodiscard]] std::uint64_t offset() const;
   /// System time that does not wrap; a 32-bit unit shows its low word.
   [[nodiscard]] std::uint64_t unwrapped_time(Nanoseconds time) const { return clock_.exact(time) + offset(); }

@@ -54,6 +54,8 @@ class Esc {
   void set_listener(Listener* listener);
 
   // ---- the frame's way ----
+  /// Frames with such a datagram make ESCs note when they came to which port.
+  [[nodiscard]] static bool may_latch_port_times(const DatagramView& datagram);
   void frame_at_port(unsigned port, Nanoseconds time);
   /// Nothing of the frame is for this slave, nor does it leave a trace in it: all datagrams are for the station addresses
   /// of others.
@@ -105,6 +107,7 @@ class Esc {
 
  private:
   static constexpr std::array<std::uint8_t, 3> kResetSequence{'R', 'E', 'S'};
+  static constexpr std::size_t kMaxFrameBody = 0x0800;  // the length in the EtherCAT header has 11 bits
   struct Write {
     std::uint16_t address;
     std::uint16_t length;
@@ -112,18 +115,20 @@ class Esc {
   void raise_event(std::uint16_t event);
   void raise_al_event(std::uint32_t event);
   void clear_event(std::uint16_t event);
-  /// Working counter parts of one datagram: what was read and written.
-  struct Access {
-    bool read = false, written = false;
-  };
-  [[nodiscard]] Access execute(DatagramView& datagram);
+  /// What its working counter grows by.
+  [[nodiscard]] unsigned execute(DatagramView& datagram);
   [[nodiscard]] bool addressed(const DatagramHeader& header) const;
   bool read_memory(std::uint16_t address, std::span<std::uint8_t> out, bool or_into);
+  /// Registers, and RAM that is no SyncManager's matter.
+  bool read_registers(std::uint16_t address, std::span<std::uint8_t> out, bool or_into);
+  [[nodiscard]] bool is_readable(std::uint16_t address, std::size_t length) const;
+  /// Registers with gaps between them.
+  bool read_what_is_there(std::uint16_t address, std::span<const std::uint8_t> from, std::span<std::uint8_t> out,
+                          bool or_into) const;
   /// Copies `bits` between a datagram and the memory, whole bytes at once where the mapping is aligned.
   void copy_mapped(std::span<std::uint8_t> datagram, std::uint64_t datagram_bit, std::uint64_t memory_bit,
                    std::uint64_t bits, bool writing);
   bool write_memory(Command command, std::uint16_t address, std::span<const std::uint8_t> data);
-  Access logical(const DatagramView& datagram, bool read, bool write);
   /// The first byte of a buffer is read: the newest one, whatever became of the transfer before.
   void open_buffer(std::uint32_t address, std::size_t length);
   void show_pending(unsigned number);
@@ -176,7 +181,8 @@ class Esc {
   std::array<std::optional<Nanoseconds>, 4> port_times_{};
   bool latch_unit_ = false, latch_ports_ = false;
   std::vector<Write> writes_;
-  std::vector<std::uint8_t> shadow_;        // bytes of writes_, in order
+  std::array<std::uint8_t, kMaxFrameBody> shadow_{};  // bytes of writes_, in order
+  std::size_t shadow_size_ = 0;
   std::uint32_t sm_written_ = 0, sm_read_ = 0;  // bit per SyncManager
   // Bit per SyncManager: a transfer has touched its first byte and not yet its last; lasts over frames.
   std::uint32_t sm_begun_ = 0;

@@ -123,12 +123,6 @@ void Esc::copy_mapped(std::span<std::uint8_t> datagram, std::uint64_t datagram_b
   }
 }
 
-Esc::Access Esc::logical(const DatagramView& datagram, bool read, bool write) {
-  // The write side takes the bytes as they came in; the read side replaces them afterwards.
-  const bool written = write && map_datagram(datagram, write_mappings_, true);
-  return {read && map_datagram(datagram, read_mappings_, false), written};
-}
-
 bool Esc::map_datagram(const DatagramView& datagram, std::span<const Mapping> mappings, bool writing) {
   bool any = false;
   const std::uint64_t start = datagram.header.address;

@@ -3,8 +3,8 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
-#include <vector>
 
 #include "support/byte_order.h"
 
@@ -19,6 +19,7 @@ class EscMemory {
   static constexpr std::uint8_t kRead = 1;
   static constexpr std::uint8_t kWrite = 2;
   static constexpr std::uint8_t kReadWrite = kRead | kWrite;
+  static constexpr std::size_t kWord = 8;
 
   /// `ram_bytes` of process RAM from 0x1000 on.
   explicit EscMemory(std::uint32_t ram_bytes);
@@ -27,13 +28,19 @@ class EscMemory {
   [[nodiscard]] std::uint8_t rights(std::uint32_t address) const {
     return address < kRegisterEnd ? rights_[address] : (address < ram_end_ ? kReadWrite : std::uint8_t{0});
   }
+  /// Whether the master may do this with each byte of at most kWord bytes of registers.
+  [[nodiscard]] bool all_have(std::uint8_t right, std::uint32_t address, std::size_t length) const {
+    constexpr std::uint64_t kEachByte = 0x0101'0101'0101'0101;
+    const auto wanted = (kEachByte * right) >> (8 * (kWord - length));
+    return (load_le<std::uint64_t>(std::span(rights_).subspan(address, kWord)) & wanted) == wanted;
+  }
   [[nodiscard]] std::uint32_t ram_end() const { return ram_end_; }
 
   [[nodiscard]] std::span<std::uint8_t> at(std::uint32_t address, std::size_t length) {
-    return std::span(bytes_).subspan(address, length);
+    return {bytes_.get() + address, length};
   }
   [[nodiscard]] std::span<const std::uint8_t> at(std::uint32_t address, std::size_t length) const {
-    return std::span(bytes_).subspan(address, length);
+    return {bytes_.get() + address, length};
   }
   template <std::unsigned_integral T>
   [[nodiscard]] T get(std::uint16_t address) const {
@@ -55,8 +62,8 @@ class EscMemory {
   }
 
  private:
-  std::vector<std::uint8_t> bytes_;
-  std::array<std::uint8_t, kRegisterEnd> rights_{};
+  std::unique_ptr<std::uint8_t[]> bytes_;  // kSize; a vector's size would be asked for in every access
+  std::array<std::uint8_t, kRegisterEnd + kWord> rights_{};
   std::uint32_t ram_end_;
 };
 

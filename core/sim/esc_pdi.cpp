@@ -94,8 +94,9 @@ void Esc::put_buffer(unsigned number, std::span<const std::uint8_t> bytes) {
 }
 
 void Esc::show_pending(unsigned number) {
-  const auto area = sync_manager_area(number);
   const auto& bytes = pending_[number];
+  if (bytes.empty()) return;
+  const auto area = sync_manager_area(number);
   std::copy_n(bytes.begin(), std::min(bytes.size(), area.size()), area.begin());
   pending_[number].clear();
 }

@@ -19,9 +19,11 @@ class LocalClock {
 
   LocalClock(const OscillatorConfig& config, Nanoseconds power_on, std::uint64_t seed);
 
+  /// The quartz will have wandered at `time`.
+  [[nodiscard]] bool changes_until(Nanoseconds time) const { return next_wander_ <= time; }
   /// Commits what changes the rate up to `time`; the quartz wanders in steps of 100 ms. True: the rate is another.
   bool advance_to(Nanoseconds time) {
-    if (next_wander_ > time) return false;
+    if (!changes_until(time)) return false;
     wander_to(time);
     return true;
   }

@@ -7,18 +7,15 @@
 namespace syncline::sim {
 
 ProcessData::ProcessData(const DeviceDescription& device, ObjectDictionary& dictionary, Esc& esc, unsigned max_objects)
-    : device_(device), dictionary_(dictionary), esc_(esc), pdos_(device, dictionary, max_objects) {
-  output_sm_ = sync_manager(PdoDirection::kRx);
-  input_sm_ = sync_manager(PdoDirection::kTx);
-}
-
-std::optional<unsigned> ProcessData::sync_manager(PdoDirection direction) const {
-  const auto type = direction == PdoDirection::kRx ? SyncManagerType::kOutputs : SyncManagerType::kInputs;
-  const auto& managers = device_.sync_managers;
-  for (unsigned i = 0; i < managers.size(); ++i) {
-    if (managers[i].type == type) return i;
-  }
-  return std::nullopt;
+    : dictionary_(dictionary), esc_(esc), pdos_(device, dictionary, max_objects) {
+  const auto first = [&device](SyncManagerType type) -> std::optional<unsigned> {
+    for (unsigned i = 0; i < device.sync_managers.size(); ++i) {
+      if (device.sync_managers[i].type == type) return i;
+    }
+    return std::nullopt;
+  };
+  output_sm_ = first(SyncManagerType::kOutputs);
+  input_sm_ = first(SyncManagerType::kInputs);
 }
 
 std::vector<ProcessData::Copy> ProcessData::copies(PdoDirection direction) {

@@ -30,7 +30,9 @@ class ProcessData {
   [[nodiscard]] std::uint32_t byte_length(PdoDirection direction) const { return pdos_.byte_length(direction); }
   [[nodiscard]] bool has_outputs() const { return !outputs_.empty(); }
   /// SyncManager of the device's description; valid before map(), too.
-  [[nodiscard]] std::optional<unsigned> sync_manager(PdoDirection direction) const;
+  [[nodiscard]] std::optional<unsigned> sync_manager(PdoDirection direction) const {
+    return direction == PdoDirection::kRx ? output_sm_ : input_sm_;
+  }
 
  private:
   struct Copy {
@@ -40,7 +42,6 @@ class ProcessData {
   };
   [[nodiscard]] std::vector<Copy> copies(PdoDirection direction);
 
-  const DeviceDescription& device_;
   ObjectDictionary& dictionary_;
   Esc& esc_;
   PdoObjects pdos_;

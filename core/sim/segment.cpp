@@ -18,6 +18,7 @@ class Walk {
       const double cable = slaves_[0].cable_m * kNsPerMetre;
       path_.return_ns = enter(0, cable) + cable;
     }
+    for (auto& passage : path_.passages) passage.offset = static_cast<Nanoseconds>(passage.time_ns + 0.5);
     return std::move(path_);
   }
 
@@ -31,7 +32,7 @@ class Walk {
   }
 
   double visit(std::size_t i, double time) {
-    path_.passages.push_back({static_cast<std::uint16_t>(i), 0, true, time});
+    path_.passages.push_back({static_cast<std::uint16_t>(i), 0, true, time, 0});
     double out = time + slaves_[i].processing_delay_ns;
     for (std::size_t order = 1; order < kPortOrder.size() && !path_.swallowed; ++order) {
       const auto port = kPortOrder[order];
@@ -44,7 +45,7 @@ class Walk {
       const double cable = slaves_[*child].cable_m * kNsPerMetre;
       const double back = enter(*child, out + cable) + cable;
       if (path_.swallowed) break;
-      path_.passages.push_back({static_cast<std::uint16_t>(i), static_cast<std::uint8_t>(port), false, back});
+      path_.passages.push_back({static_cast<std::uint16_t>(i), static_cast<std::uint8_t>(port), false, back, 0});
       out = back + slaves_[i].forwarding_delay_ns;
     }
     return out;

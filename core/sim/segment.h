@@ -28,6 +28,7 @@ struct Passage {
   std::uint8_t port = 0;      // where the frame is received
   bool processed = false;     // behind this port lies the processing unit
   double time_ns = 0;         // since the frame's start left the master
+  Nanoseconds offset = 0;     // the same, rounded
 };
 
 /// Ports of a slave as a frame finds them.

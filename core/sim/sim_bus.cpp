@@ -78,6 +78,7 @@ struct SimBus::Impl {
   std::vector<Node> nodes;
   std::vector<SlaveLink> links;
   SegmentPath path;
+  std::vector<std::size_t> processed;   // receptions of `path` in front of processing units
   std::vector<double> true_delay;
   std::vector<Action> actions;       // by time
   std::size_t next_action = 0;
@@ -85,14 +86,13 @@ struct SimBus::Impl {
   std::uint32_t frames_to_lose = 0;
   std::vector<LineFault> line_faults;
   std::vector<DatagramView> datagrams;
-  std::vector<std::uint8_t> untouched;  // of every slave: the frame that is passing is only for others
+  std::vector<std::size_t> touched;     // those at which the passing frame left something; the others it was not for
 
   Impl(SimConfig c, Nanoseconds start)
       : config(std::move(c)), wiring(config.slaves), links(config.slaves.size()), now(start) {
     for (std::size_t i = 0; i < config.slaves.size(); ++i) {
       nodes.push_back(power_up(config.slaves[i], factory_sii(config.slaves[i]), start, seed_of(i)));
     }
-    untouched.resize(nodes.size());
     rewire();
     true_delay.resize(nodes.size());
     for (const auto& passage : path.passages) {
@@ -129,6 +129,10 @@ struct SimBus::Impl {
       (void)esc_ports.take_changed();
     }
     path = segment_path(config.slaves, wiring, ports);
+    processed.clear();
+    for (std::size_t p = 0; p < path.passages.size(); ++p) {
+      if (path.passages[p].processed) processed.push_back(p);
+    }
   }
 
   void schedule_actions(Nanoseconds start);
@@ -136,9 +140,6 @@ struct SimBus::Impl {
   void add_pulses(const LatchPulses& pulses, Nanoseconds start);
   void run_actions(Nanoseconds time) {
     while (next_action < actions.size() && actions[next_action].time <= time) actions[next_action++].apply();
-  }
-  [[nodiscard]] static Nanoseconds time_of(const Passage& passage, Nanoseconds send_time) {
-    return send_time + static_cast<Nanoseconds>(passage.time_ns + 0.5);
   }
   void advance_to(Nanoseconds time) {
     run_actions(time);
@@ -158,6 +159,8 @@ struct SimBus::Impl {
     std::size_t end, damaged;
   };
   [[nodiscard]] Reach reach();
+  void note_port_times(const Reach& way, Nanoseconds send_time);
+  void count_errors(const Reach& way);
   void end_frame(const Reach& reach, Nanoseconds send_time, Nanoseconds length);
 };
 
@@ -265,22 +268,22 @@ SimBus::Returned SimBus::Impl::execute(std::span<std::uint8_t> frame, Nanosecond
 
   auto way = reach();
   const bool for_single_slaves = std::ranges::all_of(datagrams, [](const auto& d) { return is_fixed_address(d.header.command); });
+  const bool takes_port_times = std::ranges::any_of(datagrams, Esc::may_latch_port_times);
   bool mark_source = false;
-  for (std::size_t p = 0; p < way.end; ++p) {
+  touched.clear();
+  for (const auto p : processed) {
+    if (p >= way.end) break;
     const auto& passage = path.passages[p];
     auto& node = nodes[passage.slave];
-    const auto time = time_of(passage, send_time);
-    if (p == way.damaged) node.esc->ports().count_invalid_frame(passage.port);
-    if (p > way.damaged) node.esc->ports().count_forwarded_error(passage.port);
-    if (passage.processed) untouched[passage.slave] = for_single_slaves && node.esc->is_untouched_by(datagrams);
-    if (untouched[passage.slave] == 0) node.esc->frame_at_port(passage.port, time);
-    if (!passage.processed) continue;
-    if (untouched[passage.slave] == 0) {
-      node.device->advance_to(time);
-      if (!node.esc->process(datagrams, time)) way.end = p;
-    }
     mark_source = mark_source || node.esc->ports().destroys_foreign_frames();
+    if (for_single_slaves && node.esc->is_untouched_by(datagrams)) continue;
+    touched.push_back(p);
+    const auto time = send_time + passage.offset;
+    node.device->advance_to(time);
+    if (!node.esc->process(datagrams, time)) way.end = p;
   }
+  if (takes_port_times) note_port_times(way, send_time);
+  if (way.damaged < way.end) count_errors(way);
   for (auto& datagram : datagrams) datagram.store_header();
   const auto length = wire_time_ns(frame.size()) - 12 * 80;  // without the gap behind the frame
   const bool lost = path.swallowed || way.end < path.passages.size() || way.damaged < path.passages.size();
@@ -289,6 +292,21 @@ SimBus::Returned SimBus::Impl::execute(std::span<std::uint8_t> frame, Nanosecond
   if (lost) return {true, 0};
   if (mark_source) frame[6] = static_cast<std::uint8_t>(frame[6] | 0x02);  // locally administered
   return {false, return_time};
+}
+
+/// What the ESCs at the frame's way keep of when it came to their ports.
+void SimBus::Impl::note_port_times(const Reach& way, Nanoseconds send_time) {
+  for (std::size_t p = 0; p < way.end; ++p) {
+    const auto& passage = path.passages[p];
+    nodes[passage.slave].esc->frame_at_port(passage.port, send_time + passage.offset);
+  }
+}
+
+void SimBus::Impl::count_errors(const Reach& way) {
+  for (auto p = way.damaged; p < way.end; ++p) {
+    auto& ports = nodes[path.passages[p].slave].esc->ports();
+    p == way.damaged ? ports.count_invalid_frame(path.passages[p].port) : ports.count_forwarded_error(path.passages[p].port);
+  }
 }
 
 SimBus::Impl::Reach SimBus::Impl::reach() {
@@ -308,11 +326,11 @@ SimBus::Impl::Reach SimBus::Impl::reach() {
 /// The last byte has passed everywhere: what was written becomes effective where the frame was still good.
 void SimBus::Impl::end_frame(const Reach& reach, Nanoseconds send_time, Nanoseconds length) {
   bool changed = false;
-  for (std::size_t p = 0; p < reach.end; ++p) {
+  for (const auto p : touched) {
+    if (p >= reach.end) break;  // destroyed there
     const auto& passage = path.passages[p];
-    if (!passage.processed || untouched[passage.slave] != 0) continue;
     auto& esc = *nodes[passage.slave].esc;
-    const auto time = time_of(passage, send_time) + length;
+    const auto time = send_time + passage.offset + length;
     nodes[passage.slave].device->frame_received(time - length, time);
     if (p < reach.damaged) {
       esc.frame_end(time);
@@ -323,7 +341,7 @@ void SimBus::Impl::end_frame(const Reach& reach, Nanoseconds send_time, Nanoseco
       restart(passage.slave, time);
       changed = true;
     }
-    changed = nodes[passage.slave].esc->ports().take_changed() || changed;
+    if (nodes[passage.slave].esc->ports().take_changed()) changed = true;
   }
   if (path.closed_entry && reach.end == path.passages.size() && reach.damaged == reach.end) {
     auto& ports = nodes[*path.closed_entry].esc->ports();

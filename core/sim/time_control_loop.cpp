@@ -14,7 +14,7 @@ constexpr std::int32_t kCounterMargin = 0x7F;
 
 /// Weight of a new value in a filter of depth 2^exponent.
 double share(std::uint8_t exponent) {
-  constexpr auto kShares = [] {
+  static constexpr auto kShares = [] {
     std::array<double, 16> shares{};
     for (unsigned i = 0; i < shares.size(); ++i) shares[i] = 1.0 / static_cast<double>(1U << i);
     return shares;

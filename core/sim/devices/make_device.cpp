@@ -16,7 +16,9 @@ class Generic final : public Device {
 
  protected:
   void on_sync0(Nanoseconds) override { inputs_from_dictionary(); }
-  void on_outputs(Nanoseconds) override { inputs_from_dictionary(); }
+  void on_outputs(Nanoseconds) override {
+    if (!esc().dc().sync0_enabled()) inputs_from_dictionary();
+  }
 };
 
 }  // namespace
