@@ -138,11 +138,15 @@ std::uint16_t AlChecks::process_data() const {
 std::uint16_t AlChecks::dc() const {
   const auto& dc = config_.device.dc;
   if (!dc || dc->op_modes.empty() || !esc_.dc().sync_active()) return 0;
-  constexpr std::uint16_t kSignals = 0x0700;  // of AssignActivate: unit on, SYNC0, SYNC1
+  // Of AssignActivate: unit on, SYNC0, SYNC1; whose the latch inputs are.
+  constexpr std::uint16_t kSignals = 0x0700, kLatches = 0x0030;
   const auto written = esc_.memory().u16(reg::kCyclicUnitControl);
-  const bool known = std::ranges::any_of(
-      dc->op_modes, [&](const DcOpMode& mode) { return ((mode.assign_activate ^ written) & kSignals) == 0; });
-  return known ? 0 : al_code::kInvalidSyncConfiguration;
+  const auto fits = [&](std::uint16_t bits) {
+    return std::ranges::any_of(dc->op_modes,
+                               [&](const DcOpMode& mode) { return ((mode.assign_activate ^ written) & bits) == 0; });
+  };
+  if (!fits(kSignals)) return al_code::kInvalidSyncConfiguration;
+  return fits(kSignals | kLatches) ? std::uint16_t{0} : al_code::kInvalidLatchConfiguration;
 }
 
 }  // namespace syncline::sim

@@ -14,10 +14,13 @@ namespace syncline::sim {
 namespace al_code {
 inline constexpr std::uint16_t kInvalidRequest = 0x0011, kUnknownRequest = 0x0012, kNoBoot = 0x0013,
                                kInvalidBootMailbox = 0x0015, kInvalidMailbox = 0x0016, kInvalidSyncManager = 0x0017,
-                               kNoOutputs = 0x0019, kWatchdog = 0x001B, kInvalidTypes = 0x001C, kInvalidOutputs = 0x001D,
-                               kInvalidInputs = 0x001E, kInvalidWatchdog = 0x001F, kNeedsInit = 0x0021,
+                               kNoOutputs = 0x0019, kSyncError = 0x001A, kWatchdog = 0x001B, kInvalidTypes = 0x001C,
+                               kInvalidOutputs = 0x001D, kInvalidInputs = 0x001E, kInvalidWatchdog = 0x001F, kNeedsInit = 0x0021,
                                kNeedsPreop = 0x0022, kInvalidInputMapping = 0x0024, kInvalidOutputMapping = 0x0025,
-                               kSyncStopped = 0x002C, kNoSync = 0x002D, kInvalidSyncConfiguration = 0x0030;
+                               kInconsistentSettings = 0x0026, kSyncStopped = 0x002C, kNoSync = 0x002D,
+                               kCycleTooSmall = 0x002E, kInvalidSyncConfiguration = 0x0030,
+                               kInvalidLatchConfiguration = 0x0031, kPllError = 0x0032, kSyncTimeout = 0x0034,
+                               kInvalidSyncCycle = 0x0035, kInvalidSync0Cycle = 0x0036, kInvalidSync1Cycle = 0x0037;
 }  // namespace al_code
 
 /// What a device's firmware examines before it enters a state: the registers that the master has set up, against
@@ -59,7 +62,7 @@ class AlChecks {
   [[nodiscard]] bool mapping_fits(PdoDirection direction) const;
   [[nodiscard]] bool in_place(PdoDirection direction) const;
   [[nodiscard]] bool fits(PdoDirection direction) const;
-  /// SYNC signals that no operation mode of the device has.
+  /// SYNC signals that no operation mode of the device has, or its latch inputs in the wrong hands.
   [[nodiscard]] std::uint16_t dc() const;
 
   const SimSlaveConfig& config_;

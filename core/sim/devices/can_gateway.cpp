@@ -4,7 +4,6 @@
 namespace syncline::sim {
 namespace {
 
-constexpr std::uint16_t kInconsistentSettings = 0x0026;   // AL status code
 constexpr std::uint8_t kNodeInTime = 0x00, kNodeTooLate = 0x28;
 constexpr std::uint32_t kCanFrame = 130 * kMicrosecond;   // 8 data bytes at 1 Mbit/s, stuff bits included
 constexpr std::uint32_t kCanCycle = 300 * kMicrosecond;   // output, SYNC and input message
@@ -64,16 +63,21 @@ std::uint16_t CanGateway::check_sync(AlState) {
   const auto& dc = esc().dc();
   // Without DC the gateway knows the bus cycle from the master's start-up list only.
   const Nanoseconds bus = dc.sync0_enabled() ? dc.settings().cycle0 : outputs_sync_.cycle();
+  if (dc.sync0_enabled()) {
+    if (bus < kHabits.minimum_cycle) return al_code::kCycleTooSmall;
+    if (outputs_sync_.contradicts(dc.settings().cycle0)) return al_code::kInvalidSyncCycle;
+  }
   const auto can = parameter(kCycleTime);
   multiplier_ = 1;
   if (can == 0 || bus == 0) return 0;
-  if (can % bus != 0) return kInconsistentSettings;
+  if (can % bus != 0) return al_code::kInconsistentSettings;
   if (parameter(kAsynchronous) == 0) multiplier_ = static_cast<std::uint32_t>(can / bus);
   return 0;
 }
 
 void CanGateway::on_state(AlState state) {
   const auto& dc = esc().dc();
+  if (state == AlState::kInit) outputs_sync_.forget_told_cycle();
   if (state == AlState::kSafeop) {
     const bool sync0 = dc.sync0_enabled();
     const auto trigger = dc.settings().sync1 ? SyncType::kSync1 : SyncType::kSync0;

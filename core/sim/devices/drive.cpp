@@ -9,9 +9,6 @@
 namespace syncline::sim {
 namespace {
 
-// AL status codes
-constexpr std::uint16_t kSyncError = 0x001A, kSyncStopped = 0x002C, kNoSync = 0x002D, kInvalidSyncConfiguration = 0x0030,
-                        kPllError = 0x0032, kInvalidSync0Cycle = 0x0036, kInvalidSync1Cycle = 0x0037;
 constexpr std::uint32_t kPllRange = 100'000;  // ns; the drive's PLL cannot lock on a clock that is further away
 constexpr Nanoseconds kPllPatience = 2 * kSecond;
 constexpr int kMissingSyncs = 8;
@@ -106,16 +103,20 @@ std::uint16_t Drive::check_sync(AlState to) {
   const auto& dc = esc().dc();
   if (!dc.sync_active()) {
     const bool wanted = outputs_sync_.type() == SyncType::kSync0 || inputs_sync_.type() == SyncType::kSync0;
-    return wanted && !habits_.type_follows_dc ? kInvalidSyncConfiguration : std::uint16_t{0};
+    return wanted && !habits_.type_follows_dc ? al_code::kInvalidSyncConfiguration : std::uint16_t{0};
   }
   const auto cycle = dc.settings().cycle0;
-  if (cycle == 0 || cycle % habits_.cycle_step_ns != 0 || cycle > habits_.cycle_max_ns) return kInvalidSync0Cycle;
-  if (dc.settings().sync1 && dc.settings().cycle1 % habits_.cycle_step_ns != 0) return kInvalidSync1Cycle;
-  if (inputs_sync_.shift() >= cycle) return kInvalidSyncConfiguration;
+  if (cycle == 0 || cycle % habits_.cycle_step_ns != 0) return al_code::kInvalidSync0Cycle;
+  const auto contradicts = [cycle](const SyncObject& object) {
+    return object.type() == SyncType::kSync0 && object.contradicts(cycle);
+  };
+  if (cycle > habits_.cycle_max_ns || contradicts(outputs_sync_) || contradicts(inputs_sync_)) return al_code::kInvalidSyncCycle;
+  if (dc.settings().sync1 && dc.settings().cycle1 % habits_.cycle_step_ns != 0) return al_code::kInvalidSync1Cycle;
+  if (inputs_sync_.shift() >= cycle) return al_code::kInvalidSyncConfiguration;
   if (to != AlState::kOp) return 0;
   // OP needs a SYNC0 that comes: a start time in the past never fires.
-  if (!last_sync_) return kNoSync;
-  if (dc.deviation_magnitude() > kPllRange || !clock_.locked()) return kPllError;
+  if (!last_sync_) return al_code::kNoSync;
+  if (dc.deviation_magnitude() > kPllRange || !clock_.locked()) return al_code::kPllError;
   return 0;
 }
 
@@ -151,6 +152,10 @@ void Drive::on_state(AlState state) {
       inputs_sync_.clear_counters();
     }
   }
+  if (state == AlState::kInit) {
+    outputs_sync_.forget_told_cycle();
+    inputs_sync_.forget_told_cycle();
+  }
   if (state == AlState::kPreop || state == AlState::kInit) {
     last_sync_.reset();
     latch_due_.reset();
@@ -173,7 +178,7 @@ void Drive::check_running(Nanoseconds time) {
   const auto& dc = esc().dc();
   // The signal was there when OP was entered; a unit that was switched off or has lost its time fires no more.
   const auto cycle = static_cast<Nanoseconds>(dc.settings().cycle0);
-  if (last_sync_ && cycle > 0 && time - *last_sync_ > kMissingSyncs * cycle) drop_to_safeop(kSyncStopped);
+  if (last_sync_ && cycle > 0 && time - *last_sync_ > kMissingSyncs * cycle) drop_to_safeop(al_code::kSyncStopped);
 }
 
 // ---- events --------------------------------------------------------------------------------------
@@ -269,7 +274,7 @@ void Drive::count_sync_event(bool missed) {
 void Drive::raise_sync_alarm() {
   objects_.error_code.set(habits_.sync_alarm);
   power_.fault();
-  drop_to_safeop(kSyncError, habits_.sync_alarm);
+  drop_to_safeop(habits_.sync_code, habits_.sync_alarm);
 }
 
 // ---- servo loop ----------------------------------------------------------------------------------

@@ -12,13 +12,14 @@ namespace syncline::sim {
 /// What distinguishes one vendor's drive from another's.
 struct DriveHabits {
   std::uint32_t cycle_step_ns = 125'000;      // SYNC0 cycle must be a multiple
-  std::uint32_t cycle_max_ns = 4'000'000;
+  std::uint32_t cycle_max_ns = 4'000'000;     // and not more than this
   std::uint32_t servo_period_ns = 125'000;
   SyncHabits sync{SyncHabits::kFreeRun | SyncHabits::kSync0 | SyncHabits::kLocalShift | SyncHabits::kMeasures,
                   125'000, 62'500, 10'000, 0x0C, 0x0B};
   std::uint16_t sync_error_limit = 9;         // 0x10F1:02, default
   std::uint16_t sync_error_limit_max = 15;
   std::uint16_t sync_alarm = 0x0A12;          // 0x603F when the limit is reached
+  std::uint16_t sync_code = al_code::kSyncError;  // AL status code then; one that says no more than that
   bool type_follows_dc = true;                // 0x1C32:01 and 0x1C33:01 say what the SYNC signals make of them
   bool counters_end_with_op = true;           // else they can be read until the next OP
   bool cyclic_modes_need_dc = true;           // without SYNC0 no cyclic synchronous mode

@@ -22,6 +22,7 @@ DriveHabits habits() {
   habits.sync_error_limit = 4;
   habits.sync_error_limit_max = 0xFFFF;
   habits.sync_alarm = 0x7380;
+  habits.sync_code = al_code::kSyncTimeout;  // this one says that it was SM2 events that did not come
   habits.type_follows_dc = false;
   habits.counters_end_with_op = false;
   habits.cyclic_modes_need_dc = false;

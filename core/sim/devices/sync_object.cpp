@@ -41,6 +41,10 @@ void SyncObject::add_entries(const char* name) {
   type_ = ObjectValue<std::uint16_t>(type);
   // With a local timer or the SyncManager as trigger, the master tells its cycle; with SYNC signals they do.
   cycle_ = time(kCycle, "Cycle time", 0, true);
+  d.find(index_, kCycle)->on_write = [this](std::span<const std::uint8_t> data) {
+    told_cycle_ = load_le<std::uint32_t>(data);
+    return abort::kNone;
+  };
   shift_ = time(kShift, "Shift time", 0, index_ == kInputs && (habits_.supported & SyncHabits::kLocalShift) != 0);
   word(kSupported, "Synchronization types supported", habits_.supported);
   minimum_cycle_ = time(kMinimumCycle, "Minimum cycle time", habits_.minimum_cycle);

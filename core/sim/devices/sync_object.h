@@ -41,6 +41,9 @@ class SyncObject {
   void set_type(SyncType type) { type_.set(static_cast<std::uint16_t>(type)); }
   [[nodiscard]] std::uint32_t cycle() const { return cycle_.get(); }
   void set_cycle(std::uint32_t ns) { cycle_.set(ns); }
+  /// The master has written another cycle time since INIT than that of the SYNC signals.
+  [[nodiscard]] bool contradicts(std::uint32_t sync0_ns) const { return told_cycle_ != 0 && told_cycle_ != sync0_ns; }
+  void forget_told_cycle() { told_cycle_ = 0; }
   /// Of the SYNC0 signal; 0: none.
   void set_sync0_cycle(std::uint32_t ns) { sync0_cycle_.set(ns); }
   [[nodiscard]] std::uint32_t shift() const { return shift_.get(); }
@@ -72,6 +75,7 @@ class SyncObject {
   ObjectValue<std::uint32_t> cycle_, shift_, minimum_cycle_, calc_and_copy_, delay_, sync0_cycle_;
   ObjectValue<std::uint8_t> sync_error_;
   std::uint32_t noise_ = 1;
+  std::uint32_t told_cycle_ = 0;  // 0: none
   bool measuring_ = false;
 };
 

@@ -148,6 +148,17 @@ TEST_F(SimSyncChecks, TheAnswerToARequestForOpWaitsForTheFirstSync0) {
   EXPECT_EQ(probe.read(0, reg::kAlStatus, 2).value<std::uint16_t>(), 8);
 }
 
+TEST_F(SimSyncChecks, LatchInputsInTheWrongHandsAreRefused) {
+  start_sync0(5 * kMillisecond);
+  probe.write(0, reg::kCyclicUnitControl, {0x30});  // both belong to the device: no mode of it says so
+  EXPECT_EQ(safeop(), 0x0031);
+  probe.write(0, reg::kCyclicUnitControl, {0x00});
+  EXPECT_EQ(safeop(), 0);
+  probe.write(0, reg::kActivation, {0x00});
+  probe.write(0, reg::kCyclicUnitControl, {0x30});
+  EXPECT_EQ(safeop(), 0) << "nothing is switched on";
+}
+
 TEST_F(SimSyncChecks, ASync0ThatDoesNotComeRefusesOp) {
   start_sync0(std::uint64_t{0} - kMillisecond);
   ASSERT_EQ(probe.request(0, 4), 4);

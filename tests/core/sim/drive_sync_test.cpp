@@ -55,13 +55,29 @@ TEST(DriveSync, ServoFollowsTheSignalsAndDriveCItsObject) {
 }
 
 TEST(DriveSync, CycleRulesOfTheServo) {
-  for (const auto& [cycle, legal] : std::vector<std::pair<std::uint32_t, bool>>{
-           {125'000, true}, {250'000, true}, {4'000'000, true}, {62'500, false}, {187'500, false}, {4'125'000, false}}) {
+  for (const auto& [cycle, code] : std::vector<std::pair<std::uint32_t, int>>{
+           {125'000, 0}, {250'000, 0}, {4'000'000, 0}, {62'500, 0x0036}, {187'500, 0x0036}, {4'125'000, 0x0035}}) {
     DriveBed drive("SL-SV7");
     drive.start_sync0(cycle);
-    EXPECT_EQ(drive.to_safeop(), legal ? 4 : 0x12) << cycle;
-    EXPECT_EQ(drive.probe.al_code(0), legal ? 0 : 0x0036) << cycle;
+    EXPECT_EQ(drive.to_safeop(), code == 0 ? 4 : 0x12) << cycle;
+    EXPECT_EQ(drive.probe.al_code(0), code) << cycle;
   }
+}
+
+TEST(DriveSync, ACycleTimeObjectThatContradictsSync0IsRefused) {
+  for (const std::uint8_t type : {0, 2}) {  // drive-c: chooses its trigger itself
+    DriveBed drive("SL-XE2");
+    ASSERT_EQ(drive.write(0x1C32, 1, {type, 0}), 0U);
+    ASSERT_EQ(drive.write(0x1C32, 2, {0x80, 0x84, 0x1E, 0x00}), 0U);  // 2 ms
+    drive.start_sync0(1'000'000);
+    EXPECT_EQ(drive.to_safeop(), type == 2 ? 0x12 : 4);
+    EXPECT_EQ(drive.probe.al_code(0), type == 2 ? 0x0035 : 0) << "free run: no matter";
+  }
+  DriveBed agrees("SL-XE2");
+  ASSERT_EQ(agrees.write(0x1C32, 1, {2, 0}), 0U);
+  ASSERT_EQ(agrees.write(0x1C32, 2, {0x80, 0x84, 0x1E, 0x00}), 0U);
+  agrees.start_sync0(2'000'000);
+  EXPECT_EQ(agrees.to_safeop(), 4);
 }
 
 TEST(DriveSync, Sync1KeepsTheStepOfTheCycleToo) {
@@ -158,6 +174,18 @@ TEST(DriveSync, LimitOfTheIntegratorSaysAfterHowManyMissesTheAlarmComes) {
       EXPECT_GE(drive.read(0x1C32, 0x0C), 20U) << "counts without a limit, too";
     }
   }
+}
+
+TEST(DriveSync, TheOtherDriveNamesMissedEventsAsTheCause) {
+  DriveBed drive("SL-XE2");
+  ASSERT_EQ(drive.write(0x1C32, 1, {2, 0}), 0U);
+  drive.start_sync0(1'000'000);
+  ASSERT_EQ(drive.to_op(), 8);
+  drive.cycles(30);
+  for (int i = 0; i < 3; ++i) drive.lose();
+  drive.probe.pass(20 * kMicrosecond);
+  EXPECT_EQ(drive.probe.bus->peek(0, reg::kAlStatus, 1)[0], 0x14);
+  EXPECT_EQ(drive.probe.al_code(0), 0x0034);
 }
 
 TEST(DriveSync, TheAlarmStopsTheMotionUntilAFaultReset) {

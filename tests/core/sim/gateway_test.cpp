@@ -31,7 +31,7 @@ class Gateway : public testing::Test {
     if (told_cycle != 0) write_object(0x1C32, 2, told_cycle);
     if (dc) {
       const auto now = probe->read(0, reg::kSystemTime, 8).value<std::uint64_t>();
-      probe->write(0, reg::kSync0CycleTime, le_bytes(std::uint32_t{1'000'000}));
+      probe->write(0, reg::kSync0CycleTime, le_bytes(sync0_ns));
       probe->write(0, reg::kSync1CycleTime, le_bytes(sync1_ns));
       probe->write(0, reg::kStartTimeCyclicOperation, le_bytes(now + 5 * kMillisecond));
       probe->write(0, reg::kCyclicUnitControl, {0x00, static_cast<std::uint8_t>(sync1_ns != 0 ? 0x07 : 0x03)});
@@ -80,6 +80,7 @@ class Gateway : public testing::Test {
 
   std::optional<SimProbe> probe;
   std::vector<std::pair<std::uint8_t, std::uint32_t>> parameters;
+  std::uint32_t sync0_ns = 1'000'000;
   std::uint32_t told_cycle = 0;  // 0x1C32:02 in the start-up list
   std::uint8_t counter = 0;
 };
@@ -117,6 +118,20 @@ TEST_F(Gateway, ACanCycleThatFitsNoBusCycleIsRefused) {
   parameters = {{4, 1'500'000}};
   EXPECT_EQ(start(), 0x12);
   EXPECT_EQ(probe->al_code(0), 0x0026);
+}
+
+TEST_F(Gateway, ASync0FasterThanItsMinimumCycleIsRefused) {
+  sync0_ns = 50'000;
+  EXPECT_EQ(start(), 0x12);
+  EXPECT_EQ(probe->al_code(0), 0x002E);
+}
+
+TEST_F(Gateway, ACycleTimeObjectThatContradictsSync0IsRefused) {
+  told_cycle = 2'000'000;
+  EXPECT_EQ(start(), 0x12);
+  EXPECT_EQ(probe->al_code(0), 0x0035);
+  told_cycle = sync0_ns;
+  EXPECT_EQ(start(), 8);
 }
 
 TEST_F(Gateway, ABusyCanSkipsCycles) {
