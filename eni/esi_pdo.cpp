@@ -5,26 +5,10 @@
 
 #include "eni/esi_device.h"
 #include "eni/xml_text.h"
+#include "protocol/coe_data_type.h"
 
 namespace syncline::eni {
 namespace {
-
-struct BasicType {
-  std::string_view name;
-  std::uint16_t bits;
-};
-constexpr BasicType kBasicTypes[] = {{"BOOL", 1},   {"BIT", 1},   {"SINT", 8},   {"USINT", 8},  {"BYTE", 8},
-                                     {"INT", 16},   {"UINT", 16}, {"WORD", 16},  {"DINT", 32},  {"UDINT", 32},
-                                     {"DWORD", 32}, {"REAL", 32}, {"LREAL", 64}, {"LINT", 64},  {"ULINT", 64},
-                                     {"LWORD", 64}, {"BIT2", 2},  {"BIT3", 3},   {"BIT4", 4},   {"BIT5", 5},
-                                     {"BIT6", 6},   {"BIT7", 7},  {"BIT8", 8}};
-
-std::uint16_t basic_bits(std::string_view type) {
-  for (const auto& basic : kBasicTypes) {
-    if (basic.name == type) return basic.bits;
-  }
-  return 0;
-}
 
 /// How many channels a template is moved by; see PdoTemplates.
 class Channel {
@@ -58,9 +42,9 @@ class Channel {
 std::uint16_t read_bit_length(const Node& node, const std::string& data_type) {
   const Node length = node.child("BitLen");
   if (length) return length.number<std::uint16_t>();
-  if (const auto bits = basic_bits(data_type); bits > 0) {
-    node.warn(fmt::format("BitLen is missing; {} bits by the data type {}", bits, data_type));
-    return bits;
+  if (const auto* type = coe::find_data_type(data_type); type != nullptr && type->bits > 0) {
+    node.warn(fmt::format("BitLen is missing; {} bits by the data type {}", type->bits, data_type));
+    return type->bits;
   }
   return node.required("BitLen").number<std::uint16_t>();
 }

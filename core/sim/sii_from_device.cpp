@@ -2,9 +2,9 @@
 #include "sim/sii_from_device.h"
 
 #include <algorithm>
-#include <array>
 #include <string_view>
 
+#include "protocol/coe_data_type.h"
 #include "support/byte_order.h"
 
 namespace syncline::sim {
@@ -82,12 +82,8 @@ std::uint16_t physical_ports(std::string_view physics) {
 }  // namespace
 
 std::uint8_t data_type_code(std::string_view name) {
-  constexpr std::array<std::pair<std::string_view, std::uint8_t>, 12> kTypes{{{"BOOL", 1}, {"SINT", 2}, {"INT", 3},
-      {"DINT", 4}, {"USINT", 5}, {"BYTE", 5}, {"UINT", 6}, {"WORD", 6}, {"UDINT", 7}, {"DWORD", 7}, {"REAL", 8}, {"ULINT", 0x1B}}};
-  for (const auto& [type, code] : kTypes) {
-    if (type == name) return code;
-  }
-  return 0;
+  const auto* type = coe::find_data_type(name);
+  return type != nullptr ? static_cast<std::uint8_t>(type->code) : std::uint8_t{0};
 }
 
 sii::Image sii_from_device(const DeviceDescription& device, std::uint16_t alias, std::uint32_t serial_no) {

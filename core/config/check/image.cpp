@@ -5,6 +5,7 @@
 #include <unordered_map>
 
 #include "config/check/network_view.h"
+#include "protocol/coe_data_type.h"
 
 namespace syncline::checker {
 namespace {
@@ -13,16 +14,6 @@ Range bits_of(const Variable& variable) {
   return {variable.bit_offset, std::uint64_t{variable.bit_offset} + variable.bit_size};
 }
 Range bits_of(const ImageRange& range) { return {range.bit_start, std::uint64_t{range.bit_start} + range.bit_length}; }
-
-/// Bits of the types that have a size of their own, 0 for the rest.
-std::uint32_t bits_of_type(std::string_view type) {
-  constexpr std::pair<std::string_view, std::uint32_t> kSizes[] = {
-      {"BOOL", 1},  {"BIT", 1},    {"SINT", 8},   {"USINT", 8},  {"BYTE", 8},   {"INT", 16},
-      {"UINT", 16}, {"WORD", 16},  {"DINT", 32},  {"UDINT", 32}, {"DWORD", 32}, {"REAL", 32},
-      {"LINT", 64}, {"ULINT", 64}, {"LWORD", 64}, {"LREAL", 64}};
-  const auto found = std::ranges::find(kSizes, type, &std::pair<std::string_view, std::uint32_t>::first);
-  return found == std::end(kSizes) ? 0 : found->second;
-}
 
 class VariableCheck {
  public:
@@ -41,11 +32,11 @@ class VariableCheck {
     check_names();
     for (std::size_t i = 0; i < variables_.size(); ++i) {
       const Variable& variable = variables_[i];
-      const std::uint32_t size = bits_of_type(variable.data_type);
-      if (size != 0 && size != variable.bit_size) {
+      const auto* type = coe::find_data_type(variable.data_type);
+      if (type != nullptr && type->bits != 0 && type->bits != variable.bit_size) {
         add("ENI-IMG-07", i,
             fmt::format("\"{}\" is a {} of {} bits, which has {}", variable.name, variable.data_type, variable.bit_size,
-                        size));
+                        type->bits));
       }
     }
   }
