@@ -99,10 +99,10 @@ MasterConfig read_master(const EniElement& master) {
 
 Result<NetworkConfig> parse_eni(std::string_view text, const std::string& file_name) {
   const auto document = parse_xml(text, file_name);
-  if (!document) {
-    return fail(document.error());
-  }
-  const auto* root = (*document)->RootElement();
+  return document ? read_eni_document((*document)->RootElement(), file_name) : fail(document.error());
+}
+
+Result<NetworkConfig> read_eni_document(const tinyxml2::XMLElement* root, const std::string& file_name) {
   const std::string_view root_name = root ? root->Name() : "";
   // "Encrypted..." is an OEM export whose content is plain in the field.
   if (root_name != "EtherCATConfig" && root_name != "EncryptedEtherCATConfig") {

@@ -9,6 +9,7 @@
 #include "eni/check/eni_locations.h"
 #include "eni/check/eni_structure.h"
 #include "eni/eni_file.h"
+#include "eni/eni_reader.h"
 #include "eni/xml_reader.h"
 #include "eni/xml_text.h"
 #include "protocol/error_text.h"
@@ -70,7 +71,7 @@ Result<EniCheck> check_eni_text(std::string_view text, const std::string& file_n
     return check;
   }
   const tinyxml2::XMLElement& root = *(*document)->RootElement();
-  const auto config = parse_eni(text, file_name);
+  const auto config = read_eni_document(&root, file_name);
   if (!config && config.error().code != ErrorCode::kXmlBadValue &&
       config.error().code != ErrorCode::kXmlMissingElement) {
     return fail(config.error());
