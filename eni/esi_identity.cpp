@@ -60,7 +60,6 @@ void read_type(const Node& type, DeviceDescription& device) {
   device.check_product_code = read_check(type, "CheckProductCode");
   device.check_serial_no = read_check(type, "CheckSerialNo");
   device.check_revision = read_revision_check(type);
-  device.check_revision_low_word = device.check_revision == RevisionCheck::kLowWordEqual;
   device.use_lrd_lwr = type.boolean("UseLrdLwr").value_or(false);
   device.module_pdo_group = type.number<int>("ModulePdoGroup");
   device.download_module_list = type.boolean("DownloadModuleList").value_or(false);

@@ -49,19 +49,13 @@ void write_references(XmlWriter& xml, std::string_view tag, const std::vector<De
   }
 }
 
-/// Descriptions made from an SII know the older, narrower flag only.
-std::optional<RevisionCheck> revision_check(const DeviceDescription& device) {
-  if (device.check_revision || !device.check_revision_low_word) return device.check_revision;
-  return RevisionCheck::kLowWordEqual;
-}
-
 void write_type(XmlWriter& xml, const DeviceDescription& device) {
   xml.open("Type")
       .attribute("ProductCode", hex_dec(device.identity.product_code, 8))
       .attribute("RevisionNo", hex_dec(device.identity.revision_no, 8));
   if (device.identity.serial_no != 0) xml.attribute("SerialNo", hex_dec(device.identity.serial_no, 8));
   write_check(xml, "CheckProductCode", device.check_product_code);
-  if (const auto check = revision_check(device)) {
+  if (const auto check = device.check_revision) {
     xml.attribute("CheckRevisionNo", std::ranges::find(kRevisionChecks, *check, &RevisionCheckWord::check)->text);
   }
   write_check(xml, "CheckSerialNo", device.check_serial_no);

@@ -124,7 +124,6 @@ struct DeviceDescription {
   std::string type;          // ESI Type text, e.g. "EL2002"
   std::string name;          // display name
   std::string physics;       // "YY", "YKKY"
-  bool check_revision_low_word = false;
   bool use_lrd_lwr = false;  // Type@UseLrdLwr
   std::vector<FmmuUse> fmmus;
   std::vector<SyncManagerDescription> sync_managers;

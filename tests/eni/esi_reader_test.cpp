@@ -70,7 +70,7 @@ TEST(EsiReader, ReadsIdentityAndNames) {
   EXPECT_EQ(device.name, "Servo drive");
   EXPECT_EQ(device.group_type, "Servo");
   EXPECT_EQ(device.physics, "YY");
-  EXPECT_TRUE(device.check_revision_low_word);
+  EXPECT_EQ(device.check_revision, RevisionCheck::kLowWordEqual);
   EXPECT_TRUE(device.use_lrd_lwr);
   EXPECT_EQ(device.source, "t.xml");
   EXPECT_EQ(device.timeouts, (StateTimeouts{2000, 9000, 4000, 300}));

@@ -36,7 +36,6 @@ class RandomProject {
     d.name = trimmed_text();
     d.physics = pick({"YY", "KK", "YKY", "KK Y", ""});
     if (chance(2)) d.check_revision = static_cast<RevisionCheck>(number(0, 4));
-    d.check_revision_low_word = d.check_revision == RevisionCheck::kLowWordEqual;
     d.use_lrd_lwr = chance(3);
     for (int i = number(0, 4); i > 0; --i) d.fmmus.push_back(static_cast<FmmuUse>(number(0, 3)));
     for (int i = 0; i < 4; ++i) d.sync_managers.push_back(sync_manager(static_cast<SyncManagerType>(i + 1)));

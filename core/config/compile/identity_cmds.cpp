@@ -46,7 +46,6 @@ void check_revision(InitCmdBuilder& cmds, RevisionCheck rule, std::uint32_t revi
 
 RevisionCheck revision_rule(const SlaveSettings& slave) {
   if (slave.check.revision_rule) return *slave.check.revision_rule;
-  if (slave.device.check_revision_low_word) return RevisionCheck::kLowWordEqual;
   // "None" is how an ESI says that nothing is compared unless the user wants it; when the user does, it is the number.
   const auto of_esi = slave.device.check_revision.value_or(RevisionCheck::kEqual);
   return of_esi == RevisionCheck::kNone ? RevisionCheck::kEqual : of_esi;

@@ -164,7 +164,7 @@ TEST(SlaveInitCmds, CheckTheIdentityAsTheUserWants) {
     if (cmd.ado == 0x0508) expected.push_back(hex_text(cmd.validate->data));
   }
   EXPECT_THAT(expected, ElementsAre("02040000", "02000100", "04030201"));
-  slave.device.check_revision_low_word = true;
+  slave.device.check_revision = RevisionCheck::kLowWordEqual;
   EXPECT_THAT(lines_of(compiled(project, 3), Transition::kIP), Contains("APRD 65533:0x0508 0000"));
 }
 
