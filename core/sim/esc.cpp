@@ -24,12 +24,6 @@ constexpr unsigned kRead = 1, kWritten = 1, kReplaced = 2;
 
 }  // namespace
 
-bool Esc::may_latch_port_times(const DatagramView& datagram) {
-  const auto& header = datagram.header;
-  return writes(header.command) && !is_logical(header.command) &&
-         overlaps(header.ado(), datagram.data.size(), reg::kReceiveTimePort0, 4);
-}
-
 void Esc::frame_at_port(unsigned port, Nanoseconds time) {
   if (port == 0) port_times_ = {};  // here begins a frame's way through a slave
   port_times_[port] = time;
@@ -46,63 +40,53 @@ void Esc::advance_to(Nanoseconds time) {
   }
 }
 
-bool Esc::addressed(const DatagramHeader& header) const {
-  if (is_auto_increment(header.command)) return header.adp() == 0;
-  if (is_fixed_address(header.command)) {
-    const bool alias_on = (memory_.u8(reg::kDlControlAlias) & 0x01) != 0;
-    return header.adp() == memory_.u16(reg::kStationAddress) ||
-           (alias_on && header.adp() == memory_.u16(reg::kStationAlias));
-  }
-  return is_broadcast(header.command);
+bool Esc::has_address(std::uint16_t address) const {
+  const bool alias_on = (memory_.u8(reg::kDlControlAlias) & 0x01) != 0;
+  return address == memory_.u16(reg::kStationAddress) || (alias_on && address == memory_.u16(reg::kStationAlias));
 }
 
-bool Esc::mark_circulating(std::span<DatagramView> datagrams) {
-  const bool seen = std::ranges::any_of(datagrams, [](const auto& datagram) { return datagram.header.circulating; });
-  if (seen) {
+bool Esc::mark_circulating(std::span<PassingDatagram> datagrams) {
+  if (std::ranges::any_of(datagrams, &PassingDatagram::circulating)) {
     ports_.count_processing_unit_error();
     return false;
   }
-  for (auto& datagram : datagrams) datagram.header.circulating = true;
+  for (auto& datagram : datagrams) datagram.circulating = true;
   return true;
 }
 
-bool Esc::is_untouched_by(std::span<const DatagramView> datagrams) const {
+bool Esc::is_untouched_by(const PassingFrame& frame) const {
   if (reset_step_ != 0 || ports_.port0_automatically_closed()) return false;
   if ((memory_.u16(reg::kEcatEventRequest) & memory_.u16(reg::kEcatEventMask)) != 0) return false;
-  return std::ranges::all_of(datagrams, [this](const DatagramView& datagram) {
-    const auto& header = datagram.header;
-    return is_fixed_address(header.command) && header.command != Command::kFrmw && !addressed(header);
-  });
+  return std::ranges::none_of(frame.datagrams(), [this](const PassingDatagram& datagram) { return has_address(datagram.adp); });
 }
 
 // Every slave and frame goes through this and frame_end(): calls inside would cost a fifth of all the time of a simulation.
-[[gnu::flatten]] bool Esc::process(std::span<DatagramView> datagrams, Nanoseconds time) {
-  if (ports_.port0_automatically_closed() && !mark_circulating(datagrams)) return false;
+[[gnu::flatten]] bool Esc::process(PassingFrame& frame, Nanoseconds time) {
+  if (ports_.port0_automatically_closed() && !mark_circulating(frame.datagrams())) return false;
   protection_.start_of_frame();
   dc_.start_of_frame(time);
   dc_.refresh_registers();
   if (maps_stale_) reload_maps();
-  const auto event = static_cast<std::uint16_t>(memory_.u16(reg::kEcatEventRequest) & memory_.u16(reg::kEcatEventMask));
-  for (auto& datagram : datagrams) {
-    datagram.header.irq = static_cast<std::uint16_t>(datagram.header.irq | event);
-    const auto command = datagram.header.command;
-    if (command == Command::kNop) continue;
-    const auto count = execute(datagram);
-    if (count > 0) datagram.set_wkc(static_cast<std::uint16_t>(datagram.wkc() + count));
-    if (is_auto_increment(command) || is_broadcast(command)) {
-      const auto adp = static_cast<std::uint16_t>(datagram.header.adp() + 1);
-      datagram.header.address = device_address(adp, datagram.header.ado());
-    }
+  frame.add_event(static_cast<std::uint16_t>(memory_.u16(reg::kEcatEventRequest) & memory_.u16(reg::kEcatEventMask)));
+  for (auto& datagram : frame.datagrams()) {
+    datagram.wkc = static_cast<std::uint16_t>(datagram.wkc + execute(datagram));
+    datagram.adp = static_cast<std::uint16_t>(datagram.adp + datagram.step);
   }
   return true;
 }
 
-unsigned Esc::execute(DatagramView& datagram) {
-  const auto& header = datagram.header;
-  switch (header.command) {
+unsigned Esc::execute(const PassingDatagram& datagram) {
+  switch (datagram.command) {
     case Command::kNop: return 0;
-    case Command::kBrd: return read_memory(header.ado(), datagram.data, true) ? kRead : 0;
-    case Command::kBwr: return write_memory(header.command, header.ado(), datagram.data) ? kWritten : 0;
+    case Command::kAprd: return read(datagram, datagram.adp == 0);
+    case Command::kApwr: return write(datagram, datagram.adp == 0);
+    case Command::kAprw: return read_and_write(datagram, datagram.adp == 0);
+    case Command::kFprd: return read(datagram, has_address(datagram.adp));
+    case Command::kFpwr: return write(datagram, has_address(datagram.adp));
+    case Command::kFprw: return read_and_write(datagram, has_address(datagram.adp));
+    case Command::kBrd: return read_memory(datagram.ado, datagram.data, true) ? kRead : 0;
+    case Command::kBwr: return write(datagram, true);
+    case Command::kBrw: return read_and_write(datagram, true);
     case Command::kLrd: return map_datagram(datagram, read_mappings_, false) ? kRead : 0;
     case Command::kLwr: return map_datagram(datagram, write_mappings_, true) ? kWritten : 0;
     case Command::kLrw: {
@@ -112,29 +96,26 @@ unsigned Esc::execute(DatagramView& datagram) {
       const bool read = map_datagram(datagram, read_mappings_, false);
       return (read ? kRead : 0) + (written ? kReplaced : 0);
     }
-    default: break;
+    case Command::kArmw: return datagram.adp == 0 ? read(datagram, true) : write(datagram, true);
+    case Command::kFrmw: return has_address(datagram.adp) ? read(datagram, true) : write(datagram, true);
   }
-  const bool mine = addressed(header);
-  switch (header.command) {
-    case Command::kAprd:
-    case Command::kFprd: return mine && read_memory(header.ado(), datagram.data, false) ? kRead : 0;
-    case Command::kApwr:
-    case Command::kFpwr: return mine && write_memory(header.command, header.ado(), datagram.data) ? kWritten : 0;
-    case Command::kAprw:
-    case Command::kFprw:
-    case Command::kBrw: {
-      if (!mine || !options_.physical_read_write) return 0;
-      // Shadowed: the read sees the old value.
-      const bool written = write_memory(header.command, header.ado(), datagram.data);
-      const bool read = read_memory(header.ado(), datagram.data, header.command == Command::kBrw);
-      return (read ? kRead : 0) + (written ? kReplaced : 0);
-    }
-    case Command::kArmw:
-    case Command::kFrmw:
-      if (mine) return read_memory(header.ado(), datagram.data, false) ? kRead : 0;
-      return write_memory(header.command, header.ado(), datagram.data) ? kWritten : 0;
-    default: return 0;
-  }
+  return 0;
+}
+
+unsigned Esc::read(const PassingDatagram& datagram, bool addressed) {
+  return addressed && read_memory(datagram.ado, datagram.data, false) ? kRead : 0;
+}
+
+unsigned Esc::write(const PassingDatagram& datagram, bool addressed) {
+  return addressed && write_memory(datagram.command, datagram.ado, datagram.data) ? kWritten : 0;
+}
+
+unsigned Esc::read_and_write(const PassingDatagram& datagram, bool addressed) {
+  if (!addressed || !options_.physical_read_write) return 0;
+  // Shadowed: the read sees the old value.
+  const bool written = write_memory(datagram.command, datagram.ado, datagram.data);
+  const bool read = read_memory(datagram.ado, datagram.data, datagram.command == Command::kBrw);
+  return (read ? kRead : 0) + (written ? kReplaced : 0);
 }
 
 bool Esc::read_memory(std::uint16_t address, std::span<std::uint8_t> out, bool or_into) {

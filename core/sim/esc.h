@@ -11,12 +11,12 @@
 
 #include "config/sim_config.h"
 #include "protocol/fmmu.h"
-#include "protocol/frame.h"
 #include "protocol/registers.h"
 #include "protocol/sync_manager.h"
 #include "sim/dc_unit.h"
 #include "sim/esc_memory.h"
 #include "sim/esc_ports.h"
+#include "sim/passing_frame.h"
 #include "sim/pdi_watchdog.h"
 #include "sim/process_data_watchdog.h"
 #include "sim/sii_interface.h"
@@ -54,15 +54,12 @@ class Esc {
   void set_listener(Listener* listener);
 
   // ---- the frame's way ----
-  /// Frames with such a datagram make ESCs note when they came to which port.
-  [[nodiscard]] static bool may_latch_port_times(const DatagramView& datagram);
+  /// Of a frame that takes port times.
   void frame_at_port(unsigned port, Nanoseconds time);
-  /// Nothing of the frame is for this slave, nor does it leave a trace in it: all datagrams are for the station addresses
-  /// of others.
-  [[nodiscard]] bool is_untouched_by(std::span<const DatagramView> datagrams) const;
-  /// The frame passes the processing unit: executes every datagram in place; their headers go into the frame when it
-  /// has passed all slaves. False: it is destroyed there.
-  [[nodiscard]] bool process(std::span<DatagramView> datagrams, Nanoseconds time);
+  /// Nothing of this frame for single slaves is for this one, nor does it leave a trace in it.
+  [[nodiscard]] bool is_untouched_by(const PassingFrame& frame) const;
+  /// The frame passes the processing unit: executes every datagram in place. False: it is destroyed there.
+  [[nodiscard]] bool process(PassingFrame& frame, Nanoseconds time);
   /// The last byte has passed with a good FCS.
   void frame_end(Nanoseconds time);
   /// The FCS was bad: nothing of what the frame wrote becomes effective, except in RAM.
@@ -116,8 +113,12 @@ class Esc {
   void raise_al_event(std::uint32_t event);
   void clear_event(std::uint16_t event);
   /// What its working counter grows by.
-  [[nodiscard]] unsigned execute(DatagramView& datagram);
-  [[nodiscard]] bool addressed(const DatagramHeader& header) const;
+  [[nodiscard]] unsigned execute(const PassingDatagram& datagram);
+  [[nodiscard]] unsigned read(const PassingDatagram& datagram, bool addressed);
+  [[nodiscard]] unsigned write(const PassingDatagram& datagram, bool addressed);
+  [[nodiscard]] unsigned read_and_write(const PassingDatagram& datagram, bool addressed);
+  /// Its station address, or its alias where that is on.
+  [[nodiscard]] bool has_address(std::uint16_t address) const;
   bool read_memory(std::uint16_t address, std::span<std::uint8_t> out, bool or_into);
   /// Registers, and RAM that is no SyncManager's matter.
   bool read_registers(std::uint16_t address, std::span<std::uint8_t> out, bool or_into);
@@ -145,7 +146,7 @@ class Esc {
   void take_over(const Write& write, std::span<const std::uint8_t> bytes);
   void commit_register(const Write& write, Nanoseconds time);
   /// Forwarding rule for a circulating frame; false: it is destroyed.
-  [[nodiscard]] bool mark_circulating(std::span<DatagramView> datagrams);
+  [[nodiscard]] bool mark_circulating(std::span<PassingDatagram> datagrams);
   void follow_reset_sequence(bool written);
   void load_configuration();
   void reload_maps();
@@ -167,9 +168,9 @@ class Esc {
     std::optional<unsigned> whole_buffer{};
   };
   [[nodiscard]] std::optional<unsigned> find_whole_buffer(const Fmmu& fmmu) const;
-  [[nodiscard]] bool map_datagram(const DatagramView& datagram, std::span<const Mapping> mappings, bool writing);
+  [[nodiscard]] bool map_datagram(const PassingDatagram& datagram, std::span<const Mapping> mappings, bool writing);
   /// What one FMMU maps of a datagram, byte by byte or bit by bit.
-  [[nodiscard]] bool map_part(const DatagramView& datagram, const Fmmu& fmmu, bool writing);
+  [[nodiscard]] bool map_part(const PassingDatagram& datagram, const Fmmu& fmmu, bool writing);
   std::vector<Mapping> write_mappings_, read_mappings_;
   std::vector<SyncManager> sync_managers_;  // decoded
   bool maps_stale_ = true;

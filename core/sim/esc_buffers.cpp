@@ -123,9 +123,9 @@ void Esc::copy_mapped(std::span<std::uint8_t> datagram, std::uint64_t datagram_b
   }
 }
 
-bool Esc::map_datagram(const DatagramView& datagram, std::span<const Mapping> mappings, bool writing) {
+bool Esc::map_datagram(const PassingDatagram& datagram, std::span<const Mapping> mappings, bool writing) {
   bool any = false;
-  const std::uint64_t start = datagram.header.address;
+  const std::uint64_t start = datagram.address;
   const std::uint64_t end = start + datagram.data.size();
   for (const auto& [fmmu, whole_buffer] : mappings) {
     if (whole_buffer && fmmu.logical_start >= start && fmmu.logical_start + std::uint64_t{fmmu.length} <= end) {
@@ -143,8 +143,8 @@ bool Esc::map_datagram(const DatagramView& datagram, std::span<const Mapping> ma
   return any;
 }
 
-bool Esc::map_part(const DatagramView& datagram, const Fmmu& fmmu, bool writing) {
-  const std::uint64_t start = 8ULL * datagram.header.address;
+bool Esc::map_part(const PassingDatagram& datagram, const Fmmu& fmmu, bool writing) {
+  const std::uint64_t start = 8ULL * datagram.address;
   const std::uint64_t first_bit = 8ULL * fmmu.logical_start + fmmu.logical_start_bit;
   const std::uint64_t from = std::max(first_bit, start);
   const std::uint64_t to = std::min(first_bit + fmmu.bit_length(), start + 8 * datagram.data.size());

@@ -28,16 +28,12 @@ void LocalClock::wander_to(Nanoseconds time) {
 }
 
 Nanoseconds LocalClock::time_of(std::uint64_t local) const {
-  const auto missing = static_cast<std::int64_t>(local - exact(time_));
-  if (missing <= 0) {
-    return time_;
-  }
+  const double missing = static_cast<double>(static_cast<std::int64_t>(local - raw_)) - (raw_fraction_ - correction_);
+  if (missing <= 0) return time_;
   // 2 - rate is below 1 / rate and spares a division; what it lacks is a fraction of a nanosecond for every millisecond.
   const double rate = (1 + ppm() * 1e-6) * (1 - correction_rate_);
-  auto time = time_ + whole(static_cast<double>(missing) * (2 - rate));
-  while (static_cast<std::int64_t>(local - exact(time)) > 0) {
-    ++time;
-  }
+  auto time = time_ - whole(-missing * (2 - rate));
+  while (static_cast<std::int64_t>(local - exact(time)) > 0) ++time;
   return time;
 }
 

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <functional>
 
-#include "protocol/frame.h"
 #include "protocol/registers.h"
 #include "sim/device.h"
 #include "sim/esc.h"
+#include "sim/passing_frame.h"
 #include "sim/segment.h"
 #include "sim/sii_from_device.h"
 
@@ -85,7 +85,7 @@ struct SimBus::Impl {
   Nanoseconds now = 0;
   std::uint32_t frames_to_lose = 0;
   std::vector<LineFault> line_faults;
-  std::vector<DatagramView> datagrams;
+  PassingFrame passing;
   std::vector<std::size_t> touched;     // those at which the passing frame left something; the others it was not for
 
   Impl(SimConfig c, Nanoseconds start)
@@ -261,14 +261,10 @@ SimBus::Returned SimBus::Impl::execute(std::span<std::uint8_t> frame, Nanosecond
     --frames_to_lose;
     return {true, 0};
   }
-  FrameReader reader(frame);
-  datagrams.clear();
-  while (auto datagram = reader.next()) datagrams.push_back(*datagram);
-  if (!reader.is_ethercat() || reader.malformed()) return execute_foreign(reader.malformed(), send_time);
+  const auto kind = passing.arrive(frame);
+  if (kind != PassingFrame::Kind::kEtherCat) return execute_foreign(kind == PassingFrame::Kind::kMalformed, send_time);
 
   auto way = reach();
-  const bool for_single_slaves = std::ranges::all_of(datagrams, [](const auto& d) { return is_fixed_address(d.header.command); });
-  const bool takes_port_times = std::ranges::any_of(datagrams, Esc::may_latch_port_times);
   bool mark_source = false;
   touched.clear();
   for (const auto p : processed) {
@@ -276,15 +272,15 @@ SimBus::Returned SimBus::Impl::execute(std::span<std::uint8_t> frame, Nanosecond
     const auto& passage = path.passages[p];
     auto& node = nodes[passage.slave];
     mark_source = mark_source || node.esc->ports().destroys_foreign_frames();
-    if (for_single_slaves && node.esc->is_untouched_by(datagrams)) continue;
+    if (passing.is_for_single_slaves() && node.esc->is_untouched_by(passing)) continue;
     touched.push_back(p);
     const auto time = send_time + passage.offset;
     node.device->advance_to(time);
-    if (!node.esc->process(datagrams, time)) way.end = p;
+    if (!node.esc->process(passing, time)) way.end = p;
   }
-  if (takes_port_times) note_port_times(way, send_time);
+  if (passing.takes_port_times()) note_port_times(way, send_time);
   if (way.damaged < way.end) count_errors(way);
-  for (auto& datagram : datagrams) datagram.store_header();
+  passing.leave();
   const auto length = wire_time_ns(frame.size()) - 12 * 80;  // without the gap behind the frame
   const bool lost = path.swallowed || way.end < path.passages.size() || way.damaged < path.passages.size();
   const auto return_time = send_time + static_cast<Nanoseconds>(path.return_ns + 0.5) + length;

@@ -138,10 +138,10 @@ TEST(SimForwarding, ACirculatingFrameDiesAtItsSecondTurn) {
   const auto sent = builder.finish();
   std::vector<std::uint8_t> frame(sent.begin(), sent.end());
   const auto pass = [&] {
-    FrameReader reader(frame);
-    std::vector<DatagramView> datagrams{reader.next().value()};
-    const bool passed = esc.process(datagrams, 1000);
-    datagrams.front().store_header();
+    sim::PassingFrame passing;
+    EXPECT_EQ(passing.arrive(frame), sim::PassingFrame::Kind::kEtherCat);
+    const bool passed = esc.process(passing, 1000);
+    passing.leave();
     return passed;
   };
   EXPECT_TRUE(pass());

@@ -107,12 +107,13 @@ class SimBuffers : public testing::Test {
     builder.add(command, 1, device_address(0, ado), data);
     const auto sent = builder.finish();
     std::vector<std::uint8_t> frame(sent.begin(), sent.end());
-    FrameReader reader(frame);
-    std::vector<DatagramView> datagrams{*reader.next()};
-    EXPECT_TRUE(esc.process(datagrams, now));
+    sim::PassingFrame passing;
+    EXPECT_EQ(passing.arrive(frame), sim::PassingFrame::Kind::kEtherCat);
+    EXPECT_TRUE(esc.process(passing, now));
     esc.frame_end(now += 20 * kMicrosecond);
-    if (wkc != nullptr) *wkc = datagrams[0].wkc();
-    return {datagrams[0].data.begin(), datagrams[0].data.end()};
+    const auto& datagram = passing.datagrams().front();
+    if (wkc != nullptr) *wkc = datagram.wkc;
+    return {datagram.data.begin(), datagram.data.end()};
   }
   std::vector<std::uint8_t> read(std::uint16_t ado, std::size_t length) {
     return access(Command::kAprd, ado, std::vector<std::uint8_t>(length));

@@ -156,9 +156,9 @@ class SimSyncSignals : public testing::Test, public sim::Esc::Listener {
     builder.add(Command::kBwr, 1, device_address(0, ado), data);
     const auto sent = builder.finish();
     std::vector<std::uint8_t> frame(sent.begin(), sent.end());
-    FrameReader reader(frame);
-    std::vector<DatagramView> datagrams{*reader.next()};
-    ASSERT_TRUE(esc->process(datagrams, now));
+    sim::PassingFrame passing;
+    ASSERT_EQ(passing.arrive(frame), sim::PassingFrame::Kind::kEtherCat);
+    ASSERT_TRUE(esc->process(passing, now));
     esc->frame_end(now);
   }
   void start(std::uint32_t cycle0, std::uint32_t cycle1, std::uint64_t time, std::uint8_t activation) {
