@@ -1,22 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "master/esm.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 
 #include "master/bus_scanner.h"
-#include "master/dc_join.h"
-#include "master/dc_setup.h"
-#include "master/dc_start.h"
 #include "master/sm2_counter_lookup.h"
 #include "protocol/registers.h"
 
 namespace syncline {
 namespace {
 
-constexpr Nanoseconds kSyncTimeout = 30 * kSecond;
 constexpr int kCyclesBeforeOp = 10;                 // valid outputs before OP is requested
 
 bool is_above(AlState state, AlState target) { return static_cast<int>(state) > static_cast<int>(target); }
@@ -24,8 +18,8 @@ bool is_above(AlState state, AlState target) { return static_cast<int>(state) > 
 }  // namespace
 
 Esm::Esm(Bus& bus, RunState& run, CyclicTaskRunner& task, SyncWatch& sync, DelayCompensation& delays)
-    : bus_(bus), run_(run), task_(task), sync_(sync), delays_(delays), commands_(bus, run, sync),
-      attendance_(bus, run, commands_) {}
+    : bus_(bus), run_(run), task_(task), commands_(bus, run, sync), attendance_(bus, run, commands_),
+      clocks_(bus, run, task, sync, delays, attendance_) {}
 
 AlState Esm::state_of(std::size_t slave) const { return al_state_of(run_.snapshot.slaves[slave].al_status); }
 
@@ -125,8 +119,12 @@ Status Esm::init_to_preop() {
     if (!other_device) return status;
     return attendance_.explain_refusal(std::move(status));
   }
-  if (auto status = initialise_clocks(); !status) return status;
-  if (auto status = await_slaves_in_sync(); !status) return status;
+  const auto first_cycle = clocks_.initialise(slaves_where([](AlState) { return true; }));
+  if (!first_cycle) return tl::unexpected(first_cycle.error());
+  task_.start(*first_cycle);
+  operate(AlState::kPreop);
+  bus_.set_pump(&task_);
+  if (auto status = clocks_.await_slaves(); !status) return status;
   auto status = commands_.run(slaves, Transition::kIP, [&](std::size_t slave, std::size_t index) {
     return index >= request[slave];
   });
@@ -157,77 +155,6 @@ SlaveList Esm::slaves_where(const std::function<bool(AlState)>& applies) const {
     if (run_.snapshot.slaves[i].present && applies(state_of(i))) slaves.push_back(i);
   }
   return slaves;
-}
-
-Status Esm::initialise_clocks() {
-  std::optional<DcNetwork> network;
-  if (configured_reference_clock(run_.config())) {
-    auto result = DcSetup(bus_, run_.config(), slaves_where([](AlState) { return true; })).run();
-    if (!result) return tl::unexpected(result.error());
-    network = std::move(*result);
-    note_clocks(*network);
-  }
-  auto first_cycle = bus_.clock().now() + run_.config().cycle_time();
-  if (network) {
-    first_cycle = sync_.first_cycle(*network, first_cycle);
-    sync_.start(*network, first_cycle);
-    delays_.start(*network, first_cycle);
-  }
-  task_.start(first_cycle);
-  operate(AlState::kPreop);
-  bus_.set_pump(&task_);
-  return {};
-}
-
-/// Of a slave that was never measured: a usual hop behind the one that it hangs at.
-std::uint32_t Esm::estimated_delay(std::size_t slave) const {
-  constexpr std::uint32_t kUsualHop = 500;  // ns: an ESC with copper ports and some metres of cable
-  const auto& previous = run_.config().slaves[slave].previous;
-  if (!previous || previous->position >= slave) return 0;
-  return run_.snapshot.slaves[previous->position].propagation_delay_ns + kUsualHop;
-}
-
-void Esm::note_clocks(const DcNetwork& network) {
-  std::vector<std::uint16_t> watched;
-  for (std::size_t i = 0; i < network.slaves.size(); ++i) {
-    const auto& clock = network.slaves[i];
-    auto& slave = run_.snapshot.slaves[i];
-    slave.dc_enabled = clock.synchronised;
-    slave.is_reference_clock = i == network.reference_clock;
-    slave.propagation_delay_ns = clock.delay_ns;
-    // One that joins later gets its clock then.
-    if (attendance_.missing(i) && run_.config().slaves[i].dc) {
-      slave.dc_enabled = true;
-      slave.propagation_delay_ns = estimated_delay(i);
-    }
-    if (slave.dc_enabled) watched.push_back(static_cast<std::uint16_t>(i));
-  }
-  task_.slaves().set_dc_slaves(std::move(watched));
-  for (const auto& finding : network.findings) {
-    run_.event(EventKind::kDelayFinding, bus_.clock().now(), finding.position, static_cast<std::int64_t>(finding.warning),
-               finding.value_ns);
-  }
-  task_.reference().start(*configured_reference_clock(run_.config()), network.reference_clock, attendance_.complete());
-  run_.event(EventKind::kReferenceClock, bus_.clock().now(), network.reference_clock, 1);
-}
-
-Status Esm::await_slaves_in_sync() {
-  if (!sync_.active()) return {};
-  const auto end = bus_.clock().now() + kSyncTimeout;
-  while (!sync_.slaves_in_sync()) {
-    if (auto status = bus_.wait_a_little(); !status) return status;
-    if (bus_.clock().now() < end) continue;
-    const auto& dc = run_.snapshot.dc;
-    return fail(ErrorCode::kDcSetup, "the slaves",
-                fmt::format("they are {} ns apart after {} s, the sync window allows {} ns", dc.deviation_ored_ns,
-                            kSyncTimeout / kSecond, dc.limit_ns));
-  }
-  const auto now = bus_.clock().now();
-  if (!sync_.monitored()) run_.event(EventKind::kDcSlaveSync, now, -1, 2, 0);
-  std::int64_t count = 0;
-  for (const auto& slave : run_.snapshot.slaves) count += slave.dc_enabled && slave.present ? 1 : 0;
-  run_.event(EventKind::kDcInitialised, now, -1, count, run_.snapshot.dc.reference_clock);
-  return {};
 }
 
 // ---- single slaves ------------------------------------------------------------------------------
@@ -271,7 +198,7 @@ Status Esm::lift(const SlaveList& slaves, AlState from, Transition transition) {
   if (auto status = commands_.run_mailbox(ready, transition); !status && ends_everything(status.error())) return status;
   if (auto status = commands_.run(ready, transition); !status && ends_everything(status.error())) return status;
   if (transition == Transition::kPS) {
-    if (auto status = check_sync_signals(ready); !status && ends_everything(status.error())) return status;
+    if (auto status = clocks_.check_sync_signals(ready); !status && ends_everything(status.error())) return status;
   }
   return commands_.read_al_status(slaves);
 }
@@ -283,12 +210,7 @@ Status Esm::join_in_preop(SlaveList slaves) {
   auto status = commands_.run(slaves, Transition::kIP, [&](auto slave, auto index) { return index < request[slave]; });
   if (!status && ends_everything(status.error())) return status;
   if (status = commands_.read_al_status(slaves); !status) return status;
-  auto& reference = task_.reference();
-  if (sync_.active()) {
-    if (status = DcJoin(bus_, run_, sync_).run(slaves, reference.leader()); !status) return status;
-    const auto back = reference.configured();
-    if (back && std::ranges::find(slaves, *back) != slaves.end()) reference.take_back(bus_.clock().now());
-  }
+  if (status = clocks_.join(slaves); !status) return status;
   status = commands_.run(slaves, Transition::kIP, [&](auto slave, auto index) { return index >= request[slave]; });
   if (!status && ends_everything(status.error())) return status;
   status = commands_.run_mailbox(slaves, Transition::kIP);
@@ -298,22 +220,8 @@ Status Esm::join_in_preop(SlaveList slaves) {
 
 // ---- PREOP to SAFEOP to OP ------------------------------------------------------------------------
 
-Status Esm::await_master_in_sync() {
-  if (!sync_.active()) return {};
-  const auto end = bus_.clock().now() + kSyncTimeout;
-  while (!sync_.master_in_sync()) {
-    if (auto status = bus_.wait_a_little(); !status) return status;
-    if (bus_.clock().now() < end) continue;
-    Error error{ErrorCode::kDcmOutOfLimit, "master"};
-    error.expected = run_.config().dc.dcm.in_sync_limit;
-    error.received = run_.snapshot.dcm.error_ns;
-    return fail(std::move(error));
-  }
-  return {};
-}
-
 Status Esm::preop_to_safeop() {
-  if (auto status = await_master_in_sync(); !status) return status;
+  if (auto status = clocks_.await_master(); !status) return status;
   if (auto status = run_master_commands(Transition::kPS, true); !status) return status;
   if (auto status = step_up(AlState::kPreop, Transition::kPS); !status) return status;
   if (auto status = run_master_commands(Transition::kPS, false); !status) return status;
@@ -342,20 +250,11 @@ Status Esm::step_up(AlState from, Transition transition) {
   if (auto registers = commands_.run(slaves, transition); status) status = std::move(registers);
   if (!status && ends_everything(status.error())) return status;
   if (transition == Transition::kPS) {
-    if (auto started = check_sync_signals(slaves); status) status = std::move(started);
+    if (auto started = clocks_.check_sync_signals(slaves); status) status = std::move(started);
     if (!status && ends_everything(status.error())) return status;
   }
   if (auto read = commands_.read_all(); !read) return read;
   return status;
-}
-
-/// The first error is the result; every one is told.
-Status Esm::check_sync_signals(const SlaveList& slaves) {
-  if (!sync_.active()) return {};
-  const auto errors = check_dc_start(bus_, run_.config(), slaves);
-  if (!errors) return tl::unexpected(errors.error());
-  for (const auto& error : *errors) run_.error(error, bus_.clock().now());
-  return errors->empty() ? Status{} : fail(errors->front());
 }
 
 // ---- down -----------------------------------------------------------------------------------------

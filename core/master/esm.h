@@ -6,9 +6,9 @@
 
 #include "master/attendance.h"
 #include "master/bus.h"
+#include "master/clock_steps.h"
 #include "master/cyclic_task.h"
 #include "master/delay_compensation.h"
-#include "master/dc_setup.h"
 #include "master/run_state.h"
 #include "master/slave_commands.h"
 #include "master/sync_watch.h"
@@ -51,28 +51,19 @@ class Esm {
   Status down_to(AlState target);
   void finish_down(AlState target);
 
-  Status initialise_clocks();
-  Status begin_cyclic();
-  Status await_slaves_in_sync();
-  Status await_master_in_sync();
-  [[nodiscard]] std::uint32_t estimated_delay(std::size_t slave) const;
-  void note_clocks(const DcNetwork& network);
-
   Status run_master_commands(Transition transition, bool before_slave);
   [[nodiscard]] std::vector<std::size_t> preop_requests() const;
   [[nodiscard]] SlaveList slaves_where(const std::function<bool(AlState)>& applies) const;
-  Status check_sync_signals(const SlaveList& slaves);
   Status step_up(AlState from, Transition transition);
   [[nodiscard]] AlState state_of(std::size_t slave) const;
 
   Bus& bus_;
   RunState& run_;
   CyclicTaskRunner& task_;
-  SyncWatch& sync_;
-  DelayCompensation& delays_;
   SlaveCommands commands_;
-  AlState level_ = AlState::kInit;
   Attendance attendance_;
+  ClockSteps clocks_;
+  AlState level_ = AlState::kInit;
 };
 
 }  // namespace syncline

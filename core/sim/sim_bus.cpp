@@ -4,11 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
+#include <optional>
 
 #include "protocol/registers.h"
 #include "sim/device.h"
 #include "sim/esc.h"
+#include "sim/fault_schedule.h"
+#include "sim/line_faults.h"
 #include "sim/passing_frame.h"
 #include "sim/segment.h"
 #include "sim/sii_from_device.h"
@@ -55,24 +57,9 @@ struct SlaveLink {
   bool power = true;
 };
 
-/// Frames that do not arrive, or arrive damaged, at a port of a slave.
-struct LineFault {
-  std::uint16_t slave = 0;
-  std::uint8_t port = 0;
-  bool damaged = false;
-  std::uint32_t frames = 0;
-};
-constexpr std::uint32_t kAllFrames = 0xFFFF'FFFF;
-
-/// Something that a fault does at a time.
-struct Action {
-  Nanoseconds time = 0;
-  std::function<void()> apply;
-};
-
 }  // namespace
 
-struct SimBus::Impl {
+struct SimBus::Impl final : FaultTarget {
   SimConfig config;
   Wiring wiring;
   std::vector<Node> nodes;
@@ -80,11 +67,9 @@ struct SimBus::Impl {
   SegmentPath path;
   std::vector<std::size_t> processed;   // receptions of `path` in front of processing units
   std::vector<double> true_delay;
-  std::vector<Action> actions;       // by time
-  std::size_t next_action = 0;
+  LineFaults line_faults;
+  std::optional<FaultSchedule> schedule;
   Nanoseconds now = 0;
-  std::uint32_t frames_to_lose = 0;
-  std::vector<LineFault> line_faults;
   PassingFrame passing;
   std::vector<std::size_t> touched;     // those at which the passing frame left something; the others it was not for
 
@@ -98,7 +83,7 @@ struct SimBus::Impl {
     for (const auto& passage : path.passages) {
       if (passage.processed) true_delay[passage.slave] = passage.time_ns - path.passages.front().time_ns;
     }
-    schedule_actions(start);
+    schedule.emplace(config, start, *this);
   }
 
   [[nodiscard]] std::uint64_t seed_of(std::size_t i) const { return config.seed * 0x9E37'79B9'7F4A'7C15U + i; }
@@ -135,14 +120,22 @@ struct SimBus::Impl {
     }
   }
 
-  void schedule_actions(Nanoseconds start);
-  void add_fault(const FaultConfig& fault, Nanoseconds start);
-  void add_pulses(const LatchPulses& pulses, Nanoseconds start);
-  void run_actions(Nanoseconds time) {
-    while (next_action < actions.size() && actions[next_action].time <= time) actions[next_action++].apply();
+  // ---- what faults do ----
+  LineFaults& lines() override { return line_faults; }
+  Esc& esc(std::size_t slave) override { return *nodes[slave].esc; }
+  Device& device(std::size_t slave) override { return *nodes[slave].device; }
+  void set_cable(std::size_t slave, bool plugged) override {
+    links[slave].cable = plugged;
+    rewire();
   }
+  void set_power(std::size_t slave, bool on, Nanoseconds time) override {
+    if (on) restart(slave, time);
+    links[slave].power = on;
+    rewire();
+  }
+
   void advance_to(Nanoseconds time) {
-    run_actions(time);
+    schedule->run(time);
     bool changed = false;
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       if (!links[i].power) continue;
@@ -154,117 +147,21 @@ struct SimBus::Impl {
   }
   Returned execute(std::span<std::uint8_t> frame, Nanoseconds send_time);
   Returned execute_foreign(bool malformed, Nanoseconds send_time);
-  /// How far this frame gets: receptions before the one at which it is lost, and the first one that is damaged.
-  struct Reach {
-    std::size_t end, damaged;
-  };
-  [[nodiscard]] Reach reach();
+  using Reach = LineFaults::Reach;
   void note_port_times(const Reach& way, Nanoseconds send_time);
   void count_errors(const Reach& way);
   void end_frame(const Reach& reach, Nanoseconds send_time, Nanoseconds length);
 };
 
-void SimBus::Impl::add_fault(const FaultConfig& fault, Nanoseconds start) {
-  const auto i = static_cast<std::size_t>(std::max(fault.slave, 0));
-  const auto at = [&](Nanoseconds offset, std::function<void()> what) { actions.push_back({start + offset, std::move(what)}); };
-  switch (fault.kind) {
-    case FaultKind::kLoseFrames:
-      if (fault.slave < 0) {
-        at(fault.at, [this, count = fault.count] { frames_to_lose += count; });
-        break;
-      }
-      [[fallthrough]];
-    case FaultKind::kBitErrors: {
-      const bool damaged = fault.kind == FaultKind::kBitErrors;
-      const auto slave = static_cast<std::uint16_t>(i);
-      const bool burst = fault.until > fault.at;
-      at(fault.at, [this, damaged, slave, burst, fault] {
-        line_faults.push_back({slave, fault.port, damaged, burst ? kAllFrames : fault.count});
-      });
-      if (burst) {
-        at(fault.until, [this, damaged, slave, fault] {
-          std::erase_if(line_faults, [&](const LineFault& line) {
-            return line.slave == slave && line.port == fault.port && line.damaged == damaged && line.frames == kAllFrames;
-          });
-        });
-      }
-      break;
-    }
-    case FaultKind::kCableBreak:
-      at(fault.at, [this, i] { links[i].cable = false; rewire(); });
-      if (fault.until > fault.at) at(fault.until, [this, i] { links[i].cable = true; rewire(); });
-      break;
-    case FaultKind::kSlaveOff:
-      at(fault.at, [this, i] { links[i].power = false; rewire(); });
-      if (fault.until > fault.at) {
-        at(fault.until, [this, i, time = start + fault.until] {
-          restart(i, time);
-          links[i].power = true;
-          rewire();
-        });
-      }
-      break;
-    case FaultKind::kClockStep:
-      at(fault.at, [this, i, delta = fault.value_ns] { nodes[i].esc->dc().step_clock(delta); });
-      break;
-    case FaultKind::kRefuseState:
-      at(fault.at, [this, i, fault] { nodes[i].device->refuse(fault.state, fault.code); });
-      if (fault.until > fault.at) at(fault.until, [this, i] { nodes[i].device->refuse(AlState::kNone, 0); });
-      break;
-    case FaultKind::kSlowMailbox:
-      at(fault.at, [this, i, delay = fault.value_ns] { nodes[i].device->slow_mailbox(delay); });
-      if (fault.until > fault.at) at(fault.until, [this, i] { nodes[i].device->slow_mailbox(0); });
-      break;
-    case FaultKind::kSlowApplication:
-      at(fault.at, [this, i, delay = fault.value_ns] { nodes[i].device->slow_application(delay); });
-      if (fault.until > fault.at) at(fault.until, [this, i] { nodes[i].device->slow_application(0); });
-      break;
-    case FaultKind::kStopApplication:
-      at(fault.at, [this, i, time = start + fault.at] { nodes[i].device->stop_application(time); });
-      if (fault.until > fault.at) {
-        at(fault.until, [this, i, time = start + fault.until] { nodes[i].device->resume_application(time); });
-      }
-      break;
-    case FaultKind::kMailboxSilence:
-      at(fault.at, [this, i] { nodes[i].device->silence_mailbox(true); });
-      if (fault.until > fault.at) at(fault.until, [this, i] { nodes[i].device->silence_mailbox(false); });
-      break;
-  }
-}
-
-void SimBus::Impl::add_pulses(const LatchPulses& pulses, Nanoseconds start) {
-  const auto edge = [&](bool level, Nanoseconds time) {
-    actions.push_back({time, [this, level, time, slave = pulses.slave, input = pulses.input] {
-                         auto& device = *nodes[slave].device;
-                         device.advance_to(time);
-                         (void)nodes[slave].esc->latch_input(input, level, time);
-                       }});
-  };
-  for (std::uint32_t i = 0; i < pulses.count; ++i) {
-    const auto rise = start + pulses.at + i * pulses.period;
-    edge(true, rise);
-    edge(false, rise + pulses.width);
-  }
-}
-
-void SimBus::Impl::schedule_actions(Nanoseconds start) {
-  for (const auto& fault : config.faults) add_fault(fault, start);
-  for (const auto& pulses : config.latch_pulses) add_pulses(pulses, start);
-  std::stable_sort(actions.begin(), actions.end(), [](const Action& a, const Action& b) { return a.time < b.time; });
-}
-
 SimBus::Returned SimBus::Impl::execute(std::span<std::uint8_t> frame, Nanoseconds send_time) {
-  run_actions(send_time);
+  schedule->run(send_time);
   if (path.swallowed) advance_to(send_time);  // slaves that no frame reaches live on: a setting for a while ends
   now = std::max(now, send_time);
-  if (frames_to_lose > 0) {
-    --frames_to_lose;
-    return {true, 0};
-  }
+  if (line_faults.takes_frame()) return {true, 0};
   const auto kind = passing.arrive(frame);
   if (kind != PassingFrame::Kind::kEtherCat) return execute_foreign(kind == PassingFrame::Kind::kMalformed, send_time);
 
-  auto way = reach();
+  auto way = line_faults.next_frame(path.passages);
   bool mark_source = false;
   touched.clear();
   for (const auto p : processed) {
@@ -303,20 +200,6 @@ void SimBus::Impl::count_errors(const Reach& way) {
     auto& ports = nodes[path.passages[p].slave].esc->ports();
     p == way.damaged ? ports.count_invalid_frame(path.passages[p].port) : ports.count_forwarded_error(path.passages[p].port);
   }
-}
-
-SimBus::Impl::Reach SimBus::Impl::reach() {
-  Reach reach{path.passages.size(), path.passages.size()};
-  if (line_faults.empty()) return reach;
-  for (std::size_t p = 0; p < reach.end; ++p) {
-    for (auto& fault : line_faults) {
-      if (fault.slave != path.passages[p].slave || fault.port != path.passages[p].port || fault.frames == 0) continue;
-      if (fault.frames != kAllFrames) --fault.frames;
-      (fault.damaged ? reach.damaged : reach.end) = std::min(fault.damaged ? reach.damaged : reach.end, p);
-    }
-  }
-  std::erase_if(line_faults, [](const LineFault& fault) { return fault.frames == 0; });
-  return reach;
 }
 
 /// The last byte has passed everywhere: what was written becomes effective where the frame was still good.

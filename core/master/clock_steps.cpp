@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "master/clock_steps.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "master/dc_join.h"
+#include "master/dc_start.h"
+
+namespace syncline {
+namespace {
+
+constexpr Nanoseconds kSyncTimeout = 30 * kSecond;
+
+}  // namespace
+
+Result<Nanoseconds> ClockSteps::initialise(SlaveList present) {
+  std::optional<DcNetwork> network;
+  if (configured_reference_clock(run_.config())) {
+    auto result = DcSetup(bus_, run_.config(), std::move(present)).run();
+    if (!result) return tl::unexpected(result.error());
+    network = std::move(*result);
+    note(*network);
+  }
+  auto first_cycle = bus_.clock().now() + run_.config().cycle_time();
+  if (network) {
+    first_cycle = sync_.first_cycle(*network, first_cycle);
+    sync_.start(*network, first_cycle);
+    delays_.start(*network, first_cycle);
+  }
+  return first_cycle;
+}
+
+std::uint32_t ClockSteps::estimated_delay(std::size_t slave) const {
+  constexpr std::uint32_t kUsualHop = 500;  // ns: an ESC with copper ports and some metres of cable
+  const auto& previous = run_.config().slaves[slave].previous;
+  if (!previous || previous->position >= slave) return 0;
+  return run_.snapshot.slaves[previous->position].propagation_delay_ns + kUsualHop;
+}
+
+void ClockSteps::note(const DcNetwork& network) {
+  std::vector<std::uint16_t> watched;
+  for (std::size_t i = 0; i < network.slaves.size(); ++i) {
+    const auto& clock = network.slaves[i];
+    auto& slave = run_.snapshot.slaves[i];
+    slave.dc_enabled = clock.synchronised;
+    slave.is_reference_clock = i == network.reference_clock;
+    slave.propagation_delay_ns = clock.delay_ns;
+    // One that joins later gets its clock then.
+    if (attendance_.missing(i) && run_.config().slaves[i].dc) {
+      slave.dc_enabled = true;
+      slave.propagation_delay_ns = estimated_delay(i);
+    }
+    if (slave.dc_enabled) watched.push_back(static_cast<std::uint16_t>(i));
+  }
+  task_.slaves().set_dc_slaves(std::move(watched));
+  for (const auto& finding : network.findings) {
+    run_.event(EventKind::kDelayFinding, bus_.clock().now(), finding.position, static_cast<std::int64_t>(finding.warning),
+               finding.value_ns);
+  }
+  task_.reference().start(*configured_reference_clock(run_.config()), network.reference_clock, attendance_.complete());
+  run_.event(EventKind::kReferenceClock, bus_.clock().now(), network.reference_clock, 1);
+}
+
+Status ClockSteps::await_slaves() {
+  if (!sync_.active()) return {};
+  const auto end = bus_.clock().now() + kSyncTimeout;
+  while (!sync_.slaves_in_sync()) {
+    if (auto status = bus_.wait_a_little(); !status) return status;
+    if (bus_.clock().now() < end) continue;
+    const auto& dc = run_.snapshot.dc;
+    return fail(ErrorCode::kDcSetup, "the slaves",
+                fmt::format("they are {} ns apart after {} s, the sync window allows {} ns", dc.deviation_ored_ns,
+                            kSyncTimeout / kSecond, dc.limit_ns));
+  }
+  const auto now = bus_.clock().now();
+  if (!sync_.monitored()) run_.event(EventKind::kDcSlaveSync, now, -1, 2, 0);
+  std::int64_t count = 0;
+  for (const auto& slave : run_.snapshot.slaves) count += slave.dc_enabled && slave.present ? 1 : 0;
+  run_.event(EventKind::kDcInitialised, now, -1, count, run_.snapshot.dc.reference_clock);
+  return {};
+}
+
+Status ClockSteps::await_master() {
+  if (!sync_.active()) return {};
+  const auto end = bus_.clock().now() + kSyncTimeout;
+  while (!sync_.master_in_sync()) {
+    if (auto status = bus_.wait_a_little(); !status) return status;
+    if (bus_.clock().now() < end) continue;
+    Error error{ErrorCode::kDcmOutOfLimit, "master"};
+    error.expected = run_.config().dc.dcm.in_sync_limit;
+    error.received = run_.snapshot.dcm.error_ns;
+    return fail(std::move(error));
+  }
+  return {};
+}
+
+Status ClockSteps::join(const SlaveList& slaves) {
+  if (!sync_.active()) return {};
+  auto& reference = task_.reference();
+  if (auto status = DcJoin(bus_, run_, sync_).run(slaves, reference.leader()); !status) return status;
+  const auto back = reference.configured();
+  if (back && std::ranges::find(slaves, *back) != slaves.end()) reference.take_back(bus_.clock().now());
+  return {};
+}
+
+Status ClockSteps::check_sync_signals(const SlaveList& slaves) {
+  if (!sync_.active()) return {};
+  const auto errors = check_dc_start(bus_, run_.config(), slaves);
+  if (!errors) return tl::unexpected(errors.error());
+  for (const auto& error : *errors) run_.error(error, bus_.clock().now());
+  return errors->empty() ? Status{} : fail(errors->front());
+}
+
+}  // namespace syncline

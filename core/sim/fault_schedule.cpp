@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim/fault_schedule.h"
+
+#include <algorithm>
+
+namespace syncline::sim {
+
+FaultSchedule::FaultSchedule(const SimConfig& config, Nanoseconds start, FaultTarget& target)
+    : target_(target), start_(start) {
+  for (const auto& fault : config.faults) add_fault(fault);
+  for (const auto& pulses : config.latch_pulses) add_pulses(pulses);
+  std::ranges::stable_sort(actions_, {}, &Action::time);
+}
+
+void FaultSchedule::add(const FaultConfig& fault, std::function<void()> apply, std::function<void()> undo) {
+  actions_.push_back({start_ + fault.at, std::move(apply)});
+  if (undo && fault.until > fault.at) actions_.push_back({start_ + fault.until, std::move(undo)});
+}
+
+void FaultSchedule::add_fault(const FaultConfig& fault) {
+  const auto slave = static_cast<std::size_t>(std::max(fault.slave, 0));
+  auto& target = target_;
+  switch (fault.kind) {
+    case FaultKind::kLoseFrames:
+      if (fault.slave < 0) return add(fault, [&target, count = fault.count] { target.lines().lose_frames(count); });
+      return add_line_fault(fault);
+    case FaultKind::kBitErrors: return add_line_fault(fault);
+    case FaultKind::kCableBreak:
+      return add(fault, [&target, slave] { target.set_cable(slave, false); }, [&target, slave] { target.set_cable(slave, true); });
+    case FaultKind::kSlaveOff:
+      return add(
+          fault, [&target, slave, time = start_ + fault.at] { target.set_power(slave, false, time); },
+          [&target, slave, time = start_ + fault.until] { target.set_power(slave, true, time); });
+    case FaultKind::kClockStep:
+      return add(fault, [&target, slave, delta = fault.value_ns] { target.esc(slave).dc().step_clock(delta); });
+    default: return add_device_fault(fault, slave);
+  }
+}
+
+void FaultSchedule::add_line_fault(const FaultConfig& fault) {
+  const bool burst = fault.until > fault.at;
+  const LineFaults::Fault line{static_cast<std::uint16_t>(fault.slave), fault.port, fault.kind == FaultKind::kBitErrors,
+                               burst ? LineFaults::kUntilRemoved : fault.count};
+  auto& target = target_;
+  add(fault, [&target, line] { target.lines().add(line); },
+      [&target, line] { target.lines().remove(line.slave, line.port, line.damaged); });
+}
+
+void FaultSchedule::add_device_fault(const FaultConfig& fault, std::size_t slave) {
+  const auto set = [this, &fault, slave](auto apply, auto undo) {
+    auto& target = target_;
+    add(fault, [&target, slave, apply] { apply(target.device(slave)); }, [&target, slave, undo] { undo(target.device(slave)); });
+  };
+  switch (fault.kind) {
+    case FaultKind::kRefuseState:
+      return set([state = fault.state, code = fault.code](Device& device) { device.refuse(state, code); },
+                 [](Device& device) { device.refuse(AlState::kNone, 0); });
+    case FaultKind::kSlowMailbox:
+      return set([delay = fault.value_ns](Device& device) { device.slow_mailbox(delay); },
+                 [](Device& device) { device.slow_mailbox(0); });
+    case FaultKind::kSlowApplication:
+      return set([delay = fault.value_ns](Device& device) { device.slow_application(delay); },
+                 [](Device& device) { device.slow_application(0); });
+    case FaultKind::kStopApplication:
+      return set([time = start_ + fault.at](Device& device) { device.stop_application(time); },
+                 [time = start_ + fault.until](Device& device) { device.resume_application(time); });
+    case FaultKind::kMailboxSilence:
+      return set([](Device& device) { device.silence_mailbox(true); }, [](Device& device) { device.silence_mailbox(false); });
+    default: return;
+  }
+}
+
+void FaultSchedule::add_pulses(const LatchPulses& pulses) {
+  const auto edge = [&](bool level, Nanoseconds time) {
+    actions_.push_back({time, [&target = target_, level, time, slave = pulses.slave, input = pulses.input] {
+                          target.device(slave).advance_to(time);
+                          (void)target.esc(slave).latch_input(input, level, time);
+                        }});
+  };
+  for (std::uint32_t i = 0; i < pulses.count; ++i) {
+    const auto rise = start_ + pulses.at + i * pulses.period;
+    edge(true, rise);
+    edge(false, rise + pulses.width);
+  }
+}
+
+}  // namespace syncline::sim
