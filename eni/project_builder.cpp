@@ -38,6 +38,9 @@ DeviceDescription device_without_esi(const ScannedSlave& slave) {
   if (slave.sii) {
     device = device_from_sii(*slave.sii);
     clean_texts(device);
+    // The EEPROM says that the firmware knows complete access, nobody that a master may configure it in that way. Entry by
+    // entry works with every slave.
+    if (device.mailbox && device.mailbox->coe) device.mailbox->coe->complete_access = false;
   } else {
     device.type = "unknown";
     device.source = "SII";

@@ -20,6 +20,9 @@ constexpr Nanoseconds kRewriteAfter = 20 * kMillisecond;
 constexpr Nanoseconds kLookAnyway = 20 * kMillisecond;
 /// For slaves that fill the mailbox again but never acknowledge.
 constexpr Nanoseconds kRepeatPatience = 50 * kMillisecond;
+/// A slave that can repeat a message loads it before it acknowledges; some acknowledge and have none.
+constexpr Nanoseconds kRepeatedAfter = 100 * kMillisecond;
+constexpr std::size_t kCounterByte = 5;  // of a mailbox header; bits 6..4
 
 }  // namespace
 
@@ -44,11 +47,21 @@ void MailboxHandshake::use(const MailboxPort& port, Receipt& receipt) {
   bytes_.reserve(std::max(port.send.length, port.receive.length));
 }
 
-void MailboxHandshake::send(std::span<const std::uint8_t> message, bool answered, Nanoseconds now) {
+void MailboxHandshake::begin_write(bool answered, Nanoseconds now) {
   wants_answer_ = answered;
   only_fetch_ = write_unanswered_ = write_uncertain_ = false;
+  repeat_due_.reset();
   end_ = now + port_->request_timeout;
   step_ = Step::kWrite;
+}
+
+void MailboxHandshake::send_anew(std::uint8_t counter, Nanoseconds now) {
+  begin_write(true, now);
+  request_[kCounterByte] = static_cast<std::uint8_t>((request_[kCounterByte] & 0x8FU) | (counter & 7U) << 4);
+}
+
+void MailboxHandshake::send(std::span<const std::uint8_t> message, bool answered, Nanoseconds now) {
+  begin_write(answered, now);
   if (message.size() > port_->send.length) return end_with(End::kTooLong);
   if (port_->receive.length < MailboxMessage::kHeaderSize) return end_with(End::kNoRoom);
   request_.assign(port_->send.length, 0);
@@ -57,6 +70,7 @@ void MailboxHandshake::send(std::span<const std::uint8_t> message, bool answered
 
 void MailboxHandshake::await(Nanoseconds now) {
   end_ = now + port_->response_timeout;
+  wants_answer_ = false;  // to nothing that could be sent anew
   await_further(now);
 }
 
@@ -112,6 +126,10 @@ Datagram* MailboxHandshake::next(Nanoseconds now) {
 
 Datagram* MailboxHandshake::poll(Nanoseconds now) {
   if (out_of_time(now)) return nullptr;
+  if (repeat_due_ && now >= *repeat_due_) {
+    end_with(End::kAnswerLost);
+    return nullptr;
+  }
   const auto full = port_->full ? port_->full() : std::nullopt;
   if (full == false && now < look_at_) return nullptr;
   if (full == true) {
@@ -179,9 +197,10 @@ void MailboxHandshake::take_read(Nanoseconds now) {
   }
   step_ = Step::kPoll;
   if (datagram_.wkc == 0) return only_fetch_ ? end_with(End::kEmpty) : (void)out_of_time(now);
+  repeat_due_.reset();
   const auto length = load_le<std::uint16_t>(bytes_);
   if (length + MailboxMessage::kHeaderSize > bytes_.size()) return end_with(End::kMalformed);
-  const auto counter = static_cast<std::uint8_t>((bytes_[5] >> 4) & 7U);
+  const auto counter = static_cast<std::uint8_t>((bytes_[kCounterByte] >> 4) & 7U);
   // A repeated message may be one that was never lost. Some slaves do not count: theirs are only doubted then.
   const bool again = counter != 0 && counter == receipt_->last;
   if (again && (read_repeated_ || receipt_->counts)) return (void)out_of_time(now);
@@ -203,6 +222,7 @@ void MailboxHandshake::take_repeat(Nanoseconds now) {
     step_ = Step::kAwaitRepeat;
   } else if ((status_[1] & kRepeat) == repeat_bit_ || now >= repeat_end_) {
     read_repeated_ = true;
+    if (wants_answer_) repeat_due_ = now + kRepeatedAfter;
     look_at_ = now;
     step_ = Step::kPoll;
   }

@@ -31,12 +31,13 @@ struct MailboxPort {
 /// The hand-shake by which one message goes into a slave's mailbox and one comes out of it, cut into datagrams; the
 /// bytes' meaning is for others. No single lost or late frame ends it: a lost write goes out again with the same
 /// counter, by which a slave knows it; a lost read is asked for again by the repeat request (0x080E bit 1), so that
-/// no message is lost or taken twice. Whoever sends the datagrams may repeat them or not. Allocates nothing but at
+/// no message is lost or taken twice. Where the slave has none to repeat, the answer is lost for good and the request must
+/// be made anew. Whoever sends the datagrams may repeat them or not. Allocates nothing but at
 /// construction and in use().
 class MailboxHandshake {
  public:
-  /// kEmpty: only of fetch().
-  enum class End : std::uint8_t { kUnderWay, kMessage, kSent, kEmpty, kTimeout, kTooLong, kNoRoom, kMalformed };
+  /// kEmpty: only of fetch(). kAnswerLost: only of send() and send_anew().
+  enum class End : std::uint8_t { kUnderWay, kMessage, kSent, kEmpty, kTimeout, kAnswerLost, kTooLong, kNoRoom, kMalformed };
   /// What is known of a slave's counting, for telling a repeated message from a new one.
   struct Receipt {
     std::uint8_t last = 0;     // counter of the slave's last message
@@ -48,6 +49,8 @@ class MailboxHandshake {
 
   /// `message` with its header and counter. Sends, then waits for a message unless not `answered`.
   void send(std::span<const std::uint8_t> message, bool answered, Nanoseconds now);
+  /// The last message that was sent, as a new one with this counter: a slave passes over one that it has counted already.
+  void send_anew(std::uint8_t counter, Nanoseconds now);
   /// Waits for another message, with new patience or (because the last one was not the answer) with what is left.
   void await(Nanoseconds now);
   void await_further(Nanoseconds now);
@@ -74,6 +77,7 @@ class MailboxHandshake {
   void take_poll(Nanoseconds now);
   void take_read(Nanoseconds now);
   void take_repeat(Nanoseconds now);
+  void begin_write(bool answered, Nanoseconds now);
   bool out_of_time(Nanoseconds now);
   void end_with(End end);
 
@@ -86,6 +90,7 @@ class MailboxHandshake {
   bool write_unanswered_ = false;     // an earlier copy of the request may lie in the mailbox
   bool write_uncertain_ = false;      // the mailbox was full when the write was repeated
   bool read_repeated_ = false;        // the next message may be one that was seen already
+  std::optional<Nanoseconds> repeat_due_;  // the slave has said that it repeats its answer: there by then, or never
   Nanoseconds end_ = 0, rewrite_at_ = 0, look_at_ = 0, repeat_end_ = 0;
   std::vector<std::uint8_t> request_, bytes_;
   std::array<std::uint8_t, 2> status_{};

@@ -4,6 +4,11 @@
 #include <utility>
 
 namespace syncline {
+namespace {
+
+constexpr int kMostAnew = 3;  // for one message
+
+}  // namespace
 
 MailboxTransfer::MailboxTransfer(MailboxPort port, std::uint8_t& counter) : port_(std::move(port)), counter_(counter) {
   handshake_.use(port_, receipt_);
@@ -21,40 +26,47 @@ void MailboxTransfer::begin(MailboxType type, std::span<const std::uint8_t> data
   message.counter = counter_;
   message.data.assign(data.begin(), data.end());
   noted_ = false;
+  asked_anew_ = 0;
   handshake_.send(message.encode(port_.send.length), answered, now);
-  note_end();
+  note_end(now);
 }
 
 void MailboxTransfer::await(Nanoseconds now) {
   noted_ = false;
   handshake_.await(now);
-  note_end();
+  note_end(now);
 }
 
 void MailboxTransfer::await_further(Nanoseconds now) {
   noted_ = false;
   handshake_.await_further(now);
-  note_end();
+  note_end(now);
 }
 
 Datagram* MailboxTransfer::next(Nanoseconds now) {
   auto* datagram = handshake_.next(now);
-  note_end();
+  note_end(now);
   return datagram;
 }
 
 void MailboxTransfer::take(Nanoseconds now) {
   handshake_.take(now);
-  note_end();
+  note_end(now);
 }
 
-void MailboxTransfer::note_end() {
+void MailboxTransfer::note_end(Nanoseconds now) {
   if (noted_ || !handshake_.over()) return;
+  if (handshake_.end() == MailboxHandshake::End::kAnswerLost && asked_anew_ < kMostAnew) {
+    ++asked_anew_;
+    counter_ = next_mailbox_counter(counter_);
+    return handshake_.send_anew(counter_, now);
+  }
   noted_ = true;
   switch (handshake_.end()) {
     case MailboxHandshake::End::kUnderWay:
     case MailboxHandshake::End::kEmpty:
     case MailboxHandshake::End::kTimeout:
+    case MailboxHandshake::End::kAnswerLost:
       result_ = fail(ErrorCode::kMailboxTimeout, port_.name);
       return;
     case MailboxHandshake::End::kSent:

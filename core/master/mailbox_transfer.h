@@ -10,7 +10,8 @@
 namespace syncline {
 
 /// One message into a slave's mailbox and the next one out of it, cut into datagrams, so that many slaves can be
-/// served in the same frames. No single lost or late frame ends it (see MailboxHandshake).
+/// served in the same frames. No single lost or late frame ends it (see MailboxHandshake); a slave that has lost its answer
+/// and cannot repeat it is asked anew, as long as that is not too often.
 class MailboxTransfer {
  public:
   /// `counter`: the slave's mailbox counter, which outlives the transfer.
@@ -40,13 +41,14 @@ class MailboxTransfer {
 
  private:
   void begin(MailboxType type, std::span<const std::uint8_t> data, Nanoseconds now, bool answered);
-  void note_end();
+  void note_end(Nanoseconds now);
 
   MailboxPort port_;
   std::uint8_t& counter_;
   MailboxHandshake::Receipt receipt_;
   MailboxHandshake handshake_;
   bool noted_ = true;
+  int asked_anew_ = 0;
   Result<MailboxMessage> result_;
 };
 

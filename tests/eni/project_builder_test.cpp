@@ -137,6 +137,8 @@ TEST_F(ProjectBuilder, DeviceWithoutEsiComesFromItsEeprom) {
   image.product_code = 9;
   image.general.emplace().name = "Gr\xF6\xDF"
                                  "e\x01 ";
+  image.mailbox_protocols = sii::kProtocolCoe;
+  image.general->coe_details = 0x24;  // PDO assignment, complete access
   sii::Pdo pdo;
   pdo.index = 0x1A00;
   pdo.sync_manager = 0;
@@ -146,6 +148,9 @@ TEST_F(ProjectBuilder, DeviceWithoutEsiComesFromItsEeprom) {
   ASSERT_THAT(built.project.slaves, SizeIs(2));
   EXPECT_THAT(built.project.slaves[0].assigned_tx_pdos, ElementsAre(0x1A00));
   EXPECT_EQ(built.project.slaves[0].device.name, "Größe");
+  const auto& coe = built.project.slaves[0].device.mailbox->coe;
+  EXPECT_TRUE(coe->pdo_assign);
+  EXPECT_FALSE(coe->complete_access) << "entry by entry works with every slave";
   EXPECT_EQ(built.project.slaves[1].device.identity, (Identity{0x5EC, 8, 1, 0}));
   ASSERT_THAT(built.warnings, SizeIs(3));
   EXPECT_EQ(built.warnings[0].code, ErrorCode::kMissingEsi);

@@ -30,6 +30,7 @@ class MailboxSlave final : public Link {
 
   Handler handler;
   bool answers_repeats = true;
+  bool has_repeats = true;        // else it acknowledges and its mailbox stays empty
   std::size_t requests = 0, repeats = 0;
 
   Status send(std::span<const std::uint8_t> frame) override {
@@ -116,7 +117,7 @@ class MailboxSlave final : public Link {
     if (!toggled || !answers_repeats) return;
     ++repeats;
     acknowledge_ = activate_ & 0x02;
-    if (!last_) return;
+    if (!last_ || !has_repeats) return;
     if (posted_ && *posted_ != *last_) queue_.push_front(std::move(*posted_));
     posted_ = last_;
   }

@@ -145,6 +145,26 @@ TEST_P(MailboxLoss, NeverAbortsATransferNorDamagesIt) {
 }
 INSTANTIATE_TEST_SUITE_P(Percent, MailboxLoss, testing::Values(0.0, 0.01, 0.05, 0.1));
 
+TEST(MailboxClient, AsksASlaveAnewThatCannotRepeatWhatWasLost) {
+  for (const bool acknowledges : {true, false}) {
+    MailboxBed bed(0.1, 128, 7);
+    bed.slave->answers_repeats = acknowledges;
+    bed.slave->has_repeats = false;
+    Server server;
+    server.object = {1, 2};
+    bed.slave->handler = [&](const MailboxMessage& m) { return server(m); };
+    CoeClient coe(*bed.client);
+    constexpr int kTransfers = 100;
+    for (int i = 0; i < kTransfers; ++i) {
+      const auto read = coe.upload({0x2000, 1});
+      ASSERT_TRUE(read) << i << ": " << read.error().detail;
+      EXPECT_EQ(*read, (Bytes{1, 2}));
+    }
+    EXPECT_GT(bed.slave->requests, kTransfers + 3U) << "some were asked for twice";
+    EXPECT_LT(bed.elapsed(), 10 * kSecond) << "without waiting for the slave's time-out";
+  }
+}
+
 TEST(MailboxClient, NamesAMailboxErrorInWords) {
   MailboxBed bed;
   bed.slave->handler = [](const MailboxMessage&) {
