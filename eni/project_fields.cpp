@@ -141,14 +141,14 @@ constexpr auto startup_fields = [](auto& x, auto& command) {
 };
 
 constexpr auto soe_fields = [](auto& x, auto& soe) {
-  x.attribute("Drive", soe.command.drive);
-  x.attribute("Idn", soe.command.idn);
+  x.attribute("Drive", soe.drive);
+  x.attribute("Idn", soe.idn);
   x.attribute("Enabled", soe.enabled);
   x.attribute("Fixed", soe.fixed);
   x.attribute("TimeoutMs", soe.timeout_ms);
-  x.transitions(soe.command.transitions);
-  x.bytes("Data", soe.command.data);
-  x.optional_text("Comment", soe.command.comment);
+  x.transitions(soe.transitions);
+  x.bytes("Data", soe.data);
+  x.optional_text("Comment", soe.comment);
 };
 
 constexpr auto module_fields = [](auto& x, auto& module) {

@@ -1273,7 +1273,7 @@
         </message>
         <message>
             <source>Settled after</source>
-            <translation>Eingeschwungen nach</translation>
+            <translation>Synchron nach</translation>
         </message>
         <message>
             <source>From the first cyclic frame</source>

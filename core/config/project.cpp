@@ -82,11 +82,7 @@ SlaveSettings default_slave(const DeviceDescription& device, std::uint16_t posit
     if (!device.dc->op_modes.empty()) select_op_mode(slave, device.dc->op_modes.front().name);
   }
   if (device.mailbox && device.mailbox->coe) slave.startup = device.mailbox->coe->init_commands;
-  if (device.mailbox && device.mailbox->soe) {
-    for (const SoeCommand& command : device.mailbox->soe_options.init_commands) {
-      slave.soe_startup.push_back({command, false, true, 0});
-    }
-  }
+  if (device.mailbox && device.mailbox->soe) slave.soe_startup = device.mailbox->soe_options.init_commands;
   plug_default_modules(slave);
   return slave;
 }

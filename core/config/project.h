@@ -151,7 +151,7 @@ struct SlaveSettings {
   TimeoutSettings timeouts;
   MailboxSettings mailbox;
   EoeSlaveSettings eoe;
-  std::vector<SoeStartupCommand> soe_startup;   // ESI's first, then the user's own
+  std::vector<SoeCommand> soe_startup;   // ESI's first, then the user's own
   std::string ams_net_id;                     // AoE, "5.1.2.3.1.1"; "" = none given
   /// Names of Sync Units for outputs and inputs; "" = the unnamed one.
   std::string output_unit, input_unit;

@@ -65,15 +65,6 @@ struct EoeSlaveSettings {
   bool operator==(const EoeSlaveSettings&) const = default;
 };
 
-/// SoE IDN written at a transition, with what the user may say about it.
-struct SoeStartupCommand {
-  SoeCommand command;
-  bool fixed = false;
-  bool enabled = true;
-  std::uint32_t timeout_ms = 0;                     // 0 = the master's default
-  bool operator==(const SoeStartupCommand&) const = default;
-};
-
 /// Name of its own for the variable of one PDO entry.
 struct VariableName {
   std::uint16_t pdo = 0;

@@ -312,12 +312,12 @@ class RandomProject {
     if (chance(3)) s.ams_net_id = "5.1.2.3.4." + std::to_string(number(0, 255));
     if (!s.device.mailbox || !s.device.mailbox->soe) return;
     for (int i = number(0, 3); i > 0; --i) {
-      SoeStartupCommand command;
-      command.command.transitions = {Transition::kPS, Transition::kSO};
-      command.command.drive = number<std::uint8_t>(0, 7);
-      command.command.idn = number<std::uint16_t>(0, 0xFFFF);
-      command.command.data = bytes(number(1, 4));
-      command.command.comment = chance(2) ? "limit" : "";
+      SoeCommand command;
+      command.transitions = {Transition::kPS, Transition::kSO};
+      command.drive = number<std::uint8_t>(0, 7);
+      command.idn = number<std::uint16_t>(0, 0xFFFF);
+      command.data = bytes(number(1, 4));
+      command.comment = chance(2) ? "limit" : "";
       command.fixed = chance(2);
       command.enabled = chance(2);
       command.timeout_ms = chance(2) ? number<std::uint32_t>(1, 99999) : 0;

@@ -6,6 +6,7 @@
 #include <QVBoxLayout>
 
 #include "ui/theme.h"
+#include "ui/widgets/value_label.h"
 
 namespace syncline::ui {
 
@@ -41,7 +42,7 @@ void Card::addWide(QWidget* field, const QString& tool_tip) {
 }
 
 QLabel* Card::addValue(const char* object_name, const QString& label, const QString& tool_tip) {
-  auto* value = new QLabel(QStringLiteral("\u2013"), this);
+  auto* value = new ValueLabel(QStringLiteral("\u2013"), this);
   value->setObjectName(QLatin1String(object_name));
   value->setAccessibleName(label);
   value->setTextInteractionFlags(Qt::TextSelectableByMouse);

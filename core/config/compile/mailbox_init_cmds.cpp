@@ -95,15 +95,15 @@ void add_eoe(MailboxConfig& mailbox, const SlavePlan& slave) {
 }
 
 void add_soe(MailboxConfig& mailbox, const SlavePlan& slave) {
-  for (const auto& [command, fixed, enabled, timeout_ms] : slave.settings->soe_startup) {
+  for (const SoeCommand& command : slave.settings->soe_startup) {
     SoeInitCmd cmd;
     cmd.transitions = command.transitions;
     cmd.drive_no = command.drive;
     cmd.idn = command.idn;
     cmd.data = command.data;
-    cmd.fixed = fixed;
-    cmd.enabled = enabled;
-    cmd.timeout_ms = timeout_ms;
+    cmd.fixed = command.fixed;
+    cmd.enabled = command.enabled;
+    cmd.timeout_ms = command.timeout_ms;
     cmd.comment = command.comment;
     mailbox.soe_commands.push_back(std::move(cmd));
   }

@@ -146,12 +146,8 @@ void recover_mailbox(SlaveSettings& settings, const SlaveConfig& slave, EniDiale
   settings.ams_net_id = mailbox.aoe_net_id;
   settings.eoe.enabled = !mailbox.eoe_disabled;
   for (const SoeInitCmd& cmd : mailbox.soe_commands) {
-    SoeStartupCommand& added = settings.soe_startup.emplace_back();
-    added.command = {cmd.transitions, cmd.drive_no, cmd.idn,        cmd.data,
-                     cmd.fixed,       cmd.enabled,  cmd.timeout_ms, cmd.comment};
-    added.fixed = cmd.fixed;
-    added.enabled = cmd.enabled;
-    added.timeout_ms = cmd.timeout_ms;
+    settings.soe_startup.push_back({cmd.transitions, cmd.drive_no, cmd.idn, cmd.data, cmd.fixed, cmd.enabled, cmd.timeout_ms,
+                                    cmd.comment});
   }
   const std::pair<const std::vector<MailboxInitCmd>&, const char*> messages[] = {
       {mailbox.aoe_commands, "AoE"}, {mailbox.foe_commands, "FoE"}, {mailbox.voe_commands, "VoE"}};

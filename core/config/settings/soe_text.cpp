@@ -44,7 +44,7 @@ Status parse_target(std::string_view text, SoeCommand& command) {
   return {};
 }
 
-Status parse_option(std::string_view word, SoeStartupCommand& command) {
+Status parse_option(std::string_view word, SoeCommand& command) {
   constexpr std::string_view kTimeout = "timeout=";
   if (word == "fixed") {
     command.fixed = true;
@@ -61,27 +61,26 @@ Status parse_option(std::string_view word, SoeStartupCommand& command) {
 
 }  // namespace
 
-std::string format_soe(const SoeStartupCommand& command) {
-  const auto& target = command.command;
-  std::string text = fmt::format("{} {}:{}={:02x}", format_transitions(target.transitions), target.drive,
-                                 format_idn(target.idn), fmt::join(target.data, ""));
+std::string format_soe(const SoeCommand& command) {
+  std::string text = fmt::format("{} {}:{}={:02x}", format_transitions(command.transitions), command.drive,
+                                 format_idn(command.idn), fmt::join(command.data, ""));
   if (command.fixed) text += " fixed";
   if (!command.enabled) text += " off";
   if (command.timeout_ms != 0) text += fmt::format(" timeout={}", command.timeout_ms);
-  if (!target.comment.empty()) text.append(kCommentMark).append(target.comment);
+  if (!command.comment.empty()) text.append(kCommentMark).append(command.comment);
   return text;
 }
 
-Result<SoeStartupCommand> parse_soe(std::string_view text) {
-  SoeStartupCommand command;
+Result<SoeCommand> parse_soe(std::string_view text) {
+  SoeCommand command;
   const auto mark = text.find(kCommentMark);
-  if (mark != std::string_view::npos) command.command.comment = text.substr(mark + kCommentMark.size());
-  if (!is_utf8(command.command.comment)) return bad_value("the comment is no UTF-8 text");
+  if (mark != std::string_view::npos) command.comment = text.substr(mark + kCommentMark.size());
+  if (!is_utf8(command.comment)) return bad_value("the comment is no UTF-8 text");
   auto rest = text.substr(0, mark);
-  if (auto status = parse_transitions(next_word(rest), command.command.transitions); !status) {
+  if (auto status = parse_transitions(next_word(rest), command.transitions); !status) {
     return tl::unexpected(status.error());
   }
-  if (auto status = parse_target(next_word(rest), command.command); !status) return tl::unexpected(status.error());
+  if (auto status = parse_target(next_word(rest), command); !status) return tl::unexpected(status.error());
   for (auto word = next_word(rest); !word.empty(); word = next_word(rest)) {
     if (auto status = parse_option(word, command); !status) return tl::unexpected(status.error());
   }

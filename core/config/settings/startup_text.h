@@ -17,8 +17,8 @@ namespace syncline::settings {
 [[nodiscard]] Result<StartupCommand> parse_startup(std::string_view text);
 
 /// As format_startup() for SoE: "PS 0:S-0-0047=0a00 fixed off timeout=500 # comment"; drive, IDN, data in wire order.
-[[nodiscard]] std::string format_soe(const SoeStartupCommand& command);
-[[nodiscard]] Result<SoeStartupCommand> parse_soe(std::string_view text);
+[[nodiscard]] std::string format_soe(const SoeCommand& command);
+[[nodiscard]] Result<SoeCommand> parse_soe(std::string_view text);
 
 // Parts of these.
 /// Takes the next word off the front of `text`; "" at its end.

@@ -12,6 +12,16 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
+TEST(DefaultSlave, TakesTheEsisSoeCommandsAsTheyAre) {
+  MailboxDescription mailbox;
+  mailbox.soe = true;
+  mailbox.soe_options.init_commands.push_back({.drive = 1, .idn = 2, .data = {0xE8, 0x03}, .fixed = true, .timeout_ms = 300});
+  DeviceDescription device;
+  device.mailbox = mailbox;
+  const auto slave = default_slave(device, 0);
+  EXPECT_EQ(slave.soe_startup, mailbox.soe_options.init_commands);
+}
+
 TEST(Project, DcmModesHaveNamesBothWays) {
   for (const auto mode : {DcmMode::kOff, DcmMode::kBusShift, DcmMode::kMasterShift}) {
     EXPECT_EQ(dcm_mode_from_name(dcm_mode_name(mode)), mode);

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/widgets/value_label.h"
+
+#include <QHelpEvent>
+#include <QPainter>
+#include <QStyle>
+#include <QToolTip>
+
+#include <algorithm>
+
+namespace syncline::ui {
+
+QSize ValueLabel::minimumSizeHint() const {
+  constexpr int kShortestText = 8;  // characters
+  const auto usual = QLabel::minimumSizeHint();
+  return {std::min(usual.width(), kShortestText * fontMetrics().averageCharWidth()), usual.height()};
+}
+
+QString ValueLabel::shown() const { return fontMetrics().elidedText(text(), Qt::ElideRight, contentsRect().width()); }
+
+QString ValueLabel::hint() const {
+  if (shown() == text()) return toolTip();
+  return toolTip().isEmpty() ? text() : text() + QLatin1Char('\n') + toolTip();
+}
+
+bool ValueLabel::event(QEvent* event) {
+  if (event->type() != QEvent::ToolTip) return QLabel::event(event);
+  QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(), hint(), this);
+  return true;
+}
+
+void ValueLabel::paintEvent(QPaintEvent* event) {
+  const auto text_shown = shown();
+  if (text_shown == text()) return QLabel::paintEvent(event);
+  QPainter painter(this);
+  const auto where = QStyle::visualAlignment(layoutDirection(), alignment());
+  style()->drawItemText(&painter, contentsRect(), static_cast<int>(where), palette(), isEnabled(), text_shown, foregroundRole());
+}
+
+}  // namespace syncline::ui

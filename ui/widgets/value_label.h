@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QLabel>
+
+namespace syncline::ui {
+
+/// A value that can be selected and copied. What does not fit ends in an ellipsis, and the tool tip has all of it.
+class ValueLabel final : public QLabel {
+  Q_OBJECT
+
+ public:
+  using QLabel::QLabel;
+  [[nodiscard]] QSize minimumSizeHint() const override;
+  /// What is painted at the label's width.
+  [[nodiscard]] QString shown() const;
+  /// Tool tip, with the whole text in front where that is not painted.
+  [[nodiscard]] QString hint() const;
+
+ protected:
+  bool event(QEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
+};
+
+}  // namespace syncline::ui
