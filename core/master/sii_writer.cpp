@@ -88,7 +88,7 @@ std::vector<Change> changes(std::span<const std::uint8_t> before, std::span<cons
     const Change change{word, load_le<std::uint16_t>(before.subspan(2 * word)), load_le<std::uint16_t>(after.subspan(2 * word))};
     if (change.before != change.after) list.push_back(change);
   }
-  std::ranges::stable_partition(list, [](const Change& change) { return change.word >= kConfigurationWords; });
+  std::stable_partition(list.begin(), list.end(), [](const Change& change) { return change.word >= kConfigurationWords; });
   return list;
 }
 

@@ -13,7 +13,6 @@ namespace {
 // Command byte: bits 7..5 specifier, 4 complete access or toggle, the rest by service.
 constexpr std::uint8_t kSizeIndicated = 0x01;
 constexpr std::uint8_t kExpedited = 0x02;
-constexpr std::uint8_t kCompleteAccess = 0x10;
 constexpr std::uint8_t kToggle = 0x10;
 constexpr std::uint8_t kLastSegment = 0x01;
 constexpr std::size_t kExpeditedMax = 4;

@@ -286,8 +286,9 @@ class RandomProject {
       }
     }
     std::ranges::sort(s.variable_names, {}, &VariableName::pdo);
-    const auto twice = std::ranges::unique(s.variable_names, {}, &VariableName::pdo);
-    s.variable_names.erase(twice.begin(), twice.end());
+    // Not std::ranges::unique: clang 14 cannot compile what libstdc++ 12 makes of it.
+    const auto same_pdo = [](const VariableName& a, const VariableName& b) { return a.pdo == b.pdo; };
+    s.variable_names.erase(std::unique(s.variable_names.begin(), s.variable_names.end(), same_pdo), s.variable_names.end());
   }
 
   void choose_samples(SlaveSettings& s) {
