@@ -63,12 +63,20 @@ void ClockSteps::note(const DcNetwork& network) {
   run_.event(EventKind::kReferenceClock, bus_.clock().now(), network.reference_clock, 1);
 }
 
+Result<bool> ClockSteps::comes_true(bool (SyncWatch::*in_sync)() const) {
+  const auto end = bus_.clock().now() + kSyncTimeout;
+  while (!(sync_.*in_sync)()) {
+    if (auto status = bus_.wait_a_little(); !status) return tl::unexpected(status.error());
+    if (bus_.clock().now() >= end) return false;
+  }
+  return true;
+}
+
 Status ClockSteps::await_slaves() {
   if (!sync_.active()) return {};
-  const auto end = bus_.clock().now() + kSyncTimeout;
-  while (!sync_.slaves_in_sync()) {
-    if (auto status = bus_.wait_a_little(); !status) return status;
-    if (bus_.clock().now() < end) continue;
+  const auto in_sync = comes_true(&SyncWatch::slaves_in_sync);
+  if (!in_sync) return tl::unexpected(in_sync.error());
+  if (!*in_sync) {
     const auto& dc = run_.snapshot.dc;
     return fail(ErrorCode::kDcSetup, "the slaves",
                 fmt::format("they are {} ns apart after {} s, the sync window allows {} ns", dc.deviation_ored_ns,
@@ -84,16 +92,13 @@ Status ClockSteps::await_slaves() {
 
 Status ClockSteps::await_master() {
   if (!sync_.active()) return {};
-  const auto end = bus_.clock().now() + kSyncTimeout;
-  while (!sync_.master_in_sync()) {
-    if (auto status = bus_.wait_a_little(); !status) return status;
-    if (bus_.clock().now() < end) continue;
-    Error error{ErrorCode::kDcmOutOfLimit, "master"};
-    error.expected = run_.config().dc.dcm.in_sync_limit;
-    error.received = run_.snapshot.dcm.error_ns;
-    return fail(std::move(error));
-  }
-  return {};
+  const auto in_sync = comes_true(&SyncWatch::master_in_sync);
+  if (!in_sync) return tl::unexpected(in_sync.error());
+  if (*in_sync) return {};
+  Error error{ErrorCode::kDcmOutOfLimit, "master"};
+  error.expected = run_.config().dc.dcm.in_sync_limit;
+  error.received = run_.snapshot.dcm.error_ns;
+  return fail(std::move(error));
 }
 
 Status ClockSteps::join(const SlaveList& slaves) {

@@ -33,6 +33,8 @@ class ClockSteps {
 
  private:
   void note(const DcNetwork& network);
+  /// False when it does not within 30 s.
+  Result<bool> comes_true(bool (SyncWatch::*in_sync)() const);
   /// Of a slave that was never measured, ns: a usual hop behind the one that it hangs at.
   [[nodiscard]] std::uint32_t estimated_delay(std::size_t slave) const;
 

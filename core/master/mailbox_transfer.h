@@ -11,7 +11,7 @@ namespace syncline {
 
 /// One message into a slave's mailbox and the next one out of it, cut into datagrams, so that many slaves can be
 /// served in the same frames. No single lost or late frame ends it (see MailboxHandshake); a slave that has lost its answer
-/// and cannot repeat it is asked anew, as long as that is not too often.
+/// and cannot repeat it is asked anew, at most three times for a message.
 class MailboxTransfer {
  public:
   /// `counter`: the slave's mailbox counter, which outlives the transfer.

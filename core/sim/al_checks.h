@@ -10,7 +10,7 @@
 
 namespace syncline::sim {
 
-/// AL status codes of the checks that any device makes (ETG.1000.6, table 11).
+/// AL status codes that simulated devices give of their own accord (ETG.1000.6, table 11; ETG.1020).
 namespace al_code {
 inline constexpr std::uint16_t kInvalidRequest = 0x0011, kUnknownRequest = 0x0012, kNoBoot = 0x0013,
                                kInvalidBootMailbox = 0x0015, kInvalidMailbox = 0x0016, kInvalidSyncManager = 0x0017,

@@ -239,7 +239,7 @@ void Esc::frame_damaged() {
 }
 
 void Esc::take_over(const Write& write, std::span<const std::uint8_t> bytes) {
-  // Receive times are what the latch shows, never what was written to start it; the EEPROM may be busy.
+  // In every cycle: the system time.
   if (write.address >= reg::kSystemTime && write.length <= EscMemory::kWord &&
       memory_.all_have(EscMemory::kWrite, write.address, write.length)) {
     short_copy(bytes, memory_.at(write.address, write.length));
@@ -248,6 +248,7 @@ void Esc::take_over(const Write& write, std::span<const std::uint8_t> bytes) {
   const bool sii = overlaps(write.address, write.length, reg::kSiiControl, 0x20);
   for (std::size_t i = 0; i < bytes.size(); ++i) {
     const auto address = static_cast<std::uint32_t>(write.address + i);
+    // Receive times are what the latch shows, never what was written to start it; the EEPROM may be busy.
     const bool receive_time = address >= reg::kReceiveTimePort0 && address < reg::kSystemTime;
     if ((memory_.rights(address) & EscMemory::kWrite) != 0 && !receive_time && !(sii && sii_.blocks(address))) {
       memory_.set<std::uint8_t>(static_cast<std::uint16_t>(address), bytes[i]);

@@ -19,7 +19,11 @@ void FaultSchedule::add(const FaultConfig& fault, std::function<void()> apply, s
 
 void FaultSchedule::add_fault(const FaultConfig& fault) {
   const auto slave = static_cast<std::size_t>(std::max(fault.slave, 0));
+  const auto begin = start_ + fault.at, end = start_ + fault.until;
   auto& target = target_;
+  const auto add_to_device = [&](auto apply, auto undo) {
+    add(fault, [&target, slave, apply] { apply(target.device(slave)); }, [&target, slave, undo] { undo(target.device(slave)); });
+  };
   switch (fault.kind) {
     case FaultKind::kLoseFrames:
       if (fault.slave < 0) return add(fault, [&target, count = fault.count] { target.lines().lose_frames(count); });
@@ -28,12 +32,25 @@ void FaultSchedule::add_fault(const FaultConfig& fault) {
     case FaultKind::kCableBreak:
       return add(fault, [&target, slave] { target.set_cable(slave, false); }, [&target, slave] { target.set_cable(slave, true); });
     case FaultKind::kSlaveOff:
-      return add(
-          fault, [&target, slave, time = start_ + fault.at] { target.set_power(slave, false, time); },
-          [&target, slave, time = start_ + fault.until] { target.set_power(slave, true, time); });
+      return add(fault, [&target, slave, begin] { target.set_power(slave, false, begin); },
+                 [&target, slave, end] { target.set_power(slave, true, end); });
     case FaultKind::kClockStep:
       return add(fault, [&target, slave, delta = fault.value_ns] { target.esc(slave).dc().step_clock(delta); });
-    default: return add_device_fault(fault, slave);
+    case FaultKind::kRefuseState:
+      return add_to_device([state = fault.state, code = fault.code](Device& device) { device.refuse(state, code); },
+                           [](Device& device) { device.refuse(AlState::kNone, 0); });
+    case FaultKind::kSlowMailbox:
+      return add_to_device([delay = fault.value_ns](Device& device) { device.slow_mailbox(delay); },
+                           [](Device& device) { device.slow_mailbox(0); });
+    case FaultKind::kSlowApplication:
+      return add_to_device([delay = fault.value_ns](Device& device) { device.slow_application(delay); },
+                           [](Device& device) { device.slow_application(0); });
+    case FaultKind::kStopApplication:
+      return add_to_device([begin](Device& device) { device.stop_application(begin); },
+                           [end](Device& device) { device.resume_application(end); });
+    case FaultKind::kMailboxSilence:
+      return add_to_device([](Device& device) { device.silence_mailbox(true); },
+                           [](Device& device) { device.silence_mailbox(false); });
   }
 }
 
@@ -44,30 +61,6 @@ void FaultSchedule::add_line_fault(const FaultConfig& fault) {
   auto& target = target_;
   add(fault, [&target, line] { target.lines().add(line); },
       [&target, line] { target.lines().remove(line.slave, line.port, line.damaged); });
-}
-
-void FaultSchedule::add_device_fault(const FaultConfig& fault, std::size_t slave) {
-  const auto set = [this, &fault, slave](auto apply, auto undo) {
-    auto& target = target_;
-    add(fault, [&target, slave, apply] { apply(target.device(slave)); }, [&target, slave, undo] { undo(target.device(slave)); });
-  };
-  switch (fault.kind) {
-    case FaultKind::kRefuseState:
-      return set([state = fault.state, code = fault.code](Device& device) { device.refuse(state, code); },
-                 [](Device& device) { device.refuse(AlState::kNone, 0); });
-    case FaultKind::kSlowMailbox:
-      return set([delay = fault.value_ns](Device& device) { device.slow_mailbox(delay); },
-                 [](Device& device) { device.slow_mailbox(0); });
-    case FaultKind::kSlowApplication:
-      return set([delay = fault.value_ns](Device& device) { device.slow_application(delay); },
-                 [](Device& device) { device.slow_application(0); });
-    case FaultKind::kStopApplication:
-      return set([time = start_ + fault.at](Device& device) { device.stop_application(time); },
-                 [time = start_ + fault.until](Device& device) { device.resume_application(time); });
-    case FaultKind::kMailboxSilence:
-      return set([](Device& device) { device.silence_mailbox(true); }, [](Device& device) { device.silence_mailbox(false); });
-    default: return;
-  }
 }
 
 void FaultSchedule::add_pulses(const LatchPulses& pulses) {

@@ -42,7 +42,6 @@ class FaultSchedule {
   void add(const FaultConfig& fault, std::function<void()> apply, std::function<void()> undo = {});
   void add_fault(const FaultConfig& fault);
   void add_line_fault(const FaultConfig& fault);
-  void add_device_fault(const FaultConfig& fault, std::size_t slave);
   void add_pulses(const LatchPulses& pulses);
 
   FaultTarget& target_;

@@ -159,6 +159,34 @@ TEST_F(SimSyncChecks, LatchInputsInTheWrongHandsAreRefused) {
   EXPECT_EQ(safeop(), 0) << "nothing is switched on";
 }
 
+/// A device whose first input is its first output.
+TEST_F(SimSyncChecks, InputsAreThoseOfSync0WhereThereIsOne) {
+  for (const bool dc : {true, false}) {
+    auto slave = sim_slave("SL-SV7");
+    slave.behaviour = "generic";
+    for (auto& pdo : slave.device.tx_pdos) {
+      for (auto& entry : pdo.entries) entry.index = entry.index == 0x6041 ? 0x6040 : entry.index;
+    }
+    probe = SimProbe(line({slave}));
+    mailbox();
+    ASSERT_EQ(probe.request(0, 2), 2);
+    process_data();
+    if (dc) start_sync0(5 * kMillisecond);
+    ASSERT_EQ(probe.request(0, 4), 4);
+    write_outputs();
+    probe.pass(10 * kMillisecond);
+    ASSERT_EQ(probe.request(0, 8), 8);
+    const auto input = [this] { return probe.bus->peek(0, 0x1400, 1)[0]; };
+    const auto next = probe.read(0, reg::kStartTimeCyclicOperation, 8).value<std::uint64_t>();
+    const auto now = probe.read(0, reg::kSystemTime, 8).value<std::uint64_t>();
+    if (dc) probe.pass(static_cast<Nanoseconds>(next - now) + 100 * kMicrosecond);
+    probe.write(0, 0x1100, std::vector<std::uint8_t>(16, 0x5A));
+    EXPECT_EQ(input(), dc ? 0x00 : 0x5A);
+    probe.pass(kMillisecond);
+    EXPECT_EQ(input(), 0x5A);
+  }
+}
+
 TEST_F(SimSyncChecks, ASync0ThatDoesNotComeRefusesOp) {
   start_sync0(std::uint64_t{0} - kMillisecond);
   ASSERT_EQ(probe.request(0, 4), 4);
