@@ -171,7 +171,7 @@ TEST(EsiTrySamples, EveryDeviceReachesOpOrItsEsiContradictsItself) {
   EXPECT_TRUE(tried->unreadable.empty());
   // Whose ESI contradicts itself, each looked at by hand.
   const std::set<std::string> known{"CX2040 EtherCAT slave", "AX2000-B120", "kickcat_esi_test_sm_fmmu",
-                                    "B090.SO.3.0",           "B090.SO.3.1", "line 55388"};  // EL2252: not read
+                                    "B090.SO.3.0",           "B090.SO.3.1", "line 55388"};  // an EL2252
   for (const auto& device : tried->devices) {
     if (device.outcome == TryOutcome::kExcepted) {
       const auto name = device.type.empty() ? fmt::format("line {}", device.line) : device.type;

@@ -20,7 +20,9 @@ TEST(ValueLabel, SaysInItsToolTipWhatDoesNotFit) {
   EXPECT_TRUE(label.shown().endsWith(QChar(0x2026)));
   EXPECT_EQ(label.hint(), label.text() + QStringLiteral("\nwhose clock it is"));
   EXPECT_NE(label.grab().toImage(), whole.copy(0, 0, 80, whole.height())) << "an ellipsis, not a cut";
-  EXPECT_LT(label.minimumSizeHint().width(), 80);
+  EXPECT_LT(label.minimumSizeHint().width(), label.sizeHint().width());
+  label.setText(QStringLiteral("0x00005C17 Syncline Simulated Devices"));
+  EXPECT_EQ(label.minimumSizeHint().width(), label.sizeHint().width()) << "ordinary values are not cut";
 }
 
 }  // namespace

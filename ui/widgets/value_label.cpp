@@ -11,9 +11,9 @@
 namespace syncline::ui {
 
 QSize ValueLabel::minimumSizeHint() const {
-  constexpr int kShortestText = 8;  // characters
+  constexpr int kMostCharacters = 40;  // cards widen for so many, which every ordinary value has, and not for more
   const auto usual = QLabel::minimumSizeHint();
-  return {std::min(usual.width(), kShortestText * fontMetrics().averageCharWidth()), usual.height()};
+  return {std::min(usual.width(), kMostCharacters * fontMetrics().averageCharWidth()), usual.height()};
 }
 
 QString ValueLabel::shown() const { return fontMetrics().elidedText(text(), Qt::ElideRight, contentsRect().width()); }
