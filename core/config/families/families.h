@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "config/device_description.h"
+#include "config/families/device_family.h"
+#include "config/network_config.h"
+
+/// Look-ups in the table of device families. Pure, from any thread; nothing here allocates but what returns a string.
+namespace syncline::families {
+
+/// All of them, the more special before the more general.
+[[nodiscard]] std::span<const Family* const> all();
+
+/// By vendor ID and product code, which is all that an ENI and a running slave tell. Null: nothing is known.
+[[nodiscard]] const Family* find(const Identity& identity);
+/// The same; also by the beginning of the type's name.
+[[nodiscard]] const Family* find(const DeviceDescription& device);
+/// The family whose habits a simulated device with this behaviour has ("servo-y", "drive-c", "can-gateway").
+[[nodiscard]] const Family* of_behaviour(std::string_view behaviour);
+
+/// Where the counters of 0x1C32 and 0x1C33 stand. Empty: nobody knows, and the object's own words or both places must
+/// be looked at (ETG.1020's places are SyncCounters{}).
+[[nodiscard]] std::optional<SyncCounters> sync_counters(const Identity& identity);
+
+/// The limit of the error counter that the slave will have in OP: what the start-up list writes to 0x10F1:02, else the
+/// family's. Empty: not known. 0: the slave never gives up.
+[[nodiscard]] std::optional<std::uint32_t> error_limit(const SlaveConfig& slave);
+
+/// The vendor's alarm of a number in 0x603F or in an emergency; null when it is none that we know.
+[[nodiscard]] const Alarm* find_alarm(const Identity& identity, std::uint16_t error_code);
+/// "A.A12 (0x0A12) EtherCAT Outputs Data Synchronization Error", or "0x0A12" when nothing is known.
+[[nodiscard]] std::string alarm_text(const Identity& identity, std::uint16_t error_code);
+
+}  // namespace syncline::families
