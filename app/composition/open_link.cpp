@@ -7,6 +7,7 @@
 #include "app/composition/load_scenario.h"
 #include "link/pcap_link.h"
 #include "link/replay/replay_link.h"
+#include "link/simulated_host.h"
 #include "link/simulated_link.h"
 
 namespace syncline {
@@ -17,16 +18,14 @@ Result<OpenedLink> open_simulated(const LinkText& text) {
   if (!config) return tl::unexpected(config.error());
 
   OpenedLink opened;
+  SimulatedHost host;  // a real host has errors of its own
   if (text.virtual_clock) {
     auto clock = std::make_unique<VirtualClock>();
-    // A generator of its own, so that the host's jitter does not depend on the number of slaves.
-    clock->set_wakeup_jitter(config->host_jitter, config->seed ^ 0x686F'7374'6A69'7474U);
+    host = set_up_host(*clock, *config);
     opened.clock = std::move(clock);
   } else {
     opened.clock = std::make_unique<RealClock>();
   }
-  const auto host = text.virtual_clock ? SimulatedHost::with(config->host_jitter, config->seed ^ 0x7374'616D'7073ULL)
-                                       : SimulatedHost{};  // a real host has errors of its own
   auto bus = sim::SimBus::create(*config, opened.clock->now());
   if (!bus) return tl::unexpected(bus.error());
   opened.link = make_simulated_link("sim:" + text.target, std::move(*bus), *opened.clock, host);

@@ -69,6 +69,7 @@ enum class FaultKind : std::uint8_t {
   kSlowApplication, // slave's application needs `value_ns` more for each cycle, from `at` until `until`
   kMailboxSilence,  // slave answers no mailbox from `at` until `until`
   kStopApplication, // slave's firmware hangs from `at` until `until`: no answer, no access to its ESC
+  kHostStall,       // the host does nothing for `value_ns`; on the virtual clock
   kBitErrors,       // frames received at the slave's `port` are damaged: `count` of them, or all until `until`
 };
 struct FaultConfig {

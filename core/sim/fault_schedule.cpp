@@ -48,6 +48,7 @@ void FaultSchedule::add_fault(const FaultConfig& fault) {
     case FaultKind::kStopApplication:
       return add_to_device([begin](Device& device) { device.stop_application(begin); },
                            [end](Device& device) { device.resume_application(end); });
+    case FaultKind::kHostStall: return;  // not the segment's: link/simulated_host
     case FaultKind::kMailboxSilence:
       return add_to_device([](Device& device) { device.silence_mailbox(true); },
                            [](Device& device) { device.silence_mailbox(false); });

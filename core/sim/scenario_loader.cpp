@@ -102,11 +102,14 @@ JitterProfile jitter_of(Table& table, const std::string& text) {
 /// Auto-increment addressing has 16 bits; station addresses start at 1001.
 constexpr std::int64_t kMostSlaves = 64'000;
 
-constexpr std::array<std::pair<std::string_view, FaultKind>, 10> kFaults{{
+constexpr Nanoseconds kLongestStall = 60 * kSecond;
+
+constexpr std::array<std::pair<std::string_view, FaultKind>, 11> kFaults{{
     {"lose-frames", FaultKind::kLoseFrames}, {"cable-break", FaultKind::kCableBreak}, {"slave-off", FaultKind::kSlaveOff},
     {"clock-step", FaultKind::kClockStep}, {"refuse-state", FaultKind::kRefuseState},
     {"mailbox-silence", FaultKind::kMailboxSilence}, {"slow-mailbox", FaultKind::kSlowMailbox}, {"bit-errors", FaultKind::kBitErrors},
-    {"slow-application", FaultKind::kSlowApplication}, {"stop-application", FaultKind::kStopApplication}}};
+    {"slow-application", FaultKind::kSlowApplication}, {"stop-application", FaultKind::kStopApplication},
+    {"host-stall", FaultKind::kHostStall}}};
 
 class Loader {
  public:
@@ -272,12 +275,14 @@ class Loader {
     const auto found = std::ranges::find(kFaults, std::string_view(kind), &std::pair<std::string_view, FaultKind>::first);
     if (found == kFaults.end()) {
       table.fail_at("kind", "must be lose-frames, cable-break, slave-off, clock-step, refuse-state, mailbox-silence, "
-                            "slow-mailbox, slow-application, stop-application or bit-errors");
+                            "slow-mailbox, slow-application, stop-application, bit-errors or host-stall");
     } else {
       fault.kind = found->second;
     }
     fault.slave = static_cast<int>(table.get<std::int64_t>("slave", -1));
-    const bool needs_slave = fault.kind != FaultKind::kLoseFrames || table.has("slave");
+    const bool of_host = fault.kind == FaultKind::kHostStall;
+    if (of_host && table.has("slave")) table.fail_at("slave", "does not go with this kind: it is the host's");
+    const bool needs_slave = !of_host && (fault.kind != FaultKind::kLoseFrames || table.has("slave"));
     if (needs_slave && (fault.slave < 0 || static_cast<std::size_t>(fault.slave) >= config_.slaves.size())) {
       table.fail_at("slave", "must be the position of a slave of this scenario");
     }
@@ -291,6 +296,9 @@ class Loader {
     fault.count = table.get<std::uint32_t>("count", 1);
     fault.port = port_number(table, table.get<std::string>("port", "A"), true);
     fault.value_ns = table.get<std::int64_t>("value_ns", 0);
+    if (of_host && (fault.value_ns <= 0 || fault.value_ns > kLongestStall)) {
+      table.fail_at("value_ns", "must be 1 to 60000000000: how long the host does nothing");
+    }
     fault.code = table.get<std::uint16_t>("code", 0);
     const auto state = table.get<std::string>("state", "");
     if (!state.empty()) {

@@ -3,9 +3,11 @@
 
 #include <time.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <cmath>
+#include <vector>
 
 #include "support/random.h"
 
@@ -45,6 +47,19 @@ struct VirtualClock::State {
   std::atomic<Nanoseconds> now{0};
   JitterProfile jitter;
   Random random{0};
+  struct Standstill {
+    Nanoseconds begin = 0, end = 0;
+  };
+  std::vector<Standstill> standstills;  // by their begin
+  std::size_t next_standstill = 0;
+
+  /// When the host, due at `time`, goes on.
+  Nanoseconds goes_on(Nanoseconds time) {
+    while (next_standstill < standstills.size() && standstills[next_standstill].begin <= time) {
+      time = std::max(time, standstills[next_standstill++].end);
+    }
+    return time;
+  }
 
   /// How late this wake-up is; the generator is asked the same number of times in every call, so
   /// that one profile's numbers do not depend on what the earlier ones were.
@@ -65,6 +80,12 @@ void VirtualClock::set_wakeup_jitter(const JitterProfile& profile, std::uint64_t
   state_->random = Random(seed);
 }
 
+void VirtualClock::add_standstill(Nanoseconds begin, Nanoseconds length) {
+  auto& all = state_->standstills;
+  const auto place = std::ranges::upper_bound(all, begin, {}, &State::Standstill::begin);
+  all.insert(place, {begin, begin + length});
+}
+
 Nanoseconds VirtualClock::now() const { return state_->now.load(std::memory_order_relaxed); }
 
 void VirtualClock::sleep_until(Nanoseconds deadline) {
@@ -73,7 +94,7 @@ void VirtualClock::sleep_until(Nanoseconds deadline) {
 }
 
 void VirtualClock::advance_to(Nanoseconds time) {
-  if (time > now()) state_->now.store(time, std::memory_order_relaxed);
+  if (time > now()) state_->now.store(state_->goes_on(time), std::memory_order_relaxed);
 }
 
 }  // namespace syncline

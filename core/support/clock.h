@@ -58,7 +58,8 @@ struct JitterProfile {
 
 /// Virtual time: sleep_until advances now() to the deadline and returns at once. With a jitter
 /// profile a *wake-up* is late as on a real host, from its own seeded generator, so the same seed
-/// gives the same run. advance_to() moves time without jitter (frames in flight).
+/// gives the same run. advance_to() moves time without jitter (frames in flight). A standstill of the host delays
+/// both: what would go on meanwhile goes on at its end.
 class VirtualClock final : public Clock {
  public:
   /// Default start: a fixed date in 2026, so that runs are repeatable.
@@ -67,6 +68,9 @@ class VirtualClock final : public Clock {
   explicit VirtualClock(Nanoseconds start = kDefaultStart);
   ~VirtualClock() override;
   void set_wakeup_jitter(const JitterProfile& profile, std::uint64_t seed);
+  /// The host does nothing from `begin` (absolute) until `begin + length`. Before time reaches it; any number of them,
+  /// overlapping too.
+  void add_standstill(Nanoseconds begin, Nanoseconds length);
 
   [[nodiscard]] Nanoseconds now() const override;
   using Clock::sleep_until;

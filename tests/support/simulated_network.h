@@ -11,6 +11,7 @@
 #include "config/project.h"
 #include "config/sim_config.h"
 #include "eni/esi_reader.h"
+#include "link/simulated_host.h"
 #include "link/simulated_link.h"
 #include "sim/sim_bus.h"
 
@@ -72,6 +73,7 @@ struct SimulatedNetwork {
   }
   /// Null when the segment cannot be made.
   [[nodiscard]] std::unique_ptr<Link> link(Clock& clock) const {
+    if (auto* own = dynamic_cast<VirtualClock*>(&clock)) add_standstills(*own, sim);
     auto bus = sim::SimBus::create(sim, clock.now());
     return bus ? make_simulated_link("sim", std::move(*bus), clock) : nullptr;
   }

@@ -64,5 +64,18 @@ TEST(ScenarioRules, SlowMailboxSaysHowSlow) {
   EXPECT_EQ(config->faults[0].value_ns, 5 * kMillisecond);
 }
 
+TEST(ScenarioRules, AStallIsTheHostsAndHasALength) {
+  const auto load_alone = [](const std::string& keys) {
+    return load("SL-SV7", "kind = \"slow-mailbox\"\n[[fault]]\nkind = \"host-stall\"\n" + keys);
+  };
+  const auto config = load_alone("at_ms = 8000\nvalue_ns = 30000000\n");
+  ASSERT_TRUE(config) << describe(config.error());
+  EXPECT_EQ(config->faults[1].kind, FaultKind::kHostStall);
+  EXPECT_EQ(config->faults[1].value_ns, 30 * kMillisecond);
+  EXPECT_FALSE(load_alone("at_ms = 8000\n"));
+  EXPECT_FALSE(load_alone("value_ns = -1\n"));
+  EXPECT_FALSE(load_alone("slave = 0\nvalue_ns = 30000000\n"));
+}
+
 }  // namespace
 }  // namespace syncline::test

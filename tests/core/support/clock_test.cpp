@@ -76,5 +76,29 @@ TEST(VirtualClock, FramesInFlightHaveNoJitter) {
   EXPECT_EQ(clock.now(), 123'456);
 }
 
+TEST(VirtualClock, WhoIsDueInAStandstillGoesOnAtItsEnd) {
+  VirtualClock clock(0);
+  clock.add_standstill(50 * kMillisecond, 20 * kMillisecond);
+  clock.add_standstill(10 * kMillisecond, 5 * kMillisecond);
+  clock.add_standstill(60 * kMillisecond, 30 * kMillisecond);  // goes on where the first ends
+  clock.sleep_until(9 * kMillisecond);
+  EXPECT_EQ(clock.now(), 9 * kMillisecond);
+  clock.sleep_until(11 * kMillisecond);
+  EXPECT_EQ(clock.now(), 15 * kMillisecond);
+  clock.advance_to(16 * kMillisecond);
+  EXPECT_EQ(clock.now(), 16 * kMillisecond);
+  clock.advance_to(50 * kMillisecond);
+  EXPECT_EQ(clock.now(), 90 * kMillisecond);
+  clock.sleep_until(91 * kMillisecond);
+  EXPECT_EQ(clock.now(), 91 * kMillisecond);
+}
+
+TEST(VirtualClock, AStandstillThatIsSleptThroughIsNotNoticed) {
+  VirtualClock clock(0);
+  clock.add_standstill(10 * kMillisecond, 5 * kMillisecond);
+  clock.sleep_until(20 * kMillisecond);
+  EXPECT_EQ(clock.now(), 20 * kMillisecond);
+}
+
 }  // namespace
 }  // namespace syncline

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "link/simulated_host.h"
+
+namespace syncline {
+
+void add_standstills(VirtualClock& clock, const SimConfig& config) {
+  for (const auto& fault : config.faults) {
+    if (fault.kind == FaultKind::kHostStall) clock.add_standstill(clock.now() + fault.at, fault.value_ns);
+  }
+}
+
+SimulatedHost set_up_host(VirtualClock& clock, const SimConfig& config) {
+  // Generators of their own, so that the host's jitter does not depend on the number of slaves.
+  clock.set_wakeup_jitter(config.host_jitter, config.seed ^ 0x686F'7374'6A69'7474U);
+  add_standstills(clock, config);
+  return SimulatedHost::with(config.host_jitter, config.seed ^ 0x7374'616D'7073ULL);
+}
+
+}  // namespace syncline
