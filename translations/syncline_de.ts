@@ -225,24 +225,20 @@
             <translation>Abweichung</translation>
         </message>
         <message>
-            <source>upper estimate</source>
-            <translation>obere Schätzung</translation>
+            <source>largest</source>
+            <translation>größte</translation>
         </message>
         <message>
-            <source>Register 0x092C (System Time Difference). Upper estimate: the wire-or of all slaves read by BRD, at least as large as the largest magnitude. Lines: signed values of single slaves.</source>
-            <translation>Register 0x092C (System Time Difference). Obere Schätzung: das mit BRD gelesene verdrahtete Oder aller Slaves, mindestens so groß wie der größte Betrag. Linien: vorzeichenbehaftete Werte einzelner Slaves.</translation>
+            <source>Register 0x092C (System Time Difference) of the slaves that follow the reference clock. Largest: the wire-or of all of them read by BRD where nothing else is in it, else the largest of their latest readings. Lines: signed values of single slaves.</source>
+            <translation>Register 0x092C (System Time Difference) der Slaves, die der Referenzuhr folgen. Größte: das mit BRD gelesene verdrahtete Oder aller, wo sonst nichts darin ist, sonst der größte ihrer letzten Messwerte. Linien: vorzeichenbehaftete Werte einzelner Slaves.</translation>
         </message>
         <message>
             <source>limit ±%1</source>
             <translation>Grenze ±%1</translation>
         </message>
         <message>
-            <source>peak ≤ %1</source>
-            <translation>Spitze ≤ %1</translation>
-        </message>
-        <message>
-            <source>upper est.</source>
-            <translation>obere Sch.</translation>
+            <source>peak %1</source>
+            <translation>Spitze %1</translation>
         </message>
     </context>
     <context>
@@ -599,8 +595,8 @@
             <translation>Master-Synchronisation eingerastet, Fehler %1</translation>
         </message>
         <message>
-            <source>Master synchronisation out of sync, error %1</source>
-            <translation>Master-Synchronisation nicht eingerastet, Fehler %1</translation>
+            <source>Master synchronisation out of sync, error %1: %2</source>
+            <translation>Master-Synchronisation nicht synchron, Fehler %1: %2</translation>
         </message>
         <message>
             <source>Working counter %1 instead of %2 (%3 times)</source>
@@ -635,6 +631,38 @@
                 <numerusform>%n Ereignis ging verloren: die Warteschlange war voll</numerusform>
                 <numerusform>%n Ereignisse gingen verloren: die Warteschlange war voll</numerusform>
             </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n frame(s) back late, up to %1 after the deadline (%2 of them told as lost before)</source>
+            <translation>
+                <numerusform>%n Frame kam zu spät zurück, bis zu %1 nach der Frist (%2 davon war als verloren gemeldet)</numerusform>
+                <numerusform>%n Frames kamen zu spät zurück, bis zu %1 nach der Frist (%2 davon waren als verloren gemeldet)</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n frame(s) back late, up to %1 after the deadline</source>
+            <translation>
+                <numerusform>%n Frame kam zu spät zurück, bis zu %1 nach der Frist</numerusform>
+                <numerusform>%n Frames kamen zu spät zurück, bis zu %1 nach der Frist</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n cycle(s) left out, the host sent nothing for up to %1</source>
+            <translation>
+                <numerusform>%n Zyklus ausgelassen, der Host sendete bis zu %1 lang nichts</numerusform>
+                <numerusform>%n Zyklen ausgelassen, der Host sendete bis zu %1 lang nichts</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>Slaves out of sync, deviation %1; %n slave(s) over the limit</source>
+            <translation>
+                <numerusform>Slaves nicht synchron, Abweichung %1; %n Slave über der Grenze</numerusform>
+                <numerusform>Slaves nicht synchron, Abweichung %1; %n Slaves über der Grenze</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Not known whether the slaves are in sync: nothing was read for %1</source>
+            <translation>Nicht bekannt, ob die Slaves synchron sind: seit %1 wurde nichts gelesen</translation>
         </message>
     </context>
     <context>
@@ -780,6 +808,38 @@
         <message>
             <source>Master shift by application</source>
             <translation>Master Shift durch die Anwendung</translation>
+        </message>
+        <message>
+            <source>Unknown</source>
+            <translation>Unbekannt</translation>
+        </message>
+        <message>
+            <source>no reference clock</source>
+            <translation>keine Referenzuhr</translation>
+        </message>
+        <message>
+            <source>no reading of the reference clock</source>
+            <translation>kein Messwert der Referenzuhr</translation>
+        </message>
+        <message>
+            <source>error of the controller</source>
+            <translation>Fehler des Reglers</translation>
+        </message>
+        <message>
+            <source>schedule beyond its limit</source>
+            <translation>Zeitplan über seiner Grenze</translation>
+        </message>
+        <message>
+            <source>cycles left out</source>
+            <translation>Zyklen ausgelassen</translation>
+        </message>
+        <message>
+            <source>frames later than the set value allows</source>
+            <translation>Frames später, als der Sollwert zulässt</translation>
+        </message>
+        <message>
+            <source>settling</source>
+            <translation>schwingt ein</translation>
         </message>
     </context>
     <context>
@@ -1268,8 +1328,8 @@
             <translation>Abweichung</translation>
         </message>
         <message>
-            <source>Wire-ored register 0x092C: an upper estimate over all slaves</source>
-            <translation>Verodertes Register 0x092C: obere Schätzung über alle Slaves</translation>
+            <source>Register 0x092C: largest latest reading of the slaves that follow the reference clock</source>
+            <translation>Register 0x092C: größter letzter Messwert der Slaves, die der Referenzuhr folgen</translation>
         </message>
         <message>
             <source>Settled after</source>
@@ -1288,8 +1348,8 @@
             <translation>Master synchron</translation>
         </message>
         <message>
-            <source>Controller error against the in-sync limit</source>
-            <translation>Reglerfehler gegen die Synchron-Grenze</translation>
+            <source>Error of the controller, frames later than the set value allows, cycles left out: none of them within the settle time</source>
+            <translation>Fehler des Reglers, Frames später, als der Sollwert zulässt, ausgelassene Zyklen: nichts davon innerhalb der Einschwingzeit</translation>
         </message>
         <message>
             <source>Error</source>
@@ -1334,6 +1394,26 @@
         <message>
             <source>at once</source>
             <translation>sofort</translation>
+        </message>
+        <message>
+            <source>Last heard of</source>
+            <translation>Zuletzt gehört</translation>
+        </message>
+        <message>
+            <source>How long ago something was last heard of each slave that follows</source>
+            <translation>Wie lange es her ist, dass von jedem folgenden Slave zuletzt etwas gehört wurde</translation>
+        </message>
+        <message>
+            <source>Frame, max / allowed</source>
+            <translation>Frame, max / zulässig</translation>
+        </message>
+        <message>
+            <source>Error of the schedule and how late frames were sent, together: largest since in sync, and at which a frame meets SYNC0</source>
+            <translation>Fehler des Zeitplans und Verspätung beim Senden, zusammen: größter Wert seit synchron, und der, bei dem ein Frame auf SYNC0 trifft</translation>
+        </message>
+        <message>
+            <source>%1 ago</source>
+            <translation>vor %1</translation>
         </message>
     </context>
     <context>
@@ -1507,8 +1587,8 @@
             <translation>Verlorene Frames</translation>
         </message>
         <message>
-            <source>Cyclic frames that did not come back within the cycle</source>
-            <translation>Zyklische Frames, die nicht im Zyklus zurückkamen</translation>
+            <source>Frames that did not come back</source>
+            <translation>Frames, die nicht zurückkamen</translation>
         </message>
         <message>
             <source>Working counter errors</source>
@@ -1519,12 +1599,12 @@
             <translation>Zyklen, deren Working Counter nicht der erwartete war</translation>
         </message>
         <message>
-            <source>Overruns</source>
-            <translation>Überläufe</translation>
+            <source>Cycles left out</source>
+            <translation>Ausgelassene Zyklen</translation>
         </message>
         <message>
-            <source>Cycles that began more than one cycle late</source>
-            <translation>Zyklen, die mehr als einen Zyklus zu spät begannen</translation>
+            <source>Cycles without a frame: the host came too late for them</source>
+            <translation>Zyklen ohne Frame: der Host kam zu spät für sie</translation>
         </message>
         <message>
             <source>Change cycle time</source>
@@ -1545,6 +1625,14 @@
         <message>
             <source>Slaves whose distributed clock is set up (ENI Slave/DC)</source>
             <translation>Slaves, deren Distributed Clock eingerichtet wird (ENI Slave/DC)</translation>
+        </message>
+        <message>
+            <source>Late frames</source>
+            <translation>Verspätete Frames</translation>
+        </message>
+        <message>
+            <source>Frames that came back after their cycle</source>
+            <translation>Frames, die nach ihrem Zyklus zurückkamen</translation>
         </message>
     </context>
     <context>
@@ -1961,6 +2049,10 @@ Einstellung %2</translation>
             <source>%1 (object %2:%3)</source>
             <translation>%1 (Objekt %2:%3)</translation>
         </message>
+        <message>
+            <source>Does not follow</source>
+            <translation>Folgt nicht</translation>
+        </message>
     </context>
     <context>
         <name>SlaveGeneralPage</name>
@@ -2255,16 +2347,16 @@ Einstellung %2</translation>
             <translation>Slaves synchron</translation>
         </message>
         <message>
-            <source>Sync window of register 0x092C over all slaves</source>
-            <translation>Sync-Fenster von Register 0x092C über alle Slaves</translation>
+            <source>Sync window of register 0x092C over all slaves that follow the reference clock</source>
+            <translation>Sync-Fenster von Register 0x092C über alle Slaves, die der Referenzuhr folgen</translation>
         </message>
         <message>
             <source>Master in sync</source>
             <translation>Master synchron</translation>
         </message>
         <message>
-            <source>Master synchronisation: error against its limit</source>
-            <translation>Master-Synchronisation: Fehler gegen seine Grenze</translation>
+            <source>Master synchronisation: error against its limit, late frames, cycles left out</source>
+            <translation>Master-Synchronisation: Fehler gegen seine Grenze, verspätete Frames, ausgelassene Zyklen</translation>
         </message>
         <message>
             <source>Drift</source>
@@ -2283,12 +2375,12 @@ Einstellung %2</translation>
             <translation>Buszyklus</translation>
         </message>
         <message>
-            <source>Lost frames and overruns</source>
-            <translation>Verlorene Frames und Überläufe</translation>
+            <source>Lost frames, late frames, cycles left out</source>
+            <translation>Verlorene Frames, verspätete Frames, ausgelassene Zyklen</translation>
         </message>
         <message>
-            <source>Frames that did not come back; cycles that began late; samples the display could not take</source>
-            <translation>Frames, die nicht zurückkamen; Zyklen, die zu spät begannen; Werte, die die Anzeige nicht aufnehmen konnte</translation>
+            <source>Frames that did not come back, or came after their cycle; cycles that the host came too late for; samples the display could not take</source>
+            <translation>Frames, die nicht oder nach ihrem Zyklus zurückkamen; Zyklen, für die der Host zu spät kam; Messwerte, die die Anzeige nicht aufnehmen konnte</translation>
         </message>
         <message>
             <source>No link chosen</source>
@@ -2326,8 +2418,8 @@ Einstellung %2</translation>
             <translation>Zyklus %1</translation>
         </message>
         <message>
-            <source>Lost %1  Overruns %2</source>
-            <translation>Verloren %1  Überläufe %2</translation>
+            <source>Lost %1  Late %2  Left out %3</source>
+            <translation>Verloren %1  Verspätet %2  Ausgelassen %3</translation>
         </message>
         <message>
             <source>  Dropped %1</source>
@@ -2343,6 +2435,10 @@ Einstellung %2</translation>
         <message>
             <source>DC off</source>
             <translation>DC aus</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1: %2</translation>
         </message>
     </context>
     <context>

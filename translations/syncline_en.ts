@@ -35,6 +35,34 @@
                 <numerusform>%n events were lost: the queue was full</numerusform>
             </translation>
         </message>
+        <message numerus="yes">
+            <source>%n frame(s) back late, up to %1 after the deadline (%2 of them told as lost before)</source>
+            <translation>
+                <numerusform>%n frame back late, up to %1 after the deadline (%2 of them told as lost before)</numerusform>
+                <numerusform>%n frames back late, up to %1 after the deadline (%2 of them told as lost before)</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n frame(s) back late, up to %1 after the deadline</source>
+            <translation>
+                <numerusform>%n frame back late, up to %1 after the deadline</numerusform>
+                <numerusform>%n frames back late, up to %1 after the deadline</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n cycle(s) left out, the host sent nothing for up to %1</source>
+            <translation>
+                <numerusform>%n cycle left out, the host sent nothing for up to %1</numerusform>
+                <numerusform>%n cycles left out, the host sent nothing for up to %1</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>Slaves out of sync, deviation %1; %n slave(s) over the limit</source>
+            <translation>
+                <numerusform>Slaves out of sync, deviation %1; %n slave over the limit</numerusform>
+                <numerusform>Slaves out of sync, deviation %1; %n slaves over the limit</numerusform>
+            </translation>
+        </message>
     </context>
     <context>
         <name>StatusPanel</name>

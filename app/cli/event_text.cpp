@@ -6,6 +6,7 @@
 #include "app/cli/run_json.h"
 #include "protocol/dcm_error.h"
 #include "dc/delay_text.h"
+#include "dc/obstacle_text.h"
 #include "protocol/error_text.h"
 
 namespace syncline::cli {
@@ -31,6 +32,8 @@ std::string_view kind_name(EventKind kind) {
     case EventKind::kDcmError: return "dcm_error";
     case EventKind::kWkcError: return "wkc_error";
     case EventKind::kFramesLost: return "frames_lost";
+    case EventKind::kFramesLate: return "frames_late";
+    case EventKind::kOverrun: return "overruns";
     case EventKind::kSlaveLost: return "slave_lost";
     case EventKind::kSlaveFound: return "slave_found";
     case EventKind::kEmergency: return "emergency";
@@ -82,6 +85,17 @@ std::string diagnosis(const Event& e) {
                      e.c == 0 ? std::string() : fmt::format(", time stamp {} ns", e.c));
 }
 
+std::string slave_sync(const Event& e) {
+  switch (e.a) {
+    case 0:
+      return fmt::format("slaves OUT OF SYNC, deviation {} ns{}{}", e.b, e.slave < 0 ? "" : " at " + who(e.slave),
+                         e.c > 1 ? fmt::format(" ({} slaves are over the limit)", e.c) : "");
+    case 2: return "slaves not monitored";
+    case 3: return fmt::format("slaves: not known whether in sync, nothing was read for {} ms", e.b / kMillisecond);
+    default: return fmt::format("slaves in sync, deviation {} ns", e.b);
+  }
+}
+
 std::string words(const Event& e) {
   switch (e.kind) {
     case EventKind::kScanProgress: return {};
@@ -101,17 +115,23 @@ std::string words(const Event& e) {
     case EventKind::kDcInitialised: return fmt::format("distributed clocks initialised: {} slaves, reference clock is slave {}", e.a, e.b);
     case EventKind::kReferenceClock: return fmt::format("reference clock {}: {}", who(e.slave), e.a == 2 ? "took over" : e.a != 0 ? "present" : "LOST");
     case EventKind::kDcSlaveSync:
-      if (e.a == 2) return "slaves not monitored";
-      return e.a != 0 ? fmt::format("slaves in sync, deviation {} ns", e.b)
-                      : fmt::format("slaves OUT OF SYNC, deviation {} ns{}", e.b, e.slave < 0 ? "" : " at " + who(e.slave));
-    case EventKind::kDcmSync: return fmt::format("master {}, error {} ns", e.a != 0 ? "in sync" : "OUT OF SYNC", e.b);
+      return slave_sync(e);
+    case EventKind::kDcmSync:
+      if (e.a != 0) return fmt::format("master in sync, error {} ns", e.b);
+      return fmt::format("master OUT OF SYNC, error {} ns: {}", e.b, dc::obstacle_text(static_cast<dc::SyncObstacle>(e.c)));
     case EventKind::kDcmError: {
       const auto code = static_cast<std::uint32_t>(e.a);
       return fmt::format("DCM error 0x{:08x} {}: {} The drift is {} ppm.", code, dc::dcm_error_name(code),
                          dc::dcm_error_text(code), e.b);
     }
     case EventKind::kWkcError: return fmt::format("working counter {} instead of {} ({} times)", e.b, e.a, e.c);
-    case EventKind::kFramesLost: return fmt::format("{} frames lost", e.a);
+    case EventKind::kFramesLost: return fmt::format("{} {} lost", e.a, e.a == 1 ? "frame" : "frames");
+    case EventKind::kFramesLate:
+      return fmt::format("{} {} back late, up to {} us after the deadline{}", e.a, e.a == 1 ? "frame" : "frames",
+                         e.b / kMicrosecond, e.c > 0 ? fmt::format(" ({} of them told as lost before)", e.c) : "");
+    case EventKind::kOverrun:
+      return fmt::format("{} {} left out, the host sent nothing for up to {:.1f} ms", e.a, e.a == 1 ? "cycle" : "cycles",
+                         static_cast<double>(e.b) / static_cast<double>(kMillisecond));
     case EventKind::kSlaveLost: return fmt::format("{} does not answer", who(e.slave));
     case EventKind::kSlaveFound: return fmt::format("{} answers again", who(e.slave));
     case EventKind::kEmergency:

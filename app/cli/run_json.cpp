@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "dc/obstacle_text.h"
 #include "diagnosis/run_findings.h"
 #include "protocol/dcm_error.h"
 
@@ -49,22 +50,47 @@ Json slave_json(const RunReport::Slave& slave) {
           {"propagation_delay_ns", or_null(slave.propagation_delay_ns)}};
 }
 
+std::string_view sync_key(SyncState state) {
+  switch (state) {
+    case SyncState::kNotMonitored: return "not_monitored";
+    case SyncState::kNotReady: return "not_ready";
+    case SyncState::kBusy: return "settling";
+    case SyncState::kInSync: return "in_sync";
+    case SyncState::kOutOfSync: return "out_of_sync";
+    case SyncState::kUnknown: return "unknown";
+  }
+  return "unknown";
+}
+
+Json age_ms(Nanoseconds age) { return age < 0 ? Json(nullptr) : rounded(static_cast<double>(age) / 1e6); }
+
 Json dc_json(const RunReport& report) {
   const auto& dc = report.dc;
   return {{"enabled", dc.enabled},
           {"reference_clock", dc.reference_clock < 0 ? Json(nullptr) : Json(dc.reference_clock)},
           {"monitored", dc.monitored},
-          {"in_sync", dc.monitored ? Json(dc.state == SyncState::kInSync) : Json(nullptr)},
+          {"in_sync", dc.state == SyncState::kNotMonitored ? Json(nullptr) : Json(dc.state == SyncState::kInSync)},
+          {"state", sync_key(dc.state)},
+          {"state_for_ms", dc.enabled ? rounded(static_cast<double>(report.time - dc.since) / 1e6) : Json(nullptr)},
+          {"newest_reading_age_ms", age_ms(dc.newest_age_ns)},
+          {"oldest_reading_age_ms", age_ms(dc.oldest_age_ns)},
+          {"followers", dc.followers},
+          {"culprit", dc.culprit < 0 ? Json(nullptr) : Json(dc.culprit)},
           {"settled_after_ms", rounded(dc.settled_after_ms)},
           {"limit_ns", dc.monitored ? Json(dc.limit_ns) : Json(nullptr)},
-          {"deviation_ns", {{"max", or_null(report.deviation_max_ns)}}}};
+          {"deviation_ns", {{"now", or_null(dc.deviation_ns)}, {"max", or_null(report.deviation_max_ns)}}}};
 }
 
 Json dcm_json(const DcmStatus& dcm) {
   return {{"mode", dcm_mode_name(dcm.mode)},
           {"in_sync", dcm.mode == DcmMode::kOff ? Json(nullptr) : Json(dcm.state == SyncState::kInSync)},
           {"in_sync_after_ms", rounded(dcm.in_sync_after_ms)},
+          {"state", sync_key(dcm.state)},
+          {"obstacle", dcm.obstacle == dc::SyncObstacle::kNone || dcm.mode == DcmMode::kOff ? Json(nullptr) : Json(dc::obstacle_text(dcm.obstacle))},
           {"error_ns", {{"mean", rounded(dcm.error_mean_ns)}, {"rms", rounded(dcm.error_rms_ns)}, {"max", dcm.error_max_ns}}},
+          {"frame_error_ns", {{"now", dcm.frame_error_ns}, {"max", dcm.frame_error_max_ns}}},
+          {"late_allowed_ns", dcm.late_allowed_ns},
+          {"late_sends", dcm.late_sends},
           {"drift_ppm", rounded(dcm.drift_ppm)},
           {"error_code", dcm.error_code == 0 ? Json(nullptr) : Json(hex(dcm.error_code, 8))},
           {"set_value_ns", dcm.set_value_ns},
@@ -103,6 +129,7 @@ std::string sync_text(SyncState state) {
     case SyncState::kBusy: return "getting in sync";
     case SyncState::kInSync: return "in sync";
     case SyncState::kOutOfSync: return "OUT OF SYNC";
+    case SyncState::kUnknown: return "unknown, no recent readings";
   }
   return "unknown";
 }
@@ -124,16 +151,18 @@ Json to_json(const RunReport& report) {
           {"dcm", dcm_json(report.dcm)},
           {"wkc_errors", report.wkc_errors},
           {"lost_frames", report.lost_frames},
+          {"late_frames", report.late_frames},
           {"overruns", report.overruns},
+          {"skipped_cycles", report.skipped_cycles},
           {"findings", findings_json(report)}};
 }
 
 std::string to_text(const RunReport& report) {
   std::string text;
   const auto out = std::back_inserter(text);
-  fmt::format_to(out, "state {}   {} cycles of {} us   WKC errors {}   lost frames {}   overruns {}\n",
+  fmt::format_to(out, "state {}   {} cycles of {} us   WKC errors {}   frames lost {}   late {}   cycles left out {}\n",
                  al_state_name(report.state), report.cycles, static_cast<double>(report.cycle_time) / 1000.0,
-                 report.wkc_errors, report.lost_frames, report.overruns);
+                 report.wkc_errors, report.lost_frames, report.late_frames, report.skipped_cycles);
   fmt::format_to(out, "{:>3} {:<28} {:<10} {:>12} {:>14} {:>8} {:>12}\n", "POS", "NAME", "STATE", "DEVIATION ns",
                  "LARGEST ns", "SM2 MISS", "DELAY ns");
   for (const auto& slave : report.slaves) {
@@ -143,14 +172,16 @@ std::string to_text(const RunReport& report) {
                    slave.propagation_delay_ns ? fmt::format("{}", *slave.propagation_delay_ns) : "-");
   }
   const auto& dc = report.dc;
-  fmt::format_to(out, "slaves: {}", dc.monitored ? sync_text(dc.state) : "not monitored");
+  fmt::format_to(out, "slaves: {}", sync_text(dc.state));
   if (dc.monitored) fmt::format_to(out, ", settled {}, limit {} ns", ms_text(dc.settled_after_ms), dc.limit_ns);
   if (report.deviation_max_ns) fmt::format_to(out, ", largest deviation {} ns", *report.deviation_max_ns);
   const auto& dcm = report.dcm;
   fmt::format_to(out, "\nmaster: {}, {}", dcm_mode_name(dcm.mode), sync_text(dcm.state));
   if (dcm.mode != DcmMode::kOff) {
-    fmt::format_to(out, " {}, error mean {:.1f} ns, rms {:.1f} ns, largest {} ns, drift {:.3f} ppm",
-                   ms_text(dcm.in_sync_after_ms), dcm.error_mean_ns, dcm.error_rms_ns, dcm.error_max_ns, dcm.drift_ppm);
+    fmt::format_to(out, " {}, error mean {:.1f} ns, rms {:.1f} ns, largest {} ns (frames {} ns, {} allowed), drift {:.3f} ppm",
+                   ms_text(dcm.in_sync_after_ms), dcm.error_mean_ns, dcm.error_rms_ns, dcm.error_max_ns,
+                   dcm.frame_error_max_ns, dcm.late_allowed_ns, dcm.drift_ppm);
+    if (dcm.state == SyncState::kOutOfSync) fmt::format_to(out, " ({})", dc::obstacle_text(dcm.obstacle));
   }
   if (dcm.control_off) fmt::format_to(out, ", control is off: the timer would need {:+.4f} per mille", dcm.adjust_permil);
   if (dcm.error_code != 0) {
@@ -165,7 +196,7 @@ std::string to_text(const RunReport& report) {
 }
 
 bool is_good(const RunReport& report, AlState target) {
-  const bool slaves = !report.dc.monitored || report.dc.state == SyncState::kInSync;
+  const bool slaves = !report.dc.monitored || report.dc.state == SyncState::kNotMonitored || report.dc.state == SyncState::kInSync;
   const bool master = report.dcm.mode == DcmMode::kOff || report.dcm.control_off || !report.dc.enabled || report.dcm.state == SyncState::kInSync;
   return report.state == target && slaves && master;
 }

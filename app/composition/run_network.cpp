@@ -31,6 +31,13 @@ class Drain {
       if (event.kind == EventKind::kError && event.error && !error_) error_ = event.error;
     }
   }
+  /// What happened before the end and is told only now; how the bus was left is no part of the run.
+  void rest() {
+    const auto end = snapshot_.time;
+    for (const auto& event : channels_.events.drain()) {
+      if (event.time <= end && request_.on_event) request_.on_event(event);
+    }
+  }
   [[nodiscard]] RunOutcome outcome() const { return {recorder_.finish(snapshot_), error_}; }
   [[nodiscard]] bool failed() const { return error_ && !snapshot_.online; }
 
@@ -62,6 +69,7 @@ RunOutcome run_on(OpenedLink& opened, const NetworkConfig& config, const RunRequ
     channels.commands.push(GoOfflineCommand{});
     while (service.online() && service.step()) {
     }
+    drain.rest();
     return outcome;
   }
 
@@ -81,6 +89,7 @@ RunOutcome run_on(OpenedLink& opened, const NetworkConfig& config, const RunRequ
     (void)channels.snapshot.read(latest);
   }
   thread.stop();
+  drain.rest();
   return outcome;
 }
 

@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "master/bus_health.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace syncline {
+namespace {
+
+std::uint16_t to_16(std::uint64_t count) { return static_cast<std::uint16_t>(std::min<std::uint64_t>(count, UINT16_MAX)); }
+
+}  // namespace
 
 void BusHealth::observe_wkc(std::uint16_t expected, std::uint16_t received, Nanoseconds time, CycleSample& sample) {
   sample.wkc_expected = expected;
@@ -24,16 +30,50 @@ void BusHealth::observe_wkc(std::uint16_t expected, std::uint16_t received, Nano
   if (wkc_spell_++ == 0) run_.event(EventKind::kWkcError, time, -1, expected, received, 1);
 }
 
-void BusHealth::observe_lost(std::uint64_t frames_lost, Nanoseconds time, CycleSample& sample) {
-  if (frames_lost == 0) {
-    const auto count = std::exchange(lost_spell_, 0);
-    if (count > 1) run_.event(EventKind::kFramesLost, time, -1, static_cast<std::int64_t>(count));
-    return;
+void BusHealth::take(const MissingFrames::News& news, Nanoseconds time) {
+  lost_.add(news.lost, 0, news.first_lost, 0);
+  late_.add(news.late, news.late_by, time, news.late_after_lost);
+  auto& snapshot = run_.snapshot;
+  snapshot.late_frames += news.late;
+  snapshot.lost_frames -= std::min<std::uint64_t>(snapshot.lost_frames, news.late);
+}
+
+void BusHealth::observe_frames(std::uint64_t missed, const MissingFrames::News& news, Nanoseconds time,
+                               CycleSample& sample) {
+  if (missed > 0) sample.flags |= CycleSample::kFrameLost;
+  sample.frames_lost = to_16(missed);
+  run_.snapshot.lost_frames += missed;
+  if (news.late > 0) {
+    sample.flags |= CycleSample::kFrameLate;
+    sample.late_by_ns = static_cast<std::int32_t>(std::min<Nanoseconds>(news.late_by, INT32_MAX));
   }
-  sample.flags |= CycleSample::kFrameLost;
-  run_.snapshot.lost_frames += frames_lost;
-  if (lost_spell_ == 0) run_.event(EventKind::kFramesLost, time, -1, static_cast<std::int64_t>(frames_lost));
-  lost_spell_ += frames_lost;
+  take(news, time);
+}
+
+void BusHealth::observe_schedule(std::int64_t skipped, Nanoseconds standstill, Nanoseconds time, CycleSample& sample) {
+  if (skipped <= 0) return;
+  sample.flags |= CycleSample::kOverrun;
+  sample.skipped_cycles = to_16(static_cast<std::uint64_t>(skipped));
+  ++run_.snapshot.overruns;
+  run_.snapshot.skipped_cycles += static_cast<std::uint64_t>(skipped);
+  skipped_.add(skipped, standstill, time);
+}
+
+void BusHealth::tell(EventKind kind, const std::optional<Tally::Report>& report) {
+  if (report) run_.event(kind, report->time, -1, report->count, report->largest, report->special);
+}
+
+void BusHealth::tell(Nanoseconds now) {
+  tell(EventKind::kOverrun, skipped_.due(now));
+  tell(EventKind::kFramesLost, lost_.due(now));
+  tell(EventKind::kFramesLate, late_.due(now));
+}
+
+void BusHealth::tell_rest(const MissingFrames::News& news) {
+  take(news, run_.snapshot.time);
+  tell(EventKind::kOverrun, skipped_.rest());
+  tell(EventKind::kFramesLost, lost_.rest());
+  tell(EventKind::kFramesLate, late_.rest());
 }
 
 }  // namespace syncline

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "config/network_config.h"
+#include "dc/master_verdict.h"
 #include "master/bus_scan.h"
 #include "master/cyclic_application.h"
 #include "protocol/al_state.h"
@@ -38,7 +39,9 @@ struct CycleSample {
   float dcm_output_sum_ns = 0;            // what the controller has learned, ns a cycle
   std::int64_t dcm_output_total_ns = 0;   // all adjustments since it was started
   std::uint32_t dcm_error_code = 0;       // DCM_E_..., 0 = none
-  std::uint32_t deviation_ored_ns = 0;    // magnitude of the wire-ored 0x092C: an upper estimate
+  std::uint32_t deviation_ored_ns = 0;    // magnitude of the wire-ored 0x092C of all clocks
+  std::uint32_t deviation_ns = 0;         // of the slaves that follow the reference clock: the or-ed value where it ors
+                                          // only them, else the largest of their latest readings
   std::int32_t slave_deviation_ns = 0;    // signed 0x092C of slave_position
   std::uint32_t slave_sm2_missed = 0;     // counter of sm2_position
   std::uint32_t slave_sm2_integrator = 0; // see Sm2MissedStatus::integrator
@@ -46,9 +49,15 @@ struct CycleSample {
   std::int16_t sm2_position = -1;
   std::uint16_t wkc_expected = 0;         // sum over the process-data commands
   std::uint16_t wkc_received = 0;
+  std::uint16_t frames_lost = 0;          // of this cycle: not back at its deadline
+  std::uint16_t skipped_cycles = 0;       // left out just before this one: the host came too late for them
+  std::int32_t late_by_ns = 0;            // a frame of an earlier cycle came back in this one, so long after its deadline
   enum Flag : std::uint16_t {
     kFrameLost = 1, kWkcError = 2, kDeviationValid = 4, kDcmActive = 8, kDcmInSync = 16,
     kDcInSync = 32, kDcMonitored = 64, kReferenceValid = 128, kOverrun = 256,
+    kFrameLate = 512,                     // late_by_ns is valid
+    kFollowersRead = 2048,                // deviation_ns is valid
+    kSlaveFollows = 1024,                 // slave_position follows the reference clock: what it shows is a deviation
   };
   std::uint16_t flags = 0;
   std::uint8_t master_state = 0;          // AlState
@@ -72,7 +81,8 @@ class SampleRing {
 
 // ---- snapshot: the latest of everything -------------------------------------------------------
 
-enum class SyncState : std::uint8_t { kNotMonitored, kNotReady, kBusy, kInSync, kOutOfSync };
+/// kUnknown: was or should be watched, but the readings are too old to say anything.
+enum class SyncState : std::uint8_t { kNotMonitored, kNotReady, kBusy, kInSync, kOutOfSync, kUnknown };
 
 /// Counter of missed SM2 events and where it was read.
 struct Sm2MissedStatus {
@@ -94,8 +104,9 @@ struct SlaveStatus {
   bool present = false;
   bool dc_enabled = false;
   bool is_reference_clock = false;
+  bool follows = false;                   // the reference clock: there, with a clock, behind it in frame order
   bool deviation_valid = false;
-  std::int32_t deviation_ns = 0;          // signed, newer data sheet edition
+  std::int32_t deviation_ns = 0;          // signed 0x092C; a deviation from the reference clock when it follows
   Nanoseconds deviation_time = 0;         // host clock of the reading
   std::uint32_t propagation_delay_ns = 0;
   Sm2MissedStatus sm2_missed;
@@ -105,10 +116,18 @@ struct SlaveStatus {
 struct DcStatus {
   bool enabled = false;
   int reference_clock = -1;               // position
-  SyncState state = SyncState::kNotReady;
+  SyncState state = SyncState::kNotReady; // the verdict on the slaves, see dc/sync_verdict.h; kNotMonitored also while
+                                          // nobody follows
+  Nanoseconds since = 0;                  // host clock: the state is the same since then
   bool monitored = false;                 // sync-window monitoring configured and at least two DC slaves
   std::uint32_t limit_ns = 0;
-  std::uint32_t deviation_ored_ns = 0;
+  std::uint32_t deviation_ored_ns = 0;    // of all clocks, those in front of the reference clock and itself included
+  std::optional<std::uint32_t> deviation_ns;  // largest latest reading of those that follow, monitored or not
+  std::uint16_t followers = 0;            // slaves that follow the reference clock
+  std::uint16_t over_limit = 0;           // of them, by their own readings
+  int culprit = -1;                       // furthest over the limit
+  Nanoseconds newest_age_ns = -1;         // of the latest own reading of any of them; -1: none yet
+  Nanoseconds oldest_age_ns = -1;         // since something was heard of each of them
   std::optional<double> settled_after_ms; // from the first cyclic frame until the settle time began
   Nanoseconds start_time = 0;             // system time at which SYNC0 starts, as sent to a slave last; 0 = not yet
   bool operator==(const DcStatus&) const = default;
@@ -121,6 +140,11 @@ struct DcmStatus {
   double drift_ppm = 0;
   double error_mean_ns = 0, error_rms_ns = 0;  // since in sync
   std::int32_t error_max_ns = 0;
+  std::int32_t frame_error_ns = 0;        // error of the frame: that of the schedule, and how late it was sent
+  std::int32_t frame_error_max_ns = 0;    // since in sync
+  std::int32_t late_allowed_ns = 0;       // frame error at which a frame meets SYNC0 at the last slave
+  std::uint64_t late_sends = 0;           // frames sent later than that
+  dc::SyncObstacle obstacle = dc::SyncObstacle::kNone;  // why it is not in sync
   std::optional<double> in_sync_after_ms; // from the first cyclic frame
   std::uint32_t error_code = 0;           // EC-Master DCM codes, 0 = none
   std::int32_t set_value_ns = 0;
@@ -137,9 +161,11 @@ struct Snapshot {
   AlState state = AlState::kNone;         // of the master: lowest of all slaves
   AlState requested = AlState::kNone;
   std::uint64_t cycles = 0;
-  std::uint64_t lost_frames = 0;
+  std::uint64_t lost_frames = 0;          // not back at their deadline, and not come since
+  std::uint64_t late_frames = 0;          // came back after their deadline
   std::uint64_t wkc_errors = 0;
-  std::uint64_t overruns = 0;             // cycles that began late by more than a cycle
+  std::uint64_t overruns = 0;             // times that cycles were left out because the host came too late
+  std::uint64_t skipped_cycles = 0;       // cycles left out
   Nanoseconds cycle_time = 0;
   std::vector<SlaveStatus> slaves;        // sized once when a configuration is taken
   DcStatus dc;
@@ -173,11 +199,15 @@ enum class EventKind : std::uint8_t {
   kDcInitialised,       // a = number of DC slaves, b = position of the reference clock
   kReferenceClock,      // slave, a = 1 present, 0 lost, 2 took over from the one that was lost
   kDcSlaveSync,         // a = 1 in sync, 0 out of sync, 2 taken as in sync because nothing is monitored;
-                        // b = deviation ns, slave = culprit when out
-  kDcmSync,             // a = 1 in sync, 0 out of sync, b = error ns
+                        // 3 unknown; b = deviation ns (3: age of the oldest reading, ns); slave = culprit when out, whose
+                        // own reading is over the limit, c = number of those
+  kDcmSync,             // a = 1 in sync, 0 out of sync, b = error ns, c = dc::SyncObstacle when out
   kDcmError,            // a = DCM error code, b = drift in ppm
   kWkcError,            // a = expected, b = received; repeated ones are counted, c = count
-  kFramesLost,          // a = count
+  kFramesLost,          // a = count; each lost frame is in one of these, see MissingFrames
+  kFramesLate,          // a = count that came back after its deadline, b = by how much at most, ns; c = those of them that
+                        // a kFramesLost had counted before
+  kOverrun,             // a = cycles left out, b = longest time without a frame, ns
   kSlaveLost, kSlaveFound,
   kEmergency,           // slave, a = error code, b = error register, c = the 5 bytes of data, the first one lowest
   kRealTime,            // text: what of SCHED_FIFO, mlock was refused (once)

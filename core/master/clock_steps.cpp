@@ -78,8 +78,10 @@ Status ClockSteps::await_slaves() {
   if (!in_sync) return tl::unexpected(in_sync.error());
   if (!*in_sync) {
     const auto& dc = run_.snapshot.dc;
+    const auto who = dc.culprit >= 0 ? run_.slave_name(static_cast<std::size_t>(dc.culprit)) : std::string("they are");
+    const auto by = dc.deviation_ns.value_or(dc.deviation_ored_ns);
     return fail(ErrorCode::kDcSetup, "the slaves",
-                fmt::format("they are {} ns apart after {} s, the sync window allows {} ns", dc.deviation_ored_ns,
+                fmt::format("{} {} ns from the reference clock after {} s, the sync window allows {} ns", who, by,
                             kSyncTimeout / kSecond, dc.limit_ns));
   }
   const auto now = bus_.clock().now();
@@ -92,7 +94,7 @@ Status ClockSteps::await_slaves() {
 
 Status ClockSteps::await_master() {
   if (!sync_.active()) return {};
-  const auto in_sync = comes_true(&SyncWatch::master_in_sync);
+  const auto in_sync = comes_true(&SyncWatch::schedule_in_sync);
   if (!in_sync) return tl::unexpected(in_sync.error());
   if (*in_sync) return {};
   Error error{ErrorCode::kDcmOutOfLimit, "master"};

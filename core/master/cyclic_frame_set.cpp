@@ -255,7 +255,7 @@ void CyclicFrameSet::read(const Entry& entry, Reading& reading) {
       break;
     case Role::kDeviation:
       if (datagram.wkc == 0) return;
-      reading.deviation_ored = SystemTimeDifference{load_le<std::uint32_t>(entry.data)}.magnitude();
+      reading.deviation_ored = {SystemTimeDifference{load_le<std::uint32_t>(entry.data)}.magnitude(), datagram.wkc};
       break;
     case Role::kReferenceWrite:
       return;

@@ -8,6 +8,7 @@
 
 #include "config/network_config.h"
 #include "master/frame_exchange.h"
+#include "master/ored_deviation.h"
 
 namespace syncline {
 
@@ -56,7 +57,7 @@ class CyclicFrameSet {
     std::optional<std::uint16_t> al_status, al_status_wkc; // all slaves ored
     std::optional<std::uint64_t> reference_time;          // as wide as it was read
     bool reference_is_64bit = false;
-    std::optional<std::uint32_t> deviation_ored;          // magnitude
+    std::optional<OredDeviation> deviation_ored;
   };
   /// Takes the answers over into the process image and performs the slave-to-slave copies.
   Reading evaluate();

@@ -38,10 +38,13 @@ CyclicTaskRunner::CyclicTaskRunner(FrameExchange& exchange, Clock& clock, RunSta
   if (run.config().dc.dcm.mode == DcmMode::kDcx) external_clock_ = find_external_clock(run.config());
 }
 
-void CyclicTaskRunner::start(Nanoseconds first_cycle) { scheduled_ = first_cycle; }
+void CyclicTaskRunner::start(Nanoseconds first_cycle) {
+  scheduled_ = first_cycle;
+  last_sent_.reset();
+}
 
 Status CyclicTaskRunner::run_cycle(std::span<Datagram* const> acyclic) {
-  clock_.sleep_until(scheduled_, spin_);
+  wait_for_slot();
   send_time_ = clock_.now();
   CycleSample sample;
   sample.cycle = run_.snapshot.cycles;
@@ -55,11 +58,29 @@ Status CyclicTaskRunner::run_cycle(std::span<Datagram* const> acyclic) {
   const auto status = exchange_frames(scheduled_ + cycle_time_ * 8 / 10);
   adapt_acyclic_limit();
   note_sending(sample);
-  health_.observe_lost(exchange_.lost_frames() - lost_before, send_time_, sample);
+  exchange_.missing().expire(clock_.now());
+  health_.observe_frames(exchange_.lost_frames() - lost_before, exchange_.missing().take_news(), send_time_, sample);
   evaluate(sample);
+  health_.tell(send_time_);
   finish_sample(sample);
-  schedule_next(adjust_);
+  scheduled_ += cycle_time_ + adjust_;
   return status;
+}
+
+/// A cycle whose time is half over is left out, so that a late frame and the next one never go out together: slaves
+/// would see two frames in one SYNC0 period. The phase stays.
+void CyclicTaskRunner::wait_for_slot() {
+  clock_.sleep_until(scheduled_, spin_);
+  const auto behind = clock_.now() - scheduled_ - cycle_time_ / 2;
+  skipped_ = behind > 0 ? behind / cycle_time_ + 1 : 0;
+  if (skipped_ == 0) return;
+  scheduled_ += skipped_ * cycle_time_;
+  clock_.sleep_until(scheduled_, spin_);
+}
+
+void CyclicTaskRunner::tell_rest() {
+  exchange_.missing().give_up();
+  health_.tell_rest(exchange_.missing().take_news());
 }
 
 void CyclicTaskRunner::stamp(Nanoseconds send_time) {
@@ -77,16 +98,15 @@ void CyclicTaskRunner::note_sending(CycleSample& sample) {
   }
   sample.send_time = send_time_;
   sample.wake_lateness_ns = to_32(send_time_ - scheduled_);
-  if (send_time_ - scheduled_ < cycle_time_ && !skipped_) return;
-  sample.flags |= CycleSample::kOverrun;
-  ++run_.snapshot.overruns;
+  health_.observe_schedule(skipped_, last_sent_ ? send_time_ - *last_sent_ : 0, send_time_, sample);
+  last_sent_ = send_time_;
 }
 
 void CyclicTaskRunner::fill_acyclic(std::span<Datagram* const> requests, Nanoseconds now) {
   for (auto& frame : acyclic_) frame.clear();
   // Short and regular readings first: a long mailbox datagram finds room in the next cycle.
   slaves_.add_to(acyclic_.front(), sync_.monitored() && !frames_.reads_deviation(),
-                 sync_.looking_for_culprit());
+                 sync_.wants_readings());
   mailboxes_.add_to(acyclic_.front(), now);
   sm2_.begin(now);
   mailbox_.add_to(acyclic_.front(), now);
@@ -180,7 +200,7 @@ void CyclicTaskRunner::evaluate(CycleSample& sample) {
   take_mailboxes(sample);
   adjust_ = sync_.observe_cycle(observation(reading), sample);
   const auto deviation = reading.deviation_ored ? reading.deviation_ored : all;
-  if (deviation && sync_.active()) sync_.observe_deviation(send_time_, *deviation, sample);
+  sync_.observe_slaves(send_time_, deviation, sample);
 }
 
 void CyclicTaskRunner::take_mailboxes(CycleSample& sample) {
@@ -194,10 +214,6 @@ void CyclicTaskRunner::take_mailboxes(CycleSample& sample) {
 
 void CyclicTaskRunner::finish_sample(CycleSample& sample) {
   auto& snapshot = run_.snapshot;
-  if (snapshot.dc.monitored) sample.flags |= CycleSample::kDcMonitored;
-  // Unmonitored slaves count as in sync; their acquisition is over when the master's is.
-  const bool settled = snapshot.dc.monitored ? sync_.slaves_in_sync() : sync_.master_in_sync();
-  if (snapshot.dc.enabled && settled) sample.flags |= CycleSample::kDcInSync;
   sample.master_state = static_cast<std::uint8_t>(snapshot.state);
   snapshot.time = sample.send_time;
   ++snapshot.cycles;
@@ -208,15 +224,6 @@ void CyclicTaskRunner::finish_sample(CycleSample& sample) {
 void CyclicTaskRunner::publish() {
   last_published_ = run_.snapshot.time;
   run_.channels().snapshot.publish(run_.snapshot);
-}
-
-void CyclicTaskRunner::schedule_next(Nanoseconds adjust) {
-  scheduled_ += cycle_time_ + adjust;
-  // A cycle that is half over is left out, so that a late frame and the next one never go out together: slaves
-  // would see two frames in one SYNC0 period. The phase stays.
-  const auto behind = clock_.now() - scheduled_ - cycle_time_ / 2;
-  skipped_ = behind > 0;
-  if (skipped_) scheduled_ += (behind / cycle_time_ + 1) * cycle_time_;
 }
 
 }  // namespace syncline

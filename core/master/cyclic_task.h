@@ -43,8 +43,11 @@ class CyclicTaskRunner final : public CyclePump, private SendStamp {
   /// Expects the working counter of those slaves that are there and exchange process data. Tells a change.
   void expect_present();
   [[nodiscard]] Nanoseconds next_cycle() const { return scheduled_; }
+  /// No more cycles follow: what has not been told yet.
+  void tell_rest();
 
  private:
+  void wait_for_slot();
   void publish();
   void stamp(Nanoseconds send_time) override;
   void note_sending(CycleSample& sample);
@@ -54,7 +57,6 @@ class CyclicTaskRunner final : public CyclePump, private SendStamp {
   void evaluate(CycleSample& sample);
   void take_mailboxes(CycleSample& sample);
   void after_sweep();
-  void schedule_next(Nanoseconds adjust);
   [[nodiscard]] dc::DcmObservation observation(const CyclicFrameSet::Reading& reading) const;
   [[nodiscard]] std::optional<Nanoseconds> reference_time(const CyclicFrameSet::Reading& reading) const;
   void finish_sample(CycleSample& sample);
@@ -78,7 +80,8 @@ class CyclicTaskRunner final : public CyclePump, private SendStamp {
   std::vector<PendingFrame*> in_flight_;
   Nanoseconds cycle_time_;
   Nanoseconds spin_;               // last part of each wait
-  bool skipped_ = false;           // cycles were left out before this one
+  std::int64_t skipped_ = 0;       // cycles left out before this one
+  std::optional<Nanoseconds> last_sent_;  // first frame of the cycle before
   Nanoseconds scheduled_ = 0;
   Nanoseconds send_time_ = 0;      // of this cycle's first frame
   bool steering_ = false;

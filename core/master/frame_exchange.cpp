@@ -44,6 +44,8 @@ void FrameExchange::set_addresses(const MacAddress& destination, const MacAddres
 Status FrameExchange::send(PendingFrame& frame, SendStamp* stamp) {
   builder_.reset();
   frame.index_ = take_index(clock_.now());
+  frame.sequence_ = ++sequence_;
+  missing_.forget(frame.index_);
   std::size_t stamped = 0;
   std::span<const std::uint8_t> corrected;
   for (auto* datagram : frame.datagrams()) {
@@ -97,9 +99,15 @@ Status FrameExchange::collect(std::span<PendingFrame* const> frames, Nanoseconds
     if (!received || !*received) break;
   }
   for (auto* frame : frames) {
-    if (frame->in_flight_) give_up(*frame);
+    if (frame->in_flight_) miss(*frame, deadline);
   }
   return status;
+}
+
+void FrameExchange::miss(PendingFrame& frame, Nanoseconds deadline) {
+  const auto& first = *frame.datagrams().front();
+  missing_.miss(frame.index_, {frame.sequence_, frame.send_time_, deadline, first.command, first.address, first.data.size()});
+  give_up(frame);
 }
 
 Result<bool> FrameExchange::receive(std::span<PendingFrame* const> frames, Nanoseconds deadline) {
@@ -124,9 +132,10 @@ bool FrameExchange::dispatch(std::span<PendingFrame* const> frames, const Receiv
     if (!frame->in_flight_ || frame->index_ != first->header.index) continue;
     if (!accept(*frame, bytes)) return false;
     frame->arrival_time_ = received.arrival_time;
+    missing_.returned(frame->sequence_);
     return true;
   }
-  return false;
+  return missing_.take_late(first->header, received.arrival_time);
 }
 
 bool FrameExchange::accept(PendingFrame& frame, std::span<std::uint8_t> bytes) {

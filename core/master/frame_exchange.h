@@ -6,6 +6,7 @@
 #include <span>
 
 #include "link/link.h"
+#include "master/missing_frames.h"
 #include "protocol/frame.h"
 #include "support/clock.h"
 
@@ -59,6 +60,7 @@ class PendingFrame {
   std::size_t count_ = 0;
   std::size_t bytes_ = 0;
   std::uint8_t index_ = 0;
+  std::uint64_t sequence_ = 0;
   bool in_flight_ = false;
   bool answered_ = false;
   Nanoseconds send_time_ = 0, arrival_time_ = 0;
@@ -66,8 +68,8 @@ class PendingFrame {
 
 /// Puts datagrams on the wire and matches what comes back by the datagram index: every datagram of a
 /// frame carries the frame's index. An index whose frame did not come back rests for a while, so that
-/// the late frame is known as a stray one and never taken for a newer frame; what is matched must also
-/// have the commands, addresses and lengths that were sent.
+/// the late frame is never taken for a newer one; what is matched must also have the commands, addresses and
+/// lengths that were sent. A frame that collect() gave up and that comes while its index rests is late, not lost.
 class FrameExchange {
  public:
   FrameExchange(Link& link, Clock& clock) : link_(link), clock_(clock) {}
@@ -75,8 +77,8 @@ class FrameExchange {
 
   /// Builds, stamps and sends the frame. kLinkIo, kLinkDown from the link.
   Status send(PendingFrame& frame, SendStamp* stamp = nullptr);
-  /// Receives until every frame that was sent is answered or `deadline` has passed; frames that did
-  /// not come back are counted as lost. Replies that fit none of them are dropped and counted.
+  /// Receives until every frame that was sent is answered or `deadline` has passed; frames that are not
+  /// back then are counted as lost, and as missing(). Replies that fit none of them are dropped and counted.
   Status collect(std::span<PendingFrame* const> frames, Nanoseconds deadline);
   /// Receives one frame of the wire, whether it fits one of `frames` or none; false when none came
   /// until `deadline`. Frames stay in flight until they are answered or given up.
@@ -84,7 +86,10 @@ class FrameExchange {
   /// Counts the frame as lost; its index rests.
   void give_up(PendingFrame& frame);
 
+  /// Not back in time, whatever came later.
   [[nodiscard]] std::uint64_t lost_frames() const { return lost_; }
+  /// What became of those that collect() gave up.
+  [[nodiscard]] MissingFrames& missing() { return missing_; }
   [[nodiscard]] std::uint64_t stray_frames() const { return stray_; }
   [[nodiscard]] Clock& clock() { return clock_; }
   [[nodiscard]] const Link& link() const { return link_; }
@@ -95,6 +100,7 @@ class FrameExchange {
   std::uint8_t take_index(Nanoseconds now);
   Status hand_over(PendingFrame& frame, std::span<const std::uint8_t> bytes, std::span<const std::uint8_t> corrected);
   void refill_stamped(const PendingFrame& frame);
+  void miss(PendingFrame& frame, Nanoseconds deadline);
   bool accept(PendingFrame& frame, std::span<std::uint8_t> bytes);
   bool dispatch(std::span<PendingFrame* const> frames, const ReceivedFrame& received);
 
@@ -105,6 +111,8 @@ class FrameExchange {
   std::array<std::span<std::uint8_t>, kMaxStamped> stamped_areas_{};
   std::uint8_t next_index_ = 0;
   std::array<Nanoseconds, 256> index_rests_until_{};
+  MissingFrames missing_;
+  std::uint64_t sequence_ = 0;
   std::uint64_t lost_ = 0, stray_ = 0;
 };
 

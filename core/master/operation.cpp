@@ -77,9 +77,11 @@ Status Operation::change_to(AlState target) {
 void Operation::stop() {
   bus_.set_cancellable(false);
   if (cyclic()) {
+    task_.tell_rest();
     // A slave that does not come down, or a link that is gone, must not keep us.
     (void)esm_.change_to(AlState::kInit);
     bus_.set_pump(nullptr);
+    task_.tell_rest();
   }
   run_.snapshot.online = false;
   run_.snapshot.time = clock_.now();
@@ -89,7 +91,8 @@ void Operation::stop() {
 void Operation::compensate_delays(bool on) { delays_.set_enabled(on, clock_.now()); }
 
 void Operation::clear_statistics() {
-  run_.snapshot.lost_frames = run_.snapshot.wkc_errors = run_.snapshot.overruns = 0;
+  auto& snapshot = run_.snapshot;
+  snapshot.lost_frames = snapshot.late_frames = snapshot.wkc_errors = snapshot.overruns = snapshot.skipped_cycles = 0;
   sync_.clear_statistics();
 }
 

@@ -88,11 +88,11 @@ void SlaveWatch::add_al_status(PendingFrame& frame) {
   }
 }
 
-std::optional<std::uint32_t> SlaveWatch::take(Nanoseconds time, CycleSample& sample) {
+std::optional<OredDeviation> SlaveWatch::take(Nanoseconds time, CycleSample& sample) {
   take_deviations(time, sample);
   take_al_status(time);
   if (!std::exchange(asked_all_, false) || !all_.done()) return std::nullopt;
-  return SystemTimeDifference{load_le<std::uint32_t>(all_bytes_)}.magnitude();
+  return OredDeviation{SystemTimeDifference{load_le<std::uint32_t>(all_bytes_)}.magnitude(), all_.wkc};
 }
 
 /// The sample shows the last one.

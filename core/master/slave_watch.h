@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "master/frame_exchange.h"
+#include "master/ored_deviation.h"
 #include "master/run_state.h"
 
 namespace syncline {
@@ -39,7 +40,7 @@ class SlaveWatch {
   /// `hurry`: the deviations of many slaves in each cycle, to find out who left the sync window.
   void add_to(PendingFrame& frame, bool read_deviation_of_all, bool hurry = false);
   /// After the frame: takes the answers over. The ored 0x092C, if it was asked for.
-  std::optional<std::uint32_t> take(Nanoseconds time, CycleSample& sample);
+  std::optional<OredDeviation> take(Nanoseconds time, CycleSample& sample);
   /// Number of sweeps that came to their end.
   [[nodiscard]] std::uint64_t sweeps() const { return sweeps_; }
 

@@ -11,22 +11,11 @@
 namespace syncline {
 namespace {
 
-/// Lost frames in a row that say nothing about the clocks yet.
-constexpr std::uint32_t kSilentCycles = 50;
-/// A slave that does not answer must not keep the others' news.
-constexpr Nanoseconds kCulpritPatience = 100 * kMillisecond;
+/// Without the reference clock's time for so long, and for so many cycles, it is as good as lost, whatever the reason.
+constexpr Nanoseconds kLeastStale = 50 * kMillisecond;
+constexpr int kStaleCycles = 10;
 
 double milliseconds(Nanoseconds time) { return static_cast<double>(time) / static_cast<double>(kMillisecond); }
-
-SyncState state_of(dc::SyncWindowMonitor::State state) {
-  switch (state) {
-    case dc::SyncWindowMonitor::State::kNotMonitored: return SyncState::kNotMonitored;
-    case dc::SyncWindowMonitor::State::kSettling: return SyncState::kBusy;
-    case dc::SyncWindowMonitor::State::kInSync: return SyncState::kInSync;
-    case dc::SyncWindowMonitor::State::kOutOfSync: return SyncState::kOutOfSync;
-  }
-  return SyncState::kNotReady;
-}
 
 std::int32_t to_32(Nanoseconds value) {
   return static_cast<std::int32_t>(std::clamp<Nanoseconds>(value, INT32_MIN, INT32_MAX));
@@ -34,7 +23,8 @@ std::int32_t to_32(Nanoseconds value) {
 
 }  // namespace
 
-SyncWatch::SyncWatch(RunState& run) : run_(run), settings_(effective_dcm_settings(run.config().dc.dcm)) {
+SyncWatch::SyncWatch(RunState& run)
+    : run_(run), settings_(effective_dcm_settings(run.config().dc.dcm)), slaves_(run) {
   if (!run_.config().dc.enabled) settings_.mode = DcmMode::kOff;
   note_settings();
 }
@@ -61,8 +51,19 @@ Status SyncWatch::configure(const DcmSettings& change) {
   if (!controller_) return {};
   make_controller();
   controller_->start(base_, last_reference_, last_host_);
+  start_verdict(last_host_);
   clear_statistics();
   return {};
+}
+
+void SyncWatch::start_verdict(Nanoseconds time) {
+  const auto cycle = run_.config().cycle_time();
+  dc::MasterVerdict::Settings settings;
+  settings.settle = settings_.in_sync_settle_time_ms * kMillisecond;
+  settings.stale = std::max(kLeastStale, kStaleCycles * cycle);
+  settings.late_allowed = effective_set_value(settings_, cycle) - least_set_value_;
+  verdict_ = dc::MasterVerdict(settings, time);
+  run_.snapshot.dcm.late_allowed_ns = to_32(settings.late_allowed);
 }
 
 Nanoseconds SyncWatch::first_cycle(const DcNetwork& network, Nanoseconds earliest) const {
@@ -91,24 +92,22 @@ void SyncWatch::start(const DcNetwork& network, Nanoseconds first_cycle) {
   make_controller();
   controller_->start(base_, first_reference, first_cycle);
 
-  auto& dc = run_.snapshot.dc;
-  dc.enabled = true;
-  dc.reference_clock = network.reference_clock;
-  dc.monitored = config.dc.sync_window.enabled && network.synchronised_count() >= 2;
-  monitor_ = dc::SyncWindowMonitor(config.dc.sync_window, dc.monitored, first_cycle);
-  dc.limit_ns = monitor_.limit_ns();
-  dc.state = state_of(monitor_.state());
+  start_verdict(first_cycle);
+  run_.snapshot.dc.enabled = true;
+  slaves_.start(network, first_cycle, steers_reference_clock(settings_.mode));
+  led_ = true;
   run_.snapshot.dcm.state = run_.snapshot.dcm.mode == DcmMode::kOff ? SyncState::kNotMonitored : SyncState::kBusy;
 }
 
 bool SyncWatch::slaves_in_sync() const {
-  return !run_.snapshot.dc.monitored || run_.snapshot.dc.state == SyncState::kInSync;
+  const auto state = run_.snapshot.dc.state;
+  return !run_.snapshot.dc.monitored || state == SyncState::kNotMonitored || state == SyncState::kInSync;
 }
 
-bool SyncWatch::master_in_sync() const {
+bool SyncWatch::schedule_in_sync() const {
   // Nobody is waited for who is not asked to come.
   const auto& dcm = run_.snapshot.dcm;
-  return dcm.mode == DcmMode::kOff || dcm.control_off || dcm.state == SyncState::kInSync;
+  return dcm.mode == DcmMode::kOff || dcm.control_off || verdict_.schedule_in_sync();
 }
 
 std::optional<Nanoseconds> SyncWatch::reference_write(Nanoseconds send_time, Nanoseconds scheduled_time) {
@@ -123,9 +122,8 @@ Nanoseconds SyncWatch::observe_cycle(const dc::DcmObservation& observation, Cycl
     sample.reference_time = *observation.reference_time;
     sample.flags |= CycleSample::kReferenceValid;
   }
-  watch_silence(observation.reference_time.has_value(), observation.send_time);
   const auto action = controller_->observe(observation);
-  update_dcm(observation.send_time);
+  update_dcm(observation, sample.skipped_cycles);
   const auto& dcm = run_.snapshot.dcm;
   sample.dcm_error_ns = dcm.error_ns;
   sample.dcm_error_filtered_ns = dcm.error_filtered_ns;
@@ -149,117 +147,78 @@ Nanoseconds SyncWatch::period_adjust(Nanoseconds by_controller) const {
   return std::llround(permil * 1e-3 * static_cast<double>(run_.config().cycle_time()));
 }
 
-void SyncWatch::update_dcm(Nanoseconds time) {
+void SyncWatch::update_dcm(const dc::DcmObservation& observation, std::int64_t skipped) {
   const auto& state = controller_->state();
   auto& dcm = run_.snapshot.dcm;
   dcm.error_ns = to_32(state.error);
   dcm.error_filtered_ns = to_32(state.error_filtered);
   dcm.drift_ppm = state.drift_ppm;
   dcm.adjust_permil = static_cast<double>(state.adjust) * 1e3 / static_cast<double>(run_.config().cycle_time());
+  // Where the frame was lost the schedule's error is known from the cycles before.
+  const auto schedule_error = observation.reference_time ? state.error : state.error_filtered;
+  dcm.frame_error_ns = to_32(schedule_error + (observation.send_time - observation.scheduled_time));
   if (dcm.mode == DcmMode::kOff) return;
+  if (state.error_code != dcm.error_code) {
+    dcm.error_code = state.error_code;
+    if (state.error_code != 0) {
+      run_.event(EventKind::kDcmError, observation.send_time, -1, state.error_code, std::llround(state.drift_ppm));
+    }
+  }
+  judge_master(observation, skipped);
+  if (state.in_sync_after && led_) count_errors();
+}
+
+void SyncWatch::judge_master(const dc::DcmObservation& observation, std::int64_t skipped) {
+  const auto& state = controller_->state();
+  auto& dcm = run_.snapshot.dcm;
   const bool was_in_sync = dcm.state == SyncState::kInSync;
-  if (state.in_sync && led_ && time >= distrusted_until_) {
+  verdict_.observe({.time = observation.send_time,
+                    .led = led_,
+                    .read = observation.reference_time.has_value(),
+                    .schedule_in_sync = state.in_sync,
+                    .error_code = state.error_code,
+                    .skipped_cycles = skipped,
+                    .frame_error = dcm.frame_error_ns});
+  dcm.obstacle = verdict_.obstacle();
+  if (verdict_.in_sync()) {
     dcm.state = SyncState::kInSync;
   } else {
     dcm.state = state.in_sync_after ? SyncState::kOutOfSync : SyncState::kBusy;
   }
-  if (state.in_sync_after && led_) {
-    dcm.in_sync_after_ms = milliseconds(*state.in_sync_after);
-    const auto error = static_cast<double>(state.error);
-    ++count_;
-    sum_ += error;
-    sum_of_squares_ += error * error;
-    dcm.error_mean_ns = sum_ / static_cast<double>(count_);
-    dcm.error_rms_ns = std::sqrt(sum_of_squares_ / static_cast<double>(count_));
-    dcm.error_max_ns = std::max(dcm.error_max_ns, to_32(std::abs(state.error)));
-  }
-  if (state.error_code != dcm.error_code) {
-    dcm.error_code = state.error_code;
-    if (state.error_code != 0) {
-      run_.event(EventKind::kDcmError, time, -1, state.error_code, std::llround(state.drift_ppm));
-    }
-  }
-  tell_dcm_edges(was_in_sync, time);
-}
-
-void SyncWatch::tell_dcm_edges(bool was_in_sync, Nanoseconds time) {
-  const auto& dcm = run_.snapshot.dcm;
   const bool in_sync = dcm.state == SyncState::kInSync;
-  if (in_sync != was_in_sync) run_.event(EventKind::kDcmSync, time, -1, in_sync ? 1 : 0, dcm.error_ns);
+  if (in_sync == was_in_sync) return;
+  const auto error = dcm.obstacle == dc::SyncObstacle::kLateFrames ? dcm.frame_error_ns : dcm.error_ns;
+  run_.event(EventKind::kDcmSync, observation.send_time, -1, in_sync ? 1 : 0, error,
+             static_cast<std::int64_t>(dcm.obstacle));
 }
 
-void SyncWatch::observe_deviation(Nanoseconds time, std::uint32_t ored_ns, CycleSample& sample) {
-  auto& dc = run_.snapshot.dc;
-  dc.deviation_ored_ns = ored_ns;
-  sample.deviation_ored_ns = ored_ns;
-  sample.flags |= CycleSample::kDeviationValid;
-  const auto edge = monitor_.observe(time, ored_ns);
-  dc.state = state_of(monitor_.state());
-  if (!led_ && dc.monitored) dc.state = SyncState::kOutOfSync;
-  if (const auto settled = monitor_.settled_after()) dc.settled_after_ms = milliseconds(*settled);
-  tell_slave_edge(edge, time, ored_ns);
+void SyncWatch::count_errors() {
+  const auto& state = controller_->state();
+  auto& dcm = run_.snapshot.dcm;
+  dcm.in_sync_after_ms = milliseconds(*state.in_sync_after);
+  const auto error = static_cast<double>(state.error);
+  ++count_;
+  sum_ += error;
+  sum_of_squares_ += error * error;
+  dcm.error_mean_ns = sum_ / static_cast<double>(count_);
+  dcm.error_rms_ns = std::sqrt(sum_of_squares_ / static_cast<double>(count_));
+  dcm.error_max_ns = std::max(dcm.error_max_ns, to_32(std::abs(state.error)));
+  dcm.frame_error_max_ns = std::max(dcm.frame_error_max_ns, std::abs(dcm.frame_error_ns));
+  if (verdict_.too_late(dcm.frame_error_ns)) ++dcm.late_sends;
 }
 
-void SyncWatch::tell_slave_edge(dc::SyncWindowMonitor::Edge edge, Nanoseconds time, std::uint32_t ored_ns) {
-  if (edge == dc::SyncWindowMonitor::Edge::kInSync) {
-    if (out_since_) tell_culprit(*out_since_ + kCulpritPatience);
-    run_.event(EventKind::kDcSlaveSync, time, -1, 1, ored_ns);
-  } else if (edge == dc::SyncWindowMonitor::Edge::kOutOfSync) {
-    out_since_ = time;
-    out_by_ = ored_ns;
-  }
-  tell_culprit(time);
+void SyncWatch::observe_slaves(Nanoseconds time, const std::optional<OredDeviation>& ored, CycleSample& sample) {
+  if (!active()) return;
+  slaves_.observe(time, led_, (sample.flags & CycleSample::kReferenceValid) != 0, ored, sample);
 }
 
-/// The wire-ored value names nobody: told when every slave has been read since.
-void SyncWatch::tell_culprit(Nanoseconds time) {
-  if (!out_since_) return;
-  const bool all_read = std::ranges::all_of(run_.snapshot.slaves, [this](const SlaveStatus& slave) {
-    return !slave.present || !slave.dc_enabled || (slave.deviation_valid && slave.deviation_time > *out_since_);
-  });
-  if (!all_read && time - *out_since_ < kCulpritPatience) return;
-  run_.event(EventKind::kDcSlaveSync, *out_since_, culprit(), 0, out_by_);
-  out_since_.reset();
-}
-
-void SyncWatch::leader_lost(Nanoseconds time) {
-  if (!controller_ || !led_) return;
-  led_ = false;
-  auto& snapshot = run_.snapshot;
-  const bool was_in_sync = snapshot.dcm.state == SyncState::kInSync;
-  if (snapshot.dcm.mode != DcmMode::kOff) snapshot.dcm.state = SyncState::kOutOfSync;
-  if (was_in_sync) tell_dcm_edges(true, time);
-  if (snapshot.dc.monitored) snapshot.dc.state = SyncState::kOutOfSync;
-}
+void SyncWatch::leader_lost(Nanoseconds) { led_ = false; }
 
 void SyncWatch::leader_found(std::uint16_t position, Nanoseconds time) {
   if (!controller_) return;
   led_ = true;
-  silent_cycles_ = 0;
-  distrusted_until_ = time + settings_.in_sync_settle_time_ms * kMillisecond;
+  verdict_.distrust(time);
   run_.snapshot.dc.reference_clock = position;
-}
-
-/// A reference clock whose time does not come any more is as good as lost, whatever the reason.
-void SyncWatch::watch_silence(bool answered, Nanoseconds time) {
-  if (answered) {
-    if (silent_cycles_ >= kSilentCycles && led_) distrusted_until_ = time + settings_.in_sync_settle_time_ms * kMillisecond;
-    silent_cycles_ = 0;
-  } else if (silent_cycles_ < kSilentCycles && ++silent_cycles_ == kSilentCycles) {
-    distrusted_until_ = INT64_MAX;
-  }
-}
-
-int SyncWatch::culprit() const {
-  int worst = -1;
-  std::int32_t largest = 0;
-  for (std::size_t i = 0; i < run_.snapshot.slaves.size(); ++i) {
-    const auto& slave = run_.snapshot.slaves[i];
-    if (!slave.deviation_valid || std::abs(slave.deviation_ns) <= largest) continue;
-    largest = std::abs(slave.deviation_ns);
-    worst = static_cast<int>(i);
-  }
-  return worst;
 }
 
 Nanoseconds SyncWatch::reference_time_at(Nanoseconds host_time) const {
@@ -275,6 +234,8 @@ void SyncWatch::clear_statistics() {
   sum_ = sum_of_squares_ = 0;
   run_.snapshot.dcm.error_mean_ns = run_.snapshot.dcm.error_rms_ns = 0;
   run_.snapshot.dcm.error_max_ns = 0;
+  run_.snapshot.dcm.frame_error_max_ns = 0;
+  run_.snapshot.dcm.late_sends = 0;
 }
 
 }  // namespace syncline

@@ -7,10 +7,11 @@
 #include <utility>
 
 #include "dc/dcm/dcm_controller.h"
-#include "dc/sync_window_monitor.h"
+#include "dc/master_verdict.h"
 #include "master/dc_setup.h"
 #include "master/dc_start.h"
 #include "master/run_state.h"
+#include "master/slaves_sync.h"
 
 namespace syncline {
 
@@ -30,17 +31,20 @@ class SyncWatch {
   /// Phase of the SYNC grid in system time: SYNC0 at base + n * cycle.
   [[nodiscard]] Nanoseconds base() const { return base_; }
   [[nodiscard]] bool monitored() const { return run_.snapshot.dc.monitored; }
+  /// For who waits: in sync, or nobody watches.
   [[nodiscard]] bool slaves_in_sync() const;
-  /// Somebody left the sync window: who it is, the slaves' own readings will say.
-  [[nodiscard]] bool looking_for_culprit() const { return out_since_.has_value(); }
-  [[nodiscard]] bool master_in_sync() const;
+  /// Somebody left the sync window, or may have: who it is, the slaves' own readings will say.
+  [[nodiscard]] bool wants_readings() const { return slaves_.wants_readings(); }
+  /// For who waits: the schedule has met the reference clock, or is not asked to. That single frames are late is no
+  /// reason to wait.
+  [[nodiscard]] bool schedule_in_sync() const;
 
   /// Value for the reference clock, just before the frame is sent.
   [[nodiscard]] std::optional<Nanoseconds> reference_write(Nanoseconds send_time, Nanoseconds scheduled_time);
-  /// One cycle; the result is added to the next period. Fills the sample's DC and DCM fields.
+  /// One cycle; the result is added to the next period. Fills the sample's DCM fields.
   Nanoseconds observe_cycle(const dc::DcmObservation& observation, CycleSample& sample);
-  /// One reading of the wire-ored 0x092C.
-  void observe_deviation(Nanoseconds time, std::uint32_t ored_ns, CycleSample& sample);
+  /// The same cycle, after observe_cycle() and the readings of the slaves. Fills the sample's DC fields.
+  void observe_slaves(Nanoseconds time, const std::optional<OredDeviation>& ored, CycleSample& sample);
   /// System time of the reference clock at a host time, from the latest reading.
   [[nodiscard]] Nanoseconds reference_time_at(Nanoseconds host_time) const;
   /// The latest reading extended to 64 bit.
@@ -57,12 +61,10 @@ class SyncWatch {
   void leader_found(std::uint16_t position, Nanoseconds time);
 
  private:
-  void update_dcm(Nanoseconds time);
-  void watch_silence(bool answered, Nanoseconds time);
-  void tell_dcm_edges(bool was_in_sync, Nanoseconds time);
-  void tell_slave_edge(dc::SyncWindowMonitor::Edge edge, Nanoseconds time, std::uint32_t ored_ns);
-  void tell_culprit(Nanoseconds time);
-  [[nodiscard]] int culprit() const;
+  void update_dcm(const dc::DcmObservation& observation, std::int64_t skipped);
+  void judge_master(const dc::DcmObservation& observation, std::int64_t skipped);
+  void count_errors();
+  void start_verdict(Nanoseconds time);
 
   void make_controller();
   void note_settings();
@@ -72,14 +74,11 @@ class SyncWatch {
   DcmSettings settings_;
   Nanoseconds least_set_value_ = 0;
   std::unique_ptr<dc::DcmController> controller_;
-  dc::SyncWindowMonitor monitor_;
+  SlavesSync slaves_;
+  dc::MasterVerdict verdict_;
   Nanoseconds base_ = 0, start_ = 0;
   Nanoseconds last_host_ = 0, last_reference_ = 0;
-  std::optional<Nanoseconds> out_since_;  // out of sync, and not told yet
-  std::uint32_t out_by_ = 0;
   bool led_ = true;                  // somebody leads
-  Nanoseconds distrusted_until_ = 0;
-  std::uint32_t silent_cycles_ = 0;  // without the reference clock's time
   std::uint64_t count_ = 0;
   double sum_ = 0, sum_of_squares_ = 0;
   DcStartTimeCallback start_time_;

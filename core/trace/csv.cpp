@@ -12,7 +12,8 @@ namespace syncline {
 std::string sample_csv_header() {
   return "cycle,send_time_ns,lateness_ns,round_trip_ns,reference_time_ns,dcm_error_ns,dcm_error_filtered_ns,drift_ppm,"
          "dcm_adjust_ns,deviation_ored_ns,slave,slave_deviation_ns,sm2_slave,sm2_missed,wkc_expected,wkc_received,"
-         "frame_lost,dc_in_sync,dcm_in_sync,NetworkToSubDeviceClkDiff_ns,MdeviceToNetworkClkDiff_ns\n";
+         "frame_lost,dc_in_sync,dcm_in_sync,NetworkToSubDeviceClkDiff_ns,MdeviceToNetworkClkDiff_ns,frames_lost,"
+         "frame_late_by_ns,skipped_cycles,deviation_ns,slave_follows\n";
 }
 
 void append_sample_csv(std::string& out, std::span<const CycleSample> samples) {
@@ -28,13 +29,17 @@ void append_sample_csv(std::string& out, std::span<const CycleSample> samples) {
                    when(has(Flag::kDeviationValid), s.deviation_ored_ns), when(s.slave_position >= 0, s.slave_position),
                    when(s.slave_position >= 0, s.slave_deviation_ns), when(s.sm2_position >= 0, s.sm2_position),
                    when(s.sm2_position >= 0, s.slave_sm2_missed), s.wkc_expected, when(!lost, s.wkc_received),
-                   lost ? 1 : 0, has(Flag::kDcInSync) ? 1 : 0, has(Flag::kDcmInSync) ? 1 : 0);
+                   lost ? 1 : 0, when(has(Flag::kDcMonitored), has(Flag::kDcInSync) ? 1 : 0),
+                   when(has(Flag::kDcmActive), has(Flag::kDcmInSync) ? 1 : 0));
     for (const auto& signal : clock_difference_signals()) {
       const auto value = signal.value(s);
       out += ',';
       if (value) fmt::format_to(std::back_inserter(out), "{}", *value);
     }
-    out += '\n';
+    fmt::format_to(std::back_inserter(out), ",{},{},{},{},{}\n", s.frames_lost,
+                   when(has(Flag::kFrameLate), s.late_by_ns), s.skipped_cycles,
+                   when(has(Flag::kFollowersRead), s.deviation_ns),
+                   when(s.slave_position >= 0, has(Flag::kSlaveFollows) ? 1 : 0));
   }
 }
 

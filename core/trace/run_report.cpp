@@ -13,25 +13,38 @@ RunRecorder::RunRecorder(const NetworkConfig& config) : readings_(config.slaves.
 void RunRecorder::add(std::span<const CycleSample> samples) {
   for (const auto& sample : samples) {
     lateness_.add(sample.wake_lateness_ns);
+    note_settled(sample);
     if (sample.slave_position < 0 || static_cast<std::size_t>(sample.slave_position) >= readings_.size()) continue;
     auto& readings = readings_[static_cast<std::size_t>(sample.slave_position)];
+    // What the reference clock shows, or a slave in front of it, is no deviation from the reference clock.
+    if ((sample.flags & CycleSample::kSlaveFollows) == 0) continue;
     readings.latest = sample.slave_deviation_ns;
-    // The acquisition is reported by settled_after_ms; the maximum is about what holds afterwards.
-    if ((sample.flags & CycleSample::kDcInSync) != 0) {
-      const auto magnitude = std::abs(sample.slave_deviation_ns);
-      readings.max_in_sync = std::max(readings.max_in_sync.value_or(0), magnitude);
-    }
+    if (settled_) readings.max = std::max(readings.max.value_or(0), std::abs(sample.slave_deviation_ns));
+  }
+}
+
+/// The acquisition is reported by settled_after_ms; the maximum is about all that came afterwards, in sync or not. Where
+/// nobody watches the slaves it is over when the master has come in sync, or the machine works.
+void RunRecorder::note_settled(const CycleSample& sample) {
+  using Flag = CycleSample::Flag;
+  if ((sample.flags & Flag::kDcMonitored) != 0) {
+    settled_ = settled_ || (sample.flags & Flag::kDcInSync) != 0;
+  } else {
+    settled_ = settled_ || (sample.flags & Flag::kDcmInSync) != 0 || sample.master_state == static_cast<std::uint8_t>(AlState::kOp);
   }
 }
 
 RunReport RunRecorder::finish(const Snapshot& snapshot) const {
   RunReport report;
   report.state = snapshot.state;
+  report.time = snapshot.time;
   report.cycle_time = snapshot.cycle_time;
   report.cycles = snapshot.cycles;
   report.wkc_errors = snapshot.wkc_errors;
   report.lost_frames = snapshot.lost_frames;
+  report.late_frames = snapshot.late_frames;
   report.overruns = snapshot.overruns;
+  report.skipped_cycles = snapshot.skipped_cycles;
   report.dc = snapshot.dc;
   report.dcm = snapshot.dcm;
   report.lateness = lateness_;
@@ -39,8 +52,8 @@ RunReport RunRecorder::finish(const Snapshot& snapshot) const {
     RunReport::Slave slave;
     slave.position = static_cast<std::uint16_t>(i);
     slave.name = names_[i];
-    slave.deviation_ns = readings_[i].latest;
-    slave.deviation_max_ns = readings_[i].max_in_sync;
+    if (i < snapshot.slaves.size() && snapshot.slaves[i].deviation_valid) slave.deviation_ns = readings_[i].latest;
+    slave.deviation_max_ns = readings_[i].max;
     if (slave.deviation_max_ns) {
       report.deviation_max_ns = std::max(report.deviation_max_ns.value_or(0), *slave.deviation_max_ns);
     }

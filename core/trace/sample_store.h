@@ -16,7 +16,7 @@ namespace syncline {
 class SampleStore {
  public:
   enum class Series : std::uint8_t {
-    kDeviationOred,   // ns, magnitude of the wire-ored 0x092C
+    kDeviation,       // ns, of the slaves that follow the reference clock: CycleSample::deviation_ns
     kDcmError,        // ns, raw
     kDcmErrorFiltered,
     kDrift,           // ppm

@@ -177,8 +177,8 @@ void compare_strip(RatioReport& report) {
     for (auto& sample : samples) {
       sample.cycle = cycle;
       sample.send_time = kStart + static_cast<Nanoseconds>(cycle) * kCycle;
-      sample.flags = CycleSample::kDeviationValid | CycleSample::kDcmActive | CycleSample::kReferenceValid;
-      sample.deviation_ored_ns = 20 + random() % 40;
+      sample.flags = CycleSample::kFollowersRead | CycleSample::kSlaveFollows | CycleSample::kDcmActive | CycleSample::kReferenceValid;
+      sample.deviation_ns = 20 + random() % 40;
       sample.dcm_error_ns = static_cast<std::int32_t>(random() % 401) - 200;
       sample.slave_position = static_cast<std::int16_t>(cycle % names.size());
       sample.slave_deviation_ns = static_cast<std::int32_t>(random() % 41) - 20;

@@ -88,6 +88,11 @@ class TestBus final : public Link {
   TestSlave& slave(std::size_t i) { return slaves_.at(i); }
   /// The next so many frames do not come back.
   void lose(int frames) { lose_ = frames; }
+  /// The next so many frames come back so much later, and nothing else meanwhile.
+  void hold_back(int frames, Nanoseconds by) {
+    held_ = frames;
+    held_by_ = by;
+  }
   std::vector<std::vector<std::uint8_t>> sent;  // filled when `record`
   bool record = false;
   std::size_t frames_sent = 0;
@@ -104,7 +109,13 @@ class TestBus final : public Link {
     std::vector<std::uint8_t> bytes(frame.begin(), frame.end());
     FrameReader reader(bytes);
     while (auto datagram = reader.next()) execute(*datagram);
-    returning_.push_back({clock_.now() + 2 * kHop * static_cast<Nanoseconds>(slaves_.size()), std::move(bytes)});
+    auto arrival = clock_.now() + 2 * kHop * static_cast<Nanoseconds>(slaves_.size());
+    if (held_ > 0) {
+      --held_;
+      arrival += held_by_;
+    }
+    if (!returning_.empty()) arrival = std::max(arrival, returning_.back().first);
+    returning_.push_back({arrival, std::move(bytes)});
     return {};
   }
   Result<ReceivedFrame> receive(std::span<std::uint8_t> buffer, Nanoseconds deadline) override {
@@ -338,7 +349,8 @@ class TestBus final : public Link {
   VirtualClock& clock_;
   std::vector<TestSlave> slaves_;
   std::deque<std::pair<Nanoseconds, std::vector<std::uint8_t>>> returning_;
-  int lose_ = 0;
+  int lose_ = 0, held_ = 0;
+  Nanoseconds held_by_ = 0;
 };
 
 }  // namespace syncline::test

@@ -27,8 +27,8 @@ std::vector<CycleSample> samples(std::uint64_t from, std::uint64_t to) {
     CycleSample s;
     s.cycle = i;
     s.send_time = kStart + static_cast<Nanoseconds>(i) * kMillisecond;
-    s.flags = CycleSample::kDeviationValid | CycleSample::kDcmActive | CycleSample::kReferenceValid;
-    s.deviation_ored_ns = i == 2500 ? 900 : 30;
+    s.flags = CycleSample::kFollowersRead | CycleSample::kSlaveFollows | CycleSample::kDcmActive | CycleSample::kReferenceValid;
+    s.deviation_ns = i == 2500 ? 900 : 30;
     s.slave_position = static_cast<std::int16_t>(i % 3);
     s.slave_deviation_ns = static_cast<std::int32_t>(i % 3) * 10 - 10;
     s.dcm_error_ns = i % 2 == 0 ? 200 : -200;
@@ -91,7 +91,7 @@ TEST_F(LiveStripTest, FillsAllThreePlots) {
   strip.append(samples(0, 6000));
   settle();
   EXPECT_FALSE(plot(0)->items().front()->columns().empty());
-  EXPECT_THAT(strip.panels()[0]->legend()->text().toStdString(), testing::HasSubstr("upper estimate \u2264 30"));
+  EXPECT_THAT(strip.panels()[0]->legend()->text().toStdString(), testing::HasSubstr("largest 30"));
   EXPECT_THAT(strip.panels()[0]->legend()->text().toStdString(), testing::HasSubstr("3 Servo +10"));
   EXPECT_THAT(strip.panels()[0]->readout().toStdString(), testing::HasSubstr("900"));
   EXPECT_THAT(strip.panels()[1]->legend()->text().toStdString(), testing::HasSubstr("#2 3 Servo 8"));
@@ -228,7 +228,7 @@ TEST_F(LiveStripTest, CsvHoldsTheShownRange) {
   settle();
   const auto table = strip.csv();
   EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 1 + 1001);
-  EXPECT_THAT(table, testing::StartsWith("time_ns,time_utc,deviation_ored_ns,dcm_error_ns,"));
+  EXPECT_THAT(table, testing::StartsWith("time_ns,time_utc,deviation_max_ns,dcm_error_ns,"));
   EXPECT_THAT(table, testing::HasSubstr("deviation_ns 3 Servo"));
   EXPECT_THAT(table, testing::HasSubstr("\n5999000000,"));
 }

@@ -164,13 +164,17 @@ void MasterDcPage::buildWindow(Card& card) {
 void MasterDcPage::buildLive(Card& slaves, Card& master) {
   dc_state_ = named(new Pill, "dcState", tr("Slaves in sync"));
   slaves.addRow(tr("State"), dc_state_, tr("Sync window of register 0x092C"));
-  deviation_ = slaves.addValue("dcDeviation", tr("Deviation"), tr("Wire-ored register 0x092C: an upper estimate over all slaves"));
+  deviation_ = slaves.addValue("dcDeviation", tr("Deviation"), tr("Register 0x092C: largest latest reading of the slaves that follow the reference clock"));
+  reading_ = slaves.addValue("dcReading", tr("Last heard of"), tr("How long ago something was last heard of each slave that follows"));
   settled_ = slaves.addValue("dcSettledAfter", tr("Settled after"), tr("From the first cyclic frame"));
   leader_ = slaves.addValue("dcReference", tr("Reference clock"), tr("The slave that leads on the bus"));
   dcm_state_ = named(new Pill, "dcmState", tr("Master in sync"));
-  master.addRow(tr("State"), dcm_state_, tr("Controller error against the in-sync limit"));
+  master.addRow(tr("State"), dcm_state_, tr("Error of the controller, frames later than the set value allows, cycles left out: none of them within the settle time"));
   error_ = master.addValue("dcmError", tr("Error"), tr("Frame late in the SYNC grid > 0, filtered"));
   error_statistics_ = master.addValue("dcmErrorStatistics", tr("RMS / max"), tr("Since in sync"));
+  frame_error_ = master.addValue("dcmFrameError", tr("Frame, max / allowed"),
+                                 tr("Error of the schedule and how late frames were sent, together: largest since in sync, and at "
+                                    "which a frame meets SYNC0"));
   drift_ = master.addValue("dcmDrift", tr("Drift"), tr("Reference clock's rate against the host's; the ceiling is about 600 ppm"));
   locked_after_ = master.addValue("dcmInSyncAfter", tr("In sync after"), tr("From the first cyclic frame"));
 }
@@ -236,9 +240,10 @@ void MasterDcPage::showLive(const Snapshot& snapshot) {
   const auto master = masterSync(snapshot);
   dcm_state_->setState(master.tone, master.text);
   const bool dc = snapshot.online && snapshot.dc.enabled;
-  deviation_->setText(dc && snapshot.dc.monitored
-                          ? tr("%1 (limit %2)").arg(timeText(snapshot.dc.deviation_ored_ns), timeText(snapshot.dc.limit_ns))
-                          : none);
+  const auto deviation = snapshot.dc.deviation_ns ? timeText(*snapshot.dc.deviation_ns) : none;
+  deviation_->setText(dc && snapshot.dc.monitored ? tr("%1 (limit %2)").arg(deviation, timeText(snapshot.dc.limit_ns))
+                                                  : dc ? deviation : none);
+  reading_->setText(dc && snapshot.dc.oldest_age_ns >= 0 ? tr("%1 ago").arg(timeText(snapshot.dc.oldest_age_ns)) : none);
   settled_->setText(dc ? afterText(snapshot.dc.settled_after_ms) : none);
   leader_->setText(dc && snapshot.dc.reference_clock >= 0
                        ? nodeName(workspace().document().project(), snapshot.dc.reference_clock)
@@ -248,6 +253,8 @@ void MasterDcPage::showLive(const Snapshot& snapshot) {
   error_statistics_->setText(dcm ? tr("%1 / %2").arg(timeText(static_cast<Nanoseconds>(snapshot.dcm.error_rms_ns)),
                                                      timeText(snapshot.dcm.error_max_ns))
                                  : none);
+  frame_error_->setText(dcm ? tr("%1 / %2").arg(timeText(snapshot.dcm.frame_error_max_ns), timeText(snapshot.dcm.late_allowed_ns))
+                            : none);
   drift_->setText(dcm ? ppmText(snapshot.dcm.drift_ppm) : none);
   locked_after_->setText(dcm ? afterText(snapshot.dcm.in_sync_after_ms) : none);
 }

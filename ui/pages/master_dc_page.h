@@ -40,8 +40,8 @@ class MasterDcPage final : public Page {
   QSpinBox *exponent_, *settle_, *dcm_limit_, *dcm_settle_;
   QLabel* limit_;
   Pill *dc_state_, *dcm_state_;
-  QLabel *deviation_, *settled_, *leader_;
-  QLabel *error_, *error_statistics_, *drift_, *locked_after_;
+  QLabel *deviation_, *reading_, *settled_, *leader_;
+  QLabel *error_, *error_statistics_, *frame_error_, *drift_, *locked_after_;
 };
 
 }  // namespace syncline::ui

@@ -133,9 +133,10 @@ void MasterGeneralPage::buildStateMachine(Card& card) {
 void MasterGeneralPage::buildCounters(Card& card) {
   found_ = card.addValue("masterFound", tr("Slaves answering"), tr("Slaves that answered the last state reading"));
   cycles_ = card.addValue("masterCycles", tr("Cycles"), tr("Bus cycles since going online"));
-  lost_ = card.addValue("masterLost", tr("Lost frames"), tr("Cyclic frames that did not come back within the cycle"));
+  lost_ = card.addValue("masterLost", tr("Lost frames"), tr("Frames that did not come back"));
+  late_ = card.addValue("masterLate", tr("Late frames"), tr("Frames that came back after their cycle"));
   wkc_ = card.addValue("masterWkc", tr("Working counter errors"), tr("Cycles whose working counter was not the expected one"));
-  overruns_ = card.addValue("masterOverruns", tr("Overruns"), tr("Cycles that began more than one cycle late"));
+  overruns_ = card.addValue("masterOverruns", tr("Cycles left out"), tr("Cycles without a frame: the host came too late for them"));
 }
 
 void MasterGeneralPage::takeCycle() {
@@ -190,7 +191,8 @@ void MasterGeneralPage::showLive(const Snapshot& snapshot) {
   cycles_->setText(snapshot.online ? countText(snapshot.cycles) : none);
   lost_->setText(snapshot.online ? countText(snapshot.lost_frames) : none);
   wkc_->setText(snapshot.online ? countText(snapshot.wkc_errors) : none);
-  overruns_->setText(snapshot.online ? countText(snapshot.overruns) : none);
+  late_->setText(snapshot.online ? countText(snapshot.late_frames) : none);
+  overruns_->setText(snapshot.online ? countText(snapshot.skipped_cycles) : none);
 }
 
 }  // namespace syncline::ui

@@ -41,7 +41,7 @@ class MasterGeneralPage final : public Page {
   QLabel* requested_;
   QList<QPushButton*> state_buttons_;
   QLabel *slaves_, *dc_slaves_, *inputs_, *outputs_, *frame_;
-  QLabel *found_, *cycles_, *lost_, *wkc_, *overruns_;
+  QLabel *found_, *cycles_, *lost_, *late_, *wkc_, *overruns_;
 };
 
 }  // namespace syncline::ui

@@ -146,10 +146,12 @@ void SlaveDcPage::showLive(const Snapshot& snapshot) {
   } else if (status->is_reference_clock) {
     role_->setState(theme::Tone::kAccent, tr("Reference clock"));
   } else {
-    role_->setState(status->dc_enabled ? theme::Tone::kGood : theme::Tone::kNeutral,
-                    status->dc_enabled ? tr("Follows") : tr("DC off"));
+    role_->setState(status->follows ? theme::Tone::kGood : theme::Tone::kNeutral,
+                    status->follows      ? tr("Follows")
+                    : status->dc_enabled ? tr("Does not follow")
+                                         : tr("DC off"));
   }
-  deviation_->setText(status != nullptr && status->deviation_valid ? signedTimeText(status->deviation_ns) : none());
+  deviation_->setText(status != nullptr && status->deviation_valid && status->follows ? signedTimeText(status->deviation_ns) : none());
   delay_->setText(status != nullptr && status->dc_enabled ? timeText(status->propagation_delay_ns) : none());
   missed_->setText(status != nullptr && status->sm2_missed.valid
                        ? tr("%1 (object %2:%3)").arg(countText(status->sm2_missed.value), hexText(status->sm2_missed.index, 4),

@@ -31,7 +31,7 @@ std::string LiveStrip::csv() const {
   std::vector<CsvColumn> columns;
   if (!store_) return series_csv(columns, 0, 0, 0);
   using Series = SampleStore::Series;
-  columns = {{"deviation_ored_ns", &store_->series(Series::kDeviationOred)},
+  columns = {{"deviation_max_ns", &store_->series(Series::kDeviation)},
              {"dcm_error_ns", &store_->series(Series::kDcmError)},
              {"dcm_error_filtered_ns", &store_->series(Series::kDcmErrorFiltered)},
              {"drift_ppm", &store_->series(Series::kDrift)}};

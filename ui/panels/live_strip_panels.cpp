@@ -46,11 +46,12 @@ void hideAll(const std::vector<SeriesItem*>& items) {
 
 DeviationPanel::DeviationPanel(TimeView* view, CursorSet* cursors, QWidget* parent)
     : TracePanel(tr("DC deviation"), {tr("Deviation"), TracePlot::Quantity::kTime, 20, false}, view, cursors, parent),
-      ored_(plot()->addItem(tr("upper estimate"), SeriesItem::Shape::kEnvelope)), slots_(kDeviationsShown) {
+      largest_(plot()->addItem(tr("largest"), SeriesItem::Shape::kEnvelope)), slots_(kDeviationsShown) {
   setObjectName(QStringLiteral("deviationPanel"));
   plot()->setObjectName(QStringLiteral("deviationPlot"));
-  plot()->setToolTip(tr("Register 0x092C (System Time Difference). Upper estimate: the wire-or of all slaves read by "
-                        "BRD, at least as large as the largest magnitude. Lines: signed values of single slaves."));
+  plot()->setToolTip(tr("Register 0x092C (System Time Difference) of the slaves that follow the reference clock. Largest: the "
+                        "wire-or of all of them read by BRD where nothing else is in it, else the largest of their latest "
+                        "readings. Lines: signed values of single slaves."));
   for (std::size_t i = 0; i < kDeviationsShown; ++i) slaves_.push_back(plot()->addItem({}, SeriesItem::Shape::kLine));
   hideAll(slaves_);
 }
@@ -58,9 +59,9 @@ DeviationPanel::DeviationPanel(TimeView* view, CursorSet* cursors, QWidget* pare
 void DeviationPanel::attach() {
   slots_.clear();
   hideAll(slaves_);
-  ored_->setSeries(hasStore() ? &source().store->series(Series::kDeviationOred) : nullptr);
+  largest_->setSeries(hasStore() ? &source().store->series(Series::kDeviation) : nullptr);
   if (!hasStore()) return;
-  ored_->setMaxGap(cycleGap(source()));
+  largest_->setMaxGap(cycleGap(source()));
   for (auto* item : slaves_) item->setMaxGap(slaveGap(source()));
   const auto limit = source().limit_ns;
   plot()->setLimit(limit, limit > 0 ? tr("limit \u00B1%1").arg(timeText(limit)) : QString());
@@ -86,15 +87,14 @@ void DeviationPanel::choose() {
 }
 
 void DeviationPanel::colorItems() {
-  ored_->setColor(plot_colors::envelope(palette()));
+  largest_->setColor(plot_colors::envelope(palette()));
   colorSlots(slaves_, slots_, palette());
 }
 
 std::vector<LegendBar::Entry> DeviationPanel::entries(Nanoseconds time) const {
-  std::vector<LegendBar::Entry> result{entry(*ored_, time)};
-  result.front().short_name = tr("upper est.");
-  if (const auto reading = source().store->series(Series::kDeviationOred).at(time)) {
-    result.front().value = QStringLiteral("\u2264 ") + timeText(rounded(static_cast<double>(reading->value)));
+  std::vector<LegendBar::Entry> result{entry(*largest_, time)};
+  if (const auto reading = source().store->series(Series::kDeviation).at(time)) {
+    result.front().value = timeText(rounded(static_cast<double>(reading->value)));
   }
   for (std::size_t i = 0; i < slots_.slots().size(); ++i) {
     result.push_back(slaveEntry(*slaves_[i], slots_.slots()[i].slave, time));
@@ -103,9 +103,9 @@ std::vector<LegendBar::Entry> DeviationPanel::entries(Nanoseconds time) const {
 }
 
 QString DeviationPanel::summary(Nanoseconds) const {
-  const auto extent = source().store->series(Series::kDeviationOred).extent(view().begin(), view().end() + 1);
+  const auto extent = source().store->series(Series::kDeviation).extent(view().begin(), view().end() + 1);
   if (!extent) return {};
-  return tr("peak \u2264 %1").arg(timeText(rounded(static_cast<double>(extent->max))));
+  return tr("peak %1").arg(timeText(rounded(static_cast<double>(extent->max))));
 }
 
 QString DeviationPanel::valueText(double value) const { return signedTimeText(rounded(value)); }

@@ -21,11 +21,11 @@ class DeviationPanel final : public TracePanel {
   void colorItems() override;
   [[nodiscard]] std::vector<LegendBar::Entry> entries(Nanoseconds time) const override;
   [[nodiscard]] QString summary(Nanoseconds time) const override;
-  [[nodiscard]] const SeriesItem* primary() const override { return ored_; }
+  [[nodiscard]] const SeriesItem* primary() const override { return largest_; }
   [[nodiscard]] QString valueText(double value) const override;
 
  private:
-  SeriesItem* ored_;
+  SeriesItem* largest_;
   std::vector<SeriesItem*> slaves_;
   SlaveSlots slots_;
 };

@@ -40,12 +40,12 @@ StatusPanel::StatusPanel(Workspace& workspace, QStatusBar& bar) : QObject(&bar),
   slaves_ = addField(bar, "statusSlaves", tr("Slaves"), tr("Slaves in the master's state, of all configured"));
   auto* gap = new QLabel;
   bar.addWidget(gap, 1);
-  dc_ = addState(bar, "statusDc", tr("Slaves in sync"), tr("Sync window of register 0x092C over all slaves"));
-  dcm_ = addState(bar, "statusDcm", tr("Master in sync"), tr("Master synchronisation: error against its limit"));
+  dc_ = addState(bar, "statusDc", tr("Slaves in sync"), tr("Sync window of register 0x092C over all slaves that follow the reference clock"));
+  dcm_ = addState(bar, "statusDcm", tr("Master in sync"), tr("Master synchronisation: error against its limit, late frames, cycles left out"));
   drift_ = addField(bar, "statusDrift", tr("Drift"), tr("Reference clock's rate against the host's"));
   cycle_ = addField(bar, "statusCycle", tr("Cycle time"), tr("Bus cycle"));
-  losses_ = addField(bar, "statusLosses", tr("Lost frames and overruns"),
-                     tr("Frames that did not come back; cycles that began late; samples the display could not take"));
+  losses_ = addField(bar, "statusLosses", tr("Lost frames, late frames, cycles left out"),
+                     tr("Frames that did not come back, or came after their cycle; cycles that the host came too late for; samples the display could not take"));
   connect(&workspace.live(), &LiveSession::snapshotChanged, this, &StatusPanel::refresh);
   connect(&workspace.live(), &LiveSession::phaseChanged, this, &StatusPanel::refresh);
   connect(&workspace, &Workspace::linkChanged, this, &StatusPanel::refresh);
@@ -94,7 +94,8 @@ void StatusPanel::refresh() {
   drift_->setText(tr("Drift %1").arg(drifting ? ppmText(snapshot.dcm.drift_ppm) : QStringLiteral("\u2013")));
   cycle_->setText(tr("Cycle %1").arg(cycleText(snapshot.online ? snapshot.cycle_time : project.master.cycle_time)));
   const auto dropped = live.droppedSamples();
-  auto losses = tr("Lost %1  Overruns %2").arg(countText(snapshot.lost_frames), countText(snapshot.overruns));
+  auto losses = tr("Lost %1  Late %2  Left out %3")
+                    .arg(countText(snapshot.lost_frames), countText(snapshot.late_frames), countText(snapshot.skipped_cycles));
   if (dropped > 0) losses += tr("  Dropped %1").arg(countText(dropped));
   losses_->setText(losses);
 }

@@ -26,7 +26,7 @@ class LegendBar final : public QWidget {
   explicit LegendBar(QWidget* parent = nullptr);
   void setEntries(std::vector<Entry> entries);
   [[nodiscard]] const std::vector<Entry>& entries() const { return entries_; }
-  /// "upper estimate 35 ns; 2 Drive +12 ns".
+  /// "largest 35 ns; 2 Drive +12 ns".
   [[nodiscard]] QString text() const;
   [[nodiscard]] QSize sizeHint() const override;
   [[nodiscard]] QSize minimumSizeHint() const override;

@@ -27,6 +27,7 @@ class Words {
   static Message diagnosis(const Event& event);
   static Message cable(const Event& event);
   static Message recovery(const Event& event);
+  static Message slaveSync(const Event& event);
   static Message delayFinding(const Event& event);
 };
 
@@ -110,6 +111,21 @@ Message Words::recovery(const Event& event) {
   }
 }
 
+Message Words::slaveSync(const Event& event) {
+  switch (event.a) {
+    case 0:
+      return line(Severity::kWarning, event.c > 1 ? tr("Slaves out of sync, deviation %1; %n slave(s) over the limit", nullptr,
+                                                       static_cast<int>(event.c)).arg(timeText(event.b))
+                                                  : tr("Slaves out of sync, deviation %1").arg(timeText(event.b)));
+    case 2:
+      return line(Severity::kInfo, tr("The slaves' deviation is not monitored"));
+    case 3:
+      return line(Severity::kWarning, tr("Not known whether the slaves are in sync: nothing was read for %1").arg(timeText(event.b)));
+    default:
+      return line(Severity::kInfo, tr("All slaves in sync, deviation at most %1").arg(timeText(event.b)));
+  }
+}
+
 std::optional<Message> Words::make(const Event& event) {
   switch (event.kind) {
     case EventKind::kScanProgress:
@@ -140,13 +156,12 @@ std::optional<Message> Words::make(const Event& event) {
       return event.a != 0 ? line(Severity::kInfo, tr("Reference clock present"))
                           : line(Severity::kError, tr("Reference clock lost"));
     case EventKind::kDcSlaveSync:
-      if (event.a == 2) return line(Severity::kInfo, tr("The slaves' deviation is not monitored"));
-      return event.a != 0 ? line(Severity::kInfo, tr("All slaves in sync, deviation at most %1").arg(timeText(event.b)))
-                          : line(Severity::kWarning, tr("Slaves out of sync, deviation %1").arg(timeText(event.b)));
+      return slaveSync(event);
     case EventKind::kDcmSync:
       return event.a != 0
                  ? line(Severity::kInfo, tr("Master synchronisation in sync, error %1").arg(signedTimeText(event.b)))
-                 : line(Severity::kWarning, tr("Master synchronisation out of sync, error %1").arg(signedTimeText(event.b)));
+                 : line(Severity::kWarning, tr("Master synchronisation out of sync, error %1: %2")
+                                                .arg(signedTimeText(event.b), obstacleText(static_cast<dc::SyncObstacle>(event.c))));
     case EventKind::kDcmError:
       return dcmError(event);
     case EventKind::kWkcError:
@@ -155,6 +170,15 @@ std::optional<Message> Words::make(const Event& event) {
                       : tr("Working counter %1 instead of %2").arg(event.b).arg(event.a));
     case EventKind::kFramesLost:
       return line(Severity::kWarning, tr("%n frame(s) lost", nullptr, static_cast<int>(event.a)));
+    case EventKind::kFramesLate:
+      return line(Severity::kWarning, event.c > 0
+                      ? tr("%n frame(s) back late, up to %1 after the deadline (%2 of them told as lost before)", nullptr,
+                           static_cast<int>(event.a)).arg(timeText(event.b)).arg(event.c)
+                      : tr("%n frame(s) back late, up to %1 after the deadline", nullptr, static_cast<int>(event.a))
+                            .arg(timeText(event.b)));
+    case EventKind::kOverrun:
+      return line(Severity::kWarning, tr("%n cycle(s) left out, the host sent nothing for up to %1", nullptr,
+                                         static_cast<int>(event.a)).arg(timeText(event.b)));
     case EventKind::kSlaveLost:
       return line(Severity::kError, tr("Slave does not answer any more"));
     case EventKind::kSlaveFound:

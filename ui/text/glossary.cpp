@@ -32,6 +32,30 @@ QString syncStateText(SyncState state) {
       return QCoreApplication::translate("Glossary", "In sync");
     case SyncState::kOutOfSync:
       return QCoreApplication::translate("Glossary", "Out of sync");
+    case SyncState::kUnknown:
+      return QCoreApplication::translate("Glossary", "Unknown");
+  }
+  return {};
+}
+
+QString obstacleText(dc::SyncObstacle obstacle) {
+  switch (obstacle) {
+    case dc::SyncObstacle::kNone:
+      break;
+    case dc::SyncObstacle::kNoReferenceClock:
+      return QCoreApplication::translate("Glossary", "no reference clock");
+    case dc::SyncObstacle::kNoReading:
+      return QCoreApplication::translate("Glossary", "no reading of the reference clock");
+    case dc::SyncObstacle::kErrorCode:
+      return QCoreApplication::translate("Glossary", "error of the controller");
+    case dc::SyncObstacle::kControlError:
+      return QCoreApplication::translate("Glossary", "schedule beyond its limit");
+    case dc::SyncObstacle::kCyclesLeftOut:
+      return QCoreApplication::translate("Glossary", "cycles left out");
+    case dc::SyncObstacle::kLateFrames:
+      return QCoreApplication::translate("Glossary", "frames later than the set value allows");
+    case dc::SyncObstacle::kSettling:
+      return QCoreApplication::translate("Glossary", "settling");
   }
   return {};
 }

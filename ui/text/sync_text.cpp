@@ -16,6 +16,8 @@ theme::Tone toneOf(SyncState state) {
       return theme::Tone::kBad;
     case SyncState::kBusy:
       return theme::Tone::kBusy;
+    case SyncState::kUnknown:
+      return theme::Tone::kWarning;
     case SyncState::kNotMonitored:
     case SyncState::kNotReady:
       break;
@@ -30,14 +32,18 @@ QString offline() { return QCoreApplication::translate("Sync", "Offline"); }
 StateText slavesSync(const Snapshot& snapshot) {
   if (!snapshot.online) return {theme::Tone::kNeutral, offline()};
   if (!snapshot.dc.enabled) return {theme::Tone::kNeutral, QCoreApplication::translate("Sync", "DC off")};
-  if (!snapshot.dc.monitored) return {theme::Tone::kNeutral, syncStateText(SyncState::kNotMonitored)};
   return {toneOf(snapshot.dc.state), syncStateText(snapshot.dc.state)};
 }
 
 StateText masterSync(const Snapshot& snapshot) {
   if (!snapshot.online) return {theme::Tone::kNeutral, offline()};
   if (snapshot.dcm.mode == DcmMode::kOff) return {theme::Tone::kNeutral, dcmModeText(DcmMode::kOff)};
-  return {toneOf(snapshot.dcm.state), syncStateText(snapshot.dcm.state)};
+  const auto text = syncStateText(snapshot.dcm.state);
+  // On the way to in sync the obstacle is the way itself.
+  if (snapshot.dcm.state != SyncState::kOutOfSync || snapshot.dcm.obstacle == dc::SyncObstacle::kNone) {
+    return {toneOf(snapshot.dcm.state), text};
+  }
+  return {toneOf(snapshot.dcm.state), QCoreApplication::translate("Sync", "%1: %2").arg(text, obstacleText(snapshot.dcm.obstacle))};
 }
 
 }  // namespace syncline::ui

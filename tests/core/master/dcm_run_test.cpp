@@ -154,6 +154,7 @@ TEST_F(DcmRun, DriftThatNobodyBalancesIsTheErrorThatSaysSo) {
 
 TEST_F(DcmRun, TheLogSaysTheRun) {
   dcm().mode = DcmMode::kMasterShift;
+  network.project.master.dc.sync_window.enabled = true;
   go_online();
   run(3 * kSecond);
   DcmLog log(snapshot.dcm.set_value_ns, snapshot.cycle_time);

@@ -84,6 +84,12 @@ class OperationTest : public ::testing::Test {
   [[nodiscard]] std::size_t count(EventKind kind) const {
     return static_cast<std::size_t>(std::ranges::count(events, kind, &Event::kind));
   }
+  /// Over the counts in all events of a kind.
+  [[nodiscard]] std::int64_t sum(EventKind kind) const {
+    std::int64_t total = 0;
+    for (const auto& event : events) total += event.kind == kind ? event.a : 0;
+    return total;
+  }
   [[nodiscard]] Nanoseconds time_of(EventKind kind) const {
     const auto found = std::ranges::find(events, kind, &Event::kind);
     return found == events.end() ? -1 : found->time;
@@ -270,11 +276,73 @@ TEST_F(OperationTest, TellsLostSlavesAndWrongCounters) {
 TEST_F(OperationTest, CountsLostFramesAndGoesOn) {
   go_online();
   link->lose(5);
-  run(100 * kMillisecond);
+  run(200 * kMillisecond);
   EXPECT_EQ(snapshot.lost_frames, 5U);
-  EXPECT_GE(count(EventKind::kFramesLost), 1U);
+  EXPECT_EQ(sum(EventKind::kFramesLost), 5);
   EXPECT_EQ(snapshot.state, AlState::kOp);
   EXPECT_EQ(snapshot.wkc_errors, 0U);
+}
+
+TEST_F(OperationTest, EachLostFrameIsInExactlyOneEvent) {
+  go_online();
+  samples.clear();
+  const int losses[] = {1, 2, 1, 3, 2, 7, 1};
+  int lost = 0;
+  for (const int frames : losses) {
+    link->lose(frames);
+    run(30 * kMillisecond);
+    lost += frames;
+  }
+  run(200 * kMillisecond);
+  EXPECT_EQ(snapshot.lost_frames, static_cast<std::uint64_t>(lost));
+  EXPECT_EQ(sum(EventKind::kFramesLost), lost);
+  int in_samples = 0;
+  for (const auto& sample : samples) in_samples += sample.frames_lost;
+  EXPECT_EQ(in_samples, lost);
+}
+
+TEST_F(OperationTest, LossesAreToldToTheEndOfOperation) {
+  go_online();
+  link->lose(2);
+  run(4 * kMillisecond);
+  link->lose(3);
+  run(4 * kMillisecond);
+  service->channels().commands.push(GoOfflineCommand{});
+  while (service->online() && service->step()) {
+  }
+  drain();
+  EXPECT_EQ(snapshot.lost_frames, 5U);
+  EXPECT_EQ(sum(EventKind::kFramesLost), 5);
+}
+
+TEST_F(OperationTest, AFrameThatComesAfterItsDeadlineIsLateAndNotLost) {
+  go_online();
+  samples.clear();
+  link->hold_back(2, 2'500'000);
+  run(200 * kMillisecond);
+  EXPECT_EQ(snapshot.lost_frames, 0U);
+  EXPECT_GE(snapshot.late_frames, 2U);
+  EXPECT_EQ(count(EventKind::kFramesLost), 0U);
+  EXPECT_EQ(sum(EventKind::kFramesLate), static_cast<std::int64_t>(snapshot.late_frames));
+  const auto late = std::ranges::find_if(samples, [](const auto& s) { return (s.flags & CycleSample::kFrameLate) != 0; });
+  ASSERT_NE(late, samples.end());
+  EXPECT_NEAR(late->late_by_ns, 1'700'000, 20'000);
+  EXPECT_GE(std::ranges::count_if(samples, [](const auto& s) { return s.frames_lost > 0; }), 1);
+}
+
+TEST_F(OperationTest, AStandstillOfTheHostIsCyclesLeftOut) {
+  go_online();
+  samples.clear();
+  clock.advance_to(clock.now() + 20'300'000);
+  run(200 * kMillisecond);
+  EXPECT_NEAR(static_cast<double>(snapshot.skipped_cycles), 20, 1);
+  EXPECT_EQ(snapshot.overruns, 1U);
+  EXPECT_EQ(sum(EventKind::kOverrun), static_cast<std::int64_t>(snapshot.skipped_cycles));
+  ASSERT_FALSE(samples.empty());
+  EXPECT_EQ(samples.front().skipped_cycles, snapshot.skipped_cycles);
+  EXPECT_LT(samples.front().wake_lateness_ns, 500'000);
+  // No two frames in one cycle afterwards.
+  for (std::size_t i = 1; i < samples.size(); ++i) EXPECT_GT(samples[i].send_time - samples[i - 1].send_time, 499'000);
 }
 
 TEST_F(OperationTest, GoesDownAndUpAgainOnRequest) {

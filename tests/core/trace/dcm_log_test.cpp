@@ -96,15 +96,15 @@ TEST(DcmLog, WhatIsNoLogIsRefusedWithItsLine) {
 }
 
 TEST(ClockDifferences, AreInTheSampleTableUnderTheirNames) {
-  EXPECT_THAT(sample_csv_header(), HasSubstr(",NetworkToSubDeviceClkDiff_ns,MdeviceToNetworkClkDiff_ns\n"));
+  EXPECT_THAT(sample_csv_header(), HasSubstr(",NetworkToSubDeviceClkDiff_ns,MdeviceToNetworkClkDiff_ns,"));
   const auto s = sample(1);
   std::string text;
   append_sample_csv(text, std::span(&s, 1));
-  EXPECT_THAT(text, ::testing::EndsWith(",31,-250\n"));
+  EXPECT_THAT(text, HasSubstr(",31,-250,"));
   text.clear();
   const CycleSample without_clocks;
   append_sample_csv(text, std::span(&without_clocks, 1));
-  EXPECT_THAT(text, ::testing::EndsWith(",0,0\n"));
+  EXPECT_THAT(text, HasSubstr(",0,0,0,,0,,\n"));
   auto unheard = sample(1);  // a controller runs, but the reference clock did not answer in this cycle
   unheard.flags = CycleSample::kDcmActive;
   EXPECT_FALSE(clock_difference_signals()[1].value(unheard));

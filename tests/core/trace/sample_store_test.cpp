@@ -13,8 +13,8 @@ CycleSample sample(std::uint64_t cycle) {
   CycleSample s;
   s.cycle = cycle;
   s.send_time = static_cast<Nanoseconds>(cycle) * kMillisecond;
-  s.flags = CycleSample::kDeviationValid | CycleSample::kDcmActive | CycleSample::kReferenceValid;
-  s.deviation_ored_ns = 12;
+  s.flags = CycleSample::kFollowersRead | CycleSample::kDcmActive | CycleSample::kReferenceValid;
+  s.deviation_ns = 12;
   s.dcm_error_ns = -34;
   return s;
 }
@@ -32,7 +32,7 @@ TEST(SampleStore, LostFramesAndInvalidValuesAreGaps) {
   auto unmonitored = sample(3);
   unmonitored.flags = 0;
   store.append(std::vector<CycleSample>{sample(1), lost, unmonitored});
-  const auto ored = values(store.series(SampleStore::Series::kDeviationOred));
+  const auto ored = values(store.series(SampleStore::Series::kDeviation));
   ASSERT_EQ(ored.size(), 3U);
   EXPECT_EQ(ored[0], 12);
   EXPECT_TRUE(std::isnan(ored[1]));
@@ -44,7 +44,7 @@ TEST(SampleStore, MissingCyclesLeaveAGap) {
   SampleStore store(0);
   store.append(std::vector<CycleSample>{sample(1), sample(5)});
   EXPECT_EQ(store.missing_cycles(), 3U);
-  const auto ored = values(store.series(SampleStore::Series::kDeviationOred));
+  const auto ored = values(store.series(SampleStore::Series::kDeviation));
   ASSERT_EQ(ored.size(), 3U);
   EXPECT_TRUE(std::isnan(ored[1]));
 }
@@ -52,13 +52,18 @@ TEST(SampleStore, MissingCyclesLeaveAGap) {
 TEST(SampleStore, SlaveReadingsGoToTheirSlave) {
   SampleStore store(3);
   auto s = sample(1);
+  s.flags |= CycleSample::kSlaveFollows;
   s.slave_position = 2;
   s.slave_deviation_ns = -7;
   s.sm2_position = 1;
   s.slave_sm2_missed = 4;
   auto foreign = sample(2);
+  foreign.flags |= CycleSample::kSlaveFollows;
   foreign.slave_position = 9;  // of another configuration: ignored
-  store.append(std::vector<CycleSample>{s, foreign});
+  auto leader = sample(3);
+  leader.slave_position = 0;  // follows nobody: what it shows is no deviation
+  leader.slave_deviation_ns = 30'000;
+  store.append(std::vector<CycleSample>{s, foreign, leader});
   EXPECT_EQ(store.slave_deviation(2).at(INT64_MAX - 1)->value, -7);
   EXPECT_TRUE(store.slave_deviation(0).empty());
   EXPECT_EQ(store.slave_sm2_missed(1).at(INT64_MAX - 1)->value, 4);

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "dc/sync_verdict.h"
+
+#include <algorithm>
+
+#include "protocol/dc_registers.h"
+
+namespace syncline::dc {
+
+SlavesEvidence weigh(std::span<const ClockReading> readings, std::uint32_t limit_ns,
+                     std::optional<Nanoseconds> within) {
+  SlavesEvidence evidence;
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    const auto& reading = readings[i];
+    if (!reading.follows) continue;
+    // An own reading in the same cycle is the newer one.
+    const bool proven = within && (reading.read ? *within > reading.time : *within >= reading.time);
+    const auto heard = proven ? *within : reading.time;
+    evidence.oldest = evidence.followers == 0 ? heard : std::min(evidence.oldest, heard);
+    ++evidence.followers;
+    if (!reading.read) {
+      if (!proven) ++evidence.unread;
+      continue;
+    }
+    evidence.newest = std::max(evidence.newest, reading.time);
+    const bool over = reading.magnitude() > limit_ns;
+    if (over && proven) continue;  // that is over
+    if (over) ++evidence.over;
+    if (evidence.worst >= 0 && reading.magnitude() <= evidence.worst_ns) continue;
+    evidence.worst = static_cast<int>(i);
+    evidence.worst_ns = reading.magnitude();
+  }
+  return evidence;
+}
+
+SyncVerdict::SyncVerdict(const SyncWindowSettings& settings, bool monitored, Nanoseconds stale, Nanoseconds start)
+    : state_(monitored ? State::kSettling : State::kNotMonitored),
+      monitored_(monitored),
+      limit_ns_(sync_window_limit_ns(settings.exponent)),
+      settle_(settings.settle_time_ms * kMillisecond),
+      stale_(stale),
+      start_(start),
+      since_(start) {}
+
+SyncVerdict::Edge SyncVerdict::observe(const Input& input) {
+  const auto& ored = input.ored;
+  const bool ored_over = ored && ored->magnitude_ns > limit_ns_;
+  if (ored && !ored_over && ored->covers_all) within_ = input.time;
+  undecided_ = ored_over && !ored->followers_only;
+  evidence_ = weigh(input.readings, limit_ns_, within_);
+  if (!monitored_) return Edge::kNone;
+  if (evidence_.followers == 0 && input.led) {
+    good_since_.reset();
+    return enter(State::kNotMonitored, Edge::kNone, input.time);
+  }
+  return judge(input, evidence_.over > 0 || (ored_over && ored->followers_only));
+}
+
+SyncVerdict::Edge SyncVerdict::judge(const Input& input, bool over) {
+  const bool known = input.led && input.time - evidence_.oldest <= stale_;
+  if (!known || over) good_since_.reset();
+  if (!known) return enter(State::kUnknown, was_in_sync_ ? Edge::kUnknown : Edge::kNone, input.time);
+  if (over) {
+    // Until they have been in sync for the first time they are on their way.
+    return was_in_sync_ ? enter(State::kOutOfSync, Edge::kOutOfSync, input.time)
+                        : enter(State::kSettling, Edge::kNone, input.time);
+  }
+  if (state_ == State::kInSync) return Edge::kNone;
+  if (evidence_.unread == 0 && !good_since_) good_since_ = input.time;
+  if (good_since_ && input.time - *good_since_ >= settle_) {
+    was_in_sync_ = true;
+    settled_after_ = *good_since_ - start_;
+    return enter(State::kInSync, Edge::kInSync, input.time);
+  }
+  return state_ == State::kOutOfSync ? Edge::kNone : enter(State::kSettling, Edge::kNone, input.time);
+}
+
+SyncVerdict::Edge SyncVerdict::enter(State state, Edge edge, Nanoseconds time) {
+  if (state_ == state) return Edge::kNone;
+  state_ = state;
+  since_ = time;
+  return edge;
+}
+
+}  // namespace syncline::dc

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "dc/sync_verdict.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "protocol/dc_registers.h"
+
+namespace syncline::dc {
+namespace {
+
+using State = SyncVerdict::State;
+using Edge = SyncVerdict::Edge;
+
+constexpr Nanoseconds kStart = 820'000'000 * kSecond;
+constexpr Nanoseconds kStale = 500 * kMillisecond;
+
+/// Three slaves behind a reference clock at position 0, a cycle of 1 ms.
+class SyncVerdictTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    readings.resize(4);
+    for (std::size_t i = 1; i < 4; ++i) readings[i] = {true, false, kStart, 0};
+  }
+  [[nodiscard]] static Nanoseconds at(int ms) { return kStart + ms * kMillisecond; }
+  void read(std::size_t slave, int ms, std::int32_t deviation) {
+    readings[slave].read = true;
+    readings[slave].time = at(ms);
+    readings[slave].deviation_ns = deviation;
+  }
+  Edge cycle(int ms, std::optional<OredReading> ored = {}, bool led = true) {
+    return verdict.observe({at(ms), led, readings, ored});
+  }
+  /// Or-ed values of the followers alone in [from, to) ms; the last edge that was told.
+  Edge ored(int from, int to, std::uint32_t magnitude) {
+    Edge last = Edge::kNone;
+    for (int ms = from; ms < to; ++ms) {
+      const auto edge = cycle(ms, OredReading{magnitude, true, true});
+      if (edge != Edge::kNone) last = edge;
+    }
+    return last;
+  }
+  /// One reading a millisecond, in turn, beside an or-ed value that ors more than the followers.
+  Edge in_turn(int from, int to, std::int32_t deviation, std::uint32_t noise = 30'000) {
+    Edge last = Edge::kNone;
+    for (int ms = from; ms < to; ++ms) {
+      read(1 + static_cast<std::size_t>(ms % 3), ms, deviation);
+      const auto edge = cycle(ms, OredReading{noise, true, false});
+      if (edge != Edge::kNone) last = edge;
+    }
+    return last;
+  }
+  SyncWindowSettings settings{true, 7, 1500};
+  std::vector<ClockReading> readings;
+  SyncVerdict verdict{settings, true, kStale, kStart};
+};
+
+TEST_F(SyncVerdictTest, LimitIsAPowerOfTwoLessOne) { EXPECT_EQ(verdict.limit_ns(), 127U); }
+
+TEST_F(SyncVerdictTest, InSyncAfterTheWholeSettleTime) {
+  EXPECT_EQ(ored(0, 100, 5000), Edge::kNone);
+  EXPECT_EQ(ored(100, 1600, 127), Edge::kNone);
+  EXPECT_EQ(verdict.state(), State::kSettling);
+  EXPECT_EQ(ored(1600, 1601, 127), Edge::kInSync);
+  EXPECT_EQ(verdict.state(), State::kInSync);
+  EXPECT_EQ(verdict.since(), at(1600));
+  EXPECT_EQ(verdict.settled_after(), 100 * kMillisecond);
+}
+
+TEST_F(SyncVerdictTest, OneReadingBeyondTheLimitStartsTheSettleTimeAgain) {
+  ored(0, 1400, 10);
+  ored(1400, 1401, 128);
+  EXPECT_EQ(ored(1401, 2901, 10), Edge::kNone);
+  EXPECT_EQ(ored(2901, 2902, 10), Edge::kInSync);
+  EXPECT_EQ(verdict.settled_after(), 1401 * kMillisecond);
+}
+
+TEST_F(SyncVerdictTest, OutOfSyncAtOnceAndToldOnce) {
+  ored(0, 2000, 10);
+  EXPECT_EQ(ored(2000, 2001, 128), Edge::kOutOfSync);
+  EXPECT_EQ(verdict.state(), State::kOutOfSync);
+  EXPECT_EQ(verdict.since(), at(2000));
+  EXPECT_EQ(ored(2001, 2100, 128), Edge::kNone);
+  EXPECT_EQ(ored(2100, 3600, 0), Edge::kNone);
+  EXPECT_EQ(ored(3600, 3601, 0), Edge::kInSync);
+}
+
+TEST_F(SyncVerdictTest, WithoutSettleTimeTheFirstGoodReadingIsEnough) {
+  settings.settle_time_ms = 0;
+  verdict = SyncVerdict(settings, true, kStale, kStart);
+  EXPECT_EQ(ored(0, 1, 127), Edge::kInSync);
+}
+
+TEST_F(SyncVerdictTest, NothingIsSaidWhereNothingIsMonitored) {
+  verdict = SyncVerdict(settings, false, kStale, kStart);
+  EXPECT_EQ(in_turn(0, 3000, 900'000), Edge::kNone);
+  EXPECT_EQ(verdict.state(), State::kNotMonitored);
+  EXPECT_EQ(verdict.evidence().worst_ns, 900'000U);  // though it is seen
+}
+
+TEST_F(SyncVerdictTest, WhatIsOredFromOthersAccusesNobody) {
+  // Bus shift on a bad host: 30 us of the reference clock against the host are in the or-ed value.
+  EXPECT_EQ(in_turn(0, 1600, 40), Edge::kInSync);
+  EXPECT_TRUE(verdict.undecided());
+  EXPECT_EQ(in_turn(1600, 5000, -90, 400'000), Edge::kNone);
+  EXPECT_EQ(verdict.state(), State::kInSync);
+}
+
+TEST_F(SyncVerdictTest, AnOwnReadingOverTheLimitDecidesThere) {
+  in_turn(0, 1600, 40);
+  read(2, 1600, -200);
+  EXPECT_EQ(cycle(1600, OredReading{30'000, true, false}), Edge::kOutOfSync);
+  EXPECT_EQ(verdict.evidence().over, 1U);
+  EXPECT_EQ(verdict.evidence().worst, 2);
+  EXPECT_EQ(verdict.evidence().worst_ns, 200U);
+}
+
+TEST_F(SyncVerdictTest, AnOredValueWithinTheLimitSaysSoOfAllInEveryMode) {
+  in_turn(0, 1600, 40);
+  read(2, 1600, 200);
+  cycle(1600);
+  EXPECT_EQ(verdict.evidence().over, 1U);
+  cycle(1601, OredReading{100, true, false});
+  EXPECT_EQ(verdict.evidence().over, 0U);
+  EXPECT_NE(verdict.evidence().worst_ns, 200U);
+  // But not when a follower did not answer it.
+  read(2, 1602, 200);
+  cycle(1602);
+  cycle(1603, OredReading{100, false, false});
+  EXPECT_EQ(verdict.evidence().over, 1U);
+}
+
+TEST_F(SyncVerdictTest, TheReferenceClockAndThoseInFrontOfItDoNotCount) {
+  readings[1].follows = false;
+  in_turn(0, 2000, 40);
+  readings[0] = {false, true, at(2000), 400'000};
+  readings[1] = {false, true, at(2000), -70'000};
+  cycle(2000);
+  EXPECT_EQ(verdict.state(), State::kInSync);
+  EXPECT_EQ(verdict.evidence().followers, 2U);
+  EXPECT_EQ(verdict.evidence().worst_ns, 40U);
+}
+
+TEST_F(SyncVerdictTest, EveryFollowerIsHeardBeforeTheSettleTimeBegins) {
+  for (int ms = 0; ms < 400; ++ms) {
+    read(1 + static_cast<std::size_t>(ms % 2), ms, 10);
+    cycle(ms, OredReading{30'000, true, false});
+  }
+  EXPECT_EQ(verdict.evidence().unread, 1U);
+  EXPECT_EQ(in_turn(400, 1890, 10), Edge::kNone);
+  EXPECT_EQ(in_turn(1890, 1910, 10), Edge::kInSync);
+}
+
+TEST_F(SyncVerdictTest, OldReadingsClaimNothing) {
+  in_turn(0, 1600, 10);
+  Edge told = Edge::kNone;
+  for (int ms = 1600; ms < 2200; ++ms) {
+    read(1 + static_cast<std::size_t>(ms % 2), ms, 10);  // slave 3 is silent
+    if (const auto edge = cycle(ms); edge != Edge::kNone) told = edge;
+  }
+  EXPECT_EQ(told, Edge::kUnknown);
+  EXPECT_EQ(verdict.state(), State::kUnknown);
+  EXPECT_GT(at(2200) - verdict.evidence().oldest, kStale);
+  EXPECT_EQ(in_turn(2200, 4000, 10), Edge::kInSync);
+}
+
+TEST_F(SyncVerdictTest, NobodyIsInSyncWithAClockThatIsLost) {
+  in_turn(0, 1600, 10);
+  EXPECT_EQ(cycle(1600, std::nullopt, false), Edge::kUnknown);
+  EXPECT_EQ(verdict.state(), State::kUnknown);
+  in_turn(1601, 1700, 10);
+  EXPECT_EQ(verdict.state(), State::kSettling);
+}
+
+TEST_F(SyncVerdictTest, WithoutFollowersThereIsNothingToMonitor) {
+  in_turn(0, 1600, 10);
+  for (auto& reading : readings) reading.follows = false;
+  EXPECT_EQ(cycle(1600), Edge::kNone);
+  EXPECT_EQ(verdict.state(), State::kNotMonitored);
+}
+
+TEST_F(SyncVerdictTest, BeforeTheFirstTimeInSyncNobodyFallsOutOfIt) {
+  EXPECT_EQ(in_turn(0, 1000, 5000), Edge::kNone);
+  EXPECT_EQ(verdict.state(), State::kSettling);
+}
+
+}  // namespace
+}  // namespace syncline::dc
