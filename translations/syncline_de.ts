@@ -457,6 +457,28 @@
     <context>
         <name>Events</name>
         <message>
+            <source>Port %1: link lost %2 times, %3 damaged frames</source>
+            <translation>Port %1: Link %2 Mal verloren, %3 beschädigte Frames</translation>
+        </message>
+        <message>
+            <source>Port %1: %2 damaged frames</source>
+            <translation>Port %1: %2 beschädigte Frames</translation>
+        </message>
+        <message numerus="yes">
+            <source>Process data watchdog expired (%n time(s))</source>
+            <translation>
+                <numerusform>Prozessdaten-Watchdog abgelaufen (%n Mal)</numerusform>
+                <numerusform>Prozessdaten-Watchdog abgelaufen (%n Mal)</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>PDI watchdog expired (%n time(s)): the firmware is silent</source>
+            <translation>
+                <numerusform>PDI-Watchdog abgelaufen (%n Mal): die Firmware schweigt</numerusform>
+                <numerusform>PDI-Watchdog abgelaufen (%n Mal): die Firmware schweigt</numerusform>
+            </translation>
+        </message>
+        <message>
             <source>Connected by port %1 instead of A: its delay is right here, but other masters take it wrong without a word</source>
             <translation>Über Port %1 statt A angeschlossen: Die Laufzeit stimmt hier, andere Master messen sie wortlos falsch</translation>
         </message>
@@ -1076,6 +1098,14 @@
     </context>
     <context>
         <name>MainWindow</name>
+        <message>
+            <source>Findings</source>
+            <translation>Befunde</translation>
+        </message>
+        <message>
+            <source>Findings (%1)</source>
+            <translation>Befunde (%1)</translation>
+        </message>
         <message>
             <source>Live plots</source>
             <translation>Live-Diagramme</translation>
@@ -2598,6 +2628,407 @@ Einstellung %2</translation>
                 <numerusform>%n Slave auf %1 gefunden</numerusform>
                 <numerusform>%n Slaves auf %1 gefunden</numerusform>
             </translation>
+        </message>
+    </context>
+    <context>
+        <name>Finding</name>
+        <message>
+            <source>No answer from {slaves} since {since}; {near} is the last that answers.</source>
+            <translation>Keine Antwort von {slaves} seit {since}; {near} ist der letzte, der antwortet.</translation>
+        </message>
+        <message>
+            <source>Check the power of the first one and the cable that leads to it.</source>
+            <translation>Die Versorgung des ersten und das Kabel zu ihm prüfen.</translation>
+        </message>
+        <message>
+            <source>No answer from {slaves} since {since}: nothing comes back over the cable at {near} port {port}.</source>
+            <translation>Keine Antwort von {slaves} seit {since}: über das Kabel an {near} Port {port} kommt nichts zurück.</translation>
+        </message>
+        <message>
+            <source>Check the power of the first one, and the cable and plugs between the two.</source>
+            <translation>Die Versorgung des ersten prüfen, und Kabel und Stecker zwischen beiden.</translation>
+        </message>
+        <message>
+            <source>No answer from {slaves} from {since} on, for {length} ({count} times in all).</source>
+            <translation>Keine Antwort von {slaves} ab {since}, {length} lang ({count} Mal insgesamt).</translation>
+        </message>
+        <message>
+            <source>A loose plug or a weak supply; the lost links of the ports say which cable.</source>
+            <translation>Ein loser Stecker oder eine schwache Versorgung; die Link-Verluste der Ports sagen, welches Kabel.</translation>
+        </message>
+        <message>
+            <source>{slave} is in {state} with AL status code {alcode}{alarm}, since {since}.</source>
+            <translation>{slave} ist in {state} mit AL-Statuscode {alcode}{alarm}, seit {since}.</translation>
+        </message>
+        <message>
+            <source>Check {check}.</source>
+            <translation>Zu prüfen: {check}.</translation>
+        </message>
+        <message>
+            <source>{slave} fell to {state} with AL status code {alcode}{alarm} at {since}: it missed {missed} SM2 events, its error counter reached {integrator} of {limit}.</source>
+            <translation>{slave} fiel bei {since} nach {state} mit AL-Statuscode {alcode}{alarm}: {missed} SM2-Ereignisse fehlten, der Fehlerzähler erreichte {integrator} von {limit}.</translation>
+        </message>
+        <message>
+            <source>The cause is that of the missed events: {cause}.</source>
+            <translation>Die Ursache ist die der fehlenden Ereignisse: {cause}.</translation>
+        </message>
+        <message>
+            <source>{slave} fell to {state} with AL status code {alcode}{alarm} at {since}, and the master saw nothing but good cycles before: no frame lost or late, none left out, outputs nominally there {margin} before each SYNC0.</source>
+            <translation>{slave} fiel bei {since} nach {state} mit AL-Statuscode {alcode}{alarm}, und der Master sah vorher nur gute Zyklen: kein Frame verloren oder verspätet, keiner ausgelassen, Ausgänge nominell {margin} vor jedem SYNC0.</translation>
+        </message>
+        <message>
+            <source>So the cause is in the slave: its application needed longer than the cycle, or than the time between its outputs and SYNC0. Give it a longer cycle or more time before SYNC0, or look for what slows its firmware.</source>
+            <translation>Also liegt die Ursache im Slave: seine Anwendung brauchte länger als den Zyklus oder als die Zeit zwischen Ausgängen und SYNC0. Längeren Zyklus oder mehr Zeit vor SYNC0 geben, oder suchen, was seine Firmware aufhält.</translation>
+        </message>
+        <message>
+            <source>{slave} stays in {state} while others went further.</source>
+            <translation>{slave} bleibt in {state}, während andere weiter sind.</translation>
+        </message>
+        <message>
+            <source>Request the state again and watch its AL status.</source>
+            <translation>Den Zustand erneut anfordern und den AL-Status beobachten.</translation>
+        </message>
+        <message>
+            <source>The slaves' deviation is not monitored.</source>
+            <translation>Die Abweichung der Slaves wird nicht überwacht.</translation>
+        </message>
+        <message>
+            <source>Switch sync-window monitoring on to prove that they are in sync.</source>
+            <translation>Sync-Window-Überwachung einschalten, um zu beweisen, dass sie synchron sind.</translation>
+        </message>
+        <message>
+            <source>No slave follows the reference clock ({clocks} with a system time behind it), so there is no deviation to watch.</source>
+            <translation>Kein Slave folgt der Referenzuhr ({clocks} mit Systemzeit hinter ihr), also gibt es keine Abweichung zu überwachen.</translation>
+        </message>
+        <message>
+            <source>The slaves are not in sync within {limit} since {since}.</source>
+            <translation>Die Slaves sind seit {since} nicht innerhalb von {limit} synchron.</translation>
+        </message>
+        <message>
+            <source>Look at the deviations of the single slaves.</source>
+            <translation>Die Abweichungen der einzelnen Slaves ansehen.</translation>
+        </message>
+        <message>
+            <source>The slaves are not in sync: {slave} is {deviation} off its reference clock, the limit is {limit}.</source>
+            <translation>Die Slaves sind nicht synchron: {slave} weicht um {deviation} von der Referenzuhr ab, die Grenze ist {limit}.</translation>
+        </message>
+        <message>
+            <source>A clock that stepped, was not initialised or cannot follow; its loop values and its propagation delay stand in its distributed clocks.</source>
+            <translation>Eine Uhr, die gesprungen ist, nicht eingerichtet wurde oder nicht folgen kann; ihre Regelwerte und ihre Laufzeit stehen bei ihren Distributed Clocks.</translation>
+        </message>
+        <message>
+            <source>{slave} left the sync window at {since} ({deviation}, limit {limit}) and came back; {count} times in all.</source>
+            <translation>{slave} verließ bei {since} das Sync-Window ({deviation}, Grenze {limit}) und kam zurück; {count} Mal insgesamt.</translation>
+        </message>
+        <message>
+            <source>A clock that steps, or a reference clock that was exchanged; see the events of that moment.</source>
+            <translation>Eine Uhr, die springt, oder eine ausgetauschte Referenzuhr; siehe die Ereignisse dieses Moments.</translation>
+        </message>
+        <message>
+            <source>{slave} was {deviation} off its reference clock at {since}, and nobody monitors it.</source>
+            <translation>{slave} wich bei {since} um {deviation} von der Referenzuhr ab, und niemand überwacht das.</translation>
+        </message>
+        <message>
+            <source>Its clock stepped or lost its reference; switch sync-window monitoring on to be told at once.</source>
+            <translation>Die Uhr ist gesprungen oder hat ihre Referenz verloren; Sync-Window-Überwachung einschalten, um es sofort zu erfahren.</translation>
+        </message>
+        <message>
+            <source>The master is not in sync with the reference clock (schedule error {error}){obstacle}.</source>
+            <translation>Der Master ist nicht synchron mit der Referenzuhr (Fehler des Zeitplans {error}){obstacle}.</translation>
+        </message>
+        <message>
+            <source>Look for a busy host or a clock that stepped; if neither is there, choose the other shift mode.</source>
+            <translation>Nach einem beschäftigten Rechner oder einer gesprungenen Uhr suchen; ist beides nicht da, die andere Art der Synchronisation wählen.</translation>
+        </message>
+        <message>
+            <source>The master was out of sync with the reference clock {count} times, first at {since}{obstacle}; it found back.</source>
+            <translation>Der Master war {count} Mal nicht synchron mit der Referenzuhr, zuerst bei {since}{obstacle}; er fand zurück.</translation>
+        </message>
+        <message>
+            <source>See what else happened then: a clock that stepped, cycles left out, a reference clock that was lost.</source>
+            <translation>Sehen, was dann noch geschah: eine gesprungene Uhr, ausgelassene Zyklen, eine verlorene Referenzuhr.</translation>
+        </message>
+        <message>
+            <source>The master synchronisation reports {code}: {meaning}</source>
+            <translation>Die Master-Synchronisation meldet {code}: {meaning}</translation>
+        </message>
+        <message>
+            <source>The host's clock and the reference clock drift by {drift}; no controller balances more than 600 ppm.</source>
+            <translation>Die Uhr des Rechners und die Referenzuhr laufen um {drift} auseinander; mehr als 600 ppm gleicht kein Regler aus.</translation>
+        </message>
+        <message>
+            <source>Check the cycle time and the host's timer frequency.</source>
+            <translation>Zykluszeit und Timerfrequenz des Rechners prüfen.</translation>
+        </message>
+        <message>
+            <source>{slave} missed {missed} SM2 events, {part} of them because frames were lost; its error counter reached {integrator} of {limit}.</source>
+            <translation>{slave} fehlten {missed} SM2-Ereignisse, {part} davon, weil Frames verloren gingen; der Fehlerzähler erreichte {integrator} von {limit}.</translation>
+        </message>
+        <message>
+            <source>Find out where the frames are lost; its SYNC0 is not the reason.</source>
+            <translation>Herausfinden, wo die Frames verloren gehen; SYNC0 ist nicht der Grund.</translation>
+        </message>
+        <message>
+            <source>{slave} missed {missed} SM2 events, {part} of them because the host left cycles out; its error counter reached {integrator} of {limit}.</source>
+            <translation>{slave} fehlten {missed} SM2-Ereignisse, {part} davon, weil der Rechner Zyklen ausließ; der Fehlerzähler erreichte {integrator} von {limit}.</translation>
+        </message>
+        <message>
+            <source>Find out what held the host; its SYNC0 is not the reason.</source>
+            <translation>Herausfinden, was den Rechner aufhielt; SYNC0 ist nicht der Grund.</translation>
+        </message>
+        <message>
+            <source>{slave} missed {missed} SM2 events, {part} of them because frames came behind the SYNC0 they were meant for: nominally they are there {margin} before it, but one in a thousand is {lateness} late.</source>
+            <translation>{slave} fehlten {missed} SM2-Ereignisse, {part} davon, weil Frames hinter dem SYNC0 kamen, für das sie bestimmt waren: nominell sind sie {margin} davor da, aber einer von tausend kommt {lateness} zu spät.</translation>
+        </message>
+        <message>
+            <source>Increase the set value by {more} or more, or make the host less late.</source>
+            <translation>Den Sollwert um {more} oder mehr erhöhen, oder den Rechner pünktlicher machen.</translation>
+        </message>
+        <message>
+            <source>{slave} missed {missed} SM2 events, and the master was not locked to the reference clock all the time: frames slid through its SYNC0.</source>
+            <translation>{slave} fehlten {missed} SM2-Ereignisse, und der Master war nicht die ganze Zeit auf die Referenzuhr eingerastet: Frames glitten durch SYNC0.</translation>
+        </message>
+        <message>
+            <source>Mend the lock first.</source>
+            <translation>Zuerst das Einrasten in Ordnung bringen.</translation>
+        </message>
+        <message>
+            <source>{slave} counts {missed} missed SM2 events (0x1C32:{sub}), and for {part} of them the master saw good cycles.</source>
+            <translation>{slave} zählt {missed} fehlende SM2-Ereignisse (0x1C32:{sub}), und bei {part} davon sah der Master gute Zyklen.</translation>
+        </message>
+        <message>
+            <source>Its outputs come nominally {margin} before SYNC0, and it needs {need} for them; look at its firmware's load, or at frames that are damaged in front of it.</source>
+            <translation>Die Ausgänge kommen nominell {margin} vor SYNC0, und er braucht {need} für sie; die Last seiner Firmware ansehen, oder Frames, die vor ihm beschädigt werden.</translation>
+        </message>
+        <message>
+            <source>The frames reach {slave} nominally {margin} before its SYNC0, and one in a thousand is {lateness} late.</source>
+            <translation>Die Frames erreichen {slave} nominell {margin} vor SYNC0, und einer von tausend kommt {lateness} zu spät.</translation>
+        </message>
+        <message>
+            <source>Increase the set value by {more} or more.</source>
+            <translation>Den Sollwert um {more} oder mehr erhöhen.</translation>
+        </message>
+        <message>
+            <source>{slave} got its outputs too late for SYNC0 {count} times (0x1C32:0D shift too short), and used those of the cycle before: they come {margin} before SYNC0, and it needs {need}.</source>
+            <translation>{slave} bekam seine Ausgänge {count} Mal zu spät für SYNC0 (0x1C32:0D Shift too short) und nahm die des Zyklus davor: sie kommen {margin} vor SYNC0, und er braucht {need}.</translation>
+        </message>
+        <message>
+            <source>Let its SYNC0 come {more} later: a shift of {shift}.</source>
+            <translation>SYNC0 um {more} später legen: eine Verschiebung von {shift}.</translation>
+        </message>
+        <message>
+            <source>{slave} had its inputs too late {count} times (0x1C33:0D shift too short).</source>
+            <translation>{slave} hatte seine Eingänge {count} Mal zu spät (0x1C33:0D Shift too short).</translation>
+        </message>
+        <message>
+            <source>Latch them earlier: a smaller input shift time.</source>
+            <translation>Früher einlesen: eine kleinere Input Shift Time.</translation>
+        </message>
+        <message>
+            <source>The firmware of {slave} was silent at {since}: its PDI watchdog expired {count} times (0x0443).</source>
+            <translation>Die Firmware von {slave} schwieg bei {since}: ihr PDI-Watchdog lief {count} Mal ab (0x0443).</translation>
+        </message>
+        <message>
+            <source>Its outputs and inputs stood still meanwhile. Look for what stops it: an interrupt storm, a debugger, a crash.</source>
+            <translation>Ausgänge und Eingänge standen währenddessen still. Suchen, was sie anhält: ein Interrupt-Sturm, ein Debugger, ein Absturz.</translation>
+        </message>
+        <message>
+            <source>{slave} needed longer than its cycle {count} times ({object} cycle exceeded), last at {last}.</source>
+            <translation>{slave} brauchte {count} Mal länger als den Zyklus ({object} Cycle exceeded), zuletzt bei {last}.</translation>
+        </message>
+        <message>
+            <source>Give it a longer cycle, or fewer objects and functions in each.</source>
+            <translation>Einen längeren Zyklus geben, oder weniger Objekte und Funktionen in jedem.</translation>
+        </message>
+        <message>
+            <source>{slave} skipped {count} cycles because the one before was not over ({object} cycle exceeded): its fieldbus needs longer than a cycle.</source>
+            <translation>{slave} ließ {count} Zyklen aus, weil der davor nicht zu Ende war ({object} Cycle exceeded): sein Feldbus braucht länger als einen Zyklus.</translation>
+        </message>
+        <message>
+            <source>Use a longer bus cycle or a larger sync multiplier, or let its fieldbus carry less.</source>
+            <translation>Einen längeren Buszyklus oder einen größeren Sync Multiplier nehmen, oder seinen Feldbus weniger übertragen lassen.</translation>
+        </message>
+        <message>
+            <source>{slave} left {count} mailbox requests in a row without an answer.</source>
+            <translation>{slave} ließ {count} Mailbox-Anfragen hintereinander ohne Antwort.</translation>
+        </message>
+        <message>
+            <source>Its firmware is busy or stopped; the counters that it keeps in objects are as old as that.</source>
+            <translation>Seine Firmware ist beschäftigt oder steht; die Zähler in seinen Objekten sind so alt wie das.</translation>
+        </message>
+        <message>
+            <source>The process data watchdog of {slave} expired {count} times (0x0442), last at {last}.</source>
+            <translation>Der Prozessdaten-Watchdog von {slave} lief {count} Mal ab (0x0442), zuletzt bei {last}.</translation>
+        </message>
+        <message>
+            <source>It had no outputs for longer than its watchdog time.</source>
+            <translation>Er hatte länger als seine Watchdog-Zeit keine Ausgänge.</translation>
+        </message>
+        <message>
+            <source>{count} frames reached {slave} damaged at port {port} (0x{register}), from {since} on; the cable comes from {behind}.</source>
+            <translation>{count} Frames erreichten {slave} beschädigt an Port {port} (0x{register}), ab {since}; das Kabel kommt von {behind}.</translation>
+        </message>
+        <message>
+            <source>Noise on that cable, a bad plug or a bad shield: change the cable, keep it away from motor cables.</source>
+            <translation>Störungen auf diesem Kabel, ein schlechter Stecker oder Schirm: Kabel tauschen, von Motorleitungen fernhalten.</translation>
+        </message>
+        <message>
+            <source>{slave} lost its link at port {port} {count} times (0x{register}), last at {last}.</source>
+            <translation>{slave} verlor an Port {port} {count} Mal den Link (0x{register}), zuletzt bei {last}.</translation>
+        </message>
+        <message>
+            <source>A loose plug, a bad cable, or a neighbour without power.</source>
+            <translation>Ein loser Stecker, ein schlechtes Kabel oder ein Nachbar ohne Versorgung.</translation>
+        </message>
+        <message>
+            <source>{count} frames did not come back (up to {most} close together, first at {since}), and no slave counted an error at its ports.</source>
+            <translation>{count} Frames kamen nicht zurück (bis zu {most} nah beieinander, zuerst bei {since}), und kein Slave zählte einen Fehler an seinen Ports.</translation>
+        </message>
+        <message>
+            <source>They are lost between the host and the first slave, or in the network card and its driver.</source>
+            <translation>Sie gehen zwischen Rechner und erstem Slave verloren, oder in der Netzwerkkarte und ihrem Treiber.</translation>
+        </message>
+        <message>
+            <source>{count} frames did not come back (up to {most} close together, first at {since}); they were damaged on their way, first at {slave} port {port}.</source>
+            <translation>{count} Frames kamen nicht zurück (bis zu {most} nah beieinander, zuerst bei {since}); sie wurden unterwegs beschädigt, zuerst an {slave} Port {port}.</translation>
+        </message>
+        <message>
+            <source>Mend what is found about that port.</source>
+            <translation>Beheben, was zu diesem Port gefunden ist.</translation>
+        </message>
+        <message>
+            <source>{count} frames did not come back in time while the host stood still.</source>
+            <translation>{count} Frames kamen nicht rechtzeitig zurück, während der Rechner stillstand.</translation>
+        </message>
+        <message>
+            <source>Find out what held the host.</source>
+            <translation>Herausfinden, was den Rechner aufhielt.</translation>
+        </message>
+        <message>
+            <source>{count} frames were lost when {slave} went away or came back.</source>
+            <translation>{count} Frames gingen verloren, als {slave} ging oder wiederkam.</translation>
+        </message>
+        <message>
+            <source>{count} frames came back after their cycle, by up to {largest}.</source>
+            <translation>{count} Frames kamen nach ihrem Zyklus zurück, um bis zu {largest}.</translation>
+        </message>
+        <message>
+            <source>The way through the network card takes too long now and then: interrupt moderation, a switch, or a busy host.</source>
+            <translation>Der Weg durch die Netzwerkkarte dauert hin und wieder zu lange: Interrupt-Moderation, ein Switch oder ein beschäftigter Rechner.</translation>
+        </message>
+        <message>
+            <source>The host stood still {times} times, for up to {longest}, first at {since}: {count} cycles were left out.</source>
+            <translation>Der Rechner stand {times} Mal still, bis zu {longest} lang, zuerst bei {since}: {count} Zyklen wurden ausgelassen.</translation>
+        </message>
+        <message>
+            <source>Look for what held it: another process of higher priority, power management, the virtual machine's host.</source>
+            <translation>Suchen, was ihn aufhielt: ein anderer Prozess mit höherer Priorität, Energiesparen, der Wirt der virtuellen Maschine.</translation>
+        </message>
+        <message>
+            <source>The host sends late: half of the frames by {p50}, one in a hundred by {p99}, one in a thousand by {p999}, at most {largest}; the frames may be {margin} late.</source>
+            <translation>Der Rechner sendet spät: die Hälfte der Frames um {p50}, einer von hundert um {p99}, einer von tausend um {p999}, höchstens {largest}; um {margin} dürfen sie es sein.</translation>
+        </message>
+        <message>
+            <source>Give the master a processor of its own and real-time priority, or increase the set value.</source>
+            <translation>Dem Master einen eigenen Prozessor und Echtzeitpriorität geben, oder den Sollwert erhöhen.</translation>
+        </message>
+        <message>
+            <source>{count} cycles had a wrong working counter ({received} instead of {expected} last), from {since} on.</source>
+            <translation>{count} Zyklen hatten einen falschen Working Counter (zuletzt {received} statt {expected}), ab {since}.</translation>
+        </message>
+        <message>
+            <source>A slave left OP, lost its link or did not serve its data.</source>
+            <translation>Ein Slave hat OP verlassen, seinen Link verloren oder seine Daten nicht bedient.</translation>
+        </message>
+        <message>
+            <source>{count} cycles had a wrong working counter, from {since} on: that is what the others see of {slave}.</source>
+            <translation>{count} Zyklen hatten einen falschen Working Counter, ab {since}: das ist, was man von {slave} sonst sieht.</translation>
+        </message>
+        <message>
+            <source>frames were lost</source>
+            <translation>Frames gingen verloren</translation>
+        </message>
+        <message>
+            <source>the host left cycles out</source>
+            <translation>der Rechner ließ Zyklen aus</translation>
+        </message>
+        <message>
+            <source>frames came behind the SYNC0 they were meant for</source>
+            <translation>Frames kamen hinter dem SYNC0, für das sie bestimmt waren</translation>
+        </message>
+        <message>
+            <source>not seen by the master; look at its firmware and at frames that are damaged in front of it</source>
+            <translation>vom Master nicht gesehen; seine Firmware ansehen, und Frames, die vor ihm beschädigt werden</translation>
+        </message>
+        <message>
+            <source>no limit</source>
+            <translation>keiner Grenze</translation>
+        </message>
+        <message>
+            <source>one of the slaves</source>
+            <translation>einer der Slaves</translation>
+        </message>
+        <message>
+            <source>at least %1</source>
+            <translation>mindestens %1</translation>
+        </message>
+        <message>
+            <source>the host</source>
+            <translation>dem Rechner</translation>
+        </message>
+        <message>
+            <source>nobody in the configuration</source>
+            <translation>niemandem in der Konfiguration</translation>
+        </message>
+        <message>
+            <source>slaves %1 to %2</source>
+            <translation>Slaves %1 bis %2</translation>
+        </message>
+        <message>
+            <source>slave %1</source>
+            <translation>Slave %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>FindingModel</name>
+        <message>
+            <source>Error</source>
+            <translation>Fehler</translation>
+        </message>
+        <message>
+            <source>Warning</source>
+            <translation>Warnung</translation>
+        </message>
+        <message>
+            <source>Note</source>
+            <translation>Hinweis</translation>
+        </message>
+        <message>
+            <source>Severity</source>
+            <translation>Schwere</translation>
+        </message>
+        <message>
+            <source>Where</source>
+            <translation>Wo</translation>
+        </message>
+        <message>
+            <source>Finding</source>
+            <translation>Befund</translation>
+        </message>
+        <message>
+            <source>What to do</source>
+            <translation>Was zu tun ist</translation>
+        </message>
+    </context>
+    <context>
+        <name>FindingsPanel</name>
+        <message>
+            <source>Findings about the running bus</source>
+            <translation>Befunde zum laufenden Bus</translation>
+        </message>
+        <message>
+            <source>Nothing found. What the running bus shows to be wrong stands here, with its cause and what to do.</source>
+            <translation>Nichts gefunden. Was am laufenden Bus nicht stimmt, steht hier, mit Ursache und Abhilfe.</translation>
         </message>
     </context>
 </TS>

@@ -15,6 +15,20 @@
     <context>
         <name>Events</name>
         <message numerus="yes">
+            <source>Process data watchdog expired (%n time(s))</source>
+            <translation>
+                <numerusform>Process data watchdog expired (%n time)</numerusform>
+                <numerusform>Process data watchdog expired (%n times)</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>PDI watchdog expired (%n time(s)): the firmware is silent</source>
+            <translation>
+                <numerusform>PDI watchdog expired (%n time): the firmware is silent</numerusform>
+                <numerusform>PDI watchdog expired (%n times): the firmware is silent</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
             <source>Distributed clocks initialised: %n slave(s), reference clock at position %1</source>
             <translation>
                 <numerusform>Distributed clocks initialised: %n slave, reference clock at position %1</numerusform>

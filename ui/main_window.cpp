@@ -23,6 +23,7 @@
 #include "ui/pages/welcome_page.h"
 #include "ui/panels/explorer_panel.h"
 #include "ui/panels/live_strip.h"
+#include "ui/panels/findings_panel.h"
 #include "ui/panels/messages_panel.h"
 #include "ui/panels/status_panel.h"
 #include "ui/session/workspace.h"
@@ -86,6 +87,15 @@ void MainWindow::buildDocks() {
   auto* messages = new MessagesPanel(workspace_.messages());
   messages_dock_->setWidget(messages);
   addDockWidget(Qt::BottomDockWidgetArea, messages_dock_);
+  findings_dock_ = new QDockWidget(tr("Findings"));
+  findings_dock_->setObjectName(QStringLiteral("findingsDock"));
+  auto* findings = new FindingsPanel(workspace_.findings());
+  findings_dock_->setWidget(findings);
+  addDockWidget(Qt::BottomDockWidgetArea, findings_dock_);
+  tabifyDockWidget(messages_dock_, findings_dock_);
+  messages_dock_->raise();
+  connect(findings, &FindingsPanel::nodeActivated, explorer_, &ExplorerPanel::select);
+  connect(&workspace_.runFindings(), &RunFindings::findingsChanged, this, &MainWindow::showFindingCount);
   connect(explorer_, &ExplorerPanel::nodeSelected, editor_, &DeviceEditor::showNode);
   connect(explorer_, &ExplorerPanel::nodeSelected, strip_, &LiveStrip::setPickedSlave);
   connect(messages, &MessagesPanel::nodeActivated, explorer_, &ExplorerPanel::select);
@@ -109,7 +119,8 @@ void MainWindow::buildMenus() {
   network->addSeparator();
   network->addAction(actions_->clear_statistics);
   auto* view = menuBar()->addMenu(tr("&View"));
-  view->addActions({explorer_dock_->toggleViewAction(), messages_dock_->toggleViewAction(), actions_->reset_layout});
+  view->addActions({explorer_dock_->toggleViewAction(), messages_dock_->toggleViewAction(),
+                    findings_dock_->toggleViewAction(), actions_->reset_layout});
   view->addSeparator();
   view->addActions(actions_->themes);
   auto* help = menuBar()->addMenu(tr("&Help"));
@@ -211,6 +222,12 @@ void MainWindow::showNetworkInStrip() {
   strip_->setNetwork(names, project.master.cycle_time, limit);
 }
 
+/// The tab says how much there is, so that nobody has to look whether there is any.
+void MainWindow::showFindingCount() {
+  const int count = workspace_.findings().count(FindingLevel::kWarning);
+  findings_dock_->setWindowTitle(count == 0 ? tr("Findings") : tr("Findings (%1)").arg(count));
+}
+
 void MainWindow::selectNode(int slave) { explorer_->select(slave); }
 
 void MainWindow::updateTitle() {
@@ -252,10 +269,15 @@ void MainWindow::updateTheme() {
 void MainWindow::resetLayout() {
   explorer_dock_->setFloating(false);
   messages_dock_->setFloating(false);
+  findings_dock_->setFloating(false);
   explorer_dock_->show();
   messages_dock_->show();
+  findings_dock_->show();
   addDockWidget(Qt::LeftDockWidgetArea, explorer_dock_);
   addDockWidget(Qt::BottomDockWidgetArea, messages_dock_);
+  addDockWidget(Qt::BottomDockWidgetArea, findings_dock_);
+  tabifyDockWidget(messages_dock_, findings_dock_);
+  messages_dock_->raise();
   resizeDocks({explorer_dock_}, {250}, Qt::Horizontal);
   resizeDocks({messages_dock_}, {128}, Qt::Vertical);
   splitter_->setSizes({385, 215});

@@ -47,6 +47,7 @@ class MainWindow final : public QMainWindow {
   void connectActions();
   void connectSession();
   void updateTitle();
+  void showFindingCount();
   void updateActions();
   void updateTheme();
   void showNetworkInStrip();
@@ -61,7 +62,7 @@ class MainWindow final : public QMainWindow {
   DeviceEditor* editor_ = nullptr;
   LiveStrip* strip_ = nullptr;
   ExplorerPanel* explorer_ = nullptr;
-  QDockWidget *explorer_dock_ = nullptr, *messages_dock_ = nullptr;
+  QDockWidget *explorer_dock_ = nullptr, *messages_dock_ = nullptr, *findings_dock_ = nullptr;
   QToolButton* state_button_ = nullptr;
   bool laid_out_ = false;
 };

@@ -48,6 +48,8 @@ std::string_view kind_name(EventKind kind) {
     case EventKind::kHotConnect: return "hot_connect";
     case EventKind::kDelayFinding: return "delay_finding";
     case EventKind::kDelaysMeasured: return "delays_measured";
+    case EventKind::kPortErrors: return "port_errors";
+    case EventKind::kWatchdog: return "watchdog";
     default: return "other";
   }
 }
@@ -94,6 +96,13 @@ std::string slave_sync(const Event& e) {
     case 3: return fmt::format("slaves: not known whether in sync, nothing was read for {} ms", e.b / kMillisecond);
     default: return fmt::format("slaves in sync, deviation {} ns", e.b);
   }
+}
+
+std::string port_errors(const Event& e) {
+  std::string text = fmt::format("{} port {}:", who(e.slave), port_letter(e.a));
+  if (e.b > 0) text += fmt::format(" {} damaged frames", e.b);
+  if (e.c > 0) text += fmt::format("{} link lost {} times", e.b > 0 ? "," : "", e.c);
+  return text;
 }
 
 std::string words(const Event& e) {
@@ -154,6 +163,10 @@ std::string words(const Event& e) {
     case EventKind::kDelaysMeasured:
       return e.a == 0 ? std::string("propagation delays measured again: nothing to correct")
                       : fmt::format("propagation delays measured again: {} slaves to correct, by {:+} ns at most", e.a, e.b);
+    case EventKind::kPortErrors: return port_errors(e);
+    case EventKind::kWatchdog:
+      return e.a == 0 ? fmt::format("{}: process data watchdog expired ({} times)", who(e.slave), e.b)
+                      : fmt::format("{}: PDI watchdog expired ({} times): its firmware is silent", who(e.slave), e.b);
     case EventKind::kRestarted: return e.text;
     default: return e.text;
   }

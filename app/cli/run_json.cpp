@@ -6,8 +6,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "app/cli/evidence_json.h"
 #include "dc/obstacle_text.h"
-#include "diagnosis/run_findings.h"
 #include "protocol/dcm_error.h"
 
 namespace syncline::cli {
@@ -24,7 +24,8 @@ Json rounded(const std::optional<double>& value) { return value ? rounded(*value
 
 /// Where nobody knows which of the two counters it is, both.
 std::string sm2_text(const Sm2MissedStatus& status) {
-  if (status.other_sub_index == 0) return fmt::format("{}", status.value);
+  const auto missed = status.known ? status.missed : status.value;
+  if (status.other_sub_index == 0) return fmt::format("{}", missed);
   return fmt::format("{}|{}", status.value, status.other_value);
 }
 
@@ -35,19 +36,26 @@ Json sm2_other(const Sm2MissedStatus& status) {
 
 std::string sm2_object(const Sm2MissedStatus& status) { return fmt::format("0x{:04X}:{:02X}", status.index, status.sub_index); }
 
-Json slave_json(const RunReport::Slave& slave) {
+/// Since the slave was in OP first; its own counter where it has no SYNC0 that the master could follow.
+Json sm2_missed(const RunReport::Slave& slave) {
+  if (!slave.sm2_missed) return nullptr;
+  return slave.sm2_missed->known ? slave.sm2_missed->missed : slave.sm2_missed->value;
+}
+
+Json slave_json(const RunReport::Slave& slave, Nanoseconds now) {
   return {{"position", slave.position},
           {"name", slave.name},
           {"state", state_text(slave.al_status)},
           {"al_status_code", hex(slave.al_status_code, 4)},
           {"deviation_ns", or_null(slave.deviation_ns)},
           {"deviation_max_ns", or_null(slave.deviation_max_ns)},
-          {"sm2_missed", slave.sm2_missed ? Json(slave.sm2_missed->value) : Json(nullptr)},
+          {"sm2_missed", sm2_missed(slave)},
           {"sm2_object", slave.sm2_missed ? Json(sm2_object(*slave.sm2_missed)) : Json(nullptr)},
           {"sm2_integrator_max", slave.sm2_missed ? Json(slave.sm2_missed->integrator_highest) : Json(nullptr)},
           {"sm2_limit", slave.sm2_missed ? Json(slave.sm2_missed->limit) : Json(nullptr)},
           {"sm2_other", slave.sm2_missed ? sm2_other(*slave.sm2_missed) : Json(nullptr)},
-          {"propagation_delay_ns", or_null(slave.propagation_delay_ns)}};
+          {"propagation_delay_ns", or_null(slave.propagation_delay_ns)},
+          {"evidence", evidence_json(slave, now)}};
 }
 
 std::string_view sync_key(SyncState state) {
@@ -99,25 +107,6 @@ Json dcm_json(const DcmStatus& dcm) {
           {"bus_shift_configured", dcm.bus_shift_configured}};
 }
 
-std::string_view severity_text(DiagnosisSeverity severity) {
-  switch (severity) {
-    case DiagnosisSeverity::kNote: return "note";
-    case DiagnosisSeverity::kWarning: return "warning";
-    case DiagnosisSeverity::kError: return "error";
-  }
-  return "note";
-}
-
-Json findings_json(const RunReport& report) {
-  Json rows = Json::array();
-  for (const auto& finding : diagnose(report)) {
-    rows.push_back({{"severity", severity_text(finding.severity)},
-                    {"slave", finding.slave < 0 ? Json(nullptr) : Json(finding.slave)},
-                    {"text", describe(finding)}});
-  }
-  return rows;
-}
-
 std::string or_dash(const std::optional<std::int32_t>& value) { return value ? fmt::format("{}", *value) : "-"; }
 
 std::string ms_text(const std::optional<double>& ms) { return ms ? fmt::format("after {:.0f} ms", *ms) : "not yet"; }
@@ -142,7 +131,7 @@ std::string state_text(std::uint16_t al_status) {
 
 Json to_json(const RunReport& report) {
   Json slaves = Json::array();
-  for (const auto& slave : report.slaves) slaves.push_back(slave_json(slave));
+  for (const auto& slave : report.slaves) slaves.push_back(slave_json(slave, report.history.end));
   return {{"state", al_state_name(report.state)},
           {"cycle_us", rounded(static_cast<double>(report.cycle_time) / 1000.0)},
           {"cycles", report.cycles},
@@ -189,10 +178,7 @@ std::string to_text(const RunReport& report) {
                    dc::dcm_error_text(dcm.error_code));
   }
   text += '\n';
-  for (const auto& finding : diagnose(report)) {
-    fmt::format_to(out, "{}: {}\n", severity_text(finding.severity), describe(finding));
-  }
-  return text;
+  return text + findings_text(report);
 }
 
 bool is_good(const RunReport& report, AlState target) {

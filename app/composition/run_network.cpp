@@ -21,12 +21,15 @@ class Drain {
       : channels_(channels), request_(request), recorder_(config) {}
 
   void operator()() {
-    if (channels_.snapshot.read(snapshot_) && request_.on_snapshot) request_.on_snapshot(snapshot_);
+    const bool news = channels_.snapshot.read(snapshot_);
+    if (news && request_.on_snapshot) request_.on_snapshot(snapshot_);
     samples_.clear();
     channels_.samples.pop(samples_);
     recorder_.add(samples_);
+    if (news) recorder_.add(snapshot_);
     if (request_.on_samples && !samples_.empty()) request_.on_samples(samples_);
     for (auto& event : channels_.events.drain()) {
+      recorder_.add(event);
       if (request_.on_event) request_.on_event(event);
       if (event.kind == EventKind::kError && event.error && !error_) error_ = event.error;
     }

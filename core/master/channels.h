@@ -15,6 +15,7 @@
 #include "dc/master_verdict.h"
 #include "master/bus_scan.h"
 #include "master/cyclic_application.h"
+#include "master/slave_evidence.h"
 #include "protocol/al_state.h"
 #include "support/result.h"
 #include "support/types.h"
@@ -84,15 +85,22 @@ class SampleRing {
 /// kUnknown: was or should be watched, but the readings are too old to say anything.
 enum class SyncState : std::uint8_t { kNotMonitored, kNotReady, kBusy, kInSync, kOutOfSync, kUnknown };
 
-/// Counter of missed SM2 events and where it was read.
+/// Missed SM2 events: the slave's counter and where it was read, and what the master makes of it and of what it knows of
+/// each cycle (dc/sync_event_account.h).
 struct Sm2MissedStatus {
-  bool valid = false;
-  std::uint32_t value = 0;
+  bool valid = false;                     // the counter was read
+  std::uint32_t value = 0;                // as it was read last
+  Nanoseconds time = 0;                   // host clock of that reading
   std::uint16_t index = 0x1C32;
   std::uint8_t sub_index = 0;             // 0x0B or 0x0C, by object name or device profile
   std::uint8_t other_sub_index = 0;       // neither says which: the other one of the two, else 0
   std::uint32_t other_value = 0;
-  std::uint32_t integrator = 0;           // what 0x10F1 makes of the misses at most, see sync_error_integrator.h
+  bool known = false;                     // the following count
+  std::uint32_t missed = 0;               // since the slave was in OP first
+  std::uint32_t computed = 0;             // part of it that the slave did not tell: it fell, or has no counter
+  bool at_least = false;
+  dc::MissesByCause by_cause{};
+  std::uint32_t integrator = 0;           // what 0x10F1 makes of the misses
   std::uint32_t integrator_highest = 0;   // so far
   std::uint32_t limit = 0;                // 0x10F1:02, at which the slave gives up; 0 = never, or not told
   bool operator==(const Sm2MissedStatus&) const = default;
@@ -110,6 +118,7 @@ struct SlaveStatus {
   Nanoseconds deviation_time = 0;         // host clock of the reading
   std::uint32_t propagation_delay_ns = 0;
   Sm2MissedStatus sm2_missed;
+  SlaveEvidence evidence;
   bool operator==(const SlaveStatus&) const = default;
 };
 
@@ -129,6 +138,7 @@ struct DcStatus {
   Nanoseconds newest_age_ns = -1;         // of the latest own reading of any of them; -1: none yet
   Nanoseconds oldest_age_ns = -1;         // since something was heard of each of them
   std::optional<double> settled_after_ms; // from the first cyclic frame until the settle time began
+  Nanoseconds sync_base = 0;              // SYNC0 lies at sync_base + n * cycle + shift in system time
   Nanoseconds start_time = 0;             // system time at which SYNC0 starts, as sent to a slave last; 0 = not yet
   bool operator==(const DcStatus&) const = default;
 };
@@ -223,6 +233,8 @@ enum class EventKind : std::uint8_t {
   kDiagnosis,           // slave: new in its history 0x10F3; a = diag code, b = type (0 info, 1 warning, 2 error) and
                         // text ID in bits 31..16, c = time stamp in ns (DC system time, or since power-on; 0 none)
   kDelayFinding,        // slave, a = dc::DelayWarning, b = its value: what the delay measurement stumbled over
+  kPortErrors,          // slave, a = port, b = frames damaged on their way into it, c = links lost, since it was read last
+  kWatchdog,            // slave, a = 0 process data, 1 PDI (its firmware is silent); b = how often since it was read last
   kDelaysMeasured,      // while the bus runs: a = slaves whose delay is being corrected, b = largest change in ns
 };
 

@@ -83,6 +83,9 @@ std::optional<CyclicMailbox::Answer> CyclicMailbox::finish(Nanoseconds now) {
 
 CyclicMailbox::Answer CyclicMailbox::over(Answer::Kind kind, std::uint32_t value) {
   busy_ = false;
+  // A fetch may find nothing; a request has an answer.
+  auto& silences = run_.snapshot.slaves[current_.slave].evidence.mailbox_silences;
+  if (current_.object.index != 0) silences = kind == Answer::Kind::kNothing ? silences + 1 : 0;
   current_.kind = kind;
   current_.value = value;
   return current_;

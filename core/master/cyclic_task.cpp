@@ -26,7 +26,9 @@ CyclicTaskRunner::CyclicTaskRunner(FrameExchange& exchange, Clock& clock, RunSta
       mailbox_(run),
       mailbox_bits_(run, frames_),
       mailboxes_(run, mailbox_, mailbox_bits_),
-      sm2_(run, mailbox_),
+      sync_events_(run, sync),
+      sm2_(run, mailbox_, sync_events_),
+      evidence_(run),
       health_(run),
       reference_(run, sync, frames_),
       without_(run.config().slaves.size()),
@@ -115,6 +117,8 @@ void CyclicTaskRunner::fill_acyclic(std::span<Datagram* const> requests, Nanosec
     while (frame < acyclic_limit_ && !acyclic_[frame].add(*request)) ++frame;
     if (frame == acyclic_limit_) break;
   }
+  // Whoever waits for an answer goes first.
+  evidence_.add_to(acyclic_.front());
 }
 
 /// A bus with many slaves has many requests, and how many frames a cycle can carry depends on the host,
@@ -199,6 +203,8 @@ void CyclicTaskRunner::evaluate(CycleSample& sample) {
   if (slaves_.sweeps() != sweeps_seen_) after_sweep();
   take_mailboxes(sample);
   adjust_ = sync_.observe_cycle(observation(reading), sample);
+  evidence_.take(send_time_);
+  sync_events_.observe(sample, std::ranges::all_of(frames_.frames(), &PendingFrame::answered));
   const auto deviation = reading.deviation_ored ? reading.deviation_ored : all;
   sync_.observe_slaves(send_time_, deviation, sample);
 }
@@ -208,7 +214,7 @@ void CyclicTaskRunner::take_mailboxes(CycleSample& sample) {
   mailboxes_.take_polls();
   const auto answer = mailbox_.take(send_time_);
   if (!answer) return;
-  sm2_.take(*answer, sample);
+  sm2_.take(*answer, send_time_, sample);
   mailboxes_.take(*answer, send_time_);
 }
 

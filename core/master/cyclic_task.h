@@ -10,12 +10,14 @@
 #include "master/bus_health.h"
 #include "master/cyclic_frame_set.h"
 #include "master/cyclic_mailbox.h"
+#include "master/evidence_reader.h"
 #include "master/mailbox_bits.h"
 #include "master/mailbox_watch.h"
 #include "master/reference_clock.h"
 #include "master/run_state.h"
 #include "master/slave_watch.h"
 #include "master/sm2_reader.h"
+#include "master/sync_event_watch.h"
 #include "master/sync_watch.h"
 
 namespace syncline {
@@ -70,7 +72,9 @@ class CyclicTaskRunner final : public CyclePump, private SendStamp {
   CyclicMailbox mailbox_;
   MailboxBits mailbox_bits_;
   MailboxWatch mailboxes_;
+  SyncEventWatch sync_events_;
   Sm2Reader sm2_;
+  EvidenceReader evidence_;
   BusHealth health_;
   ReferenceClock reference_;
   std::uint64_t sweeps_seen_ = 0;

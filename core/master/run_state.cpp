@@ -105,8 +105,7 @@ void RunState::set_present(std::size_t slave, bool present, Nanoseconds time) {
   const bool told = hot_connect(slave, present ? 1 : 0, time);
   if (!told) event(present ? EventKind::kSlaveFound : EventKind::kSlaveLost, time, static_cast<int>(slave));
   if (!present) {
-    known.deviation_valid = false;
-    known.sm2_missed.valid = false;
+    known.deviation_valid = false;  // what was counted stays: it is the evidence
   }
 }
 

@@ -1,20 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "master/cyclic_mailbox.h"
-#include "master/sync_error_integrator.h"
 #include "master/run_state.h"
+#include "master/sync_event_watch.h"
+#include "support/counter_total.h"
 
 namespace syncline {
 
-/// Reads the counters of missed SM2 events of all slaves with SYNC signals, one after the other, through the
-/// mailboxes of the running bus, and once the limit that they obey (0x10F1:02). Allocates nothing.
+/// Reads what slaves with SYNC signals count in 0x1C32 and 0x1C33, one object of one slave after the other, through the
+/// mailboxes of the running bus: missed SM2 events in every second turn; cycles exceeded, shift too short and sync error
+/// in the others; and once the limit that the missed events obey (0x10F1:02) and the calc-and-copy time (0x1C32:06). What
+/// a slave does not have is asked for once. Allocates nothing.
 class Sm2Reader {
  public:
-  Sm2Reader(RunState& run, CyclicMailbox& mailbox);
+  Sm2Reader(RunState& run, CyclicMailbox& mailbox, SyncEventWatch& events);
   Sm2Reader(const Sm2Reader&) = delete;
   Sm2Reader& operator=(const Sm2Reader&) = delete;
 
@@ -25,24 +29,33 @@ class Sm2Reader {
 
   /// Begins an upload when its time has come and the mailbox is free.
   void begin(Nanoseconds now);
-  void take(const CyclicMailbox::Answer& answer, CycleSample& sample);
+  void take(const CyclicMailbox::Answer& answer, Nanoseconds now, CycleSample& sample);
 
  private:
+  enum class Item : std::uint8_t {
+    kLimit, kCalcAndCopy,                                            // once
+    kMissed,                                                         // every second turn
+    kOther, kOutputsExceeded, kOutputsShift, kSyncError, kInputsExceeded, kInputsShift,  // in turn
+  };
+  static constexpr std::uint8_t kItems = 9;
   struct Counter {
     std::uint16_t slave = 0;
-    std::uint8_t sub_index = 0;
-    bool both = false;       // nobody knows which of the two it is: they are read in turn
-    bool other = false;      // 0x0C is being asked for, as the other one of the two
-    bool supported = true;
-    bool limit_known = false;  // or the slave has none
-    SyncErrorIntegrator integrator{};
+    std::uint8_t missed = 0, exceeded = 0;  // sub-indices
+    std::uint16_t has = 0;                  // items that the slave may have, a bit each
+    Item turn = Item::kMissed, rare = Item::kOther;
+    std::array<CounterTotal, 4> totals{kWord, kWord, kWord, kWord};
   };
-  void take_limit(const CyclicMailbox::Answer& answer);
-  void take_counter(const CyclicMailbox::Answer& answer, CycleSample& sample);
-  [[nodiscard]] std::uint64_t sync_cycle(std::size_t slave, std::uint64_t bus_cycle) const;
+  static constexpr CounterTotal kWord{16, CounterTotal::End::kWraps};
+  static constexpr std::uint16_t bit(Item item) { return static_cast<std::uint16_t>(1U << static_cast<unsigned>(item)); }
+
+  static void choose(Counter& counter);
+  [[nodiscard]] static coe::ObjectAddress object(const Counter& counter);
+  void take_value(Counter& counter, std::uint32_t value, Nanoseconds now, CycleSample& sample);
+  void take_missed(const Counter& counter, std::uint32_t value, Nanoseconds now, CycleSample& sample);
 
   RunState& run_;
   CyclicMailbox& mailbox_;
+  SyncEventWatch& events_;
   std::vector<Counter> counters_;
   std::size_t current_ = 0;
   Nanoseconds next_start_ = 0;

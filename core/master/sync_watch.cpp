@@ -94,6 +94,7 @@ void SyncWatch::start(const DcNetwork& network, Nanoseconds first_cycle) {
 
   start_verdict(first_cycle);
   run_.snapshot.dc.enabled = true;
+  run_.snapshot.dc.sync_base = base_;
   slaves_.start(network, first_cycle, steers_reference_clock(settings_.mode));
   led_ = true;
   run_.snapshot.dcm.state = run_.snapshot.dcm.mode == DcmMode::kOff ? SyncState::kNotMonitored : SyncState::kBusy;

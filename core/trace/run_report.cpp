@@ -4,16 +4,40 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "protocol/dc_registers.h"
+
 namespace syncline {
 
-RunRecorder::RunRecorder(const NetworkConfig& config) : readings_(config.slaves.size()) {
-  for (const auto& slave : config.slaves) names_.push_back(slave.name);
+RunRecorder::RunRecorder(const NetworkConfig& config)
+    : sync_window_enabled_(config.dc.sync_window.enabled),
+      readings_(config.slaves.size()),
+      history_(config) {
+  for (std::size_t i = 0; i < config.slaves.size(); ++i) configured_.push_back(configured(config, i));
+}
+
+RunReport::Slave RunRecorder::configured(const NetworkConfig& config, std::size_t position) {
+  const auto& from = config.slaves[position];
+  RunReport::Slave slave;
+  slave.position = static_cast<std::uint16_t>(position);
+  slave.name = from.name;
+  slave.identity = from.identity;
+  slave.optional = config.hot_connect_head(position).has_value();
+  if (from.previous) {
+    slave.parent = from.previous->position;
+    slave.parent_port = from.previous->port;
+  }
+  if (!from.dc || !AssignActivate{from.dc->assign_activate}.sync0()) return slave;
+  slave.sync0_cycle = from.dc->cycle_time0 > 0 ? from.dc->cycle_time0 : config.cycle_time();
+  slave.sync0_shift = from.dc->shift_time;
+  return slave;
 }
 
 void RunRecorder::add(std::span<const CycleSample> samples) {
+  history_.add(samples);
   for (const auto& sample : samples) {
     lateness_.add(sample.wake_lateness_ns);
     note_settled(sample);
+    if (sample.master_state == static_cast<std::uint8_t>(AlState::kOp)) lateness_histogram_.add(sample.wake_lateness_ns);
     if (sample.slave_position < 0 || static_cast<std::size_t>(sample.slave_position) >= readings_.size()) continue;
     auto& readings = readings_[static_cast<std::size_t>(sample.slave_position)];
     // What the reference clock shows, or a slave in front of it, is no deviation from the reference clock.
@@ -34,6 +58,17 @@ void RunRecorder::note_settled(const CycleSample& sample) {
   }
 }
 
+namespace {
+
+/// From the nominal arrival of the frame at the slave to its next SYNC0.
+Nanoseconds sync0_margin(const RunReport::Slave& slave, Nanoseconds set_value) {
+  const auto distance = set_value + slave.sync0_shift - static_cast<Nanoseconds>(slave.propagation_delay_ns.value_or(0));
+  const auto rest = distance % slave.sync0_cycle;
+  return rest < 0 ? rest + slave.sync0_cycle : rest;
+}
+
+}  // namespace
+
 RunReport RunRecorder::finish(const Snapshot& snapshot) const {
   RunReport report;
   report.state = snapshot.state;
@@ -48,10 +83,11 @@ RunReport RunRecorder::finish(const Snapshot& snapshot) const {
   report.dc = snapshot.dc;
   report.dcm = snapshot.dcm;
   report.lateness = lateness_;
-  for (std::size_t i = 0; i < names_.size(); ++i) {
-    RunReport::Slave slave;
-    slave.position = static_cast<std::uint16_t>(i);
-    slave.name = names_[i];
+  report.lateness_histogram = lateness_histogram_;
+  report.sync_window_enabled = sync_window_enabled_;
+  report.history = history_.history();
+  for (std::size_t i = 0; i < configured_.size(); ++i) {
+    auto slave = configured_[i];
     if (i < snapshot.slaves.size() && snapshot.slaves[i].deviation_valid) slave.deviation_ns = readings_[i].latest;
     slave.deviation_max_ns = readings_[i].max;
     if (slave.deviation_max_ns) {
@@ -61,8 +97,11 @@ RunReport RunRecorder::finish(const Snapshot& snapshot) const {
       const auto& status = snapshot.slaves[i];
       slave.al_status = status.al_status;
       slave.al_status_code = status.al_status_code;
-      if (status.sm2_missed.valid) slave.sm2_missed = status.sm2_missed;
+      slave.present = status.present;
+      slave.evidence = status.evidence;
+      if (status.sm2_missed.valid || status.sm2_missed.known) slave.sm2_missed = status.sm2_missed;
       if (status.dc_enabled) slave.propagation_delay_ns = status.propagation_delay_ns;
+      if (slave.sync0_cycle > 0) slave.sync0_margin = sync0_margin(slave, snapshot.dcm.set_value_ns);
     }
     report.slaves.push_back(std::move(slave));
   }

@@ -9,6 +9,8 @@
 
 #include "config/network_config.h"
 #include "master/channels.h"
+#include "trace/histogram.h"
+#include "trace/run_history.h"
 #include "trace/statistics.h"
 
 namespace syncline {
@@ -26,6 +28,14 @@ struct RunReport {
     std::optional<std::int32_t> deviation_max_ns;    // largest magnitude after settling, in sync or not
     std::optional<Sm2MissedStatus> sm2_missed;
     std::optional<std::uint32_t> propagation_delay_ns;
+    SlaveEvidence evidence;
+    // out of the configuration
+    Identity identity;
+    bool present = true;
+    bool optional = false;                           // of a hot-connect group: may be absent
+    int parent = -1, parent_port = 0;                // whom it is wired to, and by which of its ports; -1: the host
+    std::optional<Nanoseconds> sync0_margin;         // from its outputs' nominal arrival to SYNC0; nothing without SYNC0
+    Nanoseconds sync0_shift = 0, sync0_cycle = 0;    // ns; cycle 0: no SYNC0
   };
   AlState state = AlState::kNone;
   Nanoseconds time = 0;                              // host clock, at the end
@@ -36,14 +46,19 @@ struct RunReport {
   DcStatus dc;
   std::optional<std::int32_t> deviation_max_ns;      // over all slaves that follow, after settling
   DcmStatus dcm;
+  bool sync_window_enabled = false;                  // configured
   Statistics lateness;                               // ns, every cycle
+  Histogram lateness_histogram;                      // in OP
+  RunHistory history;
 };
 
-/// Collects while a run goes on; feed every sample that is drained.
+/// Collects while a run goes on; feed everything that is drained, the samples before the snapshot that came with them.
 class RunRecorder {
  public:
   explicit RunRecorder(const NetworkConfig& config);
   void add(std::span<const CycleSample> samples);
+  void add(const Event& event) { history_.add(event); }
+  void add(const Snapshot& snapshot) { history_.add(snapshot); }
   [[nodiscard]] RunReport finish(const Snapshot& snapshot) const;
 
  private:
@@ -52,10 +67,14 @@ class RunRecorder {
     std::optional<std::int32_t> max;
   };
   void note_settled(const CycleSample& sample);
+  [[nodiscard]] static RunReport::Slave configured(const NetworkConfig& config, std::size_t position);
 
-  std::vector<std::string> names_;
+  std::vector<RunReport::Slave> configured_;   // what the configuration says of each slave
+  bool sync_window_enabled_;
   std::vector<SlaveReadings> readings_;
   Statistics lateness_;
+  Histogram lateness_histogram_;
+  HistoryRecorder history_;
   bool settled_ = false;
 };
 

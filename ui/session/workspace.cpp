@@ -13,7 +13,8 @@ Workspace::Workspace(Environment environment, QObject* parent)
       environment_(std::move(environment)),
       configuration_(document_),
       scan_(environment_.open_link, environment_.esi_folders),
-      live_(environment_.open_link) {
+      live_(environment_.open_link),
+      run_findings_(live_) {
   network_.setProject(document_.project());
   connect(&document_, &ProjectDocument::projectChanged, this, [this] {
     network_.setProject(document_.project());
@@ -27,6 +28,7 @@ Workspace::Workspace(Environment environment, QObject* parent)
   connect(&live_, &LiveSession::eventArrived, this, [this](const Event& event) {
     if (auto message = messageOf(event, document_.project())) messages_.append(std::move(*message));
   });
+  connect(&run_findings_, &RunFindings::findingsChanged, this, [this] { findings_.setFindings(run_findings_.findings()); });
   connect(&scan_, &ScanController::eventArrived, this, [this](const Event& event) {
     if (auto message = messageOf(event, document_.project())) messages_.append(std::move(*message));
   });

@@ -3,12 +3,14 @@
 
 #include <QObject>
 
+#include "ui/models/finding_model.h"
 #include "ui/models/message_model.h"
 #include "ui/models/network_model.h"
 #include "ui/session/bus_connection.h"
 #include "ui/session/configuration_monitor.h"
 #include "ui/session/live_session.h"
 #include "ui/session/project_document.h"
+#include "ui/session/run_findings.h"
 #include "ui/session/scan_controller.h"
 
 namespace syncline::ui {
@@ -26,6 +28,8 @@ class Workspace final : public QObject {
   [[nodiscard]] ConfigurationMonitor& configuration() { return configuration_; }
   [[nodiscard]] ScanController& scan() { return scan_; }
   [[nodiscard]] LiveSession& live() { return live_; }
+  [[nodiscard]] RunFindings& runFindings() { return run_findings_; }
+  [[nodiscard]] FindingModel& findings() { return findings_; }
   [[nodiscard]] MessageModel& messages() { return messages_; }
   [[nodiscard]] NetworkModel& network() { return network_; }
 
@@ -52,6 +56,8 @@ class Workspace final : public QObject {
   ConfigurationMonitor configuration_;
   ScanController scan_;
   LiveSession live_;
+  RunFindings run_findings_;
+  FindingModel findings_;
   MessageModel messages_;
   NetworkModel network_;
 };

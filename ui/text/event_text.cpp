@@ -179,6 +179,15 @@ std::optional<Message> Words::make(const Event& event) {
     case EventKind::kOverrun:
       return line(Severity::kWarning, tr("%n cycle(s) left out, the host sent nothing for up to %1", nullptr,
                                          static_cast<int>(event.a)).arg(timeText(event.b)));
+    case EventKind::kPortErrors: {
+      const QChar port = QLatin1Char(static_cast<char>('A' + (event.a & 3)));
+      return event.c > 0 ? line(Severity::kWarning, tr("Port %1: link lost %2 times, %3 damaged frames").arg(port).arg(event.c).arg(event.b))
+                         : line(Severity::kWarning, tr("Port %1: %2 damaged frames").arg(port).arg(event.b));
+    }
+    case EventKind::kWatchdog:
+      return event.a == 0 ? line(Severity::kWarning, tr("Process data watchdog expired (%n time(s))", nullptr, static_cast<int>(event.b)))
+                          : line(Severity::kError, tr("PDI watchdog expired (%n time(s)): the firmware is silent", nullptr,
+                                                      static_cast<int>(event.b)));
     case EventKind::kSlaveLost:
       return line(Severity::kError, tr("Slave does not answer any more"));
     case EventKind::kSlaveFound:

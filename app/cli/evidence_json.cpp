@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/evidence_json.h"
+
+#include <fmt/format.h>
+
+#include <iterator>
+
+#include "diagnosis/run_diagnosis.h"
+
+namespace syncline::cli {
+namespace {
+
+std::string_view level_text(FindingLevel level) {
+  switch (level) {
+    case FindingLevel::kNote:
+      return "note";
+    case FindingLevel::kWarning:
+      return "warning";
+    case FindingLevel::kError:
+      return "error";
+  }
+  return "note";
+}
+
+Json figure_json(const Figure& figure) {
+  using Unit = Figure::Unit;
+  switch (figure.unit) {
+    case Unit::kCount:
+    case Unit::kNanoseconds:
+    case Unit::kSlave:
+      return figure.value;
+    case Unit::kMoment:
+      return static_cast<double>(figure.value / 1000) / 1000;
+    case Unit::kPpm:
+      return static_cast<double>(figure.value) / 1000;
+    case Unit::kPort:
+    case Unit::kHex16:
+    case Unit::kHex32:
+    case Unit::kAlStatus:
+    case Unit::kText:
+      return figure_text(figure);
+  }
+  return nullptr;
+}
+
+/// The name says the unit.
+std::string figure_key(const Figure& figure) {
+  switch (figure.unit) {
+    case Figure::Unit::kNanoseconds:
+      return std::string(figure.name) + "_ns";
+    case Figure::Unit::kMoment:
+      return std::string(figure.name) + "_ms";
+    case Figure::Unit::kPpm:
+      return std::string(figure.name) + "_ppm";
+    default:
+      return std::string(figure.name);
+  }
+}
+
+Json moment_json(const RunReport& report, Nanoseconds time) {
+  if (time == 0) return nullptr;
+  return static_cast<double>((time - report.history.begin) / 1000) / 1000;
+}
+
+Json age_json(Nanoseconds time, Nanoseconds now) {
+  return time == 0 ? Json(nullptr) : Json(static_cast<double>((now - time) / 1000) / 1000);
+}
+
+Json count_json(const EvidenceCount& count, Nanoseconds now) {
+  if (!count.valid()) return nullptr;
+  return {{"count", count.total}, {"at_least", count.at_least}, {"age_ms", age_json(count.time, now)}};
+}
+
+Json ports_json(const SlaveEvidence& evidence) {
+  Json ports = Json::array();
+  for (const auto& port : evidence.ports) {
+    ports.push_back({{"invalid_frames", port.invalid_frames},
+                     {"receive_errors", port.receive_errors},
+                     {"forwarded_errors", port.forwarded_errors},
+                     {"lost_links", port.lost_links},
+                     {"at_least", port.at_least}});
+  }
+  return ports;
+}
+
+Json misses_json(const RunReport::Slave& slave, Nanoseconds now) {
+  if (!slave.sm2_missed || !slave.sm2_missed->known) return nullptr;
+  const auto& status = *slave.sm2_missed;
+  const auto of = [&status](dc::MissCause cause) { return status.by_cause[static_cast<std::size_t>(cause)]; };
+  return {{"missed", status.missed},
+          {"computed", status.computed},
+          {"at_least", status.at_least},
+          {"counter", status.valid ? Json(status.value) : Json(nullptr)},
+          {"age_ms", age_json(status.time, now)},
+          {"by_cause",
+           {{"frame_lost", of(dc::MissCause::kFrameLost)},
+            {"cycles_left_out", of(dc::MissCause::kCyclesLeftOut)},
+            {"frame_late", of(dc::MissCause::kFrameLate)},
+            {"unknown", of(dc::MissCause::kUnknown)}}}};
+}
+
+}  // namespace
+
+Json findings_json(const RunReport& report) {
+  Json rows = Json::array();
+  for (const auto& finding : diagnose(report)) {
+    Json evidence = Json::object();
+    for (const auto& figure : finding.figures) evidence[figure_key(figure)] = figure_json(figure);
+    rows.push_back({{"code", finding_code_name(finding.code)},
+                    {"severity", level_text(finding.level)},
+                    {"slave", finding.slave < 0 ? Json(nullptr) : Json(finding.slave)},
+                    {"from_ms", moment_json(report, finding.from)},
+                    {"to_ms", moment_json(report, finding.to)},
+                    {"evidence", std::move(evidence)},
+                    {"text", describe(finding)}});
+  }
+  return rows;
+}
+
+std::string findings_text(const RunReport& report) {
+  std::string text;
+  for (const auto& finding : diagnose(report)) {
+    fmt::format_to(std::back_inserter(text), "{}: {}\n", level_text(finding.level), describe(finding));
+  }
+  return text;
+}
+
+Json evidence_json(const RunReport::Slave& slave, Nanoseconds now) {
+  const auto& e = slave.evidence;
+  return {{"sm2_events", misses_json(slave, now)},
+          {"outputs_cycle_exceeded", count_json(e.outputs.exceeded, now)},
+          {"outputs_shift_too_short", count_json(e.outputs.shift_too_short, now)},
+          {"sync_error", e.outputs.sync_error},
+          {"inputs_cycle_exceeded", count_json(e.inputs.exceeded, now)},
+          {"inputs_shift_too_short", count_json(e.inputs.shift_too_short, now)},
+          {"process_data_watchdog", count_json(e.process_data_watchdog, now)},
+          {"pdi_watchdog", count_json(e.pdi_watchdog, now)},
+          {"speed_counter_difference", e.speed_counter_time == 0 ? Json(nullptr) : Json(e.speed_counter_difference)},
+          {"ports", e.ports_time == 0 ? Json(nullptr) : ports_json(e)},
+          {"ports_age_ms", age_json(e.ports_time, now)}};
+}
+
+}  // namespace syncline::cli

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "dc/sync_event_account.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace syncline::dc {
+namespace {
+
+std::int64_t floor_div(std::int64_t a, std::int64_t b) {
+  return a / b - ((a % b != 0) && ((a < 0) != (b < 0)) ? 1 : 0);
+}
+
+std::uint32_t sum(const MissesByCause& misses) { return std::accumulate(misses.begin(), misses.end(), 0U); }
+
+std::uint32_t& at(MissesByCause& misses, MissCause cause) { return misses[static_cast<std::size_t>(cause)]; }
+
+}  // namespace
+
+void SyncEventAccount::observe(const Cycle& cycle) {
+  const auto period = floor_div(cycle.time - first_, period_);
+  left_out_ += cycle.left_out;
+  if (!evaluated_) {
+    // The first outputs begin the account: nobody knows what came before.
+    if (!cycle.delivered) return;
+    evaluated_ = delivered_ = period;
+    frames_lost_ = left_out_ = 0;
+    return;
+  }
+  const auto ended = period - *evaluated_;
+  if (ended > 0) {
+    const bool served = delivered_ == evaluated_;
+    end_periods(ended, ended - (served ? 1 : 0));
+    evaluated_ = period;
+  }
+  if (cycle.delivered) {
+    delivered_ = std::max(delivered_.value_or(period), period);
+    frames_lost_ = left_out_ = 0;
+  } else {
+    ++frames_lost_;
+  }
+}
+
+/// The good ones first: outputs come at the beginning of a gap.
+void SyncEventAccount::end_periods(std::int64_t ended, std::int64_t missed) {
+  const auto good = static_cast<std::uint32_t>(std::clamp<std::int64_t>(ended - missed, 0, UINT16_MAX));
+  if (at_limit()) return;  // it has given up, or the next reading tells otherwise
+  integrator_ -= std::min(integrator_, good);
+  for (std::int64_t i = 0; i < std::min<std::int64_t>(missed, UINT16_MAX) && !at_limit(); ++i) {
+    integrator_ += kMiss;
+    presume(1);
+  }
+  candidate_ = std::max(candidate_, integrator_);
+}
+
+void SyncEventAccount::presume(std::uint32_t missed) {
+  const auto take = [&](std::uint32_t& pool, MissCause cause) {
+    const auto part = std::min(pool, missed);
+    pool -= part;
+    missed -= part;
+    at(presumed_, cause) += part;
+  };
+  take(frames_lost_, MissCause::kFrameLost);
+  take(left_out_, MissCause::kCyclesLeftOut);
+  at(presumed_, MissCause::kFrameLate) += missed;
+}
+
+/// Explains up to `debt` misses of the slave by what was presumed, the older ones first; what is left.
+std::uint32_t SyncEventAccount::explain(std::uint32_t debt) {
+  for (auto* pool : {&carried_, &presumed_}) {
+    for (std::size_t cause = 0; cause < kMissCauses; ++cause) {
+      const auto part = std::min((*pool)[cause], debt);
+      (*pool)[cause] -= part;
+      debt -= part;
+      by_cause_[cause] += part;
+    }
+  }
+  return debt;
+}
+
+void SyncEventAccount::correct(std::int64_t misses) {
+  // A good period that was a miss, or the other way round: 3 more instead of 1 less.
+  const auto value = std::int64_t{integrator_} + misses * (kMiss + 1);
+  integrator_ = static_cast<std::uint32_t>(std::clamp<std::int64_t>(value, 0, UINT16_MAX));
+}
+
+void SyncEventAccount::read(std::uint32_t counter) {
+  readable_ = true;
+  auto told = counter_.read(counter);
+  // What was computed for the time between the last reading and the fall is told after all.
+  const auto confirmed = std::min(told, computed_);
+  computed_ -= confirmed;
+  told -= confirmed;
+  // The slave may count a miss before this side has seen its period end: the last reading's are explained now or never.
+  const auto never = explain(unexplained_);
+  correct(never);
+  at(by_cause_, MissCause::kUnknown) += never;
+  unexplained_ = explain(told);
+  // What was presumed before the last reading, and neither of the two told: those were good periods.
+  correct(-std::int64_t{sum(carried_)});
+  carried_ = std::exchange(presumed_, {});
+  candidate_ = std::max(candidate_, integrator_);
+}
+
+void SyncEventAccount::confirm_op() {
+  if (limit_ > 0) {
+    integrator_ = std::min(integrator_, limit_ - 1);
+    candidate_ = std::min(candidate_, limit_ - 1);
+  }
+  highest_ = std::max(highest_, candidate_);
+  candidate_ = integrator_;
+}
+
+void SyncEventAccount::left_op() {
+  at(by_cause_, MissCause::kUnknown) += explain(unexplained_);
+  unexplained_ = 0;
+  computed_ += explain_rest();
+  highest_ = std::max(highest_, candidate_);
+}
+
+/// What no reading will tell any more is taken as it was presumed; how many.
+std::uint32_t SyncEventAccount::explain_rest() {
+  const auto rest = sum(presumed_) + sum(carried_);
+  (void)explain(rest);
+  return rest;
+}
+
+void SyncEventAccount::entered_op() {
+  integrator_ = candidate_ = 0;
+  counter_.begin_anew();
+  evaluated_.reset();
+  delivered_.reset();
+  frames_lost_ = left_out_ = 0;
+}
+
+std::uint32_t SyncEventAccount::missed() const {
+  return counter_.total() + computed_ + (readable_ ? 0 : sum(presumed_));
+}
+
+MissesByCause SyncEventAccount::by_cause() const {
+  auto causes = by_cause_;
+  at(causes, MissCause::kUnknown) += unexplained_;
+  for (std::size_t cause = 0; !readable_ && cause < kMissCauses; ++cause) causes[cause] += presumed_[cause];
+  return causes;
+}
+
+std::uint32_t SyncEventAccount::integrator() const { return std::min(integrator_, 0xFFFFU); }
+
+}  // namespace syncline::dc

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "support/counter_total.h"
+#include "support/types.h"
+
+namespace syncline::dc {
+
+/// Why a slave had no new outputs in a SYNC0 period (a missed SM2 event), as far as the master knows.
+enum class MissCause : std::uint8_t {
+  kFrameLost,      // the frame with the outputs did not come back
+  kCyclesLeftOut,  // the host sent none
+  kFrameLate,      // the frame came, but behind the SYNC0 it was meant for
+  kUnknown,        // the slave counts a miss where the master sees a good cycle
+};
+inline constexpr std::size_t kMissCauses = 4;
+using MissesByCause = std::array<std::uint32_t, kMissCauses>;
+
+/// The missed SM2 events of one slave with SYNC0, and its internal error counter (0x10F1: 3 more for each miss, 1 less
+/// for each good period, never below 0), driven cycle by cycle from what the master knows of each cycle and corrected
+/// by the readings of the slave's own counter. Source: 0x1C32 and 0x10F1, ETG.1020; the integrator as the Yaskawa
+/// manual has it (+3, -1). Values only, allocates nothing; one thread.
+class SyncEventAccount {
+ public:
+  /// `period`: SYNC0 cycle, ns, > 0. `first`: system time of any SYNC0 of the slave.
+  SyncEventAccount(Nanoseconds period, Nanoseconds first) : period_(period), first_(first) {}
+
+  struct Cycle {
+    Nanoseconds time = 0;        // system time when the outputs were at the slave, or would have been
+    bool delivered = false;      // the frame came back
+    std::uint32_t left_out = 0;  // cycles that the host left out just before this one
+  };
+  /// One bus cycle in OP.
+  void observe(const Cycle& cycle);
+  /// A reading of the slave's counter of missed events; 16 bits (ETG.1020).
+  void read(std::uint32_t counter);
+  /// The computed error counter has reached the limit: the slave has left OP, or soon proves that it did not miss so
+  /// many. Nothing is counted on until then.
+  [[nodiscard]] bool at_limit() const { return limit_ > 0 && integrator_ >= limit_; }
+  /// The slave is known to be in OP still: whatever was computed, it has not reached its limit.
+  void confirm_op();
+  /// The slave left OP: what it did not tell any more is taken from what was computed.
+  void left_op();
+  /// OP again: the error counter begins at 0; the sums stay.
+  void entered_op();
+  /// 0x10F1:02, at which the slave gives up; 0: never, or not known.
+  void set_limit(std::uint32_t limit) { limit_ = limit; }
+
+  /// Misses since the first reading, those that were only computed included.
+  [[nodiscard]] std::uint32_t missed() const;
+  /// Part of missed() that no reading has confirmed, because the slave fell, or has no such counter.
+  [[nodiscard]] std::uint32_t computed() const { return readable_ ? computed_ : missed(); }
+  [[nodiscard]] bool at_least() const { return counter_.at_least(); }
+  [[nodiscard]] MissesByCause by_cause() const;
+  [[nodiscard]] std::uint32_t integrator() const;
+  [[nodiscard]] std::uint32_t integrator_highest() const { return highest_; }
+
+ private:
+  static constexpr std::uint32_t kMiss = 3;
+  void end_periods(std::int64_t ended, std::int64_t missed);
+  void presume(std::uint32_t missed);
+  std::uint32_t explain(std::uint32_t debt);
+  std::uint32_t explain_rest();
+  void correct(std::int64_t misses);
+
+  Nanoseconds period_, first_;
+  std::uint32_t limit_ = 0;
+  std::optional<std::int64_t> evaluated_;         // number of the SYNC0 period that is running
+  std::optional<std::int64_t> delivered_;         // the last period with outputs
+  std::uint32_t frames_lost_ = 0, left_out_ = 0;  // since then
+  MissesByCause presumed_{}, carried_{};          // since the last reading, and left over from before it
+  std::uint32_t unexplained_ = 0;                 // told by the last reading, and not presumed yet
+  CounterTotal counter_{16, CounterTotal::End::kWraps};
+  bool readable_ = false;
+  std::uint32_t computed_ = 0;
+  MissesByCause by_cause_{};
+  std::uint32_t integrator_ = 0, highest_ = 0, candidate_ = 0;
+};
+
+}  // namespace syncline::dc

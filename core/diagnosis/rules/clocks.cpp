@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "dc/obstacle_text.h"
+#include "diagnosis/rules/rules.h"
+#include "protocol/dcm_error.h"
+
+namespace syncline::diagnosis {
+namespace {
+
+using Code = FindingCode;
+using Unit = Figure::Unit;
+
+constexpr double kMaxDriftPpm = 600;  // beyond it no controller balances (EC-Master 0x981201CA)
+
+std::string obstacle(dc::SyncObstacle what) {
+  const auto text = dc::obstacle_text(what);
+  return text.empty() ? std::string{} : ": " + std::string(text);
+}
+
+void find_unmonitored(const RunReport& report, Findings& findings) {
+  if (report.sync_window_enabled) {
+    findings.push_back(
+        {Code::kNothingToMonitor, FindingLevel::kNote, -1, 0, 0, {count_figure("clocks", report.dc.followers)}});
+  } else {
+    findings.push_back({Code::kNotMonitored, FindingLevel::kNote});
+  }
+  for (const auto& slave : report.slaves) {
+    const auto& off = report.history.slaves[slave.position].off;
+    if (off.empty() || slave.position == report.dc.reference_clock) continue;
+    findings.push_back({Code::kSlaveClockOff,
+                        FindingLevel::kWarning,
+                        slave.position,
+                        off.first(),
+                        off.last(),
+                        {slave_figure(report, slave.position), time_figure("deviation", off.largest()),
+                         moment_figure(report, "since", off.first())}});
+  }
+}
+
+/// The verdict's own culprit; nobody is named who is within the limit.
+void find_out_of_sync(const RunReport& report, Findings& findings) {
+  const auto& dc = report.dc;
+  const auto* culprit = dc.culprit >= 0 && dc.culprit < static_cast<int>(report.slaves.size())
+                            ? &report.slaves[static_cast<std::size_t>(dc.culprit)]
+                            : nullptr;
+  if (culprit == nullptr) {
+    findings.push_back({Code::kSlavesOutOfSync,
+                        FindingLevel::kError,
+                        -1,
+                        dc.since,
+                        report.history.end,
+                        {time_figure("limit", dc.limit_ns), moment_figure(report, "since", dc.since)}});
+    return;
+  }
+  const auto deviation = std::abs(std::int64_t{culprit->deviation_ns.value_or(0)});
+  findings.push_back({Code::kSlaveLeftWindow,
+                      FindingLevel::kError,
+                      dc.culprit,
+                      dc.since,
+                      report.history.end,
+                      {slave_figure(report, dc.culprit), time_figure("deviation", deviation),
+                       time_figure("limit", dc.limit_ns), moment_figure(report, "since", dc.since)}});
+}
+
+void find_left_window(const RunReport& report, Findings& findings) {
+  const auto& losses = report.history.slave_losses;
+  if (losses.empty()) return;
+  const auto& first = losses.front();
+  RunFinding finding{Code::kWindowLeft, FindingLevel::kWarning, first.slave, first.time,
+                     losses.back().back.value_or(0)};
+  finding.figures = {slave_figure(report, first.slave), time_figure("deviation", std::abs(first.size)),
+                     time_figure("limit", report.dc.limit_ns), moment_figure(report, "since", first.time),
+                     count_figure("count", losses.size())};
+  if (first.slave < 0) finding.figures.front() = text_figure("slave", "one of the slaves");
+  findings.push_back(std::move(finding));
+}
+
+}  // namespace
+
+void find_clocks(const RunReport& report, Findings& findings) {
+  if (!report.dc.enabled) return;
+  if (!report.dc.monitored) return find_unmonitored(report, findings);
+  if (report.dc.state != SyncState::kInSync) return find_out_of_sync(report, findings);
+  find_left_window(report, findings);
+}
+
+void find_master_sync(const RunReport& report, Findings& findings) {
+  const auto& dcm = report.dcm;
+  if (!report.dc.enabled || dcm.mode == DcmMode::kOff) return;
+  const auto drift = Figure{"drift", Unit::kPpm, std::llround(dcm.drift_ppm * 1000)};
+  if (std::abs(dcm.drift_ppm) > kMaxDriftPpm) {
+    findings.push_back({Code::kDriftTooHigh, FindingLevel::kError, -1, 0, 0, {drift}});
+  } else if (dcm.error_code != 0) {
+    findings.push_back({Code::kDcmError,
+                        FindingLevel::kError,
+                        -1,
+                        0,
+                        0,
+                        {{"code", Unit::kHex32, dcm.error_code},
+                         text_figure("meaning", std::string(dc::dcm_error_text(dcm.error_code))),
+                         drift}});
+  } else if (dcm.state != SyncState::kInSync && !dcm.control_off) {
+    findings.push_back({Code::kMasterNotLocked,
+                        FindingLevel::kError,
+                        -1,
+                        0,
+                        0,
+                        {time_figure("error", dcm.error_ns), text_figure("obstacle", obstacle(dcm.obstacle)), drift}});
+  } else if (!report.history.master_losses.empty()) {
+    const auto& losses = report.history.master_losses;
+    findings.push_back({Code::kMasterLostLock,
+                        FindingLevel::kWarning,
+                        -1,
+                        losses.front().time,
+                        losses.back().back.value_or(0),
+                        {count_figure("count", losses.size()), moment_figure(report, "since", losses.front().time),
+                         text_figure("obstacle", obstacle(losses.front().obstacle))}});
+  }
+}
+
+}  // namespace syncline::diagnosis

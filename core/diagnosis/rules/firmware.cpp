@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include "config/families/families.h"
+#include "diagnosis/rules/rules.h"
+
+namespace syncline::diagnosis {
+namespace {
+
+using Code = FindingCode;
+
+/// One request may be lost on its way.
+constexpr std::uint32_t kSilences = 5;
+
+void find_exceeded(const RunReport& report, const RunReport::Slave& slave, Findings& findings) {
+  const auto& evidence = slave.evidence;
+  const bool outputs = evidence.outputs.exceeded.total >= evidence.inputs.exceeded.total;
+  const auto& counted = outputs ? evidence.outputs.exceeded : evidence.inputs.exceeded;
+  if (counted.total == 0) return;
+  const auto& history = report.history.slaves[slave.position];
+  const auto& spells = outputs ? history.outputs_exceeded : history.inputs_exceeded;
+  const auto counters = families::sync_counters(slave.identity).value_or(families::SyncCounters{});
+  const auto object =
+      fmt::format("0x{:04X}:{:02X}", outputs ? families::kOutputSync : families::kInputSync, counters.cycle_exceeded);
+  const auto* family = families::find(slave.identity);
+  findings.push_back({family != nullptr && family->gateway ? Code::kGatewayCycleExceeded : Code::kFirmwareSlow,
+                      FindingLevel::kWarning,
+                      slave.position,
+                      spells.first(),
+                      spells.last(),
+                      {slave_figure(report, slave.position), count_figure("count", counted.total, counted.at_least),
+                       text_figure("object", object), moment_figure(report, "last", spells.last())}});
+}
+
+void find_watchdogs(const RunReport& report, const RunReport::Slave& slave, Findings& findings) {
+  const auto& history = report.history.slaves[slave.position];
+  if (!history.pdi_watchdog.empty()) {
+    const auto& hung = history.pdi_watchdog;
+    findings.push_back({Code::kFirmwareHung,
+                        FindingLevel::kError,
+                        slave.position,
+                        hung.first(),
+                        hung.last(),
+                        {slave_figure(report, slave.position), moment_figure(report, "since", hung.first()),
+                         count_figure("count", hung.count(), slave.evidence.pdi_watchdog.at_least)}});
+  }
+  const auto& outputs = history.process_data_watchdog;
+  if (!outputs.empty() && report.history.reached_op) {
+    findings.push_back({Code::kOutputsWatchdog,
+                        FindingLevel::kWarning,
+                        slave.position,
+                        outputs.first(),
+                        outputs.last(),
+                        {slave_figure(report, slave.position), count_figure("count", outputs.count()),
+                         moment_figure(report, "last", outputs.last())}});
+  }
+}
+
+}  // namespace
+
+void find_firmware(const RunReport& report, Findings& findings) {
+  for (const auto& slave : report.slaves) {
+    find_watchdogs(report, slave, findings);
+    find_exceeded(report, slave, findings);
+    if (slave.present && slave.evidence.mailbox_silences >= kSilences) {
+      findings.push_back(
+          {Code::kMailboxSilent,
+           FindingLevel::kWarning,
+           slave.position,
+           0,
+           0,
+           {slave_figure(report, slave.position), count_figure("count", slave.evidence.mailbox_silences)}});
+    }
+  }
+}
+
+}  // namespace syncline::diagnosis

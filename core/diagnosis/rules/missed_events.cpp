@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "diagnosis/rules/missed_events.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "diagnosis/rules/rules.h"
+
+namespace syncline::diagnosis {
+namespace {
+
+using Code = FindingCode;
+
+Code code_of(dc::MissCause cause, bool locked) {
+  switch (cause) {
+    case dc::MissCause::kFrameLost:
+      return Code::kMissedByLostFrames;
+    case dc::MissCause::kCyclesLeftOut:
+      return Code::kMissedByHost;
+    case dc::MissCause::kFrameLate:
+      return locked ? Code::kMissedByLateFrames : Code::kMissedUnlocked;
+    case dc::MissCause::kUnknown:
+      break;
+  }
+  return locked ? Code::kMissedUnexplained : Code::kMissedUnlocked;
+}
+
+/// The schedule, whatever the host made of single frames.
+bool breaks_lock(dc::SyncObstacle obstacle) {
+  return obstacle == dc::SyncObstacle::kNoReferenceClock || obstacle == dc::SyncObstacle::kNoReading ||
+         obstacle == dc::SyncObstacle::kErrorCode || obstacle == dc::SyncObstacle::kControlError;
+}
+
+bool was_locked(const RunReport& report) {
+  if (report.dcm.mode == DcmMode::kOff || report.dcm.control_off) return true;
+  return !breaks_lock(report.dcm.obstacle) &&
+         std::ranges::none_of(report.history.master_losses, breaks_lock, &RunHistory::SyncLoss::obstacle);
+}
+
+}  // namespace
+
+dc::MissCause main_cause(const Sm2MissedStatus& status) {
+  const auto most = std::ranges::max_element(status.by_cause);
+  return static_cast<dc::MissCause>(most - status.by_cause.begin());
+}
+
+std::string_view miss_cause_words(dc::MissCause cause) {
+  switch (cause) {
+    case dc::MissCause::kFrameLost:
+      return "frames were lost";
+    case dc::MissCause::kCyclesLeftOut:
+      return "the host left cycles out";
+    case dc::MissCause::kFrameLate:
+      return "frames came behind the SYNC0 they were meant for";
+    case dc::MissCause::kUnknown:
+      break;
+  }
+  return "not seen by the master; look at its firmware and at frames that are damaged in front of it";
+}
+
+void find_missed_outputs(const RunReport& report, Findings& findings) {
+  for (const auto& slave : report.slaves) {
+    if (!slave.sm2_missed || !slave.sm2_missed->known || slave.sm2_missed->missed == 0) continue;
+    const auto& status = *slave.sm2_missed;
+    const auto cause = main_cause(status);
+    const auto lateness = usual_worst_lateness(report);
+    const auto margin = slave.sync0_margin.value_or(0);
+    findings.push_back({code_of(cause, was_locked(report)),
+                        FindingLevel::kWarning,
+                        slave.position,
+                        0,
+                        0,
+                        {slave_figure(report, slave.position), count_figure("missed", status.missed, status.at_least),
+                         count_figure("part", status.by_cause[static_cast<std::size_t>(cause)]),
+                         count_figure("integrator", status.integrator_highest),
+                         status.limit > 0 ? count_figure("limit", status.limit) : text_figure("limit", "no limit"),
+                         count_figure("computed", status.computed),
+                         text_figure("sub", fmt::format("{:02X}", status.sub_index)), time_figure("margin", margin),
+                         time_figure("lateness", lateness), time_figure("need", slave.evidence.calc_and_copy_ns),
+                         time_figure("more", advised(lateness + slave.evidence.calc_and_copy_ns - margin))}});
+  }
+}
+
+}  // namespace syncline::diagnosis

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "diagnosis/rules/rules.h"
+
+namespace syncline::diagnosis {
+namespace {
+
+using Code = FindingCode;
+
+bool is_absent(const RunReport& report, std::size_t slave) {
+  return !report.slaves[slave].present && !report.slaves[slave].optional;
+}
+
+Figure slaves_figure(std::size_t first, std::size_t last) {
+  return {"slaves", Figure::Unit::kSlave, static_cast<std::int64_t>(first), static_cast<std::int64_t>(last)};
+}
+
+/// Behind the one it is wired to; those that are absent with it are the same case.
+RunFinding absent(const RunReport& report, std::size_t first, std::size_t last) {
+  const auto& history = report.history.slaves[first];
+  const auto since = history.absences.first() == 0 ? report.history.begin : history.absences.last();
+  RunFinding finding{Code::kSlaveAbsent, FindingLevel::kError, static_cast<int>(first), since, report.history.end};
+  finding.figures = {slaves_figure(first, last),
+                     moment_figure(report, "since", since),
+                     {"near", Figure::Unit::kSlave, report.slaves[first].parent, report.slaves[first].parent}};
+  if (history.cable) {
+    finding.code = Code::kSlaveAbsentBehindCable;
+    finding.figures.back().value = finding.figures.back().other = history.cable->near;
+    finding.figures.push_back({"port", Figure::Unit::kPort, history.cable->port});
+  }
+  return finding;
+}
+
+void find_earlier(const RunReport& report, Findings& findings) {
+  for (std::size_t i = 0; i < report.slaves.size(); ++i) {
+    const auto& absences = report.history.slaves[i].absences;
+    if (absences.empty() || is_absent(report, i) || report.slaves[i].optional) continue;
+    std::size_t last = i;
+    const auto same = [&](std::size_t next) {
+      const auto& others = report.history.slaves[next].absences;
+      return !is_absent(report, next) && others.count() == absences.count() &&
+             others.near(absences.list().front(), kTogether);
+    };
+    while (last + 1 < report.slaves.size() && same(last + 1)) ++last;
+    const auto& first = absences.list().front();
+    findings.push_back({Code::kSlaveWasAbsent,
+                        FindingLevel::kWarning,
+                        static_cast<int>(i),
+                        first.from,
+                        absences.last(),
+                        {slaves_figure(i, last), moment_figure(report, "since", first.from),
+                         time_figure("length", first.to - first.from), count_figure("count", absences.count())}});
+    i = last;
+  }
+}
+
+}  // namespace
+
+void find_absent_slaves(const RunReport& report, Findings& findings) {
+  for (std::size_t i = 0; i < report.slaves.size(); ++i) {
+    if (!is_absent(report, i)) continue;
+    std::size_t last = i;
+    while (last + 1 < report.slaves.size() && is_absent(report, last + 1)) ++last;
+    findings.push_back(absent(report, i, last));
+    i = last;
+  }
+  find_earlier(report, findings);
+}
+
+}  // namespace syncline::diagnosis

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "diagnosis/finding.h"
+#include "trace/run_report.h"
+
+/// The rules of the diagnosis, a family of causes a file. Each looks at the report alone and adds what it finds; what
+/// one disturbance causes elsewhere is told as its consequence, by the spells that lie within kTogether of it.
+namespace syncline::diagnosis {
+
+/// Disturbances so near to each other have one cause.
+inline constexpr Nanoseconds kTogether = 10 * kMillisecond;
+/// A counter that is read in turn tells of an error up to so much later.
+inline constexpr Nanoseconds kReadLater = kSecond;
+
+using Findings = std::vector<RunFinding>;
+
+void find_absent_slaves(const RunReport& report, Findings& findings);
+void find_states(const RunReport& report, Findings& findings);
+void find_clocks(const RunReport& report, Findings& findings);
+void find_master_sync(const RunReport& report, Findings& findings);
+void find_missed_outputs(const RunReport& report, Findings& findings);
+void find_tight_sync0(const RunReport& report, Findings& findings);
+void find_firmware(const RunReport& report, Findings& findings);
+void find_port_errors(const RunReport& report, Findings& findings);
+void find_lost_frames(const RunReport& report, Findings& findings);
+void find_host(const RunReport& report, Findings& findings);
+void find_working_counters(const RunReport& report, Findings& findings);
+
+// ---- what the rules share -------------------------------------------------------------------------
+
+[[nodiscard]] Figure slave_figure(const RunReport& report, int slave, int last = -1);
+[[nodiscard]] Figure count_figure(std::string_view name, std::uint64_t count, bool at_least = false);
+[[nodiscard]] Figure time_figure(std::string_view name, Nanoseconds length);
+/// A host time, told from the beginning of the run.
+[[nodiscard]] Figure moment_figure(const RunReport& report, std::string_view name, Nanoseconds time);
+[[nodiscard]] Figure text_figure(std::string_view name, std::string text);
+
+/// How late one frame in a thousand is against its nominal place, or the latest of fewer frames; ns.
+[[nodiscard]] Nanoseconds usual_worst_lateness(const RunReport& report);
+/// Rounded up to 10 us: nobody sets SYNC0 finer by hand.
+[[nodiscard]] Nanoseconds advised(Nanoseconds amount);
+/// The slave was away, fell, or has an active cable fault near that time: what is seen then on the bus is its doing.
+[[nodiscard]] int slave_in_trouble(const RunReport& report, const Spell& spell);
+
+}  // namespace syncline::diagnosis

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
+#include "diagnosis/rules/rules.h"
+
+namespace syncline::diagnosis {
+
+Figure slave_figure(const RunReport& report, int slave, int last) {
+  (void)report;
+  return {"slave", Figure::Unit::kSlave, slave, std::max(slave, last)};
+}
+
+Figure count_figure(std::string_view name, std::uint64_t count, bool at_least) {
+  return {name, Figure::Unit::kCount, static_cast<std::int64_t>(count), 0, at_least ? "at least" : ""};
+}
+
+Figure time_figure(std::string_view name, Nanoseconds length) { return {name, Figure::Unit::kNanoseconds, length}; }
+
+Figure moment_figure(const RunReport& report, std::string_view name, Nanoseconds time) {
+  return {name, Figure::Unit::kMoment, std::max<Nanoseconds>(0, time - report.history.begin)};
+}
+
+Figure text_figure(std::string_view name, std::string text) {
+  return {name, Figure::Unit::kText, 0, 0, std::move(text)};
+}
+
+Nanoseconds usual_worst_lateness(const RunReport& report) { return report.history.frame_lateness.percentile(0.999); }
+
+Nanoseconds advised(Nanoseconds amount) {
+  constexpr Nanoseconds kStep = 10 * kMicrosecond;
+  return std::max(kStep, (amount + kStep - 1) / kStep * kStep);
+}
+
+int slave_in_trouble(const RunReport& report, const Spell& spell) {
+  constexpr Nanoseconds kNear = 500 * kMillisecond;
+  for (std::size_t i = 0; i < report.history.slaves.size(); ++i) {
+    const auto& slave = report.history.slaves[i];
+    const bool fell = slave.fall && slave.fall->time >= spell.from - kNear && slave.fall->time <= spell.to + kNear;
+    const bool away = slave.absences.near(spell, kNear) || (slave.absent && slave.absences.last() <= spell.to + kNear);
+    if (fell || away) return static_cast<int>(i);
+  }
+  return -1;
+}
+
+}  // namespace syncline::diagnosis

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "config/families/families.h"
+#include "diagnosis/rules/missed_events.h"
+#include "diagnosis/rules/rules.h"
+#include "protocol/al_state.h"
+
+namespace syncline::diagnosis {
+namespace {
+
+using Code = FindingCode;
+using Unit = Figure::Unit;
+
+/// AL status codes by which slaves give up for missed SM2 events (ETG.1020, table 11).
+bool is_about_outputs(std::uint16_t code) {
+  constexpr std::uint16_t kSynchronisation = 0x001A, kFatalSync = 0x002C, kSyncError = 0x0033,
+                          kSyncErrorNoOutputs = 0x0034;
+  return code == kSynchronisation || code == kFatalSync || code == kSyncError || code == kSyncErrorNoOutputs;
+}
+
+std::string alarm_text(const RunReport& report, const RunReport::Slave& slave) {
+  const auto& emergency = report.history.slaves[slave.position].emergency;
+  if (!emergency || *emergency == 0) return {};
+  return ", " + families::alarm_text(slave.identity, *emergency);
+}
+
+/// Nothing of what disturbs outputs was seen shortly before.
+bool cycles_were_good(const RunReport& report, Nanoseconds fall) {
+  constexpr Nanoseconds kBefore = 100 * kMillisecond;
+  const Spell before{fall - kBefore, fall, 0, 0};
+  const auto& history = report.history;
+  const bool damaged = std::ranges::any_of(history.slaves, [&](const RunHistory::Slave& slave) {
+    return std::ranges::any_of(slave.port_errors, [&](const Spells& port) {
+      return port.near({before.from, fall + kReadLater, 0, 0}, 0);
+    });
+  });
+  return !damaged && !history.lost_frames.near(before, 0) && !history.late_frames.near(before, 0) &&
+         !history.stalls.near(before, 0);
+}
+
+RunFinding fallen(const RunReport& report, const RunReport::Slave& slave) {
+  const auto& fall = report.history.slaves[slave.position].fall;
+  const auto since = fall ? fall->time : report.history.begin;
+  const auto text = al_status_code_text(slave.al_status_code);
+  RunFinding finding{Code::kSlaveFell, FindingLevel::kError, slave.position, since, report.history.end};
+  finding.figures = {slave_figure(report, slave.position),
+                     {"state", Unit::kAlStatus, slave.al_status},
+                     text_figure("alcode", fmt::format("0x{:04X} ({})", slave.al_status_code, text.meaning)),
+                     text_figure("alarm", alarm_text(report, slave)),
+                     moment_figure(report, "since", since),
+                     text_figure("check", std::string(text.check))};
+  if (!is_about_outputs(slave.al_status_code) || !slave.sm2_missed || !slave.sm2_missed->known || !slave.sync0_margin)
+    return finding;
+  if (slave.sm2_missed->missed == 0) {
+    const bool in_time = usual_worst_lateness(report) < *slave.sync0_margin;
+    if (fall && in_time && cycles_were_good(report, fall->time)) finding.code = Code::kSlaveFellByItself;
+    finding.figures.push_back(time_figure("margin", *slave.sync0_margin));
+    return finding;
+  }
+  finding.code = Code::kSlaveFellByMisses;
+  finding.figures.push_back(count_figure("missed", slave.sm2_missed->missed, slave.sm2_missed->at_least));
+  finding.figures.push_back(count_figure("integrator", slave.sm2_missed->integrator_highest));
+  finding.figures.push_back(count_figure("limit", slave.sm2_missed->limit));
+  finding.figures.push_back(text_figure("cause", std::string(miss_cause_words(main_cause(*slave.sm2_missed)))));
+  return finding;
+}
+
+}  // namespace
+
+void find_states(const RunReport& report, Findings& findings) {
+  AlState highest = AlState::kNone;
+  for (const auto& slave : report.slaves) {
+    if (slave.present) highest = std::max(highest, al_state_of(slave.al_status));
+  }
+  for (const auto& slave : report.slaves) {
+    if (!slave.present) continue;
+    if ((slave.al_status & kAlErrorFlag) != 0) {
+      findings.push_back(fallen(report, slave));
+    } else if (al_state_of(slave.al_status) < highest) {
+      findings.push_back({Code::kSlaveBehind,
+                          FindingLevel::kWarning,
+                          slave.position,
+                          0,
+                          0,
+                          {slave_figure(report, slave.position), {"state", Unit::kAlStatus, slave.al_status}}});
+    }
+  }
+}
+
+}  // namespace syncline::diagnosis

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "diagnosis/rules/rules.h"
+#include "protocol/registers.h"
+
+namespace syncline::diagnosis {
+namespace {
+
+using Code = FindingCode;
+using Unit = Figure::Unit;
+
+constexpr std::size_t kPorts = 4;
+
+/// The neighbour at the other end of a port's cable, as the configuration wires it; -1: the host, -2: nobody.
+Figure behind(const RunReport& report, const RunReport::Slave& slave, std::size_t port) {
+  Figure figure{"behind", Unit::kSlave, slave.parent, slave.parent};
+  if (port == 0) return figure;
+  const auto child = std::ranges::find_if(report.slaves, [&](const RunReport::Slave& other) {
+    return other.parent == slave.position && other.parent_port == static_cast<int>(port);
+  });
+  figure.value = figure.other = child == report.slaves.end() ? -2 : child->position;
+  return figure;
+}
+
+void find_damage(const RunReport& report, const RunReport::Slave& slave, std::size_t port, Findings& findings) {
+  const auto& spells = report.history.slaves[slave.position].port_errors[port];
+  if (spells.empty()) return;
+  const auto& errors = slave.evidence.ports[port];
+  findings.push_back({Code::kPortErrors,
+                      FindingLevel::kWarning,
+                      slave.position,
+                      spells.first(),
+                      spells.last(),
+                      {slave_figure(report, slave.position),
+                       {"port", Unit::kPort, static_cast<std::int64_t>(port)},
+                       count_figure("count", spells.count(), errors.at_least),
+                       text_figure("register", fmt::format("{:04X}", reg::kRxErrorCounter + 2 * port)),
+                       moment_figure(report, "since", spells.first()),
+                       behind(report, slave, port)}});
+}
+
+void find_lost_link(const RunReport& report, const RunReport::Slave& slave, std::size_t port, Findings& findings) {
+  const auto& spells = report.history.slaves[slave.position].lost_links[port];
+  if (spells.empty()) return;
+  const bool pluggable = std::ranges::any_of(report.slaves, [&](const RunReport::Slave& other) {
+    return other.optional && other.parent == slave.position && other.parent_port == static_cast<int>(port);
+  });
+  if (pluggable || slave.optional) return;
+  findings.push_back({Code::kLinkLost,
+                      FindingLevel::kWarning,
+                      slave.position,
+                      spells.first(),
+                      spells.last(),
+                      {slave_figure(report, slave.position),
+                       {"port", Unit::kPort, static_cast<std::int64_t>(port)},
+                       count_figure("count", spells.count(), slave.evidence.ports[port].at_least),
+                       text_figure("register", fmt::format("{:04X}", reg::kLostLinkCounter + port)),
+                       moment_figure(report, "last", spells.last())}});
+}
+
+/// First port in frame order that counted damaged frames in or shortly after the spell.
+struct Port {
+  int slave = -1;
+  std::size_t port = 0;
+};
+Port noisy_port(const RunReport& report, const Spell& spell) {
+  for (const auto& slave : report.slaves) {
+    const auto& ports = report.history.slaves[slave.position].port_errors;
+    for (std::size_t port = 0; port < kPorts; ++port) {
+      if (ports[port].near({spell.from, spell.to + kReadLater, 0, 0}, kTogether)) return {slave.position, port};
+    }
+  }
+  return {};
+}
+
+struct Losses {
+  std::uint64_t count = 0, most = 0;
+  Nanoseconds first = 0, last = 0;
+  void add(const Spell& spell) {
+    if (count == 0) first = spell.from;
+    count += spell.count;
+    most = std::max(most, spell.count);
+    last = spell.to;
+  }
+};
+
+RunFinding lost(const RunReport& report, Code code, FindingLevel level, int slave, const Losses& losses) {
+  return {code,
+          level,
+          code == Code::kFramesLostByNoise ? slave : -1,
+          losses.first,
+          losses.last,
+          {count_figure("count", losses.count), count_figure("most", losses.most),
+           moment_figure(report, "since", losses.first), slave_figure(report, slave)}};
+}
+
+}  // namespace
+
+void find_port_errors(const RunReport& report, Findings& findings) {
+  for (const auto& slave : report.slaves) {
+    for (std::size_t port = 0; port < kPorts; ++port) {
+      find_damage(report, slave, port, findings);
+      find_lost_link(report, slave, port, findings);
+    }
+  }
+}
+
+void find_lost_frames(const RunReport& report, Findings& findings) {
+  Losses by_host, by_noise, by_slave, unexplained;
+  Port noisy;
+  int gone = -1;
+  for (const auto& spell : report.history.lost_frames.list()) {
+    if (report.history.stalls.near(spell, kTogether)) {
+      by_host.add(spell);
+      continue;
+    }
+    if (const auto port = noisy_port(report, spell); port.slave >= 0) {
+      if (noisy.slave < 0) noisy = port;
+      by_noise.add(spell);
+      continue;
+    }
+    const auto& slaves = report.history.slaves;
+    const auto away = std::ranges::find_if(
+        slaves, [&](const RunHistory::Slave& slave) { return slave.absences.near(spell, 200 * kMillisecond); });
+    if (away == slaves.end()) {
+      unexplained.add(spell);
+    } else {
+      if (gone < 0) gone = static_cast<int>(away - slaves.begin());
+      by_slave.add(spell);
+    }
+  }
+  if (unexplained.count > 0)
+    findings.push_back(lost(report, Code::kFramesLost, FindingLevel::kWarning, -1, unexplained));
+  if (by_noise.count > 0) {
+    findings.push_back(lost(report, Code::kFramesLostByNoise, FindingLevel::kWarning, noisy.slave, by_noise));
+    findings.back().figures.push_back({"port", Unit::kPort, static_cast<std::int64_t>(noisy.port)});
+  }
+  if (by_host.count > 0) findings.push_back(lost(report, Code::kFramesLostByHost, FindingLevel::kWarning, -1, by_host));
+  if (by_slave.count > 0)
+    findings.push_back(lost(report, Code::kFramesLostByCable, FindingLevel::kNote, gone, by_slave));
+  const auto& late = report.history.late_frames;
+  if (!late.empty() && report.late_frames > 0) {
+    const bool host = std::ranges::all_of(
+        late.list(), [&](const Spell& spell) { return report.history.stalls.near(spell, kTogether); });
+    findings.push_back({Code::kFramesLate,
+                        host ? FindingLevel::kNote : FindingLevel::kWarning,
+                        -1,
+                        late.first(),
+                        late.last(),
+                        {count_figure("count", report.late_frames), time_figure("largest", late.largest())}});
+  }
+}
+
+}  // namespace syncline::diagnosis

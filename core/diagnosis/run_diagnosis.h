@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "diagnosis/finding.h"
+#include "trace/run_report.h"
+
+/// What a run's figures mean: pure rules on a RunReport, the same for the command line, the window and the report.
+namespace syncline {
+
+/// Most severe first, then by slave. A healthy run has none above a note.
+[[nodiscard]] std::vector<RunFinding> diagnose(const RunReport& report);
+
+}  // namespace syncline

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "dc/sync_event_account.h"
+#include "support/types.h"
+
+/// What is read of each slave in turn while the bus runs, besides its deviation: counts since going online, by
+/// differences of its counters, each with the host time of its newest reading.
+namespace syncline {
+
+/// A count of something. `time` 0: never read.
+struct EvidenceCount {
+  std::uint32_t total = 0;
+  bool at_least = false;  // the counter stood at its end stop, or was cleared between two readings
+  Nanoseconds time = 0;
+  [[nodiscard]] bool valid() const { return time != 0; }
+  bool operator==(const EvidenceCount&) const = default;
+};
+
+/// Error counters of an ESC port (0x0300 to 0x0313; ESC data sheet II, 2.9).
+struct PortErrors {
+  std::uint32_t invalid_frames = 0;    // 0x0300 + 2 p: CRC errors and alignment
+  std::uint32_t receive_errors = 0;    // 0x0301 + 2 p: symbol errors of the PHY, also outside frames
+  std::uint32_t forwarded_errors = 0;  // 0x0308 + p: damaged in front of this slave, and marked by who saw it first
+  std::uint32_t lost_links = 0;        // 0x0310 + p
+  bool at_least = false;
+  bool operator==(const PortErrors&) const = default;
+};
+
+/// 0x1C32 or 0x1C33 of a slave (ETG.1020).
+struct SyncObjectCounts {
+  EvidenceCount exceeded;         // cycles that took longer than the cycle time
+  EvidenceCount shift_too_short;  // 0D: outputs too late for SYNC0, or SYNC1 too close behind it
+  bool sync_error = false;        // 20, at its newest reading
+  bool operator==(const SyncObjectCounts&) const = default;
+};
+
+struct SlaveEvidence {
+  std::array<PortErrors, 4> ports{};
+  std::uint32_t processing_unit_errors = 0;   // 0x030C
+  std::uint32_t pdi_errors = 0;               // 0x030D
+  Nanoseconds ports_time = 0;                 // of the newest reading of the ports; 0: never
+  EvidenceCount process_data_watchdog;        // 0x0442: expirations
+  EvidenceCount pdi_watchdog;                 // 0x0443: the firmware was silent for so long (0x0410)
+  std::int16_t speed_counter_difference = 0;  // 0x0932: how much this clock is slowed or sped up
+  Nanoseconds speed_counter_time = 0;
+  SyncObjectCounts outputs, inputs;    // 0x1C32, 0x1C33
+  std::uint32_t calc_and_copy_ns = 0;  // 0x1C32:06, what the slave needs from its outputs to SYNC0; 0: not told
+  std::uint32_t mailbox_silences = 0;  // in a row: requests without an answer
+  bool operator==(const SlaveEvidence&) const = default;
+};
+
+}  // namespace syncline

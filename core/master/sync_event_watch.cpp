@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "master/sync_event_watch.h"
+
+#include "protocol/dc_registers.h"
+
+namespace syncline {
+namespace {
+
+/// So long a slave that fell may be thought to be in OP: until the next sweep over all AL states.
+constexpr Nanoseconds kStillInOp = 600 * kMillisecond;
+/// What a slave counts while it finds into OP is no fault of the running bus.
+constexpr Nanoseconds kSettling = 100 * kMillisecond;
+constexpr auto kNone = static_cast<std::size_t>(-1);
+
+bool in_op(const SlaveStatus& slave) {
+  return slave.present && al_state_of(slave.al_status) == AlState::kOp && (slave.al_status & kAlErrorFlag) == 0;
+}
+
+}  // namespace
+
+SyncEventWatch::SyncEventWatch(RunState& run, const SyncWatch& sync)
+    : run_(run), sync_(sync), place_(run.config().slaves.size(), kNone) {
+  const auto& slaves = run.config().slaves;
+  for (std::size_t i = 0; i < slaves.size(); ++i) {
+    const auto& dc = slaves[i].dc;
+    if (!dc || !slaves[i].send || !AssignActivate{dc->assign_activate}.sync0()) continue;
+    const auto period = dc->cycle_time0 > 0 ? dc->cycle_time0 : run.config().cycle_time();
+    place_[i] = slaves_.size();
+    slaves_.push_back({i, period, dc->shift_time, {}, 0, {}, {}});
+  }
+}
+
+SyncEventWatch::Slave* SyncEventWatch::find(std::size_t position) {
+  return position < place_.size() && place_[position] != kNone ? &slaves_[place_[position]] : nullptr;
+}
+
+bool SyncEventWatch::settled(const Slave& slave, Nanoseconds time) {
+  return slave.in_op_since && time - *slave.in_op_since >= kSettling;
+}
+
+void SyncEventWatch::follow_state(Slave& slave, Nanoseconds time) {
+  const bool op = in_op(run_.snapshot.slaves[slave.position]);
+  if (op == slave.in_op_since.has_value()) return;
+  if (!op) {
+    slave.in_op_since.reset();
+    slave.account->left_op();
+    publish(slave);
+    return;
+  }
+  slave.in_op_since = time;
+  if (!slave.account) slave.account.emplace(slave.period, sync_.base() + slave.shift);
+  slave.account->set_limit(slave.limit);
+  slave.account->entered_op();
+}
+
+void SyncEventWatch::observe(const CycleSample& sample, bool outputs_back) {
+  if (!sync_.active()) return;
+  const bool known = (sample.flags & CycleSample::kReferenceValid) != 0;
+  const auto passed = known ? sample.reference_time : sync_.reference_time_at(sample.send_time);
+  for (auto& slave : slaves_) {
+    follow_state(slave, sample.send_time);
+    if (!settled(slave, sample.send_time)) continue;
+    const auto delay = static_cast<Nanoseconds>(run_.snapshot.slaves[slave.position].propagation_delay_ns);
+    slave.account->observe({passed + delay, outputs_back, sample.skipped_cycles});
+    confirm(slave, sample.send_time);
+    publish(slave);
+  }
+}
+
+void SyncEventWatch::confirm(Slave& slave, Nanoseconds time) {
+  if (!slave.account->at_limit()) {
+    slave.at_limit_since.reset();
+  } else if (!slave.at_limit_since) {
+    slave.at_limit_since = time;
+  }
+  if (!slave.at_limit_since || time - *slave.at_limit_since > kStillInOp) slave.account->confirm_op();
+}
+
+void SyncEventWatch::read(std::size_t position, std::uint32_t counter, Nanoseconds time) {
+  auto* slave = find(position);
+  if (slave == nullptr || !slave->account) return;
+  if (slave->in_op_since && !settled(*slave, time)) return;
+  slave->account->read(counter);
+  publish(*slave);
+}
+
+void SyncEventWatch::set_limit(std::size_t position, std::uint32_t limit) {
+  auto* slave = find(position);
+  if (slave == nullptr) return;
+  slave->limit = limit;
+  if (slave->account) slave->account->set_limit(limit);
+}
+
+void SyncEventWatch::publish(const Slave& slave) {
+  auto& status = run_.snapshot.slaves[slave.position].sm2_missed;
+  const auto& account = *slave.account;
+  status.known = true;
+  status.missed = account.missed();
+  status.computed = account.computed();
+  status.at_least = account.at_least();
+  status.by_cause = account.by_cause();
+  status.integrator = account.integrator();
+  status.integrator_highest = account.integrator_highest();
+}
+
+}  // namespace syncline

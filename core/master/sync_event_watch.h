@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "dc/sync_event_account.h"
+#include "master/run_state.h"
+#include "master/sync_watch.h"
+
+namespace syncline {
+
+/// Follows the missed SM2 events of every slave with SYNC0 from cycle to cycle: where its outputs arrived in its SYNC0
+/// period, and what that does to its internal error counter; see dc/sync_event_account.h. Allocates nothing; the cyclic
+/// thread.
+class SyncEventWatch {
+ public:
+  SyncEventWatch(RunState& run, const SyncWatch& sync);
+
+  /// One cycle; `outputs_back`: all cyclic frames came back. Not before SYNC0 has its grid.
+  void observe(const CycleSample& sample, bool outputs_back);
+  /// A reading of the slave's counter of missed events.
+  void read(std::size_t slave, std::uint32_t counter, Nanoseconds time);
+  void set_limit(std::size_t slave, std::uint32_t limit);
+
+ private:
+  struct Slave {
+    std::size_t position = 0;
+    Nanoseconds period = 0, shift = 0;
+    std::optional<dc::SyncEventAccount> account;
+    std::uint32_t limit = 0;
+    std::optional<Nanoseconds> in_op_since, at_limit_since;
+  };
+  [[nodiscard]] Slave* find(std::size_t position);
+  void follow_state(Slave& slave, Nanoseconds time);
+  static void confirm(Slave& slave, Nanoseconds time);
+  void publish(const Slave& slave);
+  [[nodiscard]] static bool settled(const Slave& slave, Nanoseconds time);
+
+  RunState& run_;
+  const SyncWatch& sync_;
+  std::vector<Slave> slaves_;
+  std::vector<std::size_t> place_;  // in slaves_, by position; npos: it has no SYNC0
+};
+
+}  // namespace syncline

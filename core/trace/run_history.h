@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "config/network_config.h"
+#include "master/channels.h"
+#include "trace/histogram.h"
+
+/// When what happened in a run: spells of disturbances, and what each slave went through. Host times.
+namespace syncline {
+
+struct Spell {
+  Nanoseconds from = 0, to = 0;
+  std::uint64_t count = 0;
+  std::int64_t largest = 0;
+};
+
+/// Disturbances of one kind. What follows within the gap belongs to the same spell; of more than kMost spells the last
+/// one takes the rest, so that days of trouble cost no more memory.
+class Spells {
+ public:
+  static constexpr std::size_t kMost = 64;
+  static constexpr Nanoseconds kGap = 200 * kMillisecond;
+  void note(Nanoseconds time, std::uint64_t count, std::int64_t size = 0, Nanoseconds from = 0);
+  [[nodiscard]] bool empty() const { return spells_.empty(); }
+  [[nodiscard]] const std::vector<Spell>& list() const { return spells_; }
+  [[nodiscard]] std::uint64_t count() const { return count_; }
+  [[nodiscard]] std::int64_t largest() const { return largest_; }
+  [[nodiscard]] Nanoseconds first() const { return spells_.empty() ? 0 : spells_.front().from; }
+  [[nodiscard]] Nanoseconds last() const { return spells_.empty() ? 0 : spells_.back().to; }
+  /// One of them lies within `margin` of the spell.
+  [[nodiscard]] bool near(const Spell& spell, Nanoseconds margin) const;
+
+ private:
+  std::vector<Spell> spells_;
+  std::uint64_t count_ = 0;
+  std::int64_t largest_ = 0;
+};
+
+struct RunHistory {
+  struct Fall {
+    Nanoseconds time = 0;
+    std::uint16_t al_status = 0, al_status_code = 0;
+  };
+  struct Cable {
+    int near = -1, port = 0;
+  };
+  struct Slave {
+    Spells absences;  // count 1 each; the last one may last
+    bool absent = false;
+    std::optional<Cable> cable;              // over which nothing comes back, as told last
+    std::optional<Fall> fall;                // the last AL status error
+    std::optional<std::uint16_t> emergency;  // the last error code (0x603F)
+    std::array<Spells, 4> port_errors, lost_links;
+    Spells process_data_watchdog, pdi_watchdog;
+    Spells outputs_exceeded, inputs_exceeded;
+    Spells off;  // its own deviation over the limit after it had been within; size in ns
+    bool was_near = false;
+  };
+  /// Somebody left a sync window and, perhaps, came back.
+  struct SyncLoss {
+    Nanoseconds time = 0;
+    int slave = -1;
+    std::int64_t size = 0;
+    dc::SyncObstacle obstacle = dc::SyncObstacle::kNone;  // of the master's losses
+    std::optional<Nanoseconds> back;
+  };
+
+  Nanoseconds begin = 0, end = 0;  // first event, newest sample
+  bool reached_op = false;
+  Spells lost_frames, late_frames, stalls, wrong_counters;   // stalls: cycles left out, size = standstill ns
+  std::uint16_t counter_expected = 0, counter_received = 0;  // of the last wrong one
+  std::vector<SyncLoss> slave_losses, master_losses;         // in OP, the first kMostLosses
+  std::vector<Slave> slaves;
+  Histogram frame_lateness;  // in OP: how much later than nominal the frame passed the reference clock, ns
+};
+
+/// Fills a RunHistory; feed it everything that is drained, samples before the snapshot that came with them.
+class HistoryRecorder {
+ public:
+  explicit HistoryRecorder(const NetworkConfig& config);
+  void add(std::span<const CycleSample> samples);
+  void add(const Event& event);
+  void add(const Snapshot& snapshot);
+  [[nodiscard]] const RunHistory& history() const { return history_; }
+
+ private:
+  void add(const CycleSample& sample);
+  void add_deviation(const CycleSample& sample);
+  void add_arrival(const CycleSample& sample);
+  void add_port_errors(const Event& event, RunHistory::Slave& slave);
+  void add_loss(std::vector<RunHistory::SyncLoss>& losses, const Event& event) const;
+
+  RunHistory history_;
+  std::int64_t limit_ns_;
+  Nanoseconds cycle_, base_ = 0, set_value_ = 0;
+  bool grid_known_ = false;
+  std::vector<std::array<std::uint32_t, 2>> exceeded_;  // totals seen last
+  std::optional<Nanoseconds> last_send_;
+};
+
+}  // namespace syncline

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "dc/sync_event_account.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <numeric>
+
+namespace syncline::dc {
+namespace {
+
+constexpr Nanoseconds kCycle = kMillisecond;
+constexpr Nanoseconds kFirst = 700'000;
+
+/// What happened to a frame on its way to the slave.
+enum class Fate { kGood, kLost, kLate, kLeftOut };
+
+/// A drive that counts as its manual says, and the account that follows it from the master's side.
+class Bench {
+ public:
+  explicit Bench(std::uint32_t limit = 0) : limit_(limit) {
+    account.set_limit(limit);
+    cycle(Fate::kGood);
+    account.read(0);
+  }
+
+  /// SYNC0 comes 700 us behind the frame, or 100 us in front of a late one.
+  void cycle(Fate fate) {
+    const Nanoseconds time = ++number_ * kCycle;
+    fresh_ = fresh_ || fate == Fate::kGood;
+    at_sync0(std::exchange(fresh_, fate == Fate::kLate));
+    if (fate == Fate::kLeftOut) {
+      ++left_out_;
+    } else {
+      account.observe({time + (fate == Fate::kLate ? 800'000 : 0), fate != Fate::kLost, std::exchange(left_out_, 0)});
+    }
+  }
+  void good(int cycles) {
+    for (int i = 0; i < cycles; ++i) cycle(Fate::kGood);
+  }
+  void read() {
+    account.read(counter & 0xFFFF);
+    if (!fallen) account.confirm_op();
+  }
+
+  SyncEventAccount account{kCycle, kFirst};
+  std::uint32_t counter = 0, integrator = 0, highest = 0;
+  bool fallen = false;
+
+ private:
+  void at_sync0(bool served) {
+    if (fallen) return;
+    if (served) {
+      integrator -= std::min(integrator, 1U);
+    } else {
+      ++counter;
+      integrator += 3;
+    }
+    highest = std::max(highest, integrator);
+    if (limit_ > 0 && integrator >= limit_) {
+      fallen = true;
+      counter = 0;  // this one's counter ends with OP
+    }
+  }
+
+  std::uint32_t limit_;
+  std::int64_t number_ = 0;
+  std::uint32_t left_out_ = 0;
+  bool fresh_ = false;
+};
+
+std::uint32_t of(const SyncEventAccount& account, MissCause cause) {
+  return account.by_cause()[static_cast<std::size_t>(cause)];
+}
+
+TEST(SyncEventAccount, BlamesLostFramesForTheMissesThatTheyCause) {
+  Bench bench;
+  bench.good(10);
+  bench.cycle(Fate::kLost);
+  bench.cycle(Fate::kLost);
+  bench.good(10);
+  bench.read();
+  EXPECT_EQ(bench.account.missed(), 2U);
+  EXPECT_EQ(bench.account.computed(), 0U);
+  EXPECT_EQ(of(bench.account, MissCause::kFrameLost), 2U);
+  EXPECT_EQ(bench.account.integrator_highest(), 6U);
+  EXPECT_EQ(bench.account.integrator(), 0U);
+}
+
+TEST(SyncEventAccount, BlamesTheHostForCyclesThatItLeftOut) {
+  Bench bench;
+  bench.good(5);
+  for (int i = 0; i < 20; ++i) bench.cycle(Fate::kLeftOut);
+  bench.good(5);
+  bench.read();
+  EXPECT_EQ(bench.account.missed(), 20U);
+  EXPECT_EQ(of(bench.account, MissCause::kCyclesLeftOut), 20U);
+}
+
+TEST(SyncEventAccount, BlamesLatenessForFramesBehindTheirSync0) {
+  Bench bench;
+  bench.good(5);
+  bench.cycle(Fate::kLate);
+  bench.good(5);
+  bench.read();
+  EXPECT_EQ(of(bench.account, MissCause::kFrameLate), 1U);
+}
+
+TEST(SyncEventAccount, SaysThatItDoesNotKnowWhereNothingWasSeen) {
+  Bench bench;
+  bench.good(5);
+  bench.counter += 3;  // its firmware lost them
+  bench.read();
+  bench.good(5);
+  bench.read();
+  EXPECT_EQ(bench.account.missed(), 3U);
+  EXPECT_EQ(of(bench.account, MissCause::kUnknown), 3U);
+}
+
+TEST(SyncEventAccount, ForgetsWhatTheSlaveDidNotMiss) {
+  Bench bench(9);
+  bench.good(5);
+  // The answer was lost on its way back: the slave had its outputs.
+  for (int i = 0; i < 8; ++i) bench.account.observe({(100 + i) * kCycle, false, 0});
+  bench.account.observe({108 * kCycle, true, 0});
+  bench.read();
+  bench.account.observe({109 * kCycle, true, 0});
+  bench.read();
+  EXPECT_EQ(bench.account.missed(), 0U);
+  EXPECT_LT(bench.account.integrator_highest(), 9U) << "it is still in OP";
+  EXPECT_EQ(bench.account.integrator(), 0U);
+}
+
+TEST(SyncEventAccount, KeepsWhatMadeTheSlaveFall) {
+  Bench bench(9);
+  bench.good(50);
+  for (int i = 0; i < 6; ++i) bench.cycle(Fate::kLost);
+  bench.good(3);
+  ASSERT_TRUE(bench.fallen);
+  bench.account.left_op();
+  bench.read();  // its counter is 0 again
+  EXPECT_GE(bench.account.missed(), 3U);
+  EXPECT_EQ(bench.account.computed(), bench.account.missed());
+  EXPECT_GE(bench.account.integrator_highest(), 9U);
+  EXPECT_EQ(of(bench.account, MissCause::kFrameLost), bench.account.missed());
+}
+
+TEST(SyncEventAccount, TakesTheCounterOfASlaveThatKeepsItBehindTheFall) {
+  Bench bench;
+  bench.good(50);
+  for (int i = 0; i < 6; ++i) bench.cycle(Fate::kLost);
+  bench.good(3);
+  bench.account.left_op();
+  EXPECT_EQ(bench.account.computed(), 6U);
+  bench.account.read(4);
+  EXPECT_EQ(bench.account.missed(), 6U) << "two more may have come behind its fall";
+  EXPECT_EQ(bench.account.computed(), 2U);
+}
+
+TEST(SyncEventAccount, CountsPeriodsNotFramesWhereSync0IsSlower) {
+  SyncEventAccount account(4 * kCycle, kFirst);
+  for (int i = 0; i < 40; ++i) account.observe({i * kCycle, i % 4 != 2, 0});
+  account.read(0);
+  EXPECT_EQ(account.missed(), 0U) << "three of four frames are enough";
+  EXPECT_EQ(account.integrator(), 0U);
+}
+
+TEST(SyncEventAccount, ComputesForASlaveWithoutACounter) {
+  SyncEventAccount account(kCycle, kFirst);
+  for (int i = 0; i < 10; ++i) account.observe({i * kCycle, i != 4, 0});
+  EXPECT_EQ(account.missed(), 1U);
+  EXPECT_EQ(account.computed(), 1U);
+  EXPECT_EQ(account.by_cause()[0], 1U);
+}
+
+TEST(SyncEventAccount, FollowsADriveThroughAnyDisturbance) {
+  EXPECT_TRUE(rc::check("misses, causes and error counter", [](const std::vector<std::uint8_t>& fates) {
+    Bench bench(9);
+    std::uint32_t told = 0;
+    for (std::size_t i = 0; i < fates.size() && !bench.fallen; ++i) {
+      const auto fate = fates[i] % 16;
+      bench.cycle(fate < 4 ? static_cast<Fate>(fate) : Fate::kGood);
+      if (fates[i] >= 192 && !bench.fallen) {
+        bench.read();
+        told = bench.counter;
+      }
+      if (!bench.fallen) RC_ASSERT(bench.account.integrator() <= bench.integrator + 4);
+    }
+    const bool fallen = bench.fallen;
+    if (fallen) {
+      bench.good(2);
+      bench.account.left_op();
+    } else {
+      bench.good(2);
+      bench.read();
+      bench.good(1);
+      bench.read();
+      told = bench.counter;
+    }
+    const auto causes = bench.account.by_cause();
+    const auto missed = bench.account.missed();
+    RC_ASSERT(std::accumulate(causes.begin(), causes.end(), 0U) == missed);
+    RC_ASSERT(missed >= told);
+    RC_ASSERT(fallen || missed == told);
+    RC_ASSERT(fallen || bench.account.integrator_highest() < 9U);
+    RC_ASSERT(!fallen || bench.account.integrator_highest() >= 9U);
+  }));
+}
+
+}  // namespace
+}  // namespace syncline::dc

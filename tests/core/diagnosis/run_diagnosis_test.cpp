@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "diagnosis/run_diagnosis.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+namespace syncline {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+using Code = FindingCode;
+
+constexpr Nanoseconds kStart = 100 * kSecond;
+
+/// A machine of a terminal and two axes that ran for 20 s without any trouble.
+RunReport healthy() {
+  RunReport report;
+  report.state = AlState::kOp;
+  report.cycle_time = kMillisecond;
+  report.history.begin = kStart;
+  report.history.end = report.time = kStart + 20 * kSecond;
+  report.history.reached_op = true;
+  report.history.slaves.resize(3);
+  for (std::uint16_t i = 0; i < 3; ++i) {
+    RunReport::Slave slave;
+    slave.position = i;
+    slave.al_status = static_cast<std::uint16_t>(AlState::kOp);
+    slave.present = true;
+    slave.parent = i - 1;
+    slave.parent_port = 1;
+    if (i > 0) {
+      slave.sync0_margin = 660 * kMicrosecond;
+      slave.sync0_cycle = kMillisecond;
+      slave.sm2_missed = Sm2MissedStatus{};
+      slave.sm2_missed->valid = slave.sm2_missed->known = true;
+      slave.sm2_missed->limit = 9;
+    }
+    report.slaves.push_back(slave);
+  }
+  report.sync_window_enabled = true;
+  report.dc.enabled = report.dc.monitored = true;
+  report.dc.state = SyncState::kInSync;
+  report.dc.reference_clock = 0;
+  report.dc.limit_ns = 127;
+  report.dcm.mode = DcmMode::kBusShift;
+  report.dcm.state = SyncState::kInSync;
+  for (int i = 0; i < 20000; ++i) {
+    report.history.frame_lateness.add(5 * kMicrosecond);
+    report.lateness_histogram.add(5 * kMicrosecond);
+  }
+  return report;
+}
+
+std::vector<Code> codes(const RunReport& report) {
+  std::vector<Code> all;
+  for (const auto& finding : diagnose(report)) all.push_back(finding.code);
+  return all;
+}
+
+void miss(RunReport& report, std::size_t slave, dc::MissCause cause, std::uint32_t count) {
+  auto& status = *report.slaves[slave].sm2_missed;
+  status.missed += count;
+  status.by_cause[static_cast<std::size_t>(cause)] += count;
+  status.integrator_highest = 6;
+}
+
+TEST(RunDiagnosis, AHealthyRunHasNone) { EXPECT_THAT(codes(healthy()), IsEmpty()); }
+
+TEST(RunDiagnosis, EveryCodeHasItsOwnNameAndWords) {
+  std::set<std::string_view> names;
+  for (std::size_t i = 0; i < kFindingCodes; ++i) {
+    const auto code = static_cast<Code>(i);
+    EXPECT_TRUE(names.insert(finding_code_name(code)).second) << finding_code_name(code);
+    EXPECT_FALSE(finding_words(code).why.empty());
+  }
+}
+
+TEST(RunDiagnosis, NamesTheCableWhereTheBusEnds) {
+  auto report = healthy();
+  report.slaves[1].present = report.slaves[2].present = false;
+  report.history.slaves[1].absences.note(kStart + 6 * kSecond, 1);
+  report.history.slaves[1].absent = true;
+  report.history.slaves[1].cable = RunHistory::Cable{0, 1};
+  const auto findings = diagnose(report);
+  ASSERT_THAT(codes(report), ElementsAre(Code::kSlaveAbsentBehindCable));
+  EXPECT_EQ(findings[0].slave, 1);
+  EXPECT_EQ(findings[0].level, FindingLevel::kError);
+  EXPECT_THAT(describe(findings[0]),
+              HasSubstr("No answer from slaves 1 to 2 since 6.000 s: nothing comes back over the cable at "
+                        "slave 0 port B"));
+}
+
+TEST(RunDiagnosis, MissesOfLostFramesDoNotAskForAnotherSync0) {
+  auto report = healthy();
+  miss(report, 1, dc::MissCause::kFrameLost, 12);
+  report.history.lost_frames.note(kStart + 5 * kSecond, 12);
+  EXPECT_THAT(codes(report), ElementsAre(Code::kMissedByLostFrames, Code::kFramesLost));
+  EXPECT_THAT(describe(diagnose(report)[0]), Not(HasSubstr("ncrease")));
+}
+
+TEST(RunDiagnosis, LostFramesWithErrorsAtAPortAreNoise) {
+  auto report = healthy();
+  report.history.lost_frames.note(kStart + 5 * kSecond, 3);
+  report.history.slaves[2].port_errors[0].note(kStart + 5 * kSecond + 20 * kMillisecond, 3);
+  EXPECT_THAT(codes(report), ElementsAre(Code::kPortErrors, Code::kFramesLostByNoise));
+  EXPECT_EQ(diagnose(report)[1].slave, 2);
+}
+
+TEST(RunDiagnosis, LostFramesOfAStandingHostAreTheHosts) {
+  auto report = healthy();
+  report.history.stalls.note(kStart + 5 * kSecond, 40, 41 * kMillisecond);
+  report.history.lost_frames.note(kStart + 5 * kSecond, 1);
+  EXPECT_THAT(codes(report), ElementsAre(Code::kFramesLostByHost, Code::kHostStalled));
+}
+
+TEST(RunDiagnosis, SaysHowMuchMoreTimeLateFramesNeed) {
+  auto report = healthy();
+  report.slaves[1].sync0_margin = 30 * kMicrosecond;
+  report.slaves[1].evidence.calc_and_copy_ns = 20 * kMicrosecond;
+  for (int i = 0; i < 200; ++i) report.history.frame_lateness.add(295 * kMicrosecond);
+  miss(report, 1, dc::MissCause::kFrameLate, 40);
+  const auto findings = diagnose(report);
+  ASSERT_FALSE(findings.empty());
+  ASSERT_EQ(findings[0].code, Code::kMissedByLateFrames);
+  const auto more = std::ranges::find(findings[0].figures, "more", &Figure::name);
+  EXPECT_GE(more->value, 285 * kMicrosecond);
+  EXPECT_LE(more->value, 310 * kMicrosecond);
+  EXPECT_THAT(describe(findings[0]), HasSubstr("Increase the set value by"));
+}
+
+TEST(RunDiagnosis, NobodyIsNamedWhoIsWithinTheLimit) {
+  auto report = healthy();
+  report.dc.state = SyncState::kOutOfSync;
+  report.slaves[1].deviation_ns = 96;
+  EXPECT_THAT(codes(report), ElementsAre(Code::kSlavesOutOfSync));
+  report.dc.culprit = 2;
+  report.slaves[2].deviation_ns = -300;
+  ASSERT_THAT(codes(report), ElementsAre(Code::kSlaveLeftWindow));
+  EXPECT_EQ(diagnose(report)[0].slave, 2);
+}
+
+TEST(RunDiagnosis, OneClockIsNotAskedToBeMonitored) {
+  auto report = healthy();
+  report.dc.monitored = false;
+  EXPECT_THAT(codes(report), ElementsAre(Code::kNothingToMonitor));
+  report.sync_window_enabled = false;
+  EXPECT_THAT(codes(report), ElementsAre(Code::kNotMonitored));
+  report.history.slaves[2].off.note(kStart + 8 * kSecond, 3, 900'000);
+  EXPECT_THAT(codes(report), ElementsAre(Code::kSlaveClockOff, Code::kNotMonitored));
+}
+
+TEST(RunDiagnosis, WorkingCountersAfterAFallAreItsConsequence) {
+  auto report = healthy();
+  report.history.wrong_counters.note(kStart + 5 * kSecond, 30);
+  EXPECT_THAT(codes(report), ElementsAre(Code::kWorkingCounter));
+  report.history.slaves[1].fall = RunHistory::Fall{kStart + 5 * kSecond, 0x14, 0x1A};
+  EXPECT_THAT(codes(report), ElementsAre(Code::kWorkingCounterExplained));
+}
+
+TEST(RunDiagnosis, ADriveThatFellThoughAllWasGoodFellByItself) {
+  auto report = healthy();
+  report.slaves[1].al_status = 0x14;
+  report.slaves[1].al_status_code = 0x1A;
+  report.history.slaves[1].fall = RunHistory::Fall{kStart + 5 * kSecond, 0x14, 0x1A};
+  EXPECT_THAT(codes(report), ElementsAre(Code::kSlaveFellByItself));
+  report.history.lost_frames.note(kStart + 5 * kSecond - 5 * kMillisecond, 3);
+  EXPECT_EQ(codes(report).front(), Code::kSlaveFell) << "something was wrong: nothing is claimed";
+  miss(report, 1, dc::MissCause::kFrameLost, 3);
+  EXPECT_EQ(codes(report).front(), Code::kSlaveFellByMisses);
+}
+
+TEST(RunDiagnosis, LostLinksOfHotConnectGroupsAreMeantToBe) {
+  auto report = healthy();
+  report.history.slaves[1].lost_links[1].note(kStart + 5 * kSecond, 1);
+  EXPECT_THAT(codes(report), ElementsAre(Code::kLinkLost));
+  report.slaves[2].optional = true;
+  EXPECT_THAT(codes(report), IsEmpty());
+}
+
+TEST(RunDiagnosis, EveryPlaceholderIsFilled) {
+  auto report = healthy();
+  report.slaves[1].present = false;
+  report.slaves[2].al_status = 0x14;
+  report.slaves[2].al_status_code = 0x1A;
+  report.history.stalls.note(kStart + 9 * kSecond, 40, 41 * kMillisecond);
+  report.history.late_frames.note(kStart + kSecond, 1, 5000);
+  report.late_frames = 1;
+  for (auto& slave : report.history.slaves) {
+    slave.port_errors[0].note(kStart + kSecond, 2);
+    slave.lost_links[1].note(kStart + kSecond, 2);
+    slave.pdi_watchdog.note(kStart + kSecond, 1);
+    slave.process_data_watchdog.note(kStart + kSecond, 1);
+    slave.outputs_exceeded.note(kStart + kSecond, 1);
+  }
+  for (auto& slave : report.slaves) {
+    slave.evidence.outputs.exceeded.total = 1;
+    slave.evidence.outputs.shift_too_short.total = 1;
+    slave.evidence.inputs.shift_too_short.total = 1;
+    slave.evidence.mailbox_silences = 9;
+  }
+  report.history.lost_frames.note(kStart + 15 * kSecond, 3);
+  report.history.wrong_counters.note(kStart + 15 * kSecond, 3);
+  for (const auto cause : {dc::MissCause::kFrameLost, dc::MissCause::kUnknown}) miss(report, 2, cause, 5);
+  report.history.slave_losses.push_back({kStart + kSecond, -1, 500, {}, {}});
+  report.history.master_losses.push_back({kStart + kSecond, -1, 500, {}, {}});
+  const auto filled = [&report] {
+    for (const auto& finding : diagnose(report))
+      EXPECT_THAT(describe(finding), Not(HasSubstr("{"))) << finding_code_name(finding.code);
+  };
+  filled();
+  report.dcm.state = SyncState::kOutOfSync;
+  report.dc.state = SyncState::kUnknown;
+  filled();
+  report.dcm.error_code = 0x981201C2;
+  filled();
+}
+
+}  // namespace
+}  // namespace syncline

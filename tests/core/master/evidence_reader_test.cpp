@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "master/evidence_reader.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "protocol/registers.h"
+
+namespace syncline {
+namespace {
+
+/// Two slaves, the second with a clock, and their registers.
+class EvidenceReaderTest : public ::testing::Test {
+ protected:
+  NetworkConfig config;
+  MasterChannels channels;
+  std::unique_ptr<RunState> run;
+  std::unique_ptr<EvidenceReader> reader;
+  std::map<std::pair<std::uint16_t, std::uint16_t>, std::uint8_t> registers;  // station, address
+  Nanoseconds now = kSecond;
+  std::size_t most_datagrams = 0;
+
+  void SetUp() override {
+    config.slaves.resize(2);
+    config.slaves[0].station_address = 1001;
+    config.slaves[1].station_address = 1002;
+    run = std::make_unique<RunState>(config, channels);
+    run->snapshot.slaves.resize(2);
+    for (auto& slave : run->snapshot.slaves) slave.present = true;
+    run->snapshot.slaves[1].dc_enabled = true;
+    reader = std::make_unique<EvidenceReader>(*run);
+  }
+  void cycle(bool lost = false) {
+    now += kMillisecond;
+    PendingFrame frame;
+    reader->add_to(frame);
+    most_datagrams = std::max(most_datagrams, frame.datagrams().size());
+    for (auto* datagram : frame.datagrams()) {
+      const auto station = static_cast<std::uint16_t>(datagram->address & 0xFFFF);
+      const auto address = static_cast<std::uint16_t>(datagram->address >> 16);
+      for (std::size_t i = 0; i < datagram->data.size(); ++i) {
+        datagram->data[i] = registers[{station, static_cast<std::uint16_t>(address + i)}];
+      }
+      datagram->answered = !lost;
+      datagram->wkc = lost ? 0 : 1;
+    }
+    reader->take(now);
+  }
+  void sweep() {
+    for (int i = 0; i < 5; ++i) cycle();
+  }
+  [[nodiscard]] const SlaveEvidence& evidence(std::size_t slave) const { return run->snapshot.slaves[slave].evidence; }
+};
+
+TEST_F(EvidenceReaderTest, AsksForOneThingACycle) {
+  for (int i = 0; i < 50; ++i) cycle();
+  EXPECT_EQ(most_datagrams, 1U);
+  EXPECT_GT(evidence(0).ports_time, 0);
+  EXPECT_TRUE(evidence(1).pdi_watchdog.valid());
+  EXPECT_EQ(evidence(0).speed_counter_time, 0) << "it has no clock";
+  EXPECT_GT(evidence(1).speed_counter_time, 0);
+}
+
+TEST_F(EvidenceReaderTest, CountsFromWhatItFindsAndTellsWhatComesOnTop) {
+  registers[{1002, 0x0300}] = 7;
+  sweep();
+  EXPECT_EQ(evidence(1).ports[0].invalid_frames, 0U) << "before our time";
+  registers[{1002, 0x0300}] = 9;
+  registers[{1002, 0x0309}] = 4;  // forwarded, port B: somebody else's
+  registers[{1002, 0x0311}] = 1;
+  sweep();
+  EXPECT_EQ(evidence(1).ports[0].invalid_frames, 2U);
+  EXPECT_EQ(evidence(1).ports[1].forwarded_errors, 4U);
+  EXPECT_EQ(evidence(1).ports[1].lost_links, 1U);
+  const auto events = channels.events.drain();
+  ASSERT_EQ(events.size(), 2U);
+  EXPECT_EQ(events[0].kind, EventKind::kPortErrors);
+  EXPECT_EQ(events[0].slave, 1);
+  EXPECT_EQ(events[0].a, 0);
+  EXPECT_EQ(events[0].b, 2);
+  EXPECT_EQ(events[1].a, 1);
+  EXPECT_EQ(events[1].c, 1);
+}
+
+TEST_F(EvidenceReaderTest, SaysAtLeastWhereACounterStandsStill) {
+  sweep();
+  registers[{1001, 0x0302}] = 0xFF;
+  sweep();
+  EXPECT_TRUE(evidence(0).ports[1].at_least);
+  EXPECT_FALSE(evidence(0).ports[0].at_least);
+}
+
+TEST_F(EvidenceReaderTest, TellsOfWatchdogs) {
+  sweep();
+  registers[{1001, reg::kWatchdogCounterPdi}] = 1;
+  sweep();
+  EXPECT_EQ(evidence(0).pdi_watchdog.total, 1U);
+  const auto events = channels.events.drain();
+  ASSERT_EQ(events.size(), 1U);
+  EXPECT_EQ(events[0].kind, EventKind::kWatchdog);
+  EXPECT_EQ(events[0].a, 1);
+}
+
+TEST_F(EvidenceReaderTest, AsksAgainForWhatWasLost) {
+  cycle(true);
+  EXPECT_EQ(evidence(0).ports_time, 0);
+  cycle();
+  EXPECT_GT(evidence(0).ports_time, 0);
+}
+
+TEST_F(EvidenceReaderTest, AsksNobodyWhoIsNotThere) {
+  for (auto& slave : run->snapshot.slaves) slave.present = false;
+  cycle();
+  EXPECT_EQ(most_datagrams, 0U);
+}
+
+}  // namespace
+}  // namespace syncline

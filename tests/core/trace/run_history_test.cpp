@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "trace/run_history.h"
+
+#include <gtest/gtest.h>
+
+namespace syncline {
+namespace {
+
+CycleSample sample(Nanoseconds time, AlState state = AlState::kOp) {
+  CycleSample sample;
+  sample.send_time = time;
+  sample.master_state = static_cast<std::uint8_t>(state);
+  return sample;
+}
+
+Event event(EventKind kind, Nanoseconds time, int slave, std::int64_t a = 0, std::int64_t b = 0, std::int64_t c = 0) {
+  Event event;
+  event.kind = kind;
+  event.time = time;
+  event.slave = slave;
+  event.a = a;
+  event.b = b;
+  event.c = c;
+  return event;
+}
+
+class RunHistoryTest : public ::testing::Test {
+ protected:
+  static NetworkConfig three_slaves() {
+    NetworkConfig config;
+    config.slaves.resize(3);
+    return config;
+  }
+  NetworkConfig config = three_slaves();
+  HistoryRecorder recorder{config};
+  void add(const CycleSample& sample) { recorder.add(std::span(&sample, 1)); }
+};
+
+TEST(Spells, JoinWhatLiesTogether) {
+  Spells spells;
+  spells.note(kSecond, 2, 5);
+  spells.note(kSecond + 100 * kMillisecond, 1, 3);
+  spells.note(3 * kSecond, 4);
+  ASSERT_EQ(spells.list().size(), 2U);
+  EXPECT_EQ(spells.list()[0].count, 3U);
+  EXPECT_EQ(spells.count(), 7U);
+  EXPECT_EQ(spells.largest(), 5);
+  EXPECT_TRUE(spells.near({kSecond + 105 * kMillisecond, 2 * kSecond, 0, 0}, 10 * kMillisecond));
+  EXPECT_FALSE(spells.near({2 * kSecond, 2 * kSecond, 0, 0}, 10 * kMillisecond));
+}
+
+TEST(Spells, StayBoundedOverDaysOfTrouble) {
+  Spells spells;
+  for (int i = 1; i <= 10000; ++i) spells.note(i * kSecond, 1);
+  EXPECT_EQ(spells.list().size(), Spells::kMost);
+  EXPECT_EQ(spells.count(), 10000U);
+  EXPECT_EQ(spells.last(), 10000 * kSecond);
+}
+
+TEST_F(RunHistoryTest, KnowsHowLongTheHostStoodStill) {
+  add(sample(kSecond));
+  auto late = sample(kSecond + 40 * kMillisecond);
+  late.skipped_cycles = 39;
+  add(late);
+  ASSERT_EQ(recorder.history().stalls.count(), 39U);
+  EXPECT_EQ(recorder.history().stalls.largest(), 40 * kMillisecond);
+  EXPECT_EQ(recorder.history().stalls.first(), kSecond);
+}
+
+TEST_F(RunHistoryTest, CallsAClockOffOnlyAfterItWasNear) {
+  auto reading = sample(kSecond);
+  reading.slave_position = 1;
+  reading.slave_deviation_ns = 900'000;
+  add(reading);
+  EXPECT_TRUE(recorder.history().slaves[1].off.empty()) << "it was still being set up";
+  reading.slave_deviation_ns = 20;
+  add(reading);
+  reading.slave_deviation_ns = -900'000;
+  add(reading);
+  EXPECT_EQ(recorder.history().slaves[1].off.largest(), 900'000);
+}
+
+TEST_F(RunHistoryTest, FollowsASlaveThatGoesAndComesBack) {
+  recorder.add(event(EventKind::kCable, kSecond, 0, 1, 1, 0));
+  recorder.add(event(EventKind::kSlaveLost, kSecond, 1));
+  EXPECT_TRUE(recorder.history().slaves[1].absent);
+  ASSERT_TRUE(recorder.history().slaves[1].cable);
+  EXPECT_EQ(recorder.history().slaves[1].cable->near, 0);
+  recorder.add(event(EventKind::kCable, 4 * kSecond, 0, 1, 1, 1));
+  recorder.add(event(EventKind::kSlaveFound, 4 * kSecond, 1));
+  const auto& slave = recorder.history().slaves[1];
+  EXPECT_FALSE(slave.absent);
+  EXPECT_FALSE(slave.cable);
+  ASSERT_EQ(slave.absences.list().size(), 1U);
+  EXPECT_EQ(slave.absences.list()[0].to - slave.absences.list()[0].from, 3 * kSecond);
+}
+
+TEST_F(RunHistoryTest, CountsSyncLossesInOpAlone) {
+  recorder.add(event(EventKind::kDcSlaveSync, kSecond, 2, 0, 500));
+  EXPECT_TRUE(recorder.history().slave_losses.empty()) << "still coming up";
+  add(sample(2 * kSecond));
+  recorder.add(event(EventKind::kDcSlaveSync, 3 * kSecond, 2, 0, 500));
+  recorder.add(event(EventKind::kDcSlaveSync, 5 * kSecond, -1, 1, 5));
+  ASSERT_EQ(recorder.history().slave_losses.size(), 1U);
+  EXPECT_EQ(recorder.history().slave_losses[0].slave, 2);
+  EXPECT_EQ(recorder.history().slave_losses[0].back, 5 * kSecond);
+}
+
+TEST_F(RunHistoryTest, TakesNoEventOfASlaveThatIsNotConfigured) {
+  recorder.add(event(EventKind::kSlaveLost, kSecond, 7));
+  recorder.add(event(EventKind::kCable, kSecond, 7, 0, 9, 0));
+  recorder.add(event(EventKind::kPortErrors, kSecond, 5, 9, 1, 1));
+  for (const auto& slave : recorder.history().slaves) EXPECT_TRUE(slave.absences.empty());
+}
+
+}  // namespace
+}  // namespace syncline

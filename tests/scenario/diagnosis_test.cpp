@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include "protocol/al_state.h"
+#include "tests/support/diagnosed_run.h"
+
+namespace syncline {
+namespace {
+
+using Code = FindingCode;
+
+DeviceDescription device(const std::string& file) {
+  const auto esi = eni::read_esi(std::string(SYNCLINE_SOURCE_DIR) + "/resources/esi/" + file);
+  return esi && !esi->devices.empty() ? esi->devices.front() : DeviceDescription{};
+}
+
+/// A coupler-like terminal and two servo axes.
+class Diagnosis : public ::testing::Test {
+ protected:
+  test::DiagnosedRun machine;
+
+  void SetUp() override {
+    machine.network.add(test::io8());
+    machine.network.add(test::servo(), "servo-y");
+    machine.network.add(test::servo(), "servo-y");
+  }
+  void lose(Nanoseconds at, std::uint32_t count) { machine.fault(FaultKind::kLoseFrames, at).count = count; }
+  [[nodiscard]] const RunReport::Slave& slave(std::size_t position) const { return machine.report.slaves.at(position); }
+  [[nodiscard]] bool in_op(std::size_t position) const {
+    return al_state_of(slave(position).al_status) == AlState::kOp && (slave(position).al_status & kAlErrorFlag) == 0;
+  }
+};
+
+TEST_F(Diagnosis, AccusesNobodyOnAHealthyMachine) {
+  machine.network.add(device("SL-XE2.xml"), "drive-c");
+  machine.network.add(device("SL-6751.xml"), "can-gateway");
+  machine.run(12 * kSecond);
+  EXPECT_EQ(machine.report.state, AlState::kOp);
+  EXPECT_FALSE(machine.accuses()) << machine.said();
+}
+
+TEST_F(Diagnosis, KeepsTheMissedEventsThatMadeTheDrivesFall) {
+  lose(6500 * kMillisecond, 6);
+  machine.run(9 * kSecond);
+  for (const std::size_t axis : {1U, 2U}) {
+    EXPECT_FALSE(in_op(axis));
+    const auto& missed = *slave(axis).sm2_missed;
+    EXPECT_GE(missed.missed, 3U);
+    EXPECT_GE(missed.integrator_highest, 9U);
+    EXPECT_GT(missed.computed, 0U) << "the drive's own counter ended with OP";
+    EXPECT_TRUE(machine.found(Code::kSlaveFellByMisses, static_cast<int>(axis))) << machine.said();
+  }
+}
+
+TEST_F(Diagnosis, NamesLostFramesAsTheCauseOfMissedEvents) {
+  for (int i = 0; i < 6; ++i) lose(5 * kSecond + i * 400 * kMillisecond, 2);
+  machine.run(9 * kSecond);
+  for (const int axis : {1, 2}) EXPECT_TRUE(machine.found(Code::kMissedByLostFrames, axis)) << machine.said();
+  EXPECT_TRUE(machine.found(Code::kFramesLost)) << machine.said();
+  // Each fault takes a cyclic frame and an acyclic one.
+  EXPECT_EQ(slave(1).sm2_missed->missed, 6U);
+  EXPECT_EQ(slave(1).sm2_missed->by_cause[0], 6U);
+  EXPECT_EQ(slave(1).sm2_missed->integrator_highest, 3U);
+}
+
+TEST_F(Diagnosis, NeverComputesAboveTheLimitOfADriveInOp) {
+  for (int i = 0; i < 200; ++i) lose(4500 * kMillisecond + i * 5 * kMillisecond + 200 * kMicrosecond, 1);
+  machine.run(7 * kSecond);
+  for (const std::size_t axis : {1U, 2U}) {
+    EXPECT_TRUE(in_op(axis));
+    EXPECT_EQ(slave(axis).sm2_missed->missed, 200U);
+    EXPECT_EQ(slave(axis).sm2_missed->integrator_highest, 3U);
+  }
+}
+
+TEST(DiagnosisOfOneDrive, SaysByHowMuchSync0ComesTooEarly) {
+  test::DiagnosedRun machine;
+  machine.network.add(test::io8());
+  machine.network.add(device("SL-XE2.xml"), "drive-c");
+  auto& shift = machine.network.project.slaves[1].dc.sync0.shift;
+  shift = -640 * kMicrosecond;
+  machine.run(8 * kSecond);
+  ASSERT_TRUE(machine.found(Code::kShiftTooShort, 1)) << machine.said();
+  const auto found = std::ranges::find(machine.findings, Code::kShiftTooShort, &RunFinding::code);
+  const auto more = std::ranges::find(found->figures, "more", &Figure::name)->value;
+  *shift += more;
+  test::DiagnosedRun mended;
+  mended.network = machine.network;
+  mended.run(8 * kSecond);
+  EXPECT_FALSE(mended.found(Code::kShiftTooShort)) << "what it advises is enough: " << mended.said();
+}
+
+TEST(DiagnosisOfAGateway, TellsCanCyclesThatAreSkipped) {
+  test::DiagnosedRun machine;
+  machine.network.add(test::io8());
+  machine.network.add(device("SL-6751.xml"), "can-gateway");
+  StartupCommand length{{Transition::kPS}, 0xF800, 7, {0x40, 0x77, 0x1B, 0x00}, false, false, true, 0, "1.8 ms"};
+  machine.network.project.slaves[1].startup.push_back(length);
+  machine.run(8 * kSecond);
+  EXPECT_TRUE(machine.found(Code::kGatewayCycleExceeded, 1)) << machine.said();
+}
+
+TEST_F(Diagnosis, TellsOfFirmwareThatHangs) {
+  machine.fault(FaultKind::kStopApplication, 6 * kSecond, 2).until = 6800 * kMillisecond;
+  machine.run(9 * kSecond);
+  EXPECT_TRUE(machine.found(Code::kFirmwareHung, 2)) << machine.said();
+  EXPECT_FALSE(machine.found(Code::kFirmwareHung, 1)) << machine.said();
+  EXPECT_TRUE(std::ranges::any_of(machine.events, [](const Event& event) {
+    return event.kind == EventKind::kWatchdog && event.slave == 2 && event.a == 1;
+  }));
+}
+
+TEST_F(Diagnosis, LooksForTheCauseInTheSlaveWhenAllCyclesWereGood) {
+  auto& fault = machine.fault(FaultKind::kSlowApplication, 6 * kSecond, 1);
+  fault.until = 9 * kSecond;
+  fault.value_ns = 1'500'000;
+  machine.run(10 * kSecond);
+  EXPECT_TRUE(machine.found(Code::kSlaveFellByItself, 1)) << machine.said();
+}
+
+TEST_F(Diagnosis, NamesThePortWhereFramesWereDamagedFirst) {
+  for (int i = 0; i < 8; ++i) machine.fault(FaultKind::kBitErrors, 5 * kSecond + i * 150 * kMillisecond, 1).count = 1;
+  machine.run(9 * kSecond);
+  EXPECT_TRUE(machine.found(Code::kPortErrors, 1)) << machine.said();
+  EXPECT_FALSE(machine.found(Code::kPortErrors, 0)) << machine.said();
+  EXPECT_FALSE(machine.found(Code::kPortErrors, 2)) << machine.said();
+  EXPECT_TRUE(machine.found(Code::kFramesLostByNoise, 1)) << machine.said();
+}
+
+TEST_F(Diagnosis, BlamesTheHostThatStalls) {
+  machine.fault(FaultKind::kHostStall, 8 * kSecond).value_ns = 35 * kMillisecond;
+  machine.run(12 * kSecond);
+  EXPECT_TRUE(machine.found(Code::kHostStalled)) << machine.said();
+  EXPECT_FALSE(machine.found(Code::kFramesLost)) << machine.said();
+  EXPECT_TRUE(machine.found(Code::kSlaveFellByMisses, 1)) << machine.said();
+  EXPECT_GT(slave(1).sm2_missed->by_cause[1], 0U) << "cycles left out";
+}
+
+TEST_F(Diagnosis, AsksForMoreTimeBetweenFrameAndSync0) {
+  machine.jitter = JitterProfile::bad();
+  machine.network.project.master.dc.dcm.mode = DcmMode::kMasterShift;
+  machine.network.project.master.dc.dcm.set_value = 30 * kMicrosecond;
+  machine.run(15 * kSecond);
+  EXPECT_TRUE(machine.found(Code::kHostLate)) << machine.said();
+  EXPECT_TRUE(machine.found(Code::kMissedByLateFrames, 0)) << machine.said();
+  EXPECT_TRUE(machine.found(Code::kShiftTooShort, 1) || machine.found(Code::kMissedByLateFrames, 1)) << machine.said();
+}
+
+}  // namespace
+}  // namespace syncline

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "diagnosis/run_diagnosis.h"
+#include "master/master_service.h"
+#include "tests/support/simulated_network.h"
+#include "trace/run_report.h"
+
+namespace syncline::test {
+
+/// A simulated machine with something known wrong with it, run on the virtual clock, and what is found.
+class DiagnosedRun {
+ public:
+  SimulatedNetwork network;
+  JitterProfile jitter;
+  RunReport report;
+  std::vector<RunFinding> findings;
+  std::vector<Event> events;
+
+  FaultConfig& fault(FaultKind kind, Nanoseconds at, int slave = -1) {
+    FaultConfig fault;
+    fault.kind = kind;
+    fault.at = at;
+    fault.slave = slave;
+    return network.sim.faults.emplace_back(fault);
+  }
+  void run(Nanoseconds duration) {
+    VirtualClock clock;
+    clock.set_wakeup_jitter(jitter, 1);
+    const auto config = network.compiled();
+    RunRecorder recorder(config);
+    MasterService service(network.link(clock), clock);
+    auto& channels = service.channels();
+    channels.commands.push(GoOnlineCommand{config, AlState::kOp});
+    std::vector<CycleSample> samples;
+    Snapshot snapshot;
+    for (const auto end = clock.now() + duration; clock.now() < end;) {
+      service.run_for(std::min<Nanoseconds>(100 * kMillisecond, end - clock.now()));
+      const bool news = channels.snapshot.read(snapshot);
+      samples.clear();
+      channels.samples.pop(samples);
+      recorder.add(samples);
+      if (news) recorder.add(snapshot);
+      for (auto& event : channels.events.drain()) {
+        recorder.add(event);
+        events.push_back(std::move(event));
+      }
+    }
+    report = recorder.finish(snapshot);
+    findings = diagnose(report);
+  }
+  [[nodiscard]] bool found(FindingCode code, int slave = -1) const {
+    return std::ranges::any_of(findings,
+                               [&](const RunFinding& f) { return f.code == code && (slave < 0 || f.slave == slave); });
+  }
+  [[nodiscard]] bool accuses() const {
+    return std::ranges::any_of(findings, [](const RunFinding& f) { return f.level != FindingLevel::kNote; });
+  }
+  /// All that is said, for a test's message.
+  [[nodiscard]] std::string said() const {
+    std::string text;
+    for (const auto& finding : findings)
+      text += std::string(finding_code_name(finding.code)) + ": " + describe(finding) + "\n";
+    return text;
+  }
+};
+
+}  // namespace syncline::test

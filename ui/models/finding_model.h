@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QAbstractTableModel>
+#include <vector>
+
+#include "diagnosis/finding.h"
+
+namespace syncline::ui {
+
+/// The findings about the running bus, most severe first. Rows that stay keep their place and selection.
+class FindingModel final : public QAbstractTableModel {
+  Q_OBJECT
+
+ public:
+  enum Column { kSeverity, kWhere, kFinding, kAdvice, kColumns };
+  enum Role { kLevelRole = Qt::UserRole + 1, kSlaveRole, kCodeRole };
+
+  explicit FindingModel(QObject* parent = nullptr);
+  void setFindings(const std::vector<RunFinding>& findings);
+  [[nodiscard]] int count(FindingLevel at_least) const;
+
+  [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+  [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
+  [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+  [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+ private:
+  void put(int row, const RunFinding& finding);
+
+  std::vector<RunFinding> rows_;
+};
+
+}  // namespace syncline::ui

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/findings_panel.h"
+
+#include <QHeaderView>
+#include <QLabel>
+#include <QStyledItemDelegate>
+#include <QTableView>
+#include <QVBoxLayout>
+
+#include "ui/models/finding_model.h"
+#include "ui/theme.h"
+#include "ui/widgets/named.h"
+#include "ui/widgets/tables.h"
+
+namespace syncline::ui {
+namespace {
+
+theme::Tone toneOf(FindingLevel level) {
+  if (level == FindingLevel::kError) return theme::Tone::kBad;
+  return level == FindingLevel::kWarning ? theme::Tone::kWarning : theme::Tone::kNeutral;
+}
+
+/// Colours the severity; the word stands in the cell, colour only helps.
+class LevelDelegate final : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+
+ protected:
+  void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
+    QStyledItemDelegate::initStyleOption(option, index);
+    const auto level = static_cast<FindingLevel>(index.data(FindingModel::kLevelRole).toInt());
+    option->palette.setColor(QPalette::Text, theme::toneColor(option->palette, toneOf(level)));
+  }
+};
+
+}  // namespace
+
+FindingsPanel::FindingsPanel(FindingModel& model, QWidget* parent) : QWidget(parent), model_(model) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  table_ = named(new QTableView, "findingsTable", tr("Findings about the running bus"));
+  setUpTable(*table_);
+  table_->setFrameShape(QFrame::NoFrame);
+  table_->setModel(&model);
+  table_->setItemDelegateForColumn(FindingModel::kSeverity, new LevelDelegate(table_));
+  table_->setWordWrap(true);
+  table_->setTextElideMode(Qt::ElideRight);
+  table_->setColumnWidth(FindingModel::kSeverity, 92);
+  table_->setColumnWidth(FindingModel::kWhere, 92);
+  table_->horizontalHeader()->setSectionResizeMode(FindingModel::kFinding, QHeaderView::Stretch);
+  table_->horizontalHeader()->setSectionResizeMode(FindingModel::kAdvice, QHeaderView::Stretch);
+  table_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  connect(table_, &QTableView::activated, this,
+          [this](const QModelIndex& index) { Q_EMIT nodeActivated(index.data(FindingModel::kSlaveRole).toInt()); });
+  nothing_ = new QLabel(
+      tr("Nothing found. What the running bus shows to be wrong stands here, with its cause and what to do."));
+  nothing_->setObjectName(QStringLiteral("noFindings"));
+  nothing_->setAlignment(Qt::AlignCenter);
+  nothing_->setWordWrap(true);
+  nothing_->setEnabled(false);
+  layout->addWidget(table_, 1);
+  layout->addWidget(nothing_, 1);
+  connect(&model_, &QAbstractItemModel::rowsInserted, this, &FindingsPanel::showState);
+  connect(&model_, &QAbstractItemModel::rowsRemoved, this, &FindingsPanel::showState);
+  showState();
+}
+
+void FindingsPanel::showState() {
+  const bool any = model_.rowCount() > 0;
+  table_->setVisible(any);
+  nothing_->setVisible(!any);
+}
+
+}  // namespace syncline::ui

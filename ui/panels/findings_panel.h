@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QWidget>
+
+class QLabel;
+class QTableView;
+
+namespace syncline::ui {
+
+class FindingModel;
+
+/// What is wrong with the running bus, why, and what to do; activating a row goes to its slave.
+class FindingsPanel final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit FindingsPanel(FindingModel& model, QWidget* parent = nullptr);
+  [[nodiscard]] QSize sizeHint() const override { return {800, 128}; }
+
+ Q_SIGNALS:
+  void nodeActivated(int slave);
+
+ private:
+  void showState();
+
+  FindingModel& model_;
+  QTableView* table_;
+  QLabel* nothing_;
+};
+
+}  // namespace syncline::ui

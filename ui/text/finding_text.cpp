@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/text/finding_text.h"
+
+#include <QCoreApplication>
+
+#include "ui/text/units.h"
+
+namespace syncline::ui {
+namespace {
+
+/// Source text for lupdate's "Finding" context.
+class Words {
+  Q_DECLARE_TR_FUNCTIONS(Finding)
+
+ public:
+  static QString of(const Figure& figure);
+  static QString sentence(std::string_view text) {
+    return QCoreApplication::translate("Finding", std::string(text).c_str());
+  }
+};
+
+QString Words::of(const Figure& figure) {
+  using Unit = Figure::Unit;
+  switch (figure.unit) {
+    case Unit::kCount: {
+      const auto count = countText(static_cast<std::uint64_t>(figure.value));
+      return figure.text.empty() ? count : tr("at least %1").arg(count);
+    }
+    case Unit::kNanoseconds:
+      return timeText(figure.value);
+    case Unit::kMoment:
+      return timeText(figure.value / kMillisecond * kMillisecond);
+    case Unit::kPpm:
+      return ppmText(static_cast<double>(figure.value) / 1e3);
+    case Unit::kSlave:
+      if (figure.value == -1) return tr("the host");
+      if (figure.value < 0) return tr("nobody in the configuration");
+      return figure.other > figure.value ? tr("slaves %1 to %2").arg(figure.value).arg(figure.other)
+                                         : tr("slave %1").arg(figure.value);
+    case Unit::kText:
+      return figure.text.empty() ? QString() : sentence(figure.text);
+    default:
+      return QString::fromStdString(figure_text(figure));
+  }
+}
+
+QString fill(QString text, const RunFinding& finding) {
+  for (const auto& figure : finding.figures) {
+    const auto name = QLatin1Char('{') +
+                      QString::fromUtf8(figure.name.data(), static_cast<qsizetype>(figure.name.size())) +
+                      QLatin1Char('}');
+    text.replace(name, Words::of(figure));
+  }
+  if (!text.isEmpty()) text[0] = text[0].toUpper();
+  return text;
+}
+
+}  // namespace
+
+QString findingText(const RunFinding& finding) {
+  return fill(Words::sentence(finding_words(finding.code).why), finding);
+}
+
+QString findingAdvice(const RunFinding& finding) {
+  const auto mend = finding_words(finding.code).mend;
+  return mend.empty() ? QString() : fill(Words::sentence(mend), finding);
+}
+
+}  // namespace syncline::ui

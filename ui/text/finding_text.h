@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QString>
+#include <span>
+
+#include "diagnosis/finding.h"
+
+namespace syncline::ui {
+
+/// What was seen and why, in the user's language.
+[[nodiscard]] QString findingText(const RunFinding& finding);
+/// What to do; empty where nothing is to be done.
+[[nodiscard]] QString findingAdvice(const RunFinding& finding);
+
+/// The sentences and phrases that translations know.
+[[nodiscard]] std::span<const char* const> translatableFindings();
+
+}  // namespace syncline::ui
