@@ -683,6 +683,10 @@
             </translation>
         </message>
         <message>
+            <source>All slaves out of sync at once and to the same side, deviation %1: the reference clock has stepped</source>
+            <translation>Alle Slaves zugleich und zur selben Seite nicht synchron, Abweichung %1: die Referenzuhr ist gesprungen</translation>
+        </message>
+        <message>
             <source>Not known whether the slaves are in sync: nothing was read for %1</source>
             <translation>Nicht bekannt, ob die Slaves synchron sind: seit %1 wurde nichts gelesen</translation>
         </message>

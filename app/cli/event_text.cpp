@@ -90,6 +90,10 @@ std::string diagnosis(const Event& e) {
 std::string slave_sync(const Event& e) {
   switch (e.a) {
     case 0:
+      if (e.slave < 0 && e.c > 0) {
+        return fmt::format("slaves OUT OF SYNC, deviation {} ns: all {} at once and to the same side, the reference clock has stepped",
+                           e.b, e.c);
+      }
       return fmt::format("slaves OUT OF SYNC, deviation {} ns{}{}", e.b, e.slave < 0 ? "" : " at " + who(e.slave),
                          e.c > 1 ? fmt::format(" ({} slaves are over the limit)", e.c) : "");
     case 2: return "slaves not monitored";

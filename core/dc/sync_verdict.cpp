@@ -25,7 +25,10 @@ SlavesEvidence weigh(std::span<const ClockReading> readings, std::uint32_t limit
     evidence.newest = std::max(evidence.newest, reading.time);
     const bool over = reading.magnitude() > limit_ns;
     if (over && proven) continue;  // that is over
-    if (over) ++evidence.over;
+    if (over) {
+      ++evidence.over;
+      evidence.ahead += reading.deviation_ns > 0 ? 1 : 0;
+    }
     if (evidence.worst >= 0 && reading.magnitude() <= evidence.worst_ns) continue;
     evidence.worst = static_cast<int>(i);
     evidence.worst_ns = reading.magnitude();
@@ -69,7 +72,7 @@ SyncVerdict::Edge SyncVerdict::judge(const Input& input, bool over) {
   if (evidence_.unread == 0 && !good_since_) good_since_ = input.time;
   if (good_since_ && input.time - *good_since_ >= settle_) {
     was_in_sync_ = true;
-    settled_after_ = *good_since_ - start_;
+    if (!settled_after_) settled_after_ = *good_since_ - start_;
     return enter(State::kInSync, Edge::kInSync, input.time);
   }
   return state_ == State::kOutOfSync ? Edge::kNone : enter(State::kSettling, Edge::kNone, input.time);

@@ -39,10 +39,14 @@ struct SlavesEvidence {
   std::size_t followers = 0;
   std::size_t unread = 0;  // of them: nothing is known yet
   std::size_t over = 0;    // of them: the own reading is over the limit, and nothing newer says otherwise
+  std::size_t ahead = 0;   // of those over the limit: with a positive deviation
   int worst = -1;          // position of the one with the largest reading; -1: none was read
   std::uint32_t worst_ns = 0;
   Nanoseconds newest = 0;  // reading of any of them
   Nanoseconds oldest = 0;  // of the one of which nothing has been heard for longest
+
+  /// All of them over the limit, to the same side: it is the reference clock that has moved, not they.
+  [[nodiscard]] bool all_alike() const { return followers >= 2 && over == followers && (ahead == 0 || ahead == over); }
 };
 /// `within`: when an or-ed value last showed all followers within the limit.
 [[nodiscard]] SlavesEvidence weigh(std::span<const ClockReading> readings, std::uint32_t limit_ns,
@@ -74,7 +78,7 @@ class SyncVerdict {
   [[nodiscard]] const SlavesEvidence& evidence() const { return evidence_; }
   /// The or-ed value is over the limit and says nothing by that: individual readings must tell, soon.
   [[nodiscard]] bool undecided() const { return undecided_; }
-  /// Time from start to the beginning of the settle time that led to in sync.
+  /// Time from start to the beginning of the settle time that led to in sync for the first time.
   [[nodiscard]] std::optional<Nanoseconds> settled_after() const { return settled_after_; }
 
  private:

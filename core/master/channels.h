@@ -134,7 +134,8 @@ struct DcStatus {
   std::optional<std::uint32_t> deviation_ns;  // largest latest reading of those that follow, monitored or not
   std::uint16_t followers = 0;            // slaves that follow the reference clock
   std::uint16_t over_limit = 0;           // of them, by their own readings
-  int culprit = -1;                       // furthest over the limit
+  bool all_alike = false;                 // all of them are, to the same side: the reference clock has moved
+  int culprit = -1;                       // else the one furthest over the limit
   Nanoseconds newest_age_ns = -1;         // of the latest own reading of any of them; -1: none yet
   Nanoseconds oldest_age_ns = -1;         // since something was heard of each of them
   std::optional<double> settled_after_ms; // from the first cyclic frame until the settle time began
@@ -210,7 +211,8 @@ enum class EventKind : std::uint8_t {
   kReferenceClock,      // slave, a = 1 present, 0 lost, 2 took over from the one that was lost
   kDcSlaveSync,         // a = 1 in sync, 0 out of sync, 2 taken as in sync because nothing is monitored;
                         // 3 unknown; b = deviation ns (3: age of the oldest reading, ns); slave = culprit when out, whose
-                        // own reading is over the limit, c = number of those
+                        // own reading is over the limit, c = number of those; without a culprit they are all
+                        // that follow, and over it to the same side: the reference clock has moved
   kDcmSync,             // a = 1 in sync, 0 out of sync, b = error ns, c = dc::SyncObstacle when out
   kDcmError,            // a = DCM error code, b = drift in ppm
   kWkcError,            // a = expected, b = received; repeated ones are counted, c = count

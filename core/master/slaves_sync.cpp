@@ -127,7 +127,8 @@ void SlavesSync::report(Nanoseconds time, CycleSample& sample) {
   dc.since = verdict_.since();
   dc.followers = static_cast<std::uint16_t>(evidence.followers);
   dc.over_limit = static_cast<std::uint16_t>(evidence.over);
-  dc.culprit = evidence.over > 0 ? evidence.worst : -1;
+  dc.all_alike = evidence.all_alike();
+  dc.culprit = evidence.over > 0 && !dc.all_alike ? evidence.worst : -1;
   dc.deviation_ns.reset();
   if (evidence.worst >= 0) dc.deviation_ns = evidence.worst_ns;
   dc.newest_age_ns = evidence.newest > 0 ? time - evidence.newest : -1;
@@ -169,6 +170,7 @@ void SlavesSync::tell(dc::SyncVerdict::Edge edge, Nanoseconds time) {
       out_by_ = ored_ns_;
       out_culprit_ = -1;
       out_count_ = 0;
+      out_alike_ = false;
       break;
     case dc::SyncVerdict::Edge::kNone:
       break;
@@ -177,7 +179,7 @@ void SlavesSync::tell(dc::SyncVerdict::Edge edge, Nanoseconds time) {
 }
 
 /// The wire-ored value names nobody: told when every slave has been read since. Only who was seen over the limit is
-/// to blame, and of several the one that was furthest away.
+/// to blame, of several the one that was furthest away, and none when all have moved alike: that was the reference clock.
 void SlavesSync::tell_culprit(Nanoseconds time) {
   if (!out_since_) return;
   const auto& evidence = verdict_.evidence();
@@ -186,8 +188,10 @@ void SlavesSync::tell_culprit(Nanoseconds time) {
     out_by_ = evidence.worst_ns;
   }
   out_count_ = std::max(out_count_, evidence.over);
+  out_alike_ = out_alike_ || evidence.all_alike();
   if (!all_read_since(*out_since_) && time - *out_since_ < kCulpritPatience) return;
-  run_.event(EventKind::kDcSlaveSync, *out_since_, out_culprit_, 0, out_by_, static_cast<std::int64_t>(out_count_));
+  run_.event(EventKind::kDcSlaveSync, *out_since_, out_alike_ ? -1 : out_culprit_, 0, out_by_,
+             static_cast<std::int64_t>(out_count_));
   out_since_.reset();
 }
 

@@ -48,6 +48,7 @@ class SlavesSync {
   std::uint32_t out_by_ = 0;
   int out_culprit_ = -1;
   std::size_t out_count_ = 0;
+  bool out_alike_ = false;
   bool was_undecided_ = false;
   std::optional<Nanoseconds> round_since_;  // everybody is to be read
   Nanoseconds next_round_ = 0;

@@ -63,6 +63,8 @@ void SyncWatch::start_verdict(Nanoseconds time) {
   settings.stale = std::max(kLeastStale, kStaleCycles * cycle);
   settings.late_allowed = effective_set_value(settings_, cycle) - least_set_value_;
   verdict_ = dc::MasterVerdict(settings, time);
+  start_ = time;
+  run_.snapshot.dcm.in_sync_after_ms.reset();
   run_.snapshot.dcm.late_allowed_ns = to_32(settings.late_allowed);
 }
 
@@ -183,8 +185,10 @@ void SyncWatch::judge_master(const dc::DcmObservation& observation, std::int64_t
   dcm.obstacle = verdict_.obstacle();
   if (verdict_.in_sync()) {
     dcm.state = SyncState::kInSync;
+    if (!dcm.in_sync_after_ms) dcm.in_sync_after_ms = milliseconds(observation.send_time - start_);
   } else {
-    dcm.state = state.in_sync_after ? SyncState::kOutOfSync : SyncState::kBusy;
+    // An error is no way to in sync.
+    dcm.state = dcm.in_sync_after_ms || state.error_code != 0 ? SyncState::kOutOfSync : SyncState::kBusy;
   }
   const bool in_sync = dcm.state == SyncState::kInSync;
   if (in_sync == was_in_sync) return;
@@ -196,7 +200,6 @@ void SyncWatch::judge_master(const dc::DcmObservation& observation, std::int64_t
 void SyncWatch::count_errors() {
   const auto& state = controller_->state();
   auto& dcm = run_.snapshot.dcm;
-  dcm.in_sync_after_ms = milliseconds(*state.in_sync_after);
   const auto error = static_cast<double>(state.error);
   ++count_;
   sum_ += error;

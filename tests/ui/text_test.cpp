@@ -12,6 +12,7 @@
 #include "ui/text/error_text.h"
 #include "ui/text/event_text.h"
 #include "ui/panels/status_panel.h"
+#include "ui/text/sync_text.h"
 #include "ui/text/translations.h"
 #include "ui/text/units.h"
 
@@ -66,6 +67,23 @@ TEST(ErrorText, EveryTemplateIsKnownToTheTranslations) {
     const std::string text(error_template(static_cast<ErrorCode>(code)));
     EXPECT_TRUE(known.contains(text)) << text;
   }
+}
+
+TEST(SyncText, ShowsTheVerdictAndNothingElse) {
+  Snapshot snapshot;
+  snapshot.online = true;
+  snapshot.dc.enabled = true;
+  snapshot.dc.monitored = true;
+  snapshot.dc.state = SyncState::kNotMonitored;  // nobody follows
+  EXPECT_EQ(slavesSync(snapshot).tone, theme::Tone::kNeutral);
+  EXPECT_EQ(slavesSync(snapshot).text, QStringLiteral("Not monitored"));
+  snapshot.dc.state = SyncState::kUnknown;
+  EXPECT_EQ(slavesSync(snapshot).tone, theme::Tone::kWarning);
+  snapshot.dcm.mode = DcmMode::kBusShift;
+  snapshot.dcm.state = SyncState::kOutOfSync;
+  snapshot.dcm.obstacle = dc::SyncObstacle::kCyclesLeftOut;
+  EXPECT_EQ(masterSync(snapshot).text, QStringLiteral("Out of sync: cycles left out"));
+  EXPECT_EQ(masterSync(snapshot).tone, theme::Tone::kBad);
 }
 
 TEST(EventText, EveryKindButProgressHasWords) {

@@ -114,6 +114,10 @@ Message Words::recovery(const Event& event) {
 Message Words::slaveSync(const Event& event) {
   switch (event.a) {
     case 0:
+      if (event.slave < 0 && event.c > 0) {
+        return line(Severity::kWarning, tr("All slaves out of sync at once and to the same side, deviation %1: the reference "
+                                           "clock has stepped").arg(timeText(event.b)));
+      }
       return line(Severity::kWarning, event.c > 1 ? tr("Slaves out of sync, deviation %1; %n slave(s) over the limit", nullptr,
                                                        static_cast<int>(event.c)).arg(timeText(event.b))
                                                   : tr("Slaves out of sync, deviation %1").arg(timeText(event.b)));

@@ -84,6 +84,8 @@ TEST_F(SyncVerdictTest, OutOfSyncAtOnceAndToldOnce) {
   EXPECT_EQ(ored(2001, 2100, 128), Edge::kNone);
   EXPECT_EQ(ored(2100, 3600, 0), Edge::kNone);
   EXPECT_EQ(ored(3600, 3601, 0), Edge::kInSync);
+  EXPECT_EQ(verdict.since(), at(3600));
+  EXPECT_EQ(verdict.settled_after(), 0);  // of the start
 }
 
 TEST_F(SyncVerdictTest, WithoutSettleTimeTheFirstGoodReadingIsEnough) {
@@ -140,6 +142,19 @@ TEST_F(SyncVerdictTest, TheReferenceClockAndThoseInFrontOfItDoNotCount) {
   EXPECT_EQ(verdict.state(), State::kInSync);
   EXPECT_EQ(verdict.evidence().followers, 2U);
   EXPECT_EQ(verdict.evidence().worst_ns, 40U);
+}
+
+TEST_F(SyncVerdictTest, AllAtOnceToTheSameSideIsTheReferenceClock) {
+  in_turn(0, 1600, 40);
+  for (std::size_t i = 1; i < 4; ++i) read(i, 1600, 30'000 - static_cast<std::int32_t>(i) * 5'000);
+  EXPECT_EQ(cycle(1600), Edge::kOutOfSync);
+  EXPECT_TRUE(verdict.evidence().all_alike());
+  read(2, 1601, -30'000);
+  cycle(1601);
+  EXPECT_FALSE(verdict.evidence().all_alike());
+  read(2, 1602, 100);
+  cycle(1602);
+  EXPECT_FALSE(verdict.evidence().all_alike());
 }
 
 TEST_F(SyncVerdictTest, EveryFollowerIsHeardBeforeTheSettleTimeBegins) {

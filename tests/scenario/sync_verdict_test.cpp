@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/cli/event_text.h"
+#include "link/simulated_host.h"
+#include "master/master_service.h"
+#include "support/random.h"
+#include "tests/support/simulated_network.h"
+#include "trace/csv.h"
+#include "trace/run_report.h"
+
+/// Whether what is said about synchronisation is so, on machines with something known wrong, or nothing.
+namespace syncline {
+namespace {
+
+class SyncVerdictOfAMachine : public ::testing::TestWithParam<std::uint64_t> {
+ protected:
+  VirtualClock clock;
+  Random random{GetParam()};
+  test::SimulatedNetwork network;
+  std::unique_ptr<MasterService> service;
+  std::unique_ptr<RunRecorder> recorder;
+  std::vector<Event> events;
+  std::vector<CycleSample> samples;
+  Snapshot snapshot;
+  Nanoseconds start = 0;
+
+  void SetUp() override {
+    network.sim.seed = GetParam();
+    network.sim.host_jitter = JitterProfile::quiet();
+    dc().sync_window.enabled = true;
+  }
+  DcMasterSettings& dc() { return network.project.master.dc; }
+  void add(const DeviceDescription& device, const std::string& behaviour = "generic") {
+    network.add(device, behaviour);
+    auto& slave = network.sim.slaves.back();
+    slave.oscillator.ppm = random.uniform(-45, 45);
+    slave.oscillator.start_offset = static_cast<Nanoseconds>(random.uniform(0, 4e9));
+    slave.cable_m = random.uniform(0.5, 60);
+  }
+  void two_axes() {
+    add(test::io8());
+    add(test::servo(), "servo-y");
+    add(test::servo(), "servo-y");
+  }
+  FaultConfig& fault(FaultKind kind, int slave, Nanoseconds at) {
+    FaultConfig fault;
+    fault.kind = kind;
+    fault.slave = slave;
+    fault.at = at;
+    network.sim.faults.push_back(fault);
+    return network.sim.faults.back();
+  }
+  Nanoseconds step() {
+    const auto size = static_cast<Nanoseconds>(random.uniform(20'000, 60'000));
+    return random.uniform() < 0.5 ? -size : size;
+  }
+  void go_online() {
+    start = clock.now();
+    const auto host = set_up_host(clock, network.sim);
+    auto bus = sim::SimBus::create(network.sim, clock.now());
+    ASSERT_TRUE(bus);
+    service = std::make_unique<MasterService>(make_simulated_link("sim", std::move(*bus), clock, host), clock);
+    recorder = std::make_unique<RunRecorder>(network.compiled());
+    service->channels().commands.push(GoOnlineCommand{network.compiled(), AlState::kOp});
+    (void)service->step();
+    drain();
+  }
+  void drain() {
+    for (auto& event : service->channels().events.drain()) events.push_back(std::move(event));
+    const auto seen = samples.size();
+    service->channels().samples.pop(samples);
+    recorder->add(std::span(samples).subspan(seen));
+    service->channels().snapshot.read(snapshot);
+  }
+  void run_until(Nanoseconds time) {
+    while (clock.now() < start + time) {
+      service->run_for(std::min<Nanoseconds>(100 * kMillisecond, start + time - clock.now()));
+      drain();
+    }
+  }
+  [[nodiscard]] std::string log() const {
+    std::string text;
+    for (const auto& event : events) {
+      if (const auto line = cli::event_text(event, start); !line.empty()) text += line + "\n";
+    }
+    return text;
+  }
+  /// First event of a kind, told at or after a time of the scenario, with that `a`.
+  [[nodiscard]] const Event* first(EventKind kind, Nanoseconds after, std::int64_t a) const {
+    const auto found = std::ranges::find_if(
+        events, [&](const Event& e) { return e.kind == kind && e.time >= start + after && e.a == a; });
+    return found == events.end() ? nullptr : &*found;
+  }
+  [[nodiscard]] const Event* out_of_sync(Nanoseconds after = 0) const {
+    return first(EventKind::kDcSlaveSync, after, 0);
+  }
+  [[nodiscard]] std::int64_t sum(EventKind kind) const {
+    std::int64_t total = 0;
+    for (const auto& event : events) total += event.kind == kind ? event.a : 0;
+    return total;
+  }
+  void expect_no_sync_beside_an_error() const {
+    for (const auto& sample : samples) {
+      if (sample.dcm_error_code == 0) continue;
+      ASSERT_EQ(sample.flags & CycleSample::kDcmInSync, 0) << "cycle " << sample.cycle;
+    }
+  }
+};
+
+/// In bus shift the or-ed 0x092C has the reference clock's error against the host in it; on a bad host that is tens of
+/// microseconds, while the slaves follow their reference clock by nanoseconds.
+TEST_P(SyncVerdictOfAMachine, ABadHostIsNoDeviationOfTheSlaves) {
+  network.sim.host_jitter = JitterProfile::bad();
+  dc().dcm.set_value = 400 * kMicrosecond;
+  two_axes();
+  go_online();
+  run_until(20 * kSecond);
+  EXPECT_GE(snapshot.state, AlState::kPreop) << log();
+  EXPECT_EQ(snapshot.dc.state, SyncState::kInSync) << log();
+  EXPECT_EQ(out_of_sync(), nullptr) << log();
+  const auto report = recorder->finish(snapshot);
+  EXPECT_FALSE(report.slaves[0].deviation_max_ns);
+  ASSERT_TRUE(report.deviation_max_ns);
+  EXPECT_LE(*report.deviation_max_ns, 127);
+  expect_no_sync_beside_an_error();
+}
+
+/// A slave in front of the reference clock gets the master's time and is no follower.
+TEST_P(SyncVerdictOfAMachine, ThoseBehindAReferenceClockInTheMiddleFollowIt) {
+  for (const auto mode : {DcmMode::kBusShift, DcmMode::kMasterShift}) {
+    network.project.slaves.clear();
+    network.sim.slaves.clear();
+    events.clear();
+    for (int i = 0; i < 5; ++i) add(test::io8());
+    dc().reference_clock = 1;
+    dc().dcm.mode = mode;
+    go_online();
+    run_until(8 * kSecond);
+    EXPECT_EQ(snapshot.state, AlState::kOp) << log();
+    EXPECT_EQ(snapshot.dc.state, SyncState::kInSync) << log();
+    EXPECT_EQ(snapshot.dc.followers, 3);
+    EXPECT_EQ(out_of_sync(), nullptr) << log();
+    const auto report = recorder->finish(snapshot);
+    EXPECT_FALSE(report.slaves[0].deviation_ns);
+    EXPECT_FALSE(report.slaves[1].deviation_ns);
+    EXPECT_LE(report.deviation_max_ns.value_or(INT32_MAX), 127);
+  }
+}
+
+TEST_P(SyncVerdictOfAMachine, WhoIsNotMonitoredIsNotInSync) {
+  dc().sync_window.enabled = false;
+  dc().dcm.mode = DcmMode::kMasterShift;
+  two_axes();
+  fault(FaultKind::kClockStep, 2, 7 * kSecond).value_ns = 900'000;
+  go_online();
+  run_until(8 * kSecond);
+  EXPECT_EQ(snapshot.state, AlState::kOp) << log();
+  EXPECT_EQ(snapshot.dc.state, SyncState::kNotMonitored);
+  EXPECT_TRUE(std::ranges::none_of(samples, [](const auto& s) { return (s.flags & CycleSample::kDcInSync) != 0; }));
+  std::string table;
+  append_sample_csv(table, std::span(samples).last(1));
+  EXPECT_NE(table.find(",0,,1,"), std::string::npos) << table;  // frame_lost, dc_in_sync, dcm_in_sync
+  // But what was read is told.
+  const auto report = recorder->finish(snapshot);
+  EXPECT_GT(report.slaves[2].deviation_max_ns.value_or(0), 10'000);
+  EXPECT_LE(report.slaves[1].deviation_max_ns.value_or(INT32_MAX), 127);
+}
+
+TEST_P(SyncVerdictOfAMachine, LostFramesAreToldOnce) {
+  two_axes();
+  int lost = 0;
+  const auto first_at = static_cast<Nanoseconds>(random.uniform(5e9, 6e9));
+  for (int i = 0; i < 7; ++i) {
+    const auto count = random.uniform() < 0.5 ? 1U : 2U;
+    fault(FaultKind::kLoseFrames, -1, first_at + i * 300 * kMillisecond).count = count;
+    lost += static_cast<int>(count);
+  }
+  go_online();
+  run_until(9 * kSecond);
+  EXPECT_EQ(snapshot.lost_frames, static_cast<std::uint64_t>(lost)) << log();
+  EXPECT_EQ(sum(EventKind::kFramesLost), lost) << log();
+  EXPECT_EQ(snapshot.late_frames, 0U);
+}
+
+TEST_P(SyncVerdictOfAMachine, AStepOfTheReferenceClockIsOutOfSyncAtOnce) {
+  for (const auto mode : {DcmMode::kBusShift, DcmMode::kMasterShift}) {
+    network.project.slaves.clear();
+    network.sim.slaves.clear();
+    network.sim.faults.clear();
+    events.clear();
+    dc().dcm.mode = mode;
+    two_axes();
+    const auto at = static_cast<Nanoseconds>(random.uniform(6e9, 7e9));
+    fault(FaultKind::kClockStep, 0, at).value_ns = step();
+    go_online();
+    run_until(at - 50 * kMillisecond);
+    ASSERT_EQ(snapshot.dc.state, SyncState::kInSync) << log();
+    run_until(at + 200 * kMillisecond);
+    const auto* out = out_of_sync(at - kMillisecond);
+    ASSERT_NE(out, nullptr) << log();
+    EXPECT_LE(out->time, start + at + 10 * kMillisecond) << log();
+    EXPECT_EQ(out->c, 2) << "both followers at once";
+    EXPECT_EQ(out->slave, -1) << "it is none of theirs";
+    EXPECT_GT(out->b, 10'000);
+  }
+}
+
+TEST_P(SyncVerdictOfAMachine, AStepOfASlaveIsOutOfSyncAtOnceAndItsOwn) {
+  for (const auto mode : {DcmMode::kBusShift, DcmMode::kMasterShift}) {
+    network.project.slaves.clear();
+    network.sim.slaves.clear();
+    network.sim.faults.clear();
+    events.clear();
+    dc().dcm.mode = mode;
+    two_axes();
+    for (int i = 0; i < 20; ++i) add(test::io8());
+    const auto at = static_cast<Nanoseconds>(random.uniform(6e9, 7e9));
+    const int who = 1 + static_cast<int>(random.uniform(0, 21.99));
+    fault(FaultKind::kClockStep, who, at).value_ns = step();
+    go_online();
+    run_until(at + 200 * kMillisecond);
+    const auto* out = out_of_sync();
+    ASSERT_NE(out, nullptr) << log();
+    EXPECT_EQ(out->slave, who) << log();
+    EXPECT_GE(out->time, start + at - kMillisecond) << log();
+    EXPECT_LE(out->time, start + at + 40 * kMillisecond) << log();
+    run_until(at + 6 * kSecond);
+    EXPECT_EQ(snapshot.dc.state, SyncState::kInSync) << log();
+    // What it did while it was out of sync is shown.
+    EXPECT_GT(recorder->finish(snapshot).slaves[static_cast<std::size_t>(who)].deviation_max_ns.value_or(0), 10'000);
+  }
+}
+
+TEST_P(SyncVerdictOfAMachine, TheMasterIsNotInSyncBesideAnError) {
+  two_axes();
+  const double host = random.uniform(680, 800) * (random.uniform() < 0.5 ? -1 : 1);
+  for (auto& slave : network.sim.slaves) slave.oscillator.ppm -= host;
+  dc().dcm.mode = DcmMode::kMasterShift;
+  go_online();
+  run_until(12 * kSecond);
+  EXPECT_NE(snapshot.dcm.error_code, 0U);
+  EXPECT_NE(snapshot.dcm.state, SyncState::kInSync);
+  expect_no_sync_beside_an_error();
+}
+
+TEST_P(SyncVerdictOfAMachine, AStallOfTheHostIsCyclesLeftOutAndNoSync) {
+  two_axes();
+  dc().dcm.mode = DcmMode::kMasterShift;
+  const auto at = static_cast<Nanoseconds>(random.uniform(6e9, 7e9));
+  const auto length = static_cast<Nanoseconds>(random.uniform(20e6, 60e6));
+  fault(FaultKind::kHostStall, -1, at).value_ns = length;
+  go_online();
+  run_until(at - 10 * kMillisecond);
+  ASSERT_EQ(snapshot.dcm.state, SyncState::kInSync) << log();
+  run_until(at + length + kSecond);
+  EXPECT_NEAR(static_cast<double>(snapshot.skipped_cycles), static_cast<double>(length) / 1e6, 1.5);
+  EXPECT_EQ(sum(EventKind::kOverrun), static_cast<std::int64_t>(snapshot.skipped_cycles)) << log();
+  const auto* out = first(EventKind::kDcmSync, at, 0);
+  ASSERT_NE(out, nullptr) << log();
+  EXPECT_EQ(out->c, static_cast<int>(dc::SyncObstacle::kCyclesLeftOut));
+  for (const auto& sample : samples) {
+    const bool within = sample.send_time >= start + at + length && sample.send_time < start + at + length + kSecond;
+    if (within) {
+      ASSERT_EQ(sample.flags & CycleSample::kDcmInSync, 0) << log();
+    }
+  }
+  EXPECT_EQ(snapshot.lost_frames, 0U);
+}
+
+TEST_P(SyncVerdictOfAMachine, OnADesktopBothAreInSync) {
+  for (const auto mode : {DcmMode::kBusShift, DcmMode::kMasterShift}) {
+    network.project.slaves.clear();
+    network.sim.slaves.clear();
+    events.clear();
+    network.sim.host_jitter = JitterProfile::desktop();
+    dc().dcm.mode = mode;
+    two_axes();
+    go_online();
+    run_until(12 * kSecond);
+    EXPECT_EQ(snapshot.state, AlState::kOp) << log();
+    EXPECT_EQ(snapshot.dc.state, SyncState::kInSync) << log();
+    EXPECT_EQ(snapshot.dcm.state, SyncState::kInSync) << log();
+    EXPECT_EQ(out_of_sync(), nullptr) << log();
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, SyncVerdictOfAMachine, ::testing::Values(1, 2));
+
+}  // namespace
+}  // namespace syncline
