@@ -561,6 +561,10 @@
             <translation>Referenzuhr vorhanden</translation>
         </message>
         <message>
+            <source>Configured as reference clock, but its system time (0x0910) does not answer: the next clock leads in its place</source>
+            <translation>Als Referenzuhr eingestellt, aber ihre Systemzeit (0x0910) antwortet nicht: die nächste Uhr führt an ihrer Stelle</translation>
+        </message>
+        <message>
             <source>This clock took over as reference clock</source>
             <translation>Diese Uhr hat die Referenzuhr abgelöst</translation>
         </message>
@@ -782,6 +786,10 @@
         <message>
             <source>Slave</source>
             <translation>Slave</translation>
+        </message>
+        <message>
+            <source>Slaves missing</source>
+            <translation>Slaves fehlen</translation>
         </message>
         <message>
             <source>No response</source>
@@ -1762,6 +1770,10 @@ Einstellung %2</translation>
         <message>
             <source>Distributed clocks on</source>
             <translation>Distributed Clocks ein</translation>
+        </message>
+        <message>
+            <source>State %1</source>
+            <translation>Zustand %1</translation>
         </message>
         <message>
             <source>State %1 (register 0x0130 = %2)</source>

@@ -14,7 +14,16 @@ namespace {
 
 std::string who(int slave) { return slave < 0 ? "master" : fmt::format("slave {}", slave); }
 
-std::string_view state_name(std::int64_t state) { return al_state_name(static_cast<AlState>(state & 0x0F)); }
+std::string state_name(std::int64_t state) { return state_text(static_cast<std::uint16_t>(state & 0x0F)); }
+
+std::string_view reference_clock_text(std::int64_t what) {
+  switch (what) {
+    case 0: return "LOST";
+    case 2: return "took over";
+    case 3: return "has no system time (0x0910 does not answer), the next clock leads in its place";
+    default: return "present";
+  }
+}
 
 std::string_view kind_name(EventKind kind) {
   switch (kind) {
@@ -126,7 +135,7 @@ std::string words(const Event& e) {
                          state_text(static_cast<std::uint16_t>(e.a)), e.b, text.meaning, text.check);
     }
     case EventKind::kDcInitialised: return fmt::format("distributed clocks initialised: {} slaves, reference clock is slave {}", e.a, e.b);
-    case EventKind::kReferenceClock: return fmt::format("reference clock {}: {}", who(e.slave), e.a == 2 ? "took over" : e.a != 0 ? "present" : "LOST");
+    case EventKind::kReferenceClock: return fmt::format("reference clock {}: {}", who(e.slave), reference_clock_text(e.a));
     case EventKind::kDcSlaveSync:
       return slave_sync(e);
     case EventKind::kDcmSync:

@@ -55,6 +55,7 @@ Json slave_json(const RunReport::Slave& slave, Nanoseconds now) {
           {"sm2_limit", slave.sm2_missed ? Json(slave.sm2_missed->limit) : Json(nullptr)},
           {"sm2_other", slave.sm2_missed ? sm2_other(*slave.sm2_missed) : Json(nullptr)},
           {"propagation_delay_ns", or_null(slave.propagation_delay_ns)},
+          {"present", slave.present},
           {"evidence", evidence_json(slave, now)}};
 }
 
@@ -126,13 +127,15 @@ std::string sync_text(SyncState state) {
 }  // namespace
 
 std::string state_text(std::uint16_t al_status) {
-  return std::string(al_state_name(al_state_of(al_status))) + ((al_status & kAlErrorFlag) != 0 ? "+ERR" : "");
+  const auto state = al_state_of(al_status);
+  if (state == AlState::kNone) return "unknown";
+  return std::string(al_state_name(state)) + ((al_status & kAlErrorFlag) != 0 ? "+ERR" : "");
 }
 
 Json to_json(const RunReport& report) {
   Json slaves = Json::array();
   for (const auto& slave : report.slaves) slaves.push_back(slave_json(slave, report.history.end));
-  return {{"state", al_state_name(report.state)},
+  return {{"state", state_text(static_cast<std::uint16_t>(report.state))},
           {"cycle_us", rounded(static_cast<double>(report.cycle_time) / 1000.0)},
           {"cycles", report.cycles},
           {"slaves", slaves},
@@ -150,13 +153,13 @@ std::string to_text(const RunReport& report) {
   std::string text;
   const auto out = std::back_inserter(text);
   fmt::format_to(out, "state {}   {} cycles of {} us   WKC errors {}   frames lost {}   late {}   cycles left out {}\n",
-                 al_state_name(report.state), report.cycles, static_cast<double>(report.cycle_time) / 1000.0,
+                 state_text(static_cast<std::uint16_t>(report.state)), report.cycles, static_cast<double>(report.cycle_time) / 1000.0,
                  report.wkc_errors, report.lost_frames, report.late_frames, report.skipped_cycles);
   fmt::format_to(out, "{:>3} {:<28} {:<10} {:>12} {:>14} {:>8} {:>12}\n", "POS", "NAME", "STATE", "DEVIATION ns",
                  "LARGEST ns", "SM2 MISS", "DELAY ns");
   for (const auto& slave : report.slaves) {
     fmt::format_to(out, "{:>3} {:<28} {:<10} {:>12} {:>14} {:>8} {:>12}\n", slave.position, slave.name,
-                   state_text(slave.al_status), or_dash(slave.deviation_ns), or_dash(slave.deviation_max_ns),
+                   slave.present ? state_text(slave.al_status) : "absent", or_dash(slave.deviation_ns), or_dash(slave.deviation_max_ns),
                    slave.sm2_missed ? sm2_text(*slave.sm2_missed) : "-",
                    slave.propagation_delay_ns ? fmt::format("{}", *slave.propagation_delay_ns) : "-");
   }

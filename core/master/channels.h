@@ -107,9 +107,11 @@ struct Sm2MissedStatus {
 };
 
 struct SlaveStatus {
-  std::uint16_t al_status = 0;            // register 0x0130
+  std::uint16_t al_status = 0;            // register 0x0130; 0 = unknown, it does not answer
   std::uint16_t al_status_code = 0;
-  bool present = false;
+  bool present = false;                   // answers
+  bool cable_broken = false;              // nothing comes back over the cable from the one that it hangs at
+  Nanoseconds absent_since = 0;           // host clock; while it does not answer
   bool dc_enabled = false;
   bool is_reference_clock = false;
   bool follows = false;                   // the reference clock: there, with a clock, behind it in frame order
@@ -169,7 +171,7 @@ struct Snapshot {
   Nanoseconds time = 0;
   bool online = false;
   bool link_up = false;
-  AlState state = AlState::kNone;         // of the master: lowest of all slaves
+  AlState state = AlState::kNone;         // of the master: lowest of all slaves, kNone while one does not answer
   AlState requested = AlState::kNone;
   std::uint64_t cycles = 0;
   std::uint64_t lost_frames = 0;          // not back at their deadline, and not come since
@@ -208,7 +210,8 @@ enum class EventKind : std::uint8_t {
   kStateChanged,        // slave (-1 master), a = old AlState, b = new AlState
   kAlStatusError,       // slave, a = AL status, b = AL status code
   kDcInitialised,       // a = number of DC slaves, b = position of the reference clock
-  kReferenceClock,      // slave, a = 1 present, 0 lost, 2 took over from the one that was lost
+  kReferenceClock,      // slave, a = 1 present, 0 lost, 2 took over from the one that was lost, 3 has no system time: the
+                        // next one leads in its place
   kDcSlaveSync,         // a = 1 in sync, 0 out of sync, 2 taken as in sync because nothing is monitored;
                         // 3 unknown; b = deviation ns (3: age of the oldest reading, ns); slave = culprit when out, whose
                         // own reading is over the limit, c = number of those; without a culprit they are all
@@ -220,7 +223,7 @@ enum class EventKind : std::uint8_t {
   kFramesLate,          // a = count that came back after its deadline, b = by how much at most, ns; c = those of them that
                         // a kFramesLost had counted before
   kOverrun,             // a = cycles left out, b = longest time without a frame, ns
-  kSlaveLost, kSlaveFound,
+  kSlaveLost, kSlaveFound,                // its state is unknown from then on, until the kStateChanged that follows
   kEmergency,           // slave, a = error code, b = error register, c = the 5 bytes of data, the first one lowest
   kRealTime,            // text: what of SCHED_FIFO, mlock was refused (once)
   kRestarted,           // c: reserved

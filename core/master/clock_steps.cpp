@@ -59,8 +59,11 @@ void ClockSteps::note(const DcNetwork& network) {
     run_.event(EventKind::kDelayFinding, bus_.clock().now(), finding.position, static_cast<std::int64_t>(finding.warning),
                finding.value_ns);
   }
-  task_.reference().start(*configured_reference_clock(run_.config()), network.reference_clock, attendance_.complete());
-  run_.event(EventKind::kReferenceClock, bus_.clock().now(), network.reference_clock, 1);
+  const bool configured = network.reference_clock == configured_reference_clock(run_.config());
+  task_.reference().start(network.home, network.reference_clock, configured && attendance_.complete());
+  const auto now = bus_.clock().now();
+  if (network.without_time) run_.event(EventKind::kReferenceClock, now, *network.without_time, 3);
+  run_.event(EventKind::kReferenceClock, now, network.reference_clock, 1);
 }
 
 Result<bool> ClockSteps::comes_true(bool (SyncWatch::*in_sync)() const) {
@@ -106,10 +109,16 @@ Status ClockSteps::await_master() {
 Status ClockSteps::join(const SlaveList& slaves) {
   if (!sync_.active()) return {};
   auto& reference = task_.reference();
-  if (auto status = DcJoin(bus_, run_, sync_).run(slaves, reference.leader()); !status) return status;
-  const auto back = reference.configured();
-  if (back && std::ranges::find(slaves, *back) != slaves.end()) reference.take_back(bus_.clock().now());
-  return {};
+  DcJoin join(bus_, run_, sync_, task_.feed(), reference.home());
+  auto others = slaves;
+  if (const auto first = reference.leader() ? std::nullopt : reference.candidate(slaves)) {
+    // Nobody has kept the time: it goes on with the master's own idea of it.
+    const std::size_t leader = *first;
+    if (auto status = join.run({&leader, 1}, std::nullopt); !status) return status;
+    reference.lead(*first, bus_.clock().now());
+    std::erase(others, leader);
+  }
+  return join.run(others, reference.leader());
 }
 
 Status ClockSteps::check_sync_signals(const SlaveList& slaves) {

@@ -39,8 +39,10 @@ class CyclicFrameSet {
   struct Leader {
     enum class Who : std::uint8_t { kConfigured, kOther, kNobody } who = Who::kConfigured;
     std::uint16_t station = 0;  // of the other
+    bool operator==(const Leader&) const = default;
   };
   void follow(Leader leader);
+  [[nodiscard]] Leader leader() const { return leader_; }
 
   /// The time that is written to the reference clock is corrected by the link while it sends.
   void correct_by_link();

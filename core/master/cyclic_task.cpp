@@ -9,6 +9,7 @@ namespace {
 /// Nobody looks at a snapshot more often than this.
 constexpr Nanoseconds kPublishPeriod = 1 * kMillisecond;
 constexpr std::size_t kMostAcyclicFrames = 8;
+constexpr std::size_t kFrameOverhead = kEthernetHeaderSize + kEtherCatHeaderSize;
 
 std::int32_t to_32(Nanoseconds value) {
   return static_cast<std::int32_t>(std::clamp<Nanoseconds>(value, INT32_MIN, INT32_MAX));
@@ -31,6 +32,7 @@ CyclicTaskRunner::CyclicTaskRunner(FrameExchange& exchange, Clock& clock, RunSta
       evidence_(run),
       health_(run),
       reference_(run, sync, frames_),
+      feed_(run.config().cycle_time()),
       without_(run.config().slaves.size()),
       acyclic_(kMostAcyclicFrames),
       cycle_time_(run.config().cycle_time()),
@@ -54,6 +56,7 @@ Status CyclicTaskRunner::run_cycle(std::span<Datagram* const> acyclic) {
   if (auto* application = run_.channels().application.load(std::memory_order_acquire)) {
     application->run({sample.cycle, scheduled_, run_.snapshot.state}, frames_.inputs(), frames_.outputs());
   }
+  reference_.address(slaves_.settled());
   frames_.prepare(sample.cycle, steering_);
   fill_acyclic(acyclic, send_time_);
   const auto lost_before = exchange_.lost_frames();
@@ -89,6 +92,8 @@ void CyclicTaskRunner::stamp(Nanoseconds send_time) {
   if (!sync_.active()) return;
   frames_.stamp(sync_.reference_time_at(send_time),
                 steering_ ? sync_.reference_write(send_time, scheduled_) : std::nullopt);
+  // One behind the other, whatever the host's clock says when it hands them over.
+  feed_.stamp(sync_.reference_time_at(std::max(send_time, wire_free_)));
 }
 
 void CyclicTaskRunner::note_sending(CycleSample& sample) {
@@ -143,21 +148,25 @@ void CyclicTaskRunner::adapt_acyclic_limit() {
 Status CyclicTaskRunner::exchange_frames(Nanoseconds deadline) {
   in_flight_.clear();
   Status status;
-  const auto send = [&](PendingFrame& frame) {
-    if (auto sent = exchange_.send(frame, this); sent) {
-      in_flight_.push_back(&frame);
-    } else {
-      status = tl::unexpected(sent.error());
-    }
+  const auto note = [&status](Status sent) {
+    if (!sent) status = std::move(sent);
   };
-  for (auto* frame : frames_.frames()) send(*frame);
+  for (auto* frame : frames_.frames()) note(send(*frame));
   for (auto& frame : acyclic_) {
-    if (!frame.empty()) send(frame);
+    if (!frame.empty()) note(send(frame));
   }
+  for (auto& frame : feed_.prepare()) note(send(frame));
   // A late wake-up must not leave the frames without time to come back.
   const auto patience = std::max(deadline, clock_.now() + cycle_time_ / 4);
   if (auto collected = exchange_.collect(in_flight_, patience); !collected) return collected;
   return status;
+}
+
+Status CyclicTaskRunner::send(PendingFrame& frame) {
+  if (auto sent = exchange_.send(frame, this); !sent) return sent;
+  in_flight_.push_back(&frame);
+  wire_free_ = std::max(wire_free_, frame.send_time()) + wire_time_ns(frame.size() + kFrameOverhead);
+  return {};
 }
 
 /// Slaves were looked at: what is expected of the bus from now on.
@@ -188,7 +197,8 @@ std::optional<Nanoseconds> CyclicTaskRunner::reference_time(const CyclicFrameSet
 dc::DcmObservation CyclicTaskRunner::observation(const CyclicFrameSet::Reading& reading) const {
   dc::DcmObservation result{send_time_, scheduled_, reference_time(reading)};
   if (external_clock_) {
-    result.external_expected = run_.snapshot.state == AlState::kOp;
+    const auto& bridge = run_.snapshot.slaves[external_clock_->slave];
+    result.external_expected = bridge.present && al_state_of(bridge.al_status) == AlState::kOp;
     if (result.external_expected) result.external_difference = external_difference(*external_clock_, frames_.inputs());
   }
   return result;
@@ -203,6 +213,7 @@ void CyclicTaskRunner::evaluate(CycleSample& sample) {
   if (slaves_.sweeps() != sweeps_seen_) after_sweep();
   take_mailboxes(sample);
   adjust_ = sync_.observe_cycle(observation(reading), sample);
+  reference_.watch(send_time_);
   evidence_.take(send_time_);
   sync_events_.observe(sample, std::ranges::all_of(frames_.frames(), &PendingFrame::answered));
   const auto deviation = reading.deviation_ored ? reading.deviation_ored : all;

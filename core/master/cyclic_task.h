@@ -8,6 +8,7 @@
 #include "config/external_clock.h"
 #include "master/bus.h"
 #include "master/bus_health.h"
+#include "master/clock_feed.h"
 #include "master/cyclic_frame_set.h"
 #include "master/cyclic_mailbox.h"
 #include "master/evidence_reader.h"
@@ -42,6 +43,7 @@ class CyclicTaskRunner final : public CyclePump, private SendStamp {
   [[nodiscard]] BusHealth& health() { return health_; }
   [[nodiscard]] CyclicFrameSet& frames() { return frames_; }
   [[nodiscard]] ReferenceClock& reference() { return reference_; }
+  [[nodiscard]] ClockFeed& feed() { return feed_; }
   /// Expects the working counter of those slaves that are there and exchange process data. Tells a change.
   void expect_present();
   [[nodiscard]] Nanoseconds next_cycle() const { return scheduled_; }
@@ -56,6 +58,7 @@ class CyclicTaskRunner final : public CyclePump, private SendStamp {
   void fill_acyclic(std::span<Datagram* const> requests, Nanoseconds now);
   void adapt_acyclic_limit();
   Status exchange_frames(Nanoseconds deadline);
+  Status send(PendingFrame& frame);
   void evaluate(CycleSample& sample);
   void take_mailboxes(CycleSample& sample);
   void after_sweep();
@@ -77,6 +80,7 @@ class CyclicTaskRunner final : public CyclePump, private SendStamp {
   EvidenceReader evidence_;
   BusHealth health_;
   ReferenceClock reference_;
+  ClockFeed feed_;
   std::uint64_t sweeps_seen_ = 0;
   std::vector<bool> without_;      // slaves that take no part in the process data
   std::vector<PendingFrame> acyclic_;
@@ -88,6 +92,7 @@ class CyclicTaskRunner final : public CyclePump, private SendStamp {
   std::optional<Nanoseconds> last_sent_;  // first frame of the cycle before
   Nanoseconds scheduled_ = 0;
   Nanoseconds send_time_ = 0;      // of this cycle's first frame
+  Nanoseconds wire_free_ = 0;      // when the frames that were sent have left
   bool steering_ = false;
   Nanoseconds last_published_ = 0;
   Nanoseconds adjust_ = 0;

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <vector>
 
 #include "master/bus_scanner.h"
+#include "master/dc_loop_values.h"
 #include "protocol/dc_registers.h"
 #include "protocol/registers.h"
 
@@ -14,8 +16,23 @@ namespace {
 
 constexpr std::uint16_t kSpeedCounterDefault = 0x1000;
 constexpr Nanoseconds kSettleTimeout = 5 * kSecond;
-constexpr std::uint32_t kNear = 1'000;  // ns
-constexpr int kNearInARow = 50;
+/// In the mean of so many cycles; a mean, because a clock in front of the leader is told what the master believes.
+constexpr int kReadings = 16;
+constexpr std::int64_t kNear = 31;  // ns
+/// Before the loop has seen so many messages, the small deviation of the beginning says nothing.
+constexpr std::size_t kLearning = 600, kLearningSlowly = 2'048;
+
+/// The burst ends with whoever asked for it.
+class Burst {
+ public:
+  Burst(ClockFeed& feed, std::uint16_t station) : feed_(feed) { feed_.start(station); }
+  ~Burst() { feed_.stop(); }
+  Burst(const Burst&) = delete;
+  Burst& operator=(const Burst&) = delete;
+
+ private:
+  ClockFeed& feed_;
+};
 
 }  // namespace
 
@@ -31,7 +48,9 @@ Status DcJoin::run(std::span<const std::size_t> slaves, std::optional<std::uint1
     if (auto status = set_clock(slaves[i], wide, leader); !status) return status;
     if (run_.snapshot.slaves[slaves[i]].dc_enabled) joined.push_back(slaves[i]);
   }
-  return leader ? await(joined) : Status{};
+  if (!leader || joined.empty()) return {};
+  const Burst burst(feed_, run_.config().slaves[*leader].station_address);
+  return await(joined);
 }
 
 Status DcJoin::set_clock(std::size_t slave, bool wide, std::optional<std::uint16_t> leader) {
@@ -60,32 +79,43 @@ Status DcJoin::set_clock(std::size_t slave, bool wide, std::optional<std::uint16
   const auto local = wide ? load_le<std::uint64_t>(mine) : load_le<std::uint32_t>(mine);
   auto offset = le_bytes(static_cast<std::uint64_t>(reference) - local);
   offset.resize(width);
-  auto speed = le_bytes(kSpeedCounterDefault);
   std::array set{at(station, reg::kSystemTimeOffset, offset, Command::kFpwr)};
   if (auto status = bus_.transact(set); !status) return status;
-  // Resets the filters, which must see the new time.
-  std::array filter{at(station, reg::kSpeedCounterStart, speed, Command::kFpwr)};
-  return bus_.transact(filter);
+  return set_loop(slave);  // resets the filters, which must see the new time
 }
 
-/// The loop needs some thousand frames to learn the quartz; SYNC signals before that would be off by microseconds.
+Status DcJoin::set_loop(std::size_t slave) {
+  const auto station = run_.config().slaves[slave].station_address;
+  auto values = dc_loop_values(run_.config(), slave == home_ ? DcLoopRole::kReturning : DcLoopRole::kFollower);
+  if (values.empty()) values.push_back({reg::kSpeedCounterStart, le_bytes(kSpeedCounterDefault)});
+  std::vector<Datagram> writes;
+  for (auto& value : values) writes.push_back({Command::kFpwr, device_address(station, value.address), value.bytes});
+  return bus_.transact(writes);
+}
+
+/// The loop needs some hundred frames to learn the quartz; SYNC signals before that would be off by microseconds.
 Status DcJoin::await(std::span<const std::size_t> slaves) {
   const auto end = bus_.clock().now() + kSettleTimeout;
   std::vector<std::array<std::uint8_t, 4>> bytes(slaves.size());
-  int near = 0;
-  while (!slaves.empty() && near < kNearInARow && bus_.clock().now() < end) {
-    std::vector<Datagram> reads;
-    for (std::size_t i = 0; i < slaves.size(); ++i) {
-      bytes[i].fill(0);
-      reads.push_back({Command::kFprd,
-                       device_address(run_.config().slaves[slaves[i]].station_address, reg::kSystemTimeDifference),
-                       bytes[i]});
+  std::vector<std::int64_t> sums(slaves.size());
+  const bool slowly = std::ranges::find(slaves, std::size_t{home_}) != slaves.end();
+  const auto rounds = (slowly ? kLearningSlowly : kLearning) / (feed_.messages_per_cycle() * kReadings) + 1;
+  bool near = false;
+  for (std::size_t round = 0; (!near || round < rounds) && bus_.clock().now() < end; ++round) {
+    std::ranges::fill(sums, 0);
+    for (int reading = 0; reading < kReadings; ++reading) {
+      std::vector<Datagram> reads;
+      for (std::size_t i = 0; i < slaves.size(); ++i) {
+        bytes[i].fill(0);
+        const auto station = run_.config().slaves[slaves[i]].station_address;
+        reads.push_back({Command::kFprd, device_address(station, reg::kSystemTimeDifference), bytes[i]});
+      }
+      if (auto status = bus_.transact(reads); !status) return status;
+      for (std::size_t i = 0; i < slaves.size(); ++i) {
+        sums[i] += SystemTimeDifference{load_le<std::uint32_t>(bytes[i])}.signed_value();
+      }
     }
-    if (auto status = bus_.transact(reads); !status) return status;
-    const bool all = std::ranges::all_of(bytes, [](const auto& b) {
-      return SystemTimeDifference{load_le<std::uint32_t>(b)}.magnitude() <= kNear;
-    });
-    near = all ? near + 1 : 0;
+    near = std::ranges::all_of(sums, [](std::int64_t sum) { return std::abs(sum) <= kNear * kReadings; });
   }
   return {};
 }

@@ -7,16 +7,12 @@
 
 #include "dc/plans.h"
 #include "master/dc_burst.h"
+#include "master/dc_loop_values.h"
 #include "protocol/registers.h"
 
 namespace syncline {
 namespace {
 
-constexpr std::uint16_t kSpeedCounterDefault = 0x1000;
-/// Averages 2^4 differences: what the host writes jitters with its send times, what slaves are written does not.
-constexpr std::uint8_t kSteeredFilterDepth = 4;
-/// Of clocks that follow a clock: each message counts, and a quartz is learned within some hundred of them.
-constexpr std::uint8_t kFilterDepthDifference = 0, kFilterDepthSpeedCounter = 8;
 constexpr std::uint32_t kUsualDelayDifference = 40;  // ns, ET1100
 constexpr Nanoseconds kReplyTimeout = 10 * kMillisecond;
 
@@ -63,17 +59,18 @@ DcNetwork DcSetup::for_all_slaves() const {
   return network;
 }
 
-/// The configured clock, or the first one by the user's will; when it is not there, the next one that takes part in
-/// distributed clocks.
+/// The configured clock, or the first one by the user's will; when it is not there, or its system time does not answer, the
+/// next one that takes part in distributed clocks.
 Status DcSetup::choose_reference() {
   const auto can_lead = [this](std::size_t i) { return has_system_time(segment_.capabilities[i]); };
-  const auto take = [this](std::size_t i) {
+  const auto take = [this](std::size_t i, std::size_t home) {
     network_.reference_clock = static_cast<std::uint16_t>(i);
+    network_.home = static_cast<std::uint16_t>(home);
     return Status{};
   };
   if (config_.dc.first_slave_is_reference_clock) {
     for (std::size_t i = 0; i < slaves_.size(); ++i) {
-      if (can_lead(i)) return take(i);
+      if (can_lead(i)) return take(i, slaves_[i]);
     }
     return fail(ErrorCode::kDcSetup, "master", "no slave on the bus has a system time");
   }
@@ -83,10 +80,13 @@ Status DcSetup::choose_reference() {
   }
   for (std::size_t i = 0; i < slaves_.size(); ++i) {
     const bool is_it = slaves_[i] == *configured;
-    if (is_it && !can_lead(i)) {
-      return fail(ErrorCode::kDcSetup, subject(i), "it has no system time and cannot be the reference clock");
-    }
-    if (is_it || (slaves_[i] > *configured && config_.slaves[slaves_[i]].dc && can_lead(i))) return take(i);
+    if (is_it && !can_lead(i)) network_.without_time = configured;
+    const bool candidate = is_it || (slaves_[i] > *configured && config_.slaves[slaves_[i]].dc);
+    if (candidate && can_lead(i)) return take(i, network_.without_time ? slaves_[i] : *configured);
+  }
+  if (network_.without_time) {
+    return fail(ErrorCode::kDcSetup, fmt::format("slave {} ({})", *configured, config_.slaves[*configured].name),
+                "it has no system time and cannot be the reference clock, and no slave behind it can");
   }
   return fail(ErrorCode::kDcSetup, "master", "no slave that is there can be the reference clock");
 }
@@ -160,20 +160,12 @@ Status DcSetup::write_times(const DelayLatch& latch) {
   return write_all(times).and_then([&] { return write_all(filters); });
 }
 
-/// The speed counter comes last: its write makes the depths effective.
 void DcSetup::add_loop_values(std::size_t slave, std::vector<Write>& filters) const {
-  if (config_.dc.dcm.standard_loop_values) return;
-  const auto& loop = config_.dc.loop;
-  auto start = loop.speed_counter_start.value_or(dc::speed_counter_start(config_.cycle_time()));
-  if (slave == network_.reference_clock) {
-    start = kSpeedCounterDefault;
-    if (steered()) filters.push_back({slave, reg::kFilterDepthDifference, {kSteeredFilterDepth}});
-  } else {
-    filters.push_back({slave, reg::kFilterDepthDifference, {loop.filter_depth_difference.value_or(kFilterDepthDifference)}});
-    filters.push_back(
-        {slave, reg::kFilterDepthSpeedCounter, {loop.filter_depth_speed_counter.value_or(kFilterDepthSpeedCounter)}});
+  const auto role = slave == network_.reference_clock ? DcLoopRole::kLeader : DcLoopRole::kFollower;
+  for (auto& write : dc_loop_values(config_, role)) {
+    const bool optional = write.optional();
+    filters.push_back({slave, write.address, std::move(write.bytes), optional});
   }
-  filters.push_back({slave, reg::kSpeedCounterStart, le_bytes(start)});
 }
 
 Status DcSetup::write_all(std::span<Write> writes) {
@@ -181,8 +173,7 @@ Status DcSetup::write_all(std::span<Write> writes) {
   for (auto& write : writes) datagrams.push_back(addresses_[write.slave].write(write.address, write.bytes));
   if (auto status = bus_.transact(datagrams); !status) return status;
   for (std::size_t i = 0; i < writes.size(); ++i) {
-    const bool optional = writes[i].address == reg::kFilterDepthDifference || writes[i].address == reg::kFilterDepthSpeedCounter;
-    if (datagrams[i].wkc > 0 || optional) continue;
+    if (datagrams[i].wkc > 0 || writes[i].optional) continue;
     return fail(ErrorCode::kDcSetup, subject(writes[i].slave), "it does not take its system time offset");
   }
   return {};

@@ -24,6 +24,10 @@ struct DcNetwork {
   };
   std::vector<Slave> slaves;
   std::uint16_t reference_clock = 0;
+  /// Who is to lead whenever it is there: the configured reference clock, unless it cannot.
+  std::uint16_t home = 0;
+  /// The configured reference clock, when its system time does not answer: the next one leads in its place.
+  std::optional<std::uint16_t> without_time;
   /// A host time and the reference clock's system time at that moment.
   Nanoseconds host_time = 0, reference_time = 0;
   std::vector<dc::DelayFinding> findings;
@@ -45,7 +49,7 @@ class DcSetup {
   DcSetup(Bus& bus, const NetworkConfig& config, std::vector<std::size_t> slaves)
       : bus_(bus), config_(config), slaves_(std::move(slaves)) {}
 
-  /// kDcSetup when the reference clock has no system time; kCancelled, link errors.
+  /// kDcSetup when no clock can lead; kCancelled, link errors.
   Result<DcNetwork> run();
 
  private:
@@ -53,6 +57,7 @@ class DcSetup {
     std::size_t slave;
     std::uint16_t address;
     std::vector<std::uint8_t> bytes;
+    bool optional = false;               // not every ESC has the register
   };
 
   Status read_slaves();

@@ -81,7 +81,7 @@ Status Esm::change_to(AlState target) {
   if (std::ranges::any_of(slaves, [&](const auto& s) { return is_above(al_state_of(s.al_status), target); })) {
     result = down_to(target);
   }
-  if (result && is_above(target, run_.snapshot.state)) result = up_to(target);
+  if (result && is_above(target, run_.lowest_state())) result = up_to(target);
   task_.mailbox().set_enabled(bus_.cyclic());
   return result;
 }
@@ -262,7 +262,7 @@ Status Esm::step_up(AlState from, Transition transition) {
 Status Esm::down_to(AlState target) {
   task_.health().set_judging(false);
   task_.frames().expect_without(std::vector<bool>(run_.config().slaves.size()));
-  const auto from = run_.snapshot.state;
+  const auto from = run_.lowest_state();
   if (const auto transition = transition_between(from, target)) {
     if (auto status = run_master_commands(*transition, true); !status) return status;
   }

@@ -1,61 +1,106 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "master/reference_clock.h"
 
+#include <algorithm>
+#include <cstdlib>
+
 namespace syncline {
 namespace {
 
-using Who = CyclicFrameSet::Leader::Who;
+using Leader = CyclicFrameSet::Leader;
 
-/// Below SAFEOP a slave's clock may be in the middle of being set up.
-bool can_lead(const SlaveStatus& slave) {
-  const auto state = al_state_of(slave.al_status);
-  return slave.present && slave.dc_enabled && (state == AlState::kSafeop || state == AlState::kOp);
-}
+constexpr int kReadings = 16;
+constexpr std::int64_t kNear = 50;  // ns: what the others do not notice
+/// A clock that is not near by then steps the others when it leads again; they bear it.
+constexpr Nanoseconds kPatience = 10 * kSecond;
 
 }  // namespace
 
-void ReferenceClock::start(std::uint16_t configured, std::uint16_t leader, bool by_place) {
-  configured_ = configured;
+/// Below SAFEOP a slave's clock may be in the middle of being set up.
+bool ReferenceClock::can_lead(std::size_t slave) const {
+  const auto& status = run_.snapshot.slaves[slave];
+  const auto state = al_state_of(status.al_status);
+  return status.present && status.dc_enabled && (state == AlState::kSafeop || state == AlState::kOp);
+}
+
+void ReferenceClock::start(std::uint16_t home, std::uint16_t leader, bool by_place) {
+  home_ = home;
   leader_ = leader;
-  if (by_place) {
-    frames_.follow({});
-  } else {
-    frames_.follow({Who::kOther, run_.config().slaves[leader].station_address});
-  }
+  by_place_ = places_right_ = by_place;
+  approach_.reset();
+  address(true);
+}
+
+void ReferenceClock::address(bool settled) {
+  if (!home_) return;
+  Leader wanted{Leader::Who::kNobody, 0};
+  if (leader_) wanted = {Leader::Who::kOther, run_.config().slaves[*leader_].station_address};
+  if (leader_ == home_ && by_place_ && places_right_ && settled) wanted = {};
+  if (frames_.leader() != wanted) frames_.follow(wanted);
 }
 
 void ReferenceClock::look(Nanoseconds time) {
-  if (!configured_) return;
+  if (!home_) return;
   auto& slaves = run_.snapshot.slaves;
+  places_right_ = std::all_of(slaves.begin(), slaves.begin() + *home_, [](const SlaveStatus& s) { return s.present; });
   if (leader_ && slaves[*leader_].present) return;
   if (leader_) {
     run_.event(EventKind::kReferenceClock, time, *leader_, 0);
     slaves[*leader_].is_reference_clock = false;
     leader_.reset();
     sync_.leader_lost(time);
-    frames_.follow({Who::kNobody, 0});
   }
+  // Not set up anew, so it has gone on by itself with what it had learned.
+  if (can_lead(*home_)) return lead(*home_, time);
   for (std::size_t i = 0; i < slaves.size(); ++i) {
-    if (i == *configured_ || !can_lead(slaves[i])) continue;
-    frames_.follow({Who::kOther, run_.config().slaves[i].station_address});
-    lead(static_cast<std::uint16_t>(i), time);
-    run_.event(EventKind::kReferenceClock, time, static_cast<int>(i), 2);
-    return;
+    if (can_lead(i)) return lead(static_cast<std::uint16_t>(i), time);
   }
 }
 
-void ReferenceClock::take_back(Nanoseconds time) {
-  if (!configured_ || leader_ == configured_) return;
-  if (leader_) run_.snapshot.slaves[*leader_].is_reference_clock = false;
-  frames_.follow({Who::kOther, run_.config().slaves[*configured_].station_address});
-  lead(*configured_, time);
-  run_.event(EventKind::kReferenceClock, time, *configured_, 1);
+std::optional<std::uint16_t> ReferenceClock::candidate(std::span<const std::size_t> slaves) const {
+  std::optional<std::uint16_t> first;
+  for (const auto slave : slaves) {
+    if (!run_.snapshot.slaves[slave].dc_enabled) continue;
+    if (slave == home_) return home_;
+    if (!first) first = static_cast<std::uint16_t>(slave);
+  }
+  return first;
 }
 
 void ReferenceClock::lead(std::uint16_t position, Nanoseconds time) {
+  hand_over(position);
+  sync_.leader_found(position, time);
+  run_.event(EventKind::kReferenceClock, time, position, position == home_ ? 1 : 2);
+}
+
+void ReferenceClock::hand_over(std::uint16_t position) {
+  if (leader_) run_.snapshot.slaves[*leader_].is_reference_clock = false;
   leader_ = position;
   run_.snapshot.slaves[position].is_reference_clock = true;
-  sync_.leader_found(position, time);
+  approach_.reset();
+}
+
+void ReferenceClock::watch(Nanoseconds time) {
+  if (!home_ || !leader_ || leader_ == home_) return;
+  if (!can_lead(*home_)) return approach_.reset();
+  if (!approach_) approach_ = Approach{time, time};
+  if (!is_near() && time - approach_->begin < kPatience) return;
+  hand_over(*home_);
+  sync_.leader_moved(*home_);
+  run_.event(EventKind::kReferenceClock, time, *home_, 1);
+}
+
+/// In the mean of some readings: a clock in front of its substitute is told what the master believes, with the host's
+/// jitter.
+bool ReferenceClock::is_near() {
+  const auto& status = run_.snapshot.slaves[*home_];
+  if (!status.deviation_valid || status.deviation_time <= approach_->last_reading) return false;
+  approach_->last_reading = status.deviation_time;
+  approach_->sum += status.deviation_ns;
+  if (++approach_->readings < kReadings) return false;
+  const auto sum = approach_->sum;
+  approach_->sum = approach_->readings = 0;
+  return std::abs(sum) <= kNear * kReadings;
 }
 
 }  // namespace syncline

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 
 #include "master/cyclic_frame_set.h"
 #include "master/run_state.h"
@@ -10,31 +11,49 @@
 
 namespace syncline {
 
-/// Who leads the distributed clocks while the bus runs: the configured reference clock, and when it is lost
-/// the next slave whose clock is synchronised. The configured one leads again when it has been set up anew;
-/// until then its time is handed to nobody. Allocates nothing.
+/// Who leads the distributed clocks while the bus runs: the reference clock, and when it is lost the next slave whose
+/// clock is synchronised. When it comes back it follows its substitute until it shows the same time, and then leads
+/// again, so that the others do not notice. Allocates nothing.
 class ReferenceClock {
  public:
   ReferenceClock(RunState& run, SyncWatch& sync, CyclicFrameSet& frames) : run_(run), sync_(sync), frames_(frames) {}
 
-  /// After the DC initialisation: who is to lead and who does. `by_place`: the configuration's places on the bus are
-  /// right, and so are its commands.
-  void start(std::uint16_t configured, std::uint16_t leader, bool by_place);
+  /// After the DC initialisation: who is to lead whenever it is there, and who does. `by_place`: the configuration's
+  /// places on the bus are right, and its commands mean the one that leads.
+  void start(std::uint16_t home, std::uint16_t leader, bool by_place);
   /// After slaves were lost or found: a lost leader is replaced. Tells kReferenceClock.
   void look(Nanoseconds time);
-  /// The configured clock shows the system time again.
-  void take_back(Nanoseconds time);
-  [[nodiscard]] std::optional<std::uint16_t> configured() const { return configured_; }
+  /// Before each cycle. `settled`: nobody seems to have come or gone. If not, the leading clock is asked by its station
+  /// address and not by its place: the place may be another's now, and a device that was just switched on has no
+  /// address yet and a time that nobody must be told.
+  void address(bool settled);
+  /// After each cycle: is the one that is to lead near enough?
+  void watch(Nanoseconds time);
+  /// Nobody leads: which of these slaves ought to, when its clock has been set.
+  [[nodiscard]] std::optional<std::uint16_t> candidate(std::span<const std::size_t> slaves) const;
+  void lead(std::uint16_t position, Nanoseconds time);
+  [[nodiscard]] std::uint16_t home() const { return home_.value_or(0); }
   /// Position of the slave that leads, if any does.
   [[nodiscard]] std::optional<std::uint16_t> leader() const { return leader_; }
 
  private:
-  void lead(std::uint16_t position, Nanoseconds time);
+  /// Readings of 0x092C of the one that comes home.
+  struct Approach {
+    Nanoseconds begin = 0, last_reading = 0;
+    std::int64_t sum = 0;
+    int readings = 0;
+  };
+  [[nodiscard]] bool can_lead(std::size_t slave) const;
+  [[nodiscard]] bool is_near();
+  void hand_over(std::uint16_t position);
 
   RunState& run_;
   SyncWatch& sync_;
   CyclicFrameSet& frames_;
-  std::optional<std::uint16_t> configured_, leader_;
+  std::optional<std::uint16_t> home_, leader_;
+  bool by_place_ = false;       // the configuration's commands mean the home clock by its place or address
+  bool places_right_ = false;   // everybody in front of it is there
+  std::optional<Approach> approach_;
 };
 
 }  // namespace syncline

@@ -104,20 +104,35 @@ void RunState::set_present(std::size_t slave, bool present, Nanoseconds time) {
   if (std::exchange(known.present, present) == present) return;
   const bool told = hot_connect(slave, present ? 1 : 0, time);
   if (!told) event(present ? EventKind::kSlaveFound : EventKind::kSlaveLost, time, static_cast<int>(slave));
+  known.absent_since = present ? 0 : time;
   if (!present) {
-    known.deviation_valid = false;  // what was counted stays: it is the evidence
+    // Whatever it was in, nobody knows what it is in now. What was counted stays: it is the evidence.
+    known.al_status = known.al_status_code = 0;
+    known.deviation_valid = false;
   }
 }
 
-void RunState::update_master_state(Nanoseconds time) {
+bool RunState::complete() const {
+  for (std::size_t i = 0; i < snapshot.slaves.size(); ++i) {
+    if (!snapshot.slaves[i].present && !config_.hot_connect_head(i)) return false;
+  }
+  return true;
+}
+
+AlState RunState::lowest_state() const {
   auto lowest = AlState::kNone;
   for (const auto& slave : snapshot.slaves) {
     const auto state = al_state_of(slave.al_status);
     if (slave.present && (lowest == AlState::kNone || rank(state) < rank(lowest))) lowest = state;
   }
-  const auto old = std::exchange(snapshot.state, lowest);
-  if (old != lowest) {
-    event(EventKind::kStateChanged, time, -1, static_cast<std::int64_t>(old), static_cast<std::int64_t>(lowest));
+  return lowest;
+}
+
+void RunState::update_master_state(Nanoseconds time) {
+  const auto state = complete() ? lowest_state() : AlState::kNone;
+  const auto old = std::exchange(snapshot.state, state);
+  if (old != state) {
+    event(EventKind::kStateChanged, time, -1, static_cast<std::int64_t>(old), static_cast<std::int64_t>(state));
   }
 }
 

@@ -37,8 +37,13 @@ class RunState {
   [[nodiscard]] MailboxPort port_of(std::size_t slave) const;
   /// Takes over a reading of AL status and code; tells changes and new errors.
   void set_al_status(std::size_t slave, std::uint16_t status, std::uint16_t code, Nanoseconds time);
+  /// A slave that does not answer is in no state that anybody knows: kNone.
   void set_present(std::size_t slave, bool present, Nanoseconds time);
-  /// The master's state is the lowest of all slaves that answer; tells a change.
+  /// Every slave answers that has its place; members of hot-connect groups come and go as they like.
+  [[nodiscard]] bool complete() const;
+  /// Of the slaves that answer; kNone when none does.
+  [[nodiscard]] AlState lowest_state() const;
+  /// The master's state is the lowest of all slaves, kNone unless they are complete; tells a change.
   void update_master_state(Nanoseconds time);
   [[nodiscard]] std::string slave_name(std::size_t slave) const;
 

@@ -15,10 +15,25 @@ namespace {
 constexpr std::size_t kAlReadsPerCycle = 16;
 /// Longer than any burst of lost frames.
 constexpr Nanoseconds kSilence = 100 * kMillisecond;
+/// In which every slave has its turn; a lost frame or two leave it below half a second.
+constexpr Nanoseconds kRound = 400 * kMillisecond;
+/// The master's own port counts as that of slave -1.
+constexpr int kMaster = -1;
+
+struct AlStatus {
+  std::uint16_t status = 0, code = 0;
+  explicit AlStatus(std::span<const std::uint8_t> bytes)
+      : status(load_le<std::uint16_t>(bytes)), code(load_le<std::uint16_t>(bytes.subspan(4))) {}
+};
 
 }  // namespace
 
-SlaveWatch::SlaveWatch(RunState& run) : run_(run), al_(run.config().slaves.size()), next_al_(al_.size()) {
+SlaveWatch::SlaveWatch(RunState& run)
+    : run_(run),
+      al_(run.config().slaves.size()),
+      cycles_per_round_(std::max<std::size_t>(1, static_cast<std::size_t>(kRound / std::max<Nanoseconds>(1, run.config().cycle_time())))),
+      next_al_(al_.size()) {
+  turns_.resize(al_.size() / cycles_per_round_ + 1);
   for (std::size_t i = 0; i < al_.size(); ++i) {
     al_[i].datagram = {Command::kFprd, device_address(run.config().slaves[i].station_address, reg::kAlStatus),
                        al_[i].bytes};
@@ -45,7 +60,7 @@ void SlaveWatch::observe_silence(bool silent, Nanoseconds time) {
   last_wkc_ = 0;  // the first answer is a change
   next_al_ = al_.size();
   const bool any = std::ranges::any_of(run_.snapshot.slaves, &SlaveStatus::present);
-  if (any) run_.event(EventKind::kCable, time, -1, 0, 0, 0);
+  if (any) tell_cable(time, 0, false);
   for (auto& reading : al_) reading.datagram.wkc = 0;
   for (std::size_t i = 0; i < al_.size(); ++i) run_.set_present(i, false, time);
   run_.update_master_state(time);
@@ -63,6 +78,7 @@ void SlaveWatch::add_to(PendingFrame& frame, bool read_deviation_of_all, bool hu
     asked_all_ = frame.add(all_);
   }
   add_al_status(frame);
+  add_turns(frame);
 }
 
 bool SlaveWatch::add_deviation(PendingFrame& frame) {
@@ -88,8 +104,46 @@ void SlaveWatch::add_al_status(PendingFrame& frame) {
   }
 }
 
+/// None while a sweep reads them all, or while nobody answers.
+void SlaveWatch::add_turns(PendingFrame& frame) {
+  turns_asked_ = 0;
+  if (refreshing() || last_wkc_.value_or(0) == 0) return;
+  for (turn_credit_ += al_.size(); turn_credit_ >= cycles_per_round_ && turns_asked_ < turns_.size(); ++turns_asked_) {
+    auto& turn = turns_[turns_asked_];
+    turn.slave = next_turn_;
+    turn.bytes.fill(0);
+    turn.datagram = {Command::kFprd, device_address(run_.config().slaves[turn.slave].station_address, reg::kAlStatus), turn.bytes};
+    if (!frame.add(turn.datagram)) break;
+    turn_credit_ -= cycles_per_round_;
+    next_turn_ = (next_turn_ + 1) % al_.size();
+  }
+  turn_credit_ = std::min(turn_credit_, cycles_per_round_ * turns_.size());
+}
+
+void SlaveWatch::take_turns() {
+  for (std::size_t i = 0; i < turns_asked_; ++i) {
+    const auto& turn = turns_[i];
+    if (!turn.datagram.answered) {  // the frame was lost: once more
+      next_turn_ = turn.slave;
+      turn_credit_ += cycles_per_round_ * (turns_asked_ - i);
+      break;
+    }
+    if (is_news(turn)) refresh_al_status();
+  }
+  turns_asked_ = 0;
+}
+
+bool SlaveWatch::is_news(const Turn& turn) const {
+  const auto& known = run_.snapshot.slaves[turn.slave];
+  const bool present = turn.datagram.wkc > 0;
+  if (!present || !known.present) return present != known.present;
+  const AlStatus read(turn.bytes);
+  return read.status != known.al_status || read.code != known.al_status_code;
+}
+
 std::optional<OredDeviation> SlaveWatch::take(Nanoseconds time, CycleSample& sample) {
   take_deviations(time, sample);
+  take_turns();
   take_al_status(time);
   if (!std::exchange(asked_all_, false) || !all_.done()) return std::nullopt;
   return OredDeviation{SystemTimeDifference{load_le<std::uint32_t>(all_bytes_)}.magnitude(), all_.wkc};
@@ -129,8 +183,8 @@ void SlaveWatch::finish_sweep(Nanoseconds time) {
   tell_presence(time, true);
   for (std::size_t i = 0; i < al_.size(); ++i) {
     if (!al_[i].present()) continue;
-    const std::span<const std::uint8_t> bytes(al_[i].bytes);
-    run_.set_al_status(i, load_le<std::uint16_t>(bytes), load_le<std::uint16_t>(bytes.subspan(4)), time);
+    const AlStatus read(al_[i].bytes);
+    run_.set_al_status(i, read.status, read.code, time);
   }
   run_.update_master_state(time);
 }
@@ -139,17 +193,27 @@ void SlaveWatch::finish_sweep(Nanoseconds time) {
 /// not. Pulled, broken or no power behind it look the same from here.
 void SlaveWatch::tell_cables(Nanoseconds time, bool healed) {
   for (std::size_t i = 0; i < al_.size(); ++i) {
+    const auto& slave = run_.snapshot.slaves[i];
     const auto& previous = run_.config().slaves[i].previous;
     if (run_.config().hot_connect_head(i)) continue;  // its cable is meant to be plugged and pulled
-    if (!previous || previous->position >= al_.size() || !al_[previous->position].present()) continue;
+    if (!previous) {
+      if (healed && slave.cable_broken) tell_cable(time, i, true);  // somebody answers
+      continue;
+    }
+    if (previous->position >= al_.size() || !al_[previous->position].present()) continue;
     const DlStatus near{load_le<std::uint16_t>(al_[previous->position].dl_bytes)};
     const bool dead = !near.active(previous->port);
     const bool broken = dead && !al_[i].present();
-    const bool news = healed ? al_[i].cable_broken && !dead : broken && !al_[i].cable_broken && run_.snapshot.slaves[i].present;
-    if (!news) continue;
-    al_[i].cable_broken = !healed;
-    run_.event(EventKind::kCable, time, previous->position, previous->port, static_cast<std::int64_t>(i), healed ? 1 : 0);
+    const bool news = healed ? slave.cable_broken && !dead : broken && !slave.cable_broken && slave.present;
+    if (news) tell_cable(time, i, healed);
   }
+}
+
+void SlaveWatch::tell_cable(Nanoseconds time, std::size_t slave, bool healed) {
+  run_.snapshot.slaves[slave].cable_broken = !healed;
+  const auto& previous = run_.config().slaves[slave].previous;
+  const int near = previous ? previous->position : kMaster;
+  run_.event(EventKind::kCable, time, near, previous ? previous->port : 0, static_cast<std::int64_t>(slave), healed ? 1 : 0);
 }
 
 void SlaveWatch::tell_presence(Nanoseconds time, bool present) {

@@ -17,6 +17,10 @@ namespace syncline {
 /// something changed (a sweep); and 0x092C of all where the cyclic frame does not read it. Allocates
 /// nothing in the cycle.
 ///
+/// An or-ed AL status hides who falls behind one that has fallen already, and a working counter who comes while
+/// another goes. So the AL status is read in turn as well, every slave twice a second: what is another than known
+/// begins a sweep.
+///
 /// What a sweep finds is told in a definite order: cables over which nothing comes back any more, slaves
 /// that are lost, cables that are healed, slaves that answer again, states and AL status errors, each in
 /// frame order, the master's state last.
@@ -34,6 +38,8 @@ class SlaveWatch {
   void observe_silence(bool silent, Nanoseconds time);
   void refresh_al_status() { next_al_ = 0; }
   [[nodiscard]] bool refreshing() const { return next_al_ < al_.size(); }
+  /// Nothing hints at slaves that have come or gone since they were looked at last.
+  [[nodiscard]] bool settled() const { return !refreshing() && !silent_since_; }
   /// Slaves that answered the latest cyclic broadcast, with or without a station address.
   [[nodiscard]] std::optional<std::uint16_t> answering() const { return last_wkc_; }
 
@@ -49,13 +55,22 @@ class SlaveWatch {
     std::array<std::uint8_t, 6> bytes{};
     std::array<std::uint8_t, 2> dl_bytes{};
     Datagram datagram, dl_datagram;
-    bool cable_broken = false;  // nothing comes back over the cable from the parent: told
     [[nodiscard]] bool present() const { return datagram.wkc > 0; }
   };
+  /// AL status and code of one slave in its turn.
+  struct Turn {
+    std::size_t slave = 0;
+    std::array<std::uint8_t, 6> bytes{};
+    Datagram datagram;
+  };
+  void add_turns(PendingFrame& frame);
+  void take_turns();
+  [[nodiscard]] bool is_news(const Turn& turn) const;
   void add_al_status(PendingFrame& frame);
   void take_al_status(Nanoseconds time);
   void finish_sweep(Nanoseconds time);
   void tell_cables(Nanoseconds time, bool healed);
+  void tell_cable(Nanoseconds time, std::size_t slave, bool healed);
   void tell_presence(Nanoseconds time, bool present);
   void take_deviations(Nanoseconds time, CycleSample& sample);
   bool add_deviation(PendingFrame& frame);
@@ -75,6 +90,10 @@ class SlaveWatch {
   bool asked_all_ = false;
 
   std::vector<AlReading> al_;
+  std::vector<Turn> turns_;                   // as many as a cycle has
+  std::size_t turns_asked_ = 0;
+  std::size_t next_turn_ = 0;                 // slave
+  std::size_t cycles_per_round_, turn_credit_ = 0;
   std::size_t next_al_;                       // first slave that is still to be read
   std::size_t asked_begin_ = 0, asked_end_ = 0;
   std::uint64_t sweeps_ = 0;

@@ -14,6 +14,8 @@ namespace {
 /// Without the reference clock's time for so long, and for so many cycles, it is as good as lost, whatever the reason.
 constexpr Nanoseconds kLeastStale = 50 * kMillisecond;
 constexpr int kStaleCycles = 10;
+/// More is no drift of quartzes.
+constexpr double kMaxDriftPpm = 1'000;
 
 double milliseconds(Nanoseconds time) { return static_cast<double>(time) / static_cast<double>(kMillisecond); }
 
@@ -225,8 +227,15 @@ void SyncWatch::leader_found(std::uint16_t position, Nanoseconds time) {
   run_.snapshot.dc.reference_clock = position;
 }
 
+void SyncWatch::leader_moved(std::uint16_t position) {
+  if (controller_) run_.snapshot.dc.reference_clock = position;
+}
+
 Nanoseconds SyncWatch::reference_time_at(Nanoseconds host_time) const {
-  return last_reference_ + (host_time - last_host_);
+  const auto passed = host_time - last_host_;
+  // After seconds of silence a quartz is far away from where the host's would be.
+  const double ppm = std::clamp(run_.snapshot.dcm.drift_ppm, -kMaxDriftPpm, kMaxDriftPpm);
+  return last_reference_ + passed + std::llround(static_cast<double>(passed) * ppm * 1e-6);
 }
 
 Nanoseconds SyncWatch::extend(std::uint32_t low, Nanoseconds send_time) const {

@@ -59,6 +59,8 @@ class SyncWatch {
   /// leader has led for the settle time, nothing counts as in sync.
   void leader_lost(Nanoseconds time);
   void leader_found(std::uint16_t position, Nanoseconds time);
+  /// Another clock leads that went with the one before: nobody has noticed.
+  void leader_moved(std::uint16_t position);
 
  private:
   void update_dcm(const dc::DcmObservation& observation, std::int64_t skipped);

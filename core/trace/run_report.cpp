@@ -95,9 +95,12 @@ RunReport RunRecorder::finish(const Snapshot& snapshot) const {
     }
     if (i < snapshot.slaves.size()) {
       const auto& status = snapshot.slaves[i];
+      slave.present = status.present;
+      slave.cable_broken = status.cable_broken;
+      slave.absent_since = status.absent_since;
+      if (!status.present) slave.deviation_ns.reset();
       slave.al_status = status.al_status;
       slave.al_status_code = status.al_status_code;
-      slave.present = status.present;
       slave.evidence = status.evidence;
       if (status.sm2_missed.valid || status.sm2_missed.known) slave.sm2_missed = status.sm2_missed;
       if (status.dc_enabled) slave.propagation_delay_ns = status.propagation_delay_ns;

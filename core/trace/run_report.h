@@ -21,7 +21,10 @@ struct RunReport {
   struct Slave {
     std::uint16_t position = 0;
     std::string name;
-    std::uint16_t al_status = 0;
+    bool present = false;                            // answers at the end; if not, its state is unknown
+    bool cable_broken = false;                       // see SlaveStatus
+    Nanoseconds absent_since = 0;                    // host clock; while it does not answer
+    std::uint16_t al_status = 0;                     // 0 = unknown
     std::uint16_t al_status_code = 0;
     /// From the reference clock; nothing for itself, and for slaves that do not follow it.
     std::optional<std::int32_t> deviation_ns;        // latest reading
@@ -31,13 +34,12 @@ struct RunReport {
     SlaveEvidence evidence;
     // out of the configuration
     Identity identity;
-    bool present = true;
     bool optional = false;                           // of a hot-connect group: may be absent
     int parent = -1, parent_port = 0;                // whom it is wired to, and by which of its ports; -1: the host
     std::optional<Nanoseconds> sync0_margin;         // from its outputs' nominal arrival to SYNC0; nothing without SYNC0
     Nanoseconds sync0_shift = 0, sync0_cycle = 0;    // ns; cycle 0: no SYNC0
   };
-  AlState state = AlState::kNone;
+  AlState state = AlState::kNone;                    // of the master, see Snapshot::state
   Nanoseconds time = 0;                              // host clock, at the end
   Nanoseconds cycle_time = 0;
   std::uint64_t cycles = 0, wkc_errors = 0;

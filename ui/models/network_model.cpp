@@ -119,7 +119,7 @@ QVariant NetworkModel::nodeData(const Node& node, int slave, int role) const {
       return toolTip(node, slave);
     case Qt::AccessibleTextRole: {
       if (node.al_status < 0) return node.name;
-      const auto state = stateName(al_state_of(static_cast<std::uint16_t>(node.al_status)));
+      const auto state = stateText(node, slave);
       return QStringLiteral("%1, %2").arg(node.name, state);
     }
     case kStateRole:
@@ -140,6 +140,11 @@ QVariant NetworkModel::nodeData(const Node& node, int slave, int role) const {
   }
 }
 
+QString NetworkModel::stateText(const Node& node, int slave) {
+  const auto state = al_state_of(static_cast<std::uint16_t>(node.al_status));
+  return slave < 0 ? masterStateName(state) : stateName(state);
+}
+
 QString NetworkModel::toolTip(const Node& node, int slave) const {
   QStringList lines{node.name};
   if (slave >= 0) {
@@ -150,7 +155,9 @@ QString NetworkModel::toolTip(const Node& node, int slave) const {
   }
   if (node.al_status >= 0) {
     const auto status = static_cast<std::uint16_t>(node.al_status);
-    lines << tr("State %1 (register 0x0130 = %2)").arg(stateName(al_state_of(status)), hexText(status, 4));
+    const bool read = slave >= 0 && status != 0;
+    lines << (read ? tr("State %1 (register 0x0130 = %2)").arg(stateText(node, slave), hexText(status, 4))
+                   : tr("State %1").arg(stateText(node, slave)));
   } else {
     lines << tr("Offline");
   }

@@ -48,6 +48,7 @@ class NetworkModel final : public QAbstractItemModel {
   };
 
   [[nodiscard]] QVariant nodeData(const Node& node, int slave, int role) const;
+  [[nodiscard]] static QString stateText(const Node& node, int slave);
   [[nodiscard]] QString toolTip(const Node& node, int slave) const;
   void assign(std::vector<Node> slaves);
 

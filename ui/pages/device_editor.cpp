@@ -122,7 +122,8 @@ void DeviceEditor::showLive() {
     failed = known && (snapshot.slaves[at].al_status & kAlErrorFlag) != 0;
   }
   if (snapshot.online) {
-    state_->setState(failed ? theme::Tone::kBad : theme::stateTone(state), stateName(state));
+    state_->setState(failed ? theme::Tone::kBad : theme::stateTone(state),
+                     slave_ < 0 ? masterStateName(state) : stateName(state));
   } else {
     state_->setState(theme::Tone::kNeutral, tr("Offline"));
   }

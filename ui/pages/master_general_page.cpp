@@ -183,7 +183,7 @@ void MasterGeneralPage::showLive(const Snapshot& snapshot) {
   const bool online = workspace().live().phase() == LiveSession::Phase::kOnline;
   const auto none = QStringLiteral("\u2013");
   state_->setState(snapshot.online ? theme::stateTone(snapshot.state) : theme::Tone::kNeutral,
-                   snapshot.online ? stateName(snapshot.state) : tr("Offline"));
+                   snapshot.online ? masterStateName(snapshot.state) : tr("Offline"));
   requested_->setText(snapshot.online ? stateName(snapshot.requested) : none);
   for (auto* button : state_buttons_) button->setEnabled(online);
   const auto present = std::ranges::count_if(snapshot.slaves, &SlaveStatus::present);

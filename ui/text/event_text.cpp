@@ -34,8 +34,11 @@ class Words {
 QString fromView(std::string_view text) { return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size())); }
 
 Message Words::stateChanged(const Event& event) {
-  return line(Severity::kInfo, tr("State %1 → %2").arg(stateName(static_cast<AlState>(event.a)),
-                                                       stateName(static_cast<AlState>(event.b))));
+  const auto name = [&](std::int64_t state) {
+    const auto al_state = static_cast<AlState>(state);
+    return event.slave < 0 ? masterStateName(al_state) : stateName(al_state);
+  };
+  return line(Severity::kInfo, tr("State %1 → %2").arg(name(event.a), name(event.b)));
 }
 
 Message Words::alStatusError(const Event& event) {
@@ -157,6 +160,10 @@ std::optional<Message> Words::make(const Event& event) {
                                        .arg(event.b));
     case EventKind::kReferenceClock:
       if (event.a == 2) return line(Severity::kWarning, tr("This clock took over as reference clock"));
+      if (event.a == 3) {
+        return line(Severity::kWarning, tr("Configured as reference clock, but its system time (0x0910) does not answer: the "
+                                           "next clock leads in its place"));
+      }
       return event.a != 0 ? line(Severity::kInfo, tr("Reference clock present"))
                           : line(Severity::kError, tr("Reference clock lost"));
     case EventKind::kDcSlaveSync:

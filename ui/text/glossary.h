@@ -14,6 +14,8 @@ namespace syncline::ui {
 [[nodiscard]] QString masterWord();
 [[nodiscard]] QString slaveWord();
 [[nodiscard]] QString stateName(AlState state);      // "SAFEOP", "No response"
+/// Of the master: "OP", or "Slaves missing" where one does not answer.
+[[nodiscard]] QString masterStateName(AlState state);
 [[nodiscard]] QString stateLetter(AlState state);    // "S"
 [[nodiscard]] QString syncStateText(SyncState state);  // "In sync"
 /// Why the master is not in sync: "cycles left out". Empty for none.

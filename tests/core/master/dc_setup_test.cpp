@@ -163,13 +163,21 @@ TEST(DcSetup, FirstSlaveWithASystemTimeLeadsByOverride) {
   EXPECT_TRUE(clocks->slaves[4].synchronised);
 }
 
-TEST(DcSetup, RefusesAReferenceClockWithoutSystemTime) {
+TEST(DcSetup, ReplacesAReferenceClockWithoutSystemTimeByTheNextOne) {
   auto network = random_tree(1, 1, false);
   for (int i = 1; i < 3; ++i) network.add(test::io8());
   network.sim.slaves[1].dc.system_time = false;
   network.project.master.dc.reference_clock = 1;
-  ClockBed bed(std::move(network));
-  const auto clocks = bed.set_up();
+  ClockBed bed(network);
+  auto clocks = bed.set_up();
+  ASSERT_TRUE(clocks);
+  EXPECT_EQ(clocks->without_time, 1);
+  EXPECT_EQ(clocks->reference_clock, 2);
+  EXPECT_EQ(clocks->home, 2);
+
+  network.sim.slaves[2].dc.system_time = false;
+  ClockBed nobody(std::move(network));
+  clocks = nobody.set_up();
   ASSERT_FALSE(clocks);
   EXPECT_EQ(clocks.error().code, ErrorCode::kDcSetup);
   EXPECT_NE(clocks.error().subject.find("slave 1"), std::string::npos);

@@ -444,11 +444,27 @@ TEST_F(OperationTest, RefusesAnotherDevice) {
   EXPECT_FALSE(service->online());
 }
 
-TEST_F(OperationTest, RefusesAReferenceClockWithoutSystemTime) {
+TEST_F(OperationTest, AReferenceClockWithoutSystemTimeIsReplacedByTheNextOne) {
   link->slave(1).has_system_time = false;
+  go_online();
+  const auto told = std::ranges::find_if(events, [](const Event& e) { return e.kind == EventKind::kReferenceClock; });
+  ASSERT_NE(told, events.end());
+  EXPECT_EQ(told->slave, 1);
+  EXPECT_EQ(told->a, 3);
+  EXPECT_EQ(snapshot.dc.reference_clock, 2);
+  // It is a drive that cannot do without SYNC0, and that is the error; the other one has its clock.
+  ASSERT_TRUE(first_error());
+  EXPECT_NE(first_error()->subject.find("slave 1"), std::string::npos);
+  EXPECT_EQ(snapshot.slaves[1].al_status & 0x0F, 2);
+  EXPECT_EQ(snapshot.slaves[2].al_status, 4);
+}
+
+TEST_F(OperationTest, RefusesDistributedClocksThatNobodyCanLead) {
+  link->slave(1).has_system_time = link->slave(2).has_system_time = false;
   go_online();
   ASSERT_TRUE(first_error());
   EXPECT_EQ(first_error()->code, ErrorCode::kDcSetup);
+  EXPECT_NE(first_error()->subject.find("slave 1"), std::string::npos);
   EXPECT_FALSE(service->online());
 }
 
