@@ -2665,8 +2665,8 @@ Einstellung %2</translation>
             <translation>Die Versorgung des ersten prüfen, und Kabel und Stecker zwischen beiden.</translation>
         </message>
         <message>
-            <source>No answer from {slaves} from {since} on, for {length} ({count} times in all).</source>
-            <translation>Keine Antwort von {slaves} ab {since}, {length} lang ({count} Mal insgesamt).</translation>
+            <source>No answer from {slaves} from {since} on, for {length} ({count} in all).</source>
+            <translation>Keine Antwort von {slaves} ab {since}, {length} lang ({count} insgesamt).</translation>
         </message>
         <message>
             <source>A loose plug or a weak supply; the lost links of the ports say which cable.</source>
@@ -2733,8 +2733,8 @@ Einstellung %2</translation>
             <translation>Eine Uhr, die gesprungen ist, nicht eingerichtet wurde oder nicht folgen kann; ihre Regelwerte und ihre Laufzeit stehen bei ihren Distributed Clocks.</translation>
         </message>
         <message>
-            <source>{slave} left the sync window at {since} ({deviation}, limit {limit}) and came back; {count} times in all.</source>
-            <translation>{slave} verließ bei {since} das Sync-Window ({deviation}, Grenze {limit}) und kam zurück; {count} Mal insgesamt.</translation>
+            <source>{slave} left the sync window at {since} ({deviation}, limit {limit}) and came back; {count} in all.</source>
+            <translation>{slave} verließ bei {since} das Sync-Window ({deviation}, Grenze {limit}) und kam zurück; {count} insgesamt.</translation>
         </message>
         <message>
             <source>A clock that steps, or a reference clock that was exchanged; see the events of that moment.</source>
@@ -2757,8 +2757,8 @@ Einstellung %2</translation>
             <translation>Nach einem beschäftigten Rechner oder einer gesprungenen Uhr suchen; ist beides nicht da, die andere Art der Synchronisation wählen.</translation>
         </message>
         <message>
-            <source>The master was out of sync with the reference clock {count} times, first at {since}{obstacle}; it found back.</source>
-            <translation>Der Master war {count} Mal nicht synchron mit der Referenzuhr, zuerst bei {since}{obstacle}; er fand zurück.</translation>
+            <source>The master was out of sync with the reference clock {count}, first at {since}{obstacle}; it found back.</source>
+            <translation>Der Master war {count} nicht synchron mit der Referenzuhr, zuerst bei {since}{obstacle}; er fand zurück.</translation>
         </message>
         <message>
             <source>See what else happened then: a clock that stepped, cycles left out, a reference clock that was lost.</source>
@@ -2825,32 +2825,32 @@ Einstellung %2</translation>
             <translation>Den Sollwert um {more} oder mehr erhöhen.</translation>
         </message>
         <message>
-            <source>{slave} got its outputs too late for SYNC0 {count} times (0x1C32:0D shift too short), and used those of the cycle before: they come {margin} before SYNC0, and it needs {need}.</source>
-            <translation>{slave} bekam seine Ausgänge {count} Mal zu spät für SYNC0 (0x1C32:0D Shift too short) und nahm die des Zyklus davor: sie kommen {margin} vor SYNC0, und er braucht {need}.</translation>
+            <source>{slave} got its outputs too late for SYNC0 {count} (0x1C32:0D shift too short), and used those of the cycle before: they come {margin} before SYNC0, and it needs {need}.</source>
+            <translation>{slave} bekam seine Ausgänge {count} zu spät für SYNC0 (0x1C32:0D Shift too short) und nahm die des Zyklus davor: sie kommen {margin} vor SYNC0, und er braucht {need}.</translation>
         </message>
         <message>
             <source>Let its SYNC0 come {more} later: a shift of {shift}.</source>
             <translation>SYNC0 um {more} später legen: eine Verschiebung von {shift}.</translation>
         </message>
         <message>
-            <source>{slave} had its inputs too late {count} times (0x1C33:0D shift too short).</source>
-            <translation>{slave} hatte seine Eingänge {count} Mal zu spät (0x1C33:0D Shift too short).</translation>
+            <source>{slave} had its inputs too late {count} (0x1C33:0D shift too short).</source>
+            <translation>{slave} hatte seine Eingänge {count} zu spät (0x1C33:0D Shift too short).</translation>
         </message>
         <message>
             <source>Latch them earlier: a smaller input shift time.</source>
             <translation>Früher einlesen: eine kleinere Input Shift Time.</translation>
         </message>
         <message>
-            <source>The firmware of {slave} was silent at {since}: its PDI watchdog expired {count} times (0x0443).</source>
-            <translation>Die Firmware von {slave} schwieg bei {since}: ihr PDI-Watchdog lief {count} Mal ab (0x0443).</translation>
+            <source>The firmware of {slave} was silent at {since}: its PDI watchdog expired {count} (0x0443).</source>
+            <translation>Die Firmware von {slave} schwieg bei {since}: ihr PDI-Watchdog lief {count} ab (0x0443).</translation>
         </message>
         <message>
             <source>Its outputs and inputs stood still meanwhile. Look for what stops it: an interrupt storm, a debugger, a crash.</source>
             <translation>Ausgänge und Eingänge standen währenddessen still. Suchen, was sie anhält: ein Interrupt-Sturm, ein Debugger, ein Absturz.</translation>
         </message>
         <message>
-            <source>{slave} needed longer than its cycle {count} times ({object} cycle exceeded), last at {last}.</source>
-            <translation>{slave} brauchte {count} Mal länger als den Zyklus ({object} Cycle exceeded), zuletzt bei {last}.</translation>
+            <source>{slave} needed longer than its cycle {count} ({object} cycle exceeded), last at {last}.</source>
+            <translation>{slave} brauchte {count} länger als den Zyklus ({object} Cycle exceeded), zuletzt bei {last}.</translation>
         </message>
         <message>
             <source>Give it a longer cycle, or fewer objects and functions in each.</source>
@@ -2873,8 +2873,8 @@ Einstellung %2</translation>
             <translation>Seine Firmware ist beschäftigt oder steht; die Zähler in seinen Objekten sind so alt wie das.</translation>
         </message>
         <message>
-            <source>The process data watchdog of {slave} expired {count} times (0x0442), last at {last}.</source>
-            <translation>Der Prozessdaten-Watchdog von {slave} lief {count} Mal ab (0x0442), zuletzt bei {last}.</translation>
+            <source>The process data watchdog of {slave} expired {count} (0x0442), last at {last}.</source>
+            <translation>Der Prozessdaten-Watchdog von {slave} lief {count} ab (0x0442), zuletzt bei {last}.</translation>
         </message>
         <message>
             <source>It had no outputs for longer than its watchdog time.</source>
@@ -2889,8 +2889,8 @@ Einstellung %2</translation>
             <translation>Störungen auf diesem Kabel, ein schlechter Stecker oder Schirm: Kabel tauschen, von Motorleitungen fernhalten.</translation>
         </message>
         <message>
-            <source>{slave} lost its link at port {port} {count} times (0x{register}), last at {last}.</source>
-            <translation>{slave} verlor an Port {port} {count} Mal den Link (0x{register}), zuletzt bei {last}.</translation>
+            <source>{slave} lost its link at port {port} {count} (0x{register}), last at {last}.</source>
+            <translation>{slave} verlor an Port {port} {count} den Link (0x{register}), zuletzt bei {last}.</translation>
         </message>
         <message>
             <source>A loose plug, a bad cable, or a neighbour without power.</source>
@@ -2933,8 +2933,8 @@ Einstellung %2</translation>
             <translation>Der Weg durch die Netzwerkkarte dauert hin und wieder zu lange: Interrupt-Moderation, ein Switch oder ein beschäftigter Rechner.</translation>
         </message>
         <message>
-            <source>The host stood still {times} times, for up to {longest}, first at {since}: {count} cycles were left out.</source>
-            <translation>Der Rechner stand {times} Mal still, bis zu {longest} lang, zuerst bei {since}: {count} Zyklen wurden ausgelassen.</translation>
+            <source>The host stood still {times}, for up to {longest}, first at {since}: {count} cycles were left out.</source>
+            <translation>Der Rechner stand {times} still, bis zu {longest} lang, zuerst bei {since}: {count} Zyklen wurden ausgelassen.</translation>
         </message>
         <message>
             <source>Look for what held it: another process of higher priority, power management, the virtual machine's host.</source>
@@ -2987,6 +2987,14 @@ Einstellung %2</translation>
         <message>
             <source>at least %1</source>
             <translation>mindestens %1</translation>
+        </message>
+        <message>
+            <source>once</source>
+            <translation>einmal</translation>
+        </message>
+        <message>
+            <source>%1 times</source>
+            <translation>%1 Mal</translation>
         </message>
         <message>
             <source>the host</source>

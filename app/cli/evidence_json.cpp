@@ -26,6 +26,7 @@ Json figure_json(const Figure& figure) {
   using Unit = Figure::Unit;
   switch (figure.unit) {
     case Unit::kCount:
+    case Unit::kTimes:
     case Unit::kNanoseconds:
     case Unit::kSlave:
       return figure.value;

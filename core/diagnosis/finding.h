@@ -71,6 +71,7 @@ enum class FindingLevel : std::uint8_t { kNote, kWarning, kError };
 struct Figure {
   enum class Unit : std::uint8_t {
     kCount,
+    kTimes,  // "once", "3 times"
     kNanoseconds,
     kMoment,  // kMoment: ns since the run began
     kPpm,     // value in thousandths
@@ -84,7 +85,7 @@ struct Figure {
   std::string_view name;
   Unit unit = Unit::kCount;
   std::int64_t value = 0, other = 0;
-  std::string text{};  // kText; kCount: "at least" when it is not empty
+  std::string text{};  // kText; kCount, kTimes: "at least" when it is not empty
   bool operator==(const Figure&) const = default;
 };
 

@@ -35,6 +35,9 @@ std::string figure_text(const Figure& figure) {
   switch (figure.unit) {
     case Unit::kCount:
       return fmt::format("{}{}", figure.text.empty() ? "" : "at least ", figure.value);
+    case Unit::kTimes:
+      if (figure.value == 1 && figure.text.empty()) return "once";
+      return fmt::format("{}{} times", figure.text.empty() ? "" : "at least ", figure.value);
     case Unit::kNanoseconds:
       return duration(figure.value);
     case Unit::kMoment:

@@ -225,6 +225,7 @@ void CyclicTaskRunner::take_mailboxes(CycleSample& sample) {
   mailboxes_.take_polls();
   const auto answer = mailbox_.take(send_time_);
   if (!answer) return;
+  if (answer->emergency) slaves_.refresh_al_status();  // a slave that fell behind others that had fallen before
   sm2_.take(*answer, send_time_, sample);
   mailboxes_.take(*answer, send_time_);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "master/evidence_reader.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "protocol/registers.h"
@@ -76,14 +77,14 @@ void EvidenceReader::take_ports(Nanoseconds time) {
                &lost = totals[kLostLinks + port];
     errors = {invalid.total(), receive.total(), forwarded.total(), lost.total(),
               invalid.at_least() || receive.at_least() || forwarded.at_least() || lost.at_least()};
-    tell_port(port, more[2 * port] + more[2 * port + 1], more[kLostLinks + port], time);
+    tell_port(port, std::max(more[2 * port], more[2 * port + 1]), more[kLostLinks + port], time);
   }
   evidence.processing_unit_errors = totals[kProcessingUnit].total();
   evidence.pdi_errors = totals[kPdi].total();
   evidence.ports_time = time;
 }
 
-/// Errors that were only forwarded are somebody else's.
+/// Errors that were only forwarded are somebody else's. A damaged frame is counted in both counters as a rule.
 void EvidenceReader::tell_port(std::size_t port, std::uint32_t damaged, std::uint32_t lost_links, Nanoseconds time) {
   if (damaged == 0 && lost_links == 0) return;
   run_.event(EventKind::kPortErrors, time, static_cast<int>(slave_), static_cast<std::int64_t>(port), damaged,

@@ -14,7 +14,7 @@ constexpr const char* kSources[] = {
                       "No answer from {slaves} since {since}: nothing comes back over the cable at {near} port "
                       "{port}."),
     QT_TRANSLATE_NOOP("Finding", "Check the power of the first one, and the cable and plugs between the two."),
-    QT_TRANSLATE_NOOP("Finding", "No answer from {slaves} from {since} on, for {length} ({count} times in all)."),
+    QT_TRANSLATE_NOOP("Finding", "No answer from {slaves} from {since} on, for {length} ({count} in all)."),
     QT_TRANSLATE_NOOP("Finding", "A loose plug or a weak supply; the lost links of the ports say which cable."),
     QT_TRANSLATE_NOOP("Finding", "{slave} is in {state} with AL status code {alcode}{alarm}, since {since}."),
     QT_TRANSLATE_NOOP("Finding", "Check {check}."),
@@ -47,7 +47,7 @@ constexpr const char* kSources[] = {
                       "propagation delay stand in its distributed clocks."),
     QT_TRANSLATE_NOOP("Finding",
                       "{slave} left the sync window at {since} ({deviation}, limit {limit}) and came back; "
-                      "{count} times in all."),
+                      "{count} in all."),
     QT_TRANSLATE_NOOP("Finding",
                       "A clock that steps, or a reference clock that was exchanged; see the events of that "
                       "moment."),
@@ -61,7 +61,7 @@ constexpr const char* kSources[] = {
                       "Look for a busy host or a clock that stepped; if neither is there, choose the other "
                       "shift mode."),
     QT_TRANSLATE_NOOP("Finding",
-                      "The master was out of sync with the reference clock {count} times, first at "
+                      "The master was out of sync with the reference clock {count}, first at "
                       "{since}{obstacle}; it found back."),
     QT_TRANSLATE_NOOP("Finding",
                       "See what else happened then: a clock that stepped, cycles left out, a reference clock "
@@ -99,21 +99,19 @@ constexpr const char* kSources[] = {
                       "{lateness} late."),
     QT_TRANSLATE_NOOP("Finding", "Increase the set value by {more} or more."),
     QT_TRANSLATE_NOOP("Finding",
-                      "{slave} got its outputs too late for SYNC0 {count} times (0x1C32:0D shift too short), "
-                      "and used those of the cycle before: they come {margin} before SYNC0, and it needs "
-                      "{need}."),
+                      "{slave} got its outputs too late for SYNC0 {count} (0x1C32:0D shift too short), and "
+                      "used those of the cycle before: they come {margin} before SYNC0, and it needs {need}."),
     QT_TRANSLATE_NOOP("Finding", "Let its SYNC0 come {more} later: a shift of {shift}."),
-    QT_TRANSLATE_NOOP("Finding", "{slave} had its inputs too late {count} times (0x1C33:0D shift too short)."),
+    QT_TRANSLATE_NOOP("Finding", "{slave} had its inputs too late {count} (0x1C33:0D shift too short)."),
     QT_TRANSLATE_NOOP("Finding", "Latch them earlier: a smaller input shift time."),
     QT_TRANSLATE_NOOP("Finding",
-                      "The firmware of {slave} was silent at {since}: its PDI watchdog expired {count} times "
+                      "The firmware of {slave} was silent at {since}: its PDI watchdog expired {count} "
                       "(0x0443)."),
     QT_TRANSLATE_NOOP("Finding",
                       "Its outputs and inputs stood still meanwhile. Look for what stops it: an interrupt "
                       "storm, a debugger, a crash."),
     QT_TRANSLATE_NOOP("Finding",
-                      "{slave} needed longer than its cycle {count} times ({object} cycle exceeded), last at "
-                      "{last}."),
+                      "{slave} needed longer than its cycle {count} ({object} cycle exceeded), last at {last}."),
     QT_TRANSLATE_NOOP("Finding", "Give it a longer cycle, or fewer objects and functions in each."),
     QT_TRANSLATE_NOOP("Finding",
                       "{slave} skipped {count} cycles because the one before was not over ({object} cycle "
@@ -123,8 +121,7 @@ constexpr const char* kSources[] = {
     QT_TRANSLATE_NOOP("Finding",
                       "Its firmware is busy or stopped; the counters that it keeps in objects are as old as "
                       "that."),
-    QT_TRANSLATE_NOOP("Finding",
-                      "The process data watchdog of {slave} expired {count} times (0x0442), last at {last}."),
+    QT_TRANSLATE_NOOP("Finding", "The process data watchdog of {slave} expired {count} (0x0442), last at {last}."),
     QT_TRANSLATE_NOOP("Finding", "It had no outputs for longer than its watchdog time."),
     QT_TRANSLATE_NOOP("Finding",
                       "{count} frames reached {slave} damaged at port {port} (0x{register}), from {since} on; "
@@ -132,7 +129,7 @@ constexpr const char* kSources[] = {
     QT_TRANSLATE_NOOP("Finding",
                       "Noise on that cable, a bad plug or a bad shield: change the cable, keep it away from "
                       "motor cables."),
-    QT_TRANSLATE_NOOP("Finding", "{slave} lost its link at port {port} {count} times (0x{register}), last at {last}."),
+    QT_TRANSLATE_NOOP("Finding", "{slave} lost its link at port {port} {count} (0x{register}), last at {last}."),
     QT_TRANSLATE_NOOP("Finding", "A loose plug, a bad cable, or a neighbour without power."),
     QT_TRANSLATE_NOOP("Finding",
                       "{count} frames did not come back (up to {most} close together, first at {since}), and "
@@ -152,8 +149,8 @@ constexpr const char* kSources[] = {
                       "The way through the network card takes too long now and then: interrupt moderation, a "
                       "switch, or a busy host."),
     QT_TRANSLATE_NOOP("Finding",
-                      "The host stood still {times} times, for up to {longest}, first at {since}: {count} "
-                      "cycles were left out."),
+                      "The host stood still {times}, for up to {longest}, first at {since}: {count} cycles "
+                      "were left out."),
     QT_TRANSLATE_NOOP("Finding",
                       "Look for what held it: another process of higher priority, power management, the "
                       "virtual machine's host."),

@@ -26,6 +26,11 @@ QString Words::of(const Figure& figure) {
       const auto count = countText(static_cast<std::uint64_t>(figure.value));
       return figure.text.empty() ? count : tr("at least %1").arg(count);
     }
+    case Unit::kTimes: {
+      if (figure.value == 1 && figure.text.empty()) return tr("once");
+      const auto times = tr("%1 times").arg(countText(static_cast<std::uint64_t>(figure.value)));
+      return figure.text.empty() ? times : tr("at least %1").arg(times);
+    }
     case Unit::kNanoseconds:
       return timeText(figure.value);
     case Unit::kMoment:

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <iterator>
 
 #include "dc/obstacle_text.h"
 #include "diagnosis/rules/rules.h"
@@ -65,15 +66,24 @@ void find_out_of_sync(const RunReport& report, Findings& findings) {
                        time_figure("limit", dc.limit_ns), moment_figure(report, "since", dc.since)}});
 }
 
+/// A slave that comes back finds its time again; that is told as its absence.
+bool came_back(const RunReport& report, const RunHistory::SyncLoss& loss) {
+  if (loss.slave < 0) return false;
+  return report.history.slaves[static_cast<std::size_t>(loss.slave)].absences.near({loss.time, loss.time, 0, 0},
+                                                                                   kSecond);
+}
+
 void find_left_window(const RunReport& report, Findings& findings) {
-  const auto& losses = report.history.slave_losses;
+  std::vector<RunHistory::SyncLoss> losses;
+  std::ranges::copy_if(report.history.slave_losses, std::back_inserter(losses),
+                       [&](const RunHistory::SyncLoss& loss) { return !came_back(report, loss); });
   if (losses.empty()) return;
   const auto& first = losses.front();
   RunFinding finding{Code::kWindowLeft, FindingLevel::kWarning, first.slave, first.time,
                      losses.back().back.value_or(0)};
   finding.figures = {slave_figure(report, first.slave), time_figure("deviation", std::abs(first.size)),
                      time_figure("limit", report.dc.limit_ns), moment_figure(report, "since", first.time),
-                     count_figure("count", losses.size())};
+                     times_figure("count", losses.size())};
   if (first.slave < 0) finding.figures.front() = text_figure("slave", "one of the slaves");
   findings.push_back(std::move(finding));
 }
@@ -116,7 +126,7 @@ void find_master_sync(const RunReport& report, Findings& findings) {
                         -1,
                         losses.front().time,
                         losses.back().back.value_or(0),
-                        {count_figure("count", losses.size()), moment_figure(report, "since", losses.front().time),
+                        {times_figure("count", losses.size()), moment_figure(report, "since", losses.front().time),
                          text_figure("obstacle", obstacle(losses.front().obstacle))}});
   }
 }

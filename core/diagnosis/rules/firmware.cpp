@@ -23,12 +23,15 @@ void find_exceeded(const RunReport& report, const RunReport::Slave& slave, Findi
   const auto object =
       fmt::format("0x{:04X}:{:02X}", outputs ? families::kOutputSync : families::kInputSync, counters.cycle_exceeded);
   const auto* family = families::find(slave.identity);
-  findings.push_back({family != nullptr && family->gateway ? Code::kGatewayCycleExceeded : Code::kFirmwareSlow,
+  const bool gateway = family != nullptr && family->gateway;
+  findings.push_back({gateway ? Code::kGatewayCycleExceeded : Code::kFirmwareSlow,
                       FindingLevel::kWarning,
                       slave.position,
                       spells.first(),
                       spells.last(),
-                      {slave_figure(report, slave.position), count_figure("count", counted.total, counted.at_least),
+                      {slave_figure(report, slave.position),
+                       gateway ? count_figure("count", counted.total, counted.at_least)
+                               : times_figure("count", counted.total, counted.at_least),
                        text_figure("object", object), moment_figure(report, "last", spells.last())}});
 }
 
@@ -42,7 +45,7 @@ void find_watchdogs(const RunReport& report, const RunReport::Slave& slave, Find
                         hung.first(),
                         hung.last(),
                         {slave_figure(report, slave.position), moment_figure(report, "since", hung.first()),
-                         count_figure("count", hung.count(), slave.evidence.pdi_watchdog.at_least)}});
+                         times_figure("count", hung.count(), slave.evidence.pdi_watchdog.at_least)}});
   }
   const auto& outputs = history.process_data_watchdog;
   if (!outputs.empty() && report.history.reached_op) {
@@ -51,7 +54,7 @@ void find_watchdogs(const RunReport& report, const RunReport::Slave& slave, Find
                         slave.position,
                         outputs.first(),
                         outputs.last(),
-                        {slave_figure(report, slave.position), count_figure("count", outputs.count()),
+                        {slave_figure(report, slave.position), times_figure("count", outputs.count()),
                          moment_figure(report, "last", outputs.last())}});
   }
 }

@@ -45,7 +45,7 @@ void find_host(const RunReport& report, Findings& findings) {
                         -1,
                         stalls.first(),
                         stalls.last(),
-                        {count_figure("times", stalls.list().size()), count_figure("count", stalls.count()),
+                        {times_figure("times", stalls.list().size()), count_figure("count", stalls.count()),
                          time_figure("longest", stalls.largest()), moment_figure(report, "since", stalls.first())}});
   }
   find_lateness(report, findings);

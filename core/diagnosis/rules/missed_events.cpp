@@ -62,6 +62,10 @@ std::string_view miss_cause_words(dc::MissCause cause) {
 void find_missed_outputs(const RunReport& report, Findings& findings) {
   for (const auto& slave : report.slaves) {
     if (!slave.sm2_missed || !slave.sm2_missed->known || slave.sm2_missed->missed == 0) continue;
+    const auto told = [&](const RunFinding& f) {
+      return f.code == Code::kSlaveFellByMisses && f.slave == slave.position;
+    };
+    if (std::ranges::any_of(findings, told)) continue;  // with all its figures
     const auto& status = *slave.sm2_missed;
     const auto cause = main_cause(status);
     const auto lateness = usual_worst_lateness(report);

@@ -48,7 +48,7 @@ void find_earlier(const RunReport& report, Findings& findings) {
                         first.from,
                         absences.last(),
                         {slaves_figure(i, last), moment_figure(report, "since", first.from),
-                         time_figure("length", first.to - first.from), count_figure("count", absences.count())}});
+                         time_figure("length", first.to - first.from), times_figure("count", absences.count())}});
     i = last;
   }
 }

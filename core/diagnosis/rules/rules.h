@@ -33,6 +33,8 @@ void find_working_counters(const RunReport& report, Findings& findings);
 
 [[nodiscard]] Figure slave_figure(const RunReport& report, int slave, int last = -1);
 [[nodiscard]] Figure count_figure(std::string_view name, std::uint64_t count, bool at_least = false);
+/// "once", "3 times".
+[[nodiscard]] Figure times_figure(std::string_view name, std::uint64_t count, bool at_least = false);
 [[nodiscard]] Figure time_figure(std::string_view name, Nanoseconds length);
 /// A host time, told from the beginning of the run.
 [[nodiscard]] Figure moment_figure(const RunReport& report, std::string_view name, Nanoseconds time);

@@ -14,6 +14,12 @@ Figure count_figure(std::string_view name, std::uint64_t count, bool at_least) {
   return {name, Figure::Unit::kCount, static_cast<std::int64_t>(count), 0, at_least ? "at least" : ""};
 }
 
+Figure times_figure(std::string_view name, std::uint64_t count, bool at_least) {
+  auto figure = count_figure(name, count, at_least);
+  figure.unit = Figure::Unit::kTimes;
+  return figure;
+}
+
 Figure time_figure(std::string_view name, Nanoseconds length) { return {name, Figure::Unit::kNanoseconds, length}; }
 
 Figure moment_figure(const RunReport& report, std::string_view name, Nanoseconds time) {

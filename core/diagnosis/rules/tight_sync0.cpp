@@ -17,7 +17,7 @@ void find_shift_too_short(const RunReport& report, const RunReport::Slave& slave
                         slave.position,
                         0,
                         outputs.time,
-                        {slave_figure(report, slave.position), count_figure("count", outputs.total, outputs.at_least),
+                        {slave_figure(report, slave.position), times_figure("count", outputs.total, outputs.at_least),
                          time_figure("margin", margin), time_figure("need", need), time_figure("more", more),
                          time_figure("shift", slave.sync0_shift + more)}});
   }
@@ -28,7 +28,7 @@ void find_shift_too_short(const RunReport& report, const RunReport::Slave& slave
                         slave.position,
                         0,
                         inputs.time,
-                        {slave_figure(report, slave.position), count_figure("count", inputs.total, inputs.at_least)}});
+                        {slave_figure(report, slave.position), times_figure("count", inputs.total, inputs.at_least)}});
   }
 }
 

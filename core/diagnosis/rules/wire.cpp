@@ -56,7 +56,7 @@ void find_lost_link(const RunReport& report, const RunReport::Slave& slave, std:
                       spells.last(),
                       {slave_figure(report, slave.position),
                        {"port", Unit::kPort, static_cast<std::int64_t>(port)},
-                       count_figure("count", spells.count(), slave.evidence.ports[port].at_least),
+                       times_figure("count", spells.count(), slave.evidence.ports[port].at_least),
                        text_figure("register", fmt::format("{:04X}", reg::kLostLinkCounter + port)),
                        moment_figure(report, "last", spells.last())}});
 }
