@@ -864,6 +864,10 @@
             <translation>Zeitplan über seiner Grenze</translation>
         </message>
         <message>
+            <source>the reference clock has stepped</source>
+            <translation>die Referenzuhr ist gesprungen</translation>
+        </message>
+        <message>
             <source>cycles left out</source>
             <translation>Zyklen ausgelassen</translation>
         </message>

@@ -187,6 +187,8 @@ std::string words(const Event& e) {
 
 }  // namespace
 
+std::string event_words(const Event& event) { return words(event); }
+
 Json event_json(const Event& event, Nanoseconds start) {
   auto text = words(event);
   if (text.empty()) return nullptr;

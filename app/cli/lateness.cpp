@@ -12,6 +12,8 @@
 namespace syncline::cli {
 namespace {
 
+Json or_null(Nanoseconds value) { return value == 0 ? Json(nullptr) : Json(value); }
+
 double process_seconds() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
@@ -43,6 +45,11 @@ Json LatenessReport::json() const {
           {"p90_ns", histogram_.percentile(0.9)},
           {"p99_ns", histogram_.percentile(0.99)},
           {"p99_9_ns", histogram_.percentile(0.999)},
+          {"max_ns", histogram_.max()},
+          {"sleep_alone_p50_ns", or_null(host_.wake_p50)},
+          {"sleep_alone_p99_ns", or_null(host_.wake_p99)},
+          {"spin_ns", host_.spin},
+          {"spin_ns_per_cycle", host_.spin_mean},
           {"overruns", overruns_},
           {"cpu_us_per_cycle", static_cast<double>(static_cast<std::int64_t>(cpu_us_per_cycle() * 1000)) / 1000}};
 }
@@ -54,6 +61,12 @@ std::string LatenessReport::text() const {
   fmt::format_to(out, "lateness of {} cycles in OP: p50 {:.3f}  p90 {:.3f}  p99 {:.3f}  p99.9 {:.3f} us   overruns {}   "
                  "processor {:.1f} us a cycle (whole process)\n",
                  in_op_, us(0.5), us(0.9), us(0.99), us(0.999), overruns_, cpu_us_per_cycle());
+  if (host_.wake_p50 > 0) {
+    const auto in_us = [](Nanoseconds value) { return static_cast<double>(value) / 1000; };
+    fmt::format_to(out, "sleeping alone wakes up p50 {:.1f}  p99 {:.1f} us late; asking the clock for the last {:.1f} us of each "
+                   "wait costs {:.1f} us of processor a cycle and takes that off all but the latest\n",
+                   in_us(host_.wake_p50), in_us(host_.wake_p99), in_us(host_.spin), in_us(host_.spin_mean));
+  }
   std::map<int, std::uint64_t> octaves;  // exponent: below 2^exponent ns
   for (const auto& bin : histogram_.bins()) {
     octaves[static_cast<int>(std::bit_width(static_cast<std::uint64_t>(std::max<std::int64_t>(bin.low, 0))))] += bin.count;

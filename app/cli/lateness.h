@@ -16,6 +16,8 @@ class LatenessReport {
  public:
   LatenessReport();
   void add(std::span<const CycleSample> samples);
+  /// What waiting costs on this host, and what it brings.
+  void note(const HostStatus& host) { host_ = host; }
   [[nodiscard]] Json json() const;
   /// Percentiles and one line a power of two.
   [[nodiscard]] std::string text() const;
@@ -24,6 +26,7 @@ class LatenessReport {
   [[nodiscard]] double cpu_us_per_cycle() const;
 
   Histogram histogram_;
+  HostStatus host_;
   std::uint64_t cycles_ = 0, in_op_ = 0, overruns_ = 0;
   double cpu_at_start_ = 0;  // seconds of the process
 };

@@ -5,13 +5,13 @@
 
 #include "app/cli/context.h"
 #include "app/cli/duration.h"
+#include "app/cli/event_lines.h"
 #include "app/cli/event_text.h"
 #include "app/cli/findings_text.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/lateness.h"
 #include "app/cli/run_json.h"
 #include "app/cli/run_overrides.h"
-#include "app/composition/load_config.h"
 #include "app/composition/run_network.h"
 #include "trace/csv.h"
 #include "trace/dcm_log.h"
@@ -22,7 +22,7 @@ namespace {
 struct Options {
   std::string file, network, link, duration = "10s", csv, dcm_log, capture, state = "OP";
   std::vector<std::string> overrides;
-  bool json = false, lateness = false;
+  bool json = false, lateness = false, every_event = false;
 };
 
 /// Streams text to FILE.part; the name appears when the run is over.
@@ -92,11 +92,8 @@ void execute(Context& context, const Options& options) {
   if (!duration) return context.fail_with(duration.error());
   const auto target = al_state_from_name(options.state);
   if (!target) return context.fail_with(Error{ErrorCode::kBadValue, "--state", "use INIT, PREOP, SAFEOP or OP"});
-  auto compiled = load_config(options.file, {}, options.network);
+  const auto compiled = load_with_overrides(options.file, options.network, options.overrides);
   if (!compiled) return context.fail_with(compiled.error());
-  if (auto status = override_settings(compiled->config, options.overrides); !status) {
-    return context.fail_with(status.error());
-  }
   print(context.console.err, compiled->findings);
   if (has_errors(compiled->findings)) {
     context.exit_code = kAnswerIsNo;
@@ -113,19 +110,21 @@ void execute(Context& context, const Options& options) {
   request.capture = options.capture;
   std::optional<Nanoseconds> first;
   Json events = Json::array();
+  EventLines lines([&context](const std::string& line) { context.console.err << line << '\n'; }, !options.every_event);
   if (options.json) {
     request.on_event = [&events, &first](const Event& event) {
       if (!first) first = event.time;
       if (auto json = event_json(event, *first); !json.is_null()) events.push_back(std::move(json));
     };
   } else {
-    request.on_event = [&context, &first](const Event& event) {
-      if (!first) first = event.time;
-      if (const auto line = event_text(event, *first); !line.empty()) context.console.err << line << '\n';
-    };
+    request.on_event = [&lines](const Event& event) { lines.add(event); };
   }
   LatenessReport lateness;
-  request.on_snapshot = [&files](const Snapshot& snapshot) { files.note(snapshot); };
+  request.on_snapshot = [&files, &lines, &lateness](const Snapshot& snapshot) {
+    files.note(snapshot);
+    lateness.note(snapshot.host);
+    lines.tell_until(snapshot.time);
+  };
   request.on_samples = [&files, &lateness](std::span<const CycleSample> samples) {
     files.add(samples);
     lateness.add(samples);
@@ -134,6 +133,7 @@ void execute(Context& context, const Options& options) {
   const InterruptGuard guard;
   request.stop = &guard.interrupted();
   const auto outcome = run_network(compiled->config, options.link, request);
+  lines.tell_all();
   if (!outcome) return context.fail_with(outcome.error());
   if (auto status = files.finish(); !status) return context.fail_with(status.error());
   if (options.json) {
@@ -146,7 +146,10 @@ void execute(Context& context, const Options& options) {
     if (options.lateness) context.console.out << lateness.text();
   }
   if (!is_good(outcome->report, *target)) context.exit_code = kAnswerIsNo;
-  if (outcome->error) context.fail_with(*outcome->error);
+  if (!outcome->error) return;
+  context.fail_with(*outcome->error);
+  // A bus that was operated has given its answer, and the report says it.
+  if (outcome->report.cycles > 0) context.exit_code = kAnswerIsNo;
 }
 
 }  // namespace
@@ -162,9 +165,12 @@ void add_run_command(CLI::App& app, Context& context) {
   command->add_option("--csv", options->csv, "Write every cycle's sample to this file");
   command->add_option("--dcm-log", options->dcm_log, "Write the log of the master synchronisation to this file");
   command->add_option("--set", options->overrides,
-                      "KEY=VALUE for this run, e.g. dcm.set_value_us=400; KEY is one of master.dc.*, dcm. stands for master.dc.");
+                      "KEY=VALUE for this run, e.g. dcm.set_value_us=400; KEY is one of the project's, for an ENI one of those "
+                      "master.dc.* that are not in the file; dcm. stands for master.dc.");
   command->add_option("--capture", options->capture, "Write every frame to this pcapng file");
   command->add_flag("--lateness", options->lateness, "Add how late the frames were sent, and the processor time of a cycle");
+  command->add_flag("--every-event", options->every_event,
+                    "A line for every event; without it what happens to many slaves at one time is one line");
   command->add_flag("--json", options->json, "Print JSON");
   command->callback([&context, options] { execute(context, *options); });
 }

@@ -4,13 +4,16 @@
 #include <span>
 #include <string>
 
-#include "config/network_config.h"
+#include "config/compile/compile.h"
 #include "support/result.h"
 
 namespace syncline::cli {
 
-/// Settings for one run, "KEY=VALUE" each, of those that are not part of the frames: master.dc.*, for which dcm.* is
-/// short. kUnknownKey, kBadValue.
-[[nodiscard]] Status override_settings(NetworkConfig& config, std::span<const std::string> overrides);
+/// The configuration of a project or an ENI with settings for one run, "KEY=VALUE" each; dcm.* is short for master.dc.*.
+/// A project is changed and then compiled, so that every key of a project can be set and means what it means there. Of an
+/// ENI only master.dc.* that the master itself decides can be set: what lies in the file's frames and commands is refused.
+/// kUnknownKey, kBadValue, and what loading and compiling report.
+[[nodiscard]] Result<CompileResult> load_with_overrides(const std::string& path, std::string_view network,
+                                                        std::span<const std::string> overrides);
 
 }  // namespace syncline::cli

@@ -9,8 +9,9 @@
 namespace syncline {
 namespace {
 
-/// Above a master's cyclic thread on the same machine: a real segment answers whatever the host does.
-constexpr int kPriority = RealTimeScope::kDefaultPriority + 5;
+/// Below a master's cyclic thread on the same machine: an answer may come a little later, a frame must not leave late
+/// because of us.
+constexpr int kPriority = RealTimeScope::kDefaultPriority - 5;
 
 std::uint16_t peek16(const sim::SimBus& bus, std::size_t position, std::uint16_t address) {
   return load_le<std::uint16_t>(bus.peek(position, address, 2));

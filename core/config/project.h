@@ -81,7 +81,8 @@ struct RecoverySettings {
 
 /// Of the thread that runs the cycle on the real clock.
 struct RealTimeSettings {
-  /// The last part of each wait is spent asking the clock instead of sleeping: earlier wake-ups for processor time.
+  /// So much of the end of each wait is spent at most asking the clock instead of sleeping: earlier wake-ups for processor
+  /// time. Used is what the host needs (master/spin_budget.h).
   Nanoseconds spin = 50 * kMicrosecond;   // 0..1 ms, at most a quarter of the cycle is used
   /// Processor that the thread is bound to.
   std::optional<std::uint16_t> cpu;

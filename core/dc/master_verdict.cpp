@@ -10,6 +10,7 @@ void MasterVerdict::observe(const Input& input) {
     if (input.time - read_ > settings_.stale) distrust(input.time);
     read_ = input.time;
   }
+  if (input.clock_stepped) stepped_ = input.time;
   if (input.skipped_cycles > 0) skipped_ = input.time;
   if (too_late(input.frame_error)) late_ = input.time;
   obstacle_ = find(input);
@@ -20,6 +21,7 @@ void MasterVerdict::observe(const Input& input) {
 SyncObstacle MasterVerdict::find(const Input& input) const {
   if (!input.led) return SyncObstacle::kNoReferenceClock;
   if (input.time - read_ > settings_.stale) return SyncObstacle::kNoReading;
+  if (within_settle(stepped_, input.time)) return SyncObstacle::kClockStep;
   if (input.error_code != 0) return SyncObstacle::kErrorCode;
   if (!input.schedule_in_sync) return SyncObstacle::kControlError;
   if (within_settle(skipped_, input.time)) return SyncObstacle::kCyclesLeftOut;

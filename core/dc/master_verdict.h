@@ -15,6 +15,7 @@ enum class SyncObstacle : std::uint8_t {
   kNone,
   kNoReferenceClock,  // nobody leads
   kNoReading,         // the reference clock's time has not come for a while
+  kClockStep,         // the reference clock stepped within the settle time
   kErrorCode,         // the controller has an error, DCM_E_...
   kControlError,      // the schedule is not within the limit, or not for the settle time yet
   kCyclesLeftOut,     // within the settle time
@@ -39,6 +40,7 @@ class MasterVerdict {
     bool led = true;
     bool read = false;                // the reference clock's time came
     bool schedule_in_sync = false;    // says the controller
+    bool clock_stepped = false;       // the reference clock, as this cycle made sure
     std::uint32_t error_code = 0;     // of the controller
     std::int64_t skipped_cycles = 0;  // just before this one
     Nanoseconds frame_error = 0;      // schedule error plus how late the frame was sent
@@ -64,7 +66,7 @@ class MasterVerdict {
 
   Settings settings_;
   Nanoseconds read_ = 0;
-  std::optional<Nanoseconds> skipped_, late_, distrusted_;
+  std::optional<Nanoseconds> stepped_, skipped_, late_, distrusted_;
   SyncObstacle obstacle_ = SyncObstacle::kControlError;
   bool schedule_in_sync_ = false;
 };

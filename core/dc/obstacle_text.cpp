@@ -11,6 +11,8 @@ std::string_view obstacle_text(SyncObstacle obstacle) {
       return "no reference clock leads";
     case SyncObstacle::kNoReading:
       return "the reference clock's time does not come";
+    case SyncObstacle::kClockStep:
+      return "the reference clock has stepped";
     case SyncObstacle::kErrorCode:
       return "the controller reports an error";
     case SyncObstacle::kControlError:

@@ -11,6 +11,8 @@ namespace {
 
 /// The segment's own life (watchdogs, SYNC units, mailboxes) goes on in steps of this when no frame comes.
 constexpr Nanoseconds kIdleStep = kMillisecond;
+/// Memory of how often the next frame came within the time of looking for it, and the share that is worth the processor.
+constexpr double kLuckMemory = 0.02, kWorthIt = 0.8;
 
 }  // namespace
 
@@ -44,10 +46,16 @@ Status BusResponder::serve(Nanoseconds end, const std::atomic<bool>& stop) {
       bus_.advance_to(now);
       bus_time_ = now;
     }
-    if (now - last_frame_ < options_.spin) continue;
+    if (luck_ > kWorthIt && now - last_frame_ < options_.spin) continue;
     port_.wait(idle_time(now, end));
   }
   return {};
+}
+
+/// A frame has come: would looking for it have been worth the time, as a rule?
+void BusResponder::learn(Nanoseconds now) {
+  const bool soon = now - last_frame_ < options_.spin;
+  luck_ += kLuckMemory * ((soon ? 1 : 0) - luck_);
 }
 
 Nanoseconds BusResponder::idle_time(Nanoseconds now, Nanoseconds end) const {
@@ -75,6 +83,7 @@ Result<bool> BusResponder::take_frame() {
   wire_free_ = bus_time_ + wire_time_ns(reply.length);
   const auto returned = bus_.execute(std::span(reply.bytes).first(reply.length), bus_time_);
   const auto finished = clock_.now();
+  learn(started);
   last_frame_ = finished;
   const auto service = finished - started;
   counters_.longest_service = std::max(counters_.longest_service, service);

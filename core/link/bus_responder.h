@@ -36,7 +36,8 @@ class BusResponder {
  public:
   struct Options {
     /// After a frame the thread looks for the next one this long before it sleeps: waking up costs more than
-    /// executing. Bursts and scans profit; 0 always sleeps.
+    /// executing. Bursts and scans profit; where the next frame mostly comes later, as in a bus cycle, it does not look.
+    /// 0 always sleeps.
     Nanoseconds spin = 100 * kMicrosecond;
   };
   /// All three outlive the responder; `clock` is the one on which bus and port run.
@@ -55,6 +56,7 @@ class BusResponder {
   };
 
   Result<bool> take_frame();
+  void learn(Nanoseconds now);
   Status send_due();
   /// How long nothing happens at most.
   [[nodiscard]] Nanoseconds idle_time(Nanoseconds now, Nanoseconds end) const;
@@ -68,6 +70,7 @@ class BusResponder {
   Nanoseconds bus_time_ = 0;       // the segment has been executed up to here
   Nanoseconds wire_free_ = 0;      // end of the frame in front
   Nanoseconds last_frame_ = 0;
+  double luck_ = 1;                // share of the frames of late that came while we would have looked
 };
 
 }  // namespace syncline

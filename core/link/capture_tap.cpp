@@ -13,9 +13,13 @@ class CaptureTap final : public Link {
   ~CaptureTap() override { (void)writer_.finish(); }
 
   Status send(std::span<const std::uint8_t> frame) override {
-    writer_.write(frame, clock_.now(), PcapngWriter::Direction::kSent);
-    return inner_->send(frame);
+    // First the wire, then the file: writing would come between the master's stamp and the frame.
+    const auto time = clock_.now();
+    auto status = inner_->send(frame);
+    writer_.write(frame, inner_->sent_at().value_or(time), PcapngWriter::Direction::kSent);
+    return status;
   }
+  [[nodiscard]] std::optional<Nanoseconds> sent_at() const override { return inner_->sent_at(); }
 
   Result<Nanoseconds> send_corrected(std::span<const std::uint8_t> frame, const SendTimeField& field) override {
     // As handed over: what the adapter makes of the time is seen in what comes back.

@@ -96,6 +96,8 @@ Status FaultLink::send(std::span<const std::uint8_t> frame) {
   return impl_->inner->send(frame);
 }
 
+std::optional<Nanoseconds> FaultLink::sent_at() const { return impl_->inner->sent_at(); }
+
 Result<Nanoseconds> FaultLink::send_corrected(std::span<const std::uint8_t> frame, const SendTimeField& field) {
   ++impl_->injected.sent;
   if (impl_->happens(impl_->faults.lose_request)) {

@@ -37,6 +37,7 @@ class FaultLink final : public Link {
   Status send(std::span<const std::uint8_t> frame) override;
   Result<ReceivedFrame> receive(std::span<std::uint8_t> buffer, Nanoseconds deadline) override;
   [[nodiscard]] LinkDescription describe() const override;
+  [[nodiscard]] std::optional<Nanoseconds> sent_at() const override;
   Result<Nanoseconds> send_corrected(std::span<const std::uint8_t> frame, const SendTimeField& field) override;
 
  private:

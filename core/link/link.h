@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -47,6 +48,9 @@ class Link {
   /// sending (echo) are never delivered.
   virtual Result<ReceivedFrame> receive(std::span<std::uint8_t> buffer, Nanoseconds deadline) = 0;
   [[nodiscard]] virtual LinkDescription describe() const = 0;
+  /// When the frame of the last send() was handed to the wire, where the link knows it better than its caller: his stamp is
+  /// from before, and what the host did in between is not in it.
+  [[nodiscard]] virtual std::optional<Nanoseconds> sent_at() const { return std::nullopt; }
   /// As send(), by an adapter that knows when it sends: adds to the time in the frame by how much later than
   /// `field.send_time` the frame leaves. Returns when it left. kNotSupported where the adapter has no such clock.
   virtual Result<Nanoseconds> send_corrected(std::span<const std::uint8_t> frame, const SendTimeField& field);

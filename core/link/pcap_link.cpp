@@ -20,6 +20,7 @@ class PcapLink final : public Link {
   }
 
   Status send(std::span<const std::uint8_t> frame) override { return port_.send(frame); }
+  [[nodiscard]] std::optional<Nanoseconds> sent_at() const override { return port_.sent_at(); }
 
   Result<ReceivedFrame> receive(std::span<std::uint8_t> buffer, Nanoseconds deadline) override {
     for (;;) {
@@ -57,7 +58,7 @@ class PcapLink final : public Link {
 }  // namespace
 
 Result<std::unique_ptr<Link>> open_pcap_link(const std::string& adapter, Clock& clock) {
-  auto port = RawPort::open(adapter, clock);
+  auto port = RawPort::open(adapter, clock, true);
   if (!port) return tl::unexpected(port.error());
   return std::make_unique<PcapLink>(std::move(*port), clock);
 }

@@ -5,10 +5,11 @@
 #include <poll.h>
 
 #include <algorithm>
-#include <ctime>
 #include <filesystem>
 
+#include "link/send_socket.h"
 #include "protocol/frame.h"
+#include "support/calendar_stamp.h"
 
 namespace syncline {
 namespace {
@@ -56,12 +57,8 @@ Status activate(pcap_t* handle, const std::string& adapter) {
   return {};
 }
 
-/// Nanoseconds of the calendar clock, by which the kernel stamps frames.
-Nanoseconds calendar_now() {
-  timespec time{};
-  ::clock_gettime(CLOCK_REALTIME, &time);
-  return time.tv_sec * kSecond + time.tv_nsec;
-}
+/// No frame waits for longer in the kernel's ring.
+constexpr Nanoseconds kOldest = kSecond;
 
 }  // namespace
 
@@ -79,17 +76,18 @@ struct RawPort::Impl {
   int fd = -1;
   bool sees_own = false;
   Nanoseconds stamp_unit = 1;  // of the fraction in the kernel's stamp
+  std::optional<SendSocket> way_out;
+  CalendarStamp stamps;
+  std::optional<Nanoseconds> sent_at;
 
-  /// The kernel's stamp on the port's clock. Its age is measured, not its absolute time: somebody may set
-  /// the calendar clock while we run.
-  [[nodiscard]] Nanoseconds arrival_time(const pcap_pkthdr& header) const {
-    const auto stamp = header.ts.tv_sec * kSecond + header.ts.tv_usec * stamp_unit;
-    const auto age = calendar_now() - stamp;
-    return clock.now() - std::clamp<Nanoseconds>(age, 0, kSecond);
+  /// The kernel's stamp on the port's clock; now, when somebody has just set the calendar clock.
+  [[nodiscard]] Nanoseconds arrival_time(const pcap_pkthdr& header) {
+    const auto now = clock.now();
+    return stamps.to_clock(header.ts.tv_sec * kSecond + header.ts.tv_usec * stamp_unit, now - kOldest).value_or(now);
   }
 };
 
-Result<RawPort> RawPort::open(const std::string& adapter, Clock& clock) {
+Result<RawPort> RawPort::open(const std::string& adapter, Clock& clock, bool stamps_sending) {
   auto info = find_adapter(adapter);
   if (!info) return tl::unexpected(info.error());
 
@@ -106,8 +104,9 @@ Result<RawPort> RawPort::open(const std::string& adapter, Clock& clock) {
   const bool sees_own = pcap_setdirection(handle.get(), PCAP_D_IN) != 0;
   if (pcap_setnonblock(handle.get(), 1, text) != 0) return fail(ErrorCode::kLinkIo, adapter, text);
   const int fd = pcap_get_selectable_fd(handle.get());
-  return RawPort(std::unique_ptr<Impl>(
-      new Impl{std::move(handle), std::move(*info), clock, fd, sees_own, nanoseconds ? 1 : kMicrosecond}));
+  return RawPort(std::unique_ptr<Impl>(new Impl{std::move(handle), std::move(*info), clock, fd, sees_own,
+                                                nanoseconds ? 1 : kMicrosecond, SendSocket::open(adapter, stamps_sending),
+                                                CalendarStamp(clock), std::nullopt}));
 }
 
 RawPort::RawPort(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -133,11 +132,20 @@ void RawPort::wait(Nanoseconds duration) const {
 }
 
 Status RawPort::send(std::span<const std::uint8_t> frame) {
+  impl_->sent_at.reset();
+  if (auto& way_out = impl_->way_out) {
+    const auto before = impl_->clock.now();
+    if (auto status = way_out->send(frame); !status) return status;
+    if (const auto stamp = way_out->take_stamp()) impl_->sent_at = impl_->stamps.to_clock(*stamp, before);
+    return {};
+  }
   if (pcap_inject(impl_->handle.get(), frame.data(), frame.size()) != static_cast<int>(frame.size())) {
     return fail(ErrorCode::kLinkIo, impl_->adapter.name, pcap_geterr(impl_->handle.get()));
   }
   return {};
 }
+
+std::optional<Nanoseconds> RawPort::sent_at() const { return impl_->sent_at; }
 
 const AdapterInfo& RawPort::adapter() const { return impl_->adapter; }
 bool RawPort::sees_own() const { return impl_->sees_own; }

@@ -17,9 +17,9 @@ namespace syncline {
 /// 0x88A4, non-blocking. What a master's link and a simulated segment have in common. One thread at a time.
 class RawPort {
  public:
-  /// `clock` is the real clock and outlives the port. kLinkNotFound with the names there are, kLinkDown and
-  /// kLinkPermission with the command that helps, kNotSupported for what is no Ethernet.
-  [[nodiscard]] static Result<RawPort> open(const std::string& adapter, Clock& clock);
+  /// `clock` is the real clock and outlives the port. `stamps_sending`: sent_at() is wanted. kLinkNotFound with the names
+  /// there are, kLinkDown and kLinkPermission with the command that helps, kNotSupported for what is no Ethernet.
+  [[nodiscard]] static Result<RawPort> open(const std::string& adapter, Clock& clock, bool stamps_sending = false);
   RawPort(RawPort&&) noexcept;
   RawPort& operator=(RawPort&&) noexcept;
   ~RawPort();
@@ -34,6 +34,8 @@ class RawPort {
   void wait(Nanoseconds duration) const;
   /// Hands one complete Ethernet frame without FCS to the driver. Copied once, by the kernel. kLinkIo.
   Status send(std::span<const std::uint8_t> frame);
+  /// When the driver got the frame of the last send(), on the port's clock; nothing where the kernel does not say.
+  [[nodiscard]] std::optional<Nanoseconds> sent_at() const;
 
   [[nodiscard]] const AdapterInfo& adapter() const;
   /// The adapter cannot tell directions apart: poll() also delivers what send() has sent.

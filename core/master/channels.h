@@ -167,6 +167,14 @@ struct DcmStatus {
   bool operator==(const DcmStatus&) const = default;
 };
 
+/// How this host wakes up, on the real clock.
+struct HostStatus {
+  Nanoseconds spin = 0;                   // end of each wait that is spent asking the clock, now
+  Nanoseconds spin_mean = 0;              // what a cycle has spent so in the mean
+  Nanoseconds wake_p50 = 0, wake_p99 = 0; // how late sleeping alone wakes up, of the latest some hundred cycles; 0 not known
+  bool operator==(const HostStatus&) const = default;
+};
+
 struct Snapshot {
   Nanoseconds time = 0;
   bool online = false;
@@ -183,6 +191,7 @@ struct Snapshot {
   std::vector<SlaveStatus> slaves;        // sized once when a configuration is taken
   DcStatus dc;
   DcmStatus dcm;
+  HostStatus host;
 };
 
 /// Latest value, lossy: the writer never waits for the reader (it skips publishing when the reader
@@ -216,7 +225,8 @@ enum class EventKind : std::uint8_t {
                         // 3 unknown; b = deviation ns (3: age of the oldest reading, ns); slave = culprit when out, whose
                         // own reading is over the limit, c = number of those; without a culprit they are all
                         // that follow, and over it to the same side: the reference clock has moved
-  kDcmSync,             // a = 1 in sync, 0 out of sync, b = error ns, c = dc::SyncObstacle when out
+  kDcmSync,             // a = 1 in sync, 0 out of sync, b = error ns (size of the step, when a clock has
+                        // stepped), c = dc::SyncObstacle when out
   kDcmError,            // a = DCM error code, b = drift in ppm
   kWkcError,            // a = expected, b = received; repeated ones are counted, c = count
   kFramesLost,          // a = count; each lost frame is in one of these, see MissingFrames

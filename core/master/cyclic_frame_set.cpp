@@ -87,6 +87,15 @@ void CyclicFrameSet::follow(Leader leader) {
   }
 }
 
+bool CyclicFrameSet::configured_for(std::uint16_t position, std::uint16_t station) const {
+  return std::ranges::all_of(entries_, [&](const Entry& entry) {
+    if (entry.role != Role::kReferenceTime && entry.role != Role::kReferenceWrite) return true;
+    const auto& command = *entry.command;
+    const bool by_place = command.command == Command::kArmw || command.command == Command::kApwr;
+    return command.adp == (by_place ? Position{position}.auto_increment_address() : station);
+  });
+}
+
 void CyclicFrameSet::address_leader(Entry& entry) {
   const auto& command = *entry.command;
   const bool reads = entry.role == Role::kReferenceTime;

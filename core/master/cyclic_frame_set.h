@@ -43,6 +43,8 @@ class CyclicFrameSet {
   };
   void follow(Leader leader);
   [[nodiscard]] Leader leader() const { return leader_; }
+  /// The commands as they are configured read and steer this slave's clock.
+  [[nodiscard]] bool configured_for(std::uint16_t position, std::uint16_t station) const;
 
   /// The time that is written to the reference clock is corrected by the link while it sends.
   void correct_by_link();

@@ -59,6 +59,7 @@ Status CyclicTaskRunner::run_cycle(std::span<Datagram* const> acyclic) {
   reference_.address(slaves_.settled());
   frames_.prepare(sample.cycle, steering_);
   fill_acyclic(acyclic, send_time_);
+  first_stamp_.reset();
   const auto lost_before = exchange_.lost_frames();
   const auto status = exchange_frames(scheduled_ + cycle_time_ * 8 / 10);
   adapt_acyclic_limit();
@@ -75,12 +76,12 @@ Status CyclicTaskRunner::run_cycle(std::span<Datagram* const> acyclic) {
 /// A cycle whose time is half over is left out, so that a late frame and the next one never go out together: slaves
 /// would see two frames in one SYNC0 period. The phase stays.
 void CyclicTaskRunner::wait_for_slot() {
-  clock_.sleep_until(scheduled_, spin_);
+  spin_.observe(clock_.sleep_until(scheduled_, spin_.amount()));
   const auto behind = clock_.now() - scheduled_ - cycle_time_ / 2;
   skipped_ = behind > 0 ? behind / cycle_time_ + 1 : 0;
   if (skipped_ == 0) return;
   scheduled_ += skipped_ * cycle_time_;
-  clock_.sleep_until(scheduled_, spin_);
+  spin_.observe(clock_.sleep_until(scheduled_, spin_.amount()));
 }
 
 void CyclicTaskRunner::tell_rest() {
@@ -89,6 +90,7 @@ void CyclicTaskRunner::tell_rest() {
 }
 
 void CyclicTaskRunner::stamp(Nanoseconds send_time) {
+  if (!first_stamp_) first_stamp_ = send_time;
   if (!sync_.active()) return;
   frames_.stamp(sync_.reference_time_at(send_time),
                 steering_ ? sync_.reference_write(send_time, scheduled_) : std::nullopt);
@@ -196,6 +198,7 @@ std::optional<Nanoseconds> CyclicTaskRunner::reference_time(const CyclicFrameSet
 
 dc::DcmObservation CyclicTaskRunner::observation(const CyclicFrameSet::Reading& reading) const {
   dc::DcmObservation result{send_time_, scheduled_, reference_time(reading)};
+  if (first_stamp_) result.way_out = send_time_ - *first_stamp_;
   if (external_clock_) {
     const auto& bridge = run_.snapshot.slaves[external_clock_->slave];
     result.external_expected = bridge.present && al_state_of(bridge.al_status) == AlState::kOp;
@@ -240,6 +243,7 @@ void CyclicTaskRunner::finish_sample(CycleSample& sample) {
 }
 
 void CyclicTaskRunner::publish() {
+  run_.snapshot.host = {spin_.amount(), spin_.mean_spent(), spin_.wake_p50(), spin_.wake_p99()};
   last_published_ = run_.snapshot.time;
   run_.channels().snapshot.publish(run_.snapshot);
 }

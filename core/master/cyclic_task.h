@@ -18,6 +18,7 @@
 #include "master/run_state.h"
 #include "master/slave_watch.h"
 #include "master/sm2_reader.h"
+#include "master/spin_budget.h"
 #include "master/sync_event_watch.h"
 #include "master/sync_watch.h"
 
@@ -87,12 +88,13 @@ class CyclicTaskRunner final : public CyclePump, private SendStamp {
   std::size_t acyclic_limit_ = 1;  // frames a cycle, as many as come back in time
   std::vector<PendingFrame*> in_flight_;
   Nanoseconds cycle_time_;
-  Nanoseconds spin_;               // last part of each wait
+  SpinBudget spin_;                // last part of each wait
   std::int64_t skipped_ = 0;       // cycles left out before this one
   std::optional<Nanoseconds> last_sent_;  // first frame of the cycle before
   Nanoseconds scheduled_ = 0;
   Nanoseconds send_time_ = 0;      // of this cycle's first frame
   Nanoseconds wire_free_ = 0;      // when the frames that were sent have left
+  std::optional<Nanoseconds> first_stamp_;  // of that frame, from before it was sent
   bool steering_ = false;
   Nanoseconds last_published_ = 0;
   Nanoseconds adjust_ = 0;

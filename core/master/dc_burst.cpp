@@ -88,8 +88,10 @@ Status DcBurst::exchange_bulk(std::uint32_t frames) {
 void DcBurst::take(const Slot& slot) {
   if (!slot.read.done()) return;
   outcome_.answered = true;
-  outcome_.host_time = slot.on_wire;
-  outcome_.reference_time = dc::extend_32bit(load_le<std::uint32_t>(slot.time), slot.on_wire + anchor_.value_or(0));
+  // The driver may have got it later than the host thought.
+  const auto on_wire = std::max(slot.on_wire, slot.frame.send_time());
+  outcome_.host_time = on_wire;
+  outcome_.reference_time = dc::extend_32bit(load_le<std::uint32_t>(slot.time), on_wire + anchor_.value_or(0));
   if (!anchor_) anchor_ = outcome_.reference_time - outcome_.host_time;
 }
 

@@ -9,8 +9,9 @@ namespace syncline {
 namespace {
 
 constexpr std::uint16_t kSpeedCounterDefault = 0x1000;
-/// Averages 2^4 differences: what the host writes jitters with its send times, what slaves are written does not.
-constexpr std::uint8_t kHostFilterDepth = 4;
+/// Averages 2^6 differences: what the host writes jitters with its send times, with tails of tens of microseconds; what
+/// slaves are written does not. One that returns has to be learned quickly.
+constexpr std::uint8_t kHostFilterDepth = 6, kReturningFilterDepth = 4;
 /// The reset value, 12, learns a quartz in some ten thousand messages only; below 10 the controller of bus shift swings.
 constexpr std::uint8_t kReturningSpeedCounterDepth = 10;
 /// Of clocks that follow a clock: each message counts, and a quartz is learned within some hundred of them.
@@ -28,7 +29,8 @@ std::vector<DcLoopWrite> dc_loop_values(const NetworkConfig& config, DcLoopRole 
   const auto& loop = config.dc.loop;
   if (role != DcLoopRole::kFollower) {
     const bool returning = role == DcLoopRole::kReturning;
-    if (returning || steers_reference_clock(config.dc.dcm.mode)) writes.push_back({reg::kFilterDepthDifference, {kHostFilterDepth}});
+    const auto depth = returning ? kReturningFilterDepth : kHostFilterDepth;
+    if (returning || steers_reference_clock(config.dc.dcm.mode)) writes.push_back({reg::kFilterDepthDifference, {depth}});
     if (returning) writes.push_back({reg::kFilterDepthSpeedCounter, {kReturningSpeedCounterDepth}});
     writes.push_back({reg::kSpeedCounterStart, le_bytes(kSpeedCounterDefault)});
     return writes;

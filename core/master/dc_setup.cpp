@@ -142,7 +142,10 @@ Status DcSetup::measure() {
   return write_times(latch);
 }
 
-bool DcSetup::steered() const { return steers_reference_clock(config_.dc.dcm.mode); }
+/// With control off nothing teaches the reference clock the host's rate, or its natural drift would not be seen.
+bool DcSetup::steered() const {
+  return steers_reference_clock(config_.dc.dcm.mode) && !config_.dc.dcm.control_off;
+}
 
 Status DcSetup::write_times(const DelayLatch& latch) {
   std::vector<Write> times, filters;

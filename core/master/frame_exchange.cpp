@@ -69,7 +69,11 @@ Status FrameExchange::send(PendingFrame& frame, SendStamp* stamp) {
 
 Status FrameExchange::hand_over(PendingFrame& frame, std::span<const std::uint8_t> bytes,
                                 std::span<const std::uint8_t> corrected) {
-  if (corrected.empty()) return link_.send(bytes);
+  if (corrected.empty()) {
+    auto status = link_.send(bytes);
+    if (const auto left = link_.sent_at()) frame.send_time_ = *left;
+    return status;
+  }
   const auto offset = static_cast<std::size_t>(corrected.data() - bytes.data());
   const auto left = link_.send_corrected(bytes, {offset, corrected.size(), frame.send_time_});
   if (!left) return tl::unexpected(left.error());

@@ -50,7 +50,8 @@ class PendingFrame {
   [[nodiscard]] bool in_flight() const { return in_flight_; }
   /// Bytes of all datagrams with their headers and working counters.
   [[nodiscard]] std::size_t size() const { return bytes_; }
-  /// Host clock just before the frame was handed to the link, and when it came back.
+  /// Host clock when the driver got the frame, or just before it was handed to the link where nobody knows better; and when
+  /// it came back.
   [[nodiscard]] Nanoseconds send_time() const { return send_time_; }
   [[nodiscard]] Nanoseconds arrival_time() const { return arrival_time_; }
 

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "master/operation.h"
 
+#include <array>
+#include <span>
 #include <utility>
 
 #include "config/dc_check.h"
 #include "config/dcm_check.h"
+#include "protocol/dc_registers.h"
 #include "protocol/dcm_error.h"
+#include "protocol/registers.h"
+#include "support/byte_order.h"
 
 namespace syncline {
 
@@ -86,6 +91,25 @@ void Operation::stop() {
   run_.snapshot.online = false;
   run_.snapshot.time = clock_.now();
   run_.channels().snapshot.publish_surely(run_.snapshot);
+}
+
+Status Operation::configure_dcm(const DcmSettings& change) {
+  const bool steered = sync_.steers();
+  if (auto status = sync_.configure(change); !status) return status;
+  return steered && !sync_.steers() && cyclic() ? note_learned_rate() : Status{};
+}
+
+/// A clock that is steered no more keeps the rate that it was taught; what it was taught belongs to its natural drift.
+Status Operation::note_learned_rate() {
+  const auto leader = task_.reference().leader();
+  if (!leader) return {};
+  std::array<std::uint8_t, 4> loop{};
+  Datagram read{Command::kFprd, device_address(config_.slaves[*leader].station_address, reg::kSpeedCounterStart), loop};
+  if (auto status = bus_.transact({&read, 1}); !status) return status;
+  const std::span<const std::uint8_t> bytes(loop);
+  const auto counts = static_cast<std::int16_t>(load_le<std::uint16_t>(bytes.subspan(2)));
+  if (read.done()) sync_.set_learned_rate(speed_counter_rate(load_le<std::uint16_t>(bytes), counts) * 1e6);
+  return {};
 }
 
 void Operation::compensate_delays(bool on) { delays_.set_enabled(on, clock_.now()); }

@@ -33,7 +33,7 @@ class Operation {
   /// histories, which take many cycles.
   Status run_cycle();
   void clear_statistics();
-  Status configure_dcm(const DcmSettings& change) { return sync_.configure(change); }
+  Status configure_dcm(const DcmSettings& change);
   void reset_dcm_status() { sync_.clear_statistics(); }
   /// Continuous compensation of the propagation delays.
   void compensate_delays(bool on);
@@ -42,6 +42,7 @@ class Operation {
 
  private:
   Status check() const;
+  Status note_learned_rate();
 
   NetworkConfig config_;
   FrameExchange& exchange_;

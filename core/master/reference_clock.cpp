@@ -35,7 +35,9 @@ void ReferenceClock::address(bool settled) {
   if (!home_) return;
   Leader wanted{Leader::Who::kNobody, 0};
   if (leader_) wanted = {Leader::Who::kOther, run_.config().slaves[*leader_].station_address};
-  if (leader_ == home_ && by_place_ && places_right_ && settled) wanted = {};
+  // The frames of a file mean the clock that leads in that file; who leads here may have been chosen otherwise.
+  const bool configured = leader_ == home_ && frames_.configured_for(*home_, run_.config().slaves[*home_].station_address);
+  if (configured && by_place_ && places_right_ && settled) wanted = {};
   if (frames_.leader() != wanted) frames_.follow(wanted);
 }
 

@@ -49,6 +49,7 @@ Status SyncWatch::configure(const DcmSettings& change) {
   merged.mode = settings_.mode;
   if (auto status = check_dcm_settings(merged, run_.config().cycle_time()); !status) return status;
   settings_ = merged;
+  learned_ppm_ = 0;
   note_settings();
   if (!controller_) return {};
   make_controller();
@@ -99,7 +100,7 @@ void SyncWatch::start(const DcNetwork& network, Nanoseconds first_cycle) {
   start_verdict(first_cycle);
   run_.snapshot.dc.enabled = true;
   run_.snapshot.dc.sync_base = base_;
-  slaves_.start(network, first_cycle, steers_reference_clock(settings_.mode));
+  slaves_.start(network, first_cycle, steers());
   led_ = true;
   run_.snapshot.dcm.state = run_.snapshot.dcm.mode == DcmMode::kOff ? SyncState::kNotMonitored : SyncState::kBusy;
 }
@@ -157,11 +158,13 @@ void SyncWatch::update_dcm(const dc::DcmObservation& observation, std::int64_t s
   auto& dcm = run_.snapshot.dcm;
   dcm.error_ns = to_32(state.error);
   dcm.error_filtered_ns = to_32(state.error_filtered);
-  dcm.drift_ppm = state.drift_ppm;
+  dcm.drift_ppm = state.drift_ppm + learned_ppm_;
   dcm.adjust_permil = static_cast<double>(state.adjust) * 1e3 / static_cast<double>(run_.config().cycle_time());
   // Where the frame was lost the schedule's error is known from the cycles before.
   const auto schedule_error = observation.reference_time ? state.error : state.error_filtered;
-  dcm.frame_error_ns = to_32(schedule_error + (observation.send_time - observation.scheduled_time));
+  // In the grid: a clock that has stepped by whole cycles makes no frame late.
+  dcm.frame_error_ns = to_32(dc::wrap_to_half(schedule_error, run_.config().cycle_time()) +
+                             (observation.send_time - observation.scheduled_time));
   if (dcm.mode == DcmMode::kOff) return;
   if (state.error_code != dcm.error_code) {
     dcm.error_code = state.error_code;
@@ -181,6 +184,7 @@ void SyncWatch::judge_master(const dc::DcmObservation& observation, std::int64_t
                     .led = led_,
                     .read = observation.reference_time.has_value(),
                     .schedule_in_sync = state.in_sync,
+                    .clock_stepped = state.clock_step.has_value(),
                     .error_code = state.error_code,
                     .skipped_cycles = skipped,
                     .frame_error = dcm.frame_error_ns});
@@ -193,8 +197,11 @@ void SyncWatch::judge_master(const dc::DcmObservation& observation, std::int64_t
     dcm.state = dcm.in_sync_after_ms || state.error_code != 0 ? SyncState::kOutOfSync : SyncState::kBusy;
   }
   const bool in_sync = dcm.state == SyncState::kInSync;
-  if (in_sync == was_in_sync) return;
-  const auto error = dcm.obstacle == dc::SyncObstacle::kLateFrames ? dcm.frame_error_ns : dcm.error_ns;
+  // A step is told also where its first readings have looked like something else.
+  if (in_sync == was_in_sync && !state.clock_step) return;
+  auto error = Nanoseconds{dcm.obstacle == dc::SyncObstacle::kLateFrames ? dcm.frame_error_ns : dcm.error_ns};
+  // A step by whole cycles leaves no error in the grid.
+  if (state.clock_step) error = *state.clock_step;
   run_.event(EventKind::kDcmSync, observation.send_time, -1, in_sync ? 1 : 0, error,
              static_cast<std::int64_t>(dcm.obstacle));
 }

@@ -52,6 +52,10 @@ class SyncWatch {
   void clear_statistics();
   /// Other parameters of the running controller; zeros leave what is. Nothing changes when they are refused.
   Status configure(const DcmSettings& change);
+  /// The reference clock is told the time: a mode that does so, with control on.
+  [[nodiscard]] bool steers() const { return steers_reference_clock(settings_.mode) && !settings_.control_off; }
+  /// By how much the time control loop of a clock that is steered no more slows it down, ppm.
+  void set_learned_rate(double ppm) { learned_ppm_ = ppm; }
   void set_start_time(DcStartTimeCallback callback) { start_time_ = std::move(callback); }
   [[nodiscard]] const DcStartTimeCallback& start_time() const { return start_time_; }
 
@@ -80,6 +84,7 @@ class SyncWatch {
   dc::MasterVerdict verdict_;
   Nanoseconds base_ = 0, start_ = 0;
   Nanoseconds last_host_ = 0, last_reference_ = 0;
+  double learned_ppm_ = 0;
   bool led_ = true;                  // somebody leads
   std::uint64_t count_ = 0;
   double sum_ = 0, sum_of_squares_ = 0;

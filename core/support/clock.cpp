@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "support/random.h"
+#include "support/shared_epoch.h"
 
 namespace syncline {
 namespace {
@@ -22,8 +23,7 @@ Nanoseconds read_clock(clockid_t id) {
 
 }  // namespace
 
-RealClock::RealClock()
-    : epoch_shift_(read_clock(CLOCK_REALTIME) - read_clock(CLOCK_MONOTONIC) - kDcEpochUnixSeconds * kSecond) {}
+RealClock::RealClock() : epoch_shift_(SharedEpoch::of_this_machine().shift()) {}
 
 Nanoseconds RealClock::now() const { return read_clock(CLOCK_MONOTONIC) + epoch_shift_; }
 
@@ -37,10 +37,18 @@ void RealClock::sleep_until(Nanoseconds deadline) {
   }
 }
 
-void RealClock::sleep_until(Nanoseconds deadline, Nanoseconds spin) {
-  sleep_until(deadline - spin);
-  while (now() < deadline) {
+Nanoseconds RealClock::sleep_until(Nanoseconds deadline, Nanoseconds spin) {
+  const auto wake = deadline - spin;
+  if (now() >= wake) {
+    while (now() < deadline) {
+    }
+    return 0;
   }
+  sleep_until(wake);
+  auto time = now();
+  const auto late = time - wake;
+  while (time < deadline) time = now();
+  return late;
 }
 
 struct VirtualClock::State {

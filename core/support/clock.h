@@ -18,23 +18,25 @@ class Clock {
   /// Returns at or after `deadline` (at once when it has passed).
   virtual void sleep_until(Nanoseconds deadline) = 0;
   /// The same, but the last `spin` of the wait is spent asking the clock instead of sleeping: a processor that is
-  /// awake is on time where one that is woken up is late by tens of microseconds. Real clocks only.
-  virtual void sleep_until(Nanoseconds deadline, Nanoseconds spin) {
+  /// awake is on time where one that is woken up is late by tens of microseconds. Real clocks only. Returns how late it
+  /// was woken up from sleeping; 0 where it did not sleep.
+  virtual Nanoseconds sleep_until(Nanoseconds deadline, Nanoseconds spin) {
     (void)spin;
     sleep_until(deadline);
+    return 0;
   }
   /// True when time passes only by sleep_until (virtual time).
   [[nodiscard]] virtual bool is_virtual() const = 0;
 };
 
-/// CLOCK_MONOTONIC, shifted once at construction to the DC epoch by CLOCK_REALTIME; absolute
+/// CLOCK_MONOTONIC, shifted to the DC epoch by what all programs of the machine agree on (SharedEpoch); absolute
 /// wake-ups by clock_nanosleep(TIMER_ABSTIME).
 class RealClock final : public Clock {
  public:
   RealClock();
   [[nodiscard]] Nanoseconds now() const override;
   void sleep_until(Nanoseconds deadline) override;
-  void sleep_until(Nanoseconds deadline, Nanoseconds spin) override;
+  Nanoseconds sleep_until(Nanoseconds deadline, Nanoseconds spin) override;
   [[nodiscard]] bool is_virtual() const override { return false; }
 
  private:

@@ -84,6 +84,7 @@ RunReport RunRecorder::finish(const Snapshot& snapshot) const {
   report.dcm = snapshot.dcm;
   report.lateness = lateness_;
   report.lateness_histogram = lateness_histogram_;
+  report.host = snapshot.host;
   report.sync_window_enabled = sync_window_enabled_;
   report.history = history_.history();
   for (std::size_t i = 0; i < configured_.size(); ++i) {

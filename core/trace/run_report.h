@@ -52,6 +52,7 @@ struct RunReport {
   Statistics lateness;                               // ns, every cycle
   Histogram lateness_histogram;                      // in OP
   RunHistory history;
+  HostStatus host;
 };
 
 /// Collects while a run goes on; feed everything that is drained, the samples before the snapshot that came with them.

@@ -50,6 +50,8 @@ QString obstacleText(dc::SyncObstacle obstacle) {
       return QCoreApplication::translate("Glossary", "no reference clock");
     case dc::SyncObstacle::kNoReading:
       return QCoreApplication::translate("Glossary", "no reading of the reference clock");
+    case dc::SyncObstacle::kClockStep:
+      return QCoreApplication::translate("Glossary", "the reference clock has stepped");
     case dc::SyncObstacle::kErrorCode:
       return QCoreApplication::translate("Glossary", "error of the controller");
     case dc::SyncObstacle::kControlError:

@@ -15,6 +15,8 @@ constexpr double kFilterTime = 20e6;
 constexpr double kIntegralTime = 7.5e9;    // divided by the drift error gain
 constexpr double kMaxCorrection = 20'000;  // ns; an ESC at its slew limit is not helped by more
 constexpr int kBlocksAway = 10;
+constexpr double kWayMemory = 0.05, kWayChange = 1'000;  // ns
+constexpr int kKnown = 100;                // readings before an outlier can be told
 constexpr double kAwayPpm = 3;
 
 }  // namespace
@@ -23,7 +25,7 @@ BusShift::BusShift(const DcmSettings& settings, Nanoseconds cycle_time, Nanoseco
     : target_{0, set_value, cycle_time},
       monitor_(settings, cycle_time, set_value, least),
       gate_(static_cast<double>(settings.max_valid_value)),
-      control_off_(settings.control_off),
+      limit_(settings.in_sync_limit),
       share_(std::min(1.0, kSharePerPpt * settings.gain_ppt)),
       integral_time_(kIntegralTime / std::max(1U, settings.drift_error_gain)) {}
 
@@ -33,6 +35,9 @@ void BusShift::start(Nanoseconds base, Nanoseconds first_reference_time, Nanosec
   state_ = {};
   filtered_ = integral_ = 0;
   blocks_away_ = 0;
+  working_off_ = false;
+  known_ = 0;
+  lag_ = 0;
   last_.reset();
   gate_.start();
   anchor_ = {first_send_time, target_.nearest(first_reference_time)};
@@ -43,39 +48,60 @@ Nanoseconds BusShift::wanted_at(Nanoseconds host_time) const {
 }
 
 std::optional<Nanoseconds> BusShift::reference_write(Nanoseconds send_time, Nanoseconds) {
-  if (control_off_) return std::nullopt;
   // Counted from the real send time: a frame that leaves late carries a later time.
-  if (!last_) return wanted_at(send_time);
-  const auto predicted = last_->reference_time + (send_time - last_->host_time);
-  const auto lag = static_cast<double>(last_->reference_time - wanted_at(last_->host_time));
-  return predicted - static_cast<Nanoseconds>(std::llround(share_ * lag + integral_));
+  const auto leaves = send_time + static_cast<Nanoseconds>(std::llround(way_out_));
+  if (!last_) return wanted_at(leaves);
+  const auto predicted = last_->reference_time + (leaves - last_->host_time);
+  return predicted - static_cast<Nanoseconds>(std::llround(share_ * lag_ + integral_));
 }
 
 DcmAction BusShift::observe(const DcmObservation& observation) {
-  if (!observation.reference_time) {
+  if (observation.reference_time) {
+    // Not folded into a cycle: the clock that falls behind by whole cycles is still behind.
+    auto lag = *observation.reference_time - wanted_at(observation.send_time);
+    const bool new_block = monitor_.observe(observation, lag);
+    if (monitor_.step()) lag = begin_anew(observation);
+    take(observation, lag);
+    if (new_block) watch_runaway();
+    state_.adjust = static_cast<Nanoseconds>(std::llround(-(share_ * lag_ + integral_)));
+    state_.output_sum = -integral_;
+    state_.output_total += state_.adjust;
+  } else {
     monitor_.observe(observation, 0);
-    monitor_.report(state_);
-    return {};
   }
-  // Not folded into a cycle: the clock that falls behind by whole cycles is still behind.
-  const auto lag = *observation.reference_time - wanted_at(observation.send_time);
-  const bool new_block = monitor_.observe(observation, lag);
-  const auto verdict = gate_.judge(static_cast<double>(lag) - filtered_, monitor_.in_sync());
-  if (verdict != OutlierGate::Verdict::kOutlier) {
-    last_ = Reading{observation.send_time, *observation.reference_time};
-    integrate(static_cast<double>(lag));
-  }
-  if (new_block) watch_runaway();
   monitor_.report(state_);
-  state_.adjust = static_cast<Nanoseconds>(std::llround(-(share_ * static_cast<double>(lag) + integral_)));
-  state_.output_sum = -integral_;
-  if (!control_off_) state_.output_total += state_.adjust;
   return {};
+}
+
+void BusShift::take(const DcmObservation& observation, Nanoseconds lag) {
+  way_out_ += kWayMemory * std::clamp(static_cast<double>(observation.way_out) - way_out_, -kWayChange, kWayChange);
+  // While the clock is on its way to its place there is no telling an outlier.
+  const bool settled = monitor_.in_sync() || (known_ >= kKnown && std::abs(filtered_) < static_cast<double>(limit_));
+  const auto verdict = gate_.judge(static_cast<double>(lag) - filtered_, settled);
+  lag_ = verdict == OutlierGate::Verdict::kOutlier ? filtered_ : static_cast<double>(lag);
+  known_ = std::min(known_ + 1, kKnown);
+  last_ = Reading{observation.send_time, *observation.reference_time};
+  integrate(lag_);
+}
+
+/// The reference clock has stepped: from where it is now it is led to the nearest place in the grid. Whole cycles are
+/// not taken back, for that would take a second for each.
+Nanoseconds BusShift::begin_anew(const DcmObservation& observation) {
+  const auto time = *observation.reference_time - (observation.send_time - observation.scheduled_time);
+  anchor_ = {observation.scheduled_time, target_.nearest(time)};
+  gate_.start();
+  const auto lag = *observation.reference_time - wanted_at(observation.send_time);
+  filtered_ = static_cast<double>(lag);
+  working_off_ = true;
+  return lag;
 }
 
 void BusShift::integrate(double lag) {
   const auto cycle = static_cast<double>(target_.cycle);
   filtered_ += std::min(1.0, cycle / kFilterTime) * (lag - filtered_);
+  // A step has taught nothing about the drift.
+  working_off_ = working_off_ && std::abs(filtered_) > static_cast<double>(limit_);
+  if (working_off_) return;
   integral_ = std::clamp(integral_ + cycle / integral_time_ * filtered_, -kMaxCorrection, kMaxCorrection);
 }
 

@@ -14,7 +14,9 @@ namespace syncline::dc {
 ///
 /// What is written is the time predicted from the last reading less a share of the error. What is wrong with
 /// one send stamp then mostly cancels with the next, instead of shaking the reference clock and all slaves
-/// with it.
+/// with it. So the last reading counts for the prediction also when it is far off; for the error that is taken
+/// back an outlier does not count. Where the kernel says when the driver got a frame, the usual way from the stamp
+/// to there is in what is written.
 class BusShift final : public DcmController {
  public:
   BusShift(const DcmSettings& settings, Nanoseconds cycle_time, Nanoseconds set_value, Nanoseconds least = 0);
@@ -28,6 +30,8 @@ class BusShift final : public DcmController {
     Nanoseconds host_time = 0, reference_time = 0;
   };
   [[nodiscard]] Nanoseconds wanted_at(Nanoseconds host_time) const;
+  [[nodiscard]] Nanoseconds begin_anew(const DcmObservation& observation);
+  void take(const DcmObservation& observation, Nanoseconds lag);
   void integrate(double lag);
   void watch_runaway();
 
@@ -36,12 +40,15 @@ class BusShift final : public DcmController {
   DcmState state_;
   Reading anchor_;                // host time and what the reference clock is to show then
   std::optional<Reading> last_;
+  double way_out_ = 0;            // usual time from the stamp to the driver, ns
+  double lag_ = 0;                // behind (< 0) or ahead of the place in the grid, without outliers, ns
   OutlierGate gate_;
-  bool control_off_;
+  Nanoseconds limit_;             // in sync
   double share_;                  // of the error that is corrected at once
   double integral_time_;          // ns
   double filtered_ = 0, integral_ = 0;
-  int blocks_away_ = 0;
+  int blocks_away_ = 0, known_ = 0;
+  bool working_off_ = false;      // a step of the clock
 };
 
 }  // namespace syncline::dc

@@ -47,6 +47,9 @@ std::unique_ptr<DcmController> make_dcm_controller(const DcmSettings& settings, 
   const auto written = [&](WrittenClock::Time time) {
     return std::make_unique<WrittenClock>(time, effective, cycle_time, set_value, least_set_value);
   };
+  // Where nothing is moved there is one thing to show in all modes: the natural drift, and what the timer would need.
+  const bool observes = settings.control_off && settings.mode != DcmMode::kOff && settings.mode != DcmMode::kDcx;
+  if (observes) return make(std::type_identity<MasterShift>{});
   switch (settings.mode) {
     case DcmMode::kBusShift: return make(std::type_identity<BusShift>{});
     case DcmMode::kMasterShift:

@@ -22,6 +22,8 @@ struct DcmObservation {
   /// DCX: time of the external clock less that of the segment, from the bridge; and whether it ought to be there.
   std::optional<Nanoseconds> external_difference{};
   bool external_expected = false;
+  /// From the stamp for which a time was written into the frame until send_time, where the link knows that better.
+  Nanoseconds way_out = 0;
 };
 
 /// What to do next.
@@ -38,12 +40,12 @@ struct DcmState {
   Nanoseconds adjust = 0;           // of the next period, or of what is written; with control off: what it would be
   double output_sum = 0;            // what the controller has learned: its integral part, ns a cycle
   Nanoseconds output_total = 0;     // of all adjustments since the start
-  bool in_sync = false;
+  bool in_sync = false;             // error within the limit for the settle time, and no error code
   std::optional<Nanoseconds> in_sync_after;  // since the first observation
+  std::optional<Nanoseconds> clock_step;     // the reference clock stepped by so much, as this cycle made sure
   std::uint32_t error_code = 0;     // DCM_E_...
   std::optional<Nanoseconds> external_error;  // DCX: the reference clock ahead of the external one, within half a cycle
 };
-
 
 class DcmController {
  public:

@@ -8,8 +8,9 @@ namespace syncline::dc {
 namespace {
 
 constexpr double kFilterTime = 20e6;  // ns
-/// Drift that no controller is to balance: an ESC's loop reaches 763 ppm, and needs some of it itself.
-constexpr double kMaxDriftPpm = 600;
+/// Drift that no controller is to balance: an ESC's loop reaches 763 ppm, and needs some of it itself. Once told, it must
+/// be clearly less again.
+constexpr double kMaxDriftPpm = 600, kDriftBelowPpm = 590;
 
 }  // namespace
 
@@ -18,34 +19,55 @@ DcmMonitor::DcmMonitor(const DcmSettings& settings, Nanoseconds cycle_time, Nano
     : cycle_(cycle_time),
       valid_set_value_(set_value > 0 && set_value >= least_set_value && set_value < cycle_time),
       judge_(settings),
+      steps_(settings.in_sync_limit),
       bus_cycle_(cycle_time) {}
 
 void DcmMonitor::start(Nanoseconds time) {
   judge_.start(time);
   drift_.start();
+  steps_.start();
   bus_cycle_.start();
+  start_ = time;
   error_ = 0;
   filtered_ = 0;
-  running_away_ = false;
+  running_away_ = drift_too_high_ = false;
+  step_.reset();
+  after_.reset();
+  error_code_ = 0;
 }
 
 bool DcmMonitor::observe(const DcmObservation& observation, Nanoseconds error) {
   bus_cycle_.observe(observation.scheduled_time);
-  if (!observation.reference_time) {
+  step_.reset();
+  bool new_drift = false;
+  if (observation.reference_time) {
+    read(observation, error);
+    new_drift = drift_.observe(observation.send_time, *observation.reference_time);
+  } else {
     judge_.observe_silence(observation.send_time);
-    return false;
   }
+  error_code_ = error_code();
+  if (in_sync() && !after_) after_ = observation.send_time - start_;
+  return new_drift;
+}
+
+void DcmMonitor::read(const DcmObservation& observation, Nanoseconds error) {
   error_ = error;
   filtered_ += std::min(1.0, static_cast<double>(cycle_) / kFilterTime) * (static_cast<double>(error) - filtered_);
   judge_.observe(observation.send_time, static_cast<Nanoseconds>(std::llround(filtered_)));
-  return drift_.observe(observation.send_time, *observation.reference_time);
+  const auto step = steps_.observe(observation.send_time, *observation.reference_time);
+  // A clock that is still being led to its place changes its rate as it goes.
+  if (!step || !judge_.in_sync()) return;
+  step_ = step;
+  judge_.lose();
 }
 
-std::uint32_t DcmMonitor::error_code() const {
+std::uint32_t DcmMonitor::error_code() {
   // A cause comes before its consequence.
   if (!valid_set_value_) return kDcmErrorInvalidSetValue;
   if (bus_cycle_.wrong()) return kDcmErrorBusCycleWrong;
-  if (running_away_ || (drift_.valid() && std::abs(drift_.ppm()) > kMaxDriftPpm)) return kDcmErrorDriftTooHigh;
+  drift_too_high_ = drift_.proven() && std::abs(drift_.ppm()) > (drift_too_high_ ? kDriftBelowPpm : kMaxDriftPpm);
+  if (running_away_ || drift_too_high_) return kDcmErrorDriftTooHigh;
   if (judge_.was_in_sync() && !judge_.in_sync()) return kDcmErrorOutOfLimit;
   return 0;
 }
@@ -54,9 +76,10 @@ void DcmMonitor::report(DcmState& state) const {
   state.error = error_;
   state.error_filtered = static_cast<Nanoseconds>(std::llround(filtered_));
   state.drift_ppm = drift_.ppm();
-  state.in_sync = judge_.in_sync();
-  state.in_sync_after = judge_.in_sync_after();
-  state.error_code = error_code();
+  state.in_sync = in_sync();
+  state.in_sync_after = after_;
+  state.clock_step = step_;
+  state.error_code = error_code_;
 }
 
 }  // namespace syncline::dc

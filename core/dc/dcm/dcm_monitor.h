@@ -2,6 +2,7 @@
 #pragma once
 
 #include "dc/dcm/bus_cycle_check.h"
+#include "dc/dcm/clock_step_detector.h"
 #include "dc/dcm/dcm_controller.h"
 #include "dc/dcm/drift_estimator.h"
 #include "dc/dcm/sync_judge.h"
@@ -23,20 +24,26 @@ class DcmMonitor {
 
   /// Error without the noise of single stamps (20 ms), ns.
   [[nodiscard]] double filtered() const { return filtered_; }
-  [[nodiscard]] bool in_sync() const { return judge_.in_sync(); }
+  [[nodiscard]] bool in_sync() const { return judge_.in_sync() && error_code_ == 0; }
   [[nodiscard]] const DriftEstimator& drift() const { return drift_; }
+  /// By how much the reference clock has stepped, when this cycle made it sure.
+  [[nodiscard]] std::optional<Nanoseconds> step() const { return step_; }
 
  private:
-  [[nodiscard]] std::uint32_t error_code() const;
+  void read(const DcmObservation& observation, Nanoseconds error);
+  [[nodiscard]] std::uint32_t error_code();
 
   Nanoseconds cycle_;
   bool valid_set_value_;
   SyncJudge judge_;
   DriftEstimator drift_;
+  ClockStepDetector steps_;
   BusCycleCheck bus_cycle_;
-  Nanoseconds error_ = 0;
+  Nanoseconds start_ = 0, error_ = 0;
   double filtered_ = 0;
-  bool running_away_ = false;
+  bool running_away_ = false, drift_too_high_ = false;
+  std::optional<Nanoseconds> step_, after_;
+  std::uint32_t error_code_ = 0;
 };
 
 }  // namespace syncline::dc

@@ -35,6 +35,7 @@ DcmAction MasterShift::observe(const DcmObservation& observation) {
   const auto error = observation.reference_time ? target_.error(observation) : 0;
   monitor_.observe(observation, error);
   follow(observation);
+  if (monitor_.step()) tracker_.forget_phase();
   // Without a valid reading it coasts: the drift is known, and the phase as far as it was.
   if (observation.reference_time) tracker_.update(static_cast<double>(error));
   const auto cycle = static_cast<double>(target_.cycle);

@@ -22,10 +22,10 @@ PhaseTracker::PhaseTracker(Gains settled, double cycle_ns, double max_valid_ns)
 
 void PhaseTracker::start() {
   phase_ = drift_ = 0;
-  forget();
+  forget_phase();
 }
 
-void PhaseTracker::forget() {
+void PhaseTracker::forget_phase() {
   gate_.start();
   readings_ = 0;
   p11_ = square(cycle_ / kReading);
@@ -45,10 +45,7 @@ bool PhaseTracker::update(double phase) {
   double surprise = wrapped(phase - phase_);
   switch (gate_.judge(surprise, settled())) {
     case OutlierGate::Verdict::kOutlier: return false;
-    case OutlierGate::Verdict::kStep:
-      // The phase is another one; the drift is kept until the readings say otherwise.
-      forget();
-      break;
+    case OutlierGate::Verdict::kStep: forget_phase(); break;
     case OutlierGate::Verdict::kValid: break;
   }
   const double phase_gain = std::max(p11_ / (p11_ + 1), settled_.phase);

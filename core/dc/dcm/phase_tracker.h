@@ -17,6 +17,8 @@ class PhaseTracker {
   };
   PhaseTracker(Gains settled, double cycle_ns, double max_valid_ns);
   void start();
+  /// The phase is another one: a clock has stepped. The drift is kept until the readings say otherwise.
+  void forget_phase();
   /// `cycles` have passed, in which the schedule was moved by `moved` ns in all.
   void advance(double cycles, double moved);
   /// A reading of the phase, ns. False when it was no valid one.
@@ -28,7 +30,6 @@ class PhaseTracker {
 
  private:
   static constexpr int kTrusted = 100;
-  void forget();
   [[nodiscard]] double wrapped(double value) const;
 
   Gains settled_;

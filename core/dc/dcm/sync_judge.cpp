@@ -38,14 +38,18 @@ void SyncJudge::observe_silence(Nanoseconds time) {
   if (time - start_ >= delay_) endure(silent_since_, time);
 }
 
+void SyncJudge::lose() {
+  in_sync_ = false;
+  good_since_.reset();
+}
+
 /// Before the lock a violation starts the settle time again, afterwards only one that lasts takes it.
 void SyncJudge::endure(std::optional<Nanoseconds>& since, Nanoseconds time) {
   if (!since) since = time;
   // A single lost frame says nothing about the error, in sync or not.
   const bool at_once = !in_sync_ && &since == &bad_since_;
   if (!at_once && time - *since < kPatience) return;
-  in_sync_ = false;
-  good_since_.reset();
+  lose();
 }
 
 }  // namespace syncline::dc

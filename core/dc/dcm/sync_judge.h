@@ -19,6 +19,8 @@ class SyncJudge {
   void observe(Nanoseconds time, Nanoseconds error);
   /// One cycle without a reading of the reference clock.
   void observe_silence(Nanoseconds time);
+  /// What was known of the error is void (a clock has stepped): no patience.
+  void lose();
   [[nodiscard]] bool in_sync() const { return in_sync_; }
   [[nodiscard]] bool was_in_sync() const { return after_.has_value(); }
   /// From start until the first time in sync, settle time included.

@@ -6,7 +6,6 @@ namespace syncline::dc {
 WrittenClock::WrittenClock(Time time, const DcmSettings& settings, Nanoseconds cycle_time, Nanoseconds set_value,
                            Nanoseconds least)
     : time_(time),
-      control_off_(settings.control_off),
       target_{0, set_value, cycle_time},
       monitor_(settings, cycle_time, set_value, least) {}
 
@@ -19,7 +18,6 @@ void WrittenClock::start(Nanoseconds base, Nanoseconds first_reference_time, Nan
 }
 
 std::optional<Nanoseconds> WrittenClock::reference_write(Nanoseconds send_time, Nanoseconds scheduled_time) {
-  if (control_off_) return std::nullopt;
   return wanted_at(time_ == Time::kNominal ? scheduled_time : send_time);
 }
 

@@ -23,7 +23,6 @@ class WrittenClock final : public DcmController {
   [[nodiscard]] Nanoseconds wanted_at(Nanoseconds host_time) const { return reference_ + (host_time - host_); }
 
   Time time_;
-  bool control_off_;
   PhaseTarget target_;
   DcmMonitor monitor_;
   DcmState state_;

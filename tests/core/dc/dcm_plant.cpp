@@ -10,6 +10,8 @@ namespace syncline::dc {
 namespace {
 
 constexpr std::uint16_t kSpeedCounterStart = 0x1000;
+/// Of a clock that the host steers, as the initialisation sets it.
+constexpr double kSteeredDepth = 64;
 constexpr double kSpeedCounterLimit = kSpeedCounterStart - 0x7F;
 /// Host clock and system time at the start; far apart, so that mixing them up shows.
 constexpr Nanoseconds kHostStart = 820'000'000 * kSecond;
@@ -27,7 +29,7 @@ double wrap(double value, double period) { return value - period * std::round(va
 void EscClock::advance(double ns) { time_ += ns * (1 + ppm_ * 1e-6) * (1 - speed_counter_rate(kSpeedCounterStart, diff_)); }
 
 void EscClock::receive(double local_minus_received) {
-  mean_ += (local_minus_received - mean_) / 16;
+  mean_ += (local_minus_received - mean_) / depth_;
   const double wanted = std::clamp(period_deviation_ + mean_, -kSpeedCounterLimit, kSpeedCounterLimit);
   period_deviation_ += (wanted - period_deviation_) / 4096;
   diff_ = static_cast<std::int32_t>(std::lround(wanted));
@@ -44,7 +46,7 @@ void EscClock::learn(double ppm, double share) {
 }
 
 DcmPlant::DcmPlant(PlantOptions options)
-    : options_(std::move(options)), random_(options_.seed), reference_(options_.reference_ppm) {
+    : options_(std::move(options)), random_(options_.seed), reference_(options_.reference_ppm, steers_reference_clock(options_.mode) ? kSteeredDepth : 16) {
   options_.settings.mode = options_.mode;
   controller_ = options_.controller ? options_.controller()
                                     : make_dcm_controller(options_.settings, options_.cycle, options_.set_value);

@@ -18,8 +18,8 @@ namespace syncline::dc {
 /// its loop would not notice when both are wrong.
 class EscClock {
  public:
-  /// `ppm`: of the quartz, against the host's clock.
-  explicit EscClock(double ppm) : ppm_(ppm) {}
+  /// `ppm`: of the quartz, against the host's clock. `depth`: messages over which the differences are averaged (0x0934).
+  explicit EscClock(double ppm, double depth = 16) : ppm_(ppm), depth_(depth) {}
   void advance(double ns);
   /// One time written to 0x0910.
   void receive(double local_minus_received);
@@ -30,7 +30,7 @@ class EscClock {
   [[nodiscard]] double deviation() const { return mean_; }  // 0x092C, ns
 
  private:
-  double ppm_, time_ = 0, mean_ = 0, period_deviation_ = 0;
+  double ppm_, depth_, time_ = 0, mean_ = 0, period_deviation_ = 0;
   std::int32_t diff_ = 0;
 };
 

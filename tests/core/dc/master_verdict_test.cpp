@@ -32,6 +32,21 @@ TEST_F(MasterVerdictTest, FollowsTheControllerWhenNothingElseIsInTheWay) {
   EXPECT_TRUE(verdict.in_sync());
 }
 
+TEST_F(MasterVerdictTest, AStepOfTheReferenceClockIsTheCauseOfWhatFollows) {
+  run(0, 100, good);
+  auto input = good;
+  input.clock_stepped = true;
+  input.schedule_in_sync = false;
+  input.error_code = 0x981201C2;
+  run(100, 101, input);
+  EXPECT_EQ(verdict.obstacle(), SyncObstacle::kClockStep);
+  input.clock_stepped = false;
+  run(101, 1599, input);
+  EXPECT_EQ(verdict.obstacle(), SyncObstacle::kClockStep);
+  run(1600, 1601, input);
+  EXPECT_EQ(verdict.obstacle(), SyncObstacle::kErrorCode);
+}
+
 TEST_F(MasterVerdictTest, NeverBesideAnErrorCode) {
   auto input = good;
   input.error_code = 0x981201CA;

@@ -64,6 +64,16 @@ TEST_F(SyncJudgeTest, AShortViolationIsNoLossAndALongOneIs) {
   EXPECT_TRUE(judge.was_in_sync());
 }
 
+TEST_F(SyncJudgeTest, WhatIsKnownToBeLostHasNoPatience) {
+  run(0, 2000, 0);
+  judge.lose();
+  EXPECT_FALSE(judge.in_sync());
+  run(2000, 3500, 0);
+  EXPECT_FALSE(judge.in_sync());
+  run(3500, 3501, 0);
+  EXPECT_TRUE(judge.in_sync());
+}
+
 TEST_F(SyncJudgeTest, KeepsTheFirstTimeInSyncWhenItComesBack) {
   run(0, 2000, 0);
   run(2000, 2300, 9'000);

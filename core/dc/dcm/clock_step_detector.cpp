@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "dc/dcm/clock_step_detector.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace syncline::dc {
+namespace {
+
+/// Gains of the line that follows the readings, critically damped.
+constexpr double kLevelGain = 0.1, kRateGain = 0.0053;
+constexpr int kLearning = 50;      // readings until the line is trusted
+constexpr double kScatters = 7.5;  // six standard deviations of a normal distribution
+constexpr double kMemory = 0.02;
+constexpr int kLost = 20;  // strange readings in a row that do not agree: the line is begun anew
+
+}  // namespace
+
+std::optional<Nanoseconds> ClockStepDetector::observe(Nanoseconds host_time, Nanoseconds reference_time) {
+  if (!started_) {
+    started_ = true;
+    host_ = host_time;
+    reference_ = reference_time;
+    return std::nullopt;
+  }
+  const auto passed = host_time - host_;
+  if (passed <= 0) return std::nullopt;
+  const double surprise =
+      static_cast<double>(reference_time - reference_ - passed) - rate_ * static_cast<double>(passed) - fraction_;
+  const double gate = std::max(limit_, kScatters * scatter_);
+  if (readings_ >= kLearning && std::abs(surprise) > gate) {
+    const auto step = sure_step(surprise, gate);
+    if (!step && strange_ < kLost) return std::nullopt;
+    const auto size = step ? std::optional(static_cast<Nanoseconds>(std::llround(*step))) : std::nullopt;
+    const auto keep = *this;
+    start();
+    started_ = true;
+    host_ = host_time;
+    reference_ = reference_time;
+    if (!size) return std::nullopt;
+    // The clock is another one, its rate and the host's stamps are not.
+    rate_ = keep.rate_;
+    scatter_ = keep.scatter_;
+    readings_ = kLearning;
+    return size;
+  }
+  strange_ = 0;
+  readings_ = std::min(readings_ + 1, kLearning);
+  scatter_ += std::max(kMemory, 1.0 / readings_) * (std::min(std::abs(surprise), gate) - scatter_);
+  follow(surprise, static_cast<double>(passed));
+  return std::nullopt;
+}
+
+/// Begins as a line through all readings.
+void ClockStepDetector::follow(double surprise, double passed) {
+  const double n = readings_ + 1;  // with the one that began it
+  const double level = readings_ < kLearning ? std::max(kLevelGain, 2 * (2 * n - 1) / (n * (n + 1))) : kLevelGain;
+  const double rate = readings_ < kLearning ? std::max(kRateGain, 6 / (n * (n + 1))) : kRateGain;
+  const double moved = rate_ * passed + fraction_ + std::min(level, 1.0) * surprise;
+  const double whole = std::floor(moved);
+  reference_ += static_cast<Nanoseconds>(passed) + static_cast<Nanoseconds>(whole);
+  fraction_ = moved - whole;
+  host_ += static_cast<Nanoseconds>(passed);
+  rate_ += std::min(rate, 1.0) * surprise / passed;
+}
+
+std::optional<double> ClockStepDetector::sure_step(double surprise, double gate) {
+  std::shift_left(last_strange_.begin(), last_strange_.end(), 1);
+  last_strange_.back() = surprise;
+  if (++strange_ < kSure) return std::nullopt;
+  const auto [low, high] = std::minmax_element(last_strange_.begin(), last_strange_.end());
+  if (*high - *low > gate / 2) return std::nullopt;
+  return *low + (*high - *low) / 2;
+}
+
+}  // namespace syncline::dc

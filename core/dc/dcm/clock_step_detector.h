@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+
+#include "support/types.h"
+
+namespace syncline::dc {
+
+/// Tells a step of the reference clock (or of the host's) from what is only a wrong send stamp: the 64-bit time is
+/// compared with what was predicted, so that a step by whole cycles is seen too. A stamp is wrong once and by any
+/// amount; a clock that has stepped is off by the same amount in all readings that follow, and three of them are
+/// enough.
+class ClockStepDetector {
+ public:
+  explicit ClockStepDetector(Nanoseconds limit) : limit_(static_cast<double>(limit)) {}
+  void start() { *this = ClockStepDetector(static_cast<Nanoseconds>(limit_)); }
+  /// One reading. By how much the reference clock has stepped forward, when that is now sure, ns.
+  std::optional<Nanoseconds> observe(Nanoseconds host_time, Nanoseconds reference_time);
+
+ private:
+  static constexpr int kSure = 3;
+  void follow(double surprise, double passed);
+  [[nodiscard]] std::optional<double> sure_step(double surprise, double gate);
+
+  double limit_;
+  bool started_ = false;
+  Nanoseconds host_ = 0, reference_ = 0;  // where the line is
+  double fraction_ = 0;                   // of a nanosecond, to the reference time
+  double rate_ = 0;                       // reference clock's rate minus host's
+  double scatter_ = 0;                    // mean of |surprise|, ns
+  int readings_ = 0, strange_ = 0;
+  std::array<double, kSure> last_strange_{};
+};
+
+}  // namespace syncline::dc

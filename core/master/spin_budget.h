@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "support/types.h"
+
+namespace syncline {
+
+/// How long the end of each wait is spent asking the clock instead of sleeping: as long as this host needs to wake up
+/// in 99 of 100 cycles, and not longer. What comes later than that no spinning would catch. Allocates nothing.
+class SpinBudget {
+ public:
+  /// `most`: the user's limit; 0 never spins.
+  explicit SpinBudget(Nanoseconds most) : most_(most), amount_(most) {}
+
+  [[nodiscard]] Nanoseconds amount() const { return amount_; }
+  /// How late the host was woken up from the sleep before the spinning; 0 when it did not sleep.
+  void observe(Nanoseconds wake_late);
+
+  /// Of the latest some hundred wake-ups, ns; the upper edge of a bin that is an eighth of an octave wide.
+  [[nodiscard]] Nanoseconds wake_p50() const { return p50_; }
+  [[nodiscard]] Nanoseconds wake_p99() const { return p99_; }
+  /// What a cycle spends with it in the mean, since the start, ns.
+  [[nodiscard]] Nanoseconds mean_spent() const { return wakes_ == 0 ? 0 : spent_ / static_cast<Nanoseconds>(wakes_); }
+
+ private:
+  static constexpr std::size_t kBins = 256;
+  [[nodiscard]] Nanoseconds quantile(double share) const;
+  void adapt();
+
+  Nanoseconds most_, amount_;
+  std::array<std::uint16_t, kBins> bins_{};
+  std::uint32_t counted_ = 0;
+  std::uint64_t wakes_ = 0;
+  Nanoseconds spent_ = 0, p50_ = 0, p99_ = 0;
+};
+
+}  // namespace syncline

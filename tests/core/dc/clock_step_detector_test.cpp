@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "dc/dcm/clock_step_detector.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "support/random.h"
+
+namespace syncline::dc {
+namespace {
+
+constexpr Nanoseconds kLimit = 4'000;
+
+/// A reference clock that is `ppm` faster, read once a cycle with a stamp's noise.
+class Readings {
+ public:
+  explicit Readings(double ppm, double noise = 0) : ppm_(ppm), noise_(noise) {}
+  std::optional<Nanoseconds> read(Nanoseconds stamp_error = 0) {
+    time_ += kMillisecond;
+    const auto drift = static_cast<Nanoseconds>(std::llround(static_cast<double>(time_) * ppm_ * 1e-6));
+    const auto wrong = static_cast<Nanoseconds>(std::llround(noise_ * std::abs(random_.normal())));
+    return detector_.observe(time_, time_ + drift + stepped_ + wrong + stamp_error);
+  }
+  void run(int cycles) {
+    for (int i = 0; i < cycles; ++i) {
+      if (const auto step = read()) steps.push_back(*step);
+    }
+  }
+  void step(Nanoseconds by) { stepped_ += by; }
+  std::vector<Nanoseconds> steps;
+
+ private:
+  ClockStepDetector detector_{kLimit};
+  double ppm_, noise_;
+  Random random_{3};
+  Nanoseconds time_ = 700 * kSecond, stepped_ = 0;
+};
+
+TEST(ClockStepDetector, SeesAStepInTheThirdReadingAlsoByWholeCycles) {
+  for (const double ppm : {-700.0, -40.0, 0.0, 90.0, 700.0}) {
+    for (const Nanoseconds step :
+         {Nanoseconds{6'000}, -20'000 * Nanoseconds{1}, kMillisecond, -3 * kMillisecond, kSecond}) {
+      Readings readings(ppm, 300);
+      readings.run(2'000);
+      EXPECT_TRUE(readings.steps.empty()) << ppm;
+      readings.step(step);
+      readings.run(3);
+      ASSERT_EQ(readings.steps.size(), 1U) << ppm << " " << step;
+      EXPECT_NEAR(static_cast<double>(readings.steps.front()), static_cast<double>(step), 1'500);
+      readings.run(2'000);
+      EXPECT_EQ(readings.steps.size(), 1U) << "told once";
+    }
+  }
+}
+
+TEST(ClockStepDetector, WrongStampsAreNoSteps) {
+  Readings readings(30, 500);
+  Random random(9);
+  readings.run(500);
+  for (int i = 0; i < 20'000; ++i) {
+    const bool tail = random.uniform() < 0.02;
+    if (const auto step = readings.read(tail ? static_cast<Nanoseconds>(random.uniform() * 72'000) : 0)) {
+      readings.steps.push_back(*step);
+    }
+  }
+  EXPECT_TRUE(readings.steps.empty());
+}
+
+TEST(ClockStepDetector, AHostWhoseStampsAreAlwaysThatBadIsNotAccused) {
+  Readings readings(30, 12'000);
+  readings.run(20'000);
+  EXPECT_TRUE(readings.steps.empty());
+}
+
+TEST(ClockStepDetector, AStepWithinTheLimitIsNone) {
+  Readings readings(30, 100);
+  readings.run(500);
+  readings.step(3'000);
+  readings.run(500);
+  EXPECT_TRUE(readings.steps.empty());
+}
+
+}  // namespace
+}  // namespace syncline::dc
