@@ -78,7 +78,7 @@ Json dc_json(const RunReport& report) {
   return {{"enabled", dc.enabled},
           {"reference_clock", dc.reference_clock < 0 ? Json(nullptr) : Json(dc.reference_clock)},
           {"monitored", dc.monitored},
-          {"in_sync", dc.state == SyncState::kNotMonitored ? Json(nullptr) : Json(dc.state == SyncState::kInSync)},
+          {"in_sync", !dc.enabled || dc.state == SyncState::kNotMonitored ? Json(nullptr) : Json(dc.state == SyncState::kInSync)},
           {"state", sync_key(dc.state)},
           {"state_for_ms", dc.enabled ? rounded(static_cast<double>(report.time - dc.since) / 1e6) : Json(nullptr)},
           {"newest_reading_age_ms", age_ms(dc.newest_age_ns)},
@@ -164,7 +164,7 @@ std::string to_text(const RunReport& report) {
                    slave.propagation_delay_ns ? fmt::format("{}", *slave.propagation_delay_ns) : "-");
   }
   const auto& dc = report.dc;
-  fmt::format_to(out, "slaves: {}", sync_text(dc.state));
+  fmt::format_to(out, "slaves: {}", dc.enabled ? sync_text(dc.state) : "no distributed clocks");
   if (dc.monitored) fmt::format_to(out, ", settled {}, limit {} ns", ms_text(dc.settled_after_ms), dc.limit_ns);
   if (report.deviation_max_ns) fmt::format_to(out, ", largest deviation {} ns", *report.deviation_max_ns);
   const auto& dcm = report.dcm;
