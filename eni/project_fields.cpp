@@ -194,6 +194,22 @@ constexpr auto eoe_fields = [](auto& x, auto& eoe) {
   x.optional_text("HostName", eoe.host_name);
 };
 
+constexpr auto sync_fields = [](auto& x, auto& sync) {
+  x.attribute("ErrorLimit", sync.error_limit);
+  x.attribute("Type", sync.type);
+  x.attribute("InputShiftNs", sync.input_shift);
+};
+
+constexpr auto can_fields = [](auto& x, auto& can) {
+  x.attribute("CycleNs", can.cycle);
+  x.attribute("TxDelayPercent", can.tx_delay_percent);
+};
+
+constexpr auto pin_fields = [](auto& x, auto& pin) {
+  x.attribute("Number", pin.pin);
+  x.attribute("Function", pin.function);
+};
+
 constexpr auto variable_fields = [](auto& x, auto& variable) {
   x.attribute("Pdo", variable.pdo);
   x.attribute("Entry", variable.entry);
@@ -224,6 +240,9 @@ constexpr auto slave_fields = [](auto& x, auto& slave) {
   x.optional_text("OutputUnit", slave.output_unit);
   x.optional_text("InputUnit", slave.input_unit);
   x.optional_list("VariableNames", "Variable", slave.variable_names, variable_fields);
+  x.unless_default("Sync", slave.sync, sync_fields);
+  x.unless_default("Can", slave.can, can_fields);
+  x.optional_list("OutputPins", "Pin", slave.output_pins, pin_fields);
 };
 
 }  // namespace

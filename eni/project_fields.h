@@ -36,6 +36,9 @@ class FieldWriter {
   void attribute(const char* name, const std::optional<RevisionCheck>& rule) {
     if (rule) xml_.attribute(name, revision_check_name(*rule));
   }
+  void attribute(const char* name, const std::optional<SyncTypeChoice>& type) {
+    if (type) xml_.attribute(name, sync_type_name(*type));
+  }
   void attribute_if_set(const char* name, bool value) {
     if (value) attribute(name, value);
   }
@@ -113,6 +116,11 @@ class FieldReader {
     if (!node_.has(name)) return;
     rule = revision_check_from_name(node_.attribute(name));
     if (!rule) bad(name, "is no rule");
+  }
+  void attribute(const char* name, std::optional<SyncTypeChoice>& type) {
+    if (!node_.has(name)) return;
+    type = sync_type_from_name(node_.attribute(name));
+    if (!type) bad(name, "is no synchronisation type");
   }
   void optional_text(const char* name, std::string& value) { text(name, value); }
   void attribute(const char* name, DcmMode& mode) {

@@ -5,6 +5,7 @@
 #include <map>
 #include <span>
 
+#include "config/sync_settings.h"
 #include "eni/project_fields.h"
 #include "eni/xml_text.h"
 
@@ -81,6 +82,14 @@ Project read_network(const Node& node, const ReadDevices& devices) {
       slave_node.fail(ErrorCode::kXmlBadValue, fmt::format("there is no device \"{}\" in the file", id));
     } else {
       slave.device = device->second;
+      if (const auto status = check_sync_settings(slave); !status) {
+        const auto& key = status.error().subject;
+        const char* element = key.starts_with("can.") ? "Can" : key.starts_with("output_pin.") ? "OutputPins" : "Sync";
+        const Node node_of_key = slave_node.child(element);
+        (node_of_key ? node_of_key : slave_node)
+            .fail(ErrorCode::kXmlBadValue,
+                  fmt::format("slave.{}.{}: {}", project.slaves.size() - 1, key, status.error().detail));
+      }
     }
   }
   return project;

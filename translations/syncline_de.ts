@@ -1936,6 +1936,10 @@ Einstellung %2</translation>
     <context>
         <name>SlaveDcPage</name>
         <message>
+            <source>Synchronisation</source>
+            <translation>Synchronisation</translation>
+        </message>
+        <message>
             <source>Distributed Clocks</source>
             <translation>Distributed Clocks</translation>
         </message>
@@ -2489,6 +2493,104 @@ Einstellung %2</translation>
         <message>
             <source>%1: %2</source>
             <translation>%1: %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>SyncSettingsEditor</name>
+        <message>
+            <source>Device family</source>
+            <translation>Gerätefamilie</translation>
+        </message>
+        <message>
+            <source>Whose limits are known beyond the ESI (docs/device-families.md)</source>
+            <translation>Deren Grenzen über die ESI hinaus bekannt sind (docs/device-families.md)</translation>
+        </message>
+        <message>
+            <source>SYNC0 cycles</source>
+            <translation>SYNC0-Zyklen</translation>
+        </message>
+        <message>
+            <source>What the device takes; others are refused at SAFEOP</source>
+            <translation>Was das Gerät annimmt; andere lehnt es bei SAFEOP ab</translation>
+        </message>
+        <message>
+            <source>multiples of %1</source>
+            <translation>Vielfache von %1</translation>
+        </message>
+        <message>
+            <source>from %1</source>
+            <translation>ab %1</translation>
+        </message>
+        <message>
+            <source>to %1</source>
+            <translation>bis %1</translation>
+        </message>
+        <message>
+            <source>Error limit</source>
+            <translation>Fehlergrenze</translation>
+        </message>
+        <message>
+            <source>Change error limit</source>
+            <translation>Fehlergrenze ändern</translation>
+        </message>
+        <message>
+            <source>Object 0x10F1:02: a missed SM event counts 3, a good one takes 1 away; the device gives up at the limit</source>
+            <translation>Objekt 0x10F1:02: ein verpasstes SM-Ereignis zählt 3, ein gutes nimmt 1 weg; an der Grenze gibt das Gerät auf</translation>
+        </message>
+        <message>
+            <source>Synchronisation type</source>
+            <translation>Synchronisationsart</translation>
+        </message>
+        <message>
+            <source>Change synchronisation type</source>
+            <translation>Synchronisationsart ändern</translation>
+        </message>
+        <message>
+            <source>Type</source>
+            <translation>Art</translation>
+        </message>
+        <message>
+            <source>Objects 0x1C32:01 and 0x1C33:01: what starts the device&apos;s cycle</source>
+            <translation>Objekte 0x1C32:01 und 0x1C33:01: was den Zyklus des Geräts startet</translation>
+        </message>
+        <message>
+            <source>As device (%1)</source>
+            <translation>Wie das Gerät (%1)</translation>
+        </message>
+        <message>
+            <source>As device</source>
+            <translation>Wie das Gerät</translation>
+        </message>
+        <message>
+            <source>0 (never gives up)</source>
+            <translation>0 (gibt nie auf)</translation>
+        </message>
+        <message>
+            <source>As operation mode</source>
+            <translation>Wie die Betriebsart</translation>
+        </message>
+        <message>
+            <source>Free run</source>
+            <translation>Freilauf</translation>
+        </message>
+        <message>
+            <source>SM event</source>
+            <translation>SM-Ereignis</translation>
+        </message>
+        <message>
+            <source>SYNC0</source>
+            <translation>SYNC0</translation>
+        </message>
+        <message>
+            <source>SYNC1</source>
+            <translation>SYNC1</translation>
+        </message>
+        <message numerus="yes">
+            <source>%1 (%n miss(es) in a row)</source>
+            <translation>
+                <numerusform>%1 (%n verpasstes in Folge)</numerusform>
+                <numerusform>%1 (%n verpasste in Folge)</numerusform>
+            </translation>
         </message>
     </context>
     <context>

@@ -115,4 +115,14 @@
             </translation>
         </message>
     </context>
+    <context>
+        <name>SyncSettingsEditor</name>
+        <message numerus="yes">
+            <source>%1 (%n miss(es) in a row)</source>
+            <translation>
+                <numerusform>%1 (%n miss in a row)</numerusform>
+                <numerusform>%1 (%n misses in a row)</numerusform>
+            </translation>
+        </message>
+    </context>
 </TS>

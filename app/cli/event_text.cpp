@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "app/cli/run_json.h"
+#include "config/families/families.h"
 #include "protocol/dcm_error.h"
 #include "dc/delay_text.h"
 #include "dc/obstacle_text.h"
@@ -79,6 +80,12 @@ std::string data_bytes(std::int64_t data) {
   std::string text;
   for (int i = 0; i < 5; ++i) text += fmt::format("{}{:02x}", i == 0 ? "" : " ", (data >> (8 * i)) & 0xFF);
   return text;
+}
+
+/// " (A.A12, EtherCAT Outputs Data Synchronization Error)", or nothing.
+std::string alarm_words(const Event& e) {
+  const auto* alarm = families::find_alarm(e.text);
+  return alarm == nullptr ? "" : fmt::format(" ({}, {})", alarm->name, alarm->text);
 }
 
 std::string_view diagnosis_type(std::int64_t type) {
@@ -157,7 +164,8 @@ std::string words(const Event& e) {
     case EventKind::kSlaveLost: return fmt::format("{} does not answer", who(e.slave));
     case EventKind::kSlaveFound: return fmt::format("{} answers again", who(e.slave));
     case EventKind::kEmergency:
-      return fmt::format("{}: emergency 0x{:04x}, error register 0x{:02x}, data {}", who(e.slave), e.a, e.b, data_bytes(e.c));
+      return fmt::format("{}: emergency 0x{:04x}{}, error register 0x{:02x}, data {}", who(e.slave), e.a, alarm_words(e), e.b,
+                         data_bytes(e.c));
     case EventKind::kRealTime: return "real time: " + e.text;
     case EventKind::kError: return e.error ? describe(*e.error) : e.text;
     case EventKind::kEventsLost: return fmt::format("{} events were lost", e.a);

@@ -26,7 +26,8 @@ double us(Nanoseconds time) { return static_cast<double>(time) / 1e3; }
 Json to_json(const CycleCandidate& candidate) {
   Json refusals = Json::array();
   for (const auto& refusal : candidate.refusals) {
-    refusals.push_back({{"slave", refusal.slave}, {"name", refusal.name}, {"reason", refusal.reason}});
+    refusals.push_back({{"slave", refusal.slave}, {"name", refusal.name}, {"reason", refusal.reason},
+                        {"partly", refusal.partly}});
   }
   return {{"cycle_us", us(candidate.cycle)}, {"accepted", candidate.accepted()}, {"refusals", refusals}};
 }
@@ -44,12 +45,16 @@ void print_json(Context& context, const Options& options, const CycleTimeHelp& h
                  {"candidates", candidates}});
 }
 
+const char* verdict(const CycleCandidate& candidate) {
+  if (!candidate.accepted()) return "refused";
+  return candidate.refusals.empty() ? "all slaves accept it" : "accepted, with losses";
+}
+
 void print_text(Context& context, const CycleTimeHelp& help) {
   auto& out = context.console.out;
   for (const auto& candidate : help.candidates) {
     const bool own = candidate.cycle == help.current.cycle;
-    out << fmt::format("{:>9g} us  {}{}\n", us(candidate.cycle), candidate.accepted() ? "all slaves accept it" : "refused",
-                       own ? " (the project's cycle)" : "");
+    out << fmt::format("{:>9g} us  {}{}\n", us(candidate.cycle), verdict(candidate), own ? " (the project's cycle)" : "");
     for (std::size_t i = 0; i < candidate.refusals.size(); ++i) {
       if (i == 3) {
         out << fmt::format("              and {} more\n", candidate.refusals.size() - i);

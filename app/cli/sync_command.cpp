@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "app/cli/visit_options.h"
+#include "master/family_status_reader.h"
 #include "master/sync_object_reader.h"
 
 namespace syncline::cli {
@@ -40,7 +41,8 @@ std::string value_text(const SyncParameters::Entry& entry) {
   }
 }
 
-void print_text(Context& context, const SlaveVisit& visit, const std::vector<SyncParameters>& objects) {
+void print_text(Context& context, const SlaveVisit& visit, const std::vector<SyncParameters>& objects,
+                const FamilyStatus& family) {
   auto& out = context.console.out;
   out << fmt::format("{}, {}\n", visit.name(), al_state_name(visit.found()));
   for (const auto& object : objects) {
@@ -53,9 +55,35 @@ void print_text(Context& context, const SlaveVisit& visit, const std::vector<Syn
     if (counters) out << fmt::format("       {}\n", source_text(object.counter_source));
   }
   if (objects.empty()) out << "it has no synchronisation objects (0x1C32, 0x1C33)\n";
+  if (family.status) {
+    const auto& object = *family.family->status;
+    out << fmt::format("0x{:04X}     {} 0x{:04X}\n", object.object.index, object.name, *family.status);
+    for (const auto& line : family.lines) {
+      if (!line.text.empty()) out << fmt::format("       .{}  {}{}\n", line.bit, line.as_wanted ? "" : "! ", line.text);
+    }
+  }
+  for (std::size_t i = 0; i < family.node_states.size(); ++i) {
+    const bool late = family.node_states[i] == family.family->gateway->node_late;
+    out << fmt::format("0x{:04X}:{:02X}  state of CAN node {} is 0x{:02X}{}\n", family.family->gateway->node_states, i + 1, i + 1,
+                       family.node_states[i], late ? ": its synchronous TxPDO was not there in time" : "");
+  }
 }
 
-void print_json(Context& context, const Options& options, const SlaveVisit& visit, const std::vector<SyncParameters>& objects) {
+Json to_json(const FamilyStatus& family) {
+  if (family.family == nullptr) return nullptr;
+  Json bits = Json::array();
+  for (const auto& line : family.lines) {
+    bits.push_back({{"bit", line.bit}, {"as_wanted", line.as_wanted}, {"text", line.text}});
+  }
+  return {{"id", family.family->id},
+          {"name", family.family->name},
+          {"status", family.status ? Json(hex(*family.status, 4)) : Json(nullptr)},
+          {"bits", bits},
+          {"node_states", family.node_states}};
+}
+
+void print_json(Context& context, const Options& options, const SlaveVisit& visit, const std::vector<SyncParameters>& objects,
+                const FamilyStatus& family) {
   Json list = Json::array();
   for (const auto& object : objects) {
     Json entries = Json::array();
@@ -70,17 +98,21 @@ void print_json(Context& context, const Options& options, const SlaveVisit& visi
                     {"counter_source", source_key(object.counter_source)},
                     {"entries", entries}});
   }
-  context.print({{"position", options.slave.position}, {"state", al_state_name(visit.found())}, {"objects", list}});
+  context.print({{"position", options.slave.position}, {"state", al_state_name(visit.found())}, {"objects", list}, {"family", to_json(family)}});
 }
 
 void show(Context& context, const Options& options) {
   with_mailbox(context, options.slave, [&](SlaveVisit& visit) -> Status {
     const auto objects = read_sync_objects(visit.mailbox());
     if (!objects) return tl::unexpected(objects.error());
+    const auto identity = read_identity_object(visit.mailbox());
+    if (!identity) return tl::unexpected(identity.error());
+    const auto family = read_family_status(visit.mailbox(), *identity);
+    if (!family) return tl::unexpected(family.error());
     if (options.json) {
-      print_json(context, options, visit, *objects);
+      print_json(context, options, visit, *objects, *family);
     } else {
-      print_text(context, visit, *objects);
+      print_text(context, visit, *objects, *family);
     }
     return {};
   });

@@ -12,7 +12,8 @@
 #include "config/compile/cyclic_frames.h"
 #include "config/compile/dc_times.h"
 #include "config/compile/task_plan.h"
-#include "config/drive_limits.h"
+#include "config/families/families.h"
+#include "config/families/family_problems.h"
 #include "protocol/dc_registers.h"
 
 namespace syncline {
@@ -20,13 +21,15 @@ namespace {
 
 constexpr Nanoseconds kShortest = 31'250, kLongest = 100 * kMillisecond;
 
-std::string us(Nanoseconds time) { return fmt::format("{:g} us", static_cast<double>(time) / 1e3); }
+using families::microseconds;
 
 /// What one slave demands of the cycle of its task.
 struct Demand {
   int slave = 0;
   const SlaveSettings* settings = nullptr;
-  DeviceLimits limits;
+  const families::Family* family = nullptr;
+  std::optional<Nanoseconds> minimum;  // of its dictionary
+  const DcOpMode* mode = nullptr;      // with SYNC0, else null
   std::uint32_t multiple = 1;        // cycles of the bus that its task takes
   bool dc = false;                   // a SYNC signal is on
   std::vector<Nanoseconds> fixed;    // SYNC cycles that do not follow the bus
@@ -54,13 +57,17 @@ Demand demand_of(const Project& project, std::size_t position, const std::vector
   Demand demand;
   demand.slave = static_cast<int>(position);
   demand.settings = &slave;
-  demand.limits = device_limits(slave.device);
+  demand.family = families::find(slave.device);
+  demand.minimum = families::minimum_cycle(slave.device);
   demand.multiple = std::max<std::uint32_t>(std::min(multiple(slave.output_unit), multiple(slave.input_unit)), 1);
   const DcOpMode* mode = project.master.dc.enabled ? compiler::selected_op_mode(slave) : nullptr;
   if (mode != nullptr && mode->assign_activate != 0) {
     demand.dc = true;
     const AssignActivate activate{mode->assign_activate};
-    if (activate.sync0()) add_unit(demand, mode->cycle_time_sync0, slave.dc.sync0);
+    if (activate.sync0()) {
+      add_unit(demand, mode->cycle_time_sync0, slave.dc.sync0);
+      demand.mode = mode;
+    }
   }
   demand.interpolates = std::ranges::any_of(slave.startup, [&](const StartupCommand& command) {
     return command.index == 0x60C2 && compiler::is_from_esi(command, slave.device);
@@ -68,36 +75,38 @@ Demand demand_of(const Project& project, std::size_t position, const std::vector
   return demand;
 }
 
-/// Why a slave does not take a bus cycle; empty when it does.
-std::string refusal(const Demand& demand, Nanoseconds bus_cycle) {
+struct Refusal {
+  std::string reason;    // empty: it takes the cycle
+  bool partly = false;
+};
+
+/// Why a slave does not take a bus cycle.
+Refusal refusal(const Demand& demand, Nanoseconds bus_cycle) {
   const Nanoseconds cycle = bus_cycle * demand.multiple;
-  const DeviceLimits& limits = demand.limits;
-  const std::string& family = limits.family;
-  const bool synchronous = demand.dc;  // a free-running drive takes process data whenever they come
-  if (limits.cycle_step && synchronous && cycle % *limits.cycle_step != 0) {
-    return fmt::format("{} drives take multiples of {}", family, us(*limits.cycle_step));
+  if (demand.minimum && cycle < *demand.minimum) {
+    return {fmt::format("{} is the shortest cycle that its object 0x1C32:05 names", microseconds(*demand.minimum))};
   }
-  if (limits.shortest_cycle && cycle < *limits.shortest_cycle) {
-    return fmt::format("{} is the shortest cycle that {}", us(*limits.shortest_cycle),
-                       family.empty() ? "its object 0x1C32:05 names" : family + " drives take");
-  }
-  if (limits.longest_cycle && synchronous && cycle > *limits.longest_cycle) {
-    return fmt::format("{} is the longest cycle that {} drives take", us(*limits.longest_cycle), family);
+  // A free-running drive takes process data whenever they come.
+  if (demand.family != nullptr && demand.mode != nullptr) {
+    const auto times = compiler::dc_times(*demand.mode, demand.settings->dc, cycle);
+    if (auto judgement = families::judge_cycle(*demand.family, times.cycle_time0); !judgement.reason.empty()) {
+      return {std::move(judgement.reason), !judgement.refused};
+    }
   }
   for (const Nanoseconds fixed : demand.fixed) {
     if (cycle % fixed != 0 && fixed % cycle != 0) {
-      return fmt::format("its operation mode {} has a SYNC0 every {}, which is neither a multiple nor a part of it",
-                         demand.settings->dc.op_mode, us(fixed));
+      return {fmt::format("its operation mode {} has a SYNC0 every {}, which is neither a multiple nor a part of it",
+                          demand.settings->dc.op_mode, microseconds(fixed))};
     }
   }
   for (const std::int64_t divisor : demand.divisors) {
     if (cycle % divisor != 0) {
-      return fmt::format("its operation mode {} divides the cycle by {}, which leaves a rest", demand.settings->dc.op_mode,
-                         divisor);
+      return {fmt::format("its operation mode {} divides the cycle by {}, which leaves a rest", demand.settings->dc.op_mode,
+                          divisor)};
     }
   }
   if (demand.interpolates && !compiler::interpolation_time(cycle)) {
-    return "its object 0x60C2 (interpolation time) cannot express it";
+    return {"its object 0x60C2 (interpolation time) cannot express it"};
   }
   return {};
 }
@@ -137,21 +146,29 @@ class Help {
     return a > kLongest / part ? kLongest + 1 : a * part;
   }
 
+  /// `time` of the slave's cycle, in cycles of the bus; rounded up.
+  static Nanoseconds on_bus(Nanoseconds time, const Demand& demand) {
+    return (time + demand.multiple - 1) / static_cast<Nanoseconds>(demand.multiple);
+  }
+
   void find_limits() {
     for (const Demand& demand : demands_) {
+      if (demand.minimum) raise_shortest(on_bus(*demand.minimum, demand));
+      if (demand.family == nullptr || demand.mode == nullptr || !demand.family->cycle || !follows_bus(demand)) continue;
+      const families::CycleLimits& limits = *demand.family->cycle;
       const auto multiple = static_cast<Nanoseconds>(demand.multiple);
-      if (demand.limits.cycle_step && demand.dc) {
-        help_.step = common_multiple(help_.step, *demand.limits.cycle_step / std::gcd(*demand.limits.cycle_step, multiple));
-      }
-      if (demand.limits.shortest_cycle) {
-        const Nanoseconds least = (*demand.limits.shortest_cycle + multiple - 1) / multiple;
-        help_.shortest = std::max(help_.shortest.value_or(0), least);
-      }
-      if (demand.limits.longest_cycle && demand.dc) {
-        const Nanoseconds most = *demand.limits.longest_cycle / multiple;
-        help_.longest = std::min(help_.longest.value_or(kLongest), most);
-      }
+      help_.step = common_multiple(help_.step, limits.full_step / std::gcd(limits.full_step, multiple));
+      const Nanoseconds least = std::max(limits.shortest, limits.full_step > 1 ? limits.full_step : 0);
+      if (least > 0) raise_shortest(on_bus(least, demand));
+      if (limits.longest > 0) help_.longest = std::min(help_.longest.value_or(kLongest), limits.longest / multiple);
     }
+  }
+
+  void raise_shortest(Nanoseconds least) { help_.shortest = std::max(help_.shortest.value_or(0), least); }
+
+  /// SYNC0 comes once in each cycle of the slave's data; with factors and fixed cycles only trying tells.
+  static bool follows_bus(const Demand& demand) {
+    return compiler::dc_times(*demand.mode, demand.settings->dc, kMillisecond).cycle_time0 == kMillisecond;
   }
 
   /// A few of the shortest cycles in whole steps that everybody accepts.
@@ -163,7 +180,7 @@ class Help {
     const Nanoseconds grid = step >= kShortest ? step : common_multiple(step, kShortest);
     Nanoseconds cycle = grid;
     for (int i = 0; i < kTries && cycle <= kLongest && found.size() < kWanted; ++i, cycle += grid) {
-      if (judge(cycle).accepted()) found.push_back(cycle);
+      if (judge(cycle).refusals.empty()) found.push_back(cycle);
     }
     return found;
   }
@@ -171,14 +188,16 @@ class Help {
   [[nodiscard]] CycleCandidate judge(Nanoseconds cycle) const {
     CycleCandidate candidate{cycle, {}};
     if (cycle < kShortest || cycle > kLongest) {
-      candidate.refusals.push_back({-1, {}, fmt::format("the bus cycle is {} to {}", us(kShortest), us(kLongest))});
+      candidate.refusals.push_back(
+          {-1, {}, fmt::format("the bus cycle is {} to {}", microseconds(kShortest), microseconds(kLongest))});
     }
     if (wire_time_ >= cycle) {
-      candidate.refusals.push_back({-1, {}, fmt::format("the cyclic frames take {} of wire time", us(wire_time_))});
+      candidate.refusals.push_back({-1, {}, fmt::format("the cyclic frames take {} of wire time", microseconds(wire_time_))});
     }
     for (const Demand& demand : demands_) {
-      auto reason = refusal(demand, cycle);
-      if (!reason.empty()) candidate.refusals.push_back({demand.slave, demand.settings->name, std::move(reason)});
+      auto refused = refusal(demand, cycle);
+      if (refused.reason.empty()) continue;
+      candidate.refusals.push_back({demand.slave, demand.settings->name, std::move(refused.reason), refused.partly});
     }
     return candidate;
   }

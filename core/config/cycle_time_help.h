@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,13 +16,14 @@ struct CycleRefusal {
   int slave = -1;             // position; -1 = the bus itself
   std::string name;           // of the slave
   std::string reason;         // one sentence
+  bool partly = false;        // the slave takes the cycle, but not as it should
   bool operator==(const CycleRefusal&) const = default;
 };
 
 struct CycleCandidate {
   Nanoseconds cycle = 0;
-  std::vector<CycleRefusal> refusals;   // empty: everybody accepts it
-  [[nodiscard]] bool accepted() const { return refusals.empty(); }
+  std::vector<CycleRefusal> refusals;   // empty: everybody accepts it without loss
+  [[nodiscard]] bool accepted() const { return std::ranges::all_of(refusals, &CycleRefusal::partly); }
 };
 
 struct CycleTimeHelp {
@@ -33,8 +35,7 @@ struct CycleTimeHelp {
   CycleCandidate current;                   // the project's own
 };
 
-/// Rules: granularity and limits of device families and of object 0x1C32:05; SYNC cycles that an operation mode fixes
-/// divide the cycle of the slave's task or are multiples of it; factors divide it without a rest; object 0x60C2 can
+/// Rules: SYNC0 cycles that device families take, and object 0x1C32:05; SYNC cycles that an operation mode fixes divide the cycle of the slave's task or are multiples of it; factors divide it without a rest; object 0x60C2 can
 /// say it; the frames fit into it. Errors as compile().
 [[nodiscard]] Result<CycleTimeHelp> cycle_time_help(const Project& project);
 

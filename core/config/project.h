@@ -157,6 +157,9 @@ struct SlaveSettings {
   /// Names of Sync Units for outputs and inputs; "" = the unnamed one.
   std::string output_unit, input_unit;
   std::vector<VariableName> variable_names;   // by PDO and entry, ascending
+  SyncSettings sync;
+  CanSettings can;
+  std::vector<OutputPin> output_pins;         // pin ascending, one a pin
   bool operator==(const SlaveSettings&) const = default;
 };
 

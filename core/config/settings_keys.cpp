@@ -23,7 +23,7 @@ const std::vector<Rule>& rules() {
     std::vector<Rule> table;
     // Modules come before the PDOs and commands that they bring, so that a list can be applied from the top.
     for (auto part : {settings::master_rules(), settings::task_rules(), settings::slave_rules(),
-                      settings::slave_option_rules(), settings::module_rules(), settings::pdo_rules(),
+                      settings::slave_option_rules(), settings::sync_rules(), settings::module_rules(), settings::pdo_rules(),
                       settings::startup_rules(), settings::variable_rules()}) {
       table.insert(table.end(), std::make_move_iterator(part.begin()), std::make_move_iterator(part.end()));
     }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "config/device_description.h"
+#include "support/types.h"
 
 /// What a user may set on one slave beside its process data and its clock. An empty optional follows the ESI.
 namespace syncline {
@@ -63,6 +64,34 @@ struct EoeSlaveSettings {
   std::string ip, subnet, gateway, dns;
   std::string host_name;                            // at most 32 bytes
   bool operator==(const EoeSlaveSettings&) const = default;
+};
+
+/// What 0x1C32:01 and 0x1C33:01 are set to (ETG.1020).
+enum class SyncTypeChoice : std::uint8_t { kFreeRun, kSmEvent, kSync0, kSync1 };
+/// "free-run", "sm-event", "sync0", "sync1".
+[[nodiscard]] std::string_view sync_type_name(SyncTypeChoice type);
+[[nodiscard]] std::optional<SyncTypeChoice> sync_type_from_name(std::string_view name);
+
+/// Synchronisation objects that are written at start-up; what is empty is left to the device and the operation mode.
+struct SyncSettings {
+  std::optional<std::uint16_t> error_limit;         // 0x10F1:02; 0 switches the reaction off
+  std::optional<SyncTypeChoice> type;               // of outputs and inputs
+  std::optional<Nanoseconds> input_shift;           // 0x1C33:03, from the trigger to latching the inputs
+  bool operator==(const SyncSettings&) const = default;
+};
+
+/// Of a CAN gateway; what is empty is left to the device.
+struct CanSettings {
+  std::optional<Nanoseconds> cycle;                 // a multiple of the bus cycle
+  std::optional<std::uint8_t> tx_delay_percent;     // of the CAN cycle, from the SYNC message to the first RxPDO; 0..100
+  bool operator==(const CanSettings&) const = default;
+};
+
+/// What an output pin of a drive shows on an oscilloscope; functions are those of the device family.
+struct OutputPin {
+  std::uint8_t pin = 1;                             // from 1
+  std::uint16_t function = 0;
+  bool operator==(const OutputPin&) const = default;
 };
 
 /// Name of its own for the variable of one PDO entry.

@@ -234,7 +234,8 @@ enum class EventKind : std::uint8_t {
                         // a kFramesLost had counted before
   kOverrun,             // a = cycles left out, b = longest time without a frame, ns
   kSlaveLost, kSlaveFound,                // its state is unknown from then on, until the kStateChanged that follows
-  kEmergency,           // slave, a = error code, b = error register, c = the 5 bytes of data, the first one lowest
+  kEmergency,           // slave, a = error code, b = error register, c = the 5 bytes of data, the first one lowest;
+                        // text = the vendor's name of the alarm, where it is known
   kRealTime,            // text: what of SCHED_FIFO, mlock was refused (once)
   kRestarted,           // c: reserved
   kError,               // error

@@ -5,6 +5,8 @@
 
 #include <utility>
 
+#include "config/families/families.h"
+
 namespace syncline {
 namespace {
 
@@ -64,7 +66,16 @@ void RunState::error(const Error& error, Nanoseconds time) {
 void RunState::emergency(std::size_t slave, const coe::Emergency& emergency, Nanoseconds time) {
   std::int64_t data = 0;
   for (std::size_t i = emergency.data.size(); i-- > 0;) data = data << 8 | emergency.data[i];
-  event(EventKind::kEmergency, time, static_cast<int>(slave), emergency.error_code, emergency.error_register, data);
+  Event event;
+  event.kind = EventKind::kEmergency;
+  event.time = time;
+  event.slave = static_cast<int>(slave);
+  event.a = emergency.error_code;
+  event.b = emergency.error_register;
+  event.c = data;
+  const auto* alarm = families::find_alarm(config_.slaves[slave].identity, emergency.error_code, static_cast<std::uint64_t>(data));
+  if (alarm != nullptr) event.text = alarm->name;  // short enough to need no memory
+  channels_.events.push(std::move(event));
 }
 
 bool RunState::hot_connect(std::size_t slave, int what, Nanoseconds time) {

@@ -17,7 +17,7 @@ inline constexpr std::uint16_t kSyncManager3Parameter = 0x1C33;  // "Input SyncM
 inline constexpr std::uint8_t kSm2MissedSubIndex = 0x0B;
 inline constexpr std::uint8_t kSm2MissedSubIndexOldLayout = 0x0C;
 
-/// By what is known of the vendor's devices; nothing for everybody else.
+/// By the table of device families; nothing for everybody else.
 [[nodiscard]] std::optional<std::uint8_t> known_sm2_missed_sub_index(const Identity& identity);
 /// The same; the ETG place for everybody else.
 [[nodiscard]] std::uint8_t sm2_missed_sub_index(const Identity& identity);

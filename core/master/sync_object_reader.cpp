@@ -110,7 +110,7 @@ void resolve_counters(SyncParameters& parameters, const Identity& identity) {
   }
 }
 
-Result<Identity> read_identity(CoeClient& client) {
+Result<Identity> read_identity(CoeClient client) {
   Identity identity;
   std::uint8_t sub_index = 0;
   for (auto* value : {&identity.vendor_id, &identity.product_code, &identity.revision_no}) {
@@ -161,9 +161,10 @@ std::optional<std::uint32_t> SyncParameters::value(SyncValue meaning) const {
   return found == entries.end() ? std::nullopt : std::optional(found->value);
 }
 
+Result<Identity> read_identity_object(MailboxClient& mailbox) { return read_identity(CoeClient(mailbox)); }
+
 Result<std::vector<SyncParameters>> read_sync_objects(MailboxClient& mailbox) {
-  CoeClient client(mailbox);
-  const auto identity = read_identity(client);
+  const auto identity = read_identity_object(mailbox);
   if (!identity) return tl::unexpected(identity.error());
   NameReader names(mailbox);
   std::vector<SyncParameters> objects;

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "config/device_description.h"
 #include "master/mailbox_client.h"
 
 namespace syncline {
@@ -44,6 +45,9 @@ struct SyncParameters {
 /// Reads 0x1C32 and 0x1C33; an object that the slave does not have is left out. Changes nothing in the slave.
 /// kMailboxTimeout, kMailboxProtocol and errors of the bus; never kSdoAbort.
 [[nodiscard]] Result<std::vector<SyncParameters>> read_sync_objects(MailboxClient& mailbox);
+
+/// Vendor, product and revision of 0x1018; 0 where the slave does not say. Errors as read_sync_objects().
+[[nodiscard]] Result<Identity> read_identity_object(MailboxClient& mailbox);
 
 /// Words for values of sub-index 1 and bits of sub-index 4.
 [[nodiscard]] std::string sync_type_text(std::uint32_t type);

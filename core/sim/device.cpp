@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "config/families/families.h"
 #include "protocol/registers.h"
 #include "sim/device_objects.h"
 #include "sim/esc_events.h"
@@ -19,7 +20,6 @@ constexpr Nanoseconds kMailboxReaction = 250 * kMicrosecond;
 constexpr Nanoseconds kLongestWaitForSync = 200 * kMillisecond;
 constexpr int kMissingSyncs = 8;                               // in a row: the signal has stopped
 constexpr unsigned kMaxObjects = 64;
-constexpr unsigned kServoMaxObjects = 16;
 
 // Emergency codes and error registers (ETG.1020; CiA 301).
 constexpr std::uint16_t kPreopToSafeopFailed = 0xA000, kSafeopToOpFailed = 0xA001;
@@ -41,7 +41,8 @@ bool is_allowed(AlState from, AlState to) {
 
 /// Firmware can take at least what it assigns by itself.
 unsigned most_objects(const SimSlaveConfig& config) {
-  if (config.behaviour == "servo-y") return kServoMaxObjects;
+  const auto* family = families::of_behaviour(config.behaviour);
+  if (family != nullptr && family->objects.per_direction > 0) return family->objects.per_direction;
   std::size_t most = kMaxObjects;
   for (const auto direction : {PdoDirection::kRx, PdoDirection::kTx}) {
     std::size_t objects = 0;

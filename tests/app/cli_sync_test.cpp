@@ -40,5 +40,16 @@ TEST(CliSync, JsonSaysWhatEachValueMeansWhereverTheVendorKeepsIt) {
   }
 }
 
+TEST(CliSync, DecodesTheStatusObjectsOfDeviceFamilies) {
+  const auto drive = cli_run({"sync", demo(), "5"});
+  EXPECT_THAT(drive.out, HasSubstr("0x21B4     Network status register 0x0000"));
+  EXPECT_THAT(drive.out, HasSubstr(".0  ! SYNC0 is off"));
+  const auto report = cli_run({"sync", demo(), "5", "--json"}).json();
+  EXPECT_EQ(report["family"]["id"], "sl-xe2");
+  ASSERT_EQ(report["family"]["bits"].size(), 4U);
+  EXPECT_EQ(report["family"]["bits"][3]["as_wanted"], true);
+  EXPECT_EQ(cli_run({"sync", demo(), "3", "--json"}).json()["family"]["status"], nullptr);
+}
+
 }  // namespace
 }  // namespace syncline::test

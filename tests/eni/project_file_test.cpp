@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <regex>
 
+#include "core/config/compile/sample_devices.h"
 #include "eni/esi_reader.h"
 #include "eni/esi_writer.h"
 #include "eni/xml_text.h"
@@ -114,6 +115,37 @@ TEST(ProjectFile, DamageIsNamedWithLineAndElement) {
   }
   EXPECT_EQ(parse_project("<EtherCATInfo/>", "p").error().code, ErrorCode::kNotThatKindOfFile);
   EXPECT_EQ(parse_project("<SynclineProject><Slaves/></SynclineProject>", "p").error().subject, "Master");
+}
+
+TEST(ProjectFile, KeepsSynchronisationSettingsAndNamesThoseThatTheDeviceDoesNotTake) {
+  auto drive = sample::servo();
+  drive.identity.vendor_id = 0xAB;  // Copley
+  auto gateway = sample::servo();
+  gateway.identity.vendor_id = 0x2;
+  gateway.identity.product_code = 0x1A5F'3052;  // EL6751
+  Project project = sample::project({drive, gateway});
+  project.slaves[0].sync = {12, SyncTypeChoice::kSync0, 62'500};
+  project.slaves[0].output_pins = {{1, 11}, {3, 0x200}};
+  project.slaves[1].can = {4 * kMillisecond, 10};
+  const auto text = write_project(project);
+  const auto read = parse_project(text, "p.syncline");
+  ASSERT_TRUE(read) << describe(read.error());
+  EXPECT_EQ(*read, project);
+  const std::pair<std::string, std::string> cases[] = {
+      {"Type=\"sync0\"", "Type=\"sync1\""},
+      {"Number=\"3\"", "Number=\"9\""},
+      {"TxDelayPercent=\"10\"", "TxDelayPercent=\"110\""},
+  };
+  const char* keys[] = {"slave.0.sync.type", "slave.0.output_pin.9", "slave.1.can.tx_delay_percent"};
+  for (std::size_t i = 0; i < std::size(cases); ++i) {
+    auto spoilt = text;
+    spoilt.replace(spoilt.find(cases[i].first), cases[i].first.size(), cases[i].second);
+    const auto refused = parse_project(spoilt, "p.syncline");
+    ASSERT_FALSE(refused) << keys[i];
+    EXPECT_THAT(refused.error().detail, HasSubstr(keys[i]));
+    EXPECT_EQ(refused.error().file, "p.syncline");
+    EXPECT_GT(refused.error().line, 1);
+  }
 }
 
 }  // namespace

@@ -182,7 +182,9 @@ TEST_F(DriveMotion, CyclicPositionWithoutDcSuffersFromTheJitter) {
 }
 
 TEST_F(DriveMotion, WithDcButTypeZeroTheJitterComesThroughToo) {
-  for (auto& mode : device.dc->op_modes) mode.sync_managers.clear();  // 0x1C32:01 keeps its default
+  for (auto& mode : device.dc->op_modes) {
+    for (auto& manager : mode.sync_managers) manager.sync_type = 0;
+  }
   const auto outcome = run(kCyclic, JitterProfile::bad());
   expect_arrived(outcome);
   EXPECT_GT(outcome.largest_error, 30);

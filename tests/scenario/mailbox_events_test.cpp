@@ -109,7 +109,8 @@ class MailboxEvents : public ::testing::Test {
       EXPECT_GT(messages[0].c, 0);
       EXPECT_LT(messages[0].time - emergencies[0].time, 500 * kMillisecond) << "an emergency hurries it";
     }
-    EXPECT_THAT(log(), testing::HasSubstr("slave 2: emergency 0x0a12, error register 0x11, data 1a 00 00 00 00"));
+    EXPECT_THAT(log(), testing::HasSubstr("slave 2: emergency 0x0a12 (A.A12, EtherCAT Outputs Data Synchronization Error), "
+                                          "error register 0x11, data 1a 00 00 00 00"));
     EXPECT_THAT(log(), testing::HasSubstr("slave 2: diagnosis error 0x0a12e000, text 0x001a, time stamp "));
   }
   void expect_steady_cycle() const {

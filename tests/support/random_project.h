@@ -395,6 +395,9 @@ class RandomProject {
         command.timeout_ms = chance(2) ? number<std::uint32_t>(1, 99999) : 0;
         s.startup.push_back(std::move(command));
       }
+      if (chance(4)) s.sync.error_limit = number<std::uint16_t>(0, 15);
+      if (chance(4)) s.sync.type = static_cast<SyncTypeChoice>(number(0, 3));
+      if (chance(4)) s.sync.input_shift = number(0, 1'000'000);
     }
     return s;
   }

@@ -9,6 +9,7 @@
 
 #include "config/compile/dc_times.h"
 #include "protocol/dc_registers.h"
+#include "ui/pages/sync_settings_editor.h"
 #include "ui/pages/sync_unit_editor.h"
 #include "ui/session/setting_keys.h"
 #include "ui/session/workspace.h"
@@ -50,6 +51,10 @@ SlaveDcPage::SlaveDcPage(Workspace& workspace) : Page(workspace, "slaveDcPage", 
       edit(text, settings);
     });
   };
+  sync_ = new SyncSettingsEditor(*columns->add(0, tr("Synchronisation")), this);
+  connect(sync_, &SyncSettingsEditor::edited, this, [this](const QString& text, const QString& key, const QString& value) {
+    edit(text, keys::slave(node(), key.toLatin1().constData()), value);
+  });
   connectUnit(sync0_, 0);
   connectUnit(sync1_, 1);
   columns->addStretch();
@@ -123,6 +128,7 @@ void SlaveDcPage::refresh() {
   const AssignActivate units{shown.assign_activate};
   sync0_->show(syncUnitView(0, shown, slave->dc, project.master.cycle_time), units.sync0());
   sync1_->show(syncUnitView(1, shown, slave->dc, project.master.cycle_time), units.sync1());
+  sync_->show(*slave);
   refreshRegisters();
 }
 

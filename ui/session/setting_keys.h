@@ -32,6 +32,8 @@ inline constexpr char kCheckRevision[] = "check.revision";
 inline constexpr char kCheckSerial[] = "check.serial";
 inline constexpr char kOpMode[] = "dc.op_mode";
 inline constexpr char kPotentialReference[] = "dc.potential_reference_clock";
+inline constexpr char kErrorLimit[] = "sync.error_limit";
+inline constexpr char kSyncType[] = "sync.type";
 inline constexpr char kRxPdos[] = "pdo.rx";
 inline constexpr char kTxPdos[] = "pdo.tx";
 

@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 
+#include "config/families/families.h"
 #include "dc/propagation_delay.h"
 #include "ui/text/error_text.h"
 #include "ui/text/glossary.h"
@@ -59,10 +60,12 @@ Message Words::dcmError(const Event& event) {
 Message Words::emergency(const Event& event) {
   QStringList bytes;
   for (int i = 0; i < 5; ++i) bytes += QStringLiteral("%1").arg((event.c >> (8 * i)) & 0xFF, 2, 16, QLatin1Char('0'));
+  auto code = hexText(static_cast<std::uint64_t>(event.a), 4);
+  if (const auto* alarm = families::find_alarm(event.text)) {
+    code += QStringLiteral(" (%1, %2)").arg(fromView(alarm->name), fromView(alarm->text));
+  }
   return line(Severity::kWarning, tr("Emergency %1, error register %2, data %3")
-                                      .arg(hexText(static_cast<std::uint64_t>(event.a), 4),
-                                           hexText(static_cast<std::uint64_t>(event.b), 2),
-                                           bytes.join(QLatin1Char(' '))));
+                                      .arg(code, hexText(static_cast<std::uint64_t>(event.b), 2), bytes.join(QLatin1Char(' '))));
 }
 
 Message Words::diagnosis(const Event& event) {

@@ -24,7 +24,7 @@ std::span<const CheckRule> check_rules() {
   static const std::vector<CheckRule> rules = [] {
     std::vector<CheckRule> all;
     for (const auto table : {checker::structure_rules(), checker::slave_rules(), checker::commands_rules(),
-                             checker::cyclic_rules(), checker::image_rules()}) {
+                             checker::cyclic_rules(), checker::image_rules(), checker::device_rules()}) {
       all.insert(all.end(), table.begin(), table.end());
     }
     return all;

@@ -132,5 +132,6 @@ void check_times(const NetworkView& view, Findings& findings);
 void check_frames(const NetworkView& view, Findings& findings);
 void check_coe(const NetworkView& view, Findings& findings);
 void check_dialects(const NetworkView& view, Findings& findings);
+void check_device_families(const NetworkView& view, Findings& findings);
 
 }  // namespace syncline::checker

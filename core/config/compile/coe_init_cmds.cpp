@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "config/compile/dc_times.h"
+#include "config/compile/sync_init_cmds.h"
 #include "support/byte_order.h"
 
 namespace syncline::compiler {
@@ -105,7 +106,7 @@ class CoeList {
     }
     for (const auto& manager : mode->sync_managers) {
       const auto index = static_cast<std::uint16_t>(kSyncManagerParameter + manager.number);
-      if (manager.sync_type && !is_read_only(index, 1)) {
+      if (manager.sync_type && !slave_.settings->sync.type && !is_read_only(index, 1)) {
         out_.push_back(generated(index, 1, le_bytes(*manager.sync_type),
                                  fmt::format("set synchronisation type of SM {}", manager.number)));
       }
@@ -153,6 +154,11 @@ class CoeList {
         out_.push_back(cmd);
       }
     }
+  }
+
+  /// Last, so that a setting counts more than what the ESI writes.
+  void add_sync_settings() {
+    for (StartupCommand& command : sync_commands(slave_)) out_.emplace_back().command = std::move(command);
   }
 
   [[nodiscard]] std::vector<CoeInitCmd> take() { return std::move(out_); }
@@ -261,6 +267,7 @@ std::vector<CoeInitCmd> coe_init_cmds(const SlavePlan& slave, EniDialect dialect
   list.add_assignment();
   list.add_sync_types();
   list.add_startup(slave.cycle_time);
+  list.add_sync_settings();
   return list.take();
 }
 

@@ -11,7 +11,8 @@
 namespace syncline::compiler {
 
 /// The CoE downloads of a slave, in order: list of its modules (0xF030), PDO assignment cleared, mappings of the PDOs that
-/// are not fixed, PDO assignment, synchronisation type of the op mode, then the start-up list. Empty for a slave without CoE.
+/// are not fixed, PDO assignment, synchronisation type of the op mode, then the start-up list and
+/// the objects that settings stand for (sync_commands). Empty for a slave without CoE.
 [[nodiscard]] std::vector<CoeInitCmd> coe_init_cmds(const SlavePlan& slave, EniDialect dialect);
 
 /// Object 0x60C2 (CiA 402): cycle = value * 10^exponent s. Empty when a byte cannot say it exactly.

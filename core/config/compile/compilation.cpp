@@ -122,7 +122,7 @@ void Compilation::configure(const Project& project, const CompileOptions& option
       plan.fmmus = plan_fmmus(plan);
       configs[i] = slave_config(plan, options.dialect);
       slave_findings_[i].clear();
-      find_slave_problems(slave_findings_[i], plan);
+      find_slave_problems(slave_findings_[i], plan, configs[i]);
     }
     configs[i].hot_connect = plan_hot_connect(project, i);
     shared_[i] = std::move(shared);

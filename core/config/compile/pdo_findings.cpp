@@ -5,8 +5,6 @@
 
 #include <algorithm>
 
-#include "config/drive_limits.h"
-
 namespace syncline::compiler {
 namespace {
 
@@ -85,27 +83,6 @@ void check_sizes(FindingList& findings, const SlavePlan& slave) {
     if (description.min_size && bytes > 0 && bytes < *description.min_size) {
       findings.error(key, fmt::format("SyncManager {} needs at least {} bytes, the PDOs have {}.", channel.number,
                                       *description.min_size, bytes));
-    }
-  }
-}
-
-void check_object_limits(FindingList& findings, const SlavePlan& slave) {
-  const DeviceLimits limits = device_limits(slave.device());
-  for (const bool outputs : {true, false}) {
-    std::size_t objects = 0;
-    for (const auto& channel : slave.channels) {
-      if (channel.is_output() != outputs) continue;
-      for (const std::uint16_t index : channel.pdos) {
-        const Pdo* pdo = slave.find_pdo(index);
-        if (pdo == nullptr) continue;
-        objects += static_cast<std::size_t>(std::ranges::count_if(pdo->entries, [](const PdoEntry& e) { return e.index != 0; }));
-      }
-    }
-    if (limits.objects_per_direction && objects > *limits.objects_per_direction) {
-      findings.error(outputs ? "pdo.rx" : "pdo.tx",
-                     fmt::format("{} objects are mapped in this direction, {} drives take {}. Unassign a PDO, or map "
-                                 "fewer objects and exchange the slow ones by SDO.",
-                                 objects, limits.family, *limits.objects_per_direction));
     }
   }
 }
@@ -221,7 +198,6 @@ void find_pdo_problems(FindingList& findings, const SlavePlan& slave) {
   check_excluded_managers(findings, slave);
   check_counts(findings, slave);
   check_room(findings, slave);
-  check_object_limits(findings, slave);
   check_oversampling(findings, slave);
 }
 

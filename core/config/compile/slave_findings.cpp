@@ -8,6 +8,7 @@
 #include "config/compile/coe_init_cmds.h"
 #include "config/compile/cyclic_frames.h"
 #include "config/compile/dc_times.h"
+#include "config/compile/family_findings.h"
 #include "config/compile/finding_list.h"
 #include "config/compile/fmmu_plan.h"
 #include "config/compile/module_findings.h"
@@ -154,7 +155,7 @@ void check_topology(FindingList& findings, const SlavePlan& slave) {
 
 }  // namespace
 
-void find_slave_problems(std::vector<Finding>& out, const SlavePlan& slave) {
+void find_slave_problems(std::vector<Finding>& out, const SlavePlan& slave, const SlaveConfig& config) {
   FindingList findings(out, slave.position);
   find_pdo_problems(findings, slave);
   check_memory(findings, slave);
@@ -165,6 +166,7 @@ void find_slave_problems(std::vector<Finding>& out, const SlavePlan& slave) {
   check_eoe(findings, slave);
   check_mailbox(findings, slave);
   check_dc(findings, slave);
+  find_family_problems(findings, slave, config);
   check_interpolation_time(findings, slave);
   check_topology(findings, slave);
 }

@@ -8,7 +8,8 @@
 
 namespace syncline::compiler {
 
-/// PDO assignment, memory, DC times, mailbox, topology of one slave.
-void find_slave_problems(std::vector<Finding>& out, const SlavePlan& slave);
+/// PDO assignment, memory, DC times, mailbox, topology of one slave, and what its device family says of the configuration
+/// made from the plan.
+void find_slave_problems(std::vector<Finding>& out, const SlavePlan& slave, const SlaveConfig& config);
 
 }  // namespace syncline::compiler

@@ -30,7 +30,7 @@ constexpr Family el6751() {
   family.match = {0x0002, 0x1A5F'3052, 0x1A5F'3052, {}};
   family.counters = SyncCounters{0x0B, 0x0C, 0x0D, false, "ESI of the EL6751, 0x1C32 and 0x1C33"};
   family.gateway = kGateway;
-  family.sync_types = {kOutputTypes, kInputTypes, 1, 0x22, false, "ESI of the EL6751, 0x1C32 and 0x1C33"};
+  family.sync_types = {kOutputTypes, kInputTypes, 1, 0x22, true, true, "ESI of the EL6751, 0x1C32 and 0x1C33"};
   return family;
 }
 

@@ -17,10 +17,10 @@ constexpr std::array kStatusBits{
 };
 
 constexpr std::array kPinFunctions{
-    PinFunction{0, "nothing"},
-    PinFunction{11, "SYNC0"},
-    PinFunction{12, "frames that are received"},
-    PinFunction{0x200, "the start of the servo period"},
+    PinFunction{0, "nothing", "nothing"},
+    PinFunction{11, "sync0", "SYNC0"},
+    PinFunction{12, "frames", "frames that are received"},
+    PinFunction{0x200, "servo-period", "the start of the servo period"},
 };
 
 constexpr std::array<std::uint16_t, 2> kTypes{0, 2};
@@ -54,9 +54,12 @@ constexpr Family copley() {
       {0x21B4, 0}, "Network status register", kStatusBits, "Copley Synchronization 1.4, Debugging synchronization"};
   family.pins = PinObject{0x2193, 7, 10, kPinFunctions,
                           "Copley Synchronization 1.4, Debugging synchronization; ESI of Copley XE2, 0x2193"};
-  family.sync_types = {
-      kTypes, kTypes, 2,
-      2,      true,   "ESI of Copley XE2, 0x1C32 and 0x1C33; Copley Synchronization 1.4, Sync manager configuration"};
+  // The note has 0 as default, the ESI 2.
+  family.sync_types.outputs = family.sync_types.inputs = kTypes;
+  family.sync_types.usual_outputs = family.sync_types.usual_inputs = 2;
+  family.sync_types.writable = true;
+  family.sync_types.source =
+      "ESI of Copley XE2, 0x1C32 and 0x1C33; Copley Synchronization 1.4, Sync manager configuration";
   family.modes_need_dc = {kModes, "Copley Synchronization 1.4, Running without synchronization"};
   return family;
 }

@@ -67,8 +67,8 @@ struct Alarms {
 struct SyncTypes {
   std::span<const std::uint16_t> outputs{}, inputs{};  // those that the device takes
   std::uint16_t usual_outputs = 0, usual_inputs = 0;   // after power-on
-  /// The master writes them; otherwise the SYNC signals decide and the objects only tell.
-  bool written = false;
+  bool writable = false;                               // otherwise a download is refused, which ends the start-up
+  bool follow_dc = false;                              // the SYNC signals set them; otherwise the master has to
   std::string_view source{};
 };
 
@@ -107,7 +107,8 @@ struct StatusObject {
 /// What an output pin can show on an oscilloscope.
 struct PinFunction {
   std::uint16_t value = 0;
-  std::string_view shows{};
+  std::string_view word{};              // "servo-period"
+  std::string_view shows{};             // "the start of the servo period"
 };
 
 /// Object with one sub-index for each output pin; the function is in the first two of its bytes.

@@ -4,9 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <vector>
+#include <array>
 
 #include "config/families/family_tables.h"
+#include "support/byte_order.h"
 
 namespace syncline::families {
 namespace {
@@ -23,17 +24,31 @@ const Family* first_that(Fits fits) {
   return found == families.end() ? nullptr : *found;
 }
 
+/// Default of an unsigned 32-bit object, 0 when the dictionary does not have it.
+std::uint32_t object_default(const DeviceDescription& device, std::uint16_t index, std::uint8_t sub_index) {
+  const auto object = std::ranges::find(device.dictionary, index, &ObjectDescription::index);
+  if (object == device.dictionary.end()) return 0;
+  const auto entry = std::ranges::find(object->entries, sub_index, &ObjectEntry::sub_index);
+  if (entry == object->entries.end() || entry->default_data.size() != 4) return 0;
+  return load_le<std::uint32_t>(entry->default_data);
+}
+
 }  // namespace
 
 std::span<const Family* const> all() {
-  static const std::vector<const Family*> families = [] {
-    std::vector<const Family*> list;
+  // Without memory from the heap: the first caller may be the cyclic thread.
+  struct List {
+    std::array<const Family*, 16> families{};
+    std::size_t count = 0;
+  };
+  static const List list = [] {
+    List made;
     for (const auto table : {yaskawa_families(), copley_families(), beckhoff_families(), simulated_families()}) {
-      for (const Family& family : table) list.push_back(&family);
+      for (const Family& family : table) made.families.at(made.count++) = &family;
     }
-    return list;
+    return made;
   }();
-  return families;
+  return std::span(list.families).first(list.count);
 }
 
 const Family* find(const Identity& identity) {
@@ -51,6 +66,13 @@ const Family* find(const DeviceDescription& device) {
 const Family* of_behaviour(std::string_view behaviour) {
   if (behaviour.empty()) return nullptr;
   return first_that([&](const Family& family) { return family.behaviour == behaviour; });
+}
+
+std::optional<Nanoseconds> minimum_cycle(const DeviceDescription& device) {
+  constexpr std::uint8_t kMinimumCycleTime = 5;  // ETG.1020
+  const Nanoseconds least = std::max<Nanoseconds>(object_default(device, kOutputSync, kMinimumCycleTime),
+                                                  object_default(device, kInputSync, kMinimumCycleTime));
+  return least > 0 ? std::optional(least) : std::nullopt;
 }
 
 std::optional<SyncCounters> sync_counters(const Identity& identity) {
@@ -81,6 +103,31 @@ const Alarm* find_alarm(const Identity& identity, std::uint16_t error_code) {
   const auto& alarms = family->alarms.list;
   const auto found = std::ranges::find(alarms, error_code, &Alarm::error_code);
   return found == alarms.end() ? nullptr : &*found;
+}
+
+const Alarm* find_alarm(const Identity& identity, std::uint16_t error_code, std::uint64_t data) {
+  constexpr std::uint16_t kDeviceSpecific = 0xFF00;
+  // The first of the five bytes is reserved, the number follows (Yaskawa SIEP C710812 02, emergency messages).
+  const auto own = static_cast<std::uint16_t>(data >> 8);
+  return find_alarm(identity, error_code == kDeviceSpecific ? own : error_code);
+}
+
+const Alarm* find_alarm(std::string_view name) {
+  if (name.empty()) return nullptr;
+  for (const Family* family : all()) {
+    const auto found = std::ranges::find(family->alarms.list, name, &Alarm::name);
+    if (found != family->alarms.list.end()) return &*found;
+  }
+  return nullptr;
+}
+
+std::vector<StatusLine> status_lines(const StatusObject& object, std::uint32_t value) {
+  std::vector<StatusLine> lines;
+  for (const StatusBit& bit : object.bits) {
+    const bool set = (value >> bit.bit & 1U) != 0;
+    lines.push_back({bit.bit, set == bit.wanted, set ? bit.when_set : bit.when_clear});
+  }
+  return lines;
 }
 
 std::string alarm_text(const Identity& identity, std::uint16_t error_code) {

@@ -5,12 +5,14 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "config/device_description.h"
 #include "config/families/device_family.h"
 #include "config/network_config.h"
 
-/// Look-ups in the table of device families. Pure, from any thread; nothing here allocates but what returns a string.
+/// Look-ups in the table of device families. Pure, from any thread; nothing here allocates but what returns a string or
+/// a list.
 namespace syncline::families {
 
 /// All of them, the more special before the more general.
@@ -23,6 +25,9 @@ namespace syncline::families {
 /// The family whose habits a simulated device with this behaviour has ("servo-y", "drive-c", "can-gateway").
 [[nodiscard]] const Family* of_behaviour(std::string_view behaviour);
 
+/// The shortest cycle that the device's own dictionary names (default of 0x1C32:05 and 0x1C33:05), ns.
+[[nodiscard]] std::optional<Nanoseconds> minimum_cycle(const DeviceDescription& device);
+
 /// Where the counters of 0x1C32 and 0x1C33 stand. Empty: nobody knows, and the object's own words or both places must
 /// be looked at (ETG.1020's places are SyncCounters{}).
 [[nodiscard]] std::optional<SyncCounters> sync_counters(const Identity& identity);
@@ -33,7 +38,20 @@ namespace syncline::families {
 
 /// The vendor's alarm of a number in 0x603F or in an emergency; null when it is none that we know.
 [[nodiscard]] const Alarm* find_alarm(const Identity& identity, std::uint16_t error_code);
+/// The alarm that an emergency tells: its error code, or behind 0xFF00 (CiA 301, device specific) the vendor's own number in
+/// the bytes behind the error register. `data`: the five bytes, the first one lowest.
+[[nodiscard]] const Alarm* find_alarm(const Identity& identity, std::uint16_t error_code, std::uint64_t data);
+/// By the vendor's name, "A.A12"; null for an empty name and for one that we do not know.
+[[nodiscard]] const Alarm* find_alarm(std::string_view name);
 /// "A.A12 (0x0A12) EtherCAT Outputs Data Synchronization Error", or "0x0A12" when nothing is known.
 [[nodiscard]] std::string alarm_text(const Identity& identity, std::uint16_t error_code);
+
+/// One bit of a status object in words.
+struct StatusLine {
+  std::uint8_t bit = 0;
+  bool as_wanted = false;               // as a synchronised device shows it
+  std::string_view text{};              // empty: nothing to say
+};
+[[nodiscard]] std::vector<StatusLine> status_lines(const StatusObject& object, std::uint32_t value);
 
 }  // namespace syncline::families

@@ -33,7 +33,7 @@ constexpr Family sigma(std::string_view id, std::string_view name, Match match, 
   family.error_limit = ErrorLimit{9, 15, 0x001A, 0x0A12, "Yaskawa AN.MTN.01, 7.2"};
   family.alarms = {kAlarms, "Yaskawa AN.MTN.01, 7.2"};
   // 7.3: 0x1C32:01 only tells what 0x0980 makes of it.
-  family.sync_types = {kTypes, kTypes, 0, 0, false, "Yaskawa AN.MTN.01, 7.3"};
+  family.sync_types = {kTypes, kTypes, 0, 0, false, true, "Yaskawa AN.MTN.01, 7.3; SIEP C710812 02, object 1C32h"};
   family.modes_need_dc = {kModes, "Yaskawa AN.MTN.01, 3.1 and 3.2"};
   family.objects = {16, "Yaskawa AN.MTN.01, 8"};
   return family;

@@ -42,6 +42,7 @@ struct Rule {
 [[nodiscard]] std::vector<Rule> startup_rules();
 [[nodiscard]] std::vector<Rule> task_rules();
 [[nodiscard]] std::vector<Rule> slave_option_rules();
+[[nodiscard]] std::vector<Rule> sync_rules();
 [[nodiscard]] std::vector<Rule> module_rules();
 [[nodiscard]] std::vector<Rule> variable_rules();
 

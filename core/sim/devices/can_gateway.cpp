@@ -1,33 +1,47 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sim/devices/can_gateway.h"
 
+#include "config/families/families.h"
+
 namespace syncline::sim {
 namespace {
 
-constexpr std::uint8_t kNodeInTime = 0x00, kNodeTooLate = 0x28;
+constexpr std::uint8_t kNodeInTime = 0x00;
 constexpr std::uint32_t kCanFrame = 130 * kMicrosecond;   // 8 data bytes at 1 Mbit/s, stuff bits included
 constexpr std::uint32_t kCanCycle = 300 * kMicrosecond;   // output, SYNC and input message
 constexpr Nanoseconds kSyncMessage = 47 * kMicrosecond;   // 0 data bytes
-constexpr Nanoseconds kHardwareJitter = 500;              // of a message that SYNC1 releases
 constexpr Nanoseconds kPreparation = 20 * kMicrosecond;   // up to this, of the transmit PDOs in front of the SYNC message
 
-// 0xF800: parameters of the CAN bus; times in ns.
-constexpr std::uint16_t kParameters = 0xF800;
-constexpr std::uint8_t kCycleTime = 0x04, kInputShift = 0x06, kBusOccupied = 0x07, kAsynchronous = 0x08, kTxPdoDelay = 0x0E;
+// 0xF800: parameters of the CAN bus as in the ESI of an EL6751. :07 and :08 are something else there: with us they say how
+// long a cycle occupies the bus (ns), and that the node has asynchronous PDOs.
+constexpr std::uint8_t kCycleTime = 0x04, kBusOccupied = 0x07, kAsynchronous = 0x08, kTxPdoDelay = 0x0E;
 
-constexpr std::uint16_t kOutputs = 0x7000, kInputs = 0x6000, kDiagnosis = 0xA000, kNodeStates = 0xF102;
+constexpr std::uint16_t kOutputs = 0x7000, kInputs = 0x6000, kDiagnosis = 0xA000;
 constexpr std::uint8_t kNodeState = 1, kSyncMessages = 2;
 
-/// The object layout of its generation: exceeded cycles at 0x0B.
-constexpr SyncHabits kHabits{SyncHabits::kSyncManager | SyncHabits::kSync0 | SyncHabits::kSync1 | SyncHabits::kMeasures,
-                             100'000, 40'000, 20'000, 0x0C, 0x0B};
+const families::Family& family() {
+  static const families::Family& found = *families::of_behaviour("can-gateway");
+  return found;
+}
+const families::CanGateway& objects() { return *family().gateway; }
+std::uint16_t parameters() { return objects().can_cycle.index; }
+
+SyncHabits habits() {
+  constexpr std::uint16_t kDynamic = 0x8000;  // of the EL6751's ESI, with the others
+  SyncHabits habits(family(),
+                    SyncHabits::kFreeRun | SyncHabits::kSyncManager | SyncHabits::kSync0 | SyncHabits::kLocalShift |
+                        SyncHabits::kMeasures | kDynamic,
+                    static_cast<std::uint32_t>(family().cycle->shortest));
+  habits.cycle_writable = true;
+  return habits;
+}
 
 }  // namespace
 
 CanGateway::CanGateway(const SimSlaveConfig& config, Esc& esc)
     : Device(config, esc),
-      outputs_sync_(dictionary_, SyncObject::kOutputs, kHabits),
-      inputs_sync_(dictionary_, SyncObject::kInputs, kHabits) {
+      outputs_sync_(dictionary_, SyncObject::kOutputs, habits()),
+      inputs_sync_(dictionary_, SyncObject::kInputs, habits()) {
   outputs_sync_.set_type(SyncType::kOwnSyncManager);
   inputs_sync_.set_type(SyncType::kSyncManager2);
   add_parameters();
@@ -35,22 +49,34 @@ CanGateway::CanGateway(const SimSlaveConfig& config, Esc& esc)
 
 void CanGateway::add_parameters() {
   auto& d = dictionary_;
-  d.set_object_name(kParameters, "CAN bus parameters");
-  d.add<std::uint8_t>(kParameters, 0, "Number of entries", kTxPdoDelay);
-  const auto add = [&](std::uint8_t sub_index, const char* name, std::uint32_t value) {
-    d.add<std::uint32_t>(kParameters, sub_index, name, value, true).preop_only = true;
+  const auto add = [&](std::uint8_t sub_index, const char* name, auto value) {
+    d.add(parameters(), sub_index, name, value, true).preop_only = true;
   };
-  add(kCycleTime, "Cycle time", 0);
-  add(kInputShift, "Input shift time", 0);
+  d.set_object_name(parameters(), "CAN Bus Parameter Set");
+  d.add<std::uint8_t>(parameters(), 0, "Number of entries", kTxPdoDelay);
+  add(0x01, "Master Node Address", std::uint8_t{0});
+  add(0x02, "Baudrate", std::uint8_t{0});
+  add(0x03, "COB ID SYNC", std::uint16_t{0});
+  add(kCycleTime, "SYNC cycle time", std::uint32_t{0});
+  add(0x05, "Bustiming registers", std::uint32_t{0});
   add(kBusOccupied, "Time that a cycle occupies the bus", kCanCycle);
-  add(kAsynchronous, "Node has asynchronous PDOs", 0);
-  add(kTxPdoDelay, "TxPDO delay", 0);
-  d.set_object_name(kNodeStates, "Node states");
-  d.add<std::uint8_t>(kNodeStates, 0, "Number of entries", 1);
-  d.add<std::uint8_t>(kNodeStates, 1, "State of node 1", kNodeInTime);
+  add(kAsynchronous, "Node has asynchronous PDOs", std::uint32_t{0});
+  add(kTxPdoDelay, "Delay for sending synchronous RxPDOs in %", std::uint8_t{0});
+  d.find(parameters(), kTxPdoDelay)->on_write = [](std::span<const std::uint8_t> data) {
+    return data[0] <= 100 ? abort::kNone : abort::kRange;
+  };
+  d.set_object_name(objects().node_states, "Node states");
+  d.add<std::uint8_t>(objects().node_states, 0, "Number of entries", 1);
+  d.add<std::uint8_t>(objects().node_states, 1, "State of node 1", kNodeInTime);
 }
 
-Nanoseconds CanGateway::parameter(std::uint8_t sub_index) { return dictionary_.get<std::uint32_t>(kParameters, sub_index); }
+Nanoseconds CanGateway::parameter(std::uint8_t sub_index) { return dictionary_.get<std::uint32_t>(parameters(), sub_index); }
+
+/// From the SYNC message to the first synchronous RxPDO: a part of the CAN cycle.
+Nanoseconds CanGateway::tx_pdo_delay() {
+  const Nanoseconds percent = dictionary_.get<std::uint8_t>(parameters(), kTxPdoDelay);
+  return bus_cycle_ns_ * static_cast<Nanoseconds>(multiplier_) * percent / 100;
+}
 
 Nanoseconds CanGateway::vary(Nanoseconds largest) {
   noise_ = noise_ * 1'664'525U + 1'013'904'223U;
@@ -64,10 +90,11 @@ std::uint16_t CanGateway::check_sync(AlState) {
   // Without DC the gateway knows the bus cycle from the master's start-up list only.
   const Nanoseconds bus = dc.sync0_enabled() ? dc.settings().cycle0 : outputs_sync_.cycle();
   if (dc.sync0_enabled()) {
-    if (bus < kHabits.minimum_cycle) return al_code::kCycleTooSmall;
+    if (bus < family().cycle->shortest) return al_code::kCycleTooSmall;
     if (outputs_sync_.contradicts(dc.settings().cycle0)) return al_code::kInvalidSyncCycle;
   }
   const auto can = parameter(kCycleTime);
+  bus_cycle_ns_ = bus;
   multiplier_ = 1;
   if (can == 0 || bus == 0) return 0;
   if (can % bus != 0) return al_code::kInconsistentSettings;
@@ -80,9 +107,8 @@ void CanGateway::on_state(AlState state) {
   if (state == AlState::kInit) outputs_sync_.forget_told_cycle();
   if (state == AlState::kSafeop) {
     const bool sync0 = dc.sync0_enabled();
-    const auto trigger = dc.settings().sync1 ? SyncType::kSync1 : SyncType::kSync0;
-    outputs_sync_.set_type(sync0 ? trigger : SyncType::kOwnSyncManager);
-    inputs_sync_.set_type(sync0 ? trigger : has_outputs() ? SyncType::kSyncManager2 : SyncType::kOwnSyncManager);
+    outputs_sync_.set_type(sync0 ? SyncType::kSync0 : SyncType::kOwnSyncManager);
+    inputs_sync_.set_type(sync0 ? SyncType::kSync0 : has_outputs() ? SyncType::kSyncManager2 : SyncType::kOwnSyncManager);
     for (auto* object : {&outputs_sync_, &inputs_sync_}) {
       if (sync0) object->set_cycle(dc.settings().cycle0);
       object->set_sync0_cycle(sync0 ? dc.settings().cycle0 : 0);
@@ -121,14 +147,14 @@ void CanGateway::on_sync0(Nanoseconds time) {
 }
 
 void CanGateway::on_sync1(Nanoseconds time) {
-  if (sync_due_) send_sync_message(time + vary(kHardwareJitter));
+  if (sync_due_) send_sync_message(time + vary(objects().sync1_jitter));
 }
 
 void CanGateway::bus_cycle(Nanoseconds time) {
   if (state() != AlState::kOp) return;
   check_running(time);
   if (parameter(kAsynchronous) != 0) return asynchronous_cycle(time);
-  const auto shift = parameter(kInputShift);
+  const Nanoseconds shift = inputs_sync_.shift();
   const auto number = bus_cycles_++ % multiplier_;
   if (number == 0) {
     synchronous_cycle(time);
@@ -177,7 +203,7 @@ void CanGateway::send_sync_message(Nanoseconds time) {
   const auto count = dictionary_.get<std::uint8_t>(kDiagnosis, kSyncMessages);
   dictionary_.set(kDiagnosis, kSyncMessages, static_cast<std::uint8_t>(count + 1));
   can_sync_.pulse(time, time + kSyncMessage);
-  answer_at_ = time + parameter(kTxPdoDelay) + kCanFrame;
+  answer_at_ = time + tx_pdo_delay() + kCanFrame;
 }
 
 // ---- inputs --------------------------------------------------------------------------------------
@@ -194,14 +220,14 @@ void CanGateway::check_node(Nanoseconds time) {
   check_at_.reset();
   unchecked_ = check_at_next_ = false;
   const bool too_late = sync_due_ || (answer_at_ && *answer_at_ > time);
-  set_node_state(too_late ? kNodeTooLate : kNodeInTime);
+  set_node_state(too_late ? objects().node_late : kNodeInTime);
   update_inputs(time);
   answer_at_.reset();
 }
 
 void CanGateway::set_node_state(std::uint8_t state) {
   dictionary_.set(kDiagnosis, kNodeState, state);
-  dictionary_.set(kNodeStates, 1, state);
+  dictionary_.set(objects().node_states, 1, state);
 }
 
 void CanGateway::check_running(Nanoseconds time) {

@@ -11,7 +11,7 @@ namespace syncline::sim {
 /// Gateway to a CAN segment with one node that returns what it was sent. The CAN cycle starts with SYNC0, or
 /// without DC with the SM2 event (SM3 when there are no outputs), every n-th time: n is 0xF800:04 (CAN cycle, ns)
 /// by the bus cycle 0x1C32:02, 1 when one of them is 0. SYNC1 releases the CAN SYNC message, if it is used. A cycle
-/// that comes while the CAN cycle before it is not over is counted in 0x1C32:0B (0x1C33:0B without outputs) and skipped.
+/// that comes while the CAN cycle before it is not over is counted as exceeded in 0x1C32 (0x1C33 without outputs) and skipped.
 /// Output pin 1 shows the SYNC messages on the CAN bus.
 class CanGateway final : public Device {
  public:
@@ -39,6 +39,7 @@ class CanGateway final : public Device {
   void check_node(Nanoseconds time);
   void set_node_state(std::uint8_t state);
   [[nodiscard]] Nanoseconds parameter(std::uint8_t sub_index);
+  [[nodiscard]] Nanoseconds tx_pdo_delay();
   [[nodiscard]] Nanoseconds vary(Nanoseconds largest);
 
   SyncObject outputs_sync_, inputs_sync_;
@@ -46,6 +47,7 @@ class CanGateway final : public Device {
   std::uint32_t multiplier_ = 1, bus_cycles_ = 0;
   bool fresh_outputs_ = false;
   Nanoseconds busy_until_ = 0;
+  Nanoseconds bus_cycle_ns_ = 0;            // of SYNC0 or told by the master; 0: not known
   std::optional<Nanoseconds> update_at_, check_at_;   // input shift time behind this bus cycle
   bool unchecked_ = false;                  // a CAN cycle was started whose answer was not looked for yet
   bool check_at_next_ = false;              // no input shift time: when the next cycle begins

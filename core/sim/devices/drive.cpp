@@ -43,6 +43,13 @@ Nanoseconds timer_phase(const SimSlaveConfig& config) {
 
 }  // namespace
 
+DriveHabits::DriveHabits(const families::Family& family, std::uint16_t supported)
+    : cycle(*family.cycle),
+      servo_period_ns(static_cast<std::uint32_t>(family.cycle->full_step)),
+      sync(family, supported, static_cast<std::uint32_t>(family.cycle->shortest)),
+      error_limit(*family.error_limit),
+      cyclic_modes_need_dc(std::ranges::any_of(family.modes_need_dc.list, &families::ModeNeedsDc::refused)) {}
+
 Drive::Drive(const SimSlaveConfig& config, Esc& esc, const DriveHabits& habits)
     : Device(config, esc),
       habits_(habits),
@@ -91,9 +98,9 @@ void Drive::add_objects() {
   object<std::uint8_t>(kErrorSettings, 0, "Number of entries", 2, kUnsigned8);
   object<std::uint32_t>(kErrorSettings, 1, "Local error reaction", 1, kUnsigned32, true);
   o.sync_error_limit =
-      object<std::uint16_t>(kErrorSettings, 2, "Sync error counter limit", habits_.sync_error_limit, kUnsigned16, true);
+      object<std::uint16_t>(kErrorSettings, 2, "Sync error counter limit", habits_.error_limit.usual, kUnsigned16, true);
   dictionary_.find(kErrorSettings, 2)->on_write = [this](std::span<const std::uint8_t> data) {
-    return load_le<std::uint16_t>(data) <= habits_.sync_error_limit_max ? abort::kNone : abort::kRange;
+    return load_le<std::uint16_t>(data) <= habits_.error_limit.largest ? abort::kNone : abort::kRange;
   };
 }
 
@@ -102,16 +109,15 @@ void Drive::add_objects() {
 std::uint16_t Drive::check_sync(AlState to) {
   const auto& dc = esc().dc();
   if (!dc.sync_active()) {
-    const bool wanted = outputs_sync_.type() == SyncType::kSync0 || inputs_sync_.type() == SyncType::kSync0;
-    return wanted && !habits_.type_follows_dc ? al_code::kInvalidSyncConfiguration : std::uint16_t{0};
+    // A type that nobody has written means no more than that SYNC0 would be used.
+    const auto wants = [](const SyncObject& object) { return object.type_told() && object.type() == SyncType::kSync0; };
+    const bool wanted = wants(outputs_sync_) || wants(inputs_sync_);
+    return wanted && !habits_.sync.types.follow_dc ? al_code::kInvalidSyncConfiguration : std::uint16_t{0};
   }
   const auto cycle = dc.settings().cycle0;
-  if (cycle == 0 || cycle % habits_.cycle_step_ns != 0) return al_code::kInvalidSync0Cycle;
-  const auto contradicts = [cycle](const SyncObject& object) {
-    return object.type() == SyncType::kSync0 && object.contradicts(cycle);
-  };
-  if (cycle > habits_.cycle_max_ns || contradicts(outputs_sync_) || contradicts(inputs_sync_)) return al_code::kInvalidSyncCycle;
-  if (dc.settings().sync1 && dc.settings().cycle1 % habits_.cycle_step_ns != 0) return al_code::kInvalidSync1Cycle;
+  if (cycle == 0 || cycle % habits_.cycle.step != 0) return al_code::kInvalidSync0Cycle;
+  if (cycle > habits_.cycle.longest) return al_code::kInvalidSyncCycle;
+  if (dc.settings().sync1 && dc.settings().cycle1 % habits_.cycle.step != 0) return al_code::kInvalidSync1Cycle;
   if (inputs_sync_.shift() >= cycle) return al_code::kInvalidSyncConfiguration;
   if (to != AlState::kOp) return 0;
   // OP needs a SYNC0 that comes: a start time in the past never fires.
@@ -131,7 +137,7 @@ void Drive::choose_types() {
   const bool sync0 = dc.sync0_enabled();
   const auto cycle = dc.settings().cycle0;
   for (auto* object : {&outputs_sync_, &inputs_sync_}) {
-    if (habits_.type_follows_dc) object->set_type(sync0 ? SyncType::kSync0 : SyncType::kFreeRun);
+    if (habits_.sync.types.follow_dc) object->set_type(sync0 ? SyncType::kSync0 : SyncType::kFreeRun);
     object->set_cycle(sync0 ? cycle : habits_.servo_period_ns);
     object->set_sync0_cycle(sync0 ? cycle : 0);
   }
@@ -147,14 +153,10 @@ void Drive::on_state(AlState state) {
     any_outputs_ = false;
     arriving_.reset();
     arrived_.reset();
-    if (!habits_.counters_end_with_op) {
+    if (!habits_.sync.counters.end_with_op) {
       outputs_sync_.clear_counters();
       inputs_sync_.clear_counters();
     }
-  }
-  if (state == AlState::kInit) {
-    outputs_sync_.forget_told_cycle();
-    inputs_sync_.forget_told_cycle();
   }
   if (state == AlState::kPreop || state == AlState::kInit) {
     last_sync_.reset();
@@ -166,7 +168,7 @@ void Drive::on_state(AlState state) {
 void Drive::leave_op() {
   power_.disable();
   axis_.disable();
-  if (habits_.counters_end_with_op) {
+  if (habits_.sync.counters.end_with_op) {
     outputs_sync_.clear_counters();
     inputs_sync_.clear_counters();
   }
@@ -272,9 +274,9 @@ void Drive::count_sync_event(bool missed) {
 }
 
 void Drive::raise_sync_alarm() {
-  objects_.error_code.set(habits_.sync_alarm);
+  objects_.error_code.set(habits_.error_limit.error_code);
   power_.fault();
-  drop_to_safeop(habits_.sync_code, habits_.sync_alarm);
+  drop_to_safeop(habits_.error_limit.al_status_code, habits_.error_limit.error_code);
 }
 
 // ---- servo loop ----------------------------------------------------------------------------------
@@ -297,7 +299,7 @@ void Drive::run_ticks(Nanoseconds time) {
     any = true;
   }
   // Without a SYNC0 that says when, the inputs are those of the last servo period.
-  if (any && inputs_sync_.type() != SyncType::kSync0) publish_inputs();
+  if (any && !latches_at_sync0()) publish_inputs();
 }
 
 void Drive::apply(const AxisCommand& command, Nanoseconds time) {

@@ -9,20 +9,16 @@
 
 namespace syncline::sim {
 
-/// What distinguishes one vendor's drive from another's.
+/// What distinguishes one vendor's drive from another's: the table of device families, and what is the simulation's own.
 struct DriveHabits {
-  std::uint32_t cycle_step_ns = 125'000;      // SYNC0 cycle must be a multiple
-  std::uint32_t cycle_max_ns = 4'000'000;     // and not more than this
-  std::uint32_t servo_period_ns = 125'000;
-  SyncHabits sync{SyncHabits::kFreeRun | SyncHabits::kSync0 | SyncHabits::kLocalShift | SyncHabits::kMeasures,
-                  125'000, 62'500, 10'000, 0x0C, 0x0B};
-  std::uint16_t sync_error_limit = 9;         // 0x10F1:02, default
-  std::uint16_t sync_error_limit_max = 15;
-  std::uint16_t sync_alarm = 0x0A12;          // 0x603F when the limit is reached
-  std::uint16_t sync_code = al_code::kSyncError;  // AL status code then; one that says no more than that
-  bool type_follows_dc = true;                // 0x1C32:01 and 0x1C33:01 say what the SYNC signals make of them
-  bool counters_end_with_op = true;           // else they can be read until the next OP
-  bool cyclic_modes_need_dc = true;           // without SYNC0 no cyclic synchronous mode
+  /// Of a family with cycle limits, error limit, counters, times and types. `supported`: SyncHabits::Supported.
+  DriveHabits(const families::Family& family, std::uint16_t supported);
+
+  families::CycleLimits cycle;                // of SYNC0
+  std::uint32_t servo_period_ns;
+  SyncHabits sync;
+  families::ErrorLimit error_limit;           // 0x10F1:02, and what happens at the limit
+  bool cyclic_modes_need_dc;                  // without SYNC0 no cyclic synchronous mode
   bool pll = false;                           // the servo timer follows SYNC0; otherwise SYNC0 restarts it
 };
 
@@ -45,6 +41,8 @@ class Drive : public Device {
   [[nodiscard]] virtual bool watched() const { return false; }
   [[nodiscard]] const DriveHabits& habits() const { return habits_; }
   [[nodiscard]] const ServoClock& servo_clock() const { return clock_; }
+  /// Inputs are those of SYNC0; otherwise those of the last servo period.
+  [[nodiscard]] bool latches_at_sync0() { return inputs_sync_.type() == SyncType::kSync0 && esc().dc().sync0_enabled(); }
   [[nodiscard]] bool synchronised() { return outputs_sync_.type() == SyncType::kSync0 && esc().dc().sync0_enabled(); }
 
  private:

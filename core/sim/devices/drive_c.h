@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
+#include <vector>
 
 #include "sim/devices/drive.h"
 #include "sim/pin_trace.h"
@@ -11,7 +11,7 @@ namespace syncline::sim {
 /// Drive whose servo loop runs at 250 us and follows SYNC0 by a PLL: periods that are multiples of 62.5 us are
 /// legal, but only multiples of 250 us synchronise the servo loop. Object 0x21B4 says which (bit 0 period legal,
 /// 1 servo period synchronised, 2 multiple of 250 us, 3 start time before system time). Objects 0x1C32:01 and 0x1C33:01
-/// choose per direction between free run (0, default) and SYNC0 (2). Output pins show SYNC0, the start of the servo
+/// choose per direction between free run (0) and SYNC0 (2, default). Output pins show SYNC0, the start of the servo
 /// period or received frames (0x2193).
 class DriveC final : public Drive {
  public:
@@ -25,10 +25,9 @@ class DriveC final : public Drive {
   [[nodiscard]] bool watched() const override { return servo_pins_; }
 
  private:
-  static constexpr std::size_t kPins = 3;
-  enum Function : std::uint16_t { kOff = 0, kSync0 = 11, kFrame = 12, kServoPeriod = 0x200 };
+  enum Function : std::uint16_t { kSync0 = 11, kFrame = 12, kServoPeriod = 0x200 };
   struct Pin {
-    std::uint16_t function = kOff;
+    std::uint16_t function = 0;  // nothing
     PinTrace trace;
   };
   void add_pins();
@@ -36,7 +35,7 @@ class DriveC final : public Drive {
   void pulse(Function function, Nanoseconds begin, Nanoseconds end);
   [[nodiscard]] std::uint16_t synchronisation_status();
 
-  std::array<Pin, kPins> pins_;
+  std::vector<Pin> pins_;
   bool servo_pins_ = false;
 };
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "config/families/families.h"
 #include "sim/device.h"
 #include "sim/devices/analog_input.h"
 #include "sim/devices/can_gateway.h"
@@ -21,10 +22,15 @@ class Generic final : public Device {
   }
 };
 
+DriveHabits servo_habits() {
+  constexpr std::uint16_t kSupported = SyncHabits::kFreeRun | SyncHabits::kSync0 | SyncHabits::kLocalShift | SyncHabits::kMeasures;
+  return {*families::of_behaviour("servo-y"), kSupported};
+}
+
 }  // namespace
 
 std::unique_ptr<Device> make_device(const SimSlaveConfig& config, Esc& esc) {
-  if (config.behaviour == "servo-y") return std::make_unique<Drive>(config, esc, DriveHabits{});
+  if (config.behaviour == "servo-y") return std::make_unique<Drive>(config, esc, servo_habits());
   if (config.behaviour == "drive-c") return std::make_unique<DriveC>(config, esc);
   if (config.behaviour == "can-gateway") return std::make_unique<CanGateway>(config, esc);
   if (config.behaviour == "analog-input") return std::make_unique<AnalogInput>(config, esc);

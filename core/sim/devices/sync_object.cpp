@@ -2,17 +2,26 @@
 #include "sim/devices/sync_object.h"
 
 #include <algorithm>
+#include <string>
 
 namespace syncline::sim {
 namespace {
 
 constexpr std::uint8_t kType = 0x01, kCycle = 0x02, kShift = 0x03, kSupported = 0x04, kMinimumCycle = 0x05,
                        kCalcAndCopy = 0x06, kMinimumDelay = 0x07, kGetCycleTime = 0x08, kDelay = 0x09, kSync0Cycle = 0x0A,
-                       kShiftTooShort = 0x0D, kSyncError = 0x20;
+                       kSyncError = 0x20;
 constexpr std::uint16_t kMeasure = 1;
 constexpr std::uint16_t kBoolean = 0x0001;  // ETG.1000.6, table 64
 
 }  // namespace
+
+SyncHabits::SyncHabits(const families::Family& family, std::uint16_t supported_bits, std::uint32_t minimum)
+    : supported(supported_bits),
+      minimum_cycle(minimum),
+      calc_and_copy(static_cast<std::uint32_t>(family.times->calc_and_copy)),
+      delay(static_cast<std::uint32_t>(family.times->delay)),
+      counters(*family.counters),
+      types(family.sync_types) {}
 
 SyncObject::SyncObject(ObjectDictionary& dictionary, std::uint16_t index, const SyncHabits& habits)
     : dictionary_(dictionary), index_(index), habits_(habits), noise_(index) {
@@ -23,29 +32,32 @@ SyncObject::SyncObject(ObjectDictionary& dictionary, std::uint16_t index, const 
 
 void SyncObject::add_entries(const char* name) {
   auto& d = dictionary_;
-  const auto word = [&](std::uint8_t sub_index, const char* text, std::uint16_t value) -> ObjectDictionary::Entry& {
-    return d.add<std::uint16_t>(index_, sub_index, text, value);
+  const auto word = [&](std::uint8_t sub_index, std::string_view text, std::uint16_t value) -> ObjectDictionary::Entry& {
+    return d.add<std::uint16_t>(index_, sub_index, std::string(text), value);
   };
-  const auto time = [&](std::uint8_t sub_index, const char* text, std::uint32_t value, bool writable = false) {
-    auto& entry = d.add<std::uint32_t>(index_, sub_index, text, value, writable);
+  const auto time = [&](std::uint8_t sub_index, std::string_view text, std::uint32_t value, bool writable = false) {
+    auto& entry = d.add<std::uint32_t>(index_, sub_index, std::string(text), value, writable);
     entry.preop_only = true;
     return ObjectValue<std::uint32_t>(entry);
   };
   d.set_object_name(index_, name);
   d.add<std::uint8_t>(index_, 0, "Number of entries", kSyncError);
-  auto& type = word(kType, "Synchronization type", 0);
-  type.writable = type.preop_only = true;
+  const bool outputs = index_ == kOutputs;
+  auto& type = word(kType, "Synchronization type", outputs ? habits_.types.usual_outputs : habits_.types.usual_inputs);
+  type.writable = habits_.types.writable;
+  type.preop_only = true;
   type.on_write = [this](std::span<const std::uint8_t> data) {
-    return supports(static_cast<SyncType>(load_le<std::uint16_t>(data))) ? abort::kNone : abort::kRange;
+    if (!supports(load_le<std::uint16_t>(data))) return abort::kRange;
+    type_told_ = true;
+    return abort::kNone;
   };
   type_ = ObjectValue<std::uint16_t>(type);
-  // With a local timer or the SyncManager as trigger, the master tells its cycle; with SYNC signals they do.
-  cycle_ = time(kCycle, "Cycle time", 0, true);
+  cycle_ = time(kCycle, "Cycle time", 0, habits_.cycle_writable);
   d.find(index_, kCycle)->on_write = [this](std::span<const std::uint8_t> data) {
     told_cycle_ = load_le<std::uint32_t>(data);
     return abort::kNone;
   };
-  shift_ = time(kShift, "Shift time", 0, index_ == kInputs && (habits_.supported & SyncHabits::kLocalShift) != 0);
+  shift_ = time(kShift, "Shift time", 0, !outputs && (habits_.supported & SyncHabits::kLocalShift) != 0);
   word(kSupported, "Synchronization types supported", habits_.supported);
   minimum_cycle_ = time(kMinimumCycle, "Minimum cycle time", habits_.minimum_cycle);
   calc_and_copy_ = time(kCalcAndCopy, "Calc and copy time", habits_.calc_and_copy);
@@ -53,26 +65,20 @@ void SyncObject::add_entries(const char* name) {
   auto& command = word(kGetCycleTime, "Get cycle time", 0);
   command.writable = (habits_.supported & SyncHabits::kMeasures) != 0;
   command.on_write = [this](std::span<const std::uint8_t> data) { return start_measurement(data); };
-  delay_ = time(kDelay, "Maximum delay time", habits_.delay);
+  delay_ = time(kDelay, habits_.delay_name, habits_.delay);
   sync0_cycle_ = time(kSync0Cycle, "Sync0 cycle time", 0);
-  missed_ = ObjectValue<std::uint16_t>(word(habits_.missed_sub_index, "SM event missed counter", 0));
-  exceeded_ = ObjectValue<std::uint16_t>(word(habits_.exceeded_sub_index, "Cycle exceeded counter", 0));
-  shift_too_short_ = ObjectValue<std::uint16_t>(word(kShiftTooShort, "Shift too short counter", 0));
+  missed_ = ObjectValue<std::uint16_t>(word(habits_.counters.missed, habits_.missed_name, 0));
+  exceeded_ = ObjectValue<std::uint16_t>(word(habits_.counters.cycle_exceeded, habits_.exceeded_name, 0));
+  shift_too_short_ = ObjectValue<std::uint16_t>(word(habits_.counters.shift_too_short, habits_.too_short_name, 0));
   auto& error = d.add<std::uint8_t>(index_, kSyncError, "Sync error", 0);
   error.data_type = kBoolean;
   error.bit_length = 1;
   sync_error_ = ObjectValue<std::uint8_t>(error);
 }
 
-bool SyncObject::supports(SyncType type) const {
-  switch (type) {
-    case SyncType::kFreeRun: return (habits_.supported & SyncHabits::kFreeRun) != 0;
-    case SyncType::kOwnSyncManager: return (habits_.supported & SyncHabits::kSyncManager) != 0;
-    case SyncType::kSync0: return (habits_.supported & SyncHabits::kSync0) != 0;
-    case SyncType::kSync1: return (habits_.supported & SyncHabits::kSync1) != 0;
-    case SyncType::kSyncManager2: return index_ == kInputs && (habits_.supported & SyncHabits::kSyncManager) != 0;
-  }
-  return false;
+bool SyncObject::supports(std::uint16_t type) const {
+  const auto types = index_ == kOutputs ? habits_.types.outputs : habits_.types.inputs;
+  return std::ranges::find(types, type) != types.end();
 }
 
 void SyncObject::clear_counters() {

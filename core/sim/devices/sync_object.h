@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 
+#include "config/families/device_family.h"
 #include "sim/devices/object_value.h"
 #include "support/types.h"
 
@@ -17,17 +19,24 @@ struct SyncHabits {
   enum Supported : std::uint16_t {
     kFreeRun = 0x0001, kSyncManager = 0x0002, kSync0 = 0x0004, kSync1 = 0x0008, kLocalShift = 0x0010, kMeasures = 0x4000,
   };
-  std::uint16_t supported = kFreeRun | kSync0 | kMeasures;
-  std::uint32_t minimum_cycle = 125'000;
-  std::uint32_t calc_and_copy = 62'500;       // worst case
-  std::uint32_t delay = 10'000;               // worst case, from the trigger to the output or to latching
-  std::uint8_t missed_sub_index = 0x0B;       // 0x0C in the older object layout; the other one counts exceeded cycles
-  std::uint8_t exceeded_sub_index = 0x0C;
+  /// What the table of device families says of a family with known counters, times and types.
+  SyncHabits(const families::Family& family, std::uint16_t supported_bits, std::uint32_t minimum);
+
+  std::uint16_t supported;
+  std::uint32_t minimum_cycle;
+  std::uint32_t calc_and_copy, delay;         // worst case; from the trigger to the output or to latching
+  families::SyncCounters counters;
+  families::SyncTypes types;
+  bool cycle_writable = false;                // the master tells its cycle in sub-index 2
+  std::string_view delay_name = "Maximum delay time";
+  std::string_view missed_name = "SM event missed counter", exceeded_name = "Cycle exceeded counter",
+                   too_short_name = "Shift too short counter";
 };
 
 /// Synchronisation parameters of a SyncManager in the object dictionary of a simulated device, 0x1C32 (outputs) or
 /// 0x1C33 (inputs). The counters count what the device reports here; the local times vary from cycle to cycle
-/// below their worst case, and command 1 in sub-index 8 records the largest of each.
+/// below their worst case, and command 1 in sub-index 8 records the largest of each. What the master may write, the
+/// types and the places of the counters are those of the device family.
 class SyncObject {
  public:
   static constexpr std::uint16_t kOutputs = 0x1C32, kInputs = 0x1C33;
@@ -37,8 +46,9 @@ class SyncObject {
   SyncObject& operator=(const SyncObject&) = delete;
 
   [[nodiscard]] SyncType type() const { return static_cast<SyncType>(type_.get()); }
-  [[nodiscard]] bool supports(SyncType type) const;
   void set_type(SyncType type) { type_.set(static_cast<std::uint16_t>(type)); }
+  /// The master has written the type since power-on.
+  [[nodiscard]] bool type_told() const { return type_told_; }
   [[nodiscard]] std::uint32_t cycle() const { return cycle_.get(); }
   void set_cycle(std::uint32_t ns) { cycle_.set(ns); }
   /// The master has written another cycle time since INIT than that of the SYNC signals.
@@ -64,6 +74,7 @@ class SyncObject {
 
  private:
   void add_entries(const char* name);
+  [[nodiscard]] bool supports(std::uint16_t type) const;
   static void count(ObjectValue<std::uint16_t>& counter) { counter.set(static_cast<std::uint16_t>(counter.get() + 1)); }
   std::uint32_t start_measurement(std::span<const std::uint8_t> data);
   [[nodiscard]] Nanoseconds vary(std::uint32_t worst);
@@ -77,6 +88,7 @@ class SyncObject {
   std::uint32_t noise_ = 1;
   std::uint32_t told_cycle_ = 0;  // 0: none
   bool measuring_ = false;
+  bool type_told_ = false;
 };
 
 }  // namespace syncline::sim

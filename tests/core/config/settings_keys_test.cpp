@@ -63,7 +63,7 @@ TEST(SettingsKeys, EveryListedKeyIsDescribedOnce) {
   for (const auto& setting : list_settings(random_project(7))) {
     auto key = std::regex_replace(setting.key, std::regex("^slave\\.[0-9]+"), "slave.N");
     key = std::regex_replace(key, std::regex("\\.0x[0-9a-f]+"), ".0xIIII");
-    key = std::regex_replace(key, std::regex("(startup|task|sync_unit|soe|module|IIII)\\.[0-9]+"), "$1.K");
+    key = std::regex_replace(key, std::regex("(startup|task|sync_unit|soe|module|output_pin|IIII)\\.[0-9]+"), "$1.K");
     EXPECT_TRUE(described.contains(key)) << setting.key;
   }
 }

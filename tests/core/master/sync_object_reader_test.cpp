@@ -49,7 +49,7 @@ class SyncObjects : public testing::Test {
 };
 
 TEST_F(SyncObjects, NamesOfTheSlaveDecideWhichCounterIsWhich) {
-  identify(0x539, 0x1234);  // a vendor of the old layout, but this device speaks for itself
+  identify(0x539, 0x0220'0001);  // a vendor of the old layout, but this device speaks for itself
   dictionary.set_object_name(0x1C32, "Output sync");
   add(0x1C32, 0, "Entries", 12, 1);
   add(0x1C32, 1, "Sync type", 2, 2);
@@ -72,7 +72,7 @@ TEST_F(SyncObjects, NamesOfTheSlaveDecideWhichCounterIsWhich) {
 }
 
 TEST_F(SyncObjects, WithoutNamesTheDeviceDecides) {
-  identify(0x539, 0x1234);
+  identify(0x539, 0x0220'0001);
   add(0x1C33, 0, "", 0x20, 1);
   add(0x1C33, 0x0B, "", 7, 2);
   add(0x1C33, 0x0C, "", 3, 2);

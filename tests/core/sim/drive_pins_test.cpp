@@ -14,9 +14,15 @@ constexpr unsigned kSync0Pin = 1, kServoPin = 2, kFramePin = 3;
 class DrivePins : public testing::Test {
  protected:
   static void configure(DriveBed& drive) {
-    EXPECT_EQ(drive.write(0x2193, 1, {11, 0}), 0U);
-    EXPECT_EQ(drive.write(0x2193, 2, {0x00, 0x02}), 0U);
-    EXPECT_EQ(drive.write(0x2193, 3, {12, 0}), 0U);
+    EXPECT_EQ(drive.write(0x2193, 1, function(11)), 0U);
+    EXPECT_EQ(drive.write(0x2193, 2, function(0x200)), 0U);
+    EXPECT_EQ(drive.write(0x2193, 3, function(12)), 0U);
+  }
+  /// Five words, the first of which is the function (ESI of a Copley XE2).
+  static std::vector<std::uint8_t> function(std::uint16_t value) {
+    std::vector<std::uint8_t> data(10);
+    store_le(std::span(data).first(2), value);
+    return data;
   }
   static std::vector<Nanoseconds> rising(DriveBed& drive, unsigned pin) {
     drive.probe.bus->advance_to(drive.probe.now);
@@ -43,8 +49,9 @@ TEST_F(DrivePins, ConfigurationTakesTheKnownFunctionsOnly) {
   DriveBed drive("SL-XE2");
   configure(drive);
   EXPECT_EQ(drive.read(0x2193, 2), 0x200U);
-  EXPECT_EQ(drive.write(0x2193, 1, {13, 0}), 0x06090030U);
-  EXPECT_EQ(drive.write(0x2193, 4, {11, 0}), 0x06090011U);
+  EXPECT_EQ(drive.write(0x2193, 1, function(13)), 0x06090030U);
+  EXPECT_EQ(drive.write(0x2193, 1, {11, 0}), 0x06070013U) << "too short";
+  EXPECT_EQ(drive.write(0x2193, 8, function(11)), 0x06090011U);
 }
 
 TEST_F(DrivePins, ServoPeriodSlidesOntoSync0) {
@@ -147,6 +154,7 @@ TEST_F(DrivePins, TypeSaysWhetherOutputsWaitForSync0) {
   for (const std::uint8_t type : {0, 2}) {
     DriveBed drive("SL-XE2");
     ASSERT_EQ(drive.write(0x1C32, 1, {type, 0}), 0U);
+    ASSERT_EQ(drive.write(0x1C33, 1, {0, 0}), 0U);  // inputs of the last servo period
     drive.start_sync0(1'000'000);
     ASSERT_EQ(drive.to_op(), 8);
     drive.controlword = 0x06;

@@ -28,7 +28,7 @@ std::vector<std::string> lines_of(const std::string& text) {
 
 std::vector<RuleCase> all_cases() {
   std::vector<RuleCase> all;
-  for (const auto& part : {slave_cases(), command_cases(), clock_cases(), image_cases()}) {
+  for (const auto& part : {slave_cases(), command_cases(), clock_cases(), image_cases(), device_cases()}) {
     all.insert(all.end(), part.begin(), part.end());
   }
   return all;

@@ -29,6 +29,7 @@ struct TextCase {
 [[nodiscard]] std::vector<RuleCase> command_cases();
 [[nodiscard]] std::vector<RuleCase> clock_cases();
 [[nodiscard]] std::vector<RuleCase> image_cases();
+[[nodiscard]] std::vector<RuleCase> device_cases();
 [[nodiscard]] std::vector<TextCase> text_cases();
 
 }  // namespace syncline::test

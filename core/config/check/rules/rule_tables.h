@@ -13,5 +13,6 @@ namespace syncline::checker {
 [[nodiscard]] std::span<const CheckRule> commands_rules();
 [[nodiscard]] std::span<const CheckRule> cyclic_rules();
 [[nodiscard]] std::span<const CheckRule> image_rules();
+[[nodiscard]] std::span<const CheckRule> device_rules();
 
 }  // namespace syncline::checker
