@@ -306,7 +306,7 @@
             <translation>{where}: kein wohlgeformtes TOML{because}.</translation>
         </message>
         <message>
-            <source>{where}: the scenario key "{subject}" cannot be used{because}.</source>
+            <source>{where}: the key "{subject}" cannot be used{because}.</source>
             <translation>{where}: der Szenario-Schlüssel „{subject}“ ist nicht verwendbar{because}.</translation>
         </message>
         <message>

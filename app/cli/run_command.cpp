@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
 #include <fstream>
 #include <memory>
 #include <optional>
@@ -13,14 +15,16 @@
 #include "app/cli/run_json.h"
 #include "app/cli/run_overrides.h"
 #include "app/composition/run_network.h"
+#include "sim/host_profile_file.h"
 #include "trace/csv.h"
 #include "trace/dcm_log.h"
+#include "trace/host_recorder.h"
 
 namespace syncline::cli {
 namespace {
 
 struct Options {
-  std::string file, network, link, duration = "10s", csv, dcm_log, capture, state = "OP";
+  std::string file, network, link, duration = "10s", csv, dcm_log, capture, save_host, state = "OP";
   std::vector<std::string> overrides;
   bool json = false, lateness = false, every_event = false;
 };
@@ -87,6 +91,18 @@ class RunFiles {
   std::string text_;
 };
 
+/// What the run has shown of its host, for a scenario's `[host] profile`.
+Status save_host(const Options& options, const HostRecorder& host, const NetworkConfig& config) {
+  if (host.cycles() == 0) {
+    return fail(Error{ErrorCode::kFileNotWritable, {}, "the bus was not in OP, so there is nothing to save", options.save_host});
+  }
+  const auto about = fmt::format("Measured by synclinectl run on {}: {} cycles of {} us in OP.", options.link, host.cycles(),
+                                 config.cycle_time() / kMicrosecond);
+  StreamedFile file;
+  if (auto status = file.open(options.save_host, sim::host_profile_text(host.profile(), about)); !status) return status;
+  return file.finish();
+}
+
 void execute(Context& context, const Options& options) {
   const auto duration = parse_duration(options.duration);
   if (!duration) return context.fail_with(duration.error());
@@ -120,14 +136,16 @@ void execute(Context& context, const Options& options) {
     request.on_event = [&lines](const Event& event) { lines.add(event); };
   }
   LatenessReport lateness;
+  HostRecorder host(compiled->config.cycle_time());
   request.on_snapshot = [&files, &lines, &lateness](const Snapshot& snapshot) {
     files.note(snapshot);
     lateness.note(snapshot.host);
     lines.tell_until(snapshot.time);
   };
-  request.on_samples = [&files, &lateness](std::span<const CycleSample> samples) {
+  request.on_samples = [&files, &lateness, &host, &options](std::span<const CycleSample> samples) {
     files.add(samples);
     lateness.add(samples);
+    if (!options.save_host.empty()) host.add(samples);
   };
 
   const InterruptGuard guard;
@@ -136,6 +154,9 @@ void execute(Context& context, const Options& options) {
   lines.tell_all();
   if (!outcome) return context.fail_with(outcome.error());
   if (auto status = files.finish(); !status) return context.fail_with(status.error());
+  if (!options.save_host.empty()) {
+    if (auto status = save_host(options, host, compiled->config); !status) return context.fail_with(status.error());
+  }
   if (options.json) {
     auto json = to_json(outcome->report);
     json["events"] = std::move(events);
@@ -171,6 +192,8 @@ void add_run_command(CLI::App& app, Context& context) {
   command->add_flag("--lateness", options->lateness, "Add how late the frames were sent, and the processor time of a cycle");
   command->add_flag("--every-event", options->every_event,
                     "A line for every event; without it what happens to many slaves at one time is one line");
+  command->add_option("--save-host", options->save_host,
+                      "Write what the run showed of its host (wake-ups, send stamps, stalls) to this file, for a scenario");
   command->add_flag("--json", options->json, "Print JSON");
   command->callback([&context, options] { execute(context, *options); });
 }

@@ -20,7 +20,7 @@ class SimulatedLink final : public Link {
         bus_(std::move(bus)),
         clock_(clock),
         virtual_clock_(dynamic_cast<VirtualClock*>(&clock)),
-        send_delay_ns_(host.send_delay_ns),
+        stamp_error_(host.stamp_error),
         random_(host.seed) {}
 
   Status send(std::span<const std::uint8_t> frame) override {
@@ -72,11 +72,10 @@ class SimulatedLink final : public Link {
     Nanoseconds arrival = 0;
   };
 
-  /// The wire carries one frame after the other.
+  /// The host is through with sending; the wire carries one frame after the other.
   Nanoseconds wire_start() {
-    auto ready = clock_.now();
-    if (send_delay_ns_ > 0) ready += std::llround(std::abs(random_.normal()) * send_delay_ns_);
-    return std::max(ready, wire_free_);
+    if (!stamp_error_.empty()) pass_time(clock_.now() + std::llround(stamp_error_.at(random_.uniform())));
+    return std::max(clock_.now(), wire_free_);
   }
 
   void put_on_wire(InFlight& slot, Nanoseconds start) {
@@ -112,7 +111,7 @@ class SimulatedLink final : public Link {
   std::unique_ptr<sim::SimBus> bus_;
   Clock& clock_;
   VirtualClock* virtual_clock_;
-  double send_delay_ns_;
+  QuantileCurve stamp_error_;
   Random random_;
   Nanoseconds wire_free_ = 0;
   std::deque<InFlight> in_flight_;

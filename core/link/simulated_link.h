@@ -12,12 +12,10 @@ namespace syncline {
 
 /// How the simulated host sends.
 struct SimulatedHost {
-  /// Scale of the one-sided normal time from the moment that software calls the moment of sending until the frame is on
-  /// the wire, ns. What software knows of its send times is wrong by it.
-  double send_delay_ns = 0;
+  /// From the moment that software takes for that of sending until the frame leaves: what the host knows of its send times
+  /// is wrong by it. That long it is busy with sending.
+  QuantileCurve stamp_error{};
   std::uint64_t seed = 1;
-  /// A sixth of the wake-up's scale.
-  [[nodiscard]] static SimulatedHost with(const JitterProfile& jitter, std::uint64_t seed) { return {jitter.sigma_ns / 6, seed}; }
 };
 
 /// The simulated segment as a Link. On a virtual clock receive() moves time to the frame's arrival or

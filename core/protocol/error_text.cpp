@@ -80,7 +80,7 @@ std::string_view error_template(ErrorCode code) {
     case ErrorCode::kTomlMalformed:
       return "{where}: this is not well-formed TOML{because}.";
     case ErrorCode::kScenarioKey:
-      return "{where}: the scenario key \"{subject}\" cannot be used{because}.";
+      return "{where}: the key \"{subject}\" cannot be used{because}.";
     case ErrorCode::kUnknownDevice:
       return "The device {subject} is not known{because}; load its ESI file.";
     case ErrorCode::kMissingEsi:

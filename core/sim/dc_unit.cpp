@@ -10,7 +10,8 @@
 namespace syncline::sim {
 namespace {
 
-constexpr std::uint64_t kGarbage = 0x6C72'9A3E'0900'0900;
+constexpr std::uint64_t kGarbage = 0x6C72'9A3E'0900'0900, kNoise = 0x6E6F'6973'6500;
+constexpr std::uint32_t kSignBit = 0x8000'0000;  // of 0x092C
 
 /// No quartz and no correction of it makes the counter run a quarter faster: what is due after n ns of it needs this part
 /// of n at least.
@@ -28,7 +29,7 @@ constexpr unsigned kUnitOn = 0x01, kSync0On = 0x02, kSync1On = 0x04, kAutoActiva
 DcUnit::DcUnit(const OscillatorConfig& oscillator, const SimDcConfig& config, Nanoseconds power_on, std::uint64_t seed,
                EscMemory& memory)
     : memory_(memory), config_(config), wide_(config.is_64bit), clock_(oscillator, power_on, seed),
-      latches_(memory, config.is_64bit) {
+      latches_(memory, config.is_64bit), latch_noise_(seed ^ kNoise) {
   implement_registers(seed);
 }
 
@@ -128,7 +129,9 @@ void DcUnit::refresh_registers() {
   // An ECAT read shows the time at which the frame passed the *reference* clock: the delay is subtracted.
   const auto time = masked(local_at_start_of_frame_ + offset() - memory_.u32(reg::kSystemTimeDelay));
   memory_.set<std::uint64_t>(reg::kSystemTime, time);
-  memory_.set<std::uint32_t>(reg::kSystemTimeDifference, loop_.system_time_difference());
+  const auto difference = loop_.system_time_difference();
+  memory_.set<std::uint32_t>(reg::kSystemTimeDifference,
+                             config_.sign_of_older_edition && difference != 0 ? difference ^ kSignBit : difference);
   memory_.set<std::uint16_t>(reg::kSpeedCounterDiff, static_cast<std::uint16_t>(loop_.speed_counter_diff()));
   if (generator_.active()) {
     memory_.set<std::uint64_t>(reg::kStartTimeCyclicOperation, masked(generator_.next_sync0().value_or(start_time_)));
@@ -191,6 +194,10 @@ void DcUnit::extend_start_time(std::uint64_t now) {
 void DcUnit::start_time_written(std::uint16_t address, std::size_t length, Nanoseconds time) {
   const auto activation = memory_.u8(reg::kActivation);
   if (generator_.active()) return;
+  if (start_shift_ != 0) {
+    const auto start = memory_.u64(reg::kStartTimeCyclicOperation) + static_cast<std::uint64_t>(start_shift_);
+    memory_.set<std::uint64_t>(reg::kStartTimeCyclicOperation, masked(start));
+  }
   const bool upper = overlaps(address, length, reg::kStartTimeCyclicOperation + 4, 4);
   if (wide_ && !upper && (activation & kExtendStartTime) != 0) extend_start_time(unwrapped_time(time));
   if ((activation & kAutoActivation) == 0) return;
@@ -218,6 +225,7 @@ void DcUnit::registers_written(std::uint16_t address, std::size_t length, Nanose
     next_signal_.reset();
     return;
   }
+  if (kept_ && overlaps(address, length, reg::kSystemTimeOffset, 12)) keep_clock();
   signals_moved();
   if (overlaps(address, length, reg::kSystemTimeOffset, 8)) generator_.realign(unwrapped_time(frame_end));
   if (overlaps(address, length, reg::kSpeedCounterStart, 2)) {
@@ -250,15 +258,45 @@ void DcUnit::latch_processing_unit() {
 void DcUnit::latch_ports(const std::array<std::optional<Nanoseconds>, 4>& passed) {
   if (!config_.receive_times) return;
   for (std::uint16_t port = 0; port < 4; ++port) {
-    if (!passed[port]) continue;
+    if (!passed[port] || stuck_ports_[port]) continue;
+    const double noise = config_.latch_noise_ns > 0 ? config_.latch_noise_ns * latch_noise_.uniform() : 0;
     memory_.set<std::uint32_t>(static_cast<std::uint16_t>(reg::kReceiveTimePort0 + 4 * port),
-                               static_cast<std::uint32_t>(clock_.sample(*passed[port])));
+                               static_cast<std::uint32_t>(clock_.sample(*passed[port] + static_cast<Nanoseconds>(noise))));
   }
 }
 
 void DcUnit::step_clock(Nanoseconds delta) {
   clock_.step(delta);
   signals_moved();
+}
+
+void DcUnit::step_offset(Nanoseconds delta, Nanoseconds time) {
+  if (!config_.system_time) return;
+  deliver_until(time);
+  memory_.set<std::uint64_t>(reg::kSystemTimeOffset, masked(offset() + static_cast<std::uint64_t>(delta)));
+  signals_moved();
+  generator_.realign(unwrapped_time(time));
+}
+
+void DcUnit::ignore_clock_writes(bool ignore) {
+  kept_.reset();
+  if (ignore) kept_ = {memory_.u64(reg::kSystemTimeOffset), memory_.u32(reg::kSystemTimeDelay)};
+}
+
+void DcUnit::keep_clock() {
+  memory_.set<std::uint64_t>(reg::kSystemTimeOffset, kept_->offset);
+  memory_.set<std::uint32_t>(reg::kSystemTimeDelay, kept_->delay);
+}
+
+void DcUnit::leave_sync_running(std::uint32_t cycle, Nanoseconds time) {
+  if (!config_.system_time || generator_.active()) return;
+  deliver_until(time);
+  memory_.set<std::uint32_t>(reg::kSync0CycleTime, cycle);
+  memory_.set<std::uint32_t>(reg::kSync1CycleTime, 0);
+  memory_.set<std::uint64_t>(reg::kStartTimeCyclicOperation, masked(unwrapped_time(time) + cycle));
+  memory_.set<std::uint8_t>(reg::kActivation, kUnitOn | kSync0On);
+  signals_moved();
+  write_activation(time);
 }
 
 }  // namespace syncline::sim

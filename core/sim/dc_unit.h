@@ -60,7 +60,19 @@ class DcUnit {
   /// The unit was activated with a start time that had passed.
   [[nodiscard]] bool start_missed() const { return start_missed_; }
   [[nodiscard]] std::uint32_t deviation_magnitude() const { return loop_.system_time_difference() & 0x7FFF'FFFFU; }
+
+  // Faults.
   void step_clock(Nanoseconds delta);
+  /// Somebody adds to 0x0920.
+  void step_offset(Nanoseconds delta, Nanoseconds time);
+  /// Nothing that is written to 0x0920 to 0x092B takes effect, although it counts as written.
+  void ignore_clock_writes(bool ignore);
+  /// The receive time of the port stays what it is.
+  void stick_port_time(unsigned port, bool stick) { stuck_ports_[port] = stick; }
+  /// Start times written from now on are taken so much off.
+  void shift_start_times(Nanoseconds by) { start_shift_ = by; }
+  /// The cyclic unit is on with SYNC0 only, although nobody has set it up since power-on.
+  void leave_sync_running(std::uint32_t cycle, Nanoseconds time);
 
  private:
   void deliver_until(Nanoseconds time);
@@ -68,6 +80,7 @@ class DcUnit {
   /// System time that does not wrap; a 32-bit unit shows its low word.
   [[nodiscard]] std::uint64_t unwrapped_time(Nanoseconds time) const { return clock_.exact(time) + offset(); }
   void restore_locked_registers();
+  void keep_clock();
   [[nodiscard]] std::uint64_t masked(std::uint64_t value) const { return wide_ ? value : value & 0xFFFF'FFFFU; }
   void compare(Nanoseconds frame_end);
   void pulse(SyncGenerator::Signal signal, Nanoseconds time);
@@ -100,6 +113,16 @@ class DcUnit {
   std::optional<Nanoseconds> next_signal_;
   Nanoseconds quiet_until_ = INT64_MIN;  // no SYNC signal before, whatever the time control loop does
   std::uint64_t local_at_start_of_frame_ = 0;
+  Random latch_noise_;
+
+  /// What is kept against all writing: 0x0920 and 0x0928.
+  struct KeptClock {
+    std::uint64_t offset = 0;
+    std::uint32_t delay = 0;
+  };
+  std::optional<KeptClock> kept_;
+  std::array<bool, 4> stuck_ports_{};
+  Nanoseconds start_shift_ = 0;
 };
 
 }  // namespace syncline::sim

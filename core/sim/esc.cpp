@@ -24,8 +24,8 @@ constexpr unsigned kRead = 1, kWritten = 1, kReplaced = 2;
 
 }  // namespace
 
-void Esc::frame_at_port(unsigned port, Nanoseconds time) {
-  if (port == 0) port_times_ = {};  // here begins a frame's way through a slave
+void Esc::frame_at_port(unsigned port, Nanoseconds time, bool first) {
+  if (first) port_times_ = {};
   port_times_[port] = time;
 }
 

@@ -54,8 +54,8 @@ class Esc {
   void set_listener(Listener* listener);
 
   // ---- the frame's way ----
-  /// Of a frame that takes port times.
-  void frame_at_port(unsigned port, Nanoseconds time);
+  /// Of a frame that takes port times. `first`: here begins its way through the slave.
+  void frame_at_port(unsigned port, Nanoseconds time, bool first);
   /// Nothing of this frame for single slaves is for this one, nor does it leave a trace in it.
   [[nodiscard]] bool is_untouched_by(const PassingFrame& frame) const;
   /// The frame passes the processing unit: executes every datagram in place. False: it is destroyed there.
@@ -87,6 +87,8 @@ class Esc {
   bool latch_input(unsigned number, bool level, Nanoseconds time);
   /// The PDI has read 0x098E or 0x098F.
   void acknowledge_sync(SyncGenerator::Signal signal);
+  /// The device is not told of SYNC signals, whatever its pins show.
+  void silence_sync(bool silent) { sync_silent_ = silent; }
   /// The PDI has dealt with these bits of the AL event request (0x0220).
   void acknowledge_events(std::uint32_t events);
   /// The device stops to ask the ESC, or does so again.
@@ -177,6 +179,7 @@ class Esc {
   std::vector<std::uint8_t> active_managers_;  // those that are on and have a length
   std::uint32_t buffers_begin_ = 0;         // where the first SyncManager's memory begins
   std::size_t reset_step_ = 0;
+  bool sync_silent_ = false;
 
   // Of the frame that is passing:
   std::array<std::optional<Nanoseconds>, 4> port_times_{};

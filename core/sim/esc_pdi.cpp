@@ -120,6 +120,7 @@ void Esc::read_latches(std::uint16_t address, std::size_t length) {
 }
 
 void Esc::sync_fired(SyncGenerator::Signal signal, Nanoseconds time) {
+  if (sync_silent_) return;
   const unsigned number = signal == SyncGenerator::Signal::kSync0 ? 0 : 1;
   const bool mapped = (memory_.u8(reg::kSyncLatchConfiguration) >> (3 + 4 * number) & 1U) != 0;
   if (mapped) raise_al_event(kAlEventSync0 << number);

@@ -29,7 +29,7 @@ Esc::Esc(const SimSlaveConfig& config, std::vector<std::uint8_t> sii, const Opti
   if (config.dc.receive_times) features |= 0x0004;
   if (config.dc.is_64bit) features |= 0x0008;
   if (config.dc.system_time) features |= kEnhancedSyncActivation;
-  memory_.set<std::uint8_t>(reg::kType, 0x11);
+  memory_.set<std::uint8_t>(reg::kType, config.esc_type);
   memory_.set<std::uint8_t>(reg::kFmmuCount, options.fmmu_count);
   memory_.set<std::uint8_t>(reg::kSyncManagerCount, options.sync_manager_count);
   memory_.set<std::uint8_t>(reg::kRamSize, options.ram_kbytes);

@@ -7,23 +7,31 @@
 #include <vector>
 
 #include "sim/segment.h"
+#include "support/random.h"
 
 namespace syncline::sim {
 
-/// Frames that the lines of a segment lose or damage.
+/// Frames that the lines of a segment lose or damage. What happens by chance is the same for the same seed.
 class LineFaults {
  public:
   static constexpr std::uint32_t kUntilRemoved = 0xFFFF'FFFF;
-  /// Frames that do not arrive, or arrive damaged, at a port of a slave.
+  static constexpr int kAnywhere = -1;
+
+  /// `loss`: probability that a frame is lost, anywhere on its way.
+  LineFaults(double loss, std::uint64_t seed) : random_(seed), loss_(loss) {}
+
+  /// Frames that do not arrive, or arrive damaged, at a port of a slave; or anywhere.
   struct Fault {
-    std::uint16_t slave = 0;
+    int slave = kAnywhere;
     std::uint8_t port = 0;
     bool damaged = false;
     std::uint32_t frames = 0;
+    double probability = 1;
+    bool operator==(const Fault&) const = default;
   };
   void add(const Fault& fault) { faults_.push_back(fault); }
-  /// Ends those that are there until then.
-  void remove(std::uint16_t slave, std::uint8_t port, bool damaged);
+  /// Ends one that lasts until then.
+  void remove(const Fault& fault);
 
   /// So many frames of the master do not come to the first slave.
   void lose_frames(std::uint32_t count) { to_lose_ += count; }
@@ -38,8 +46,13 @@ class LineFaults {
   [[nodiscard]] Reach next_frame(std::span<const Passage> passages);
 
  private:
+  [[nodiscard]] bool happens(double probability) { return probability >= 1 || random_.uniform() < probability; }
+  [[nodiscard]] std::size_t somewhere(std::size_t receptions);
+
   std::vector<Fault> faults_;
   std::uint32_t to_lose_ = 0;
+  Random random_;
+  double loss_;
 };
 
 }  // namespace syncline::sim

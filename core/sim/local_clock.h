@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "config/sim_config.h"
 #include "support/random.h"
@@ -19,12 +20,12 @@ class LocalClock {
 
   LocalClock(const OscillatorConfig& config, Nanoseconds power_on, std::uint64_t seed);
 
-  /// The quartz will have wandered at `time`.
-  [[nodiscard]] bool changes_until(Nanoseconds time) const { return next_wander_ <= time; }
-  /// Commits what changes the rate up to `time`; the quartz wanders in steps of 100 ms. True: the rate is another.
+  /// The quartz will have wandered, or warmed up, at `time`.
+  [[nodiscard]] bool changes_until(Nanoseconds time) const { return next_change_ <= time; }
+  /// Commits what changes the rate up to `time`, in steps of 100 ms. True: the rate is another.
   bool advance_to(Nanoseconds time) {
     if (!changes_until(time)) return false;
-    wander_to(time);
+    change_until(time);
     return true;
   }
   /// What the counter shows: the value of the last tick.
@@ -48,7 +49,7 @@ class LocalClock {
   /// The counter jumps by `delta` ns (a fault).
   void step(Nanoseconds delta) { raw_ += static_cast<std::uint64_t>(delta); }
   /// Deviation of the uncorrected quartz from true time at the moment.
-  [[nodiscard]] double ppm() const { return ppm_ + wander_; }
+  [[nodiscard]] double ppm() const { return ppm_ + wander_ + moved_; }
 
  private:
   // What follows runs several times for every slave and frame.
@@ -72,15 +73,19 @@ class LocalClock {
   [[nodiscard]] double correction(Nanoseconds time) const {
     return correction_ + static_cast<double>(time - time_) * (1 + ppm() * 1e-6) * correction_rate_;
   }
-  void wander_to(Nanoseconds time);
+  void change_until(Nanoseconds time);
+  [[nodiscard]] double moved_at(Nanoseconds time) const;
+  /// When the next change of the rate behind `time` is due; INT64_MAX: none.
+  [[nodiscard]] Nanoseconds next_move(Nanoseconds time) const;
 
   Nanoseconds time_;            // committed true time; the rate has been the same since
   std::uint64_t raw_;           // uncorrected counter at time_, whole ns
   double raw_fraction_ = 0;
   double correction_ = 0;       // ns subtracted so far
   double correction_rate_ = 0;
-  double ppm_, wander_ = 0, wander_limit_;
-  Nanoseconds next_wander_;
+  double ppm_, wander_ = 0, wander_limit_, moved_ = 0;
+  std::vector<RateChange> changes_;
+  Nanoseconds next_wander_, next_move_, next_change_;
   Random random_;
 };
 

@@ -12,6 +12,7 @@
 #include "sim/fault_schedule.h"
 #include "sim/line_faults.h"
 #include "sim/passing_frame.h"
+#include "sim/rate_changes.h"
 #include "sim/segment.h"
 #include "sim/sii_from_device.h"
 
@@ -70,12 +71,20 @@ struct SimBus::Impl final : FaultTarget {
   LineFaults line_faults;
   std::optional<FaultSchedule> schedule;
   Nanoseconds now = 0;
+  Nanoseconds wire_free = INT64_MIN;    // a frame of somebody else is on its way to the first slave until then
   PassingFrame passing;
   std::vector<std::size_t> touched;     // those at which the passing frame left something; the others it was not for
 
   Impl(SimConfig c, Nanoseconds start)
-      : config(std::move(c)), wiring(config.slaves), links(config.slaves.size()), now(start) {
+      : config(std::move(c)),
+        wiring(config.slaves),
+        links(config.slaves.size()),
+        line_faults(config.bus.loss, config.seed ^ 0x6C69'6E65U),
+        now(start) {
     for (std::size_t i = 0; i < config.slaves.size(); ++i) {
+      auto& slave = config.slaves[i];
+      slave.oscillator.changes = rate_changes(config, i, start);
+      if (config.bus.latch_noise_ns > 0) slave.dc.latch_noise_ns = config.bus.latch_noise_ns;
       nodes.push_back(power_up(config.slaves[i], factory_sii(config.slaves[i]), start, seed_of(i)));
     }
     rewire();
@@ -89,6 +98,7 @@ struct SimBus::Impl final : FaultTarget {
   [[nodiscard]] std::uint64_t seed_of(std::size_t i) const { return config.seed * 0x9E37'79B9'7F4A'7C15U + i; }
   void restart(std::size_t i, Nanoseconds time) {
     nodes[i] = power_up(config.slaves[i], nodes[i].esc->sii_content(), time, seed_of(i));
+    schedule->started_anew(i);
   }
 
   [[nodiscard]] bool linked(std::size_t i, unsigned port) const {
@@ -96,7 +106,8 @@ struct SimBus::Impl final : FaultTarget {
       const auto& parent = config.slaves[below].parent;
       return links[below].cable && links[below].power && (below == 0 || !parent || links[*parent].power);
     };
-    if (port == 0) return up(i);
+    if (port == wiring.entry(i)) return up(i);
+    if (wiring.ring_at(i, port) != nullptr) return links[i].power;
     const auto child = wiring.child(i, port);
     return child && up(*child);
   }
@@ -128,6 +139,22 @@ struct SimBus::Impl final : FaultTarget {
     links[slave].cable = plugged;
     rewire();
   }
+  void reverse_cable(std::size_t slave, std::uint8_t port) override {
+    const auto child = wiring.child(slave, port);
+    const auto plug = [&](bool plugged) {
+      links[slave].cable = plugged;
+      if (child) links[*child].cable = plugged;
+      rewire();
+    };
+    plug(false);
+    wiring.reverse(slave, port);
+    plug(true);
+  }
+  void close_ring(const std::optional<Wiring::Ring>& ring) override {
+    wiring.close_ring(ring);
+    rewire();
+  }
+  void foreign_frame(Nanoseconds time) override;
   void set_power(std::size_t slave, bool on, Nanoseconds time) override {
     if (on) restart(slave, time);
     links[slave].power = on;
@@ -155,6 +182,10 @@ struct SimBus::Impl final : FaultTarget {
 
 SimBus::Returned SimBus::Impl::execute(std::span<std::uint8_t> frame, Nanoseconds send_time) {
   schedule->run(send_time);
+  if (wire_free > send_time) {  // behind a frame of somebody else
+    send_time = wire_free;
+    wire_free += wire_time_ns(frame.size());
+  }
   if (path.swallowed) advance_to(send_time);  // slaves that no frame reaches live on: a setting for a while ends
   now = std::max(now, send_time);
   if (line_faults.takes_frame()) return {true, 0};
@@ -191,12 +222,14 @@ SimBus::Returned SimBus::Impl::execute(std::span<std::uint8_t> frame, Nanosecond
 void SimBus::Impl::note_port_times(const Reach& way, Nanoseconds send_time) {
   for (std::size_t p = 0; p < way.end; ++p) {
     const auto& passage = path.passages[p];
-    nodes[passage.slave].esc->frame_at_port(passage.port, send_time + passage.offset);
+    if (passage.looped) continue;
+    nodes[passage.slave].esc->frame_at_port(passage.port, send_time + passage.offset, passage.first);
   }
 }
 
 void SimBus::Impl::count_errors(const Reach& way) {
   for (auto p = way.damaged; p < way.end; ++p) {
+    if (path.passages[p].looped) continue;
     auto& ports = nodes[path.passages[p].slave].esc->ports();
     p == way.damaged ? ports.count_invalid_frame(path.passages[p].port) : ports.count_forwarded_error(path.passages[p].port);
   }
@@ -224,7 +257,7 @@ void SimBus::Impl::end_frame(const Reach& reach, Nanoseconds send_time, Nanoseco
   }
   if (path.closed_entry && reach.end == path.passages.size() && reach.damaged == reach.end) {
     auto& ports = nodes[*path.closed_entry].esc->ports();
-    ports.frame_at_closed_port(0);
+    ports.frame_at_closed_port(wiring.entry(*path.closed_entry));
     changed = ports.take_changed() || changed;
   }
   if (changed) rewire();
@@ -235,7 +268,7 @@ SimBus::Returned SimBus::Impl::execute_foreign(bool malformed, Nanoseconds send_
   bool bad = false;
   for (const auto& passage : path.passages) {
     auto& ports = nodes[passage.slave].esc->ports();
-    if (bad) {
+    if (bad && !passage.looped) {
       ports.count_forwarded_error(passage.port);
     } else if (passage.processed && (malformed || ports.destroys_foreign_frames())) {
       ports.count_processing_unit_error();
@@ -244,6 +277,14 @@ SimBus::Returned SimBus::Impl::execute_foreign(bool malformed, Nanoseconds send_
   }
   if (bad || path.swallowed) return {true, 0};
   return {false, send_time + static_cast<Nanoseconds>(path.return_ns + 0.5)};
+}
+
+/// Of another program on the host: shortest frames, which the first ESC destroys.
+void SimBus::Impl::foreign_frame(Nanoseconds time) {
+  constexpr std::size_t kShortest = 60;
+  const auto begin = std::max(time, wire_free);
+  wire_free = begin + wire_time_ns(kShortest);
+  (void)execute_foreign(false, begin);
 }
 
 SimBus::SimBus(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}

@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cerrno>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "support/random.h"
@@ -52,31 +53,43 @@ Nanoseconds RealClock::sleep_until(Nanoseconds deadline, Nanoseconds spin) {
 }
 
 struct VirtualClock::State {
-  std::atomic<Nanoseconds> now{0};
-  JitterProfile jitter;
-  Random random{0};
   struct Standstill {
     Nanoseconds begin = 0, end = 0;
   };
+  std::atomic<Nanoseconds> now{0};
+  JitterProfile jitter;
+  Random wake_ups{0}, stalls{0};  // apart: how often a master wakes up does not move the stalls
   std::vector<Standstill> standstills;  // by their begin
   std::size_t next_standstill = 0;
+  std::optional<Standstill> next_stall;  // by chance
+
+  /// How late this wake-up is.
+  Nanoseconds lateness() {
+    if (jitter.wake_up.empty()) return 0;
+    return std::llround(jitter.wake_up.at(wake_ups.uniform()));
+  }
+
+  /// The one that follows a time by chance, which has no memory.
+  void draw_stall(Nanoseconds after) {
+    next_stall.reset();
+    if (jitter.stalls_per_second <= 0) return;
+    const auto begin = after + std::llround(-std::log(1 - stalls.uniform()) / jitter.stalls_per_second * 1e9);
+    next_stall = {begin, begin + std::llround(jitter.stall.at(stalls.uniform()))};
+  }
 
   /// When the host, due at `time`, goes on.
   Nanoseconds goes_on(Nanoseconds time) {
-    while (next_standstill < standstills.size() && standstills[next_standstill].begin <= time) {
-      time = std::max(time, standstills[next_standstill++].end);
+    for (;;) {
+      if (next_standstill < standstills.size() && standstills[next_standstill].begin <= time) {
+        time = std::max(time, standstills[next_standstill++].end);
+      } else if (next_stall && next_stall->begin <= time) {
+        const auto end = next_stall->end;
+        time = std::max(time, end);
+        draw_stall(end);
+      } else {
+        return time;
+      }
     }
-    return time;
-  }
-
-  /// How late this wake-up is; the generator is asked the same number of times in every call, so
-  /// that one profile's numbers do not depend on what the earlier ones were.
-  Nanoseconds lateness() {
-    if (jitter == JitterProfile::none()) return 0;
-    const double scheduling = std::abs(random.normal()) * jitter.sigma_ns;
-    const double chance = random.uniform();
-    const double tail = random.uniform() * jitter.tail_ns;
-    return std::llround(scheduling + (chance < jitter.tail_probability ? tail : 0.0));
   }
 };
 
@@ -85,7 +98,9 @@ VirtualClock::~VirtualClock() = default;
 
 void VirtualClock::set_wakeup_jitter(const JitterProfile& profile, std::uint64_t seed) {
   state_->jitter = profile;
-  state_->random = Random(seed);
+  state_->wake_ups = Random(seed);
+  state_->stalls = Random(seed ^ 0x7374'616C'6C73U);
+  state_->draw_stall(now());
 }
 
 void VirtualClock::add_standstill(Nanoseconds begin, Nanoseconds length) {

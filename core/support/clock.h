@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "support/jitter_profile.h"
 #include "support/types.h"
 
 namespace syncline {
@@ -43,25 +44,10 @@ class RealClock final : public Clock {
   Nanoseconds epoch_shift_ = 0;
 };
 
-/// How late a host wakes up, as measured on real hosts (docs/distributed-clocks.md).
-/// `sigma_ns`: scale of the one-sided normal wake-up delay; `tail_probability` of the wake-ups
-/// are late by up to `tail_ns` more, uniformly.
-struct JitterProfile {
-  double sigma_ns = 0;
-  double tail_probability = 0;
-  double tail_ns = 0;
-
-  bool operator==(const JitterProfile&) const = default;
-  static constexpr JitterProfile none() { return {}; }
-  static constexpr JitterProfile quiet() { return {200, 0.0005, 2'000}; }
-  static constexpr JitterProfile desktop() { return {3'000, 0.002, 30'000}; }
-  static constexpr JitterProfile bad() { return {20'000, 0.01, 400'000}; }
-};
-
 /// Virtual time: sleep_until advances now() to the deadline and returns at once. With a jitter
 /// profile a *wake-up* is late as on a real host, from its own seeded generator, so the same seed
 /// gives the same run. advance_to() moves time without jitter (frames in flight). A standstill of the host delays
-/// both: what would go on meanwhile goes on at its end.
+/// both: what would go on meanwhile goes on at its end. The profile's stalls come by chance, from that generator too.
 class VirtualClock final : public Clock {
  public:
   /// Default start: a fixed date in 2026, so that runs are repeatable.
@@ -69,6 +55,7 @@ class VirtualClock final : public Clock {
 
   explicit VirtualClock(Nanoseconds start = kDefaultStart);
   ~VirtualClock() override;
+  /// From now on. Of the profile, its wake-ups and stalls.
   void set_wakeup_jitter(const JitterProfile& profile, std::uint64_t seed);
   /// The host does nothing from `begin` (absolute) until `begin + length`. Before time reaches it; any number of them,
   /// overlapping too.

@@ -191,5 +191,19 @@ TEST(CliRun, ParametersThatCannotWorkAreRefusedByName) {
   EXPECT_NE(cli_run({"project", "create", project, "--scan", demo(), "--shift", "sideways"}).code, cli::kDone);
 }
 
+TEST(CliRun, SavesWhatTheRunShowedOfItsHost) {
+  const TemporaryFolder folder;
+  const auto eni = export_demo(folder, "master");
+  const auto host = folder.file("host.toml");
+  ASSERT_EQ(cli_run({"run", eni, "--link", demo(), "--for", "6s", "--save-host", host}).code, cli::kDone);
+  std::ifstream file(host);
+  std::ostringstream text;
+  text << file.rdbuf();
+  EXPECT_THAT(text.str(), testing::AllOf(HasSubstr("cycles of 1000 us in OP"), HasSubstr("[wake_up]"), HasSubstr("[stamp_error]")));
+  const auto nothing = cli_run({"run", eni, "--link", demo(), "--for", "6s", "--state", "PREOP", "--save-host", host});
+  EXPECT_NE(nothing.code, cli::kDone);
+  EXPECT_THAT(nothing.err, HasSubstr("not in OP"));
+}
+
 }  // namespace
 }  // namespace syncline::test

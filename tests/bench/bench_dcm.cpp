@@ -73,7 +73,7 @@ PlantOptions machine(DcmMode mode, const JitterProfile& jitter, double ppm) {
   PlantOptions options;
   options.mode = mode;
   options.jitter = jitter;
-  options.send_delay = jitter.sigma_ns / 6;
+  options.stamp_error = jitter.stamp_error;
   options.reference_ppm = ppm;
   options.slave_ppm = {ppm + 30, ppm - 90};
   options.learned_share = 0.9;

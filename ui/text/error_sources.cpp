@@ -18,7 +18,7 @@ constexpr const char* kSources[] = {
     QT_TRANSLATE_NOOP("Error", "{where}: the value of <{subject}> cannot be used{because}."),
     QT_TRANSLATE_NOOP("Error", "{where}: this is another kind of file; expected{because}."),
     QT_TRANSLATE_NOOP("Error", "{where}: this is not well-formed TOML{because}."),
-    QT_TRANSLATE_NOOP("Error", "{where}: the scenario key \"{subject}\" cannot be used{because}."),
+    QT_TRANSLATE_NOOP("Error", "{where}: the key \"{subject}\" cannot be used{because}."),
     QT_TRANSLATE_NOOP("Error", "The device {subject} is not known{because}; load its ESI file."),
     QT_TRANSLATE_NOOP("Error", "No ESI file describes {subject}; put the vendor's ESI file into the ESI folder {detail} "
                       "and scan again."),

@@ -150,7 +150,9 @@ void Drive::on_state(AlState state) {
   if (state == AlState::kOp) {
     integrator_ = 0;
     busy_until_ = 0;
-    any_outputs_ = false;
+    any_outputs_ = event_in_time_ = false;
+    event_due_.reset();
+    waiting_.reset();
     arriving_.reset();
     arrived_.reset();
     if (!habits_.sync.counters.end_with_op) {
@@ -215,7 +217,13 @@ void Drive::on_outputs(Nanoseconds time) {
   take_arrived(time);
   const auto times = outputs_sync_.next_cycle(application_delay());
   if (synchronised()) {
-    arriving_ = {read_command(), time + times.calc_and_copy};
+    take_event(time);
+    event_due_ = time + times.calc_and_copy - application_delay();
+    if (arriving_) {
+      waiting_ = times.calc_and_copy;  // it is still busy with those before
+    } else {
+      arriving_ = {read_command(), time + times.calc_and_copy};
+    }
   } else {
     apply(read_command(), time);
   }
@@ -223,9 +231,21 @@ void Drive::on_outputs(Nanoseconds time) {
 
 /// Outputs whose copying has ended by now are the application's.
 void Drive::take_arrived(Nanoseconds time) {
-  if (!arriving_ || arriving_->ready > time) return;
-  arrived_ = arriving_->command;
-  arriving_.reset();
+  while (arriving_ && arriving_->ready <= time) {
+    arrived_ = arriving_->command;
+    const auto end = arriving_->ready;
+    arriving_.reset();
+    if (waiting_) arriving_ = {read_command(), end + *waiting_};
+    waiting_.reset();
+  }
+}
+
+/// An SM2 event that was early enough for the next SYNC0. Whether the firmware then gets ready in time is another matter, that
+/// of exceeded cycles.
+void Drive::take_event(Nanoseconds time) {
+  if (!event_due_ || *event_due_ > time) return;
+  event_in_time_ = true;
+  event_due_.reset();
 }
 
 void Drive::on_sync0(Nanoseconds time) {
@@ -240,8 +260,10 @@ void Drive::on_sync0(Nanoseconds time) {
   }
   if (state() == AlState::kOp && synchronised()) {
     take_arrived(time);
-    if (arriving_) outputs_sync_.count_shift_too_short();  // they came, but too late to be calculated with
-    if (any_outputs_) count_sync_event(!arrived_);
+    take_event(time);
+    if (event_due_) outputs_sync_.count_shift_too_short();  // they came, but too late to be calculated with
+    if (any_outputs_) count_sync_event(!event_in_time_);
+    event_in_time_ = false;
     if (arrived_ && state() == AlState::kOp) apply(*arrived_, time);
     arrived_.reset();
   }

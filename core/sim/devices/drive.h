@@ -61,6 +61,7 @@ class Drive : public Device {
   [[nodiscard]] AxisCommand read_command();
   [[nodiscard]] Nanoseconds target_distance();
   void take_arrived(Nanoseconds time);
+  void take_event(Nanoseconds time);
   void count_sync_event(bool missed);
   void raise_sync_alarm();
   void begin_local_cycle(Nanoseconds time);
@@ -91,6 +92,9 @@ class Drive : public Device {
   std::optional<Nanoseconds> latch_due_;
   Nanoseconds busy_until_ = 0;
   bool any_outputs_ = false, was_op_ = false;
+  std::optional<Nanoseconds> waiting_;        // newer outputs than those on their way, and how long copying them will take
+  std::optional<Nanoseconds> event_due_;      // when the outputs of the last SM2 event are there, if nothing delays them
+  bool event_in_time_ = false;                // there was one for the next SYNC0
   unsigned integrator_ = 0;
 };
 

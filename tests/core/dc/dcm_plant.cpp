@@ -66,10 +66,7 @@ void DcmPlant::run_until(double seconds) {
 }
 
 double DcmPlant::draw_jitter() {
-  const double scheduling = std::abs(random_.normal()) * options_.jitter.sigma_ns;
-  const double chance = random_.uniform();
-  const double tail = random_.uniform() * options_.jitter.tail_ns;
-  return scheduling + (chance < options_.jitter.tail_probability ? tail : 0);
+  return options_.jitter.wake_up.empty() ? 0 : options_.jitter.wake_up.at(random_.uniform());
 }
 
 void DcmPlant::advance_to(double host_time) {
@@ -83,7 +80,8 @@ void DcmPlant::cycle() {
   PlantCycle result;
   result.jitter = draw_jitter() + options_.late(count_);
   const auto schedule = static_cast<double>(schedule_);
-  const double stamp_error = -std::abs(random_.normal()) * options_.send_delay + random_.normal() * options_.stamp_noise;
+  double stamp_error = -std::abs(random_.normal()) * options_.send_delay + random_.normal() * options_.stamp_noise;
+  if (!options_.stamp_error.empty()) stamp_error -= options_.stamp_error.at(random_.uniform());
   if (options_.clock_step.cycle == count_) {
     reference_.step(options_.clock_step.ns);
     for (auto& slave : slaves_) slave.step(options_.clock_step.ns);

@@ -54,6 +54,7 @@ struct PlantOptions {
   JitterProfile jitter{};
   double stamp_noise = 0;                   // sigma of the host's send stamp, ns
   double send_delay = 0;                    // sigma of the one-sided normal time from the stamp to the wire, ns
+  QuantileCurve stamp_error{};              // ... and as measured, with its tails
   struct {
     int cycle = -1;
     double ns = 0;

@@ -36,7 +36,7 @@ TEST(ScenarioRules, OnlyFirmwareCanHang) {
 
 /// The same with a [[latch]] behind.
 Result<SimConfig> load_latch(const std::string& latch) {
-  return load("SL-SV7", "kind = \"slow-mailbox\"\n[[latch]]\n" + latch);
+  return load("SL-SV7", "kind = \"slow-mailbox\"\nvalue_ns = 1\n[[latch]]\n" + latch);
 }
 
 TEST(ScenarioRules, LatchPulsesHaveAPlaceAndAShape) {
@@ -66,7 +66,7 @@ TEST(ScenarioRules, SlowMailboxSaysHowSlow) {
 
 TEST(ScenarioRules, AStallIsTheHostsAndHasALength) {
   const auto load_alone = [](const std::string& keys) {
-    return load("SL-SV7", "kind = \"slow-mailbox\"\n[[fault]]\nkind = \"host-stall\"\n" + keys);
+    return load("SL-SV7", "kind = \"slow-mailbox\"\nvalue_ns = 1\n[[fault]]\nkind = \"host-stall\"\n" + keys);
   };
   const auto config = load_alone("at_ms = 8000\nvalue_ns = 30000000\n");
   ASSERT_TRUE(config) << describe(config.error());

@@ -58,15 +58,46 @@ TEST(VirtualClock, WakeupsAreLateAndTheSameForTheSameSeed) {
   EXPECT_GT(*std::max_element(first.begin(), first.end()), 3'000);
 }
 
-TEST(VirtualClock, JitterHasTheScaleAndTheTailOfItsProfile) {
-  const JitterProfile profile{1'000, 0.01, 100'000};
-  const auto late = wakeups(profile, 11, 50'000);
-  double sum = 0;
-  for (const auto value : late) sum += static_cast<double>(value);
-  // Mean of the one-sided normal: sigma * sqrt(2 / pi), plus the tail's share.
-  EXPECT_NEAR(sum / static_cast<double>(late.size()), 1'000 * 0.7979 + 0.01 * 50'000, 60.0);
-  const auto tail = std::count_if(late.begin(), late.end(), [](Nanoseconds v) { return v > 10'000; });
-  EXPECT_NEAR(static_cast<double>(tail) / static_cast<double>(late.size()), 0.01 * 0.92, 0.002);
+TEST(VirtualClock, WakeUpsAreLateAsTheProfileSays) {
+  JitterProfile profile;
+  profile.wake_up = {{{0, 100}, {0.5, 1'000}, {0.99, 3'000}, {1, 100'000}}};
+  auto late = wakeups(profile, 11, 50'000);
+  std::ranges::sort(late);
+  EXPECT_GE(late.front(), 100);
+  EXPECT_LE(late.back(), 100'000);
+  EXPECT_NEAR(static_cast<double>(late[25'000]), 1'000, 30);
+  EXPECT_NEAR(static_cast<double>(late[49'000]), 2'960, 30);
+  EXPECT_NEAR(static_cast<double>(late[49'750]), 51'500, 10'000);
+}
+
+TEST(VirtualClock, StallsComeByChanceAndTheSameForTheSameSeed) {
+  JitterProfile profile;
+  profile.stalls_per_second = 2;
+  profile.stall = {{{0, 2e6}, {1, 4e6}}};
+  const auto stalled = [&](std::uint64_t seed) {
+    std::vector<Nanoseconds> late;
+    VirtualClock clock(0);
+    clock.set_wakeup_jitter(profile, seed);
+    for (int i = 1; i <= 500'000; ++i) {
+      const auto due = i * 200 * kMicrosecond;
+      clock.sleep_until(due);
+      if (clock.now() > due && (late.empty() || late.back() < due)) late.push_back(clock.now());
+    }
+    return late;
+  };
+  const auto first = stalled(3);
+  EXPECT_NEAR(static_cast<double>(first.size()), 200, 45);  // in 100 s
+  EXPECT_EQ(first, stalled(3));
+  EXPECT_NE(first, stalled(4));
+}
+
+TEST(QuantileCurve, IsLinearBetweenItsPointsAndFlatOutside) {
+  const QuantileCurve curve({{0.1, 10}, {0.5, 50}, {0.5, 60}, {0.9, 100}});
+  EXPECT_DOUBLE_EQ(curve.at(0), 10);
+  EXPECT_DOUBLE_EQ(curve.at(0.3), 30);
+  EXPECT_DOUBLE_EQ(curve.at(0.7), 80);
+  EXPECT_DOUBLE_EQ(curve.at(1), 100);
+  EXPECT_DOUBLE_EQ(QuantileCurve().at(0.5), 0);
 }
 
 TEST(VirtualClock, FramesInFlightHaveNoJitter) {

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <toml++/toml.h>
+#include <concepts>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+
+#include "support/result.h"
+#include "support/types.h"
+
+namespace syncline::sim {
+
+/// Reads one table of a TOML file: every key that is asked for is remembered, the others are errors. The first error of
+/// a file stands, with file, line and key; after it the values are of no use.
+class Table {
+ public:
+  /// All three outlive it.
+  Table(const toml::table& table, const std::string& file, std::optional<Error>& error)
+      : table_(table), file_(file), error_(error) {}
+
+  [[nodiscard]] std::string text(std::string_view key, std::string fallback);
+  [[nodiscard]] bool flag(std::string_view key, bool fallback);
+  /// Whole numbers within [low, high].
+  [[nodiscard]] std::int64_t integer(std::string_view key, std::int64_t fallback, std::int64_t low, std::int64_t high);
+  /// Those that the type has; of 64 bits without sign, those that TOML has.
+  template <std::unsigned_integral T>
+  [[nodiscard]] T get(std::string_view key, T fallback) {
+    constexpr auto kHigh = sizeof(T) < 8 ? static_cast<std::int64_t>(std::numeric_limits<T>::max()) : INT64_MAX;
+    return static_cast<T>(integer(key, static_cast<std::int64_t>(fallback), 0, kHigh));
+  }
+  /// Numbers within [low, high], with or without a fraction.
+  [[nodiscard]] double number(std::string_view key, double fallback, double low, double high);
+  /// From milliseconds; 0 to thirty days.
+  [[nodiscard]] Nanoseconds time_ms(std::string_view key, double fallback);
+
+  [[nodiscard]] bool has(std::string_view key) const { return table_.contains(key); }
+  /// Null where there is none.
+  [[nodiscard]] const toml::table* table(std::string_view key);
+  [[nodiscard]] const toml::array* tables(std::string_view key);
+  [[nodiscard]] const toml::array* array(std::string_view key);
+
+  /// At the key's line; at the table's where it is not there.
+  void fail_at(std::string_view key, std::string detail);
+  void reject_unknown_keys(std::string_view where = "a scenario");
+  [[nodiscard]] bool failed() const { return error_.has_value(); }
+  [[nodiscard]] int line() const { return static_cast<int>(table_.source().begin.line); }
+
+ private:
+  [[nodiscard]] const toml::node* ask(std::string_view key);
+
+  const toml::table& table_;
+  const std::string& file_;
+  std::optional<Error>& error_;
+  std::set<std::string, std::less<>> asked_;
+};
+
+/// The whole file. kFileNotFound, kTomlMalformed.
+[[nodiscard]] Result<toml::table> parse_toml(const std::string& path);
+
+}  // namespace syncline::sim

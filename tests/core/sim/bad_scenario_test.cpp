@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "protocol/error_text.h"
+#include "sim/host_profile_file.h"
+#include "tests/core/sim/sim_probe.h"
+
+/// Scenarios and host profiles that contradict themselves, and the file, line and key that the error names.
+namespace syncline::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string write_file(const std::string& content, const std::string& suffix = ".toml") {
+  const auto* info = testing::UnitTest::GetInstance()->current_test_info();
+  const auto path = (fs::temp_directory_path() / (std::string("syncline-bad-") + info->name() + suffix)).string();
+  std::ofstream(path) << content;
+  return path;
+}
+
+std::string servo() { return "[[slave]]\nesi = \"" + resource("esi/SL-SV7.xml") + "\"\n"; }
+std::string terminal() { return "[[slave]]\nesi = \"" + resource("esi/SL-1002.xml") + "\"\n"; }
+
+Result<SimConfig> load(const std::string& content) { return sim::load_scenario(write_file(content), scenario_device); }
+
+struct Wrong {
+  std::string content;
+  std::string key;
+  int line = 0;
+  std::string says;
+};
+
+void expect_wrong(const Wrong& wrong) {
+  const auto config = load(wrong.content);
+  ASSERT_FALSE(config) << wrong.content;
+  EXPECT_EQ(config.error().code, ErrorCode::kScenarioKey) << wrong.content;
+  EXPECT_EQ(config.error().subject, wrong.key) << wrong.content;
+  EXPECT_EQ(config.error().line, wrong.line) << wrong.content << describe(config.error());
+  EXPECT_THAT(config.error().detail, testing::HasSubstr(wrong.says)) << wrong.content;
+  EXPECT_FALSE(config.error().file.empty());
+}
+
+/// Two slaves in four lines, then a fault from line 5 on.
+Wrong fault(const std::string& keys, const std::string& key, int line, const std::string& says) {
+  return {servo() + terminal() + "[[fault]]\n" + keys, key, line, says};
+}
+
+TEST(BadScenario, NumbersOutsideOfWhatTheirKeyCanHold) {
+  for (const auto& wrong :
+       {Wrong{servo() + "alias = 70000\n", "alias", 3, "0 to 65535"},
+        Wrong{servo() + "alias = -1\n", "alias", 3, "0 to 65535"},
+        Wrong{servo() + "alias = 1.5\n", "alias", 3, "whole number"},
+        Wrong{servo() + "ppm = \"much\"\n", "ppm", 3, "number"}, Wrong{servo() + "ppm = nan\n", "ppm", 3, "number"},
+        Wrong{servo() + "processing_delay_ns = -5\n", "processing_delay_ns", 3, "0 to"},
+        Wrong{servo() + "wander_ppm = -5\n", "wander_ppm", 3, "0 to"},
+        Wrong{servo() + "lrw = 1\n", "lrw", 3, "true or false"}, Wrong{servo() + "count = 0\n", "count", 3, "1 to"},
+        Wrong{"seed = -1\n" + servo(), "seed", 1, "from 0 on"},
+        Wrong{"[bus]\nloss = 2\n" + servo(), "loss", 2, "0 to 1"},
+        Wrong{"[bus]\nlatch = 2\n" + servo(), "latch", 2, "is not a key"},
+        Wrong{"[host]\nppm = 1e9\n" + servo(), "ppm", 2, "-10000"}}) {
+    expect_wrong(wrong);
+  }
+}
+
+TEST(BadScenario, SlavesThatContradictThemselves) {
+  for (const auto& wrong :
+       {Wrong{servo() + terminal() + "port = \"A\"\n", "port", 5, "is where slave 0 is wired"},
+        Wrong{servo() + terminal() + terminal() + "parent = 0\n", "parent", 0, ""},
+        Wrong{servo() + "esc = \"et1100\"\ntdiff_ns = 20\n", "tdiff_ns", 4, "without esc"},
+        Wrong{servo() + "esc = \"et2000\"\n", "esc", 3, "et1100"},
+        Wrong{servo() + "tdiff_ns = 20\nprocessing_delay_ns = 300\n", "tdiff_ns", 3, "one of the two"},
+        Wrong{servo() + "cable_m = 1\nasymmetry_ns = 30\n", "asymmetry_ns", 4, "1 m"},
+        Wrong{servo() + "external_ppm = 3\n", "external_ppm", 3, "sync-bridge"},
+        Wrong{servo() + "deviation_sign = \"both\"\n", "deviation_sign", 3, "older"}}) {
+    if (wrong.line != 0) expect_wrong(wrong);
+  }
+  // Two slaves at one port: the line of the second one's table, since it does not say "port".
+  const auto config = load(servo() + terminal() + terminal() + "parent = 0\n");
+  ASSERT_FALSE(config);
+  EXPECT_EQ(config.error().subject, "port");
+  EXPECT_EQ(config.error().line, 5);
+  EXPECT_THAT(config.error().detail, testing::HasSubstr("has slave 1 already"));
+}
+
+TEST(BadScenario, FaultsThatTheMachineCannotHave) {
+  for (const auto& wrong :
+       {fault("kind = \"explode\"\n", "kind", 6, "must be one of"),
+        fault("kind = \"cable-break\"\nslave = 2\n", "slave", 7, "0 to 1"),
+        fault("kind = \"cable-break\"\n", "slave", 5, "position of a slave"),
+        fault("kind = \"cable-break\"\nslave = 0\nvalue_ns = 3\n", "value_ns", 8, "does not go with cable-break"),
+        fault("kind = \"clock-step\"\nslave = 0\n", "value_ns", 5, "is missing"),
+        fault("kind = \"clock-step\"\nslave = 0\nvalue_ns = 1\nuntil_ms = 3\n", "until_ms", 9, "does not go"),
+        fault("kind = \"mailbox-silence\"\nslave = 1\n", "kind", 6, "no mailbox"),
+        fault("kind = \"slow-application\"\nslave = 1\nvalue_ns = 1\n", "kind", 6, "no firmware"),
+        fault("kind = \"bit-errors\"\nslave = 1\nport = \"C\"\n", "port", 8, "no cable"),
+        fault("kind = \"closed-ring\"\nslave = 0\nport = \"B\"\nvalue_ns = 9\n", "port", 8, "not free"),
+        fault("kind = \"reversed-cable\"\nslave = 0\nport = \"A\"\n", "port", 8, "anyway"),
+        fault("kind = \"foreign-frames\"\nslave = 0\n", "slave", 7, "no slave's"),
+        fault("kind = \"clock-slew\"\nvalue_ns = 5\nppm = -3\n", "ppm", 8, "above 0"),
+        fault("kind = \"lose-frames\"\nprobability = 1.5\n", "probability", 7, "0 to 1"),
+        fault("kind = \"lose-frames\"\nprobability = 0.5\ncount = 3\n", "count", 8, "one of the two"),
+        fault("kind = \"lose-frames\"\nat_ms = 3\nuntil_ms = 9\n", "until_ms", 8, "count or a probability"),
+        fault("kind = \"refuse-state\"\nslave = 0\nstate = \"OP\"\n", "code", 5, "is missing")}) {
+    expect_wrong(wrong);
+  }
+  const auto without_clock =
+      load(servo() + "dc = \"none\"\n[[fault]]\nkind = \"clock-step\"\nslave = 0\nvalue_ns = 5\n");
+  ASSERT_FALSE(without_clock);
+  EXPECT_THAT(without_clock.error().detail, testing::HasSubstr("no clock"));
+}
+
+TEST(BadScenario, TimesThatContradictEachOther) {
+  for (const auto& wrong :
+       {fault("kind = \"cable-break\"\nslave = 0\nat_ms = 5\nuntil_ms = 4\n", "until_ms", 9,
+              "before it begins, at 5 ms"),
+        fault("kind = \"cable-break\"\nslave = 0\nat_ms = -5\n", "at_ms", 8, "0 to"),
+        fault("kind = \"cable-break\"\nslave = 0\nat_ms = inf\n", "at_ms", 8, "0 to"),
+        fault("kind = \"bit-errors\"\nslave = 1\nat_ms = 5\nuntil_ms = 9\ncount = 3\n", "count", 10,
+              "without until_ms"),
+        fault("kind = \"slave-off\"\nslave = 0\nat_ms = 5\nuntil_ms = 9\n[[fault]]\nkind = \"slave-off\"\nslave = "
+              "0\nat_ms = 8\n",
+              "at_ms", 13, "begins at 5 ms is not over"),
+        fault("kind = \"slave-off\"\nslave = 0\nat_ms = 5\n[[fault]]\nkind = \"slave-off\"\nslave = 0\nat_ms = 800\n",
+              "at_ms", 12, "not over")}) {
+    expect_wrong(wrong);
+  }
+  for (const auto* fine :
+       {"kind = \"slave-off\"\nslave = 0\nat_ms = 5\nuntil_ms = 9\n[[fault]]\nkind = \"slave-off\"\nslave = 0\nat_ms = "
+        "9\n",
+        "kind = \"slave-off\"\nslave = 0\nat_ms = 5\n[[fault]]\nkind = \"slave-off\"\nslave = 1\nat_ms = 8\n",
+        "kind = \"lose-frames\"\nat_ms = 5\n[[fault]]\nkind = \"lose-frames\"\nat_ms = 5\ncount = 2\n",
+        "kind = \"cable-break\"\nslave = 0\nat_ms = 5\n[[fault]]\nkind = \"slave-off\"\nslave = 0\nat_ms = 8\n"}) {
+    const auto config = load(servo() + terminal() + "[[fault]]\n" + fine);
+    EXPECT_TRUE(config) << fine << describe(config.error());
+  }
+}
+
+TEST(HostProfileFile, SaysWhatItWasMadeFromAndIsReadBack) {
+  for (const auto& profile :
+       {JitterProfile::none(), JitterProfile::quiet(), JitterProfile::desktop(), JitterProfile::bad()}) {
+    const auto text = sim::host_profile_text(profile, "Measured somewhere.\nTwice.");
+    EXPECT_THAT(text, testing::StartsWith("# Measured somewhere.\n# Twice.\n"));
+    const auto back = sim::read_host_profile(write_file(text));
+    ASSERT_TRUE(back) << describe(back.error());
+    EXPECT_EQ(sim::host_profile_text(*back, ""), sim::host_profile_text(profile, ""));
+  }
+}
+
+TEST(HostProfileFile, IsTakenByAScenarioBesideIt) {
+  const auto profile = write_file(
+      "[wake_up]\nquantiles = [[0, 10], [1, 30]]\n[stalls]\nper_second = 0.5\nquantiles = [[0, 2e6], [1, 3e6]]\n",
+      ".host.toml");
+  const auto config = load("[host]\nprofile = \"" + fs::path(profile).filename().string() + "\"\n" + servo());
+  ASSERT_TRUE(config) << describe(config.error());
+  EXPECT_EQ(config->host_jitter.wake_up.at(0.5), 20);
+  EXPECT_EQ(config->host_jitter.stalls_per_second, 0.5);
+  EXPECT_EQ(config->host_jitter.stall.at(1), 3e6);
+  expect_wrong({"[host]\njitter = \"quiet\"\nprofile = \"x.toml\"\n" + servo(), "profile", 3, "without jitter"});
+  const auto missing = load("[host]\nprofile = \"nowhere.toml\"\n" + servo());
+  ASSERT_FALSE(missing);
+  EXPECT_EQ(missing.error().code, ErrorCode::kFileNotFound);
+}
+
+TEST(HostProfileFile, ContradictionsAreNamedWithLineAndKey) {
+  const auto expect = [](const std::string& text, const std::string& key, int line, const std::string& says) {
+    const auto path = write_file(text);
+    const auto profile = sim::read_host_profile(path);
+    ASSERT_FALSE(profile) << text;
+    EXPECT_EQ(profile.error().file, path);
+    EXPECT_EQ(profile.error().subject, key) << text;
+    EXPECT_EQ(profile.error().line, line) << text << describe(profile.error());
+    EXPECT_THAT(profile.error().detail, testing::HasSubstr(says)) << text;
+  };
+  expect("[wake_up]\nquantiles = [[0, 10],\n  [0.5, 5]]\n", "quantiles", 3, "cannot be below 5 ns");
+  expect("[wake_up]\nquantiles = [[0.5, 10],\n  [0.5, 50]]\n", "quantiles", 3, "must rise");
+  expect("[wake_up]\nquantiles = [[0, -1]]\n", "quantiles", 2, "0 to 60000000000");
+  expect("[wake_up]\nquantiles = [[0, nan]]\n", "quantiles", 2, "0 to 60000000000");
+  expect("[wake_up]\nquantiles = [[50, 10]]\n", "quantiles", 2, "part from 0 to 1");
+  expect("[wake_up]\nquantiles = []\n", "quantiles", 2, "list of [part, ns]");
+  expect("[wake_up]\nscale = 3\n", "quantiles", 1, "list of [part, ns]");
+  expect("[stamps]\nquantiles = [[0, 1]]\n", "stamps", 1, "is not a key");
+  expect("[stalls]\nper_second = 3\n", "quantiles", 1, "list of");
+  expect("[stalls]\nper_second = 300\nquantiles = [[0, 5e6]]\n", "per_second", 2, "no time at all");
+  EXPECT_EQ(sim::read_host_profile(write_file("[wake_up\n")).error().code, ErrorCode::kTomlMalformed);
+}
+
+}  // namespace
+}  // namespace syncline::test
