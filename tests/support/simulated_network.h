@@ -38,6 +38,15 @@ inline DeviceDescription io8() {
   return device;
 }
 
+/// A terminal that maps the time stamps of its external synchronisation.
+inline DeviceDescription bridge() {
+  auto device = io8();
+  device.type = device.name = "bridge";
+  device.identity.product_code = 0x0109;
+  device.tx_pdos[0].entries = {{0x10F4, 0x11, 64, "Internal time", "ULINT"}, {0x10F4, 0x12, 64, "External time", "ULINT"}};
+  return device;
+}
+
 /// A servo drive with a CoE mailbox and start-up objects.
 inline DeviceDescription servo() {
   const auto file = eni::read_esi(std::string(SYNCLINE_SOURCE_DIR) + "/resources/esi/SL-SV7.xml");

@@ -173,22 +173,13 @@ TEST_F(DcmRun, TheLogSaysTheRun) {
   EXPECT_NEAR(static_cast<double>(last.output_total), last.time_ms * -35, 5'000);
 }
 
-/// A terminal that maps the time stamps of its external synchronisation.
-DeviceDescription bridge() {
-  auto device = test::io8();
-  device.type = device.name = "bridge";
-  device.identity.product_code = 0x0109;
-  device.tx_pdos[0].entries = {{0x10F4, 0x11, 64, "Internal time", "ULINT"}, {0x10F4, 0x12, 64, "External time", "ULINT"}};
-  return device;
-}
-
 class DcmDcx : public DcmRun {
  protected:
   std::unique_ptr<sim::SimBus> other;  // the segment on the other side
 
   void SetUp() override {
     DcmRun::SetUp();
-    network.add(bridge(), "sync-bridge");
+    network.add(test::bridge(), "sync-bridge");
     test::SimulatedNetwork other_network;
     other_network.add(test::io8());
     other_network.sim.slaves[0].oscillator.ppm = -25;
