@@ -81,7 +81,7 @@ class Outage : public ::testing::Test {
     ASSERT_TRUE(bus);
     config = network.compiled();
     recorder = std::make_unique<RunRecorder>(config);
-    auto link = make_simulated_link("sim", std::move(*bus), clock, SimulatedHost::with(jitter, 4));
+    auto link = make_simulated_link("sim", std::move(*bus), clock, SimulatedHost{jitter.stamp_error, 4});
     service = std::make_unique<MasterService>(std::move(link), clock);
     service->channels().commands.push(GoOnlineCommand{config, AlState::kOp});
     (void)service->step();
@@ -108,7 +108,8 @@ class Outage : public ::testing::Test {
     return text;
   }
   /// Times of such events from `begin` on, since the start.
-  [[nodiscard]] std::vector<Nanoseconds> times(EventKind kind, std::int64_t a, Nanoseconds begin, int slave = -2) const {
+  [[nodiscard]] std::vector<Nanoseconds> times(EventKind kind, std::int64_t a, Nanoseconds begin,
+                                               int slave = -2) const {
     std::vector<Nanoseconds> found;
     for (const auto& event : events) {
       const auto time = event.time - start;
@@ -117,7 +118,7 @@ class Outage : public ::testing::Test {
     }
     return found;
   }
-  [[nodiscard]] Json report() const { return cli::to_json(recorder->finish(snapshot)); }
+  [[nodiscard]] cli::Json report() const { return cli::to_json(recorder->finish(snapshot)); }
   static double seconds(Nanoseconds time) { return static_cast<double>(time) / 1e9; }
 
   struct Case {
@@ -201,7 +202,7 @@ TEST_F(Outage, ADriveThatFallsBehindAnotherOneIsSeen) {
   limit.sub_index = 2;
   limit.data = {15, 0};
   network.project.slaves[2].startup.push_back(limit);
-  fault(FaultKind::kLoseFrames, -1, 6 * kSecond, 0, 4);   // one stays: it bears 5 in a row
+  fault(FaultKind::kLoseFrames, -1, 6 * kSecond, 0, 4);  // one stays: it bears 5 in a row
   fault(FaultKind::kLoseFrames, -1, 7 * kSecond, 0, 12);
   go_online();
   run_until(7 * kSecond);
