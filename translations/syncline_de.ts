@@ -457,6 +457,10 @@
     <context>
         <name>Events</name>
         <message>
+            <source>In sync again, deviation %1</source>
+            <translation>Wieder synchron, Abweichung %1</translation>
+        </message>
+        <message>
             <source>Port %1: link lost %2 times, %3 damaged frames</source>
             <translation>Port %1: Link %2 Mal verloren, %3 beschädigte Frames</translation>
         </message>

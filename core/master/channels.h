@@ -221,7 +221,7 @@ enum class EventKind : std::uint8_t {
   kDcInitialised,       // a = number of DC slaves, b = position of the reference clock
   kReferenceClock,      // slave, a = 1 present, 0 lost, 2 took over from the one that was lost, 3 has no system time: the
                         // next one leads in its place
-  kDcSlaveSync,         // a = 1 in sync, 0 out of sync, 2 taken as in sync because nothing is monitored;
+  kDcSlaveSync,         // a = 1 in sync (of a slave: it was away and is again), 0 out of sync, 2 nothing is monitored;
                         // 3 unknown; b = deviation ns (3: age of the oldest reading, ns); slave = culprit when out, whose
                         // own reading is over the limit, c = number of those; without a culprit they are all
                         // that follow, and over it to the same side: the reference clock has moved

@@ -40,6 +40,7 @@ void SlavesSync::start(const DcNetwork& network, Nanoseconds first_cycle, bool s
   readings_.assign(config.slaves.size(), {});
   for (auto& reading : readings_) reading.time = first_cycle;
   lost_.assign(config.slaves.size(), false);
+  returned_.assign(config.slaves.size(), false);
   out_since_.reset();
   round_since_.reset();
   auto& dc = run_.snapshot.dc;
@@ -82,8 +83,10 @@ void SlavesSync::take_readings(Nanoseconds time, bool distributed) {
     auto& slave = snapshot.slaves[i];
     auto& reading = readings_[i];
     const bool behind = leader >= 0 && static_cast<int>(i) > leader;
+    const bool was_lost = lost_[i];
     const bool follows = slave.present && slave.dc_enabled && behind && !comes_back(i, time);
     if (!slave.present) lost_[i] = true;
+    returned_[i] = slave.present && (returned_[i] || (was_lost && !lost_[i]));
     if (follows != reading.follows) reading = {follows, false, time, 0};
     slave.follows = follows;
     followers_ += follows ? 1 : 0;
@@ -91,7 +94,17 @@ void SlavesSync::take_readings(Nanoseconds time, bool distributed) {
     reading.read = true;
     reading.time = time;
     reading.deviation_ns = slave.deviation_ns;
+    tell_return(i, time);
   }
+}
+
+/// The others stayed in sync, and so no edge of the verdict says that this one is again.
+void SlavesSync::tell_return(std::size_t slave, Nanoseconds time) {
+  const auto& reading = readings_[slave];
+  const bool within = reading.follows && reading.magnitude() <= verdict_.limit_ns();
+  if (!returned_[slave] || !within || verdict_.state() != dc::SyncVerdict::State::kInSync) return;
+  returned_[slave] = false;
+  run_.event(EventKind::kDcSlaveSync, time, static_cast<int>(slave), 1, reading.magnitude());
 }
 
 /// A clock that was away is set up anew before it can be asked to follow. It counts again when it has caught up, or
@@ -159,6 +172,7 @@ void SlavesSync::tell(dc::SyncVerdict::Edge edge, Nanoseconds time) {
   switch (edge) {
     case dc::SyncVerdict::Edge::kInSync:
       if (out_since_) tell_culprit(*out_since_ + kCulpritPatience);
+      returned_.assign(returned_.size(), false);
       run_.event(EventKind::kDcSlaveSync, time, -1, 1, evidence.worst >= 0 ? evidence.worst_ns : ored_ns_);
       return;
     case dc::SyncVerdict::Edge::kUnknown:

@@ -29,6 +29,7 @@ class SlavesSync {
 
  private:
   void take_readings(Nanoseconds time, bool distributed);
+  void tell_return(std::size_t slave, Nanoseconds time);
   [[nodiscard]] bool comes_back(std::size_t slave, Nanoseconds time);
   [[nodiscard]] dc::OredReading meaning(const OredDeviation& ored) const;
   void report(Nanoseconds time, CycleSample& sample);
@@ -40,7 +41,8 @@ class SlavesSync {
   RunState& run_;
   dc::SyncVerdict verdict_;
   std::vector<dc::ClockReading> readings_;
-  std::vector<bool> lost_;  // were away and have not caught up
+  std::vector<bool> lost_;      // were away and have not caught up
+  std::vector<bool> returned_;  // have, and it is not told yet that they are in sync
   std::size_t followers_ = 0;
   bool steered_ = false;
   std::uint32_t ored_ns_ = 0;

@@ -39,7 +39,7 @@ struct Machine {
     start = clock.now();
     auto bus = sim::SimBus::create(network.sim, start);
     ASSERT_TRUE(bus);
-    auto link = make_simulated_link("sim", std::move(*bus), clock, SimulatedHost::with(jitter, 9));
+    auto link = make_simulated_link("sim", std::move(*bus), clock, SimulatedHost{jitter.stamp_error, 9});
     MasterService service(std::move(link), clock);
     service.channels().commands.push(GoOnlineCommand{network.compiled(), AlState::kOp});
     service.run_for(half_way ? duration / 2 : duration);

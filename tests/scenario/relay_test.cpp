@@ -22,7 +22,7 @@ struct Through {
     clock.set_wakeup_jitter(jitter, faults.seed);
     const auto start = clock.now();
     auto bus = sim::SimBus::create(network.sim, start);
-    auto link = make_simulated_link("sim", std::move(*bus), clock, SimulatedHost::with(jitter, faults.seed));
+    auto link = make_simulated_link("sim", std::move(*bus), clock, SimulatedHost{jitter.stamp_error, faults.seed});
     MasterService service(std::make_unique<FaultLink>(std::move(link), clock, faults), clock);
     service.channels().commands.push(GoOnlineCommand{network.compiled(), AlState::kOp});
     service.run_for(20 * kSecond);

@@ -132,6 +132,7 @@ Message Words::slaveSync(const Event& event) {
     case 3:
       return line(Severity::kWarning, tr("Not known whether the slaves are in sync: nothing was read for %1").arg(timeText(event.b)));
     default:
+      if (event.slave >= 0) return line(Severity::kInfo, tr("In sync again, deviation %1").arg(timeText(event.b)));
       return line(Severity::kInfo, tr("All slaves in sync, deviation at most %1").arg(timeText(event.b)));
   }
 }
