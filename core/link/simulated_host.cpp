@@ -13,7 +13,7 @@ SimulatedHost set_up_host(VirtualClock& clock, const SimConfig& config) {
   // Generators of their own, so that the host's jitter does not depend on the number of slaves.
   clock.set_wakeup_jitter(config.host_jitter, config.seed ^ 0x686F'7374'6A69'7474U);
   add_standstills(clock, config);
-  return {config.host_jitter.stamp_error, config.seed ^ 0x7374'616D'7073ULL};
+  return SimulatedHost::with(config.host_jitter, config.seed ^ 0x7374'616D'7073ULL);
 }
 
 }  // namespace syncline

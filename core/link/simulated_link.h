@@ -16,6 +16,7 @@ struct SimulatedHost {
   /// is wrong by it. That long it is busy with sending.
   QuantileCurve stamp_error{};
   std::uint64_t seed = 1;
+  [[nodiscard]] static SimulatedHost with(const JitterProfile& jitter, std::uint64_t seed) { return {jitter.stamp_error, seed}; }
 };
 
 /// The simulated segment as a Link. On a virtual clock receive() moves time to the frame's arrival or

@@ -38,7 +38,7 @@ class DcmRun : public ::testing::Test {
     auto made = sim::SimBus::create(network.sim, clock.now());
     ASSERT_TRUE(made);
     bus = made->get();
-    auto link = make_simulated_link("sim", std::move(*made), clock, SimulatedHost{jitter.stamp_error, 4});
+    auto link = make_simulated_link("sim", std::move(*made), clock, SimulatedHost::with(jitter, 4));
     service = std::make_unique<MasterService>(std::move(link), clock);
     service->channels().commands.push(GoOnlineCommand{network.compiled(), AlState::kOp});
     (void)service->step();
