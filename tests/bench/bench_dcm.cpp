@@ -152,7 +152,7 @@ void cost_of_a_cycle(RatioReport& report, DcmMode mode, double controller_ns) {
       CycleSample sample;
       (void)sync.reference_write(time, time);
       (void)sync.observe_cycle({time, time, time + (i * 37) % 100}, sample);
-      sync.observe_deviation(time, static_cast<std::uint32_t>(i % 30), sample);
+      sync.observe_slaves(time, OredDeviation{static_cast<std::uint32_t>(i % 30), 4}, sample);
     }
   }) / kCycles;
   report.add(fmt::format("{}, all for the clocks in a cycle", dcm_mode_name(mode)), ns, "the controller", controller_ns, 0);
