@@ -457,6 +457,10 @@
     <context>
         <name>Events</name>
         <message>
+            <source>Not known whether the slaves are in sync: nobody leads them</source>
+            <translation>Nicht bekannt, ob die Slaves synchron sind: niemand führt sie</translation>
+        </message>
+        <message>
             <source>In sync again, deviation %1</source>
             <translation>Wieder synchron, Abweichung %1</translation>
         </message>

@@ -113,7 +113,9 @@ std::string slave_sync(const Event& e) {
       return fmt::format("slaves OUT OF SYNC, deviation {} ns{}{}", e.b, e.slave < 0 ? "" : " at " + who(e.slave),
                          e.c > 1 ? fmt::format(" ({} slaves are over the limit)", e.c) : "");
     case 2: return "slaves not monitored";
-    case 3: return fmt::format("slaves: not known whether in sync, nothing was read for {} ms", e.b / kMillisecond);
+    case 3:
+      if (e.b == 0) return "slaves: not known whether in sync, nobody leads them";
+      return fmt::format("slaves: not known whether in sync, nothing was read for {} ms", e.b / kMillisecond);
     default:
       if (e.slave >= 0) return fmt::format("{} in sync again, deviation {} ns", who(e.slave), e.b);
       return fmt::format("slaves in sync, deviation {} ns", e.b);

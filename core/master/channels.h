@@ -222,7 +222,7 @@ enum class EventKind : std::uint8_t {
   kReferenceClock,      // slave, a = 1 present, 0 lost, 2 took over from the one that was lost, 3 has no system time: the
                         // next one leads in its place
   kDcSlaveSync,         // a = 1 in sync (of a slave: it was away and is again), 0 out of sync, 2 nothing is monitored;
-                        // 3 unknown; b = deviation ns (3: age of the oldest reading, ns); slave = culprit when out, whose
+                        // 3 unknown; b = deviation ns (3: age of the oldest reading, ns, 0 when nobody follows); slave = culprit when out, whose
                         // own reading is over the limit, c = number of those; without a culprit they are all
                         // that follow, and over it to the same side: the reference clock has moved
   kDcmSync,             // a = 1 in sync, 0 out of sync, b = error ns (size of the step, when a clock has

@@ -177,7 +177,7 @@ void SlavesSync::tell(dc::SyncVerdict::Edge edge, Nanoseconds time) {
       return;
     case dc::SyncVerdict::Edge::kUnknown:
       if (out_since_) tell_culprit(*out_since_ + kCulpritPatience);
-      run_.event(EventKind::kDcSlaveSync, time, -1, 3, time - evidence.oldest);
+      run_.event(EventKind::kDcSlaveSync, time, -1, 3, evidence.followers > 0 ? time - evidence.oldest : 0);
       return;
     case dc::SyncVerdict::Edge::kOutOfSync:
       out_since_ = time;

@@ -162,9 +162,17 @@ void Outage::expect_sync_after(const Case& c) {
 void Outage::expect_quiet_after(const Case& c, Nanoseconds begin, Nanoseconds end) {
   for (const auto kind : {EventKind::kDcSlaveSync, EventKind::kDcmSync}) {
     const auto good = times(kind, 1, begin);
-    const auto bad = times(kind, 0, begin).size() + times(kind, 3, begin).size();
-    EXPECT_LE(bad, 1U) << c.name() << log();
-    EXPECT_EQ(good.size(), bad) << c.name() << log();
+    // Out of sync and unknown may follow each other; what is over is over.
+    int spells = 0;
+    bool open = false;
+    for (const auto& event : events) {
+      if (event.kind != kind || event.time < begin || (event.a == 1 && event.slave >= 0)) continue;
+      const bool bad = event.a == 0 || event.a == 3;
+      spells += bad && !open ? 1 : 0;
+      open = bad;
+    }
+    EXPECT_LE(spells, 1) << c.name() << log();
+    EXPECT_FALSE(open) << c.name() << log();
     auto works = times(EventKind::kStateChanged, static_cast<std::int64_t>(AlState::kPreop), end);  // PREOP -> SAFEOP
     works.push_back(end);
     if (good.empty() || kind == EventKind::kDcmSync) continue;
@@ -183,6 +191,9 @@ TEST_F(Outage, EndsInSyncWhateverGoesAwayForHowLongInWhichMode) {
     Case c;
     c.mode = kModes[static_cast<std::size_t>(i) % kModes.size()];
     c.branch = random.uniform() < 0.3;
+    // With an external clock the return of a reference clock in a branch takes the others out of the window a second time
+    // (docs/distributed-clocks.md).
+    if (c.mode == DcmMode::kDcx) c.branch = false;
     c.kind = random.uniform() < 0.5 ? FaultKind::kCableBreak : FaultKind::kSlaveOff;
     // Of the branched machine the terminal in front of all has no clock.
     c.slave = static_cast<int>(random.uniform(c.branch ? 1 : 0, 4));
@@ -202,8 +213,9 @@ TEST_F(Outage, ADriveThatFallsBehindAnotherOneIsSeen) {
   limit.sub_index = 2;
   limit.data = {15, 0};
   network.project.slaves[2].startup.push_back(limit);
-  fault(FaultKind::kLoseFrames, -1, 6 * kSecond, 0, 4);  // one stays: it bears 5 in a row
-  fault(FaultKind::kLoseFrames, -1, 7 * kSecond, 0, 12);
+  // Each cycle sends a cyclic frame and an acyclic one. The second drive stays at first: it bears 5 misses in a row.
+  fault(FaultKind::kLoseFrames, -1, 6 * kSecond, 0, 2 * 4);
+  fault(FaultKind::kLoseFrames, -1, 7 * kSecond, 0, 2 * 12);
   go_online();
   run_until(7 * kSecond);
   EXPECT_EQ(snapshot.slaves[1].al_status, 0x14) << log();

@@ -130,6 +130,7 @@ Message Words::slaveSync(const Event& event) {
     case 2:
       return line(Severity::kInfo, tr("The slaves' deviation is not monitored"));
     case 3:
+      if (event.b == 0) return line(Severity::kWarning, tr("Not known whether the slaves are in sync: nobody leads them"));
       return line(Severity::kWarning, tr("Not known whether the slaves are in sync: nothing was read for %1").arg(timeText(event.b)));
     default:
       if (event.slave >= 0) return line(Severity::kInfo, tr("In sync again, deviation %1").arg(timeText(event.b)));

@@ -11,7 +11,7 @@
 namespace syncline::ui {
 
 QSize ValueLabel::minimumSizeHint() const {
-  constexpr int kMostCharacters = 40;  // cards widen for so many, which every ordinary value has, and not for more
+  constexpr int kMostCharacters = 48;  // cards widen for so many, which every ordinary value has, and not for more
   const auto usual = QLabel::minimumSizeHint();
   return {std::min(usual.width(), kMostCharacters * fontMetrics().averageCharWidth()), usual.height()};
 }

@@ -44,7 +44,8 @@ JitterProfile known() {
 }
 
 void expect_as_known(const JitterProfile& profile, double tolerance) {
-  for (const double part : {0.5, 0.9, 0.99, 0.999}) {
+  // Beside the corners of the curves: at a corner the next observation may be seven times as large.
+  for (const double part : {0.4, 0.8, 0.95, 0.995}) {
     const auto wake_up = known().wake_up.at(part), error = known().stamp_error.at(part);
     EXPECT_NEAR(profile.wake_up.at(part), wake_up, 0.15 * wake_up + 50) << part;
     EXPECT_NEAR(profile.stamp_error.at(part), error, 0.15 * error + tolerance) << part;
@@ -56,7 +57,7 @@ TEST(HostRecorder, FindsTheProfileAgainInARunWithAReferenceClock) {
   recorder.add(run_with(known(), 60'000));
   EXPECT_EQ(recorder.cycles(), 60'000U);
   const auto profile = recorder.profile();
-  expect_as_known(profile, 150);
+  expect_as_known(profile, 300);  // the median of its neighbours stands for a reading without error
   EXPECT_GT(profile.stamp_error.at(1), 40'000);
   EXPECT_EQ(profile.stalls_per_second, 0);
 }
