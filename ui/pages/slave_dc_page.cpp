@@ -160,7 +160,7 @@ void SlaveDcPage::showLive(const Snapshot& snapshot) {
   deviation_->setText(status != nullptr && status->deviation_valid && status->follows ? signedTimeText(status->deviation_ns) : none());
   delay_->setText(status != nullptr && status->dc_enabled ? timeText(status->propagation_delay_ns) : none());
   missed_->setText(status != nullptr && status->sm2_missed.valid
-                       ? tr("%1 (object %2:%3)").arg(countText(status->sm2_missed.value), hexText(status->sm2_missed.index, 4),
+                       ? tr("%1 (object %2:%3)").arg(countText(status->sm2_missed.known ? status->sm2_missed.missed : status->sm2_missed.value), hexText(status->sm2_missed.index, 4),
                                                      hexText(status->sm2_missed.sub_index, 2).mid(2))
                        : none());
 }
