@@ -30,6 +30,15 @@ void Spells::note(Nanoseconds time, std::uint64_t count, std::int64_t size, Nano
   largest_ = std::max(largest_, size);
 }
 
+void Spells::take_back(std::uint64_t count) {
+  for (auto spell = spells_.rbegin(); spell != spells_.rend() && count > 0; ++spell) {
+    const auto part = std::min(spell->count, count);
+    spell->count -= part;
+    count_ -= part;
+    count -= part;
+  }
+}
+
 bool Spells::near(const Spell& spell, Nanoseconds margin) const {
   return std::ranges::any_of(
       spells_, [&](const Spell& mine) { return mine.from <= spell.to + margin && spell.from <= mine.to + margin; });
@@ -150,6 +159,9 @@ void HistoryRecorder::add(const Event& event) {
 }
 
 void HistoryRecorder::add(const Snapshot& snapshot) {
+  // What was missed at its deadline and has come since is late, not lost.
+  if (snapshot.late_frames > late_frames_) history_.lost_frames.take_back(snapshot.late_frames - late_frames_);
+  late_frames_ = snapshot.late_frames;
   if (snapshot.dc.enabled) {
     grid_known_ = true;
     base_ = snapshot.dc.sync_base;

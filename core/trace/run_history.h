@@ -28,6 +28,8 @@ class Spells {
   static constexpr std::size_t kMost = 64;
   static constexpr Nanoseconds kGap = 200 * kMillisecond;
   void note(Nanoseconds time, std::uint64_t count, std::int64_t size = 0, Nanoseconds from = 0);
+  /// So many of the latest turned out to be none.
+  void take_back(std::uint64_t count);
   [[nodiscard]] bool empty() const { return spells_.empty(); }
   [[nodiscard]] const std::vector<Spell>& list() const { return spells_; }
   [[nodiscard]] std::uint64_t count() const { return count_; }
@@ -103,6 +105,7 @@ class HistoryRecorder {
   bool grid_known_ = false;
   std::vector<std::array<std::uint32_t, 2>> exceeded_;  // totals seen last
   std::optional<Nanoseconds> last_send_;
+  std::uint64_t late_frames_ = 0;  // seen last
 };
 
 }  // namespace syncline

@@ -80,6 +80,7 @@ struct Losses {
   std::uint64_t count = 0, most = 0;
   Nanoseconds first = 0, last = 0;
   void add(const Spell& spell) {
+    if (spell.count == 0) return;  // all came late
     if (count == 0) first = spell.from;
     count += spell.count;
     most = std::max(most, spell.count);

@@ -106,6 +106,19 @@ TEST_F(RunHistoryTest, CountsSyncLossesInOpAlone) {
   EXPECT_EQ(recorder.history().slave_losses[0].back, 5 * kSecond);
 }
 
+TEST_F(RunHistoryTest, FramesThatCameLateAreNotLost) {
+  auto missed = sample(kSecond);
+  missed.flags |= CycleSample::kFrameLost;
+  missed.frames_lost = 2;
+  add(missed);
+  Snapshot snapshot;
+  snapshot.late_frames = 1;
+  recorder.add(snapshot);
+  EXPECT_EQ(recorder.history().lost_frames.count(), 1U);
+  recorder.add(snapshot);
+  EXPECT_EQ(recorder.history().lost_frames.count(), 1U) << "each is taken back once";
+}
+
 TEST_F(RunHistoryTest, TakesNoEventOfASlaveThatIsNotConfigured) {
   recorder.add(event(EventKind::kSlaveLost, kSecond, 7));
   recorder.add(event(EventKind::kCable, kSecond, 7, 0, 9, 0));
