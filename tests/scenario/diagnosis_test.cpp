@@ -111,11 +111,19 @@ TEST_F(Diagnosis, TellsOfFirmwareThatHangs) {
 }
 
 TEST_F(Diagnosis, LooksForTheCauseInTheSlaveWhenAllCyclesWereGood) {
+  machine.fault(FaultKind::kSilentSync, 6 * kSecond, 1).until = 9 * kSecond;
+  machine.run(10 * kSecond);
+  EXPECT_TRUE(machine.found(Code::kSlaveFellByItself, 1)) << machine.said();
+}
+
+TEST_F(Diagnosis, TellsOfFirmwareThatNeedsLongerThanItsCycle) {
   auto& fault = machine.fault(FaultKind::kSlowApplication, 6 * kSecond, 1);
   fault.until = 9 * kSecond;
   fault.value_ns = 1'500'000;
   machine.run(10 * kSecond);
-  EXPECT_TRUE(machine.found(Code::kSlaveFellByItself, 1)) << machine.said();
+  EXPECT_TRUE(machine.found(Code::kFirmwareSlow, 1)) << machine.said();
+  EXPECT_FALSE(machine.found(Code::kFirmwareSlow, 2)) << machine.said();
+  EXPECT_FALSE(machine.found(Code::kFirmwareHung)) << machine.said();
 }
 
 TEST_F(Diagnosis, NamesThePortWhereFramesWereDamagedFirst) {

@@ -93,7 +93,7 @@ class DriveMotion : public ::testing::Test {
     }
     device.sync_managers[2].default_size = 12;
   }
-  Outcome run(std::uint8_t mode, const JitterProfile& jitter) {
+  Outcome run(std::uint8_t mode, const JitterProfile& jitter, std::uint64_t seed = 1) {
     test::SimulatedNetwork network;
     network.add(device, "drive-c");
     auto& slave = network.project.slaves[0];
@@ -103,7 +103,7 @@ class DriveMotion : public ::testing::Test {
     network.project.master.dc.dcm.set_value = set_value;
     network.sim.faults = faults;
     VirtualClock clock;
-    clock.set_wakeup_jitter(jitter, 1);
+    clock.set_wakeup_jitter(jitter, seed);
     const auto config = network.compiled();
     Path path(config, mode, clock.now() + kMotionAt);
     auto link = network.link(clock);
@@ -175,10 +175,16 @@ TEST_F(DriveMotion, EachLostFrameIsASpike) {
 TEST_F(DriveMotion, CyclicPositionWithoutDcSuffersFromTheJitter) {
   free_run = true;
   EXPECT_LT(run(kCyclic, JitterProfile{}).largest_error, 120) << "targets 0 to 250 us late, by the phase of the servo period";
-  const auto outcome = run(kCyclic, JitterProfile::bad());
-  expect_arrived(outcome);
-  EXPECT_GT(outcome.largest_error, 40);
-  EXPECT_GE(outcome.spikes, 1);
+  // Whether a late target crosses into the next servo period is a matter of the phase: some of several runs do.
+  Outcome worst;
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    const auto outcome = run(kCyclic, JitterProfile::bad(), seed);
+    expect_arrived(outcome);
+    worst.largest_error = std::max(worst.largest_error, outcome.largest_error);
+    worst.spikes += outcome.spikes;
+  }
+  EXPECT_GT(worst.largest_error, 40);
+  EXPECT_GE(worst.spikes, 1);
 }
 
 TEST_F(DriveMotion, WithDcButTypeZeroTheJitterComesThroughToo) {
