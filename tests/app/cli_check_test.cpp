@@ -5,13 +5,14 @@
 #include <fstream>
 
 #include "tests/app/cli_runner.h"
+#include "tests/support/source_dir.h"
 
 namespace syncline::test {
 namespace {
 
 using testing::HasSubstr;
 
-std::string scenario(const std::string& name) { return "sim:" SYNCLINE_SOURCE_DIR "/resources/" + name + "?virtual"; }
+std::string scenario(const std::string& name) { return "sim:" + test::source_dir() + "/resources/" + name + "?virtual"; }
 
 /// Our own export, in which `from` is replaced once.
 std::string edited(const TemporaryFolder& folder, const std::string& from, const std::string& to) {
@@ -73,7 +74,7 @@ TEST(CliCheck, SeverityAndStrictSayWhatCounts) {
 TEST(CliCheck, OtherFilesAndNoFileAreRefused) {
   EXPECT_EQ(cli_run({"check"}).code, cli::kUsage);
   EXPECT_EQ(cli_run({"check", "there-is-no-such-file.xml"}).code, cli::kFailed);
-  EXPECT_EQ(cli_run({"check", SYNCLINE_SOURCE_DIR "/resources/demo/machine.toml"}).code, cli::kAnswerIsNo);  // no XML
+  EXPECT_EQ(cli_run({"check", test::source_dir() + "/resources/demo/machine.toml"}).code, cli::kAnswerIsNo);  // no XML
   EXPECT_THAT(cli_run({"check", "--rules"}).out, HasSubstr("ENI-FMMU-02"));
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/app/cli_runner.h"
+#include "tests/support/source_dir.h"
 
 namespace syncline::test {
 namespace {
@@ -62,7 +63,7 @@ TEST(CliDc, OtherBusThanTheProjectsIsRefused) {
   const TemporaryFolder folder;
   const auto project = folder.file("m.syncline");
   ASSERT_EQ(cli_run({"project", "create", project, "--scan", demo()}).code, 0);
-  const auto run = cli_run({"dc", "status", "sim:" SYNCLINE_SOURCE_DIR "/resources/scenarios/all-devices.toml?virtual",
+  const auto run = cli_run({"dc", "status", "sim:" + test::source_dir() + "/resources/scenarios/all-devices.toml?virtual",
                             "--project", project});
   EXPECT_EQ(run.code, 3);
   EXPECT_THAT(run.err, HasSubstr("9"));

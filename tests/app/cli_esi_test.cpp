@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/app/cli_runner.h"
+#include "tests/support/source_dir.h"
 
 namespace syncline::test {
 namespace {
@@ -21,7 +22,7 @@ class CliEsi : public testing::Test {
   [[nodiscard]] std::string database() const { return folder_.file("cache.db"); }
   [[nodiscard]] CliRun index() const { return esi({"index", kEsi, "--json"}); }
 
-  static constexpr const char* kEsi = SYNCLINE_SOURCE_DIR "/resources/esi";
+  const std::string kEsi = test::source_dir() + "/resources/esi";
   TemporaryFolder folder_;
 };
 

@@ -9,6 +9,7 @@
 #include "app/composition/try_esi.h"
 #include "cli_runner.h"
 #include "support/sample_folder.h"
+#include "tests/support/source_dir.h"
 
 namespace syncline::cli {
 namespace {
@@ -143,7 +144,7 @@ TEST_F(EsiTry, FailuresAndUnreadableFilesAreTheAnswerNo) {
 }
 
 TEST(EsiTryOwnFiles, EachReachesOp) {
-  const auto tried = try_esi({.path = std::string(SYNCLINE_SOURCE_DIR) + "/resources/esi", .threads = 2});
+  const auto tried = try_esi({.path = test::source_dir() + "/resources/esi", .threads = 2});
   ASSERT_TRUE(tried);
   EXPECT_GT(tried->devices.size(), 5U);
   for (const auto& device : tried->devices) {

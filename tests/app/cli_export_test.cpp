@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "tests/app/cli_runner.h"
+#include "tests/support/source_dir.h"
 
 namespace syncline::test {
 namespace {
@@ -69,7 +70,7 @@ TEST_F(CliExport, WritesTablesAHeaderAndADrawing) {
 TEST_F(CliExport, AnEniBecomesAProjectThatExportsTheSame) {
   const auto recovered = folder_.file("recovered.syncline");
   const auto run =
-      cli_run({"project", "create", recovered, "--eni", eni_, "--esi", SYNCLINE_SOURCE_DIR "/resources/esi", "--json"});
+      cli_run({"project", "create", recovered, "--eni", eni_, "--esi", test::source_dir() + "/resources/esi", "--json"});
   ASSERT_EQ(run.code, cli::kDone) << run.err;
   EXPECT_EQ(run.json()["differences"], nlohmann::json::array()) << run.out;
   const auto again = folder_.file("again.xml");
@@ -99,7 +100,7 @@ TEST_F(CliExport, EachNetworkOfAMachineHasABusOfItsOwn) {
   const auto machine = folder_.file("two.syncline");
   ASSERT_EQ(cli_run({"project", "create", machine, "--eni", eni_, "--network", "left"}).code, cli::kDone);
   ASSERT_EQ(cli_run({"project", "create", machine, "--device", "0x5c17:0x1100", "--esi",
-                     SYNCLINE_SOURCE_DIR "/resources/esi", "--network", "right"})
+                     test::source_dir() + "/resources/esi", "--network", "right"})
                 .code,
             cli::kDone);
   const auto left = cli_run({"scan", "sim:" + machine + "?virtual&network=0", "--json"});

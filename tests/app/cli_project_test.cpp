@@ -8,6 +8,7 @@
 #include <set>
 
 #include "tests/app/cli_runner.h"
+#include "tests/support/source_dir.h"
 
 namespace syncline::test {
 namespace {
@@ -123,7 +124,7 @@ TEST(CliProject, OfflineFromEsiFilesEqualsTheScan) {
   const TemporaryFolder folder;
   const auto slaves = cli_run({"scan", demo(), "--json"}).json()["slaves"];
   std::vector<std::string> arguments{"project", "create", folder.file("offline.syncline"), "--esi",
-                                     SYNCLINE_SOURCE_DIR "/resources/esi"};
+                                     test::source_dir() + "/resources/esi"};
   for (const auto& slave : slaves) {
     arguments.push_back("--device");
     arguments.push_back(slave["vendor_id"].get<std::string>() + ":" + slave["product_code"].get<std::string>() + ":" +

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/cli/cli.h"
+#include "tests/support/source_dir.h"
 
 namespace syncline::test {
 
@@ -27,7 +28,7 @@ inline CliRun cli_run(const std::vector<std::string>& arguments) {
 }
 
 inline std::string demo(const std::string& options = "?virtual") {
-  return "sim:" SYNCLINE_SOURCE_DIR "/resources/demo/machine.toml" + options;
+  return "sim:" + test::source_dir() + "/resources/demo/machine.toml" + options;
 }
 
 /// A folder of its own, removed at the end.

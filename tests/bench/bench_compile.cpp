@@ -6,6 +6,7 @@
 #include "config/settings_keys.h"
 #include "eni/esi_reader.h"
 #include "protocol/error_text.h"
+#include "tests/support/source_dir.h"
 
 /// What an edit of a project with 500 slaves costs until its findings are there, against compiling the whole.
 namespace syncline::bench {
@@ -18,7 +19,7 @@ constexpr double kPromiseNs = 50e6;
 Result<Project> large_project() {
   std::vector<DeviceDescription> devices;
   for (const char* name : {"SL-1100", "SL-SV7", "SL-XE2", "SL-2002", "SL-3002"}) {
-    const auto file = eni::read_esi(fmt::format("{}/resources/esi/{}.xml", SYNCLINE_SOURCE_DIR, name));
+    const auto file = eni::read_esi(fmt::format("{}/resources/esi/{}.xml", test::source_dir(), name));
     if (!file) return tl::unexpected(file.error());
     devices.push_back(file->devices.front());
   }

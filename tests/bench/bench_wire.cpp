@@ -16,6 +16,7 @@
 #include "protocol/registers.h"
 #include "support/real_time.h"
 #include "tests/support/net_namespace.h"
+#include "tests/support/source_dir.h"
 #include "trace/histogram.h"
 
 /// A cyclic frame over a veth pair to the simulated bus and back, both ends on this machine: round trip and the
@@ -25,7 +26,7 @@ namespace {
 
 using test::NetNamespace;
 
-const std::string kMachine = std::string(SYNCLINE_SOURCE_DIR) + "/resources/demo/machine.toml";
+const std::string kMachine = test::source_dir() + "/resources/demo/machine.toml";
 
 double thread_us() {
   rusage usage{};

@@ -12,6 +12,7 @@
 #include "eni/eni_file.h"
 #include "eni/schema_check.h"
 #include "support/sample_folder.h"
+#include "tests/support/source_dir.h"
 
 namespace syncline::eni {
 namespace {
@@ -63,7 +64,7 @@ std::string content(const std::filesystem::path& path) {
 
 /// SYNCLINE_WRITE_GOLDEN=1 writes the files anew, for review.
 void expect_golden(const NetworkConfig& config, const std::string& name, const EniStyle& style = {}) {
-  const auto path = std::filesystem::path(SYNCLINE_SOURCE_DIR) / "tests/golden" / name;
+  const auto path = std::filesystem::path(test::source_dir()) / "tests/golden" / name;
   const std::string text = write_eni(config, style);
   if (std::getenv("SYNCLINE_WRITE_GOLDEN") != nullptr) {
     std::ofstream(path, std::ios::binary) << text;

@@ -15,6 +15,7 @@
 #include "eni/xml_text.h"
 #include "protocol/error_text.h"
 #include "support/sample_folder.h"
+#include "tests/support/source_dir.h"
 
 namespace syncline::eni {
 namespace {
@@ -31,7 +32,7 @@ std::vector<fs::path> xml_files(const fs::path& folder) {
   return files;
 }
 
-fs::path own_folder() { return fs::path(SYNCLINE_SOURCE_DIR) / "resources/esi"; }
+fs::path own_folder() { return fs::path(test::source_dir()) / "resources/esi"; }
 
 struct Counts {
   std::size_t files = 0, devices = 0, warnings = 0, refused = 0;

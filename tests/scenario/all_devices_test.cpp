@@ -10,18 +10,19 @@
 #include "eni/catalogue/esi_catalogue.h"
 #include "eni/project_builder.h"
 #include "protocol/error_text.h"
+#include "tests/support/source_dir.h"
 
 namespace syncline {
 namespace {
 
 TEST(AllDevices, AreScannedAndBroughtToOp) {
-  const std::string link = "sim:" SYNCLINE_SOURCE_DIR "/resources/scenarios/all-devices.toml?virtual";
+  const std::string link = "sim:" + test::source_dir() + "/resources/scenarios/all-devices.toml?virtual";
   const auto scan = scan_bus(link);
   ASSERT_TRUE(scan) << describe(scan.error());
   ASSERT_EQ(scan->slaves.size(), 10U);
   EXPECT_EQ(scan->slaves[9].previous->position, 6) << "three branches leave the junction";
   eni::EsiCatalogue catalogue;
-  ASSERT_TRUE(catalogue.add_folder(SYNCLINE_SOURCE_DIR "/resources/esi"));
+  ASSERT_TRUE(catalogue.add_folder(test::source_dir() + "/resources/esi"));
   const auto project = eni::project_from_scan(*scan, catalogue).project;
   std::set<std::string> types;
   for (const auto& slave : project.slaves) types.insert(slave.device.type);

@@ -12,12 +12,13 @@
 #include "eni/catalogue/esi_catalogue.h"
 #include "eni/project_builder.h"
 #include "master/master_service.h"
+#include "tests/support/source_dir.h"
 
 namespace syncline {
 namespace {
 
 std::string demo(const std::string& options = {}) {
-  return "sim:" + std::string(SYNCLINE_SOURCE_DIR) + "/resources/demo/machine.toml?virtual" + options;
+  return "sim:" + test::source_dir() + "/resources/demo/machine.toml?virtual" + options;
 }
 
 /// The demonstration machine, scanned, configured and run as a user would.
@@ -31,7 +32,7 @@ class DemoMachine : public ::testing::TestWithParam<DcmMode> {
     const auto scan = scan_bus(demo());
     ASSERT_TRUE(scan);
     eni::EsiCatalogue catalogue;
-    ASSERT_TRUE(catalogue.add_folder(std::string(SYNCLINE_SOURCE_DIR) + "/resources/esi"));
+    ASSERT_TRUE(catalogue.add_folder(test::source_dir() + "/resources/esi"));
     project = eni::project_from_scan(*scan, catalogue).project;
     project.master.dc.sync_window.enabled = true;
     project.master.dc.dcm.mode = GetParam();

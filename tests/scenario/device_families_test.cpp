@@ -9,12 +9,13 @@
 #include "master/master_service.h"
 #include "sim/sim_bus.h"
 #include "support/simulated_network.h"
+#include "tests/support/source_dir.h"
 
 namespace syncline {
 namespace {
 
 DeviceDescription device_of(const std::string& type) {
-  return eni::read_esi(std::string(SYNCLINE_SOURCE_DIR) + "/resources/esi/" + type + ".xml")->devices.front();
+  return eni::read_esi(test::source_dir() + "/resources/esi/" + type + ".xml")->devices.front();
 }
 
 struct Kind {

@@ -3,6 +3,7 @@
 
 #include "protocol/al_state.h"
 #include "tests/support/diagnosed_run.h"
+#include "tests/support/source_dir.h"
 
 namespace syncline {
 namespace {
@@ -10,7 +11,7 @@ namespace {
 using Code = FindingCode;
 
 DeviceDescription device(const std::string& file) {
-  const auto esi = eni::read_esi(std::string(SYNCLINE_SOURCE_DIR) + "/resources/esi/" + file);
+  const auto esi = eni::read_esi(test::source_dir() + "/resources/esi/" + file);
   return esi && !esi->devices.empty() ? esi->devices.front() : DeviceDescription{};
 }
 

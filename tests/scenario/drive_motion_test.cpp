@@ -9,6 +9,7 @@
 #include "master/master_service.h"
 #include "support/byte_order.h"
 #include "tests/support/simulated_network.h"
+#include "tests/support/source_dir.h"
 
 namespace syncline {
 namespace {
@@ -85,7 +86,7 @@ class DriveMotion : public ::testing::Test {
   static constexpr std::uint8_t kProfile = 1, kInterpolated = 7, kCyclic = 8;
 
   DriveMotion() {
-    const auto file = eni::read_esi(std::string(SYNCLINE_SOURCE_DIR) + "/resources/esi/SL-XE2.xml");
+    const auto file = eni::read_esi(test::source_dir() + "/resources/esi/SL-XE2.xml");
     device = file->devices.front();
     // With the interpolation point in the process data.
     for (auto& pdo : device.rx_pdos) {

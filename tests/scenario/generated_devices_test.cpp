@@ -14,13 +14,14 @@
 #include "eni/project_builder.h"
 #include "protocol/error_text.h"
 #include "support/sample_folder.h"
+#include "tests/support/source_dir.h"
 
 namespace syncline {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::string scenario(const std::string& name) { return std::string(SYNCLINE_SOURCE_DIR) + "/resources/scenarios/" + name; }
+std::string scenario(const std::string& name) { return test::source_dir() + "/resources/scenarios/" + name; }
 
 /// A scenario file of the test's own.
 class ScenarioFile {
@@ -118,7 +119,7 @@ TEST(LargeScenarios, ThousandSlavesAreScannedAndBroughtToOp) {
   ASSERT_EQ(scan->slaves.size(), 1'000U);
   EXPECT_EQ(scan->slaves[999].previous->position, 998);
   eni::EsiCatalogue catalogue;
-  ASSERT_TRUE(catalogue.add_folder(std::string(SYNCLINE_SOURCE_DIR) + "/resources/esi"));
+  ASSERT_TRUE(catalogue.add_folder(test::source_dir() + "/resources/esi"));
   auto project = eni::project_from_scan(*scan, catalogue).project;
   project.master.cycle_time = 4 * kMillisecond;
   const auto compiled = compile(project);

@@ -17,6 +17,7 @@
 #include "protocol/error_text.h"
 #include "protocol/registers.h"
 #include "sim/sim_bus.h"
+#include "tests/support/source_dir.h"
 
 namespace syncline {
 namespace {
@@ -27,7 +28,7 @@ constexpr std::uint16_t kStation = 1001;
 class Servo {
  public:
   explicit Servo(double loss, std::uint64_t seed) {
-    auto config = load_scenario_file(SYNCLINE_SOURCE_DIR "/resources/demo/machine.toml").value();
+    auto config = load_scenario_file(test::source_dir() + "/resources/demo/machine.toml").value();
     config.slaves = {config.slaves[3]};
     config.slaves[0].parent.reset();
     auto segment = sim::SimBus::create(config, clock.now());

@@ -12,13 +12,14 @@
 #include "eni/project_builder.h"
 #include "protocol/error_text.h"
 #include "support/sample_folder.h"
+#include "tests/support/source_dir.h"
 
 namespace syncline {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::string demo() { return "sim:" SYNCLINE_SOURCE_DIR "/resources/demo/machine.toml?virtual"; }
+std::string demo() { return "sim:" + test::source_dir() + "/resources/demo/machine.toml?virtual"; }
 
 /// A capture of the demonstration machine's bring-up.
 class OwnCapture : public testing::Test {
@@ -31,7 +32,7 @@ TEST_F(OwnCapture, ScanOfTheCaptureIsTheScanOfTheBusAsFarAsItWasLookedAt) {
   const auto scan = scan_bus(demo());
   ASSERT_TRUE(scan);
   eni::EsiCatalogue catalogue;
-  ASSERT_TRUE(catalogue.add_folder(SYNCLINE_SOURCE_DIR "/resources/esi"));
+  ASSERT_TRUE(catalogue.add_folder(test::source_dir() + "/resources/esi"));
   const auto compiled = compile(eni::project_from_scan(*scan, catalogue).project);
   ASSERT_TRUE(compiled);
   RunRequest request;

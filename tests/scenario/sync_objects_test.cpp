@@ -3,6 +3,7 @@
 
 #include "master/master_service.h"
 #include "tests/support/simulated_network.h"
+#include "tests/support/source_dir.h"
 
 namespace syncline {
 namespace {
@@ -34,7 +35,7 @@ Sm2MissedStatus counters_of(const DeviceDescription& device, const std::string& 
 }
 
 DeviceDescription device_of(const std::string& type) {
-  return eni::read_esi(std::string(SYNCLINE_SOURCE_DIR) + "/resources/esi/" + type + ".xml")->devices.front();
+  return eni::read_esi(test::source_dir() + "/resources/esi/" + type + ".xml")->devices.front();
 }
 
 TEST(SyncCounters, OfADeviceThatNobodyKnowsBothAreRead) {

@@ -18,13 +18,14 @@
 #include "protocol/frame.h"
 #include "protocol/registers.h"
 #include "support/net_namespace.h"
+#include "tests/support/source_dir.h"
 
 namespace syncline {
 namespace {
 
 using test::NetNamespace;
 
-const std::string kMachine = std::string(SYNCLINE_SOURCE_DIR) + "/resources/demo/machine.toml";
+const std::string kMachine = test::source_dir() + "/resources/demo/machine.toml";
 const std::string kMasterLink = std::string("nic:") + NetNamespace::kMasterEnd;
 
 /// Serves a scenario on the bus's end of the pair until it is destroyed.
@@ -170,7 +171,7 @@ TEST_F(VethBus, MasterBringsTheMachineToOp) {
   const auto scan = scan_bus(kMasterLink);
   ASSERT_TRUE(scan);
   eni::EsiCatalogue catalogue;
-  ASSERT_TRUE(catalogue.add_folder(std::string(SYNCLINE_SOURCE_DIR) + "/resources/esi"));
+  ASSERT_TRUE(catalogue.add_folder(test::source_dir() + "/resources/esi"));
   auto project = eni::project_from_scan(*scan, catalogue).project;
   // Patient enough for machines that are busy with other things; what is proved here is the wire, not the pace. The
   // slaves' clocks stay out of it: the master follows them.

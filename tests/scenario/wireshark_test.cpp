@@ -14,6 +14,7 @@
 #include "config/compile/compile.h"
 #include "eni/catalogue/esi_catalogue.h"
 #include "eni/project_builder.h"
+#include "tests/support/source_dir.h"
 
 namespace syncline {
 namespace {
@@ -43,11 +44,11 @@ class Wireshark : public testing::Test {
 };
 
 TEST_F(Wireshark, FindsNothingMalformedInABringUpAndAMinuteOfOperation) {
-  const std::string link = "sim:" SYNCLINE_SOURCE_DIR "/resources/demo/machine.toml?virtual";
+  const std::string link = "sim:" + test::source_dir() + "/resources/demo/machine.toml?virtual";
   const auto scan = scan_bus(link);
   ASSERT_TRUE(scan);
   eni::EsiCatalogue catalogue;
-  ASSERT_TRUE(catalogue.add_folder(SYNCLINE_SOURCE_DIR "/resources/esi"));
+  ASSERT_TRUE(catalogue.add_folder(test::source_dir() + "/resources/esi"));
   auto project = eni::project_from_scan(*scan, catalogue).project;
   project.master.dc.sync_window.enabled = true;
   const auto compiled = compile(project);

@@ -6,13 +6,15 @@
 #include <optional>
 #include <string>
 
+#include "tests/support/source_dir.h"
+
 /// Files of other tools and vendors, kept outside the source tree: $SYNCLINE_SAMPLES, or ../shared/samples beside it.
 namespace syncline::test {
 
 inline std::optional<std::filesystem::path> sample_folder() {
   const char* chosen = std::getenv("SYNCLINE_SAMPLES");
   const std::filesystem::path folder =
-      chosen ? std::filesystem::path(chosen) : std::filesystem::path(SYNCLINE_SOURCE_DIR) / "../shared/samples";
+      chosen ? std::filesystem::path(chosen) : std::filesystem::path(test::source_dir()) / "../shared/samples";
   return std::filesystem::is_directory(folder) ? std::optional(folder) : std::nullopt;
 }
 

@@ -14,6 +14,7 @@
 #include "link/simulated_host.h"
 #include "link/simulated_link.h"
 #include "sim/sim_bus.h"
+#include "tests/support/source_dir.h"
 
 namespace syncline::test {
 
@@ -49,7 +50,7 @@ inline DeviceDescription bridge() {
 
 /// A servo drive with a CoE mailbox and start-up objects.
 inline DeviceDescription servo() {
-  const auto file = eni::read_esi(std::string(SYNCLINE_SOURCE_DIR) + "/resources/esi/SL-SV7.xml");
+  const auto file = eni::read_esi(test::source_dir() + "/resources/esi/SL-SV7.xml");
   return file && !file->devices.empty() ? file->devices.front() : DeviceDescription{};
 }
 

@@ -13,6 +13,7 @@
 
 #include "core/config/compile/sample_devices.h"
 #include "support/random_project.h"
+#include "tests/support/source_dir.h"
 
 namespace syncline {
 namespace {
@@ -69,7 +70,7 @@ TEST(SettingsKeys, EveryListedKeyIsDescribedOnce) {
 }
 
 TEST(SettingsKeys, TheDocumentationListsThemAsTheyAre) {
-  std::ifstream file(std::filesystem::path(SYNCLINE_SOURCE_DIR) / "docs/project-keys.md");
+  std::ifstream file(std::filesystem::path(test::source_dir()) / "docs/project-keys.md");
   std::ostringstream content;
   content << file.rdbuf();
   const std::string text = content.str();

@@ -16,6 +16,7 @@
 #include "support/byte_order.h"
 #include "support/random.h"
 #include "support/sample_folder.h"
+#include "tests/support/source_dir.h"
 
 namespace syncline {
 namespace {
@@ -140,7 +141,7 @@ TEST(ReplayLink, FilesThatAreNoCaptureAreRefused) {
   auto link = make_replay_link("/nowhere/there.pcapng", clock);
   ASSERT_FALSE(link);
   EXPECT_EQ(link.error().code, ErrorCode::kFileNotFound);
-  link = make_replay_link(std::string(SYNCLINE_SOURCE_DIR) + "/README.md", clock);
+  link = make_replay_link(test::source_dir() + "/README.md", clock);
   ASSERT_FALSE(link);
   EXPECT_EQ(link.error().code, ErrorCode::kNotThatKindOfFile);
   CaptureFile empty("syncline-replay-empty-");

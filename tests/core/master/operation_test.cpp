@@ -7,13 +7,14 @@
 #include "config/compile/compile.h"
 #include "eni/esi_reader.h"
 #include "master/master_service.h"
+#include "tests/support/source_dir.h"
 #include "tests/support/test_bus.h"
 
 namespace syncline {
 namespace {
 
 DeviceDescription device(const std::string& type) {
-  const auto file = eni::read_esi(std::string(SYNCLINE_SOURCE_DIR) + "/resources/esi/" + type + ".xml");
+  const auto file = eni::read_esi(test::source_dir() + "/resources/esi/" + type + ".xml");
   return file && !file->devices.empty() ? file->devices.front() : DeviceDescription{};
 }
 

@@ -8,6 +8,7 @@
 #include "config/compile/compile.h"
 #include "eni/esi_reader.h"
 #include "master/operation.h"
+#include "tests/support/source_dir.h"
 #include "tests/support/test_bus.h"
 
 namespace {
@@ -70,7 +71,7 @@ class UncountedLink final : public Link {
 TEST(SteadyCycle, AllocatesNothing) {
   VirtualClock clock;
   test::TestBus bus(clock, 2);
-  const auto esi = eni::read_esi(std::string(SYNCLINE_SOURCE_DIR) + "/resources/esi/SL-SV7.xml");
+  const auto esi = eni::read_esi(test::source_dir() + "/resources/esi/SL-SV7.xml");
   ASSERT_TRUE(esi);
   Project project;
   project.master.dc.sync_window.enabled = true;

@@ -10,6 +10,7 @@
 #include "byte_helpers.h"
 #include "protocol/error_text.h"
 #include "protocol/sii.h"
+#include "tests/support/source_dir.h"
 
 namespace syncline::sii {
 namespace {
@@ -19,7 +20,7 @@ using test::Bytes;
 
 fs::path samples_folder() {
   const char* named = std::getenv("SYNCLINE_SAMPLES");
-  return (named != nullptr ? fs::path(named) : fs::path(SYNCLINE_SOURCE_DIR) / ".." / "shared" / "samples") / "sii";
+  return (named != nullptr ? fs::path(named) : fs::path(test::source_dir()) / ".." / "shared" / "samples") / "sii";
 }
 
 Bytes read_binary(const fs::path& path) {

@@ -12,10 +12,11 @@
 #include "sim/sim_bus.h"
 #include "support/byte_order.h"
 #include "support/clock.h"
+#include "tests/support/source_dir.h"
 
 namespace syncline::test {
 
-inline std::string resource(const std::string& name) { return SYNCLINE_SOURCE_DIR "/resources/" + name; }
+inline std::string resource(const std::string& name) { return test::source_dir() + "/resources/" + name; }
 
 inline Result<DeviceDescription> device_from(const std::string& path, const std::string& type) {
   auto file = eni::read_esi(path);

@@ -12,6 +12,7 @@
 #include "eni/check/check_bed.h"
 #include "eni/check/rule_cases.h"
 #include "support/sample_folder.h"
+#include "tests/support/source_dir.h"
 
 namespace syncline::test {
 namespace {
@@ -69,7 +70,7 @@ TEST(EniCheck, EachRuleHasACaseAndTexts) {
 }
 
 TEST(EniCheck, TheManualHasEachRuleWithItsTexts) {
-  std::ifstream in(SYNCLINE_SOURCE_DIR "/docs/check.md");
+  std::ifstream in(test::source_dir() + "/docs/check.md");
   std::set<std::string> lines;
   std::size_t rows = 0;
   for (std::string line; std::getline(in, line);) {
@@ -202,7 +203,7 @@ TEST(EniCheck, OddSamplesAreFoundOut) {
 
 TEST(EniCheck, GoldenExportsAreWithoutErrorAndWarning) {
   for (const char* name : {"small_machine.eni.xml", "small_machine_twincat.eni.xml"}) {
-    const auto check = eni::check_eni(std::string(SYNCLINE_SOURCE_DIR "/tests/golden/") + name);
+    const auto check = eni::check_eni(test::source_dir() + "/tests/golden/" + name);
     ASSERT_TRUE(check);
     for (const auto& finding : check->findings) {
       EXPECT_EQ(finding.severity, CheckSeverity::kNote) << name << ':' << finding.line << ' ' << finding.what;
