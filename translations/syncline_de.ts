@@ -2803,6 +2803,10 @@ Einstellung %2</translation>
             <translation>Die Ursache ist die der fehlenden Ereignisse: {cause}.</translation>
         </message>
         <message>
+            <source>{slave} fell to {state} with AL status code {alcode}{alarm} at {since}: it missed {missed} SM2 events, {part} of them because frames came behind the SYNC0 they were meant for. Nominally they are there {margin} before it, but one in a thousand is {lateness} late.</source>
+            <translation>{slave} fiel bei {since} nach {state} mit AL-Statuscode {alcode}{alarm}: {missed} SM2-Ereignisse fehlten, davon {part}, weil Frames nach dem SYNC0 kamen, für das sie gedacht waren. Nominell sind sie {margin} davor da, doch einer von tausend kommt {lateness} zu spät.</translation>
+        </message>
+        <message>
             <source>{slave} fell to {state} with AL status code {alcode}{alarm} at {since}, and the master saw nothing but good cycles before: no frame lost or late, none left out, outputs nominally there {margin} before each SYNC0.</source>
             <translation>{slave} fiel bei {since} nach {state} mit AL-Statuscode {alcode}{alarm}, und der Master sah vorher nur gute Zyklen: kein Frame verloren oder verspätet, keiner ausgelassen, Ausgänge nominell {margin} vor jedem SYNC0.</translation>
         </message>

@@ -19,6 +19,7 @@ enum class FindingCode : std::uint8_t {
   // AL states
   kSlaveFell,
   kSlaveFellByMisses,
+  kSlaveFellByLateFrames,
   kSlaveFellByItself,
   kSlaveBehind,
   // clocks

@@ -36,6 +36,13 @@ constexpr std::array<Row, kFindingCodes> kRows{{
       "error "
       "counter reached {integrator} of {limit}.",
       "The cause is that of the missed events: {cause}."}},
+    {Code::kSlaveFellByLateFrames,
+     "slave-fell-by-late-frames",
+     {"{slave} fell to {state} with AL status code {alcode}{alarm} at {since}: it missed {missed} SM2 events, {part} "
+      "of "
+      "them because frames came behind the SYNC0 they were meant for. Nominally they are there {margin} before it, but "
+      "one in a thousand is {lateness} late.",
+      "Increase the set value by {more} or more, or make the host less late."}},
     {Code::kSlaveFellByItself,
      "slave-fell-by-itself",
      {"{slave} fell to {state} with AL status code {alcode}{alarm} at {since}, and the master saw nothing but good "

@@ -9,6 +9,7 @@ namespace {
 /// Nobody looks at a snapshot more often than this.
 constexpr Nanoseconds kPublishPeriod = 1 * kMillisecond;
 constexpr std::size_t kMostAcyclicFrames = 8;
+constexpr int kMostAmendments = 4;
 constexpr std::size_t kFrameOverhead = kEthernetHeaderSize + kEtherCatHeaderSize;
 
 std::int32_t to_32(Nanoseconds value) {
@@ -45,6 +46,7 @@ CyclicTaskRunner::CyclicTaskRunner(FrameExchange& exchange, Clock& clock, RunSta
 void CyclicTaskRunner::start(Nanoseconds first_cycle) {
   scheduled_ = first_cycle;
   last_sent_.reset();
+  lost_seen_ = exchange_.lost_frames();
 }
 
 Status CyclicTaskRunner::run_cycle(std::span<Datagram* const> acyclic) {
@@ -60,13 +62,14 @@ Status CyclicTaskRunner::run_cycle(std::span<Datagram* const> acyclic) {
   frames_.prepare(sample.cycle, steering_);
   fill_acyclic(acyclic, send_time_);
   first_stamp_.reset();
-  const auto lost_before = exchange_.lost_frames();
-  const auto status = exchange_frames(scheduled_ + cycle_time_ * 8 / 10);
+  auto status = exchange_frames(scheduled_ + cycle_time_ * 8 / 10);
   adapt_acyclic_limit();
   note_sending(sample);
   exchange_.missing().expire(clock_.now());
-  health_.observe_frames(exchange_.lost_frames() - lost_before, exchange_.missing().take_news(), send_time_, sample);
+  health_.observe_frames(exchange_.lost_frames() - lost_seen_, exchange_.missing().take_news(), send_time_, sample);
+  lost_seen_ = exchange_.lost_frames();
   evaluate(sample);
+  if (auto amended = amend_clock(); !amended) status = std::move(amended);
   health_.tell(send_time_);
   finish_sample(sample);
   scheduled_ += cycle_time_ + adjust_;
@@ -90,6 +93,12 @@ void CyclicTaskRunner::tell_rest() {
 }
 
 void CyclicTaskRunner::stamp(Nanoseconds send_time) {
+  if (amendment_.sending()) {
+    amendment_stamp_ = send_time;
+    const auto steered = steering_ ? sync_.reference_write(send_time, send_time) : std::nullopt;
+    amendment_.write(steered.value_or(sync_.reference_time_at(send_time)));
+    return;
+  }
   if (!first_stamp_) first_stamp_ = send_time;
   if (!sync_.active()) return;
   frames_.stamp(sync_.reference_time_at(send_time),
@@ -168,6 +177,26 @@ Status CyclicTaskRunner::send(PendingFrame& frame) {
   if (auto sent = exchange_.send(frame, this); !sent) return sent;
   in_flight_.push_back(&frame);
   wire_free_ = std::max(wire_free_, frame.send_time()) + wire_time_ns(frame.size() + kFrameOverhead);
+  return {};
+}
+
+/// As often as it takes, but not so late in the cycle that it would meet the next frame.
+Status CyclicTaskRunner::amend_clock() {
+  const auto station = reference_.station();
+  const auto latest = scheduled_ + cycle_time_ * 8 / 10;
+  if (const auto tuning = reference_.take_tuning()) {
+    if (auto sent = amendment_.run(exchange_, *tuning, *this, latest); !sent) return sent;
+  }
+  bool again = station && steering_ && sync_.wants_second_write();
+  for (int i = 0; again && i < kMostAmendments && clock_.now() + cycle_time_ / 8 < latest; ++i) {
+    if (auto sent = amendment_.run(exchange_, {*station, {}, true}, *this, latest); !sent) return sent;
+    const auto time = amendment_.reading();
+    if (!time) break;
+    const auto sent_at = amendment_.send_time();
+    dc::DcmObservation found{sent_at, amendment_stamp_, sync_.extend(*time, sent_at)};
+    found.way_out = sent_at - amendment_stamp_;
+    again = sync_.observe_second_write(found);
+  }
   return {};
 }
 

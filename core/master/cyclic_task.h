@@ -8,6 +8,7 @@
 #include "config/external_clock.h"
 #include "master/bus.h"
 #include "master/bus_health.h"
+#include "master/clock_amendment.h"
 #include "master/clock_feed.h"
 #include "master/cyclic_frame_set.h"
 #include "master/cyclic_mailbox.h"
@@ -63,6 +64,7 @@ class CyclicTaskRunner final : public CyclePump, private SendStamp {
   void evaluate(CycleSample& sample);
   void take_mailboxes(CycleSample& sample);
   void after_sweep();
+  Status amend_clock();
   [[nodiscard]] dc::DcmObservation observation(const CyclicFrameSet::Reading& reading) const;
   [[nodiscard]] std::optional<Nanoseconds> reference_time(const CyclicFrameSet::Reading& reading) const;
   void finish_sample(CycleSample& sample);
@@ -82,6 +84,8 @@ class CyclicTaskRunner final : public CyclePump, private SendStamp {
   BusHealth health_;
   ReferenceClock reference_;
   ClockFeed feed_;
+  ClockAmendment amendment_;
+  std::uint64_t lost_seen_ = 0;  // lost frames that have been told
   std::uint64_t sweeps_seen_ = 0;
   std::vector<bool> without_;      // slaves that take no part in the process data
   std::vector<PendingFrame> acyclic_;
@@ -95,6 +99,7 @@ class CyclicTaskRunner final : public CyclePump, private SendStamp {
   Nanoseconds send_time_ = 0;      // of this cycle's first frame
   Nanoseconds wire_free_ = 0;      // when the frames that were sent have left
   std::optional<Nanoseconds> first_stamp_;  // of that frame, from before it was sent
+  Nanoseconds amendment_stamp_ = 0;
   bool steering_ = false;
   Nanoseconds last_published_ = 0;
   Nanoseconds adjust_ = 0;

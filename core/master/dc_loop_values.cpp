@@ -11,7 +11,7 @@ namespace {
 constexpr std::uint16_t kSpeedCounterDefault = 0x1000;
 /// Averages 2^6 differences: what the host writes jitters with its send times, with tails of tens of microseconds; what
 /// slaves are written does not. One that returns has to be learned quickly.
-constexpr std::uint8_t kHostFilterDepth = 6, kReturningFilterDepth = 4;
+constexpr std::uint8_t kHostFilterDepth = 6, kReturningFilterDepth = 5;
 /// The reset value, 12, learns a quartz in some ten thousand messages only; below 10 the controller of bus shift swings.
 constexpr std::uint8_t kReturningSpeedCounterDepth = 10;
 /// Of clocks that follow a clock: each message counts, and a quartz is learned within some hundred of them.
@@ -21,6 +21,10 @@ constexpr std::uint8_t kFilterDepthDifference = 0, kFilterDepthSpeedCounter = 8;
 
 bool DcLoopWrite::optional() const {
   return address == reg::kFilterDepthDifference || address == reg::kFilterDepthSpeedCounter;
+}
+
+std::uint8_t difference_depth(const NetworkConfig& config, bool leads) {
+  return leads ? kHostFilterDepth : config.dc.loop.filter_depth_difference.value_or(kFilterDepthDifference);
 }
 
 std::vector<DcLoopWrite> dc_loop_values(const NetworkConfig& config, DcLoopRole role) {
@@ -35,7 +39,7 @@ std::vector<DcLoopWrite> dc_loop_values(const NetworkConfig& config, DcLoopRole 
     writes.push_back({reg::kSpeedCounterStart, le_bytes(kSpeedCounterDefault)});
     return writes;
   }
-  writes.push_back({reg::kFilterDepthDifference, {loop.filter_depth_difference.value_or(kFilterDepthDifference)}});
+  writes.push_back({reg::kFilterDepthDifference, {difference_depth(config, false)}});
   writes.push_back({reg::kFilterDepthSpeedCounter, {loop.filter_depth_speed_counter.value_or(kFilterDepthSpeedCounter)}});
   const auto start = loop.speed_counter_start.value_or(dc::speed_counter_start(config.cycle_time()));
   writes.push_back({reg::kSpeedCounterStart, le_bytes(start)});

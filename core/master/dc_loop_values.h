@@ -22,6 +22,8 @@ enum class DcLoopRole : std::uint8_t {
   kReturning, // is to lead, and follows its substitute until it has learned its quartz; in front of it, it is told what
               // the host believes
 };
+/// Exponent of the average over time differences (0x0934) of a clock that leads while the bus runs, or follows again.
+[[nodiscard]] std::uint8_t difference_depth(const NetworkConfig& config, bool leads);
 /// Nothing when the configuration leaves the loop as the init commands wrote it (standard_loop_values).
 [[nodiscard]] std::vector<DcLoopWrite> dc_loop_values(const NetworkConfig& config, DcLoopRole role);
 

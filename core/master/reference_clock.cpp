@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <utility>
+
+#include "master/dc_loop_values.h"
 
 namespace syncline {
 namespace {
@@ -41,6 +44,11 @@ void ReferenceClock::address(bool settled) {
   if (frames_.leader() != wanted) frames_.follow(wanted);
 }
 
+std::optional<std::uint16_t> ReferenceClock::station() const {
+  if (!leader_) return std::nullopt;
+  return run_.config().slaves[*leader_].station_address;
+}
+
 void ReferenceClock::look(Nanoseconds time) {
   if (!home_) return;
   auto& slaves = run_.snapshot.slaves;
@@ -75,8 +83,28 @@ void ReferenceClock::lead(std::uint16_t position, Nanoseconds time) {
   run_.event(EventKind::kReferenceClock, time, position, position == home_ ? 1 : 2);
 }
 
+/// A clock that follows takes each message as it is, and runs on with the last one when nobody leads it any more: that
+/// was what the master believed, with the noise of a send stamp, because the leader was gone already. Averaged, one
+/// more message makes that good. Where the master steers the clock that leads, it goes on telling it the time.
+void ReferenceClock::tune(std::uint16_t position, bool leads) {
+  const auto& config = run_.config();
+  if (config.dc.dcm.standard_loop_values) return;
+  if (position == home_ || steers_reference_clock(config.dc.dcm.mode)) return;
+  auto& slot = tunings_[tunings_[0] ? 1 : 0];
+  slot = ClockAmendment::Request{config.slaves[position].station_address, difference_depth(config, leads), leads};
+}
+
+std::optional<ClockAmendment::Request> ReferenceClock::take_tuning() {
+  for (auto& tuning : tunings_) {
+    if (tuning) return std::exchange(tuning, std::nullopt);
+  }
+  return std::nullopt;
+}
+
 void ReferenceClock::hand_over(std::uint16_t position) {
   if (leader_) run_.snapshot.slaves[*leader_].is_reference_clock = false;
+  if (leader_) tune(*leader_, false);
+  tune(position, true);
   leader_ = position;
   run_.snapshot.slaves[position].is_reference_clock = true;
   approach_.reset();

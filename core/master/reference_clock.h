@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 
+#include "master/clock_amendment.h"
 #include "master/cyclic_frame_set.h"
 #include "master/run_state.h"
 #include "master/sync_watch.h"
@@ -27,6 +28,10 @@ class ReferenceClock {
   /// address and not by its place: the place may be another's now, and a device that was just switched on has no
   /// address yet and a time that nobody must be told.
   void address(bool settled);
+  /// Station address of the clock that leads, if one does.
+  [[nodiscard]] std::optional<std::uint16_t> station() const;
+  /// What the control loops of those that began or ceased to lead are to be told, once.
+  [[nodiscard]] std::optional<ClockAmendment::Request> take_tuning();
   /// After each cycle: is the one that is to lead near enough?
   void watch(Nanoseconds time);
   /// Nobody leads: which of these slaves ought to, when its clock has been set.
@@ -46,6 +51,7 @@ class ReferenceClock {
   [[nodiscard]] bool can_lead(std::size_t slave) const;
   [[nodiscard]] bool is_near();
   void hand_over(std::uint16_t position);
+  void tune(std::uint16_t position, bool leads);
 
   RunState& run_;
   SyncWatch& sync_;
@@ -54,6 +60,7 @@ class ReferenceClock {
   bool by_place_ = false;       // the configuration's commands mean the home clock by its place or address
   bool places_right_ = false;   // everybody in front of it is there
   std::optional<Approach> approach_;
+  std::array<std::optional<ClockAmendment::Request>, 2> tunings_;
 };
 
 }  // namespace syncline

@@ -149,7 +149,7 @@ void Sm2Reader::take_value(Counter& counter, std::uint32_t value, Nanoseconds no
 
 void Sm2Reader::take_missed(const Counter& counter, std::uint32_t value, Nanoseconds now, CycleSample& sample) {
   auto& status = run_.snapshot.slaves[counter.slave].sm2_missed;
-  events_.read(counter.slave, value, now);
+  events_.read(counter.slave, value);
   status.valid = true;
   status.value = value;
   status.time = now;

@@ -8,7 +8,7 @@ namespace {
 
 /// So long a slave that fell may be thought to be in OP: until the next sweep over all AL states.
 constexpr Nanoseconds kStillInOp = 600 * kMillisecond;
-/// What a slave counts while it finds into OP is no fault of the running bus.
+/// What a slave counts while it finds into OP is no fault of the running bus; what makes it fall again is.
 constexpr Nanoseconds kSettling = 100 * kMillisecond;
 constexpr auto kNone = static_cast<std::size_t>(-1);
 
@@ -26,7 +26,7 @@ SyncEventWatch::SyncEventWatch(RunState& run, const SyncWatch& sync)
     if (!dc || !slaves[i].send || !AssignActivate{dc->assign_activate}.sync0()) continue;
     const auto period = dc->cycle_time0 > 0 ? dc->cycle_time0 : run.config().cycle_time();
     place_[i] = slaves_.size();
-    slaves_.push_back({i, period, dc->shift_time, {}, 0, {}, {}});
+    slaves_.push_back({i, period, dc->shift_time, {}, {}, 0, {}, {}});
   }
 }
 
@@ -34,8 +34,14 @@ SyncEventWatch::Slave* SyncEventWatch::find(std::size_t position) {
   return position < place_.size() && place_[position] != kNone ? &slaves_[place_[position]] : nullptr;
 }
 
-bool SyncEventWatch::settled(const Slave& slave, Nanoseconds time) {
-  return slave.in_op_since && time - *slave.in_op_since >= kSettling;
+void SyncEventWatch::end_settling(Slave& slave, Nanoseconds time) {
+  if (!slave.before || time - *slave.in_op_since < kSettling) return;
+  // At its limit it may have fallen already, and nobody has seen that yet.
+  if (!slave.account->at_limit()) {
+    slave.account = slave.before;
+    slave.account->entered_op();
+  }
+  slave.before.reset();
 }
 
 void SyncEventWatch::follow_state(Slave& slave, Nanoseconds time) {
@@ -43,6 +49,7 @@ void SyncEventWatch::follow_state(Slave& slave, Nanoseconds time) {
   if (op == slave.in_op_since.has_value()) return;
   if (!op) {
     slave.in_op_since.reset();
+    slave.before.reset();
     slave.account->left_op();
     publish(slave);
     return;
@@ -50,6 +57,7 @@ void SyncEventWatch::follow_state(Slave& slave, Nanoseconds time) {
   slave.in_op_since = time;
   if (!slave.account) slave.account.emplace(slave.period, sync_.base() + slave.shift);
   slave.account->set_limit(slave.limit);
+  slave.before = slave.account;
   slave.account->entered_op();
 }
 
@@ -59,11 +67,12 @@ void SyncEventWatch::observe(const CycleSample& sample, bool outputs_back) {
   const auto passed = known ? sample.reference_time : sync_.reference_time_at(sample.send_time);
   for (auto& slave : slaves_) {
     follow_state(slave, sample.send_time);
-    if (!settled(slave, sample.send_time)) continue;
+    if (!slave.in_op_since) continue;
+    end_settling(slave, sample.send_time);
     const auto delay = static_cast<Nanoseconds>(run_.snapshot.slaves[slave.position].propagation_delay_ns);
     slave.account->observe({passed + delay, outputs_back, sample.skipped_cycles});
     confirm(slave, sample.send_time);
-    publish(slave);
+    if (!slave.before) publish(slave);
   }
 }
 
@@ -76,10 +85,10 @@ void SyncEventWatch::confirm(Slave& slave, Nanoseconds time) {
   if (!slave.at_limit_since || time - *slave.at_limit_since > kStillInOp) slave.account->confirm_op();
 }
 
-void SyncEventWatch::read(std::size_t position, std::uint32_t counter, Nanoseconds time) {
+void SyncEventWatch::read(std::size_t position, std::uint32_t counter) {
   auto* slave = find(position);
   if (slave == nullptr || !slave->account) return;
-  if (slave->in_op_since && !settled(*slave, time)) return;
+  if (slave->before) return;
   slave->account->read(counter);
   publish(*slave);
 }
@@ -88,6 +97,7 @@ void SyncEventWatch::set_limit(std::size_t position, std::uint32_t limit) {
   auto* slave = find(position);
   if (slave == nullptr) return;
   slave->limit = limit;
+  if (slave->before) slave->before->set_limit(limit);
   if (slave->account) slave->account->set_limit(limit);
 }
 

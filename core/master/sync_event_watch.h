@@ -21,7 +21,7 @@ class SyncEventWatch {
   /// One cycle; `outputs_back`: all cyclic frames came back. Not before SYNC0 has its grid.
   void observe(const CycleSample& sample, bool outputs_back);
   /// A reading of the slave's counter of missed events.
-  void read(std::size_t slave, std::uint32_t counter, Nanoseconds time);
+  void read(std::size_t slave, std::uint32_t counter);
   void set_limit(std::size_t slave, std::uint32_t limit);
 
  private:
@@ -29,6 +29,7 @@ class SyncEventWatch {
     std::size_t position = 0;
     Nanoseconds period = 0, shift = 0;
     std::optional<dc::SyncEventAccount> account;
+    std::optional<dc::SyncEventAccount> before;  // while it settles: what counts when it stays in OP
     std::uint32_t limit = 0;
     std::optional<Nanoseconds> in_op_since, at_limit_since;
   };
@@ -36,7 +37,8 @@ class SyncEventWatch {
   void follow_state(Slave& slave, Nanoseconds time);
   static void confirm(Slave& slave, Nanoseconds time);
   void publish(const Slave& slave);
-  [[nodiscard]] static bool settled(const Slave& slave, Nanoseconds time);
+  /// It found into OP: what it counted on the way there is forgotten.
+  static void end_settling(Slave& slave, Nanoseconds time);
 
   RunState& run_;
   const SyncWatch& sync_;

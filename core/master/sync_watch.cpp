@@ -86,6 +86,7 @@ void SyncWatch::start(const DcNetwork& network, Nanoseconds first_cycle) {
   start_ = first_cycle;
   last_host_ = network.host_time;
   last_reference_ = network.reference_time;
+  line_.start(last_host_, last_reference_);
   const auto set_value = effective_set_value(settings_, config.cycle_time());
   const auto first_reference = reference_time_at(first_cycle);
   // The grid is laid where the frames pass anyway: the controller starts with an error near zero.
@@ -125,10 +126,12 @@ Nanoseconds SyncWatch::observe_cycle(const dc::DcmObservation& observation, Cycl
   if (observation.reference_time) {
     last_host_ = observation.send_time;
     last_reference_ = *observation.reference_time;
+    line_.observe(last_host_, last_reference_);
     sample.reference_time = *observation.reference_time;
     sample.flags |= CycleSample::kReferenceValid;
   }
   const auto action = controller_->observe(observation);
+  write_again_ = action.write_again;
   update_dcm(observation, sample.skipped_cycles);
   const auto& dcm = run_.snapshot.dcm;
   sample.dcm_error_ns = dcm.error_ns;
@@ -142,6 +145,10 @@ Nanoseconds SyncWatch::observe_cycle(const dc::DcmObservation& observation, Cycl
   if (dcm.mode != DcmMode::kOff) sample.flags |= CycleSample::kDcmActive;
   if (dcm.state == SyncState::kInSync) sample.flags |= CycleSample::kDcmInSync;
   return period_adjust(action.period_adjust);
+}
+
+bool SyncWatch::observe_second_write(const dc::DcmObservation& observation) {
+  return controller_ && controller_->observe_second_write(observation);
 }
 
 /// An application that moves the timer says so in the channel, and nobody else moves it then.
@@ -230,6 +237,7 @@ void SyncWatch::leader_lost(Nanoseconds) { led_ = false; }
 void SyncWatch::leader_found(std::uint16_t position, Nanoseconds time) {
   if (!controller_) return;
   led_ = true;
+  line_.start_place_anew();
   verdict_.distrust(time);
   run_.snapshot.dc.reference_clock = position;
 }
@@ -239,10 +247,8 @@ void SyncWatch::leader_moved(std::uint16_t position) {
 }
 
 Nanoseconds SyncWatch::reference_time_at(Nanoseconds host_time) const {
-  const auto passed = host_time - last_host_;
   // After seconds of silence a quartz is far away from where the host's would be.
-  const double ppm = std::clamp(run_.snapshot.dcm.drift_ppm, -kMaxDriftPpm, kMaxDriftPpm);
-  return last_reference_ + passed + std::llround(static_cast<double>(passed) * ppm * 1e-6);
+  return line_.at(host_time, std::clamp(run_.snapshot.dcm.drift_ppm, -kMaxDriftPpm, kMaxDriftPpm));
 }
 
 Nanoseconds SyncWatch::extend(std::uint32_t low, Nanoseconds send_time) const {

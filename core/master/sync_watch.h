@@ -8,6 +8,7 @@
 
 #include "dc/dcm/dcm_controller.h"
 #include "dc/master_verdict.h"
+#include "dc/reference_line.h"
 #include "master/dc_setup.h"
 #include "master/dc_start.h"
 #include "master/run_state.h"
@@ -43,9 +44,13 @@ class SyncWatch {
   [[nodiscard]] std::optional<Nanoseconds> reference_write(Nanoseconds send_time, Nanoseconds scheduled_time);
   /// One cycle; the result is added to the next period. Fills the sample's DCM fields.
   Nanoseconds observe_cycle(const dc::DcmObservation& observation, CycleSample& sample);
+  /// What this cycle has told the reference clock was wrong (DcmAction::write_again), and what another write found.
+  [[nodiscard]] bool wants_second_write() const { return write_again_; }
+  /// True: that one was wrong, too.
+  bool observe_second_write(const dc::DcmObservation& observation);
   /// The same cycle, after observe_cycle() and the readings of the slaves. Fills the sample's DC fields.
   void observe_slaves(Nanoseconds time, const std::optional<OredDeviation>& ored, CycleSample& sample);
-  /// System time of the reference clock at a host time, from the latest reading.
+  /// System time of the reference clock at a host time, without the noise of single stamps.
   [[nodiscard]] Nanoseconds reference_time_at(Nanoseconds host_time) const;
   /// The latest reading extended to 64 bit.
   [[nodiscard]] Nanoseconds extend(std::uint32_t low, Nanoseconds send_time) const;
@@ -84,8 +89,10 @@ class SyncWatch {
   dc::MasterVerdict verdict_;
   Nanoseconds base_ = 0, start_ = 0;
   Nanoseconds last_host_ = 0, last_reference_ = 0;
+  dc::ReferenceLine line_;
   double learned_ppm_ = 0;
   bool led_ = true;                  // somebody leads
+  bool write_again_ = false;
   std::uint64_t count_ = 0;
   double sum_ = 0, sum_of_squares_ = 0;
   DcStartTimeCallback start_time_;

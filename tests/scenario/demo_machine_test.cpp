@@ -65,7 +65,8 @@ TEST_P(DemoMachine, ReachesOpInSync) {
   EXPECT_EQ(report.dcm.mode, GetParam());
   EXPECT_EQ(report.dcm.state, SyncState::kInSync);
   EXPECT_LT(report.dcm.in_sync_after_ms.value_or(1e9), 2100);
-  EXPECT_LT(report.dcm.error_max_ns, 4000);
+  EXPECT_LT(report.dcm.error_rms_ns, 2500);
+  EXPECT_LT(report.dcm.error_max_ns, 75'000) << "a single stamp of a quiet host is up to 72 us wrong";
   std::size_t counters = 0;
   for (const auto& slave : report.slaves) {
     if (!slave.sm2_missed) continue;

@@ -145,6 +145,23 @@ TEST_F(Diagnosis, BlamesTheHostThatStalls) {
   EXPECT_GT(slave(1).sm2_missed->by_cause[1], 0U) << "cycles left out";
 }
 
+/// Misses while a drive finds into OP are no fault of the bus, but those that make it fall are the cause.
+TEST_F(Diagnosis, CountsTheMissesOfADriveThatFallsJustAfterOp) {
+  machine.run(6 * kSecond);
+  const auto op = std::ranges::find_if(machine.events, [](const Event& event) {
+    return event.kind == EventKind::kStateChanged && event.slave == 1 &&
+           event.a == static_cast<std::int64_t>(AlState::kSafeop);
+  });
+  ASSERT_NE(op, machine.events.end());
+  test::DiagnosedRun again;
+  again.network = machine.network;
+  again.fault(FaultKind::kHostStall, op->time - machine.report.history.begin + 40 * kMillisecond).value_ns =
+      12 * kMillisecond;
+  again.run(8 * kSecond);
+  EXPECT_TRUE(again.found(Code::kSlaveFellByMisses, 1)) << again.said();
+  EXPECT_GE(again.report.slaves[1].sm2_missed->by_cause[1], 3U) << "cycles left out";
+}
+
 TEST_F(Diagnosis, AsksForMoreTimeBetweenFrameAndSync0) {
   machine.jitter = JitterProfile::bad();
   machine.network.project.master.dc.dcm.mode = DcmMode::kMasterShift;

@@ -15,7 +15,6 @@ constexpr double kFilterTime = 20e6;
 constexpr double kIntegralTime = 7.5e9;    // divided by the drift error gain
 constexpr double kMaxCorrection = 20'000;  // ns; an ESC at its slew limit is not helped by more
 constexpr int kBlocksAway = 10;
-constexpr double kWayMemory = 0.05, kWayChange = 1'000;  // ns
 constexpr int kKnown = 100;                // readings before an outlier can be told
 constexpr double kAwayPpm = 3;
 
@@ -24,7 +23,7 @@ constexpr double kAwayPpm = 3;
 BusShift::BusShift(const DcmSettings& settings, Nanoseconds cycle_time, Nanoseconds set_value, Nanoseconds least)
     : target_{0, set_value, cycle_time},
       monitor_(settings, cycle_time, set_value, least),
-      gate_(static_cast<double>(settings.max_valid_value)),
+      forecast_(static_cast<double>(settings.max_valid_value)),
       limit_(settings.in_sync_limit),
       share_(std::min(1.0, kSharePerPpt * settings.gain_ppt)),
       integral_time_(kIntegralTime / std::max(1U, settings.drift_error_gain)) {}
@@ -38,8 +37,7 @@ void BusShift::start(Nanoseconds base, Nanoseconds first_reference_time, Nanosec
   working_off_ = false;
   known_ = 0;
   lag_ = 0;
-  last_.reset();
-  gate_.start();
+  forecast_.start();
   anchor_ = {first_send_time, target_.nearest(first_reference_time)};
 }
 
@@ -49,19 +47,19 @@ Nanoseconds BusShift::wanted_at(Nanoseconds host_time) const {
 
 std::optional<Nanoseconds> BusShift::reference_write(Nanoseconds send_time, Nanoseconds) {
   // Counted from the real send time: a frame that leaves late carries a later time.
-  const auto leaves = send_time + static_cast<Nanoseconds>(std::llround(way_out_));
-  if (!last_) return wanted_at(leaves);
-  const auto predicted = last_->reference_time + (leaves - last_->host_time);
-  return predicted - static_cast<Nanoseconds>(std::llround(share_ * lag_ + integral_));
+  const auto forecast = forecast_.at(send_time);
+  if (!forecast) return wanted_at(send_time + forecast_.usual_way());
+  return *forecast - static_cast<Nanoseconds>(std::llround(share_ * lag_ + integral_));
 }
 
 DcmAction BusShift::observe(const DcmObservation& observation) {
+  DcmAction action;
   if (observation.reference_time) {
     // Not folded into a cycle: the clock that falls behind by whole cycles is still behind.
     auto lag = *observation.reference_time - wanted_at(observation.send_time);
     const bool new_block = monitor_.observe(observation, lag);
     if (monitor_.step()) lag = begin_anew(observation);
-    take(observation, lag);
+    action.write_again = take(observation, lag) == OutlierGate::Verdict::kOutlier;
     if (new_block) watch_runaway();
     state_.adjust = static_cast<Nanoseconds>(std::llround(-(share_ * lag_ + integral_)));
     state_.output_sum = -integral_;
@@ -70,18 +68,23 @@ DcmAction BusShift::observe(const DcmObservation& observation) {
     monitor_.observe(observation, 0);
   }
   monitor_.report(state_);
-  return {};
+  return action;
 }
 
-void BusShift::take(const DcmObservation& observation, Nanoseconds lag) {
-  way_out_ += kWayMemory * std::clamp(static_cast<double>(observation.way_out) - way_out_, -kWayChange, kWayChange);
+OutlierGate::Verdict BusShift::take(const DcmObservation& observation, Nanoseconds lag) {
   // While the clock is on its way to its place there is no telling an outlier.
   const bool settled = monitor_.in_sync() || (known_ >= kKnown && std::abs(filtered_) < static_cast<double>(limit_));
-  const auto verdict = gate_.judge(static_cast<double>(lag) - filtered_, settled);
+  const auto verdict = forecast_.take(observation, static_cast<double>(lag) - filtered_, settled);
   lag_ = verdict == OutlierGate::Verdict::kOutlier ? filtered_ : static_cast<double>(lag);
   known_ = std::min(known_ + 1, kKnown);
-  last_ = Reading{observation.send_time, *observation.reference_time};
   integrate(lag_);
+  return verdict;
+}
+
+bool BusShift::observe_second_write(const DcmObservation& observation) {
+  if (!observation.reference_time) return false;
+  const auto lag = *observation.reference_time - wanted_at(observation.send_time);
+  return forecast_.take_again(observation, static_cast<double>(lag) - filtered_);
 }
 
 /// The reference clock has stepped: from where it is now it is led to the nearest place in the grid. Whole cycles are
@@ -89,7 +92,7 @@ void BusShift::take(const DcmObservation& observation, Nanoseconds lag) {
 Nanoseconds BusShift::begin_anew(const DcmObservation& observation) {
   const auto time = *observation.reference_time - (observation.send_time - observation.scheduled_time);
   anchor_ = {observation.scheduled_time, target_.nearest(time)};
-  gate_.start();
+  forecast_.forget();
   const auto lag = *observation.reference_time - wanted_at(observation.send_time);
   filtered_ = static_cast<double>(lag);
   working_off_ = true;

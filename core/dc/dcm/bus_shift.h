@@ -3,8 +3,8 @@
 
 #include "dc/dcm/dcm_controller.h"
 #include "dc/dcm/dcm_monitor.h"
-#include "dc/dcm/outlier_gate.h"
 #include "dc/dcm/phase_error.h"
+#include "dc/dcm/write_forecast.h"
 
 namespace syncline::dc {
 
@@ -12,17 +12,15 @@ namespace syncline::dc {
 /// passes. The ESC's own control loop moves the clock; an outer integral takes away the standing error that
 /// this loop needs until it has learned the drift.
 ///
-/// What is written is the time predicted from the last reading less a share of the error. What is wrong with
-/// one send stamp then mostly cancels with the next, instead of shaking the reference clock and all slaves
-/// with it. So the last reading counts for the prediction also when it is far off; for the error that is taken
-/// back an outlier does not count. Where the kernel says when the driver got a frame, the usual way from the stamp
-/// to there is in what is written.
+/// What is written is the forecast of its time (WriteForecast) less a share of the error. For the error that is taken
+/// back an outlier does not count.
 class BusShift final : public DcmController {
  public:
   BusShift(const DcmSettings& settings, Nanoseconds cycle_time, Nanoseconds set_value, Nanoseconds least = 0);
   void start(Nanoseconds base, Nanoseconds first_reference_time, Nanoseconds first_send_time) override;
   std::optional<Nanoseconds> reference_write(Nanoseconds send_time, Nanoseconds scheduled_time) override;
   DcmAction observe(const DcmObservation& observation) override;
+  bool observe_second_write(const DcmObservation& observation) override;
   [[nodiscard]] const DcmState& state() const override { return state_; }
 
  private:
@@ -31,7 +29,7 @@ class BusShift final : public DcmController {
   };
   [[nodiscard]] Nanoseconds wanted_at(Nanoseconds host_time) const;
   [[nodiscard]] Nanoseconds begin_anew(const DcmObservation& observation);
-  void take(const DcmObservation& observation, Nanoseconds lag);
+  OutlierGate::Verdict take(const DcmObservation& observation, Nanoseconds lag);
   void integrate(double lag);
   void watch_runaway();
 
@@ -39,10 +37,8 @@ class BusShift final : public DcmController {
   DcmMonitor monitor_;
   DcmState state_;
   Reading anchor_;                // host time and what the reference clock is to show then
-  std::optional<Reading> last_;
-  double way_out_ = 0;            // usual time from the stamp to the driver, ns
   double lag_ = 0;                // behind (< 0) or ahead of the place in the grid, without outliers, ns
-  OutlierGate gate_;
+  WriteForecast forecast_;
   Nanoseconds limit_;             // in sync
   double share_;                  // of the error that is corrected at once
   double integral_time_;          // ns

@@ -29,8 +29,9 @@ struct DcmObservation {
 /// What to do next.
 struct DcmAction {
   Nanoseconds period_adjust = 0;    // master shift: added to the next period
-  /// bus shift: low 32 bits of this are written to 0x0910 of the reference clock in the next frame.
-  std::optional<Nanoseconds> reference_write;
+  /// bus shift: the frame left far from its stamp, and what it told the reference clock is that wrong. Another write at
+  /// once (reference_write) takes it back before the clock has gone astray for a whole cycle.
+  bool write_again = false;
 };
 
 struct DcmState {
@@ -55,6 +56,9 @@ class DcmController {
   /// Just before frame k is sent: the bus-shift value needs the real send time.
   virtual std::optional<Nanoseconds> reference_write(Nanoseconds send_time, Nanoseconds scheduled_time) = 0;
   virtual DcmAction observe(const DcmObservation& observation) = 0;
+  /// What the write that was asked for (DcmAction::write_again) found: the reference clock's time when it passed, as in
+  /// an observation. Not called when that frame did not come back. True: that one, too, left far from its stamp.
+  virtual bool observe_second_write(const DcmObservation& /*observation*/) { return false; }
   [[nodiscard]] virtual const DcmState& state() const = 0;
 };
 

@@ -27,27 +27,34 @@ Dcx::Dcx(const DcmSettings& settings, Nanoseconds cycle_time, Nanoseconds set_va
     : control_off_(settings.control_off),
       cycle_(cycle_time),
       limit_(settings.in_sync_limit),
-      host_(for_host(settings), cycle_time, set_value, least) {}
+      host_(for_host(settings), cycle_time, set_value, least),
+      forecast_(static_cast<double>(settings.max_valid_value)) {}
 
 void Dcx::start(Nanoseconds base, Nanoseconds first_reference_time, Nanoseconds first_send_time) {
   host_.start(base, first_reference_time, first_send_time);
   state_ = {};
-  last_.reset();
+  forecast_.start();
   behind_.reset();
   missing_since_.reset();
   integral_ = 0;
 }
 
 std::optional<Nanoseconds> Dcx::reference_write(Nanoseconds send_time, Nanoseconds) {
-  if (control_off_ || !behind_ || !last_) return std::nullopt;
-  const auto passed = static_cast<double>(send_time - last_->host_time) * (1 + host_.state().drift_ppm * 1e-6);
+  const auto forecast = forecast_.at(send_time, host_.state().drift_ppm);
+  if (control_off_ || !behind_ || !forecast) return std::nullopt;
   const double push = std::clamp(kShare * *behind_, -kMaxCorrection, kMaxCorrection) + integral_;
-  return last_->reference_time + std::llround(passed + push);
+  return *forecast + std::llround(push);
 }
 
 DcmAction Dcx::observe(const DcmObservation& observation) {
-  const auto action = host_.observe(observation);
-  if (observation.reference_time) last_ = Reading{observation.send_time, *observation.reference_time};
+  auto action = host_.observe(observation);
+  if (observation.reference_time) {
+    const auto& host = host_.state();
+    const auto surprise = host.error - host.error_filtered;
+    expected_lead_ = *observation.reference_time - observation.send_time - surprise;
+    action.write_again =
+        forecast_.take(observation, static_cast<double>(surprise), host.in_sync) == OutlierGate::Verdict::kOutlier;
+  }
   take(observation);
   state_ = host_.state();
   state_.external_error = behind_ ? std::optional(std::llround(-*behind_)) : std::nullopt;
@@ -55,6 +62,12 @@ DcmAction Dcx::observe(const DcmObservation& observation) {
   if (missing) state_.error_code = kDcxErrorNoExternalClock;
   if (missing || (behind_ && std::abs(*behind_) > static_cast<double>(limit_))) state_.in_sync = false;
   return action;
+}
+
+bool Dcx::observe_second_write(const DcmObservation& observation) {
+  if (!observation.reference_time) return false;
+  const auto surprise = *observation.reference_time - observation.send_time - expected_lead_;
+  return forecast_.take_again(observation, static_cast<double>(surprise));
 }
 
 void Dcx::take(const DcmObservation& observation) {

@@ -3,6 +3,7 @@
 
 #include "dc/dcm/dcm_controller.h"
 #include "dc/dcm/master_shift.h"
+#include "dc/dcm/write_forecast.h"
 
 namespace syncline::dc {
 
@@ -14,19 +15,18 @@ class Dcx final : public DcmController {
   void start(Nanoseconds base, Nanoseconds first_reference_time, Nanoseconds first_send_time) override;
   std::optional<Nanoseconds> reference_write(Nanoseconds send_time, Nanoseconds scheduled_time) override;
   DcmAction observe(const DcmObservation& observation) override;
+  bool observe_second_write(const DcmObservation& observation) override;
   [[nodiscard]] const DcmState& state() const override { return state_; }
 
  private:
-  struct Reading {
-    Nanoseconds host_time = 0, reference_time = 0;
-  };
   void take(const DcmObservation& observation);
 
   bool control_off_;
   Nanoseconds cycle_, limit_;
   MasterShift host_;
   DcmState state_;
-  std::optional<Reading> last_;
+  WriteForecast forecast_;
+  Nanoseconds expected_lead_ = 0;  // of the reference clock before the host's clock, this cycle's noise left out
   std::optional<double> behind_;              // the reference clock behind the external one, within half a cycle
   std::optional<Nanoseconds> missing_since_;  // the external clock
   double integral_ = 0;

@@ -13,16 +13,19 @@ constexpr int kOutliersAreTrue = 20;  // so many in a row
 
 }  // namespace
 
+double OutlierGate::gate() const { return std::max(limit_, kScatters * scatter_); }
+
+bool OutlierGate::is_far(double surprise) const { return std::abs(surprise) > gate(); }
+
 OutlierGate::Verdict OutlierGate::judge(double surprise, bool trusted) {
   const double size = std::abs(surprise);
-  const double gate = std::max(limit_, kScatters * scatter_);
-  if (trusted && size > gate) {
+  if (trusted && is_far(surprise)) {
     if (++outliers_ < kOutliersAreTrue) return Verdict::kOutlier;
     outliers_ = 0;
     return Verdict::kStep;
   }
   outliers_ = 0;
-  scatter_ += kMemory * (std::min(size, gate) - scatter_);
+  scatter_ += kMemory * (std::min(size, gate()) - scatter_);
   return Verdict::kValid;
 }
 

@@ -14,9 +14,13 @@ class OutlierGate {
   void start() { *this = OutlierGate(limit_); }
   /// `surprise`: reading less expectation, ns. While not `trusted` the expectation is no measure, and all is valid.
   Verdict judge(double surprise, bool trusted);
+  /// The same of a reading that is not counted.
+  [[nodiscard]] bool is_far(double surprise) const;
   [[nodiscard]] double scatter() const { return scatter_; }  // mean of |surprise|, ns
 
  private:
+  [[nodiscard]] double gate() const;
+
   double limit_;
   double scatter_ = 0;
   int outliers_ = 0;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "diagnosis/rules/rules.h"
 
@@ -32,13 +33,21 @@ bool breaks_lock(dc::SyncObstacle obstacle) {
          obstacle == dc::SyncObstacle::kErrorCode || obstacle == dc::SyncObstacle::kControlError;
 }
 
+}  // namespace
+
 bool was_locked(const RunReport& report) {
   if (report.dcm.mode == DcmMode::kOff || report.dcm.control_off) return true;
   return !breaks_lock(report.dcm.obstacle) &&
          std::ranges::none_of(report.history.master_losses, breaks_lock, &RunHistory::SyncLoss::obstacle);
 }
 
-}  // namespace
+std::vector<Figure> lateness_figures(const RunReport& report, const RunReport::Slave& slave) {
+  const auto lateness = usual_worst_lateness(report);
+  const auto margin = slave.sync0_margin.value_or(0);
+  const auto need = slave.evidence.calc_and_copy_ns;
+  return {time_figure("margin", margin), time_figure("lateness", lateness), time_figure("need", need),
+          time_figure("more", advised(lateness + need - margin))};
+}
 
 dc::MissCause main_cause(const Sm2MissedStatus& status) {
   const auto most = std::ranges::max_element(status.by_cause);
@@ -63,26 +72,25 @@ void find_missed_outputs(const RunReport& report, Findings& findings) {
   for (const auto& slave : report.slaves) {
     if (!slave.sm2_missed || !slave.sm2_missed->known || slave.sm2_missed->missed == 0) continue;
     const auto told = [&](const RunFinding& f) {
-      return f.code == Code::kSlaveFellByMisses && f.slave == slave.position;
+      return (f.code == Code::kSlaveFellByMisses || f.code == Code::kSlaveFellByLateFrames) &&
+             f.slave == slave.position;
     };
     if (std::ranges::any_of(findings, told)) continue;  // with all its figures
     const auto& status = *slave.sm2_missed;
     const auto cause = main_cause(status);
-    const auto lateness = usual_worst_lateness(report);
-    const auto margin = slave.sync0_margin.value_or(0);
-    findings.push_back({code_of(cause, was_locked(report)),
-                        FindingLevel::kWarning,
-                        slave.position,
-                        0,
-                        0,
-                        {slave_figure(report, slave.position), count_figure("missed", status.missed, status.at_least),
-                         count_figure("part", status.by_cause[static_cast<std::size_t>(cause)]),
-                         count_figure("integrator", status.integrator_highest),
-                         status.limit > 0 ? count_figure("limit", status.limit) : text_figure("limit", "no limit"),
-                         count_figure("computed", status.computed),
-                         text_figure("sub", fmt::format("{:02X}", status.sub_index)), time_figure("margin", margin),
-                         time_figure("lateness", lateness), time_figure("need", slave.evidence.calc_and_copy_ns),
-                         time_figure("more", advised(lateness + slave.evidence.calc_and_copy_ns - margin))}});
+    RunFinding finding{
+        code_of(cause, was_locked(report)),
+        FindingLevel::kWarning,
+        slave.position,
+        0,
+        0,
+        {slave_figure(report, slave.position), count_figure("missed", status.missed, status.at_least),
+         count_figure("part", status.by_cause[static_cast<std::size_t>(cause)]),
+         count_figure("integrator", status.integrator_highest),
+         status.limit > 0 ? count_figure("limit", status.limit) : text_figure("limit", "no limit"),
+         count_figure("computed", status.computed), text_figure("sub", fmt::format("{:02X}", status.sub_index))}};
+    std::ranges::copy(lateness_figures(report, slave), std::back_inserter(finding.figures));
+    findings.push_back(std::move(finding));
   }
 }
 

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <string_view>
+#include <vector>
 
-#include "master/channels.h"
+#include "diagnosis/finding.h"
+#include "trace/run_report.h"
 
 namespace syncline::diagnosis {
 
@@ -11,5 +13,11 @@ namespace syncline::diagnosis {
 [[nodiscard]] dc::MissCause main_cause(const Sm2MissedStatus& status);
 /// "frames were lost": goes behind a colon or "because".
 [[nodiscard]] std::string_view miss_cause_words(dc::MissCause cause);
+
+/// Whether the schedule held its place in the SYNC grid all the time, whatever the host made of single frames.
+[[nodiscard]] bool was_locked(const RunReport& report);
+/// What a later SYNC0 is worth to a slave: "margin" it has, "lateness" of one frame in a thousand, what it "need"s
+/// itself, and by how much "more" the set value would do.
+[[nodiscard]] std::vector<Figure> lateness_figures(const RunReport& report, const RunReport::Slave& slave);
 
 }  // namespace syncline::diagnosis

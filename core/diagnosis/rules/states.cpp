@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "config/families/families.h"
 #include "diagnosis/rules/missed_events.h"
@@ -64,7 +65,12 @@ RunFinding fallen(const RunReport& report, const RunReport::Slave& slave) {
   finding.figures.push_back(count_figure("missed", slave.sm2_missed->missed, slave.sm2_missed->at_least));
   finding.figures.push_back(count_figure("integrator", slave.sm2_missed->integrator_highest));
   finding.figures.push_back(count_figure("limit", slave.sm2_missed->limit));
-  finding.figures.push_back(text_figure("cause", std::string(miss_cause_words(main_cause(*slave.sm2_missed)))));
+  const auto cause = main_cause(*slave.sm2_missed);
+  finding.figures.push_back(text_figure("cause", std::string(miss_cause_words(cause))));
+  finding.figures.push_back(count_figure("part", slave.sm2_missed->by_cause[static_cast<std::size_t>(cause)]));
+  // More time before SYNC0 helps where there is a SYNC0 that frames can be late for.
+  if (cause == dc::MissCause::kFrameLate && was_locked(report)) finding.code = Code::kSlaveFellByLateFrames;
+  std::ranges::copy(lateness_figures(report, slave), std::back_inserter(finding.figures));
   return finding;
 }
 

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <iterator>
+
+#include "diagnosis/rules/missed_events.h"
 #include "diagnosis/rules/rules.h"
 
 namespace syncline::diagnosis {
@@ -32,23 +36,27 @@ void find_shift_too_short(const RunReport& report, const RunReport::Slave& slave
   }
 }
 
-/// Known before anything is missed: the usual lateness does not fit between frame and SYNC0.
+/// Another finding says that frames come too late for this slave's SYNC0, and by how much.
+bool is_told(const Findings& findings, const RunReport::Slave& slave) {
+  return std::ranges::any_of(findings, [&](const RunFinding& finding) {
+    return finding.slave == slave.position &&
+           (finding.code == Code::kSlaveFellByLateFrames || finding.code == Code::kMissedByLateFrames ||
+            finding.code == Code::kShiftTooShort);
+  });
+}
+
+/// The usual lateness does not fit between frame and SYNC0: known before anything is missed, and true also where
+/// something else made the slave miss more.
 void find_too_tight(const RunReport& report, const RunReport::Slave& slave, Findings& findings) {
-  const bool locked = report.dcm.mode != DcmMode::kOff && report.dcm.state == SyncState::kInSync;
-  const bool told = slave.sm2_missed && slave.sm2_missed->missed > 0;
+  const bool locked = report.dcm.mode != DcmMode::kOff && was_locked(report);
   const auto lateness = usual_worst_lateness(report);
   constexpr std::uint64_t kEnough = 1000;
-  if (!slave.sync0_margin || told || !locked || report.history.frame_lateness.count() < kEnough) return;
+  if (!slave.sync0_margin || !locked || report.history.frame_lateness.count() < kEnough) return;
+  if (is_told(findings, slave)) return;
   if (lateness <= *slave.sync0_margin) return;
   findings.push_back(
-      {Code::kSync0TooTight,
-       FindingLevel::kWarning,
-       slave.position,
-       0,
-       0,
-       {slave_figure(report, slave.position), time_figure("margin", *slave.sync0_margin),
-        time_figure("lateness", lateness),
-        time_figure("more", advised(lateness + slave.evidence.calc_and_copy_ns - *slave.sync0_margin))}});
+      {Code::kSync0TooTight, FindingLevel::kWarning, slave.position, 0, 0, {slave_figure(report, slave.position)}});
+  std::ranges::copy(lateness_figures(report, slave), std::back_inserter(findings.back().figures));
 }
 
 }  // namespace

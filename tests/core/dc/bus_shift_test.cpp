@@ -132,6 +132,17 @@ TEST(BusShift, NoiseOfTheSendStampsStaysAwayFromTheSlaves) {
   EXPECT_LT(plant.rms(&PlantCycle::grid_error, 10), 60);
 }
 
+TEST(BusShift, StampsThatAreWrongByTensOfMicrosecondsNowAndThenStayAwayFromTheSlaves) {
+  for (const double ppm : {-50.0, 50.0}) {
+    auto options = with(JitterProfile::quiet(), ppm);
+    options.stamp_error = options.jitter.stamp_error;
+    DcmPlant plant(options);
+    plant.run_until(30);
+    EXPECT_EQ(plant.times_lost(), 0);
+    EXPECT_LT(plant.worst(&PlantCycle::slave_error, 5), 75) << "144 when the next cycle takes them back " << ppm;
+  }
+}
+
 TEST(BusShift, StaysInSyncWithStampsOfAFewMicroseconds) {
   auto options = with(JitterProfile::desktop());
   options.stamp_noise = 3'000;
@@ -171,6 +182,55 @@ TEST(BusShift, AReferenceClockThatCannotFollowIsADriftTooHigh) {
     EXPECT_EQ(plant.last().state.error_code, kDcmErrorDriftTooHigh) << ppm;
     // It slides through the grid again and again, and is never in sync on its way.
     EXPECT_EQ(plant.in_sync_at(), DcmPlant::kEnd) << ppm;
+  }
+}
+
+/// A controller in sync whose reference clock runs with the host, at host time `now`; the clock shows `shown`.
+struct Settled {
+  static constexpr Nanoseconds kLate = 40'000;
+  BusShift controller{settings_for(DcmMode::kBusShift), kMillisecond, 600'000};
+  Nanoseconds now = 1'000 * kMillisecond, shown = 5'400'000;
+
+  Settled() {
+    controller.start(0, shown, now);
+    for (int i = 0; i < 3'000; ++i) cycle(0);
+  }
+  /// The frame leaves `late` after its stamp. `known`: the link says so.
+  DcmAction cycle(Nanoseconds late, bool known = false) {
+    now += kMillisecond;
+    shown += kMillisecond;
+    return controller.observe(observation(late, known));
+  }
+  [[nodiscard]] DcmObservation observation(Nanoseconds late, bool known) const {
+    DcmObservation seen{known ? now + late : now, now, shown + late};
+    if (known) seen.way_out = late;
+    return seen;
+  }
+  /// What the next write tells the clock too much, when it leaves on time.
+  [[nodiscard]] Nanoseconds too_much() { return *controller.reference_write(now + 100'000, now) - (shown + 100'000); }
+};
+
+TEST(BusShift, AFrameThatLeftFarFromItsStampIsTakenBackAtOnce) {
+  for (const bool known : {false, true}) {
+    Settled bus;
+    ASSERT_TRUE(bus.controller.state().in_sync);
+    EXPECT_FALSE(bus.cycle(200, known).write_again);
+    EXPECT_TRUE(bus.cycle(Settled::kLate, known).write_again) << known;
+    // That frame told the clock 40 us too little; this one tells it as much too much.
+    EXPECT_NEAR(bus.too_much(), Settled::kLate, 200) << known;
+    bus.now += 100'000;
+    bus.shown += 100'000;
+    EXPECT_FALSE(bus.controller.observe_second_write(bus.observation(0, known)));
+    EXPECT_NEAR(bus.too_much(), 0, 200) << "taken back once, not twice " << known;
+  }
+}
+
+TEST(BusShift, ASecondWriteThatStraysIsTakenBackToo) {
+  for (const bool known : {false, true}) {
+    Settled bus;
+    EXPECT_TRUE(bus.cycle(Settled::kLate, known).write_again);
+    EXPECT_TRUE(bus.controller.observe_second_write(bus.observation(2 * Settled::kLate, known)));
+    EXPECT_NEAR(bus.too_much(), 2 * Settled::kLate, 200) << known;
   }
 }
 

@@ -49,14 +49,15 @@ TEST(DcmModes, TheStandardsOfTheTaskWithNoisyStamps) {
 }
 
 TEST(DcmModes, MasterRefClockLetsTheJitterThroughThatBusShiftTakesOut) {
-  DcmPlant nominal(with(DcmMode::kMasterRefClock, JitterProfile::desktop()));
-  DcmPlant controlled(with(DcmMode::kBusShift, JitterProfile::desktop()));
-  nominal.run_until(20);
-  controlled.run_until(20);
-  EXPECT_LT(nominal.in_sync_at(), 6);
-  EXPECT_EQ(nominal.last().state.error_code, 0U);
-  EXPECT_EQ(nominal.last().state.adjust, 0);
-  EXPECT_GT(nominal.rms(&PlantCycle::grid_error, 10), 10 * controlled.rms(&PlantCycle::grid_error, 10));
+  for (const auto& jitter : {JitterProfile::quiet(), JitterProfile::desktop()}) {
+    DcmPlant nominal(with(DcmMode::kMasterRefClock, jitter));
+    DcmPlant controlled(with(DcmMode::kBusShift, jitter));
+    nominal.run_until(20);
+    controlled.run_until(20);
+    EXPECT_EQ(nominal.last().state.error_code, 0U);
+    EXPECT_EQ(nominal.last().state.adjust, 0);
+    EXPECT_GT(nominal.rms(&PlantCycle::grid_error, 10), 10 * controlled.rms(&PlantCycle::grid_error, 10));
+  }
 }
 
 TEST(DcmModes, MasterRefClockNeedsAnAccurateCycleOnly) {

@@ -12,6 +12,8 @@ namespace {
 constexpr std::uint16_t kSpeedCounterStart = 0x1000;
 /// Of a clock that the host steers, as the initialisation sets it.
 constexpr double kSteeredDepth = 64;
+constexpr double kSecondWriteAfter = 40'000;  // ns
+constexpr int kMostSecondWrites = 4;
 constexpr double kSpeedCounterLimit = kSpeedCounterStart - 0x7F;
 /// Host clock and system time at the start; far apart, so that mixing them up shows.
 constexpr Nanoseconds kHostStart = 820'000'000 * kSecond;
@@ -26,7 +28,9 @@ double wrap(double value, double period) { return value - period * std::round(va
 
 }  // namespace
 
-void EscClock::advance(double ns) { time_ += ns * (1 + ppm_ * 1e-6) * (1 - speed_counter_rate(kSpeedCounterStart, diff_)); }
+double EscClock::time_after(double ns) const {
+  return time_ + ns * (1 + ppm_ * 1e-6) * (1 - speed_counter_rate(kSpeedCounterStart, diff_));
+}
 
 void EscClock::receive(double local_minus_received) {
   mean_ += (local_minus_received - mean_) / depth_;
@@ -69,6 +73,27 @@ double DcmPlant::draw_jitter() {
   return options_.jitter.wake_up.empty() ? 0 : options_.jitter.wake_up.at(random_.uniform());
 }
 
+double DcmPlant::draw_stamp_error() {
+  double error = -std::abs(random_.normal()) * options_.send_delay + random_.normal() * options_.stamp_noise;
+  if (!options_.stamp_error.empty()) error -= options_.stamp_error.at(random_.uniform());
+  return error;
+}
+
+/// As the master does it: once more, and again when that one strays too.
+void DcmPlant::write_again() {
+  bool again = true;
+  for (int i = 0; again && i < kMostSecondWrites; ++i) {
+    advance_to(now_ + kSecondWriteAfter);
+    const auto stamp = kHostStart + std::llround(now_ + draw_stamp_error());
+    const double passing = reference_.time();
+    if (const auto wanted = controller_->reference_write(stamp, stamp)) {
+      reference_.receive(passing - static_cast<double>(*wanted - kReferenceStart));
+    }
+    again = controller_->observe_second_write(
+        {stamp, stamp, kReferenceStart + static_cast<Nanoseconds>(std::floor(passing / 10)) * 10});
+  }
+}
+
 void DcmPlant::advance_to(double host_time) {
   const double step = host_time - now_;
   reference_.advance(step);
@@ -80,19 +105,20 @@ void DcmPlant::cycle() {
   PlantCycle result;
   result.jitter = draw_jitter() + options_.late(count_);
   const auto schedule = static_cast<double>(schedule_);
-  double stamp_error = -std::abs(random_.normal()) * options_.send_delay + random_.normal() * options_.stamp_noise;
-  if (!options_.stamp_error.empty()) stamp_error -= options_.stamp_error.at(random_.uniform());
+  const double stamp_error = draw_stamp_error();
   if (options_.clock_step.cycle == count_) {
     reference_.step(options_.clock_step.ns);
     for (auto& slave : slaves_) slave.step(options_.clock_step.ns);
   }
+  const double step = schedule + result.jitter - now_;
+  const double rate = step == 0 ? 1 : (reference_.time_after(step) - reference_.time()) / step;
   advance_to(schedule + result.jitter);
   const auto host_schedule = kHostStart + schedule_;
   const auto stamp = host_schedule + std::llround(result.jitter + stamp_error);
 
   const double passing = reference_.time();
-  // Where the frame would have passed on time, for the rate of the reference clock is near one.
-  result.grid_error = wrap(passing - result.jitter, static_cast<double>(options_.cycle));
+  // Where the frame would have passed on time.
+  result.grid_error = wrap(passing - result.jitter * rate, static_cast<double>(options_.cycle));
   DcmObservation observation{stamp, host_schedule, std::nullopt};
   if (!options_.lost(count_)) {
     observation.reference_time = kReferenceStart + static_cast<Nanoseconds>(std::floor(passing / 10)) * 10;
@@ -102,6 +128,7 @@ void DcmPlant::cycle() {
     for (auto& slave : slaves_) slave.receive(slave.time() - passing + random_.uniform(-10, 10));
   }
   const auto action = controller_->observe(observation);
+  if (action.write_again) write_again();
   for (const auto& slave : slaves_) {
     result.slave_error = std::max(result.slave_error, std::abs(slave.time() - reference_.time()));
     result.deviation = std::max(result.deviation, std::abs(slave.deviation()));

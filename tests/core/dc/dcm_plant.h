@@ -20,13 +20,14 @@ class EscClock {
  public:
   /// `ppm`: of the quartz, against the host's clock. `depth`: messages over which the differences are averaged (0x0934).
   explicit EscClock(double ppm, double depth = 16) : ppm_(ppm), depth_(depth) {}
-  void advance(double ns);
+  void advance(double ns) { time_ = time_after(ns); }
   /// One time written to 0x0910.
   void receive(double local_minus_received);
   /// As after a burst: the loop holds `share` of the rate that makes the clock run `ppm` against the host.
   void learn(double ppm, double share);
   void step(double ns) { time_ += ns; }
   [[nodiscard]] double time() const { return time_; }
+  [[nodiscard]] double time_after(double ns) const;
   [[nodiscard]] double deviation() const { return mean_; }  // 0x092C, ns
 
  private:
@@ -99,6 +100,8 @@ class DcmPlant {
   void cycle();
   void advance_to(double host_time);
   [[nodiscard]] double draw_jitter();
+  [[nodiscard]] double draw_stamp_error();
+  void write_again();
 
   PlantOptions options_;
   Random random_;

@@ -175,6 +175,17 @@ TEST(RunDiagnosis, ADriveThatFellThoughAllWasGoodFellByItself) {
   EXPECT_EQ(codes(report).front(), Code::kSlaveFellByMisses);
 }
 
+TEST(RunDiagnosis, ADriveThatFellByLateFramesNeedsALaterSync0) {
+  auto report = healthy();
+  report.slaves[1].al_status = 0x14;
+  report.slaves[1].al_status_code = 0x1A;
+  report.history.slaves[1].fall = RunHistory::Fall{kStart + 5 * kSecond, 0x14, 0x1A};
+  miss(report, 1, dc::MissCause::kFrameLate, 3);
+  const auto findings = diagnose(report);
+  ASSERT_EQ(findings.front().code, Code::kSlaveFellByLateFrames);
+  EXPECT_THAT(describe(findings.front()), HasSubstr("Increase the set value by"));
+}
+
 TEST(RunDiagnosis, LostLinksOfHotConnectGroupsAreMeantToBe) {
   auto report = healthy();
   report.history.slaves[1].lost_links[1].note(kStart + 5 * kSecond, 1);
