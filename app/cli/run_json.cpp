@@ -39,7 +39,7 @@ std::string sm2_object(const Sm2MissedStatus& status) { return fmt::format("0x{:
 /// Since the slave was in OP first; its own counter where it has no SYNC0 that the master could follow.
 Json sm2_missed(const RunReport::Slave& slave) {
   if (!slave.sm2_missed) return nullptr;
-  return slave.sm2_missed->known ? slave.sm2_missed->missed : slave.sm2_missed->value;
+  return slave.sm2_missed->total();
 }
 
 Json slave_json(const RunReport::Slave& slave, Nanoseconds now) {

@@ -44,7 +44,7 @@ struct CycleSample {
   std::uint32_t deviation_ns = 0;         // of the slaves that follow the reference clock: the or-ed value where it ors
                                           // only them, else the largest of their latest readings
   std::int32_t slave_deviation_ns = 0;    // signed 0x092C of slave_position
-  std::uint32_t slave_sm2_missed = 0;     // counter of sm2_position
+  std::uint32_t slave_sm2_missed = 0;     // of sm2_position, see Sm2MissedStatus::total
   std::uint32_t slave_sm2_integrator = 0; // see Sm2MissedStatus::integrator
   std::int16_t slave_position = -1;       // round robin, -1 = none in this cycle
   std::int16_t sm2_position = -1;
@@ -103,6 +103,8 @@ struct Sm2MissedStatus {
   std::uint32_t integrator = 0;           // what 0x10F1 makes of the misses
   std::uint32_t integrator_highest = 0;   // so far
   std::uint32_t limit = 0;                // 0x10F1:02, at which the slave gives up; 0 = never, or not told
+  /// What is shown: the followed count, which a fall does not clear, or without one the slave's own.
+  [[nodiscard]] std::uint32_t total() const { return known ? missed : value; }
   bool operator==(const Sm2MissedStatus&) const = default;
 };
 

@@ -156,7 +156,7 @@ void Sm2Reader::take_missed(const Counter& counter, std::uint32_t value, Nanosec
   status.index = kSyncManager2Parameter;
   status.sub_index = counter.missed;
   sample.sm2_position = static_cast<std::int16_t>(counter.slave);
-  sample.slave_sm2_missed = value;
+  sample.slave_sm2_missed = status.total();
   sample.slave_sm2_integrator = status.integrator;
 }
 

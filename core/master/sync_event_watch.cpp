@@ -26,7 +26,7 @@ SyncEventWatch::SyncEventWatch(RunState& run, const SyncWatch& sync)
     if (!dc || !slaves[i].send || !AssignActivate{dc->assign_activate}.sync0()) continue;
     const auto period = dc->cycle_time0 > 0 ? dc->cycle_time0 : run.config().cycle_time();
     place_[i] = slaves_.size();
-    slaves_.push_back({i, period, dc->shift_time, {}, {}, 0, {}, {}});
+    slaves_.push_back({i, period, dc->shift_time, {}, {}, 0, 0, {}, {}});
   }
 }
 
@@ -61,7 +61,7 @@ void SyncEventWatch::follow_state(Slave& slave, Nanoseconds time) {
   slave.account->entered_op();
 }
 
-void SyncEventWatch::observe(const CycleSample& sample, bool outputs_back) {
+void SyncEventWatch::observe(CycleSample& sample, bool outputs_back) {
   if (!sync_.active()) return;
   const bool known = (sample.flags & CycleSample::kReferenceValid) != 0;
   const auto passed = known ? sample.reference_time : sync_.reference_time_at(sample.send_time);
@@ -73,6 +73,19 @@ void SyncEventWatch::observe(const CycleSample& sample, bool outputs_back) {
     slave.account->observe({passed + delay, outputs_back, sample.skipped_cycles});
     confirm(slave, sample.send_time);
     if (!slave.before) publish(slave);
+  }
+  if (sample.sm2_position < 0) tell(sample);
+}
+
+void SyncEventWatch::tell(CycleSample& sample) {
+  for (auto& slave : slaves_) {
+    const auto& status = run_.snapshot.slaves[slave.position].sm2_missed;
+    if (!status.known || status.missed == slave.told) continue;
+    slave.told = status.missed;
+    sample.sm2_position = static_cast<std::int16_t>(slave.position);
+    sample.slave_sm2_missed = status.missed;
+    sample.slave_sm2_integrator = status.integrator;
+    return;
   }
 }
 

@@ -19,7 +19,8 @@ class SyncEventWatch {
   SyncEventWatch(RunState& run, const SyncWatch& sync);
 
   /// One cycle; `outputs_back`: all cyclic frames came back. Not before SYNC0 has its grid.
-  void observe(const CycleSample& sample, bool outputs_back);
+  /// Tells in the sample the count of one slave that has changed since it was told.
+  void observe(CycleSample& sample, bool outputs_back);
   /// A reading of the slave's counter of missed events.
   void read(std::size_t slave, std::uint32_t counter);
   void set_limit(std::size_t slave, std::uint32_t limit);
@@ -30,13 +31,14 @@ class SyncEventWatch {
     Nanoseconds period = 0, shift = 0;
     std::optional<dc::SyncEventAccount> account;
     std::optional<dc::SyncEventAccount> before;  // while it settles: what counts when it stays in OP
-    std::uint32_t limit = 0;
+    std::uint32_t limit = 0, told = 0;
     std::optional<Nanoseconds> in_op_since, at_limit_since;
   };
   [[nodiscard]] Slave* find(std::size_t position);
   void follow_state(Slave& slave, Nanoseconds time);
   static void confirm(Slave& slave, Nanoseconds time);
   void publish(const Slave& slave);
+  void tell(CycleSample& sample);
   /// It found into OP: what it counted on the way there is forgotten.
   static void end_settling(Slave& slave, Nanoseconds time);
 

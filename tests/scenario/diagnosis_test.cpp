@@ -145,6 +145,16 @@ TEST_F(Diagnosis, BlamesTheHostThatStalls) {
   EXPECT_GT(slave(1).sm2_missed->by_cause[1], 0U) << "cycles left out";
 }
 
+/// Plots and CSV live from the samples: what made a drive fall is in them, although it clears its counter.
+TEST_F(Diagnosis, ShowsInTheSamplesWhatItFinds) {
+  lose(6 * kSecond, 12);
+  machine.run(9 * kSecond);
+  for (const std::size_t axis : {1, 2}) {
+    ASSERT_GT(slave(axis).sm2_missed->missed, 0U);
+    EXPECT_EQ(machine.shown_misses.at(axis), slave(axis).sm2_missed->missed) << machine.said();
+  }
+}
+
 /// Misses while a drive finds into OP are no fault of the bus, but those that make it fall are the cause.
 TEST_F(Diagnosis, CountsTheMissesOfADriveThatFallsJustAfterOp) {
   machine.run(6 * kSecond);

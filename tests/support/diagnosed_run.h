@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -21,6 +22,7 @@ class DiagnosedRun {
   RunReport report;
   std::vector<RunFinding> findings;
   std::vector<Event> events;
+  std::map<std::size_t, std::uint32_t> shown_misses;  // the last that the samples said, by position
 
   FaultConfig& fault(FaultKind kind, Nanoseconds at, int slave = -1) {
     FaultConfig fault;
@@ -45,6 +47,10 @@ class DiagnosedRun {
       samples.clear();
       channels.samples.pop(samples);
       recorder.add(samples);
+      for (const auto& sample : samples) {
+        if (sample.sm2_position >= 0)
+          shown_misses[static_cast<std::size_t>(sample.sm2_position)] = sample.slave_sm2_missed;
+      }
       if (news) recorder.add(snapshot);
       for (auto& event : channels.events.drain()) {
         recorder.add(event);
