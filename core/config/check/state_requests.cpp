@@ -54,21 +54,38 @@ class StateCheck {
                                 al_state_name(requested), al_state_name(target(transition))));
       return;
     }
-    std::optional<std::size_t> check;
-    for (std::size_t i = request + 1; i < config_.init_cmds.size(); ++i) {
-      if (has(config_.init_cmds[i], transition) && awaited_state(config_.init_cmds[i])) check = i;
-    }
-    if (!check) {
-      if (is_needed(transition)) {
-        findings_.add("ENI-STATE-03", {PlaceKind::kSlaveInitCmd, slave_, request},
-                      fmt::format("no command on {} waits for {} behind this request", transition_name(transition),
-                                  al_state_name(requested)));
+    check_waits(transition, is_needed(transition));
+  }
+
+  /// Each request on a transition is waited for before the next one, and nothing else is.
+  void check_waits(Transition transition, bool must_wait) {
+    constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+    std::size_t open = kNone;  // request that nothing has waited for yet
+    AlState requested = AlState::kInit;
+    bool any = false;
+    const auto unanswered = [&] {
+      if (open == kNone || !must_wait) return;
+      findings_.add("ENI-STATE-03", {PlaceKind::kSlaveInitCmd, slave_, open},
+                    fmt::format("no command on {} waits for {} behind this request", transition_name(transition),
+                                al_state_name(requested)));
+    };
+    for (std::size_t i = 0; i < config_.init_cmds.size(); ++i) {
+      const InitCmd& cmd = config_.init_cmds[i];
+      if (!has(cmd, transition)) continue;
+      if (const auto request = requested_state(cmd)) {
+        unanswered();
+        open = i;
+        requested = *request;
+        any = true;
+      } else if (const auto awaited = awaited_state(cmd); awaited && any) {
+        open = kNone;
+        if (*awaited == requested) continue;
+        findings_.add("ENI-STATE-04", {PlaceKind::kSlaveInitCmd, slave_, i},
+                      fmt::format("on {} it waits for {}, requested is {}", transition_name(transition),
+                                  al_state_name(*awaited), al_state_name(requested)));
       }
-    } else if (const AlState awaited = *awaited_state(config_.init_cmds[*check]); awaited != requested) {
-      findings_.add("ENI-STATE-04", {PlaceKind::kSlaveInitCmd, slave_, *check},
-                    fmt::format("on {} it waits for {}, requested is {}", transition_name(transition),
-                                al_state_name(awaited), al_state_name(requested)));
     }
+    unanswered();
   }
 
   std::size_t slave_;

@@ -53,6 +53,7 @@ std::vector<RuleCase> coe_cases() {
          c.slaves[kDrive].mailbox->coe_commands.push_back(cmd);
        }},
       {"ENI-COE-08", [](NetworkConfig& c) { start_up(c, 0x60C2, 1).data = {7}; }},
+      {"ENI-COE-09", [](NetworkConfig& c) { start_up(c, 0x60C2, 1).data.push_back(0); }},
   };
 }
 
