@@ -20,7 +20,7 @@ inline std::optional<std::filesystem::path> sample_folder() {
   return std::filesystem::is_directory(folder) ? std::optional(folder) : std::nullopt;
 }
 
-/// Small samples of our own: `kind` is eni or sii.
+/// Small samples of our own: `kind` is eni, sii or pcap.
 inline std::filesystem::path own_samples(const std::string& kind) {
   return std::filesystem::path(test::source_dir()) / "tests/samples" / kind;
 }
