@@ -14,6 +14,8 @@ namespace {
 
 bool in(std::uint16_t ado, std::uint16_t first, unsigned size) { return ado >= first && ado < first + size; }
 
+constexpr std::uint16_t kSiiRead = 0x0100;  // in 0x0502
+
 class OrderCheck {
  public:
   OrderCheck(const NetworkView& view, std::size_t slave, Findings& findings)
@@ -83,10 +85,24 @@ class OrderCheck {
         add("ENI-ORD-05", i, "it reads the EEPROM, which does not belong to the master (0x0500 = 0) yet");
         return;
       }
+      if (const auto control = written_number(cmd, reg::kSiiControl, 2); control && (*control & kSiiRead) != 0) {
+        check_answer_read(i);
+      }
       if (request == i && owner == Owner::kMaster && config_.mailbox) {
         add("ENI-ORD-06", i, "PREOP is requested while the EEPROM belongs to the master (0x0500 = 0)");
       }
     }
+  }
+
+  /// Behind a request to read the EEPROM its data are read, before the next request.
+  void check_answer_read(std::size_t asked) {
+    for (std::size_t i = asked + 1; i < config_.init_cmds.size(); ++i) {
+      const InitCmd& cmd = config_.init_cmds[i];
+      if (!has(cmd, Transition::kIP)) continue;
+      if (!writes(cmd.command) && !is_logical(cmd.command) && cmd.ado == reg::kSiiData) return;
+      if (writes_register(cmd, reg::kSiiControl)) break;
+    }
+    add("ENI-ORD-09", asked, "no command on IP reads 0x0508 before the next request");
   }
 
   std::size_t slave_;

@@ -25,6 +25,14 @@ std::optional<AlState> awaited_state(const InitCmd& cmd) {
   return al_state_of(cmd.validate->data.front());
 }
 
+/// The error bit of AL status is compared, and has to be set.
+bool expects_error(const InitCmd& cmd) {
+  constexpr std::uint8_t kError = 0x10;
+  const InitCmdValidate& expected = *cmd.validate;
+  const std::uint8_t mask = expected.mask.empty() ? 0xFF : expected.mask.front();
+  return expected.type == ValidateType::kEqual && (expected.data.front() & mask & kError) != 0;
+}
+
 class StateCheck {
  public:
   StateCheck(const NetworkView& view, std::size_t slave, Findings& findings)
@@ -79,6 +87,11 @@ class StateCheck {
         any = true;
       } else if (const auto awaited = awaited_state(cmd); awaited && any) {
         open = kNone;
+        if (expects_error(cmd)) {
+          findings_.add("ENI-STATE-04", {PlaceKind::kSlaveInitCmd, slave_, i},
+                        fmt::format("on {} it waits for {} with the error bit (0x10) set", transition_name(transition),
+                                    al_state_name(*awaited)));
+        }
         if (*awaited == requested) continue;
         findings_.add("ENI-STATE-04", {PlaceKind::kSlaveInitCmd, slave_, i},
                       fmt::format("on {} it waits for {}, requested is {}", transition_name(transition),
