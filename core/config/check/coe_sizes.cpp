@@ -57,6 +57,25 @@ std::map<ObjectKey, unsigned> mapped_sizes(const SlaveConfig& slave) {
   return sizes;
 }
 
+/// Sub-indices that objects of CiA 402 do not have: 0x60C2 has two, the others here are single values.
+bool lacks_sub_index(std::uint16_t index, std::uint8_t sub_index) {
+  if (index < 0x6000 || index >= 0xA000) return false;
+  switch (0x6000 + (index - 0x6000) % 0x0800) {
+    case 0x6040:
+    case 0x6041:
+    case 0x6060:
+    case 0x6061:
+    case 0x6064:
+    case 0x607A:
+    case 0x60FF:
+      return sub_index > 0;
+    case 0x60C2:
+      return sub_index > 2;
+    default:
+      return false;
+  }
+}
+
 bool is_drive(const SlaveConfig& slave) {
   constexpr std::uint16_t kDriveProfile = 402;
   return slave.mailbox && std::ranges::any_of(slave.mailbox->profiles, [](const ChannelProfile& profile) {
@@ -73,6 +92,11 @@ void check_slave(const NetworkView& view, std::size_t slave, Findings& findings)
     if (!command.enabled || command.complete_access || command.data.empty()) continue;
     const auto entry = mapped.find({command.index, command.sub_index});
     const bool profile_object = command.index >= 0x6000 && command.index < 0xA000;
+    if (is_drive(config) && lacks_sub_index(command.index, command.sub_index)) {
+      findings.add("ENI-COE-09", {PlaceKind::kCoeCmd, slave, i},
+                   fmt::format("0x{:04x} has no sub-index {}", command.index, command.sub_index));
+      continue;
+    }
     unsigned size = profile_object && !is_drive(config) ? 0 : standard_size(command.index, command.sub_index);
     if (size == 0 && entry != mapped.end()) size = entry->second;
     if (size != 0 && command.data.size() != size) {

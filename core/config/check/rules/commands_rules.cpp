@@ -63,9 +63,9 @@ constexpr CheckRule kRules[] = {
     {"ENI-ORD-08", kWarning, "The master does not clear what an earlier run left",
      "Old station addresses, FMMUs or SyncManagers answer beside the new ones until a slave is switched off",
      "Add the broadcast writes of 0x0010, 0x0600 and 0x0800 on IP to the master's init commands"},
-    {"ENI-ORD-09", kWarning, "The EEPROM is asked and its answer is not read",
-     "Whatever the words should be compared with is not compared",
-     "Let a read of 0x0508 follow the request to 0x0502"},
+    {"ENI-ORD-09", kWarning, "The EEPROM is asked and not read, or read and not asked",
+     "What is compared is another word, or nothing",
+     "Let a read of 0x0508 follow each request to 0x0502 (0x0100 and the address of the word)"},
 };
 
 }  // namespace
