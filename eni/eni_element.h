@@ -57,6 +57,7 @@ class EniElement {
   /// xs:hexBinary; "0x" in front and ':' or '-' between bytes are tolerated.
   [[nodiscard]] std::vector<std::uint8_t> bytes() const;
 
+  [[nodiscard]] const tinyxml2::XMLElement* element() const { return node_.element(); }
   void report(ErrorCode code, std::string detail) const { node_.fail(code, std::move(detail)); }
 
  private:

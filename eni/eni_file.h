@@ -22,4 +22,13 @@ namespace syncline::eni {
 [[nodiscard]] Result<NetworkConfig> read_eni(const std::string& path);
 [[nodiscard]] Result<NetworkConfig> parse_eni(std::string_view text, const std::string& file_name);
 
+/// An ENI for a project: with a finding for each kind of element or attribute of the file that is not read, its count and
+/// first line, so that nothing is lost unsaid.
+struct EniImport {
+  NetworkConfig config;
+  std::vector<Finding> unread;
+};
+[[nodiscard]] Result<EniImport> import_eni(const std::string& path);
+[[nodiscard]] Result<EniImport> import_eni_text(std::string_view text, const std::string& file_name);
+
 }  // namespace syncline::eni

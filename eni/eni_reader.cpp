@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "eni/eni_end_cap.h"
 #include "eni/eni_file.h"
 #include "eni/xml_reader.h"
 #include "eni/xml_text.h"
@@ -58,6 +59,7 @@ Result<NetworkConfig> read_config(const EniElement& root, const Reading& reading
   config.master = read_master(config_element.required("Master"));
   std::vector<std::uint16_t> previous_addresses;
   for (const EniElement& slave : config_element.children("Slave")) {
+    if (is_end_cap(*slave.element())) continue;
     config.slaves.push_back(read_slave(slave, static_cast<std::uint16_t>(config.slaves.size())));
     previous_addresses.push_back(read_previous(slave, config.slaves.back()));
   }

@@ -98,6 +98,24 @@ void read_slots_and_modules(const Node& slots, const EsiSurroundings& surroundin
   }
 }
 
+/// "Not together with itself" says nothing; some files do.
+void drop_self_exclusion(const Node& device, const char* tag, std::vector<Pdo>& pdos) {
+  const auto nodes = device.children(tag);
+  for (std::size_t i = 0; i < pdos.size() && i < nodes.size(); ++i) {
+    if (std::erase(pdos[i].exclude, pdos[i].index) > 0) {
+      nodes[i].warn(fmt::format("the PDO 0x{:04x} excludes itself; that is left out", pdos[i].index));
+    }
+  }
+}
+
+/// An empty element is none, unless there are SyncManagers for a mailbox.
+bool has_mailbox(const Node& mailbox, const DeviceDescription& device) {
+  if (!mailbox) return false;
+  return mailbox.has_children() || std::ranges::any_of(device.sync_managers, [](const SyncManagerDescription& manager) {
+           return manager.type == SyncManagerType::kMailboxOut || manager.type == SyncManagerType::kMailboxIn;
+         });
+}
+
 }  // namespace
 
 DeviceDescription read_device(const Node& node, const EsiSurroundings& surroundings) {
@@ -111,8 +129,15 @@ DeviceDescription read_device(const Node& node, const EsiSurroundings& surroundi
   read_memory(node, device);
   for (const Node& pdo : node.children("RxPdo")) device.rx_pdos.push_back(read_pdo(pdo, surroundings.pdo_templates));
   for (const Node& pdo : node.children("TxPdo")) device.tx_pdos.push_back(read_pdo(pdo, surroundings.pdo_templates));
-  check_pdo_indices(node, device.rx_pdos, device.tx_pdos);
-  if (const Node mailbox = node.child("Mailbox")) device.mailbox = read_mailbox(node, mailbox);
+  const Node mailbox = node.child("Mailbox");
+  if (surroundings.written_by_us) {
+    if (mailbox) device.mailbox = read_mailbox(node, mailbox);
+  } else {
+    check_pdo_indices(node, device.rx_pdos, device.tx_pdos);
+    drop_self_exclusion(node, "RxPdo", device.rx_pdos);
+    drop_self_exclusion(node, "TxPdo", device.tx_pdos);
+    if (has_mailbox(mailbox, device)) device.mailbox = read_mailbox(node, mailbox);
+  }
   if (const Node dc = node.child("Dc")) device.dc = read_dc(dc);
   read_info(node, device);
   device.eeprom = read_eeprom(node.child("Eeprom"));

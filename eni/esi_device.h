@@ -28,6 +28,8 @@ struct EsiSurroundings {
   std::vector<ModuleDescription> modules{};
   PdoTemplates pdo_templates{};
   SideFiles* side_files = nullptr;  // none: a reference to another file is a warning
+  /// Of a project: the program wrote it, perhaps out of an EEPROM, and takes back whatever it wrote.
+  bool written_by_us = false;
 };
 
 /// Device element; the caller looks at the Reading before it uses the result.

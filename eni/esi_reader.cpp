@@ -8,10 +8,10 @@
 
 #include "eni/esi_device.h"
 #include "eni/esi_side_files.h"
+#include "eni/text_encoding.h"
 #include "eni/xml_reader.h"
 #include "eni/xml_text.h"
 #include "protocol/error_text.h"
-#include "support/utf8.h"
 
 namespace syncline::eni {
 namespace {
@@ -112,25 +112,24 @@ class EsiDocument {
   SideFiles* side_files_;
 };
 
-/// What to_utf8() guesses; see there.
-void warn_of_encoding(std::string_view text, Reading& reading) {
-  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) return;  // says itself that it is UTF-16
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-  const auto declaration = text.substr(0, text.find("?>"));
-  const bool declares_other = declaration.size() < 200 && declaration.find("encoding") != std::string_view::npos &&
-                              declaration.find("UTF-8") == std::string_view::npos &&
-                              declaration.find("utf-8") == std::string_view::npos;
-  if (declares_other || is_utf8(text)) return;
-  reading.warn(1, "?xml", "the text is not UTF-8, though it should be; read as ISO-8859-1");
+/// What find_encoding() guesses; see there.
+void warn_of_encoding(const TextEncoding& encoding, Reading& reading) {
+  if (!encoding.guessed) return;
+  reading.warn(1, "?xml",
+               fmt::format("the text is not UTF-8, though it should be; read as {}",
+                           encoding.name == "CP1252" ? "ISO-8859-1 (windows-1252)" : encoding.name));
 }
 
+/// `owner` of the text, if any, gives its memory back as soon as the document stands.
 Result<EsiFile> read_text(std::string_view text, const std::string& file_name, const EsiReadOptions& options,
-                          const std::filesystem::path* folder) {
+                          const std::filesystem::path* folder, std::string* owner = nullptr) {
   const auto document = parse_xml(text, file_name);
   if (!document) return tl::unexpected(document.error());
+  const TextEncoding encoding = find_encoding(text);
+  if (owner != nullptr) *owner = std::string();
   EsiFile file;
   Reading reading(file_name, file.warnings, options.language);
-  warn_of_encoding(text, reading);
+  warn_of_encoding(encoding, reading);
   std::optional<SideFiles> side_files;
   if (folder != nullptr) {
     side_files.emplace(*folder, reading);
@@ -148,10 +147,10 @@ Result<EsiFile> parse_esi(std::string_view text, const std::string& file_name, c
 }
 
 Result<EsiFile> read_esi(const std::string& path, const EsiReadOptions& options) {
-  const auto text = read_file(path);
+  auto text = read_file(path);
   if (!text) return tl::unexpected(text.error());
   const auto folder = std::filesystem::path(path).parent_path();
-  return read_text(*text, path, options, &folder);
+  return read_text(*text, path, options, &folder, &*text);
 }
 
 }  // namespace syncline::eni

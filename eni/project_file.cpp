@@ -48,7 +48,8 @@ DeviceDescription read_embedded(const Node& outer) {
   const Node node = outer.with(reading);
   const EsiVendor vendor{node.number<std::uint32_t>("VendorId").value_or(0), node.attribute("VendorName")};
   auto device = read_device(node.required("Device"),
-                            {.vendor = vendor, .modules = read_modules(node.child("Modules"), nullptr)});
+                            {.vendor = vendor, .modules = read_modules(node.child("Modules"), nullptr),
+                             .written_by_us = true});
   device.source = node.attribute("Source");
   device.group_name = node.attribute("GroupName");
   if (!reading.ok()) outer.reading().fail(*reading.error());

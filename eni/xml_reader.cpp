@@ -5,6 +5,7 @@
 
 #include <utility>
 
+#include "eni/text_encoding.h"
 #include "eni/xml_limits.h"
 #include "eni/xml_text.h"
 
@@ -177,7 +178,9 @@ void Node::bad_value(std::string_view element, std::string_view attribute, std::
 
 Result<XmlDocument> parse_xml(std::string_view text, const std::string& file_name) {
   std::string converted;
-  const auto utf8 = as_utf8(text, converted);
+  const auto decoded = decode_text(text, converted, file_name);
+  if (!decoded) return tl::unexpected(decoded.error());
+  const std::string_view utf8 = *decoded;
   if (auto status = check_xml_limits(utf8, file_name); !status) return tl::unexpected(status.error());
   auto document = std::make_unique<tinyxml2::XMLDocument>();
   const auto status = document->Parse(utf8.data(), utf8.size());

@@ -102,6 +102,7 @@ class Node {
 
   void fail(ErrorCode code, std::string detail) const;
   void warn(std::string text) const;
+  [[nodiscard]] bool has_children() const { return element_ != nullptr && element_->FirstChildElement() != nullptr; }
 
  private:
   template <class T>

@@ -36,43 +36,11 @@ std::string from_latin1(std::string_view text) {
   return out;
 }
 
-/// `text` behind its byte order mark.
-std::string from_utf16(std::string_view text, bool big_endian) {
-  const auto unit = [&](std::size_t i) -> std::uint32_t {
-    const std::uint32_t first = byte_at(text, i);
-    const std::uint32_t second = byte_at(text, i + 1);
-    return big_endian ? first << 8 | second : second << 8 | first;
-  };
-  std::string out;
-  for (std::size_t i = 0; i + 1 < text.size(); i += 2) {
-    std::uint32_t code = unit(i);
-    const bool is_high = code >= 0xD800 && code < 0xDC00;
-    if (is_high && i + 3 < text.size() && unit(i + 2) >= 0xDC00 && unit(i + 2) < 0xE000) {
-      code = 0x10000 + ((code - 0xD800) << 10) + (unit(i + 2) - 0xDC00);
-      i += 2;
-    } else if (code >= 0xD800 && code < 0xE000) {
-      code = 0xFFFD;  // half a pair
-    }
-    append_utf8(out, code);
-  }
-  return out;
-}
-
 }  // namespace
 
-std::string_view as_utf8(std::string_view text, std::string& buffer) {
-  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
-    return buffer = from_utf16(text.substr(2), text.starts_with("\xFE"));
-  }
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-  return is_utf8(text) ? text : std::string_view(buffer = from_latin1(text));
-}
-
 std::string to_utf8(std::string text) {
-  std::string buffer;
-  const auto converted = as_utf8(text, buffer);
-  if (converted.size() == text.size() && buffer.empty()) return text;
-  return std::string(converted);
+  if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
+  return is_utf8(text) ? text : from_latin1(text);
 }
 
 std::string printable_text(std::string text) {

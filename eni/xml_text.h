@@ -16,11 +16,8 @@ namespace syncline::eni {
 /// system's reason; `path` is then unchanged.
 [[nodiscard]] Status write_file_atomic(const std::string& path, std::string_view content);
 
-/// UTF-8 without byte order mark. UTF-16 is known by its byte order mark; text that is no UTF-8 is taken for ISO-8859-1,
-/// which the field's tools declare and write.
+/// Valid UTF-8 for a text that goes into a file: what is none is taken for ISO-8859-1. Files of others: text_encoding.h.
 [[nodiscard]] std::string to_utf8(std::string text);
-/// The same without a copy where nothing is to be converted: a view of `text`, or of `buffer`.
-[[nodiscard]] std::string_view as_utf8(std::string_view text, std::string& buffer);
 
 /// Valid UTF-8 without control characters: for strings out of a slave's EEPROM, which XML may not be able to carry.
 [[nodiscard]] std::string printable_text(std::string text);

@@ -18,7 +18,8 @@ struct IndexOptions {
 
 Json report_json(const std::string& folder, const eni::IndexReport& report) {
   return {{"folder", folder},           {"files", report.files},     {"read", report.read},
-          {"touched", report.touched},  {"removed", report.removed}, {"cancelled", report.cancelled}};
+          {"touched", report.touched},  {"removed", report.removed}, {"cancelled", report.cancelled},
+          {"unreadable", report.unreadable}};
 }
 
 std::string report_line(const std::string& folder, const eni::IndexReport& report) {
@@ -73,6 +74,7 @@ void index(Context& context, const IndexOptions& options) {
     if (const auto status = forget(catalogue, options.folders); !status) context.fail_with(status.error());
     return;
   }
+  if (const auto status = catalogue.mend(); !status) return context.fail_with(status.error());
   const InterruptGuard guard;
   const auto callback = [&](const eni::IndexProgress& progress) {
     if (options.progress) {
@@ -86,11 +88,15 @@ void index(Context& context, const IndexOptions& options) {
     if (!report) return context.fail_with(report.error());
     if (report->cancelled) context.exit_code = kAnswerIsNo;
     if (const auto status = catalogue.remember_folder(folder); !status) return context.fail_with(status.error());
+    for (const auto& path : report->unreadable) {
+      context.warn(Error{.code = ErrorCode::kFileNotReadable, .detail = "its ESI files are missing here", .file = path});
+    }
     folders.push_back(report_json(folder, *report));
     if (!options.json) context.console.out << report_line(folder, *report);
   }
-  const auto duplicates = catalogue.duplicates();
+  const auto duplicates = catalogue.duplicates([&] { return !guard.interrupted(); });
   if (!duplicates) return context.fail_with(duplicates.error());
+  if (guard.interrupted()) context.exit_code = kAnswerIsNo;
   if (options.json) return context.print(to_json(catalogue, *duplicates, std::move(folders)));
   print(context, catalogue, *duplicates);
 }

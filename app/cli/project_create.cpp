@@ -21,12 +21,13 @@ namespace {
 /// Findings and differences are for the user: they do not make the project useless.
 Result<Project> recover(Context& context, const CreateOptions& options, const eni::EsiCatalogue& catalogue,
                         RecoveredProject& recovered) {
-  const auto config = eni::read_eni(options.eni);
-  if (!config) return tl::unexpected(config.error());
-  recovered = recover_project(*config, [&catalogue](const Identity& identity) -> const DeviceDescription* {
+  auto imported = eni::import_eni(options.eni);
+  if (!imported) return tl::unexpected(imported.error());
+  recovered = recover_project(imported->config, [&catalogue](const Identity& identity) -> const DeviceDescription* {
     const auto match = catalogue.find(identity);
     return match && match->exact_revision ? match->device : nullptr;
   });
+  recovered.findings.insert(recovered.findings.end(), imported->unread.begin(), imported->unread.end());
   if (!options.json) {
     print(context.console.err, recovered.findings);
     for (const auto& difference : recovered.differences) {

@@ -50,6 +50,13 @@ tl::unexpected<Stop> excepted(TryStep step, std::string reason) {
   return tl::unexpected(Stop{TryOutcome::kExcepted, step, std::move(reason)});
 }
 
+/// End caps, supplies and the like, which stand in ESI files for the drawing of cabinets.
+std::string without_controller(const DeviceDescription& device) {
+  const bool nothing = device.identity.product_code == 0 && device.sync_managers.empty() && device.fmmus.empty() &&
+                       device.rx_pdos.empty() && device.tx_pdos.empty() && !device.mailbox && !device.dc;
+  return nothing ? "it has no EtherCAT slave controller: on the bus there is nobody" : "";
+}
+
 /// Mailboxes without a size, or one in the other: impossible on any bus, whoever configures it.
 std::string impossible_mailbox(const DeviceDescription& device) {
   struct Memory {
@@ -104,8 +111,24 @@ std::string emptied_assignment(const DeviceDescription& device) {
   return {};
 }
 
+/// SyncManagers that are called inputs and written by the master, or the reverse: the ESC follows the control byte, the
+/// master and the firmware follow the word, and no bus can serve both.
+std::string turned_manager(const DeviceDescription& device) {
+  constexpr std::uint8_t kDirection = 0x0C, kMasterWrites = 0x04;
+  for (std::size_t n = 0; n < device.sync_managers.size(); ++n) {
+    const auto& manager = device.sync_managers[n];
+    const bool out = manager.type == SyncManagerType::kOutputs || manager.type == SyncManagerType::kMailboxOut;
+    const bool in = manager.type == SyncManagerType::kInputs || manager.type == SyncManagerType::kMailboxIn;
+    const bool written = (manager.control_byte & kDirection) == kMasterWrites;
+    if (manager.is_virtual || (!out && !in) || written == out) continue;
+    return fmt::format("the ESI calls SM{} {}, and its control byte 0x{:02x} makes it {}", n, out ? "outputs" : "inputs",
+                       manager.control_byte, written ? "outputs" : "inputs");
+  }
+  return {};
+}
+
 Step<void> describable(const DeviceDescription& device) {
-  for (const auto& check : {impossible_mailbox, oversize, emptied_assignment}) {
+  for (const auto& check : {without_controller, impossible_mailbox, turned_manager, oversize, emptied_assignment}) {
     if (auto reason = check(device); !reason.empty()) return excepted(TryStep::kRead, std::move(reason));
   }
   return {};

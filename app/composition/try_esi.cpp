@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/composition/try_esi.h"
 
+#include <malloc.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <mutex>
@@ -71,8 +73,21 @@ class Trial {
     for (std::size_t i = next_++; i < files_.size() && !stopped(); i = next_++) try_file(i);
   }
 
+  /// The parser takes up to ten times a file's size: large ones are read one after the other, and what the parser had goes
+  /// back to the system before the devices are tried.
+  [[nodiscard]] Result<eni::EsiFile> read(const std::string& path) {
+    constexpr std::uintmax_t kLarge = 1U << 20;
+    std::error_code none;
+    const auto size = std::filesystem::file_size(path, none);
+    if (none || size < kLarge) return eni::read_esi(path);
+    const std::lock_guard lock(reading_);
+    auto file = eni::read_esi(path);
+    ::malloc_trim(0);
+    return file;
+  }
+
   void try_file(std::size_t number) {
-    const auto file = eni::read_esi(files_[number]);
+    const auto file = read(files_[number]);
     if (!file) {
       const std::lock_guard lock(mutex_);
       report_.unreadable.push_back(file.error());
@@ -101,7 +116,7 @@ class Trial {
   std::vector<std::string> files_;
   std::vector<std::vector<TriedDevice>> of_file_;
   std::atomic<std::size_t> next_{0};
-  std::mutex mutex_;
+  std::mutex mutex_, reading_;
   TryReport report_;
 };
 

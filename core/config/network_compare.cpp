@@ -112,6 +112,11 @@ class FieldComparison {
   std::string where_;
 };
 
+std::string comparison_text(const InitCmdValidate& validate) {
+  constexpr const char* kNames[] = {"equal", "not equal", "greater or equal", "less or equal", "greater", "less", "any"};
+  return fmt::format("{}{}", kNames[static_cast<std::size_t>(validate.type)], validate.is_signed ? ", signed" : "");
+}
+
 void compare_init_cmds(Differences& out, const std::string& where, const std::vector<InitCmd>& left,
                        const std::vector<InitCmd>& right) {
   compare_lists<InitCmd>(
@@ -122,6 +127,7 @@ void compare_init_cmds(Differences& out, const std::string& where, const std::ve
         compare.field("data", hex_text(payload(l)), hex_text(payload(r)));
         compare.field("before slave", l.before_slave ? "yes" : "no", r.before_slave ? "yes" : "no");
         compare.field("own cycle", l.requires_cycle ? "yes" : "no", r.requires_cycle ? "yes" : "no");
+        compare.field("own frame", l.requires_frame ? "yes" : "no", r.requires_frame ? "yes" : "no");
         compare.field("working counter", optional_text(l.expected_wkc), optional_text(r.expected_wkc));
         compare.field("retries", std::to_string(l.retries), std::to_string(r.retries));
         compare.field("time-out", optional_text(l.timeout_ms), optional_text(r.timeout_ms));
@@ -130,6 +136,7 @@ void compare_init_cmds(Differences& out, const std::string& where, const std::ve
         const InitCmdValidate& rv = r.validate ? *r.validate : none;
         compare.field("expected bytes", hex_text(lv.data), hex_text(rv.data));
         compare.field("expected mask", hex_text(lv.mask), hex_text(rv.mask));
+        compare.field("comparison", comparison_text(lv), comparison_text(rv));
         compare.field("check time-out", std::to_string(lv.timeout_ms), std::to_string(rv.timeout_ms));
       });
 }

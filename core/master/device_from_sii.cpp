@@ -3,6 +3,7 @@
 
 #include "master/bus_scan.h"
 #include "protocol/coe_data_type.h"
+#include "protocol/sync_manager.h"
 #include "support/byte_order.h"
 
 namespace syncline {
@@ -21,9 +22,21 @@ Pdo pdo_of(const sii::Pdo& from) {
   return pdo;
 }
 
+/// Old images, and some tools, leave the type 0 for SyncManagers that are in use: the control byte (0x0804) says mode and
+/// direction all the same.
+SyncManagerType sync_manager_type(const sii::SyncM& from) {
+  constexpr std::uint8_t kEnable = 0x01, kLastType = 4;
+  if (from.type != 0 || (from.enable & kEnable) == 0) {
+    return from.type <= kLastType ? static_cast<SyncManagerType>(from.type) : SyncManagerType::kUnused;
+  }
+  const SyncManager manager{.start = from.start, .length = from.length, .control = from.control};
+  if (manager.is_mailbox()) return manager.ecat_writes() ? SyncManagerType::kMailboxOut : SyncManagerType::kMailboxIn;
+  return manager.ecat_writes() ? SyncManagerType::kOutputs : SyncManagerType::kInputs;
+}
+
 SyncManagerDescription sync_manager_of(const sii::SyncM& from) {
   SyncManagerDescription manager;
-  manager.type = from.type <= 4 ? static_cast<SyncManagerType>(from.type) : SyncManagerType::kUnused;
+  manager.type = sync_manager_type(from);
   manager.start_address = from.start;
   manager.default_size = from.length;
   manager.control_byte = from.control;

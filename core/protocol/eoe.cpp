@@ -51,7 +51,9 @@ bool is_ip_parameters(std::span<const std::uint8_t> data) {
   if (!reader.ok() || flags == 0 || flags >= 1U << kSizes.size()) return false;
   std::size_t size = 0;
   for (unsigned i = 0; i < kSizes.size(); ++i) size += (flags >> i & 1U) != 0 ? kSizes[i] : 0;
-  return size == reader.remaining();
+  // Tools write all of them, whatever the flags announce.
+  constexpr std::size_t kAll = 6 + 4 * 4 + 32;
+  return size == reader.remaining() || reader.remaining() == kAll;
 }
 
 }  // namespace syncline::eoe

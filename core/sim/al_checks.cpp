@@ -54,20 +54,24 @@ AlChecks::SetUp AlChecks::set_up(unsigned number) const {
   return {sm.start, sm.length, sm.control, sm.enabled()};
 }
 
-AlChecks::SetUp AlChecks::set_up(PdoDirection direction) const {
-  const auto number = process_data_.sync_manager(direction);
-  return number ? set_up(*number) : SetUp{};
+std::vector<AlChecks::SetUp> AlChecks::set_up(PdoDirection direction) const {
+  std::vector<SetUp> all;
+  for (const unsigned number : process_data_.sync_managers(direction)) all.push_back(set_up(number));
+  return all;
+}
+
+bool AlChecks::all(PdoDirection direction, Check check) const {
+  return std::ranges::all_of(process_data_.sync_managers(direction),
+                             [&](unsigned number) { return (this->*check)(direction, number); });
 }
 
 void AlChecks::note_mailbox() { mailbox_ = {set_up(0U), set_up(1U)}; }
 void AlChecks::note_process_data() { data_ = {set_up(PdoDirection::kRx), set_up(PdoDirection::kTx)}; }
 
-bool AlChecks::type_fits(PdoDirection direction) const {
-  const auto number = process_data_.sync_manager(direction);
-  if (!number) return true;
-  const auto sm = esc_.sync_manager(*number);
+bool AlChecks::type_fits(PdoDirection, unsigned number) const {
+  const auto sm = esc_.sync_manager(number);
   constexpr unsigned kMode = 0x03;
-  return !sm.enabled() || sm.length == 0 || ((sm.control ^ config_.device.sync_managers[*number].control_byte) & kMode) == 0;
+  return !sm.enabled() || sm.length == 0 || ((sm.control ^ config_.device.sync_managers[number].control_byte) & kMode) == 0;
 }
 
 std::uint16_t AlChecks::watchdog() const {
@@ -81,10 +85,8 @@ std::uint16_t AlChecks::watchdog() const {
   return watched && esc_.memory().u16(reg::kWatchdogProcessData) == 0 ? al_code::kInvalidWatchdog : std::uint16_t{0};
 }
 
-bool AlChecks::mapping_fits(PdoDirection direction) const {
-  const auto number = process_data_.sync_manager(direction);
-  if (!number) return true;
-  const auto sm = esc_.sync_manager(*number);
+bool AlChecks::mapping_fits(PdoDirection direction, unsigned number) const {
+  const auto sm = esc_.sync_manager(number);
   if (!sm.enabled() || sm.length == 0) return true;
   const std::uint32_t begin = sm.start, end = begin + sm.length;
   const bool outputs = direction == PdoDirection::kRx;
@@ -106,32 +108,33 @@ bool AlChecks::mapping_fits(PdoDirection direction) const {
 }
 
 std::uint16_t AlChecks::mapping() const {
-  if (!mapping_fits(PdoDirection::kRx)) return al_code::kInvalidOutputMapping;
-  return mapping_fits(PdoDirection::kTx) ? std::uint16_t{0} : al_code::kInvalidInputMapping;
+  if (!all(PdoDirection::kRx, &AlChecks::mapping_fits)) return al_code::kInvalidOutputMapping;
+  return all(PdoDirection::kTx, &AlChecks::mapping_fits) ? std::uint16_t{0} : al_code::kInvalidInputMapping;
 }
 
-bool AlChecks::fits(PdoDirection direction) const {
-  const auto bytes = process_data_.byte_length(direction);
-  const auto number = process_data_.sync_manager(direction);
-  if (!number) return bytes == 0;
-  const auto sm = esc_.sync_manager(*number);
+bool AlChecks::fits(PdoDirection, unsigned number) const {
+  const auto bytes = process_data_.byte_length_of(number);
+  const auto sm = esc_.sync_manager(number);
   return bytes == 0 ? !sm.enabled() || sm.length == 0 : sm.enabled() && sm.length == bytes;
 }
 
-bool AlChecks::in_place(PdoDirection direction) const {
-  const auto number = process_data_.sync_manager(direction);
-  if (!number) return true;
-  const auto sm = esc_.sync_manager(*number);
+bool AlChecks::in_place(PdoDirection direction, unsigned number) const {
+  const auto sm = esc_.sync_manager(number);
   return !sm.enabled() || sm.length == 0 ||
-         (sm.start == config_.device.sync_managers[*number].start_address &&
+         (sm.start == config_.device.sync_managers[number].start_address &&
           sm.ecat_writes() == (direction == PdoDirection::kRx));
 }
 
 std::uint16_t AlChecks::process_data() const {
-  if (!in_place(PdoDirection::kRx) || !in_place(PdoDirection::kTx)) return al_code::kInvalidSyncManager;
-  if (!type_fits(PdoDirection::kRx) || !type_fits(PdoDirection::kTx)) return al_code::kInvalidTypes;
-  if (!fits(PdoDirection::kRx)) return al_code::kInvalidOutputs;
-  if (!fits(PdoDirection::kTx)) return al_code::kInvalidInputs;
+  constexpr PdoDirection kOut = PdoDirection::kRx, kIn = PdoDirection::kTx;
+  // Data for which the description has no SyncManager can never be exchanged.
+  const auto homeless = [&](PdoDirection direction) {
+    return process_data_.sync_managers(direction).empty() && process_data_.byte_length(direction) > 0;
+  };
+  if (!all(kOut, &AlChecks::in_place) || !all(kIn, &AlChecks::in_place)) return al_code::kInvalidSyncManager;
+  if (!all(kOut, &AlChecks::type_fits) || !all(kIn, &AlChecks::type_fits)) return al_code::kInvalidTypes;
+  if (homeless(kOut) || !all(kOut, &AlChecks::fits)) return al_code::kInvalidOutputs;
+  if (homeless(kIn) || !all(kIn, &AlChecks::fits)) return al_code::kInvalidInputs;
   return 0;
 }
 

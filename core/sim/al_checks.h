@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 #include "config/sim_config.h"
 #include "sim/esc.h"
@@ -52,23 +53,27 @@ class AlChecks {
     bool operator==(const SetUp&) const = default;
   };
   [[nodiscard]] SetUp set_up(unsigned number) const;
-  [[nodiscard]] SetUp set_up(PdoDirection direction) const;
+  [[nodiscard]] std::vector<SetUp> set_up(PdoDirection direction) const;
   [[nodiscard]] std::uint16_t process_data() const;
+  /// Of the checks below: all SyncManagers of a direction pass it.
+  using Check = bool (AlChecks::*)(PdoDirection, unsigned) const;
+  [[nodiscard]] bool all(PdoDirection direction, Check check) const;
   /// Process data in mailbox mode or the reverse.
-  [[nodiscard]] bool type_fits(PdoDirection direction) const;
+  [[nodiscard]] bool type_fits(PdoDirection direction, unsigned number) const;
   [[nodiscard]] std::uint16_t watchdog() const;
   [[nodiscard]] std::uint16_t mapping() const;
   /// An FMMU that can never work: it reaches the ESC's own buffers, writes inputs, or misses all the data.
-  [[nodiscard]] bool mapping_fits(PdoDirection direction) const;
-  [[nodiscard]] bool in_place(PdoDirection direction) const;
-  [[nodiscard]] bool fits(PdoDirection direction) const;
+  [[nodiscard]] bool mapping_fits(PdoDirection direction, unsigned number) const;
+  [[nodiscard]] bool in_place(PdoDirection direction, unsigned number) const;
+  [[nodiscard]] bool fits(PdoDirection direction, unsigned number) const;
   /// SYNC signals that no operation mode of the device has, or its latch inputs in the wrong hands.
   [[nodiscard]] std::uint16_t dc() const;
 
   const SimSlaveConfig& config_;
   const Esc& esc_;
   const ProcessData& process_data_;
-  std::array<SetUp, 2> mailbox_{}, data_{};
+  std::array<SetUp, 2> mailbox_{};
+  std::array<std::vector<SetUp>, 2> data_{};
 };
 
 }  // namespace syncline::sim

@@ -245,8 +245,8 @@ void Device::process_data_watchdog_expired(Nanoseconds) {
   esc_.acknowledge_events(kAlEventWatchdog);
   if (esc_.device_emulation()) {
     // Digital outputs are the ESC's own: it switches them off itself (ESC data sheet II, 3.8).
-    if (const auto number = process_data_.sync_manager(PdoDirection::kRx)) {
-      std::ranges::fill(esc_.sync_manager_area(*number), std::uint8_t{0});
+    for (const unsigned number : process_data_.sync_managers(PdoDirection::kRx)) {
+      std::ranges::fill(esc_.sync_manager_area(number), std::uint8_t{0});
     }
     return;
   }
@@ -258,10 +258,12 @@ void Device::sync_manager_written(unsigned number, Nanoseconds time) {
   if (!stopped_) esc_.acknowledge_events(kAlEventSyncManager0 << number);
   if (has_mailbox() && number == 0) {
     mail_due_ = time + kMailboxReaction + mailbox_delay_;
-  } else if (!stopped_ && exchanges_process_data() && process_data_.sync_manager(PdoDirection::kRx) == number) {
+  } else if (!stopped_ && exchanges_process_data() && process_data_.carries(PdoDirection::kRx, number)) {
+    if (state_ == AlState::kOp) process_data_.outputs_to_dictionary(number);
+    process_data_.take_outputs(number);
+    // The device works by its first SyncManager; further ones (safety) come with it.
+    if (process_data_.sync_manager(PdoDirection::kRx) != number) return;
     last_outputs_ = time;
-    if (state_ == AlState::kOp) process_data_.outputs_to_dictionary();
-    process_data_.take_outputs();
     on_outputs(time);
   }
 }
@@ -269,9 +271,9 @@ void Device::sync_manager_written(unsigned number, Nanoseconds time) {
 void Device::sync_manager_read(unsigned number, Nanoseconds time) {
   if (!stopped_) esc_.acknowledge_events(kAlEventSyncManager0 << number);
   if (has_mailbox() && number == 1 && mailbox_.waiting()) mail_due_ = time + kMailboxReaction;
-  if (!stopped_ && exchanges_process_data() && process_data_.sync_manager(PdoDirection::kTx) == number) {
-    on_inputs_read(time);
-    process_data_.offer_inputs();
+  if (!stopped_ && exchanges_process_data() && process_data_.carries(PdoDirection::kTx, number)) {
+    if (process_data_.sync_manager(PdoDirection::kTx) == number) on_inputs_read(time);
+    process_data_.offer_inputs(number);
   }
 }
 

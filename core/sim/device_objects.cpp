@@ -68,12 +68,36 @@ void add_whole_object(const StartupCommand& command, ObjectDictionary& dictionar
   dictionary.add(command.index, 1, command.comment, std::vector<std::uint8_t>(command.data.size() - head), true);
 }
 
+/// Objects of the lists of PDOs that PdoObjects makes out of the description.
+bool is_pdo_object(const DeviceDescription& device, std::uint16_t index) {
+  constexpr std::uint16_t kFirstAssign = 0x1C00, kLastAssign = 0x1C2F;
+  if (index >= kFirstAssign && index <= kLastAssign) return true;
+  const auto has = [&](const std::vector<Pdo>& pdos) { return std::ranges::find(pdos, index, &Pdo::index) != pdos.end(); };
+  return has(device.rx_pdos) || has(device.tx_pdos);
+}
+
+/// The dictionary of an ESI file calls many an object read-only that its own start-up commands write: the commands are
+/// what the maker has tried.
+void make_writable(const DeviceDescription& device, const StartupCommand& command, ObjectDictionary& dictionary) {
+  const auto sub_indices = command.complete_access ? dictionary.sub_indices(command.index)
+                                                   : std::vector<std::uint8_t>{command.sub_index};
+  for (const auto sub_index : sub_indices) {
+    auto* entry = dictionary.find(command.index, sub_index);
+    if (entry == nullptr) continue;
+    entry->writable = true;
+    constexpr std::uint16_t kMapped = coe::access::kRxPdo | coe::access::kTxPdo;
+    const bool fixed_size = (entry->extra_access & kMapped) != 0 || is_pdo_object(device, command.index);
+    if (command.complete_access || fixed_size || command.data.empty() || entry->value.size() == command.data.size()) continue;
+    entry->value.resize(command.data.size());
+    entry->bit_length = 0;
+  }
+}
+
 /// What the description wants to be written at state transitions must be there, also where it has no dictionary.
 void add_commanded_objects(const DeviceDescription& device, ObjectDictionary& dictionary) {
   if (!device.mailbox || !device.mailbox->coe) return;
   for (const auto& command : device.mailbox->coe->init_commands) {
-    const bool pdo_object = command.index >= 0x1600 && command.index < 0x1C20;  // PdoObjects makes these
-    if (pdo_object) continue;
+    make_writable(device, command, dictionary);
     if (command.complete_access) {
       add_whole_object(command, dictionary);
       continue;

@@ -12,27 +12,31 @@
 namespace syncline::sim {
 
 /// Process data of a device: PDOs, the SyncManagers that hold them, and the copies between those and the object
-/// dictionary.
+/// dictionary. A direction may have several SyncManagers, each with an assignment of its own.
 class ProcessData {
  public:
-  /// All must outlive it. `max_objects`: the most that a direction may map.
+  /// All must outlive it. `max_objects`: the most that a SyncManager may map.
   ProcessData(const DeviceDescription& device, ObjectDictionary& dictionary, Esc& esc, unsigned max_objects);
 
   /// Takes the PDO assignment and mapping as they are now; they do not change from SAFEOP on.
   void map();
-  void outputs_to_dictionary();
+  void outputs_to_dictionary(unsigned manager);
   void clear_outputs();
   void inputs_from_dictionary();
   /// Process data in one buffer (SyncManager in mailbox mode): the outputs were taken and make room, the inputs are there.
-  void take_outputs();
-  void offer_inputs();
+  void take_outputs(unsigned manager);
+  void offer_inputs(unsigned manager);
 
   [[nodiscard]] std::uint32_t byte_length(PdoDirection direction) const { return pdos_.byte_length(direction); }
-  [[nodiscard]] bool has_outputs() const { return !outputs_.empty(); }
-  /// SyncManager of the device's description; valid before map(), too.
-  [[nodiscard]] std::optional<unsigned> sync_manager(PdoDirection direction) const {
-    return direction == PdoDirection::kRx ? output_sm_ : input_sm_;
+  [[nodiscard]] std::uint32_t byte_length_of(unsigned manager) const;
+  [[nodiscard]] bool has_outputs() const;
+  /// First SyncManager of the direction in the device's description; valid before map(), too.
+  [[nodiscard]] std::optional<unsigned> sync_manager(PdoDirection direction) const;
+  /// All of the direction.
+  [[nodiscard]] const std::vector<unsigned>& sync_managers(PdoDirection direction) const {
+    return numbers_[direction == PdoDirection::kRx ? 0 : 1];
   }
+  [[nodiscard]] bool carries(PdoDirection direction, unsigned manager) const;
 
  private:
   struct Copy {
@@ -40,15 +44,22 @@ class ProcessData {
     std::uint32_t bit_offset;
     std::uint8_t bits;
   };
-  [[nodiscard]] std::vector<Copy> copies(PdoDirection direction);
+  /// One SyncManager and what it holds.
+  struct Channel {
+    unsigned manager = 0;
+    PdoDirection direction = PdoDirection::kRx;
+    PdoObjects::Assignment assignment{};
+    std::vector<Copy> copies{};
+    std::vector<std::uint8_t> input_buffer{};
+    bool one_buffer = false;
+  };
+  [[nodiscard]] std::vector<Copy> copies(const PdoObjects::Assignment& assignment);
 
   ObjectDictionary& dictionary_;
   Esc& esc_;
   PdoObjects pdos_;
-  std::vector<Copy> outputs_, inputs_;
-  std::vector<std::uint8_t> input_buffer_;
-  std::optional<unsigned> output_sm_, input_sm_;
-  bool one_output_buffer_ = false, one_input_buffer_ = false;
+  std::vector<Channel> channels_;
+  std::vector<unsigned> numbers_[2];
 };
 
 }  // namespace syncline::sim

@@ -58,6 +58,7 @@ struct IndexReport {
   std::size_t touched = 0;    // another time stamp, the same content
   std::size_t removed = 0;    // gone since the last time
   bool cancelled = false;
+  std::vector<std::string> unreadable{};  // folders below it that nobody may look into
 };
 
 }  // namespace syncline::eni

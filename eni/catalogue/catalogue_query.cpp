@@ -45,7 +45,7 @@ Status mark_hidden(CatalogueStore& store, CatalogueEntry& entry) {
   if (entry.hidden) return {};
   auto query = store.database().prepare(
       "SELECT 1 FROM hides h JOIN devices d ON d.id = h.device JOIN chosen ON chosen.file = d.file "
-      "WHERE h.vendor_id = ? AND h.product_code = ? AND ifnull(h.revision_no, ?3) = ?3 AND h.device <> ? LIMIT 1");
+      "WHERE h.vendor_id = ?1 AND h.product_code = ?2 AND (h.revision_no = ?3 OR h.revision_no IS NULL) AND h.device <> ?4 LIMIT 1");
   if (!query) return tl::unexpected(query.error());
   const Identity& identity = entry.identity;
   query->bind(0, identity.vendor_id).bind(1, identity.product_code).bind(2, identity.revision_no).bind(3, entry.id);
@@ -136,9 +136,10 @@ Status offer_words(CatalogueStore& store, const std::string& expression, Picker&
 /// files, and into the store.
 Status compare_contents(CatalogueStore& store, std::vector<CatalogueEntry>& entries) {
   std::map<std::string, std::vector<std::uint64_t>> read;
+  std::map<std::uint32_t, std::size_t> of_revision;  // the entries are of one vendor and product
+  for (const auto& entry : entries) ++of_revision[entry.identity.revision_no];
   for (auto& entry : entries) {
-    const auto same_identity = [&](const auto& other) { return other.identity == entry.identity; };
-    if (entry.content != 0 || std::ranges::count_if(entries, same_identity) < 2) continue;
+    if (entry.content != 0 || of_revision[entry.identity.revision_no] < 2) continue;
     const auto [contents, is_new] = read.try_emplace(entry.file);
     if (is_new) {
       if (const auto text = read_file(entry.file)) contents->second = read_contents(*text, entry.file).value_or(contents->second);
@@ -179,22 +180,33 @@ Result<std::vector<CatalogueEntry>> search(CatalogueStore& store, const Catalogu
   return picker.take();
 }
 
-Result<std::vector<DuplicateDevice>> duplicates(CatalogueStore& store) {
+Result<std::vector<DuplicateDevice>> duplicates(CatalogueStore& store, const std::function<bool()>& go_on) {
   // Without a product code (parts that are no slaves of their own) nothing is described twice.
   auto query = store.database().prepare(
       "SELECT d.vendor_id, d.product_code, d.revision_no FROM devices d CROSS JOIN chosen ON chosen.file = d.file "
-      "WHERE d.product_code <> 0 GROUP BY d.vendor_id, d.product_code, d.revision_no HAVING count(*) > 1");
+      "WHERE d.product_code <> 0 GROUP BY d.vendor_id, d.product_code, d.revision_no HAVING count(*) > 1 "
+      "ORDER BY d.vendor_id, d.product_code, d.revision_no");
   if (!query) return tl::unexpected(query.error());
   std::vector<DuplicateDevice> found;
   const auto number = [&](int column) { return static_cast<std::uint32_t>(query->integer(column)); };
   if (auto status = query->each([&] { found.push_back({.identity = {number(0), number(1), number(2), 0}}); }); !status) {
     return tl::unexpected(status.error());
   }
+  // All revisions of a product come with one question.
+  std::vector<CatalogueEntry> of_product;
   for (auto& duplicate : found) {
-    auto entries = entries_of(store, duplicate.identity.vendor_id, duplicate.identity.product_code);
-    if (!entries) return tl::unexpected(entries.error());
-    std::erase_if(*entries, [&](const auto& entry) { return entry.identity != duplicate.identity; });
-    duplicate.entries = std::move(*entries);
+    if (go_on && !go_on()) return std::vector<DuplicateDevice>{};
+    const Identity& wanted = duplicate.identity;
+    const bool known = !of_product.empty() && of_product.front().identity.vendor_id == wanted.vendor_id &&
+                       of_product.front().identity.product_code == wanted.product_code;
+    if (!known) {
+      auto entries = entries_of(store, wanted.vendor_id, wanted.product_code);
+      if (!entries) return tl::unexpected(entries.error());
+      of_product = std::move(*entries);
+    }
+    const auto revision = [](const CatalogueEntry& entry) { return entry.identity.revision_no; };
+    const auto same = std::ranges::equal_range(of_product, wanted.revision_no, {}, revision);
+    duplicate.entries.assign(same.begin(), same.end());
     const auto& all = duplicate.entries;
     duplicate.conflict = std::ranges::any_of(all, [&](const auto& entry) { return entry.content != all.front().content; });
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,8 @@ namespace syncline::eni {
 /// Fast enough for each key that a user presses. Types that begin with the words come first, then by type; newest
 /// revision first.
 [[nodiscard]] Result<std::vector<CatalogueEntry>> search(CatalogueStore& store, const CatalogueSearch& search);
-[[nodiscard]] Result<std::vector<DuplicateDevice>> duplicates(CatalogueStore& store);
+/// `go_on` is asked between devices; with false from it the list is empty.
+[[nodiscard]] Result<std::vector<DuplicateDevice>> duplicates(CatalogueStore& store,
+                                                              const std::function<bool()>& go_on = {});
 
 }  // namespace syncline::eni

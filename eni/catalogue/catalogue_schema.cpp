@@ -11,7 +11,7 @@ namespace syncline::eni {
 namespace {
 
 constexpr int kApplicationId = 0x53594E43;  // "SYNC", SQLite's place for whose file it is
-constexpr int kSchemaVersion = 2;           // other versions are thrown away: a cache needs no migration
+constexpr int kSchemaVersion = 3;           // other versions are thrown away: a cache needs no migration
 
 constexpr const char* kTables = R"(
 CREATE TABLE folders(path TEXT PRIMARY KEY);
@@ -19,13 +19,13 @@ CREATE TABLE files(id INTEGER PRIMARY KEY, path TEXT NOT NULL UNIQUE, size INTEG
 CREATE TABLE devices(id INTEGER PRIMARY KEY, file INTEGER NOT NULL, line INTEGER, place INTEGER, vendor_id INTEGER, product_code INTEGER,
   revision_no INTEGER, vendor_name TEXT, type TEXT COLLATE NOCASE, name TEXT, group_type TEXT, group_name TEXT, physics TEXT,
   revision_rule TEXT, invisible INTEGER, content INTEGER);
-CREATE INDEX devices_by_file ON devices(file);
+CREATE INDEX devices_by_file ON devices(file, place);
 CREATE INDEX devices_by_identity ON devices(vendor_id, product_code, revision_no);
 CREATE INDEX devices_by_type ON devices(type, revision_no);
 CREATE INDEX devices_by_group ON devices(group_type);
 CREATE TABLE hides(device INTEGER NOT NULL, vendor_id INTEGER, product_code INTEGER, revision_no INTEGER);
 CREATE INDEX hides_by_device ON hides(device);
-CREATE INDEX hides_by_identity ON hides(vendor_id, product_code);
+CREATE INDEX hides_by_identity ON hides(vendor_id, product_code, revision_no);
 CREATE TABLE problems(file INTEGER NOT NULL, line INTEGER, element TEXT, text TEXT);
 CREATE INDEX problems_by_file ON problems(file);
 CREATE VIRTUAL TABLE words USING fts5(text, detail=none, columnsize=0, prefix='1 2 3', tokenize='unicode61 remove_diacritics 2');
@@ -102,7 +102,7 @@ Result<SqlDatabase> open_catalogue_database(const std::string& path, std::string
   if (database) *database = {};  // closed before its file goes
   std::error_code ignored;
   std::filesystem::remove(path, ignored);
-  std::filesystem::remove(path + "-journal", ignored);
+  for (const char* const beside : {"-journal", "-wal", "-shm"}) std::filesystem::remove(path + beside, ignored);
   std::string again;
   return try_open(path, again);
 }

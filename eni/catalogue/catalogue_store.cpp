@@ -126,14 +126,22 @@ Status CatalogueStore::put_device(std::int64_t file, const EsiCard& card) {
 }
 
 Status CatalogueStore::put_contents(std::string_view path, const std::vector<std::uint64_t>& contents) {
-  for (std::size_t place = 0; place < contents.size(); ++place) {
-    auto query = database_.prepare(
-        "UPDATE devices SET content = ? WHERE place = ? AND file = (SELECT id FROM files WHERE path = ?)");
-    if (!query) return tl::unexpected(query.error());
-    query->bind(0, stored(contents[place])).bind(1, static_cast<std::int64_t>(place)).bind(2, path);
-    if (auto status = query->run(); !status) return status;
-  }
-  return {};
+  const auto put_all = [&]() -> Status {
+    for (std::size_t place = 0; place < contents.size(); ++place) {
+      auto query = database_.prepare(
+          "UPDATE devices SET content = ? WHERE place = ? AND file = (SELECT id FROM files WHERE path = ?)");
+      if (!query) return tl::unexpected(query.error());
+      query->bind(0, stored(contents[place])).bind(1, static_cast<std::int64_t>(place)).bind(2, path);
+      if (auto status = query->run(); !status) return status;
+    }
+    return {};
+  };
+  // One transaction for all, whether or not there is one around it.
+  if (auto status = database_.execute("SAVEPOINT contents"); !status) return status;
+  auto status = put_all();
+  if (status) return database_.execute("RELEASE contents");
+  (void)database_.execute("ROLLBACK TO contents; RELEASE contents");
+  return status;
 }
 
 Status CatalogueStore::touch(std::int64_t file, std::int64_t changed_ns) {
@@ -188,6 +196,15 @@ Status CatalogueStore::choose(std::int64_t file) {
   auto query = database_.prepare("INSERT OR IGNORE INTO chosen(file) VALUES(?)");
   if (!query) return tl::unexpected(query.error());
   return query->bind(0, file).run();
+}
+
+Status CatalogueStore::check() {
+  auto query = database_.prepare("PRAGMA integrity_check(1)");
+  if (!query) return tl::unexpected(query.error());
+  std::string found;
+  if (auto status = query->each([&] { found = query->text(0); }); !status) return status;
+  if (found != "ok") return damaged(database_, found);
+  return database_.execute("INSERT INTO words(words) VALUES('integrity-check')");
 }
 
 Result<std::size_t> CatalogueStore::device_count() {

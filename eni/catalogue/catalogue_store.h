@@ -49,6 +49,8 @@ class CatalogueStore {
   /// Only chosen files are searched, in the order in which they were chosen. Lasts as long as this object.
   [[nodiscard]] Status choose(std::int64_t file);
   [[nodiscard]] Result<std::size_t> device_count();
+  /// An error that is_damaged() where SQLite finds fault with any page or index, or the search has lost its words.
+  [[nodiscard]] Status check();
   [[nodiscard]] Result<std::vector<FileWarning>> problems();
 
  private:

@@ -50,22 +50,36 @@ std::int64_t certain_time(const FoundFile& file) {
   return now - file.changed_ns < kTick ? IndexedFile::kUncertain : file.changed_ns;
 }
 
-Result<std::vector<FoundFile>> list_files(const std::string& folder) {
-  std::error_code error;
+struct FoundFiles {
   std::vector<FoundFile> files;
-  const auto options = fs::directory_options::skip_permission_denied;
-  for (fs::recursive_directory_iterator it(folder, options, error), end; !error && it != end; it.increment(error)) {
-    std::error_code unreadable;
-    if (has_xml_name(it->path()) && !it->is_directory(unreadable)) files.push_back(look_at(it->path().string()));
+  std::vector<std::string> unreadable;  // folders below
+};
+
+/// Folders below that cannot be read are named; links to folders are not followed, they may lead round in circles.
+std::error_code list_below(const fs::path& folder, FoundFiles& found) {
+  std::error_code error;
+  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+    std::error_code none;
+    if (it->is_directory(none)) {
+      if (!it->is_symlink(none) && list_below(it->path(), found)) found.unreadable.push_back(it->path().string());
+    } else if (has_xml_name(it->path())) {
+      found.files.push_back(look_at(it->path().string()));
+    }
   }
-  if (error) {
+  return error;
+}
+
+Result<FoundFiles> list_files(const std::string& folder) {
+  FoundFiles found;
+  if (const auto error = list_below(folder, found)) {
     const bool missing = error == std::errc::no_such_file_or_directory;
     return fail(Error{.code = missing ? ErrorCode::kFileNotFound : ErrorCode::kFileNotReadable,
                       .detail = error.message(),
                       .file = folder});
   }
-  std::ranges::sort(files, {}, &FoundFile::path);  // the same folder gives the same catalogue on every machine
-  return files;
+  std::ranges::sort(found.files, {}, &FoundFile::path);  // the same folder gives the same catalogue on every machine
+  std::ranges::sort(found.unreadable);
+  return found;
 }
 
 /// An error of the file for whoever asked; the store's own errors always fail.
@@ -114,8 +128,10 @@ class FolderUpdate {
       : store_(store), folder_(folder), callback_(callback) {}
 
   Result<IndexReport> run() {
-    const auto files = list_files(folder_);
-    if (!files) return tl::unexpected(files.error());
+    auto listed = list_files(folder_);
+    if (!listed) return tl::unexpected(listed.error());
+    const auto* const files = &listed->files;
+    report_.unreadable = std::move(listed->unreadable);
     report_.files = files->size();
     auto known = store_.files_below(folder_);
     if (!known) return tl::unexpected(known.error());

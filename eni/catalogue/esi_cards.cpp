@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 
 #include "eni/catalogue/content_hash.h"
@@ -33,6 +34,7 @@ class InfoReader {
   void read_device(const Node& given, int place) {
     Reading reading = given.reading().of_part();  // its own: one broken device must not take the others with it
     const Node device = given.with(reading);
+    if (!has_controller(device)) return;
     EsiCard card = read_card(device);
     if (reading.ok()) {
       card.place = place;
@@ -42,6 +44,14 @@ class InfoReader {
     const Error& error = *reading.error();
     found_.warnings.push_back({error.file, error.line, error.subject,
                                fmt::format("Device {} is left out: {}", trim(card.type), describe(error))});
+  }
+
+  /// End caps, power supplies and the like stand in ESI files so that cabinets can be drawn: no product code, nothing of an
+  /// EtherCAT slave controller. On the bus there is nobody; a slave with an empty EEPROM must not be taken for one.
+  static bool has_controller(const Node& device) {
+    if (device.child("Type").has("ProductCode")) return true;
+    constexpr const char* kParts[] = {"Fmmu", "Sm", "RxPdo", "TxPdo", "Mailbox", "Dc", "Eeprom"};
+    return std::ranges::any_of(kParts, [&](const char* part) { return static_cast<bool>(device.child(part)); });
   }
 
   EsiCard read_card(const Node& device) {

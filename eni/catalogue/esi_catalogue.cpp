@@ -58,7 +58,7 @@ struct EsiCatalogue::State {
     warn_replaced("it was damaged: " + result.error().detail);
     store.reset();
     std::error_code ignored;
-    std::filesystem::remove(path, ignored);
+    for (const char* const beside : {"", "-journal", "-wal", "-shm"}) std::filesystem::remove(path + beside, ignored);
     if (auto status = open(); !status) return tl::unexpected(status.error());
     for (const auto& source : sources) {
       if (auto status = add(source); !status) return tl::unexpected(status.error());
@@ -171,9 +171,11 @@ Result<std::vector<CatalogueEntry>> EsiCatalogue::search(const CatalogueSearch& 
   return state_->repaired([&] { return eni::search(*state_->store, wanted); });
 }
 
-Result<std::vector<DuplicateDevice>> EsiCatalogue::duplicates() const {
-  return state_->repaired([&] { return eni::duplicates(*state_->store); });
+Result<std::vector<DuplicateDevice>> EsiCatalogue::duplicates(const std::function<bool()>& go_on) const {
+  return state_->repaired([&] { return eni::duplicates(*state_->store, go_on); });
 }
+
+Status EsiCatalogue::mend() { return state_->repaired([&] { return state_->store->check(); }); }
 
 Result<CatalogueMatch> EsiCatalogue::match(const Identity& identity) const {
   const auto entries =

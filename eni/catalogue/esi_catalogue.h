@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -52,7 +53,10 @@ class EsiCatalogue {
   [[nodiscard]] const std::string& database() const;  // "" = in memory
 
   [[nodiscard]] Result<std::vector<CatalogueEntry>> search(const CatalogueSearch& search) const;
-  [[nodiscard]] Result<std::vector<DuplicateDevice>> duplicates() const;
+  /// `go_on` is asked between devices; with false from it the list is empty.
+  [[nodiscard]] Result<std::vector<DuplicateDevice>> duplicates(const std::function<bool()>& go_on = {}) const;
+  /// Looks through the whole database; one that is damaged anywhere is made again from the files, with a warning.
+  [[nodiscard]] Status mend();
   /// See best_match(). kUnknownDevice when no file has the vendor's product.
   [[nodiscard]] Result<CatalogueMatch> match(const Identity& identity) const;
   /// The whole description from its file. Errors of the file; kXmlBadValue where its device cannot be read;

@@ -3,6 +3,8 @@
 
 #include <sqlite3.h>
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace syncline::eni {
@@ -11,7 +13,9 @@ namespace {
 constexpr int kBusyTimeoutMs = 10'000;  // another program may be indexing the same folders
 
 tl::unexpected<Error> sql_error(sqlite3* database, int code) {
-  const char* const name = sqlite3_db_filename(database, "main");
+  const char* const name = database ? sqlite3_db_filename(database, "main") : nullptr;
+  // A file that ends within a page is damage, no trouble of the disk.
+  if (database && sqlite3_extended_errcode(database) == SQLITE_IOERR_SHORT_READ) code = SQLITE_CORRUPT;
   return fail(Error{.code = ErrorCode::kCatalogue,
                     .detail = database ? sqlite3_errmsg(database) : sqlite3_errstr(code),
                     .file = name ? name : "",
@@ -99,7 +103,17 @@ Result<SqlStatement> SqlDatabase::prepare(std::string_view sql) {
 std::int64_t SqlDatabase::last_row() const { return sqlite3_last_insert_rowid(database_.get()); }
 
 bool is_damaged(const Error& error) {
-  return error.code == ErrorCode::kCatalogue && (error.received == SQLITE_CORRUPT || error.received == SQLITE_NOTADB);
+  if (error.code != ErrorCode::kCatalogue) return false;
+  // The statements are always the same: that one of them is wrong, or breaks a rule, lies in what it found.
+  constexpr int kDamages[] = {SQLITE_CORRUPT, SQLITE_NOTADB, SQLITE_ERROR, SQLITE_CONSTRAINT, SQLITE_MISMATCH, SQLITE_FORMAT};
+  return std::ranges::find(kDamages, error.received) != std::end(kDamages);
+}
+
+tl::unexpected<Error> damaged(const SqlDatabase& database, std::string detail) {
+  return fail(Error{.code = ErrorCode::kCatalogue,
+                    .detail = std::move(detail),
+                    .file = database.path(),
+                    .received = SQLITE_CORRUPT});
 }
 
 Result<SqlTransaction> SqlTransaction::begin(SqlDatabase& database) {

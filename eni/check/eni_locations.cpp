@@ -5,6 +5,8 @@
 
 #include <initializer_list>
 
+#include "eni/eni_end_cap.h"
+
 namespace syncline::eni {
 namespace {
 
@@ -40,8 +42,12 @@ EniLocations::EniLocations(const Element& root) : root_(fmt::format("/{}/Config"
   const Element* master = descend(config, {"Master"});
   master_.element = line_of(master);
   append_lines(master_.parts, descend(master, {"InitCmds"}), "InitCmd");
+  std::size_t index = 0;
   for (const auto* e = descend(config, {"Slave"}); e != nullptr; e = e->NextSiblingElement("Slave")) {
+    ++index;
+    if (is_end_cap(*e)) continue;
     slaves_.push_back(read_slave(*e));
+    slaves_.back().index = index;
   }
   for (const auto* e = descend(config, {"Cyclic"}); e != nullptr; e = e->NextSiblingElement("Cyclic")) {
     Task& task = tasks_.emplace_back();
@@ -119,9 +125,9 @@ EniLocation EniLocations::locate_in_task(const ConfigPlace& place) const {
 }
 
 EniLocation EniLocations::locate_in_slave(const ConfigPlace& place) const {
-  const std::string path = fmt::format("{}/Slave[{}]", root_, place.first + 1);
-  if (place.first >= slaves_.size()) return {config_, path};
+  if (place.first >= slaves_.size()) return {config_, fmt::format("{}/Slave[{}]", root_, place.first + 1)};
   const Slave& slave = slaves_[place.first];
+  const std::string path = fmt::format("{}/Slave[{}]", root_, slave.index);
   const auto inner = [&](int line, const std::string& name) {
     return EniLocation{line ? line : slave.line, path + name};
   };

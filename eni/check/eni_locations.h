@@ -32,6 +32,7 @@ class EniLocations {
     int line = 0, mailbox = 0, hot_connect = 0, dc = 0;
     std::vector<int> cmds, coe_cmds, managers, manager_numbers, pdos;
     std::size_t tx_pdos = 0;
+    std::size_t index = 0;  // among the Slave elements, from 1
   };
   struct Task {
     int line = 0;

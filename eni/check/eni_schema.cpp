@@ -128,7 +128,7 @@ constexpr EniChild kCoEChildren[] = {
 constexpr EniType kCoE{kCoEChildren};
 
 constexpr EniChild kSoeInitCmdChildren[] = {
-    {"Transition", kTransition, 0, 1, 0}, {"Comment", kText, 1}, {"Timeout", kInt, 2, 1}, {"OpCode", kByte, 3, 1},
+    {"Transition", kSoeTransition, 0, 1, 0}, {"Comment", kText, 1}, {"Timeout", kInt, 2, 1}, {"OpCode", kByte, 3, 1},
     {"DriveNo", kByte, 4, 1}, {"IDN", kUInt16, 5, 1}, {"Elements", kByte, 6, 1}, {"Attribute", kByte, 7, 1},
     {"Data", kBytes, 8}, {"Disabled", kBool, 9}};
 constexpr EniAttribute kSoeInitCmdAttributes[] = {

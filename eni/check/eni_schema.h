@@ -21,6 +21,7 @@ enum class EniValue : std::uint8_t {
   kBytes,  // xs:hexBinary
   kMac,    // of 6 bytes
   kTransition,
+  kSoeTransition,
   kState,
   kPort,
   kProtocol,

@@ -9,6 +9,7 @@
 
 #include "eni/check/eni_schema.h"
 #include "eni/check/eni_value_check.h"
+#include "eni/eni_end_cap.h"
 #include "eni/xml_reader.h"
 #include "eni/xml_text.h"
 
@@ -53,6 +54,8 @@ class StructureCheck {
     if (std::string_view(root.Name()) != "EtherCATConfig") {
       add("ENI-XML-09", step, fmt::format("the root element is {}", root.Name()));
     }
+    const EniChild* config = eni_schema().child("Config");
+    slave_child_ = config != nullptr && config->type != nullptr ? config->type->child("Slave") : nullptr;
     check_type(step, eni_schema());
     report_unknown();
   }
@@ -103,6 +106,7 @@ class StructureCheck {
   }
 
   void check_child(const Step& step, const EniChild& child) {
+    if (&child == slave_child_ && is_end_cap(*step.element)) return;  // nobody sets it up
     if (child.type != nullptr) return check_type(step, *child.type);
     if (child.value == EniValue::kText || child.value == EniValue::kAnything) return;
     const std::string text = text_of(*step.element);
@@ -173,6 +177,7 @@ class StructureCheck {
     std::size_t count = 0, finding = 0;
   };
   std::vector<EniFinding>& out_;
+  const EniChild* slave_child_ = nullptr;
   std::map<std::string, Unknown> unknown_;
 };
 
@@ -182,15 +187,14 @@ std::int64_t number_in(const Element* element) { return element ? parse_number(t
 void check_previous_ports(const Element& config, std::vector<EniFinding>& out) {
   std::unordered_set<std::int64_t> addresses;
   std::size_t count = 0;
-  for (const auto* s = config.FirstChildElement("Slave"); s != nullptr; s = s->NextSiblingElement("Slave"), ++count) {
+  for (const auto* s = first_slave(config); s != nullptr; s = next_slave(*s), ++count) {
     const Element* info = s->FirstChildElement("Info");
     const Element* address = info ? info->FirstChildElement("PhysAddr") : nullptr;
     // Without an address a slave gets the one that tools count from 1001 on.
     addresses.insert(address ? number_in(address) : 1001 + static_cast<std::int64_t>(count));
   }
   std::size_t position = 0;
-  for (const auto* s = config.FirstChildElement("Slave"); s != nullptr;
-       s = s->NextSiblingElement("Slave"), ++position) {
+  for (const auto* s = first_slave(config); s != nullptr; s = next_slave(*s), ++position) {
     std::size_t index = 0;
     for (const auto* p = s->FirstChildElement("PreviousPort"); p != nullptr;
          p = p->NextSiblingElement("PreviousPort")) {

@@ -79,6 +79,9 @@ ValueVerdict check_value(EniValue value, std::string_view whole) {
       return check_bytes(text, 6);
     case EniValue::kTransition:
       return transition_from_name(text) ? ValueVerdict::kRight : ValueVerdict::kWrong;
+    case EniValue::kSoeTransition:
+      if (one_of({"PS", "SO", "SP", "OP", "OS"}, text) == ValueVerdict::kRight) return ValueVerdict::kRight;
+      return transition_from_name(text) ? ValueVerdict::kOddForm : ValueVerdict::kWrong;
     case EniValue::kState:
       return one_of({"INIT", "PREOP", "SAFEOP", "OP"}, text);
     case EniValue::kPort:
@@ -117,6 +120,8 @@ std::string_view value_words(EniValue value) {
       return "6 bytes of two hexadecimal digits each";
     case EniValue::kTransition:
       return "a transition such as IP or PS";
+    case EniValue::kSoeTransition:
+      return "a transition on which SoE is allowed: PS, SO, SP, OP or OS";
     case EniValue::kState:
       return "INIT, PREOP, SAFEOP or OP";
     case EniValue::kPort:

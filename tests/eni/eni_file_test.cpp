@@ -249,33 +249,35 @@ TEST(EniFile, ReadsTheSync0CycleWhereAToolWritesNoCycleTime) {
   EXPECT_EQ(read->cycle_time(), 4 * kMillisecond);
 }
 
-/// Exports of the field: kept apart in the folder of samples.
-class FieldEni : public testing::TestWithParam<const char*> {};
+/// Stored files: ours, and exports of the field as far as the folder of samples is at hand.
+class FieldEni : public testing::TestWithParam<std::filesystem::path> {};
 
 TEST_P(FieldEni, IsReadAndWrittenWithoutLoss) {
-  SYNCLINE_SAMPLE(file, std::string("eni/") + GetParam());
-  const auto first = read_eni(file);
-  ASSERT_TRUE(first) << describe(first.error());
+  const auto first = read_eni(GetParam().string());
+  if (!first) {
+    EXPECT_EQ(first.error().code, ErrorCode::kNotThatKindOfFile) << describe(first.error());
+    return;
+  }
   const auto second = parse_eni(write_eni(*first), "memory");
   ASSERT_TRUE(second) << describe(second.error());
   EXPECT_TRUE(compare_networks(*first, *second, {.image_offsets = true}).empty());
   EXPECT_TRUE(*second == *first);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Files, FieldEni,
-    testing::Values("OpenEtherCATsociety__SOEM__sample-eni.xml", "jasper-node__jn-ec-master__coe_slave.eni.xml",
-                    "jasper-node__jn-ec-master__compliant.eni.xml", "jasper-node__jn-ec-master__mega_master_eni.xml",
-                    "jasper-node__jn-ec-master__no_protocol.eni.xml",
-                    "jasper-node__jn-ec-master__protocol_tag_only.eni.xml", "kj4tmp__pyecm__basic.xml",
-                    "kj4tmp__pyecm__empty.xml", "kpierczy__ethercat-lib__test_eni.xml",
-                    "magnate3__rocos-ethercat__bcr_eni.xml", "magnate3__rocos-ethercat__eni.xml",
-                    "magnate3__rocos-ethercat__eni1.xml", "magnate3__rocos-ethercat__eni4.xml"),
-    [](const auto& test) {
-      std::string name = test.param;
-      std::erase_if(name, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; });
-      return name;
-    });
+INSTANTIATE_TEST_SUITE_P(Files, FieldEni, testing::ValuesIn(test::all_samples("eni", ".xml")), [](const auto& test) {
+  std::string name = test.param.stem().string();
+  std::erase_if(name, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; });
+  return name;
+});
+
+TEST(EniFile, SaysHowTheImageOfOurSamplesIsCounted) {
+  const auto read = [](const char* name) { return read_eni((test::own_samples("eni") / name).string()); };
+  EXPECT_EQ(read("row.eni.xml")->image.command_data_offset, 10U);
+  EXPECT_EQ(read("drives.eni.xml")->image.command_data_offset, 0U);
+  EXPECT_EQ(read("drives.eni.xml")->dc.dcm.mode, DcmMode::kBusShift);
+  EXPECT_TRUE(read("drives.eni.xml")->dc.sync_window.enabled);
+  EXPECT_EQ(read("one_line.eni.xml")->cycle_time(), 2 * kMillisecond);
+}
 
 TEST(FieldEni, SaysHowTheirImageIsCounted) {
   SYNCLINE_SAMPLE(beckhoff, "eni/kj4tmp__pyecm__basic.xml");

@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "config/recover/recover_project.h"
+#include "eni/catalogue/esi_catalogue.h"
 #include "eni/eni_file.h"
 #include "eni/esi_reader.h"
 #include "protocol/error_text.h"
@@ -117,6 +118,23 @@ TEST(EniPairs, CompileToTheSameCommands) {
   EXPECT_EQ(with_esi, 21U) << "ESI files of the table that were not taken";
   fmt::print("{} files, {} slaves, {} of them with their ESI, {} differences explained\n", files, slaves, with_esi,
              explained);
+}
+
+/// The same with files of our own: each stored export and our ESI files give a project that gives the export's commands.
+TEST(EniPairs, OurExportsCompileToTheSameCommands) {
+  EsiCatalogue catalogue;
+  ASSERT_TRUE(catalogue.add_folder(test::source_dir() + "/resources/esi"));
+  for (const char* file : {"row.eni.xml", "drives.eni.xml", "one_line.eni.xml"}) {
+    SCOPED_TRACE(file);
+    const auto config = read_eni((test::own_samples("eni") / file).string());
+    ASSERT_TRUE(config) << describe(config.error());
+    const auto recovered = recover_project(*config, [&](const Identity& identity) -> const DeviceDescription* {
+      const auto match = catalogue.find(identity);
+      return match && match->exact_revision ? match->device : nullptr;
+    });
+    for (const auto& slave : recovered.project.slaves) EXPECT_NE(slave.device.source, "ENI") << slave.name;
+    for (const auto& difference : recovered.differences) ADD_FAILURE() << describe(difference);
+  }
 }
 
 }  // namespace

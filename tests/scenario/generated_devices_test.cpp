@@ -62,7 +62,8 @@ std::vector<IndexRow> read_index(const std::string& path) {
 }
 
 TEST(GeneratedDevices, BusOfAllEepromImagesShowsTheirIdentities) {
-  SYNCLINE_SAMPLE(index, "sii/INDEX.tsv");
+  const auto others = test::sample_file("sii/INDEX.tsv");
+  const std::string index = others.value_or((test::own_samples("sii") / "INDEX.tsv").string());
   const auto folder = fs::path(index).parent_path();
   std::string text;
   std::vector<IndexRow> used;
@@ -71,7 +72,7 @@ TEST(GeneratedDevices, BusOfAllEepromImagesShowsTheirIdentities) {
     text += "[[slave]]\nsii = '" + (folder / row.file).string() + "'\n\n";
     used.push_back(row);
   }
-  ASSERT_GT(used.size(), 10U);
+  ASSERT_GT(used.size(), others ? 10U : 5U);
   const ScenarioFile file(text);
   const auto scan = scan_bus(file.link());
   ASSERT_TRUE(scan) << describe(scan.error());
@@ -85,11 +86,10 @@ TEST(GeneratedDevices, BusOfAllEepromImagesShowsTheirIdentities) {
 }
 
 TEST(GeneratedDevices, EsiFilesOfTheFieldBecomeSlavesThatReachPreop) {
-  const auto folder = test::sample_file("esi");
-  if (!folder) GTEST_SKIP() << "sample not here: esi";
   eni::EsiCatalogue catalogue;
   std::size_t reached = 0, files = 0;
-  for (const auto& entry : fs::directory_iterator(*folder)) {
+  const auto others = test::sample_file("esi");
+  for (const auto& entry : fs::directory_iterator(others.value_or(test::source_dir() + "/resources/esi"))) {
     // The largest files have hundreds of devices; the first of a file stands for its style.
     if (entry.path().extension() != ".xml" || ++files > 40) continue;
     const ScenarioFile file("[[slave]]\nesi = '" + entry.path().string() + "'\n");
@@ -109,7 +109,7 @@ TEST(GeneratedDevices, EsiFilesOfTheFieldBecomeSlavesThatReachPreop) {
         << entry.path() << ": " << (outcome->error ? describe(*outcome->error) : "");
     reached += outcome->report.state == AlState::kPreop ? 1 : 0;
   }
-  EXPECT_GT(reached, 10U);
+  EXPECT_GT(reached, others ? 10U : 5U);
 }
 
 TEST(LargeScenarios, ThousandSlavesAreScannedAndBroughtToOp) {

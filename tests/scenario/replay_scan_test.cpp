@@ -81,6 +81,19 @@ INSTANTIATE_TEST_SUITE_P(Samples, RecordedBuses, testing::Values(
     Known{"ethercrab-rs__ethercrab__soem-single-lan9252.pcapng", {0x00009252}},
     Known{"ethercrab-rs__ethercrab__twincat-scan-boxes.pcapng", {kEk1100, kEl1004}}));
 
+/// A capture of our own: coupler and four terminals.
+TEST(RecordedBus, OurCaptureShowsItsSlavesAndTheirWiring) {
+  const auto scan = scan_bus("replay:" + (test::own_samples("pcap") / "scan_of_a_row.pcapng").string());
+  ASSERT_TRUE(scan) << describe(scan.error());
+  std::vector<std::uint32_t> products;
+  for (const auto& slave : scan->slaves) products.push_back(slave.identity.product_code);
+  EXPECT_EQ(products, (std::vector<std::uint32_t>{0x1100, 0x1002, 0x2002, 0x3002, 0x4002}));
+  for (std::size_t i = 1; i < scan->slaves.size(); ++i) {
+    ASSERT_TRUE(scan->slaves[i].previous) << i;
+    EXPECT_EQ(scan->slaves[i].previous->position, i - 1);
+  }
+}
+
 TEST(RecordedBus, WiringIsThatOfTheCapture) {
   SYNCLINE_SAMPLE(path, "pcap/ethercrab-rs__ethercrab__replay-dc.pcapng");
   const auto scan = scan_bus("replay:" + path);

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "tests/support/source_dir.h"
 
@@ -16,6 +18,27 @@ inline std::optional<std::filesystem::path> sample_folder() {
   const std::filesystem::path folder =
       chosen ? std::filesystem::path(chosen) : std::filesystem::path(test::source_dir()) / "../shared/samples";
   return std::filesystem::is_directory(folder) ? std::optional(folder) : std::nullopt;
+}
+
+/// Small samples of our own: `kind` is eni, sii or pcap.
+inline std::filesystem::path own_samples(const std::string& kind) {
+  return std::filesystem::path(test::source_dir()) / "tests/samples" / kind;
+}
+
+/// Samples of a kind with that extension, ours and those of others as far as they are here, in the order of their names.
+inline std::vector<std::filesystem::path> all_samples(const std::string& kind, const std::string& extension) {
+  std::vector<std::filesystem::path> folders{own_samples(kind)}, files;
+  if (const auto others = sample_folder()) folders.push_back(*others / kind);
+  for (const auto& folder : folders) {
+    std::vector<std::filesystem::path> found;
+    std::error_code none;
+    for (std::filesystem::directory_iterator it(folder, none), end; it != end; it.increment(none)) {
+      if (it->path().extension() == extension) found.push_back(it->path());
+    }
+    std::sort(found.begin(), found.end());
+    files.insert(files.end(), found.begin(), found.end());
+  }
+  return files;
 }
 
 /// Path of a sample file, nothing when it is not there.

@@ -29,8 +29,8 @@ std::vector<CheckFinding> check_network(const NetworkConfig& config) {
   Findings findings(out);
   const NetworkView view(config);
   for (const auto rule :
-       {check_references, check_hot_connect, check_pdo_assignment, check_sync_managers, check_fmmus, check_mailboxes,
-        check_coe, check_state_requests, check_command_order, check_dc_slaves, check_dc_commands, check_frames,
+       {check_references, check_identities, check_hot_connect, check_pdo_assignment, check_sync_managers, check_fmmus, check_mailboxes,
+        check_coe, check_coe_sizes, check_state_requests, check_command_order, check_dc_slaves, check_dc_commands, check_frames,
         check_working_counters, check_times, check_image, check_image_places, check_dialects, check_device_families}) {
     rule(view, findings);
   }

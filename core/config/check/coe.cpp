@@ -49,6 +49,10 @@ class CoeCheck {
         add("ENI-COE-04", list.last_cmd,
             fmt::format("0x{:04x}: {} entries are written, the count stays {}", index, list.entries.size(),
                         list.count.value_or(0)));
+      } else if (!list.entries.empty() && list.entries.rbegin()->first < list.count.value_or(0) && !list.bad_order) {
+        add("ENI-COE-04", list.last_cmd,
+            fmt::format("0x{:04x}: the count is set to {}, entries are written up to {}", index, *list.count,
+                        list.entries.rbegin()->first));
       } else {
         compare(index, list);
       }
@@ -76,6 +80,10 @@ class CoeCheck {
     }
     if (command.data.empty() && command.enabled) {
       add("ENI-COE-05", i, fmt::format("{} has no Data", object));
+    }
+    constexpr std::uint32_t kLeastMs = 20;
+    if (command.enabled && command.timeout_ms != 0 && command.timeout_ms < kLeastMs) {
+      add("ENI-TIME-07", i, fmt::format("{} may take {} ms", object, command.timeout_ms));
     }
     if (command.complete_access && command.sub_index > 1) {
       add("ENI-COE-06", i, fmt::format("{} is written by complete access", object));

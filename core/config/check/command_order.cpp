@@ -14,6 +14,9 @@ namespace {
 
 bool in(std::uint16_t ado, std::uint16_t first, unsigned size) { return ado >= first && ado < first + size; }
 
+constexpr std::uint16_t kSiiRead = 0x0100;   // in 0x0502
+constexpr std::uint32_t kLastWord = 0xFFFF;  // of any EEPROM in the field
+
 class OrderCheck {
  public:
   OrderCheck(const NetworkView& view, std::size_t slave, Findings& findings)
@@ -25,6 +28,7 @@ class OrderCheck {
     }
     check_address();
     check_eeprom();
+    check_answers();
   }
 
  private:
@@ -87,6 +91,31 @@ class OrderCheck {
         add("ENI-ORD-06", i, "PREOP is requested while the EEPROM belongs to the master (0x0500 = 0)");
       }
     }
+  }
+
+  /// Each request to read the EEPROM (0x0100 in 0x0502, a word's address in 0x0504) has its answer read from 0x0508,
+  /// and no answer is compared that nobody asked for.
+  void check_answers() {
+    constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+    std::size_t asked = kNone;
+    const auto unread = [&] {
+      if (asked != kNone) add("ENI-ORD-09", asked, "no command on IP reads 0x0508 before the next request");
+    };
+    bool valid = false;  // an answer is there, perhaps read already
+    for (std::size_t i = 0; i < config_.init_cmds.size(); ++i) {
+      const InitCmd& cmd = config_.init_cmds[i];
+      if (!has(cmd, Transition::kIP) || is_logical(cmd.command)) continue;
+      if (const auto control = written_number(cmd, reg::kSiiControl, 2)) {
+        unread();
+        valid = *control == kSiiRead && written_number(cmd, reg::kSiiAddress, 4).value_or(0) <= kLastWord;
+        asked = valid ? i : kNone;
+      } else if (!writes(cmd.command) && cmd.ado == reg::kSiiData) {
+        if (!valid && cmd.validate)
+          add("ENI-ORD-09", i, "it compares data of the EEPROM for which no valid command asks");
+        asked = kNone;
+      }
+    }
+    unread();
   }
 
   std::size_t slave_;

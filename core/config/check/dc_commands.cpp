@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <tuple>
 
 #include "config/check/network_view.h"
 #include "config/command_text.h"
@@ -111,6 +112,9 @@ class DcCommandCheck {
       findings_.add("ENI-DC-05", cyclic.place(),
                     fmt::format("{} steers {}, {} distributes the time of another", address_text(cmd),
                                 view_.name(*steered), address_text(*armw->cmd)));
+    } else if (std::tie(cyclic.task, cyclic.frame, cyclic.index) < std::tie(armw->task, armw->frame, armw->index)) {
+      findings_.add("ENI-DC-21", cyclic.place(),
+                    fmt::format("{} stands before {}", address_text(cmd), address_text(*armw->cmd)));
     }
   }
 

@@ -39,6 +39,10 @@ class FmmuCheck {
       for (const FmmuWrite& write : view_.registers[i].fmmus) {
         check(i, write);
       }
+      for (const FmmuWrite& write : view_.registers[i].idle_fmmus) {
+        add("ENI-FMMU-01", i, write,
+            fmt::format("it maps {} bytes at 0x{:08x} and is not active", write.fmmu.length, write.fmmu.logical_start));
+      }
     }
     check_shared();
   }
@@ -55,6 +59,9 @@ class FmmuCheck {
                  fmt::format("{} bytes from bit {} to bit {} at 0x{:08x}, {}", fmmu.length, fmmu.logical_start_bit,
                              fmmu.logical_stop_bit, fmmu.logical_start,
                              fmmu.read || fmmu.write ? "active" : "active for neither reading nor writing"));
+    }
+    if (write.reserved_bits) {
+      add("ENI-FMMU-01", slave, write, "bits are set that have to be 0");
     }
     check_carried(slave, write);
     if (maps_process_data(fmmu)) {

@@ -29,6 +29,13 @@ void for_each_record(const InitCmd& cmd, std::uint16_t base, Take take) {
   }
 }
 
+/// Start bits, type and activation use a part of their bytes, the last three none.
+bool has_reserved_bits(std::span<const std::uint8_t, Fmmu::kSize> bytes) {
+  constexpr std::array<std::uint8_t, Fmmu::kSize> kUsed = {0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0x07, 0x07,
+                                                           0xFF, 0xFF, 0x07, 0x03, 0x01, 0x00, 0x00, 0x00};
+  return !std::ranges::equal(bytes, kUsed, [](std::uint8_t byte, std::uint8_t used) { return (byte & ~used) == 0; });
+}
+
 SlaveRegisters read_registers(const SlaveConfig& slave) {
   std::map<unsigned, FmmuWrite> fmmus;
   std::map<unsigned, SyncManagerWrite> managers;
@@ -39,7 +46,7 @@ SlaveRegisters read_registers(const SlaveConfig& slave) {
         continue;
       }
       for_each_record<Fmmu::kSize>(cmd, reg::kFmmu, [&](unsigned number, auto bytes) {
-        fmmus[number] = {i, number, Fmmu::decode(bytes)};
+        fmmus[number] = {i, number, Fmmu::decode(bytes), has_reserved_bits(bytes)};
       });
       for_each_record<SyncManager::kSize>(cmd, reg::kSyncManager, [&](unsigned number, auto bytes) {
         managers[number] = {i, number, SyncManager::decode(bytes)};
@@ -49,6 +56,8 @@ SlaveRegisters read_registers(const SlaveConfig& slave) {
   SlaveRegisters out;
   for (const auto& [number, write] : fmmus) {
     if (write.fmmu.active) out.fmmus.push_back(write);
+    // Tools write an FMMU without data inactive, with its direction and no length.
+    else if (write.fmmu.length != 0) out.idle_fmmus.push_back(write);
   }
   for (const auto& [number, write] : managers) {
     if (write.manager.enabled()) out.managers.push_back(write);

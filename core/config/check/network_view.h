@@ -17,6 +17,7 @@ struct FmmuWrite {
   std::size_t cmd = 0;  // index in SlaveConfig::init_cmds
   unsigned number = 0;
   Fmmu fmmu;
+  bool reserved_bits = false;  // bits that ETG.1000.4 leaves 0 are set
 };
 
 struct SyncManagerWrite {
@@ -28,6 +29,7 @@ struct SyncManagerWrite {
 /// What the init commands leave in a slave's registers once it is in OP: written on IP, PS or SO, the last one counts.
 struct SlaveRegisters {
   std::vector<FmmuWrite> fmmus;            // active ones, by number
+  std::vector<FmmuWrite> idle_fmmus;       // written with a mapping, and not active
   std::vector<SyncManagerWrite> managers;  // enabled ones, by number
   [[nodiscard]] const SyncManagerWrite* manager(unsigned number) const;
 };
@@ -116,6 +118,7 @@ struct Overlap {
 }
 
 void check_references(const NetworkView& view, Findings& findings);
+void check_identities(const NetworkView& view, Findings& findings);
 void check_hot_connect(const NetworkView& view, Findings& findings);
 void check_pdo_assignment(const NetworkView& view, Findings& findings);
 void check_image(const NetworkView& view, Findings& findings);
@@ -131,6 +134,7 @@ void check_state_requests(const NetworkView& view, Findings& findings);
 void check_times(const NetworkView& view, Findings& findings);
 void check_frames(const NetworkView& view, Findings& findings);
 void check_coe(const NetworkView& view, Findings& findings);
+void check_coe_sizes(const NetworkView& view, Findings& findings);
 void check_dialects(const NetworkView& view, Findings& findings);
 void check_device_families(const NetworkView& view, Findings& findings);
 

@@ -51,6 +51,10 @@ void check_addressees(const NetworkView& view, Findings& findings) {
       const InitCmd& cmd = slaves[i].init_cmds[c];
       const bool other_address = is_fixed_address(cmd.command) && cmd.adp != slaves[i].station_address;
       const bool other_place = is_auto_increment(cmd.command) && cmd.adp != slaves[i].auto_increment_address;
+      if (is_broadcast(cmd.command)) {
+        findings.add("ENI-REF-07", {PlaceKind::kSlaveInitCmd, i, c},
+                     fmt::format("{} goes to all slaves", address_text(cmd)));
+      }
       if (other_address || other_place) {
         findings.add("ENI-REF-07", {PlaceKind::kSlaveInitCmd, i, c},
                      fmt::format("{} does not go to this slave ({} {})", address_text(cmd),

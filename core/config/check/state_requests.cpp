@@ -25,6 +25,14 @@ std::optional<AlState> awaited_state(const InitCmd& cmd) {
   return al_state_of(cmd.validate->data.front());
 }
 
+/// The error bit of AL status is compared, and has to be set.
+bool expects_error(const InitCmd& cmd) {
+  constexpr std::uint8_t kError = 0x10;
+  const InitCmdValidate& expected = *cmd.validate;
+  const std::uint8_t mask = expected.mask.empty() ? 0xFF : expected.mask.front();
+  return expected.type == ValidateType::kEqual && (expected.data.front() & mask & kError) != 0;
+}
+
 class StateCheck {
  public:
   StateCheck(const NetworkView& view, std::size_t slave, Findings& findings)
@@ -54,21 +62,43 @@ class StateCheck {
                                 al_state_name(requested), al_state_name(target(transition))));
       return;
     }
-    std::optional<std::size_t> check;
-    for (std::size_t i = request + 1; i < config_.init_cmds.size(); ++i) {
-      if (has(config_.init_cmds[i], transition) && awaited_state(config_.init_cmds[i])) check = i;
-    }
-    if (!check) {
-      if (is_needed(transition)) {
-        findings_.add("ENI-STATE-03", {PlaceKind::kSlaveInitCmd, slave_, request},
-                      fmt::format("no command on {} waits for {} behind this request", transition_name(transition),
-                                  al_state_name(requested)));
+    check_waits(transition, is_needed(transition));
+  }
+
+  /// Each request on a transition is waited for before the next one, and nothing else is.
+  void check_waits(Transition transition, bool must_wait) {
+    constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+    std::size_t open = kNone;  // request that nothing has waited for yet
+    AlState requested = AlState::kInit;
+    bool any = false;
+    const auto unanswered = [&] {
+      if (open == kNone || !must_wait) return;
+      findings_.add("ENI-STATE-03", {PlaceKind::kSlaveInitCmd, slave_, open},
+                    fmt::format("no command on {} waits for {} behind this request", transition_name(transition),
+                                al_state_name(requested)));
+    };
+    for (std::size_t i = 0; i < config_.init_cmds.size(); ++i) {
+      const InitCmd& cmd = config_.init_cmds[i];
+      if (!has(cmd, transition)) continue;
+      if (const auto request = requested_state(cmd)) {
+        unanswered();
+        open = i;
+        requested = *request;
+        any = true;
+      } else if (const auto awaited = awaited_state(cmd); awaited && any) {
+        open = kNone;
+        if (expects_error(cmd)) {
+          findings_.add("ENI-STATE-04", {PlaceKind::kSlaveInitCmd, slave_, i},
+                        fmt::format("on {} it waits for {} with the error bit (0x10) set", transition_name(transition),
+                                    al_state_name(*awaited)));
+        }
+        if (*awaited == requested) continue;
+        findings_.add("ENI-STATE-04", {PlaceKind::kSlaveInitCmd, slave_, i},
+                      fmt::format("on {} it waits for {}, requested is {}", transition_name(transition),
+                                  al_state_name(*awaited), al_state_name(requested)));
       }
-    } else if (const AlState awaited = *awaited_state(config_.init_cmds[*check]); awaited != requested) {
-      findings_.add("ENI-STATE-04", {PlaceKind::kSlaveInitCmd, slave_, *check},
-                    fmt::format("on {} it waits for {}, requested is {}", transition_name(transition),
-                                al_state_name(awaited), al_state_name(requested)));
     }
+    unanswered();
   }
 
   std::size_t slave_;

@@ -5,7 +5,9 @@
 
 #include "config/compare/difference_list.h"
 #include "config/network_compare.h"
+#include "protocol/fmmu.h"
 #include "protocol/registers.h"
+#include "support/byte_order.h"
 
 namespace syncline::comparison {
 namespace {
@@ -41,15 +43,24 @@ std::vector<InitCmd> without_place(const SlaveConfig& slave, Group group) {
     if (group_of(cmd) != group) continue;
     InitCmd& copy = out.emplace_back(cmd);
     copy.comment.clear();
-    if (goes_to(cmd, slave)) copy.adp = 0;
+    // Marked, since a foreign address may be 0 as well.
+    if (goes_to(cmd, slave))
+      copy.adp = 0;
+    else
+      copy.logical_address = 1;
     if (cmd.ado == reg::kStationAddress && cmd.data.size() == 2 &&
         (cmd.data[0] | cmd.data[1] << 8) == slave.station_address) {
       copy.data = {0, 0};
     }
     if (in(cmd.ado, reg::kFmmu, 0x100) && cmd.data.size() == 16) {
-      // In bit-packed images the start bit follows from the slaves before, and the length in bytes from that.
-      const bool bits = cmd.data[6] != 0 || cmd.data[7] != 7;
-      std::fill_n(copy.data.begin(), bits ? 8 : 4, std::uint8_t{0});
+      // In bit-packed images the start bit follows from the slaves before, and the length in bytes from that: what
+      // counts is how many bits there are.
+      const Fmmu fmmu = Fmmu::decode(std::span<const std::uint8_t, Fmmu::kSize>(cmd.data.data(), Fmmu::kSize));
+      std::fill_n(copy.data.begin(), 8, std::uint8_t{0});
+      store_le(std::span<std::uint8_t>(copy.data), fmmu.bit_length());
+      // Bits that have no meaning there are kept.
+      copy.data[6] = cmd.data[6] & 0xF8;
+      copy.data[7] = cmd.data[7] & 0xF8;
     }
   }
   return out;
@@ -108,7 +119,10 @@ void compare_commands(const SlaveConfig& left, const SlaveConfig& right, Differe
         if (is_state_time_out(one[i], other[i])) one[i] = other[i];
       }
     }
-    if (one != other) report(one, other, group, out);
+    if (one == other) continue;
+    report(one, other, group, out);
+    // What the words above do not tell apart.
+    if (!out.has(group)) out.add(group, "init commands", "", "");
   }
 }
 

@@ -41,6 +41,7 @@ class Comparison {
     comparison::compare_master(left_, right_, network);
     comparison::compare_cyclic(left_, right_, pairing_, network);
     comparison::compare_image(left_, right_, pairing_, network);
+    comparison::compare_places(left_, right_, pairing_, network);
     for (std::size_t l = 0, r = 0; l < left_.slaves.size() || r < right_.slaves.size();) {
       // Additions stand where they stand in the right configuration.
       if (r < right_.slaves.size() && !pairing_.left_of[r]) {
@@ -90,8 +91,10 @@ class Comparison {
               fmt::format("0x{:08x}", right.identity.revision_no));
     out.number(DifferenceGroup::kSlaves, "serial number", left.identity.serial_no, right.identity.serial_no);
     // With another place the address follows from it.
-    if (same_place)
-      out.number(DifferenceGroup::kSlaves, "station address", left.station_address, right.station_address);
+    if (!same_place) return;
+    out.number(DifferenceGroup::kSlaves, "station address", left.station_address, right.station_address);
+    out.number(DifferenceGroup::kSlaves, "auto-increment address", left.auto_increment_address,
+               right.auto_increment_address);
   }
 
   /// The slave in front, by its counterpart: one more slave elsewhere changes no cable here.

@@ -41,6 +41,11 @@ std::string mapping(const SlaveConfig& slave, std::uint16_t index) {
   return out.empty() ? "empty" : out;
 }
 
+/// Tools leave out a limit, or write 0 for none.
+std::string sizes(const SyncManagerDescription& manager) {
+  return fmt::format("{} to {} bytes", manager.min_size.value_or(0), manager.max_size.value_or(0));
+}
+
 void compare_manager(const ConfiguredSyncManager& left, const ConfiguredSyncManager& right, DifferenceList& out) {
   const auto field = [&](const char* what, const std::string& one, const std::string& other) {
     if (one != other) out.add(Group::kProcessData, fmt::format("SM{} {}", left.number, what), one, other);
@@ -53,6 +58,7 @@ void compare_manager(const ConfiguredSyncManager& left, const ConfiguredSyncMana
   field("control byte", fmt::format("0x{:02x}", l.control_byte), fmt::format("0x{:02x}", r.control_byte));
   field("enabled", l.enable ? "yes" : "no", r.enable ? "yes" : "no");
   field("only in OP", l.op_only ? "yes" : "no", r.op_only ? "yes" : "no");
+  field("sizes", sizes(l), sizes(r));
   field("watchdog", optional_number(left.watchdog), optional_number(right.watchdog));
 }
 

@@ -51,5 +51,8 @@ void compare_cyclic(const NetworkConfig& left, const NetworkConfig& right, const
 void compare_master(const NetworkConfig& left, const NetworkConfig& right, DifferenceList& out);
 void compare_image(const NetworkConfig& left, const NetworkConfig& right, const SlavePairing& pairing,
                    DifferenceList& out);
+/// FMMUs, variables and commands that moved against the rest; after the cyclic commands.
+void compare_places(const NetworkConfig& left, const NetworkConfig& right, const SlavePairing& pairing,
+                    DifferenceList& out);
 
 }  // namespace syncline::comparison

@@ -4,14 +4,13 @@
 #include <algorithm>
 #include <charconv>
 
+#include "config/eoe_ip.h"
 #include "protocol/eoe.h"
-#include "support/byte_order.h"
 
 namespace syncline::compiler {
 namespace {
 
 constexpr int kSetIpParameter = static_cast<int>(eoe::Kind::kSetIpRequest);
-constexpr std::size_t kHostNameBytes = 32;
 
 /// `N` numbers 0..255 with dots.
 template <std::size_t N>
@@ -28,61 +27,24 @@ std::optional<std::array<std::uint8_t, N>> dotted_bytes(std::string_view text) {
   return at == end ? std::optional(bytes) : std::nullopt;
 }
 
-/// One fragment which is the last, no time stamp; then the service's data.
+/// The header as tools write it (no fragment, no time stamp); then the service's data.
 MailboxInitCmd eoe_message(int type, const std::vector<std::uint8_t>& data, std::vector<Transition> when, std::string comment) {
   MailboxInitCmd message;
   message.transitions = std::move(when);
   message.comment = std::move(comment);
   eoe::Header header;
   header.kind = static_cast<eoe::Kind>(type & 0x0F);
-  header.last_fragment = true;
+  header.last_fragment = header.kind == eoe::Kind::kFragment;
   message.data = eoe::encode(header);
   message.data.insert(message.data.end(), data.begin(), data.end());
   return message;
-}
-
-/// Data of "set IP parameter": a bit for each parameter that follows.
-class IpParameters {
- public:
-  IpParameters() { ByteWriter(data_).u32(0); }
-
-  void add(unsigned bit, std::span<const std::uint8_t> bytes) {
-    data_[0] = static_cast<std::uint8_t>(data_[0] | 1U << bit);
-    data_.insert(data_.end(), bytes.begin(), bytes.end());
-  }
-  void add_address(unsigned bit, std::string_view text) {
-    if (auto bytes = dotted_bytes<4>(text)) {
-      std::ranges::reverse(*bytes);  // a 32-bit number, least significant byte first
-      add(bit, *bytes);
-    }
-  }
-  [[nodiscard]] bool empty() const { return data_[0] == 0; }
-  [[nodiscard]] const std::vector<std::uint8_t>& data() const { return data_; }
-
- private:
-  std::vector<std::uint8_t> data_;
-};
-
-IpParameters ip_parameters(const EoeSlaveSettings& eoe) {
-  IpParameters parameters;
-  if (eoe.mac) parameters.add(0, *eoe.mac);
-  parameters.add_address(1, eoe.ip);
-  parameters.add_address(2, eoe.subnet);
-  parameters.add_address(3, eoe.gateway);
-  parameters.add_address(4, eoe.dns);
-  if (!eoe.host_name.empty()) {
-    std::array<std::uint8_t, kHostNameBytes> name{};
-    std::copy_n(eoe.host_name.begin(), std::min(eoe.host_name.size(), kHostNameBytes), name.begin());
-    parameters.add(5, name);
-  }
-  return parameters;
 }
 
 void add_eoe(MailboxConfig& mailbox, const SlavePlan& slave) {
   const EoeSlaveSettings& eoe = slave.settings->eoe;
   mailbox.eoe_disabled = !eoe.enabled;
   if (!eoe.enabled) return;
-  const IpParameters parameters = ip_parameters(eoe);
+  const auto parameters = encode_ip_parameters(eoe, slave.settings->station_address);
   for (const MailboxCommand& command : slave.device().mailbox->eoe_options.init_commands) {
     // The user's address replaces the one that the ESI sets.
     if (command.type == kSetIpParameter && !parameters.empty()) continue;
@@ -90,14 +52,29 @@ void add_eoe(MailboxConfig& mailbox, const SlavePlan& slave) {
   }
   if (!parameters.empty()) {
     mailbox.eoe_commands.push_back(
-        eoe_message(kSetIpParameter, parameters.data(), {Transition::kIP}, "set IP parameter"));
+        eoe_message(kSetIpParameter, parameters, {Transition::kIP}, "set IP parameter"));
   }
+}
+
+/// ETG.2100 knows SoE commands on PS, SO, SP, OP and OS: what an ESI wants on the way to PREOP comes behind it, on PS, since
+/// only there the mailbox is at work. On the ways to INIT there is no mailbox any more.
+std::vector<Transition> soe_transitions(const std::vector<Transition>& wanted) {
+  std::vector<Transition> out;
+  for (const Transition transition : wanted) {
+    const bool early = transition == Transition::kIP || transition == Transition::kPP || transition == Transition::kII;
+    const Transition allowed = early ? Transition::kPS : transition;
+    const bool known = allowed == Transition::kPS || allowed == Transition::kSO || allowed == Transition::kSP ||
+                       allowed == Transition::kOP || allowed == Transition::kOS;
+    if (known && std::ranges::find(out, allowed) == out.end()) out.push_back(allowed);
+  }
+  return out;
 }
 
 void add_soe(MailboxConfig& mailbox, const SlavePlan& slave) {
   for (const SoeCommand& command : slave.settings->soe_startup) {
     SoeInitCmd cmd;
-    cmd.transitions = command.transitions;
+    cmd.transitions = soe_transitions(command.transitions);
+    if (cmd.transitions.empty()) continue;
     cmd.drive_no = command.drive;
     cmd.idn = command.idn;
     cmd.data = command.data;

@@ -36,7 +36,7 @@ void check_chosen(FindingList& findings, const SlavePlan& slave, const Assignmen
       findings.error(assignment.key, fmt::format("No SyncManager can carry PDO 0x{:04X}.", index));
     }
     for (const std::uint16_t excluded : pdo->exclude) {
-      if (contains(assignment.chosen, excluded)) {
+      if (excluded != index && contains(assignment.chosen, excluded)) {
         findings.error(assignment.key,
                        fmt::format("PDO 0x{:04X} excludes 0x{:04X}; only one of them can be assigned.", index, excluded));
       }

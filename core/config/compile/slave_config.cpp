@@ -70,8 +70,13 @@ MasterConfig master_config(const MasterSettings& settings, const std::vector<Sla
     return plan.mailbox && plan.device().mailbox && plan.device().mailbox->eoe && plan.settings->eoe.enabled;
   });
   config.eoe = eoe_slaves > 0;
-  // A port for each slave and one for the host.
-  if (config.eoe) config.eoe_settings.max_ports = static_cast<std::uint32_t>(eoe_slaves) + 1;
+  // A port for each slave and one for the host; frames as TwinCAT and EC-Engineer write them.
+  constexpr std::uint32_t kFrames = 100, kFramesOfSlave = 20;
+  if (config.eoe) {
+    const auto count = static_cast<std::uint32_t>(eoe_slaves);
+    config.eoe_settings.max_ports = count + 1;
+    config.eoe_settings.max_frames = kFrames + kFramesOfSlave * count;
+  }
   if (mailbox_states > 0) config.mailbox_state_count = mailbox_states;
   config.init_cmds = master_init_cmds();
   if (dc.dcm.standard_loop_values) {

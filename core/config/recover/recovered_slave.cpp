@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "config/eoe_ip.h"
 #include "config/recover/recovered_dc.h"
 #include "config/recover/recovered_device.h"
 #include "config/recover/register_writes.h"
@@ -144,7 +145,20 @@ void recover_mailbox(SlaveSettings& settings, const SlaveConfig& slave, EniDiale
   const std::uint32_t usual = dialect == EniDialect::kTwinCat ? 50 : 10;
   if (mailbox.poll_time_ms && *mailbox.poll_time_ms != usual) settings.mailbox.poll_time_ms = mailbox.poll_time_ms;
   settings.ams_net_id = mailbox.aoe_net_id;
+  std::size_t others = 0;  // EoE commands that set no address
+  for (const MailboxInitCmd& cmd : mailbox.eoe_commands) {
+    if (const auto ip = decode_ip_parameters(cmd.data, slave.station_address)) {
+      settings.eoe = *ip;
+    } else {
+      ++others;
+    }
+  }
   settings.eoe.enabled = !mailbox.eoe_disabled;
+  if (others > 0) {
+    findings.warning("", fmt::format("{} start-up command{} of EoE cannot be kept: a project has a place for the IP "
+                                     "parameters only.",
+                                     others, others == 1 ? "" : "s"));
+  }
   for (const SoeInitCmd& cmd : mailbox.soe_commands) {
     settings.soe_startup.push_back({cmd.transitions, cmd.drive_no, cmd.idn, cmd.data, cmd.fixed, cmd.enabled, cmd.timeout_ms,
                                     cmd.comment});

@@ -51,7 +51,7 @@ Status check_assignment(const std::vector<Pdo>& pdos, const Indices& chosen) {
     }
     if (std::ranges::count(chosen, index) > 1) return bad_value(fmt::format("0x{:04x} stands there twice", index));
     for (const auto excluded : pdo->exclude) {
-      if (std::ranges::find(chosen, excluded) != chosen.end()) {
+      if (excluded != index && std::ranges::find(chosen, excluded) != chosen.end()) {
         return bad_value(fmt::format("0x{:04x} and 0x{:04x} exclude each other", index, excluded));
       }
     }

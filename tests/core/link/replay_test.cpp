@@ -191,18 +191,15 @@ TEST(PcapReader, TimeStampThatNoClockCanShowIsAnError) {
 
 /// Every frame of every capture decodes, and what is in it makes sense.
 TEST(Captures, EveryEtherCatFrameDecodes) {
-  const auto folder = test::sample_file("pcap");
-  if (!folder) GTEST_SKIP() << "sample not here: pcap";
   int files = 0;
   std::size_t frames = 0, datagrams = 0;
-  for (const auto& entry : fs::directory_iterator(*folder)) {
-    if (entry.path().extension() != ".pcapng") continue;
+  for (const auto& path : test::all_samples("pcap", ".pcapng")) {
     ++files;
-    auto reader = PcapReader::open(entry.path().string());
-    ASSERT_TRUE(reader) << entry.path();
+    auto reader = PcapReader::open(path.string());
+    ASSERT_TRUE(reader) << path;
     for (;;) {
       auto frame = reader->next();
-      ASSERT_TRUE(frame) << entry.path() << ": " << frame.error().detail;
+      ASSERT_TRUE(frame) << path << ": " << frame.error().detail;
       if (!*frame) break;
       FrameReader decoded((*frame)->bytes);
       if (!decoded.is_ethercat()) continue;
@@ -211,11 +208,11 @@ TEST(Captures, EveryEtherCatFrameDecodes) {
         ++datagrams;
         EXPECT_LE(static_cast<int>(datagram->header.command), kLastCommand);
       }
-      EXPECT_FALSE(decoded.malformed()) << entry.path() << " frame at " << (*frame)->time;
+      EXPECT_FALSE(decoded.malformed()) << path << " frame at " << (*frame)->time;
     }
   }
   EXPECT_GT(files, 0);
-  EXPECT_GT(frames, 1'000U);
+  EXPECT_GT(frames, test::sample_folder() ? 1'000U : 100U);
   EXPECT_GE(datagrams, frames);
 }
 

@@ -21,13 +21,8 @@ std::vector<std::uint8_t> bytes_of(const std::filesystem::path& path) {
 
 /// A bus of the EEPROMs of real devices: the scan says of each what its words say.
 TEST(ScanSamples, ReportsTheIdentitiesOfRealEeproms) {
-  const auto folder = test::sample_folder();
-  if (!folder || !std::filesystem::is_directory(*folder / "sii")) GTEST_SKIP() << "sample not here: sii";
-  std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(*folder / "sii")) {
-    if (entry.path().extension() == ".bin" && entry.file_size() >= 128) files.push_back(entry.path());
-  }
-  std::ranges::sort(files);
+  auto files = test::all_samples("sii", ".bin");
+  std::erase_if(files, [](const auto& path) { return std::filesystem::file_size(path) < 128; });
   ASSERT_FALSE(files.empty());
   test::SimulatedNetwork network;
   std::vector<std::vector<std::uint8_t>> images;

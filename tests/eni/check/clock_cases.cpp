@@ -25,6 +25,10 @@ std::vector<RuleCase> cyclic_cases() {
        [](NetworkConfig& c) {
          cyclic(c, Command::kApwr, reg::kSystemTime).adp = c.slaves[kLastDrive].auto_increment_address;
        }},
+      {"ENI-DC-21",
+       [](NetworkConfig& c) {
+         std::swap(cyclic(c, Command::kArmw, reg::kSystemTime), cyclic(c, Command::kApwr, reg::kSystemTime));
+       }},
       {"ENI-DC-06", [](NetworkConfig& c) { erase_dc(c, kLastDrive); }},
       {"ENI-DC-07",
        [](NetworkConfig& c) {

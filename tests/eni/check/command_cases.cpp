@@ -53,6 +53,8 @@ std::vector<RuleCase> coe_cases() {
          c.slaves[kDrive].mailbox->coe_commands.push_back(cmd);
        }},
       {"ENI-COE-08", [](NetworkConfig& c) { start_up(c, 0x60C2, 1).data = {7}; }},
+      {"ENI-TIME-07", [](NetworkConfig& c) { start_up(c, 0x60C2, 1).timeout_ms = 4; }},
+      {"ENI-COE-09", [](NetworkConfig& c) { start_up(c, 0x60C2, 1).data.push_back(0); }},
   };
 }
 
@@ -83,6 +85,7 @@ std::vector<RuleCase> state_cases() {
        }},
       {"ENI-ORD-07",
        [](NetworkConfig& c) { command(c, kInput, Transition::kIP, reg::kStationAddress).data[0] ^= 0x40; }},
+      {"ENI-ORD-09", [](NetworkConfig& c) { command(c, kInput, Transition::kIP, reg::kSiiData, false).ado += 1000; }},
       {"ENI-ORD-08",
        [](NetworkConfig& c) {
          std::erase_if(c.master.init_cmds, [](const InitCmd& cmd) { return cmd.ado == reg::kFmmu; });

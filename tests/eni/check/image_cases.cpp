@@ -86,7 +86,9 @@ std::vector<RuleCase> variable_cases() {
        true},
       {"ENI-DIA-01", [](NetworkConfig& c) { c.cyclic[0].cycle_time_given = false; }},
       {"ENI-DIA-02", [](NetworkConfig&) {}, {}, true},
-      {"ENI-DIA-04", [](NetworkConfig& c) { erase_commands(c, kInput, Transition::kIP, reg::kSiiData); }},
+      {"ENI-DIA-04",
+       [](NetworkConfig& c) { erase_commands(c, kInput, Transition::kIP, reg::kSiiData); },
+       {"ENI-ORD-09"}},
   };
 }
 

@@ -27,6 +27,9 @@ constexpr CheckRule kRules[] = {
     {"ENI-COE-08", kWarning, "The interpolation time is not the cycle",
      "A drive interpolates over the wrong time: it moves in jerks, or refuses to",
      "Set 0x60C2 to the cycle in which set values come"},
+    {"ENI-COE-09", kError, "A download has another size than its object",
+     "The slave aborts it (0x06070010, 0x06070012 or 0x06070013) and the transition fails",
+     "Write as many bytes as the object has"},
     {"ENI-STATE-01", kError, "No command requests a state on the way to OP",
      "The slave stays where it is and the bus never reaches OP",
      "Add the AL control write (0x0120) on that transition"},
@@ -60,6 +63,9 @@ constexpr CheckRule kRules[] = {
     {"ENI-ORD-08", kWarning, "The master does not clear what an earlier run left",
      "Old station addresses, FMMUs or SyncManagers answer beside the new ones until a slave is switched off",
      "Add the broadcast writes of 0x0010, 0x0600 and 0x0800 on IP to the master's init commands"},
+    {"ENI-ORD-09", kWarning, "The EEPROM is asked and not read, or read and not asked",
+     "What is compared is another word, or nothing",
+     "Let a read of 0x0508 follow each request to 0x0502 (0x0100 and the address of the word)"},
 };
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "config/compile/compile.h"
+#include "config/eoe_ip.h"
 #include "config/settings_keys.h"
 #include "core/config/compile/sample_devices.h"
 #include "protocol/registers.h"
@@ -228,7 +229,13 @@ TEST(SlaveOptions, EoeSoeAndAoeAtStartUp) {
   const auto config = servo_of(project).mailbox.value();
   ASSERT_EQ(config.eoe_commands.size(), 1U);
   EXPECT_THAT(config.eoe_commands[0].data,
-              ElementsAre(0x02, 0x01, 0, 0, 0x03, 0, 0, 0, 2, 0, 0, 0, 0, 1, 10, 1, 168, 192));
+              // 62 bytes with each parameter in its place, as the tools write them.
+              testing::ElementsAreArray([] {
+                std::vector<std::uint8_t> bytes{0x02, 0, 0, 0, 0x03, 0, 0, 0, 2, 0, 0, 0, 0, 1, 10, 1, 168, 192};
+                bytes.resize(62);
+                return bytes;
+              }()));
+  EXPECT_EQ(decode_ip_parameters(config.eoe_commands[0].data, 1002), project.slaves[1].eoe);
   ASSERT_EQ(config.soe_commands.size(), 1U);
   EXPECT_EQ(config.soe_commands[0].idn, 0x902F);
   EXPECT_EQ(config.soe_commands[0].drive_no, 1);

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "config/eoe_ip.h"
+#include "config/recover/recover_project.h"
+#include "eni/check/check_bed.h"
+
+namespace syncline::test {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+Project with_eoe() {
+  DeviceDescription drive = sample::servo();
+  drive.mailbox->eoe = true;
+  Project project = sample::project({sample::coupler(), drive, drive, drive});
+  EoeSlaveSettings& eoe = project.slaves[1].eoe;
+  eoe.ip = "192.168.1.10";
+  eoe.subnet = "255.255.255.0";
+  project.slaves[2].eoe.mac = {2, 0, 0, 0, 0, 7};
+  project.slaves[2].eoe.ip = "192.168.1.11";
+  project.slaves[2].eoe.host_name = "drive-2";
+  return project;
+}
+
+TEST(EniImport, EoeSettingsComeBack) {
+  const Project project = with_eoe();
+  const auto compiled = compile(project);
+  ASSERT_TRUE(compiled);
+  EXPECT_EQ(compiled->config.master.eoe_settings.max_ports, 4U);
+  EXPECT_EQ(compiled->config.master.eoe_settings.max_frames, 160U) << "100 and 20 for each of three slaves";
+  const auto imported = eni::import_eni_text(eni::write_eni(compiled->config), "eoe.xml");
+  ASSERT_TRUE(imported);
+  EXPECT_THAT(imported->unread, IsEmpty());
+  const auto recovered = recover_project(imported->config);
+  for (std::size_t i = 1; i < project.slaves.size(); ++i) {
+    EXPECT_EQ(recovered.project.slaves[i].eoe, project.slaves[i].eoe) << i;
+  }
+}
+
+/// Address, mask and gateway as one tool writes them: 62 bytes, or without the header in front.
+TEST(EniImport, SetIpCommandsOfOtherTools) {
+  std::vector<std::uint8_t> bytes{0x02, 0, 0, 0,   0x3F, 0, 0,   0,   0x10, 0x18, 0x9E, 0xFF, 1,
+                                  4,    4, 1, 168, 192,  0, 255, 255, 255,  10,   1,    168,  192};
+  bytes.resize(62);
+  EoeSlaveSettings expected;
+  expected.mac = {0x10, 0x18, 0x9E, 0xFF, 1, 4};
+  expected.ip = "192.168.1.4";
+  expected.subnet = "255.255.255.0";
+  expected.gateway = "192.168.1.10";
+  EXPECT_EQ(decode_ip_parameters(bytes, 1001), expected);
+  EXPECT_EQ(decode_ip_parameters(std::span(bytes).subspan(4), 1001), expected);
+  bytes[0] = 0x06;  // get IP
+  EXPECT_EQ(decode_ip_parameters(bytes, 1001), std::nullopt);
+  EXPECT_EQ(decode_ip_parameters({}, 1001), std::nullopt);
+}
+
+TEST(EniImport, OtherEoeCommandsAreNamed) {
+  auto config = compile(with_eoe())->config;
+  config.slaves[3].mailbox->eoe_commands = {{.transitions = {Transition::kPS}, .data = {4, 0, 0, 0, 1}}};
+  const auto recovered = recover_project(config);
+  const auto named = std::ranges::find_if(recovered.findings, [](const Finding& finding) {
+    return finding.slave == 3 && finding.text.find("EoE") != std::string::npos;
+  });
+  EXPECT_NE(named, recovered.findings.end());
+}
+
+TEST(EniImport, WhatIsNotReadIsNamedOnceWithItsLine) {
+  std::string text = eni::write_eni(checked_machine());
+  text = replaced(text, "<VendorId>", "<Colour>red</Colour><VendorId>");
+  text = replaced(text, "<Cyclic", "<Slave><Info><Name>Cap</Name><VendorId>2</VendorId></Info></Slave><Cyclic");
+  const auto imported = eni::import_eni_text(text, "other.xml");
+  ASSERT_TRUE(imported);
+  ASSERT_EQ(imported->unread.size(), 2U);
+  EXPECT_THAT(imported->unread[0].text, HasSubstr("<Colour> in <Info>"));
+  EXPECT_THAT(imported->unread[1].text, HasSubstr("end caps"));
+  EXPECT_THAT(imported->unread[0].text, HasSubstr("Line "));
+}
+
+}  // namespace
+}  // namespace syncline::test
