@@ -121,6 +121,7 @@ void scan(Context& context, const Options& options) {
   request.options.look_only = options.look_only;
   request.cancel = &interrupt.interrupted();
   request.capture = options.capture;
+  request.on_capture_lost = [&context](const Error& error) { context.fail_with(error); };
   request.on_event = [&context](const Event& event) {
     if (event.kind != EventKind::kScanTouchesRunning) return;
     context.console.err << "warning: " << event_text(event, event.time) << '\n' << std::flush;

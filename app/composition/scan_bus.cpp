@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/composition/scan_bus.h"
 
-#include "app/composition/capture_file.h"
 #include "app/composition/open_bus.h"
 
 namespace syncline {
@@ -25,8 +24,9 @@ Result<BusScan> scan_bus(std::string_view link, const ScanRequest& request) {
     tell(EventKind::kScanTouchesRunning, running, eeproms);
   };
   auto found = scan_slaves(bus, request.options, observer);
-  opened->reset();  // completes the capture
-  if (auto status = capture_complete(request.capture); found && !status) return tl::unexpected(status.error());
+  const auto capture = (*opened)->capture();
+  opened->reset();  // completes it
+  if (capture && capture->failed() && request.on_capture_lost) request.on_capture_lost(capture->error());
   return found;
 }
 

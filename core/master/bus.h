@@ -87,4 +87,17 @@ class Bus {
   AcyclicWindow window_;
 };
 
+/// What must come to its end once it has begun: not cancellable while this lives.
+class NotCancellable {
+ public:
+  explicit NotCancellable(Bus& bus) : bus_(bus), before_(bus.cancellable()) { bus.set_cancellable(false); }
+  ~NotCancellable() { bus_.set_cancellable(before_); }
+  NotCancellable(const NotCancellable&) = delete;
+  NotCancellable& operator=(const NotCancellable&) = delete;
+
+ private:
+  Bus& bus_;
+  bool before_;
+};
+
 }  // namespace syncline
