@@ -14,6 +14,18 @@ namespace {
 /// Small enough that the sample ring never fills between two drains, at the shortest cycle too.
 constexpr Nanoseconds kDrainPeriod = 100 * kMillisecond;
 
+/// Whatever ends a run, an exception too: the slaves go to INIT.
+class AtTheEnd {
+ public:
+  explicit AtTheEnd(MasterService& service) : service_(service) {}
+  ~AtTheEnd() { service_.shut_down(); }
+  AtTheEnd(const AtTheEnd&) = delete;
+  AtTheEnd& operator=(const AtTheEnd&) = delete;
+
+ private:
+  MasterService& service_;
+};
+
 /// Tells once when the capture is lost.
 class CaptureWatch {
  public:
@@ -79,6 +91,7 @@ bool stopped(const RunRequest& request) { return request.stop != nullptr && requ
 /// The link goes to the service and with it.
 RunOutcome run_on(OpenedLink& opened, const NetworkConfig& config, const RunRequest& request, CaptureWatch& capture) {
   MasterService service(std::move(opened.link), *opened.clock);
+  const AtTheEnd at_the_end(service);
   auto& channels = service.channels();
   Drain drain(channels, config, request, capture);
   channels.commands.push(GoOnlineCommand{config, request.target});

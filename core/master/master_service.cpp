@@ -150,7 +150,7 @@ void MasterService::Impl::run_cycle() {
 
 MasterService::MasterService(std::unique_ptr<Link> link, Clock& clock)
     : impl_(std::make_unique<Impl>(std::move(link), clock)) {}
-MasterService::~MasterService() { shut_down(); }
+MasterService::~MasterService() = default;
 
 MasterChannels& MasterService::channels() { return impl_->channels; }
 Clock& MasterService::clock() { return impl_->clock; }
