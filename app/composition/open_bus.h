@@ -26,6 +26,8 @@ class OpenBus {
   OpenBus& operator=(const OpenBus&) = delete;
 
   [[nodiscard]] Bus& bus() { return bus_; }
+  /// What the capture that is replayed proves; null: a bus that lives.
+  [[nodiscard]] const std::shared_ptr<const ReplayNotes>& replay() const { return opened_.replay; }
   /// How the capture fares, null without one; complete when this is gone.
   [[nodiscard]] const std::shared_ptr<const CaptureState>& capture() const { return capture_; }
 
