@@ -76,6 +76,7 @@ class Bus {
 
  private:
   Status ride_with_cycles(std::span<Datagram> datagrams);
+  Status await_link(std::span<Datagram> datagrams, Status status);
 
   FrameExchange& exchange_;
   Clock& clock_;

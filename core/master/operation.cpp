@@ -52,6 +52,7 @@ Status Operation::start(AlState target) {
   snapshot.requested = target;
   run_.channels().snapshot.publish_surely(run_.snapshot);
   if (auto status = esm_.reset(); !status) return status;
+  snapshot.link_up = true;  // frames have come back, whatever the adapter says
   if (target == AlState::kInit) return {};
   auto status = esm_.change_to(target);
   run_.channels().snapshot.publish_surely(run_.snapshot);
