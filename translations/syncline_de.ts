@@ -469,6 +469,14 @@
             <translation>Port %1: Link %2 Mal verloren, %3 beschädigte Frames</translation>
         </message>
         <message>
+            <source>Network adapter %1 is up again after %2</source>
+            <translation>Netzwerkkarte %1 ist nach %2 wieder da</translation>
+        </message>
+        <message>
+            <source>Network adapter %1 is down, gone or without carrier; waiting for it</source>
+            <translation>Netzwerkkarte %1 ist abgeschaltet, fort oder ohne Verbindung; es wird auf sie gewartet</translation>
+        </message>
+        <message>
             <source>Port %1: %2 damaged frames</source>
             <translation>Port %1: %2 beschädigte Frames</translation>
         </message>
@@ -3037,6 +3045,22 @@ Einstellung %2</translation>
         <message>
             <source>Find out what held the host.</source>
             <translation>Herausfinden, was den Rechner aufhielt.</translation>
+        </message>
+        <message>
+            <source>The network adapter {adapter} is down, gone or without carrier since {since}.</source>
+            <translation>Die Netzwerkkarte {adapter} ist seit {since} abgeschaltet, fort oder ohne Verbindung.</translation>
+        </message>
+        <message>
+            <source>Check the plug at the host, and that the adapter is switched on (ip link set ... up); the bus comes back with it.</source>
+            <translation>Den Stecker am Rechner prüfen und ob die Karte eingeschaltet ist (ip link set ... up); der Bus kommt mit ihr zurück.</translation>
+        </message>
+        <message>
+            <source>The network adapter {adapter} was down, gone or without carrier from {since} on, for {length} ({count} in all); the bus came back with it.</source>
+            <translation>Die Netzwerkkarte {adapter} war ab {since} für {length} abgeschaltet, fort oder ohne Verbindung ({count} insgesamt); der Bus kam mit ihr zurück.</translation>
+        </message>
+        <message>
+            <source>A loose plug at the host, or somebody who switches the adapter off: a network manager, power saving, the reset of a USB adapter.</source>
+            <translation>Ein loser Stecker am Rechner, oder jemand, der die Karte abschaltet: eine Netzwerkverwaltung, das Stromsparen, der Neustart eines USB-Adapters.</translation>
         </message>
         <message>
             <source>{count} frames were lost when {slave} went away or came back.</source>

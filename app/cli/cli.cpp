@@ -4,35 +4,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <new>
 
 #include "app/cli/context.h"
+#include "app/composition/eeprom_journal.h"
 #include "protocol/error_text.h"
 
 namespace syncline::cli {
+namespace {
 
-void Context::fail_with(const Error& error) {
-  console.err << "synclinectl: " << describe(error) << '\n';
-  const bool usage = error.code == ErrorCode::kBadValue || error.code == ErrorCode::kUnknownKey;
-  exit_code = usage ? kUsage : kFailed;
-}
-
-void Context::warn(const Error& error) { console.err << "warning: " << describe(error) << '\n'; }
-
-std::string hex(std::uint64_t value, int digits) { return fmt::format("0x{:0{}x}", value, digits); }
-
-std::string mac_text(const std::array<std::uint8_t, 6>& mac) {
-  return fmt::format("{:02x}:{:02x}:{:02x}:{:02x}:{:02x}:{:02x}", mac[0], mac[1], mac[2], mac[3], mac[4], mac[5]);
-}
-
-int run(const std::vector<std::string>& arguments, Console console) {
-  Context context{console};
-  CLI::App app{
-      "synclinectl: EtherCAT configurator and synchronisation monitor without a window.\n"
-      "LINK is sim:FILE[?virtual][&seed=N], nic:NAME or replay:FILE (a capture).\n"
-      "Exit codes: 0 done, 1 the answer is no, 2 usage, 3 bus or file error.",
-      "synclinectl"};
-  app.require_subcommand(1);
-  app.set_version_flag("--version", std::string("synclinectl ") + SYNCLINE_VERSION);
+void add_commands(CLI::App& app, Context& context) {
   add_adapters_command(app, context);
   add_scan_command(app, context);
   add_sii_command(app, context);
@@ -48,15 +29,95 @@ int run(const std::vector<std::string>& arguments, Console console) {
   add_compare_command(app, context);
   add_run_command(app, context);
   add_simulate_command(app, context);
+}
 
-  auto reversed = arguments;  // CLI11 takes them last first
-  std::reverse(reversed.begin(), reversed.end());
-  try {
-    app.parse(reversed);
-  } catch (const CLI::ParseError& error) {
-    const int code = app.exit(error, console.out, console.err);
-    return code == 0 ? kDone : kUsage;
+/// A slave whose EEPROM is half written may not come up at its next power-on: said until it is mended.
+void offer_to_finish(Context& context, const std::vector<std::string>& arguments) {
+  if (arguments.size() > 1 && arguments[0] == "sii" && arguments[1] == "finish") return;
+  for (const auto& journal : pending_journals()) {
+    context.console.err << fmt::format(
+        "warning: writing the EEPROM of slave {0} on {1} was cut short ({2} UTC); end it with \"synclinectl sii finish "
+        "{1} {0}\", "
+        "or take it back with --undo\n",
+        journal.position, journal.link, journal.begun);
   }
+}
+
+/// Runs the command and whatever it throws to its end.
+void execute(CLI::App& app, Context& context, std::vector<std::string> arguments) {
+  std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them last first
+  try {
+    app.parse(std::move(arguments));
+  } catch (const CLI::Success& asked) {  // --help, --version
+    (void)app.exit(asked, context.console.out, context.console.err);
+    context.json = false;
+  } catch (const CLI::Error& error) {
+    (void)app.exit(error, context.console.out, context.console.err);
+    context.note_error(error.what());
+    context.exit_code = kUsage;
+  } catch (const std::bad_alloc&) {
+    context.fail_with_words("there is not enough memory for this", kFailed);
+  } catch (const std::exception& error) {
+    context.fail_with_words(fmt::format("this should not have happened: {}", error.what()), kFailed);
+  }
+}
+
+}  // namespace
+
+void Context::fail_with(const Error& error) {
+  console.err << "synclinectl: " << describe(error) << '\n' << std::flush;
+  const bool usage = error.code == ErrorCode::kBadValue || error.code == ErrorCode::kUnknownKey;
+  exit_code = usage ? kUsage : kFailed;
+  if (!error_.is_null()) return;
+  note_error(describe(error));
+  if (!error.subject.empty()) error_["subject"] = error.subject;
+  if (!error.file.empty()) error_["file"] = error.file;
+  if (error.line > 0) error_["line"] = error.line;
+}
+
+void Context::fail_with_words(const std::string& words, int code) {
+  console.err << "synclinectl: " << words << '\n';
+  note_error(words);
+  exit_code = code;
+}
+
+void Context::note_error(const std::string& words) {
+  if (error_.is_null()) error_ = {{"message", words}};
+}
+
+void Context::warn(const Error& error) { console.err << "warning: " << describe(error) << '\n'; }
+
+void Context::finish() {
+  if (json) {
+    if (result_.is_null()) result_ = Json::object();
+    if (!error_.is_null()) result_["error"] = std::move(error_);
+    console.out << result_.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+  }
+  if (console.out.flush()) return;
+  console.err << "synclinectl: the output could not be written as a whole; is the disk full?\n";
+  exit_code = kFailed;
+}
+
+std::string hex(std::uint64_t value, int digits) { return fmt::format("0x{:0{}x}", value, digits); }
+
+std::string mac_text(const std::array<std::uint8_t, 6>& mac) {
+  return fmt::format("{:02x}:{:02x}:{:02x}:{:02x}:{:02x}:{:02x}", mac[0], mac[1], mac[2], mac[3], mac[4], mac[5]);
+}
+
+int run(const std::vector<std::string>& arguments, Console console) {
+  Context context{console};
+  context.json = std::ranges::find(arguments, "--json") != arguments.end();
+  CLI::App app{
+      "synclinectl: EtherCAT configurator and synchronisation monitor without a window.\n"
+      "LINK is sim:FILE[?virtual][&seed=N], nic:NAME or replay:FILE (a capture).\n"
+      "Exit codes: 0 done, 1 the answer is no, 2 usage, 3 bus or file error.",
+      "synclinectl"};
+  app.require_subcommand(1);
+  app.set_version_flag("--version", std::string("synclinectl ") + SYNCLINE_VERSION);
+  add_commands(app, context);
+  offer_to_finish(context, arguments);
+  execute(app, context, arguments);
+  context.finish();
   return context.exit_code;
 }
 

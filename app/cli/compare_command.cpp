@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "app/cli/context.h"
+#include "app/cli/interrupt.h"
 #include "app/cli/counted.h"
 #include "app/composition/compare_bus.h"
 #include "app/composition/load_config.h"
@@ -74,7 +75,8 @@ Result<Compared> compare_any(const Options& options) {
   if (!left) return tl::unexpected(left.error());
   Compared out;
   if (is_link(options.right)) {
-    auto bus = compare_bus(left->config, options.right, {.look_only = options.look_only});
+    const InterruptGuard interrupt;
+    auto bus = compare_bus(left->config, options.right, {.look_only = options.look_only}, &interrupt.interrupted());
     if (!bus) return tl::unexpected(bus.error());
     return Compared{std::move(bus->differences), {}, std::move(bus->findings)};
   }

@@ -7,6 +7,7 @@
 #include <CLI/Option.hpp>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 
 #include "app/cli/cli.h"
 #include "support/result.h"
@@ -17,14 +18,26 @@ namespace syncline::cli {
 using Json = nlohmann::ordered_json;
 
 /// What a sub-command needs and leaves behind.
-struct Context {
+class Context {
+ public:
+  explicit Context(Console own_console) : console(own_console) {}
   Console console;
   int exit_code = kDone;
+  bool json = false;  // one object is wanted, whatever happens
 
-  /// Prints the error and sets the exit code: 2 for a key or value that is not accepted, else 3.
+  /// Says the error and sets the exit code: 2 for a key or value that is not accepted, else 3. The first one also becomes
+  /// "error" of the JSON object.
   void fail_with(const Error& error);
+  void fail_with_words(const std::string& words, int code);
+  void note_error(const std::string& words);
   void warn(const Error& error);
-  void print(const Json& json) { console.out << json.dump(2) << '\n'; }
+  /// The command's JSON object; printed when the command is over, with its error if there was one.
+  void print(Json json_object) { result_ = std::move(json_object); }
+  /// Prints what is left to print; exit code 3 when the output could not be written.
+  void finish();
+
+ private:
+  Json result_, error_;
 };
 
 void add_adapters_command(CLI::App& app, Context& context);

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "app/cli/context.h"
+#include "app/cli/interrupt.h"
 #include "app/composition/load_config.h"
 #include "app/composition/open_bus.h"
 #include "dc/delay_text.h"
@@ -33,14 +34,14 @@ struct Segment {
   }
 };
 
-Result<Segment> open_segment(const Options& options) {
+Result<Segment> open_segment(const Options& options, const InterruptGuard& interrupt) {
   Segment segment;
   if (!options.file.empty()) {
     auto compiled = load_config(options.file, {}, options.network);
     if (!compiled) return tl::unexpected(compiled.error());
     segment.config = std::move(compiled->config);
   }
-  auto open = OpenBus::open(options.link);
+  auto open = OpenBus::open(options.link, &interrupt.interrupted());
   if (!open) return tl::unexpected(open.error());
   segment.open = std::move(*open);
   const auto count = count_slaves(segment.open->bus());
@@ -130,7 +131,8 @@ void print_status(Context& context, const Segment& segment, const std::vector<Cl
 }
 
 void show_status(Context& context, const Options& options) {
-  auto segment = open_segment(options);
+  const InterruptGuard interrupt;
+  auto segment = open_segment(options, interrupt);
   if (!segment) return context.fail_with(segment.error());
   const auto clocks = survey_clocks(segment->open->bus(), segment->addresses);
   if (!clocks) return context.fail_with(clocks.error());
@@ -181,7 +183,8 @@ void print_delays(Context& context, const Segment& segment, const DelaySurvey& s
 }
 
 void show_delays(Context& context, const Options& options) {
-  auto segment = open_segment(options);
+  const InterruptGuard interrupt;
+  auto segment = open_segment(options, interrupt);
   if (!segment) return context.fail_with(segment.error());
   const auto settings = segment->config ? segment->config->dc : DcMasterSettings{};
   const auto survey = survey_delays(segment->open->bus(), segment->addresses, options.look_only ? 0 : options.rounds,

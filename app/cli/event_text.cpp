@@ -60,6 +60,7 @@ std::string_view kind_name(EventKind kind) {
     case EventKind::kDelaysMeasured: return "delays_measured";
     case EventKind::kPortErrors: return "port_errors";
     case EventKind::kWatchdog: return "watchdog";
+    case EventKind::kLink: return "link";
     default: return "other";
   }
 }
@@ -192,6 +193,9 @@ std::string words(const Event& e) {
     case EventKind::kWatchdog:
       return e.a == 0 ? fmt::format("{}: process data watchdog expired ({} times)", who(e.slave), e.b)
                       : fmt::format("{}: PDI watchdog expired ({} times): its firmware is silent", who(e.slave), e.b);
+    case EventKind::kLink:
+      return e.a == 0 ? fmt::format("network adapter {} is DOWN, gone or without carrier: waiting for it", e.text)
+                      : fmt::format("network adapter {} is up again after {} ms", e.text, e.b / kMillisecond);
     case EventKind::kRestarted: return e.text;
     default: return e.text;
   }

@@ -4,8 +4,8 @@
 #include <memory>
 
 #include "app/cli/visit_options.h"
-#include "app/composition/whole_file.h"
 #include "master/foe_client.h"
+#include "support/whole_file.h"
 
 namespace syncline::cli {
 namespace {
@@ -43,7 +43,7 @@ void write_file(Context& context, const Options& options) {
   const auto bytes = read_whole_file(options.file);
   if (!bytes) return context.fail_with(bytes.error());
   with_mailbox(context, options.slave, [&](SlaveVisit& visit) -> Status {
-    if (auto status = FoeClient(visit.mailbox()).write(options.name, *bytes, options.password); !status) return status;
+    if (auto status = FoeClient(visit.mailbox()).write(options.name, bytes_of(*bytes), options.password); !status) return status;
     report(context, options, bytes->size(), true);
     return {};
   }, options.boot);

@@ -1,25 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <atomic>
+#include "support/stop_signals.h"
 
 namespace syncline::cli {
 
-/// While it lives, Ctrl-C (SIGINT) and SIGTERM end the work, not the program: what runs takes itself down and
-/// the report is printed. One at a time.
-class InterruptGuard {
- public:
-  InterruptGuard();
-  ~InterruptGuard();
-  InterruptGuard(const InterruptGuard&) = delete;
-  InterruptGuard& operator=(const InterruptGuard&) = delete;
-
-  /// Set by the signal.
-  [[nodiscard]] const std::atomic<bool>& interrupted() const;
-
- private:
-  using Handler = void (*)(int);
-  Handler previous_interrupt_, previous_terminate_;
-};
+/// Around whatever touches a bus, so that it is left in order and the report printed.
+using InterruptGuard = StopSignals;
 
 }  // namespace syncline::cli

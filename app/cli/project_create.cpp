@@ -5,6 +5,7 @@
 
 #include "app/cli/findings_text.h"
 #include "app/cli/identity_text.h"
+#include "app/cli/interrupt.h"
 #include "app/composition/open_bus.h"
 #include "app/composition/scan_bus.h"
 #include "config/recover/recover_project.h"
@@ -66,13 +67,17 @@ Result<Project> build(Context& context, const CreateOptions& options, RecoveredP
   if (!catalogue) return tl::unexpected(catalogue.error());
   if (!options.eni.empty()) return recover(context, options, *catalogue, recovered);
   if (!options.scan.empty()) {
-    const auto scan = scan_bus(options.scan);
+    const InterruptGuard interrupt;
+    ScanRequest request;
+    request.cancel = &interrupt.interrupted();
+    const auto scan = scan_bus(options.scan, request);
     if (!scan) return tl::unexpected(scan.error());
     auto built = eni::project_from_scan(*scan, *catalogue);
     if (options.read_dictionaries && eni::has_undescribed_slaves(built)) {
-      const auto bus = OpenBus::open(options.scan);
+      const auto bus = OpenBus::open(options.scan, request.cancel);
       if (!bus) return tl::unexpected(bus.error());
       eni::describe_slaves(built, (*bus)->bus());
+      if (interrupt.interrupted()) return fail(ErrorCode::kCancelled);
     }
     for (const auto& warning : built.warnings) context.warn(warning);
     return std::move(built.project);

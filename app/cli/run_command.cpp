@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <fstream>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "app/cli/context.h"
 #include "app/cli/duration.h"
@@ -16,6 +16,8 @@
 #include "app/cli/run_overrides.h"
 #include "app/composition/run_network.h"
 #include "sim/host_profile_file.h"
+#include "support/output_file.h"
+#include "support/whole_file.h"
 #include "trace/csv.h"
 #include "trace/dcm_log.h"
 #include "trace/host_recorder.h"
@@ -29,36 +31,42 @@ struct Options {
   bool json = false, lateness = false, every_event = false;
 };
 
-/// Streams text to FILE.part; the name appears when the run is over.
-class StreamedFile {
+/// One table of a run. When writing fails that is said at once, and the run goes on without it.
+class SideFile {
  public:
+  explicit SideFile(Context& context) : context_(context) {}
   Status open(const std::string& path, const std::string& header) {
-    path_ = path;
-    out_.open(path + ".part", std::ios::binary | std::ios::trunc);
-    if (!out_) return fail(Error{ErrorCode::kFileNotWritable, {}, "cannot create it", path});
-    out_ << header;
-    return {};
+    auto file = OutputFile::create(path);
+    if (!file) return tl::unexpected(file.error());
+    file_.emplace(std::move(*file));
+    return file_->write(header);
   }
-  void add(const std::string& text) { out_ << text; }
-  [[nodiscard]] bool is_open() const { return !path_.empty(); }
-  Status finish() {
-    out_.close();
-    if (out_.fail() || std::rename((path_ + ".part").c_str(), path_.c_str()) != 0) {
-      return fail(Error{ErrorCode::kFileNotWritable, {}, "writing failed; is the disk full?", path_});
-    }
-    return {};
+  [[nodiscard]] bool is_open() const { return file_.has_value(); }
+  void add(const std::string& text) {
+    keep(file_->write(text));
+    if (file_) keep(file_->flush());
+  }
+  void finish() {
+    if (file_) keep(file_->finish());
+    file_.reset();
   }
 
  private:
-  std::string path_;
-  std::ofstream out_;
+  void keep(const Status& status) {
+    if (status) return;
+    context_.fail_with(status.error());
+    file_.reset();
+  }
+
+  Context& context_;
+  std::optional<OutputFile> file_;
 };
 
 /// The tables of a run that are written while it goes on.
 class RunFiles {
  public:
-  RunFiles(const NetworkConfig& config)
-      : log_(effective_set_value(config.dc.dcm, config.cycle_time()), config.cycle_time()) {}
+  RunFiles(Context& context, const NetworkConfig& config)
+      : csv_(context), log_file_(context), log_(effective_set_value(config.dc.dcm, config.cycle_time()), config.cycle_time()) {}
   Status open(const std::string& csv, const std::string& dcm_log) {
     auto status = Status{};
     if (!csv.empty()) status = csv_.open(csv, sample_csv_header());
@@ -79,14 +87,13 @@ class RunFiles {
     log_file_.add(text_);
   }
   void note(const Snapshot& snapshot) { log_.set_start_time(snapshot.dc.start_time); }
-  Status finish() {
-    auto status = csv_.is_open() ? csv_.finish() : Status{};
-    if (auto log = log_file_.is_open() ? log_file_.finish() : Status{}; status) status = log;
-    return status;
+  void finish() {
+    csv_.finish();
+    log_file_.finish();
   }
 
  private:
-  StreamedFile csv_, log_file_;
+  SideFile csv_, log_file_;
   DcmLog log_;
   std::string text_;
 };
@@ -98,9 +105,7 @@ Status save_host(const Options& options, const HostRecorder& host, const Network
   }
   const auto about = fmt::format("Measured by synclinectl run on {}: {} cycles of {} us in OP.", options.link, host.cycles(),
                                  config.cycle_time() / kMicrosecond);
-  StreamedFile file;
-  if (auto status = file.open(options.save_host, sim::host_profile_text(host.profile(), about)); !status) return status;
-  return file.finish();
+  return write_whole_file(options.save_host, sim::host_profile_text(host.profile(), about));
 }
 
 void execute(Context& context, const Options& options) {
@@ -116,7 +121,7 @@ void execute(Context& context, const Options& options) {
     return;
   }
 
-  RunFiles files(compiled->config);
+  RunFiles files(context, compiled->config);
   // The manual's name for a log that is on without another name.
   const bool log_is_on = options.dcm_log.empty() && compiled->config.dc.dcm.log;
   if (auto status = files.open(options.csv, log_is_on ? "dcmlog0.0.csv" : options.dcm_log); !status) return context.fail_with(status.error());
@@ -124,6 +129,7 @@ void execute(Context& context, const Options& options) {
   request.target = *target;
   request.duration = *duration;
   request.capture = options.capture;
+  request.on_capture_lost = [&context](const Error& error) { context.fail_with(error); };
   std::optional<Nanoseconds> first;
   Json events = Json::array();
   EventLines lines([&context](const std::string& line) { context.console.err << line << '\n'; }, !options.every_event);
@@ -153,19 +159,20 @@ void execute(Context& context, const Options& options) {
   const auto outcome = run_network(compiled->config, options.link, request);
   lines.tell_all();
   if (!outcome) return context.fail_with(outcome.error());
-  if (auto status = files.finish(); !status) return context.fail_with(status.error());
+  files.finish();
   if (!options.save_host.empty()) {
-    if (auto status = save_host(options, host, compiled->config); !status) return context.fail_with(status.error());
+    if (auto status = save_host(options, host, compiled->config); !status) context.fail_with(status.error());
   }
   if (options.json) {
     auto json = to_json(outcome->report);
     json["events"] = std::move(events);
     if (options.lateness) json["lateness"] = lateness.json();
-    context.print(json);
+    context.print(std::move(json));
   } else {
     context.console.out << to_text(outcome->report);
     if (options.lateness) context.console.out << lateness.text();
   }
+  if (outcome->left_behind) context.fail_with(*outcome->left_behind);
   if (!is_good(outcome->report, *target)) context.exit_code = kAnswerIsNo;
   if (!outcome->error) return;
   context.fail_with(*outcome->error);

@@ -42,26 +42,44 @@ Json ports_json(const DlStatus& status) {
   return ports;
 }
 
+/// Null for what a capture does not say.
+template <class Value>
+Json known(bool unknown, Value value) {
+  return unknown ? Json() : Json(std::move(value));
+}
+
 Json to_json(const ScannedSlave& slave) {
+  const auto& unknown = slave.unknown;
   Json row{{"position", slave.position},
            {"name", name_of(slave)},
-           {"vendor_id", hex(slave.identity.vendor_id, 8)},
-           {"product_code", hex(slave.identity.product_code, 8)},
-           {"revision_no", hex(slave.identity.revision_no, 8)},
-           {"serial_no", slave.identity.serial_no},
-           {"alias", slave.alias},
-           {"state", al_state_name(al_state_of(slave.al_status))},
-           {"dc", dc_text(slave.dc)},
-           {"dl_status", hex(slave.dl_status.value, 4)}};
+           {"vendor_id", known(unknown.vendor_id, hex(slave.identity.vendor_id, 8))},
+           {"product_code", known(unknown.product_code, hex(slave.identity.product_code, 8))},
+           {"revision_no", known(unknown.revision_no, hex(slave.identity.revision_no, 8))},
+           {"serial_no", known(unknown.serial_no, slave.identity.serial_no)},
+           {"alias", known(unknown.alias, slave.alias)},
+           {"state", known(unknown.state, al_state_name(al_state_of(slave.al_status)))},
+           {"dc", known(unknown.dc, dc_text(slave.dc))},
+           {"dl_status", known(unknown.ports, hex(slave.dl_status.value, 4))}};
   if (slave.previous) row["previous"] = {{"position", slave.previous->position}, {"port", slave.previous->port}};
   row["station_address"] = slave.station_address;
   row["device_id"] = slave.device_id ? Json(*slave.device_id) : Json();
-  row["error"] = (slave.al_status & kAlErrorFlag) != 0;
-  row["al_status_code"] = hex(slave.al_status_code, 4);
-  row["entry_port"] = slave.entry_port;
-  row["ports"] = ports_json(slave.dl_status);
+  row["error"] = known(unknown.state, (slave.al_status & kAlErrorFlag) != 0);
+  row["al_status_code"] = known(unknown.state, hex(slave.al_status_code, 4));
+  row["entry_port"] = known(unknown.ports, slave.entry_port);
+  row["ports"] = known(unknown.ports, ports_json(slave.dl_status));
   row["sii_error"] = slave.sii_error ? Json(describe(*slave.sii_error)) : Json();
   return row;
+}
+
+constexpr std::string_view kUnknown = "unknown";
+
+/// "0x00000002:0x044c2c52:unknown".
+std::string identity_of(const ScannedSlave& slave) {
+  const auto& unknown = slave.unknown;
+  if (!unknown.vendor_id && !unknown.product_code && !unknown.revision_no) return to_string(slave.identity);
+  const auto part = [](bool is_unknown, std::uint32_t value) { return is_unknown ? std::string(kUnknown) : hex(value, 8); };
+  return fmt::format("{}:{}:{}", part(unknown.vendor_id, slave.identity.vendor_id),
+                     part(unknown.product_code, slave.identity.product_code), part(unknown.revision_no, slave.identity.revision_no));
 }
 
 /// "AB" when ports A and B are open, "a" for a link that frames do not pass.
@@ -78,10 +96,12 @@ std::string ports_text(const DlStatus& status) {
 }
 
 std::string state_of(const ScannedSlave& slave) {
+  if (slave.unknown.state) return std::string(kUnknown);
   return fmt::format("{}{}", al_state_name(al_state_of(slave.al_status)), (slave.al_status & kAlErrorFlag) != 0 ? "+E" : "");
 }
 
 std::string behind_text(const BusScan& scan, const ScannedSlave& slave) {
+  if (slave.unknown.ports && slave.position > 0) return std::string(kUnknown);
   if (!slave.previous) return slave.position == 0 || scan.slaves.size() == 1 ? "master" : "?";
   return fmt::format("{} port {}", slave.previous->position, static_cast<char>('A' + slave.previous->port));
 }
@@ -91,8 +111,10 @@ void print_table(std::ostream& out, const BusScan& scan) {
                      "ALIAS", "ID", "STATE", "DC", "PORTS", "BEHIND");
   for (const auto& slave : scan.slaves) {
     out << fmt::format("{:>4} {:<12} {:<32} {:>6} {:>6} {:<8} {:<6} {:<5} {}\n", slave.position, name_of(slave),
-                       to_string(slave.identity), slave.alias, slave.device_id ? fmt::to_string(*slave.device_id) : "-",
-                       state_of(slave), dc_text(slave.dc), ports_text(slave.dl_status), behind_text(scan, slave));
+                       identity_of(slave), slave.unknown.alias ? "?" : fmt::to_string(slave.alias),
+                       slave.device_id ? fmt::to_string(*slave.device_id) : "-", state_of(slave),
+                       slave.unknown.dc ? "?" : dc_text(slave.dc), slave.unknown.ports ? "?" : ports_text(slave.dl_status),
+                       behind_text(scan, slave));
   }
   out << fmt::format("{}{}\n", counted(scan.slaves.size(), "slave"), scan.look_only ? ", looked at only" : "");
 }
@@ -121,6 +143,7 @@ void scan(Context& context, const Options& options) {
   request.options.look_only = options.look_only;
   request.cancel = &interrupt.interrupted();
   request.capture = options.capture;
+  request.on_capture_lost = [&context](const Error& error) { context.fail_with(error); };
   request.on_event = [&context](const Event& event) {
     if (event.kind != EventKind::kScanTouchesRunning) return;
     context.console.err << "warning: " << event_text(event, event.time) << '\n' << std::flush;

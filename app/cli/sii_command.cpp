@@ -14,7 +14,7 @@ struct Options {
   EepromRequest slave;
   std::string file;
   std::uint16_t alias = 0;
-  bool json = false;
+  bool json = false, undo = false;
 };
 
 void save(Context& context, const Options& options) {
@@ -80,6 +80,14 @@ void add_sii_command(CLI::App& app, Context& context) {
   alias->callback(interruptible(naming, [&context](const Options& options) {
     print_report(context, options, set_eeprom_alias(options.slave, options.alias),
                  fmt::format("the alias is {}", options.alias));
+  }));
+
+  auto finishing = std::make_shared<Options>();
+  auto* finish = add_slave_command(*sii, finishing, "finish", "End a write that was cut short because the program was killed");
+  finish->add_flag("--undo", finishing->undo, "Put back what the EEPROM held before that write");
+  finish->callback(interruptible(finishing, [&context](const Options& options) {
+    print_report(context, options, finish_eeprom(options.slave, options.undo),
+                 options.undo ? "the write is taken back" : "the write is finished");
   }));
 }
 

@@ -72,6 +72,7 @@ void change_state(Context& context, const Options& options) {
   const InterruptGuard interrupt;
   auto slave = options.slave;
   slave.cancel = &interrupt.interrupted();
+  slave.on_left = [&context](const Error& error) { context.warn(error); };
   const auto work = [&](SlaveVisit& visit) -> Status {
     if (auto status = visit.lead_to(*target); !status) return status;
     if (options.json) {

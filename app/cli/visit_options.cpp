@@ -16,6 +16,7 @@ void add_slave_options(CLI::App& command, VisitRequest& slave, bool& json) {
 void with_mailbox(Context& context, VisitRequest slave, const std::function<Status(SlaveVisit&)>& work, bool boot) {
   const InterruptGuard interrupt;
   slave.cancel = &interrupt.interrupted();
+  slave.on_left = [&context](const Error& error) { context.warn(error); };
   const auto done = visit_slave(slave, [&](SlaveVisit& visit) -> Status {
     visit.set_emergency_handler([&](const coe::Emergency& emergency) {
       context.console.err << fmt::format("{}: emergency 0x{:04X}, error register 0x{:02X}\n", visit.name(),

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include "app/composition/open_link.h"
+#include "link/capture_tap.h"
 
 namespace syncline {
 
-/// From now on every frame of the link is written to this pcapng file; "": none. kFileNotWritable.
-[[nodiscard]] Status capture_to(const std::string& file, OpenedLink& opened);
-/// Whether the capture is whole; after the link is gone. kFileNotWritable when writing failed on the way.
-[[nodiscard]] Status capture_complete(const std::string& file);
+/// From now on every frame of the link is written to this pcapng file, which is complete when the link is gone and the
+/// state has not failed. Null for "": no capture. kFileNotWritable when the file cannot be made.
+[[nodiscard]] Result<std::shared_ptr<const CaptureState>> capture_to(const std::string& file, OpenedLink& opened);
 
 }  // namespace syncline

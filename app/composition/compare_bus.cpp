@@ -8,8 +8,9 @@
 
 namespace syncline {
 
-Result<ComparedBus> compare_bus(const NetworkConfig& config, std::string_view link, const ScanOptions& options) {
-  auto opened = OpenBus::open(link);
+Result<ComparedBus> compare_bus(const NetworkConfig& config, std::string_view link, const ScanOptions& options,
+                                const std::atomic<bool>* cancel) {
+  auto opened = OpenBus::open(link, cancel);
   if (!opened) return tl::unexpected(opened.error());
   Bus& bus = (*opened)->bus();
   const auto scan = scan_slaves(bus, options);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <atomic>
 #include <string_view>
 #include <vector>
 
@@ -18,6 +19,6 @@ struct ComparedBus {
 
 /// Scans the bus behind a LINK and compares it with a configuration. Errors as scan_bus().
 [[nodiscard]] Result<ComparedBus> compare_bus(const NetworkConfig& config, std::string_view link,
-                                              const ScanOptions& options = {});
+                                              const ScanOptions& options = {}, const std::atomic<bool>* cancel = nullptr);
 
 }  // namespace syncline

@@ -5,13 +5,12 @@
 
 #include <utility>
 
-#include "app/composition/capture_file.h"
 #include "master/bus_scanner.h"
 
 namespace syncline {
 
-OpenBus::OpenBus(OpenedLink opened, const std::atomic<bool>* cancel)
-    : opened_(std::move(opened)), exchange_(*opened_.link, *opened_.clock), bus_(exchange_, *opened_.clock, cancel) {
+OpenBus::OpenBus(OpenedLink opened, std::shared_ptr<const CaptureState> capture, const std::atomic<bool>* cancel)
+    : capture_(std::move(capture)), opened_(std::move(opened)), exchange_(*opened_.link, *opened_.clock), bus_(exchange_, *opened_.clock, cancel) {
   exchange_.set_addresses({0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF}, opened_.link->describe().mac);
 }
 
@@ -19,8 +18,9 @@ Result<std::unique_ptr<OpenBus>> OpenBus::open(std::string_view link, const std:
                                                const std::string& capture) {
   auto opened = open_link(link);
   if (!opened) return tl::unexpected(opened.error());
-  if (auto status = capture_to(capture, *opened); !status) return tl::unexpected(status.error());
-  return std::unique_ptr<OpenBus>(new OpenBus(std::move(*opened), cancel));
+  auto state = capture_to(capture, *opened);
+  if (!state) return tl::unexpected(state.error());
+  return std::unique_ptr<OpenBus>(new OpenBus(std::move(*opened), std::move(*state), cancel));
 }
 
 Result<std::unique_ptr<OpenBus>> OpenBus::open_for_slave(std::string_view link, std::uint16_t position,

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "app/composition/capture_file.h"
 #include "app/composition/open_link.h"
 #include "master/bus.h"
 
@@ -25,10 +26,15 @@ class OpenBus {
   OpenBus& operator=(const OpenBus&) = delete;
 
   [[nodiscard]] Bus& bus() { return bus_; }
+  /// What the capture that is replayed proves; null: a bus that lives.
+  [[nodiscard]] const std::shared_ptr<const ReplayNotes>& replay() const { return opened_.replay; }
+  /// How the capture fares, null without one; complete when this is gone.
+  [[nodiscard]] const std::shared_ptr<const CaptureState>& capture() const { return capture_; }
 
  private:
-  OpenBus(OpenedLink opened, const std::atomic<bool>* cancel);
+  OpenBus(OpenedLink opened, std::shared_ptr<const CaptureState> capture, const std::atomic<bool>* cancel);
 
+  std::shared_ptr<const CaptureState> capture_;
   OpenedLink opened_;
   FrameExchange exchange_;
   Bus bus_;

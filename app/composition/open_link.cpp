@@ -51,10 +51,12 @@ Result<OpenedLink> open_link(std::string_view text) {
     case LinkKind::kReplay: {
       OpenedLink opened;
       auto clock = std::make_unique<VirtualClock>();
-      auto link = make_replay_link(parsed->target, *clock);
+      auto notes = std::make_shared<ReplayNotes>();
+      auto link = make_replay_link(parsed->target, *clock, notes.get());
       if (!link) return tl::unexpected(link.error());
       opened.clock = std::move(clock);
       opened.link = std::move(*link);
+      opened.replay = std::move(notes);
       return opened;
     }
   }

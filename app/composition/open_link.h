@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "link/link.h"
+#include "link/replay/replay_link.h"
 #include "support/clock.h"
 #include "support/result.h"
 
@@ -15,6 +16,7 @@ namespace syncline {
 struct OpenedLink {
   std::unique_ptr<Clock> clock;
   std::unique_ptr<Link> link;
+  std::shared_ptr<const ReplayNotes> replay;  // of a capture; null: a bus that lives
 };
 
 /// Opens "sim:FILE[?virtual][&seed=N]", "nic:NAME" or "replay:FILE". Errors name the file, line and key of a scenario,

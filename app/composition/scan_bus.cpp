@@ -1,10 +1,43 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/composition/scan_bus.h"
 
-#include "app/composition/capture_file.h"
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "app/composition/open_bus.h"
 
 namespace syncline {
+namespace {
+
+/// What the scan found in a capture and what it only seems to have found.
+void mark_unknown(BusScan& scan, const ReplayNotes& notes, const std::string& file) {
+  for (auto& slave : scan.slaves) {
+    if (slave.position >= notes.slaves.size()) continue;
+    const auto& note = notes.slaves[slave.position];
+    slave.unknown = {!note.vendor_id, !note.product_code, !note.revision_no, !note.serial_no,
+                     !note.alias,     !note.state,        !note.ports,       !note.dc};
+    if (slave.sii_error) {
+      slave.sii_error = Error{ErrorCode::kScanScope, fmt::format("slave {}", slave.position),
+                              fmt::format("its EEPROM, of which the capture holds {} words", note.sii_words)};
+    }
+  }
+  // Of wiring that nobody recorded nothing can be wrong.
+  const bool no_ports = std::ranges::any_of(notes.slaves, [](const auto& note) { return !note.ports; });
+  if (no_ports) std::erase_if(scan.findings, [](const Error& finding) { return finding.code == ErrorCode::kWiring; });
+  if (notes.cut_frames > 0) {
+    scan.findings.push_back({ErrorCode::kScanScope, file,
+                             fmt::format("{} of its {} frames, which were captured in part only; capture whole frames (tcpdump -s 0)",
+                                         notes.cut_frames, notes.frames)});
+  }
+  if (notes.broken_off) {
+    scan.findings.push_back({ErrorCode::kScanScope, file,
+                             fmt::format("what came after frame {}: the file breaks off there ({})", notes.frames, notes.broken_off->detail)});
+  }
+}
+
+}  // namespace
+
 
 Result<BusScan> scan_bus(std::string_view link, const ScanRequest& request) {
   auto opened = OpenBus::open(link, request.cancel, request.capture);
@@ -25,8 +58,10 @@ Result<BusScan> scan_bus(std::string_view link, const ScanRequest& request) {
     tell(EventKind::kScanTouchesRunning, running, eeproms);
   };
   auto found = scan_slaves(bus, request.options, observer);
-  opened->reset();  // completes the capture
-  if (auto status = capture_complete(request.capture); found && !status) return tl::unexpected(status.error());
+  if (const auto notes = (*opened)->replay(); found && notes) mark_unknown(*found, *notes, std::string(link));
+  const auto capture = (*opened)->capture();
+  opened->reset();  // completes it
+  if (capture && capture->failed() && request.on_capture_lost) request.on_capture_lost(capture->error());
   return found;
 }
 

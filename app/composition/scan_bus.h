@@ -18,6 +18,7 @@ struct ScanRequest {
   std::function<void(const Event&)> on_event{};   // progress and warnings, while the scan runs
   const std::atomic<bool>* cancel = nullptr;
   std::string capture{};                          // pcapng file of every frame; "" for none
+  std::function<void(const Error&)> on_capture_lost{};  // writing it failed; the scan goes on
 };
 
 /// Opens `link`, scans the bus in the calling thread and closes it again.

@@ -9,10 +9,18 @@ Status visit_slave(const VisitRequest& request, const std::function<Status(Slave
   auto& bus = (*opened)->bus();
   SlaveVisit visit(bus, request.position);
   if (auto status = visit.look(); !status) return status;
-  const auto done = work(visit);
-  if (keep_state) return done;
+  Status done;
+  try {
+    done = work(visit);
+  } catch (...) {
+    (void)visit.leave();
+    throw;
+  }
+  if (keep_state && done) return done;
   const auto left = visit.leave();
-  return done ? left : done;
+  if (done) return left;
+  if (!left && request.on_left) request.on_left(left.error());
+  return done;
 }
 
 }  // namespace syncline

@@ -14,10 +14,11 @@ struct VisitRequest {
   std::string link;
   std::uint16_t position = 0;
   const std::atomic<bool>* cancel = nullptr;
+  std::function<void(const Error&)> on_left{};  // the slave could not be left as it was found, and the work failed, too
 };
 
 /// Opens the link and looks at the slave, does `work`, and leaves the slave as it was found unless `keep_state`.
-/// The first error counts. kNoResponse when there is no such slave.
+/// When the work fails, or throws, or keep_state is not reached, it is left as it was found, too. The first error counts. kNoResponse when there is no such slave.
 [[nodiscard]] Status visit_slave(const VisitRequest& request, const std::function<Status(SlaveVisit&)>& work,
                                  bool keep_state = false);
 

@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <signal.h>
+
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QSettings>
+#include <QSocketNotifier>
 #include <QTimer>
+#include <cstdio>
+#include <exception>
 
 #include "app/composition/open_link.h"
+#include "app/composition/eeprom_journal.h"
 #include "app/gui/screenshots.h"
+#include "support/stop_signals.h"
 #include "ui/dialogs/bus_commands.h"
 #include "ui/dialogs/file_commands.h"
 #include "ui/main_window.h"
@@ -65,6 +72,31 @@ ui::Environment environment() {
   return environment;
 }
 
+/// What a handler throws must not tear the program down while slaves drive: the loop ends, and the end is the ordinary one.
+class Application final : public QApplication {
+ public:
+  using QApplication::QApplication;
+  bool notify(QObject* receiver, QEvent* event) override {
+    try {
+      return QApplication::notify(receiver, event);
+    } catch (const std::exception& error) {
+      std::fprintf(stderr, "syncline: this should not have happened: %s\n", error.what());
+    } catch (...) {
+      std::fputs("syncline: this should not have happened\n", stderr);
+    }
+    QApplication::exit(1);
+    return false;
+  }
+};
+
+/// A slave whose EEPROM is half written may not come up at its next power-on.
+void tell_cut_short() {
+  for (const auto& journal : pending_journals()) {
+    std::fprintf(stderr, "syncline: writing the EEPROM of slave %u on %s was cut short; end it with \"synclinectl sii finish %s %u\"\n",
+                 static_cast<unsigned>(journal.position), journal.link.c_str(), journal.link.c_str(), static_cast<unsigned>(journal.position));
+  }
+}
+
 void begin(const Options& options, ui::MainWindow& window, ui::Workspace& workspace) {
   if (!options.file.isEmpty()) window.files().openFile(options.file);
   if (!options.link.isEmpty()) workspace.setLink(options.link);
@@ -76,7 +108,8 @@ void begin(const Options& options, ui::MainWindow& window, ui::Workspace& worksp
 }  // namespace
 
 int main(int argc, char* argv[]) {
-  QApplication app(argc, argv);
+  ::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of that file
+  Application app(argc, argv);
   QApplication::setApplicationName(QStringLiteral("syncline"));
   QApplication::setOrganizationName(QStringLiteral("syncline"));
   QApplication::setApplicationVersion(QStringLiteral(SYNCLINE_VERSION));
@@ -92,6 +125,15 @@ int main(int argc, char* argv[]) {
   if (!options.screenshots.isEmpty()) {
     return renderScreenshots(window, workspace, workspace.environment().demo_link, options.screenshots) ? 0 : 1;
   }
+  // Asks nothing: who closes the terminal or shuts the machine down does not answer. The slaves go to INIT all the same.
+  const StopSignals stop;
+  QSocketNotifier asked_to_end(stop.descriptor(), QSocketNotifier::Read);
+  QObject::connect(&asked_to_end, &QSocketNotifier::activated, &app, [&] {
+    asked_to_end.setEnabled(false);
+    workspace.scan().cancel();
+    QApplication::exit(0);
+  });
+  tell_cut_short();
   QTimer::singleShot(0, &window, [&] { begin(options, window, workspace); });
   if (options.exit_after_ms > 0) QTimer::singleShot(options.exit_after_ms, &app, [] { QApplication::exit(0); });  // asks nothing, unlike quit()
   const int result = QApplication::exec();

@@ -16,6 +16,8 @@ enum class FindingCode : std::uint8_t {
   kSlaveAbsent,
   kSlaveAbsentBehindCable,
   kSlaveWasAbsent,
+  kAdapterAway,
+  kAdapterWasAway,
   // AL states
   kSlaveFell,
   kSlaveFellByMisses,

@@ -27,6 +27,16 @@ constexpr std::array<Row, kFindingCodes> kRows{{
      "slave-was-absent",
      {"No answer from {slaves} from {since} on, for {length} ({count} in all).",
       "A loose plug or a weak supply; the lost links of the ports say which cable."}},
+    {Code::kAdapterAway,
+     "adapter-away",
+     {"The network adapter {adapter} is down, gone or without carrier since {since}.",
+      "Check the plug at the host, and that the adapter is switched on (ip link set ... up); the bus comes back with it."}},
+    {Code::kAdapterWasAway,
+     "adapter-was-away",
+     {"The network adapter {adapter} was down, gone or without carrier from {since} on, for {length} ({count} in all); the "
+      "bus came back with it.",
+      "A loose plug at the host, or somebody who switches the adapter off: a network manager, power saving, the reset of a "
+      "USB adapter."}},
     {Code::kSlaveFell,
      "slave-fell",
      {"{slave} is in {state} with AL status code {alcode}{alarm}, since {since}.", "Check {check}."}},

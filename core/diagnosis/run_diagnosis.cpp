@@ -9,7 +9,7 @@ namespace syncline {
 
 std::vector<RunFinding> diagnose(const RunReport& report) {
   std::vector<RunFinding> findings;
-  for (const auto rule : {diagnosis::find_absent_slaves, diagnosis::find_states, diagnosis::find_clocks,
+  for (const auto rule : {diagnosis::find_link_outages, diagnosis::find_absent_slaves, diagnosis::find_states, diagnosis::find_clocks,
                           diagnosis::find_master_sync, diagnosis::find_missed_outputs, diagnosis::find_tight_sync0,
                           diagnosis::find_firmware, diagnosis::find_port_errors, diagnosis::find_lost_frames,
                           diagnosis::find_host, diagnosis::find_working_counters}) {

@@ -11,6 +11,7 @@ namespace {
 
 /// The segment's own life (watchdogs, SYNC units, mailboxes) goes on in steps of this when no frame comes.
 constexpr Nanoseconds kIdleStep = kMillisecond;
+constexpr Nanoseconds kAwayStep = 5 * kMillisecond;  // while the adapter is away
 /// Memory of how often the next frame came within the time of looking for it, and the share that is worth the processor.
 constexpr double kLuckMemory = 0.02, kWorthIt = 0.8;
 
@@ -37,8 +38,18 @@ const ResponderCounters& BusResponder::counters() {
 Status BusResponder::serve(Nanoseconds end, const std::atomic<bool>& stop) {
   while (!stop.load(std::memory_order_relaxed)) {
     const auto taken = take_frame();
-    if (!taken) return tl::unexpected(taken.error());
-    if (auto status = send_due(); !status) return status;
+    const auto sent = taken ? send_due() : Status(tl::unexpected(taken.error()));
+    if (!sent) {
+      if (sent.error().code != ErrorCode::kLinkDown) return sent;
+      // The cable is pulled: the segment lives on, and what was on its way is lost.
+      replies_.clear();
+      const auto now = clock_.now();
+      if (end > 0 && now >= end) return {};
+      bus_.advance_to(std::max(now, bus_time_));
+      bus_time_ = std::max(now, bus_time_);
+      clock_.sleep_until(now + kAwayStep);
+      continue;
+    }
     if (*taken) continue;
     const auto now = clock_.now();
     if (end > 0 && now >= end) return {};

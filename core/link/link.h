@@ -35,7 +35,8 @@ struct SendTimeField {
   Nanoseconds send_time = 0;   // for which the time was filled in
 };
 
-/// The bus, whatever it is: a network card, the simulated segment, a capture being replayed.
+/// The bus, whatever it is: a network card, the simulated segment, a capture being replayed. An adapter that is switched off,
+/// unplugged or has no carrier answers kLinkDown and works again as soon as it can: whoever waits only has to go on.
 /// Not thread-safe: the thread that runs the master owns it. send() and receive() allocate
 /// nothing unless they fail.
 class Link {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "link/pcapng_writer.h"
 
-#include <filesystem>
+#include <utility>
 #include <vector>
 
 #include "support/byte_order.h"
@@ -19,32 +19,32 @@ constexpr std::uint16_t kLinkTypeEthernet = 1;
 std::size_t padding(std::size_t size) { return (4 - size % 4) % 4; }
 
 /// Block type, total length, body, total length again.
-void write_block(std::ofstream& out, std::uint32_t type, const std::vector<std::uint8_t>& body) {
+Status write_block(OutputFile& out, std::uint32_t type, const std::vector<std::uint8_t>& body) {
   std::vector<std::uint8_t> block;
   const auto total = static_cast<std::uint32_t>(12 + body.size());
   ByteWriter(block).u32(type).u32(total).bytes(body).u32(total);
-  out.write(reinterpret_cast<const char*>(block.data()), static_cast<std::streamsize>(block.size()));
+  return out.write({reinterpret_cast<const char*>(block.data()), block.size()});
 }
 
 }  // namespace
 
-PcapngWriter::PcapngWriter(std::string path, std::ofstream out) : path_(std::move(path)), out_(std::move(out)) {
+PcapngWriter::PcapngWriter(OutputFile out) : out_(std::move(out)) {
   std::vector<std::uint8_t> section;
   ByteWriter(section).u32(0x1A2B3C4D).u16(1).u16(0).u64(~std::uint64_t{0});  // length not known
-  write_block(out_, kSectionHeader, section);
+  (void)write_block(out_, kSectionHeader, section);  // an error stays until the next one asks
   std::vector<std::uint8_t> interface;
   ByteWriter(interface).u16(kLinkTypeEthernet).u16(0).u32(0);
   ByteWriter(interface).u16(kOptionTimestampResolution).u16(1).u8(9).zeros(3).u32(0);  // 10^-9 s
-  write_block(out_, kInterfaceDescription, interface);
+  (void)write_block(out_, kInterfaceDescription, interface);
 }
 
 Result<PcapngWriter> PcapngWriter::create(const std::string& path) {
-  std::ofstream out(path + ".part", std::ios::binary | std::ios::trunc);
-  if (!out) return fail(Error{ErrorCode::kFileNotWritable, {}, "cannot create it", path});
-  return PcapngWriter(path, std::move(out));
+  auto out = OutputFile::create(path);
+  if (!out) return tl::unexpected(out.error());
+  return PcapngWriter(std::move(*out));
 }
 
-void PcapngWriter::write(std::span<const std::uint8_t> frame, Nanoseconds time, Direction direction) {
+Status PcapngWriter::write(std::span<const std::uint8_t> frame, Nanoseconds time, Direction direction) {
   const auto unix_time = static_cast<std::uint64_t>(time + kDcEpochUnixSeconds * kSecond);
   const auto size = static_cast<std::uint32_t>(frame.size());
   std::vector<std::uint8_t> body;
@@ -61,16 +61,7 @@ void PcapngWriter::write(std::span<const std::uint8_t> frame, Nanoseconds time, 
       .u16(4)
       .u32(static_cast<std::uint32_t>(direction))
       .u32(0);  // end of options
-  write_block(out_, kEnhancedPacket, body);
-}
-
-Status PcapngWriter::finish() {
-  out_.close();
-  if (out_.fail()) return fail(Error{ErrorCode::kFileNotWritable, {}, "writing failed; is the disk full?", path_});
-  std::error_code error;
-  std::filesystem::rename(path_ + ".part", path_, error);
-  if (error) return fail(Error{ErrorCode::kFileNotWritable, {}, error.message(), path_});
-  return {};
+  return write_block(out_, kEnhancedPacket, body);
 }
 
 }  // namespace syncline

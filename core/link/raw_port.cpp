@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "link/raw_port.h"
 
+#include <net/if.h>
 #include <pcap/pcap.h>
 #include <poll.h>
+#include <sys/ioctl.h>
+#include <sys/socket.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cstring>
 #include <filesystem>
 
 #include "link/send_socket.h"
@@ -57,6 +62,20 @@ Status activate(pcap_t* handle, const std::string& adapter) {
   return {};
 }
 
+/// Switched on, and something at the other end of the cable.
+bool is_running(const std::string& adapter) {
+  const int fd = ::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+  if (fd < 0) return false;
+  ifreq request{};
+  adapter.copy(request.ifr_name, IFNAMSIZ - 1);
+  const bool known = ::ioctl(fd, SIOCGIFFLAGS, &request) == 0;
+  ::close(fd);
+  return known && (request.ifr_flags & IFF_UP) != 0 && (request.ifr_flags & IFF_RUNNING) != 0;
+}
+
+/// An adapter that is away is looked for so often.
+constexpr Nanoseconds kLookAgain = 50 * kMillisecond;
+
 /// No frame waits for longer in the kernel's ring.
 constexpr Nanoseconds kOldest = kSecond;
 
@@ -79,6 +98,8 @@ struct RawPort::Impl {
   std::optional<SendSocket> way_out;
   CalendarStamp stamps;
   std::optional<Nanoseconds> sent_at;
+  bool stamps_sending = false;
+  std::optional<Nanoseconds> away{};  // the adapter is; when it was looked for last
 
   /// The kernel's stamp on the port's clock; now, when somebody has just set the calendar clock.
   [[nodiscard]] Nanoseconds arrival_time(const pcap_pkthdr& header) {
@@ -106,7 +127,7 @@ Result<RawPort> RawPort::open(const std::string& adapter, Clock& clock, bool sta
   const int fd = pcap_get_selectable_fd(handle.get());
   return RawPort(std::unique_ptr<Impl>(new Impl{std::move(handle), std::move(*info), clock, fd, sees_own,
                                                 nanoseconds ? 1 : kMicrosecond, SendSocket::open(adapter, stamps_sending),
-                                                CalendarStamp(clock), std::nullopt}));
+                                                CalendarStamp(clock), std::nullopt, stamps_sending}));
 }
 
 RawPort::RawPort(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -114,11 +135,41 @@ RawPort::RawPort(RawPort&&) noexcept = default;
 RawPort& RawPort::operator=(RawPort&&) noexcept = default;
 RawPort::~RawPort() = default;
 
+/// What a failed call means: an adapter that is away may come back, anything else is final.
+Error RawPort::failed(std::string_view why) {
+  auto& adapter = impl_->adapter;
+  if (is_running(adapter.name)) {
+    // It was away for a moment, and its sockets have not got over it.
+    if (auto again = open(adapter.name, impl_->clock, impl_->stamps_sending)) {
+      impl_ = std::move(again->impl_);
+      return {ErrorCode::kLinkDown, impl_->adapter.name, "it was away for a moment"};
+    }
+    return {ErrorCode::kLinkIo, adapter.name, std::string(why)};
+  }
+  adapter.up = false;
+  impl_->away = impl_->clock.now();
+  return {ErrorCode::kLinkDown, adapter.name, std::string(why)};
+}
+
+/// False as long as the adapter is away.
+bool RawPort::come_back() {
+  if (!impl_->away) return true;
+  const auto now = impl_->clock.now();
+  if (now - *impl_->away < kLookAgain) return false;
+  impl_->away = now;
+  if (!is_running(impl_->adapter.name)) return false;
+  // Perhaps another one under the same name: everything anew.
+  auto again = open(impl_->adapter.name, impl_->clock, impl_->stamps_sending);
+  if (again) impl_ = std::move(again->impl_);
+  return again.has_value();
+}
+
 Result<std::optional<RawPort::Frame>> RawPort::poll() {
+  if (!come_back()) return fail(ErrorCode::kLinkDown, impl_->adapter.name);
   pcap_pkthdr* header = nullptr;
   const u_char* bytes = nullptr;
   const int found = pcap_next_ex(impl_->handle.get(), &header, &bytes);
-  if (found < 0) return fail(ErrorCode::kLinkIo, impl_->adapter.name, pcap_geterr(impl_->handle.get()));
+  if (found < 0) return tl::unexpected(failed(std::string(pcap_geterr(impl_->handle.get()))));
   if (found == 0) return std::optional<Frame>{};
   return Frame{{bytes, header->caplen}, impl_->arrival_time(*header)};
 }
@@ -132,15 +183,18 @@ void RawPort::wait(Nanoseconds duration) const {
 }
 
 Status RawPort::send(std::span<const std::uint8_t> frame) {
+  if (!come_back()) return fail(ErrorCode::kLinkDown, impl_->adapter.name);
   impl_->sent_at.reset();
   if (auto& way_out = impl_->way_out) {
     const auto before = impl_->clock.now();
-    if (auto status = way_out->send(frame); !status) return status;
+    if (auto status = way_out->send(frame); !status) return tl::unexpected(failed(status.error().detail));
+    // The kernel drops what finds no carrier, as it drops what finds no room.
+    if (way_out->dropped() && !is_running(impl_->adapter.name)) return tl::unexpected(failed("no carrier"));
     if (const auto stamp = way_out->take_stamp()) impl_->sent_at = impl_->stamps.to_clock(*stamp, before);
     return {};
   }
   if (pcap_inject(impl_->handle.get(), frame.data(), frame.size()) != static_cast<int>(frame.size())) {
-    return fail(ErrorCode::kLinkIo, impl_->adapter.name, pcap_geterr(impl_->handle.get()));
+    return tl::unexpected(failed(std::string(pcap_geterr(impl_->handle.get()))));
   }
   return {};
 }

@@ -96,10 +96,12 @@ SendSocket::~SendSocket() {
 Status SendSocket::send(std::span<const std::uint8_t> frame) {
   if (::send(fd_, frame.data(), frame.size(), 0) == static_cast<ssize_t>(frame.size())) {
     ++sent_;
+    dropped_ = false;
     return {};
   }
   if (errno == ENOBUFS || errno == EAGAIN || errno == EBUSY || errno == EINTR) {
     ++sent_;  // the kernel has counted it
+    dropped_ = true;
     return {};
   }
   return fail(ErrorCode::kLinkIo, "network adapter", std::strerror(errno));

@@ -25,6 +25,8 @@ class SendSocket {
 
   /// A frame for which the adapter's queue has no room is lost, as on a wire. kLinkIo when the adapter went away.
   Status send(std::span<const std::uint8_t> frame);
+  /// The last frame found no room, or no carrier.
+  [[nodiscard]] bool dropped() const { return dropped_; }
   /// When the driver got the frame of the last send(), on the calendar clock; nothing where it does not say.
   [[nodiscard]] std::optional<Nanoseconds> take_stamp();
 
@@ -35,6 +37,7 @@ class SendSocket {
   bool stamped_ = false;
   std::uint32_t sent_ = 0;  // frames that were handed over: the kernel counts the stamps alike
   int without_stamp_ = 0;   // in a row
+  bool dropped_ = false;
 };
 
 }  // namespace syncline

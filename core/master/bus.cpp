@@ -9,6 +9,9 @@ namespace {
 /// With bus cycles: no answer for so long, and for so many cycles, is no burst of lost frames any more.
 constexpr Nanoseconds kPatience = 100 * kMillisecond;
 constexpr int kTries = 5;
+/// An adapter that is away for longer is no adapter that somebody plugs in again.
+constexpr Nanoseconds kLinkPatience = 5 * kSecond;
+constexpr Nanoseconds kLinkPause = 20 * kMillisecond;
 
 }  // namespace
 
@@ -26,7 +29,29 @@ Status Bus::transact(std::span<Datagram> datagrams) {
     datagram.times_sent = 0;
   }
   if (pump_ != nullptr) return ride_with_cycles(datagrams);
-  return window_.exchange(datagrams, [this] { return check_cancel(); });
+  const auto check = [this] { return check_cancel(); };
+  auto status = window_.exchange(datagrams, check);
+  if (status || status.error().code != ErrorCode::kLinkDown) return status;
+  return await_link(datagrams, std::move(status));
+}
+
+/// The adapter is away, perhaps for a moment: what it has not carried goes out when it is back.
+Status Bus::await_link(std::span<Datagram> datagrams, Status status) {
+  const auto end = clock_.now() + kLinkPatience;
+  const auto is_open = [](const Datagram& datagram) {
+    return !datagram.answered && (datagram.times_sent == 0 || may_repeat(datagram));
+  };
+  while (!status && status.error().code == ErrorCode::kLinkDown && clock_.now() < end) {
+    if (auto cancelled = check_cancel(); !cancelled) return cancelled;
+    clock_.sleep_until(clock_.now() + kLinkPause);
+    status = {};
+    for (auto& datagram : datagrams) {
+      if (!is_open(datagram)) continue;
+      status = window_.exchange(std::span(&datagram, 1), [this] { return check_cancel(); });
+      if (!status) break;
+    }
+  }
+  return status;
 }
 
 Status Bus::ride_with_cycles(std::span<Datagram> datagrams) {

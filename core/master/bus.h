@@ -76,6 +76,7 @@ class Bus {
 
  private:
   Status ride_with_cycles(std::span<Datagram> datagrams);
+  Status await_link(std::span<Datagram> datagrams, Status status);
 
   FrameExchange& exchange_;
   Clock& clock_;
@@ -85,6 +86,19 @@ class Bus {
   std::function<bool()> interrupt_;
   std::vector<Datagram*> open_;
   AcyclicWindow window_;
+};
+
+/// What must come to its end once it has begun: not cancellable while this lives.
+class NotCancellable {
+ public:
+  explicit NotCancellable(Bus& bus) : bus_(bus), before_(bus.cancellable()) { bus.set_cancellable(false); }
+  ~NotCancellable() { bus_.set_cancellable(before_); }
+  NotCancellable(const NotCancellable&) = delete;
+  NotCancellable& operator=(const NotCancellable&) = delete;
+
+ private:
+  Bus& bus_;
+  bool before_;
 };
 
 }  // namespace syncline

@@ -16,6 +16,13 @@ namespace syncline {
 
 enum class DcCapability : std::uint8_t { kNone, kReceiveTimesOnly, kSystemTime32, kSystemTime64 };
 
+/// Of a recorded bus: what the recording does not hold. The fields of the slave say nothing then.
+struct NotRecorded {
+  bool vendor_id = false, product_code = false, revision_no = false, serial_no = false;
+  bool alias = false, state = false, ports = false, dc = false;
+  bool operator==(const NotRecorded&) const = default;
+};
+
 struct ScannedSlave {
   std::uint16_t position = 0;
   std::uint16_t station_address = 0;      // given by the scan, or found when it had to leave it
@@ -33,6 +40,7 @@ struct ScannedSlave {
   std::uint8_t entry_port = 0;            // towards the master; 0 unless the cables are swapped
   std::optional<sii::Image> sii;          // empty when it could not be read or parsed
   std::optional<Error> sii_error;
+  NotRecorded unknown;
   std::optional<std::uint16_t> sii_shared_with;  // first slave of the kind, see SiiReadOptions
 };
 

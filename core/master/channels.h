@@ -254,6 +254,7 @@ enum class EventKind : std::uint8_t {
   kPortErrors,          // slave, a = port, b = frames damaged on their way into it, c = links lost, since it was read last
   kWatchdog,            // slave, a = 0 process data, 1 PDI (its firmware is silent); b = how often since it was read last
   kDelaysMeasured,      // while the bus runs: a = slaves whose delay is being corrected, b = largest change in ns
+  kLink,                // the master's own adapter, text = link: a = 0 down or gone, 1 up again, b = for how long it was away, ns
 };
 
 struct Event {

@@ -62,18 +62,36 @@ Status CyclicTaskRunner::run_cycle(std::span<Datagram* const> acyclic) {
   frames_.prepare(sample.cycle, steering_);
   fill_acyclic(acyclic, send_time_);
   first_stamp_.reset();
-  auto status = exchange_frames(scheduled_ + cycle_time_ * 8 / 10);
+  auto status = note_link(exchange_frames(scheduled_ + cycle_time_ * 8 / 10));
   adapt_acyclic_limit();
   note_sending(sample);
   exchange_.missing().expire(clock_.now());
   health_.observe_frames(exchange_.lost_frames() - lost_seen_, exchange_.missing().take_news(), send_time_, sample);
   lost_seen_ = exchange_.lost_frames();
   evaluate(sample);
-  if (auto amended = amend_clock(); !amended) status = std::move(amended);
+  if (auto amended = amend_clock(); !amended && amended.error().code != ErrorCode::kLinkDown) status = std::move(amended);
   health_.tell(send_time_);
   finish_sample(sample);
   scheduled_ += cycle_time_ + adjust_;
   return status;
+}
+
+/// An adapter that is away is waited for, as slaves are that do not answer.
+Status CyclicTaskRunner::note_link(Status status) {
+  auto& up = run_.snapshot.link_up;
+  const bool down = !status && status.error().code == ErrorCode::kLinkDown;
+  if (down && up) link_down_since_ = clock_.now();
+  if (down == up) {
+    Event event;
+    event.kind = EventKind::kLink;
+    event.time = clock_.now();
+    event.a = down ? 0 : 1;
+    event.b = down ? 0 : event.time - link_down_since_;
+    event.text = exchange_.link().describe().name;
+    run_.channels().events.push(std::move(event));
+    up = !down;
+  }
+  return down ? Status{} : status;
 }
 
 /// A cycle whose time is half over is left out, so that a late frame and the next one never go out together: slaves
@@ -238,10 +256,11 @@ dc::DcmObservation CyclicTaskRunner::observation(const CyclicFrameSet::Reading& 
 
 void CyclicTaskRunner::evaluate(CycleSample& sample) {
   const auto reading = frames_.evaluate();
-  health_.observe_wkc(reading.wkc_expected, reading.wkc_received, send_time_, sample);
+  const bool up = run_.snapshot.link_up;
+  if (up) health_.observe_wkc(reading.wkc_expected, reading.wkc_received, send_time_, sample);
   if (reading.al_status) slaves_.observe_broadcast(*reading.al_status, *reading.al_status_wkc);
   const auto all = slaves_.take(send_time_, sample);
-  slaves_.observe_silence((sample.flags & CycleSample::kFrameLost) != 0 && !reading.al_status, send_time_);
+  slaves_.observe_silence((!up || (sample.flags & CycleSample::kFrameLost) != 0) && !reading.al_status, send_time_);
   if (slaves_.sweeps() != sweeps_seen_) after_sweep();
   take_mailboxes(sample);
   adjust_ = sync_.observe_cycle(observation(reading), sample);

@@ -60,6 +60,7 @@ class CyclicTaskRunner final : public CyclePump, private SendStamp {
   void fill_acyclic(std::span<Datagram* const> requests, Nanoseconds now);
   void adapt_acyclic_limit();
   Status exchange_frames(Nanoseconds deadline);
+  Status note_link(Status status);
   Status send(PendingFrame& frame);
   void evaluate(CycleSample& sample);
   void take_mailboxes(CycleSample& sample);
@@ -100,6 +101,7 @@ class CyclicTaskRunner final : public CyclePump, private SendStamp {
   Nanoseconds wire_free_ = 0;      // when the frames that were sent have left
   std::optional<Nanoseconds> first_stamp_;  // of that frame, from before it was sent
   Nanoseconds amendment_stamp_ = 0;
+  Nanoseconds link_down_since_ = 0;
   bool steering_ = false;
   Nanoseconds last_published_ = 0;
   Nanoseconds adjust_ = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "master/master_service.h"
 
+#include <exception>
 #include <utility>
 
 #include "master/bus_scanner.h"
@@ -168,6 +169,34 @@ bool MasterService::step() {
   if (!impl_->operation) return false;
   impl_->run_cycle();
   return true;
+}
+
+void MasterService::shut_down() noexcept {
+  try {
+    if (impl_->operation) impl_->go_offline();
+  } catch (...) {
+    // Not even for the way down was there memory; nothing is left that could help.
+  }
+}
+
+bool MasterService::step_guarded() noexcept {
+  std::string what;
+  try {
+    try {
+      return step();
+    } catch (const std::exception& error) {
+      what = error.what();
+    }
+    Event event;
+    event.kind = EventKind::kError;
+    event.time = impl_->clock.now();
+    event.text = "The master stopped, which should not have happened: " + what;
+    impl_->channels.events.push(std::move(event));
+  } catch (...) {
+    // The end is told by the bus going offline.
+  }
+  shut_down();
+  return false;
 }
 
 void MasterService::run_for(Nanoseconds duration) {

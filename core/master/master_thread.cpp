@@ -5,6 +5,7 @@
 
 #include "master/master_service.h"
 #include "support/real_time.h"
+#include "support/stop_signals.h"
 
 namespace syncline {
 namespace {
@@ -14,7 +15,10 @@ constexpr Nanoseconds kIdlePeriod = 1 * kMillisecond;
 }  // namespace
 
 struct MasterThread::Impl {
-  explicit Impl(MasterService& own_service) : service(own_service), thread([this] { run(); }) {}
+  explicit Impl(MasterService& own_service) : service(own_service) {
+    const StopSignalsBlocked deaf;  // whoever started the thread hears them
+    thread = std::thread([this] { run(); });
+  }
 
   void run() {
     auto& clock = service.clock();
@@ -29,8 +33,9 @@ struct MasterThread::Impl {
       service.channels().events.push(std::move(event));
     }
     while (!stop.load(std::memory_order_relaxed)) {
-      if (!service.step()) clock.sleep_until(clock.now() + kIdlePeriod);
+      if (!service.step_guarded()) clock.sleep_until(clock.now() + kIdlePeriod);
     }
+    service.shut_down();
   }
 
   MasterService& service;

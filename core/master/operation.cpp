@@ -52,6 +52,7 @@ Status Operation::start(AlState target) {
   snapshot.requested = target;
   run_.channels().snapshot.publish_surely(run_.snapshot);
   if (auto status = esm_.reset(); !status) return status;
+  snapshot.link_up = true;  // frames have come back, whatever the adapter says
   if (target == AlState::kInit) return {};
   auto status = esm_.change_to(target);
   run_.channels().snapshot.publish_surely(run_.snapshot);
@@ -84,13 +85,32 @@ void Operation::stop() {
   if (cyclic()) {
     task_.tell_rest();
     // A slave that does not come down, or a link that is gone, must not keep us.
-    (void)esm_.change_to(AlState::kInit);
+    const auto down = esm_.change_to(AlState::kInit);
     bus_.set_pump(nullptr);
     task_.tell_rest();
+    if (!down) tell_left_behind(down.error());
   }
   run_.snapshot.online = false;
   run_.snapshot.time = clock_.now();
   run_.channels().snapshot.publish_surely(run_.snapshot);
+}
+
+/// Who did not come to INIT is named: he goes on driving until somebody else stops him.
+void Operation::tell_left_behind(const Error& why) {
+  std::string names;
+  std::uint16_t al_status = 0;
+  for (std::size_t i = 0; i < run_.snapshot.slaves.size(); ++i) {
+    const auto& slave = run_.snapshot.slaves[i];
+    if (!slave.present || al_state_of(slave.al_status) == AlState::kInit) continue;
+    if (names.empty()) al_status = slave.al_status;
+    names += (names.empty() ? "" : ", ") + run_.slave_name(i);
+  }
+  if (names.empty()) return;
+  Error error{.code = ErrorCode::kAlTimeout, .subject = std::move(names)};
+  error.expected = static_cast<std::int64_t>(AlState::kInit);
+  error.received = al_status;
+  run_.error(why.code == ErrorCode::kAlState || why.code == ErrorCode::kAlTimeout ? error : why, clock_.now());
+  if (why.code != ErrorCode::kAlState && why.code != ErrorCode::kAlTimeout) run_.error(error, clock_.now());
 }
 
 Status Operation::configure_dcm(const DcmSettings& change) {

@@ -43,6 +43,7 @@ class Operation {
  private:
   Status check() const;
   Status note_learned_rate();
+  void tell_left_behind(const Error& why);
 
   NetworkConfig config_;
   FrameExchange& exchange_;

@@ -18,7 +18,6 @@ constexpr std::uint16_t kCommandError = 0x2000;
 constexpr std::uint16_t kWriteEnableError = 0x4000;
 constexpr std::uint16_t kBusy = 0x8000;
 constexpr std::size_t kStatusBytes = 6;   // 0x0502 control and status, 0x0504 address
-constexpr std::size_t kWindowBytes = 14;  // with the eight data bytes at 0x0508
 
 /// An I2C EEPROM at 150 kHz gives eight bytes in 0.7 ms; a slave whose PDI emulates it may need far longer.
 constexpr Nanoseconds kFirstPause = 1 * kMillisecond;
@@ -105,11 +104,8 @@ Status SiiAccess::close() {
     if (ports_[i].pdi && accessible(i)) writes.push_back(slaves_[i].write(reg::kSiiConfiguration, to_pdi));
   }
   // Also when the user wants an end: nobody else would give them back.
-  const bool cancellable = bus_.cancellable();
-  bus_.set_cancellable(false);
-  auto status = bus_.transact(writes);
-  bus_.set_cancellable(cancellable);
-  return status;
+  const NotCancellable to_the_end(bus_);
+  return bus_.transact(writes);
 }
 
 Status SiiAccess::read(std::span<SiiRequest> requests, std::optional<std::uint32_t> next) {
@@ -257,24 +253,36 @@ void SiiAccess::learn(bool early, Nanoseconds ready) {
   }
 }
 
+/// Waits until the EEPROM is not busy; `window` then holds the registers. A busy EEPROM takes no command.
+Status SiiAccess::await_idle(std::size_t slave, std::span<std::uint8_t, kWindowBytes> window, std::uint32_t word, std::string_view what) {
+  const auto begin = bus_.clock().now();
+  for (;;) {
+    std::ranges::fill(window, std::uint8_t{0});
+    auto read = slaves_[slave].read(reg::kSiiControl, window);
+    if (auto status = bus_.transact(read); !status) return status;
+    if (read.wkc == 0) return fail(sii_error(word, fmt::format("no answer to {}", what)));
+    if ((load_le<std::uint16_t>(window) & kBusy) == 0) return {};
+    if (bus_.clock().now() - begin > kBusyLimit) return fail(sii_error(word, fmt::format("the EEPROM stays busy at {}", what)));
+    if (auto status = bus_.wait(200 * kMicrosecond); !status) return status;
+  }
+}
+
 Status SiiAccess::command(std::size_t slave, std::span<std::uint8_t> bytes, std::string_view what) {
   const auto word = load_le<std::uint32_t>(bytes.subspan(2));
+  if (auto status = bus_.check_cancel(); !status) return status;
+  // What the EEPROM has begun it ends; who left it in between would not know what it holds.
+  const NotCancellable to_the_end(bus_);
+  std::array<std::uint8_t, kWindowBytes> window{};
   for (int attempt = 0; attempt < kWriteTries; ++attempt) {
+    // Another command, of a program that was killed, may still be in work.
+    if (auto status = await_idle(slave, window, word, what); !status) return status;
     std::vector<std::uint8_t> request(bytes.begin(), bytes.end());
     auto write = slaves_[slave].write(reg::kSiiControl, request);
     if (auto status = bus_.transact(write); !status) return status;
     if (write.wkc == 0) return fail(ErrorCode::kSii, "slave", fmt::format("no answer to {} at word 0x{:04X}", what, word));
-    const auto begin = bus_.clock().now();
-    std::uint16_t control = kBusy;
-    while ((control & kBusy) != 0) {
-      if (bus_.clock().now() - begin > kBusyLimit) return fail(sii_error(word, fmt::format("the EEPROM stays busy after {}", what)));
-      if (auto status = bus_.wait(200 * kMicrosecond); !status) return status;
-      std::array<std::uint8_t, 2> answer{};
-      auto read = slaves_[slave].read(reg::kSiiControl, answer);
-      if (auto status = bus_.transact(read); !status) return status;
-      if (read.wkc == 0) return fail(sii_error(word, fmt::format("no answer after {}", what)));
-      control = load_le<std::uint16_t>(answer);
-    }
+    if (auto status = bus_.wait(200 * kMicrosecond); !status) return status;
+    if (auto status = await_idle(slave, window, word, what); !status) return status;
+    const auto control = load_le<std::uint16_t>(window);
     if ((control & kWriteEnableError) != 0) return fail(sii_error(word, "the ESC does not enable writing"));
     if ((control & kCommandError) == 0) return {};
     // The EEPROM is still storing the word before; it acknowledges nothing meanwhile.

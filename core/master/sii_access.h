@@ -74,7 +74,9 @@ class SiiAccess {
   bool may_look_ahead(const std::vector<Job>& jobs) const;
   void learn(bool early, Nanoseconds ready);
   Status clear_errors(std::vector<Job>& jobs);
+  static constexpr std::size_t kWindowBytes = 14;  // from 0x0502, with the eight data bytes at 0x0508
   Status command(std::size_t slave, std::span<std::uint8_t> bytes, std::string_view what);
+  Status await_idle(std::size_t slave, std::span<std::uint8_t, kWindowBytes> window, std::uint32_t word, std::string_view what);
 
   Bus& bus_;
   std::vector<SlaveAddress> slaves_;

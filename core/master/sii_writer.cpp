@@ -92,6 +92,16 @@ std::vector<Change> changes(std::span<const std::uint8_t> before, std::span<cons
   return list;
 }
 
+/// True when the word holds again what it held.
+bool put_back(Eeprom& eeprom, const Change& change) {
+  constexpr int kTries = 3;
+  for (int i = 0; i < kTries; ++i) {
+    if (eeprom.write(change.word, change.before)) return true;
+    if (const auto found = eeprom.word(change.word); found && *found == change.before) return true;
+  }
+  return false;
+}
+
 Status write_changes(Eeprom& eeprom, std::span<const Change> list, const SiiProgress& progress) {
   std::size_t done = 0;
   Status status;
@@ -101,27 +111,25 @@ Status write_changes(Eeprom& eeprom, std::span<const Change> list, const SiiProg
   }
   if (status) return {};
   // Back to what it was, newest first; this must not be cancelled.
-  const bool cancellable = eeprom.bus().cancellable();
-  eeprom.bus().set_cancellable(false);
+  const NotCancellable to_the_end(eeprom.bus());
   std::size_t left = 0;
-  while (done-- > 0) {
-    if (eeprom.write(list[done].word, list[done].before)) continue;
-    const auto found = eeprom.word(list[done].word);
-    if (!found || *found != list[done].before) ++left;
-  }
-  eeprom.bus().set_cancellable(cancellable);
+  while (done-- > 0) left += put_back(eeprom, list[done]) ? 0 : 1;
   auto error = status.error();
   if (error.code == ErrorCode::kCancelled && left == 0) return tl::unexpected(error);
-  const auto outcome = left == 0 ? std::string("the old content was put back")
+  const auto outcome = left == 0 ? std::string(kOldContentIsBack)
                                  : fmt::format("{} words could not be put back; write the image again before power is "
                                                "switched off", left);
   return fail(ErrorCode::kSii, "slave", fmt::format("{}; {}", error.detail.empty() ? "writing ended early" : error.detail, outcome));
 }
 
 Result<SiiWriteReport> make_it(Eeprom& eeprom, std::span<const std::uint8_t> before, std::span<const std::uint8_t> after,
-                               const SiiProgress& progress) {
+                               const SiiProgress& progress, const SiiIntent& intent) {
   const auto list = changes(before, after);
+  if (intent && !list.empty()) {
+    if (auto status = intent(before.first(after.size()), after); !status) return tl::unexpected(status.error());
+  }
   if (auto status = write_changes(eeprom, list, progress); !status) return tl::unexpected(status.error());
+  const NotCancellable to_the_end(eeprom.bus());  // it is written: only the proof is missing
   std::vector<std::uint8_t> now;
   if (auto status = eeprom.read(now, after.size(), {}, 0); !status) return tl::unexpected(status.error());
   if (!std::equal(after.begin(), after.end(), now.begin())) {
@@ -143,19 +151,22 @@ Status check(std::span<const std::uint8_t> image) {
 
 }  // namespace
 
-Result<std::vector<std::uint8_t>> read_eeprom(Bus& bus, const SlaveAddress& slave, const SiiProgress& progress) {
+Result<std::vector<std::uint8_t>> read_eeprom(Bus& bus, const SlaveAddress& slave, const SiiProgress& progress,
+                                              std::size_t bytes_wanted) {
   Eeprom eeprom(bus, slave);
   return eeprom.with([&]() -> Result<std::vector<std::uint8_t>> {
     std::vector<std::uint8_t> bytes;
-    if (auto status = eeprom.read(bytes, kHeaderBytes, {}, 0); !status) return tl::unexpected(status.error());
-    const auto size = size_of(bytes);
+    const auto header = bytes_wanted > 0 ? std::size_t{0} : kHeaderBytes;
+    if (auto status = eeprom.read(bytes, header, {}, 0); !status) return tl::unexpected(status.error());
+    const auto size = bytes_wanted > 0 ? bytes_wanted : size_of(bytes);
     if (auto status = eeprom.read(bytes, size, progress, size / 2); !status) return tl::unexpected(status.error());
+    bytes.resize(size);
     return bytes;
   });
 }
 
 Result<SiiWriteReport> write_eeprom(Bus& bus, const SlaveAddress& slave, std::span<const std::uint8_t> image,
-                                    const SiiProgress& progress) {
+                                    const SiiProgress& progress, const SiiIntent& intent) {
   if (auto status = check(image); !status) return tl::unexpected(status.error());
   Eeprom eeprom(bus, slave);
   return eeprom.with([&]() -> Result<SiiWriteReport> {
@@ -166,11 +177,22 @@ Result<SiiWriteReport> write_eeprom(Bus& bus, const SlaveAddress& slave, std::sp
       return fail(ErrorCode::kBadValue, "SII image", fmt::format("its {} bytes are more than the EEPROM's {}", image.size(), room));
     }
     if (auto status = eeprom.read(before, image.size(), {}, 0); !status) return tl::unexpected(status.error());
-    return make_it(eeprom, before, image, progress);
+    return make_it(eeprom, before, image, progress, intent);
   });
 }
 
-Result<SiiWriteReport> write_alias(Bus& bus, const SlaveAddress& slave, std::uint16_t alias) {
+Result<SiiWriteReport> write_image(Bus& bus, const SlaveAddress& slave, std::span<const std::uint8_t> image,
+                                   const SiiIntent& intent) {
+  if (image.size() % 2 != 0) return fail(ErrorCode::kBadValue, "SII image", "it has an odd number of bytes");
+  Eeprom eeprom(bus, slave);
+  return eeprom.with([&]() -> Result<SiiWriteReport> {
+    std::vector<std::uint8_t> before;
+    if (auto status = eeprom.read(before, image.size(), {}, 0); !status) return tl::unexpected(status.error());
+    return make_it(eeprom, before, image, {}, intent);
+  });
+}
+
+Result<SiiWriteReport> write_alias(Bus& bus, const SlaveAddress& slave, std::uint16_t alias, const SiiIntent& intent) {
   Eeprom eeprom(bus, slave);
   return eeprom.with([&]() -> Result<SiiWriteReport> {
     std::vector<std::uint8_t> before;
@@ -178,7 +200,7 @@ Result<SiiWriteReport> write_alias(Bus& bus, const SlaveAddress& slave, std::uin
     auto after = before;
     store_le(std::span(after).subspan(kAliasByte), alias);
     after[kChecksumByte] = sii::checksum(std::span(after).first(14));
-    return make_it(eeprom, before, after, {});
+    return make_it(eeprom, before, after, {}, intent);
   });
 }
 

@@ -60,7 +60,7 @@ void SlaveWatch::observe_silence(bool silent, Nanoseconds time) {
   last_wkc_ = 0;  // the first answer is a change
   next_al_ = al_.size();
   const bool any = std::ranges::any_of(run_.snapshot.slaves, &SlaveStatus::present);
-  if (any) tell_cable(time, 0, false);
+  if (any && run_.snapshot.link_up) tell_cable(time, 0, false);
   for (auto& reading : al_) reading.datagram.wkc = 0;
   for (std::size_t i = 0; i < al_.size(); ++i) run_.set_present(i, false, time);
   run_.update_master_state(time);

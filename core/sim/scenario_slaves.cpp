@@ -103,7 +103,6 @@ void read_esc(Table& table, SimSlaveConfig& slave) {
 
 void ScenarioSlaves::read(const toml::table& node) {
   Table table(node, file_, error_);
-  const auto position = static_cast<std::int64_t>(slaves_.size());
   SimSlaveConfig slave;
   read_device(table, slave);
   slave.name = table.text("name", slave.device.type);
@@ -119,10 +118,29 @@ void ScenarioSlaves::read(const toml::table& node) {
   read_eeprom(table, slave);
   read_delays(table, slave);
   read_esc(table, slave);
-  const auto count = table.integer("count", 1, 1, kMostSlaves - position);
+  const auto count = table.integer("count", 1, 1, kMostSlaves);
+  check_count(table, slave, count);
   const auto spread_ppm = table.number("spread_ppm", 0, 0, kMostPpm);
   table.reject_unknown_keys();
   if (!error_) repeat(slave, count, spread_ppm);
+}
+
+/// What counts up from slave to slave has room, and the line a port to go on by.
+void ScenarioSlaves::check_count(Table& table, const SimSlaveConfig& slave, std::int64_t count) {
+  const auto before = static_cast<std::int64_t>(slaves_.size());
+  if (before + count > kMostSlaves) {
+    table.fail_at("count", fmt::format("makes {} slaves where a segment has {} at most", before + count, kMostSlaves));
+  }
+  if (count == 1) return;
+  const auto counts_beyond = [count](std::int64_t first, std::int64_t most) { return first != 0 && first + count - 1 > most; };
+  if (counts_beyond(slave.alias, UINT16_MAX)) {
+    table.fail_at(table.has("alias") ? "alias" : "count", fmt::format("counts up to {}, beyond 65535", slave.alias + count - 1));
+  }
+  if (counts_beyond(slave.serial_no, UINT32_MAX)) {
+    table.fail_at(table.has("serial_no") ? "serial_no" : "count", "counts up beyond 4294967295");
+  }
+  constexpr std::uint8_t kPortB = 1;
+  if (slave.entry_port == kPortB) table.fail_at("entry", "is where the next of these slaves would be wired to; give them one by one");
 }
 
 void ScenarioSlaves::read_place(Table& table, SimSlaveConfig& slave) {

@@ -27,6 +27,7 @@ class ScenarioSlaves {
   void read_place(Table& table, SimSlaveConfig& slave);
   void read_clock(Table& table, SimSlaveConfig& slave);
   void read_bridge(Table& table, SimSlaveConfig& slave);
+  void check_count(Table& table, const SimSlaveConfig& slave, std::int64_t count);
   void repeat(const SimSlaveConfig& first, std::int64_t count, double spread_ppm);
 
   const DeviceSource& devices_;

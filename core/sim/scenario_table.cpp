@@ -4,16 +4,19 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <filesystem>
 #include <utility>
+
+#include "support/whole_file.h"
 
 namespace syncline::sim {
 
 Result<toml::table> parse_toml(const std::string& path) {
+  constexpr std::size_t kLargest = 16U << 20;
+  const auto text = read_whole_file(path, kLargest);
+  if (!text) return tl::unexpected(text.error());
   try {
-    return toml::parse_file(path);
+    return toml::parse(*text, path);
   } catch (const toml::parse_error& error) {
-    if (!std::filesystem::exists(path)) return fail(Error{ErrorCode::kFileNotFound, {}, {}, path});
     return fail(Error{ErrorCode::kTomlMalformed,
                       {},
                       std::string(error.description()),

@@ -59,7 +59,7 @@ class Table {
   std::set<std::string, std::less<>> asked_;
 };
 
-/// The whole file. kFileNotFound, kTomlMalformed.
+/// The whole file. kTomlMalformed, and as read_whole_file().
 [[nodiscard]] Result<toml::table> parse_toml(const std::string& path);
 
 }  // namespace syncline::sim

@@ -20,53 +20,74 @@ class Walk {
       : slaves_(slaves), wiring_(wiring), ports_(ports) {}
 
   SegmentPath run() {
-    if (!slaves_.empty()) path_.return_ns = enter(0, way_out(slaves_[0])) + way_back(slaves_[0]);
+    if (!slaves_.empty()) enter(0, way_out(slaves_[0]));
+    while (!inside_.empty() && !path_.swallowed) go_on();
     for (auto& passage : path_.passages) passage.offset = static_cast<Nanoseconds>(passage.time_ns + 0.5);
     return std::move(path_);
   }
 
  private:
-  /// The frame comes to a slave at `time`; gives the time at which it leaves by the same port again.
-  double enter(std::size_t i, double time) {
+  /// A slave that the frame is in, or behind. A list of them and no recursion: a line has thousands.
+  struct Visit {
+    std::size_t slave = 0;
+    std::size_t begin = 0;   // of the entry in the order of the ports
+    std::size_t step = 1;    // the next port, from there
+    std::uint8_t behind = 0; // the port that the frame has left by
+    double out = 0;          // when it can leave by the next port
+  };
+
+  /// The frame comes to a slave at `time`.
+  void enter(std::size_t i, double time) {
     const auto entry = wiring_.entry(i);
-    if (ports_[i].link[entry] && ports_[i].open[entry]) return visit(i, entry, time);
-    path_.swallowed = true;
-    if (ports_[i].link[entry]) path_.closed_entry = static_cast<std::uint16_t>(i);
-    return time;
-  }
-
-  double visit(std::size_t i, std::uint8_t entry, double time) {
-    receive(i, entry, time, true);
-    double out = time + delay_behind(i, entry);
-    const auto begin = static_cast<std::size_t>(std::ranges::find(kPortOrder, entry) - kPortOrder.begin());
-    for (std::size_t step = 1; step < kPortOrder.size() && !path_.swallowed; ++step) {
-      const auto port = static_cast<std::uint8_t>(kPortOrder[(begin + step) % kPortOrder.size()]);
-      if (ports_[i].open[port]) {
-        out = leave(i, port, out);
-      } else if (port == 0) {
-        path_.passages.push_back({static_cast<std::uint16_t>(i), 0, true, false, true, out, 0});
-        out += static_cast<double>(slaves_[i].processing_delay_ns) - slaves_[i].forwarding_delay_ns;
-      }
-    }
-    return out;
-  }
-
-  /// The frame leaves by an open port; when it is through with that port.
-  double leave(std::size_t i, std::uint8_t port, double out) {
-    if (const auto* ring =
-            wiring_.ring_at(i, port)) {  // the host takes this frame, and another one goes on in its place
-      receive(i, port, ring->time_ns, false);
-      return out;
-    }
-    const auto child = wiring_.child(i, port);
-    if (!child || !ports_[i].link[port]) {
+    if (!ports_[i].link[entry] || !ports_[i].open[entry]) {
       path_.swallowed = true;
-      return out;
+      if (ports_[i].link[entry]) path_.closed_entry = static_cast<std::uint16_t>(i);
+      return;
     }
-    const double back = enter(*child, out + way_out(slaves_[*child])) + way_back(slaves_[*child]);
-    if (path_.swallowed) return out;
-    receive(i, port, back, false);
-    return back + delay_behind(i, port);
+    receive(i, entry, time, true);
+    const auto begin = static_cast<std::size_t>(std::ranges::find(kPortOrder, entry) - kPortOrder.begin());
+    inside_.push_back({i, begin, 1, 0, time + delay_behind(i, entry)});
+  }
+
+  /// The innermost slave's next port, or the way back to the one before it.
+  void go_on() {
+    auto& visit = inside_.back();
+    if (visit.step == kPortOrder.size()) return come_back();
+    const auto i = visit.slave;
+    const auto port = static_cast<std::uint8_t>(kPortOrder[(visit.begin + visit.step++) % kPortOrder.size()]);
+    if (ports_[i].open[port]) {
+      leave(visit, port);
+    } else if (port == 0) {
+      path_.passages.push_back({static_cast<std::uint16_t>(i), 0, true, false, true, visit.out, 0});
+      visit.out += static_cast<double>(slaves_[i].processing_delay_ns) - slaves_[i].forwarding_delay_ns;
+    }
+  }
+
+  /// The frame leaves by an open port.
+  void leave(Visit& visit, std::uint8_t port) {
+    if (const auto* ring = wiring_.ring_at(visit.slave, port)) {  // the host takes this frame, and another one goes on in its place
+      return receive(visit.slave, port, ring->time_ns, false);
+    }
+    const auto child = wiring_.child(visit.slave, port);
+    if (!child || !ports_[visit.slave].link[port]) {
+      path_.swallowed = true;
+      return;
+    }
+    visit.behind = port;
+    enter(*child, visit.out + way_out(slaves_[*child]));  // `visit` may have moved
+  }
+
+  /// Out of the innermost slave by its entry.
+  void come_back() {
+    const double back = inside_.back().out + way_back(slaves_[inside_.back().slave]);
+    inside_.pop_back();
+    if (inside_.empty()) {
+      path_.return_ns = back;
+      return;
+    }
+    auto& visit = inside_.back();
+    receive(visit.slave, visit.behind, back, false);
+    visit.out = back + delay_behind(visit.slave, visit.behind);
   }
 
   void receive(std::size_t i, std::uint8_t port, double time, bool first) {
@@ -80,6 +101,7 @@ class Walk {
   const Wiring& wiring_;
   std::span<const PortState> ports_;
   SegmentPath path_;
+  std::vector<Visit> inside_;
 };
 
 }  // namespace

@@ -118,8 +118,19 @@ void HistoryRecorder::add_port_errors(const Event& event, RunHistory::Slave& sla
   if (event.c > 0) slave.lost_links[port].note(event.time, static_cast<std::uint64_t>(event.c));
 }
 
+void HistoryRecorder::add_link(const Event& event) {
+  history_.link = event.text;
+  if (event.a == 0) {
+    history_.link_down = true;
+    history_.link_outages.note(event.time, 1);
+  } else if (std::exchange(history_.link_down, false)) {
+    history_.link_outages.note(event.time, 0, event.b, history_.link_outages.last());
+  }
+}
+
 void HistoryRecorder::add(const Event& event) {
   if (history_.begin == 0) history_.begin = event.time;
+  if (event.kind == EventKind::kLink) return add_link(event);
   if (event.kind == EventKind::kDcSlaveSync) add_loss(history_.slave_losses, event);
   if (event.kind == EventKind::kDcmSync) add_loss(history_.master_losses, event);
   if (event.kind == EventKind::kCable) {

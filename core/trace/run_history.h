@@ -75,6 +75,9 @@ struct RunHistory {
   };
 
   Nanoseconds begin = 0, end = 0;  // first event, newest sample
+  Spells link_outages;             // of the master's own adapter; count 1 each, size in ns; the last one may last
+  bool link_down = false;
+  std::string link;                // its name, once it was away
   bool reached_op = false;
   Spells lost_frames, late_frames, stalls, wrong_counters;   // stalls: cycles left out, size = standstill ns
   std::uint16_t counter_expected = 0, counter_received = 0;  // of the last wrong one
@@ -97,6 +100,7 @@ class HistoryRecorder {
   void add_deviation(const CycleSample& sample);
   void add_arrival(const CycleSample& sample);
   void add_port_errors(const Event& event, RunHistory::Slave& slave);
+  void add_link(const Event& event);
   void add_loss(std::vector<RunHistory::SyncLoss>& losses, const Event& event) const;
 
   RunHistory history_;

@@ -108,5 +108,25 @@ TEST(CliSii, SaysWhyItDoesNot) {
   EXPECT_THAT(refused.err, HasSubstr("checksum"));
 }
 
+TEST(CliScan, ACaptureShowsWhatItProvesAndUnknownForTheRest) {
+  const TemporaryFolder folder;
+  const auto whole = folder.file("whole.pcapng"), cut = folder.file("cut.pcapng");
+  ASSERT_EQ(cli_run({"scan", demo(), "--capture", whole}).code, cli::kDone);
+  const auto all = cli_run({"scan", "replay:" + whole});
+  EXPECT_EQ(all.code, cli::kDone) << all.err;
+  EXPECT_EQ(all.out.find("unknown"), std::string::npos) << all.out;
+
+  const auto bytes = read_text(whole);
+  std::ofstream(cut, std::ios::binary) << bytes.substr(0, bytes.size() / 12);
+  const auto part = cli_run({"scan", "replay:" + cut});
+  EXPECT_EQ(part.code, cli::kDone) << part.err;
+  EXPECT_NE(part.out.find("unknown"), std::string::npos) << part.out;
+  EXPECT_EQ(part.out.find("0x00000000:0x00000000"), std::string::npos) << part.out;
+  EXPECT_NE(part.err.find("breaks off"), std::string::npos) << part.err;
+  EXPECT_EQ(part.err.find("acknowledges no read"), std::string::npos) << part.err;
+  const auto json = cli_run({"scan", "replay:" + cut, "--json"}).json();
+  EXPECT_TRUE(json["slaves"].back()["vendor_id"].is_null()) << json["slaves"].back();
+}
+
 }  // namespace
 }  // namespace syncline::test

@@ -18,50 +18,17 @@
 #include "protocol/frame.h"
 #include "protocol/registers.h"
 #include "support/net_namespace.h"
+#include "tests/scenario/served_bus.h"
 #include "tests/support/source_dir.h"
 
 namespace syncline {
 namespace {
 
 using test::NetNamespace;
+using test::ServedBus;
 
 const std::string kMachine = test::source_dir() + "/resources/demo/machine.toml";
 const std::string kMasterLink = std::string("nic:") + NetNamespace::kMasterEnd;
-
-/// Serves a scenario on the bus's end of the pair until it is destroyed.
-class ServedBus {
- public:
-  explicit ServedBus(const std::string& scenario) {
-    request_.scenario = scenario;
-    request_.adapter = NetNamespace::kBusEnd;
-    request_.stop = &stop_;
-    request_.on_ready = [this](const SimConfig&, const AdapterInfo&) { ready_ = true; };
-    thread_ = std::thread([this] {
-      report_ = simulate_bus(request_);
-      ended_ = true;
-    });
-    while (!ready_ && !ended_) std::this_thread::yield();
-  }
-  ~ServedBus() { (void)finish(); }
-  ServedBus(const ServedBus&) = delete;
-  ServedBus& operator=(const ServedBus&) = delete;
-
-  Result<SimulateReport> finish() {
-    stop_ = true;
-    return wait();
-  }
-  /// For a service that ends by itself.
-  Result<SimulateReport> wait() {
-    if (thread_.joinable()) thread_.join();
-    return report_;
-  }
-
- private:
-  SimulateRequest request_;
-  std::atomic<bool> stop_{false}, ready_{false}, ended_{false};
-  Result<SimulateReport> report_;
-  std::thread thread_;
-};
 
 class VethBus : public testing::Test {
  protected:

@@ -14,6 +14,36 @@
 
 namespace syncline::test {
 
+struct AwaySpan {
+  Nanoseconds from = 0, to = 0;  // since the start
+};
+
+/// An adapter that is switched off for some spans of time.
+class AwayLink final : public Link {
+ public:
+  AwayLink(std::unique_ptr<Link> inner, Clock& clock, std::vector<AwaySpan> spans)
+      : inner_(std::move(inner)), clock_(clock), spans_(std::move(spans)), begin_(clock.now()) {}
+  Status send(std::span<const std::uint8_t> frame) override {
+    if (away()) return fail(ErrorCode::kLinkDown, "test");
+    return inner_->send(frame);
+  }
+  Result<ReceivedFrame> receive(std::span<std::uint8_t> buffer, Nanoseconds deadline) override {
+    if (away()) return fail(ErrorCode::kLinkDown, "test");
+    return inner_->receive(buffer, deadline);
+  }
+  [[nodiscard]] LinkDescription describe() const override { return inner_->describe(); }
+
+ private:
+  [[nodiscard]] bool away() const {
+    const auto now = clock_.now() - begin_;
+    return std::ranges::any_of(spans_, [now](const AwaySpan& span) { return now >= span.from && now < span.to; });
+  }
+  std::unique_ptr<Link> inner_;
+  Clock& clock_;
+  std::vector<AwaySpan> spans_;
+  Nanoseconds begin_;
+};
+
 /// A simulated machine with something known wrong with it, run on the virtual clock, and what is found.
 class DiagnosedRun {
  public:
@@ -23,6 +53,7 @@ class DiagnosedRun {
   std::vector<RunFinding> findings;
   std::vector<Event> events;
   std::map<std::size_t, std::uint32_t> shown_misses;  // the last that the samples said, by position
+  std::vector<AwaySpan> adapter_away;
 
   FaultConfig& fault(FaultKind kind, Nanoseconds at, int slave = -1) {
     FaultConfig fault;
@@ -36,7 +67,7 @@ class DiagnosedRun {
     clock.set_wakeup_jitter(jitter, 1);
     const auto config = network.compiled();
     RunRecorder recorder(config);
-    MasterService service(network.link(clock), clock);
+    MasterService service(std::make_unique<AwayLink>(network.link(clock), clock, adapter_away), clock);
     auto& channels = service.channels();
     channels.commands.push(GoOnlineCommand{config, AlState::kOp});
     std::vector<CycleSample> samples;

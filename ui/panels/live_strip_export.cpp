@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <QAction>
 #include <QApplication>
+#include <QBuffer>
 #include <QClipboard>
 #include <QDateTime>
 #include <QFileDialog>
@@ -8,10 +9,11 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QPainter>
-#include <QSaveFile>
 
+#include "support/whole_file.h"
 #include "ui/panels/live_strip.h"
 #include "ui/plots/series_csv.h"
+#include "ui/text/error_text.h"
 #include "ui/text/units.h"
 
 namespace syncline::ui {
@@ -23,6 +25,10 @@ QPalette printPalette() {
   for (const auto role : {QPalette::Window, QPalette::Base, QPalette::Button}) palette.setColor(role, Qt::white);
   for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) palette.setColor(role, ink);
   return palette;
+}
+
+void tellUnwritten(QWidget* parent, const Status& status) {
+  if (!status) QMessageBox::warning(parent, LiveStrip::tr("Export"), errorText(status.error()));
 }
 
 }  // namespace
@@ -71,21 +77,18 @@ void LiveStrip::exportCsv() {
   const auto path = QFileDialog::getSaveFileName(this, tr("Export the range shown"), QStringLiteral("syncline.csv"),
                                                  tr("Comma-separated values (*.csv)"));
   if (path.isEmpty()) return;
-  const auto table = csv();
-  QSaveFile file(path);
-  const bool done = file.open(QIODevice::WriteOnly) &&
-                    file.write(table.data(), static_cast<qint64>(table.size())) == static_cast<qint64>(table.size()) &&
-                    file.commit();
-  if (!done) QMessageBox::warning(this, tr("Export"), tr("%1: %2").arg(path, file.errorString()));
+  tellUnwritten(this, write_whole_file(path.toStdString(), csv()));
 }
 
 void LiveStrip::exportPicture() {
   const auto path = QFileDialog::getSaveFileName(this, tr("Export the plots"), QStringLiteral("syncline.png"),
                                                  tr("PNG picture (*.png)"));
   if (path.isEmpty()) return;
-  QSaveFile file(path);
-  const bool done = file.open(QIODevice::WriteOnly) && picture(2).save(&file, "PNG") && file.commit();
-  if (!done) QMessageBox::warning(this, tr("Export"), tr("%1: %2").arg(path, file.errorString()));
+  QByteArray bytes;
+  QBuffer buffer(&bytes);
+  buffer.open(QIODevice::WriteOnly);
+  picture(2).save(&buffer, "PNG");
+  tellUnwritten(this, write_whole_file(path.toStdString(), std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size()))));
 }
 
 void LiveStrip::openMenu(const QPoint& global, Nanoseconds time) {

@@ -25,6 +25,7 @@ LiveSession::LiveSession(LinkOpener opener, QObject* parent) : QObject(parent), 
 LiveSession::~LiveSession() {
   pacer_.reset();
   thread_.reset();
+  if (service_) service_->shut_down();
   service_.reset();
 }
 
@@ -128,6 +129,7 @@ void LiveSession::close() {
   tick_.stop();
   pacer_.reset();
   thread_.reset();
+  service_->shut_down();
   service_.reset();
   clock_.reset();
   snapshot_ = Snapshot{};

@@ -237,6 +237,11 @@ std::optional<Message> Words::make(const Event& event) {
                                         .arg(QString::fromStdString(event.text)));
     case EventKind::kDelayFinding:
       return delayFinding(event);
+    case EventKind::kLink: {
+      const auto name = QString::fromStdString(event.text);
+      return event.a == 0 ? line(Severity::kError, tr("Network adapter %1 is down, gone or without carrier; waiting for it").arg(name))
+                          : line(Severity::kInfo, tr("Network adapter %1 is up again after %2").arg(name, timeText(event.b)));
+    }
     case EventKind::kDelaysMeasured:
       return line(Severity::kInfo, event.a == 0
                                        ? tr("Propagation delays measured again: nothing to correct")

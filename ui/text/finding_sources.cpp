@@ -16,6 +16,16 @@ constexpr const char* kSources[] = {
     QT_TRANSLATE_NOOP("Finding", "Check the power of the first one, and the cable and plugs between the two."),
     QT_TRANSLATE_NOOP("Finding", "No answer from {slaves} from {since} on, for {length} ({count} in all)."),
     QT_TRANSLATE_NOOP("Finding", "A loose plug or a weak supply; the lost links of the ports say which cable."),
+    QT_TRANSLATE_NOOP("Finding", "The network adapter {adapter} is down, gone or without carrier since {since}."),
+    QT_TRANSLATE_NOOP("Finding",
+                      "Check the plug at the host, and that the adapter is switched on (ip link set ... up); the bus "
+                      "comes back with it."),
+    QT_TRANSLATE_NOOP("Finding",
+                      "The network adapter {adapter} was down, gone or without carrier from {since} on, for {length} "
+                      "({count} in all); the bus came back with it."),
+    QT_TRANSLATE_NOOP("Finding",
+                      "A loose plug at the host, or somebody who switches the adapter off: a network manager, power "
+                      "saving, the reset of a USB adapter."),
     QT_TRANSLATE_NOOP("Finding", "{slave} is in {state} with AL status code {alcode}{alarm}, since {since}."),
     QT_TRANSLATE_NOOP("Finding", "Check {check}."),
     QT_TRANSLATE_NOOP("Finding",

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "config/families/families.h"
 #include "diagnosis/rules/rules.h"
 
@@ -48,7 +50,10 @@ void find_watchdogs(const RunReport& report, const RunReport::Slave& slave, Find
                          times_figure("count", hung.count(), slave.evidence.pdi_watchdog.at_least)}});
   }
   const auto& outputs = history.process_data_watchdog;
-  if (!outputs.empty() && report.history.reached_op) {
+  const bool without_adapter = std::ranges::all_of(outputs.list(), [&](const Spell& spell) {
+    return adapter_was_away(report, {spell.from - kReadLater, spell.to, 0, 0});
+  });
+  if (!outputs.empty() && report.history.reached_op && !without_adapter) {
     findings.push_back({Code::kOutputsWatchdog,
                         FindingLevel::kWarning,
                         slave.position,

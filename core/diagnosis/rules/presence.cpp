@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
 #include "diagnosis/rules/rules.h"
 
 namespace syncline::diagnosis {
@@ -33,6 +35,8 @@ RunFinding absent(const RunReport& report, std::size_t first, std::size_t last) 
 void find_earlier(const RunReport& report, Findings& findings) {
   for (std::size_t i = 0; i < report.slaves.size(); ++i) {
     const auto& absences = report.history.slaves[i].absences;
+    const auto without_adapter = [&](const Spell& spell) { return adapter_was_away(report, spell); };
+    if (!absences.empty() && std::ranges::all_of(absences.list(), without_adapter)) continue;
     if (absences.empty() || is_absent(report, i) || report.slaves[i].optional) continue;
     std::size_t last = i;
     const auto same = [&](std::size_t next) {
@@ -55,9 +59,27 @@ void find_earlier(const RunReport& report, Findings& findings) {
 
 }  // namespace
 
+void find_link_outages(const RunReport& report, Findings& findings) {
+  const auto& outages = report.history.link_outages;
+  if (outages.empty()) return;
+  const auto& first = outages.list().front();
+  RunFinding finding{Code::kAdapterWasAway, FindingLevel::kWarning, -1, first.from, outages.last()};
+  finding.figures = {text_figure("adapter", report.history.link), moment_figure(report, "since", first.from),
+                     time_figure("length", first.to - first.from), times_figure("count", outages.count())};
+  if (report.history.link_down) {
+    finding.code = Code::kAdapterAway;
+    finding.level = FindingLevel::kError;
+    finding.from = outages.last();
+    finding.figures[1] = moment_figure(report, "since", outages.last());
+  }
+  findings.push_back(std::move(finding));
+}
+
 void find_absent_slaves(const RunReport& report, Findings& findings) {
   for (std::size_t i = 0; i < report.slaves.size(); ++i) {
-    if (!is_absent(report, i)) continue;
+    if (!is_absent(report, i) || report.history.link_down) continue;
+    // Of a bus that was never operated nobody knows: the error of its bring-up says why.
+    if (report.cycles == 0 && report.history.slaves[i].absences.empty()) continue;
     std::size_t last = i;
     while (last + 1 < report.slaves.size() && is_absent(report, last + 1)) ++last;
     findings.push_back(absent(report, i, last));

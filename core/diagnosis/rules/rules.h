@@ -17,6 +17,7 @@ inline constexpr Nanoseconds kReadLater = kSecond;
 
 using Findings = std::vector<RunFinding>;
 
+void find_link_outages(const RunReport& report, Findings& findings);
 void find_absent_slaves(const RunReport& report, Findings& findings);
 void find_states(const RunReport& report, Findings& findings);
 void find_clocks(const RunReport& report, Findings& findings);
@@ -44,6 +45,8 @@ void find_working_counters(const RunReport& report, Findings& findings);
 [[nodiscard]] Nanoseconds usual_worst_lateness(const RunReport& report);
 /// Rounded up to 10 us: nobody sets SYNC0 finer by hand.
 [[nodiscard]] Nanoseconds advised(Nanoseconds amount);
+/// Adapter and slaves are told apart by when: what is away together with the master's own adapter is its doing.
+[[nodiscard]] bool adapter_was_away(const RunReport& report, const Spell& spell);
 /// The slave was away, fell, or has an active cable fault near that time: what is seen then on the bus is its doing.
 [[nodiscard]] int slave_in_trouble(const RunReport& report, const Spell& spell);
 

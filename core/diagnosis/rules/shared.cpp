@@ -37,6 +37,12 @@ Nanoseconds advised(Nanoseconds amount) {
   return std::max(kStep, (amount + kStep - 1) / kStep * kStep);
 }
 
+bool adapter_was_away(const RunReport& report, const Spell& spell) {
+  // Slaves count as absent when nothing was heard for a while, and are found one after the other.
+  constexpr Nanoseconds kFollows = 500 * kMillisecond;
+  return report.history.link_outages.near(spell, kFollows);
+}
+
 int slave_in_trouble(const RunReport& report, const Spell& spell) {
   constexpr Nanoseconds kNear = 500 * kMillisecond;
   for (std::size_t i = 0; i < report.history.slaves.size(); ++i) {

@@ -114,6 +114,7 @@ void find_lost_frames(const RunReport& report, Findings& findings) {
   Port noisy;
   int gone = -1;
   for (const auto& spell : report.history.lost_frames.list()) {
+    if (adapter_was_away(report, spell)) continue;  // those that were under way at that moment
     if (report.history.stalls.near(spell, kTogether)) {
       by_host.add(spell);
       continue;

@@ -33,14 +33,15 @@ bool same_datagram(const DatagramHeader& sent, const DatagramHeader& returned) {
 
 bool RecordedSlave::knows(std::uint32_t address, std::size_t length) const {
   for (std::size_t i = 0; i < length; ++i) {
-    if (!memory.contains(static_cast<std::uint32_t>(address + i))) return false;
+    const auto a = static_cast<std::uint32_t>(address + i);
+    if (!memory.contains(a) && (!written_to_all || !written_to_all->contains(a))) return false;
   }
   return true;
 }
 
 RecordedSlave& BusRecorder::slave(std::size_t position) {
   if (position >= slaves_.size()) {
-    slaves_.resize(position + 1);
+    slaves_.resize(position + 1, RecordedSlave{{}, {}, false, written_to_all_});
     sii_address_.resize(position + 1);
     sii_status_.resize(position + 1);
   }
@@ -114,7 +115,15 @@ void BusRecorder::learn_broadcast(const Sent& sent, std::uint16_t wkc) {
   const auto count = std::min<std::size_t>(wkc / each, kMostSlaves);
   if (count > slaves_.size() && wkc % each == 0) (void)slave(count - 1);
   if (!writes(sent.header.command)) return;  // an OR of all says nothing of one
-  for (std::size_t i = 0; i < slaves_.size(); ++i) note_write(i, sent.header.ado(), sent.data);
+  note_broadcast_write(sent.header.ado(), sent.data);
+}
+
+/// Once for all of them: a damaged or made-up frame may claim thousands.
+void BusRecorder::note_broadcast_write(std::uint16_t address, std::span<const std::uint8_t> data) {
+  if (address == reg::kSiiControl && data.size() >= 6) std::ranges::fill(sii_address_, load_le<std::uint32_t>(data.subspan(2)));
+  if (address == reg::kSiiAddress && data.size() >= 4) std::ranges::fill(sii_address_, load_le<std::uint32_t>(data));
+  if (address >= reg::kReceiveTimePort0 && address < reg::kSystemTime) return;
+  for (std::size_t i = 0; i < data.size(); ++i) written_to_all_->insert(static_cast<std::uint32_t>(address + i));
 }
 
 void BusRecorder::note_write(std::size_t position, std::uint16_t address, std::span<const std::uint8_t> data) {

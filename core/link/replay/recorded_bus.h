@@ -4,7 +4,9 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -17,6 +19,8 @@ struct RecordedSlave {
   std::map<std::uint32_t, std::uint8_t> memory;  // bytes that were read or written with a working counter
   std::map<std::uint32_t, std::uint16_t> sii;    // EEPROM by word address
   bool reads_8_bytes = false;                    // of the EEPROM at a time
+  /// Of all slaves together: bytes that a broadcast has written, so that every slave has them. Their values are not known.
+  std::shared_ptr<const std::set<std::uint32_t>> written_to_all;
 
   [[nodiscard]] bool knows(std::uint32_t address, std::size_t length) const;
 };
@@ -46,6 +50,7 @@ class BusRecorder {
   void note_write(std::size_t position, std::uint16_t address, std::span<const std::uint8_t> data);
   void note_read(std::size_t position, std::uint16_t address, std::span<const std::uint8_t> data);
   void note_sii(std::size_t position, std::uint16_t address, std::span<const std::uint8_t> data);
+  void note_broadcast_write(std::uint16_t address, std::span<const std::uint8_t> data);
   RecordedSlave& slave(std::size_t position);
   [[nodiscard]] std::optional<std::size_t> position_of(const DatagramHeader& header) const;
 
@@ -55,6 +60,7 @@ class BusRecorder {
   std::vector<std::uint32_t> sii_address_;           // that the master set last, by position
   std::vector<std::uint16_t> sii_status_;
   std::size_t exchanges_ = 0;
+  std::shared_ptr<std::set<std::uint32_t>> written_to_all_ = std::make_shared<std::set<std::uint32_t>>();
 };
 
 }  // namespace syncline

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "link/replay/replay_link.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <deque>
@@ -174,19 +176,62 @@ class ReplayLink final : public Link {
 
 }  // namespace
 
-Result<std::unique_ptr<Link>> make_replay_link(const std::string& path, VirtualClock& clock) {
+namespace {
+
+ReplayNotes::Slave note_of(const RecordedSlave& slave) {
+  constexpr std::uint32_t kAliasWord = 4, kVendorWord = 8, kProductWord = 10, kRevisionWord = 12, kSerialWord = 14;
+  constexpr unsigned kDcFeature = 0x0004;
+  const auto has_words = [&](std::uint32_t word) { return slave.sii.contains(word) && slave.sii.contains(word + 1); };
+  const auto was_read = [&](std::uint32_t address, std::uint32_t size) {
+    for (std::uint32_t i = 0; i < size; ++i) {
+      if (!slave.memory.contains(address + i)) return false;
+    }
+    return true;
+  };
+  ReplayNotes::Slave note;
+  note.vendor_id = has_words(kVendorWord);
+  note.product_code = has_words(kProductWord);
+  note.revision_no = has_words(kRevisionWord);
+  note.serial_no = has_words(kSerialWord);
+  note.alias = slave.sii.contains(kAliasWord) || was_read(reg::kStationAlias, 2);
+  note.state = was_read(reg::kAlStatus, 2);
+  note.ports = was_read(reg::kDlStatus, 2);
+  const bool without_dc = was_read(reg::kFeatures, 2) && (slave.memory.at(reg::kFeatures) & kDcFeature) == 0;
+  note.dc = without_dc || was_read(reg::kSystemTime, 4) || was_read(reg::kReceiveTimePort0, 4);
+  note.sii_words = slave.sii.size();
+  return note;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Link>> make_replay_link(const std::string& path, VirtualClock& clock, ReplayNotes* notes) {
   auto reader = PcapReader::open(path);
   if (!reader) return tl::unexpected(reader.error());
   BusRecorder recorder;
+  ReplayNotes found;
   for (;;) {
     auto frame = reader->next();
-    if (!frame) return tl::unexpected(frame.error());
+    if (!frame) {
+      if (recorder.exchanges() == 0) return tl::unexpected(frame.error());
+      found.broken_off = frame.error();
+      break;
+    }
     if (!*frame) break;
+    ++found.frames;
+    if ((*frame)->truncated) {
+      ++found.cut_frames;
+      continue;
+    }
     recorder.add((*frame)->bytes);
   }
   if (recorder.exchanges() == 0) {
-    return fail(Error{ErrorCode::kNotThatKindOfFile, {}, "a capture with EtherCAT frames and their answers", path});
+    const auto why = found.cut_frames == 0
+                         ? std::string("a capture with EtherCAT frames and their answers")
+                         : fmt::format("a capture of whole frames; {} of its {} were captured in part only", found.cut_frames, found.frames);
+    return fail(Error{ErrorCode::kNotThatKindOfFile, {}, why, path});
   }
+  for (const auto& slave : recorder.slaves()) found.slaves.push_back(note_of(slave));
+  if (notes != nullptr) *notes = std::move(found);
   return std::make_unique<ReplayLink>(path, recorder.slaves(), clock);
 }
 

@@ -216,5 +216,78 @@ TEST(Captures, EveryEtherCatFrameDecodes) {
   EXPECT_GE(datagrams, frames);
 }
 
+/// A broadcast that claims thousands of slaves, seven times over the whole memory of an ESC: some 20 KB of frames.
+TEST(BusRecorder, WhatIsWrittenToAllIsKeptOnceForAll) {
+  constexpr std::uint16_t kClaimed = 4096;
+  BusRecorder recorder;
+  for (std::uint16_t i = 0; i < 7; ++i) {
+    FrameBuilder builder;
+    builder.set_addresses(kBroadcast, kMaster);
+    const std::vector<std::uint8_t> data(1400, 0x11);
+    ASSERT_TRUE(builder.add(Command::kBwr, static_cast<std::uint8_t>(i), device_address(0, static_cast<std::uint16_t>(0x1000 + 1400 * i)), data));
+    const auto frame = builder.finish();
+    std::vector<std::uint8_t> sent(frame.begin(), frame.end()), back = sent;
+    back[6] |= 0x02;
+    FrameReader reader(back);
+    reader.next()->set_wkc(kClaimed);
+    recorder.add(sent);
+    recorder.add(back);
+  }
+  ASSERT_EQ(recorder.slaves().size(), kClaimed);
+  std::size_t bytes = 0;
+  for (const auto& slave : recorder.slaves()) bytes += slave.memory.size();
+  EXPECT_EQ(bytes, 0U);
+  EXPECT_TRUE(recorder.slaves().back().knows(0x1000, 7 * 1400));
+  EXPECT_FALSE(recorder.slaves().back().knows(0x0FFF, 2));
+}
+
+std::vector<std::uint8_t> bytes_of_file(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+void exchange_state(CaptureFile& file) {
+  file.exchange(Command::kBrd, 0, reg::kType, {0, 0}, {0x11, 0}, 2);
+  file.exchange(Command::kAprd, 0, reg::kAlStatus, {0, 0}, {0x01, 0}, 1);
+}
+
+TEST(Replay, AFileThatBreaksOffIsUsedAsFarAsItGoesAndThatIsTold) {
+  CaptureFile file("syncline-broken-");
+  exchange_state(file);
+  exchange_state(file);
+  const auto path = file.finish();
+  fs::resize_file(path, fs::file_size(path) - 30);
+  VirtualClock clock;
+  ReplayNotes notes;
+  ASSERT_TRUE(make_replay_link(path, clock, &notes));
+  ASSERT_TRUE(notes.broken_off);
+  EXPECT_EQ(notes.broken_off->file, path);
+  ASSERT_EQ(notes.slaves.size(), 2U);
+  EXPECT_TRUE(notes.slaves[0].state);
+  EXPECT_FALSE(notes.slaves[1].state) << "nobody has read it";
+  EXPECT_FALSE(notes.slaves[0].vendor_id);
+}
+
+TEST(Replay, FramesThatAreThereInPartOnlyAreCounted) {
+  CaptureFile file("syncline-cut-");
+  exchange_state(file);
+  exchange_state(file);
+  const auto path = file.finish();
+  auto bytes = bytes_of_file(path);
+  // The original length of the last packet, 4 bytes behind the captured one in its block (block of 28 + frame + options).
+  std::size_t block = 28 + 32, last = block;
+  while (block + 12 <= bytes.size()) {
+    last = block;
+    block += load_le<std::uint32_t>(std::span(bytes).subspan(block + 4));
+  }
+  store_le(std::span(bytes).subspan(last + 24), std::uint32_t{1500});
+  std::ofstream(path, std::ios::binary).write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  VirtualClock clock;
+  ReplayNotes notes;
+  ASSERT_TRUE(make_replay_link(path, clock, &notes));
+  EXPECT_EQ(notes.cut_frames, 1U);
+  EXPECT_EQ(notes.frames, 8U);
+}
+
 }  // namespace
 }  // namespace syncline

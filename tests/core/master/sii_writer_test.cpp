@@ -7,6 +7,7 @@
 #include "link/fault_link.h"
 #include "protocol/sii.h"
 #include "sim/sii_from_device.h"
+#include "support/random.h"
 #include "tests/support/scan_bed.h"
 
 namespace syncline {
@@ -78,6 +79,49 @@ TEST_F(SiiWriterTest, AnInterruptedWriteIsTakenBack) {
   const auto report = write_eeprom(*bus, slave, image, [&](std::size_t done, std::size_t) { cancel = done == 20; });
   ASSERT_FALSE(report);
   EXPECT_EQ(report.error().code, ErrorCode::kCancelled);
+  EXPECT_EQ(content(), before);
+}
+
+/// Also while the EEPROM is storing a word, which takes it some milliseconds in which it hears nothing.
+TEST_F(SiiWriterTest, AtWhateverMomentItIsCancelledTheContentIsTheOldOrTheNewOne) {
+  network.sim.slaves[2].sii.write_time = 3 * kMillisecond;
+  SetUp();
+  const auto before = content();
+  auto image = before;
+  for (std::size_t i = 0x80; i < 0xA0; ++i) image[i] ^= 0xA5;
+  Random random(7);
+  Nanoseconds end = 0;
+  bus->set_interrupt([&] { return end != 0 && clock.now() >= end; });
+  int taken_back = 0, written = 0;
+  for (int i = 0; i < 100; ++i) {
+    end = clock.now() + static_cast<Nanoseconds>(random.next() % (200 * kMillisecond));
+    const auto report = write_eeprom(*bus, slave, image);
+    end = 0;
+    const auto now = content();
+    ASSERT_TRUE(now == before || now == image) << "round " << i;
+    EXPECT_EQ(now == image, report.has_value()) << "round " << i;
+    (report ? written : taken_back) += 1;
+    if (report) {
+      ASSERT_TRUE(write_eeprom(*bus, slave, before));
+    }
+  }
+  EXPECT_GT(taken_back, 20);
+  EXPECT_GT(written, 5);
+}
+
+TEST_F(SiiWriterTest, WhatWillBeWrittenIsTellableBeforeTheFirstWord) {
+  const auto before = content();
+  auto image = before;
+  image[0x90] ^= 0xFF;
+  std::vector<std::uint8_t> told_before, told_after;
+  const auto refuse = [&](std::span<const std::uint8_t> was, std::span<const std::uint8_t> will) {
+    told_before.assign(was.begin(), was.end());
+    told_after.assign(will.begin(), will.end());
+    return Status(fail(ErrorCode::kFileNotWritable));
+  };
+  EXPECT_EQ(write_eeprom(*bus, slave, image, {}, refuse).error().code, ErrorCode::kFileNotWritable);
+  EXPECT_EQ(told_before, before);
+  EXPECT_EQ(told_after, image);
   EXPECT_EQ(content(), before);
 }
 

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "support/output_file.h"
+
+#include <fcntl.h>
+#include <linux/magic.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <sys/vfs.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <utility>
+#include <vector>
+
+namespace syncline {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kGathered = 1U << 16;
+constexpr std::size_t kRandomCharacters = 6;  // mkstemp's
+constexpr mode_t kPermissions = 07777;
+
+std::string folder_of(const std::string& file) {
+  const auto folder = fs::path(file).parent_path().string();
+  return folder.empty() ? "." : folder;
+}
+
+/// /dev/stdout and its like name an open file of a program, which may have an ordinary file's contents.
+bool in_proc(const std::string& file) {
+  struct statfs status {};
+  return ::statfs(folder_of(file).c_str(), &status) == 0 && status.f_type == PROC_SUPER_MAGIC;
+}
+
+struct Target {
+  std::string file;  // the last link's
+  bool in_place = false;
+};
+
+/// Through symbolic links the file that they name is replaced, not the link.
+Target follow(std::string file) {
+  constexpr int kMostLinks = 40;  // as the kernel does
+  for (int i = 0; i < kMostLinks; ++i) {
+    if (in_proc(file)) return {file, true};
+    std::error_code error;
+    const auto next = fs::read_symlink(file, error);
+    if (error) return {file, false};
+    file = (fs::path(file).parent_path() / next).string();
+  }
+  return {file, false};  // stat() finds the loop
+}
+
+/// Hidden, and no name that a user would give: "folder/.name.saving-" and six characters.
+std::string temporary_prefix(const std::string& target) {
+  constexpr std::size_t kLongest = 200;  // names of 255 bytes are the most that file systems take
+  const fs::path file(target);
+  return (file.parent_path() / ("." + file.filename().string().substr(0, kLongest) + ".saving-")).string();
+}
+
+/// Temporary files of programs that were killed while they wrote `target`. Those of programs at work are locked.
+void remove_left_overs(const std::string& target) {
+  const auto prefix = fs::path(temporary_prefix(target)).filename().string();
+  std::error_code error;
+  std::vector<std::string> found;
+  for (fs::directory_iterator it(folder_of(target), error), end; !error && it != end; it.increment(error)) {
+    const auto name = it->path().filename().string();
+    if (name.size() == prefix.size() + kRandomCharacters && name.starts_with(prefix))
+      found.push_back(it->path().string());
+  }
+  for (const auto& name : found) {
+    const int descriptor = ::open(name.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+    if (descriptor < 0) continue;
+    struct stat status {};
+    const bool ordinary = ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
+    if (ordinary && ::flock(descriptor, LOCK_EX | LOCK_NB) == 0) ::unlink(name.c_str());
+    ::close(descriptor);
+  }
+}
+
+/// mkstemp makes files that only the owner reads; a new file is an ordinary one, a replaced one stays whose and what it
+/// was.
+bool take_over_permissions(int descriptor, const std::string& target) {
+  struct stat old {};
+  if (::stat(target.c_str(), &old) != 0) {
+    const mode_t mask = ::umask(0);
+    ::umask(mask);
+    return ::fchmod(descriptor, 0666 & ~mask) == 0;
+  }
+  const bool same_owner = ::fchown(descriptor, old.st_uid, old.st_gid) == 0;
+  return ::fchmod(descriptor, old.st_mode & (same_owner ? kPermissions : 0777U)) == 0;
+}
+
+/// The rename is on the disk only when its folder is.
+void sync_folder(const std::string& folder) {
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  (void)::fsync(descriptor);
+  ::close(descriptor);
+}
+
+/// errno of what ended the writing, 0 when all is written.
+int write_all(int descriptor, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const auto written = ::write(descriptor, bytes.data(), bytes.size());
+    if (written < 0) return errno;
+    if (written == 0) return EIO;
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return 0;
+}
+
+Error not_writable(const std::string& path, std::string why) {
+  return Error{.code = ErrorCode::kFileNotWritable, .detail = std::move(why), .file = path};
+}
+
+}  // namespace
+
+Result<OutputFile> OutputFile::create(const std::string& path) {
+  OutputFile file;
+  file.path_ = path;
+  const auto target = follow(path);
+  file.target_ = target.file;
+  struct stat found {};
+  const bool there = ::stat(file.target_.c_str(), &found) == 0;
+  if (!there && errno != ENOENT) return fail(not_writable(path, std::strerror(errno)));
+  if (there && S_ISDIR(found.st_mode)) return fail(not_writable(path, "it is a folder"));
+  if (there && S_ISBLK(found.st_mode)) return fail(not_writable(path, "it is a disk, not a file"));
+  if (there && S_ISSOCK(found.st_mode)) return fail(not_writable(path, "it is a socket, not a file"));
+  const bool in_place = there && (target.in_place || !S_ISREG(found.st_mode));
+  if (auto status = in_place ? file.open_in_place() : file.open_temporary(); !status)
+    return tl::unexpected(status.error());
+  return file;
+}
+
+OutputFile::OutputFile(OutputFile&& other) noexcept
+    : path_(std::move(other.path_)),
+      target_(std::move(other.target_)),
+      temporary_(std::move(other.temporary_)),
+      buffer_(std::move(other.buffer_)),
+      status_(std::move(other.status_)),
+      descriptor_(std::exchange(other.descriptor_, -1)) {}
+
+OutputFile::~OutputFile() {
+  if (descriptor_ < 0) return;
+  if (temporary_.empty() && status_) (void)flush();
+  discard();
+}
+
+Status OutputFile::open_in_place() {
+  descriptor_ = ::open(target_.c_str(), O_WRONLY | O_APPEND | O_NOCTTY | O_CLOEXEC);
+  return descriptor_ < 0 ? failed(errno) : Status{};
+}
+
+Status OutputFile::open_temporary() {
+  remove_left_overs(target_);
+  for (;;) {
+    temporary_ = temporary_prefix(target_) + std::string(kRandomCharacters, 'X');
+    descriptor_ = ::mkostemp(temporary_.data(), O_CLOEXEC);
+    if (descriptor_ < 0) return failed(errno);
+    struct stat status {};
+    // Somebody may have cleaned it up before it was locked.
+    if (::flock(descriptor_, LOCK_EX) != 0 || ::fstat(descriptor_, &status) != 0 || status.st_nlink > 0) return {};
+    ::close(std::exchange(descriptor_, -1));
+  }
+}
+
+Status OutputFile::write(std::string_view bytes) {
+  if (!status_) return status_;
+  buffer_.append(bytes);
+  return buffer_.size() < kGathered ? Status{} : flush();
+}
+
+Status OutputFile::flush() {
+  if (!status_) return status_;
+  const int number = write_all(descriptor_, buffer_);
+  buffer_.clear();
+  return number == 0 ? Status{} : failed(number);
+}
+
+Status OutputFile::finish() {
+  if (auto status = flush(); !status) return status;
+  if (temporary_.empty()) {
+    if (::close(std::exchange(descriptor_, -1)) != 0) return failed(errno);
+    return {};
+  }
+  if (!take_over_permissions(descriptor_, target_) || ::fsync(descriptor_) != 0) return failed(errno);
+  if (std::rename(temporary_.c_str(), target_.c_str()) != 0) return failed(errno);
+  temporary_.clear();
+  if (::close(std::exchange(descriptor_, -1)) != 0) return failed(errno);
+  sync_folder(folder_of(target_));
+  return {};
+}
+
+Status OutputFile::failed(int number) {
+  if (number == EINTR) {
+    status_ = fail(Error{.code = ErrorCode::kCancelled, .file = path_});
+  } else {
+    status_ = fail(not_writable(path_, std::strerror(number)));
+  }
+  discard();
+  return status_;
+}
+
+void OutputFile::discard() {
+  if (descriptor_ < 0) return;
+  // While it is locked: another program may take the name from then on.
+  if (!temporary_.empty()) ::unlink(temporary_.c_str());
+  ::close(std::exchange(descriptor_, -1));
+  temporary_.clear();
+  buffer_.clear();
+}
+
+}  // namespace syncline

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// The master's own network adapter is switched off or unplugged for a while, and the bus comes back with it.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "protocol/al_state.h"
+#include "support/random.h"
+#include "tests/support/diagnosed_run.h"
+
+namespace syncline {
+namespace {
+
+using Code = FindingCode;
+
+class AdapterAway : public ::testing::Test {
+ protected:
+  test::DiagnosedRun machine;
+  void SetUp() override {
+    machine.network.add(test::io8());
+    machine.network.add(test::servo(), "servo-y");
+    machine.network.add(test::servo(), "servo-y");
+  }
+  [[nodiscard]] std::vector<std::int64_t> link_events() const {
+    std::vector<std::int64_t> all;
+    for (const auto& event : machine.events) {
+      if (event.kind == EventKind::kLink) all.push_back(event.a);
+    }
+    return all;
+  }
+  [[nodiscard]] const RunFinding* finding(Code code) const {
+    const auto found = std::ranges::find(machine.findings, code, &RunFinding::code);
+    return found == machine.findings.end() ? nullptr : &*found;
+  }
+};
+
+TEST_F(AdapterAway, ForASecondIsToldAndTheBusComesBackToOp) {
+  machine.adapter_away = {{6 * kSecond, 7 * kSecond}};
+  machine.run(20 * kSecond);
+  EXPECT_EQ(machine.report.state, AlState::kOp) << machine.said();
+  EXPECT_THAT(link_events(), testing::ElementsAre(0, 1));
+  ASSERT_NE(finding(Code::kAdapterWasAway), nullptr) << machine.said();
+  EXPECT_THAT(describe(*finding(Code::kAdapterWasAway)), testing::HasSubstr("for 1 s"));
+  // One cause, told once: no slave and no cable is accused of it.
+  for (const auto code : {Code::kSlaveWasAbsent, Code::kSlaveAbsent, Code::kSlaveAbsentBehindCable, Code::kFramesLost,
+                          Code::kOutputsWatchdog}) {
+    EXPECT_FALSE(machine.found(code)) << machine.said();
+  }
+}
+
+TEST_F(AdapterAway, WhenItStaysAwayThatIsWhatIsWrong) {
+  machine.adapter_away = {{6 * kSecond, 100 * kSecond}};
+  machine.run(9 * kSecond);
+  EXPECT_THAT(link_events(), testing::ElementsAre(0));
+  ASSERT_NE(finding(Code::kAdapterAway), nullptr) << machine.said();
+  EXPECT_EQ(finding(Code::kAdapterAway)->level, FindingLevel::kError);
+  EXPECT_FALSE(machine.found(Code::kSlaveAbsent)) << machine.said();
+}
+
+TEST_F(AdapterAway, AgainAndAgainForAsLongAsItLikes) {
+  Random random(3);
+  for (Nanoseconds at = 6 * kSecond; at < 60 * kSecond;) {
+    const auto length = static_cast<Nanoseconds>(1 + random.next() % 30) * 100 * kMillisecond;
+    machine.adapter_away.push_back({at, at + length});
+    at += length + 10 * kSecond;
+  }
+  machine.run(75 * kSecond);
+  EXPECT_EQ(machine.report.state, AlState::kOp) << machine.said();
+  EXPECT_EQ(link_events().size(), 2 * machine.adapter_away.size());
+}
+
+TEST_F(AdapterAway, WhenTheBusIsSoughtItIsWaitedForToo) {
+  machine.adapter_away = {{0, 900 * kMillisecond}};
+  machine.run(15 * kSecond);
+  EXPECT_EQ(machine.report.state, AlState::kOp) << machine.said();
+}
+
+}  // namespace
+}  // namespace syncline

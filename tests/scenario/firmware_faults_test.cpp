@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// Firmware that hangs or is slow, injected at random into random machines: each must give a finding that names the
+// slave, one that hangs an event, too.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "app/cli/event_text.h"
+#include "support/random.h"
+#include "tests/support/diagnosed_run.h"
+#include "tests/support/source_dir.h"
+
+namespace syncline {
+namespace {
+
+constexpr int kInjections = 17;
+
+DeviceDescription device(const std::string& file) {
+  const auto esi = eni::read_esi(test::source_dir() + "/resources/esi/" + file);
+  return esi && !esi->devices.empty() ? esi->devices.front() : DeviceDescription{};
+}
+
+struct Kind {
+  FaultKind fault;
+  Nanoseconds least, most;  // value, where the kind has one
+  bool lasts;               // for good, else for some seconds
+};
+
+class FirmwareFaults : public ::testing::TestWithParam<Kind> {};
+
+TEST_P(FirmwareFaults, AreToldByNameOfTheSlave) {
+  const auto kind = GetParam();
+  int silent = 0;
+  for (int i = 0; i < kInjections; ++i) {
+    Random random(static_cast<std::uint64_t>(1000 + i));
+    test::DiagnosedRun machine;
+    machine.network.sim.seed = random.next();
+    const auto count = 2 + random.next() % 5;
+    for (std::size_t slave = 0; slave < count; ++slave) {
+      switch (random.next() % 4) {
+        case 0:
+          machine.network.add(device("SL-XE2.xml"), "drive-c");
+          break;
+        case 1:
+          machine.network.add(device("SL-6751.xml"), "can-gateway");
+          break;
+        case 2:
+          machine.network.add(test::io8());
+          break;
+        default:
+          machine.network.add(test::servo(), "servo-y");
+          break;
+      }
+    }
+    // A slave without a mailbox cannot tell that it is slow.
+    const bool needs_mailbox = kind.fault != FaultKind::kStopApplication;
+    std::vector<int> able;
+    for (std::size_t slave = 0; slave < count; ++slave) {
+      const auto& config = machine.network.sim.slaves[slave].device;
+      if (!config.device_emulation() && (!needs_mailbox || config.mailbox)) able.push_back(static_cast<int>(slave));
+    }
+    if (able.empty()) {
+      able.push_back(static_cast<int>(count));
+      machine.network.add(test::servo(), "servo-y");
+    }
+    const int victim = able[random.next() % able.size()];
+    const auto at = 6 * kSecond + static_cast<Nanoseconds>(random.next() % (2 * kSecond));
+    auto& fault = machine.fault(kind.fault, at, victim);
+    if (kind.most > 0)
+      fault.value_ns =
+          kind.least + static_cast<Nanoseconds>(random.next() % static_cast<std::uint64_t>(kind.most - kind.least));
+    if (!kind.lasts) fault.until = at + 2 * kSecond + static_cast<Nanoseconds>(random.next() % (2 * kSecond));
+    machine.run(16 * kSecond);
+    const bool event =
+        kind.fault != FaultKind::kStopApplication || std::ranges::any_of(machine.events, [&](const Event& e) {
+          return e.slave == victim && e.time > 0 && e.time - machine.report.history.begin > 5 * kSecond;
+        });
+    const bool finding = std::ranges::any_of(
+        machine.findings, [&](const RunFinding& f) { return f.slave == victim && f.level != FindingLevel::kNote; });
+    if (event && finding) continue;
+    ++silent;
+    std::string events;
+    for (const auto& e : machine.events) {
+      if (e.time - machine.report.history.begin > 5 * kSecond)
+        events += cli::event_text(e, machine.report.history.begin) + "\n";
+    }
+    ADD_FAILURE() << "injection " << i << " into slave " << victim << " ("
+                  << machine.network.sim.slaves[static_cast<std::size_t>(victim)].device.type << "), value "
+                  << fault.value_ns << " ns: event " << event << ", finding " << finding << "\n"
+                  << events << machine.said();
+  }
+  EXPECT_EQ(silent, 0) << "of " << kInjections;
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, FirmwareFaults,
+                         ::testing::Values(Kind{FaultKind::kStopApplication, 0, 0, true},
+                                           Kind{FaultKind::kStopApplication, 0, 0, false},
+                                           Kind{FaultKind::kSlowApplication, 2 * kMillisecond, 8 * kMillisecond, true},
+                                           Kind{FaultKind::kSlowApplication, 2 * kMillisecond, 8 * kMillisecond, false},
+                                           Kind{FaultKind::kMailboxSilence, 0, 0, true},
+                                           Kind{FaultKind::kMailboxSilence, 0, 0, false},
+                                           Kind{FaultKind::kSlowMailbox, kSecond, 3 * kSecond, true}));
+
+}  // namespace
+}  // namespace syncline
