@@ -121,12 +121,21 @@ Status ClockSteps::join(const SlaveList& slaves) {
   return join.run(others, reference.leader());
 }
 
+Result<SlaveList> ClockSteps::without_sync_signals(const SlaveList& slaves) {
+  SlaveList without;
+  if (!sync_.active()) return without;
+  const auto faults = check_dc_start(bus_, run_.config(), slaves);
+  if (!faults) return tl::unexpected(faults.error());
+  for (const auto& fault : *faults) without.push_back(fault.slave);
+  return without;
+}
+
 Status ClockSteps::check_sync_signals(const SlaveList& slaves) {
   if (!sync_.active()) return {};
-  const auto errors = check_dc_start(bus_, run_.config(), slaves);
-  if (!errors) return tl::unexpected(errors.error());
-  for (const auto& error : *errors) run_.error(error, bus_.clock().now());
-  return errors->empty() ? Status{} : fail(errors->front());
+  const auto faults = check_dc_start(bus_, run_.config(), slaves);
+  if (!faults) return tl::unexpected(faults.error());
+  for (const auto& fault : *faults) run_.error(fault.error, bus_.clock().now());
+  return faults->empty() ? Status{} : fail(faults->front().error);
 }
 
 }  // namespace syncline

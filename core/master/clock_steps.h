@@ -30,6 +30,8 @@ class ClockSteps {
   Status join(const SlaveList& slaves);
   /// The first error is the result; every one is told.
   Status check_sync_signals(const SlaveList& slaves);
+  /// Those of them whose SYNC0 will not come, as it is now.
+  Result<SlaveList> without_sync_signals(const SlaveList& slaves);
 
  private:
   void note(const DcNetwork& network);

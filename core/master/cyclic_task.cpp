@@ -10,6 +10,7 @@ namespace {
 constexpr Nanoseconds kPublishPeriod = 1 * kMillisecond;
 constexpr std::size_t kMostAcyclicFrames = 8;
 constexpr int kMostAmendments = 4;
+constexpr Nanoseconds kLatest = 95;  // % of the cycle: then its frames must be back
 constexpr std::size_t kFrameOverhead = kEthernetHeaderSize + kEtherCatHeaderSize;
 
 std::int32_t to_32(Nanoseconds value) {
@@ -62,7 +63,7 @@ Status CyclicTaskRunner::run_cycle(std::span<Datagram* const> acyclic) {
   frames_.prepare(sample.cycle, steering_);
   fill_acyclic(acyclic, send_time_);
   first_stamp_.reset();
-  auto status = note_link(exchange_frames(scheduled_ + cycle_time_ * 8 / 10));
+  auto status = note_link(exchange_frames(deadline()));
   adapt_acyclic_limit();
   note_sending(sample);
   exchange_.missing().expire(clock_.now());
@@ -130,7 +131,10 @@ void CyclicTaskRunner::note_sending(CycleSample& sample) {
   if (!sent.empty()) {
     const auto& first = *sent.front();
     send_time_ = first.send_time();
-    if (first.answered()) sample.round_trip_ns = to_32(first.arrival_time() - first.send_time());
+    if (first.answered()) {
+      sample.round_trip_ns = to_32(first.arrival_time() - first.send_time());
+      learn_travel(first);
+    }
   }
   sample.send_time = send_time_;
   sample.wake_lateness_ns = to_32(send_time_ - scheduled_);
@@ -146,8 +150,15 @@ void CyclicTaskRunner::fill_acyclic(std::span<Datagram* const> requests, Nanosec
   mailboxes_.add_to(acyclic_.front(), now);
   sm2_.begin(now);
   mailbox_.add_to(acyclic_.front(), now);
+  // What would not come back in time is left for the next cycle; one request a cycle goes in any case. Where nothing
+  // comes back in time, it is the host that is slow, and not the number of bytes.
+  constexpr Nanoseconds kPerByte = 80;
+  auto room = cycle_time_ * kLatest / 100 - travel_ - cyclic_wire_time() - acyclic_wire_time();
+  const bool limited = room > 0;
   std::size_t frame = 0;
   for (auto* request : requests) {
+    room -= static_cast<Nanoseconds>(kDatagramHeaderSize + request->data.size() + kWkcSize) * kPerByte;
+    if (limited && room < 0 && request != requests.front()) break;
     while (frame < acyclic_limit_ && !acyclic_[frame].add(*request)) ++frame;
     if (frame == acyclic_limit_) break;
   }
@@ -172,6 +183,33 @@ void CyclicTaskRunner::adapt_acyclic_limit() {
   } else if (sent == acyclic_limit_ && last < scheduled_ + cycle_time_ / 2) {
     acyclic_limit_ = std::min(acyclic_limit_ + 1, kMostAcyclicFrames);
   }
+}
+
+Nanoseconds CyclicTaskRunner::cyclic_wire_time() {
+  Nanoseconds sum = 0;
+  for (const auto* frame : frames_.frames()) sum += wire_time_ns(frame->size() + kFrameOverhead);
+  return sum;
+}
+
+Nanoseconds CyclicTaskRunner::acyclic_wire_time() const {
+  Nanoseconds sum = 0;
+  for (const auto& frame : acyclic_) {
+    if (!frame.empty()) sum += wire_time_ns(frame.size() + kFrameOverhead);
+  }
+  return sum;
+}
+
+/// Four fifths of the cycle leave time for what follows; where the segment is so long that its frames need more, they
+/// get it.
+Nanoseconds CyclicTaskRunner::deadline() {
+  const auto needed = travel_ + cyclic_wire_time() + acyclic_wire_time() + cycle_time_ / 20;
+  return scheduled_ + std::clamp(needed, cycle_time_ * 8 / 10, cycle_time_ * kLatest / 100);
+}
+
+/// The shortest counts, and is forgotten slowly: what else a frame waits for is the host's.
+void CyclicTaskRunner::learn_travel(const PendingFrame& frame) {
+  const auto travel = frame.arrival_time() - frame.send_time() - wire_time_ns(frame.size() + kFrameOverhead);
+  travel_ = travel_ == 0 || travel < travel_ ? std::max<Nanoseconds>(travel, 0) : travel_ + (travel - travel_) / 64;
 }
 
 Status CyclicTaskRunner::exchange_frames(Nanoseconds deadline) {
@@ -202,11 +240,12 @@ Status CyclicTaskRunner::send(PendingFrame& frame) {
 Status CyclicTaskRunner::amend_clock() {
   const auto station = reference_.station();
   const auto latest = scheduled_ + cycle_time_ * 8 / 10;
-  if (const auto tuning = reference_.take_tuning()) {
+  const auto is_time = [&] { return clock_.now() + cycle_time_ / 8 < latest; };
+  if (const auto tuning = is_time() ? reference_.take_tuning() : std::nullopt) {
     if (auto sent = amendment_.run(exchange_, *tuning, *this, latest); !sent) return sent;
   }
   bool again = station && steering_ && sync_.wants_second_write();
-  for (int i = 0; again && i < kMostAmendments && clock_.now() + cycle_time_ / 8 < latest; ++i) {
+  for (int i = 0; again && i < kMostAmendments && is_time(); ++i) {
     if (auto sent = amendment_.run(exchange_, {*station, {}, true}, *this, latest); !sent) return sent;
     const auto time = amendment_.reading();
     if (!time) break;

@@ -61,6 +61,12 @@ class CyclicTaskRunner final : public CyclePump, private SendStamp {
   void adapt_acyclic_limit();
   Status exchange_frames(Nanoseconds deadline);
   Status note_link(Status status);
+  /// On the wire, of the cyclic frames, and of those that ride with them.
+  [[nodiscard]] Nanoseconds cyclic_wire_time();
+  [[nodiscard]] Nanoseconds acyclic_wire_time() const;
+  /// When the frames of this cycle count as lost.
+  [[nodiscard]] Nanoseconds deadline();
+  void learn_travel(const PendingFrame& frame);
   Status send(PendingFrame& frame);
   void evaluate(CycleSample& sample);
   void take_mailboxes(CycleSample& sample);
@@ -99,6 +105,7 @@ class CyclicTaskRunner final : public CyclePump, private SendStamp {
   Nanoseconds scheduled_ = 0;
   Nanoseconds send_time_ = 0;      // of this cycle's first frame
   Nanoseconds wire_free_ = 0;      // when the frames that were sent have left
+  Nanoseconds travel_ = 0;         // a frame's way through the segment and back, without its length
   std::optional<Nanoseconds> first_stamp_;  // of that frame, from before it was sent
   Nanoseconds amendment_stamp_ = 0;
   Nanoseconds link_down_since_ = 0;

@@ -18,6 +18,10 @@ namespace {
 constexpr Nanoseconds kLongestGrid = 60 * kSecond;
 /// Start time, activation and their retries each take a cycle before the time must not have passed.
 constexpr int kCyclesUntilActive = 6;
+/// A step that has to be repeated, because a frame got lost.
+constexpr std::size_t kSpareSteps = 1;
+constexpr std::size_t kBytesPerFrame = 1400, kBytesPerStep = 24;  // a datagram of 8 bytes and its header
+constexpr unsigned kMostDoublings = 6;
 
 }  // namespace
 
@@ -43,14 +47,40 @@ bool writes_dc_start_time(const InitCmd& command) {
          writes(command.command);
 }
 
-std::vector<std::uint8_t> dc_start_data(const NetworkConfig& config, const SlaveConfig& slave,
-                                        const InitCmd& command, Nanoseconds now, Nanoseconds base,
-                                        const DcStartTimeCallback& callback) {
+bool sets_sync_unit(const InitCmd& command) {
+  constexpr std::uint16_t kEnd = reg::kSync0CycleTime + 8;
+  return writes(command.command) && !is_logical(command.command) && command.ado >= reg::kCyclicUnitControl &&
+         command.ado < kEnd;
+}
+
+DcStartPace dc_start_pace(std::span<const InitCmd* const> commands) {
+  const auto start =
+      std::ranges::find_if(commands, [](const InitCmd* command) { return writes_dc_start_time(*command); });
+  const auto activation = std::find_if(start, commands.end(), [](const InitCmd* command) {
+    return sets_sync_unit(*command) && command->ado <= reg::kActivation;
+  });
+  DcStartPace pace;
+  pace.steps_before = static_cast<std::size_t>(start - commands.begin());
+  if (activation != commands.end()) pace.steps_until = static_cast<std::size_t>(activation - start);
+  return pace;
+}
+
+Nanoseconds time_until_active(const DcStartPace& pace, Nanoseconds elapsed, Nanoseconds cycle) {
+  const auto frames = static_cast<Nanoseconds>(pace.slaves * kBytesPerStep / kBytesPerFrame + 1);
+  const auto step = pace.steps_before > 0 ? elapsed / static_cast<Nanoseconds>(pace.steps_before) : frames * cycle;
+  // The step that writes the start time itself, and those until the activation has come to the last slave.
+  const auto steps = static_cast<Nanoseconds>(pace.steps_until + 1 + kSpareSteps);
+  return steps * step * (Nanoseconds{1} << std::min(pace.attempt, kMostDoublings));
+}
+
+std::vector<std::uint8_t> dc_start_data(const NetworkConfig& config, const SlaveConfig& slave, const InitCmd& command,
+                                        Nanoseconds now, Nanoseconds base, const DcStartTimeCallback& callback,
+                                        Nanoseconds until_active) {
   auto data = command.data;
   data.resize(command.length());
   dc::StartTimeInput input;
   input.now = now;
-  input.safety = config.dc.start_time_safety + kCyclesUntilActive * config.cycle_time();
+  input.safety = config.dc.start_time_safety + kCyclesUntilActive * config.cycle_time() + until_active;
   input.grid = dc_start_grid(config);
   input.base = base;
   if (slave.dc) {
@@ -108,7 +138,8 @@ std::optional<Error> judge(const SyncReading& reading, const SlaveConfig& slave,
 
 }  // namespace
 
-Result<std::vector<Error>> check_dc_start(Bus& bus, const NetworkConfig& config, std::span<const std::size_t> slaves) {
+Result<std::vector<DcStartFault>> check_dc_start(Bus& bus, const NetworkConfig& config,
+                                                 std::span<const std::size_t> slaves) {
   std::vector<std::size_t> asked;
   for (const auto slave : slaves) {
     const auto& dc = config.slaves[slave].dc;
@@ -123,16 +154,17 @@ Result<std::vector<Error>> check_dc_start(Bus& bus, const NetworkConfig& config,
     reads.push_back({Command::kFprd, device_address(station, reg::kCyclicUnitControl), readings[i].unit});
     reads.push_back({Command::kFprd, device_address(station, reg::kSystemTime), readings[i].time});
   }
-  if (reads.empty()) return std::vector<Error>{};
+  if (reads.empty()) return std::vector<DcStartFault>{};
   if (auto status = bus.transact(reads); !status) return tl::unexpected(status.error());
-  std::vector<Error> errors;
+  std::vector<DcStartFault> faults;
   for (std::size_t i = 0; i < asked.size(); ++i) {
     readings[i].read_unit = reads[2 * i];
     readings[i].read_time = reads[2 * i + 1];
     if (!readings[i].read_unit.done()) continue;  // gone: the next sweep tells
-    if (auto error = judge(readings[i], config.slaves[asked[i]], asked[i])) errors.push_back(std::move(*error));
+    if (auto error = judge(readings[i], config.slaves[asked[i]], asked[i]))
+      faults.push_back({asked[i], std::move(*error)});
   }
-  return errors;
+  return faults;
 }
 
 }  // namespace syncline

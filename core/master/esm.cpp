@@ -13,6 +13,8 @@ namespace {
 
 constexpr int kCyclesBeforeOp = 10;                 // valid outputs before OP is requested
 
+constexpr unsigned kMostRestarts = 3;  // of SYNC signals that came too late
+
 bool is_above(AlState state, AlState target) { return static_cast<int>(state) > static_cast<int>(target); }
 
 }  // namespace
@@ -198,7 +200,7 @@ Status Esm::lift(const SlaveList& slaves, AlState from, Transition transition) {
   if (auto status = commands_.run_mailbox(ready, transition); !status && ends_everything(status.error())) return status;
   if (auto status = commands_.run(ready, transition); !status && ends_everything(status.error())) return status;
   if (transition == Transition::kPS) {
-    if (auto status = clocks_.check_sync_signals(ready); !status && ends_everything(status.error())) return status;
+    if (auto status = start_sync_signals(ready); !status && ends_everything(status.error())) return status;
   }
   return commands_.read_al_status(slaves);
 }
@@ -250,11 +252,24 @@ Status Esm::step_up(AlState from, Transition transition) {
   if (auto registers = commands_.run(slaves, transition); status) status = std::move(registers);
   if (!status && ends_everything(status.error())) return status;
   if (transition == Transition::kPS) {
-    if (auto started = clocks_.check_sync_signals(slaves); status) status = std::move(started);
+    if (auto started = start_sync_signals(slaves); status) status = std::move(started);
     if (!status && ends_everything(status.error())) return status;
   }
   if (auto read = commands_.read_all(); !read) return read;
   return status;
+}
+
+/// A start time that had passed before the unit was active, because so many slaves or so slow a host took so long, is
+/// given again with more time.
+Status Esm::start_sync_signals(const SlaveList& slaves) {
+  for (unsigned attempt = 1; attempt <= kMostRestarts; ++attempt) {
+    auto without = clocks_.without_sync_signals(slaves);
+    if (!without) return tl::unexpected(without.error());
+    if (without->empty()) return {};
+    if (auto status = commands_.restart_sync_signals(*without, attempt); !status && ends_everything(status.error()))
+      return status;
+  }
+  return clocks_.check_sync_signals(slaves);
 }
 
 // ---- down -----------------------------------------------------------------------------------------

@@ -55,6 +55,7 @@ class Esm {
   [[nodiscard]] std::vector<std::size_t> preop_requests() const;
   [[nodiscard]] SlaveList slaves_where(const std::function<bool(AlState)>& applies) const;
   Status step_up(AlState from, Transition transition);
+  Status start_sync_signals(const SlaveList& slaves);
   [[nodiscard]] AlState state_of(std::size_t slave) const;
 
   Bus& bus_;

@@ -45,8 +45,9 @@ SlaveCommands::SlaveCommands(Bus& bus, RunState& run, const SyncWatch& sync)
   std::iota(positions_.begin(), positions_.end(), std::uint16_t{0});
 }
 
-Status SlaveCommands::run(SlaveList& slaves, Transition transition, const Part& part) {
+Status SlaveCommands::run(SlaveList& slaves, Transition transition, const Part& part, unsigned attempt) {
   const auto& config = run_.config();
+  const auto begun = bus_.clock().now();
   std::vector<InitCmdWork> works;
   works.reserve(slaves.size());
   for (const auto slave : slaves) {
@@ -58,10 +59,16 @@ Status SlaveCommands::run(SlaveList& slaves, Transition transition, const Part& 
     InitCmdContext context{run_.slave_name(slave), init_cmd_pause(bus_), std::nullopt, {}};
     if (positions_[slave] != slave) context.auto_increment_address = Position{positions_[slave]}.auto_increment_address();
     if (sync_.active() && transition == Transition::kPS) {
-      context.data = [this, slave](const InitCmd& command) -> std::optional<std::vector<std::uint8_t>> {
+      auto pace = dc_start_pace(commands);
+      pace.slaves = slaves.size();
+      pace.attempt = attempt;
+      context.data = [this, slave, pace, begun](const InitCmd& command) -> std::optional<std::vector<std::uint8_t>> {
         if (!writes_dc_start_time(command)) return std::nullopt;
-        const auto now = sync_.reference_time_at(bus_.clock().now());
-        auto data = dc_start_data(run_.config(), run_.config().slaves[slave], command, now, sync_.base(), sync_.start_time());
+        const auto host = bus_.clock().now();
+        const auto now = sync_.reference_time_at(host);
+        const auto until_active = time_until_active(pace, host - begun, run_.config().cycle_time());
+        auto data = dc_start_data(run_.config(), run_.config().slaves[slave], command, now, sync_.base(),
+                                  sync_.start_time(), until_active);
         run_.snapshot.dc.start_time = written_start_time(data, now);
         return data;
       };
@@ -69,6 +76,20 @@ Status SlaveCommands::run(SlaveList& slaves, Transition transition, const Part& 
     works.emplace_back(std::move(commands), std::move(context));
   }
   return finish(slaves, pointers(works));
+}
+
+Status SlaveCommands::restart_sync_signals(SlaveList& slaves, unsigned attempt) {
+  std::array<std::uint8_t, 1> off{};
+  std::vector<Datagram> writes;
+  for (const auto slave : slaves) {
+    writes.push_back(
+        {Command::kFpwr, device_address(run_.config().slaves[slave].station_address, reg::kActivation), off});
+  }
+  if (auto status = bus_.transact(writes); !status) return status;
+  const auto of_unit = [this](std::size_t slave, std::size_t index) {
+    return sets_sync_unit(run_.config().slaves[slave].init_cmds[index]);
+  };
+  return run(slaves, Transition::kPS, of_unit, attempt);
 }
 
 Status SlaveCommands::repeat_broadcasts(std::span<const std::size_t> slaves) {

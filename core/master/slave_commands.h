@@ -29,8 +29,13 @@ class SlaveCommands {
   /// Register commands, or mailbox commands (CoE objects first, then the other protocols). A slave that fails is told by an event, acknowledged when it
   /// reports an error, and taken off the list; it does not keep the others from finishing. The result is the first
   /// slave's error; errors of the bus itself (see ends_everything()) end all.
-  Status run(SlaveList& slaves, Transition transition, const Part& part = {});
+  Status run(SlaveList& slaves, Transition transition, const Part& part = {}) {
+    return run(slaves, transition, part, 0);
+  }
   Status run_mailbox(SlaveList& slaves, Transition transition);
+
+  /// Switches the SYNC units of slaves off and sets them up again, with more time than the attempts before left.
+  Status restart_sync_signals(SlaveList& slaves, unsigned attempt);
 
   /// What the master's own commands of INIT to PREOP wrote to all slaves (clear FMMUs, SyncManagers, clocks), for
   /// slaves that were not there then.
@@ -47,6 +52,7 @@ class SlaveCommands {
   [[nodiscard]] std::uint16_t position(std::size_t slave) const { return positions_[slave]; }
 
  private:
+  Status run(SlaveList& slaves, Transition transition, const Part& part, unsigned attempt);
   template <class Work, class Messages>
   Status send_all(SlaveList& slaves, Messages messages);
   Status finish(SlaveList& slaves, std::span<SlaveWork* const> works);

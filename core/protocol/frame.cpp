@@ -120,7 +120,7 @@ std::span<const std::uint8_t> FrameBuilder::finish() {
   return all.first(padded);
 }
 
-FrameReader::FrameReader(std::span<std::uint8_t> frame) {
+FrameReader::FrameReader(std::span<std::uint8_t> frame, LengthField length_field) {
   std::size_t header = kEthernetHeaderSize;
   if (frame.size() < header) return;
   auto ether_type = load_be16(frame, kEtherTypeOffset);
@@ -135,8 +135,8 @@ FrameReader::FrameReader(std::span<std::uint8_t> frame) {
     return;
   }
   const auto field = load_le<std::uint16_t>(frame.subspan(header));
-  const std::size_t length = field & kLengthMask;
   const auto rest = frame.subspan(header + kEtherCatHeaderSize);
+  const std::size_t length = length_field == LengthField::kIgnored ? rest.size() : field & kLengthMask;
   if ((field >> 12) != kTypeCommands) return;
   if (length > rest.size()) {
     malformed_ = true;

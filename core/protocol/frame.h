@@ -88,8 +88,11 @@ class FrameBuilder {
 /// about lengths ends the walk with malformed() == true.
 class FrameReader {
  public:
+  /// What the length in the EtherCAT header is good for. ESCs do not look at it: they follow the lengths of the
+  /// datagrams (ESC data sheet I, 2.3: frame header), so that masters that write a wrong one are served.
+  enum class LengthField : std::uint8_t { kChecked, kIgnored };
   /// `frame` starts with the Ethernet header (an 802.1Q tag is skipped).
-  explicit FrameReader(std::span<std::uint8_t> frame);
+  explicit FrameReader(std::span<std::uint8_t> frame, LengthField length_field = LengthField::kChecked);
   /// True when EtherType, EtherCAT type and length field are right.
   [[nodiscard]] bool is_ethercat() const { return is_ethercat_; }
   [[nodiscard]] bool malformed() const { return malformed_; }

@@ -13,9 +13,12 @@ namespace {
 constexpr std::uint64_t kGarbage = 0x6C72'9A3E'0900'0900, kNoise = 0x6E6F'6973'6500;
 constexpr std::uint32_t kSignBit = 0x8000'0000;  // of 0x092C
 
-/// No quartz and no correction of it makes the counter run a quarter faster: what is due after n ns of it needs this part
-/// of n at least.
-constexpr double kLeastRate = 0.75;
+/// No quartz and no correction of it makes the counter run a quarter faster: what is due in n ns is not due before
+/// this.
+constexpr Nanoseconds surely_after(Nanoseconds n) { return n - n / 4; }
+
+/// Signals that are delivered at once at most: nobody who has not asked for so long wants to see all of them.
+constexpr Nanoseconds kMostSignals = 200'000;
 
 /// Faster than that the signals cannot be told apart: one level, one edge.
 constexpr std::uint32_t kShortestCycle = 1000;  // ns
@@ -74,7 +77,8 @@ std::uint64_t DcUnit::offset() const {
 std::uint64_t DcUnit::system_time(Nanoseconds time) const { return masked(unwrapped_time(time)); }
 
 void DcUnit::deliver_until(Nanoseconds time) {
-  if (!config_.system_time || time < now_) return;
+  if (time < now_) return;
+  skip_signals_before(time);
   while (time >= quiet_until_ && next_signal() <= time) {
     now_ = std::max(now_, *next_signal_);
     clock_.advance_to(now_);
@@ -82,12 +86,19 @@ void DcUnit::deliver_until(Nanoseconds time) {
     generator_.fired();
     next_signal_.reset();
     if (const auto next = generator_.due()) {
-      quiet_until_ = now_ + static_cast<Nanoseconds>(static_cast<double>(next->time - fired.time) * kLeastRate);
+      quiet_until_ = now_ + surely_after(static_cast<Nanoseconds>(next->time - fired.time));
     }
     pulse(fired.signal, now_);
   }
   now_ = time;
   if (clock_.advance_to(time)) next_signal_.reset();
+}
+
+void DcUnit::skip_signals_before(Nanoseconds time) {
+  const Nanoseconds cycle = settings_.cycle0;
+  if (!generator_.active() || cycle < kShortestCycle || (time - now_) / cycle <= kMostSignals) return;
+  generator_.skip_to(unwrapped_time(time) - static_cast<std::uint64_t>(kMostSignals * cycle));
+  signals_moved();
 }
 
 void DcUnit::signals_moved() {
@@ -99,8 +110,8 @@ Nanoseconds DcUnit::next_signal() {
   if (!next_signal_) {
     const auto due = generator_.due();
     // The generator counts in system time; its value minus the offset is the local time it waits for.
-    next_signal_ = due ? clock_.time_of(due->time - offset()) : INT64_MAX;
-    if (!due) quiet_until_ = INT64_MAX;
+    next_signal_ = due ? clock_.time_of(due->time - offset(), now_) : LocalClock::kNever;
+    quiet_until_ = now_ + surely_after(*next_signal_ - now_);
   }
   return *next_signal_;
 }
@@ -149,8 +160,7 @@ void DcUnit::write_status() {
 void DcUnit::compare(Nanoseconds frame_end) {
   const auto received = memory_.u32(reg::kSystemTime);
   const auto local = static_cast<std::uint32_t>(local_at_start_of_frame_ + offset()) - memory_.u32(reg::kSystemTimeDelay);
-  loop_.observe(static_cast<std::int32_t>(local - received));
-  clock_.set_correction(loop_.correction(), frame_end);
+  if (loop_.observe(static_cast<std::int32_t>(local - received))) clock_.set_correction(loop_.correction(), frame_end);
 }
 
 void DcUnit::write_activation(Nanoseconds time) {
@@ -181,7 +191,7 @@ std::optional<std::uint64_t> DcUnit::first_sync0(std::uint64_t now) {
   start_implausible_ = ahead == 0 || ahead > near_future;
   if (start_implausible_ && (activation & kCheckStartTime) != 0) return now;
   // A start time that has passed fires only when the counter comes round again: never, for 64 bit.
-  start_missed_ = ahead == 0 || ahead > half;
+  start_missed_ = ahead == 0 || ahead >= half;
   if (!wide_) return now + (ahead == 0 ? std::uint64_t{1} << 32 : ahead);
   return start_missed_ ? std::nullopt : std::optional(start_time_);
 }
@@ -227,7 +237,7 @@ void DcUnit::registers_written(std::uint16_t address, std::size_t length, Nanose
   }
   if (kept_ && overlaps(address, length, reg::kSystemTimeOffset, 12)) keep_clock();
   signals_moved();
-  if (overlaps(address, length, reg::kSystemTimeOffset, 8)) generator_.realign(unwrapped_time(frame_end));
+  if (overlaps(address, length, reg::kSystemTimeOffset, 8)) generator_.realign(unwrapped_time(frame_end), wide_);
   if (overlaps(address, length, reg::kSpeedCounterStart, 2)) {
     loop_.set_speed_counter_start(memory_.u16(reg::kSpeedCounterStart));
     clock_.set_correction(loop_.correction(), frame_end);
@@ -237,6 +247,7 @@ void DcUnit::registers_written(std::uint16_t address, std::size_t length, Nanose
   }
   if (overlaps(address, length, reg::kFilterDepthSpeedCounter, 1)) {
     loop_.set_filter_depth_speed_counter(memory_.u8(reg::kFilterDepthSpeedCounter));
+    clock_.set_correction(loop_.correction(), frame_end);
   }
   if (overlaps(address, length, reg::kStartTimeCyclicOperation, 24)) restore_locked_registers();
   if (overlaps(address, length, reg::kStartTimeCyclicOperation, 4)) start_time_written(address, length, frame_end);
@@ -265,9 +276,11 @@ void DcUnit::latch_ports(const std::array<std::optional<Nanoseconds>, 4>& passed
   }
 }
 
-void DcUnit::step_clock(Nanoseconds delta) {
+void DcUnit::step_clock(Nanoseconds delta, Nanoseconds time) {
+  deliver_until(time);
   clock_.step(delta);
   signals_moved();
+  generator_.realign(unwrapped_time(time), wide_);
 }
 
 void DcUnit::step_offset(Nanoseconds delta, Nanoseconds time) {
@@ -275,7 +288,7 @@ void DcUnit::step_offset(Nanoseconds delta, Nanoseconds time) {
   deliver_until(time);
   memory_.set<std::uint64_t>(reg::kSystemTimeOffset, masked(offset() + static_cast<std::uint64_t>(delta)));
   signals_moved();
-  generator_.realign(unwrapped_time(time));
+  generator_.realign(unwrapped_time(time), wide_);
 }
 
 void DcUnit::ignore_clock_writes(bool ignore) {

@@ -26,18 +26,24 @@ class DcUnit {
 
   /// SYNC0/SYNC1 up to `time` are delivered in order.
   std::function<void(SyncGenerator::Signal, Nanoseconds)> on_sync;
+  /// When more than an hour of them is due at once, the first ones are passed over.
   void advance_to(Nanoseconds time) {
-    if (time < quiet_until_ && !clock_.changes_until(time)) {  // several times in every frame
+    if (time < quiet_until()) {  // several times in every frame
       now_ = std::max(now_, time);
     } else {
       deliver_until(time);
     }
   }
+  /// Nothing happens in the unit before, as long as nobody writes to it.
+  [[nodiscard]] Nanoseconds quiet_until() const { return std::min(quiet_until_, clock_.next_change()); }
 
   /// A frame starts at the processing unit: the system time that reads in this frame show.
   void start_of_frame(Nanoseconds time);
-  /// Copies what a read of this frame shows into the register file.
+  /// Copies what a read of this frame shows into the register file: before anybody looks at these registers or writes a
+  /// part of them.
   void refresh_registers();
+  /// Where they are.
+  static constexpr std::uint16_t kShownBegin = 0x0910, kShownSize = 0x90;
   /// Writes of this frame become effective; `address`, `length`: the range that was written.
   void registers_written(std::uint16_t address, std::size_t length, Nanoseconds frame_end);
   /// The frame wrote 0x0900: time at the processing unit.
@@ -62,7 +68,7 @@ class DcUnit {
   [[nodiscard]] std::uint32_t deviation_magnitude() const { return loop_.system_time_difference() & 0x7FFF'FFFFU; }
 
   // Faults.
-  void step_clock(Nanoseconds delta);
+  void step_clock(Nanoseconds delta, Nanoseconds time);
   /// Somebody adds to 0x0920.
   void step_offset(Nanoseconds delta, Nanoseconds time);
   /// Nothing that is written to 0x0920 to 0x092B takes effect, although it counts as written.
@@ -76,6 +82,8 @@ class DcUnit {
 
  private:
   void deliver_until(Nanoseconds time);
+  /// Closed form of delivering for as long as nobody has asked.
+  void skip_signals_before(Nanoseconds time);
   [[nodiscard]] std::uint64_t offset() const;
   /// System time that does not wrap; a 32-bit unit shows its low word.
   [[nodiscard]] std::uint64_t unwrapped_time(Nanoseconds time) const { return clock_.exact(time) + offset(); }

@@ -89,7 +89,7 @@ void Device::tell_error(std::uint16_t error_code, std::uint8_t error_register, s
   message.text_id = text_id;
   message.time_stamp = esc_.dc().system_time(now_);
   history_.add(message);
-  if (!mail_due_) mail_due_ = now_ + kMailboxReaction;
+  if (mail_due_ == kNever) mail_due_ = now_ + kMailboxReaction;
 }
 
 void Device::stop_application(Nanoseconds time) {
@@ -102,31 +102,29 @@ void Device::resume_application(Nanoseconds time) {
   esc_.pdi_works();
   const auto now = std::max(now_, time);
   for (auto* due : {&request_due_, &mail_due_}) {
-    if (*due) *due = std::max(**due, now);
+    if (*due != kNever) *due = std::max(*due, now);
   }
   if (state_ == AlState::kOp && esc_.outputs_expired()) process_data_watchdog_expired(now);
 }
 
-void Device::advance_to(Nanoseconds time) {
+void Device::answer_until(Nanoseconds time) {
   while (!stopped_) {
-    const auto request = request_due_.value_or(INT64_MAX);
-    const auto mail = mail_due_.value_or(INT64_MAX);
-    const auto next = std::min(request, mail);
-    if (next > time) break;
+    const auto next = std::min(request_due_, mail_due_);
+    if (next > time || next == kNever) break;
     esc_.advance_to(next);
     now_ = std::max(now_, next);
-    if (request <= mail) {
-      request_due_.reset();
+    if (request_due_ <= mail_due_) {
+      request_due_ = kNever;
       take_request(next);
     } else {
-      mail_due_.reset();
+      mail_due_ = kNever;
       answer_mail();
     }
   }
-  esc_.advance_to(time);
-  now_ = std::max(now_, time);
-  if (stopped_) return;
-  if (state_ == AlState::kOp) check_running(time);
+}
+
+void Device::stay_in_op(Nanoseconds time) {
+  check_running(time);
   // The signal was there when OP was entered; a unit that was switched off or has lost its time fires no more.
   if (state_ == AlState::kOp && sync0_cycle_ > 0 && last_sync0_ && time - *last_sync0_ > kMissingSyncs * sync0_cycle_) {
     drop_to_safeop(al_code::kSyncStopped);

@@ -29,7 +29,12 @@ class Device : public Esc::Listener {
   Device& operator=(const Device&) = delete;
 
   /// Runs what is due up to `time` in order: requests in work, SYNC signals, the watchdog.
-  void advance_to(Nanoseconds time);
+  void advance_to(Nanoseconds time) {  // for every slave in every frame
+    if (time >= std::min(request_due_, mail_due_) && !stopped_) answer_until(time);
+    esc_.advance_to(time);
+    now_ = std::max(now_, time);
+    if (state_ == AlState::kOp && !stopped_) stay_in_op(time);
+  }
   [[nodiscard]] AlState state() const { return state_; }
   [[nodiscard]] ObjectDictionary& dictionary() { return dictionary_; }
 
@@ -89,6 +94,9 @@ class Device : public Esc::Listener {
   ObjectDictionary dictionary_;
 
  private:
+  /// Does what AL control and the mailbox ask for, in the order in which it is due.
+  void answer_until(Nanoseconds time);
+  void stay_in_op(Nanoseconds time);
   void take_request(Nanoseconds time);
   void enter(AlState state);
   void report(AlState state, std::uint16_t code);
@@ -109,7 +117,8 @@ class Device : public Esc::Listener {
   DiagnosisHistory history_;
   AlState state_ = AlState::kInit;
   bool error_ = false;
-  std::optional<Nanoseconds> request_due_, mail_due_;
+  static constexpr Nanoseconds kNever = INT64_MAX;
+  Nanoseconds request_due_ = kNever, mail_due_ = kNever;
   std::optional<Nanoseconds> last_outputs_;
   std::optional<Nanoseconds> last_sync0_;     // since PREOP
   Nanoseconds sync0_cycle_ = 0;               // when OP was entered; 0: none

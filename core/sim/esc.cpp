@@ -29,8 +29,7 @@ void Esc::frame_at_port(unsigned port, Nanoseconds time, bool first) {
   port_times_[port] = time;
 }
 
-void Esc::advance_to(Nanoseconds time) {
-  dc_.advance_to(time);
+void Esc::advance_others(Nanoseconds time) {
   ports_.advance_to(time);
   if (sii_.advance_to(time)) load_configuration();
   if (pdi_watchdog_.advance_to(time)) raise_event(kEventDlStatus);
@@ -38,6 +37,7 @@ void Esc::advance_to(Nanoseconds time) {
     raise_al_event(kAlEventWatchdog);
     if (listener_ != nullptr) listener_->process_data_watchdog_expired(time);
   }
+  quiet_until_ = std::min({ports_.due(), sii_.due(), pdi_watchdog_.deadline(), watchdog_.deadline()});
 }
 
 bool Esc::has_address(std::uint16_t address) const {
@@ -65,7 +65,6 @@ bool Esc::is_untouched_by(const PassingFrame& frame) const {
   if (ports_.port0_automatically_closed() && !mark_circulating(frame.datagrams())) return false;
   protection_.start_of_frame();
   dc_.start_of_frame(time);
-  dc_.refresh_registers();
   if (maps_stale_) reload_maps();
   frame.add_event(static_cast<std::uint16_t>(memory_.u16(reg::kEcatEventRequest) & memory_.u16(reg::kEcatEventMask)));
   for (auto& datagram : frame.datagrams()) {
@@ -128,6 +127,7 @@ bool Esc::read_memory(std::uint16_t address, std::span<std::uint8_t> out, bool o
 }
 
 bool Esc::read_registers(std::uint16_t address, std::span<std::uint8_t> out, bool or_into) {
+  if (overlaps(address, out.size(), DcUnit::kShownBegin, DcUnit::kShownSize)) dc_.refresh_registers();
   const bool latches = overlaps(address, out.size(), reg::kLatch0Status, kDcEnd - reg::kLatch0Status);
   if (latches) dc_.latches().before_read(address, out.size());
   const auto from = std::as_const(memory_).at(address, out.size());
@@ -172,6 +172,9 @@ bool Esc::write_memory(Command command, std::uint16_t address, std::span<const s
   if (address >= EscMemory::kRegisterEnd) {  // RAM has no shadow
     std::copy(data.begin(), data.end(), memory_.at(address, data.size()).begin());
   } else {
+    const bool system_time = address == reg::kSystemTime && data.size() >= 4;  // in every cycle
+    if (!system_time && overlaps(address, data.size(), DcUnit::kShownBegin, DcUnit::kShownSize))
+      dc_.refresh_registers();
     writes_.push_back({address, static_cast<std::uint16_t>(data.size())});
     short_copy(data, std::span(shadow_).subspan(shadow_size_));
     shadow_size_ += data.size();
@@ -192,6 +195,7 @@ void Esc::commit_register(const Write& write, Nanoseconds time) {
   const auto hit = [&write](std::uint16_t address, std::size_t size) {
     return overlaps(write.address, write.length, address, size);
   };
+  quiet_until_ = INT64_MIN;  // a setting for a while may begin or end by it
   if (hit(reg::kFmmu, 0x100) || hit(reg::kSyncManager, 0x80)) {
     maps_stale_ = true;
     if (hit(reg::kSyncManager, 0x80)) {  // set up anew
@@ -271,6 +275,7 @@ void Esc::take_over(const Write& write, std::span<const std::uint8_t> bytes) {
   }
   if (sii_command) {  // the enable bit and the command may come in two datagrams of one frame
     sii_.control_written(time);
+    quiet_until_ = INT64_MIN;
     if (sii_.advance_to(time)) load_configuration();
   }
   if (reset_written || reset_step_ != 0) follow_reset_sequence(reset_written);
@@ -284,7 +289,10 @@ void Esc::take_over(const Write& write, std::span<const std::uint8_t> bytes) {
     const auto bit = 1U << i;
     if ((sm_written_ & bit) != 0) {
       if (sync_managers_[i].is_mailbox()) set_mailbox_full(i, true);
-      if ((sync_managers_[i].control & SyncManager::kControlWatchdog) != 0) watchdog_.trigger(time);
+      if ((sync_managers_[i].control & SyncManager::kControlWatchdog) != 0) {
+        watchdog_.trigger(time);
+        quiet_until_ = std::min(quiet_until_, watchdog_.deadline());
+      }
       raise_al_event(kAlEventSyncManager0 << i);
       if (listener_ != nullptr) listener_->sync_manager_written(i, time);
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <functional>
@@ -64,7 +65,10 @@ class Esc {
   void frame_end(Nanoseconds time);
   /// The FCS was bad: nothing of what the frame wrote becomes effective, except in RAM.
   void frame_damaged();
-  void advance_to(Nanoseconds time);
+  void advance_to(Nanoseconds time) {
+    dc_.advance_to(time);
+    if (time >= quiet_until_) advance_others(time);
+  }
 
   // ---- the device's side ----
   [[nodiscard]] EscMemory& memory() { return memory_; }
@@ -92,7 +96,10 @@ class Esc {
   /// The PDI has dealt with these bits of the AL event request (0x0220).
   void acknowledge_events(std::uint32_t events);
   /// The device stops to ask the ESC, or does so again.
-  void pdi_stops(Nanoseconds time) { pdi_watchdog_.pdi_stops(time); }
+  void pdi_stops(Nanoseconds time) {
+    pdi_watchdog_.pdi_stops(time);
+    quiet_until_ = std::min(quiet_until_, pdi_watchdog_.deadline());
+  }
   void pdi_works();
   /// The process data watchdog has expired and not been triggered since.
   [[nodiscard]] bool outputs_expired() const { return memory_.u16(reg::kWatchdogStatus) == 0; }
@@ -111,6 +118,8 @@ class Esc {
     std::uint16_t address;
     std::uint16_t length;
   };
+  /// All that time does to an ESC but its clock.
+  void advance_others(Nanoseconds time);
   void raise_event(std::uint16_t event);
   void raise_al_event(std::uint32_t event);
   void clear_event(std::uint16_t event);
@@ -176,6 +185,7 @@ class Esc {
   std::vector<Mapping> write_mappings_, read_mappings_;
   std::vector<SyncManager> sync_managers_;  // decoded
   bool maps_stale_ = true;
+  Nanoseconds quiet_until_ = INT64_MIN;        // nothing is due before that is not the clock's
   std::vector<std::uint8_t> active_managers_;  // those that are on and have a length
   std::uint32_t buffers_begin_ = 0;         // where the first SyncManager's memory begins
   std::size_t reset_step_ = 0;

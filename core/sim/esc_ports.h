@@ -27,6 +27,8 @@ class EscPorts {
   void frame_at_closed_port(unsigned port);
   /// The temporary setting of 0x0100 ends.
   void advance_to(Nanoseconds time);
+  /// When it does; the end of time: there is none.
+  [[nodiscard]] Nanoseconds due() const { return temporary_until_.value_or(INT64_MAX); }
 
   [[nodiscard]] bool link(unsigned port) const { return link_[port]; }
   [[nodiscard]] bool open(unsigned port) const { return open_[port]; }

@@ -70,6 +70,7 @@ class FaultSchedule {
   void add_pulses(const LatchPulses& pulses);
   void add_foreign_frames(double per_second);
   void run_due(Nanoseconds time);
+  void skip_long_ago(Nanoseconds time);
 
   FaultTarget& target_;
   Nanoseconds start_;

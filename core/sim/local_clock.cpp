@@ -6,36 +6,58 @@
 
 namespace syncline::sim {
 namespace {
+
 constexpr Nanoseconds kStep = 100 * kMillisecond;
+/// So many steps at once at most: an hour. When more time passes without a frame, the steps are longer.
+constexpr Nanoseconds kMostSteps = 36'000;
 /// Standard deviation of one wander step, relative to the limit: the whole range takes some 10 s.
 constexpr double kWanderStepShare = 0.1;
+constexpr double kLargestRate = 0.1;
+
+/// Sum of a time and a duration of at least 0; the end of time when it lies behind.
+Nanoseconds later(Nanoseconds time, Nanoseconds by) { return time > INT64_MAX - by ? LocalClock::kNever : time + by; }
+
 }  // namespace
 
 LocalClock::LocalClock(const OscillatorConfig& config, Nanoseconds power_on, std::uint64_t seed)
     : time_(power_on),
-      raw_(static_cast<std::uint64_t>(config.start_offset)),
+      raw_(static_cast<Fixed>(static_cast<std::uint64_t>(config.start_offset)) * kOne),
       ppm_(config.ppm),
       wander_limit_(std::abs(config.wander_ppm)),
       changes_(config.changes),
-      next_wander_(wander_limit_ > 0 ? power_on + kStep : INT64_MAX),
-      next_move_(next_move(power_on)),
+      next_wander_(wander_limit_ > 0 ? later(power_on, kStep) : kNever),
+      next_move_(next_move(power_on, kStep)),
       next_change_(std::min(next_wander_, next_move_)),
       random_(seed) {
   moved_ = moved_at(power_on);
+  take_rates();
+}
+
+std::int64_t LocalClock::rate_of(double relative) {
+  const double held = relative == relative ? std::clamp(relative, -kLargestRate, kLargestRate) : 0;
+  return static_cast<std::int64_t>(held * static_cast<double>(kOne));
+}
+
+void LocalClock::take_rates() {
+  raw_rate_ = kOne + rate_of((ppm_ + wander_ + moved_) * 1e-6);
+  correction_rate_ = by_quartz(loop_rate_);
 }
 
 void LocalClock::change_until(Nanoseconds time) {
+  const auto step = std::max(kStep, (time - next_change_) / kMostSteps);
   while (next_change_ <= time) {
     commit(next_change_);
     if (next_change_ == next_wander_) {
       wander_ = std::clamp(wander_ + kWanderStepShare * wander_limit_ * random_.normal(), -wander_limit_, wander_limit_);
-      next_wander_ += kStep;
+      next_wander_ = later(next_wander_, step);
     }
     if (next_change_ == next_move_) {
       moved_ = moved_at(next_move_);
-      next_move_ = next_move(next_move_);
+      next_move_ = next_move(next_move_, step);
     }
     next_change_ = std::min(next_wander_, next_move_);
+    take_rates();
+    if (next_change_ == kNever) break;
   }
 }
 
@@ -49,26 +71,28 @@ double LocalClock::moved_at(Nanoseconds time) const {
   return ppm;
 }
 
-Nanoseconds LocalClock::next_move(Nanoseconds time) const {
-  Nanoseconds next = INT64_MAX;
+Nanoseconds LocalClock::next_move(Nanoseconds time, Nanoseconds step) const {
+  Nanoseconds next = kNever;
   for (const auto& change : changes_) {
     if (time < change.begin) {
       next = std::min(next, change.begin);
     } else if (time < change.end) {
-      next = std::min(next, std::min(change.end, time + kStep));
+      next = std::min(next, std::min(change.end, later(time, step)));
     }
   }
   return next;
 }
 
-Nanoseconds LocalClock::time_of(std::uint64_t local) const {
-  const double missing = static_cast<double>(static_cast<std::int64_t>(local - raw_)) - (raw_fraction_ - correction_);
-  if (missing <= 0) return time_;
-  // 2 - rate is below 1 / rate and spares a division; what it lacks is a fraction of a nanosecond for every millisecond.
-  const double rate = (1 + ppm() * 1e-6) * (1 - correction_rate_);
-  auto time = time_ - whole(-missing * (2 - rate));
-  while (static_cast<std::int64_t>(local - exact(time)) > 0) ++time;
-  return time;
+Nanoseconds LocalClock::time_of(std::uint64_t local, Nanoseconds from) const {
+  const auto shown = raw_ - correction_ + static_cast<Fixed>(from - time_) * (raw_rate_ - correction_rate_);
+  // A counter that wraps: what is further ahead than half of its range is past.
+  const auto ahead = static_cast<std::int64_t>(local - whole(shown));
+  if (ahead <= 0) return from;
+  __extension__ using Unsigned = unsigned __int128;  // which divides faster
+  const auto missing = static_cast<Unsigned>(static_cast<Fixed>(ahead) * kOne - (shown & (kOne - 1)));
+  const auto rate = static_cast<std::uint64_t>(raw_rate_ - correction_rate_);
+  const auto passed = (missing + rate - 1) / rate;
+  return passed >= static_cast<std::uint64_t>(kNever - from) ? kNever : from + static_cast<Nanoseconds>(passed);
 }
 
 }  // namespace syncline::sim

@@ -17,7 +17,7 @@ bool latches_port_times(const PassingDatagram& datagram) {
 }  // namespace
 
 PassingFrame::Kind PassingFrame::arrive(std::span<std::uint8_t> bytes) {
-  FrameReader reader(bytes);
+  FrameReader reader(bytes, FrameReader::LengthField::kIgnored);
   views_.clear();
   datagrams_.clear();
   event_ = 0;

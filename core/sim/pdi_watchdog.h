@@ -12,6 +12,7 @@ class PdiWatchdog {
  public:
   explicit PdiWatchdog(EscMemory& memory) : memory_(memory), timer_(memory, reg::kWatchdogPdi) {}
 
+  [[nodiscard]] Nanoseconds deadline() const { return timer_.deadline(); }
   /// The last access was at `time`.
   void pdi_stops(Nanoseconds time) { timer_.restart(time); }
   /// True when that makes the watchdog fine again.

@@ -15,6 +15,7 @@ class ProcessDataWatchdog {
   void trigger(Nanoseconds time);
   /// True when it expires now: once, until the next trigger.
   bool advance_to(Nanoseconds time) { return timer_.advance_to(time) && expire(); }
+  [[nodiscard]] Nanoseconds deadline() const { return timer_.deadline(); }
   /// The SyncManager was switched off: nothing to watch.
   void stop() { timer_.stop(); }
 

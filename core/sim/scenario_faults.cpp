@@ -54,7 +54,8 @@ void read_values(Table& table, const FaultRule& rule, FaultConfig& fault) {
   fault.period = table.time_ms("period_ms", 1);
   if (fault.kind == FaultKind::kClockSlew && fault.ppm <= 0)
     table.fail_at("ppm", "must be above 0; the sign of value_ns says which way");
-  if (fault.period <= 0) table.fail_at("period_ms", "must be above 0");
+  // A frame takes 7 us on the wire; more of them never end.
+  if (fault.period < 10 * kMicrosecond) table.fail_at("period_ms", "must be above 0: at least 0.01");
   const auto state = table.text("state", "");
   if (state.empty()) return;
   if (const auto wanted = al_state_from_name(state)) {

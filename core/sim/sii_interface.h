@@ -25,6 +25,8 @@ class SiiInterface {
   void control_written(Nanoseconds time);
   /// Ends the command in work when it is due; true: the configuration data were loaded anew.
   [[nodiscard]] bool advance_to(Nanoseconds time);
+  /// When that will be; the end of time: nothing is in work.
+  [[nodiscard]] Nanoseconds due() const { return done_at_.value_or(INT64_MAX); }
 
   /// The firmware takes the EEPROM, when it is offered, or gives it back; false: it may not.
   bool set_pdi_access(bool take);

@@ -327,7 +327,9 @@ std::vector<PinEdge> SimBus::pin_edges(std::size_t position, unsigned pin) const
   return trace != nullptr ? trace->edges() : std::vector<PinEdge>{};
 }
 std::vector<std::uint8_t> SimBus::peek(std::size_t position, std::uint16_t address, std::size_t length) const {
-  const auto bytes = std::as_const(*impl_->nodes.at(position).esc).memory().at(address, length);
+  auto& esc = *impl_->nodes.at(position).esc;
+  esc.dc().refresh_registers();
+  const auto bytes = std::as_const(esc).memory().at(address, length);
   return {bytes.begin(), bytes.end()};
 }
 

@@ -56,17 +56,33 @@ void SyncGenerator::fired() {
   }
 }
 
-void SyncGenerator::realign(std::uint64_t now) {
-  if (next1_ && before(*next1_, now)) {
-    next1_.reset();
-  }
-  if (next0_ && before(*next0_, now)) {
-    if (settings_.cycle0 == 0 || !first0_done_) {
-      next0_.reset();
-    } else {
-      const std::uint64_t missed = (now - *next0_) / settings_.cycle0 + 1;
-      next0_ = *next0_ + missed * settings_.cycle0;
-    }
+void SyncGenerator::realign(std::uint64_t now, bool wide) {
+  const auto nearest = [now](std::uint64_t due) {
+    return now +
+           static_cast<std::uint64_t>(std::int64_t{static_cast<std::int32_t>(static_cast<std::uint32_t>(due - now))});
+  };
+  if (!wide && next1_) next1_ = nearest(*next1_);
+  // A start time that has passed comes when the counter comes round again.
+  if (!wide && next0_) next0_ = first0_done_ ? nearest(*next0_) : now + static_cast<std::uint32_t>(*next0_ - now);
+  if (next0_ && before(*next0_, now) && !first0_done_) next0_.reset();
+  pass_to(now);
+}
+
+void SyncGenerator::skip_to(std::uint64_t now) {
+  if (next0_ && before(*next0_, now)) first0_done_ = true;
+  if (next1_ && before(*next1_, now)) first1_done_ = true;
+  pass_to(now);
+}
+
+/// On with the first of each that is not before `now`.
+void SyncGenerator::pass_to(std::uint64_t now) {
+  if (next1_ && before(*next1_, now)) next1_.reset();
+  if (!next0_ || !before(*next0_, now)) return;
+  if (settings_.cycle0 == 0) {
+    next0_.reset();
+  } else {
+    const std::uint64_t missed = (now - *next0_) / settings_.cycle0 + 1;
+    next0_ = *next0_ + missed * settings_.cycle0;
   }
 }
 

@@ -2,33 +2,29 @@
 #include "sim/time_control_loop.h"
 
 #include <algorithm>
-#include <array>
+#include <utility>
 
 #include "protocol/dc_registers.h"
 
 namespace syncline::sim {
 namespace {
-/// Counts of the speed counter per nanosecond of mean difference: the one free constant of the model.
-constexpr double kGain = 1.0;
 constexpr std::int32_t kCounterMargin = 0x7F;
+constexpr unsigned kFractionBits = 30;
+constexpr std::int64_t kHalf = std::int64_t{1} << (kFractionBits - 1);
 
-/// Weight of a new value in a filter of depth 2^exponent.
-double share(std::uint8_t exponent) {
-  static constexpr auto kShares = [] {
-    std::array<double, 16> shares{};
-    for (unsigned i = 0; i < shares.size(); ++i) shares[i] = 1.0 / static_cast<double>(1U << i);
-    return shares;
-  }();
-  return kShares[exponent];
-}
+std::int64_t fixed(std::int64_t value) { return value * (std::int64_t{1} << kFractionBits); }
+/// To the nearest whole number.
+std::int64_t rounded(std::int64_t value) { return (value + kHalf) >> kFractionBits; }
 }  // namespace
 
-void TimeControlLoop::observe(std::int32_t local_minus_received) {
-  mean_ += (local_minus_received - mean_) * share(difference_depth_);
-  const double limit = start_ - kCounterMargin;
-  const double wanted = std::clamp(period_deviation_ + kGain * mean_, -limit, limit);
-  period_deviation_ += (wanted - period_deviation_) * share(speed_depth_);
-  diff_ = static_cast<std::int32_t>(wanted < 0 ? wanted - 0.5 : wanted + 0.5);
+bool TimeControlLoop::observe(std::int32_t local_minus_received) {
+  mean_ += (fixed(local_minus_received) - mean_) >> difference_depth_;
+  // One count of the speed counter for each nanosecond of mean difference: the one free constant of the model.
+  const auto limit = fixed(start_ - kCounterMargin);
+  const auto wanted = std::clamp(period_deviation_ + mean_, -limit, limit);
+  period_deviation_ += (wanted - period_deviation_) >> speed_depth_;
+  const auto diff = static_cast<std::int32_t>(rounded(wanted));
+  return std::exchange(diff_, diff) != diff;
 }
 
 void TimeControlLoop::set_speed_counter_start(std::uint16_t value) {
@@ -50,7 +46,7 @@ void TimeControlLoop::set_filter_depth_speed_counter(std::uint8_t exponent) {
 }
 
 std::uint32_t TimeControlLoop::system_time_difference() const {
-  return SystemTimeDifference::from_signed(static_cast<std::int64_t>(mean_ < 0 ? mean_ - 0.5 : mean_ + 0.5)).raw;
+  return SystemTimeDifference::from_signed(rounded(mean_)).raw;
 }
 
 double TimeControlLoop::correction() const { return speed_counter_rate(start_, diff_); }

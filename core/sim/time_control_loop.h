@@ -7,15 +7,16 @@ namespace syncline::sim {
 
 /// Time control loop of an ESC behind 0x092C, 0x0930, 0x0932, 0x0934 and 0x0935. The relation of
 /// speed counter and rate is the data sheet's (ESC data sheet I, 9.1.4); how the speed counter is formed
-/// is not published, so the filters are a reconstruction whose settling matches published practice.
+/// is not published, so the filters are a reconstruction whose settling matches published practice. Filters of depth
+/// 2^n are what hardware has: sums, differences and shifts of whole numbers.
 class TimeControlLoop {
  public:
   static constexpr std::uint16_t kDefaultSpeedCounterStart = 0x1000;
   static constexpr std::uint16_t kMinSpeedCounterStart = 0x0080;
   static constexpr std::uint16_t kMaxSpeedCounterStart = 0x3FFF;
 
-  /// One comparison; local minus received time, ns.
-  void observe(std::int32_t local_minus_received);
+  /// One comparison; local minus received time, ns. True: correction() is another.
+  bool observe(std::int32_t local_minus_received);
   /// Write of 0x0930: resets 0x092C, 0x0932 and both filters. Values outside the range are held at its ends.
   void set_speed_counter_start(std::uint16_t value);
   /// Write of 0x0934 / 0x0935: exponent 0..15, resets the respective filter.
@@ -36,8 +37,8 @@ class TimeControlLoop {
   std::uint16_t start_ = kDefaultSpeedCounterStart;
   std::uint8_t difference_depth_ = 4;
   std::uint8_t speed_depth_ = 12;
-  double mean_ = 0;             // ns
-  double period_deviation_ = 0; // counts
+  std::int64_t mean_ = 0;              // ns, in parts of 2^-30
+  std::int64_t period_deviation_ = 0;  // counts, in parts of 2^-30
   std::int32_t diff_ = 0;
 };
 

@@ -18,6 +18,8 @@ class WatchdogTimer {
 
   void restart(Nanoseconds time);
   void stop() { deadline_ = kNever; }
+  /// When it will expire, unless it is restarted; the end of time: not at all.
+  [[nodiscard]] Nanoseconds deadline() const { return deadline_; }
   /// True when it expires now.
   bool advance_to(Nanoseconds time) {
     if (time < deadline_) return false;

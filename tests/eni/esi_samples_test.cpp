@@ -8,11 +8,13 @@
 #include <random>
 #include <vector>
 
+#include "config/compile/dc_times.h"
 #include "eni/catalogue/esi_catalogue.h"
 #include "eni/esi_reader.h"
 #include "eni/esi_writer.h"
 #include "eni/project_builder.h"
 #include "eni/xml_text.h"
+#include "protocol/dc_registers.h"
 #include "protocol/error_text.h"
 #include "support/sample_folder.h"
 #include "tests/support/source_dir.h"
@@ -137,6 +139,29 @@ TEST(SpoiltEsiFiles, NeverCrash) {
   unsigned seed = 1;
   for (const auto& path : xml_files(own_folder())) spoil(read_file(path.string()).value(), seed++);
   EXPECT_GT(seed, 1U);
+}
+
+/// ETG.2000 leaves CycleTimeSync0 out where SYNC0 comes with the bus cycle.
+TEST(EsiSamples, ModesThatSwitchSync0OnWithoutACycleTimeFollowTheBus) {
+  const auto folder = test::sample_folder();
+  if (!folder) GTEST_SKIP() << "samples not here";
+  std::size_t without = 0;
+  for (const auto& path : xml_files(*folder / "esi")) {
+    const auto file = read_esi(path.string());
+    if (!file) continue;
+    for (const auto& device : file->devices) {
+      if (!device.dc) continue;
+      for (const auto& mode : device.dc->op_modes) {
+        if (!AssignActivate{mode.assign_activate}.sync0()) continue;
+        const auto times = compiler::dc_times(mode, {}, kMillisecond);
+        const bool says_nothing = mode.cycle_time_sync0.value_ns == 0 && !mode.cycle_time_sync0.factor;
+        if (!says_nothing) continue;
+        ++without;
+        EXPECT_EQ(times.cycle_time0, kMillisecond) << path << ' ' << device.type << ' ' << mode.name;
+      }
+    }
+  }
+  EXPECT_EQ(without, 18U);
 }
 
 }  // namespace

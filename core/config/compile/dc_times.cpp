@@ -31,9 +31,14 @@ class Calculation {
     return bus_cycle_ / -factor;
   }
 
-  Nanoseconds cycle0(const DcTime& esi, const SyncUnitSettings& user) {
+  /// A mode that switches SYNC0 on and says nothing of its cycle (no CycleTimeSync0) means the bus cycle: a SYNC0 of
+  /// cycle 0 would come once.
+  Nanoseconds cycle0(const DcTime& esi, const SyncUnitSettings& user, bool sync0_on) {
     if (const auto chosen = user_cycle(user)) {
       return *chosen;
+    }
+    if (sync0_on && esi.value_ns == 0 && !esi.factor) {
+      return bus_cycle_;
     }
     return esi.value_ns != 0 ? bounded(esi.value_ns) : scaled(bounded_factor(esi.factor));
   }
@@ -81,7 +86,8 @@ const DcOpMode* selected_op_mode(const SlaveSettings& slave) {
 DcTimes dc_times(const DcOpMode& mode, const DcSlaveSettings& user, Nanoseconds bus_cycle) {
   Calculation calculation(bus_cycle);
   DcTimes times;
-  times.cycle_time0 = calculation.cycle0(mode.cycle_time_sync0, user.sync0);
+  times.cycle_time0 =
+      calculation.cycle0(mode.cycle_time_sync0, user.sync0, AssignActivate{mode.assign_activate}.sync0());
   times.shift_time = calculation.shift(mode.shift_time_sync0, user.sync0);
   if (AssignActivate{mode.assign_activate}.sync1()) {
     const Nanoseconds cycle1 = calculation.cycle1(mode.cycle_time_sync1, user.sync1, times.cycle_time0);

@@ -12,6 +12,8 @@ namespace {
 constexpr std::uint32_t kPllRange = 100'000;  // ns; the drive's PLL cannot lock on a clock that is further away
 constexpr Nanoseconds kPllPatience = 2 * kSecond;
 constexpr int kMissingSyncs = 8;
+/// Servo periods that are run through at once at most: a drive that nobody has asked for so long has come to rest.
+constexpr Nanoseconds kMostTicks = 100'000;
 constexpr unsigned kMissWeight = 3;  // added for a missed event; a good one takes 1 away
 constexpr std::uint32_t kCurrentLoop = 62'500;  // ns
 
@@ -252,6 +254,7 @@ void Drive::on_sync0(Nanoseconds time) {
   run_servo(time);
   axis_.step(time);  // the inputs are those of this moment
   last_sync_ = time;
+  (void)clock_.skip_before(time);
   if (!habits_.pll) {
     clock_.restart(time);
   } else {
@@ -314,11 +317,17 @@ void Drive::run_servo(Nanoseconds time) {
 }
 
 void Drive::run_ticks(Nanoseconds time) {
-  bool any = !axis_.enabled() && !watched() && clock_.skip_before(time);
-  while (const auto tick = clock_.take_before(time)) {
-    axis_.step(*tick);
-    servo_tick(*tick);
-    any = true;
+  bool any = false;
+  if (!axis_.enabled() && !watched()) {
+    if (latches_at_sync0()) return;  // nobody sees a period: SYNC0 passes over them
+    any = clock_.skip_before(time);
+  } else {
+    clock_.keep_last(kMostTicks, time);
+    while (const auto tick = clock_.take_before(time)) {
+      axis_.step(*tick);
+      servo_tick(*tick);
+      any = true;
+    }
   }
   // Without a SYNC0 that says when, the inputs are those of the last servo period.
   if (any && !latches_at_sync0()) publish_inputs();

@@ -16,28 +16,35 @@ constexpr Nanoseconds kLockWindow = 1000, kUnlockWindow = 3000;
 }  // namespace
 
 ServoClock::ServoClock(Nanoseconds period, double ppm, Nanoseconds phase)
-    : period_(period), quartz_(1 / (1 + ppm * 1e-6)), phase_(phase % period) {}
+    : period_(period), quartz_(1 / (1 + ppm * 1e-6)), phase_(phase % period) {
+  set_length();
+}
 
-void ServoClock::advance(double periods) {
-  const double length = static_cast<double>(period_) * (quartz_ + trim_) * periods + fraction_;
-  const double whole = std::floor(length);
-  next_ = *next_ + static_cast<Nanoseconds>(whole);
-  fraction_ = length - whole;
+void ServoClock::set_length() { length_ = std::llround(static_cast<double>(period_) * (quartz_ + trim_) * kOne); }
+
+void ServoClock::pass(std::int64_t length) {
+  const auto sum = static_cast<std::int64_t>(fraction_) + length;
+  next_ = *next_ + (sum >> kFractionBits);
+  fraction_ = static_cast<std::uint32_t>(sum);
 }
 
 std::optional<Nanoseconds> ServoClock::take_before(Nanoseconds time) {
   if (!next_) next_ = time - time % period_ + phase_;
   if (*next_ >= time) return std::nullopt;
   const auto tick = *next_;
-  advance(1);
+  pass(length_);
   return tick;
 }
 
 bool ServoClock::skip_before(Nanoseconds time) {
   if (!next_) next_ = time - time % period_ + phase_;
   if (*next_ >= time) return false;
-  const double length = static_cast<double>(period_) * (quartz_ + trim_);
-  advance(std::ceil(static_cast<double>(time - *next_) / length));
+  __extension__ using Wide = __int128;
+  const auto distance = static_cast<Wide>(time - *next_) * kOne - fraction_;
+  const auto periods = (distance + length_ - 1) / length_;
+  const auto sum = fraction_ + periods * length_;
+  next_ = *next_ + static_cast<Nanoseconds>(sum >> kFractionBits);
+  fraction_ = static_cast<std::uint32_t>(sum);
   return true;
 }
 
@@ -67,12 +74,14 @@ void ServoClock::follow(Nanoseconds sync0, Nanoseconds grid) {
   if (magnitude < 4 * kUnlockWindow) {
     trim_ = std::clamp(trim_ - kIntegral * static_cast<double>(error) / static_cast<double>(4 * period_), -kLargestTrim,
                        kLargestTrim);
+    set_length();
   }
 }
 
 void ServoClock::release() {
   good_ = 0;
   trim_ = 0;
+  set_length();
 }
 
 }  // namespace syncline::sim

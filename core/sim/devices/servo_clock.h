@@ -17,6 +17,10 @@ class ServoClock {
   [[nodiscard]] std::optional<Nanoseconds> take_before(Nanoseconds time);
   /// Passes over all periods before `time` at once; false when there is none.
   bool skip_before(Nanoseconds time);
+  /// At most the last `most` of the periods before `time` are still to be given.
+  void keep_last(Nanoseconds most, Nanoseconds time) {
+    if (next_ && time - *next_ > most * period_) (void)skip_before(time - most * period_);
+  }
 
   /// The next period starts at `sync0`: for timers that SYNC0 restarts.
   void restart(Nanoseconds sync0);
@@ -32,13 +36,18 @@ class ServoClock {
 
  private:
   static constexpr int kGoodToLock = 16;  // SYNC0s in a row within the lock window
-  void advance(double periods);
+  static constexpr unsigned kFractionBits = 32;
+  static constexpr std::int64_t kOne = std::int64_t{1} << kFractionBits;
+  void set_length();
+  /// So much later, in parts of a ns.
+  void pass(std::int64_t length);
 
   Nanoseconds period_;
   double quartz_ = 1, trim_ = 0;   // length of the period by the quartz, relative; correction by the PLL
   Nanoseconds phase_;
   std::optional<Nanoseconds> next_;
-  double fraction_ = 0;            // of a ns, behind next_
+  std::int64_t length_ = 0;     // of the period, in parts of 2^-32 ns
+  std::uint32_t fraction_ = 0;  // behind next_, in such parts
   Nanoseconds phase_error_ = 0;
   int good_ = 0;
 };

@@ -67,12 +67,15 @@ coe::InformationResponse InformationServer::object(std::uint16_t index) {
 
 coe::InformationResponse InformationServer::entry(const coe::EntryDescriptionRequest& request) {
   auto* found = dictionary_.find(request.index, request.sub_index);
-  if (found == nullptr) {
-    return coe::InformationError{dictionary_.sub_indices(request.index).empty() ? abort::kNoObject : abort::kNoSubIndex};
-  }
   coe::EntryDescription response;
   response.index = request.index;
   response.sub_index = request.sub_index;
+  if (found == nullptr) {
+    const auto subs = dictionary_.sub_indices(request.index);
+    if (subs.empty()) return coe::InformationError{abort::kNoObject};
+    if (request.sub_index > subs.back()) return coe::InformationError{abort::kNoSubIndex};
+    return response;  // a gap, as the usual slave stack code describes it: no type, no length, no access
+  }
   response.data_type = found->type();
   response.bit_length = static_cast<std::uint16_t>(found->bits());
   response.access = found->access();

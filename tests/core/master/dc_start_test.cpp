@@ -92,10 +92,45 @@ TEST(DcStart, StartTimeThatHasPassedIsFoundByReadingBack) {
   const auto errors = check_dc_start(bed.access(), bed.config(), all);
   ASSERT_TRUE(errors);
   ASSERT_EQ(errors->size(), 2U);
-  EXPECT_NE((*errors)[0].subject.find("slave 1"), std::string::npos);
-  EXPECT_NE((*errors)[0].detail.find("will never come"), std::string::npos);
-  EXPECT_NE((*errors)[1].subject.find("slave 2"), std::string::npos);  // nobody activated it
-  EXPECT_NE((*errors)[1].detail.find("not active"), std::string::npos);
+  EXPECT_EQ((*errors)[0].slave, 1U);
+  EXPECT_NE((*errors)[0].error.subject.find("slave 1"), std::string::npos);
+  EXPECT_NE((*errors)[0].error.detail.find("will never come"), std::string::npos);
+  EXPECT_NE((*errors)[1].error.subject.find("slave 2"), std::string::npos);  // nobody activated it
+  EXPECT_NE((*errors)[1].error.detail.find("not active"), std::string::npos);
+}
+
+TEST(DcStart, TheTimeUntilActiveFollowsTheStepsThatWereSeen) {
+  const auto list = line(1).compiled().slaves[0].init_cmds;
+  std::vector<const InitCmd*> commands;
+  for (const auto& command : list) {
+    if (std::ranges::find(command.transitions, Transition::kPS) != command.transitions.end())
+      commands.push_back(&command);
+  }
+  auto pace = dc_start_pace(commands);
+  ASSERT_GT(pace.steps_before, 0U);
+  EXPECT_EQ(pace.steps_until, 1U) << "the activation follows at once";
+  const auto steps = static_cast<Nanoseconds>(pace.steps_before);
+  const auto time = time_until_active(pace, steps * 20 * kMillisecond, kMillisecond);
+  EXPECT_EQ(time, 3 * 20 * kMillisecond) << "start time, activation, and one that is repeated";
+  pace.attempt = 2;
+  EXPECT_EQ(time_until_active(pace, steps * 20 * kMillisecond, kMillisecond), 4 * time);
+  const DcStartPace unknown{1000, 0, 1, 0};
+  EXPECT_GE(time_until_active(unknown, 0, kMillisecond), 3 * 17 * kMillisecond) << "24,000 bytes, a frame a cycle";
+}
+
+TEST(DcStart, AStartTimeThatCameTooLateIsGivenAgain) {
+  Running running(line(3));
+  std::vector<std::uint16_t> asked;
+  running.service->set_dc_start_time([&](std::uint16_t station) -> std::optional<Nanoseconds> {
+    const bool first = std::ranges::find(asked, station) == asked.end();
+    asked.push_back(station);
+    return first && station != 1001 ? std::optional(running.clock.now() - kMillisecond) : std::nullopt;
+  });
+  running.run(running.clock.now() + 8 * kSecond);
+  EXPECT_EQ(running.snapshot.state, AlState::kOp);
+  EXPECT_EQ(running.count(EventKind::kError), 0U);
+  EXPECT_EQ(std::ranges::count(asked, 1001), 1) << "who was in time is left alone";
+  EXPECT_EQ(std::ranges::count(asked, 1002), 2);
 }
 
 TEST(DcStart, CallbackThatNamesAPastTimeKeepsTheSlaveFromOpWithItsName) {

@@ -168,6 +168,21 @@ TEST(FrameReader, TellsALyingLengthField) {
   EXPECT_TRUE(big.malformed());
 }
 
+TEST(FrameReader, SlavesFollowTheDatagramsWhateverTheHeaderSays) {
+  Bytes frame = from_hex("FFFFFFFFFFFF 100102030405 88A4 0F10 07 09 0000 3001 0200 0000 0800 0300");
+  for (const std::uint8_t length : {0x00, 0x05, 0x0E, 0x0F, 0xFF}) {
+    frame[14] = length;
+    FrameReader reader(frame, FrameReader::LengthField::kIgnored);
+    EXPECT_TRUE(reader.is_ethercat());
+    const auto view = reader.next();
+    ASSERT_TRUE(view) << int{length};
+    EXPECT_EQ(view->header.length, 2);
+    EXPECT_EQ(view->wkc(), 3);
+    EXPECT_FALSE(reader.next());
+    EXPECT_FALSE(reader.malformed());
+  }
+}
+
 TEST(FrameReader, NeverReadsOutside) {
   EXPECT_TRUE(rc::check([](Bytes frame, bool ethercat) {
     if (ethercat && frame.size() > 14) {

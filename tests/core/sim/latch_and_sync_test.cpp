@@ -283,5 +283,54 @@ TEST_F(SimSyncSignals, ACycleThatIsShorterThanAnyPulseIsOneLevel) {
   EXPECT_EQ(sync0.size(), 1U);
 }
 
+TEST_F(SimSyncSignals, AStartTimeInTheFarFutureIsWaitedForAndNeverReached) {
+  make(1000);
+  write(reg::kSpeedCounterStart, le_bytes(std::uint16_t{0x0080}));
+  write(reg::kSystemTime, le_bytes(std::uint32_t{123'456}));  // the loop corrects, as far as it can
+  for (const auto time :
+       {0x7000'0000'0000'0000U, 0x7FFF'FFFF'FFFF'FFFFU, 0x8000'0000'0000'0000U, 0xFFFF'FFFF'FFFF'FFF0U}) {
+    start(250'000, 0, time, 0x03);
+    now += 10 * kMillisecond;
+    esc->advance_to(now);
+    EXPECT_TRUE(sync0.empty()) << time;
+    write(reg::kActivation, {0x00});
+  }
+}
+
+TEST_F(SimSyncSignals, WhoLooksAfterAYearSeesTheLastSignals) {
+  make(1000);
+  start(1'000, 700, 1'000'000, 0x07);
+  now = 365 * 86'400 * kSecond;
+  esc->advance_to(now);
+  ASSERT_FALSE(sync0.empty());
+  EXPECT_LE(sync0.size(), 200'001U);
+  EXPECT_LE(now - sync0.back(), 1'000);
+  EXPECT_EQ(sync0.back() - sync0.front(), static_cast<Nanoseconds>(sync0.size() - 1) * 1'000);
+}
+
+TEST_F(SimSyncSignals, AClockThatJumpsLosesTheSignalsInBetween) {
+  make(1000);
+  start(250'000, 0, 1'000'000, 0x03);
+  esc->advance_to(10 * kMillisecond);
+  const auto before = sync0.size();
+  esc->dc().step_clock(30 * 86'400 * kSecond, 10 * kMillisecond);
+  esc->advance_to(11 * kMillisecond);
+  EXPECT_LE(sync0.size() - before, 5U);
+  EXPECT_GE(sync0.size() - before, 3U);
+}
+
+TEST_F(SimSyncSignals, A32BitUnitSeesTheLowWordOfAnOffsetThatWraps) {
+  make(1000, false);
+  write(reg::kSystemTimeOffset, le_bytes(std::uint32_t{0xFFFF'FF00}));
+  start(1'000'000, 0, 1'000'000, 0x03);  // 1 ms and 256 ns on
+  esc->advance_to(10 * kMillisecond);
+  const auto before = sync0.size();
+  ASSERT_GE(before, 8U);
+  now = 10 * kMillisecond;
+  write(reg::kSystemTimeOffset, le_bytes(std::uint32_t{0x0000'0100}));  // 512 ns ahead by its word
+  esc->advance_to(20 * kMillisecond);
+  EXPECT_GE(sync0.size(), before + 9);
+}
+
 }  // namespace
 }  // namespace syncline::test

@@ -178,6 +178,22 @@ TEST_F(Server, InformationListsAndDescribesWhatIsThere) {
   EXPECT_EQ(none.abort_code, abort::kNoSubIndex);
 }
 
+TEST_F(Server, AGapBetweenEntriesIsDescribedAsNothing) {
+  dictionary.set_object_name(0x2010, "Gaps");
+  dictionary.add<std::uint8_t>(0x2010, 0, "Number", 5);
+  dictionary.add<std::uint16_t>(0x2010, 5, "Fifth", 1);
+  const auto gap = std::get<coe::EntryDescription>(
+      inform(coe::EntryDescriptionRequest{0x2010, 3, coe::value_info::kDefault}).value());
+  EXPECT_EQ(gap.index, 0x2010);
+  EXPECT_EQ(gap.sub_index, 3);
+  EXPECT_EQ(gap.data_type, 0);
+  EXPECT_EQ(gap.bit_length, 0);
+  EXPECT_EQ(gap.access, 0);
+  EXPECT_EQ(std::get<coe::InformationError>(inform(coe::EntryDescriptionRequest{0x2010, 6, 0}).value()).abort_code,
+            abort::kNoSubIndex);
+  EXPECT_EQ(abort_of(coe::UploadRequest{{0x2010, 3}, false}), abort::kNoSubIndex) << "there is nothing to read";
+}
+
 TEST_F(Server, InformationOfADeviceWithoutItIsAMailboxError) {
   mailbox.coe->sdo_info = false;
   send(MailboxType::kCoe, coe::encode(coe::InformationRequest{coe::ObjectListRequest{}}));

@@ -30,6 +30,18 @@ TEST(DcTimes, FollowTheFactorsOfTheEsi) {
   EXPECT_EQ(dc_times(sample::op_mode("m", 0x0300, 0), {}, kMillisecond).cycle_time0, 0);
 }
 
+TEST(DcTimes, Sync0WithoutACycleTimeMeansTheBusCycle) {
+  DcOpMode mode;
+  mode.assign_activate = 0x0300;
+  EXPECT_EQ(dc_times(mode, {}, kMillisecond).cycle_time0, kMillisecond);
+  EXPECT_EQ(dc_times(mode, {}, 250'000).cycle_time0, 250'000);
+  DcSlaveSettings user;
+  user.sync0.cycle_factor = 4;
+  EXPECT_EQ(dc_times(mode, user, kMillisecond).cycle_time0, 4 * kMillisecond);
+  mode.assign_activate = 0x0100;
+  EXPECT_EQ(dc_times(mode, {}, kMillisecond).cycle_time0, 0) << "no SYNC0, no cycle";
+}
+
 TEST(DcTimes, NumbersThatNoDeviceMeansStayBounded) {
   constexpr int kInts[] = {std::numeric_limits<int>::min(), std::numeric_limits<int>::max()};
   constexpr std::int64_t kLongs[] = {0, std::numeric_limits<std::int64_t>::min(), std::numeric_limits<std::int64_t>::max()};

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim/local_clock.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+
+#include "support/clock.h"
+
+namespace syncline::test {
+namespace {
+
+constexpr auto kStart = VirtualClock::kDefaultStart;
+
+RC_GTEST_PROP(SimLocalClock, TimeOfIsTheFirstTimeThatShowsIt, ()) {
+  OscillatorConfig config;
+  config.ppm = *rc::gen::inRange(-200'000, 200'000) * 0.1;
+  config.start_offset = *rc::gen::inRange<Nanoseconds>(0, 1'000'000'000'000);
+  sim::LocalClock clock(config, kStart, 1);
+  clock.set_correction(*rc::gen::inRange(-770, 770) * 1e-6, kStart + 3 * kMillisecond);
+  const auto ahead = std::uint64_t{1} << *rc::gen::inRange(0, 62);
+  const auto wanted = clock.exact(kStart + 3 * kMillisecond) + ahead + *rc::gen::inRange<std::uint64_t>(0, ahead);
+  const auto time = clock.time_of(wanted, kStart + 3 * kMillisecond);
+  RC_ASSERT(time > kStart);
+  if (time == sim::LocalClock::kNever) {
+    RC_ASSERT(ahead > std::uint64_t{1} << 60);
+  } else {
+    RC_ASSERT(static_cast<std::int64_t>(clock.exact(time) - wanted) >= 0);
+    RC_ASSERT(static_cast<std::int64_t>(clock.exact(time - 1) - wanted) < 0);
+  }
+}
+
+TEST(SimLocalClock, WhatIsPastIsDueNowAndWhatTheCounterCannotReachNever) {
+  sim::LocalClock clock({}, kStart, 1);
+  EXPECT_EQ(clock.time_of(clock.exact(kStart) - 1, kStart), kStart);
+  EXPECT_EQ(clock.time_of(clock.exact(kStart) + (std::uint64_t{1} << 63), kStart), kStart)
+      << "half a turn away is past";
+  EXPECT_EQ(clock.time_of(0x7FFF'FFFF'FFFF'FFFF, kStart), sim::LocalClock::kNever);
+  EXPECT_EQ(clock.time_of(1'000, kStart), kStart + 1'000);
+}
+
+TEST(SimLocalClock, CommittingOftenOrNeverShowsTheSame) {
+  OscillatorConfig config;
+  config.ppm = 33.333;
+  sim::LocalClock seldom(config, kStart, 1), often(config, kStart, 1);
+  for (int i = 1; i <= 10'000; ++i) often.set_correction(0, kStart + i * 12'345);
+  const auto time = kStart + 86'400 * kSecond;
+  EXPECT_EQ(seldom.exact(time), often.exact(time));
+  EXPECT_EQ(seldom.sample(time), often.sample(time));
+}
+
+TEST(SimLocalClock, TwoHundredYearsPassAtOnce) {
+  OscillatorConfig config;
+  config.ppm = 20;
+  config.wander_ppm = 5;
+  config.changes = {{kStart + kSecond, INT64_MAX, 10}};  // warms up for ever
+  sim::LocalClock clock(config, kStart, 1);
+  const auto time = kStart + 200LL * 365 * 86'400 * kSecond;
+  EXPECT_TRUE(clock.advance_to(time));
+  const auto gained = static_cast<double>(clock.exact(time)) - static_cast<double>(time - kStart);
+  EXPECT_GT(gained, 0);
+  EXPECT_LT(gained, 40e-6 * static_cast<double>(time - kStart));
+}
+
+}  // namespace
+}  // namespace syncline::test

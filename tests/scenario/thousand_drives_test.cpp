@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include "master/master_service.h"
+#include "protocol/error_text.h"
+#include "tests/support/simulated_network.h"
+
+/// Long buses with a project's defaults.
+namespace syncline::test {
+namespace {
+
+/// A drive of which only the controlword, a target, the statusword and a position are exchanged, so that a thousand fit
+/// into a millisecond of wire time.
+DeviceDescription small_servo() {
+  auto device = servo();
+  const auto keep = [](std::vector<Pdo>& pdos, std::initializer_list<std::uint16_t> indices) {
+    for (auto& pdo : pdos) {
+      std::erase_if(pdo.entries,
+                    [&](const auto& entry) { return std::ranges::find(indices, entry.index) == indices.end(); });
+    }
+  };
+  keep(device.rx_pdos, {0x6040});
+  keep(device.tx_pdos, {0x6041});
+  return device;
+}
+
+std::string run_to_op(std::size_t slaves, const DeviceDescription& device, const std::string& behaviour) {
+  SimulatedNetwork network;
+  network.project.master.cycle_time = kMillisecond;
+  for (std::size_t i = 0; i < slaves; ++i) network.add(device, behaviour);
+  VirtualClock clock;
+  auto link = network.link(clock);
+  if (!link) return "no simulated bus";
+  MasterService service(std::move(link), clock);
+  service.channels().commands.push(GoOnlineCommand{network.compiled(), AlState::kOp});
+  (void)service.step();
+  for (const auto& event : service.channels().events.drain()) {
+    if (event.error) return describe(*event.error);
+  }
+  Snapshot snapshot;
+  (void)service.channels().snapshot.read(snapshot);
+  return snapshot.state == AlState::kOp ? "" : "not in OP";
+}
+
+TEST(ManySlaves, TwoHundredTerminalsWithClocksReachOp) { EXPECT_EQ(run_to_op(200, io8(), "generic"), ""); }
+TEST(ManySlaves, AThousandDrivesWithClocksReachOpAtAMillisecond) {
+  EXPECT_EQ(run_to_op(1000, small_servo(), "servo-y"), "");
+}
+
+}  // namespace
+}  // namespace syncline::test
