@@ -37,10 +37,9 @@ SyncEventWatch::Slave* SyncEventWatch::find(std::size_t position) {
 void SyncEventWatch::end_settling(Slave& slave, Nanoseconds time) {
   if (!slave.before || time - *slave.in_op_since < kSettling) return;
   // At its limit it may have fallen already, and nobody has seen that yet.
-  if (!slave.account->at_limit()) {
-    slave.account = slave.before;
-    slave.account->entered_op();
-  }
+  if (slave.account->at_limit() && time - *slave.in_op_since < kSettling + kStillInOp) return;
+  slave.account = slave.before;
+  slave.account->entered_op();
   slave.before.reset();
 }
 

@@ -33,6 +33,10 @@ constexpr const char* kSources[] = {
                       "{missed} SM2 events, its error counter reached {integrator} of {limit}."),
     QT_TRANSLATE_NOOP("Finding", "The cause is that of the missed events: {cause}."),
     QT_TRANSLATE_NOOP("Finding",
+                      "{slave} fell to {state} with AL status code {alcode}{alarm} at {since}: it missed "
+                      "{missed} SM2 events, {part} of them because frames came behind the SYNC0 they were meant "
+                      "for. Nominally they are there {margin} before it, but one in a thousand is {lateness} late."),
+    QT_TRANSLATE_NOOP("Finding",
                       "{slave} fell to {state} with AL status code {alcode}{alarm} at {since}, and the master "
                       "saw nothing but good cycles before: no frame lost or late, none left out, outputs "
                       "nominally there {margin} before each SYNC0."),

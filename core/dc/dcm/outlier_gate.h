@@ -5,7 +5,8 @@ namespace syncline::dc {
 
 /// Tells readings that cannot be true from those that are only noisy. A reading is invalid when it is further from
 /// what was expected than the limit (nMaxValidVal), or than six times the usual scatter where that is more: a host
-/// whose stamps are worse than the limit would otherwise never be heard. What stays away is true: the clock has stepped.
+/// whose stamps are worse than the limit would otherwise never be heard. Outliers widen the scatter, too: where every
+/// second reading is one, they are soon none. What stays away is true: the clock has stepped.
 class OutlierGate {
  public:
   enum class Verdict { kValid, kOutlier, kStep };
