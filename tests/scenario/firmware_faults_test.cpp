@@ -100,7 +100,7 @@ INSTANTIATE_TEST_SUITE_P(Kinds, FirmwareFaults,
                                            Kind{FaultKind::kSlowApplication, 2 * kMillisecond, 8 * kMillisecond, false},
                                            Kind{FaultKind::kMailboxSilence, 0, 0, true},
                                            Kind{FaultKind::kMailboxSilence, 0, 0, false},
-                                           Kind{FaultKind::kSlowMailbox, kSecond, 3 * kSecond, true}));
+                                           Kind{FaultKind::kSlowMailbox, 2200 * kMillisecond, 4 * kSecond, true}));
 
 }  // namespace
 }  // namespace syncline
