@@ -12,6 +12,7 @@
 #include "master/evidence_reader.h"
 #include "support/random.h"
 #include "tests/support/diagnosed_run.h"
+#include "tests/support/small_machines.h"
 
 /// How soon a fault is told, what the evidence costs, and whether healthy machines are left in peace.
 /// `bench_diagnosis [HOURS]`: so many virtual hours of healthy machines; default a quarter, and 24 before a release.
@@ -46,11 +47,7 @@ test::SimulatedNetwork machine(Random& random, bool drives_only) {
   const int drives = 2 + static_cast<int>(random.uniform(0, 4));
   for (int i = 0; i < drives; ++i) network.add(test::servo(), "servo-y");
   if (!drives_only) network.add(test::io8());
-  for (auto& slave : network.sim.slaves) {
-    slave.oscillator.ppm = random.uniform(-45, 45);
-    slave.oscillator.start_offset = static_cast<Nanoseconds>(random.uniform(0, 4e9));
-    slave.cable_m = random.uniform(0.5, 60);
-  }
+  test::give_random_clocks(network, random);
   auto& dc = network.project.master.dc;
   dc.sync_window.enabled = true;
   dc.dcm.mode = random.uniform() < 0.5 ? DcmMode::kBusShift : DcmMode::kMasterShift;

@@ -6,6 +6,7 @@
 #include "protocol/al_state.h"
 #include "support/random.h"
 #include "tests/support/diagnosed_run.h"
+#include "tests/support/small_machines.h"
 
 namespace syncline {
 namespace {
@@ -15,11 +16,7 @@ using Code = FindingCode;
 class AdapterAway : public ::testing::Test {
  protected:
   test::DiagnosedRun machine;
-  void SetUp() override {
-    machine.network.add(test::io8());
-    machine.network.add(test::servo(), "servo-y");
-    machine.network.add(test::servo(), "servo-y");
-  }
+  void SetUp() override { test::add_two_axes(machine.network); }
   [[nodiscard]] std::vector<std::int64_t> link_events() const {
     std::vector<std::int64_t> all;
     for (const auto& event : machine.events) {

@@ -3,6 +3,7 @@
 
 #include "protocol/al_state.h"
 #include "tests/support/diagnosed_run.h"
+#include "tests/support/small_machines.h"
 #include "tests/support/source_dir.h"
 
 namespace syncline {
@@ -20,11 +21,7 @@ class Diagnosis : public ::testing::Test {
  protected:
   test::DiagnosedRun machine;
 
-  void SetUp() override {
-    machine.network.add(test::io8());
-    machine.network.add(test::servo(), "servo-y");
-    machine.network.add(test::servo(), "servo-y");
-  }
+  void SetUp() override { test::add_two_axes(machine.network); }
   void lose(Nanoseconds at, std::uint32_t count) { machine.fault(FaultKind::kLoseFrames, at).count = count; }
   [[nodiscard]] const RunReport::Slave& slave(std::size_t position) const { return machine.report.slaves.at(position); }
   [[nodiscard]] bool in_op(std::size_t position) const {

@@ -8,26 +8,12 @@
 #include "eni/check/eni_check.h"
 #include "eni/eni_file.h"
 #include "eni/xml_text.h"
+#include "support/eni_values.h"
 #include "support/random.h"
 #include "support/sample_folder.h"
 
 namespace syncline {
 namespace {
-
-struct Place {
-  std::size_t at = 0, length = 0;
-};
-
-/// Every element whose text is a number or bytes.
-std::vector<Place> values_of(const std::string& text) {
-  std::vector<Place> found;
-  for (std::size_t at = text.find('>'); at != std::string::npos; at = text.find('>', at + 1)) {
-    const auto end = text.find_first_not_of("0123456789abcdef", at + 1);
-    if (end == std::string::npos || end == at + 1 || text.compare(end, 2, "</") != 0) continue;
-    found.push_back({at + 1, end - at - 1});
-  }
-  return found;
-}
 
 std::size_t findings(const std::string& text) {
   const auto check = eni::check_eni_text(text, "file.xml");
@@ -71,8 +57,8 @@ TEST_P(MutatedEni, WhatTripsOurMasterOrBusIsFound) {
     ++tried;
     const std::size_t file = random.next() % paths.size();
     std::string text = texts[file];
-    const auto places = values_of(text);
-    const Place place = places[random.next() % places.size()];
+    const auto places = test::values_of(text);
+    const test::EniValue place = places[random.next() % places.size()];
     const std::size_t digit = place.at + random.next() % place.length;
     text[digit] = static_cast<char>('0' + (text[digit] - '0' + 1 + static_cast<int>(random.next() % 9)) % 10);
     if (text == texts[file]) continue;

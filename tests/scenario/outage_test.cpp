@@ -12,6 +12,7 @@
 #include "master/master_service.h"
 #include "support/random.h"
 #include "tests/support/simulated_network.h"
+#include "tests/support/small_machines.h"
 #include "trace/run_report.h"
 
 namespace syncline {
@@ -42,11 +43,7 @@ class Outage : public ::testing::Test {
       network.add(test::io8());
     }
     Random random(seed);
-    for (auto& slave : network.sim.slaves) {
-      slave.oscillator.ppm = random.uniform(-45, 45);
-      slave.oscillator.start_offset = static_cast<Nanoseconds>(random.uniform(0, 4e9));
-      slave.cable_m = random.uniform(0.5, 60);
-    }
+    test::give_random_clocks(network, random);
     auto& dc = network.project.master.dc;
     dc.sync_window.enabled = true;
     // The host's jitter reaches the reference clock as it is: 127 ns is too narrow for that with or without an outage.
@@ -143,7 +140,7 @@ void Outage::expect_sync_after(const Case& c) {
   const auto begin = 6 * kSecond + static_cast<Nanoseconds>(c.seed * 7'654'321 % 1'000'000'000), end = begin + c.length;
   fault(c.kind, c.slave, begin, end);
   go_online();
-  run_until(begin);
+  run_until(begin - 2 * kMillisecond);  // the cycle that runs over the end would have seen the outage
   ASSERT_EQ(snapshot.state, AlState::kOp) << c.name() << log();
   ASSERT_EQ(snapshot.dc.state, SyncState::kInSync) << c.name() << log();
   ASSERT_EQ(snapshot.dcm.state, SyncState::kInSync) << c.name() << log();
@@ -203,6 +200,16 @@ TEST_F(Outage, EndsInSyncWhateverGoesAwayForHowLongInWhichMode) {
     if (c.mode == DcmMode::kDcx) c.slave = std::min(c.slave, 2);
     c.length = static_cast<Nanoseconds>(5e7 * std::pow(200.0, random.uniform()));
     c.seed = static_cast<std::uint64_t>(i) + 1;
+    expect_sync_after(c);
+  }
+}
+
+/// The last time that a follower hears when its leader goes away is what the master believed, with a stamp's noise: a
+/// substitute that ran on with that would be tens of ppm off in master shift, and the machine twice out of sync.
+TEST_F(Outage, ASubstituteRunsOnAsFastAsTheOneBeforeIt) {
+  for (const auto& [kind, milliseconds, seed] :
+       {std::tuple{FaultKind::kSlaveOff, 186, 132}, std::tuple{FaultKind::kCableBreak, 780, 137}}) {
+    Case c{DcmMode::kMasterShift, true, kind, 1, milliseconds * kMillisecond, static_cast<std::uint64_t>(seed)};
     expect_sync_after(c);
   }
 }

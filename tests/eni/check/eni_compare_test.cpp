@@ -9,26 +9,11 @@
 #include "config/compare/compare_configs.h"
 #include "config/network_compare.h"
 #include "eni/check/check_bed.h"
+#include "support/eni_values.h"
 #include "support/sample_folder.h"
 
 namespace syncline::test {
 namespace {
-
-struct Place {
-  std::string element;
-  std::size_t at = 0, length = 0;
-};
-
-/// Every element whose text is a number or bytes.
-std::vector<Place> values_of(const std::string& text) {
-  std::vector<Place> found;
-  for (std::size_t at = text.find('>'); at != std::string::npos; at = text.find('>', at + 1)) {
-    const auto end = text.find_first_not_of("0123456789abcdef", at + 1);
-    if (end == std::string::npos || end == at + 1 || text.compare(end, 2, "</") != 0) continue;
-    found.push_back({text.substr(end + 2, text.find('>', end) - end - 2), at + 1, end - at - 1});
-  }
-  return found;
-}
 
 /// Numbers that say nothing about what a master does: spelling, limits, places that follow, and what the checker finds
 /// when it contradicts the rest.
@@ -46,7 +31,7 @@ bool is_in_unassigned_pdo(const std::string& text, std::size_t at) {
 }
 
 /// Address of a command that goes to nobody or to all.
-bool is_address_of_broadcast(const std::string& text, const Place& place) {
+bool is_address_of_broadcast(const std::string& text, const EniValue& place) {
   if (place.element != "Adp") return false;
   const auto command = text.rfind("<Cmd>", place.at) + 5;
   const std::string code = text.substr(command, text.find('<', command) - command);
@@ -58,7 +43,7 @@ TEST(EniCompare, EachChangedValueIsADifference) {
   const std::string whole = eni::write_eni(checked_machine());
   const auto original = eni::parse_eni(whole, "whole.xml");
   std::map<std::string, int> tried, missed;
-  for (const Place& place : values_of(whole)) {
+  for (const EniValue& place : values_of(whole)) {
     if (is_spelling(place.element) || is_in_unassigned_pdo(whole, place.at)) continue;
     if (is_address_of_broadcast(whole, place)) continue;
     // The last digit keeps the value in its range and the bytes whole.

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "support/random.h"
+#include "tests/support/simulated_network.h"
+
+namespace syncline::test {
+
+/// A coupler-like terminal and two servo axes.
+inline void add_two_axes(SimulatedNetwork& network) {
+  network.add(io8());
+  network.add(servo(), "servo-y");
+  network.add(servo(), "servo-y");
+}
+
+/// Quartzes of +-45 ppm, clocks that were switched on at different times, cables of different lengths.
+inline void give_random_clocks(SimulatedNetwork& network, Random& random) {
+  for (auto& slave : network.sim.slaves) {
+    slave.oscillator.ppm = random.uniform(-45, 45);
+    slave.oscillator.start_offset = static_cast<Nanoseconds>(random.uniform(0, 4e9));
+    slave.cable_m = random.uniform(0.5, 60);
+  }
+}
+
+}  // namespace syncline::test
