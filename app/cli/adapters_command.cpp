@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "app/cli/context.h"
+#include "app/cli/options.h"
 #include "app/composition/open_link.h"
 #include "link/pcap_link.h"
 
@@ -15,10 +16,15 @@ void list(Context& context, bool json) {
   if (!adapters) return context.fail_with(adapters.error());
   if (json) {
     Json rows = Json::array();
-    rows.push_back({{"link", demo_link(false)}, {"kind", "simulated"}, {"name", "demonstration machine"}, {"up", true}});
+    rows.push_back(
+        {{"link", demo_link(false)}, {"kind", "simulated"}, {"name", "demonstration machine"}, {"up", true}});
     for (const auto& adapter : *adapters) {
-      rows.push_back({{"link", "nic:" + adapter.name}, {"kind", "nic"}, {"name", adapter.name},
-                      {"up", adapter.up}, {"mac", mac_text(adapter.mac)}, {"driver", adapter.driver},
+      rows.push_back({{"link", "nic:" + adapter.name},
+                      {"kind", "nic"},
+                      {"name", adapter.name},
+                      {"up", adapter.up},
+                      {"mac", mac_text(adapter.mac)},
+                      {"driver", adapter.driver},
                       {"description", adapter.description}});
     }
     return context.print({{"adapters", rows}});

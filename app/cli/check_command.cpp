@@ -7,6 +7,7 @@
 
 #include "app/cli/context.h"
 #include "app/cli/counted.h"
+#include "app/cli/options.h"
 #include "eni/check/eni_check.h"
 
 namespace syncline::cli {

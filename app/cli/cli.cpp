@@ -7,6 +7,7 @@
 #include <new>
 
 #include "app/cli/context.h"
+#include "app/cli/options.h"
 #include "app/composition/eeprom_journal.h"
 #include "protocol/error_text.h"
 

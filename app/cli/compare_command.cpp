@@ -4,8 +4,9 @@
 #include <memory>
 
 #include "app/cli/context.h"
-#include "app/cli/interrupt.h"
 #include "app/cli/counted.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/options.h"
 #include "app/composition/compare_bus.h"
 #include "app/composition/load_config.h"
 #include "config/compare/compare_configs.h"

@@ -1,21 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
-#include <CLI/Option.hpp>
-#include <nlohmann/json.hpp>
+#include <array>
+#include <cstdint>
 #include <string>
 #include <utility>
 
 #include "app/cli/cli.h"
+#include "app/cli/json.h"
 #include "support/result.h"
 
-namespace syncline::cli {
+namespace CLI {
+class App;  // whoever adds options to it includes app/cli/options.h
+}
 
-/// Keys keep the order in which they are written, so that the output is stable and readable.
-using Json = nlohmann::ordered_json;
+namespace syncline::cli {
 
 /// What a sub-command needs and leaves behind.
 class Context {
@@ -25,8 +24,8 @@ class Context {
   int exit_code = kDone;
   bool json = false;  // one object is wanted, whatever happens
 
-  /// Says the error and sets the exit code: 2 for a key or value that is not accepted, else 3. The first one also becomes
-  /// "error" of the JSON object.
+  /// Says the error and sets the exit code: 2 for a key or value that is not accepted, else 3. The first one also
+  /// becomes "error" of the JSON object.
   void fail_with(const Error& error);
   void fail_with_words(const std::string& words, int code);
   void note_error(const std::string& words);

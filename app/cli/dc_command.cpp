@@ -6,6 +6,7 @@
 
 #include "app/cli/context.h"
 #include "app/cli/interrupt.h"
+#include "app/cli/options.h"
 #include "app/composition/load_config.h"
 #include "app/composition/open_bus.h"
 #include "dc/delay_text.h"

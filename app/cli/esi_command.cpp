@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/esi_command.h"
 
+#include "app/cli/options.h"
+
 namespace syncline::cli {
 
 void add_esi_commands(CLI::App& app, Context& context) {

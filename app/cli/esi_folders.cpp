@@ -5,6 +5,7 @@
 
 #include <filesystem>
 
+#include "app/cli/options.h"
 #include "app/composition/open_link.h"
 #include "eni/xml_text.h"
 #include "protocol/error_text.h"

@@ -6,6 +6,7 @@
 #include "app/cli/esi_command.h"
 #include "app/cli/esi_folders.h"
 #include "app/cli/interrupt.h"
+#include "app/cli/options.h"
 
 namespace syncline::cli {
 namespace {
@@ -17,8 +18,12 @@ struct IndexOptions {
 };
 
 Json report_json(const std::string& folder, const eni::IndexReport& report) {
-  return {{"folder", folder},           {"files", report.files},     {"read", report.read},
-          {"touched", report.touched},  {"removed", report.removed}, {"cancelled", report.cancelled},
+  return {{"folder", folder},
+          {"files", report.files},
+          {"read", report.read},
+          {"touched", report.touched},
+          {"removed", report.removed},
+          {"cancelled", report.cancelled},
           {"unreadable", report.unreadable}};
 }
 

@@ -3,6 +3,7 @@
 
 #include "app/cli/esi_command.h"
 #include "app/cli/esi_folders.h"
+#include "app/cli/options.h"
 
 namespace syncline::cli {
 namespace {

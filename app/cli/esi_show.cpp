@@ -6,6 +6,7 @@
 #include "app/cli/esi_command.h"
 #include "app/cli/esi_folders.h"
 #include "app/cli/identity_text.h"
+#include "app/cli/options.h"
 #include "eni/xml_text.h"
 
 namespace syncline::cli {

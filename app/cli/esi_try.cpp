@@ -3,6 +3,7 @@
 
 #include "app/cli/esi_command.h"
 #include "app/cli/interrupt.h"
+#include "app/cli/options.h"
 #include "app/composition/try_esi.h"
 #include "protocol/error_text.h"
 

@@ -8,6 +8,7 @@
 #include "app/cli/context.h"
 #include "app/cli/counted.h"
 #include "app/cli/findings_text.h"
+#include "app/cli/options.h"
 #include "app/composition/load_config.h"
 #include "config/exports/exports.h"
 #include "config/recover/recover_project.h"

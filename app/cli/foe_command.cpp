@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "app/cli/options.h"
 #include "app/cli/visit_options.h"
 #include "master/foe_client.h"
 #include "support/whole_file.h"
@@ -25,8 +26,8 @@ void report(Context& context, const Options& options, std::size_t bytes, bool wr
                           {"bytes", bytes},
                           {"written", written}});
   }
-  context.console.out << fmt::format("slave {}: {} bytes of \"{}\" {} {}\n", options.slave.position, bytes, options.name,
-                                     written ? "written from" : "read into", options.file);
+  context.console.out << fmt::format("slave {}: {} bytes of \"{}\" {} {}\n", options.slave.position, bytes,
+                                     options.name, written ? "written from" : "read into", options.file);
 }
 
 void read_file(Context& context, const Options& options) {

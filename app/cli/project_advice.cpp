@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "app/cli/counted.h"
+#include "app/cli/options.h"
 #include "app/composition/load_config.h"
 #include "config/cycle_time_help.h"
 #include "config/image_report.h"
@@ -14,7 +15,7 @@
 namespace syncline::cli {
 namespace {
 
-constexpr std::size_t kRows = 20;   // of lists in the text form; JSON has all
+constexpr std::size_t kRows = 20;  // of lists in the text form; JSON has all
 
 struct Options {
   std::string file, network;
@@ -26,8 +27,8 @@ double us(Nanoseconds time) { return static_cast<double>(time) / 1e3; }
 Json to_json(const CycleCandidate& candidate) {
   Json refusals = Json::array();
   for (const auto& refusal : candidate.refusals) {
-    refusals.push_back({{"slave", refusal.slave}, {"name", refusal.name}, {"reason", refusal.reason},
-                        {"partly", refusal.partly}});
+    refusals.push_back(
+        {{"slave", refusal.slave}, {"name", refusal.name}, {"reason", refusal.reason}, {"partly", refusal.partly}});
   }
   return {{"cycle_us", us(candidate.cycle)}, {"accepted", candidate.accepted()}, {"refusals", refusals}};
 }

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "app/cli/context.h"
+#include "app/cli/options.h"
 #include "app/cli/project_advice.h"
 #include "app/cli/project_create.h"
 #include "app/composition/load_config.h"

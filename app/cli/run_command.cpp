@@ -12,6 +12,7 @@
 #include "app/cli/findings_text.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/lateness.h"
+#include "app/cli/options.h"
 #include "app/cli/run_json.h"
 #include "app/cli/run_overrides.h"
 #include "app/composition/run_network.h"

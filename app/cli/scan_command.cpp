@@ -9,6 +9,7 @@
 #include "app/cli/esi_folders.h"
 #include "app/cli/event_text.h"
 #include "app/cli/interrupt.h"
+#include "app/cli/options.h"
 #include "app/composition/scan_bus.h"
 #include "config/device_description.h"
 #include "eni/xml_text.h"
@@ -20,10 +21,14 @@ namespace {
 
 std::string_view dc_text(DcCapability dc) {
   switch (dc) {
-    case DcCapability::kNone: return "no";
-    case DcCapability::kReceiveTimesOnly: return "times";
-    case DcCapability::kSystemTime32: return "32bit";
-    case DcCapability::kSystemTime64: return "64bit";
+    case DcCapability::kNone:
+      return "no";
+    case DcCapability::kReceiveTimesOnly:
+      return "times";
+    case DcCapability::kSystemTime32:
+      return "32bit";
+    case DcCapability::kSystemTime64:
+      return "64bit";
   }
   return "no";
 }

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "app/cli/object_value.h"
+#include "app/cli/options.h"
 #include "app/cli/visit_options.h"
 #include "master/coe_client.h"
 #include "master/object_dictionary_reader.h"

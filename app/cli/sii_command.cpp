@@ -5,6 +5,7 @@
 
 #include "app/cli/context.h"
 #include "app/cli/interrupt.h"
+#include "app/cli/options.h"
 #include "app/composition/slave_eeprom.h"
 
 namespace syncline::cli {
@@ -24,7 +25,8 @@ void save(Context& context, const Options& options) {
   context.console.out << fmt::format("{}: {} bytes from slave {}\n", options.file, *bytes, options.slave.position);
 }
 
-void print_report(Context& context, const Options& options, const Result<SiiWriteReport>& report, std::string_view what) {
+void print_report(Context& context, const Options& options, const Result<SiiWriteReport>& report,
+                  std::string_view what) {
   if (!report) return context.fail_with(report.error());
   if (options.json) {
     return context.print({{"position", options.slave.position},

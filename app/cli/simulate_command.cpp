@@ -6,6 +6,7 @@
 #include "app/cli/context.h"
 #include "app/cli/duration.h"
 #include "app/cli/interrupt.h"
+#include "app/cli/options.h"
 #include "app/cli/run_json.h"
 #include "app/composition/simulate_bus.h"
 #include "protocol/al_state.h"

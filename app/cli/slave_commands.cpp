@@ -5,6 +5,7 @@
 
 #include "app/cli/interrupt.h"
 #include "app/cli/object_value.h"
+#include "app/cli/options.h"
 #include "app/cli/visit_options.h"
 #include "master/diagnosis_history_reader.h"
 
@@ -19,9 +20,12 @@ struct Options {
 
 std::string_view type_text(DiagnosisMessage::Type type) {
   switch (type) {
-    case DiagnosisMessage::Type::kInfo: return "info";
-    case DiagnosisMessage::Type::kWarning: return "warning";
-    case DiagnosisMessage::Type::kError: return "error";
+    case DiagnosisMessage::Type::kInfo:
+      return "info";
+    case DiagnosisMessage::Type::kWarning:
+      return "warning";
+    case DiagnosisMessage::Type::kError:
+      return "error";
   }
   return "unknown";
 }

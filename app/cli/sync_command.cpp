@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "app/cli/options.h"
 #include "app/cli/visit_options.h"
 #include "master/family_status_reader.h"
 #include "master/sync_object_reader.h"
@@ -17,16 +18,20 @@ struct Options {
 
 std::string_view source_key(CounterSource source) {
   switch (source) {
-    case CounterSource::kObjectName: return "object_name";
-    case CounterSource::kDeviceProfile: return "device_profile";
-    case CounterSource::kUnknown: break;
+    case CounterSource::kObjectName:
+      return "object_name";
+    case CounterSource::kDeviceProfile:
+      return "device_profile";
+    case CounterSource::kUnknown:
+      break;
   }
   return "unknown";
 }
 
 std::string_view source_text(CounterSource source) {
   switch (source) {
-    case CounterSource::kObjectName: return "the slave names its counters";
+    case CounterSource::kObjectName:
+      return "the slave names its counters";
     case CounterSource::kDeviceProfile: return "the slave does not name its counters; what they count is known of this device";
     case CounterSource::kUnknown: break;
   }

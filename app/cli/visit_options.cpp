@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "app/cli/interrupt.h"
+#include "app/cli/options.h"
 
 namespace syncline::cli {
 

@@ -14,6 +14,9 @@ constexpr Nanoseconds kIdleStep = kMillisecond;
 constexpr Nanoseconds kAwayStep = 5 * kMillisecond;  // while the adapter is away
 /// Memory of how often the next frame came within the time of looking for it, and the share that is worth the processor.
 constexpr double kLuckMemory = 0.02, kWorthIt = 0.8;
+/// A reply that is due so soon is waited for awake: woken up by the timer it would leave as much too late as the whole way
+/// through a small segment takes, and a master would measure the host instead of the bus.
+constexpr Nanoseconds kAwake = 60 * kMicrosecond;
 
 }  // namespace
 
@@ -58,6 +61,7 @@ Status BusResponder::serve(Nanoseconds end, const std::atomic<bool>& stop) {
       bus_time_ = now;
     }
     if (luck_ > kWorthIt && now - last_frame_ < options_.spin) continue;
+    if (!replies_.empty() && replies_.front().due - now <= kAwake && options_.spin > 0) continue;
     port_.wait(idle_time(now, end));
   }
   return {};
@@ -71,7 +75,7 @@ void BusResponder::learn(Nanoseconds now) {
 
 Nanoseconds BusResponder::idle_time(Nanoseconds now, Nanoseconds end) const {
   auto until = bus_time_ + kIdleStep;
-  if (!replies_.empty()) until = std::min(until, replies_.front().due);
+  if (!replies_.empty()) until = std::min(until, replies_.front().due - (options_.spin > 0 ? kAwake : 0));
   if (end > 0) until = std::min(until, end);
   return until - now;
 }

@@ -37,7 +37,7 @@ class BusResponder {
   struct Options {
     /// After a frame the thread looks for the next one this long before it sleeps: waking up costs more than
     /// executing. Bursts and scans profit; where the next frame mostly comes later, as in a bus cycle, it does not look.
-    /// 0 always sleeps.
+    /// A reply that is due within 60 us is waited for awake, too. 0 always sleeps.
     Nanoseconds spin = 100 * kMicrosecond;
   };
   /// All three outlive the responder; `clock` is the one on which bus and port run.

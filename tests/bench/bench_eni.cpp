@@ -8,11 +8,11 @@
 #include "bench/ratio_report.h"
 #include "config/compare/compare_configs.h"
 #include "config/compile/compile.h"
-#include "core/config/compile/sample_devices.h"
 #include "eni/check/eni_check.h"
 #include "eni/eni_file.h"
 #include "eni/line_wiring.h"
 #include "protocol/error_text.h"
+#include "tests/support/sample_devices.h"
 
 namespace syncline::bench {
 namespace {

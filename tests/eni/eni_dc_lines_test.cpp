@@ -7,8 +7,8 @@
 #include <sstream>
 
 #include "config/compile/compile.h"
-#include "core/config/compile/sample_devices.h"
 #include "eni/eni_file.h"
+#include "tests/support/sample_devices.h"
 
 namespace syncline::eni {
 namespace {

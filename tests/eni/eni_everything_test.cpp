@@ -3,11 +3,11 @@
 #include <gtest/gtest.h>
 
 #include "config/compile/compile.h"
-#include "core/config/compile/sample_devices.h"
 #include "eni/eni_file.h"
 #include "eni/schema_check.h"
 #include "protocol/error_text.h"
 #include "support/sample_folder.h"
+#include "tests/support/sample_devices.h"
 
 namespace syncline::eni {
 namespace {

@@ -10,9 +10,9 @@
 
 #include "config/compile/compile.h"
 #include "config/network_compare.h"
-#include "core/config/compile/sample_devices.h"
 #include "protocol/error_text.h"
 #include "support/sample_folder.h"
+#include "tests/support/sample_devices.h"
 
 namespace syncline::eni {
 namespace {
@@ -26,8 +26,8 @@ NetworkConfig compiled(const Project& project, EniDialect dialect = EniDialect::
 
 /// A machine that uses everything an ENI can hold.
 Project full_machine() {
-  Project project = sample::project({sample::coupler(), sample::digital_input(), sample::digital_output(),
-                                     sample::servo(), sample::servo()});
+  Project project = sample::project(
+      {sample::coupler(), sample::digital_input(), sample::digital_output(), sample::servo(), sample::servo()});
   project.master.name = "Line 3 <press> & \"feeder\"";
   project.master.source_mac = {0x02, 0x00, 0x5E, 0x10, 0x20, 0x30};
   project.master.dc.sync_window.enabled = true;

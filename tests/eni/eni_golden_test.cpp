@@ -7,12 +7,12 @@
 #include "config/command_text.h"
 #include "config/compile/compile.h"
 #include "config/network_compare.h"
-#include "core/config/compile/sample_devices.h"
-#include "eni/eni_file.h"
 #include "eni/catalogue/esi_catalogue.h"
+#include "eni/eni_file.h"
 #include "protocol/error_text.h"
 #include "support/byte_order.h"
 #include "support/sample_folder.h"
+#include "tests/support/sample_devices.h"
 
 namespace syncline::eni {
 namespace {
@@ -25,8 +25,9 @@ std::vector<std::string> words(const std::vector<NetworkDifference>& differences
   return out;
 }
 
-/// One line for each PDO and entry. Left out: PDO 0x1A26, unassigned, which came with a later edition of the drives' ESI
-/// than some of the exports were made from. Names without space at the end: the ESI has such names, our reader trims them.
+/// One line for each PDO and entry. Left out: PDO 0x1A26, unassigned, which came with a later edition of the drives'
+/// ESI than some of the exports were made from. Names without space at the end: the ESI has such names, our reader
+/// trims them.
 std::string pdo_lines(const SlaveConfig& slave) {
   std::string out;
   for (const auto& [direction, pdo] : slave.pdos) {

@@ -10,9 +10,9 @@
 #include "config/exports/exports.h"
 #include "config/recover/recover_project.h"
 #include "config/recover/simulated_network.h"
-#include "core/config/compile/sample_devices.h"
 #include "eni/eni_file.h"
 #include "support/random_project.h"
+#include "tests/support/sample_devices.h"
 
 namespace syncline::eni {
 namespace {

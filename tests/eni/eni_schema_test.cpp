@@ -8,10 +8,10 @@
 #include <sstream>
 
 #include "config/compile/compile.h"
-#include "core/config/compile/sample_devices.h"
 #include "eni/eni_file.h"
 #include "eni/schema_check.h"
 #include "support/sample_folder.h"
+#include "tests/support/sample_devices.h"
 #include "tests/support/source_dir.h"
 
 namespace syncline::eni {

@@ -11,7 +11,6 @@
 #include <fstream>
 
 #include "config/compile/compile.h"
-#include "core/config/compile/sample_devices.h"
 #include "eni/eni_file.h"
 #include "eni/esi_reader.h"
 #include "eni/project_file.h"
@@ -21,6 +20,7 @@
 #include "eni/xml_writer.h"
 #include "protocol/error_text.h"
 #include "support/utf8.h"
+#include "tests/support/sample_devices.h"
 
 namespace syncline::eni {
 namespace {

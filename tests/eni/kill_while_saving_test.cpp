@@ -11,10 +11,10 @@
 #include <filesystem>
 #include <fstream>
 
-#include "core/config/compile/sample_devices.h"
 #include "eni/project_file.h"
 #include "eni/xml_text.h"
 #include "support/random.h"
+#include "tests/support/sample_devices.h"
 
 namespace syncline::eni {
 namespace {

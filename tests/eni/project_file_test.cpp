@@ -8,12 +8,12 @@
 #include <filesystem>
 #include <regex>
 
-#include "core/config/compile/sample_devices.h"
 #include "eni/esi_reader.h"
 #include "eni/esi_writer.h"
 #include "eni/xml_text.h"
 #include "protocol/error_text.h"
 #include "support/random_project.h"
+#include "tests/support/sample_devices.h"
 
 namespace syncline::eni {
 namespace {

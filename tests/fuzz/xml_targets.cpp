@@ -5,13 +5,13 @@
 #include <cstdlib>
 
 #include "config/compile/compile.h"
-#include "core/config/compile/sample_devices.h"
 #include "eni/catalogue/esi_cards.h"
 #include "eni/eni_file.h"
 #include "eni/esi_reader.h"
 #include "eni/esi_writer.h"
 #include "eni/project_file.h"
 #include "tests/support/random_project.h"
+#include "tests/support/sample_devices.h"
 
 namespace syncline::fuzz {
 namespace {

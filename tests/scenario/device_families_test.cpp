@@ -5,6 +5,7 @@
 
 #include "config/families/families.h"
 #include "config/settings_keys.h"
+#include "eni/esi_reader.h"
 #include "link/simulated_link.h"
 #include "master/master_service.h"
 #include "sim/sim_bus.h"

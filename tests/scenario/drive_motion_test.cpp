@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <numbers>
 
+#include "eni/esi_reader.h"
 #include "master/master_service.h"
 #include "support/byte_order.h"
 #include "tests/support/simulated_network.h"
@@ -14,15 +15,18 @@
 namespace syncline {
 namespace {
 
-constexpr double kDistance = 200'000;                  // increments
-constexpr double kSeconds = 1.5;                       // of the movement
-constexpr Nanoseconds kMotionAt = 6 * kSecond;         // after going online: everything has settled
+constexpr double kDistance = 200'000;           // increments
+constexpr double kSeconds = 1.5;                // of the movement
+constexpr Nanoseconds kMotionAt = 6 * kSecond;  // after going online: everything has settled
 
 /// An application that switches a drive on and moves it along a smooth path, from the process data alone.
 class Path final : public CyclicApplication {
  public:
   Path(const NetworkConfig& config, std::uint8_t mode, Nanoseconds begin)
-      : outputs_(config.slaves[0].send->bit_start / 8), inputs_(config.slaves[0].receive->bit_start / 8), mode_(mode), begin_(begin) {}
+      : outputs_(config.slaves[0].send->bit_start / 8),
+        inputs_(config.slaves[0].receive->bit_start / 8),
+        mode_(mode),
+        begin_(begin) {}
 
   void run(const Cycle& cycle, std::span<const std::uint8_t> inputs, std::span<std::uint8_t> outputs) override {
     const auto in = inputs.subspan(inputs_);

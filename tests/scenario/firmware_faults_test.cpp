@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "app/cli/event_text.h"
+#include "eni/esi_reader.h"
 #include "support/random.h"
 #include "tests/support/diagnosed_run.h"
 #include "tests/support/source_dir.h"

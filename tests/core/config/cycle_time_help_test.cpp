@@ -4,8 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/config/compile/sample_devices.h"
 #include "support/byte_order.h"
+#include "tests/support/sample_devices.h"
 
 namespace syncline {
 namespace {

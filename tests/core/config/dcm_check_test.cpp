@@ -8,8 +8,8 @@
 #include <set>
 
 #include "config/compile/compile.h"
-#include "core/config/compile/sample_devices.h"
 #include "protocol/dcm_error.h"
+#include "tests/support/sample_devices.h"
 
 namespace syncline {
 namespace {

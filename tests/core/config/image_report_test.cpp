@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "config/compile/cyclic_frames.h"
-#include "core/config/compile/sample_devices.h"
+#include "tests/support/sample_devices.h"
 
 namespace syncline {
 namespace {

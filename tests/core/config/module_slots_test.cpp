@@ -6,7 +6,7 @@
 
 #include "config/compile/compile.h"
 #include "config/settings_keys.h"
-#include "core/config/compile/sample_devices.h"
+#include "tests/support/sample_devices.h"
 
 namespace syncline {
 namespace {
@@ -17,12 +17,14 @@ using testing::IsEmpty;
 
 constexpr std::uint32_t kAxis = 0x100, kIo = 0x200;
 
-ModuleDescription module(std::uint32_t ident, std::uint16_t rx, std::uint16_t tx, std::uint16_t object, std::uint16_t bits) {
+ModuleDescription module(std::uint32_t ident, std::uint16_t rx, std::uint16_t tx, std::uint16_t object,
+                         std::uint16_t bits) {
   ModuleDescription out;
   out.ident = ident;
   out.type = "M" + std::to_string(ident);
   Pdo outputs = sample::pdo(rx, "Outputs", 2, {{object, 1, bits, "Out", "UINT", false, true}});
-  Pdo inputs = sample::pdo(tx, "Inputs", 3, {{static_cast<std::uint16_t>(object + 1), 1, bits, "In", "UINT", false, true}});
+  Pdo inputs =
+      sample::pdo(tx, "Inputs", 3, {{static_cast<std::uint16_t>(object + 1), 1, bits, "In", "UINT", false, true}});
   outputs.depend_on_slot = inputs.depend_on_slot = true;
   out.rx_pdos = {outputs};
   out.tx_pdos = {inputs};

@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/config/compile/sample_devices.h"
+#include "tests/support/sample_devices.h"
 
 namespace syncline {
 namespace {
@@ -15,7 +15,8 @@ using ::testing::IsEmpty;
 TEST(DefaultSlave, TakesTheEsisSoeCommandsAsTheyAre) {
   MailboxDescription mailbox;
   mailbox.soe = true;
-  mailbox.soe_options.init_commands.push_back({.drive = 1, .idn = 2, .data = {0xE8, 0x03}, .fixed = true, .timeout_ms = 300});
+  mailbox.soe_options.init_commands.push_back(
+      {.drive = 1, .idn = 2, .data = {0xE8, 0x03}, .fixed = true, .timeout_ms = 300});
   DeviceDescription device;
   device.mailbox = mailbox;
   const auto slave = default_slave(device, 0);

@@ -11,8 +11,8 @@
 #include <set>
 #include <sstream>
 
-#include "core/config/compile/sample_devices.h"
 #include "support/random_project.h"
+#include "tests/support/sample_devices.h"
 #include "tests/support/source_dir.h"
 
 namespace syncline {

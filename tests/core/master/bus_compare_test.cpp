@@ -6,7 +6,7 @@
 
 #include "config/check/network_view.h"
 #include "config/compile/compile.h"
-#include "core/config/compile/sample_devices.h"
+#include "tests/support/sample_devices.h"
 
 namespace syncline {
 namespace {

@@ -6,12 +6,12 @@
 #include <string>
 
 #include "config/compile/compile.h"
-#include "core/config/compile/sample_devices.h"
 #include "eni/check/eni_check.h"
 #include "eni/eni_file.h"
 #include "protocol/fmmu.h"
 #include "protocol/registers.h"
 #include "support/byte_order.h"
+#include "tests/support/sample_devices.h"
 
 /// A machine whose ENI is without finding, and the means to break it in one place.
 namespace syncline::test {

@@ -9,8 +9,8 @@
 #include "config/compare/compare_run_time.h"
 #include "config/compile/compile.h"
 #include "config/network_compare.h"
-#include "core/config/compile/sample_devices.h"
 #include "support/random_project.h"
+#include "tests/support/sample_devices.h"
 
 namespace syncline {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "config/command_text.h"
 #include "config/compile/compile.h"
-#include "core/config/compile/sample_devices.h"
+#include "tests/support/sample_devices.h"
 
 namespace syncline {
 namespace {
@@ -19,17 +19,17 @@ std::vector<std::string> downloads(const Project& project, EniDialect dialect = 
   const auto compiled = compile(project, {dialect}).value();
   for (const auto& cmd : compiled.config.slaves.back().mailbox->coe_commands) {
     const auto& c = cmd.command;
-    out.push_back(fmt::format("{:04x}:{} {}{}{}", c.index, c.sub_index, hex_text(c.data), c.complete_access ? " all" : "",
-                              c.fixed ? " fixed" : ""));
+    out.push_back(fmt::format("{:04x}:{} {}{}{}", c.index, c.sub_index, hex_text(c.data),
+                              c.complete_access ? " all" : "", c.fixed ? " fixed" : ""));
   }
   return out;
 }
 
 TEST(CoeInitCmds, ClearMapAndAssignThenStartUp) {
-  EXPECT_THAT(downloads(sample::small_machine()),
-              ElementsAre("1c12:0 00 fixed", "1c13:0 00 fixed", "1601:0 00 fixed", "1601:1 2000ff60 fixed",
-                          "1601:0 01 fixed", "1c12:1 0016 fixed", "1c12:0 01 fixed", "1c13:1 001a fixed",
-                          "1c13:0 01 fixed", "60c2:1 01"));
+  EXPECT_THAT(
+      downloads(sample::small_machine()),
+      ElementsAre("1c12:0 00 fixed", "1c13:0 00 fixed", "1601:0 00 fixed", "1601:1 2000ff60 fixed", "1601:0 01 fixed",
+                  "1c12:1 0016 fixed", "1c12:0 01 fixed", "1c13:1 001a fixed", "1c13:0 01 fixed", "60c2:1 01"));
 }
 
 TEST(CoeInitCmds, WriteTheMappingThatTheUserMade) {

@@ -7,8 +7,8 @@
 #include <map>
 
 #include "config/compile/compile.h"
-#include "core/config/compile/sample_devices.h"
 #include "protocol/fmmu.h"
+#include "tests/support/sample_devices.h"
 
 namespace syncline {
 namespace {
@@ -16,9 +16,14 @@ namespace {
 DeviceDescription random_device() {
   DeviceDescription device = sample::servo();
   switch (*rc::gen::inRange(0, 4)) {
-    case 0: return sample::coupler();
-    case 1: device = sample::digital_input(); break;
-    case 2: device = sample::digital_output(); break;
+    case 0:
+      return sample::coupler();
+    case 1:
+      device = sample::digital_input();
+      break;
+    case 2:
+      device = sample::digital_output();
+      break;
     default:
       for (auto& manager : device.sync_managers) manager.max_size.reset();
       for (auto* pdos : {&device.rx_pdos, &device.tx_pdos}) {

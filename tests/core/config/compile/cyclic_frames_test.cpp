@@ -7,7 +7,7 @@
 
 #include "config/command_text.h"
 #include "config/compile/compile.h"
-#include "core/config/compile/sample_devices.h"
+#include "tests/support/sample_devices.h"
 
 namespace syncline {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "config/compile/compile.h"
-#include "sample_devices.h"
+#include "tests/support/sample_devices.h"
 
 namespace syncline {
 namespace {
@@ -25,7 +25,8 @@ Project clocks_unused() {
 bool distributes_time(const NetworkConfig& config, std::uint16_t position) {
   for (const auto& frame : config.cyclic.front().frames) {
     for (const auto& command : frame.commands) {
-      if (command.command == Command::kArmw && command.ado == 0x0910) return command.adp == static_cast<std::uint16_t>(-position);
+      if (command.command == Command::kArmw && command.ado == 0x0910)
+        return command.adp == static_cast<std::uint16_t>(-position);
     }
   }
   return false;

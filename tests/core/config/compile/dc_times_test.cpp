@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <limits>
 
-#include "core/config/compile/sample_devices.h"
+#include "tests/support/sample_devices.h"
 
 namespace syncline::compiler {
 namespace {

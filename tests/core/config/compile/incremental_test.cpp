@@ -5,8 +5,8 @@
 #include <rapidcheck.h>
 
 #include "config/settings_keys.h"
-#include "core/config/compile/sample_devices.h"
 #include "support/random_project.h"
+#include "tests/support/sample_devices.h"
 
 namespace syncline {
 namespace {
@@ -15,10 +15,18 @@ namespace {
 Project edited(Project project, std::uint32_t seed) {
   const Project other = test::RandomProject(seed).project();
   switch (seed % 7) {
-    case 0: project.master = other.master; break;
-    case 1: project.slaves.insert(project.slaves.end(), other.slaves.begin(), other.slaves.end()); break;
-    case 2: if (project.slaves.size() > 1) project.slaves.erase(project.slaves.begin()); break;
-    case 3: if (!other.slaves.empty()) project.slaves[seed / 7 % project.slaves.size()] = other.slaves.front(); break;
+    case 0:
+      project.master = other.master;
+      break;
+    case 1:
+      project.slaves.insert(project.slaves.end(), other.slaves.begin(), other.slaves.end());
+      break;
+    case 2:
+      if (project.slaves.size() > 1) project.slaves.erase(project.slaves.begin());
+      break;
+    case 3:
+      if (!other.slaves.empty()) project.slaves[seed / 7 % project.slaves.size()] = other.slaves.front();
+      break;
     case 4: {
       auto& slave = project.slaves[seed / 7 % project.slaves.size()];
       slave.dc.op_mode.clear();

@@ -8,8 +8,8 @@
 #include "config/compile/compile.h"
 #include "config/eoe_ip.h"
 #include "config/settings_keys.h"
-#include "core/config/compile/sample_devices.h"
 #include "protocol/registers.h"
+#include "tests/support/sample_devices.h"
 
 namespace syncline {
 namespace {

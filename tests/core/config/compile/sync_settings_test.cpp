@@ -6,7 +6,7 @@
 
 #include "config/compile/compile.h"
 #include "config/settings_keys.h"
-#include "core/config/compile/sample_devices.h"
+#include "tests/support/sample_devices.h"
 
 namespace syncline {
 namespace {

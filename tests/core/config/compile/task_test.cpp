@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "config/compile/compile.h"
-#include "core/config/compile/sample_devices.h"
+#include "tests/support/sample_devices.h"
 
 namespace syncline {
 namespace {

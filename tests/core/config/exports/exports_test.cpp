@@ -10,7 +10,7 @@
 #include <fstream>
 
 #include "config/compile/compile.h"
-#include "core/config/compile/sample_devices.h"
+#include "tests/support/sample_devices.h"
 
 namespace syncline::exports {
 namespace {

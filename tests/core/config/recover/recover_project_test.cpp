@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "config/recover/simulated_network.h"
-#include "core/config/compile/sample_devices.h"
+#include "tests/support/sample_devices.h"
 
 namespace syncline {
 namespace {

@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#pragma once
+#include "tests/support/sample_devices.h"
 
 #include <algorithm>
-#include <string>
 
-#include "config/project.h"
-
-/// Devices made by hand, as an ESI reader would give them.
 namespace syncline::sample {
 
-inline Pdo pdo(std::uint16_t index, std::string name, std::optional<std::uint8_t> manager, std::vector<PdoEntry> entries) {
+Pdo pdo(std::uint16_t index, std::string name, std::optional<std::uint8_t> manager, std::vector<PdoEntry> entries) {
   Pdo out;
   out.index = index;
   out.name = std::move(name);
@@ -19,7 +15,7 @@ inline Pdo pdo(std::uint16_t index, std::string name, std::optional<std::uint8_t
   return out;
 }
 
-inline SyncManagerDescription manager(SyncManagerType type, std::uint16_t start, std::uint8_t control) {
+SyncManagerDescription manager(SyncManagerType type, std::uint16_t start, std::uint8_t control) {
   SyncManagerDescription out;
   out.type = type;
   out.start_address = start;
@@ -28,7 +24,7 @@ inline SyncManagerDescription manager(SyncManagerType type, std::uint16_t start,
   return out;
 }
 
-inline DeviceDescription coupler() {
+DeviceDescription coupler() {
   DeviceDescription device;
   device.identity = {0x5EC, 0x1100, 0x10000, 0};
   device.type = "SC1100";
@@ -37,8 +33,7 @@ inline DeviceDescription coupler() {
   return device;
 }
 
-/// Two-channel digital input without mailbox.
-inline DeviceDescription digital_input() {
+DeviceDescription digital_input() {
   DeviceDescription device;
   device.identity = {0x5EC, 0x1002, 0x10000, 0};
   device.type = "SI1002";
@@ -51,8 +46,7 @@ inline DeviceDescription digital_input() {
   return device;
 }
 
-/// Two-channel digital output whose SyncManager is open in OP only.
-inline DeviceDescription digital_output() {
+DeviceDescription digital_output() {
   DeviceDescription device;
   device.identity = {0x5EC, 0x2002, 0x10000, 0};
   device.type = "SO2002";
@@ -66,7 +60,7 @@ inline DeviceDescription digital_output() {
   return device;
 }
 
-inline DcOpMode op_mode(std::string name, std::uint16_t assign_activate, int sync0_factor) {
+DcOpMode op_mode(std::string name, std::uint16_t assign_activate, int sync0_factor) {
   DcOpMode mode;
   mode.name = std::move(name);
   mode.assign_activate = assign_activate;
@@ -74,8 +68,7 @@ inline DcOpMode op_mode(std::string name, std::uint16_t assign_activate, int syn
   return mode;
 }
 
-/// CoE servo with DC: PDO assignment, one configurable PDO, 0x60C2 in its start-up list.
-inline DeviceDescription servo() {
+DeviceDescription servo() {
   DeviceDescription device;
   device.identity = {0x5EC, 0x402, 0x10002, 0};
   device.type = "SV402";
@@ -114,8 +107,7 @@ inline DeviceDescription servo() {
   return device;
 }
 
-/// The ESI's defaults at a position of a line.
-inline SlaveSettings slave(DeviceDescription device, std::uint16_t position) {
+SlaveSettings slave(DeviceDescription device, std::uint16_t position) {
   SlaveSettings out;
   out.station_address = static_cast<std::uint16_t>(1001 + position);
   out.name = "Slave_" + std::to_string(out.station_address) + " [" + device.type + "]";
@@ -134,7 +126,7 @@ inline SlaveSettings slave(DeviceDescription device, std::uint16_t position) {
   return out;
 }
 
-inline Project project(std::vector<DeviceDescription> devices) {
+Project project(std::vector<DeviceDescription> devices) {
   Project out;
   for (auto& device : devices) {
     out.slaves.push_back(slave(std::move(device), static_cast<std::uint16_t>(out.slaves.size())));
@@ -142,7 +134,6 @@ inline Project project(std::vector<DeviceDescription> devices) {
   return out;
 }
 
-/// Coupler, digital input, digital output, servo.
-inline Project small_machine() { return project({coupler(), digital_input(), digital_output(), servo()}); }
+Project small_machine() { return project({coupler(), digital_input(), digital_output(), servo()}); }
 
 }  // namespace syncline::sample
