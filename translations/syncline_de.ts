@@ -159,6 +159,10 @@
     <context>
         <name>BusCommands</name>
         <message>
+            <source>EEPROM</source>
+            <translation>EEPROM</translation>
+        </message>
+        <message>
             <source>The bus could not be scanned.</source>
             <translation>Der Bus konnte nicht gescannt werden.</translation>
         </message>
@@ -181,6 +185,76 @@
         <message>
             <source>Monitor the sync window</source>
             <translation>Sync-Fenster überwachen</translation>
+        </message>
+    </context>
+    <context>
+        <name>CutShortDialog</name>
+        <message>
+            <source>EEPROM write was cut short</source>
+            <translation>Schreiben des EEPROMs wurde unterbrochen</translation>
+        </message>
+        <message>
+            <source>What was cut short</source>
+            <translation>Was unterbrochen wurde</translation>
+        </message>
+        <message>
+            <source>Why it could not be ended</source>
+            <translation>Warum es nicht beendet werden konnte</translation>
+        </message>
+        <message>
+            <source>Writing the EEPROM</source>
+            <translation>Schreiben des EEPROMs</translation>
+        </message>
+        <message>
+            <source>&amp;Finish Writing</source>
+            <translation>&amp;Zu Ende schreiben</translation>
+        </message>
+        <message>
+            <source>&amp;Put Back Old Contents</source>
+            <translation>Alten Inhalt &amp;wiederherstellen</translation>
+        </message>
+        <message>
+            <source>&amp;Later</source>
+            <translation>&amp;Später</translation>
+        </message>
+        <message>
+            <source>Finish writing</source>
+            <translation>Zu Ende schreiben</translation>
+        </message>
+        <message>
+            <source>Put back old contents</source>
+            <translation>Alten Inhalt wiederherstellen</translation>
+        </message>
+        <message>
+            <source>Later</source>
+            <translation>Später</translation>
+        </message>
+        <message>
+            <source>Writing the EEPROM of slave %1 on %2 was cut short (begun %3 UTC). What it holds now is half old and half new: the slave may not start after its next power-on. Connect it and end the write.</source>
+            <translation>Das Schreiben des EEPROMs von Slave %1 an %2 wurde unterbrochen (begonnen %3 UTC). Es enthält jetzt halb Altes und halb Neues: Nach dem nächsten Einschalten läuft der Slave vielleicht nicht mehr an. Schließen Sie ihn an und beenden Sie das Schreiben.</translation>
+        </message>
+        <message>
+            <source>&amp;Cancel</source>
+            <translation>&amp;Abbrechen</translation>
+        </message>
+        <message>
+            <source>The EEPROM of slave %1 on %2 holds its old contents again.</source>
+            <translation>Das EEPROM von Slave %1 an %2 enthält wieder seinen alten Inhalt.</translation>
+        </message>
+        <message>
+            <source>The EEPROM of slave %1 on %2 is written and verified.</source>
+            <translation>Das EEPROM von Slave %1 an %2 ist geschrieben und geprüft.</translation>
+        </message>
+        <message>
+            <source>The EEPROM of slave %1 on %2 is still half written; the next start offers to end it.</source>
+            <translation>Das EEPROM von Slave %1 an %2 ist weiterhin halb geschrieben; der nächste Start bietet an, es zu beenden.</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n more write(s) follow.</source>
+            <translation>
+                <numerusform>%n weiteres folgt.</numerusform>
+                <numerusform>%n weitere folgen.</numerusform>
+            </translation>
         </message>
     </context>
     <context>

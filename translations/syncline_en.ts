@@ -3,6 +3,16 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
     <context>
+        <name>CutShortDialog</name>
+        <message numerus="yes">
+            <source>%n more write(s) follow.</source>
+            <translation>
+                <numerusform>%n more write follows.</numerusform>
+                <numerusform>%n more writes follow.</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
         <name>DeviceEditor</name>
         <message numerus="yes">
             <source>%n slave(s), cycle %1</source>

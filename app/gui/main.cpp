@@ -9,8 +9,9 @@
 #include <cstdio>
 #include <exception>
 
-#include "app/composition/open_link.h"
 #include "app/composition/eeprom_journal.h"
+#include "app/composition/open_link.h"
+#include "app/composition/slave_eeprom.h"
 #include "app/gui/screenshots.h"
 #include "support/stop_signals.h"
 #include "ui/dialogs/bus_commands.h"
@@ -59,6 +60,23 @@ Options parse(const QApplication& app) {
   return options;
 }
 
+/// A slave whose EEPROM is half written may not come up at its next power-on.
+ui::EepromRepairs eeprom_repairs() {
+  ui::EepromRepairs repairs;
+  repairs.pending = [] {
+    std::vector<ui::CutShortWrite> writes;
+    for (const auto& journal : pending_journals()) {
+      writes.push_back({QString::fromStdString(journal.link), journal.position, QString::fromStdString(journal.begun)});
+    }
+    return writes;
+  };
+  repairs.end = [](const ui::CutShortWrite& write, bool undo, const std::atomic<bool>& cancel) -> Status {
+    const auto report = finish_eeprom({write.link.toStdString(), static_cast<std::uint16_t>(write.position), &cancel}, undo);
+    return report ? Status{} : Status(tl::unexpected(report.error()));
+  };
+  return repairs;
+}
+
 ui::Environment environment() {
   ui::Environment environment;
   environment.open_link = [](const QString& link) -> Result<ui::BusConnection> {
@@ -68,6 +86,7 @@ ui::Environment environment() {
   };
   environment.demo_link = QString::fromStdString(demo_link(true));
   environment.esi_folders = {QString::fromStdString(resource_folder()) + QStringLiteral("/esi")};
+  environment.eeprom_repairs = eeprom_repairs();
   environment.version = QStringLiteral(SYNCLINE_VERSION);
   return environment;
 }
@@ -89,17 +108,10 @@ class Application final : public QApplication {
   }
 };
 
-/// A slave whose EEPROM is half written may not come up at its next power-on.
-void tell_cut_short() {
-  for (const auto& journal : pending_journals()) {
-    std::fprintf(stderr, "syncline: writing the EEPROM of slave %u on %s was cut short; end it with \"synclinectl sii finish %s %u\"\n",
-                 static_cast<unsigned>(journal.position), journal.link.c_str(), journal.link.c_str(), static_cast<unsigned>(journal.position));
-  }
-}
-
 void begin(const Options& options, ui::MainWindow& window, ui::Workspace& workspace) {
   if (!options.file.isEmpty()) window.files().openFile(options.file);
   if (!options.link.isEmpty()) workspace.setLink(options.link);
+  window.bus().offerRepairs();
   if (options.demo) {
     window.bus().startDemo(options.link.isEmpty() ? workspace.environment().demo_link : options.link);
   }
@@ -133,7 +145,6 @@ int main(int argc, char* argv[]) {
     workspace.scan().cancel();
     QApplication::exit(0);
   });
-  tell_cut_short();
   QTimer::singleShot(0, &window, [&] { begin(options, window, workspace); });
   if (options.exit_after_ms > 0) QTimer::singleShot(options.exit_after_ms, &app, [] { QApplication::exit(0); });  // asks nothing, unlike quit()
   const int result = QApplication::exec();

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "ui/dialogs/cut_short_dialog.h"
 #include "ui/dialogs/error_dialog.h"
 #include "ui/dialogs/link_chooser.h"
 #include "ui/session/setting_keys.h"
@@ -56,6 +57,14 @@ void BusCommands::start() {
 }
 
 void BusCommands::goOffline() { workspace_.live().goOffline(); }
+
+void BusCommands::offerRepairs() {
+  auto* dialog = new CutShortDialog(workspace_.eepromRepair(), &window_);
+  connect(dialog, &CutShortDialog::told, this, [this](const QString& text) { workspace_.inform(tr("EEPROM"), text); });
+  connect(dialog, &QDialog::finished, dialog, &QObject::deleteLater);
+  dialog->offer();
+  if (!dialog->isVisible()) dialog->deleteLater();
+}
 
 void BusCommands::startDemo() { startDemo(workspace_.environment().demo_link); }
 

@@ -23,6 +23,8 @@ class BusCommands final : public QObject {
   /// Goes online; asks for the link when none was chosen.
   void goOnline();
   void goOffline();
+  /// Offers to end EEPROM writes that a killed program has left half done; nothing happens when there are none.
+  void offerRepairs();
   /// Scans the demonstration machine, watches its sync window, and goes online.
   void startDemo();
   void startDemo(const QString& link);

@@ -9,6 +9,7 @@
 #include "link/link.h"
 #include "support/clock.h"
 #include "support/result.h"
+#include "ui/session/eeprom_repair.h"
 
 namespace syncline::ui {
 
@@ -27,6 +28,7 @@ struct Environment {
   QString demo_link;          // LINK of the demonstration machine
   QStringList esi_folders;    // where the device descriptions lie
   QString version;
+  EepromRepairs eeprom_repairs{};  // none: nothing is offered
 };
 
 }  // namespace syncline::ui

@@ -13,6 +13,7 @@ Workspace::Workspace(Environment environment, QObject* parent)
       environment_(std::move(environment)),
       configuration_(document_),
       scan_(environment_.open_link, environment_.esi_folders),
+      eeprom_repair_(environment_.eeprom_repairs),
       live_(environment_.open_link),
       run_findings_(live_) {
   network_.setProject(document_.project());

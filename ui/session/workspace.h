@@ -8,6 +8,7 @@
 #include "ui/models/network_model.h"
 #include "ui/session/bus_connection.h"
 #include "ui/session/configuration_monitor.h"
+#include "ui/session/eeprom_repair.h"
 #include "ui/session/live_session.h"
 #include "ui/session/project_document.h"
 #include "ui/session/run_findings.h"
@@ -27,6 +28,7 @@ class Workspace final : public QObject {
   [[nodiscard]] ProjectDocument& document() { return document_; }
   [[nodiscard]] ConfigurationMonitor& configuration() { return configuration_; }
   [[nodiscard]] ScanController& scan() { return scan_; }
+  [[nodiscard]] EepromRepair& eepromRepair() { return eeprom_repair_; }
   [[nodiscard]] LiveSession& live() { return live_; }
   [[nodiscard]] RunFindings& runFindings() { return run_findings_; }
   [[nodiscard]] FindingModel& findings() { return findings_; }
@@ -55,6 +57,7 @@ class Workspace final : public QObject {
   ProjectDocument document_;
   ConfigurationMonitor configuration_;
   ScanController scan_;
+  EepromRepair eeprom_repair_;
   LiveSession live_;
   RunFindings run_findings_;
   FindingModel findings_;
