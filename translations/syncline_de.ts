@@ -1532,6 +1532,10 @@
             <translation>sofort</translation>
         </message>
         <message>
+            <source>in this cycle</source>
+            <translation>in diesem Zyklus</translation>
+        </message>
+        <message>
             <source>Last heard of</source>
             <translation>Zuletzt gehört</translation>
         </message>

@@ -170,8 +170,9 @@ std::string to_text(const RunReport& report) {
   const auto& dcm = report.dcm;
   fmt::format_to(out, "\nmaster: {}, {}", dcm_mode_name(dcm.mode), sync_text(dcm.state));
   if (dcm.mode != DcmMode::kOff) {
-    fmt::format_to(out, " {}, error mean {:.1f} ns, rms {:.1f} ns, largest {} ns (frames {} ns, {} allowed), drift {:.3f} ppm",
-                   ms_text(dcm.in_sync_after_ms), dcm.error_mean_ns, dcm.error_rms_ns, dcm.error_max_ns,
+    if (dcm.in_sync_after_ms) fmt::format_to(out, " {}", ms_text(dcm.in_sync_after_ms));
+    fmt::format_to(out, ", error mean {:.1f} ns, rms {:.1f} ns, largest {} ns (frames {} ns, {} allowed), drift {:.3f} ppm",
+                   dcm.error_mean_ns, dcm.error_rms_ns, dcm.error_max_ns,
                    dcm.frame_error_max_ns, dcm.late_allowed_ns, dcm.drift_ppm);
     if (dcm.state == SyncState::kOutOfSync) fmt::format_to(out, " ({})", dc::obstacle_text(dcm.obstacle));
   }

@@ -6,8 +6,10 @@
 #include <QSettings>
 #include <QSocketNotifier>
 #include <QTimer>
+#include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <string_view>
 
 #include "app/composition/eeprom_journal.h"
 #include "app/composition/open_link.h"
@@ -33,7 +35,7 @@ struct Options {
   int exit_after_ms = 0;
 };
 
-Options parse(const QApplication& app) {
+Options parse(const QCoreApplication& app) {
   QCommandLineParser parser;
   parser.setApplicationDescription(QStringLiteral("EtherCAT configurator and live synchronisation monitor"));
   parser.addHelpOption();
@@ -108,6 +110,13 @@ class Application final : public QApplication {
   }
 };
 
+/// What is answered in the terminal needs no display.
+bool only_asks(int argc, char* argv[]) {
+  return std::any_of(argv + 1, argv + argc, [](std::string_view argument) {
+    return argument == "-h" || argument == "--help" || argument == "--help-all" || argument == "-v" || argument == "--version";
+  });
+}
+
 void begin(const Options& options, ui::MainWindow& window, ui::Workspace& workspace) {
   if (!options.file.isEmpty()) window.files().openFile(options.file);
   if (!options.link.isEmpty()) workspace.setLink(options.link);
@@ -121,6 +130,12 @@ void begin(const Options& options, ui::MainWindow& window, ui::Workspace& worksp
 
 int main(int argc, char* argv[]) {
   ::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of that file
+  if (only_asks(argc, argv)) {
+    const QCoreApplication text(argc, argv);
+    QCoreApplication::setApplicationName(QStringLiteral("syncline"));
+    QCoreApplication::setApplicationVersion(QStringLiteral(SYNCLINE_VERSION));
+    parse(text);  // prints and ends
+  }
   Application app(argc, argv);
   QApplication::setApplicationName(QStringLiteral("syncline"));
   QApplication::setOrganizationName(QStringLiteral("syncline"));

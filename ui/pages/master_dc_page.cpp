@@ -243,7 +243,8 @@ void MasterDcPage::showLive(const Snapshot& snapshot) {
   const auto deviation = snapshot.dc.deviation_ns ? timeText(*snapshot.dc.deviation_ns) : none;
   deviation_->setText(dc && snapshot.dc.monitored ? tr("%1 (limit %2)").arg(deviation, timeText(snapshot.dc.limit_ns))
                                                   : dc ? deviation : none);
-  reading_->setText(dc && snapshot.dc.oldest_age_ns >= 0 ? tr("%1 ago").arg(timeText(snapshot.dc.oldest_age_ns)) : none);
+  const auto age = snapshot.dc.oldest_age_ns;
+  reading_->setText(!dc || age < 0 ? none : age == 0 ? tr("in this cycle") : tr("%1 ago").arg(timeText(age)));
   settled_->setText(dc ? afterText(snapshot.dc.settled_after_ms) : none);
   leader_->setText(dc && snapshot.dc.reference_clock >= 0
                        ? nodeName(workspace().document().project(), snapshot.dc.reference_clock)
