@@ -2,6 +2,7 @@
 #include "sim/dc_unit.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "protocol/registers.h"
 #include "sim/esc_ranges.h"
@@ -11,7 +12,6 @@ namespace syncline::sim {
 namespace {
 
 constexpr std::uint64_t kGarbage = 0x6C72'9A3E'0900'0900, kNoise = 0x6E6F'6973'6500;
-constexpr std::uint32_t kSignBit = 0x8000'0000;  // of 0x092C
 
 /// No quartz and no correction of it makes the counter run a quarter faster: what is due in n ns is not due before
 /// this.
@@ -19,9 +19,6 @@ constexpr Nanoseconds surely_after(Nanoseconds n) { return n - n / 4; }
 
 /// Signals that are delivered at once at most: nobody who has not asked for so long wants to see all of them.
 constexpr Nanoseconds kMostSignals = 200'000;
-
-/// Faster than that the signals cannot be told apart: one level, one edge.
-constexpr std::uint32_t kShortestCycle = 1000;  // ns
 
 // Bits of the activation register (0x0981).
 constexpr unsigned kUnitOn = 0x01, kSync0On = 0x02, kSync1On = 0x04, kAutoActivation = 0x08, kExtendStartTime = 0x10,
@@ -76,8 +73,29 @@ std::uint64_t DcUnit::offset() const {
 
 std::uint64_t DcUnit::system_time(Nanoseconds time) const { return masked(unwrapped_time(time)); }
 
+void DcUnit::count_unminded() {
+  const auto before = generator_.next_sync0();
+  generator_.skip_to(unwrapped_time(now_) + 1);
+  const auto next = generator_.next_sync0();
+  if (next && next != before) last_unminded_ = *next - settings_.cycle0;
+}
+
+std::optional<Nanoseconds> DcUnit::mind_signals() {
+  count_unminded();
+  unminded_ = false;
+  signals_moved();
+  if (!last_unminded_) return std::nullopt;
+  const auto since = unwrapped_time(now_) - *std::exchange(last_unminded_, std::nullopt);
+  return now_ - clock_.true_duration(since);
+}
+
 void DcUnit::deliver_until(Nanoseconds time) {
   if (time < now_) return;
+  if (unminded_) {
+    now_ = time;
+    (void)clock_.advance_to(time);
+    return;
+  }
   skip_signals_before(time);
   while (time >= quiet_until_ && next_signal() <= time) {
     now_ = std::max(now_, *next_signal_);
@@ -96,7 +114,7 @@ void DcUnit::deliver_until(Nanoseconds time) {
 
 void DcUnit::skip_signals_before(Nanoseconds time) {
   const Nanoseconds cycle = settings_.cycle0;
-  if (!generator_.active() || cycle < kShortestCycle || (time - now_) / cycle <= kMostSignals) return;
+  if (!generator_.active() || cycle < kShortestCycle || time - now_ < (kMostSignals + 1) * cycle) return;
   generator_.skip_to(unwrapped_time(time) - static_cast<std::uint64_t>(kMostSignals * cycle));
   signals_moved();
 }
@@ -140,13 +158,12 @@ void DcUnit::refresh_registers() {
   // An ECAT read shows the time at which the frame passed the *reference* clock: the delay is subtracted.
   const auto time = masked(local_at_start_of_frame_ + offset() - memory_.u32(reg::kSystemTimeDelay));
   memory_.set<std::uint64_t>(reg::kSystemTime, time);
-  const auto difference = loop_.system_time_difference();
-  memory_.set<std::uint32_t>(reg::kSystemTimeDifference,
-                             config_.sign_of_older_edition && difference != 0 ? difference ^ kSignBit : difference);
+  memory_.set<std::uint32_t>(reg::kSystemTimeDifference, shown_difference());
   memory_.set<std::uint16_t>(reg::kSpeedCounterDiff, static_cast<std::uint16_t>(loop_.speed_counter_diff()));
+  if (unminded_) count_unminded();
   if (generator_.active()) {
     memory_.set<std::uint64_t>(reg::kStartTimeCyclicOperation, masked(generator_.next_sync0().value_or(start_time_)));
-    if (const auto next = generator_.next_sync1()) memory_.set<std::uint64_t>(reg::kNextSync1Pulse, masked(*next));
+    if (generator_.latest_sync1() != 0) memory_.set<std::uint64_t>(reg::kNextSync1Pulse, masked(generator_.latest_sync1()));
   }
   write_status();
 }

@@ -9,6 +9,7 @@
 #include <span>
 
 #include "config/sim_config.h"
+#include "protocol/registers.h"
 #include "sim/esc_memory.h"
 #include "sim/latch_unit.h"
 #include "sim/local_clock.h"
@@ -34,8 +35,17 @@ class DcUnit {
       deliver_until(time);
     }
   }
+  /// The same, when nothing is due.
+  void pass_quietly(Nanoseconds time) { now_ = std::max(now_, time); }
+  /// Nobody wants to know of each SYNC0, which come in regular cycles: they are counted when somebody looks.
+  void leave_signals_unminded() { unminded_ = generator_.active() && settings_.sync0 && !settings_.sync1 && settings_.cycle0 >= kShortestCycle; }
+  [[nodiscard]] bool signals_unminded() const { return unminded_; }
+  /// They are delivered again; true time of the last one that was not.
+  std::optional<Nanoseconds> mind_signals();
   /// Nothing happens in the unit before, as long as nobody writes to it.
-  [[nodiscard]] Nanoseconds quiet_until() const { return std::min(quiet_until_, clock_.next_change()); }
+  [[nodiscard]] Nanoseconds quiet_until() const {
+    return unminded_ ? clock_.next_change() : std::min(quiet_until_, clock_.next_change());
+  }
 
   /// A frame starts at the processing unit: the system time that reads in this frame show.
   void start_of_frame(Nanoseconds time);
@@ -46,6 +56,18 @@ class DcUnit {
   static constexpr std::uint16_t kShownBegin = 0x0910, kShownSize = 0x90;
   /// Writes of this frame become effective; `address`, `length`: the range that was written.
   void registers_written(std::uint16_t address, std::size_t length, Nanoseconds frame_end);
+  /// The usual write: `size` bytes of the system time, 4 or 8.
+  void system_time_received(std::uint8_t size, std::uint64_t value, Nanoseconds frame_end) {
+    size == sizeof(std::uint64_t) ? memory_.set<std::uint64_t>(reg::kSystemTime, value)
+                                  : memory_.set<std::uint32_t>(reg::kSystemTime, static_cast<std::uint32_t>(value));
+    compare(frame_end);
+    next_signal_.reset();
+  }
+  /// 0x092C as it is shown.
+  [[nodiscard]] std::uint32_t shown_difference() const {
+    const auto difference = loop_.system_time_difference();
+    return config_.sign_of_older_edition && difference != 0 ? difference ^ kSignBit : difference;
+  }
   /// The frame wrote 0x0900: time at the processing unit.
   void latch_processing_unit();
   /// It did so by BWR or FPWR: receive times of the ports it passed.
@@ -81,7 +103,14 @@ class DcUnit {
   void leave_sync_running(std::uint32_t cycle, Nanoseconds time);
 
  private:
+  static constexpr std::uint32_t kSignBit = 0x8000'0000;  // of 0x092C
+
+  /// Faster than that the signals cannot be told apart: one level, one edge.
+  static constexpr std::uint32_t kShortestCycle = 1000;  // ns
+
   void deliver_until(Nanoseconds time);
+  /// What nobody wanted to know of has come and gone up to now.
+  void count_unminded();
   /// Closed form of delivering for as long as nobody has asked.
   void skip_signals_before(Nanoseconds time);
   [[nodiscard]] std::uint64_t offset() const;
@@ -116,6 +145,8 @@ class DcUnit {
   LatchUnit latches_;
   bool start_missed_ = false, start_implausible_ = false;
   std::uint64_t start_time_ = 0;   // of the activation
+  bool unminded_ = false;
+  std::optional<std::uint64_t> last_unminded_;  // SYNC0, system time
   Nanoseconds now_ = 0;            // up to which SYNC signals have been delivered
   /// True time of the next SYNC signal, if there is one; empty after what moves it.
   std::optional<Nanoseconds> next_signal_;

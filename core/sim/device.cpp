@@ -64,6 +64,7 @@ Device::Device(const SimSlaveConfig& config, Esc& esc)
       history_(dictionary_) {
   if (dictionary_.find(diagnosis_history::kIndex, 0) != nullptr) history_.enable();
   esc_.set_listener(this);
+  esc_.serve_promptly(true);
 }
 
 const DeviceDescription& Device::identify() {
@@ -87,18 +88,48 @@ void Device::tell_error(std::uint16_t error_code, std::uint8_t error_register, s
   message.code = 0xE000U | static_cast<std::uint32_t>(error_code) << 16;  // ETG.1020: emergency code in the high word
   message.type = DiagnosisMessage::Type::kError;
   message.text_id = text_id;
-  message.time_stamp = esc_.dc().system_time(now_);
+  message.time_stamp = dc().system_time(now_);
   history_.add(message);
+  process_data_.forget_inputs();
   if (mail_due_ == kNever) mail_due_ = now_ + kMailboxReaction;
+  esc_.wake_up();
+}
+
+void Device::run_until(Nanoseconds time) {
+  if (time >= std::min(request_due_, mail_due_) && !stopped_) answer_until(time);
+  esc_.advance_to(time);
+  now_ = std::max(now_, time);
+  if (state_ == AlState::kOp && !stopped_) stay_in_op(time);
+  if (state_ == AlState::kOp && !stopped_ && rests()) rest();
+  esc_.stay_idle_until(idle_until());
+}
+
+void Device::rest() {
+  if (last_sync0_ && !esc_.device_emulation()) esc_.leave_signals_unminded();
+  // Without a mailbox nobody can ask what outputs are in the dictionary.
+  if (!has_mailbox() && (last_outputs_ || !needs_outputs())) esc_.leave_transfers_unminded(process_data_.buffered_managers());
+}
+
+Nanoseconds Device::idle_until() {
+  if (stopped_) return kNever;
+  const auto due = std::min(request_due_, mail_due_);
+  return state_ == AlState::kOp ? std::min({due, sync_patience(), runs_alone_until()}) : due;
+}
+
+Nanoseconds Device::sync_patience() const {
+  return sync0_cycle_ > 0 && last_sync0_ && !dc().signals_unminded() ? *last_sync0_ + kMissingSyncs * sync0_cycle_ + 1 : kNever;
 }
 
 void Device::stop_application(Nanoseconds time) {
   if (std::exchange(stopped_, true)) return;
+  esc_.serve_promptly(false);
   esc_.pdi_stops(std::max(now_, time));
 }
 
 void Device::resume_application(Nanoseconds time) {
   if (!std::exchange(stopped_, false)) return;
+  esc_.serve_promptly(true);
+  esc_.wake_up();
   esc_.pdi_works();
   const auto now = std::max(now_, time);
   for (auto* due : {&request_due_, &mail_due_}) {
@@ -112,6 +143,7 @@ void Device::answer_until(Nanoseconds time) {
     const auto next = std::min(request_due_, mail_due_);
     if (next > time || next == kNever) break;
     esc_.advance_to(next);
+    esc_.wake_up();  // what follows may be seen at the next SYNC0
     now_ = std::max(now_, next);
     if (request_due_ <= mail_due_) {
       request_due_ = kNever;
@@ -126,9 +158,7 @@ void Device::answer_until(Nanoseconds time) {
 void Device::stay_in_op(Nanoseconds time) {
   check_running(time);
   // The signal was there when OP was entered; a unit that was switched off or has lost its time fires no more.
-  if (state_ == AlState::kOp && sync0_cycle_ > 0 && last_sync0_ && time - *last_sync0_ > kMissingSyncs * sync0_cycle_) {
-    drop_to_safeop(al_code::kSyncStopped);
-  }
+  if (state_ == AlState::kOp && time >= sync_patience()) drop_to_safeop(al_code::kSyncStopped);
 }
 
 // ---- AL state machine ----------------------------------------------------------------------------
@@ -157,8 +187,8 @@ void Device::report(AlState state, std::uint16_t code) {
 
 /// OP needs SYNC0: the answer waits for the first one as long as it may still come.
 bool Device::waits_for_sync(Nanoseconds waited) const {
-  const auto& dc = esc_.dc();
-  return dc.sync0_enabled() && !last_sync0_ && !dc.start_missed() && waited < kLongestWaitForSync &&
+  const auto& unit = dc();
+  return unit.sync0_enabled() && !last_sync0_ && !unit.start_missed() && waited < kLongestWaitForSync &&
          (!needs_outputs() || last_outputs_);
 }
 
@@ -207,7 +237,7 @@ void Device::enter(AlState state) {
   if (state == AlState::kInit) mailbox_.reset();
   if (state == AlState::kInit || state == AlState::kPreop) last_sync0_.reset();
   if (from == AlState::kInit && state == AlState::kPreop) checks_.note_mailbox();
-  if (state == AlState::kOp) sync0_cycle_ = esc_.dc().sync0_enabled() ? esc_.dc().settings().cycle0 : 0;
+  if (state == AlState::kOp) sync0_cycle_ = dc().sync0_enabled() ? dc().settings().cycle0 : 0;
   if (from == AlState::kPreop && state == AlState::kSafeop) {
     process_data_.map();
     checks_.note_process_data();
@@ -227,11 +257,12 @@ std::uint16_t Device::check(AlState from, AlState to) {
   if (needs_outputs() && !last_outputs_) return al_code::kNoOutputs;
   if (const auto code = checks_.op(); code != 0) return code;
   if (const auto code = check_sync(to); code != 0) return code;
-  return esc_.dc().sync0_enabled() && !last_sync0_ ? al_code::kNoSync : std::uint16_t{0};
+  return dc().sync0_enabled() && !last_sync0_ ? al_code::kNoSync : std::uint16_t{0};
 }
 
 void Device::drop_to_safeop(std::uint16_t code, std::uint16_t error_code) {
   if (state_ != AlState::kOp) return;
+  esc_.wake_up();
   state_ = AlState::kSafeop;
   report(state_, code);
   tell_error(error_code, kCommunicationErrorRegister, code);
@@ -253,24 +284,25 @@ void Device::process_data_watchdog_expired(Nanoseconds) {
 }
 
 void Device::sync_manager_written(unsigned number, Nanoseconds time) {
-  if (!stopped_) esc_.acknowledge_events(kAlEventSyncManager0 << number);
-  if (has_mailbox() && number == 0) {
+  if (number == 0 && has_mailbox()) {
     mail_due_ = time + kMailboxReaction + mailbox_delay_;
+    esc_.wake_up();
   } else if (!stopped_ && exchanges_process_data() && process_data_.carries(PdoDirection::kRx, number)) {
-    if (state_ == AlState::kOp) process_data_.outputs_to_dictionary(number);
-    process_data_.take_outputs(number);
+    process_data_.take_outputs(number, state_ == AlState::kOp);
     // The device works by its first SyncManager; further ones (safety) come with it.
-    if (process_data_.sync_manager(PdoDirection::kRx) != number) return;
+    if (!process_data_.leads(number)) return;
     last_outputs_ = time;
     on_outputs(time);
   }
 }
 
 void Device::sync_manager_read(unsigned number, Nanoseconds time) {
-  if (!stopped_) esc_.acknowledge_events(kAlEventSyncManager0 << number);
-  if (has_mailbox() && number == 1 && mailbox_.waiting()) mail_due_ = time + kMailboxReaction;
+  if (number == 1 && has_mailbox() && mailbox_.waiting()) {
+    mail_due_ = time + kMailboxReaction;
+    esc_.wake_up();
+  }
   if (!stopped_ && exchanges_process_data() && process_data_.carries(PdoDirection::kTx, number)) {
-    if (process_data_.sync_manager(PdoDirection::kTx) == number) on_inputs_read(time);
+    if (process_data_.leads(number)) on_inputs_read(time);
     process_data_.offer_inputs(number);
   }
 }
@@ -289,6 +321,7 @@ void Device::sync_signal(SyncGenerator::Signal signal, Nanoseconds time) {
 }
 
 void Device::answer_mail() {
+  process_data_.forget_inputs();
   if (!mailbox_silent_ && state_ != AlState::kInit) handshake_.serve(state_ == AlState::kPreop);
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "config/sim_config.h"
 #include "protocol/al_state.h"
@@ -30,10 +31,12 @@ class Device : public Esc::Listener {
 
   /// Runs what is due up to `time` in order: requests in work, SYNC signals, the watchdog.
   void advance_to(Nanoseconds time) {  // for every slave in every frame
-    if (time >= std::min(request_due_, mail_due_) && !stopped_) answer_until(time);
-    esc_.advance_to(time);
-    now_ = std::max(now_, time);
-    if (state_ == AlState::kOp && !stopped_) stay_in_op(time);
+    if (time < esc_.idle_until()) {
+      now_ = std::max(now_, time);
+      esc_.pass_idly(time);
+    } else {
+      run_until(time);
+    }
   }
   [[nodiscard]] AlState state() const { return state_; }
   [[nodiscard]] ObjectDictionary& dictionary() { return dictionary_; }
@@ -52,6 +55,8 @@ class Device : public Esc::Listener {
 
   /// A frame passes the slave from `begin` to `end`.
   virtual void frame_received(Nanoseconds, Nanoseconds) {}
+  /// frame_received() does something.
+  [[nodiscard]] bool sees_frames() const { return sees_frames_; }
   /// Output pin `number` (from 1), as far as the device has pins that show edges.
   [[nodiscard]] virtual const PinTrace* output_pin(unsigned) const { return nullptr; }
 
@@ -62,6 +67,7 @@ class Device : public Esc::Listener {
   void sync_manager_set(unsigned number, Nanoseconds time) override;
   void process_data_watchdog_expired(Nanoseconds time) override;
   void sync_signal(SyncGenerator::Signal signal, Nanoseconds time) override;
+  void signals_passed(Nanoseconds time) override { last_sync0_ = time; }
 
  protected:
   static constexpr std::uint16_t kCommunicationError = 0x8100;  // CiA 301 emergency code
@@ -76,6 +82,12 @@ class Device : public Esc::Listener {
   /// A request for a higher state has waited so long, and is to wait a little more: something is still on its way.
   virtual bool settling(AlState, Nanoseconds) { return false; }
   virtual void check_running(Nanoseconds) {}               // in OP, whenever time has passed
+  /// Nobody could tell whether check_running() is called before; the beginning of time: it must be, whenever time passes.
+  [[nodiscard]] virtual Nanoseconds runs_alone_until() { return INT64_MIN; }
+
+  /// Neither SYNC0 nor process data that come and go would change anything in OP but the outputs in the dictionary, until
+  /// the ESC is woken up.
+  [[nodiscard]] virtual bool rests() { return false; }
 
   /// `code`: AL status code; `error_code`: of the emergency that goes with it.
   void drop_to_safeop(std::uint16_t code, std::uint16_t error_code = kCommunicationError);
@@ -86,14 +98,28 @@ class Device : public Esc::Listener {
   /// Behaviours that keep a diagnosis history although their ESI has none.
   void enable_diagnosis_history() { history_.enable(); }
   void inputs_from_dictionary() { process_data_.inputs_from_dictionary(); }
+  /// They are what they were, as long as the behaviour has changed nothing in the dictionary.
+  [[nodiscard]] bool inputs_stay() const { return process_data_.inputs_stay(); }
+  [[nodiscard]] bool inputs_map(std::uint16_t index) { return process_data_.inputs_map(index); }
   [[nodiscard]] bool has_outputs() const { return process_data_.has_outputs(); }
   [[nodiscard]] bool has_mailbox() const { return config_.device.mailbox.has_value(); }
   [[nodiscard]] Esc& esc() { return esc_; }
+  [[nodiscard]] const DcUnit& dc() const { return std::as_const(esc_).dc(); }
+  /// Up to when the device has run.
+  [[nodiscard]] Nanoseconds now() const { return now_; }
+  void see_frames(bool see) { sees_frames_ = see; }
   [[nodiscard]] const SimSlaveConfig& config() const { return config_; }
 
   ObjectDictionary dictionary_;
 
  private:
+  void run_until(Nanoseconds time);
+  /// What nobody would notice need not be told by the ESC.
+  void rest();
+  /// Nothing of the device's own is due before.
+  [[nodiscard]] Nanoseconds idle_until();
+  /// When SYNC0 will have stayed away for too long.
+  [[nodiscard]] Nanoseconds sync_patience() const;
   /// Does what AL control and the mailbox ask for, in the order in which it is due.
   void answer_until(Nanoseconds time);
   void stay_in_op(Nanoseconds time);
@@ -125,6 +151,7 @@ class Device : public Esc::Listener {
   Nanoseconds now_ = 0, requested_at_ = 0;
   bool mailbox_silent_ = false;
   bool stopped_ = false;                      // the firmware hangs
+  bool sees_frames_ = false;
   Nanoseconds mailbox_delay_ = 0, application_delay_ = 0;
   AlState refused_state_ = AlState::kNone;
   std::uint16_t refusal_code_ = 0;

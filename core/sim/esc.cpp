@@ -31,7 +31,10 @@ void Esc::frame_at_port(unsigned port, Nanoseconds time, bool first) {
 
 void Esc::advance_others(Nanoseconds time) {
   ports_.advance_to(time);
-  if (sii_.advance_to(time)) load_configuration();
+  if (sii_.advance_to(time)) {
+    load_configuration();
+    ++generation_;  // of the alias
+  }
   if (pdi_watchdog_.advance_to(time)) raise_event(kEventDlStatus);
   if (watchdog_.advance_to(time)) {
     raise_al_event(kAlEventWatchdog);
@@ -54,27 +57,50 @@ bool Esc::mark_circulating(std::span<PassingDatagram> datagrams) {
   return true;
 }
 
-bool Esc::is_untouched_by(const PassingFrame& frame) const {
+void Esc::note_addresses() {
+  constexpr std::uint32_t kNone = 0x1'0000;
+  addresses_generation_ = generation_;
+  station_ = memory_.u16(reg::kStationAddress);
+  alias_ = (memory_.u8(reg::kDlControlAlias) & 0x01) != 0 ? memory_.u16(reg::kStationAlias) : kNone;
+}
+
+bool Esc::is_untouched_by(const PassingFrame& frame) {
   if (reset_step_ != 0 || ports_.port0_automatically_closed()) return false;
   if ((memory_.u16(reg::kEcatEventRequest) & memory_.u16(reg::kEcatEventMask)) != 0) return false;
-  return std::ranges::none_of(frame.datagrams(), [this](const PassingDatagram& datagram) { return has_address(datagram.adp); });
+  for (const auto station : frame.stations()) {
+    if (is_mine(station)) return false;
+  }
+  return true;
 }
 
 // Every slave and frame goes through this and frame_end(): calls inside would cost a fifth of all the time of a simulation.
 [[gnu::flatten]] bool Esc::process(PassingFrame& frame, Nanoseconds time) {
   if (ports_.port0_automatically_closed() && !mark_circulating(frame.datagrams())) return false;
   protection_.start_of_frame();
-  dc_.start_of_frame(time);
+  frame_time_ = time;
+  if (frame.touches_clock()) dc_.start_of_frame(time);
   if (maps_stale_) reload_maps();
   frame.add_event(static_cast<std::uint16_t>(memory_.u16(reg::kEcatEventRequest) & memory_.u16(reg::kEcatEventMask)));
-  for (auto& datagram : frame.datagrams()) {
-    datagram.wkc = static_cast<std::uint16_t>(datagram.wkc + execute(datagram));
-    datagram.adp = static_cast<std::uint16_t>(datagram.adp + datagram.step);
+  touched_ = reset_step_ != 0 || ports_.changed();
+  if (const auto* plan = plan_for(frame)) {
+    follow(*plan, frame.bytes());
+    frame.pass(plan->wkc);
+  } else {
+    execute_all(frame);
   }
   return true;
 }
 
+[[gnu::noinline, gnu::flatten]] void Esc::execute_all(PassingFrame& frame) {
+  frame.settle();
+  for (auto& datagram : frame.datagrams()) {
+    datagram.wkc = static_cast<std::uint16_t>(datagram.wkc + execute(datagram));
+    datagram.adp = static_cast<std::uint16_t>(datagram.adp + datagram.step);
+  }
+}
+
 unsigned Esc::execute(const PassingDatagram& datagram) {
+  touched_ = touched_ || !is_fixed_address(datagram.command) || datagram.command == Command::kFrmw || has_address(datagram.adp);
   switch (datagram.command) {
     case Command::kNop: return 0;
     case Command::kAprd: return read(datagram, datagram.adp == 0);
@@ -169,6 +195,7 @@ bool Esc::write_memory(Command command, std::uint16_t address, std::span<const s
   std::size_t closed = 0;  // bytes that cannot be written
   while (closed < data.size() && (memory_.rights(static_cast<std::uint32_t>(address + closed)) & EscMemory::kWrite) == 0) ++closed;
   if (closed == data.size()) return false;
+  if (time_size_ != 0) shadow_time();
   if (address >= EscMemory::kRegisterEnd) {  // RAM has no shadow
     std::copy(data.begin(), data.end(), memory_.at(address, data.size()).begin());
   } else {
@@ -236,6 +263,7 @@ void Esc::follow_reset_sequence(bool written) {
 
 void Esc::frame_damaged() {
   writes_.clear();
+  time_size_ = 0;
   shadow_size_ = 0;
   latch_unit_ = latch_ports_ = false;
   sm_written_ = sm_read_ = 0;
@@ -262,6 +290,20 @@ void Esc::take_over(const Write& write, std::span<const std::uint8_t> bytes) {
 
 [[gnu::flatten]] void Esc::frame_end(Nanoseconds time) {
   dc_.advance_to(time);
+  if (time_size_ != 0) dc_.system_time_received(std::exchange(time_size_, std::uint8_t{0}), time_received_, time);
+  if (!writes_.empty() || latch_unit_ || reset_step_ != 0) commit_all(time);
+  if ((sm_written_ | sm_read_) != 0) end_transfers(time);
+}
+
+[[gnu::noinline]] void Esc::commit_all(Nanoseconds time) {
+  const auto is_time = [](const Write& write) {
+    return write.address >= reg::kSystemTime && write.address + write.length <= reg::kSystemTime + EscMemory::kWord;
+  };
+  // The system time comes in every cycle, and changes nothing that plans or waiting depend on.
+  if (!std::ranges::all_of(writes_, is_time)) {
+    wake_up();
+    ++generation_;
+  }
   std::size_t position = 0;
   bool reset_written = false, sii_command = false;
   for (const auto& write : writes_) {
@@ -284,6 +326,9 @@ void Esc::take_over(const Write& write, std::span<const std::uint8_t> bytes) {
   if (latch_unit_) dc_.latch_processing_unit();
   if (latch_ports_) dc_.latch_ports(port_times_);
   latch_unit_ = latch_ports_ = false;
+}
+
+void Esc::end_transfers(Nanoseconds time) {
   for (auto touched = sm_written_ | sm_read_; touched != 0; touched &= touched - 1) {
     const auto i = static_cast<unsigned>(std::countr_zero(touched));
     const auto bit = 1U << i;
@@ -292,15 +337,20 @@ void Esc::take_over(const Write& write, std::span<const std::uint8_t> bytes) {
       if ((sync_managers_[i].control & SyncManager::kControlWatchdog) != 0) {
         watchdog_.trigger(time);
         quiet_until_ = std::min(quiet_until_, watchdog_.deadline());
+        idle_until_ = std::min(idle_until_, quiet_until_);
       }
-      raise_al_event(kAlEventSyncManager0 << i);
-      if (listener_ != nullptr) listener_->sync_manager_written(i, time);
+      if ((minded_ & bit) != 0) {
+        raise_buffer_event(i);
+        if (listener_ != nullptr) listener_->sync_manager_written(i, time);
+      }
     }
     if ((sm_read_ & bit) != 0) {
       if (sync_managers_[i].is_mailbox()) set_mailbox_full(i, false);
-      show_pending(i);
-      raise_al_event(kAlEventSyncManager0 << i);
-      if (listener_ != nullptr) listener_->sync_manager_read(i, time);
+      if (any_pending_) show_pending(i);
+      if ((minded_ & bit) != 0) {
+        raise_buffer_event(i);
+        if (listener_ != nullptr) listener_->sync_manager_read(i, time);
+      }
     }
   }
   sm_written_ = sm_read_ = 0;

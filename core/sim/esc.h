@@ -17,6 +17,7 @@
 #include "sim/dc_unit.h"
 #include "sim/esc_memory.h"
 #include "sim/esc_ports.h"
+#include "sim/frame_plan.h"
 #include "sim/passing_frame.h"
 #include "sim/pdi_watchdog.h"
 #include "sim/process_data_watchdog.h"
@@ -50,6 +51,8 @@ class Esc {
     virtual void sync_manager_set(unsigned number, Nanoseconds time) = 0;
     virtual void process_data_watchdog_expired(Nanoseconds time) = 0;
     virtual void sync_signal(SyncGenerator::Signal signal, Nanoseconds time) = 0;
+    /// Of the SYNC0 that nobody wanted to know, the last one came at `time`.
+    virtual void signals_passed(Nanoseconds) {}
   };
   /// The listener must outlive the ESC; the ESC must not move afterwards.
   void set_listener(Listener* listener);
@@ -58,7 +61,7 @@ class Esc {
   /// Of a frame that takes port times. `first`: here begins its way through the slave.
   void frame_at_port(unsigned port, Nanoseconds time, bool first);
   /// Nothing of this frame for single slaves is for this one, nor does it leave a trace in it.
-  [[nodiscard]] bool is_untouched_by(const PassingFrame& frame) const;
+  [[nodiscard]] bool is_untouched_by(const PassingFrame& frame);
   /// The frame passes the processing unit: executes every datagram in place. False: it is destroyed there.
   [[nodiscard]] bool process(PassingFrame& frame, Nanoseconds time);
   /// The last byte has passed with a good FCS.
@@ -69,12 +72,38 @@ class Esc {
     dc_.advance_to(time);
     if (time >= quiet_until_) advance_others(time);
   }
+  /// The frame that process() has seen last found something to do here, and its frame_end() must follow.
+  [[nodiscard]] bool touched() const { return touched_; }
+
+  // ---- when something happens ----
+  /// Nothing is due before, neither in the ESC nor in the device behind it. Whatever may bring something forward ends it.
+  [[nodiscard]] Nanoseconds idle_until() const { return idle_until_; }
+  void stay_idle_until(Nanoseconds time) { idle_until_ = std::min({time, dc_.quiet_until(), quiet_until_}); }
+  void wake_up() {
+    idle_until_ = INT64_MIN;
+    minded_ = ~0U;
+    if (dc_.signals_unminded()) mind_signals();
+  }
+  /// Time passes, and nothing happens.
+  void pass_idly(Nanoseconds time) { dc_.pass_quietly(time); }
+  /// Nobody wants to know of each SYNC0 until something wakes up the ESC; Listener::signals_passed() then tells the last.
+  void leave_signals_unminded() { dc_.leave_signals_unminded(); }
+  /// Nobody wants to know of transfers in these SyncManagers (a bit each) until something wakes up the ESC.
+  void leave_transfers_unminded(std::uint32_t managers) { minded_ = ~managers; }
+  /// The frames come from elsewhere: what an ESC does with them by its position is another thing.
+  void forget_plans() { ++generation_; }
+  /// Another one after each change of the settings.
+  [[nodiscard]] std::uint32_t generation() const { return generation_; }
 
   // ---- the device's side ----
   [[nodiscard]] EscMemory& memory() { return memory_; }
   [[nodiscard]] const EscMemory& memory() const { return memory_; }
-  [[nodiscard]] DcUnit& dc() { return dc_; }
   [[nodiscard]] const DcUnit& dc() const { return dc_; }
+  /// For what changes it from outside: faults, and tests.
+  [[nodiscard]] DcUnit& dc() {
+    wake_up();
+    return dc_;
+  }
   [[nodiscard]] SyncManager sync_manager(unsigned number) const;
   /// Its memory, cut where a master has set it up beyond the address space.
   [[nodiscard]] std::span<std::uint8_t> sync_manager_area(unsigned number);
@@ -92,13 +121,19 @@ class Esc {
   /// The PDI has read 0x098E or 0x098F.
   void acknowledge_sync(SyncGenerator::Signal signal);
   /// The device is not told of SYNC signals, whatever its pins show.
-  void silence_sync(bool silent) { sync_silent_ = silent; }
+  void silence_sync(bool silent) {
+    wake_up();
+    sync_silent_ = silent;
+  }
   /// The PDI has dealt with these bits of the AL event request (0x0220).
   void acknowledge_events(std::uint32_t events);
+  /// The PDI deals with the events of SyncManagers as soon as it is told of them: nobody sees them pending.
+  void serve_promptly(bool promptly) { prompt_ = promptly; }
   /// The device stops to ask the ESC, or does so again.
   void pdi_stops(Nanoseconds time) {
     pdi_watchdog_.pdi_stops(time);
     quiet_until_ = std::min(quiet_until_, pdi_watchdog_.deadline());
+    wake_up();
   }
   void pdi_works();
   /// The process data watchdog has expired and not been triggered since.
@@ -118,10 +153,17 @@ class Esc {
     std::uint16_t address;
     std::uint16_t length;
   };
+  void mind_signals();
+  /// The rest of frame_end() after a frame that has written registers.
+  void commit_all(Nanoseconds time);
+  /// What happens in SyncManagers at the end of the frame.
+  void end_transfers(Nanoseconds time);
   /// All that time does to an ESC but its clock.
   void advance_others(Nanoseconds time);
   void raise_event(std::uint16_t event);
   void raise_al_event(std::uint32_t event);
+  /// Of SyncManager `number`.
+  void raise_buffer_event(unsigned number);
   void clear_event(std::uint16_t event);
   /// What its working counter grows by.
   [[nodiscard]] unsigned execute(const PassingDatagram& datagram);
@@ -130,6 +172,12 @@ class Esc {
   [[nodiscard]] unsigned read_and_write(const PassingDatagram& datagram, bool addressed);
   /// Its station address, or its alias where that is on.
   [[nodiscard]] bool has_address(std::uint16_t address) const;
+  /// The same for each frame of others: remembered as long as the settings stay.
+  [[nodiscard]] bool is_mine(std::uint16_t address) {
+    if (addresses_generation_ != generation_) note_addresses();
+    return address == station_ || address == alias_;
+  }
+  void note_addresses();
   bool read_memory(std::uint16_t address, std::span<std::uint8_t> out, bool or_into);
   /// Registers, and RAM that is no SyncManager's matter.
   bool read_registers(std::uint16_t address, std::span<std::uint8_t> out, bool or_into);
@@ -163,6 +211,23 @@ class Esc {
   void reload_maps();
   void implement_registers();
 
+  // Plans of frames (esc_plans.cpp).
+  /// Null: the datagrams must be executed.
+  [[nodiscard]] const FramePlan* plan_for(PassingFrame& frame);
+  void make_plan(FramePlan& plan, PassingFrame& frame) const;
+  [[nodiscard]] bool plan_datagram(FramePlan& plan, const PassingDatagram& datagram, std::size_t number, std::size_t offset) const;
+  [[nodiscard]] bool plan_reading(FramePlan& plan, const PassingDatagram& datagram, std::size_t number, std::size_t offset) const;
+  [[nodiscard]] bool plan_time(FramePlan& plan, const PassingDatagram& datagram, std::size_t number, std::size_t offset) const;
+  [[nodiscard]] bool any_have(std::uint8_t right, std::uint16_t address, std::size_t length) const;
+  [[nodiscard]] bool plan_logical(FramePlan& plan, const PassingDatagram& datagram, std::size_t number, std::size_t offset) const;
+  void follow(const FramePlan& plan, std::span<std::uint8_t> frame);
+  void follow(const FramePlan::Step& step, std::uint8_t* data);
+  void execute_all(PassingFrame& frame);
+  /// Of a plan whose datagram brings the system time: becomes effective at the end of the frame.
+  void take_time(const std::uint8_t* data, std::uint8_t length);
+  /// As if it had been written by a datagram that was executed: another one follows.
+  void shadow_time();
+
   Options options_;
   EscMemory memory_;
   EscPorts ports_;
@@ -178,6 +243,8 @@ class Esc {
     Fmmu fmmu;
     std::optional<unsigned> whole_buffer{};
   };
+  [[nodiscard]] bool plan_mapping(FramePlan& plan, const PassingDatagram& datagram, const Mapping& mapping, bool writing,
+                                  std::size_t offset) const;
   [[nodiscard]] std::optional<unsigned> find_whole_buffer(const Fmmu& fmmu) const;
   [[nodiscard]] bool map_datagram(const PassingDatagram& datagram, std::span<const Mapping> mappings, bool writing);
   /// What one FMMU maps of a datagram, byte by byte or bit by bit.
@@ -188,10 +255,19 @@ class Esc {
   Nanoseconds quiet_until_ = INT64_MIN;        // nothing is due before that is not the clock's
   std::vector<std::uint8_t> active_managers_;  // those that are on and have a length
   std::uint32_t buffers_begin_ = 0;         // where the first SyncManager's memory begins
+  std::array<FramePlan, FramePlan::kPlaces> plans_{};
+  std::uint32_t generation_ = 1;            // of the settings that plans are made by
+  std::uint32_t addresses_generation_ = 0, station_ = 0, alias_ = 0;  // the addresses of that generation
+  Nanoseconds idle_until_ = INT64_MIN;
   std::size_t reset_step_ = 0;
-  bool sync_silent_ = false;
+  bool sync_silent_ = false, prompt_ = false;
+  std::uint32_t minded_ = ~0U;  // SyncManagers whose transfers the device is told of
 
   // Of the frame that is passing:
+  bool touched_ = false;
+  std::uint8_t time_size_ = 0;        // bytes of the system time that a plan has received; 0: none
+  std::uint64_t time_received_ = 0;
+  Nanoseconds frame_time_ = 0;        // when it began to pass
   std::array<std::optional<Nanoseconds>, 4> port_times_{};
   bool latch_unit_ = false, latch_ports_ = false;
   std::vector<Write> writes_;

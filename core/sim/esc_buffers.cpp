@@ -24,6 +24,7 @@ void put_bit(std::span<std::uint8_t> bytes, std::size_t bit, bool value) {
 
 void Esc::reload_maps() {
   maps_stale_ = false;
+  ++generation_;
   read_mappings_.clear();
   write_mappings_.clear();
   for (unsigned i = 0; i < options_.fmmu_count; ++i) {
@@ -155,6 +156,10 @@ bool Esc::map_part(const PassingDatagram& datagram, const Fmmu& fmmu, bool writi
   if (address + length > EscMemory::kSize || !buffer_allows(address, length, writing)) return false;
   if (writing && !protection_.allows(address, length)) return false;
   if (!writing) open_buffer(address, length);
+  if (overlaps(address, length, DcUnit::kShownBegin, DcUnit::kShownSize)) {
+    dc_.start_of_frame(frame_time_);
+    dc_.refresh_registers();
+  }
   copy_mapped(datagram.data, from - start, physical, to - from, writing);
   note_buffer_access(address, length, writing);
   return true;

@@ -25,13 +25,19 @@ void Esc::raise_al_event(std::uint32_t event) {
   memory_.set<std::uint32_t>(reg::kAlEventRequest, memory_.u32(reg::kAlEventRequest) | event);
 }
 
+void Esc::raise_buffer_event(unsigned number) {
+  const auto event = kAlEventSyncManager0 << number;
+  prompt_ ? acknowledge_events(event) : raise_al_event(event);
+}
+
 void Esc::acknowledge_events(std::uint32_t events) {
-  memory_.set<std::uint32_t>(reg::kAlEventRequest, memory_.u32(reg::kAlEventRequest) & ~events);
+  const auto request = memory_.u32(reg::kAlEventRequest);
+  if ((request & events) != 0) memory_.set<std::uint32_t>(reg::kAlEventRequest, request & ~events);
 }
 
 void Esc::clear_event(std::uint16_t event) {
-  memory_.set<std::uint16_t>(reg::kEcatEventRequest,
-                             static_cast<std::uint16_t>(memory_.u16(reg::kEcatEventRequest) & ~event));
+  const auto request = memory_.u16(reg::kEcatEventRequest);
+  if ((request & event) != 0) memory_.set<std::uint16_t>(reg::kEcatEventRequest, static_cast<std::uint16_t>(request & ~event));
 }
 
 SyncManager Esc::sync_manager(unsigned number) const {
@@ -44,6 +50,10 @@ std::span<std::uint8_t> Esc::sync_manager_area(unsigned number) {
 }
 
 std::span<const std::uint8_t> Esc::sync_manager_area(unsigned number) const {
+  if (!maps_stale_ && number < sync_managers_.size()) {
+    const auto& sm = sync_managers_[number];
+    return memory_.at(sm.start, std::min<std::size_t>(sm.length, EscMemory::kSize - sm.start));
+  }
   const auto start = memory_.u16(reg::sync_manager(number));
   const auto length = memory_.u16(static_cast<std::uint16_t>(reg::sync_manager(number) + 2));
   return memory_.at(start, std::min<std::size_t>(length, EscMemory::kSize - start));
@@ -125,6 +135,11 @@ void Esc::sync_fired(SyncGenerator::Signal signal, Nanoseconds time) {
   const bool mapped = (memory_.u8(reg::kSyncLatchConfiguration) >> (3 + 4 * number) & 1U) != 0;
   if (mapped) raise_al_event(kAlEventSync0 << number);
   if (listener_ != nullptr) listener_->sync_signal(signal, time);
+}
+
+void Esc::mind_signals() {
+  const auto last = dc_.mind_signals();
+  if (listener_ != nullptr && last) listener_->signals_passed(*last);
 }
 
 void Esc::pdi_works() {

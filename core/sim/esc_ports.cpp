@@ -58,12 +58,6 @@ void EscPorts::advance_to(Nanoseconds time) {
   control_written(*temporary_until_);
 }
 
-bool EscPorts::take_changed() {
-  const bool changed = changed_;
-  changed_ = false;
-  return changed;
-}
-
 void EscPorts::update(unsigned port, bool open) {
   changed_ = changed_ || open_[port] != open;
   open_[port] = open;

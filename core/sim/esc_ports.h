@@ -37,7 +37,12 @@ class EscPorts {
   /// Destroys what is no EtherCAT frame and marks the source address of the others (0x0100.0).
   [[nodiscard]] bool destroys_foreign_frames() const { return (memory_.u8(reg::kDlControl) & 0x01) != 0; }
   /// True once after a change of which ports are open.
-  [[nodiscard]] bool take_changed();
+  [[nodiscard]] bool take_changed() {
+    const bool changed = changed_;
+    changed_ = false;
+    return changed;
+  }
+  [[nodiscard]] bool changed() const { return changed_; }
 
   void count_invalid_frame(unsigned port);
   void count_forwarded_error(unsigned port);

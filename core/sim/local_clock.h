@@ -45,6 +45,9 @@ class LocalClock {
   /// ends before.
   [[nodiscard]] Nanoseconds time_of(std::uint64_t local, Nanoseconds from) const;
 
+  /// True time in which the counter, as fast as it is now, goes on by `local` ns (a short while), rounded up.
+  [[nodiscard]] Nanoseconds true_duration(std::uint64_t local) const { return static_cast<Nanoseconds>(passing_time(local, 0)); }
+
   /// Relative slow-down from the time control loop, at most a tenth, effective from `time` on.
   void set_correction(double relative, Nanoseconds time) {
     advance_to(time);
@@ -59,6 +62,7 @@ class LocalClock {
   // What follows runs several times for every slave and frame.
   /// Nanoseconds in parts of 2^-60: what the rates resolve is less than a picosecond in a day.
   __extension__ using Fixed = __int128;
+  __extension__ using Unsigned = unsigned __int128;
   static constexpr unsigned kFractionBits = 60;
   static constexpr std::int64_t kOne = std::int64_t{1} << kFractionBits;
 
@@ -79,6 +83,7 @@ class LocalClock {
   /// The rates are those of the quartz as it is now.
   void take_rates();
   void change_until(Nanoseconds time);
+  [[nodiscard]] Unsigned passing_time(std::uint64_t ahead, std::uint64_t fraction) const;
   [[nodiscard]] double moved_at(Nanoseconds time) const;
   /// When the next change of the rate behind `time` is due, `step` later at most; kNever: none.
   [[nodiscard]] Nanoseconds next_move(Nanoseconds time, Nanoseconds step) const;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -20,11 +21,20 @@ class ProcessData {
 
   /// Takes the PDO assignment and mapping as they are now; they do not change from SAFEOP on.
   void map();
-  void outputs_to_dictionary(unsigned manager);
   void clear_outputs();
   void inputs_from_dictionary();
-  /// Process data in one buffer (SyncManager in mailbox mode): the outputs were taken and make room, the inputs are there.
-  void take_outputs(unsigned manager);
+  /// The dictionary's inputs are in the SyncManagers, and outputs do not change them.
+  [[nodiscard]] bool inputs_stay() const { return inputs_stay_ && generation_ == esc_.generation(); }
+  /// Somebody else has been at the dictionary.
+  void forget_inputs() { inputs_stay_ = false; }
+  /// An entry of the object is mapped into the inputs.
+  [[nodiscard]] bool inputs_map(std::uint16_t index);
+  /// Bit per SyncManager: those of buffered process data.
+  [[nodiscard]] std::uint32_t buffered_managers() const;
+  /// The master has written outputs: into the dictionary with them, when they are `valid`. Process data in one buffer
+  /// (SyncManager in mailbox mode) make room for the next.
+  void take_outputs(unsigned manager, bool valid);
+  /// The master has read inputs: in one buffer there are new ones at once.
   void offer_inputs(unsigned manager);
 
   [[nodiscard]] std::uint32_t byte_length(PdoDirection direction) const { return pdos_.byte_length(direction); }
@@ -36,13 +46,22 @@ class ProcessData {
   [[nodiscard]] const std::vector<unsigned>& sync_managers(PdoDirection direction) const {
     return numbers_[direction == PdoDirection::kRx ? 0 : 1];
   }
-  [[nodiscard]] bool carries(PdoDirection direction, unsigned manager) const;
+  [[nodiscard]] bool carries(PdoDirection direction, unsigned manager) const {
+    const auto* channel = find(manager);
+    return channel != nullptr && channel->direction == direction;
+  }
+  /// It is the first of its direction.
+  [[nodiscard]] bool leads(unsigned manager) const {
+    const auto* channel = find(manager);
+    return channel != nullptr && channel->first;
+  }
 
  private:
   struct Copy {
     ObjectDictionary::Entry* entry;
     std::uint32_t bit_offset;
     std::uint8_t bits;
+    std::uint8_t bytes;  // when they are whole ones at the beginning of one; else 0
   };
   /// One SyncManager and what it holds.
   struct Channel {
@@ -52,14 +71,27 @@ class ProcessData {
     std::vector<Copy> copies{};
     std::vector<std::uint8_t> input_buffer{};
     bool one_buffer = false;
+    bool first = false;         // of its direction
+    std::uint32_t end_bit = 0;  // behind all copies
   };
+  static constexpr std::size_t kManagers = 16;
+  static constexpr std::uint8_t kNone = 0xFF;
+  [[nodiscard]] const Channel* find(unsigned manager) const {
+    return manager < kManagers && places_[manager] != kNone ? &channels_[places_[manager]] : nullptr;
+  }
+  void outputs_to_dictionary(const Channel& channel);
+  [[nodiscard]] bool shares_objects() const;
   [[nodiscard]] std::vector<Copy> copies(const PdoObjects::Assignment& assignment);
 
   ObjectDictionary& dictionary_;
   Esc& esc_;
   PdoObjects pdos_;
   std::vector<Channel> channels_;
+  std::array<std::uint8_t, kManagers> places_{};  // in channels_, by SyncManager
   std::vector<unsigned> numbers_[2];
+  bool shared_ = false;       // an output is an input, too
+  bool inputs_stay_ = false;
+  std::uint32_t generation_ = 0;  // of the ESC's settings then
 };
 
 }  // namespace syncline::sim

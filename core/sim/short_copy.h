@@ -9,6 +9,28 @@
 
 namespace syncline::sim {
 
+/// Words that may overlap instead of a loop over bytes; `from` and `to` do not.
+inline void copy_words(std::span<const std::uint8_t> from, std::span<std::uint8_t> to) {
+  constexpr std::size_t kWord = 8, kLongest = 64;
+  const auto size = from.size();
+  if (size > kLongest || size < 3) {
+    std::ranges::copy(from, to.begin());
+  } else if (size < kWord) {
+    const auto half = size < 4 ? 2U : 4U;
+    const auto first = from.first(half), last = from.last(half);
+    if (half == 2) {
+      store_le(to, load_le<std::uint16_t>(first));
+      store_le(to.subspan(size - half), load_le<std::uint16_t>(last));
+    } else {
+      store_le(to, load_le<std::uint32_t>(first));
+      store_le(to.subspan(size - half), load_le<std::uint32_t>(last));
+    }
+  } else {
+    for (std::size_t at = 0; at + kWord < size; at += kWord) store_le(to.subspan(at), load_le<std::uint64_t>(from.subspan(at)));
+    store_le(to.subspan(size - kWord), load_le<std::uint64_t>(from.subspan(size - kWord)));
+  }
+}
+
 /// Copies `from` into `to`, which is at least as long. What a slave exchanges in a cycle is mostly a byte or a word, for
 /// which calling memcpy costs more than the copying.
 inline void short_copy(std::span<const std::uint8_t> from, std::span<std::uint8_t> to) {
@@ -17,7 +39,7 @@ inline void short_copy(std::span<const std::uint8_t> from, std::span<std::uint8_
     case 2: store_le(to, load_le<std::uint16_t>(from)); break;
     case 4: store_le(to, load_le<std::uint32_t>(from)); break;
     case 8: store_le(to, load_le<std::uint64_t>(from)); break;
-    default: std::ranges::copy(from, to.begin());
+    default: copy_words(from, to);
   }
 }
 

@@ -52,6 +52,15 @@ Node power_up(const SimSlaveConfig& config, std::vector<std::uint8_t> sii, Nanos
   return node;
 }
 
+/// A processing unit on the way of the frames.
+struct Stop {
+  std::size_t passage = 0;  // the reception in front of it
+  std::uint16_t slave = 0;
+  Nanoseconds offset = 0;   // since the frame's start left the master
+  Esc* esc = nullptr;
+  Device* device = nullptr;
+};
+
 /// State of the cable to a slave's parent and of its power.
 struct SlaveLink {
   bool cable = true;
@@ -66,21 +75,22 @@ struct SimBus::Impl final : FaultTarget {
   std::vector<Node> nodes;
   std::vector<SlaveLink> links;
   SegmentPath path;
-  std::vector<std::size_t> processed;   // receptions of `path` in front of processing units
+  std::vector<Stop> stops;              // processing units of `path`
   std::vector<double> true_delay;
   LineFaults line_faults;
   std::optional<FaultSchedule> schedule;
   Nanoseconds now = 0;
   Nanoseconds wire_free = INT64_MIN;    // a frame of somebody else is on its way to the first slave until then
   PassingFrame passing;
-  std::vector<std::size_t> touched;     // those at which the passing frame left something; the others it was not for
+  std::vector<const Stop*> touched;     // those at which the passing frame left something; the others it was not for
 
-  Impl(SimConfig c, Nanoseconds start)
+  Impl(SimConfig c, Nanoseconds start, PassingFrame::Execution execution)
       : config(std::move(c)),
         wiring(config.slaves),
         links(config.slaves.size()),
         line_faults(config.bus.loss, config.seed ^ 0x6C69'6E65U),
-        now(start) {
+        now(start),
+        passing(execution) {
     for (std::size_t i = 0; i < config.slaves.size(); ++i) {
       auto& slave = config.slaves[i];
       slave.oscillator.changes = rate_changes(config, i, start);
@@ -123,11 +133,14 @@ struct SimBus::Impl final : FaultTarget {
         ports[i].open[port] = esc_ports.open(port);
       }
       (void)esc_ports.take_changed();
+      nodes[i].esc->forget_plans();
     }
     path = segment_path(config.slaves, wiring, ports);
-    processed.clear();
+    stops.clear();
     for (std::size_t p = 0; p < path.passages.size(); ++p) {
-      if (path.passages[p].processed) processed.push_back(p);
+      const auto& passage = path.passages[p];
+      const auto& node = nodes[passage.slave];
+      if (passage.processed) stops.push_back({p, passage.slave, passage.offset, node.esc.get(), node.device.get()});
     }
   }
 
@@ -195,16 +208,15 @@ SimBus::Returned SimBus::Impl::execute(std::span<std::uint8_t> frame, Nanosecond
   auto way = line_faults.next_frame(path.passages);
   bool mark_source = false;
   touched.clear();
-  for (const auto p : processed) {
-    if (p >= way.end) break;
-    const auto& passage = path.passages[p];
-    auto& node = nodes[passage.slave];
-    mark_source = mark_source || node.esc->ports().destroys_foreign_frames();
-    if (passing.is_for_single_slaves() && node.esc->is_untouched_by(passing)) continue;
-    touched.push_back(p);
-    const auto time = send_time + passage.offset;
-    node.device->advance_to(time);
-    if (!node.esc->process(passing, time)) way.end = p;
+  for (const auto& stop : stops) {
+    if (stop.passage >= way.end) break;
+    auto& esc = *stop.esc;
+    mark_source = mark_source || esc.ports().destroys_foreign_frames();
+    if (passing.is_for_single_slaves() && esc.is_untouched_by(passing)) continue;
+    const auto time = send_time + stop.offset;
+    stop.device->advance_to(time);
+    if (!esc.process(passing, time)) way.end = stop.passage;
+    if (esc.touched() || stop.device->sees_frames()) touched.push_back(&stop);
   }
   if (passing.takes_port_times()) note_port_times(way, send_time);
   if (way.damaged < way.end) count_errors(way);
@@ -238,22 +250,19 @@ void SimBus::Impl::count_errors(const Reach& way) {
 /// The last byte has passed everywhere: what was written becomes effective where the frame was still good.
 void SimBus::Impl::end_frame(const Reach& reach, Nanoseconds send_time, Nanoseconds length) {
   bool changed = false;
-  for (const auto p : touched) {
-    if (p >= reach.end) break;  // destroyed there
-    const auto& passage = path.passages[p];
-    auto& esc = *nodes[passage.slave].esc;
-    const auto time = send_time + passage.offset + length;
-    nodes[passage.slave].device->frame_received(time - length, time);
-    if (p < reach.damaged) {
-      esc.frame_end(time);
+  for (const auto* stop : touched) {
+    if (stop->passage >= reach.end) break;  // destroyed there
+    const auto time = send_time + stop->offset + length;
+    if (stop->device->sees_frames()) stop->device->frame_received(time - length, time);
+    if (stop->passage < reach.damaged) {
+      stop->esc->frame_end(time);
     } else {
-      esc.frame_damaged();
+      stop->esc->frame_damaged();
     }
-    if (esc.reset_requested()) {
-      restart(passage.slave, time);
-      changed = true;
-    }
-    if (nodes[passage.slave].esc->ports().take_changed()) changed = true;
+    changed = stop->esc->ports().take_changed() || changed;
+    if (!stop->esc->reset_requested()) continue;
+    restart(stop->slave, time);
+    changed = true;
   }
   if (path.closed_entry && reach.end == path.passages.size() && reach.damaged == reach.end) {
     auto& ports = nodes[*path.closed_entry].esc->ports();
@@ -290,7 +299,7 @@ void SimBus::Impl::foreign_frame(Nanoseconds time) {
 SimBus::SimBus(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 SimBus::~SimBus() = default;
 
-Result<std::unique_ptr<SimBus>> SimBus::create(const SimConfig& config, Nanoseconds start) {
+Result<std::unique_ptr<SimBus>> SimBus::create(const SimConfig& config, Nanoseconds start, bool plans) {
   if (config.slaves.empty()) return fail(ErrorCode::kConfiguration, config.name, "the segment has no slaves");
   const Wiring wiring(config.slaves);
   const auto path = segment_path(config.slaves, wiring, all_connected(config.slaves, wiring));
@@ -307,7 +316,8 @@ Result<std::unique_ptr<SimBus>> SimBus::create(const SimConfig& config, Nanoseco
   if (expected != config.slaves.size()) {
     return fail(ErrorCode::kConfiguration, fmt::format("slave {}", expected), "no frame reaches it; check parent and port");
   }
-  return std::unique_ptr<SimBus>(new SimBus(std::make_unique<Impl>(config, start)));
+  return std::unique_ptr<SimBus>(new SimBus(std::make_unique<Impl>(
+      config, start, plans ? PassingFrame::Execution::kPlanned : PassingFrame::Execution::kEach)));
 }
 
 SimBus::Returned SimBus::execute(std::span<std::uint8_t> frame, Nanoseconds send_time) {

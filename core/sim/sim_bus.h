@@ -17,8 +17,9 @@ namespace syncline::sim {
 /// (the host clock's) given by the caller and must not step back. Single-threaded, deterministic.
 class SimBus {
  public:
-  /// `start`: true time of power-on.
-  [[nodiscard]] static Result<std::unique_ptr<SimBus>> create(const SimConfig& config, Nanoseconds start);
+  /// `start`: true time of power-on. `plans`: slaves remember what the datagrams of every cycle do to them; without, each
+  /// of them is executed each time, which is the same and slower.
+  [[nodiscard]] static Result<std::unique_ptr<SimBus>> create(const SimConfig& config, Nanoseconds start, bool plans = true);
   ~SimBus();
 
   struct Returned {

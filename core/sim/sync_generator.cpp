@@ -33,7 +33,7 @@ std::optional<SyncGenerator::Due> SyncGenerator::due() const {
 void SyncGenerator::start_sync1(std::uint64_t sync0) {
   // A SYNC1 that is still to come keeps its SYNC0; the next one belongs to the first SYNC0 behind it.
   if (settings_.sync1 && !next1_) {
-    next1_ = sync0 + settings_.cycle1;
+    next1_ = latest1_ = sync0 + settings_.cycle1;
   }
 }
 
@@ -61,7 +61,7 @@ void SyncGenerator::realign(std::uint64_t now, bool wide) {
     return now +
            static_cast<std::uint64_t>(std::int64_t{static_cast<std::int32_t>(static_cast<std::uint32_t>(due - now))});
   };
-  if (!wide && next1_) next1_ = nearest(*next1_);
+  if (!wide && next1_) next1_ = latest1_ = nearest(*next1_);
   // A start time that has passed comes when the counter comes round again.
   if (!wide && next0_) next0_ = first0_done_ ? nearest(*next0_) : now + static_cast<std::uint32_t>(*next0_ - now);
   if (next0_ && before(*next0_, now) && !first0_done_) next0_.reset();

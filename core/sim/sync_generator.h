@@ -30,6 +30,8 @@ class SyncGenerator {
   [[nodiscard]] bool sync1_pending() const { return active_ && settings_.sync1 && !first1_done_; }
   [[nodiscard]] std::optional<std::uint64_t> next_sync0() const { return next0_; }
   [[nodiscard]] std::optional<std::uint64_t> next_sync1() const { return next1_; }
+  /// The last SYNC1 that was set up, to come or past; 0: none yet.
+  [[nodiscard]] std::uint64_t latest_sync1() const { return latest1_; }
   /// The earliest signal; SYNC0 before a coincident SYNC1.
   [[nodiscard]] std::optional<Due> due() const;
   /// The signal of due() has come.
@@ -48,6 +50,7 @@ class SyncGenerator {
   bool active_ = false;
   bool first0_done_ = false, first1_done_ = false;
   std::optional<std::uint64_t> next0_, next1_;
+  std::uint64_t latest1_ = 0;
 };
 
 }  // namespace syncline::sim

@@ -32,6 +32,8 @@ class WriteProtection {
     const bool protects = address < kProtectedEnd && !covers(kMemoryEnable);
     return !protects || !on(kRegisterProtection) || registers_enabled_;
   }
+  /// Something is protected.
+  [[nodiscard]] bool any() const { return on(kMemoryProtection) || on(kRegisterProtection); }
 
  private:
   static constexpr std::uint16_t kRegisterEnable = 0x0020, kRegisterProtection = 0x0021, kMemoryEnable = 0x0030,

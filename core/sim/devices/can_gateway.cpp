@@ -86,12 +86,12 @@ Nanoseconds CanGateway::vary(Nanoseconds largest) {
 // ---- AL state ------------------------------------------------------------------------------------
 
 std::uint16_t CanGateway::check_sync(AlState) {
-  const auto& dc = esc().dc();
+  const auto& unit = dc();
   // Without DC the gateway knows the bus cycle from the master's start-up list only.
-  const Nanoseconds bus = dc.sync0_enabled() ? dc.settings().cycle0 : outputs_sync_.cycle();
-  if (dc.sync0_enabled()) {
+  const Nanoseconds bus = unit.sync0_enabled() ? unit.settings().cycle0 : outputs_sync_.cycle();
+  if (unit.sync0_enabled()) {
     if (bus < family().cycle->shortest) return al_code::kCycleTooSmall;
-    if (outputs_sync_.contradicts(dc.settings().cycle0)) return al_code::kInvalidSyncCycle;
+    if (outputs_sync_.contradicts(unit.settings().cycle0)) return al_code::kInvalidSyncCycle;
   }
   const auto can = parameter(kCycleTime);
   bus_cycle_ns_ = bus;
@@ -103,15 +103,15 @@ std::uint16_t CanGateway::check_sync(AlState) {
 }
 
 void CanGateway::on_state(AlState state) {
-  const auto& dc = esc().dc();
+  const auto& unit = dc();
   if (state == AlState::kInit) outputs_sync_.forget_told_cycle();
   if (state == AlState::kSafeop) {
-    const bool sync0 = dc.sync0_enabled();
+    const bool sync0 = unit.sync0_enabled();
     outputs_sync_.set_type(sync0 ? SyncType::kSync0 : SyncType::kOwnSyncManager);
     inputs_sync_.set_type(sync0 ? SyncType::kSync0 : has_outputs() ? SyncType::kSyncManager2 : SyncType::kOwnSyncManager);
     for (auto* object : {&outputs_sync_, &inputs_sync_}) {
-      if (sync0) object->set_cycle(dc.settings().cycle0);
-      object->set_sync0_cycle(sync0 ? dc.settings().cycle0 : 0);
+      if (sync0) object->set_cycle(unit.settings().cycle0);
+      object->set_sync0_cycle(sync0 ? unit.settings().cycle0 : 0);
     }
   }
   if (state != AlState::kOp) return;
@@ -130,11 +130,11 @@ void CanGateway::on_state(AlState state) {
 
 void CanGateway::on_outputs(Nanoseconds time) {
   fresh_outputs_ = true;
-  if (!esc().dc().sync0_enabled()) bus_cycle(time);
+  if (!dc().sync0_enabled()) bus_cycle(time);
 }
 
 void CanGateway::on_inputs_read(Nanoseconds time) {
-  if (!has_outputs() && !esc().dc().sync0_enabled()) bus_cycle(time);
+  if (!has_outputs() && !dc().sync0_enabled()) bus_cycle(time);
 }
 
 void CanGateway::on_sync0(Nanoseconds time) {
@@ -181,9 +181,9 @@ void CanGateway::synchronous_cycle(Nanoseconds time) {
   sent_ = dictionary_.get<std::uint32_t>(kOutputs, 1);
   sync_due_ = time;
   unchecked_ = true;
-  if (!esc().dc().settings().sync1) {
+  if (!dc().settings().sync1) {
     send_sync_message(time + vary(kPreparation));
-  } else if (esc().dc().settings().cycle1 < times.calc_and_copy) {
+  } else if (dc().settings().cycle1 < times.calc_and_copy) {
     outputs_sync_.count_shift_too_short();  // SYNC1 comes before the transmit PDOs are prepared
   }
 }

@@ -109,35 +109,35 @@ void Drive::add_objects() {
 // ---- AL state ------------------------------------------------------------------------------------
 
 std::uint16_t Drive::check_sync(AlState to) {
-  const auto& dc = esc().dc();
-  if (!dc.sync_active()) {
+  const auto& unit = dc();
+  if (!unit.sync_active()) {
     // A type that nobody has written means no more than that SYNC0 would be used.
     const auto wants = [](const SyncObject& object) { return object.type_told() && object.type() == SyncType::kSync0; };
     const bool wanted = wants(outputs_sync_) || wants(inputs_sync_);
     return wanted && !habits_.sync.types.follow_dc ? al_code::kInvalidSyncConfiguration : std::uint16_t{0};
   }
-  const auto cycle = dc.settings().cycle0;
+  const auto cycle = unit.settings().cycle0;
   if (cycle == 0 || cycle % habits_.cycle.step != 0) return al_code::kInvalidSync0Cycle;
   if (cycle > habits_.cycle.longest) return al_code::kInvalidSyncCycle;
-  if (dc.settings().sync1 && dc.settings().cycle1 % habits_.cycle.step != 0) return al_code::kInvalidSync1Cycle;
+  if (unit.settings().sync1 && unit.settings().cycle1 % habits_.cycle.step != 0) return al_code::kInvalidSync1Cycle;
   if (inputs_sync_.shift() >= cycle) return al_code::kInvalidSyncConfiguration;
   if (to != AlState::kOp) return 0;
   // OP needs a SYNC0 that comes: a start time in the past never fires.
   if (!last_sync_) return al_code::kNoSync;
-  if (dc.deviation_magnitude() > kPllRange || !clock_.locked()) return al_code::kPllError;
+  if (unit.deviation_magnitude() > kPllRange || !clock_.locked()) return al_code::kPllError;
   return 0;
 }
 
 /// OP waits for the PLL, as long as SYNC0 comes and there is hope.
 bool Drive::settling(AlState wanted, Nanoseconds waited) {
-  return wanted == AlState::kOp && habits_.pll && esc().dc().sync_active() && last_sync_ && !clock_.locked() &&
+  return wanted == AlState::kOp && habits_.pll && dc().sync_active() && last_sync_ && !clock_.locked() &&
          waited < kPllPatience;
 }
 
 void Drive::choose_types() {
-  const auto& dc = esc().dc();
-  const bool sync0 = dc.sync0_enabled();
-  const auto cycle = dc.settings().cycle0;
+  const auto& unit = dc();
+  const bool sync0 = unit.sync0_enabled();
+  const auto cycle = unit.settings().cycle0;
   for (auto* object : {&outputs_sync_, &inputs_sync_}) {
     if (habits_.sync.types.follow_dc) object->set_type(sync0 ? SyncType::kSync0 : SyncType::kFreeRun);
     object->set_cycle(sync0 ? cycle : habits_.servo_period_ns);
@@ -148,7 +148,10 @@ void Drive::choose_types() {
 void Drive::on_state(AlState state) {
   if (was_op_ && state != AlState::kOp) leave_op();
   was_op_ = state == AlState::kOp;
-  if (state == AlState::kSafeop) choose_types();
+  if (state == AlState::kSafeop) {
+    choose_types();
+    plain_inputs_ = shows_plain_inputs();
+  }
   if (state == AlState::kOp) {
     integrator_ = 0;
     busy_until_ = 0;
@@ -169,7 +172,11 @@ void Drive::on_state(AlState state) {
   }
 }
 
+/// Nothing that publish_inputs() does not look at, as far as the drive changes it by itself.
+bool Drive::shows_plain_inputs() { return !inputs_map(SyncObject::kOutputs) && !inputs_map(SyncObject::kInputs); }
+
 void Drive::leave_op() {
+  run_servo(now());
   power_.disable();
   axis_.disable();
   if (habits_.sync.counters.end_with_op) {
@@ -181,10 +188,19 @@ void Drive::leave_op() {
 
 void Drive::check_running(Nanoseconds time) {
   run_servo(time);
-  const auto& dc = esc().dc();
   // The signal was there when OP was entered; a unit that was switched off or has lost its time fires no more.
-  const auto cycle = static_cast<Nanoseconds>(dc.settings().cycle0);
-  if (last_sync_ && cycle > 0 && time - *last_sync_ > kMissingSyncs * cycle) drop_to_safeop(al_code::kSyncStopped);
+  if (time >= sync_patience()) drop_to_safeop(al_code::kSyncStopped);
+}
+
+Nanoseconds Drive::sync_patience() const {
+  const auto cycle = static_cast<Nanoseconds>(dc().settings().cycle0);
+  return last_sync_ && cycle > 0 ? *last_sync_ + kMissingSyncs * cycle + 1 : INT64_MAX;
+}
+
+/// What the servo loop does between two SYNC0 is seen at the next one, unless the inputs are latched in between.
+Nanoseconds Drive::runs_alone_until() {
+  if (watched() || !latches_at_sync0() || !last_sync_) return INT64_MIN;
+  return latch_due_ ? *latch_due_ : sync_patience();
 }
 
 // ---- events --------------------------------------------------------------------------------------
@@ -193,7 +209,7 @@ AxisCommand Drive::read_command() {
   const auto& o = objects_;
   AxisCommand command;
   command.mode = axis_mode(o.mode.get());
-  if (habits_.cyclic_modes_need_dc && is_cyclic(command.mode) && !esc().dc().sync0_enabled()) command.mode = AxisMode::kNone;
+  if (habits_.cyclic_modes_need_dc && is_cyclic(command.mode) && !dc().sync0_enabled()) command.mode = AxisMode::kNone;
   command.controlword = o.control.get();
   command.target_position = static_cast<std::int32_t>(o.target.get());
   command.target_velocity = static_cast<std::int32_t>(o.target_velocity.get());
@@ -205,7 +221,7 @@ AxisCommand Drive::read_command() {
 
 /// Time from one target to the next: the SYNC0 cycle, else what the master has written to 0x60C2.
 Nanoseconds Drive::target_distance() {
-  if (synchronised()) return esc().dc().settings().cycle0;
+  if (synchronised()) return dc().settings().cycle0;
   Nanoseconds time = objects_.interpolation_time.get() * kSecond;
   const auto index = static_cast<std::int8_t>(objects_.interpolation_index.get());
   for (int power = std::clamp<int>(index, -9, 0); power < 0; ++power) time /= 10;
@@ -258,7 +274,7 @@ void Drive::on_sync0(Nanoseconds time) {
   if (!habits_.pll) {
     clock_.restart(time);
   } else {
-    const auto cycle = esc().dc().settings().cycle0;
+    const auto cycle = dc().settings().cycle0;
     clock_.follow(time, cycle % habits_.servo_period_ns == 0 ? habits_.servo_period_ns : kCurrentLoop);
   }
   if (state() == AlState::kOp && synchronised()) {
@@ -359,7 +375,10 @@ std::uint16_t Drive::statusword() {
 
 void Drive::publish_inputs() {
   auto& o = objects_;
-  o.status.set(statusword());
+  const Published now{statusword(), o.error_code.get(), o.mode_display.get()};
+  if (!axis_.take_moved() && published_ == now && plain_inputs_ && inputs_stay()) return;
+  published_ = now;
+  o.status.set(now.status);
   o.demand.set(static_cast<std::uint32_t>(axis_.demand_position()));
   o.actual.set(static_cast<std::uint32_t>(axis_.actual_position()));
   o.velocity.set(static_cast<std::uint32_t>(axis_.actual_velocity()));

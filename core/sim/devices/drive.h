@@ -35,6 +35,7 @@ class Drive : public Device {
   std::uint16_t check_sync(AlState to) override;
   bool settling(AlState wanted, Nanoseconds waited) override;
   void check_running(Nanoseconds time) override;
+  Nanoseconds runs_alone_until() override;
   /// A servo period begins.
   virtual void servo_tick(Nanoseconds) {}
   /// Somebody looks at servo_tick(): none may be left out.
@@ -42,8 +43,8 @@ class Drive : public Device {
   [[nodiscard]] const DriveHabits& habits() const { return habits_; }
   [[nodiscard]] const ServoClock& servo_clock() const { return clock_; }
   /// Inputs are those of SYNC0; otherwise those of the last servo period.
-  [[nodiscard]] bool latches_at_sync0() { return inputs_sync_.type() == SyncType::kSync0 && esc().dc().sync0_enabled(); }
-  [[nodiscard]] bool synchronised() { return outputs_sync_.type() == SyncType::kSync0 && esc().dc().sync0_enabled(); }
+  [[nodiscard]] bool latches_at_sync0() { return inputs_sync_.type() == SyncType::kSync0 && dc().sync0_enabled(); }
+  [[nodiscard]] bool synchronised() { return outputs_sync_.type() == SyncType::kSync0 && dc().sync0_enabled(); }
 
  private:
   /// Outputs on their way from the SyncManager into the application.
@@ -58,6 +59,8 @@ class Drive : public Device {
                         bool writable = false);
   void choose_types();
   void leave_op();
+  /// When SYNC0 will have stayed away for too long.
+  [[nodiscard]] Nanoseconds sync_patience() const;
   [[nodiscard]] AxisCommand read_command();
   [[nodiscard]] Nanoseconds target_distance();
   void take_arrived(Nanoseconds time);
@@ -70,6 +73,7 @@ class Drive : public Device {
   void run_ticks(Nanoseconds time);
   void apply(const AxisCommand& command, Nanoseconds time);
   void publish_inputs();
+  [[nodiscard]] bool shows_plain_inputs();
   [[nodiscard]] std::uint16_t statusword();
 
   /// Objects of every cycle.
@@ -80,8 +84,17 @@ class Drive : public Device {
         point, following_error;
   };
 
+  /// What is in the inputs beside the axis.
+  struct Published {
+    std::uint16_t status = 0, error_code = 0;
+    std::uint8_t mode = 0;
+    bool operator==(const Published&) const = default;
+  };
+
   DriveHabits habits_;
   Objects objects_;
+  std::optional<Published> published_;
+  bool plain_inputs_ = false;                 // nothing else
   SyncObject outputs_sync_, inputs_sync_;
   ServoClock clock_;
   PowerState power_;

@@ -55,7 +55,9 @@ std::uint32_t DriveC::configure(std::size_t pin, std::uint16_t function) {
   const auto& functions = family().pins->functions;
   if (std::ranges::find(functions, function, &families::PinFunction::value) == functions.end()) return abort::kRange;
   pins_[pin] = {function, {}};
-  servo_pins_ = std::ranges::any_of(pins_, [](const Pin& p) { return p.function == kServoPeriod; });
+  const auto shows = [this](std::uint16_t wanted) { return std::ranges::find(pins_, wanted, &Pin::function) != pins_.end(); };
+  servo_pins_ = shows(kServoPeriod);
+  see_frames(shows(kFrame));
   return abort::kNone;
 }
 
@@ -79,9 +81,9 @@ void DriveC::on_sync0(Nanoseconds time) {
 
 std::uint16_t DriveC::synchronisation_status() {
   constexpr std::uint16_t kLegal = 0x01, kSynchronised = 0x02, kMultiple = 0x04, kStartMissed = 0x08;
-  const auto& dc = esc().dc();
-  if (!dc.sync0_enabled()) return 0;
-  const auto cycle = dc.settings().cycle0;
+  const auto& unit = dc();
+  if (!unit.sync0_enabled()) return 0;
+  const auto cycle = unit.settings().cycle0;
   const auto& limits = habits().cycle;
   std::uint16_t status = 0;
   if (cycle != 0 && cycle % limits.step == 0 && cycle <= limits.longest) status |= kLegal;
@@ -89,7 +91,7 @@ std::uint16_t DriveC::synchronisation_status() {
     status |= kMultiple;
     if (status == (kLegal | kMultiple) && servo_clock().locked()) status |= kSynchronised;
   }
-  if (dc.start_missed()) status |= kStartMissed;
+  if (unit.start_missed()) status |= kStartMissed;
   return status;
 }
 

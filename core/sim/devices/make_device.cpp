@@ -16,10 +16,14 @@ class Generic final : public Device {
   using Device::Device;
 
  protected:
-  void on_sync0(Nanoseconds) override { inputs_from_dictionary(); }
-  void on_outputs(Nanoseconds) override {
-    if (!esc().dc().sync0_enabled()) inputs_from_dictionary();
+  void on_sync0(Nanoseconds) override {
+    if (!inputs_stay()) inputs_from_dictionary();
   }
+  void on_outputs(Nanoseconds) override {
+    if (!dc().sync0_enabled() && !inputs_stay()) inputs_from_dictionary();
+  }
+  Nanoseconds runs_alone_until() override { return INT64_MAX; }
+  bool rests() override { return inputs_stay(); }
 };
 
 DriveHabits servo_habits() {

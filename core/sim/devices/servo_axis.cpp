@@ -24,7 +24,7 @@ std::int32_t increments(double value) {
 }  // namespace
 
 void ServoAxis::enable(Nanoseconds time) {
-  enabled_ = true;
+  enabled_ = moved_ = true;
   velocity_ = 0;
   demand_ = actual_;
   last_step_ = time;
@@ -45,6 +45,7 @@ void ServoAxis::command(const AxisCommand& command, Nanoseconds time, Nanosecond
   const auto previous = command_;
   command_ = command;
   if (!enabled_) return;
+  moved_ = true;
   if (command.mode != mode_) set_mode(command.mode);
   switch (mode_) {
     case AxisMode::kCyclicPosition: return start_segment(command.target_position, time, cycle);
@@ -141,6 +142,7 @@ double ServoAxis::demand_at(Nanoseconds time, double seconds) {
 
 void ServoAxis::step(Nanoseconds time) {
   if (!enabled_ || time <= last_step_) return;
+  moved_ = true;
   const double seconds = seconds_of(time - last_step_);
   last_step_ = time;
   const double demand = demand_at(time, seconds);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <utility>
 
 #include "support/types.h"
 
@@ -29,7 +30,10 @@ class ServoAxis {
  public:
   /// Power on: holds its position.
   void enable(Nanoseconds time);
-  void disable() { enabled_ = false; }
+  void disable() {
+    moved_ = moved_ || enabled_;
+    enabled_ = false;
+  }
   [[nodiscard]] bool enabled() const { return enabled_; }
 
   /// A new command is valid at `time`; it is meant for `cycle` ns (the distance of targets).
@@ -37,6 +41,8 @@ class ServoAxis {
   /// One servo period has come.
   void step(Nanoseconds time);
 
+  /// True once after something that positions, velocity or target_reached() may have changed by.
+  [[nodiscard]] bool take_moved() { return std::exchange(moved_, false); }
   [[nodiscard]] std::int32_t actual_position() const;
   [[nodiscard]] std::int32_t demand_position() const;
   [[nodiscard]] std::int32_t actual_velocity() const;
@@ -57,7 +63,7 @@ class ServoAxis {
   void take_set_point(const AxisCommand& command);
   void take_point(const AxisCommand& command);
 
-  bool enabled_ = false;
+  bool enabled_ = false, moved_ = true;
   AxisMode mode_ = AxisMode::kNone;
   AxisCommand command_;
   double demand_ = 0, actual_ = 0, velocity_ = 0;

@@ -11,7 +11,7 @@ void SyncBridge::check_running(Nanoseconds time) {
   auto* external = dictionary_.find(kExternalSynchronisation, 0x12);
   if (internal == nullptr || external == nullptr) return;
   const auto theirs = config().external_time ? config().external_time(time) : std::nullopt;
-  internal->value = le_bytes(esc().dc().system_time(time));
+  internal->value = le_bytes(dc().system_time(time));
   external->value = le_bytes(static_cast<std::uint64_t>(theirs.value_or(0)));
   inputs_from_dictionary();
 }
