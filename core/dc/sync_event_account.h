@@ -36,6 +36,19 @@ class SyncEventAccount {
   };
   /// One bus cycle in OP.
   void observe(const Cycle& cycle);
+  /// System time at which the period behind the running one begins, while cycles are regular: each delivers its outputs in
+  /// the period behind the one before, and there is no error to be counted down. Such a cycle changes nothing that can be
+  /// asked for; nothing when they are not.
+  [[nodiscard]] std::optional<Nanoseconds> regular_until() const {
+    if ((frames_lost_ | left_out_ | integrator_ | candidate_) != 0) return std::nullopt;
+    if (!evaluated_ || delivered_ != evaluated_) return std::nullopt;
+    return first_ + (*evaluated_ + 1) * period_;
+  }
+  /// So many regular cycles at once.
+  void pass_regular(std::int64_t cycles) {
+    evaluated_ = *evaluated_ + cycles;
+    delivered_ = evaluated_;
+  }
   /// A reading of the slave's counter of missed events; 16 bits (ETG.1020).
   void read(std::uint32_t counter);
   /// The computed error counter has reached the limit: the slave has left OP, or soon proves that it did not miss so

@@ -205,11 +205,13 @@ class SnapshotBox {
   void publish_surely(const Snapshot& snapshot);
   /// Copies the latest snapshot; false when nothing new came since the last call.
   bool read(Snapshot& out);
+  /// The last one has been read: somebody is waiting for the next. Cyclic thread.
+  [[nodiscard]] bool taken() const { return !fresh_.load(std::memory_order_relaxed); }
 
  private:
   std::mutex mutex_;  // the writer only try_locks
   Snapshot latest_;
-  bool fresh_ = false;
+  std::atomic<bool> fresh_{false};  // written with the mutex held
 };
 
 // ---- events ---------------------------------------------------------------------------------

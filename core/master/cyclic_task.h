@@ -51,6 +51,8 @@ class CyclicTaskRunner final : public CyclePump, private SendStamp {
   [[nodiscard]] Nanoseconds next_cycle() const { return scheduled_; }
   /// No more cycles follow: what has not been told yet.
   void tell_rest();
+  /// The snapshot of the latest cycle, unless it has been: somebody may look before the next.
+  void publish_latest();
 
  private:
   void wait_for_slot();

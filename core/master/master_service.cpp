@@ -28,6 +28,8 @@ struct MasterService::Impl {
   void execute(const ConfigureDcmCommand& command);
   void execute(const ResetDcmStatusCommand&);
   void execute(const CompensateDelaysCommand& command);
+  bool step();
+  void publish_latest();
   void bind_thread(const RealTimeSettings& settings);
   void run_cycle();
   void go_offline();
@@ -159,16 +161,27 @@ bool MasterService::online() const { return impl_->operation != nullptr; }
 
 void MasterService::set_dc_start_time(DcStartTimeCallback callback) { impl_->start_time = std::move(callback); }
 
-bool MasterService::step() {
-  if (auto command = impl_->channels.commands.pop()) {
-    std::visit([this](auto& what) { impl_->execute(what); }, *command);
+bool MasterService::Impl::step() {
+  if (auto command = channels.commands.pop()) {
+    std::visit([this](auto& what) { execute(what); }, *command);
     // Whatever was to be cancelled is over; the next command starts afresh.
-    impl_->channels.cancel = false;
+    channels.cancel = false;
     return true;
   }
-  if (!impl_->operation) return false;
-  impl_->run_cycle();
+  if (!operation) return false;
+  run_cycle();
   return true;
+}
+
+/// On the virtual clock whoever looks does so between the steps that he asks for.
+void MasterService::Impl::publish_latest() {
+  if (operation && clock.is_virtual()) operation->publish_latest();
+}
+
+bool MasterService::step() {
+  const bool done = impl_->step();
+  impl_->publish_latest();
+  return done;
 }
 
 void MasterService::shut_down() noexcept {
@@ -203,8 +216,9 @@ void MasterService::run_for(Nanoseconds duration) {
   auto& clock = impl_->clock;
   const auto end = clock.now() + duration;
   while (clock.now() < end) {
-    if (!step()) clock.sleep_until(end);
+    if (!impl_->step()) clock.sleep_until(end);
   }
+  impl_->publish_latest();
 }
 
 }  // namespace syncline

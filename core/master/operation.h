@@ -32,6 +32,10 @@ class Operation {
   /// One bus cycle; when there is something to do, also the recovery of slaves and the reading of their diagnosis
   /// histories, which take many cycles.
   Status run_cycle();
+  /// For those who look when the caller has got control back.
+  void publish_latest() {
+    if (cyclic()) task_.publish_latest();
+  }
   void clear_statistics();
   Status configure_dcm(const DcmSettings& change);
   void reset_dcm_status() { sync_.clear_statistics(); }

@@ -39,8 +39,8 @@ void SlavesSync::start(const DcNetwork& network, Nanoseconds first_cycle, bool s
   steered_ = steered;
   readings_.assign(config.slaves.size(), {});
   for (auto& reading : readings_) reading.time = first_cycle;
-  lost_.assign(config.slaves.size(), false);
-  returned_.assign(config.slaves.size(), false);
+  lost_.assign(config.slaves.size(), 0);
+  returned_.assign(config.slaves.size(), 0);
   out_since_.reset();
   round_since_.reset();
   auto& dc = run_.snapshot.dc;
@@ -82,11 +82,9 @@ void SlavesSync::take_readings(Nanoseconds time, bool distributed) {
   for (std::size_t i = 0; i < readings_.size(); ++i) {
     auto& slave = snapshot.slaves[i];
     auto& reading = readings_[i];
-    const bool behind = leader >= 0 && static_cast<int>(i) > leader;
-    const bool was_lost = lost_[i];
-    const bool follows = slave.present && slave.dc_enabled && behind && !comes_back(i, time);
-    if (!slave.present) lost_[i] = true;
-    returned_[i] = slave.present && (returned_[i] || (was_lost && !lost_[i]));
+    const bool wanted = slave.dc_enabled && leader >= 0 && static_cast<int>(i) > leader;
+    const bool stays = slave.present && (lost_[i] | returned_[i]) == 0;
+    const bool follows = stays ? wanted : follows_again(i, time) && wanted;
     if (follows != reading.follows) reading = {follows, false, time, 0};
     slave.follows = follows;
     followers_ += follows ? 1 : 0;
@@ -98,26 +96,37 @@ void SlavesSync::take_readings(Nanoseconds time, bool distributed) {
   }
 }
 
+bool SlavesSync::follows_again(std::size_t slave, Nanoseconds time) {
+  const auto& status = run_.snapshot.slaves[slave];
+  const auto leader = run_.snapshot.dc.reference_clock;
+  const bool was_lost = lost_[slave] != 0;
+  const bool behind = leader >= 0 && static_cast<int>(slave) > leader;
+  const bool follows = status.present && status.dc_enabled && behind && !comes_back(slave, time);
+  if (!status.present) lost_[slave] = 1;
+  returned_[slave] = status.present && (returned_[slave] != 0 || (was_lost && lost_[slave] == 0)) ? 1 : 0;
+  return follows;
+}
+
 /// The others stayed in sync, and so no edge of the verdict says that this one is again.
 void SlavesSync::tell_return(std::size_t slave, Nanoseconds time) {
   const auto& reading = readings_[slave];
   const bool within = reading.follows && reading.magnitude() <= verdict_.limit_ns();
-  if (!returned_[slave] || !within || verdict_.state() != dc::SyncVerdict::State::kInSync) return;
-  returned_[slave] = false;
+  if (returned_[slave] == 0 || !within || verdict_.state() != dc::SyncVerdict::State::kInSync) return;
+  returned_[slave] = 0;
   run_.event(EventKind::kDcSlaveSync, time, static_cast<int>(slave), 1, reading.magnitude());
 }
 
 /// A clock that was away is set up anew before it can be asked to follow. It counts again when it has caught up, or
 /// when its slave works with it.
 bool SlavesSync::comes_back(std::size_t slave, Nanoseconds time) {
-  if (!lost_[slave]) return false;
+  if (lost_[slave] == 0) return false;
   const auto& status = run_.snapshot.slaves[slave];
   const auto state = al_state_of(status.al_status);
   const bool works = state == AlState::kSafeop || state == AlState::kOp;
   const bool caught_up = status.deviation_valid && status.deviation_time == time &&
                          std::abs(std::int64_t{status.deviation_ns}) <= verdict_.limit_ns();
-  lost_[slave] = !works && !caught_up;
-  return lost_[slave];
+  lost_[slave] = !works && !caught_up ? 1 : 0;
+  return lost_[slave] != 0;
 }
 
 /// A slave in front of the reference clock gets the master's time, and a reference clock that the master steers has its
@@ -172,7 +181,7 @@ void SlavesSync::tell(dc::SyncVerdict::Edge edge, Nanoseconds time) {
   switch (edge) {
     case dc::SyncVerdict::Edge::kInSync:
       if (out_since_) tell_culprit(*out_since_ + kCulpritPatience);
-      returned_.assign(returned_.size(), false);
+      returned_.assign(returned_.size(), 0);
       run_.event(EventKind::kDcSlaveSync, time, -1, 1, evidence.worst >= 0 ? evidence.worst_ns : ored_ns_);
       return;
     case dc::SyncVerdict::Edge::kUnknown:

@@ -29,6 +29,8 @@ class SlavesSync {
 
  private:
   void take_readings(Nanoseconds time, bool distributed);
+  /// Whether a slave behind the reference clock follows, with what became of it while it was away.
+  [[nodiscard]] bool follows_again(std::size_t slave, Nanoseconds time);
   void tell_return(std::size_t slave, Nanoseconds time);
   [[nodiscard]] bool comes_back(std::size_t slave, Nanoseconds time);
   [[nodiscard]] dc::OredReading meaning(const OredDeviation& ored) const;
@@ -41,8 +43,9 @@ class SlavesSync {
   RunState& run_;
   dc::SyncVerdict verdict_;
   std::vector<dc::ClockReading> readings_;
-  std::vector<bool> lost_;      // were away and have not caught up
-  std::vector<bool> returned_;  // have, and it is not told yet that they are in sync
+  // Bytes, because all of them are asked in each cycle:
+  std::vector<std::uint8_t> lost_;      // 1: were away and have not caught up
+  std::vector<std::uint8_t> returned_;  // 1: have, and it is not told yet that they are in sync
   std::size_t followers_ = 0;
   bool steered_ = false;
   std::uint32_t ored_ns_ = 0;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "master/sync_event_watch.h"
 
+#include <utility>
+
 #include "protocol/dc_registers.h"
 
 namespace syncline {
@@ -31,7 +33,10 @@ SyncEventWatch::SyncEventWatch(RunState& run, const SyncWatch& sync)
 }
 
 SyncEventWatch::Slave* SyncEventWatch::find(std::size_t position) {
-  return position < place_.size() && place_[position] != kNone ? &slaves_[place_[position]] : nullptr;
+  if (position >= place_.size() || place_[position] == kNone) return nullptr;
+  auto& slave = slaves_[place_[position]];
+  settle(slave);
+  return &slave;
 }
 
 void SyncEventWatch::end_settling(Slave& slave, Nanoseconds time) {
@@ -64,19 +69,38 @@ void SyncEventWatch::observe(CycleSample& sample, bool outputs_back) {
   if (!sync_.active()) return;
   const bool known = (sample.flags & CycleSample::kReferenceValid) != 0;
   const auto passed = known ? sample.reference_time : sync_.reference_time_at(sample.send_time);
+  const bool regular = outputs_back && sample.skipped_cycles == 0;
   for (auto& slave : slaves_) {
+    const auto delay = static_cast<Nanoseconds>(run_.snapshot.slaves[slave.position].propagation_delay_ns);
+    if (regular && slave.next && observe_regular(slave, passed + delay)) continue;
+    settle(slave);
     follow_state(slave, sample.send_time);
     if (!slave.in_op_since) continue;
     end_settling(slave, sample.send_time);
-    const auto delay = static_cast<Nanoseconds>(run_.snapshot.slaves[slave.position].propagation_delay_ns);
     slave.account->observe({passed + delay, outputs_back, sample.skipped_cycles});
     confirm(slave, sample.send_time);
-    if (!slave.before) publish(slave);
+    if (slave.before) continue;
+    publish(slave);
+    if (!slave.at_limit_since) slave.next = slave.account->regular_until();
   }
   if (sample.sm2_position < 0) tell(sample);
 }
 
+bool SyncEventWatch::observe_regular(Slave& slave, Nanoseconds time) const {
+  const auto since = time - *slave.next;
+  if (since < 0 || since >= slave.period || !in_op(run_.snapshot.slaves[slave.position])) return false;
+  *slave.next += slave.period;
+  ++slave.regular;
+  return true;
+}
+
+void SyncEventWatch::settle(Slave& slave) {
+  if (slave.regular > 0) slave.account->pass_regular(std::exchange(slave.regular, 0));
+  slave.next.reset();
+}
+
 void SyncEventWatch::tell(CycleSample& sample) {
+  if (!news_) return;
   for (auto& slave : slaves_) {
     const auto& status = run_.snapshot.slaves[slave.position].sm2_missed;
     if (!status.known || status.missed == slave.told) continue;
@@ -86,6 +110,7 @@ void SyncEventWatch::tell(CycleSample& sample) {
     sample.slave_sm2_integrator = status.integrator;
     return;
   }
+  news_ = false;
 }
 
 void SyncEventWatch::confirm(Slave& slave, Nanoseconds time) {
@@ -116,6 +141,7 @@ void SyncEventWatch::set_limit(std::size_t position, std::uint32_t limit) {
 void SyncEventWatch::publish(const Slave& slave) {
   auto& status = run_.snapshot.slaves[slave.position].sm2_missed;
   const auto& account = *slave.account;
+  news_ = news_ || !status.known || status.missed != account.missed();
   status.known = true;
   status.missed = account.missed();
   status.computed = account.computed();

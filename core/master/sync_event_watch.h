@@ -33,10 +33,17 @@ class SyncEventWatch {
     std::optional<dc::SyncEventAccount> before;  // while it settles: what counts when it stays in OP
     std::uint32_t limit = 0, told = 0;
     std::optional<Nanoseconds> in_op_since, at_limit_since;
+    // While all of its cycles are regular they are counted only, and the account gets them when it is asked:
+    std::optional<Nanoseconds> next{};           // begin of the period in which the next outputs are to come
+    std::int64_t regular = 0;
   };
   [[nodiscard]] Slave* find(std::size_t position);
   void follow_state(Slave& slave, Nanoseconds time);
   static void confirm(Slave& slave, Nanoseconds time);
+  /// The outputs came at `time`: when they should, after all others did.
+  [[nodiscard]] bool observe_regular(Slave& slave, Nanoseconds time) const;
+  /// From here on it is the account that counts.
+  static void settle(Slave& slave);
   void publish(const Slave& slave);
   void tell(CycleSample& sample);
   /// It found into OP: what it counted on the way there is forgotten.
@@ -45,6 +52,7 @@ class SyncEventWatch {
   RunState& run_;
   const SyncWatch& sync_;
   std::vector<Slave> slaves_;
+  bool news_ = false;               // a count has changed that may not have been told
   std::vector<std::size_t> place_;  // in slaves_, by position; npos: it has no SYNC0
 };
 

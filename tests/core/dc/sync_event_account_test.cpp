@@ -5,6 +5,8 @@
 #include <rapidcheck.h>
 
 #include <numeric>
+#include <optional>
+#include <utility>
 
 namespace syncline::dc {
 namespace {
@@ -204,6 +206,44 @@ TEST(SyncEventAccount, FollowsADriveThroughAnyDisturbance) {
     RC_ASSERT(fallen || missed == told);
     RC_ASSERT(fallen || bench.account.integrator_highest() < 9U);
     RC_ASSERT(!fallen || bench.account.integrator_highest() >= 9U);
+  }));
+}
+
+TEST(SyncEventAccount, CountingRegularCyclesAtOnceIsObservingEach) {
+  EXPECT_TRUE(rc::check([] {
+    SyncEventAccount each{kCycle, kFirst}, at_once{kCycle, kFirst};
+    for (auto* account : {&each, &at_once}) account->set_limit(9);
+    Nanoseconds time = 0;
+    std::optional<Nanoseconds> next;
+    std::int64_t regular = 0;
+    const auto settle = [&] { at_once.pass_regular(std::exchange(regular, 0)); };
+    for (int i = *rc::gen::inRange(5, 80); i > 0; --i) {
+      const bool usual = *rc::gen::inRange(0, 6) != 0;
+      time += usual ? kCycle : *rc::gen::inRange<Nanoseconds>(kCycle / 10, 3 * kCycle);
+      const SyncEventAccount::Cycle cycle{time, usual || *rc::gen::inRange(0, 2) != 0, usual ? 0U : *rc::gen::inRange(0U, 2U)};
+      each.observe(cycle);
+      each.confirm_op();
+      const bool quiet = cycle.delivered && cycle.left_out == 0 && next && cycle.time >= *next && cycle.time < *next + kCycle;
+      if (quiet) {
+        *next += kCycle;
+        ++regular;
+      } else {
+        if (regular > 0) settle();
+        at_once.observe(cycle);
+        at_once.confirm_op();
+        next = at_once.regular_until();
+      }
+      if (*rc::gen::inRange(0, 10) == 0) {
+        if (regular > 0) settle();
+        next.reset();
+        const auto counter = *rc::gen::inRange(0U, 5U);
+        for (auto* account : {&each, &at_once}) account->read(counter);
+      }
+      RC_ASSERT(at_once.missed() == each.missed());
+      RC_ASSERT(at_once.by_cause() == each.by_cause());
+      RC_ASSERT(at_once.integrator() == each.integrator());
+      RC_ASSERT(at_once.integrator_highest() == each.integrator_highest());
+    }
   }));
 }
 
