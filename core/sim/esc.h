@@ -144,6 +144,7 @@ class Esc {
   /// The first byte of a buffer is read: the newest one, whatever became of the transfer before.
   void open_buffer(std::uint32_t address, std::size_t length);
   void show_pending(unsigned number);
+  void show_written_buffer(unsigned number);
   void read_latches(std::uint16_t address, std::size_t length);
   void follow_latch_events();
   void sync_fired(SyncGenerator::Signal signal, Nanoseconds time);
@@ -202,6 +203,11 @@ class Esc {
   std::uint32_t sm_begun_ = 0;
   std::vector<std::vector<std::uint8_t>> pending_;  // of each SyncManager, not yet shown; empty: nothing
   bool any_pending_ = false;
+  /// Of a buffered SyncManager, 0 to 2: the one written last (3: none), the one that the other side reads.
+  struct Buffers {
+    std::uint8_t written = 3, read = 3;
+  };
+  std::vector<Buffers> buffers_;
 };
 
 }  // namespace syncline::sim

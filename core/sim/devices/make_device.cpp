@@ -16,10 +16,26 @@ class Generic final : public Device {
   using Device::Device;
 
  protected:
-  void on_sync0(Nanoseconds) override { inputs_from_dictionary(); }
-  void on_outputs(Nanoseconds) override {
-    if (!esc().dc().sync0_enabled()) inputs_from_dictionary();
+  void on_sync0(Nanoseconds time) override { cycle(time); }
+  void on_outputs(Nanoseconds time) override {
+    if (!esc().dc().sync0_enabled()) cycle(time);
   }
+  void check_running(Nanoseconds time) override {
+    if (!busy_until_ || time < *busy_until_) return;
+    busy_until_.reset();
+    inputs_from_dictionary();
+  }
+
+ private:
+  /// Takes next to no time, unless it is slow; what comes meanwhile is passed over.
+  void cycle(Nanoseconds time) {
+    check_running(time);
+    if (busy_until_) return;
+    if (application_delay() == 0) return inputs_from_dictionary();
+    busy_until_ = time + application_delay();
+  }
+
+  std::optional<Nanoseconds> busy_until_;
 };
 
 DriveHabits servo_habits() {
