@@ -543,6 +543,22 @@
             <translation>Port %1: Link %2 Mal verloren, %3 beschädigte Frames</translation>
         </message>
         <message>
+            <source>The bring-up begins again from INIT: the network adapter was away in the middle of it</source>
+            <translation>Der Hochlauf beginnt noch einmal bei INIT: die Netzwerkkarte war mittendrin weg</translation>
+        </message>
+        <message>
+            <source>The firmware is fast enough again</source>
+            <translation>Die Firmware ist wieder schnell genug</translation>
+        </message>
+        <message>
+            <source>The firmware is slow: %1 cycles took longer than the cycle time</source>
+            <translation>Die Firmware ist langsam: %1 Zyklen dauerten länger als die Zykluszeit</translation>
+        </message>
+        <message>
+            <source>The firmware is slow: no new inputs in %1 of %2 cycles</source>
+            <translation>Die Firmware ist langsam: keine neuen Eingänge in %1 von %2 Zyklen</translation>
+        </message>
+        <message>
             <source>Network adapter %1 is up again after %2</source>
             <translation>Netzwerkkarte %1 ist nach %2 wieder da</translation>
         </message>
@@ -569,8 +585,8 @@
             </translation>
         </message>
         <message>
-            <source>Connected by port %1 instead of A: its delay is right here, but other masters take it wrong without a word</source>
-            <translation>Über Port %1 statt A angeschlossen: Die Laufzeit stimmt hier, andere Master messen sie wortlos falsch</translation>
+            <source>Connected by port %1 instead of A: swap its cables IN and OUT. Its delay is right here, but other masters take it wrong without a word</source>
+            <translation>Über Port %1 statt A angeschlossen: die Kabel IN und OUT tauschen. Die Laufzeit stimmt hier, andere Master messen sie wortlos falsch</translation>
         </message>
         <message>
             <source>Port %1 has a link and no slave behind it: a closed ring or another master</source>
@@ -3051,6 +3067,14 @@ Einstellung %2</translation>
         <message>
             <source>Its outputs and inputs stood still meanwhile. Look for what stops it: an interrupt storm, a debugger, a crash.</source>
             <translation>Ausgänge und Eingänge standen währenddessen still. Suchen, was sie anhält: ein Interrupt-Sturm, ein Debugger, ein Absturz.</translation>
+        </message>
+        <message>
+            <source>{slave} does not renew its inputs in every cycle, as it did before: from {since} on, {count} (0x0805 + 8 n of its input SyncManager names the same buffer again).</source>
+            <translation>{slave} erneuert seine Eingänge nicht mehr in jedem Zyklus wie zuvor: ab {since}, {count} (0x0805 + 8 n seines Eingangs-SyncManagers nennt wieder denselben Puffer).</translation>
+        </message>
+        <message>
+            <source>Its firmware takes longer than the cycle: look for what else it has to do, give it a longer cycle, or fewer objects.</source>
+            <translation>Seine Firmware braucht länger als den Zyklus: nach dem suchen, was sie sonst zu tun hat, einen längeren Zyklus geben oder weniger Objekte.</translation>
         </message>
         <message>
             <source>{slave} needed longer than its cycle {count} ({object} cycle exceeded), last at {last}.</source>

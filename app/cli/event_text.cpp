@@ -61,11 +61,20 @@ std::string_view kind_name(EventKind kind) {
     case EventKind::kPortErrors: return "port_errors";
     case EventKind::kWatchdog: return "watchdog";
     case EventKind::kLink: return "link";
+    case EventKind::kFirmwareSlow: return "firmware_slow";
     default: return "other";
   }
 }
 
 char port_letter(std::int64_t port) { return static_cast<char>('A' + (port & 3)); }
+
+std::string firmware_slow(const Event& e) {
+  if (e.c == 0 && e.a == 0) return fmt::format("{}: its cycles are short enough again", who(e.slave));
+  if (e.c == 0) return fmt::format("{}: {} of its cycles took longer than the cycle time: its firmware is slow", who(e.slave), e.b);
+  if (e.a == 0) return fmt::format("{}: it renews its inputs in every cycle again", who(e.slave));
+  return fmt::format("{}: no new inputs in {} of {} cycles, where each brought some before: its firmware is slow", who(e.slave), e.b,
+                     e.c);
+}
 
 std::string_view recovery_text(std::int64_t stage) {
   switch (stage) {
@@ -193,7 +202,9 @@ std::string words(const Event& e) {
     case EventKind::kWatchdog:
       return e.a == 0 ? fmt::format("{}: process data watchdog expired ({} times)", who(e.slave), e.b)
                       : fmt::format("{}: PDI watchdog expired ({} times): its firmware is silent", who(e.slave), e.b);
+    case EventKind::kFirmwareSlow: return firmware_slow(e);
     case EventKind::kLink:
+      if (e.a == 2) return "the bring-up begins again from INIT: the network adapter was away in the middle of it";
       return e.a == 0 ? fmt::format("network adapter {} is DOWN, gone or without carrier: waiting for it", e.text)
                       : fmt::format("network adapter {} is up again after {} ms", e.text, e.b / kMillisecond);
     case EventKind::kRestarted: return e.text;

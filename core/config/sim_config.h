@@ -52,7 +52,7 @@ struct SimSlaveConfig {
   std::uint32_t serial_no = 0;
   std::uint16_t device_id = 0;           // explicit device identification: what its switches say
   std::uint32_t foe_password = 0;        // 0: none needed
-  std::optional<std::uint16_t> parent;   // position; empty on the first slave
+  std::optional<std::uint16_t> parent;   // position; empty at the one that is wired to the master
   std::uint8_t parent_port = 1;          // port of the parent
   std::uint8_t entry_port = 0;           // own port at which the cable to the parent is
   double cable_m = 1.0;                  // to the parent

@@ -9,6 +9,7 @@ namespace syncline::dc {
 namespace {
 
 constexpr std::int64_t kMaxHopNs = 1'000'000;
+constexpr std::int64_t kMaxRoundTripNs = 100'000'000;  // of the longest segment, generously
 
 /// Difference of two 32-bit stamps that are less than 2.1 s apart, whatever wrap lies between.
 std::int64_t difference(std::uint32_t a, std::uint32_t b) { return static_cast<std::int32_t>(a - b); }
@@ -56,10 +57,10 @@ std::vector<unsigned> ports_in_frame_order(const DelayNode& node, unsigned entry
 class Measurement {
  public:
   Measurement(std::span<const DelayNode> nodes, const DelayOptions& options) : nodes_(nodes), options_(options) {
-    result_.delay_ns.resize(nodes.size());
+    arrival_.resize(nodes.size());
     result_.entry_port.resize(nodes.size());
     for (std::size_t i = 0; i < nodes.size(); ++i) {
-      if (has_times(i)) result_.entry_port[i] = static_cast<std::uint8_t>(entry_port(nodes[i]));
+      result_.entry_port[i] = has_times(i) ? static_cast<std::uint8_t>(entry_port(nodes[i])) : nodes[i].entry_port & 3U;
       if (result_.entry_port[i] != 0) report(i, DelayWarning::kReversedCable, result_.entry_port[i]);
       ports_.push_back(ports_in_frame_order(nodes[i], result_.entry_port[i]));
     }
@@ -70,16 +71,46 @@ class Measurement {
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
       if (!has_times(i)) continue;
       if (!have_root) {
-        result_.delay_ns[i] = 0;
+        arrival_[i] = 0;
         have_root = true;
       } else {
         measure(i);
       }
     }
+    take_delays();
     return std::move(result_);
   }
 
  private:
+  /// From the arrivals at the entries to those at the processing units.
+  void take_delays() {
+    std::optional<std::int64_t> least;
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      if (!arrival_[i]) continue;
+      *arrival_[i] += to_processing_unit(i);
+      least = std::min(least.value_or(*arrival_[i]), *arrival_[i]);
+    }
+    for (const auto& arrival : arrival_) {
+      result_.delay_ns.emplace_back();
+      if (arrival) result_.delay_ns.back() = static_cast<std::uint32_t>(*arrival - *least);
+    }
+  }
+
+  /// How long a frame takes from a slave's entry to its processing unit. With port 0 open that is when it comes back there;
+  /// without, only 0x0918 can say.
+  [[nodiscard]] std::int64_t to_processing_unit(std::size_t i) const {
+    const auto& node = nodes_[i];
+    const unsigned entry = ports_[i].front();
+    if (entry == 0) return 0;
+    std::int64_t way = 0;
+    if (node.active[0]) {
+      way = span(i, 0, entry);
+    } else if (node.processing_time) {
+      way = difference(*node.processing_time, node.receive_time[entry]);
+    }
+    return way > 0 && way <= kMaxRoundTripNs ? way : 0;
+  }
+
   [[nodiscard]] bool has_times(std::size_t i) const { return nodes_[i].kind != DcKind::kNone; }
   void report(std::size_t i, DelayWarning warning, std::int64_t value) {
     result_.findings.push_back({static_cast<std::uint16_t>(i), warning, value});
@@ -99,14 +130,14 @@ class Measurement {
 
   void measure(std::size_t i) {
     std::size_t branch = i;  // child of the DC ancestor on the way to i
-    std::int64_t between = 0;
+    std::int64_t between = 0;  // slaves without times that process on the way out, less those that do on the way back
     auto ancestor = nodes_[i].parent;
     while (ancestor && !has_times(*ancestor)) {
-      ++between;
+      between += result_.entry_port[*ancestor] == 0 ? 1 : -1;
       branch = *ancestor;
       ancestor = nodes_[*ancestor].parent;
     }
-    if (!ancestor || !result_.delay_ns[*ancestor]) return;  // nothing upstream has measured anything
+    if (!ancestor || !arrival_[*ancestor]) return;  // nothing upstream has measured anything
 
     const std::size_t a = *ancestor;
     const auto& ports = ports_[a];
@@ -130,14 +161,15 @@ class Measurement {
     } else if (hop > kMaxHopNs) {
       report(i, DelayWarning::kImplausibleHop, hop);
     }
-    const auto delay = static_cast<std::int64_t>(*result_.delay_ns[a]) + before + hop;
-    if (delay <= static_cast<std::int64_t>(*result_.delay_ns[a])) report(i, DelayWarning::kNotIncreasing, delay);
-    result_.delay_ns[i] = static_cast<std::uint32_t>(std::max<std::int64_t>(delay, 0));
+    const auto delay = *arrival_[a] + before + hop;
+    if (delay <= *arrival_[a]) report(i, DelayWarning::kNotIncreasing, delay);
+    arrival_[i] = std::max<std::int64_t>(delay, 0);
   }
 
   std::span<const DelayNode> nodes_;
   DelayOptions options_;
   std::vector<std::vector<unsigned>> ports_;
+  std::vector<std::optional<std::int64_t>> arrival_;  // at the entry, from the first slave's
   DelayResult result_;
 };
 

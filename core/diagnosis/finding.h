@@ -47,6 +47,7 @@ enum class FindingCode : std::uint8_t {
   // firmware
   kFirmwareHung,
   kFirmwareSlow,
+  kInputsLate,
   kGatewayCycleExceeded,
   kMailboxSilent,
   kOutputsWatchdog,

@@ -154,6 +154,11 @@ constexpr std::array<Row, kFindingCodes> kRows{{
      "firmware-slow",
      {"{slave} needed longer than its cycle {count} ({object} cycle exceeded), last at {last}.",
       "Give it a longer cycle, or fewer objects and functions in each."}},
+    {Code::kInputsLate,
+     "inputs-late",
+     {"{slave} does not renew its inputs in every cycle, as it did before: from {since} on, {count} (0x0805 + 8 n of its input "
+      "SyncManager names the same buffer again).",
+      "Its firmware takes longer than the cycle: look for what else it has to do, give it a longer cycle, or fewer objects."}},
     {Code::kGatewayCycleExceeded,
      "gateway-cycle-exceeded",
      {"{slave} skipped {count} cycles because the one before was not over ({object} cycle exceeded): its fieldbus "

@@ -9,8 +9,6 @@ namespace {
 /// With bus cycles: no answer for so long, and for so many cycles, is no burst of lost frames any more.
 constexpr Nanoseconds kPatience = 100 * kMillisecond;
 constexpr int kTries = 5;
-/// An adapter that is away for longer is no adapter that somebody plugs in again.
-constexpr Nanoseconds kLinkPatience = 5 * kSecond;
 constexpr Nanoseconds kLinkPause = 20 * kMillisecond;
 
 }  // namespace
@@ -31,8 +29,16 @@ Status Bus::transact(std::span<Datagram> datagrams) {
   if (pump_ != nullptr) return ride_with_cycles(datagrams);
   const auto check = [this] { return check_cancel(); };
   auto status = window_.exchange(datagrams, check);
+  note_link(status);
   if (status || status.error().code != ErrorCode::kLinkDown) return status;
-  return await_link(datagrams, std::move(status));
+  status = await_link(datagrams, std::move(status));
+  note_link(status);
+  return status;
+}
+
+void Bus::note_link(const Status& status) const {
+  const bool down = !status && status.error().code == ErrorCode::kLinkDown;
+  if (link_observer_ && (status || down)) link_observer_(!down);
 }
 
 /// The adapter is away, perhaps for a moment: what it has not carried goes out when it is back.

@@ -38,6 +38,10 @@ class Bus {
   [[nodiscard]] bool cancellable() const { return cancellable_; }
   /// A second reason to end what is under way with kCancelled, as long as it may be cancelled.
   void set_interrupt(std::function<bool()> interrupt) { interrupt_ = std::move(interrupt); }
+  /// Told when the adapter is away and when it has carried something, as long as there are no cycles.
+  void set_link_observer(std::function<void(bool up)> observer) { link_observer_ = std::move(observer); }
+  /// Without cycles an adapter that is away is waited for so long: longer, and it is no adapter that somebody plugs in again.
+  static constexpr Nanoseconds kLinkPatience = 5 * kSecond;
   /// kCancelled when the user wants an end; for loops that do not wait through this class.
   [[nodiscard]] Status check_cancel() const;
   [[nodiscard]] Clock& clock() { return clock_; }
@@ -76,6 +80,7 @@ class Bus {
 
  private:
   Status ride_with_cycles(std::span<Datagram> datagrams);
+  void note_link(const Status& status) const;
   Status await_link(std::span<Datagram> datagrams, Status status);
 
   FrameExchange& exchange_;
@@ -84,6 +89,7 @@ class Bus {
   CyclePump* pump_ = nullptr;
   bool cancellable_ = true;
   std::function<bool()> interrupt_;
+  std::function<void(bool)> link_observer_;
   std::vector<Datagram*> open_;
   AcyclicWindow window_;
 };

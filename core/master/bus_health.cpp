@@ -16,7 +16,8 @@ void BusHealth::observe_wkc(std::uint16_t expected, std::uint16_t received, Nano
   sample.wkc_received = received;
   // A lost frame is told as such, not a second time as a counter of zero.
   if (!judging_ || (sample.flags & CycleSample::kFrameLost) != 0) return;
-  if (expected == received || (joining_ && received > expected)) {
+  // Who comes back counts before anybody has looked at him.
+  if (expected == received || (received > expected && (joining_ || run_.somebody_absent()))) {
     const auto count = std::exchange(wkc_spell_, 0);
     if (count > 1) {
       run_.event(EventKind::kWkcError, time, -1, last_expected_, last_wrong_, static_cast<std::int64_t>(count));

@@ -191,13 +191,13 @@ class Scanner {
 
   /// Times that were not latched just now may be from different frames, or from none.
   static bool plausible(const DlStatus& status, const std::array<std::uint32_t, kPortCount>& times) {
-    std::optional<std::uint32_t> first;
+    std::optional<unsigned> first;
     for (unsigned port = 0; port < kPortCount; ++port) {
       if (!status.active(port)) continue;
-      if (!first) first = times[port];
-      const auto ahead = times[port] - *first, behind = *first - times[port];
+      if (!first) first = port;
+      const auto ahead = times[port] - times[*first], behind = times[*first] - times[port];
       if (std::min(ahead, behind) > kOneRoundTrip) return false;
-      if (port != 0 && times[port] == *first) return false;  // never latched
+      if (port != *first && times[port] == times[*first]) return false;  // never latched
     }
     return true;
   }

@@ -256,7 +256,10 @@ enum class EventKind : std::uint8_t {
   kPortErrors,          // slave, a = port, b = frames damaged on their way into it, c = links lost, since it was read last
   kWatchdog,            // slave, a = 0 process data, 1 PDI (its firmware is silent); b = how often since it was read last
   kDelaysMeasured,      // while the bus runs: a = slaves whose delay is being corrected, b = largest change in ns
-  kLink,                // the master's own adapter, text = link: a = 0 down or gone, 1 up again, b = for how long it was away, ns
+  kLink,                // the master's own adapter, text = link: a = 0 down or gone, 1 up again, b = for how long it was away, ns;
+                        // 2 what it ended of a bring-up begins again
+  kFirmwareSlow,        // slave, a = 1 begun, 0 over; b of c cycles in which it had renewed no inputs, as it did in every
+                        // cycle before; c = 0: b cycles that took longer than the cycle time, by its own counter
 };
 
 struct Event {

@@ -105,6 +105,7 @@ dc::DelayResult segment_delays(std::span<const dc::DelayNode> nodes, std::span<c
       node.active[port] = false;
       unexplained.push_back({position, dc::DelayWarning::kUnexplainedPort, static_cast<std::int64_t>(port)});
     }
+    node.entry_port = wiring[position].entry_port;
     if (const auto& previous = wiring[position].previous) {
       node.parent = place[previous->position];
       node.parent_port = previous->port;

@@ -35,7 +35,7 @@ Result<Nanoseconds> ClockSteps::initialise(SlaveList present) {
 std::uint32_t ClockSteps::estimated_delay(std::size_t slave) const {
   constexpr std::uint32_t kUsualHop = 500;  // ns: an ESC with copper ports and some metres of cable
   const auto& previous = run_.config().slaves[slave].previous;
-  if (!previous || previous->position >= slave) return 0;
+  if (!previous || previous->position >= run_.snapshot.slaves.size()) return 0;
   return run_.snapshot.slaves[previous->position].propagation_delay_ns + kUsualHop;
 }
 

@@ -35,6 +35,7 @@ CyclicTaskRunner::CyclicTaskRunner(FrameExchange& exchange, Clock& clock, RunSta
       sync_events_(run, sync),
       sm2_(run, mailbox_, sync_events_),
       evidence_(run),
+      inputs_(run),
       health_(run),
       reference_(run, sync, frames_),
       feed_(run.config().cycle_time()),
@@ -82,19 +83,8 @@ Status CyclicTaskRunner::run_cycle(std::span<Datagram* const> acyclic) {
 
 /// An adapter that is away is waited for, as slaves are that do not answer.
 Status CyclicTaskRunner::note_link(Status status) {
-  auto& up = run_.snapshot.link_up;
   const bool down = !status && status.error().code == ErrorCode::kLinkDown;
-  if (down && up) link_down_since_ = clock_.now();
-  if (down == up) {
-    Event event;
-    event.kind = EventKind::kLink;
-    event.time = clock_.now();
-    event.a = down ? 0 : 1;
-    event.b = down ? 0 : event.time - link_down_since_;
-    event.text = exchange_.link().describe().name;
-    run_.channels().events.push(std::move(event));
-    up = !down;
-  }
+  run_.note_link(!down, clock_.now(), exchange_.link());
   return down ? Status{} : status;
 }
 
@@ -167,6 +157,7 @@ void CyclicTaskRunner::fill_acyclic(std::span<Datagram* const> requests, Nanosec
   }
   // Whoever waits for an answer goes first.
   evidence_.add_to(acyclic_.front());
+  inputs_.add_to(acyclic_.front());
 }
 
 /// A bus with many slaves has many requests, and how many frames a cycle can carry depends on the host,
@@ -308,7 +299,9 @@ void CyclicTaskRunner::evaluate(CycleSample& sample) {
   adjust_ = sync_.observe_cycle(observation(reading), sample);
   reference_.watch(send_time_);
   evidence_.take(send_time_);
-  sync_events_.observe(sample, std::ranges::all_of(frames_.frames(), &PendingFrame::answered));
+  const bool all_back = std::ranges::all_of(frames_.frames(), &PendingFrame::answered);
+  inputs_.take(send_time_, all_back && sample.skipped_cycles == 0);
+  sync_events_.observe(sample, all_back);
   const auto deviation = reading.deviation_ored ? reading.deviation_ored : all;
   sync_.observe_slaves(send_time_, deviation, sample);
 }

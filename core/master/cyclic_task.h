@@ -13,6 +13,7 @@
 #include "master/cyclic_frame_set.h"
 #include "master/cyclic_mailbox.h"
 #include "master/evidence_reader.h"
+#include "master/input_watch.h"
 #include "master/mailbox_bits.h"
 #include "master/mailbox_watch.h"
 #include "master/reference_clock.h"
@@ -90,6 +91,7 @@ class CyclicTaskRunner final : public CyclePump, private SendStamp {
   SyncEventWatch sync_events_;
   Sm2Reader sm2_;
   EvidenceReader evidence_;
+  InputWatch inputs_;
   BusHealth health_;
   ReferenceClock reference_;
   ClockFeed feed_;
@@ -110,7 +112,6 @@ class CyclicTaskRunner final : public CyclePump, private SendStamp {
   Nanoseconds travel_ = 0;         // a frame's way through the segment and back, without its length
   std::optional<Nanoseconds> first_stamp_;  // of that frame, from before it was sent
   Nanoseconds amendment_stamp_ = 0;
-  Nanoseconds link_down_since_ = 0;
   bool steering_ = false;
   Nanoseconds last_published_ = 0;
   Nanoseconds adjust_ = 0;

@@ -21,6 +21,10 @@ DelayLatch::DelayLatch(std::span<const SlaveAddress> slaves, std::vector<dc::Del
   trigger_ = {Command::kBwr, device_address(0, reg::kReceiveTimePort0), zeros_};
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     for (auto& port : slaves_[i].differences) port.resize(most_rounds_);
+    slaves_[i].processing.resize(most_rounds_);
+    const auto& active = nodes_[i].active;
+    const auto base = std::ranges::find(active, true) - active.begin();
+    slaves_[i].base = static_cast<std::size_t>(base) % active.size();
     if (nodes_[i].kind == dc::DcKind::kNone) continue;
     reads_.push_back(slaves[i].read(reg::kReceiveTimePort0, slaves_[i].ports));
     port_read_of_.push_back(i);
@@ -51,9 +55,11 @@ bool DelayLatch::take() {
   }
   if (rounds_ == most_rounds_) return true;
   for (auto& slave : slaves_) {
+    const auto base = port_time(slave.ports, slave.base);
     for (std::size_t port = 0; port < 4; ++port) {
-      slave.differences[port][rounds_] = static_cast<std::int32_t>(port_time(slave.ports, port) - port_time(slave.ports, 0));
+      slave.differences[port][rounds_] = static_cast<std::int32_t>(port_time(slave.ports, port) - base);
     }
+    slave.processing[rounds_] = static_cast<std::int32_t>(load_le<std::uint32_t>(slave.processing_unit) - base);
   }
   ++rounds_;
   return true;
@@ -61,12 +67,15 @@ bool DelayLatch::take() {
 
 const std::vector<dc::DelayNode>& DelayLatch::nodes() {
   for (std::size_t i = 0; i < nodes_.size() && rounds_ > 0; ++i) {
-    for (std::size_t port = 0; port < 4; ++port) {
-      auto& differences = slaves_[i].differences[port];
+    auto& slave = slaves_[i];
+    const auto base = port_time(slave.ports, slave.base);
+    const auto time = [&](std::vector<std::int32_t>& differences) {
       const auto middle = differences.begin() + static_cast<std::ptrdiff_t>(rounds_ / 2);
       std::nth_element(differences.begin(), middle, differences.begin() + static_cast<std::ptrdiff_t>(rounds_));
-      nodes_[i].receive_time[port] = port_time(slaves_[i].ports, 0) + static_cast<std::uint32_t>(*middle);
-    }
+      return base + static_cast<std::uint32_t>(*middle);
+    };
+    for (std::size_t port = 0; port < 4; ++port) nodes_[i].receive_time[port] = time(slave.differences[port]);
+    if (nodes_[i].kind == dc::DcKind::kFull) nodes_[i].processing_time = time(slave.processing);
   }
   return nodes_;
 }

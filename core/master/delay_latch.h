@@ -42,7 +42,9 @@ class DelayLatch {
   struct Slave {
     std::array<std::uint8_t, 16> ports{};
     std::array<std::uint8_t, 8> processing_unit{};
-    std::array<std::vector<std::int32_t>, 4> differences;  // to port 0, one a round
+    std::size_t base = 0;  // the first port that frames pass
+    std::array<std::vector<std::int32_t>, 4> differences;  // to the base port, one a round
+    std::vector<std::int32_t> processing;                  // the same of the processing unit
   };
 
   std::vector<dc::DelayNode> nodes_;

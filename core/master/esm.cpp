@@ -57,12 +57,23 @@ Status Esm::reset() {
   }
   for (std::size_t i = 0; i < expected; ++i) {
     auto& slave = run_.snapshot.slaves[i];
+    if (slave.absent_since != 0) run_.set_present(i, !attendance_.missing(i), bus_.clock().now());  // was told as lost
     slave.present = !attendance_.missing(i);
     slave.al_status = slave.present ? init : 0;
     slave.al_status_code = 0;
   }
   run_.update_master_state(bus_.clock().now());
   return {};
+}
+
+void Esm::abandon() {
+  bus_.set_pump(nullptr);
+  bus_.exchange().missing().forget_all();
+  task_.mailbox().set_enabled(false);
+  task_.health().set_joining(false);
+  task_.health().set_judging(false);
+  task_.frames().expect_without(std::vector<bool>(run_.config().slaves.size()));
+  operate(AlState::kInit);
 }
 
 /// From now on the cyclic commands of this state are sent.

@@ -25,6 +25,8 @@ class Esm {
   /// Brings every slave to INIT whatever it is doing and checks that the bus is the configured one in
   /// size. No cyclic operation. kSlaveCount, kNoResponse, kAlTimeout.
   Status reset();
+  /// What was begun is left as it is and the cyclic operation ends, without a word to the slaves: reset() comes next.
+  void abandon();
   /// Step by step up, directly down. A slave that fails is told by an event and does not keep the others
   /// from finishing the step; the error is the first one. kAlState, kAlTimeout, kSdoAbort and others of
   /// the init commands; kDcSetup and kDcmOutOfLimit when synchronism is not reached.

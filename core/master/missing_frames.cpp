@@ -69,6 +69,12 @@ void MissingFrames::give_up() {
   }
 }
 
+void MissingFrames::forget_all() {
+  slots_.fill({});
+  missing_ = 0;
+  news_ = {};
+}
+
 MissingFrames::News MissingFrames::take_news() { return std::exchange(news_, {}); }
 
 }  // namespace syncline

@@ -44,6 +44,8 @@ class MissingFrames {
   void expire(Nanoseconds now);
   /// All that are missing are lost: nobody will look for them any more.
   void give_up();
+  /// What was on its way belongs to what nobody waits for any more: neither lost nor late.
+  void forget_all();
   News take_news();
 
  private:

@@ -7,12 +7,19 @@
 
 #include "config/dc_check.h"
 #include "config/dcm_check.h"
+#include "master/bus_scanner.h"
 #include "protocol/dc_registers.h"
 #include "protocol/dcm_error.h"
 #include "protocol/registers.h"
 #include "support/byte_order.h"
 
 namespace syncline {
+namespace {
+
+/// An adapter that goes away each time is no adapter.
+constexpr int kMostOutages = 10;
+
+}  // namespace
 
 Operation::Operation(NetworkConfig config, FrameExchange& exchange, Clock& clock, MasterChannels& channels)
     : config_(std::move(config)),
@@ -26,6 +33,7 @@ Operation::Operation(NetworkConfig config, FrameExchange& exchange, Clock& clock
       esm_(bus_, run_, task_, sync_, delays_),
       recovery_(bus_, run_, task_, esm_),
       history_(bus_, run_, task_, esm_) {
+  bus_.set_link_observer([this](bool up) { run_.note_link(up, clock_.now(), exchange_.link()); });
   bus_.set_interrupt([this] { return unasked_ && !run_.channels().commands.empty(); });
 }
 
@@ -51,12 +59,62 @@ Status Operation::start(AlState target) {
   snapshot.link_up = exchange_.link().describe().up;
   snapshot.requested = target;
   run_.channels().snapshot.publish_surely(run_.snapshot);
-  if (auto status = esm_.reset(); !status) return status;
-  snapshot.link_up = true;  // frames have come back, whatever the adapter says
-  if (target == AlState::kInit) return {};
-  auto status = esm_.change_to(target);
+  auto status = through_outages(target, [&](bool again) {
+    if (again) esm_.abandon();
+    return bring_up(target);
+  });
   run_.channels().snapshot.publish_surely(run_.snapshot);
   return status;
+}
+
+/// From INIT, whatever the slaves are doing.
+Status Operation::bring_up(AlState target) {
+  if (auto status = esm_.reset(); !status) return status;
+  run_.snapshot.link_up = true;  // frames have come back, whatever the adapter says
+  return target == AlState::kInit ? Status{} : esm_.change_to(target);
+}
+
+/// What fails because the adapter was away is begun again when it is back: nobody knows who has got what of it.
+Status Operation::through_outages(AlState target, const std::function<Status(bool again)>& lead) {
+  for (int count = 0;; ++count) {
+    const auto before = run_.link_outages();
+    auto status = lead(count > 0);
+    if (!status && status.error().code == ErrorCode::kLinkDown) run_.note_link(false, clock_.now(), exchange_.link());
+    if (run_.link_outages() == before) return status;
+    if (status) status = see_whether_reached(target);
+    const bool ended = status || status.error().code == ErrorCode::kCancelled;
+    if (ended || count == kMostOutages || !await_link()) return status;
+    Event event;
+    event.kind = EventKind::kLink;
+    event.time = clock_.now();
+    event.a = 2;
+    event.text = exchange_.link().describe().name;
+    run_.channels().events.push(std::move(event));
+  }
+}
+
+/// Slaves that did not answer in the middle of it may have been left out.
+Status Operation::see_whether_reached(AlState target) {
+  if (!cyclic()) return {};
+  if (auto status = esm_.commands().read_all(); !status) return status;
+  return run_.snapshot.state == target ? Status{} : fail(ErrorCode::kNoResponse, exchange_.link().describe().name);
+}
+
+/// True when slaves answer again.
+bool Operation::await_link() {
+  const auto end = run_.link_away_since().value_or(clock_.now()) + Bus::kLinkPatience;
+  do {
+    if (bus_.cyclic()) {
+      if (!bus_.wait_a_little()) return false;
+      if (!run_.link_away_since() && run_.somebody_present()) return true;
+      continue;
+    }
+    const auto count = count_slaves(bus_);
+    if (count && *count > 0) return true;
+    const bool silent = count || count.error().code == ErrorCode::kNoResponse || count.error().code == ErrorCode::kLinkDown;
+    if (!silent || !bus_.wait_a_little()) return false;
+  } while (clock_.now() < end);
+  return false;
 }
 
 Status Operation::run_cycle() {
@@ -73,11 +131,21 @@ Status Operation::run_cycle() {
 }
 
 Status Operation::change_to(AlState target) {
-  auto status = Status{};
-  if (cyclic() && target != AlState::kInit) status = recovery_.bring_all_back();
-  if (status) status = esm_.change_to(target);
+  const bool from_rest = !cyclic();
+  auto status = through_outages(target, [&](bool again) {
+    if (!again || !from_rest) return lead_to(target);
+    esm_.abandon();
+    return bring_up(target);
+  });
   run_.channels().snapshot.publish_surely(run_.snapshot);
   return status;
+}
+
+Status Operation::lead_to(AlState target) {
+  if (cyclic() && target != AlState::kInit) {
+    if (auto status = recovery_.bring_all_back(); !status) return status;
+  }
+  return esm_.change_to(target);
 }
 
 void Operation::stop() {

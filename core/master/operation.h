@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
+
 #include <utility>
 
 #include "config/network_config.h"
@@ -46,6 +48,11 @@ class Operation {
 
  private:
   Status check() const;
+  Status bring_up(AlState target);
+  Status lead_to(AlState target);
+  Status through_outages(AlState target, const std::function<Status(bool again)>& lead);
+  Status see_whether_reached(AlState target);
+  bool await_link();
   Status note_learned_rate();
   void tell_left_behind(const Error& why);
 

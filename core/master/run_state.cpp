@@ -3,9 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "config/families/families.h"
+#include "link/link.h"
 
 namespace syncline {
 namespace {
@@ -122,6 +124,30 @@ void RunState::set_present(std::size_t slave, bool present, Nanoseconds time) {
     known.deviation_valid = false;
   }
 }
+
+void RunState::note_link(bool up, Nanoseconds time, const Link& link) {
+  snapshot.link_up = up;
+  if (up != link_away_since_.has_value()) return;  // nothing new
+  Event event;
+  event.kind = EventKind::kLink;
+  event.time = time;
+  event.a = up ? 1 : 0;
+  event.b = up ? time - *link_away_since_ : 0;
+  event.text = link.describe().name;
+  channels_.events.push(std::move(event));
+  if (up) {
+    link_away_since_.reset();
+  } else {
+    link_away_since_ = time;
+    ++link_outages_;
+  }
+}
+
+bool RunState::somebody_absent() const {
+  return !std::ranges::all_of(snapshot.slaves, &SlaveStatus::present);
+}
+
+bool RunState::somebody_present() const { return std::ranges::any_of(snapshot.slaves, &SlaveStatus::present); }
 
 bool RunState::complete() const {
   for (std::size_t i = 0; i < snapshot.slaves.size(); ++i) {

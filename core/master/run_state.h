@@ -13,6 +13,8 @@
 
 namespace syncline {
 
+class Link;
+
 /// What everybody who takes part in running a bus reads and writes: the configuration, the latest
 /// status of everything, and the way to the outside. Lives in the thread that runs the cycle.
 class RunState {
@@ -46,12 +48,21 @@ class RunState {
   /// The master's state is the lowest of all slaves, kNone unless they are complete; tells a change.
   void update_master_state(Nanoseconds time);
   [[nodiscard]] std::string slave_name(std::size_t slave) const;
+  /// The master's adapter is there, or away; tells a change.
+  void note_link(bool up, Nanoseconds time, const Link& link);
+  /// How often it has gone away.
+  [[nodiscard]] unsigned link_outages() const { return link_outages_; }
+  [[nodiscard]] std::optional<Nanoseconds> link_away_since() const { return link_away_since_; }
+  [[nodiscard]] bool somebody_absent() const;
+  [[nodiscard]] bool somebody_present() const;
 
  private:
   [[nodiscard]] bool told(EventKind kind) const;
 
   const NetworkConfig& config_;
   MasterChannels& channels_;
+  std::optional<Nanoseconds> link_away_since_;
+  unsigned link_outages_ = 0;
 };
 
 }  // namespace syncline

@@ -21,10 +21,13 @@ class Findings {
   void wiring(const ScannedSlave& slave, const SlaveWiring& wiring) {
     if (wiring.entry_port != 0) {
       add(ErrorCode::kWiring, slave,
-          fmt::format("frames enter it by port {} instead of port A; swap its cables", port_letter(wiring.entry_port)));
+          fmt::format("frames enter it by port {} instead of port A; swap its cables IN and OUT, or what hangs at its port A "
+                      "stands in front of it", port_letter(wiring.entry_port)));
     }
     if (!wiring.previous && !wiring.root) {
-      add(ErrorCode::kWiring, slave, "the open ports of the slaves before it do not explain its place");
+      add(ErrorCode::kWiring, slave,
+          "the open ports of the slaves before it do not explain its place; see that at it and its neighbours the cable from the "
+          "master is in IN (port A) and not in OUT");
     }
     for (unsigned port = 0; port < kPortCount; ++port) {
       if (((wiring.unexplained_ports >> port) & 1U) != 0) {

@@ -21,8 +21,10 @@ constexpr std::size_t kStatusBytes = 6;   // 0x0502 control and status, 0x0504 a
 
 /// An I2C EEPROM at 150 kHz gives eight bytes in 0.7 ms; a slave whose PDI emulates it may need far longer.
 constexpr Nanoseconds kFirstPause = 1 * kMillisecond;
-constexpr Nanoseconds kLongestPause = 5 * kMillisecond;
 constexpr Nanoseconds kShortestPause = 20 * kMicrosecond;
+constexpr int kSureReads = 3;  // before a shorter pause is tried
+/// Looks that are so close to each other go into one frame.
+constexpr Nanoseconds kTogether = 100 * kMicrosecond;
 constexpr Nanoseconds kBusyLimit = 300 * kMillisecond;
 constexpr int kTries = 4;
 constexpr int kWriteTries = 20;
@@ -46,7 +48,8 @@ struct SiiAccess::Job {
   std::size_t got = 0;                           // bytes that are in the request
   bool started = false;
   bool failed_command = false;                   // errors must be cleared before the next try
-  Nanoseconds start_time = 0;
+  Nanoseconds start_time = 0, next_look = 0;
+  std::optional<Nanoseconds> busy_for;           // at the latest look, since the start
   int silences = 0, errors = 0, mismatches = 0;
   std::array<std::uint8_t, kWindowBytes> window{};
 
@@ -56,7 +59,9 @@ struct SiiAccess::Job {
 };
 
 SiiAccess::SiiAccess(Bus& bus, std::vector<SlaveAddress> slaves, Options options)
-    : bus_(bus), slaves_(std::move(slaves)), ports_(slaves_.size()), options_(options), pause_(kFirstPause) {}
+    : bus_(bus), slaves_(std::move(slaves)), ports_(slaves_.size()), options_(options) {
+  for (auto& port : ports_) port.pace = kFirstPause;
+}
 
 Status SiiAccess::look() {
   std::vector<std::array<std::uint8_t, kLookBytes>> bytes(size());
@@ -111,32 +116,50 @@ Status SiiAccess::close() {
 Status SiiAccess::read(std::span<SiiRequest> requests, std::optional<std::uint32_t> next) {
   std::vector<Job> jobs;
   for (auto& request : requests) {
+    auto& port = ports_[request.slave];
     auto& job = jobs.emplace_back();
     job.request = &request;
     request.error.reset();
-    job.started = ports_[request.slave].started == request.word;
+    job.started = port.started == request.word;
     job.start_time = bus_.clock().now();
-    ports_[request.slave].started.reset();
+    job.next_look = job.start_time + port.pace;
+    port.started.reset();
   }
-  const auto all = jobs.size();
-  bool first = true, early = false;
-  Nanoseconds started = 0;
+  // What begins before this read has ended could take the place of a read that is not fetched yet.
+  bool look_ahead = calm_;
+  calm_ = true;
   while (!jobs.empty()) {
     if (auto status = clear_errors(jobs); !status) return status;
     if (auto status = start(jobs); !status) return status;
-    if (first) started = bus_.clock().now();
-    if (auto status = bus_.wait(first ? pause_ : std::max(pause_ / 2, kShortestPause)); !status) return status;
-    const auto looked = bus_.clock().now();
-    if (auto status = fetch(jobs, next); !status) return status;
-    const bool most_ready = jobs.size() * 8 <= all;
-    if (first) early = !most_ready;
-    if (most_ready && (first || early)) {
-      learn(early, looked - started);
-      early = false;
-    } else if (first) {
-      too_early_ = pause_;
+    if (!probed_) {
+      if (auto status = probe(jobs.front()); !status) return status;
+      for (auto& job : jobs) job.next_look = bus_.clock().now();
     }
-    first = false;
+    const auto due = std::ranges::min(jobs, {}, &Job::next_look).next_look;
+    if (const auto left = due - bus_.clock().now(); left > 0) {
+      if (auto status = bus_.wait(left); !status) return status;
+    }
+    if (auto status = fetch(jobs, look_ahead ? next : std::nullopt); !status) return status;
+    look_ahead = false;  // a slave that is asked again would lose that once more
+  }
+  return {};
+}
+
+/// How long EEPROMs here take is found by one of them, with one datagram a look, before all are looked at.
+Status SiiAccess::probe(const Job& job) {
+  Nanoseconds pace = kFirstPause, too_early = 0;
+  for (;; pace *= 2) {
+    if (auto status = bus_.wait(std::max<Nanoseconds>(job.start_time + pace - bus_.clock().now(), 1)); !status) return status;
+    std::array<std::uint8_t, 2> control{};
+    auto read = slaves_[job.request->slave].read(reg::kSiiControl, control);
+    if (auto status = bus_.transact(read); !status) return status;
+    if (read.wkc == 0 || (load_le<std::uint16_t>(control) & kBusy) == 0 || pace > kBusyLimit) break;
+    too_early = pace;
+  }
+  probed_ = true;
+  for (auto& port : ports_) {
+    port.pace = pace;
+    port.too_early = too_early;
   }
   return {};
 }
@@ -175,6 +198,8 @@ Status SiiAccess::start(std::vector<Job>& jobs) {
   for (auto* job : to_start) {
     job->started = true;
     job->start_time = bus_.clock().now();
+    job->next_look = job->start_time + ports_[job->request->slave].pace;
+    job->busy_for.reset();
   }
   return {};
 }
@@ -188,26 +213,36 @@ bool SiiAccess::may_look_ahead(const std::vector<Job>& jobs) const {
 
 Status SiiAccess::fetch(std::vector<Job>& jobs, std::optional<std::uint32_t> next) {
   std::vector<Datagram> datagrams;
+  std::vector<Job*> asked;
+  const auto latest = bus_.clock().now() + kTogether;
   for (auto& job : jobs) {
+    if (job.next_look > latest) continue;
     job.window.fill(0);
+    asked.push_back(&job);
     datagrams.push_back(slaves_[job.request->slave].read(reg::kSiiControl, job.window));
   }
   // The next read begins behind the last answer. A slave that is still busy ignores it (write access is
   // blocked), and a slave that takes it too early shows the wrong address and is asked again.
   std::array<std::uint8_t, kStatusBytes> ahead{};
-  const bool look_ahead = next && may_look_ahead(jobs);
+  const bool look_ahead = next && asked.size() == jobs.size() && may_look_ahead(jobs);
   if (look_ahead) {
     store_command(ahead, kReadCommand, *next);
     datagrams.push_back({Command::kBwr, device_address(0, reg::kSiiControl), ahead});
   }
   if (auto status = bus_.transact(datagrams); !status) return status;
-  for (std::size_t i = 0; i < jobs.size(); ++i) {
-    auto& job = jobs[i];
+  for (std::size_t i = 0; i < asked.size(); ++i) {
+    auto& job = *asked[i];
     if (datagrams[i].wkc == 0) {
       if (++job.silences == kTries) job.give_up("no answer");
+      job.next_look = bus_.clock().now() + kFirstPause;
       continue;
     }
-    if (take(job, look_ahead) && look_ahead) ports_[job.request->slave].started = next;
+    if (take(job, look_ahead)) {
+      learn(job);
+      if (look_ahead) ports_[job.request->slave].started = next;
+    } else {
+      calm_ = false;
+    }
   }
   std::erase_if(jobs, [](const Job& job) { return !job.open(); });
   return {};
@@ -219,7 +254,10 @@ bool SiiAccess::take(Job& job, bool looked_ahead) {
   const auto control = load_le<std::uint16_t>(job.window);
   const auto address = load_le<std::uint32_t>(std::span(job.window).subspan(2));
   if ((control & kBusy) != 0) {
-    if (bus_.clock().now() - job.start_time > kBusyLimit) job.give_up("the EEPROM stays busy");
+    const auto now = bus_.clock().now();
+    job.busy_for = now - job.start_time;
+    job.next_look = now + std::max(*job.busy_for / 4, kShortestPause);
+    if (*job.busy_for > kBusyLimit) job.give_up("the EEPROM stays busy");
     return false;
   }
   if ((control & kCommandError) != 0) {
@@ -231,10 +269,16 @@ bool SiiAccess::take(Job& job, bool looked_ahead) {
   if (port.reads_address_back && address != job.word()) {
     job.started = false;
     // Once may be a frame that was repeated, or a look ahead that came too early. An ESC that never shows
-    // the address is believed without.
-    if (++job.mismatches >= (looked_ahead ? 2 * kTries : kTries)) port.reads_address_back = false;
+    // the address is believed without; one that has done so is not.
+    if (++job.mismatches < (looked_ahead || port.showed_address ? 2 * kTries : kTries)) return false;
+    if (port.showed_address) {
+      job.give_up("it reads other words than it is asked for");
+    } else {
+      port.reads_address_back = false;
+    }
     return false;
   }
+  port.showed_address = port.showed_address || (address != 0 && address == job.word());
   port.eight_bytes = (control & kReadsEightBytes) != 0;
   const std::size_t count = std::min<std::size_t>(port.eight_bytes ? 8 : 4, 8 - job.got);
   std::copy_n(job.window.begin() + kStatusBytes, count, job.request->data.begin() + static_cast<std::ptrdiff_t>(job.got));
@@ -243,13 +287,17 @@ bool SiiAccess::take(Job& job, bool looked_ahead) {
   return job.got == 8;
 }
 
-/// Keeps the pause a little longer than most EEPROMs need: a look too early costs frames. `early`: the
-/// first look found most of them busy, and after `ready` they were done.
-void SiiAccess::learn(bool early, Nanoseconds ready) {
-  if (early) {
-    pause_ = std::min(ready, kLongestPause);
-  } else if (pause_ - pause_ / 16 > too_early_ && pause_ > kShortestPause) {
-    pause_ -= pause_ / 16;
+/// Keeps the pause a little longer than the EEPROM needs: a look too early costs frames.
+void SiiAccess::learn(const Job& job) {
+  auto& port = ports_[job.request->slave];
+  if (job.busy_for) {
+    port.pace = bus_.clock().now() - job.start_time;
+    port.too_early = *job.busy_for;
+    port.calm_reads = 0;
+  } else if (port.calm_reads < kSureReads) {
+    ++port.calm_reads;
+  } else if (port.pace > kShortestPause) {
+    port.pace -= (port.pace - port.too_early) / 16;
   }
 }
 

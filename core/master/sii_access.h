@@ -52,6 +52,8 @@ class SiiAccess {
   /// is an error only when the bus fails or the user cancels. `next`: the word that all slaves will be
   /// asked for afterwards, so that its read can begin in the frame that ends this one.
   Status read(std::span<SiiRequest> requests, std::optional<std::uint32_t> next = std::nullopt);
+  /// How long the slave's EEPROM takes for a read, as far as its reads have shown.
+  [[nodiscard]] Nanoseconds pace(std::size_t slave) const { return ports_[slave].pace; }
   /// Writes one word and waits until the EEPROM has stored it. kSii, bus errors.
   Status write(std::size_t slave, std::uint32_t word, std::uint16_t value);
   /// Lets the ESC load its configuration from the EEPROM again (alias, PDI configuration).
@@ -64,15 +66,20 @@ class SiiAccess {
     bool old_error = false;
     bool eight_bytes = false;
     bool reads_address_back = true;
+    bool showed_address = false;           // it did so, with another one than 0
     std::optional<std::uint32_t> started;  // word of a read that is on its way or done
+    Nanoseconds pace = 0;                  // from the start of a read to the first look at it
+    Nanoseconds too_early = 0;             // a look that found it busy
+    int calm_reads = 0;                    // since then
   };
   struct Job;
 
   Status start(std::vector<Job>& jobs);
+  Status probe(const Job& job);
   Status fetch(std::vector<Job>& jobs, std::optional<std::uint32_t> next);
   bool take(Job& job, bool looked_ahead);
   bool may_look_ahead(const std::vector<Job>& jobs) const;
-  void learn(bool early, Nanoseconds ready);
+  void learn(const Job& job);
   Status clear_errors(std::vector<Job>& jobs);
   static constexpr std::size_t kWindowBytes = 14;  // from 0x0502, with the eight data bytes at 0x0508
   Status command(std::size_t slave, std::span<std::uint8_t> bytes, std::string_view what);
@@ -82,8 +89,8 @@ class SiiAccess {
   std::vector<SlaveAddress> slaves_;
   std::vector<Port> ports_;
   Options options_;
-  Nanoseconds pause_;        // from the start of a read to the first look at it
-  Nanoseconds too_early_ = 0;
+  bool probed_ = false;      // one EEPROM has shown how long it takes
+  bool calm_ = false;        // in the latest read every look found what it came for
 };
 
 }  // namespace syncline

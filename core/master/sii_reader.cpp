@@ -22,6 +22,7 @@ class Reader {
   Status run() {
     if (auto status = read_own_words(); !status) return status;
     kinds_ = find_sii_kinds(own_, options_.share_kinds);
+    for (auto& kind : kinds_) choose_readers(kind);
     while (std::ranges::any_of(kinds_, [](const auto& kind) { return !kind.done(); })) {
       if (auto status = read_round(); !status) return status;
       tell();
@@ -50,7 +51,10 @@ class Reader {
     for (std::uint32_t word = 0; word < kOwnSiiWords && !whom.empty(); word += kWordsPerPiece) {
       std::vector<SiiRequest> requests;
       for (const auto i : whom) requests.push_back({i, word, {}, {}});
-      if (auto status = access_.read(requests, word + kWordsPerPiece); !status) return status;
+      // Behind its own words a slave of a kind is asked for another piece than its neighbour.
+      const auto next = word + kWordsPerPiece;
+      const bool same = next < kOwnSiiWords || !options_.share_kinds;
+      if (auto status = access_.read(requests, same ? std::optional(next) : std::nullopt); !status) return status;
       for (auto& request : requests) {
         auto& own = own_[request.slave];
         if (request.error) {
@@ -62,6 +66,16 @@ class Reader {
       std::erase_if(whom, [this](std::size_t i) { return contents_[i].error.has_value(); });
     }
     return {};
+  }
+
+  /// Nobody waits for a slow EEPROM whose words others can give.
+  void choose_readers(SiiKind& kind) const {
+    const auto pace = [this](std::size_t slave) { return access_.pace(slave); };
+    auto& readers = kind.readers;
+    if (readers.size() <= kWitnesses) return;
+    std::ranges::stable_sort(readers, {}, pace);
+    const auto most = 2 * pace(readers[kWitnesses - 1]);
+    while (readers.size() > kWitnesses && pace(readers.back()) > most) readers.pop_back();
   }
 
   /// What to ask now: single slaves their next piece, slaves of a kind several pieces.

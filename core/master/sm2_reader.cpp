@@ -2,6 +2,7 @@
 #include "master/sm2_reader.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "master/sm2_counter_profile.h"
 #include "protocol/dc_registers.h"
@@ -125,8 +126,9 @@ void Sm2Reader::take_value(Counter& counter, std::uint32_t value, Nanoseconds no
   auto& evidence = slave.evidence;
   const auto count = [&](EvidenceCount& result, std::size_t which) {
     auto& total = counter.totals[which];
-    (void)total.read(value);
+    const auto more = total.read(value);
     result = {total.total(), total.at_least(), now};
+    if (&result == &evidence.outputs.exceeded || &result == &evidence.inputs.exceeded) tell_exceeded(counter, which, more, now);
   };
   switch (counter.turn) {
     case Item::kLimit:
@@ -145,6 +147,12 @@ void Sm2Reader::take_value(Counter& counter, std::uint32_t value, Nanoseconds no
     case Item::kInputsExceeded: return count(evidence.inputs.exceeded, 2);
     case Item::kInputsShift: return count(evidence.inputs.shift_too_short, 3);
   }
+}
+
+/// Once when it begins to rise, and once when it has stopped.
+void Sm2Reader::tell_exceeded(Counter& counter, std::size_t which, std::uint32_t more, Nanoseconds now) {
+  if (std::exchange(counter.rising[which], more > 0) == (more > 0)) return;
+  run_.event(EventKind::kFirmwareSlow, now, counter.slave, more > 0 ? 1 : 0, more, 0);
 }
 
 void Sm2Reader::take_missed(const Counter& counter, std::uint32_t value, Nanoseconds now, CycleSample& sample) {

@@ -44,6 +44,7 @@ class Sm2Reader {
     std::uint16_t has = 0;                  // items that the slave may have, a bit each
     Item turn = Item::kMissed, rare = Item::kOther;
     std::array<CounterTotal, 4> totals{kWord, kWord, kWord, kWord};
+    std::array<bool, 4> rising{};           // so at the newest reading
   };
   static constexpr CounterTotal kWord{16, CounterTotal::End::kWraps};
   static constexpr std::uint16_t bit(Item item) { return static_cast<std::uint16_t>(1U << static_cast<unsigned>(item)); }
@@ -51,6 +52,7 @@ class Sm2Reader {
   static void choose(Counter& counter);
   [[nodiscard]] static coe::ObjectAddress object(const Counter& counter);
   void take_value(Counter& counter, std::uint32_t value, Nanoseconds now, CycleSample& sample);
+  void tell_exceeded(Counter& counter, std::size_t which, std::uint32_t more, Nanoseconds now);
   void take_missed(const Counter& counter, std::uint32_t value, Nanoseconds now, CycleSample& sample);
 
   RunState& run_;

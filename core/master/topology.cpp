@@ -2,6 +2,7 @@
 #include "master/topology.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace syncline {
 namespace {
@@ -50,9 +51,10 @@ std::optional<std::uint32_t> time_behind(const PortReport& slave, std::uint8_t e
 
 class Builder {
  public:
-  explicit Builder(std::span<const PortReport> slaves) : slaves_(slaves), wiring_(slaves.size()) {
+  Builder(std::span<const PortReport> slaves, std::span<const std::uint8_t> entries)
+      : slaves_(slaves), wiring_(slaves.size()) {
     for (std::uint16_t i = 0; i < slaves.size(); ++i) {
-      wiring_[i].entry_port = entry_port(slaves[i]);
+      wiring_[i].entry_port = entries[i];
       auto ways = ways_of(slaves[i].dl_status, wiring_[i].entry_port);
       for (std::size_t n = ways.before.size(); n-- > 0;) adopt(i, ways.before[n]);
       seen_.push_back({i, std::move(ways.behind)});
@@ -119,20 +121,80 @@ class Builder {
   std::vector<Branching> seen_;
 };
 
+/// Slaves whose place nothing explains, and ports behind which nobody was found.
+std::size_t unexplained(std::span<const SlaveWiring> wiring) {
+  std::size_t count = 0;
+  for (const auto& slave : wiring) {
+    count += static_cast<std::size_t>(std::popcount(slave.unexplained_ports)) + (!slave.previous && !slave.root ? 1 : 0);
+  }
+  return count;
+}
+
+/// Entries of slaves without receive times, when port 0 does not explain the order.
+class EntrySearch {
+ public:
+  EntrySearch(std::span<const PortReport> slaves, std::vector<std::uint8_t> entries)
+      : slaves_(slaves), entries_(std::move(entries)), wiring_(Builder(slaves_, entries_).take()) {}
+
+  std::vector<SlaveWiring> run() {
+    for (auto left = unexplained(wiring_); left > 0; left = unexplained(wiring_)) {
+      const auto best = best_changes(left);
+      if (best.size() != 1) break;  // the ports that nothing explains are named
+      entries_[best.front().slave] = best.front().port;
+      wiring_ = Builder(slaves_, entries_).take();
+    }
+    return std::move(wiring_);
+  }
+
+ private:
+  struct Change {
+    std::size_t slave = 0;
+    std::uint8_t port = 0;
+  };
+  static constexpr int kMostTries = 2000;  // together: a search goes over all slaves each time
+
+  /// Those after which least is unexplained, and less than now.
+  std::vector<Change> best_changes(std::size_t least) {
+    std::vector<Change> best;
+    for (std::size_t i = 0; i < slaves_.size(); ++i) {
+      if (slaves_[i].receive_times) continue;
+      for (std::uint8_t port = 0; port < kPortCount; ++port) {
+        if (port == entries_[i] || !slaves_[i].dl_status.active(port) || ++tries_ > kMostTries) continue;
+        auto entries = entries_;
+        entries[i] = port;
+        const auto left = unexplained(Builder(slaves_, entries).take());
+        if (left < least) best.clear();
+        if (left < least || (left == least && !best.empty())) best.push_back({i, port});
+        least = std::min(least, left);
+      }
+    }
+    return best;
+  }
+
+  std::span<const PortReport> slaves_;
+  std::vector<std::uint8_t> entries_;
+  std::vector<SlaveWiring> wiring_;
+  int tries_ = 0;
+};
+
 }  // namespace
 
 std::uint8_t entry_port(const PortReport& slave) {
-  if (!slave.receive_times) return 0;
   std::optional<std::uint8_t> first;
   for (std::uint8_t port = 0; port < kPortCount; ++port) {
     if (!slave.dl_status.active(port)) continue;
-    const auto ahead = first ? static_cast<std::int32_t>((*slave.receive_times)[port] - (*slave.receive_times)[*first]) : -1;
-    if (ahead < 0) first = port;
+    const bool earlier = first && slave.receive_times &&
+                         static_cast<std::int32_t>((*slave.receive_times)[port] - (*slave.receive_times)[*first]) < 0;
+    if (!first || earlier) first = port;
   }
   return first.value_or(0);
 }
 
-std::vector<SlaveWiring> find_wiring(std::span<const PortReport> slaves) { return Builder(slaves).take(); }
+std::vector<SlaveWiring> find_wiring(std::span<const PortReport> slaves) {
+  std::vector<std::uint8_t> entries;
+  for (const auto& slave : slaves) entries.push_back(entry_port(slave));
+  return EntrySearch(slaves, std::move(entries)).run();
+}
 
 std::vector<std::optional<PreviousPort>> find_topology(std::span<const DlStatus> slaves) {
   std::vector<PortReport> reports;

@@ -35,12 +35,13 @@ struct SlaveWiring {
 };
 
 /// The port through which frames from the master arrive: the open one with the earliest receive time
-/// (counters wrap; differences are small), port 0 without receive times.
+/// (counters wrap; differences are small). Without receive times port 0, or the first open one where that is closed.
 [[nodiscard]] std::uint8_t entry_port(const PortReport& slave);
 
 /// The whole tree, for slaves in the order in which frames pass their processing units. A slave that is
 /// connected by another port than 0 forwards before it processes, so slaves behind its ports between the
-/// entry and port 0 come before it. Pure.
+/// entry and port 0 come before it. Where the order does not fit, the entries of slaves without receive times are taken as
+/// what explains most. Pure.
 [[nodiscard]] std::vector<SlaveWiring> find_wiring(std::span<const PortReport> slaves);
 
 }  // namespace syncline

@@ -14,6 +14,7 @@ struct SyncManager {
   static constexpr std::uint8_t kControlEcatWrites = 0x04;
   static constexpr std::uint8_t kControlWatchdog = 0x40;
   static constexpr std::uint8_t kStatusMailboxFull = 0x08;
+  static constexpr std::uint8_t kStatusBuffer = 0x30;  // buffered: the one written last; 3: none
 
   std::uint16_t start = 0;
   std::uint16_t length = 0;

@@ -47,7 +47,10 @@ class Device : public Esc::Listener {
   /// The application takes so much longer to answer mailbox requests; 0: as usual.
   void slow_mailbox(Nanoseconds delay) { mailbox_delay_ = delay; }
   /// The application needs so much longer for each cycle, at most an hour; 0: as usual.
-  void slow_application(Nanoseconds delay) { application_delay_ = std::clamp<Nanoseconds>(delay, 0, 3600 * kSecond); }
+  void slow_application(Nanoseconds delay) {
+    application_delay_ = std::clamp<Nanoseconds>(delay, 0, 3600 * kSecond);
+    esc_.wake_up();
+  }
 
   /// The firmware hangs: it sees nothing of what its ESC does, until it goes on with what it finds there.
   void stop_application(Nanoseconds time);
@@ -98,10 +101,12 @@ class Device : public Esc::Listener {
   /// Behaviours that keep a diagnosis history although their ESI has none.
   void enable_diagnosis_history() { history_.enable(); }
   void inputs_from_dictionary() { process_data_.inputs_from_dictionary(); }
+  void renew_inputs() { process_data_.renew_inputs(); }
   /// They are what they were, as long as the behaviour has changed nothing in the dictionary.
   [[nodiscard]] bool inputs_stay() const { return process_data_.inputs_stay(); }
   [[nodiscard]] bool inputs_map(std::uint16_t index) { return process_data_.inputs_map(index); }
   [[nodiscard]] bool has_outputs() const { return process_data_.has_outputs(); }
+  [[nodiscard]] bool has_inputs() const { return process_data_.byte_length(PdoDirection::kTx) > 0; }
   [[nodiscard]] bool has_mailbox() const { return config_.device.mailbox.has_value(); }
   [[nodiscard]] Esc& esc() { return esc_; }
   [[nodiscard]] const DcUnit& dc() const { return std::as_const(esc_).dc(); }

@@ -116,6 +116,8 @@ class Esc {
   void deactivate_sync_manager(unsigned number, bool deactivated);
   /// Bytes that the master reads from a buffered SyncManager: a transfer under way still shows the buffer before.
   void put_buffer(unsigned number, std::span<const std::uint8_t> bytes);
+  /// The PDI writes what the buffer holds already.
+  void put_same_buffer(unsigned number);
   /// The level at a LATCH input (0, 1) as of `time`; false: no time taken, or the pin is a SYNC output (0x0151).
   bool latch_input(unsigned number, bool level, Nanoseconds time);
   /// The PDI has read 0x098E or 0x098F.
@@ -192,6 +194,7 @@ class Esc {
   /// The first byte of a buffer is read: the newest one, whatever became of the transfer before.
   void open_buffer(std::uint32_t address, std::size_t length);
   void show_pending(unsigned number);
+  void show_written_buffer(unsigned number);
   void read_latches(std::uint16_t address, std::size_t length);
   void follow_latch_events();
   void sync_fired(SyncGenerator::Signal signal, Nanoseconds time);
@@ -278,6 +281,11 @@ class Esc {
   std::uint32_t sm_begun_ = 0;
   std::vector<std::vector<std::uint8_t>> pending_;  // of each SyncManager, not yet shown; empty: nothing
   bool any_pending_ = false;
+  /// Of a buffered SyncManager, 0 to 2: the one written last (3: none), the one that the other side reads.
+  struct Buffers {
+    std::uint8_t written = 3, read = 3;
+  };
+  std::vector<Buffers> buffers_;
 };
 
 }  // namespace syncline::sim

@@ -93,6 +93,7 @@ void Esc::deactivate_sync_manager(unsigned number, bool deactivated) {
 void Esc::put_buffer(unsigned number, std::span<const std::uint8_t> bytes) {
   if (number >= pending_.size()) return;
   const auto area = sync_manager_area(number);
+  show_written_buffer(number);
   bytes = bytes.first(std::min(bytes.size(), area.size()));
   if ((sm_begun_ & (1U << number)) != 0) {
     pending_[number].assign(bytes.begin(), bytes.end());
@@ -101,6 +102,21 @@ void Esc::put_buffer(unsigned number, std::span<const std::uint8_t> bytes) {
     if (any_pending_) pending_[number].clear();
     short_copy(bytes, area);
   }
+}
+
+void Esc::put_same_buffer(unsigned number) {
+  if (number < pending_.size()) show_written_buffer(number);
+}
+
+/// Never into the buffer that is being read (ESC data sheet I, 7.1: three buffers).
+void Esc::show_written_buffer(unsigned number) {
+  auto& buffers = buffers_[number];
+  std::uint8_t next = 0;
+  while (next == buffers.written || next == buffers.read) ++next;
+  buffers.written = next;
+  const auto address = static_cast<std::uint16_t>(reg::sync_manager(number) + 5);
+  const auto others = memory_.u8(address) & ~SyncManager::kStatusBuffer;
+  memory_.set<std::uint8_t>(address, static_cast<std::uint8_t>(others | next << 4U));
 }
 
 void Esc::show_pending(unsigned number) {

@@ -152,4 +152,11 @@ void ProcessData::inputs_from_dictionary() {
   generation_ = esc_.generation();
 }
 
+void ProcessData::renew_inputs() {
+  if (!inputs_stay()) return inputs_from_dictionary();
+  for (const Channel& channel : channels_) {
+    if (channel.direction == PdoDirection::kTx) esc_.put_same_buffer(channel.manager);
+  }
+}
+
 }  // namespace syncline::sim

@@ -23,6 +23,9 @@ class ProcessData {
   void map();
   void clear_outputs();
   void inputs_from_dictionary();
+  /// As firmware does in each cycle: the buffers are written again, also where the inputs are what they were, because the
+  /// status of their SyncManagers shows it.
+  void renew_inputs();
   /// The dictionary's inputs are in the SyncManagers, and outputs do not change them.
   [[nodiscard]] bool inputs_stay() const { return inputs_stay_ && generation_ == esc_.generation(); }
   /// Somebody else has been at the dictionary.

@@ -87,6 +87,7 @@ class Loader {
     if (nodes == nullptr) return table.fail_at("slave", "a scenario needs at least one [[slave]]");
     ScenarioSlaves slaves(devices_, path_, config_.seed, host_ppm, error_);
     for (const auto& node : *nodes) slaves.read(*node.as_table());
+    slaves.check_wiring();
     config_.slaves = slaves.take();
   }
 

@@ -122,7 +122,7 @@ void ScenarioSlaves::read(const toml::table& node) {
   check_count(table, slave, count);
   const auto spread_ppm = table.number("spread_ppm", 0, 0, kMostPpm);
   table.reject_unknown_keys();
-  if (!error_) repeat(slave, count, spread_ppm);
+  if (!error_) repeat(node, slave, count, spread_ppm);
 }
 
 /// What counts up from slave to slave has room, and the line a port to go on by.
@@ -146,15 +146,11 @@ void ScenarioSlaves::check_count(Table& table, const SimSlaveConfig& slave, std:
 void ScenarioSlaves::read_place(Table& table, SimSlaveConfig& slave) {
   const auto position = slaves_.size();
   slave.entry_port = port_number(table, "entry", 'A');
-  if (position > 0) {
-    slave.parent =
-        static_cast<std::uint16_t>(table.integer("parent", static_cast<std::int64_t>(position - 1), 0, UINT16_MAX));
+  const auto parent = table.integer("parent", static_cast<std::int64_t>(position) - 1, -1, UINT16_MAX);
+  if (parent >= 0) {
+    slave.parent = static_cast<std::uint16_t>(parent);
     slave.parent_port = port_number(table, "port", 'B');
-    if (*slave.parent >= position) {
-      table.fail_at("parent", "must be the number of a slave before this one");
-    } else if (slaves_[*slave.parent].entry_port == slave.parent_port) {
-      table.fail_at("port", fmt::format("is where slave {} is wired to the one before it", *slave.parent));
-    }
+    if (*slave.parent == position) table.fail_at("parent", "must be the number of another slave");
     const auto other = std::ranges::find_if(
         slaves_, [&](const auto& one) { return one.parent == slave.parent && one.parent_port == slave.parent_port; });
     if (other != slaves_.end()) {
@@ -166,6 +162,24 @@ void ScenarioSlaves::read_place(Table& table, SimSlaveConfig& slave) {
   slave.asymmetry_ns = table.number("asymmetry_ns", 0, -2 * kMostCable * kNsPerMetre, 2 * kMostCable * kNsPerMetre);
   if (std::abs(slave.asymmetry_ns) > 2 * slave.cable_m * kNsPerMetre) {
     table.fail_at("asymmetry_ns", fmt::format("is more than there and back over {} m together", slave.cable_m));
+  }
+}
+
+/// What can be said of the wiring only when all slaves are known: a slave may hang at one that frames come to later.
+void ScenarioSlaves::check_wiring() {
+  std::optional<std::size_t> first;
+  for (std::size_t i = 0; i < slaves_.size() && !error_; ++i) {
+    const auto& slave = slaves_[i];
+    Table table(*nodes_[i], file_, error_);
+    if (!slave.parent) {
+      if (first) table.fail_at("parent", fmt::format("is needed: slave {} is the one that is wired to the master", *first));
+      first = i;
+    } else if (*slave.parent >= slaves_.size()) {
+      table.fail_at("parent", fmt::format("must be the number of a slave; there are {}", slaves_.size()));
+    } else if (slaves_[*slave.parent].entry_port == slave.parent_port) {
+      table.fail_at(table.has("port") ? "port" : "parent",
+                    fmt::format("{:c} is where slave {} is wired to the one before it", 'A' + slave.parent_port, *slave.parent));
+    }
   }
 }
 
@@ -218,7 +232,7 @@ void ScenarioSlaves::read_device(Table& table, SimSlaveConfig& slave) {
 
 /// A line of `count` such slaves: numbered names, aliases and serial numbers that count up, quartzes that
 /// differ by up to `spread_ppm`.
-void ScenarioSlaves::repeat(const SimSlaveConfig& first, std::int64_t count, double spread_ppm) {
+void ScenarioSlaves::repeat(const toml::table& node, const SimSlaveConfig& first, std::int64_t count, double spread_ppm) {
   Random random(seed_ ^ (0x7370'7265'6164'0000U + slaves_.size()));
   for (std::int64_t i = 0; i < count; ++i) {
     auto slave = first;
@@ -232,6 +246,7 @@ void ScenarioSlaves::repeat(const SimSlaveConfig& first, std::int64_t count, dou
       if (slave.serial_no != 0) slave.serial_no += static_cast<std::uint32_t>(i);
     }
     slaves_.push_back(std::move(slave));
+    nodes_.push_back(&node);
   }
 }
 

@@ -20,6 +20,8 @@ class ScenarioSlaves {
       : devices_(devices), file_(file), seed_(seed), host_ppm_(host_ppm), error_(error) {}
   /// One [[slave]]: `count` of them in a line, the first where the keys say.
   void read(const toml::table& node);
+  /// After the last one, while the tables that were read are still there.
+  void check_wiring();
   [[nodiscard]] std::vector<SimSlaveConfig> take() { return std::move(slaves_); }
 
  private:
@@ -28,7 +30,7 @@ class ScenarioSlaves {
   void read_clock(Table& table, SimSlaveConfig& slave);
   void read_bridge(Table& table, SimSlaveConfig& slave);
   void check_count(Table& table, const SimSlaveConfig& slave, std::int64_t count);
-  void repeat(const SimSlaveConfig& first, std::int64_t count, double spread_ppm);
+  void repeat(const toml::table& node, const SimSlaveConfig& first, std::int64_t count, double spread_ppm);
 
   const DeviceSource& devices_;
   const std::string& file_;
@@ -36,6 +38,7 @@ class ScenarioSlaves {
   double host_ppm_;
   std::optional<Error>& error_;
   std::vector<SimSlaveConfig> slaves_;
+  std::vector<const toml::table*> nodes_;  // of each slave
 };
 
 }  // namespace syncline::sim

@@ -20,7 +20,7 @@ class Walk {
       : slaves_(slaves), wiring_(wiring), ports_(ports) {}
 
   SegmentPath run() {
-    if (!slaves_.empty()) enter(0, way_out(slaves_[0]));
+    if (!slaves_.empty()) enter(wiring_.first(), way_out(slaves_[wiring_.first()]));
     while (!inside_.empty() && !path_.swallowed) go_on();
     for (auto& passage : path_.passages) passage.offset = static_cast<Nanoseconds>(passage.time_ns + 0.5);
     return std::move(path_);
@@ -108,9 +108,11 @@ class Walk {
 
 Wiring::Wiring(std::span<const SimSlaveConfig> slaves) : children_(slaves.size()) {
   for (const auto& slave : slaves) entries_.push_back(slave.entry_port);
-  for (std::size_t i = 1; i < slaves.size(); ++i) {
+  const auto first = std::ranges::find_if(slaves, [](const auto& slave) { return !slave.parent; });
+  if (first != slaves.end()) first_ = static_cast<std::size_t>(first - slaves.begin());
+  for (std::size_t i = 0; i < slaves.size(); ++i) {
     const auto& slave = slaves[i];
-    if (!slave.parent || *slave.parent >= i || slave.parent_port >= 4) continue;
+    if (!slave.parent || *slave.parent >= slaves.size() || *slave.parent == i || slave.parent_port >= 4) continue;
     auto& place = children_[*slave.parent][slave.parent_port];
     if (!place) place = static_cast<std::uint16_t>(i);
   }

@@ -19,6 +19,8 @@ class Wiring {
   [[nodiscard]] std::optional<std::uint16_t> child(std::size_t slave, unsigned port) const {
     return children_[slave][port];
   }
+  /// Who is connected to the master.
+  [[nodiscard]] std::size_t first() const { return first_; }
   /// Port at which the cable to the parent is.
   [[nodiscard]] std::uint8_t entry(std::size_t slave) const { return entries_[slave]; }
   /// The cable to the parent goes to `port`, and what was there to where that cable was.
@@ -38,6 +40,7 @@ class Wiring {
  private:
   std::vector<std::array<std::optional<std::uint16_t>, 4>> children_;
   std::vector<std::uint8_t> entries_;
+  std::size_t first_ = 0;
   std::optional<Ring> ring_;
 };
 

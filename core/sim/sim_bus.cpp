@@ -114,7 +114,7 @@ struct SimBus::Impl final : FaultTarget {
   [[nodiscard]] bool linked(std::size_t i, unsigned port) const {
     const auto up = [this](std::size_t below) {
       const auto& parent = config.slaves[below].parent;
-      return links[below].cable && links[below].power && (below == 0 || !parent || links[*parent].power);
+      return links[below].cable && links[below].power && (!parent || links[*parent].power);
     };
     if (port == wiring.entry(i)) return up(i);
     if (wiring.ring_at(i, port) != nullptr) return links[i].power;
@@ -301,6 +301,10 @@ SimBus::~SimBus() = default;
 
 Result<std::unique_ptr<SimBus>> SimBus::create(const SimConfig& config, Nanoseconds start, bool plans) {
   if (config.slaves.empty()) return fail(ErrorCode::kConfiguration, config.name, "the segment has no slaves");
+  for (std::size_t i = 0; i < config.slaves.size(); ++i) {
+    if (config.slaves[i].parent.value_or(0) < config.slaves.size()) continue;
+    return fail(ErrorCode::kConfiguration, fmt::format("slave {}", i), "no slave is where it hangs; check parent");
+  }
   const Wiring wiring(config.slaves);
   const auto path = segment_path(config.slaves, wiring, all_connected(config.slaves, wiring));
   std::size_t expected = 0;
@@ -309,7 +313,8 @@ Result<std::unique_ptr<SimBus>> SimBus::create(const SimConfig& config, Nanoseco
     if (passage.slave != expected) {
       return fail(ErrorCode::kConfiguration, fmt::format("slave {}", expected),
                   fmt::format("the wiring puts slave {} at this place of the frame's way; list the slaves in frame "
-                              "order (ports D, B, C)", passage.slave));
+                              "order (ports D, B, C; what hangs between another entry than A and port A comes first)",
+                              passage.slave));
     }
     ++expected;
   }

@@ -40,7 +40,7 @@ class SimBus {
   [[nodiscard]] std::size_t slave_count() const;
   /// PDI view of the system time (local + offset) of a slave at its current time.
   [[nodiscard]] std::uint64_t system_time(std::size_t position) const;
-  /// True one-way delay from the first slave's port 0 to this slave's, ns.
+  /// True one-way delay from where frames enter the segment to this slave's processing unit, ns.
   [[nodiscard]] double true_delay_ns(std::size_t position) const;
   /// Edges of a device's output pin (from 1) so far, oldest first; empty when it has none.
   [[nodiscard]] std::vector<PinEdge> pin_edges(std::size_t position, unsigned pin) const;

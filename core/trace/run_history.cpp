@@ -119,6 +119,7 @@ void HistoryRecorder::add_port_errors(const Event& event, RunHistory::Slave& sla
 }
 
 void HistoryRecorder::add_link(const Event& event) {
+  if (event.a == 2) return;
   history_.link = event.text;
   if (event.a == 0) {
     history_.link_down = true;
@@ -159,6 +160,14 @@ void HistoryRecorder::add(const Event& event) {
       break;
     case EventKind::kPortErrors:
       add_port_errors(event, slave);
+      break;
+    case EventKind::kFirmwareSlow:
+      if (event.c == 0) break;  // the counter itself is in the snapshots
+      if (event.a == 1) {
+        slave.late_inputs.note(event.time, 1);
+      } else if (!slave.late_inputs.empty()) {
+        slave.late_inputs.note(event.time, 0, 0, slave.late_inputs.last());
+      }
       break;
     case EventKind::kWatchdog:
       (event.a == 0 ? slave.process_data_watchdog : slave.pdi_watchdog)

@@ -2,6 +2,7 @@
 // The master's own network adapter is switched off or unplugged for a while, and the bus comes back with it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <rapidcheck.h>
 
 #include "protocol/al_state.h"
 #include "support/random.h"
@@ -63,6 +64,36 @@ TEST_F(AdapterAway, AgainAndAgainForAsLongAsItLikes) {
   machine.run(75 * kSecond);
   EXPECT_EQ(machine.report.state, AlState::kOp) << machine.said();
   EXPECT_EQ(link_events().size(), 2 * machine.adapter_away.size());
+}
+
+/// What was begun of a bring-up is begun again, whatever it was.
+TEST(AdapterAwayProperty, AtAnyTimeOfTheBringUpTheBusReachesOpAndNobodyIsAccused) {
+  EXPECT_TRUE(rc::check([](std::uint64_t seed) {
+    Random random(seed);
+    test::DiagnosedRun machine;
+    test::add_two_axes(machine.network);
+    test::give_random_clocks(machine.network, random);
+    machine.network.project.master.dc.sync_window.enabled = true;
+    const auto from = static_cast<Nanoseconds>(random.uniform(0, 4e9));
+    const auto length = static_cast<Nanoseconds>(random.uniform(20e6, 2e9));
+    machine.adapter_away = {{from, from + length}};
+    machine.run(14 * kSecond);
+    RC_LOG() << "away from " << from << " for " << length << "\n" << machine.said();
+    RC_ASSERT(machine.report.state == AlState::kOp);
+    RC_ASSERT(machine.report.dc.state == SyncState::kInSync);
+    RC_ASSERT(machine.report.dcm.state == SyncState::kInSync);
+    for (const auto& finding : machine.findings) {
+      RC_ASSERT(finding.level == FindingLevel::kNote || finding.code == Code::kAdapterWasAway);
+    }
+  }));
+}
+
+TEST_F(AdapterAway, InTheMiddleOfABringUpThatIsToldAndBegunAgain) {
+  machine.adapter_away = {{200 * kMillisecond, 900 * kMillisecond}};
+  machine.run(12 * kSecond);
+  EXPECT_EQ(machine.report.state, AlState::kOp) << machine.said();
+  EXPECT_THAT(link_events(), testing::ElementsAre(0, 1, 2));
+  EXPECT_TRUE(machine.found(Code::kAdapterWasAway)) << machine.said();
 }
 
 TEST_F(AdapterAway, WhenTheBusIsSoughtItIsWaitedForToo) {

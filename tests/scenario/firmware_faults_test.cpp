@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Firmware that hangs or is slow, injected at random into random machines: each must give a finding that names the
-// slave, one that hangs an event, too.
+// slave, one that hangs or is slow an event, too.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -54,8 +54,7 @@ TEST_P(FirmwareFaults, AreToldByNameOfTheSlave) {
           break;
       }
     }
-    // A slave without a mailbox cannot tell that it is slow.
-    const bool needs_mailbox = kind.fault != FaultKind::kStopApplication;
+    const bool needs_mailbox = kind.fault == FaultKind::kMailboxSilence || kind.fault == FaultKind::kSlowMailbox;
     std::vector<int> able;
     for (std::size_t slave = 0; slave < count; ++slave) {
       const auto& config = machine.network.sim.slaves[slave].device;
@@ -73,10 +72,10 @@ TEST_P(FirmwareFaults, AreToldByNameOfTheSlave) {
           kind.least + static_cast<Nanoseconds>(random.next() % static_cast<std::uint64_t>(kind.most - kind.least));
     if (!kind.lasts) fault.until = at + 2 * kSecond + static_cast<Nanoseconds>(random.next() % (2 * kSecond));
     machine.run(16 * kSecond);
-    const bool event =
-        kind.fault != FaultKind::kStopApplication || std::ranges::any_of(machine.events, [&](const Event& e) {
-          return e.slave == victim && e.time > 0 && e.time - machine.report.history.begin > 5 * kSecond;
-        });
+    const bool event = needs_mailbox || std::ranges::any_of(machine.events, [&](const Event& e) {
+      const bool wanted = kind.fault != FaultKind::kSlowApplication || (e.kind == EventKind::kFirmwareSlow && e.a == 1);
+      return wanted && e.slave == victim && e.time > 0 && e.time - machine.report.history.begin > 5 * kSecond;
+    });
     const bool finding = std::ranges::any_of(
         machine.findings, [&](const RunFinding& f) { return f.slave == victim && f.level != FindingLevel::kNote; });
     if (event && finding) continue;
@@ -92,6 +91,47 @@ TEST_P(FirmwareFaults, AreToldByNameOfTheSlave) {
                   << events << machine.said();
   }
   EXPECT_EQ(silent, 0) << "of " << kInjections;
+}
+
+TEST(SlowFirmware, ATerminalWithoutMailboxIsNamedWithWhenItBeganAndEnded) {
+  test::DiagnosedRun machine;
+  for (int i = 0; i < 3; ++i) machine.network.add(test::io8());
+  auto& fault = machine.fault(FaultKind::kSlowApplication, 6 * kSecond, 1);
+  fault.value_ns = 2'500'000;
+  fault.until = 8 * kSecond;
+  machine.run(12 * kSecond);
+  std::vector<std::pair<int, std::int64_t>> told;
+  for (const auto& event : machine.events) {
+    if (event.kind == EventKind::kFirmwareSlow) told.emplace_back(event.slave, event.a);
+  }
+  EXPECT_EQ(told, (std::vector<std::pair<int, std::int64_t>>{{1, 1}, {1, 0}})) << machine.said();
+  EXPECT_TRUE(machine.found(FindingCode::kInputsLate, 1)) << machine.said();
+}
+
+TEST(SlowFirmware, NobodyIsAccusedOfItWithoutIt) {
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    Random random(seed);
+    test::DiagnosedRun machine;
+    machine.network.sim.seed = seed;
+    machine.network.sim.bus.loss = seed % 3 == 0 ? 0.002 : 0;
+    machine.jitter = std::array{JitterProfile::none(), JitterProfile::quiet(), JitterProfile::desktop(),
+                                JitterProfile::bad()}[seed % 4];
+    machine.network.add(test::io8());
+    machine.network.add(device("SL-3002.xml"), "analog-input");
+    if (seed % 2 == 0) machine.network.add(device("SL-XE2.xml"), "drive-c");
+    if (seed % 3 == 0) machine.network.add(device("SL-6751.xml"), "can-gateway");
+    machine.network.add(test::servo(), "servo-y");
+    for (auto& slave : machine.network.sim.slaves) slave.oscillator.ppm = random.uniform(-45, 45);
+    // A terminal that hangs is no slow one, and one that is off is none either.
+    if (seed % 4 == 1) machine.fault(FaultKind::kStopApplication, 7 * kSecond, 0).until = 9 * kSecond;
+    if (seed % 4 == 2) machine.fault(FaultKind::kSlaveOff, 7 * kSecond, 0).until = 8 * kSecond;
+    machine.run(14 * kSecond);
+    for (const auto& event : machine.events) {
+      const bool by_inputs = event.kind == EventKind::kFirmwareSlow && event.c != 0;
+      EXPECT_FALSE(by_inputs) << "seed " << seed << ", slave " << event.slave << "\n" << machine.said();
+    }
+    EXPECT_FALSE(machine.found(FindingCode::kInputsLate)) << seed;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, FirmwareFaults,

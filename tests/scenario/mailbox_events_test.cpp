@@ -19,6 +19,8 @@ namespace {
 
 constexpr std::uint16_t kSm1Status = 0x080D;
 
+constexpr std::uint32_t kTerminal = 1002;  // its SyncManager 1 has inputs
+
 /// Counts the datagrams that ask a SyncManager for the state of its mailbox.
 class PollCounter final : public Link {
  public:
@@ -27,7 +29,9 @@ class PollCounter final : public Link {
     std::vector<std::uint8_t> bytes(frame.begin(), frame.end());
     FrameReader reader(bytes);
     while (auto datagram = reader.next()) {
-      if (datagram->header.command == Command::kFprd && datagram->header.ado() == kSm1Status) ++polls_;
+      const auto& header = datagram->header;
+      const bool of_terminal = (header.address & 0xFFFFU) == kTerminal;
+      if (header.command == Command::kFprd && header.ado() == kSm1Status && !of_terminal) ++polls_;
     }
     return inner_->send(frame);
   }

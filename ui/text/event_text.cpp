@@ -89,7 +89,7 @@ Message Words::cable(const Event& event) {
 Message Words::delayFinding(const Event& event) {
   switch (static_cast<dc::DelayWarning>(event.a)) {
     case dc::DelayWarning::kReversedCable:
-      return line(Severity::kWarning, tr("Connected by port %1 instead of A: its delay is right here, but other masters "
+      return line(Severity::kWarning, tr("Connected by port %1 instead of A: swap its cables IN and OUT. Its delay is right here, but other masters "
                                          "take it wrong without a word")
                                           .arg(QChar('A' + static_cast<int>(event.b & 3))));
     case dc::DelayWarning::kUnexplainedPort:
@@ -204,6 +204,10 @@ std::optional<Message> Words::make(const Event& event) {
       return event.a == 0 ? line(Severity::kWarning, tr("Process data watchdog expired (%n time(s))", nullptr, static_cast<int>(event.b)))
                           : line(Severity::kError, tr("PDI watchdog expired (%n time(s)): the firmware is silent", nullptr,
                                                       static_cast<int>(event.b)));
+    case EventKind::kFirmwareSlow:
+      if (event.a == 0) return line(Severity::kInfo, tr("The firmware is fast enough again"));
+      return event.c == 0 ? line(Severity::kWarning, tr("The firmware is slow: %1 cycles took longer than the cycle time").arg(event.b))
+                          : line(Severity::kWarning, tr("The firmware is slow: no new inputs in %1 of %2 cycles").arg(event.b).arg(event.c));
     case EventKind::kSlaveLost:
       return line(Severity::kError, tr("Slave does not answer any more"));
     case EventKind::kSlaveFound:
@@ -239,6 +243,9 @@ std::optional<Message> Words::make(const Event& event) {
       return delayFinding(event);
     case EventKind::kLink: {
       const auto name = QString::fromStdString(event.text);
+      if (event.a == 2) {
+        return line(Severity::kInfo, tr("The bring-up begins again from INIT: the network adapter was away in the middle of it"));
+      }
       return event.a == 0 ? line(Severity::kError, tr("Network adapter %1 is down, gone or without carrier; waiting for it").arg(name))
                           : line(Severity::kInfo, tr("Network adapter %1 is up again after %2").arg(name, timeText(event.b)));
     }

@@ -6,6 +6,7 @@
 
 #include "config/check/network_view.h"
 #include "config/command_text.h"
+#include "config/entry_ports.h"
 #include "support/types.h"
 
 namespace syncline::checker {
@@ -72,20 +73,28 @@ void check_addressees(const NetworkView& view, Findings& findings) {
   }
 }
 
-/// The wiring: each slave hangs on one before it, no port carries two.
+/// The wiring: each slave hangs on one before it, or on one whose cables are swapped; no port carries two.
 void check_wiring(const NetworkView& view, Findings& findings) {
   std::set<std::pair<std::uint16_t, std::uint8_t>> used;
   const auto& slaves = view.config.slaves;
+  std::vector<std::optional<PreviousPort>> wiring;
+  for (const auto& slave : slaves) wiring.push_back(slave.previous);
+  const auto entries = entry_ports(wiring);
   std::size_t group_end = 0;  // slaves of hot-connect groups may be plugged in anywhere
   for (std::size_t i = 0; i < slaves.size(); ++i) {
     if (slaves[i].hot_connect) group_end = i + slaves[i].hot_connect->member_count;
     const auto& previous = slaves[i].previous;
     if (!previous) continue;
     const ConfigPlace place{PlaceKind::kSlave, i};
-    if (previous->position >= i) {
+    if (previous->position >= i && (previous->position >= slaves.size() || !entries[previous->position])) {
       findings.add("ENI-REF-02", place,
                    fmt::format("it hangs on {}, which does not stand before it", view.name(previous->position)));
-    } else if (i >= group_end && !used.emplace(previous->position, previous->port).second) {
+      continue;
+    }
+    if (previous->position > i) {
+      findings.add("ENI-REF-11", place, fmt::format("it hangs on {}, which stands behind it", view.name(previous->position)));
+    }
+    if (i >= group_end && !used.emplace(previous->position, previous->port).second) {
       findings.add("ENI-REF-09", place,
                    fmt::format("port {} of {} carries another slave already", static_cast<char>('A' + previous->port),
                                view.name(previous->position)));

@@ -10,6 +10,7 @@
 #include "config/compile/finding_list.h"
 #include "config/compile/task_plan.h"
 #include "config/dcm_check.h"
+#include "config/entry_ports.h"
 
 namespace syncline::compiler {
 namespace {
@@ -152,6 +153,31 @@ void check_addresses(std::vector<Finding>& out, const std::vector<SlavePlan>& sl
   }
 }
 
+/// A slave whose cables are swapped stands behind those at its port A (config/entry_ports.h).
+void check_wiring(std::vector<Finding>& out, const std::vector<SlavePlan>& slaves) {
+  std::vector<std::optional<PreviousPort>> wiring;
+  for (const SlavePlan& slave : slaves) wiring.push_back(slave.settings->previous);
+  const auto entries = entry_ports(wiring);
+  for (const SlavePlan& slave : slaves) {
+    FindingList findings(out, slave.position);
+    const auto& previous = wiring[slave.position];
+    if (previous) {
+      const bool explained = previous->position < slaves.size() && entries[previous->position];
+      const bool swapped = explained && *entries[previous->position] != 0;
+      if (!explained && previous->position >= slave.position) {
+        findings.error("previous", "No wiring puts a slave in front of the one that it hangs on here.");
+      } else if (previous->port > 3 || (previous->port == 0 && !swapped)) {
+        findings.error("previous", "A slave hangs on port B, C or D of its predecessor.");
+      }
+    }
+    if (entries[slave.position].value_or(0) != 0) {
+      findings.warning("previous", "Frames enter it by another port than A. Swap its cables IN and OUT: until then slaves "
+                                   "behind it stand in front of it, an ENI file cannot tell what hangs on its port A, and "
+                                   "other masters take its propagation delay wrong.");
+    }
+  }
+}
+
 }  // namespace
 
 void find_master_problems(std::vector<Finding>& out, const Project& project, const std::vector<SlavePlan>& slaves,
@@ -164,6 +190,7 @@ void find_master_problems(std::vector<Finding>& out, const Project& project, con
   check_tasks(findings, project.master);
   check_logical_start(findings, project.master, config);
   check_addresses(out, slaves);
+  check_wiring(out, slaves);
   check_sync_units(out, project.master, slaves);
 }
 

@@ -143,12 +143,8 @@ void check_interpolation_time(FindingList& findings, const SlavePlan& slave) {
 }
 
 void check_topology(FindingList& findings, const SlavePlan& slave) {
-  const auto& previous = slave.settings->previous;
-  if (previous && previous->position >= slave.position) {
-    findings.error("previous", "The predecessor of a slave must stand before it on the bus.");
-  } else if (previous && (previous->port == 0 || previous->port > 3)) {
-    findings.error("previous", "A slave hangs on port B, C or D of its predecessor.");
-  } else if (!previous && slave.position > 0) {
+  // What the others must be known for: master_findings.
+  if (!slave.settings->previous && slave.position > 0) {
     findings.warning("previous", "The wiring is unknown: propagation delays will be measured as if in a line.");
   }
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "config/entry_ports.h"
 #include "config/exports/exports.h"
 
 namespace syncline::exports {
@@ -55,15 +56,30 @@ struct Node {
 class Tree {
  public:
   explicit Tree(const NetworkConfig& config) : nodes_(config.slaves.size()) {
-    for (std::size_t i = 1; i < nodes_.size(); ++i) {
-      const auto& previous = config.slaves[i].previous;
-      const bool known = previous && previous->position < i;
+    std::vector<std::optional<PreviousPort>> wiring;
+    for (const auto& slave : config.slaves) wiring.push_back(slave.previous);
+    const auto entries = entry_ports(wiring);
+    std::vector<std::size_t> open;  // those whose column is known
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      const auto& previous = wiring[i];
+      // In front of the one that it hangs at only where that one's cables are swapped.
+      const bool known = previous && previous->position < nodes_.size() &&
+                         (previous->position < i || entries[previous->position]);
       nodes_[i].port = static_cast<char>('A' + (known ? previous->port & 3U : 1U));
-      nodes_[known ? previous->position : i - 1].children.push_back(i);
+      if (known) {
+        nodes_[previous->position].children.push_back(i);
+      } else if (i > 0 && !wiring[0]) {
+        nodes_[i - 1].children.push_back(i);
+      } else {
+        open.push_back(i);
+      }
     }
-    for (const auto& node : nodes_) {
+    while (!open.empty()) {
+      const auto& node = nodes_[open.back()];
+      open.pop_back();
       for (const std::size_t child : node.children) {
         nodes_[child].column = node.column + (child == node.children.back() ? 0 : 1);
+        open.push_back(child);
       }
     }
   }

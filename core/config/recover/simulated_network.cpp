@@ -5,6 +5,7 @@
 
 #include "config/compile/compile.h"
 #include "config/compile/effective_slave.h"
+#include "config/entry_ports.h"
 #include "config/recover/recovered_device.h"
 #include "config/recover/register_writes.h"
 
@@ -87,15 +88,27 @@ std::uint8_t at_least(std::uint8_t usual, std::size_t needed) {
   return static_cast<std::uint8_t>(std::max<std::size_t>(usual, std::min<std::size_t>(needed, 16)));
 }
 
-void wire(SimSlaveConfig& simulated, std::size_t position, const std::optional<PreviousPort>& previous) {
-  simulated.oscillator.ppm = ppm_of(position);
-  if (position == 0) return;
-  const bool said = previous && previous->position < position;
-  simulated.parent = said ? previous->position : static_cast<std::uint16_t>(position - 1);
-  simulated.parent_port = said ? previous->port : 1;
+/// As the slaves say where they hang; one that does not say it, or says what cannot be, at the one before it.
+void wire(SimConfig& config, std::span<const std::optional<PreviousPort>> previous) {
+  const auto entries = entry_ports(previous);
+  for (std::size_t i = 0; i < config.slaves.size(); ++i) {
+    auto& slave = config.slaves[i];
+    slave.oscillator.ppm = ppm_of(i);
+    slave.entry_port = entries[i].value_or(0);
+    const bool said = previous[i] && previous[i]->position < previous.size() &&
+                      (previous[i]->position < i || entries[previous[i]->position]);
+    if (said) {
+      slave.parent = previous[i]->position;
+      slave.parent_port = previous[i]->port;
+    } else if (i > 0 && config.slaves[0].parent) {
+      continue;  // the one that is wired to the master, behind some that hang at it
+    } else if (i > 0) {
+      slave.parent = static_cast<std::uint16_t>(i - 1);
+    }
+  }
 }
 
-SimSlaveConfig simulated_slave(const SlaveConfig& slave, std::size_t position, Nanoseconds cycle) {
+SimSlaveConfig simulated_slave(const SlaveConfig& slave, Nanoseconds cycle) {
   SimSlaveConfig simulated;
   simulated.name = slave.name;
   simulated.behaviour = "generic";
@@ -110,26 +123,32 @@ SimSlaveConfig simulated_slave(const SlaveConfig& slave, std::size_t position, N
     simulated.fmmu_count = at_least(simulated.fmmu_count, writes.fmmus.rbegin()->first + 1U);
   }
   simulated.sync_manager_count = at_least(simulated.sync_manager_count, simulated.device.sync_managers.size());
-  wire(simulated, position, slave.previous);
   return simulated;
 }
 
 /// Frame order is the order of the wiring; where the ENI's ports say another one, a line is as good as any.
 void straighten(SimConfig& config) {
   std::vector<std::uint32_t> taken(config.slaves.size());
+  for (std::size_t i = 0; i < config.slaves.size(); ++i) taken[i] = 1U << config.slaves[i].entry_port;
+  std::size_t roots = 0;
   bool consistent = true;
-  for (std::size_t i = 1; i < config.slaves.size(); ++i) {
-    auto& ports = taken[*config.slaves[i].parent];
-    const auto port = 1U << config.slaves[i].parent_port;
+  for (const auto& slave : config.slaves) {
+    if (!slave.parent) {
+      ++roots;
+      continue;
+    }
+    auto& ports = taken[*slave.parent];
+    const auto port = 1U << slave.parent_port;
     // A port has one cable.
-    consistent =
-        consistent && config.slaves[i].parent_port >= 1 && config.slaves[i].parent_port <= 3 && (ports & port) == 0;
+    consistent = consistent && slave.parent_port <= 3 && (ports & port) == 0;
     ports |= port;
   }
-  if (consistent) return;
-  for (std::size_t i = 1; i < config.slaves.size(); ++i) {
-    config.slaves[i].parent = static_cast<std::uint16_t>(i - 1);
-    config.slaves[i].parent_port = 1;
+  if (consistent && roots == 1) return;
+  for (std::size_t i = 0; i < config.slaves.size(); ++i) {
+    auto& slave = config.slaves[i];
+    slave.parent = i > 0 ? std::optional(static_cast<std::uint16_t>(i - 1)) : std::nullopt;
+    slave.parent_port = 1;
+    slave.entry_port = 0;
   }
 }
 
@@ -138,9 +157,12 @@ void straighten(SimConfig& config) {
 SimConfig simulated_network(const NetworkConfig& config) {
   SimConfig simulated;
   simulated.name = config.master.name;
+  std::vector<std::optional<PreviousPort>> previous;
   for (std::size_t i = 0; i < config.slaves.size(); ++i) {
-    simulated.slaves.push_back(simulated_slave(config.slaves[i], i, config.cycle_time()));
+    simulated.slaves.push_back(simulated_slave(config.slaves[i], config.cycle_time()));
+    previous.push_back(config.slaves[i].previous);
   }
+  wire(simulated, previous);
   straighten(simulated);
   return simulated;
 }
@@ -149,6 +171,7 @@ SimConfig simulated_network(const Project& project) {
   SimConfig simulated;
   simulated.name = project.master.name;
   const auto compiled = compile(project);
+  std::vector<std::optional<PreviousPort>> previous;
   for (std::size_t i = 0; i < project.slaves.size(); ++i) {
     const auto effective = compiler::effective_slave(project.slaves[i]);
     const SlaveSettings& slave = effective ? *effective : project.slaves[i];
@@ -162,8 +185,9 @@ SimConfig simulated_network(const Project& project) {
     added.sync_manager_count = at_least(added.sync_manager_count, slave.device.sync_managers.size());
     added.fmmu_count = at_least(added.fmmu_count, slave.device.fmmus.size());
     if (compiled && compiled->config.slaves[i].mailbox) make_objects(added.device, *compiled->config.slaves[i].mailbox);
-    wire(added, i, slave.previous);
+    previous.push_back(slave.previous);
   }
+  wire(simulated, previous);
   straighten(simulated);
   return simulated;
 }

@@ -42,7 +42,7 @@ Rule op_mode_rule() {
   return rule;
 }
 
-Result<std::optional<PreviousPort>> parse_previous(std::string_view text, std::size_t own_position) {
+Result<std::optional<PreviousPort>> parse_previous(std::string_view text, std::size_t own_position, std::size_t slaves) {
   if (text == kNone) return std::optional<PreviousPort>{};
   const auto colon = text.find(':');
   const auto position = parse_integer(text.substr(0, colon));
@@ -50,8 +50,9 @@ Result<std::optional<PreviousPort>> parse_previous(std::string_view text, std::s
   if (!position || port.size() != 1 || port[0] < 'A' || port[0] > 'D') {
     return bad_value(fmt::format("\"{}\" is neither none nor POSITION:PORT, like 0:B", text));
   }
-  if (*position < 0 || static_cast<std::uint64_t>(*position) >= own_position) {
-    return bad_value(fmt::format("slave {} does not stand before slave {} on the bus", *position, own_position));
+  const auto other = static_cast<std::uint64_t>(*position);
+  if (*position < 0 || other >= slaves || other == own_position) {
+    return bad_value(fmt::format("slave {} is not another slave of the {} on the bus", *position, slaves));
   }
   return std::optional(PreviousPort{static_cast<std::uint16_t>(*position), static_cast<std::uint8_t>(port[0] - 'A')});
 }
@@ -59,8 +60,8 @@ Result<std::optional<PreviousPort>> parse_previous(std::string_view text, std::s
 Rule previous_rule() {
   Rule rule{.key = "slave.N.previous",
             .type = "slave position and port",
-            .range = "none, POSITION:A..D of a slave before this one",
-            .meaning = "Where the slave's port A is plugged in; the propagation delays follow this wiring.",
+            .range = "none, POSITION:A..D of another slave",
+            .meaning = "Where the slave is plugged in towards the master. One behind it only when that one's cables are swapped.",
             .get = {},
             .set = {}};
   rule.get = [](const Project& project, const Place& place) {
@@ -68,7 +69,7 @@ Rule previous_rule() {
     return previous ? fmt::format("{}:{:c}", previous->position, 'A' + previous->port) : std::string(kNone);
   };
   rule.set = [](Project& project, const Place& place, std::string_view text) -> Status {
-    const auto previous = parse_previous(text, place.slave);
+    const auto previous = parse_previous(text, place.slave, project.slaves.size());
     if (!previous) return tl::unexpected(previous.error());
     at(project, place).previous = *previous;
     return {};

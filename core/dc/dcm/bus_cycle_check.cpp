@@ -10,11 +10,16 @@ namespace {
 constexpr Nanoseconds kWindow = kSecond;
 constexpr std::int64_t kMinimumCycles = 64;
 constexpr Nanoseconds kTolerance = 50;  // a 50th
+constexpr Nanoseconds kSilence = 50 * kMillisecond;
 
 }  // namespace
 
-void BusCycleCheck::observe(Nanoseconds scheduled_time) {
-  if (!begin_) {
+void BusCycleCheck::observe(Nanoseconds scheduled_time, bool answered) {
+  if (!answered && !silent_since_) silent_since_ = scheduled_time;
+  const bool was_silent = silent_since_ && scheduled_time - *silent_since_ >= kSilence;
+  if (answered) silent_since_.reset();
+  if (!begin_ || was_silent) {
+    count_ = 0;
     begin_ = scheduled_time;
     return;
   }

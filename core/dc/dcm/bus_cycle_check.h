@@ -14,15 +14,17 @@ class BusCycleCheck {
  public:
   explicit BusCycleCheck(Nanoseconds cycle_time) : cycle_(cycle_time) {}
   void start() { *this = BusCycleCheck(cycle_); }
-  /// One cycle, lost frames included.
-  void observe(Nanoseconds scheduled_time);
-  /// The last second's mean period was more than 2 % off.
+  /// One cycle, lost frames included; `answered`: the reference clock's time came back.
+  void observe(Nanoseconds scheduled_time, bool answered);
+  /// The last second's mean period was more than 2 % off. A second with a silence of 50 ms in it does not count: an adapter
+  /// that was away and is opened again keeps the host from its cycles, and that is not the timer's fault.
   [[nodiscard]] bool wrong() const { return wrong_; }
 
  private:
   Nanoseconds cycle_;
   std::optional<Nanoseconds> begin_;
   std::int64_t count_ = 0;
+  std::optional<Nanoseconds> silent_since_;
   bool wrong_ = false;
 };
 

@@ -37,7 +37,7 @@ void DcmMonitor::start(Nanoseconds time) {
 }
 
 bool DcmMonitor::observe(const DcmObservation& observation, Nanoseconds error) {
-  bus_cycle_.observe(observation.scheduled_time);
+  bus_cycle_.observe(observation.scheduled_time, observation.reference_time.has_value());
   step_.reset();
   bool new_drift = false;
   if (observation.reference_time) {

@@ -73,10 +73,15 @@ bool came_back(const RunReport& report, const RunHistory::SyncLoss& loss) {
                                                                                    kSecond);
 }
 
+/// Without the adapter nobody hears the time; who found it again afterwards has nothing wrong with him.
+bool without_adapter(const RunReport& report, const RunHistory::SyncLoss& loss) {
+  return loss.back && adapter_was_away(report, {loss.time, loss.time, 0, 0});
+}
+
 void find_left_window(const RunReport& report, Findings& findings) {
   std::vector<RunHistory::SyncLoss> losses;
   std::ranges::copy_if(report.history.slave_losses, std::back_inserter(losses),
-                       [&](const RunHistory::SyncLoss& loss) { return !came_back(report, loss); });
+                       [&](const RunHistory::SyncLoss& loss) { return !came_back(report, loss) && !without_adapter(report, loss); });
   if (losses.empty()) return;
   const auto& first = losses.front();
   RunFinding finding{Code::kWindowLeft, FindingLevel::kWarning, first.slave, first.time,
@@ -100,6 +105,9 @@ void find_clocks(const RunReport& report, Findings& findings) {
 void find_master_sync(const RunReport& report, Findings& findings) {
   const auto& dcm = report.dcm;
   if (!report.dc.enabled || dcm.mode == DcmMode::kOff) return;
+  std::vector<RunHistory::SyncLoss> losses;
+  std::ranges::copy_if(report.history.master_losses, std::back_inserter(losses),
+                       [&](const RunHistory::SyncLoss& loss) { return !without_adapter(report, loss); });
   const auto drift = Figure{"drift", Unit::kPpm, std::llround(dcm.drift_ppm * 1000)};
   if (std::abs(dcm.drift_ppm) > kMaxDriftPpm) {
     findings.push_back({Code::kDriftTooHigh, FindingLevel::kError, -1, 0, 0, {drift}});
@@ -119,8 +127,7 @@ void find_master_sync(const RunReport& report, Findings& findings) {
                         0,
                         0,
                         {time_figure("error", dcm.error_ns), text_figure("obstacle", obstacle(dcm.obstacle)), drift}});
-  } else if (!report.history.master_losses.empty()) {
-    const auto& losses = report.history.master_losses;
+  } else if (!losses.empty()) {
     findings.push_back({Code::kMasterLostLock,
                         FindingLevel::kWarning,
                         -1,

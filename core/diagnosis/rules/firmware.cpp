@@ -37,6 +37,21 @@ void find_exceeded(const RunReport& report, const RunReport::Slave& slave, Findi
                        text_figure("object", object), moment_figure(report, "last", spells.last())}});
 }
 
+/// Where the slave counts it itself, or hangs, that says more.
+void find_late_inputs(const RunReport& report, const RunReport::Slave& slave, Findings& findings) {
+  const auto& history = report.history.slaves[slave.position];
+  const auto& late = history.late_inputs;
+  const bool counted = slave.evidence.outputs.exceeded.total > 0 || slave.evidence.inputs.exceeded.total > 0;
+  if (late.empty() || counted || !history.pdi_watchdog.empty()) return;
+  findings.push_back({Code::kInputsLate,
+                      FindingLevel::kWarning,
+                      slave.position,
+                      late.first(),
+                      late.last(),
+                      {slave_figure(report, slave.position), moment_figure(report, "since", late.first()),
+                       times_figure("count", late.count())}});
+}
+
 void find_watchdogs(const RunReport& report, const RunReport::Slave& slave, Findings& findings) {
   const auto& history = report.history.slaves[slave.position];
   if (!history.pdi_watchdog.empty()) {
@@ -70,6 +85,7 @@ void find_firmware(const RunReport& report, Findings& findings) {
   for (const auto& slave : report.slaves) {
     find_watchdogs(report, slave, findings);
     find_exceeded(report, slave, findings);
+    find_late_inputs(report, slave, findings);
     if (slave.present && slave.evidence.mailbox_silences >= kSilences) {
       findings.push_back(
           {Code::kMailboxSilent,

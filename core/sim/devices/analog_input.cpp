@@ -20,7 +20,7 @@ std::uint16_t triangle(Nanoseconds time) {
 }  // namespace
 
 void AnalogInput::check_running(Nanoseconds time) {
-  if (converted_ && time - *converted_ < kConversion) return;
+  if (converted_ && time - *converted_ < kConversion + application_delay()) return;
   converted_ = time;
   Nanoseconds shift = 0;
   for (const auto& pdo : config().device.tx_pdos) {

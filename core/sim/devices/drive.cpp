@@ -376,7 +376,7 @@ std::uint16_t Drive::statusword() {
 void Drive::publish_inputs() {
   auto& o = objects_;
   const Published now{statusword(), o.error_code.get(), o.mode_display.get()};
-  if (!axis_.take_moved() && published_ == now && plain_inputs_ && inputs_stay()) return;
+  if (!axis_.take_moved() && published_ == now && plain_inputs_ && inputs_stay()) return renew_inputs();
   published_ = now;
   o.status.set(now.status);
   o.demand.set(static_cast<std::uint32_t>(axis_.demand_position()));

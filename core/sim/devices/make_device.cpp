@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <optional>
+
 #include "config/families/families.h"
 #include "sim/device.h"
 #include "sim/devices/analog_input.h"
@@ -16,14 +18,28 @@ class Generic final : public Device {
   using Device::Device;
 
  protected:
-  void on_sync0(Nanoseconds) override {
-    if (!inputs_stay()) inputs_from_dictionary();
+  void on_sync0(Nanoseconds time) override { cycle(time); }
+  void on_outputs(Nanoseconds time) override {
+    if (!dc().sync0_enabled()) cycle(time);
   }
-  void on_outputs(Nanoseconds) override {
-    if (!dc().sync0_enabled() && !inputs_stay()) inputs_from_dictionary();
+  void check_running(Nanoseconds time) override {
+    if (!busy_until_ || time < *busy_until_) return;
+    busy_until_.reset();
+    renew_inputs();
   }
-  Nanoseconds runs_alone_until() override { return INT64_MAX; }
-  bool rests() override { return inputs_stay(); }
+  Nanoseconds runs_alone_until() override { return busy_until_.value_or(INT64_MAX); }
+  bool rests() override { return inputs_stay() && !has_inputs() && !busy_until_; }
+
+ private:
+  /// Takes next to no time, unless it is slow; what comes meanwhile is passed over.
+  void cycle(Nanoseconds time) {
+    check_running(time);
+    if (busy_until_) return;
+    if (application_delay() == 0) return renew_inputs();
+    busy_until_ = time + application_delay();
+  }
+
+  std::optional<Nanoseconds> busy_until_;
 };
 
 DriveHabits servo_habits() {

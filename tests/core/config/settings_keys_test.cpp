@@ -132,7 +132,7 @@ TEST(SettingsKeys, BadEditsSayWhyAndChangeNothing) {
       {"slave.0.station_address", "12x", kValue, "whole number"},
       {"slave.0.dc.op_mode", "DC", kValue, "off, FREE, DCSYNC0"},
       {"slave.0.dc.sync0.factor", "0", kValue, "factor 0"},
-      {"slave.1.previous", "1:B", kValue, "before"},
+      {"slave.1.previous", "1:B", kValue, "another slave"},
       {"slave.1.previous", "0:E", kValue, "POSITION:PORT"},
       {"slave.0.pdo.rx", "0x1600,0x1700", kValue, "no PDO 0x1700"},
       {"slave.0.pdo.rx", "0x1602,0x1602", kValue, "twice"},

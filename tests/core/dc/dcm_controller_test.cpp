@@ -83,7 +83,7 @@ TEST(BusCycleCheck, ToleratesAFewCyclesThatWereLeftOutAndRecovers) {
   Nanoseconds time = 0;
   const auto run = [&](int cycles, int leave_out_every) {
     for (int i = 1; i <= cycles; ++i) {
-      check.observe(time);
+      check.observe(time, true);
       time += kMillisecond * (i % leave_out_every == 0 ? 2 : 1);
     }
   };
@@ -93,6 +93,18 @@ TEST(BusCycleCheck, ToleratesAFewCyclesThatWereLeftOutAndRecovers) {
   EXPECT_TRUE(check.wrong());
   run(3'000, 1'000'000);
   EXPECT_FALSE(check.wrong());
+}
+
+TEST(BusCycleCheck, ASecondInWhichNothingCameBackProvesNothing) {
+  BusCycleCheck check(kMillisecond);
+  Nanoseconds time = 0;
+  for (int i = 0; i < 10'000; ++i) {
+    // Away for 200 ms every 900 ms; then the adapter is opened again, and that takes 40 ms.
+    const auto phase = i % 900;
+    check.observe(time, phase >= 200);
+    time += phase == 199 ? 41 * kMillisecond : kMillisecond;
+    EXPECT_FALSE(check.wrong());
+  }
 }
 
 TEST(DriftEstimator, IsExactForAClockThatRunsAway) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -28,7 +29,7 @@ class SegmentTruth {
     std::array<std::optional<std::uint16_t>, 4> child{};
   };
 
-  /// Slaves must be added in frame order. Returns the position.
+  /// Slaves must be added with each behind its parent, and children in frame order. Returns the position.
   std::uint16_t add(std::optional<std::uint16_t> parent, unsigned parent_port, std::uint32_t wire,
                     DcKind kind = DcKind::kFull, std::uint32_t clock_offset = 0) {
     const auto position = static_cast<std::uint16_t>(slaves.size());
@@ -53,16 +54,19 @@ class SegmentTruth {
       node.receive_time.fill(slave.garbage);
       node.parent = slave.parent;
       node.parent_port = static_cast<std::uint8_t>(slave.parent_port);
+      node.entry_port = slave.kind == DcKind::kNone ? static_cast<std::uint8_t>(slave.entry) : 0;
       nodes_.push_back(node);
     }
     visit(0, 0);
   }
   [[nodiscard]] const std::vector<DelayNode>& nodes() const { return nodes_; }
-  /// True time from the first slave with receive times.
+  /// True time between the processing units, from the first one of a slave with receive times.
   [[nodiscard]] std::int64_t delay(std::size_t position) const {
-    std::size_t first = 0;
-    while (slaves[first].kind == DcKind::kNone) ++first;
-    return arrivals_[position] - arrivals_[first];
+    auto first = INT64_MAX;
+    for (std::size_t i = 0; i < slaves.size(); ++i) {
+      if (slaves[i].kind != DcKind::kNone) first = std::min(first, arrivals_[i]);
+    }
+    return arrivals_[position] - first;
   }
 
   std::vector<Slave> slaves;
@@ -71,18 +75,25 @@ class SegmentTruth {
   /// Way through one slave, ring 0-3-1-2 from the entry on; the processing unit lies behind port 0.
   std::int64_t visit(std::uint16_t position, std::int64_t time) {
     const auto& slave = slaves[position];
-    arrivals_[position] = time;
     latch(position, slave.entry, time);
+    if (slave.entry == 0) process(position, time);
     unsigned last = slave.entry;
     for (unsigned port = next(slave.entry); port != slave.entry; port = next(port)) {
+      if (port == 0 && !slave.child[0]) process(position, time + slave.forwarding);
       if (!slave.child[port]) continue;
       time += latency(slave, last, port);
       const auto child = *slave.child[port];
       time = visit(child, time + slaves[child].wire) + slaves[child].wire;
       latch(position, port, time);
+      if (port == 0) process(position, time);
       last = port;
     }
     return time + latency(slave, last, slave.entry);
+  }
+  void process(std::uint16_t position, std::int64_t time) {
+    arrivals_[position] = time;
+    if (slaves[position].kind != DcKind::kFull) return;
+    nodes_[position].processing_time = slaves[position].clock_offset + static_cast<std::uint32_t>(time);
   }
   static unsigned next(unsigned port) {
     constexpr std::array<unsigned, 4> kNext{3, 2, 0, 1};

@@ -43,7 +43,7 @@ TEST(SegmentDelays, SlaveConnectedByItsPort1HasItsTrueDelayAndAWarning) {
                           node(status[2], {{1, 400}, {0, 1'360}})};
   const auto result = segment_delays(nodes, status, {});
   ASSERT_TRUE(result.delay_ns[1] && result.delay_ns[2]);
-  EXPECT_EQ(*result.delay_ns[2], 400U);
+  EXPECT_EQ(*result.delay_ns[2], 1'360U);
   EXPECT_EQ(*result.delay_ns[1], 860U);
   EXPECT_TRUE(has(result, dc::DelayWarning::kReversedCable, 2));
 }

@@ -10,6 +10,7 @@
 #include "sim/sim_bus.h"
 #include "support/random.h"
 #include "tests/support/clock_bed.h"
+#include "tests/support/swapped_tree.h"
 
 namespace syncline {
 namespace {
@@ -50,6 +51,43 @@ TEST(DcSetup, RecoversTheDelaysBehindSlavesWithoutClocksToo) {
     RC_ASSERT(network.has_value());
     RC_ASSERT(worst_delay_error(bed, *network) <= 20);
   }));
+}
+
+/// Whether each slave whose cables are swapped is told, and nobody else.
+bool told_as_swapped(const SimulatedNetwork& network, const DcNetwork& clocks) {
+  for (std::size_t i = 0; i < network.sim.slaves.size(); ++i) {
+    const bool told = std::ranges::any_of(clocks.findings, [i](const auto& finding) {
+      return finding.position == i && finding.warning == dc::DelayWarning::kReversedCable;
+    });
+    if (told != (network.sim.slaves[i].entry_port != 0)) return false;
+  }
+  return true;
+}
+
+TEST(DcSetup, RecoversTheDelaysOfSlavesThatAreEnteredByAnyPort) {
+  EXPECT_TRUE(rc::check([] {
+    const auto seed = *rc::gen::arbitrary<std::uint64_t>();
+    const auto network = test::swapped_network(*rc::gen::inRange<std::size_t>(1, 40), seed);
+    ClockBed bed(network);
+    const auto clocks = bed.set_up();
+    RC_ASSERT(clocks.has_value());
+    RC_ASSERT(worst_delay_error(bed, *clocks) <= 20);
+    RC_ASSERT(told_as_swapped(network, *clocks));
+    RC_ASSERT(bed.largest_clock_difference() < 100);
+  }));
+}
+
+TEST(DcSetup, NoiseOfTheStampsStaysSmallWherePortAIsClosed) {
+  // A line whose last slave is entered by port B: the medians must not be taken against a port that no frame passes.
+  auto network = test::SimulatedNetwork();
+  for (int i = 0; i < 3; ++i) network.add(test::io8());
+  network.sim.slaves[2].entry_port = 1;
+  network.sim.slaves[2].oscillator.start_offset = 2'147'483'648 - 30 * kMillisecond;  // half of the range is passed meanwhile
+  network.sim.bus.latch_noise_ns = 40;
+  ClockBed bed(std::move(network));
+  const auto clocks = bed.set_up();
+  ASSERT_TRUE(clocks);
+  EXPECT_LE(worst_delay_error(bed, *clocks), 60);
 }
 
 TEST(DcSetup, RecoversTheDelaysOfTwoHundredSlaves) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <rapidcheck.h>
 
 #include "link/fault_link.h"
 #include "master/bus_scanner.h"
@@ -9,6 +10,7 @@
 #include "protocol/registers.h"
 #include "sim/sii_from_device.h"
 #include "tests/support/scan_bed.h"
+#include "tests/support/swapped_tree.h"
 
 /// The scan against the simulated bus, which executes every byte.
 namespace syncline {
@@ -52,6 +54,20 @@ struct Bed {
     bus = std::make_unique<Bus>(*exchange, clock);
   }
 };
+
+TEST(ScanSimulated, EveryWiringIsFound) {
+  EXPECT_TRUE(rc::check([](std::uint64_t seed) {
+    const auto network = test::swapped_network(30, seed);
+    Bed bed(network);
+    const auto scan = scan_slaves(*bed.bus);
+    RC_ASSERT(scan.has_value());
+    RC_ASSERT(scan->slaves.size() == network.sim.slaves.size());
+    for (std::size_t i = 0; i < scan->slaves.size(); ++i) {
+      RC_ASSERT(scan->slaves[i].previous == network.project.slaves[i].previous);
+      RC_ASSERT(scan->slaves[i].entry_port == network.sim.slaves[i].entry_port);
+    }
+  }));
+}
 
 TEST(ScanSimulated, AHundredDifferentSlavesNeedThreeFramesEach) {
   const auto network = test::different_slaves(100);

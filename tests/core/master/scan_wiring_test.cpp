@@ -127,7 +127,7 @@ Tree random_tree(std::uint64_t seed, bool upright) {
 
 TEST(Wiring, EveryTreeIsFoundAgain) {
   for (const bool upright : {true, false}) {
-    rc::check([upright](std::uint64_t seed, std::uint32_t start) {
+    EXPECT_TRUE(rc::check([upright](std::uint64_t seed, std::uint32_t start) {
       auto tree = random_tree(seed, upright);
       tree.walk(start);
       const auto wiring = find_wiring(tree.reports());
@@ -135,12 +135,50 @@ TEST(Wiring, EveryTreeIsFoundAgain) {
         RC_ASSERT(wiring[i].previous == tree.previous(i));
         RC_ASSERT(wiring[i].unexplained_ports == 0);
       }
-    });
+    }));
   }
 }
 
+TEST(Wiring, ASlaveWithoutReceiveTimesIsTakenAsExplainsTheOrder) {
+  Tree tree(0);
+  const auto turned = tree.add(0, 1, 1);
+  tree.add(turned, 0, 0);
+  tree.walk(1000);
+  ASSERT_EQ(tree.order, (std::vector<int>{0, 2, 1}));
+  auto reports = tree.reports();
+  reports[2].receive_times.reset();
+  const auto wiring = find_wiring(reports);
+  for (std::size_t i = 0; i < wiring.size(); ++i) EXPECT_EQ(wiring[i].previous, tree.previous(i)) << i;
+  EXPECT_EQ(wiring[2].entry_port, 1);
+}
+
+TEST(Wiring, TheLastSlaveWithoutReceiveTimesIsEnteredByItsOnlyOpenPort) {
+  Tree tree(0);
+  tree.add(0, 1, 1);
+  tree.walk(1000);
+  auto reports = tree.reports();
+  reports[1].receive_times.reset();
+  const auto wiring = find_wiring(reports);
+  EXPECT_EQ(wiring[1].entry_port, 1);
+  EXPECT_EQ(wiring[1].previous, (PreviousPort{0, 1}));
+}
+
+/// Upright slaves, some without receive times: nobody is taken for swapped.
+TEST(Wiring, UprightSlavesWithoutReceiveTimesStayUpright) {
+  EXPECT_TRUE(rc::check([](std::uint64_t seed) {
+    auto tree = random_tree(seed, true);
+    tree.walk(77);
+    auto reports = tree.reports();
+    Random random(seed);
+    for (auto& report : reports) {
+      if (random.uniform() < 0.5) report.receive_times.reset();
+    }
+    for (const auto& slave : find_wiring(reports)) RC_ASSERT(slave.entry_port == 0);
+  }));
+}
+
 TEST(Wiring, AnyReportsAreSurvived) {
-  rc::check([](const std::vector<std::uint16_t>& statuses, const std::vector<std::uint32_t>& times) {
+  EXPECT_TRUE(rc::check([](const std::vector<std::uint16_t>& statuses, const std::vector<std::uint32_t>& times) {
     std::vector<PortReport> reports;
     for (std::size_t i = 0; i < statuses.size(); ++i) {
       PortReport report{{statuses[i]}, {}};
@@ -150,7 +188,7 @@ TEST(Wiring, AnyReportsAreSurvived) {
     const auto wiring = find_wiring(reports);
     RC_ASSERT(wiring.size() == reports.size());
     for (const auto& slave : wiring) RC_ASSERT(!slave.previous || slave.previous->position < reports.size());
-  });
+  }));
 }
 
 TEST(ScanFindings, NameWhatIsUnusual) {

@@ -79,6 +79,9 @@ TEST(BadScenario, SlavesThatContradictThemselves) {
   for (const auto& wrong :
        {Wrong{servo() + terminal() + "port = \"A\"\n", "port", 5, "is where slave 0 is wired"},
         Wrong{servo() + terminal() + terminal() + "parent = 0\n", "parent", 0, ""},
+        Wrong{servo() + terminal() + "parent = 1\n", "parent", 5, "another slave"},
+        Wrong{servo() + terminal() + "parent = -1\n", "parent", 5, "slave 0 is the one"},
+        Wrong{servo() + "parent = 3\n", "parent", 3, "there are 1"},
         Wrong{servo() + "esc = \"et1100\"\ntdiff_ns = 20\n", "tdiff_ns", 4, "without esc"},
         Wrong{servo() + "esc = \"et2000\"\n", "esc", 3, "et1100"},
         Wrong{servo() + "tdiff_ns = 20\nprocessing_delay_ns = 300\n", "tdiff_ns", 3, "one of the two"},

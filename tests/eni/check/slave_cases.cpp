@@ -46,6 +46,12 @@ std::vector<RuleCase> reference_cases() {
          frame(c).push_back(cmd);
        }},
       {"ENI-REF-09", [](NetworkConfig& c) { c.slaves[kLastDrive].previous = c.slaves[kDrive].previous; }},
+      {"ENI-REF-11",
+       [](NetworkConfig& c) {
+         c.slaves[kOutput].previous = PreviousPort{kDrive, 2};
+         c.slaves[kDrive].previous = PreviousPort{kInput, 1};
+         c.slaves[kLastDrive].previous = PreviousPort{kDrive, 3};
+       }},
       {"ENI-REF-10",
        [](NetworkConfig& c) { command(c, kInput, Transition::kIP, reg::kSiiData, false).validate->data[0] ^= 0x10; }},
       {"ENI-HC-01", [](NetworkConfig& c) { c.slaves[kLastDrive].hot_connect = group("A", 2, {alias_check(7)}); }},

@@ -110,7 +110,16 @@ TEST(Findings, Topology) {
   project.slaves[2].previous = PreviousPort{2, 1};
   project.slaves[3].previous = PreviousPort{0, 0};
   EXPECT_THAT(found(project),
-              ElementsAre("warning slave.1.previous", "error slave.2.previous", "error slave.3.previous"));
+              ElementsAre("error slave.2.previous", "error slave.3.previous", "warning slave.1.previous"));
+}
+
+TEST(Findings, ASlaveWithSwappedCablesStandsBehindWhatHangsAtIt) {
+  Project project = sample::small_machine();
+  project.slaves[1].previous = PreviousPort{2, 0};
+  project.slaves[2].previous = PreviousPort{0, 1};
+  EXPECT_THAT(found(project), ElementsAre("warning slave.2.previous"));
+  project.slaves[2].previous = PreviousPort{1, 1};
+  EXPECT_THAT(found(project), testing::Contains("error slave.1.previous")) << "in a circle";
 }
 
 TEST(Findings, StationAddresses) {
