@@ -92,6 +92,12 @@ void Device::tell_error(std::uint16_t error_code, std::uint8_t error_register, s
   if (mail_due_ == kNever) mail_due_ = now_ + kMailboxReaction;
 }
 
+void Device::silence_mailbox(bool silent) {
+  mailbox_silent_ = silent;
+  // What came meanwhile lies there, and nobody can write over it: no further event tells of it.
+  if (!silent && mail_due_ == kNever) mail_due_ = now_ + kMailboxReaction;
+}
+
 void Device::stop_application(Nanoseconds time) {
   if (std::exchange(stopped_, true)) return;
   esc_.pdi_stops(std::max(now_, time));

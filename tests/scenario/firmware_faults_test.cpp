@@ -94,6 +94,20 @@ TEST_P(FirmwareFaults, AreToldByNameOfTheSlave) {
   EXPECT_EQ(silent, 0) << "of " << kInjections;
 }
 
+TEST(FirmwareFault, AMailboxThatWasSilentAnswersAgainAndIsToldAllTheSame) {
+  for (const auto kind : {FaultKind::kMailboxSilence, FaultKind::kSlowMailbox}) {
+    test::DiagnosedRun machine;
+    machine.network.add(test::io8());
+    machine.network.add(test::servo(), "servo-y");
+    auto& fault = machine.fault(kind, 6 * kSecond, 1);
+    fault.until = 36 * kSecond;
+    fault.value_ns = 2500 * kMillisecond;
+    machine.run(60 * kSecond);
+    EXPECT_TRUE(machine.found(FindingCode::kMailboxSilent, 1)) << machine.said();
+    EXPECT_EQ(machine.report.slaves[1].evidence.mailbox_silences, 0U) << "it answers again";
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Kinds, FirmwareFaults,
                          ::testing::Values(Kind{FaultKind::kStopApplication, 0, 0, true},
                                            Kind{FaultKind::kStopApplication, 0, 0, false},
