@@ -79,7 +79,8 @@ std::vector<SoakFaultKind> host_kinds() {
        .most = 300 * kMicrosecond,
        .ppm = 50,
        .events = {Event::kDcmError, Event::kDcmSync},
-       .findings = {Code::kMasterLostLock, Code::kDcmError}},
+       .findings = {Code::kMasterLostLock, Code::kDcmError},
+       .also = {Code::kSlaveLeftWindow, Code::kWindowLeft}},
       {.name = "host warms up",
        .kind = FaultKind::kTemperatureRamp,
        .victims = {},
@@ -151,7 +152,7 @@ std::vector<SoakFaultKind> clock_kinds() {
        .most = 800 * kMicrosecond,
        .while_down = true,
        .harmless = true,
-       .also = {Code::kShiftTooShort, Code::kMissedUnexplained}},
+       .also = {Code::kShiftTooShort, Code::kMissedUnexplained, Code::kSlaveFellByItself, Code::kSlaveFell}},
       {.name = "SYNC0 left running",
        .kind = FaultKind::kSyncLeftRunning,
        .victims = {1, 2, 3},
@@ -207,7 +208,8 @@ std::vector<SoakFaultKind> firmware_kinds() {
        .shortest = 300 * kMillisecond,
        .longest = 3 * kSecond,
        .events = {Event::kWatchdog},
-       .findings = {Code::kFirmwareHung}},
+       .findings = {Code::kFirmwareHung},
+       .also = {Code::kMailboxSilent}},
   };
 }
 

@@ -208,6 +208,25 @@ TEST(RunDiagnosis, OutputsThatCouldNotComeAreNoTroubleOfTheirOwn) {
   EXPECT_THAT(codes(report), testing::Contains(Code::kOutputsWatchdog)) << "this one came long after";
 }
 
+TEST(RunDiagnosis, WhatASlaveMissedWhileItWasCutOffIsItsAbsence) {
+  auto report = healthy();
+  report.slaves[1].sync0_cycle = kMillisecond;
+  miss(report, 1, dc::MissCause::kUnknown, 1'900);
+  EXPECT_THAT(codes(report), testing::Contains(Code::kMissedUnexplained));
+  report.history.slaves[1].absences.note(kStart + 6 * kSecond, 1, 0, kStart + 5 * kSecond);
+  EXPECT_THAT(codes(report), testing::Not(testing::Contains(Code::kMissedUnexplained)));
+  miss(report, 1, dc::MissCause::kUnknown, 30'000);
+  EXPECT_THAT(codes(report), testing::Contains(Code::kMissedUnexplained)) << "more than it was away for";
+}
+
+TEST(RunDiagnosis, TheWindowThatSomebodyLeavesWhenASlaveComesBackIsItsReturn) {
+  auto report = healthy();
+  report.history.slave_losses.push_back({kStart + 6 * kSecond, -1, 167, {}, kStart + 7 * kSecond});
+  EXPECT_THAT(codes(report), testing::Contains(Code::kWindowLeft));
+  report.history.slaves[2].absences.note(kStart + 6 * kSecond, 1, 0, kStart + 5 * kSecond);
+  EXPECT_THAT(codes(report), testing::Not(testing::Contains(Code::kWindowLeft)));
+}
+
 TEST(RunDiagnosis, AMailboxThatWasSilentIsToldWhenItAnswersAgain) {
   auto report = healthy();
   report.history.slaves[1].mailbox_silences = 4;

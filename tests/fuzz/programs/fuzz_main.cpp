@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdlib>
-#include <cstring>
 #include <iostream>
 
 #include "fuzz/targets.h"
@@ -39,6 +38,6 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
   if (random.next() % 3 == 0) return LLVMFuzzerMutate(data, size, max_size);
   const auto damaged = target().damage({data, data + size}, random);
   const auto length = std::min(damaged.size(), max_size);
-  std::memcpy(data, damaged.data(), length);
+  std::copy_n(damaged.begin(), length, data);
   return length;
 }
