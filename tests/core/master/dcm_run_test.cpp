@@ -74,6 +74,8 @@ TEST_F(DcmRun, EveryModeThatControlsComesInSyncOnTheBus) {
     EXPECT_EQ(dcm_bus_shift_configured(snapshot), steers_reference_clock(mode));
     EXPECT_EQ(snapshot.dcm.set_value_ns, 666'666);
     EXPECT_GT(snapshot.dc.start_time, VirtualClock::kDefaultStart);
+    EXPECT_EQ(snapshot.dc.state, SyncState::kNotMonitored);
+    EXPECT_GT(snapshot.dc.since, clock.now() - 10 * kSecond) << "since it was started";
   }
 }
 
