@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "config/compile/compile.h"
-#include "core/config/compile/sample_devices.h"
+#include "tests/support/sample_devices.h"
 #include "eni/eni_file.h"
 #include "eni/project_file.h"
 #include "link/pcapng_writer.h"

@@ -2,6 +2,7 @@
 #include <array>
 #include <memory>
 
+#include "eni/esi_reader.h"
 #include "fuzz/bus_targets.h"
 #include "fuzz/script.h"
 #include "protocol/frame.h"
@@ -9,7 +10,7 @@
 #include "sim/sim_bus.h"
 #include "support/byte_order.h"
 #include "support/clock.h"
-#include "tests/support/simulated_network.h"
+#include "tests/support/source_dir.h"
 
 namespace syncline::fuzz {
 namespace {

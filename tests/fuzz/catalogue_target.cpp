@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "core/config/compile/sample_devices.h"
+#include "tests/support/sample_devices.h"
 #include "eni/catalogue/esi_catalogue.h"
 #include "eni/esi_writer.h"
 #include "fuzz/sandbox.h"

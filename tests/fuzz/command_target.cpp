@@ -14,7 +14,7 @@
 #include "app/cli/cli.h"
 #include "app/cli/duration.h"
 #include "config/compile/compile.h"
-#include "core/config/compile/sample_devices.h"
+#include "tests/support/sample_devices.h"
 #include "eni/eni_file.h"
 #include "eni/esi_writer.h"
 #include "eni/project_file.h"

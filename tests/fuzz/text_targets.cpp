@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fuzz/text_targets.h"
 
-#include "core/config/compile/sample_devices.h"
+#include "tests/support/sample_devices.h"
 #include "protocol/frame.h"
 #include "protocol/registers.h"
 #include "sim/scenario_loader.h"
