@@ -48,7 +48,7 @@ std::vector<Finding> unread_parts(const Element& root) {
   count_left_out(root, counts);
   for (const auto& [what, count] : counts) {
     const bool told =
-        std::ranges::any_of(out, [&](const Finding& f) { return f.text.find(what) != std::string::npos; });
+        std::ranges::any_of(out, [&what = what](const Finding& f) { return f.text.find(what) != std::string::npos; });
     if (told) continue;
     add(count.times > 1 ? fmt::format("{}, {} times", what, count.times) : what, count.line);
   }

@@ -30,7 +30,8 @@ std::string behind_several(const std::string& rest) {
 
 std::string slaves_text(std::vector<int> slaves) {
   std::ranges::sort(slaves);
-  const auto [first, last] = std::ranges::unique(slaves);
+  // Not std::ranges::unique: clang 14 cannot compile what libstdc++ 12 makes of it.
+  const auto first = std::unique(slaves.begin(), slaves.end()), last = slaves.end();
   slaves.erase(first, last);
   std::vector<std::string> parts;
   for (std::size_t i = 0; i < slaves.size();) {

@@ -160,6 +160,7 @@ class Measurement {
       hop = 0;
     } else if (hop > kMaxHopNs) {
       report(i, DelayWarning::kImplausibleHop, hop);
+      hop = 0;  // a few hundred ns wrong at most, where what was measured is wrong by all of it
     }
     const auto delay = *arrival_[a] + before + hop;
     if (delay <= *arrival_[a]) report(i, DelayWarning::kNotIncreasing, delay);

@@ -4,9 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 
+#include "dc/obstacle_text.h"
 #include "master/dc_join.h"
 #include "master/dc_start.h"
+#include "protocol/dcm_error.h"
 
 namespace syncline {
 namespace {
@@ -100,10 +103,13 @@ Status ClockSteps::await_master() {
   const auto in_sync = comes_true(&SyncWatch::schedule_in_sync);
   if (!in_sync) return tl::unexpected(in_sync.error());
   if (*in_sync) return {};
+  const auto& dcm = run_.snapshot.dcm;
   Error error{ErrorCode::kDcmOutOfLimit, "master"};
   error.expected = run_.config().dc.dcm.in_sync_limit;
-  error.received = run_.snapshot.dcm.error_ns;
-  return fail(std::move(error));
+  error.received = dcm.error_ns;
+  if (dcm.error_code == 0 && std::abs(error.received) > error.expected) return fail(std::move(error));
+  const auto why = dcm.error_code != 0 ? dc::dcm_error_text(dcm.error_code) : dc::obstacle_text(dcm.obstacle);
+  return fail(ErrorCode::kDcSetup, "the master", fmt::format("it is not in sync after {} s: {}", kSyncTimeout / kSecond, why));
 }
 
 Status ClockSteps::join(const SlaveList& slaves) {

@@ -24,7 +24,8 @@ class ClockSteps {
   Result<Nanoseconds> initialise(SlaveList present);
   /// Until the slaves are within the sync window. kDcSetup after 30 s.
   Status await_slaves();
-  /// Until the master keeps its distance from them. kDcmOutOfLimit after 30 s.
+  /// Until the master keeps its distance from them. After 30 s kDcmOutOfLimit, or kDcSetup where something else
+  /// than the error stands in the way.
   Status await_master();
   /// Gives clocks to slaves that have come while the others go on.
   Status join(const SlaveList& slaves);

@@ -25,11 +25,6 @@ constexpr std::uint32_t kSteeredMinimum = 4096;
 constexpr std::uint32_t kPatience = 2;
 constexpr int kLastAttempts = 4;
 
-Nanoseconds time_on_wire(std::size_t datagram_bytes) {
-  constexpr std::size_t kMinimumPayload = 46, kEtherCatHeader = 2, kAroundPayload = 8 + 14 + 4 + 12;
-  return static_cast<Nanoseconds>(std::max(datagram_bytes + kEtherCatHeader, kMinimumPayload) + kAroundPayload) * 80;
-}
-
 }  // namespace
 
 DcBurst::DcBurst(Bus& bus, const Plan& plan)
@@ -57,7 +52,7 @@ void DcBurst::fill(Slot& slot, bool with_window) {
 void DcBurst::stamp(Nanoseconds send_time) {
   // Frames of a bulk leave one behind the other, whatever the host's clock says when it hands them over.
   sending_->on_wire = std::max(send_time, wire_free_);
-  wire_free_ = sending_->on_wire + time_on_wire(sending_->frame.size());
+  wire_free_ = sending_->on_wire + wire_time_ns(kEthernetHeaderSize + kEtherCatHeaderSize + sending_->frame.size());
   if (!anchor_) return;
   const auto expected = static_cast<std::uint64_t>(sending_->on_wire + *anchor_);
   store_le(sending_->time, expected);  // for slaves in front of the reference clock

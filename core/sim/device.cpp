@@ -120,6 +120,13 @@ Nanoseconds Device::sync_patience() const {
   return sync0_cycle_ > 0 && last_sync0_ && !dc().signals_unminded() ? *last_sync0_ + kMissingSyncs * sync0_cycle_ + 1 : kNever;
 }
 
+void Device::silence_mailbox(bool silent) {
+  mailbox_silent_ = silent;
+  // What came meanwhile lies there, and nobody can write over it: no further event tells of it.
+  if (!silent && mail_due_ == kNever) mail_due_ = now_ + kMailboxReaction;
+  esc_.wake_up();
+}
+
 void Device::stop_application(Nanoseconds time) {
   if (std::exchange(stopped_, true)) return;
   esc_.serve_promptly(false);

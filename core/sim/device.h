@@ -43,7 +43,7 @@ class Device : public Esc::Listener {
 
   // Faults.
   void refuse(AlState state, std::uint16_t code);
-  void silence_mailbox(bool silent) { mailbox_silent_ = silent; }
+  void silence_mailbox(bool silent);
   /// The application takes so much longer to answer mailbox requests; 0: as usual.
   void slow_mailbox(Nanoseconds delay) { mailbox_delay_ = delay; }
   /// The application needs so much longer for each cycle, at most an hour; 0: as usual.

@@ -30,8 +30,7 @@ class Loader {
  public:
   Loader(const std::string& path, const DeviceSource& devices) : path_(path), devices_(devices) {}
 
-  Result<SimConfig> load() {
-    const auto root = parse_toml(path_);
+  Result<SimConfig> load(const Result<toml::table>& root) {
     if (!root) return tl::unexpected(root.error());
     Table table(*root, path_, error_);
     config_.name = table.text("name", fs::path(path_).stem().string());
@@ -130,7 +129,11 @@ class Loader {
 }  // namespace
 
 Result<SimConfig> load_scenario(const std::string& path, const DeviceSource& devices) {
-  return Loader(path, devices).load();
+  return Loader(path, devices).load(parse_toml(path));
+}
+
+Result<SimConfig> parse_scenario(std::string_view text, const std::string& path, const DeviceSource& devices) {
+  return Loader(path, devices).load(parse_toml_text(text, path));
 }
 
 }  // namespace syncline::sim

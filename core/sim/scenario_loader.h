@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "config/sim_config.h"
@@ -30,5 +31,7 @@ using DeviceSource = std::function<Result<ScenarioDevice>(const DeviceQuery& que
 
 /// Reads a TOML scenario. Errors are kTomlMalformed or kScenarioKey with file, line and key.
 [[nodiscard]] Result<SimConfig> load_scenario(const std::string& path, const DeviceSource& devices);
+/// The same of a text that stands for the file.
+[[nodiscard]] Result<SimConfig> parse_scenario(std::string_view text, const std::string& path, const DeviceSource& devices);
 
 }  // namespace syncline::sim

@@ -14,8 +14,12 @@ Result<toml::table> parse_toml(const std::string& path) {
   constexpr std::size_t kLargest = 16U << 20;
   const auto text = read_whole_file(path, kLargest);
   if (!text) return tl::unexpected(text.error());
+  return parse_toml_text(*text, path);
+}
+
+Result<toml::table> parse_toml_text(std::string_view text, const std::string& path) {
   try {
-    return toml::parse(*text, path);
+    return toml::parse(text, path);
   } catch (const toml::parse_error& error) {
     return fail(Error{ErrorCode::kTomlMalformed,
                       {},

@@ -61,5 +61,7 @@ class Table {
 
 /// The whole file. kTomlMalformed, and as read_whole_file().
 [[nodiscard]] Result<toml::table> parse_toml(const std::string& path);
+/// The same of a text that stands for the file.
+[[nodiscard]] Result<toml::table> parse_toml_text(std::string_view text, const std::string& path);
 
 }  // namespace syncline::sim

@@ -189,6 +189,8 @@ void HistoryRecorder::add(const Snapshot& snapshot) {
   }
   for (std::size_t i = 0; i < std::min(exceeded_.size(), snapshot.slaves.size()); ++i) {
     const auto& evidence = snapshot.slaves[i].evidence;
+    auto& silences = history_.slaves[i].mailbox_silences;
+    silences = std::max(silences, evidence.mailbox_silences);
     const std::array<const EvidenceCount*, 2> now{&evidence.outputs.exceeded, &evidence.inputs.exceeded};
     const std::array<Spells*, 2> spells{&history_.slaves[i].outputs_exceeded, &history_.slaves[i].inputs_exceeded};
     for (std::size_t n = 0; n < now.size(); ++n) {

@@ -205,8 +205,9 @@ Result<std::vector<DuplicateDevice>> duplicates(CatalogueStore& store, const std
       of_product = std::move(*entries);
     }
     const auto revision = [](const CatalogueEntry& entry) { return entry.identity.revision_no; };
-    const auto same = std::ranges::equal_range(of_product, wanted.revision_no, {}, revision);
-    duplicate.entries.assign(same.begin(), same.end());
+    // Not std::ranges::equal_range: clang 14 cannot compile what libstdc++ 12 makes of it.
+    duplicate.entries.assign(std::ranges::lower_bound(of_product, wanted.revision_no, {}, revision),
+                             std::ranges::upper_bound(of_product, wanted.revision_no, {}, revision));
     const auto& all = duplicate.entries;
     duplicate.conflict = std::ranges::any_of(all, [&](const auto& entry) { return entry.content != all.front().content; });
   }

@@ -212,5 +212,22 @@ TEST(DcLines, WhatIsOnlyForTheRunningMasterWritesNone) {
   EXPECT_THAT(change.added, IsEmpty());
 }
 
+/// What only could lead the clocks has no times of its own; whoever has SYNC signals, or leads, has them.
+TEST(EniDcLines, TimesBelongToThoseWhoUseTheClock) {
+  const auto text_of = [](const SlaveDcConfig& dc) {
+    NetworkConfig config;
+    config.slaves.emplace_back().dc = dc;
+    return write_eni(config);
+  };
+  SlaveDcConfig dc;
+  dc.potential_reference_clock = true;
+  EXPECT_THAT(text_of(dc), testing::Not(testing::HasSubstr("<CycleTime0>")));
+  dc.assign_activate = 0x0300;
+  EXPECT_THAT(text_of(dc), testing::HasSubstr("<CycleTime0>0<"));
+  dc.assign_activate = 0;
+  dc.reference_clock = true;
+  EXPECT_THAT(text_of(dc), testing::HasSubstr("<CycleTime0>0<"));
+}
+
 }  // namespace
 }  // namespace syncline::eni

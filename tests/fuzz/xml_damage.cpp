@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fuzz/xml_damage.h"
 
-#include <array>
+#include "fuzz/damage.h"
 
 namespace syncline::fuzz {
 namespace {
@@ -9,8 +9,6 @@ namespace {
 struct Range {
   std::size_t from = 0, to = 0;
 };
-
-std::size_t pick(Random& random, std::size_t count) { return count == 0 ? 0 : static_cast<std::size_t>(random.next() % count); }
 
 /// A text between tags or an attribute's value, near a random place.
 Range some_value(std::string_view text, Random& random) {
@@ -31,14 +29,6 @@ Range some_element(std::string_view text, Random& random) {
   const std::string end = "</" + std::string(text.substr(from + 1, name_end - from - 1)) + ">";
   const auto to = text.find(end, name_end);
   return to == std::string_view::npos ? Range{} : Range{from, to + end.size()};
-}
-
-std::string_view nasty_value(Random& random) {
-  static constexpr std::array<std::string_view, 24> kValues{
-      "",      "0",          "-1",          "1",          "65535",      "65536",        "4294967295",           "4294967296",
-      "#xffff", "#x10000",   "#xffffffff",  "0x7fffffff", "2147483648", "-2147483648",  "9223372036854775807",  "-9223372036854775808",
-      "99999999999999999999", "#x",         "ff",         "0f1",        "true",         "nonsense",             "&#0;", "&#x1F600;"};
-  return kValues[pick(random, kValues.size())];
 }
 
 void damage_once(std::string& text, Random& random) {

@@ -151,6 +151,22 @@ TEST_F(Disturbance, WithoutAutomaticRecoverySlavesWaitForTheCommand) {
   EXPECT_EQ(count(EventKind::kRecovery, 3), 2U) << log();
 }
 
+/// Behind a cable that was pulled it has kept its station address, so that nobody has to look for it.
+TEST_F(Disturbance, TheCommandSetsUpAnewWhatWasCutOffWithoutAutomaticRecovery) {
+  network.project.master.recovery.automatic = false;
+  fault(FaultKind::kCableBreak, 3, 6 * kSecond, 7 * kSecond);
+  go_online();
+  events.clear();
+  run_until(10 * kSecond);
+  EXPECT_TRUE(snapshot.slaves[3].present) << log();
+  EXPECT_EQ(count(EventKind::kRecovery), 0U) << log();
+  EXPECT_NE(snapshot.slaves[3].al_status, 8) << log();
+  service->channels().commands.push(RequestStateCommand{AlState::kOp});
+  run_until(20 * kSecond);
+  EXPECT_EQ(snapshot.slaves[3].al_status, 8) << log();
+  EXPECT_EQ(count(EventKind::kRecovery, 3), 2U) << log();
+}
+
 TEST_F(Disturbance, ABurstOfLostFramesLosesNoSlave) {
   fault(FaultKind::kLoseFrames, -1, 6 * kSecond, 0, 4);
   go_online();

@@ -93,6 +93,7 @@ TEST_P(FirmwareFaults, AreToldByNameOfTheSlave) {
   EXPECT_EQ(silent, 0) << "of " << kInjections;
 }
 
+<<<<<<< HEAD
 TEST(SlowFirmware, ATerminalWithoutMailboxIsNamedWithWhenItBeganAndEnded) {
   test::DiagnosedRun machine;
   for (int i = 0; i < 3; ++i) machine.network.add(test::io8());
@@ -131,6 +132,19 @@ TEST(SlowFirmware, NobodyIsAccusedOfItWithoutIt) {
       EXPECT_FALSE(by_inputs) << "seed " << seed << ", slave " << event.slave << "\n" << machine.said();
     }
     EXPECT_FALSE(machine.found(FindingCode::kInputsLate)) << seed;
+=======
+TEST(FirmwareFault, AMailboxThatWasSilentAnswersAgainAndIsToldAllTheSame) {
+  for (const auto kind : {FaultKind::kMailboxSilence, FaultKind::kSlowMailbox}) {
+    test::DiagnosedRun machine;
+    machine.network.add(test::io8());
+    machine.network.add(test::servo(), "servo-y");
+    auto& fault = machine.fault(kind, 6 * kSecond, 1);
+    fault.until = 36 * kSecond;
+    fault.value_ns = 2500 * kMillisecond;
+    machine.run(60 * kSecond);
+    EXPECT_TRUE(machine.found(FindingCode::kMailboxSilent, 1)) << machine.said();
+    EXPECT_EQ(machine.report.slaves[1].evidence.mailbox_silences, 0U) << "it answers again";
+>>>>>>> h-proof
   }
 }
 

@@ -66,11 +66,14 @@ void find_out_of_sync(const RunReport& report, Findings& findings) {
                        time_figure("limit", dc.limit_ns), moment_figure(report, "since", dc.since)}});
 }
 
-/// A slave that comes back finds its time again; that is told as its absence.
+/// A slave that comes back finds its time again; that is told as its absence, also where the or-ed deviation of all shows it
+/// before its own.
 bool came_back(const RunReport& report, const RunHistory::SyncLoss& loss) {
-  if (loss.slave < 0) return false;
-  return report.history.slaves[static_cast<std::size_t>(loss.slave)].absences.near({loss.time, loss.time, 0, 0},
-                                                                                   kSecond);
+  const auto was_away = [&](const RunHistory::Slave& slave) {
+    return slave.absences.near({loss.time, loss.time, 0, 0}, kSecond);
+  };
+  const auto& slaves = report.history.slaves;
+  return loss.slave < 0 ? std::ranges::any_of(slaves, was_away) : was_away(slaves[static_cast<std::size_t>(loss.slave)]);
 }
 
 /// Without the adapter nobody hears the time; who found it again afterwards has nothing wrong with him.

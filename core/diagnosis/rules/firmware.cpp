@@ -65,10 +65,11 @@ void find_watchdogs(const RunReport& report, const RunReport::Slave& slave, Find
                          times_figure("count", hung.count(), slave.evidence.pdi_watchdog.at_least)}});
   }
   const auto& outputs = history.process_data_watchdog;
-  const bool without_adapter = std::ranges::all_of(outputs.list(), [&](const Spell& spell) {
-    return adapter_was_away(report, {spell.from - kReadLater, spell.to, 0, 0});
+  // Outputs that could not come: the cause is told already.
+  const bool was_cut_off = std::ranges::all_of(outputs.list(), [&](const Spell& spell) {
+    return adapter_was_away(report, {spell.from - kReadLater, spell.to, 0, 0}) || history.absences.near(spell, kReadLater);
   });
-  if (!outputs.empty() && report.history.reached_op && !without_adapter) {
+  if (!outputs.empty() && report.history.reached_op && !was_cut_off) {
     findings.push_back({Code::kOutputsWatchdog,
                         FindingLevel::kWarning,
                         slave.position,
@@ -85,15 +86,20 @@ void find_firmware(const RunReport& report, Findings& findings) {
   for (const auto& slave : report.slaves) {
     find_watchdogs(report, slave, findings);
     find_exceeded(report, slave, findings);
+<<<<<<< HEAD
     find_late_inputs(report, slave, findings);
     if (slave.present && slave.evidence.mailbox_silences >= kSilences) {
+=======
+    const auto silences = report.history.slaves[slave.position].mailbox_silences;
+    if (slave.present && silences >= kSilences) {
+>>>>>>> h-proof
       findings.push_back(
           {Code::kMailboxSilent,
            FindingLevel::kWarning,
            slave.position,
            0,
            0,
-           {slave_figure(report, slave.position), count_figure("count", slave.evidence.mailbox_silences)}});
+           {slave_figure(report, slave.position), count_figure("count", silences)}});
     }
   }
 }

@@ -42,6 +42,15 @@ bool cycles_were_good(const RunReport& report, Nanoseconds fall) {
          !history.stalls.near(before, 0);
 }
 
+/// Its clock left its place about then: SYNC0 came at another time than the outputs were meant for.
+bool clock_had_moved(const RunReport& report, int slave, Nanoseconds fall) {
+  constexpr Nanoseconds kBefore = kSecond;
+  return std::ranges::any_of(report.history.slave_losses, [&](const RunHistory::SyncLoss& loss) {
+    const bool concerns = loss.slave < 0 || loss.slave == slave;
+    return concerns && loss.time > fall - kBefore && loss.time < fall + kReadLater;
+  });
+}
+
 RunFinding fallen(const RunReport& report, const RunReport::Slave& slave) {
   const auto& fall = report.history.slaves[slave.position].fall;
   const auto since = fall ? fall->time : report.history.begin;
@@ -57,7 +66,9 @@ RunFinding fallen(const RunReport& report, const RunReport::Slave& slave) {
     return finding;
   if (slave.sm2_missed->missed == 0) {
     const bool in_time = usual_worst_lateness(report) < *slave.sync0_margin;
-    if (fall && in_time && cycles_were_good(report, fall->time)) finding.code = Code::kSlaveFellByItself;
+    const bool by_itself =
+        fall && in_time && cycles_were_good(report, fall->time) && !clock_had_moved(report, slave.position, fall->time);
+    if (by_itself) finding.code = Code::kSlaveFellByItself;
     finding.figures.push_back(time_figure("margin", *slave.sync0_margin));
     return finding;
   }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "support/jitter_profile.h"
@@ -39,6 +40,25 @@ TEST(ReferenceLine, FollowsPlaceAndRate) {
   EXPECT_NEAR(readings.off(), 0, 2);
   EXPECT_NEAR(readings.off(10 * kMillisecond), 0, 5);
   EXPECT_NEAR(readings.off(10 * kSecond), 0, 5) << "by the rate that is known over seconds";
+}
+
+/// Place and rate are critically damped: there as soon as may be, and not beyond.
+TEST(ReferenceLine, FollowsANewRateWithoutGoingBeyond) {
+  Readings readings;
+  for (int i = 0; i < 2'000; ++i) readings.read(0);
+  const auto turn = readings.host(), there = readings.truth(turn);
+  Nanoseconds most = 0, least = 0, behind = 0;
+  for (int i = 1; i <= 400; ++i) {
+    const auto passed = i * kMillisecond;
+    const auto truth = there + passed + passed / 20'000;  // 50 ppm
+    readings.line.observe(turn + passed, truth);
+    behind = truth - readings.line.at(turn + passed, 50);
+    most = std::max(most, behind);
+    least = std::min(least, behind);
+  }
+  EXPECT_NEAR(most, 229, 4);
+  EXPECT_GE(least, -2);
+  EXPECT_LT(behind, 12);
 }
 
 TEST(ReferenceLine, ASingleWrongStampDoesNotGoOn) {

@@ -175,6 +175,17 @@ TEST(RunDiagnosis, ADriveThatFellThoughAllWasGoodFellByItself) {
   EXPECT_EQ(codes(report).front(), Code::kSlaveFellByMisses);
 }
 
+TEST(RunDiagnosis, ADriveWhoseClockJumpedDidNotFallByItself) {
+  auto report = healthy();
+  report.slaves[1].al_status = 0x14;
+  report.slaves[1].al_status_code = 0x1A;
+  report.history.slaves[1].fall = RunHistory::Fall{kStart + 5 * kSecond, 0x14, 0x1A};
+  report.history.slave_losses.push_back({kStart + 4998 * kMillisecond, 2, 442'000, {}, kStart + 7 * kSecond});
+  EXPECT_EQ(codes(report).front(), Code::kSlaveFellByItself) << "it was another one's clock";
+  report.history.slave_losses.front().slave = 1;
+  EXPECT_EQ(codes(report).front(), Code::kSlaveFell);
+}
+
 TEST(RunDiagnosis, ADriveThatFellByLateFramesNeedsALaterSync0) {
   auto report = healthy();
   report.slaves[1].al_status = 0x14;
@@ -184,6 +195,44 @@ TEST(RunDiagnosis, ADriveThatFellByLateFramesNeedsALaterSync0) {
   const auto findings = diagnose(report);
   ASSERT_EQ(findings.front().code, Code::kSlaveFellByLateFrames);
   EXPECT_THAT(describe(findings.front()), HasSubstr("Increase the set value by"));
+}
+
+TEST(RunDiagnosis, OutputsThatCouldNotComeAreNoTroubleOfTheirOwn) {
+  auto report = healthy();
+  auto& slave = report.history.slaves[1];
+  slave.process_data_watchdog.note(kStart + 7 * kSecond, 1);
+  EXPECT_THAT(codes(report), ElementsAre(Code::kOutputsWatchdog));
+  slave.absences.note(kStart + 6900 * kMillisecond, 1, 0, kStart + 5 * kSecond);
+  EXPECT_THAT(codes(report), ElementsAre(Code::kSlaveWasAbsent));
+  slave.process_data_watchdog.note(kStart + 9 * kSecond, 1);
+  EXPECT_THAT(codes(report), testing::Contains(Code::kOutputsWatchdog)) << "this one came long after";
+}
+
+TEST(RunDiagnosis, WhatASlaveMissedWhileItWasCutOffIsItsAbsence) {
+  auto report = healthy();
+  report.slaves[1].sync0_cycle = kMillisecond;
+  miss(report, 1, dc::MissCause::kUnknown, 1'900);
+  EXPECT_THAT(codes(report), testing::Contains(Code::kMissedUnexplained));
+  report.history.slaves[1].absences.note(kStart + 6 * kSecond, 1, 0, kStart + 5 * kSecond);
+  EXPECT_THAT(codes(report), testing::Not(testing::Contains(Code::kMissedUnexplained)));
+  miss(report, 1, dc::MissCause::kUnknown, 30'000);
+  EXPECT_THAT(codes(report), testing::Contains(Code::kMissedUnexplained)) << "more than it was away for";
+}
+
+TEST(RunDiagnosis, TheWindowThatSomebodyLeavesWhenASlaveComesBackIsItsReturn) {
+  auto report = healthy();
+  report.history.slave_losses.push_back({kStart + 6 * kSecond, -1, 167, {}, kStart + 7 * kSecond});
+  EXPECT_THAT(codes(report), testing::Contains(Code::kWindowLeft));
+  report.history.slaves[2].absences.note(kStart + 6 * kSecond, 1, 0, kStart + 5 * kSecond);
+  EXPECT_THAT(codes(report), testing::Not(testing::Contains(Code::kWindowLeft)));
+}
+
+TEST(RunDiagnosis, AMailboxThatWasSilentIsToldWhenItAnswersAgain) {
+  auto report = healthy();
+  report.history.slaves[1].mailbox_silences = 4;
+  EXPECT_THAT(codes(report), IsEmpty());
+  report.history.slaves[1].mailbox_silences = 5;
+  EXPECT_THAT(codes(report), ElementsAre(Code::kMailboxSilent));
 }
 
 TEST(RunDiagnosis, LostLinksOfHotConnectGroupsAreMeantToBe) {
@@ -208,12 +257,12 @@ TEST(RunDiagnosis, EveryPlaceholderIsFilled) {
     slave.pdi_watchdog.note(kStart + kSecond, 1);
     slave.process_data_watchdog.note(kStart + kSecond, 1);
     slave.outputs_exceeded.note(kStart + kSecond, 1);
+    slave.mailbox_silences = 9;
   }
   for (auto& slave : report.slaves) {
     slave.evidence.outputs.exceeded.total = 1;
     slave.evidence.outputs.shift_too_short.total = 1;
     slave.evidence.inputs.shift_too_short.total = 1;
-    slave.evidence.mailbox_silences = 9;
   }
   report.history.lost_frames.note(kStart + 15 * kSecond, 3);
   report.history.wrong_counters.note(kStart + 15 * kSecond, 3);

@@ -8,6 +8,7 @@
 #include "master/dcm_query.h"
 #include "master/master_service.h"
 #include "protocol/dcm_error.h"
+#include "protocol/error_text.h"
 #include "tests/support/simulated_network.h"
 #include "trace/dcm_log.h"
 
@@ -73,7 +74,18 @@ TEST_F(DcmRun, EveryModeThatControlsComesInSyncOnTheBus) {
     EXPECT_EQ(dcm_bus_shift_configured(snapshot), steers_reference_clock(mode));
     EXPECT_EQ(snapshot.dcm.set_value_ns, 666'666);
     EXPECT_GT(snapshot.dc.start_time, VirtualClock::kDefaultStart);
+    EXPECT_EQ(snapshot.dc.state, SyncState::kNotMonitored);
+    EXPECT_GT(snapshot.dc.since, clock.now() - 10 * kSecond) << "since it was started";
   }
+}
+
+/// The error itself may be small while something else stands in the way.
+TEST_F(DcmRun, SaysWhatKeepsItFromTheLockAndNotAnErrorWithinTheLimit) {
+  dcm().set_value = 11 * kMicrosecond;  // enough for the frame, not for its way along this cable
+  network.sim.slaves[2].cable_m = 2'000;
+  go_online();
+  ASSERT_TRUE(error());
+  EXPECT_THAT(describe(*error()), testing::AllOf(HasSubstr("set value is too small"), testing::Not(HasSubstr("beyond the limit"))));
 }
 
 TEST_F(DcmRun, TheLinkCorrectsWhatSoftwareDoesNotKnow) {

@@ -126,6 +126,23 @@ TEST(SlavesCsv, HasARowASlave) {
   EXPECT_THAT(csv, HasSubstr(",reference clock,"));
 }
 
+TEST(TopologySvg, ShowsWhoHasASyncSignal) {
+  const auto count = [](const std::vector<DeviceDescription>& devices, const std::string& kind) {
+    const auto svg = topology_svg(compile(sample::project(devices)).value().config);
+    std::size_t found = 0;
+    for (std::size_t at = 0; (at = svg.find("class=\"" + kind + "\"", at)) != std::string::npos; ++at) ++found;
+    return found;
+  };
+  const std::vector<DeviceDescription> few{sample::coupler(), sample::servo(), sample::servo()};
+  auto more = few;
+  more.push_back(sample::servo());
+  EXPECT_EQ(count(more, "clocked"), count(few, "clocked") + 1);
+  EXPECT_EQ(count(more, "plain"), count(few, "plain"));
+  more.back() = sample::coupler();
+  EXPECT_EQ(count(more, "clocked"), count(few, "clocked"));
+  EXPECT_EQ(count(more, "plain"), count(few, "plain") + 1);
+}
+
 TEST(TopologySvg, DrawsEachSlaveOnceAndItsCable) {
   auto project = sample::project({sample::coupler(), sample::servo(), sample::servo(), sample::servo()});
   project.slaves[1].previous = PreviousPort{0, 3};

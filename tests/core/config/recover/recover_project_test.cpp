@@ -55,6 +55,14 @@ TEST_P(RecoverProject, CompilesToTheSameCommandsWithoutAnyEsi) {
   EXPECT_THAT(recovered.findings, testing::Contains(testing::Field(&Finding::text, HasSubstr("No ESI of"))));
 }
 
+TEST_P(RecoverProject, KnowsWhoseEoeIsSwitchedOff) {
+  auto config = compiled(machine(), GetParam());
+  EXPECT_TRUE(recover_project(config).project.slaves[3].eoe.enabled);
+  config.slaves[3].mailbox->eoe_disabled = true;
+  EXPECT_FALSE(recover_project(config).project.slaves[3].eoe.enabled);
+  EXPECT_TRUE(recover_project(config).project.slaves[4].eoe.enabled);
+}
+
 TEST_P(RecoverProject, CompilesToTheSameCommandsWithTheEsi) {
   const auto project = machine();
   const auto config = compiled(project, GetParam());

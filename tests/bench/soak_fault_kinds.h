@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "config/sim_config.h"
+#include "diagnosis/finding.h"
+#include "master/channels.h"
+
+namespace syncline::bench {
+
+/// A kind of fault, how it is thrown in, and by what it must be told.
+struct SoakFaultKind {
+  const char* name;
+  FaultKind kind;
+  std::vector<int> victims;               // empty: the line or the host
+  Nanoseconds shortest = 0, longest = 0;  // how long it lasts; 0: a moment
+  Nanoseconds least = 0, most = 0;        // value
+  bool either_sign = false;
+  std::uint32_t most_count = 1;
+  double ppm = 0;
+  std::uint8_t port = 0;
+  AlState state = AlState::kNone;
+  std::uint16_t code = 0;
+  Nanoseconds period = kMillisecond;
+  bool while_down = false;              // before the machine is brought up, until it is down again
+  bool switched_on_anew = false;        // its victim, just before
+  bool harmless = false;                // nothing must be told
+  std::vector<EventKind> events{};      // any of them tells it,
+  std::vector<FindingCode> findings{};  // or any of these, of the victim where it names a slave
+  std::vector<FindingCode> also{};      // what it brings with it, of anybody
+};
+
+/// Positions as in soak_faults: 0 terminal, 1 and 2 servos, 3 drive, 4 gateway, 5 terminal.
+[[nodiscard]] std::span<const SoakFaultKind> soak_fault_kinds();
+
+}  // namespace syncline::bench

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: Apache-2.0
+// soak_faults [HOURS [FAULTS [SEED]]]: one master on one simulated machine for so many virtual hours (24), brought up
+// anew for each of so many faults (200) of every kind at random times. Each must be told by its kind, nothing else
+// accused, and the memory stay what it was. Exit code 1 when a promise is missed.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "app/cli/event_text.h"
+#include "bench/soak_fault_kinds.h"
+#include "eni/esi_reader.h"
+#include "link/simulated_host.h"
+#include "support/random.h"
+#include "tests/support/diagnosed_run.h"
+#include "tests/support/source_dir.h"
+
+namespace syncline::bench {
+namespace {
+
+constexpr Nanoseconds kBringUp = 30 * kSecond;  // long enough for every machine to be in OP and in sync
+
+DeviceDescription device(const std::string& file) {
+  const auto esi = eni::read_esi(test::source_dir() + "/resources/esi/" + file);
+  return esi && !esi->devices.empty() ? esi->devices.front() : DeviceDescription{};
+}
+
+test::SimulatedNetwork machine(Random& random) {
+  test::SimulatedNetwork network;
+  network.add(test::io8());
+  network.add(test::servo(), "servo-y");
+  network.add(test::servo(), "servo-y");
+  network.add(device("SL-XE2.xml"), "drive-c");
+  network.add(device("SL-6751.xml"), "can-gateway");
+  network.add(test::io8());
+  for (auto& slave : network.sim.slaves) {
+    slave.oscillator.ppm = random.uniform(-45, 45);
+    slave.oscillator.start_offset = static_cast<Nanoseconds>(random.uniform(0, 4e9));
+    slave.cable_m = random.uniform(0.5, 60);
+  }
+  network.project.master.dc.sync_window.enabled = true;
+  return network;
+}
+
+double resident_mb() {
+  std::ifstream in("/proc/self/statm");
+  std::size_t size = 0, resident = 0;
+  in >> size >> resident;
+  return static_cast<double>(resident) * static_cast<double>(::sysconf(_SC_PAGESIZE)) / 1e6;
+}
+
+/// What came out of one fault.
+struct Outcome {
+  bool told = false;
+  std::vector<std::string> accused;  // beyond what the kind brings with it
+  std::string log;
+};
+
+class Soak {
+ public:
+  Soak(double hours, int faults, std::uint64_t seed)
+      : random_(seed), network_(machine(random_)), length_(static_cast<Nanoseconds>(hours * 3.6e12 / faults)) {
+    clock_.set_wakeup_jitter(JitterProfile::quiet(), seed);
+    begin_ = clock_.now();
+    network_.sim.seed = seed;
+    for (int i = 0; i < faults; ++i) add_fault(i);
+    service_ = std::make_unique<MasterService>(network_.link(clock_), clock_);
+  }
+
+  int run(bool loud) {
+    double at_first = 0, most = 0;
+    const auto settled = std::min<std::size_t>(20, thrown_in_.size() / 2);
+    for (std::size_t i = 0; i < thrown_in_.size(); ++i) {
+      const auto outcome = run_segment(i);
+      judge(i, outcome, loud);
+      const double resident = resident_mb();
+      if (i == settled) at_first = resident;
+      if (i >= settled) most = std::max(most, resident);
+    }
+    return report(at_first, most);
+  }
+
+ private:
+  [[nodiscard]] Nanoseconds start_of(std::size_t segment) const { return static_cast<Nanoseconds>(segment) * length_; }
+
+  void add_fault(int number) {
+    const auto kinds = soak_fault_kinds();
+    const auto& kind = kinds[static_cast<std::size_t>(number) % kinds.size()];
+    const auto start = start_of(static_cast<std::size_t>(number));
+    FaultConfig fault;
+    fault.kind = kind.kind;
+    fault.at = kind.while_down
+                   ? start + kSecond
+                   : start + kBringUp +
+                         static_cast<Nanoseconds>(random_.uniform(0, 0.5) * static_cast<double>(length_ - kBringUp));
+    if (!kind.victims.empty()) fault.slave = kind.victims[random_.next() % kind.victims.size()];
+    if (kind.longest > 0) {
+      fault.until = fault.at + static_cast<Nanoseconds>(random_.uniform(static_cast<double>(kind.shortest),
+                                                                        static_cast<double>(kind.longest)));
+    }
+    if (kind.while_down) fault.until = start + length_ - kSecond;
+    fault.count = 1 + static_cast<std::uint32_t>(random_.next() % kind.most_count);
+    fault.value_ns =
+        static_cast<Nanoseconds>(random_.uniform(static_cast<double>(kind.least), static_cast<double>(kind.most)));
+    if (kind.either_sign && random_.next() % 2 == 0) fault.value_ns = -fault.value_ns;
+    fault.ppm = kind.ppm;
+    fault.port = kind.port;
+    fault.state = kind.state;
+    fault.code = kind.code;
+    fault.period = kind.period;
+    fault.until = std::min(fault.until, start + length_ - kSecond);
+    if (kind.switched_on_anew) {
+      network_.sim.faults.push_back({.kind = FaultKind::kSlaveOff,
+                                     .slave = fault.slave,
+                                     .at = fault.at - kSecond / 2,
+                                     .until = fault.at + kSecond / 2});
+    }
+    network_.sim.faults.push_back(fault);
+    thrown_in_.push_back(fault);
+  }
+
+  /// Good news are told by the same events.
+  static bool is_bad(const Event& event) {
+    return (event.kind != EventKind::kDcSlaveSync && event.kind != EventKind::kDcmSync) || event.a == 0 || event.a == 3;
+  }
+
+  void drain(RunRecorder& recorder, std::vector<Event>& events, Snapshot& snapshot) {
+    auto& channels = service_->channels();
+    const bool news = channels.snapshot.read(snapshot);
+    samples_.clear();
+    channels.samples.pop(samples_);
+    recorder.add(samples_);
+    if (news) recorder.add(snapshot);
+    for (auto& event : channels.events.drain()) {
+      recorder.add(event);
+      events.push_back(std::move(event));
+    }
+  }
+
+  Outcome run_segment(std::size_t segment) {
+    const auto start = begin_ + start_of(segment), end = start + length_ - 2 * kSecond;
+    network_.project.master.dc.dcm.mode = segment % 2 == 0 ? DcmMode::kBusShift : DcmMode::kMasterShift;
+    const auto config = network_.compiled();
+    clock_.advance_to(start + 2 * kSecond);
+    RunRecorder recorder(config);
+    std::vector<Event> events;
+    Snapshot snapshot;
+    service_->channels().commands.push(GoOnlineCommand{config, AlState::kOp});
+    while (clock_.now() < end) {
+      const auto before = clock_.now();
+      service_->run_for(std::min<Nanoseconds>(100 * kMillisecond, end - clock_.now()));
+      if (clock_.now() == before) clock_.advance_to(before + 100 * kMillisecond);
+      drain(recorder, events, snapshot);
+    }
+    const auto report = recorder.finish(snapshot);
+    service_->channels().commands.push(GoOfflineCommand{});
+    service_->run_for(kSecond / 2);
+    (void)service_->channels().events.drain();
+    return outcome_of(segment, report, events);
+  }
+
+  Outcome outcome_of(std::size_t segment, const RunReport& report, const std::vector<Event>& events) const {
+    const auto& fault = thrown_in_[segment];
+    const auto kinds = soak_fault_kinds();
+    const auto& kind = kinds[segment % kinds.size()];
+    Outcome outcome;
+    outcome.told = kind.harmless;
+    const auto concerns = [&](int slave) { return fault.slave < 0 || slave == fault.slave; };
+    for (const auto& event : events) {
+      outcome.log += cli::event_text(event, begin_ + start_of(segment)) + "\n";
+      const bool its_kind = std::ranges::find(kind.events, event.kind) != kind.events.end();
+      const bool is_late_enough = event.time >= begin_ + fault.at;
+      outcome.told |= its_kind && is_late_enough && is_bad(event) && (event.slave < 0 || concerns(event.slave));
+    }
+    for (const auto& finding : diagnose(report)) {
+      const auto words = fmt::format("{} {}: {}", finding_code_name(finding.code), finding.slave, describe(finding));
+      outcome.log += words + "\n";
+      const bool its_kind = std::ranges::find(kind.findings, finding.code) != kind.findings.end();
+      const bool follows = std::ranges::find(kind.also, finding.code) != kind.also.end();
+      outcome.told |= its_kind && (finding.slave < 0 || concerns(finding.slave));
+      const bool accuses = finding.level != FindingLevel::kNote;
+      if (accuses && !follows && !(its_kind && (finding.slave < 0 || concerns(finding.slave))))
+        outcome.accused.push_back(words);
+    }
+    return outcome;
+  }
+
+  void judge(std::size_t segment, const Outcome& outcome, bool loud) {
+    const auto& fault = thrown_in_[segment];
+    const auto& kind = soak_fault_kinds()[segment % soak_fault_kinds().size()];
+    auto& count = counts_[kind.name];
+    ++count.faults;
+    count.told += outcome.told ? 1 : 0;
+    count.accused += outcome.accused.empty() ? 0 : 1;
+    if (outcome.told && outcome.accused.empty() && !loud) return;
+    fmt::print("{} fault {} ({}, slave {}, at {:.3f} s, value {} ns, count {}){}\n", loud ? "-" : "MISSED", segment,
+               kind.name, fault.slave, static_cast<double>(fault.at - start_of(segment)) / 1e9, fault.value_ns,
+               fault.count, outcome.told ? "" : ": not told");
+    for (const auto& words : outcome.accused) fmt::print("  accused: {}\n", words);
+    fmt::print("{}\n", outcome.log);
+    std::fflush(stdout);
+  }
+
+  int report(double at_first, double most) const {
+    int faults = 0, told = 0, accused = 0;
+    for (const auto& [name, count] : counts_) {
+      fmt::print("{:24} {:4} faults {:4} told {:4} with a false finding\n", name, count.faults, count.told,
+                 count.accused);
+      faults += count.faults;
+      told += count.told;
+      accused += count.accused;
+    }
+    const double hours = static_cast<double>(clock_.now() - begin_) / 3.6e12;
+    const bool flat = most - at_first <= 4.0;
+    fmt::print(
+        "{:.1f} virtual hours, {} faults: {} told, {} with a false finding; {:.1f} MB at first, {:.1f} MB at most\n",
+        hours, faults, told, accused, at_first, most);
+    return told == faults && accused == 0 && flat ? 0 : 1;
+  }
+
+  struct Count {
+    int faults = 0, told = 0, accused = 0;
+  };
+  Random random_;
+  VirtualClock clock_;
+  test::SimulatedNetwork network_;
+  std::vector<FaultConfig> thrown_in_;  // by segment
+  Nanoseconds length_, begin_ = 0;
+  std::unique_ptr<MasterService> service_;
+  std::vector<CycleSample> samples_;
+  std::map<std::string, Count> counts_;
+};
+
+}  // namespace
+}  // namespace syncline::bench
+
+int main(int argc, char** argv) {
+  const double hours = argc > 1 ? std::atof(argv[1]) : 24;
+  const int faults = argc > 2 ? std::atoi(argv[2]) : 200;
+  const auto seed = argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 1;
+  if (hours * 3'600 / std::max(faults, 1) < 60) {
+    fmt::print(stderr, "usage: soak_faults [HOURS [FAULTS [SEED]]], a minute or more for each fault\n");
+    return 2;
+  }
+  return syncline::bench::Soak(hours, faults, seed).run(argc > 4);
+}
