@@ -62,11 +62,8 @@ struct RunHistory {
     std::array<Spells, 4> port_errors, lost_links;
     Spells process_data_watchdog, pdi_watchdog;
     Spells outputs_exceeded, inputs_exceeded;
-<<<<<<< HEAD
     Spells late_inputs;  // times in which it did not renew its inputs as before; count 1 each, the last one may last
-=======
     std::uint32_t mailbox_silences = 0;  // most requests in a row without an answer
->>>>>>> h-proof
     Spells off;  // its own deviation over the limit after it had been within; size in ns
     bool was_near = false;
   };

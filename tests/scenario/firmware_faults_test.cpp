@@ -93,7 +93,6 @@ TEST_P(FirmwareFaults, AreToldByNameOfTheSlave) {
   EXPECT_EQ(silent, 0) << "of " << kInjections;
 }
 
-<<<<<<< HEAD
 TEST(SlowFirmware, ATerminalWithoutMailboxIsNamedWithWhenItBeganAndEnded) {
   test::DiagnosedRun machine;
   for (int i = 0; i < 3; ++i) machine.network.add(test::io8());
@@ -132,7 +131,9 @@ TEST(SlowFirmware, NobodyIsAccusedOfItWithoutIt) {
       EXPECT_FALSE(by_inputs) << "seed " << seed << ", slave " << event.slave << "\n" << machine.said();
     }
     EXPECT_FALSE(machine.found(FindingCode::kInputsLate)) << seed;
-=======
+  }
+}
+
 TEST(FirmwareFault, AMailboxThatWasSilentAnswersAgainAndIsToldAllTheSame) {
   for (const auto kind : {FaultKind::kMailboxSilence, FaultKind::kSlowMailbox}) {
     test::DiagnosedRun machine;
@@ -144,7 +145,6 @@ TEST(FirmwareFault, AMailboxThatWasSilentAnswersAgainAndIsToldAllTheSame) {
     machine.run(60 * kSecond);
     EXPECT_TRUE(machine.found(FindingCode::kMailboxSilent, 1)) << machine.said();
     EXPECT_EQ(machine.report.slaves[1].evidence.mailbox_silences, 0U) << "it answers again";
->>>>>>> h-proof
   }
 }
 

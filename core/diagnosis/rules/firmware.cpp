@@ -86,13 +86,9 @@ void find_firmware(const RunReport& report, Findings& findings) {
   for (const auto& slave : report.slaves) {
     find_watchdogs(report, slave, findings);
     find_exceeded(report, slave, findings);
-<<<<<<< HEAD
     find_late_inputs(report, slave, findings);
-    if (slave.present && slave.evidence.mailbox_silences >= kSilences) {
-=======
     const auto silences = report.history.slaves[slave.position].mailbox_silences;
     if (slave.present && silences >= kSilences) {
->>>>>>> h-proof
       findings.push_back(
           {Code::kMailboxSilent,
            FindingLevel::kWarning,
