@@ -50,7 +50,7 @@ class ScanSlow : public ::testing::TestWithParam<double> {
 TEST_P(ScanSlow, AllOfAHundredIdenticalOnes) {
   const auto cost = cost_of_scan(slow(test::identical_slaves(100), read, read));
   tell("100 identical", cost);
-  EXPECT_LE(cost.frames, 50U);
+  EXPECT_LE(cost.frames, 42U);
   EXPECT_LE(cost.time, 15 * kMillisecond + 14 * read);
 }
 
