@@ -214,7 +214,8 @@ TEST(SyncEventAccount, CountingRegularCyclesAtOnceIsObservingEach) {
     SyncEventAccount each{kCycle, kFirst}, at_once{kCycle, kFirst};
     for (auto* account : {&each, &at_once}) account->set_limit(9);
     Nanoseconds time = 0;
-    std::optional<Nanoseconds> next;
+    constexpr Nanoseconds kNone = -1;
+    Nanoseconds next = kNone;
     std::int64_t regular = 0;
     const auto settle = [&] { at_once.pass_regular(std::exchange(regular, 0)); };
     for (int i = *rc::gen::inRange(5, 80); i > 0; --i) {
@@ -223,19 +224,19 @@ TEST(SyncEventAccount, CountingRegularCyclesAtOnceIsObservingEach) {
       const SyncEventAccount::Cycle cycle{time, usual || *rc::gen::inRange(0, 2) != 0, usual ? 0U : *rc::gen::inRange(0U, 2U)};
       each.observe(cycle);
       each.confirm_op();
-      const bool quiet = cycle.delivered && cycle.left_out == 0 && next && cycle.time >= *next && cycle.time < *next + kCycle;
+      const bool quiet = cycle.delivered && cycle.left_out == 0 && next != kNone && cycle.time >= next && cycle.time < next + kCycle;
       if (quiet) {
-        *next += kCycle;
+        next += kCycle;
         ++regular;
       } else {
         if (regular > 0) settle();
         at_once.observe(cycle);
         at_once.confirm_op();
-        next = at_once.regular_until();
+        next = at_once.regular_until().value_or(kNone);
       }
       if (*rc::gen::inRange(0, 10) == 0) {
         if (regular > 0) settle();
-        next.reset();
+        next = kNone;
         const auto counter = *rc::gen::inRange(0U, 5U);
         for (auto* account : {&each, &at_once}) account->read(counter);
       }
