@@ -11,6 +11,7 @@ constexpr Nanoseconds kFirstWait = 50 * kMillisecond;  // a device that is switc
 constexpr Nanoseconds kRetryPeriod = 500 * kMillisecond;
 constexpr Nanoseconds kWellPeriod = 10 * kSecond;      // in the state of the bus so long: the next trouble is a new one
 constexpr std::uint32_t kReturnTries = 10;
+constexpr Nanoseconds kAfterOutage = kSecond;          // all AL states have been read meanwhile, and drives have counted
 
 bool is_behind(std::uint16_t al_status, AlState target) {
   return (al_status & kAlErrorFlag) != 0 || static_cast<int>(al_state_of(al_status)) < static_cast<int>(target);
@@ -50,6 +51,8 @@ bool Recovery::comes_back(std::size_t slave) const {
 /// Keeps the tracks up to date.
 void Recovery::look() {
   const auto now = run_.snapshot.time;
+  if (run_.link_away_since() || run_.link_outages() != outages_seen_) fall_by_outage_ = now + kAfterOutage;
+  outages_seen_ = run_.link_outages();
   for (std::size_t i = 0; i < tracks_.size(); ++i) {
     const auto& slave = run_.snapshot.slaves[i];
     auto& track = tracks_[i];
@@ -61,6 +64,11 @@ void Recovery::look() {
     }
     if (is_behind(slave.al_status, esm_.level())) {
       track.well_since.reset();
+      // Without the adapter nobody heard us: as good as a cable that was pulled, also when it was too short to be missed.
+      if (now < fall_by_outage_ && !track.returning && !track.given_up) {
+        track.returning = true;
+        track.next_try = now + kFirstWait;
+      }
       continue;
     }
     if (!track.well_since) track.well_since = now;

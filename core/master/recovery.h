@@ -16,7 +16,8 @@
 namespace syncline {
 
 /// Brings slaves back while the others go on: those that come back after a cable was healed or their power
-/// returned, and those that fell into an error state, as far as RecoverySettings say so or the user asks.
+/// returned, those that fell because the adapter was away, and those that fell into an error state, as far as
+/// RecoverySettings say so or the user asks.
 class Recovery {
  public:
   Recovery(Bus& bus, RunState& run, CyclicTaskRunner& task, Esm& esm);
@@ -58,6 +59,8 @@ class Recovery {
   std::vector<Track> tracks_;
   std::uint64_t sweeps_seen_ = 0;
   Nanoseconds next_look_ = 0;
+  unsigned outages_seen_ = 0;        // of the adapter
+  Nanoseconds fall_by_outage_ = 0;   // until then a fall is one of its consequences
   std::set<std::pair<std::uint16_t, std::uint64_t>> told_unknown_;  // position, vendor and product
 };
 

@@ -88,6 +88,31 @@ TEST(AdapterAwayProperty, AtAnyTimeOfTheBringUpTheBusReachesOpAndNobodyIsAccused
   }));
 }
 
+/// Too short for anybody to be missed, long enough for drives to fall.
+TEST(AdapterAwayProperty, DrivesThatFellForAMomentWithoutAdapterComeBack) {
+  for (const auto length : {10, 15, 21, 30, 45}) {
+    test::DiagnosedRun machine;
+    test::add_two_axes(machine.network);
+    machine.adapter_away = {{6 * kSecond, 6 * kSecond + length * kMillisecond}};
+    machine.run(12 * kSecond);
+    EXPECT_EQ(machine.report.state, AlState::kOp) << length << " ms\n" << machine.said();
+    EXPECT_FALSE(machine.found(Code::kSlaveFellByMisses)) << machine.said();
+  }
+}
+
+/// A frame that lay in the card while it was away is no late one of the card.
+TEST(AdapterAwayProperty, FramesOfAnOutageAccuseNotTheWayThroughTheCard) {
+  Random random(412275854916);
+  test::DiagnosedRun machine;
+  test::add_two_axes(machine.network);
+  test::give_random_clocks(machine.network, random);
+  machine.network.project.master.dc.sync_window.enabled = true;
+  machine.adapter_away = {{3'753'940'414, 4'047'105'312}};
+  machine.run(14 * kSecond);
+  EXPECT_GT(machine.report.late_frames, 0U) << "this one is to have one";
+  EXPECT_FALSE(machine.found(Code::kFramesLate)) << machine.said();
+}
+
 TEST_F(AdapterAway, InTheMiddleOfABringUpThatIsToldAndBegunAgain) {
   machine.adapter_away = {{200 * kMillisecond, 900 * kMillisecond}};
   machine.run(12 * kSecond);

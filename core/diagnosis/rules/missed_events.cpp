@@ -33,11 +33,11 @@ bool breaks_lock(dc::SyncObstacle obstacle) {
          obstacle == dc::SyncObstacle::kErrorCode || obstacle == dc::SyncObstacle::kControlError;
 }
 
-/// Nobody's outputs reach a slave that is cut off while its SYNC0 goes on: told as its absence.
+/// Nobody's outputs reach a slave that is cut off while its SYNC0 goes on: told as its absence, or as the adapter's.
 bool was_cut_off(const RunReport& report, const RunReport::Slave& slave, std::uint64_t missed) {
   Nanoseconds away = 0;
-  for (const auto& spell : report.history.slaves[slave.position].absences.list()) {
-    away += spell.to - spell.from + kReadLater;
+  for (const auto* spells : {&report.history.slaves[slave.position].absences, &report.history.link_outages}) {
+    for (const auto& spell : spells->list()) away += spell.to - spell.from + kReadLater;
   }
   return slave.sync0_cycle > 0 && missed <= static_cast<std::uint64_t>(away / slave.sync0_cycle);
 }
@@ -87,7 +87,8 @@ void find_missed_outputs(const RunReport& report, Findings& findings) {
     if (std::ranges::any_of(findings, told)) continue;  // with all its figures
     const auto& status = *slave.sm2_missed;
     const auto cause = main_cause(status);
-    if (cause == dc::MissCause::kUnknown && was_cut_off(report, slave, status.missed)) continue;
+    const bool by_absence = cause == dc::MissCause::kUnknown || cause == dc::MissCause::kFrameLost;
+    if (by_absence && was_cut_off(report, slave, status.missed)) continue;
     RunFinding finding{
         code_of(cause, was_locked(report)),
         FindingLevel::kWarning,

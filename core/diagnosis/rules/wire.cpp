@@ -144,7 +144,10 @@ void find_lost_frames(const RunReport& report, Findings& findings) {
   if (by_slave.count > 0)
     findings.push_back(lost(report, Code::kFramesLostByCable, FindingLevel::kNote, gone, by_slave));
   const auto& late = report.history.late_frames;
-  if (!late.empty() && report.late_frames > 0) {
+  // What lay in the card while it was away comes when it is back.
+  const bool by_outage =
+      std::ranges::all_of(late.list(), [&](const Spell& spell) { return adapter_was_away(report, spell); });
+  if (!late.empty() && report.late_frames > 0 && !by_outage) {
     const bool host = std::ranges::all_of(
         late.list(), [&](const Spell& spell) { return report.history.stalls.near(spell, kTogether); });
     findings.push_back({Code::kFramesLate,
