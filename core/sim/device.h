@@ -106,7 +106,7 @@ class Device : public Esc::Listener {
   [[nodiscard]] bool inputs_stay() const { return process_data_.inputs_stay(); }
   [[nodiscard]] bool inputs_map(std::uint16_t index) { return process_data_.inputs_map(index); }
   [[nodiscard]] bool has_outputs() const { return process_data_.has_outputs(); }
-  [[nodiscard]] bool has_inputs() const { return process_data_.byte_length(PdoDirection::kTx) > 0; }
+  [[nodiscard]] bool has_inputs() const { return process_data_.has_inputs(); }
   [[nodiscard]] bool has_mailbox() const { return config_.device.mailbox.has_value(); }
   [[nodiscard]] Esc& esc() { return esc_; }
   [[nodiscard]] const DcUnit& dc() const { return std::as_const(esc_).dc(); }

@@ -43,6 +43,8 @@ class ProcessData {
   [[nodiscard]] std::uint32_t byte_length(PdoDirection direction) const { return pdos_.byte_length(direction); }
   [[nodiscard]] std::uint32_t byte_length_of(unsigned manager) const;
   [[nodiscard]] bool has_outputs() const;
+  /// It has a SyncManager for them.
+  [[nodiscard]] bool has_inputs() const { return !sync_managers(PdoDirection::kTx).empty(); }
   /// First SyncManager of the direction in the device's description; valid before map(), too.
   [[nodiscard]] std::optional<unsigned> sync_manager(PdoDirection direction) const;
   /// All of the direction.
