@@ -42,6 +42,14 @@ bool was_cut_off(const RunReport& report, const RunReport::Slave& slave, std::ui
   return slave.sync0_cycle > 0 && missed <= static_cast<std::uint64_t>(away / slave.sync0_cycle);
 }
 
+/// Frames were lost, too, when the slave and the adapter were there: an outage does not excuse those.
+bool lost_while_there(const RunReport& report, int slave) {
+  const auto& absences = report.history.slaves[static_cast<std::size_t>(slave)].absences;
+  return std::ranges::any_of(report.history.lost_frames.list(), [&](const Spell& spell) {
+    return !adapter_was_away(report, spell) && !absences.near(spell, kReadLater);
+  });
+}
+
 }  // namespace
 
 bool was_locked(const RunReport& report) {
@@ -87,7 +95,8 @@ void find_missed_outputs(const RunReport& report, Findings& findings) {
     if (std::ranges::any_of(findings, told)) continue;  // with all its figures
     const auto& status = *slave.sm2_missed;
     const auto cause = main_cause(status);
-    const bool by_absence = cause == dc::MissCause::kUnknown || cause == dc::MissCause::kFrameLost;
+    const bool by_absence = cause == dc::MissCause::kUnknown ||
+                            (cause == dc::MissCause::kFrameLost && !lost_while_there(report, slave.position));
     if (by_absence && was_cut_off(report, slave, status.missed)) continue;
     RunFinding finding{
         code_of(cause, was_locked(report)),

@@ -219,6 +219,18 @@ TEST(RunDiagnosis, WhatASlaveMissedWhileItWasCutOffIsItsAbsence) {
   EXPECT_THAT(codes(report), testing::Contains(Code::kMissedUnexplained)) << "more than it was away for";
 }
 
+TEST(RunDiagnosis, AnOutageExcusesNoFramesThatWereLostAtAnotherTime) {
+  auto report = healthy();
+  report.slaves[1].sync0_cycle = kMillisecond;
+  miss(report, 1, dc::MissCause::kFrameLost, 900);
+  report.history.link_outages.note(kStart + 6 * kSecond, 1, 0, kStart + 5 * kSecond);
+  EXPECT_THAT(codes(report), testing::Not(testing::Contains(Code::kMissedByLostFrames)));
+  report.history.lost_frames.note(kStart + 5500 * kMillisecond, 900);
+  EXPECT_THAT(codes(report), testing::Not(testing::Contains(Code::kMissedByLostFrames))) << "those of the outage";
+  report.history.lost_frames.note(kStart + 20 * kSecond, 12);
+  EXPECT_THAT(codes(report), testing::Contains(Code::kMissedByLostFrames));
+}
+
 TEST(RunDiagnosis, TheWindowThatSomebodyLeavesWhenASlaveComesBackIsItsReturn) {
   auto report = healthy();
   report.history.slave_losses.push_back({kStart + 6 * kSecond, -1, 167, {}, kStart + 7 * kSecond});
