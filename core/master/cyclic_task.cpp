@@ -42,7 +42,7 @@ CyclicTaskRunner::CyclicTaskRunner(FrameExchange& exchange, Clock& clock, RunSta
       without_(run.config().slaves.size()),
       acyclic_(kMostAcyclicFrames),
       cycle_time_(run.config().cycle_time()),
-      spin_(std::min(run.config().real_time.spin, cycle_time_ / 4)) {
+      spin_(std::min(run.config().real_time.spin, cycle_time_ / 4), SpinBudget::tolerated(cycle_time_)) {
   in_flight_.reserve(64);
   if (run.config().dc.dcm.mode == DcmMode::kLinkLayerRefClock) frames_.correct_by_link();
   if (run.config().dc.dcm.mode == DcmMode::kDcx) external_clock_ = find_external_clock(run.config());
@@ -155,9 +155,8 @@ void CyclicTaskRunner::fill_acyclic(std::span<Datagram* const> requests, Nanosec
     while (frame < acyclic_limit_ && !acyclic_[frame].add(*request)) ++frame;
     if (frame == acyclic_limit_) break;
   }
-  // Whoever waits for an answer goes first.
-  evidence_.add_to(acyclic_.front());
-  inputs_.add_to(acyclic_.front());
+  // Whoever waits for an answer goes first, and evidence takes one datagram a cycle.
+  if (!inputs_.add_to(acyclic_.front())) evidence_.add_to(acyclic_.front());
 }
 
 /// A bus with many slaves has many requests, and how many frames a cycle can carry depends on the host,

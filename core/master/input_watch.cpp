@@ -21,6 +21,8 @@ constexpr int kFew = 1, kMany = 6;
 /// What lasts shorter is an interrupt, or firmware that hangs until its watchdog (100 ms) tells.
 constexpr Nanoseconds kLasts = 400 * kMillisecond;
 constexpr Nanoseconds kNearly = 1 * kMicrosecond;
+/// Cycles behind each two, in which other evidence is read.
+constexpr std::uint8_t kForOthers = 1;
 
 }  // namespace
 
@@ -53,31 +55,34 @@ bool InputWatch::worth_reading(const Slave& slave) const {
 void InputWatch::next() {
   first_.reset();
   current_ = (current_ + 1) % slaves_.size();
+  pause_ = kForOthers;
   // Slow firmware has a rhythm of its own; to look in the same rhythm would be to see always the same of it.
-  if (current_ == 0) pause_ = static_cast<std::uint8_t>(shuffle_.next() % 4);
+  if (current_ == 0) pause_ = static_cast<std::uint8_t>(pause_ + shuffle_.next() % 4);
 }
 
-void InputWatch::add_to(PendingFrame& frame) {
+bool InputWatch::add_to(PendingFrame& frame) {
   asked_ = false;
-  if (slaves_.empty()) return;
+  if (slaves_.empty()) return false;
   if (pause_ > 0) {
     --pause_;
-    return;
+    return false;
   }
   constexpr int kTries = 16;  // nobody being in OP is no hang
-  for (int tried = 0; !worth_reading(slaves_[current_]) && tried < kTries; ++tried) {
+  int tried = 0;
+  for (; !worth_reading(slaves_[current_]) && tried < kTries; ++tried) {
     auto& slave = slaves_[current_];
     slave.readings = 0;  // it begins anew when it comes back
     slave.regular = false;
     slave.stale_since.reset();
     next();
   }
+  if (tried > 0) return false;  // in the next cycles
   const auto& slave = slaves_[current_];
-  if (!worth_reading(slave)) return;
   byte_.fill(0);
   datagram_ = {Command::kFprd, device_address(run_.config().slaves[slave.position].station_address, slave.address),
                byte_};
   asked_ = frame.add(datagram_);
+  return asked_;
 }
 
 void InputWatch::take(Nanoseconds send_time, bool read) {

@@ -27,7 +27,8 @@ class InputWatch {
   InputWatch(const InputWatch&) = delete;
   InputWatch& operator=(const InputWatch&) = delete;
 
-  void add_to(PendingFrame& frame);
+  /// Whether it took this cycle for itself: it leaves at least one in three to others.
+  bool add_to(PendingFrame& frame);
   /// Once a cycle, behind its frames. `read`: they have come back, so that the inputs were read.
   void take(Nanoseconds send_time, bool read);
 

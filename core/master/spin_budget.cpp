@@ -50,7 +50,7 @@ Nanoseconds SpinBudget::quantile(double share) const {
 void SpinBudget::adapt() {
   p50_ = quantile(0.5);
   p99_ = quantile(0.99);
-  amount_ = std::min(most_, p99_ + kReserve);
+  amount_ = std::clamp<Nanoseconds>(p99_ + kReserve - tolerated_, 0, most_);
   bins_.fill(0);
   counted_ = 0;
 }

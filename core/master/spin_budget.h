@@ -9,12 +9,17 @@
 
 namespace syncline {
 
-/// How long the end of each wait is spent asking the clock instead of sleeping: as long as this host needs to wake up
-/// in 99 of 100 cycles, and not longer. What comes later than that no spinning would catch. Allocates nothing.
+/// How long the end of each wait is spent asking the clock instead of sleeping: as long as this host needs so that 99
+/// of 100 frames leave in time, and not longer. In time is what is late by no more than `tolerated`: slaves with SYNC0
+/// take over at SYNC0, and the control loops know when each frame left. What comes later than that no spinning would
+/// catch. Allocates nothing.
 class SpinBudget {
  public:
   /// `most`: the user's limit; 0 never spins.
-  explicit SpinBudget(Nanoseconds most) : most_(most), amount_(most) {}
+  explicit SpinBudget(Nanoseconds most, Nanoseconds tolerated = 0)
+      : most_(most), tolerated_(tolerated), amount_(most) {}
+  /// Of a cycle: late by so little changes nothing.
+  [[nodiscard]] static Nanoseconds tolerated(Nanoseconds cycle_time) { return cycle_time / 50; }
 
   [[nodiscard]] Nanoseconds amount() const { return amount_; }
   /// How late the host was woken up from the sleep before the spinning; 0 when it did not sleep.
@@ -31,7 +36,7 @@ class SpinBudget {
   [[nodiscard]] Nanoseconds quantile(double share) const;
   void adapt();
 
-  Nanoseconds most_, amount_;
+  Nanoseconds most_, tolerated_, amount_;
   std::array<std::uint16_t, kBins> bins_{};
   std::uint32_t counted_ = 0;
   std::uint64_t wakes_ = 0;

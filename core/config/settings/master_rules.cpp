@@ -66,13 +66,15 @@ std::vector<Rule> recovery_rules() {
 
 std::vector<Rule> real_time_rules() {
   return {
-      field_rule("master.real_time.spin_us",
-                 "Most of each wait that is spent asking the clock: earlier wake-ups for processor time. Used is what 99 of "
-                 "100 wake-ups of the host need, and at most a quarter of the cycle.",
-                 MicrosecondCodec{0, kMillisecond}, [](auto& p, const Place&) -> auto& { return real_time(p).spin; }),
-      field_rule("master.real_time.cpu", "Processor that the cyclic thread is bound to; auto leaves it to the system.",
-                 AutoCodec<IntegerCodec<std::uint16_t>>{{0, 1023}},
-                 [](auto& p, const Place&) -> auto& { return real_time(p).cpu; }),
+      field_rule(
+          "master.real_time.spin_us",
+          "Most of each wait that is spent asking the clock: earlier wake-ups for processor time. Used is what this "
+          "host needs for 99 of 100 frames to leave at most 2 % of the cycle late, and at most a quarter of the cycle.",
+          MicrosecondCodec{0, kMillisecond}, [](auto& p, const Place&) -> auto& { return real_time(p).spin; }),
+      field_rule(
+          "master.real_time.cpu", "Processor that the cyclic thread is bound to; auto leaves it to the system.",
+          AutoCodec<IntegerCodec<std::uint16_t>>{{0, 1023}},
+          [](auto& p, const Place&) -> auto& { return real_time(p).cpu; }),
   };
 }
 

@@ -38,6 +38,20 @@ TEST(SpinBudget, NeverSpendsMoreThanTheUserAllows) {
   EXPECT_EQ(none.mean_spent(), 0);
 }
 
+TEST(SpinBudget, SpendsNothingForWhatIsTolerated) {
+  SpinBudget quiet(kMost, 20 * kMicrosecond);
+  wake(quiet, 5'000, 2'000);
+  EXPECT_EQ(quiet.amount(), 0);
+  EXPECT_GT(quiet.wake_p99(), 4'000);
+  SpinBudget busy(kMost, 20 * kMicrosecond);
+  wake(busy, 5'000, 15'000);
+  // 99 of 100 wake up at most 39 us late: they are woken earlier by what is more than 20 us.
+  EXPECT_GT(busy.amount(), 17'000);
+  EXPECT_LT(busy.amount(), 25'000);
+  EXPECT_LT(busy.mean_spent(), 14'000);
+  EXPECT_EQ(SpinBudget::tolerated(kMillisecond), 20 * kMicrosecond);
+}
+
 TEST(SpinBudget, FollowsAHostThatBecomesWorse) {
   SpinBudget budget(kMost);
   wake(budget, 5'000, 1'000);
