@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 
+#include "config/device_from_sii.h"
 #include "eni/line_wiring.h"
 #include "eni/xml_text.h"
 #include "protocol/error_text.h"

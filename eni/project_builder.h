@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "channels/bus_scan.h"
 #include "config/project.h"
 #include "eni/catalogue/esi_catalogue.h"
-#include "master/bus_scan.h"
 #include "support/result.h"
 
 namespace syncline::eni {

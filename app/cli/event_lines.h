@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "master/channels.h"
+#include "channels/event.h"
 
 namespace syncline::cli {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/cli/context.h"
-#include "master/channels.h"
+#include "channels/event.h"
 
 namespace syncline::cli {
 

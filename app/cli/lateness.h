@@ -6,7 +6,8 @@
 #include <string>
 
 #include "app/cli/context.h"
-#include "master/channels.h"
+#include "channels/cycle_sample.h"
+#include "channels/host_status.h"
 #include "trace/histogram.h"
 
 namespace syncline::cli {

@@ -6,12 +6,11 @@
 #include "app/cli/findings_text.h"
 #include "app/cli/identity_text.h"
 #include "app/cli/interrupt.h"
-#include "app/composition/open_bus.h"
+#include "app/composition/describe_slaves.h"
 #include "app/composition/scan_bus.h"
 #include "config/recover/recover_project.h"
 #include "config/settings_keys.h"
 #include "eni/catalogue/esi_catalogue.h"
-#include "eni/describe_slaves.h"
 #include "eni/eni_file.h"
 #include "eni/project_builder.h"
 #include "eni/project_file.h"
@@ -73,10 +72,8 @@ Result<Project> build(Context& context, const CreateOptions& options, RecoveredP
     const auto scan = scan_bus(options.scan, request);
     if (!scan) return tl::unexpected(scan.error());
     auto built = eni::project_from_scan(*scan, *catalogue);
-    if (options.read_dictionaries && eni::has_undescribed_slaves(built)) {
-      const auto bus = OpenBus::open(options.scan, request.cancel);
-      if (!bus) return tl::unexpected(bus.error());
-      eni::describe_slaves(built, (*bus)->bus());
+    if (options.read_dictionaries) {
+      if (auto status = describe_slaves(built, options.scan, request.cancel); !status) return tl::unexpected(status.error());
       if (interrupt.interrupted()) return fail(ErrorCode::kCancelled);
     }
     for (const auto& warning : built.warnings) context.warn(warning);

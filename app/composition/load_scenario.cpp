@@ -6,12 +6,12 @@
 #include <filesystem>
 #include <map>
 
+#include "config/device_from_sii.h"
 #include "config/recover/simulated_network.h"
 #include "eni/eni_file.h"
 #include "eni/esi_reader.h"
 #include "eni/project_file.h"
 #include "eni/xml_text.h"
-#include "master/bus_scan.h"
 #include "protocol/sii.h"
 #include "sim/scenario_loader.h"
 

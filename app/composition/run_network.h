@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "channels/master_channels.h"
 #include "config/network_config.h"
-#include "master/channels.h"
 #include "support/result.h"
 #include "trace/run_report.h"
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <string_view>
 
-#include "master/bus_scan.h"
+#include "channels/bus_scan.h"
+#include "channels/event.h"
 #include "master/bus_scanner.h"
-#include "master/channels.h"
 #include "support/result.h"
 
 namespace syncline {

@@ -11,10 +11,13 @@
 #include <exception>
 #include <string_view>
 
+#include "app/composition/background_master.h"
+#include "app/composition/describe_slaves.h"
 #include "app/composition/eeprom_journal.h"
 #include "app/composition/open_link.h"
 #include "app/composition/slave_eeprom.h"
 #include "app/gui/screenshots.h"
+#include "link/pcap_link.h"
 #include "support/stop_signals.h"
 #include "ui/dialogs/bus_commands.h"
 #include "ui/dialogs/file_commands.h"
@@ -79,13 +82,23 @@ ui::EepromRepairs eeprom_repairs() {
   return repairs;
 }
 
+Result<std::vector<ui::NetworkAdapter>> adapters() {
+  const auto found = list_adapters();
+  if (!found) return tl::unexpected(found.error());
+  std::vector<ui::NetworkAdapter> out;
+  for (const auto& adapter : *found) {
+    out.push_back({QString::fromStdString(adapter.name), QString::fromStdString(adapter.description), adapter.up});
+  }
+  return out;
+}
+
 ui::Environment environment() {
   ui::Environment environment;
-  environment.open_link = [](const QString& link) -> Result<ui::BusConnection> {
-    auto opened = open_link(link.toStdString());
-    if (!opened) return tl::unexpected(opened.error());
-    return ui::BusConnection{std::move(opened->clock), std::move(opened->link)};
+  environment.open_master = [](const QString& link) { return open_background_master(link.toStdString()); };
+  environment.describe_slaves = [](eni::BuiltProject& built, const QString& link, const std::atomic<bool>& cancelled) {
+    return describe_slaves(built, link.toStdString(), &cancelled);
   };
+  environment.list_adapters = adapters;
   environment.demo_link = QString::fromStdString(demo_link(true));
   environment.esi_folders = {QString::fromStdString(resource_folder()) + QStringLiteral("/esi")};
   environment.eeprom_repairs = eeprom_repairs();

@@ -78,7 +78,7 @@ void takeDialogs(Camera& camera, ui::MainWindow& window, ui::Workspace& workspac
   ui::AboutDialog about(workspace.environment().version, &window);
   about.show();
   camera.take(about, theme + QStringLiteral("-about"));
-  ui::LinkChooser chooser(workspace.environment().demo_link, {}, ui::MainWindow::tr("Scan"), &window);
+  ui::LinkChooser chooser(workspace.environment(), {}, ui::MainWindow::tr("Scan"), &window);
   chooser.show();
   camera.take(chooser, theme + QStringLiteral("-link-chooser"));
 }

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "dc/propagation_delay.h"
+#include "channels/delay_warning.h"
 
 namespace syncline {
 

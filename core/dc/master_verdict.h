@@ -4,24 +4,12 @@
 #include <cstdint>
 #include <optional>
 
+#include "channels/sync_obstacle.h"
 #include "support/types.h"
 
 /// Whether the master is in sync with the reference clock: decided here and nowhere else, from values
 /// (docs/distributed-clocks.md, "How the verdict is made").
 namespace syncline::dc {
-
-/// What stands between the master and "in sync", the first of these that holds.
-enum class SyncObstacle : std::uint8_t {
-  kNone,
-  kNoReferenceClock,  // nobody leads
-  kNoReading,         // the reference clock's time has not come for a while
-  kClockStep,         // the reference clock stepped within the settle time
-  kErrorCode,         // the controller has an error, DCM_E_...
-  kControlError,      // the schedule is not within the limit, or not for the settle time yet
-  kCyclesLeftOut,     // within the settle time
-  kLateFrames,        // later than the set value allows, within the settle time
-  kSettling,          // what was in the way is gone for less than the settle time
-};
 
 /// The controller judges its schedule. This judges what reaches the slaves: frames that were sent too late or not at
 /// all are no sync, however good the schedule is, and neither is a schedule that nobody has held against the reference

@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "dc/master_verdict.h"
+#include "channels/sync_obstacle.h"
 
 namespace syncline::dc {
 

@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "channels/delay_warning.h"
+
 namespace syncline::dc {
 
 enum class DcKind : std::uint8_t { kNone, kReceiveTimesOnly, kFull };
@@ -26,13 +28,6 @@ struct DelayOptions {
   std::uint32_t t_diff_ns = 40;                 // processing minus forwarding latency of an ESC
 };
 
-enum class DelayWarning : std::uint8_t {
-  kReversedCable,    // value: the port by which the slave is connected
-  kNegativeHop,
-  kImplausibleHop,
-  kNotIncreasing,
-  kUnexplainedPort,  // value: a port with a link behind which no slave is: a ring that is closed, another master
-};
 struct DelayFinding {
   std::uint16_t position = 0;
   DelayWarning warning = DelayWarning::kNegativeHop;

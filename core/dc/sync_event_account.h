@@ -5,20 +5,11 @@
 #include <cstdint>
 #include <optional>
 
+#include "channels/miss_cause.h"
 #include "support/counter_total.h"
 #include "support/types.h"
 
 namespace syncline::dc {
-
-/// Why a slave had no new outputs in a SYNC0 period (a missed SM2 event), as far as the master knows.
-enum class MissCause : std::uint8_t {
-  kFrameLost,      // the frame with the outputs did not come back
-  kCyclesLeftOut,  // the host sent none
-  kFrameLate,      // the frame came, but behind the SYNC0 it was meant for
-  kUnknown,        // the slave counts a miss where the master sees a good cycle
-};
-inline constexpr std::size_t kMissCauses = 4;
-using MissesByCause = std::array<std::uint32_t, kMissCauses>;
 
 /// The missed SM2 events of one slave with SYNC0, and its internal error counter (0x10F1: 3 more for each miss, 1 less
 /// for each good period, never below 0), driven cycle by cycle from what the master knows of each cycle and corrected

@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
+#include "channels/bus_scan.h"
 #include "config/compare/compare_configs.h"
 #include "master/bus.h"
-#include "master/bus_scan.h"
 #include "protocol/sync_manager.h"
 
 namespace syncline {

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "channels/bus_scan.h"
 #include "master/bus.h"
-#include "master/bus_scan.h"
 #include "master/slave_address.h"
 
 namespace syncline {

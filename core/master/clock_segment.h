@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
+#include "channels/bus_scan.h"
 #include "dc/propagation_delay.h"
 #include "master/bus.h"
-#include "master/bus_scan.h"
 #include "master/slave_address.h"
 #include "protocol/dl_status.h"
 

@@ -6,10 +6,10 @@
 #include <span>
 #include <vector>
 
+#include "channels/bus_scan.h"
 #include "config/network_config.h"
 #include "dc/propagation_delay.h"
 #include "master/bus.h"
-#include "master/bus_scan.h"
 #include "master/clock_segment.h"
 #include "master/delay_latch.h"
 

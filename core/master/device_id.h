@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "channels/bus_scan.h"
 #include "master/bus.h"
-#include "master/bus_scan.h"
 #include "master/slave_address.h"
 
 namespace syncline {

@@ -3,8 +3,8 @@
 
 #include <memory>
 
+#include "channels/master_channels.h"
 #include "link/link.h"
-#include "master/channels.h"
 #include "master/dc_start.h"
 #include "support/clock.h"
 

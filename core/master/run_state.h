@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "channels/master_channels.h"
 #include "config/network_config.h"
-#include "master/channels.h"
 #include "master/mailbox_handshake.h"
 #include "protocol/coe.h"
 

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "master/bus_scan.h"
+#include "channels/bus_scan.h"
 #include "master/topology.h"
 
 namespace syncline {

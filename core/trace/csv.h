@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "master/channels.h"
+#include "channels/cycle_sample.h"
 
 namespace syncline {
 

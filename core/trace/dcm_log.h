@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "master/channels.h"
+#include "channels/cycle_sample.h"
 #include "support/result.h"
 
 namespace syncline {

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "master/channels.h"
+#include "channels/cycle_sample.h"
 #include "support/jitter_profile.h"
 #include "trace/histogram.h"
 

@@ -8,8 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "channels/cycle_sample.h"
+#include "channels/event.h"
+#include "channels/snapshot.h"
 #include "config/network_config.h"
-#include "master/channels.h"
 #include "trace/histogram.h"
 
 /// When what happened in a run: spells of disturbances, and what each slave went through. Host times.

@@ -7,8 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "channels/cycle_sample.h"
+#include "channels/event.h"
+#include "channels/snapshot.h"
 #include "config/network_config.h"
-#include "master/channels.h"
 #include "trace/histogram.h"
 #include "trace/run_history.h"
 #include "trace/statistics.h"

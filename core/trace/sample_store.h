@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "master/channels.h"
+#include "channels/cycle_sample.h"
 #include "trace/min_max_series.h"
 
 namespace syncline {

@@ -5,7 +5,7 @@
 #include <span>
 #include <string_view>
 
-#include "master/channels.h"
+#include "channels/cycle_sample.h"
 
 namespace syncline {
 

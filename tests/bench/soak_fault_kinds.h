@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
+#include "channels/event.h"
 #include "config/sim_config.h"
 #include "diagnosis/finding.h"
-#include "master/channels.h"
 
 namespace syncline::bench {
 

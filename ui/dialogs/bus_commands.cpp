@@ -25,8 +25,7 @@ BusCommands::BusCommands(Workspace& workspace, QWidget& window)
 }
 
 void BusCommands::scan() {
-  const auto& environment = workspace_.environment();
-  auto* chooser = new LinkChooser(environment.demo_link, workspace_.link(), tr("Scan"), &window_);
+  auto* chooser = new LinkChooser(workspace_.environment(), workspace_.link(), tr("Scan"), &window_);
   chooser->setAttribute(Qt::WA_DeleteOnClose);
   connect(chooser, &QDialog::accepted, this, [this, chooser] { scanLink(chooser->link()); });
   chooser->open();
@@ -40,7 +39,7 @@ void BusCommands::scanLink(const QString& link) {
 
 void BusCommands::goOnline() {
   if (!workspace_.link().isEmpty()) return start();
-  auto* chooser = new LinkChooser(workspace_.environment().demo_link, {}, tr("Go Online"), &window_);
+  auto* chooser = new LinkChooser(workspace_.environment(), {}, tr("Go Online"), &window_);
   chooser->setAttribute(Qt::WA_DeleteOnClose);
   connect(chooser, &QDialog::accepted, this, [this, chooser] {
     workspace_.setLink(chooser->link());

@@ -9,14 +9,13 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "link/pcap_link.h"
 #include "ui/text/error_text.h"
 #include "ui/theme.h"
 #include "ui/widgets/named.h"
 
 namespace syncline::ui {
 
-LinkChooser::LinkChooser(const QString& demo_link, const QString& current, const QString& action, QWidget* parent)
+LinkChooser::LinkChooser(const Environment& environment, const QString& current, const QString& action, QWidget* parent)
     : QDialog(parent) {
   setObjectName(QStringLiteral("linkChooser"));
   setWindowTitle(tr("Choose the Bus"));
@@ -27,6 +26,7 @@ LinkChooser::LinkChooser(const QString& demo_link, const QString& current, const
   list_->setIconSize(QSize(24, 24));
   list_->setSpacing(2);
   layout->addWidget(list_, 1);
+  const auto& demo_link = environment.demo_link;
   addLink(demo_link, tr("Demonstration machine"), tr("Simulated bus with a coupler, terminals and drives; no hardware needed"),
           QStringLiteral("demo"));
   if (!current.isEmpty() && current != demo_link && current.startsWith(QLatin1String("sim:"))) {
@@ -35,7 +35,7 @@ LinkChooser::LinkChooser(const QString& demo_link, const QString& current, const
   note_ = new QLabel;
   note_->setWordWrap(true);
   note_->setForegroundRole(QPalette::PlaceholderText);
-  addAdapters();
+  addAdapters(environment.list_adapters);
   layout->addWidget(note_);
   note_->setVisible(!note_->text().isEmpty());
 
@@ -67,14 +67,13 @@ void LinkChooser::addLink(const QString& link, const QString& title, const QStri
   item->setToolTip(link);
 }
 
-void LinkChooser::addAdapters() {
-  const auto adapters = list_adapters();
+void LinkChooser::addAdapters(const AdapterLister& list_adapters) {
+  const auto adapters = list_adapters ? list_adapters() : std::vector<NetworkAdapter>{};
   if (!adapters) return note_->setText(errorText(adapters.error()));
   for (const auto& adapter : *adapters) {
-    const auto name = QString::fromStdString(adapter.name);
     auto detail = adapter.up ? tr("Network card, link up") : tr("Network card, no link");
-    if (!adapter.description.empty()) detail += QStringLiteral(", ") + QString::fromStdString(adapter.description);
-    addLink(QStringLiteral("nic:") + name, name, detail, QStringLiteral("adapter"));
+    if (!adapter.description.isEmpty()) detail += QStringLiteral(", ") + adapter.description;
+    addLink(QStringLiteral("nic:") + adapter.name, adapter.name, detail, QStringLiteral("adapter"));
   }
   if (adapters->empty()) note_->setText(tr("No network card was found that can carry EtherCAT."));
 }

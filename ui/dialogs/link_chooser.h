@@ -4,6 +4,8 @@
 #include <QDialog>
 #include <QString>
 
+#include "ui/session/bus_connection.h"
+
 class QDialogButtonBox;
 class QLabel;
 class QListWidget;
@@ -16,12 +18,12 @@ class LinkChooser final : public QDialog {
   Q_OBJECT
 
  public:
-  LinkChooser(const QString& demo_link, const QString& current, const QString& action, QWidget* parent = nullptr);
+  LinkChooser(const Environment& environment, const QString& current, const QString& action, QWidget* parent = nullptr);
   [[nodiscard]] QString link() const;
 
  private:
   void addLink(const QString& link, const QString& title, const QString& detail, const QString& icon);
-  void addAdapters();
+  void addAdapters(const AdapterLister& list_adapters);
   void browse();
 
   QListWidget* list_;

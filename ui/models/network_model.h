@@ -4,9 +4,9 @@
 #include <QAbstractItemModel>
 #include <vector>
 
+#include "channels/snapshot.h"
 #include "config/network_config.h"
 #include "config/project.h"
-#include "master/channels.h"
 
 namespace syncline::ui {
 

@@ -4,7 +4,9 @@
 #include <QScrollArea>
 #include <QString>
 
-#include "master/channels.h"
+#include "channels/cycle_sample.h"
+#include "channels/event.h"
+#include "channels/snapshot.h"
 
 namespace syncline::ui {
 

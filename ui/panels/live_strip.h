@@ -9,7 +9,8 @@
 #include <memory>
 #include <vector>
 
-#include "master/channels.h"
+#include "channels/cycle_sample.h"
+#include "channels/snapshot.h"
 #include "ui/plots/trace_panel.h"
 
 class QStackedLayout;

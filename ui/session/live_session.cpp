@@ -5,9 +5,6 @@
 #include <thread>
 #include <utility>
 
-#include "master/master_service.h"
-#include "ui/session/virtual_pacer.h"
-
 namespace syncline::ui {
 namespace {
 
@@ -16,51 +13,39 @@ constexpr qint64 kStopTimeoutMs = 3000;
 
 }  // namespace
 
-LiveSession::LiveSession(LinkOpener opener, QObject* parent) : QObject(parent), opener_(std::move(opener)) {
+LiveSession::LiveSession(MasterOpener opener, QObject* parent) : QObject(parent), opener_(std::move(opener)) {
   tick_.setInterval(kTickInterval);
   tick_.setTimerType(Qt::PreciseTimer);
   connect(&tick_, &QTimer::timeout, this, &LiveSession::tick);
 }
 
-LiveSession::~LiveSession() {
-  pacer_.reset();
-  thread_.reset();
-  if (service_) service_->shut_down();
-  service_.reset();
-}
+bool LiveSession::isVirtual() const { return master_ && master_->is_virtual(); }
 
-bool LiveSession::isVirtual() const { return clock_ && clock_->is_virtual(); }
-
-std::uint64_t LiveSession::droppedSamples() const { return service_ ? service_->channels().samples.overruns() : 0; }
+std::uint64_t LiveSession::droppedSamples() const { return master_ ? master_->channels().samples.overruns() : 0; }
 
 Status LiveSession::goOnline(const QString& link, NetworkConfig config) {
   if (phase_ != Phase::kOffline) shutDown();
-  auto connection = opener_(link);
-  if (!connection) return tl::unexpected(connection.error());
-  clock_ = std::move(connection->clock);
-  service_ = std::make_unique<MasterService>(std::move(connection->link), *clock_);
+  auto master = opener_(link);
+  if (!master) return tl::unexpected(master.error());
+  master_ = std::move(*master);
   link_ = link;
   config_ = std::move(config);
   snapshot_ = Snapshot{};
-  service_->channels().commands.push(GoOnlineCommand{config_, AlState::kOp});
+  master_->channels().commands.push(GoOnlineCommand{config_, AlState::kOp});
   setPhase(Phase::kStarting);
-  if (!clock_->is_virtual()) {
-    thread_ = std::make_unique<MasterThread>(*service_);
-  } else if (auto_advance_) {
-    pacer_ = std::make_unique<VirtualPacer>(*service_);
-  }
+  if (!master_->is_virtual() || auto_advance_) master_->start();
   tick_.start();
   return {};
 }
 
 void LiveSession::goOffline() {
   if (phase_ == Phase::kOffline || phase_ == Phase::kStopping) return;
-  if (phase_ == Phase::kStarting) service_->channels().cancel.store(true);
-  service_->channels().commands.push(GoOfflineCommand{});
+  if (phase_ == Phase::kStarting) master_->channels().cancel.store(true);
+  master_->channels().commands.push(GoOfflineCommand{});
   stopping_since_.start();
   setPhase(Phase::kStopping);
-  if (!thread_ && !pacer_) {
-    while (service_->step() && service_->online()) {
+  if (!master_->started()) {
+    while (master_->step() && master_->online()) {
     }
     drain();
     if (phase_ == Phase::kStopping) close();
@@ -79,16 +64,16 @@ void LiveSession::shutDown() {
 }
 
 void LiveSession::requestState(AlState state) {
-  if (service_ && phase_ == Phase::kOnline) service_->channels().commands.push(RequestStateCommand{state});
+  if (master_ && phase_ == Phase::kOnline) master_->channels().commands.push(RequestStateCommand{state});
 }
 
 void LiveSession::clearStatistics() {
-  if (service_) service_->channels().commands.push(ClearStatisticsCommand{});
+  if (master_) master_->channels().commands.push(ClearStatisticsCommand{});
 }
 
 void LiveSession::advance(Nanoseconds duration) {
-  if (!service_ || !isVirtual() || pacer_) return;
-  service_->run_for(duration);
+  if (!isVirtual() || master_->started()) return;
+  master_->run_for(duration);
   drain();
 }
 
@@ -98,7 +83,7 @@ void LiveSession::tick() {
 }
 
 void LiveSession::drain() {
-  auto& channels = service_->channels();
+  auto& channels = master_->channels();
   const auto events = channels.events.drain();
   samples_.clear();
   channels.samples.pop(samples_);
@@ -107,7 +92,7 @@ void LiveSession::drain() {
   if (fresh) Q_EMIT snapshotChanged();
   for (const auto& event : events) {
     handle(event);
-    if (!service_) return;  // the event ended the session
+    if (!master_) return;  // the event ended the session
   }
 }
 
@@ -127,11 +112,7 @@ void LiveSession::handle(const Event& event) {
 
 void LiveSession::close() {
   tick_.stop();
-  pacer_.reset();
-  thread_.reset();
-  service_->shut_down();
-  service_.reset();
-  clock_.reset();
+  master_.reset();
   snapshot_ = Snapshot{};
   setPhase(Phase::kOffline);
   Q_EMIT snapshotChanged();

@@ -8,23 +8,18 @@
 #include <memory>
 #include <vector>
 
+#include "channels/cycle_sample.h"
+#include "channels/event.h"
+#include "channels/snapshot.h"
 #include "config/network_config.h"
-#include "master/channels.h"
 #include "support/result.h"
 #include "ui/session/bus_connection.h"
 
-namespace syncline {
-class MasterService;
-class MasterThread;
-}  // namespace syncline
-
 namespace syncline::ui {
 
-class VirtualPacer;
-
 /// The running master as the window sees it: commands go in, and on one tick the channels are
-/// drained into signals. On the real clock a MasterThread runs the cycles, on a virtual clock a
-/// VirtualPacer, or a test by advance().
+/// drained into signals. A thread of the master's runs the cycles; on a virtual clock a test may, too, by
+/// advance().
 class LiveSession final : public QObject {
   Q_OBJECT
 
@@ -32,8 +27,7 @@ class LiveSession final : public QObject {
   enum class Phase { kOffline, kStarting, kOnline, kStopping };
   Q_ENUM(Phase)
 
-  explicit LiveSession(LinkOpener opener, QObject* parent = nullptr);
-  ~LiveSession() override;
+  explicit LiveSession(MasterOpener opener, QObject* parent = nullptr);
 
   /// Opens the link and brings the bus to OP in the background.
   Status goOnline(const QString& link, NetworkConfig config);
@@ -69,7 +63,7 @@ class LiveSession final : public QObject {
   void close();
   void setPhase(Phase phase);
 
-  LinkOpener opener_;
+  MasterOpener opener_;
   QTimer tick_;
   QElapsedTimer stopping_since_;
   Phase phase_ = Phase::kOffline;
@@ -78,11 +72,7 @@ class LiveSession final : public QObject {
   NetworkConfig config_;
   Snapshot snapshot_;
   std::vector<CycleSample> samples_;
-  // In this order: the thread ends before the service, the service before the clock.
-  std::unique_ptr<Clock> clock_;
-  std::unique_ptr<MasterService> service_;
-  std::unique_ptr<MasterThread> thread_;
-  std::unique_ptr<VirtualPacer> pacer_;
+  std::unique_ptr<BackgroundMaster> master_;  // none: offline
 };
 
 }  // namespace syncline::ui

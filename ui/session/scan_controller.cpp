@@ -2,16 +2,17 @@
 #include "ui/session/scan_controller.h"
 
 #include <QMetaObject>
+#include <chrono>
+#include <optional>
+#include <thread>
 #include <utility>
 
 #include "eni/catalogue/esi_catalogue.h"
-#include "eni/describe_slaves.h"
-#include "master/master_service.h"
 
 namespace syncline::ui {
 
-ScanController::ScanController(LinkOpener opener, QStringList esi_folders, QObject* parent)
-    : QObject(parent), opener_(std::move(opener)), esi_folders_(std::move(esi_folders)) {}
+ScanController::ScanController(MasterOpener opener, SlaveDescriber describe, QStringList esi_folders, QObject* parent)
+    : QObject(parent), opener_(std::move(opener)), describe_(std::move(describe)), esi_folders_(std::move(esi_folders)) {}
 
 ScanController::~ScanController() {
   cancel();
@@ -45,29 +46,18 @@ Result<eni::BuiltProject> ScanController::run(const QString& link) {
   }
   auto built = eni::project_from_scan(*found, catalogue);
   built.warnings.insert(built.warnings.begin(), warnings.begin(), warnings.end());
-  if (eni::has_undescribed_slaves(built)) {
-    if (auto status = describe(built, link); !status) return tl::unexpected(status.error());
+  // Slaves without an ESI tell what they are.
+  if (describe_) {
+    if (auto status = describe_(built, link, cancelled_); !status) return tl::unexpected(status.error());
   }
   if (cancelled_) return fail(ErrorCode::kCancelled);
   return built;
 }
 
-/// Slaves without an ESI tell what they are.
-Status ScanController::describe(eni::BuiltProject& built, const QString& link) {
-  auto connection = opener_(link);
-  if (!connection) return tl::unexpected(connection.error());
-  FrameExchange exchange(*connection->link, *connection->clock);
-  exchange.set_addresses({0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF}, connection->link->describe().mac);
-  Bus bus(exchange, *connection->clock, &cancelled_);
-  eni::describe_slaves(built, bus);
-  return {};
-}
-
 Result<BusScan> ScanController::scan(const QString& link) {
-  auto connection = opener_(link);
-  if (!connection) return tl::unexpected(connection.error());
-  MasterService service(std::move(connection->link), *connection->clock);
-  auto& channels = service.channels();
+  const auto master = opener_(link);
+  if (!master) return tl::unexpected(master.error());
+  auto& channels = (*master)->channels();
   // The scan runs to its end inside step(); its own thread watches it, passes the progress on and
   // carries the user's cancel.
   std::optional<Result<BusScan>> outcome;
@@ -89,7 +79,7 @@ Result<BusScan> ScanController::scan(const QString& link) {
   channels.commands.push(ScanCommand{});
   std::atomic<bool> done{false};
   std::thread runner([&] {
-    service.step();
+    (*master)->step();
     done = true;
   });
   while (!done) {

@@ -8,9 +8,9 @@
 #include <memory>
 #include <thread>
 
+#include "channels/bus_scan.h"
+#include "channels/event.h"
 #include "eni/project_builder.h"
-#include "master/bus_scan.h"
-#include "master/channels.h"
 #include "support/result.h"
 #include "ui/session/bus_connection.h"
 
@@ -21,7 +21,8 @@ class ScanController final : public QObject {
   Q_OBJECT
 
  public:
-  ScanController(LinkOpener opener, QStringList esi_folders, QObject* parent = nullptr);
+  /// `describe` may be empty.
+  ScanController(MasterOpener opener, SlaveDescriber describe, QStringList esi_folders, QObject* parent = nullptr);
   ~ScanController() override;
 
   /// No-op while a scan runs.
@@ -41,10 +42,10 @@ class ScanController final : public QObject {
  private:
   Result<eni::BuiltProject> run(const QString& link);
   Result<BusScan> scan(const QString& link);
-  Status describe(eni::BuiltProject& built, const QString& link);
   void deliver(const QString& link, Result<eni::BuiltProject> result);
 
-  LinkOpener opener_;
+  MasterOpener opener_;
+  SlaveDescriber describe_;
   QStringList esi_folders_;
   std::thread worker_;
   std::atomic<bool> cancelled_{false};

@@ -12,9 +12,9 @@ Workspace::Workspace(Environment environment, QObject* parent)
     : QObject(parent),
       environment_(std::move(environment)),
       configuration_(document_),
-      scan_(environment_.open_link, environment_.esi_folders),
+      scan_(environment_.open_master, environment_.describe_slaves, environment_.esi_folders),
       eeprom_repair_(environment_.eeprom_repairs),
-      live_(environment_.open_link),
+      live_(environment_.open_master),
       run_findings_(live_) {
   network_.setProject(document_.project());
   connect(&document_, &ProjectDocument::projectChanged, this, [this] {

@@ -3,9 +3,9 @@
 
 #include <optional>
 
+#include "channels/event.h"
 #include "config/compile/compile.h"
 #include "config/project.h"
-#include "master/channels.h"
 #include "ui/session/message.h"
 
 namespace syncline::ui {

@@ -3,8 +3,8 @@
 
 #include <QString>
 
+#include "channels/snapshot.h"
 #include "config/project.h"
-#include "master/channels.h"
 #include "protocol/al_state.h"
 
 /// The words the window uses for the things of the bus. The ETG's present terms are MainDevice and

@@ -3,7 +3,7 @@
 
 #include <QString>
 
-#include "master/channels.h"
+#include "channels/snapshot.h"
 #include "ui/theme.h"
 
 /// The synchronisation states in words and tones, the same in the pages and in the status bar.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "config/device_from_sii.h"
 #include "master/master_service.h"
 #include "tests/support/test_bus.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "dc/plans.h"
-#include "master/dcm_query.h"
+#include "channels/dcm_query.h"
 #include "master/master_service.h"
 #include "protocol/dcm_error.h"
 #include "protocol/error_text.h"

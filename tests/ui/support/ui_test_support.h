@@ -9,6 +9,8 @@
 #include <QWidget>
 #include <functional>
 
+#include "app/composition/background_master.h"
+#include "app/composition/describe_slaves.h"
 #include "app/composition/open_link.h"
 #include "config/project.h"
 #include "ui/session/bus_connection.h"
@@ -18,10 +20,9 @@ namespace syncline::test {
 /// The environment of the program, with the demonstration machine on the virtual clock.
 inline ui::Environment virtualEnvironment() {
   ui::Environment environment;
-  environment.open_link = [](const QString& link) -> Result<ui::BusConnection> {
-    auto opened = open_link(link.toStdString());
-    if (!opened) return tl::unexpected(opened.error());
-    return ui::BusConnection{std::move(opened->clock), std::move(opened->link)};
+  environment.open_master = [](const QString& link) { return open_background_master(link.toStdString()); };
+  environment.describe_slaves = [](eni::BuiltProject& built, const QString& link, const std::atomic<bool>& cancelled) {
+    return describe_slaves(built, link.toStdString(), &cancelled);
   };
   environment.demo_link = QString::fromStdString(demo_link(true));
   environment.esi_folders = {QString::fromStdString(resource_folder()) + QStringLiteral("/esi")};

@@ -4,7 +4,6 @@
 #include <array>
 #include <cstdint>
 
-#include "dc/sync_event_account.h"
 #include "support/types.h"
 
 /// What is read of each slave in turn while the bus runs, besides its deviation: counts since going online, by

@@ -5,10 +5,8 @@
 #include <thread>
 
 namespace syncline {
-class MasterService;
-}
 
-namespace syncline::ui {
+class MasterService;
 
 /// Runs a master on a virtual clock in a thread of its own, at about the speed of real time. However
 /// late the host wakes this thread, the simulated machine does not notice: the demonstration stays in
@@ -29,4 +27,4 @@ class VirtualPacer final {
   std::thread thread_;
 };
 
-}  // namespace syncline::ui
+}  // namespace syncline

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/session/virtual_pacer.h"
+#include "app/composition/virtual_pacer.h"
 
 #include <algorithm>
 #include <chrono>
 
 #include "master/master_service.h"
 
-namespace syncline::ui {
+namespace syncline {
 namespace {
 
 using SteadyClock = std::chrono::steady_clock;
@@ -35,4 +35,4 @@ void VirtualPacer::run() {
   }
 }
 
-}  // namespace syncline::ui
+}  // namespace syncline

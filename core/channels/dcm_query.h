@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "master/channels.h"
+#include <cstdint>
+
+#include "channels/snapshot.h"
+#include "support/result.h"
 
 /// What an application asks the master synchronisation, answered from the snapshot (emDcmGetStatus, emDcmGetAdjust,
 /// emDcmGetBusShiftConfigured).
@@ -27,6 +30,8 @@ struct DcmAnswer {
   return fail(ErrorCode::kNotSupported, "master.dc.control_off", "the controller moves the timer; set it to on first");
 }
 
-[[nodiscard]] inline bool dcm_bus_shift_configured(const Snapshot& snapshot) { return snapshot.dcm.bus_shift_configured; }
+[[nodiscard]] inline bool dcm_bus_shift_configured(const Snapshot& snapshot) {
+  return snapshot.dcm.bus_shift_configured;
+}
 
 }  // namespace syncline

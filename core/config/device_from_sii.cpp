@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "config/device_from_sii.h"
+
 #include <fmt/format.h>
 
-#include "master/bus_scan.h"
 #include "protocol/coe_data_type.h"
 #include "protocol/sync_manager.h"
 #include "support/byte_order.h"

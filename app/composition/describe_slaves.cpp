@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "eni/describe_slaves.h"
+#include "app/composition/describe_slaves.h"
 
 #include <algorithm>
 
+#include "app/composition/open_bus.h"
+#include "master/bus.h"
 #include "master/device_dictionary_reader.h"
 #include "master/slave_visit.h"
 
-namespace syncline::eni {
+namespace syncline {
 namespace {
 
 bool is_undescribed(const DeviceDescription& device) {
@@ -31,7 +33,7 @@ Status complete(DeviceDescription& device, Bus& bus, std::uint16_t position) {
 
 }  // namespace
 
-void describe_slaves(BuiltProject& built, Bus& bus) {
+void describe_slaves(eni::BuiltProject& built, Bus& bus) {
   auto& slaves = built.project.slaves;
   for (std::size_t i = 0; i < slaves.size(); ++i) {
     auto device = slaves[i].device;
@@ -50,8 +52,16 @@ void describe_slaves(BuiltProject& built, Bus& bus) {
   }
 }
 
-bool has_undescribed_slaves(const BuiltProject& built) {
+Status describe_slaves(eni::BuiltProject& built, std::string_view link, const std::atomic<bool>* cancel) {
+  if (!has_undescribed_slaves(built)) return {};
+  const auto bus = OpenBus::open(link, cancel);
+  if (!bus) return tl::unexpected(bus.error());
+  describe_slaves(built, (*bus)->bus());
+  return {};
+}
+
+bool has_undescribed_slaves(const eni::BuiltProject& built) {
   return std::ranges::any_of(built.project.slaves, [](const SlaveSettings& slave) { return is_undescribed(slave.device); });
 }
 
-}  // namespace syncline::eni
+}  // namespace syncline

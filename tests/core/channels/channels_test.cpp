@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "master/channels.h"
+#include "channels/master_channels.h"
 
 #include <gtest/gtest.h>
 

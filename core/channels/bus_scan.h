@@ -2,11 +2,9 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <vector>
 
-#include "config/device_description.h"
 #include "config/project.h"
 #include "protocol/dl_status.h"
 #include "protocol/sii.h"
@@ -50,8 +48,5 @@ struct BusScan {
   std::size_t running = 0;                // slaves that were beyond INIT
   std::vector<Error> findings;            // wiring, identification, what was left out or touched
 };
-
-/// Project slave from the SII alone, for a device without an ESI.
-[[nodiscard]] DeviceDescription device_from_sii(const sii::Image& image);
 
 }  // namespace syncline

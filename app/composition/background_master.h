@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <string_view>
+
+#include "channels/background_master.h"
+#include "support/result.h"
+
+namespace syncline {
+
+/// A master on the bus that `link` names (see open_link(), whose errors these are). Nothing runs yet.
+[[nodiscard]] Result<std::unique_ptr<BackgroundMaster>> open_background_master(std::string_view link);
+
+}  // namespace syncline

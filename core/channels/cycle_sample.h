@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+#include "protocol/al_state.h"
+#include "support/types.h"
+
+namespace syncline {
+
+/// One bus cycle, stamped by the cyclic thread. Trivially copyable.
+struct CycleSample {
+  std::uint64_t cycle = 0;            // counts from going online
+  Nanoseconds send_time = 0;          // host clock, just before the frame was handed to the link
+  Nanoseconds reference_time = 0;     // system time of the reference clock when the frame passed, 0 = none
+  std::int32_t wake_lateness_ns = 0;  // send_time minus the scheduled time
+  std::int32_t round_trip_ns = 0;
+  std::int32_t dcm_error_ns = 0;  // controller error, raw
+  std::int32_t dcm_error_filtered_ns = 0;
+  float drift_ppm = 0;                   // host clock against reference clock
+  std::int32_t dcm_adjust_ns = 0;        // of the next period, or of what is written to the reference clock
+  float dcm_output_sum_ns = 0;           // what the controller has learned, ns a cycle
+  std::int64_t dcm_output_total_ns = 0;  // all adjustments since it was started
+  std::uint32_t dcm_error_code = 0;      // DCM_E_..., 0 = none
+  std::uint32_t deviation_ored_ns = 0;   // magnitude of the wire-ored 0x092C of all clocks
+  std::uint32_t deviation_ns = 0;        // of the slaves that follow the reference clock: the or-ed value where it ors
+                                         // only them, else the largest of their latest readings
+  std::int32_t slave_deviation_ns = 0;   // signed 0x092C of slave_position
+  std::uint32_t slave_sm2_missed = 0;    // of sm2_position, see Sm2MissedStatus::total
+  std::uint32_t slave_sm2_integrator = 0;  // see Sm2MissedStatus::integrator
+  std::int16_t slave_position = -1;        // round robin, -1 = none in this cycle
+  std::int16_t sm2_position = -1;
+  std::uint16_t wkc_expected = 0;  // sum over the process-data commands
+  std::uint16_t wkc_received = 0;
+  std::uint16_t frames_lost = 0;     // of this cycle: not back at its deadline
+  std::uint16_t skipped_cycles = 0;  // left out just before this one: the host came too late for them
+  std::int32_t late_by_ns = 0;       // a frame of an earlier cycle came back in this one, so long after its deadline
+  enum Flag : std::uint16_t {
+    kFrameLost = 1,
+    kWkcError = 2,
+    kDeviationValid = 4,
+    kDcmActive = 8,
+    kDcmInSync = 16,
+    kDcInSync = 32,
+    kDcMonitored = 64,
+    kReferenceValid = 128,
+    kOverrun = 256,
+    kFrameLate = 512,       // late_by_ns is valid
+    kFollowersRead = 2048,  // deviation_ns is valid
+    kSlaveFollows = 1024,   // slave_position follows the reference clock: what it shows is a deviation
+  };
+  std::uint16_t flags = 0;
+  std::uint8_t master_state = 0;  // AlState
+};
+
+}  // namespace syncline

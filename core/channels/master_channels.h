@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <atomic>
+
+#include "channels/command_queue.h"
+#include "channels/cyclic_application.h"
+#include "channels/event_queue.h"
+#include "channels/sample_ring.h"
+#include "channels/snapshot_box.h"
+
+namespace syncline {
+
+/// The four channels between the background core and whoever looks at it: commands, events, snapshot, samples.
+/// Everything crosses by value.
+struct MasterChannels {
+  CommandQueue commands;
+  EventQueue events;
+  SnapshotBox snapshot;
+  SampleRing samples;
+  std::atomic<bool> cancel{false};  // ends a scan or a bring-up within a cycle
+  /// By how much the application makes the host's timer slower, in thousandths of its rate; holds until it is written
+  /// again. In force in the mode master-shift-by-app and with control off. -20..20.
+  std::atomic<double> timer_adjust_permil{0};
+  std::atomic<CyclicApplication*> application{nullptr};  // none: the outputs stay 0; must outlive the cycles
+};
+
+}  // namespace syncline
