@@ -64,7 +64,7 @@ void EventLines::add(const Event& event) {
   if (about_slave) line.slaves.push_back(event.slave);
   if (!folded_) return tell(line);
   const auto same = std::ranges::find_if(lines_, [&](const Line& other) {
-    return about_slave && !other.slaves.empty() && other.first.kind == event.kind && other.rest == line.rest &&
+    return about_slave && !other.slaves.empty() && other.first.kind() == event.kind() && other.rest == line.rest &&
            event.time - other.last <= kSameTime && std::ranges::find(other.slaves, event.slave) == other.slaves.end();
   });
   if (same == lines_.end()) {

@@ -150,7 +150,7 @@ void scan(Context& context, const Options& options) {
   request.capture = options.capture;
   request.on_capture_lost = [&context](const Error& error) { context.fail_with(error); };
   request.on_event = [&context](const Event& event) {
-    if (event.kind != EventKind::kScanTouchesRunning) return;
+    if (!event.is<events::ScanTouchesRunning>()) return;
     context.console.err << "warning: " << event_text(event, event.time) << '\n' << std::flush;
   };
   const auto found = scan_bus(options.link, request);

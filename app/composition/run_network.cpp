@@ -59,7 +59,7 @@ class Drain {
     for (auto& event : channels_.events.drain()) {
       recorder_.add(event);
       if (request_.on_event) request_.on_event(event);
-      if (event.kind == EventKind::kError && event.error && !error_) error_ = event.error;
+      if (const auto* failure = event.as<events::Failure>(); failure && !error_) error_ = failure->error;
     }
   }
   /// What happened before the end and is told only now; how the bus was left is no part of the run. The error when slaves
@@ -69,7 +69,8 @@ class Drain {
     std::optional<Error> left_behind;
     for (const auto& event : channels_.events.drain()) {
       if (event.time <= end && request_.on_event) request_.on_event(event);
-      if (event.time > end && event.kind == EventKind::kError && event.error && !error_) left_behind = event.error;
+      const auto* failure = event.as<events::Failure>();
+      if (event.time > end && failure && !error_) left_behind = failure->error;
     }
     return left_behind;
   }

@@ -43,19 +43,13 @@ Result<BusScan> scan_bus(std::string_view link, const ScanRequest& request) {
   auto opened = OpenBus::open(link, request.cancel, request.capture);
   if (!opened) return tl::unexpected(opened.error());
   auto& bus = (*opened)->bus();
-  const auto tell = [&](EventKind kind, std::size_t a, std::size_t b) {
-    if (!request.on_event) return;
-    Event event;
-    event.kind = kind;
-    event.time = bus.clock().now();
-    event.a = static_cast<std::int64_t>(a);
-    event.b = static_cast<std::int64_t>(b);
-    request.on_event(event);
+  const auto tell = [&](EventDetails what) {
+    if (request.on_event) request.on_event({bus.clock().now(), -1, std::move(what)});
   };
   ScanObserver observer;
-  observer.progress = [&](std::size_t done, std::size_t found) { tell(EventKind::kScanProgress, done, found); };
+  observer.progress = [&](std::size_t done, std::size_t found) { tell(events::ScanProgress{done, found}); };
   observer.touching = [&](std::size_t running, std::size_t eeproms) {
-    tell(EventKind::kScanTouchesRunning, running, eeproms);
+    tell(events::ScanTouchesRunning{running, eeproms});
   };
   auto found = scan_slaves(bus, request.options, observer);
   if (const auto notes = (*opened)->replay(); found && notes) mark_unknown(*found, *notes, std::string(link));

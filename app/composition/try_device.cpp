@@ -209,7 +209,7 @@ Step<Run> run(const NetworkConfig& config, const SimConfig& sim) {
   while (run.good < kCycles && clock.now() < end) {
     service.run_for(kSlice);
     for (const auto& event : channels.events.drain()) {
-      if (event.kind == EventKind::kError && event.error) return failed(TryStep::kRun, describe(*event.error));
+      if (const auto* failure = event.as<events::Failure>()) return failed(TryStep::kRun, describe(failure->error));
     }
     samples.clear();
     channels.samples.pop(samples);

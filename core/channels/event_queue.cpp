@@ -31,11 +31,8 @@ std::vector<Event> EventQueue::drain() {
     lost = std::exchange(lost_, 0);
   }
   if (lost > 0) {
-    Event event;
-    event.kind = EventKind::kEventsLost;
-    event.time = out.empty() ? 0 : out.back().time;
-    event.a = static_cast<std::int64_t>(lost);
-    out.push_back(std::move(event));
+    const auto time = out.empty() ? 0 : out.back().time;
+    out.push_back({time, -1, events::EventsLost{lost}});
   }
   return out;
 }

@@ -50,7 +50,8 @@ Result<Attendance::Differences> Attendance::look(std::uint16_t count) {
     missing_[i] = !match.position[i].has_value();
     if (match.position[i]) commands_.set_position(i, *match.position[i]);
   }
-  for (const auto slave : match.absent) run_.hot_connect(slave, 2, bus_.clock().now());
+  for (const auto slave : match.absent)
+    run_.hot_connect(slave, events::HotConnect::What::kNotThereYet, bus_.clock().now());
   return differences;
 }
 

@@ -20,7 +20,7 @@ void BusHealth::observe_wkc(std::uint16_t expected, std::uint16_t received, Nano
   if (expected == received || (received > expected && (joining_ || run_.somebody_absent()))) {
     const auto count = std::exchange(wkc_spell_, 0);
     if (count > 1) {
-      run_.event(EventKind::kWkcError, time, -1, last_expected_, last_wrong_, static_cast<std::int64_t>(count));
+      run_.event(time, -1, events::WkcError{last_expected_, last_wrong_, count});
     }
     return;
   }
@@ -28,7 +28,7 @@ void BusHealth::observe_wkc(std::uint16_t expected, std::uint16_t received, Nano
   ++run_.snapshot.wkc_errors;
   last_wrong_ = received;
   last_expected_ = expected;
-  if (wkc_spell_++ == 0) run_.event(EventKind::kWkcError, time, -1, expected, received, 1);
+  if (wkc_spell_++ == 0) run_.event(time, -1, events::WkcError{expected, received, 1});
 }
 
 void BusHealth::take(const MissingFrames::News& news, Nanoseconds time) {
@@ -60,21 +60,29 @@ void BusHealth::observe_schedule(std::int64_t skipped, Nanoseconds standstill, N
   skipped_.add(skipped, standstill, time);
 }
 
-void BusHealth::tell(EventKind kind, const std::optional<Tally::Report>& report) {
-  if (report) run_.event(kind, report->time, -1, report->count, report->largest, report->special);
+void BusHealth::tell_left_out(const std::optional<Tally::Report>& report) {
+  if (report) run_.event(report->time, -1, events::CyclesLeftOut{report->count, report->largest});
+}
+
+void BusHealth::tell_lost(const std::optional<Tally::Report>& report) {
+  if (report) run_.event(report->time, -1, events::FramesLost{report->count});
+}
+
+void BusHealth::tell_late(const std::optional<Tally::Report>& report) {
+  if (report) run_.event(report->time, -1, events::FramesLate{report->count, report->largest, report->special});
 }
 
 void BusHealth::tell(Nanoseconds now) {
-  tell(EventKind::kOverrun, skipped_.due(now));
-  tell(EventKind::kFramesLost, lost_.due(now));
-  tell(EventKind::kFramesLate, late_.due(now));
+  tell_left_out(skipped_.due(now));
+  tell_lost(lost_.due(now));
+  tell_late(late_.due(now));
 }
 
 void BusHealth::tell_rest(const MissingFrames::News& news) {
   take(news, run_.snapshot.time);
-  tell(EventKind::kOverrun, skipped_.rest());
-  tell(EventKind::kFramesLost, lost_.rest());
-  tell(EventKind::kFramesLate, late_.rest());
+  tell_left_out(skipped_.rest());
+  tell_lost(lost_.rest());
+  tell_late(late_.rest());
 }
 
 }  // namespace syncline

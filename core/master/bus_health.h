@@ -35,7 +35,9 @@ class BusHealth {
  private:
   RunState& run_;
   bool judging_ = false, joining_ = false;
-  void tell(EventKind kind, const std::optional<Tally::Report>& report);
+  void tell_left_out(const std::optional<Tally::Report>& report);
+  void tell_lost(const std::optional<Tally::Report>& report);
+  void tell_late(const std::optional<Tally::Report>& report);
   void take(const MissingFrames::News& news, Nanoseconds time);
 
   Tally lost_, late_, skipped_;

@@ -59,14 +59,14 @@ void ClockSteps::note(const DcNetwork& network) {
   }
   task_.slaves().set_dc_slaves(std::move(watched));
   for (const auto& finding : network.findings) {
-    run_.event(EventKind::kDelayFinding, bus_.clock().now(), finding.position, static_cast<std::int64_t>(finding.warning),
-               finding.value_ns);
+    run_.event(bus_.clock().now(), finding.position, events::DelayFinding{finding.warning, finding.value_ns});
   }
   const bool configured = network.reference_clock == configured_reference_clock(run_.config());
   task_.reference().start(network.home, network.reference_clock, configured && attendance_.complete());
   const auto now = bus_.clock().now();
-  if (network.without_time) run_.event(EventKind::kReferenceClock, now, *network.without_time, 3);
-  run_.event(EventKind::kReferenceClock, now, network.reference_clock, 1);
+  using What = events::ReferenceClockChanged::What;
+  if (network.without_time) run_.event(now, *network.without_time, events::ReferenceClockChanged{What::kNoSystemTime});
+  run_.event(now, network.reference_clock, events::ReferenceClockChanged{What::kPresent});
 }
 
 Result<bool> ClockSteps::comes_true(bool (SyncWatch::*in_sync)() const) {
@@ -91,10 +91,10 @@ Status ClockSteps::await_slaves() {
                             kSyncTimeout / kSecond, dc.limit_ns));
   }
   const auto now = bus_.clock().now();
-  if (!sync_.monitored()) run_.event(EventKind::kDcSlaveSync, now, -1, 2, 0);
-  std::int64_t count = 0;
+  if (!sync_.monitored()) run_.event(now, -1, events::SlavesNotMonitored{});
+  std::size_t count = 0;
   for (const auto& slave : run_.snapshot.slaves) count += slave.dc_enabled && slave.present ? 1 : 0;
-  run_.event(EventKind::kDcInitialised, now, -1, count, run_.snapshot.dc.reference_clock);
+  run_.event(now, -1, events::DcInitialised{count, run_.snapshot.dc.reference_clock});
   return {};
 }
 

@@ -84,7 +84,7 @@ Status CyclicTaskRunner::run_cycle(std::span<Datagram* const> acyclic) {
 /// An adapter that is away is waited for, as slaves are that do not answer.
 Status CyclicTaskRunner::note_link(Status status) {
   const bool down = !status && status.error().code == ErrorCode::kLinkDown;
-  run_.note_link(!down, clock_.now(), exchange_.link());
+  run_.note_link(!down, clock_.now());
   return down ? Status{} : status;
 }
 
@@ -266,7 +266,7 @@ void CyclicTaskRunner::expect_present() {
   const auto before = frames_.wkc_expected();
   frames_.expect_without(without_);
   const auto now = frames_.wkc_expected();
-  if (now != before) run_.event(EventKind::kWkcExpected, send_time_, -1, frames_.wkc_configured(), now);
+  if (now != before) run_.event(send_time_, -1, events::WkcExpected{frames_.wkc_configured(), now});
 }
 
 std::optional<Nanoseconds> CyclicTaskRunner::reference_time(const CyclicFrameSet::Reading& reading) const {

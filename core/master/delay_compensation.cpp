@@ -104,7 +104,8 @@ void DelayCompensation::finish(Nanoseconds now) {
   const auto delays = segment_delays(latch_->nodes(), dl_status_, delay_options(run_.config().dc));
   const auto leader = std::ranges::find(slaves_, std::size_t{reference_clock_}) - slaves_.begin();
   const auto origin = delays.delay_ns[static_cast<std::size_t>(leader)].value_or(0);
-  std::int64_t largest = 0, corrected = 0;
+  std::int64_t largest = 0;
+  std::size_t corrected = 0;
   for (std::size_t i = 0; i < slaves_.size(); ++i) {
     if (!run_.snapshot.slaves[slaves_[i]].dc_enabled || !delays.delay_ns[i] || *delays.delay_ns[i] < origin) continue;
     const auto delay = *delays.delay_ns[i] - origin;
@@ -114,7 +115,7 @@ void DelayCompensation::finish(Nanoseconds now) {
     ++corrected;
     if (std::abs(change) > std::abs(largest)) largest = change;
   }
-  run_.event(EventKind::kDelaysMeasured, now, -1, corrected, largest);
+  run_.event(now, -1, events::DelaysMeasured{corrected, largest});
 }
 
 void DelayCompensation::give_up(Nanoseconds now) {

@@ -87,8 +87,7 @@ void EvidenceReader::take_ports(Nanoseconds time) {
 /// Errors that were only forwarded are somebody else's. A damaged frame is counted in both counters as a rule.
 void EvidenceReader::tell_port(std::size_t port, std::uint32_t damaged, std::uint32_t lost_links, Nanoseconds time) {
   if (damaged == 0 && lost_links == 0) return;
-  run_.event(EventKind::kPortErrors, time, static_cast<int>(slave_), static_cast<std::int64_t>(port), damaged,
-             lost_links);
+  run_.event(time, static_cast<int>(slave_), events::PortErrors{static_cast<std::uint8_t>(port), damaged, lost_links});
 }
 
 void EvidenceReader::take_watchdogs(Nanoseconds time) {
@@ -99,7 +98,9 @@ void EvidenceReader::take_watchdogs(Nanoseconds time) {
     const auto more = totals[i].read(bytes_[i]);
     *counts[i] = {totals[i].total(), totals[i].at_least(), time};
     if (more == 0) continue;
-    run_.event(EventKind::kWatchdog, time, static_cast<int>(slave_), static_cast<std::int64_t>(i), more);
+    using Which = events::WatchdogExpired::Which;
+    run_.event(time, static_cast<int>(slave_),
+               events::WatchdogExpired{i == 0 ? Which::kProcessData : Which::kPdi, more});
   }
 }
 

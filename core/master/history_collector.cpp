@@ -32,9 +32,8 @@ Status HistoryCollector::read(std::size_t slave) {
     return {};
   }
   for (const auto& [sub_index, message] : history->messages) {
-    run_.event(EventKind::kDiagnosis, bus_.clock().now(), static_cast<int>(slave), message.code,
-               static_cast<std::int64_t>(message.type) | std::int64_t{message.text_id} << 16,
-               static_cast<std::int64_t>(message.time_stamp));
+    run_.event(bus_.clock().now(), static_cast<int>(slave),
+               events::DiagnosisTold{message.code, message.type, message.text_id, message.time_stamp});
   }
   task_.mailboxes().note_told(slave, history->newest);
   return {};

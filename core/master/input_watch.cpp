@@ -114,17 +114,20 @@ void InputWatch::note(Slave& slave, bool stale, Nanoseconds time) {
 void InputWatch::judge(Slave& slave, Nanoseconds time) {
   const auto& watchdog = run_.snapshot.slaves[slave.position].evidence.pdi_watchdog;
   const auto count = std::popcount(slave.stale & kWindowMask);
+  const auto tell = [&](bool begun) {
+    run_.event(time, slave.position, events::StaleInputs{begun, static_cast<std::uint32_t>(count), kWindow});
+  };
   if (count <= kFew) {
     slave.stale_since.reset();
     slave.watchdog_before = watchdog.total;
-    if (std::exchange(slave.told, false)) run_.event(EventKind::kFirmwareSlow, time, slave.position, 0, count, kWindow);
+    if (std::exchange(slave.told, false)) tell(false);
   } else if (count >= kMany && !slave.stale_since) {
     slave.stale_since = time;
   }
   if (!slave.stale_since || slave.told || time - *slave.stale_since < kLasts || count < kMany) return;
   if (watchdog.total != slave.watchdog_before) return;  // it hangs, or did
   slave.told = true;
-  run_.event(EventKind::kFirmwareSlow, time, slave.position, 1, count, kWindow);
+  tell(true);
 }
 
 }  // namespace syncline

@@ -33,8 +33,8 @@ struct MasterService::Impl {
   void bind_thread(const RealTimeSettings& settings);
   void run_cycle();
   void go_offline();
-  void tell(EventKind kind);
-  void tell(const Error& error);
+  void tell(EventDetails what);
+  void tell(const Error& error) { tell(events::Failure{error}); }
 
   std::unique_ptr<Link> link;
   Clock& clock;
@@ -44,55 +44,27 @@ struct MasterService::Impl {
   DcStartTimeCallback start_time;
 };
 
-void MasterService::Impl::tell(EventKind kind) {
-  Event event;
-  event.kind = kind;
-  event.time = clock.now();
-  channels.events.push(std::move(event));
-}
-
-void MasterService::Impl::tell(const Error& error) {
-  Event event;
-  event.kind = EventKind::kError;
-  event.time = clock.now();
-  event.error = error;
-  channels.events.push(std::move(event));
-}
+void MasterService::Impl::tell(EventDetails what) { channels.events.push({clock.now(), -1, std::move(what)}); }
 
 void MasterService::Impl::execute(const ScanCommand& command) {
   if (operation) return tell(Error{ErrorCode::kConfiguration, "scan", "the bus is online; go offline first"});
-  const auto tell_counts = [this](EventKind kind, std::size_t first, std::size_t second) {
-    Event event;
-    event.kind = kind;
-    event.time = clock.now();
-    event.a = static_cast<std::int64_t>(first);
-    event.b = static_cast<std::int64_t>(second);
-    channels.events.push(std::move(event));
-  };
   exchange.set_addresses(kBroadcastMac, link->describe().mac);
   Bus bus(exchange, clock, &channels.cancel);
   ScanObserver observer;
-  observer.progress = [&](std::size_t done, std::size_t found) { tell_counts(EventKind::kScanProgress, done, found); };
+  observer.progress = [&](std::size_t done, std::size_t found) { tell(events::ScanProgress{done, found}); };
   observer.touching = [&](std::size_t running, std::size_t eeproms) {
-    tell_counts(EventKind::kScanTouchesRunning, running, eeproms);
+    tell(events::ScanTouchesRunning{running, eeproms});
   };
   auto scan = scan_slaves(bus, {.look_only = command.look_only}, observer);
   if (!scan) return tell(scan.error());
-  Event event;
-  event.kind = EventKind::kScanFinished;
-  event.time = clock.now();
-  event.scan = std::make_shared<const BusScan>(std::move(*scan));
-  channels.events.push(std::move(event));
+  tell(events::ScanFinished{std::make_shared<const BusScan>(std::move(*scan))});
 }
 
 /// The thread that executes the command is the one that runs the cycle.
 void MasterService::Impl::bind_thread(const RealTimeSettings& settings) {
   if (clock.is_virtual() || !settings.cpu) return;
-  Event event;
-  event.kind = EventKind::kRealTime;
-  event.time = clock.now();
-  event.text = bind_to_processor(*settings.cpu);
-  if (!event.text.empty()) channels.events.push(std::move(event));
+  if (auto refused = bind_to_processor(*settings.cpu); !refused.empty())
+    tell(events::RealTimeRefused{std::move(refused)});
 }
 
 void MasterService::Impl::execute(GoOnlineCommand& command) {
@@ -105,7 +77,7 @@ void MasterService::Impl::execute(GoOnlineCommand& command) {
   const bool cancelled = !status && status.error().code == ErrorCode::kCancelled;
   if (!status && (cancelled || !operation->cyclic())) return go_offline();
   // A bus that did not come all the way up stays online, to be looked at.
-  tell(EventKind::kOnline);
+  tell(events::Online{});
 }
 
 void MasterService::Impl::execute(const GoOfflineCommand&) { go_offline(); }
@@ -113,7 +85,7 @@ void MasterService::Impl::execute(const GoOfflineCommand&) { go_offline(); }
 void MasterService::Impl::go_offline() {
   if (operation) operation->stop();
   operation.reset();
-  tell(EventKind::kOffline);
+  tell(events::Offline{});
 }
 
 void MasterService::Impl::execute(const RequestStateCommand& command) {
@@ -200,11 +172,7 @@ bool MasterService::step_guarded() noexcept {
     } catch (const std::exception& error) {
       what = error.what();
     }
-    Event event;
-    event.kind = EventKind::kError;
-    event.time = impl_->clock.now();
-    event.text = "The master stopped, which should not have happened: " + what;
-    impl_->channels.events.push(std::move(event));
+    impl_->tell(events::MasterStopped{"The master stopped, which should not have happened: " + what});
   } catch (...) {
     // The end is told by the bus going offline.
   }

@@ -45,7 +45,7 @@ class MasterService {
 };
 
 /// Runs a MasterService in a thread of its own: SCHED_FIFO, locked memory, prefaulted stack where
-/// permitted; what is refused is told once by EventKind::kRealTime. stop() joins.
+/// permitted; what is refused is told once by events::RealTimeRefused. stop() joins.
 class MasterThread {
  public:
   explicit MasterThread(MasterService& service);

@@ -26,11 +26,7 @@ struct MasterThread::Impl {
     std::optional<RealTimeScope> real_time;
     if (!clock.is_virtual()) real_time.emplace();
     if (real_time && !real_time->refused().empty()) {
-      Event event;
-      event.kind = EventKind::kRealTime;
-      event.time = clock.now();
-      event.text = real_time->refused();
-      service.channels().events.push(std::move(event));
+      service.channels().events.push({clock.now(), -1, events::RealTimeRefused{real_time->refused()}});
     }
     while (!stop.load(std::memory_order_relaxed)) {
       if (!service.step_guarded()) clock.sleep_until(clock.now() + kIdlePeriod);

@@ -26,14 +26,14 @@ Operation::Operation(NetworkConfig config, FrameExchange& exchange, Clock& clock
       exchange_(exchange),
       clock_(clock),
       bus_(exchange, clock, &channels.cancel),
-      run_(config_, channels),
+      run_(config_, channels, SharedText(exchange.link().describe().name)),
       sync_(run_),
       task_(exchange, clock, run_, sync_),
       delays_(run_),
       esm_(bus_, run_, task_, sync_, delays_),
       recovery_(bus_, run_, task_, esm_),
       history_(bus_, run_, task_, esm_) {
-  bus_.set_link_observer([this](bool up) { run_.note_link(up, clock_.now(), exchange_.link()); });
+  bus_.set_link_observer([this](bool up) { run_.note_link(up, clock_.now()); });
   bus_.set_interrupt([this] { return unasked_ && !run_.channels().commands.empty(); });
 }
 
@@ -79,17 +79,12 @@ Status Operation::through_outages(AlState target, const std::function<Status(boo
   for (int count = 0;; ++count) {
     const auto before = run_.link_outages();
     auto status = lead(count > 0);
-    if (!status && status.error().code == ErrorCode::kLinkDown) run_.note_link(false, clock_.now(), exchange_.link());
+    if (!status && status.error().code == ErrorCode::kLinkDown) run_.note_link(false, clock_.now());
     if (run_.link_outages() == before) return status;
     if (status) status = see_whether_reached(target);
     const bool ended = status || status.error().code == ErrorCode::kCancelled;
     if (ended || count == kMostOutages || !await_link()) return status;
-    Event event;
-    event.kind = EventKind::kLink;
-    event.time = clock_.now();
-    event.a = 2;
-    event.text = exchange_.link().describe().name;
-    run_.channels().events.push(std::move(event));
+    run_.event(clock_.now(), -1, events::BringUpAgain{});
   }
 }
 

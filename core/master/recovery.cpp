@@ -6,6 +6,8 @@
 namespace syncline {
 namespace {
 
+using Stage = events::RecoveryStep::Stage;
+
 constexpr Nanoseconds kLookPeriod = 10 * kMillisecond;
 constexpr Nanoseconds kFirstWait = 50 * kMillisecond;  // a device that is switched on is not there at once
 constexpr Nanoseconds kRetryPeriod = 500 * kMillisecond;
@@ -113,7 +115,7 @@ Status Recovery::work(bool on_command, AlState target) {
   for (const auto slave : slaves) {
     auto& track = tracks_[slave];
     ++track.tries;
-    tell(slave, 0);
+    tell(slave, Stage::kBegun);
   }
   if (auto status = esm_.join(slaves, target); !status) return status;
   const auto limit = std::max(kReturnTries, run_.config().recovery.error_tries);
@@ -121,7 +123,7 @@ Status Recovery::work(bool on_command, AlState target) {
     auto& track = tracks_[slave];
     const auto& status = run_.snapshot.slaves[slave];
     const bool well = status.present && !is_behind(status.al_status, target);
-    tell(slave, well ? 1 : 2);
+    tell(slave, well ? Stage::kDone : Stage::kFailed);
     track.next_try = bus_.clock().now() + kRetryPeriod;
     if (well) {
       track.returning = false;
@@ -129,13 +131,13 @@ Status Recovery::work(bool on_command, AlState target) {
     }
     const auto tries = track.returning ? limit : run_.config().recovery.error_tries;
     track.given_up = on_command || track.tries >= tries;
-    if (track.given_up && !on_command) tell(slave, 3);
+    if (track.given_up && !on_command) tell(slave, Stage::kGivenUp);
   }
   return {};
 }
 
-void Recovery::tell(std::size_t slave, int stage) {
-  run_.event(EventKind::kRecovery, bus_.clock().now(), static_cast<int>(slave), stage, tracks_[slave].tries);
+void Recovery::tell(std::size_t slave, events::RecoveryStep::Stage stage) {
+  run_.event(bus_.clock().now(), static_cast<int>(slave), events::RecoveryStep{stage, tracks_[slave].tries});
 }
 
 // ---- where ----------------------------------------------------------------------------------------
@@ -232,12 +234,7 @@ void Recovery::match_gap(std::span<const std::uint16_t> wanted, std::span<const 
     const auto& identity = there[i].identity;
     const auto key = (std::uint64_t{identity.vendor_id} << 32) | identity.product_code;
     if (taken || !told_unknown_.emplace(positions[i], key).second) continue;
-    Event event;
-    event.kind = EventKind::kUnknownSlave;
-    event.time = bus_.clock().now();
-    event.slave = positions[i];
-    event.text = to_string(identity);
-    run_.channels().events.push(std::move(event));
+    run_.event(bus_.clock().now(), positions[i], events::UnknownSlave{identity});
   }
 }
 

@@ -49,7 +49,7 @@ class Recovery {
   [[nodiscard]] std::optional<std::size_t> known_by(std::uint16_t station) const;
   void match_gap(std::span<const std::uint16_t> wanted, std::span<const std::uint16_t> positions,
                  std::span<const FoundDevice> devices, SlaveList& found);
-  void tell(std::size_t slave, int stage);
+  void tell(std::size_t slave, events::RecoveryStep::Stage stage);
   [[nodiscard]] std::size_t present_count() const;
 
   Bus& bus_;

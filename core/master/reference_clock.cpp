@@ -10,6 +10,8 @@
 namespace syncline {
 namespace {
 
+using What = events::ReferenceClockChanged::What;
+
 using Leader = CyclicFrameSet::Leader;
 
 constexpr int kReadings = 16;
@@ -55,7 +57,7 @@ void ReferenceClock::look(Nanoseconds time) {
   places_right_ = std::all_of(slaves.begin(), slaves.begin() + *home_, [](const SlaveStatus& s) { return s.present; });
   if (leader_ && slaves[*leader_].present) return;
   if (leader_) {
-    run_.event(EventKind::kReferenceClock, time, *leader_, 0);
+    run_.event(time, *leader_, events::ReferenceClockChanged{What::kLost});
     slaves[*leader_].is_reference_clock = false;
     leader_.reset();
     sync_.leader_lost(time);
@@ -80,7 +82,7 @@ std::optional<std::uint16_t> ReferenceClock::candidate(std::span<const std::size
 void ReferenceClock::lead(std::uint16_t position, Nanoseconds time) {
   hand_over(position);
   sync_.leader_found(position, time);
-  run_.event(EventKind::kReferenceClock, time, position, position == home_ ? 1 : 2);
+  run_.event(time, position, events::ReferenceClockChanged{position == home_ ? What::kPresent : What::kTookOver});
 }
 
 /// A clock that follows takes each message as it is, and runs on with the last one when nobody leads it any more: that
@@ -117,7 +119,7 @@ void ReferenceClock::watch(Nanoseconds time) {
   if (!is_near() && time - approach_->begin < kPatience) return;
   hand_over(*home_);
   sync_.leader_moved(*home_);
-  run_.event(EventKind::kReferenceClock, time, *home_, 1);
+  run_.event(time, *home_, events::ReferenceClockChanged{What::kPresent});
 }
 
 /// In the mean of some readings: a clock in front of its substitute is told what the master believes, with the host's

@@ -6,8 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "config/families/families.h"
-#include "link/link.h"
+#include "support/overloaded.h"
 
 namespace syncline {
 namespace {
@@ -27,69 +26,50 @@ int rank(AlState state) {
 
 }  // namespace
 
-RunState::RunState(const NetworkConfig& config, MasterChannels& channels)
-    : mailbox_counters(config.slaves.size()), mailbox_full(config.slaves.size()), config_(config), channels_(channels) {
+RunState::RunState(const NetworkConfig& config, MasterChannels& channels, SharedText adapter)
+    : mailbox_counters(config.slaves.size()),
+      mailbox_full(config.slaves.size()),
+      config_(config),
+      channels_(channels),
+      adapter_(std::move(adapter)) {
+  for (const auto& slave : config.slaves) {
+    groups_.push_back(slave.hot_connect ? SharedText(slave.hot_connect->group) : SharedText());
+  }
   snapshot.cycle_time = config.cycle_time();
   snapshot.slaves.resize(config.slaves.size());
 }
 
 /// Notifications of the clocks can be switched off.
-bool RunState::told(EventKind kind) const {
+bool RunState::told(const EventDetails& what) const {
   const auto& notifications = config_.dc.notifications;
-  switch (kind) {
-    case EventKind::kReferenceClock: return notifications.reference_clock;
-    case EventKind::kDcSlaveSync: return notifications.slaves_in_sync;
-    case EventKind::kDcInitialised: return notifications.dc_status;
-    case EventKind::kDcmSync: return notifications.dcm_in_sync;
-    default: return true;
-  }
+  return std::visit(Overloaded{[&](const events::ReferenceClockChanged&) { return notifications.reference_clock; },
+                               [&](const events::SlavesInSync&) { return notifications.slaves_in_sync; },
+                               [&](const events::SlavesOutOfSync&) { return notifications.slaves_in_sync; },
+                               [&](const events::SlavesNotMonitored&) { return notifications.slaves_in_sync; },
+                               [&](const events::SlavesSyncUnknown&) { return notifications.slaves_in_sync; },
+                               [&](const events::DcInitialised&) { return notifications.dc_status; },
+                               [&](const events::MasterInSync&) { return notifications.dcm_in_sync; },
+                               [&](const events::MasterOutOfSync&) { return notifications.dcm_in_sync; },
+                               [](const auto&) { return true; }},
+                    what);
 }
 
-void RunState::event(EventKind kind, Nanoseconds time, int slave, std::int64_t a, std::int64_t b, std::int64_t c) {
-  if (!told(kind)) return;
-  Event event;
-  event.kind = kind;
-  event.time = time;
-  event.slave = slave;
-  event.a = a;
-  event.b = b;
-  event.c = c;
-  channels_.events.push(std::move(event));
+void RunState::event(Nanoseconds time, int slave, EventDetails what) {
+  if (told(what)) channels_.events.push({time, slave, std::move(what)});
 }
 
-void RunState::error(const Error& error, Nanoseconds time) {
-  Event event;
-  event.kind = EventKind::kError;
-  event.time = time;
-  event.error = error;
-  channels_.events.push(std::move(event));
-}
+void RunState::error(const Error& error, Nanoseconds time) { event(time, -1, events::Failure{error}); }
 
 void RunState::emergency(std::size_t slave, const coe::Emergency& emergency, Nanoseconds time) {
-  std::int64_t data = 0;
-  for (std::size_t i = emergency.data.size(); i-- > 0;) data = data << 8 | emergency.data[i];
-  Event event;
-  event.kind = EventKind::kEmergency;
-  event.time = time;
-  event.slave = static_cast<int>(slave);
-  event.a = emergency.error_code;
-  event.b = emergency.error_register;
-  event.c = data;
-  const auto* alarm = families::find_alarm(config_.slaves[slave].identity, emergency.error_code, static_cast<std::uint64_t>(data));
-  if (alarm != nullptr) event.text = alarm->name;  // short enough to need no memory
-  channels_.events.push(std::move(event));
+  event(time, static_cast<int>(slave),
+        events::Emergency{emergency.error_code, emergency.error_register, emergency.data,
+                          config_.slaves[slave].identity});
 }
 
-bool RunState::hot_connect(std::size_t slave, int what, Nanoseconds time) {
+bool RunState::hot_connect(std::size_t slave, events::HotConnect::What what, Nanoseconds time) {
   const auto head = config_.hot_connect_head(slave);
   if (!head) return false;
-  Event event;
-  event.kind = EventKind::kHotConnect;
-  event.time = time;
-  event.slave = static_cast<int>(slave);
-  event.a = what;
-  event.text = config_.slaves[*head].hot_connect->group;
-  channels_.events.push(std::move(event));
+  event(time, static_cast<int>(slave), events::HotConnect{what, groups_[*head]});
   return true;
 }
 
@@ -105,18 +85,20 @@ void RunState::set_al_status(std::size_t slave, std::uint16_t status, std::uint1
   const auto old_code = std::exchange(known.al_status_code, code);
   const auto position = static_cast<int>(slave);
   if (al_state_of(old) != al_state_of(status)) {
-    event(EventKind::kStateChanged, time, position, old & 0x0F, status & 0x0F);
+    event(time, position, events::StateChanged{al_state_of(old), al_state_of(status)});
   }
   const bool failed = (status & kAlErrorFlag) != 0;
   const bool news = (old & kAlErrorFlag) == 0 || old_code != code || al_state_of(old) != al_state_of(status);
-  if (failed && news) event(EventKind::kAlStatusError, time, position, status, code);
+  if (failed && news) event(time, position, events::AlStatusError{status, code});
 }
 
 void RunState::set_present(std::size_t slave, bool present, Nanoseconds time) {
   auto& known = snapshot.slaves[slave];
   if (std::exchange(known.present, present) == present) return;
-  const bool told = hot_connect(slave, present ? 1 : 0, time);
-  if (!told) event(present ? EventKind::kSlaveFound : EventKind::kSlaveLost, time, static_cast<int>(slave));
+  using What = events::HotConnect::What;
+  const bool told = hot_connect(slave, present ? What::kConnected : What::kDisconnected, time);
+  if (!told && present) event(time, static_cast<int>(slave), events::SlaveFound{});
+  if (!told && !present) event(time, static_cast<int>(slave), events::SlaveLost{});
   known.absent_since = present ? 0 : time;
   if (!present) {
     // Whatever it was in, nobody knows what it is in now. What was counted stays: it is the evidence.
@@ -125,19 +107,14 @@ void RunState::set_present(std::size_t slave, bool present, Nanoseconds time) {
   }
 }
 
-void RunState::note_link(bool up, Nanoseconds time, const Link& link) {
+void RunState::note_link(bool up, Nanoseconds time) {
   snapshot.link_up = up;
   if (up != link_away_since_.has_value()) return;  // nothing new
-  Event event;
-  event.kind = EventKind::kLink;
-  event.time = time;
-  event.a = up ? 1 : 0;
-  event.b = up ? time - *link_away_since_ : 0;
-  event.text = link.describe().name;
-  channels_.events.push(std::move(event));
   if (up) {
+    event(time, -1, events::LinkUp{adapter_, time - *link_away_since_});
     link_away_since_.reset();
   } else {
+    event(time, -1, events::LinkDown{adapter_});
     link_away_since_ = time;
     ++link_outages_;
   }
@@ -168,9 +145,7 @@ AlState RunState::lowest_state() const {
 void RunState::update_master_state(Nanoseconds time) {
   const auto state = complete() ? lowest_state() : AlState::kNone;
   const auto old = std::exchange(snapshot.state, state);
-  if (old != state) {
-    event(EventKind::kStateChanged, time, -1, static_cast<std::int64_t>(old), static_cast<std::int64_t>(state));
-  }
+  if (old != state) event(time, -1, events::StateChanged{old, state});
 }
 
 std::string RunState::slave_name(std::size_t slave) const {

@@ -13,13 +13,12 @@
 
 namespace syncline {
 
-class Link;
-
 /// What everybody who takes part in running a bus reads and writes: the configuration, the latest
 /// status of everything, and the way to the outside. Lives in the thread that runs the cycle.
 class RunState {
  public:
-  RunState(const NetworkConfig& config, MasterChannels& channels);
+  /// `adapter`: name of the link, for what is told of it.
+  RunState(const NetworkConfig& config, MasterChannels& channels, SharedText adapter = {});
 
   [[nodiscard]] const NetworkConfig& config() const { return config_; }
   [[nodiscard]] MasterChannels& channels() { return channels_; }
@@ -29,12 +28,12 @@ class RunState {
   /// Per slave, what the latest cyclic frames say about its mailbox; nothing where they do not say it.
   std::vector<std::optional<bool>> mailbox_full;
 
-  void event(EventKind kind, Nanoseconds time, int slave = -1, std::int64_t a = 0, std::int64_t b = 0,
-             std::int64_t c = 0);
+  /// `slave` -1: the master, the bus. Notifications that the configuration switches off are left out.
+  void event(Nanoseconds time, int slave, EventDetails what);
   void error(const Error& error, Nanoseconds time);
   void emergency(std::size_t slave, const coe::Emergency& emergency, Nanoseconds time);
   /// Tells of a slave that comes and goes as it likes; false when it is none.
-  bool hot_connect(std::size_t slave, int what, Nanoseconds time);
+  bool hot_connect(std::size_t slave, events::HotConnect::What what, Nanoseconds time);
   /// The slave's mailbox with its bit in the process image.
   [[nodiscard]] MailboxPort port_of(std::size_t slave) const;
   /// Takes over a reading of AL status and code; tells changes and new errors.
@@ -49,7 +48,7 @@ class RunState {
   void update_master_state(Nanoseconds time);
   [[nodiscard]] std::string slave_name(std::size_t slave) const;
   /// The master's adapter is there, or away; tells a change.
-  void note_link(bool up, Nanoseconds time, const Link& link);
+  void note_link(bool up, Nanoseconds time);
   /// How often it has gone away.
   [[nodiscard]] unsigned link_outages() const { return link_outages_; }
   [[nodiscard]] std::optional<Nanoseconds> link_away_since() const { return link_away_since_; }
@@ -57,10 +56,12 @@ class RunState {
   [[nodiscard]] bool somebody_present() const;
 
  private:
-  [[nodiscard]] bool told(EventKind kind) const;
+  [[nodiscard]] bool told(const EventDetails& what) const;
 
   const NetworkConfig& config_;
   MasterChannels& channels_;
+  SharedText adapter_;
+  std::vector<SharedText> groups_;  // per slave, of the heads of hot-connect groups
   std::optional<Nanoseconds> link_away_since_;
   unsigned link_outages_ = 0;
 };

@@ -213,7 +213,8 @@ void SlaveWatch::tell_cable(Nanoseconds time, std::size_t slave, bool healed) {
   run_.snapshot.slaves[slave].cable_broken = !healed;
   const auto& previous = run_.config().slaves[slave].previous;
   const int near = previous ? previous->position : kMaster;
-  run_.event(EventKind::kCable, time, near, previous ? previous->port : 0, static_cast<std::int64_t>(slave), healed ? 1 : 0);
+  const auto port = static_cast<std::uint8_t>(previous ? previous->port : 0);
+  run_.event(time, near, events::CableChanged{port, static_cast<int>(slave), healed});
 }
 
 void SlaveWatch::tell_presence(Nanoseconds time, bool present) {

@@ -113,7 +113,7 @@ void SlavesSync::tell_return(std::size_t slave, Nanoseconds time) {
   const bool within = reading.follows && reading.magnitude() <= verdict_.limit_ns();
   if (returned_[slave] == 0 || !within || verdict_.state() != dc::SyncVerdict::State::kInSync) return;
   returned_[slave] = 0;
-  run_.event(EventKind::kDcSlaveSync, time, static_cast<int>(slave), 1, reading.magnitude());
+  run_.event(time, static_cast<int>(slave), events::SlavesInSync{reading.magnitude()});
 }
 
 /// A clock that was away is set up anew before it can be asked to follow. It counts again when it has caught up, or
@@ -182,11 +182,11 @@ void SlavesSync::tell(dc::SyncVerdict::Edge edge, Nanoseconds time) {
     case dc::SyncVerdict::Edge::kInSync:
       if (out_since_) tell_culprit(*out_since_ + kCulpritPatience);
       returned_.assign(returned_.size(), 0);
-      run_.event(EventKind::kDcSlaveSync, time, -1, 1, evidence.worst >= 0 ? evidence.worst_ns : ored_ns_);
+      run_.event(time, -1, events::SlavesInSync{evidence.worst >= 0 ? evidence.worst_ns : ored_ns_});
       return;
     case dc::SyncVerdict::Edge::kUnknown:
       if (out_since_) tell_culprit(*out_since_ + kCulpritPatience);
-      run_.event(EventKind::kDcSlaveSync, time, -1, 3, evidence.followers > 0 ? time - evidence.oldest : 0);
+      run_.event(time, -1, events::SlavesSyncUnknown{evidence.followers > 0 ? time - evidence.oldest : 0});
       return;
     case dc::SyncVerdict::Edge::kOutOfSync:
       out_since_ = time;
@@ -213,8 +213,7 @@ void SlavesSync::tell_culprit(Nanoseconds time) {
   out_count_ = std::max(out_count_, evidence.over);
   out_alike_ = out_alike_ || evidence.all_alike();
   if (!all_read_since(*out_since_) && time - *out_since_ < kCulpritPatience) return;
-  run_.event(EventKind::kDcSlaveSync, *out_since_, out_alike_ ? -1 : out_culprit_, 0, out_by_,
-             static_cast<std::int64_t>(out_count_));
+  run_.event(*out_since_, out_alike_ ? -1 : out_culprit_, events::SlavesOutOfSync{out_by_, out_count_});
   out_since_.reset();
 }
 

@@ -152,7 +152,7 @@ void Sm2Reader::take_value(Counter& counter, std::uint32_t value, Nanoseconds no
 /// Once when it begins to rise, and once when it has stopped.
 void Sm2Reader::tell_exceeded(Counter& counter, std::size_t which, std::uint32_t more, Nanoseconds now) {
   if (std::exchange(counter.rising[which], more > 0) == (more > 0)) return;
-  run_.event(EventKind::kFirmwareSlow, now, counter.slave, more > 0 ? 1 : 0, more, 0);
+  run_.event(now, counter.slave, events::LongCycles{more > 0, more});
 }
 
 void Sm2Reader::take_missed(const Counter& counter, std::uint32_t value, Nanoseconds now, CycleSample& sample) {

@@ -176,7 +176,7 @@ void SyncWatch::update_dcm(const dc::DcmObservation& observation, std::int64_t s
   if (state.error_code != dcm.error_code) {
     dcm.error_code = state.error_code;
     if (state.error_code != 0) {
-      run_.event(EventKind::kDcmError, observation.send_time, -1, state.error_code, std::llround(state.drift_ppm));
+      run_.event(observation.send_time, -1, events::DcmError{state.error_code, std::llround(state.drift_ppm)});
     }
   }
   judge_master(observation, skipped);
@@ -209,8 +209,8 @@ void SyncWatch::judge_master(const dc::DcmObservation& observation, std::int64_t
   auto error = Nanoseconds{dcm.obstacle == dc::SyncObstacle::kLateFrames ? dcm.frame_error_ns : dcm.error_ns};
   // A step by whole cycles leaves no error in the grid.
   if (state.clock_step) error = *state.clock_step;
-  run_.event(EventKind::kDcmSync, observation.send_time, -1, in_sync ? 1 : 0, error,
-             static_cast<std::int64_t>(dcm.obstacle));
+  if (in_sync) return run_.event(observation.send_time, -1, events::MasterInSync{error});
+  run_.event(observation.send_time, -1, events::MasterOutOfSync{error, dcm.obstacle});
 }
 
 void SyncWatch::count_errors() {

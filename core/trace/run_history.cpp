@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <utility>
+#include <variant>
 
 #include "dc/plans.h"
 #include "protocol/dc_registers.h"
@@ -97,85 +99,94 @@ void HistoryRecorder::add_arrival(const CycleSample& sample) {
 
 // ---- events and snapshots -----------------------------------------------------------------------
 
-void HistoryRecorder::add_loss(std::vector<RunHistory::SyncLoss>& losses, const Event& event) const {
-  if (event.a == 0) {
-    if (history_.reached_op && losses.size() < kMostLosses) {
-      const bool of_master = event.kind == EventKind::kDcmSync;
-      losses.push_back({event.time,
-                        event.slave,
-                        event.b,
-                        of_master ? static_cast<dc::SyncObstacle>(event.c) : dc::SyncObstacle::kNone,
-                        {}});
+void HistoryRecorder::add_loss(std::vector<RunHistory::SyncLoss>& losses, const RunHistory::SyncLoss& loss) const {
+  if (history_.reached_op && losses.size() < kMostLosses) losses.push_back(loss);
+}
+
+RunHistory::Slave* HistoryRecorder::slave_at(int position) {
+  if (position < 0 || static_cast<std::size_t>(position) >= history_.slaves.size()) return nullptr;
+  return &history_.slaves[static_cast<std::size_t>(position)];
+}
+
+/// What events say of the whole run.
+struct HistoryRecorder::OfRun {
+  HistoryRecorder& recorder;
+  const Event& event;
+
+  void operator()(const events::LinkDown& link) const {
+    history().link = link.adapter.str();
+    history().link_down = true;
+    history().link_outages.note(event.time, 1);
+  }
+  void operator()(const events::LinkUp& link) const {
+    history().link = link.adapter.str();
+    if (!std::exchange(history().link_down, false)) return;
+    history().link_outages.note(event.time, 0, link.away, history().link_outages.last());
+  }
+  void operator()(const events::SlavesOutOfSync& out) const {
+    recorder.add_loss(history().slave_losses, {event.time, event.slave, out.deviation_ns, dc::SyncObstacle::kNone, {}});
+  }
+  void operator()(const events::SlavesInSync&) const { regain(history().slave_losses); }
+  void operator()(const events::MasterOutOfSync& out) const {
+    recorder.add_loss(history().master_losses, {event.time, event.slave, out.error, out.obstacle, {}});
+  }
+  void operator()(const events::MasterInSync&) const { regain(history().master_losses); }
+  void operator()(const events::CableChanged& change) const {
+    auto* far = recorder.slave_at(change.far_slave);
+    if (far == nullptr || event.slave < 0) return;
+    far->cable = change.healed ? std::nullopt : std::optional(RunHistory::Cable{event.slave, change.port});
+  }
+  template <class Other>
+  void operator()(const Other&) const {}
+
+ private:
+  [[nodiscard]] RunHistory& history() const { return recorder.history_; }
+  void regain(std::vector<RunHistory::SyncLoss>& losses) const {
+    if (!losses.empty() && !losses.back().back) losses.back().back = event.time;
+  }
+};
+
+/// What events say of the slave that they are about.
+struct HistoryRecorder::OfSlave {
+  RunHistory::Slave& slave;
+  Nanoseconds time;
+
+  void operator()(const events::SlaveLost&) const {
+    slave.absent = true;
+    slave.absences.note(time, 1);
+  }
+  void operator()(const events::SlaveFound&) const {
+    if (std::exchange(slave.absent, false)) slave.absences.note(time, 0, 0, slave.absences.last());
+  }
+  void operator()(const events::AlStatusError& error) const {
+    slave.fall = RunHistory::Fall{time, error.al_status, error.al_status_code};
+  }
+  void operator()(const events::Emergency& emergency) const { slave.emergency = emergency.error_code; }
+  void operator()(const events::PortErrors& errors) const {
+    const auto port = errors.port & 3U;
+    if (errors.damaged_frames > 0) slave.port_errors[port].note(time, errors.damaged_frames);
+    if (errors.lost_links > 0) slave.lost_links[port].note(time, errors.lost_links);
+  }
+  // Of LongCycles the counter itself is in the snapshots.
+  void operator()(const events::StaleInputs& inputs) const {
+    if (inputs.begun) {
+      slave.late_inputs.note(time, 1);
+    } else if (!slave.late_inputs.empty()) {
+      slave.late_inputs.note(time, 0, 0, slave.late_inputs.last());
     }
-  } else if (event.a == 1 && !losses.empty() && !losses.back().back) {
-    losses.back().back = event.time;
   }
-}
-
-void HistoryRecorder::add_port_errors(const Event& event, RunHistory::Slave& slave) {
-  const auto port = static_cast<std::size_t>(event.a & 3);
-  if (event.b > 0) slave.port_errors[port].note(event.time, static_cast<std::uint64_t>(event.b));
-  if (event.c > 0) slave.lost_links[port].note(event.time, static_cast<std::uint64_t>(event.c));
-}
-
-void HistoryRecorder::add_link(const Event& event) {
-  if (event.a == 2) return;
-  history_.link = event.text;
-  if (event.a == 0) {
-    history_.link_down = true;
-    history_.link_outages.note(event.time, 1);
-  } else if (std::exchange(history_.link_down, false)) {
-    history_.link_outages.note(event.time, 0, event.b, history_.link_outages.last());
+  void operator()(const events::WatchdogExpired& expired) const {
+    const bool pdi = expired.which == events::WatchdogExpired::Which::kPdi;
+    (pdi ? slave.pdi_watchdog : slave.process_data_watchdog).note(time, expired.count);
   }
-}
+  template <class Other>
+  void operator()(const Other&) const {}
+};
 
 void HistoryRecorder::add(const Event& event) {
   if (history_.begin == 0) history_.begin = event.time;
-  if (event.kind == EventKind::kLink) return add_link(event);
-  if (event.kind == EventKind::kDcSlaveSync) add_loss(history_.slave_losses, event);
-  if (event.kind == EventKind::kDcmSync) add_loss(history_.master_losses, event);
-  if (event.kind == EventKind::kCable) {
-    if (event.b >= 0 && event.b < static_cast<std::int64_t>(history_.slaves.size()) && event.slave >= 0) {
-      auto& cable = history_.slaves[static_cast<std::size_t>(event.b)].cable;
-      cable = event.c == 0 ? std::optional(RunHistory::Cable{event.slave, static_cast<int>(event.a)}) : std::nullopt;
-    }
-    return;
-  }
-  if (event.slave < 0 || static_cast<std::size_t>(event.slave) >= history_.slaves.size()) return;
-  auto& slave = history_.slaves[static_cast<std::size_t>(event.slave)];
-  switch (event.kind) {
-    case EventKind::kSlaveLost:
-      slave.absent = true;
-      slave.absences.note(event.time, 1);
-      break;
-    case EventKind::kSlaveFound:
-      if (std::exchange(slave.absent, false)) slave.absences.note(event.time, 0, 0, slave.absences.last());
-      break;
-    case EventKind::kAlStatusError:
-      slave.fall =
-          RunHistory::Fall{event.time, static_cast<std::uint16_t>(event.a), static_cast<std::uint16_t>(event.b)};
-      break;
-    case EventKind::kEmergency:
-      slave.emergency = static_cast<std::uint16_t>(event.a);
-      break;
-    case EventKind::kPortErrors:
-      add_port_errors(event, slave);
-      break;
-    case EventKind::kFirmwareSlow:
-      if (event.c == 0) break;  // the counter itself is in the snapshots
-      if (event.a == 1) {
-        slave.late_inputs.note(event.time, 1);
-      } else if (!slave.late_inputs.empty()) {
-        slave.late_inputs.note(event.time, 0, 0, slave.late_inputs.last());
-      }
-      break;
-    case EventKind::kWatchdog:
-      (event.a == 0 ? slave.process_data_watchdog : slave.pdi_watchdog)
-          .note(event.time, static_cast<std::uint64_t>(event.b));
-      break;
-    default:
-      break;
-  }
+  std::visit(OfRun{*this, event}, event.what);
+  if (auto* slave = slave_at(event.slave)) std::visit(OfSlave{*slave, event.time}, event.what);
 }
 
 void HistoryRecorder::add(const Snapshot& snapshot) {

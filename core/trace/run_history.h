@@ -103,9 +103,11 @@ class HistoryRecorder {
   void add(const CycleSample& sample);
   void add_deviation(const CycleSample& sample);
   void add_arrival(const CycleSample& sample);
-  void add_port_errors(const Event& event, RunHistory::Slave& slave);
-  void add_link(const Event& event);
-  void add_loss(std::vector<RunHistory::SyncLoss>& losses, const Event& event) const;
+  void add_loss(std::vector<RunHistory::SyncLoss>& losses, const RunHistory::SyncLoss& loss) const;
+  RunHistory::Slave* slave_at(int position);
+
+  struct OfRun;
+  struct OfSlave;
 
   RunHistory history_;
   std::int64_t limit_ns_;

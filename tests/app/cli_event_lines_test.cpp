@@ -6,22 +6,12 @@
 namespace syncline::cli {
 namespace {
 
-Event event(EventKind kind, int slave, Nanoseconds time, std::int64_t a = 0, std::int64_t b = 0) {
-  Event result;
-  result.kind = kind;
-  result.slave = slave;
-  result.time = time;
-  result.a = a;
-  result.b = b;
-  return result;
-}
-
 class EventLinesTest : public ::testing::Test {
  protected:
   std::vector<std::string> told;
   EventLines lines{[this](const std::string& line) { told.push_back(line); }, true};
-  void state(int slave, Nanoseconds time, int from = 1, int to = 2) {
-    lines.add(event(EventKind::kStateChanged, slave, time, from, to));
+  void state(int slave, Nanoseconds time, AlState from = AlState::kInit, AlState to = AlState::kPreop) {
+    lines.add({time, slave, events::StateChanged{from, to}});
   }
 };
 
@@ -35,7 +25,7 @@ TEST_F(EventLinesTest, WhatHappensToManySlavesAtOneTimeIsOneLine) {
 
 TEST_F(EventLinesTest, DifferentThingsAndDifferentTimesAreDifferentLines) {
   state(0, 0);
-  state(1, 0, 2, 4);
+  state(1, 0, AlState::kPreop, AlState::kSafeop);
   state(2, 10 * kMillisecond);
   state(4, 20 * kMillisecond);
   state(7, kSecond);
@@ -62,7 +52,7 @@ TEST_F(EventLinesTest, TheSameSlaveTwiceIsTwoLines) {
 }
 
 TEST_F(EventLinesTest, VerbsFollowTheirNumber) {
-  for (int slave = 3; slave < 6; ++slave) lines.add(event(EventKind::kSlaveLost, slave, 0));
+  for (int slave = 3; slave < 6; ++slave) lines.add({0, slave, events::SlaveLost{}});
   lines.tell_all();
   EXPECT_EQ(told.front(), "     0.000 s  slaves 3 to 5 do not answer");
 }
@@ -70,7 +60,7 @@ TEST_F(EventLinesTest, VerbsFollowTheirNumber) {
 TEST(EventLines, UnfoldedEveryEventIsALineAtOnce) {
   std::vector<std::string> told;
   EventLines lines([&](const std::string& line) { told.push_back(line); }, false);
-  for (int slave = 0; slave < 3; ++slave) lines.add(event(EventKind::kSlaveLost, slave, 0));
+  for (int slave = 0; slave < 3; ++slave) lines.add({0, slave, events::SlaveLost{}});
   EXPECT_EQ(told,
             (std::vector<std::string>{"     0.000 s  slave 0 does not answer", "     0.000 s  slave 1 does not answer",
                                       "     0.000 s  slave 2 does not answer"}));

@@ -37,7 +37,8 @@ BringUp bring_up(const test::SimulatedNetwork& network) {
   (void)service.step();
   BringUp result{static_cast<double>(clock.now() - start) / 1e9, cpu_seconds() - cpu, {}};
   for (const auto& event : service.channels().events.drain()) {
-    if (event.error && result.error.empty()) result.error = describe(*event.error);
+    const auto* failure = event.as<events::Failure>();
+    if (failure != nullptr && result.error.empty()) result.error = describe(failure->error);
   }
   Snapshot snapshot;
   (void)service.channels().snapshot.read(snapshot);

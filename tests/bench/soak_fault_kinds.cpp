@@ -4,7 +4,6 @@
 namespace syncline::bench {
 namespace {
 
-using Event = EventKind;
 using Code = FindingCode;
 
 std::vector<SoakFaultKind> line_kinds() {
@@ -13,21 +12,21 @@ std::vector<SoakFaultKind> line_kinds() {
        .kind = FaultKind::kLoseFrames,
        .victims = {},
        .most_count = 4,
-       .events = {Event::kFramesLost},
+       .events = {kind_of<events::FramesLost>},
        .findings = {Code::kFramesLost},
        .also = {Code::kMissedByLostFrames, Code::kSlaveFellByMisses}},
       {.name = "lost on a cable",
        .kind = FaultKind::kLoseFrames,
        .victims = {1, 2, 3, 4, 5},
        .most_count = 4,
-       .events = {Event::kFramesLost},
+       .events = {kind_of<events::FramesLost>},
        .findings = {Code::kFramesLost},
        .also = {Code::kMissedByLostFrames, Code::kSlaveFellByMisses}},
       {.name = "damaged frames",
        .kind = FaultKind::kBitErrors,
        .victims = {0, 1, 2, 3, 4, 5},
        .most_count = 4,
-       .events = {Event::kPortErrors},
+       .events = {kind_of<events::PortErrors>},
        .findings = {Code::kPortErrors, Code::kFramesLostByNoise},
        .also = {Code::kMissedByLostFrames, Code::kSlaveFellByMisses}},
       {.name = "cable break",
@@ -50,7 +49,7 @@ std::vector<SoakFaultKind> line_kinds() {
        .victims = {2, 3},
        .port = 1,
        .while_down = true,
-       .events = {Event::kDelayFinding, Event::kError},
+       .events = {kind_of<events::DelayFinding>, kind_of<events::Failure>},
        .also = {Code::kSlaveAbsent}},
       {.name = "closed ring",
        .kind = FaultKind::kClosedRing,
@@ -59,7 +58,7 @@ std::vector<SoakFaultKind> line_kinds() {
        .most = 600,
        .port = 1,
        .while_down = true,
-       .events = {Event::kDelayFinding, Event::kError}},
+       .events = {kind_of<events::DelayFinding>, kind_of<events::Failure>}},
   };
 }
 
@@ -78,7 +77,7 @@ std::vector<SoakFaultKind> host_kinds() {
        .least = 150 * kMicrosecond,
        .most = 300 * kMicrosecond,
        .ppm = 50,
-       .events = {Event::kDcmError, Event::kDcmSync},
+       .events = {kind_of<events::DcmError>, kind_of<events::MasterOutOfSync>},
        .findings = {Code::kMasterLostLock, Code::kDcmError},
        .also = {Code::kSlaveLeftWindow, Code::kWindowLeft}},
       {.name = "host warms up",
@@ -106,7 +105,7 @@ std::vector<SoakFaultKind> clock_kinds() {
        .least = kMicrosecond,
        .most = kMillisecond,
        .either_sign = true,
-       .events = {Event::kDcSlaveSync},
+       .events = {kind_of<events::SlavesOutOfSync>, kind_of<events::SlavesSyncUnknown>},
        .findings = {Code::kSlaveLeftWindow},
        .also = {Code::kWindowLeft, Code::kShiftTooShort, Code::kSlaveFellByMisses, Code::kMissedUnexplained,
                 Code::kSlaveFell}},
@@ -116,7 +115,7 @@ std::vector<SoakFaultKind> clock_kinds() {
        .least = 2 * kMicrosecond,
        .most = 500 * kMicrosecond,
        .either_sign = true,
-       .events = {Event::kDcSlaveSync},
+       .events = {kind_of<events::SlavesOutOfSync>, kind_of<events::SlavesSyncUnknown>},
        .findings = {Code::kSlaveLeftWindow},
        .also = {Code::kWindowLeft, Code::kShiftTooShort, Code::kSlaveFellByMisses, Code::kMissedUnexplained,
                 Code::kSlaveFell}},
@@ -128,7 +127,7 @@ std::vector<SoakFaultKind> clock_kinds() {
        .least = 5 * kMicrosecond,
        .most = 20 * kMicrosecond,
        .period = 10 * kMillisecond,
-       .events = {Event::kDcSlaveSync},
+       .events = {kind_of<events::SlavesOutOfSync>, kind_of<events::SlavesSyncUnknown>},
        .findings = {Code::kSlaveLeftWindow},
        .also = {Code::kWindowLeft}},
       {.name = "ignored clock writes",
@@ -136,7 +135,7 @@ std::vector<SoakFaultKind> clock_kinds() {
        .victims = {1, 2, 3},
        .while_down = true,
        .switched_on_anew = true,
-       .events = {Event::kDcSlaveSync, Event::kError},
+       .events = {kind_of<events::SlavesOutOfSync>, kind_of<events::SlavesSyncUnknown>, kind_of<events::Failure>},
        .findings = {Code::kSlaveLeftWindow, Code::kSlavesOutOfSync},
        .also = {Code::kSlaveBehind, Code::kMasterNotLocked}},
       {.name = "stuck port time",
@@ -144,7 +143,7 @@ std::vector<SoakFaultKind> clock_kinds() {
        .victims = {1, 2, 3},
        .port = 1,
        .while_down = true,
-       .events = {Event::kDelayFinding, Event::kError}},
+       .events = {kind_of<events::DelayFinding>, kind_of<events::Failure>}},
       {.name = "wrong start time",
        .kind = FaultKind::kWrongStartTime,
        .victims = {1, 2},
@@ -165,7 +164,7 @@ std::vector<SoakFaultKind> clock_kinds() {
        .victims = {1, 2},
        .shortest = kSecond,
        .longest = 5 * kSecond,
-       .events = {Event::kAlStatusError},
+       .events = {kind_of<events::AlStatusError>},
        .findings = {Code::kSlaveFellByItself}},
   };
 }
@@ -178,7 +177,7 @@ std::vector<SoakFaultKind> firmware_kinds() {
        .state = AlState::kSafeop,
        .code = 0x001E,
        .while_down = true,
-       .events = {Event::kAlStatusError, Event::kError},
+       .events = {kind_of<events::AlStatusError>, kind_of<events::Failure>},
        .findings = {Code::kSlaveBehind, Code::kSlaveFell}},
       {.name = "mailbox silent",
        .kind = FaultKind::kMailboxSilence,
@@ -207,7 +206,7 @@ std::vector<SoakFaultKind> firmware_kinds() {
        .victims = {1, 2, 3, 4},
        .shortest = 300 * kMillisecond,
        .longest = 3 * kSecond,
-       .events = {Event::kWatchdog},
+       .events = {kind_of<events::WatchdogExpired>},
        .findings = {Code::kFirmwareHung},
        .also = {Code::kMailboxSilent}},
   };

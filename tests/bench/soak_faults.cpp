@@ -126,7 +126,8 @@ class Soak {
 
   /// Good news are told by the same events.
   static bool is_bad(const Event& event) {
-    return (event.kind != EventKind::kDcSlaveSync && event.kind != EventKind::kDcmSync) || event.a == 0 || event.a == 3;
+    return !event.is<events::SlavesInSync>() && !event.is<events::SlavesNotMonitored>() &&
+           !event.is<events::MasterInSync>();
   }
 
   void drain(RunRecorder& recorder, std::vector<Event>& events, Snapshot& snapshot) {
@@ -173,7 +174,7 @@ class Soak {
     const auto concerns = [&](int slave) { return fault.slave < 0 || slave == fault.slave; };
     for (const auto& event : events) {
       outcome.log += cli::event_text(event, begin_ + start_of(segment)) + "\n";
-      const bool its_kind = std::ranges::find(kind.events, event.kind) != kind.events.end();
+      const bool its_kind = std::ranges::find(kind.events, event.kind()) != kind.events.end();
       const bool is_late_enough = event.time >= begin_ + fault.at;
       outcome.told |= its_kind && is_late_enough && is_bad(event) && (event.slave < 0 || concerns(event.slave));
     }

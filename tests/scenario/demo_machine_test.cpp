@@ -8,10 +8,11 @@
 #include "app/composition/run_network.h"
 #include "app/composition/scan_bus.h"
 #include "config/compile/compile.h"
-#include "eni/eni_file.h"
 #include "eni/catalogue/esi_catalogue.h"
+#include "eni/eni_file.h"
 #include "eni/project_builder.h"
 #include "master/master_service.h"
+#include "tests/support/event_match.h"
 #include "tests/support/source_dir.h"
 
 namespace syncline {
@@ -120,7 +121,7 @@ std::uint32_t missed_events(const Project& project, const JitterProfile& jitter)
   service.run_for(20 * kSecond);
   std::uint32_t missed = 0;
   for (const auto& event : service.channels().events.drain()) {
-    if (event.kind == EventKind::kAlStatusError && event.b == 0x001A) missed = 1000;
+    if (test::with(&events::AlStatusError::al_status_code, 0x001A)(event)) missed = 1000;
   }
   Snapshot snapshot;
   service.channels().snapshot.read(snapshot);

@@ -4,6 +4,7 @@
 #include "eni/esi_reader.h"
 #include "protocol/al_state.h"
 #include "tests/support/diagnosed_run.h"
+#include "tests/support/event_match.h"
 #include "tests/support/small_machines.h"
 #include "tests/support/source_dir.h"
 
@@ -105,7 +106,7 @@ TEST_F(Diagnosis, TellsOfFirmwareThatHangs) {
   EXPECT_TRUE(machine.found(Code::kFirmwareHung, 2)) << machine.said();
   EXPECT_FALSE(machine.found(Code::kFirmwareHung, 1)) << machine.said();
   EXPECT_TRUE(std::ranges::any_of(machine.events, [](const Event& event) {
-    return event.kind == EventKind::kWatchdog && event.slave == 2 && event.a == 1;
+    return event.slave == 2 && test::with(&events::WatchdogExpired::which, events::WatchdogExpired::Which::kPdi)(event);
   }));
 }
 
@@ -157,8 +158,7 @@ TEST_F(Diagnosis, ShowsInTheSamplesWhatItFinds) {
 TEST_F(Diagnosis, CountsTheMissesOfADriveThatFallsJustAfterOp) {
   machine.run(6 * kSecond);
   const auto op = std::ranges::find_if(machine.events, [](const Event& event) {
-    return event.kind == EventKind::kStateChanged && event.slave == 1 &&
-           event.a == static_cast<std::int64_t>(AlState::kSafeop);
+    return event.slave == 1 && test::with(&events::StateChanged::from, AlState::kSafeop)(event);
   });
   ASSERT_NE(op, machine.events.end());
   test::DiagnosedRun again;

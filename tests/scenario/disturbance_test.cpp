@@ -6,10 +6,15 @@
 
 #include "app/cli/event_text.h"
 #include "master/master_service.h"
+#include "tests/support/event_match.h"
 #include "tests/support/simulated_network.h"
 
 namespace syncline {
 namespace {
+
+using Stage = events::RecoveryStep::Stage;
+test::EventMatch recovery(Stage stage) { return test::with(&events::RecoveryStep::stage, stage); }
+test::EventMatch group(events::HotConnect::What what) { return test::with(&events::HotConnect::what, what); }
 
 /// A line of drives and terminals on the simulated bus, disturbed while it runs.
 class Disturbance : public ::testing::Test {
@@ -66,13 +71,18 @@ class Disturbance : public ::testing::Test {
   }
   [[nodiscard]] std::size_t count(EventKind kind, int slave = -2) const {
     return static_cast<std::size_t>(std::ranges::count_if(
-        events, [&](const Event& e) { return e.kind == kind && (slave == -2 || e.slave == slave); }));
+        events, [&](const Event& e) { return e.kind() == kind && (slave == -2 || e.slave == slave); }));
   }
   /// Index of the first such event; behind the last one when there is none.
-  [[nodiscard]] std::size_t first(EventKind kind, int slave, std::optional<std::int64_t> a = {}) const {
-    const auto found = std::ranges::find_if(
-        events, [&](const Event& e) { return e.kind == kind && e.slave == slave && (!a || e.a == *a); });
+  [[nodiscard]] std::size_t first(const test::EventMatch& match, int slave) const {
+    const auto found = std::ranges::find_if(events, [&](const Event& e) { return e.slave == slave && match(e); });
     return static_cast<std::size_t>(found - events.begin());
+  }
+  [[nodiscard]] std::size_t first(EventKind kind, int slave) const {
+    return first([kind](const Event& e) { return e.kind() == kind; }, slave);
+  }
+  [[nodiscard]] const events::CableChanged& cable_of(std::size_t event) const {
+    return *events[event].as<events::CableChanged>();
   }
   /// No cycle was left out and no frame sent twice.
   void expect_steady_cycle() const {
@@ -93,17 +103,17 @@ TEST_F(Disturbance, APowerCycledSlaveIsSetUpAnewWhileTheOthersStayInOp) {
   EXPECT_EQ(snapshot.state, AlState::kOp) << log();
   EXPECT_EQ(snapshot.slaves[3].al_status, 8) << log();
   // What happened, in its order.
-  const auto cable = first(EventKind::kCable, 2), lost = first(EventKind::kSlaveLost, 3),
-             less = first(EventKind::kWkcExpected, -1), begun = first(EventKind::kRecovery, 3, 0),
-             found = first(EventKind::kSlaveFound, 3), done = first(EventKind::kRecovery, 3, 1);
+  const auto cable = first(kind_of<events::CableChanged>, 2), lost = first(kind_of<events::SlaveLost>, 3),
+             less = first(kind_of<events::WkcExpected>, -1), begun = first(recovery(Stage::kBegun), 3),
+             found = first(kind_of<events::SlaveFound>, 3), done = first(recovery(Stage::kDone), 3);
   ASSERT_LT(done, events.size()) << log();
-  EXPECT_EQ(events[cable].b, 3);
+  EXPECT_EQ(cable_of(cable).far_slave, 3);
   EXPECT_LT(cable, lost) << log();
   EXPECT_LT(lost, less) << log();
   EXPECT_LT(less, begun) << log();
   EXPECT_LT(begun, found) << log();
   EXPECT_LT(found, done) << log();
-  for (int slave = 0; slave < 3; ++slave) EXPECT_EQ(count(EventKind::kStateChanged, slave), 0U) << log();
+  for (int slave = 0; slave < 3; ++slave) EXPECT_EQ(count(kind_of<events::StateChanged>, slave), 0U) << log();
   expect_steady_cycle();
   EXPECT_EQ(samples.back().wkc_received, 12);
   EXPECT_LT(std::abs(snapshot.slaves[3].deviation_ns), 1000);
@@ -115,13 +125,13 @@ TEST_F(Disturbance, APulledCableIsNamedAndHealsByItself) {
   ASSERT_EQ(snapshot.state, AlState::kOp) << log();
   events.clear();
   run_until(7 * kSecond);
-  const auto cable = first(EventKind::kCable, 1);
+  const auto cable = first(kind_of<events::CableChanged>, 1);
   ASSERT_LT(cable, events.size()) << log();
-  EXPECT_EQ(events[cable].a, 1);
-  EXPECT_EQ(events[cable].b, 2);
-  EXPECT_EQ(count(EventKind::kCable), 1U) << log();
-  EXPECT_LT(cable, first(EventKind::kSlaveLost, 2));
-  EXPECT_LT(first(EventKind::kSlaveLost, 2), first(EventKind::kSlaveLost, 3));
+  EXPECT_EQ(cable_of(cable).port, 1);
+  EXPECT_EQ(cable_of(cable).far_slave, 2);
+  EXPECT_EQ(count(kind_of<events::CableChanged>), 1U) << log();
+  EXPECT_LT(cable, first(kind_of<events::SlaveLost>, 2));
+  EXPECT_LT(first(kind_of<events::SlaveLost>, 2), first(kind_of<events::SlaveLost>, 3));
   EXPECT_EQ(snapshot.state, AlState::kNone) << log();  // nobody knows what those are in that are gone
   EXPECT_EQ(snapshot.slaves[1].al_status, 8) << log();
   EXPECT_FALSE(snapshot.slaves[2].present);
@@ -132,8 +142,8 @@ TEST_F(Disturbance, APulledCableIsNamedAndHealsByItself) {
   run_until(20 * kSecond);
   EXPECT_EQ(snapshot.state, AlState::kOp) << log();
   for (const auto& slave : snapshot.slaves) EXPECT_EQ(slave.al_status, 8) << log();
-  EXPECT_EQ(count(EventKind::kCable), 2U) << log();
-  EXPECT_LT(first(EventKind::kSlaveFound, 2), first(EventKind::kRecovery, 2, 1)) << log();
+  EXPECT_EQ(count(kind_of<events::CableChanged>), 2U) << log();
+  EXPECT_LT(first(kind_of<events::SlaveFound>, 2), first(recovery(Stage::kDone), 2)) << log();
   expect_steady_cycle();
 }
 
@@ -143,12 +153,12 @@ TEST_F(Disturbance, WithoutAutomaticRecoverySlavesWaitForTheCommand) {
   go_online();
   events.clear();
   run_until(10 * kSecond);
-  EXPECT_EQ(count(EventKind::kRecovery), 0U) << log();
+  EXPECT_EQ(count(kind_of<events::RecoveryStep>), 0U) << log();
   EXPECT_FALSE(snapshot.slaves[3].present);
   service->channels().commands.push(RequestStateCommand{AlState::kOp});
   run_until(20 * kSecond);
   EXPECT_EQ(snapshot.slaves[3].al_status, 8) << log();
-  EXPECT_EQ(count(EventKind::kRecovery, 3), 2U) << log();
+  EXPECT_EQ(count(kind_of<events::RecoveryStep>, 3), 2U) << log();
 }
 
 /// Behind a cable that was pulled it has kept its station address, so that nobody has to look for it.
@@ -159,12 +169,12 @@ TEST_F(Disturbance, TheCommandSetsUpAnewWhatWasCutOffWithoutAutomaticRecovery) {
   events.clear();
   run_until(10 * kSecond);
   EXPECT_TRUE(snapshot.slaves[3].present) << log();
-  EXPECT_EQ(count(EventKind::kRecovery), 0U) << log();
+  EXPECT_EQ(count(kind_of<events::RecoveryStep>), 0U) << log();
   EXPECT_NE(snapshot.slaves[3].al_status, 8) << log();
   service->channels().commands.push(RequestStateCommand{AlState::kOp});
   run_until(20 * kSecond);
   EXPECT_EQ(snapshot.slaves[3].al_status, 8) << log();
-  EXPECT_EQ(count(EventKind::kRecovery, 3), 2U) << log();
+  EXPECT_EQ(count(kind_of<events::RecoveryStep>, 3), 2U) << log();
 }
 
 TEST_F(Disturbance, ABurstOfLostFramesLosesNoSlave) {
@@ -172,8 +182,8 @@ TEST_F(Disturbance, ABurstOfLostFramesLosesNoSlave) {
   go_online();
   events.clear();
   run_until(8 * kSecond);
-  EXPECT_EQ(count(EventKind::kSlaveLost), 0U) << log();
-  EXPECT_GE(count(EventKind::kFramesLost), 1U);
+  EXPECT_EQ(count(kind_of<events::SlaveLost>), 0U) << log();
+  EXPECT_GE(count(kind_of<events::FramesLost>), 1U);
   EXPECT_EQ(snapshot.state, AlState::kOp) << log();
   expect_steady_cycle();
 }
@@ -184,7 +194,7 @@ TEST_F(Disturbance, AnErrorStateIsLeftAsOftenAsTheSettingSays) {
   events.clear();
   run_until(8 * kSecond);
   EXPECT_EQ(snapshot.slaves[0].al_status, 0x14) << log();
-  EXPECT_EQ(count(EventKind::kRecovery), 0U);
+  EXPECT_EQ(count(kind_of<events::RecoveryStep>), 0U);
   service->channels().commands.push(RequestStateCommand{AlState::kOp});  // on command
   run_until(10 * kSecond);
   EXPECT_EQ(snapshot.state, AlState::kOp) << log();
@@ -194,8 +204,8 @@ TEST_F(Disturbance, AnErrorStateIsLeftAsOftenAsTheSettingSays) {
   go_online();
   run_until(12 * kSecond);
   EXPECT_EQ(snapshot.state, AlState::kOp) << log();
-  EXPECT_EQ(count(EventKind::kRecovery, 0), 2U) << log();
-  EXPECT_EQ(count(EventKind::kStateChanged, 1), 3U) << log();  // the terminal was never touched after its bring-up
+  EXPECT_EQ(count(kind_of<events::RecoveryStep>, 0), 2U) << log();
+  EXPECT_EQ(count(kind_of<events::StateChanged>, 1), 3U) << log();  // the terminal was never touched after its bring-up
 }
 
 TEST_F(Disturbance, ABusThatIsNotTheConfiguredOneIsExplained) {
@@ -204,7 +214,7 @@ TEST_F(Disturbance, ABusThatIsNotTheConfiguredOneIsExplained) {
     go_online();
     std::vector<ErrorCode> codes;
     for (const auto& event : events) {
-      if (event.error) codes.push_back(event.error->code);
+      if (const auto* failure = event.as<events::Failure>()) codes.push_back(failure->error.code);
     }
     return codes;
   };
@@ -248,7 +258,7 @@ TEST_F(Disturbance, ABusMayStartWithoutSlavesThatJoinLater) {
   events.clear();
   run_until(20 * kSecond);
   for (const auto& slave : snapshot.slaves) EXPECT_EQ(slave.al_status, 8) << log();
-  EXPECT_EQ(count(EventKind::kStateChanged, 0) + count(EventKind::kStateChanged, 1), 0U) << log();
+  EXPECT_EQ(count(kind_of<events::StateChanged>, 0) + count(kind_of<events::StateChanged>, 1), 0U) << log();
   EXPECT_EQ(samples.back().wkc_received, 12) << log();
 }
 
@@ -265,19 +275,21 @@ TEST_F(Disturbance, AHotConnectGroupComesAndGoesWithoutAnError) {
   ASSERT_TRUE(service->online()) << log();
   EXPECT_EQ(snapshot.state, AlState::kOp) << log();
   EXPECT_FALSE(snapshot.slaves[head].present);
-  EXPECT_EQ(count(EventKind::kHotConnect), 2U) << log();
-  EXPECT_EQ(count(EventKind::kError), 0U) << log();
+  EXPECT_EQ(count(kind_of<events::HotConnect>), 2U) << log();
+  EXPECT_EQ(count(kind_of<events::Failure>), 0U) << log();
   run_until(5 * kSecond);
   EXPECT_EQ(samples.back().wkc_received, samples.back().wkc_expected) << log();
   events.clear();
   run_until(14 * kSecond);
   for (const auto& slave : snapshot.slaves) EXPECT_EQ(slave.al_status, 8) << log();
-  EXPECT_LT(first(EventKind::kHotConnect, static_cast<int>(head), 1), events.size()) << log();
+  EXPECT_LT(first(group(events::HotConnect::What::kConnected), static_cast<int>(head)), events.size()) << log();
   EXPECT_EQ(snapshot.wkc_errors, 0U) << log();
   events.clear();
   run_until(20 * kSecond);
-  EXPECT_LT(first(EventKind::kHotConnect, static_cast<int>(head), 0), events.size()) << log();
-  EXPECT_EQ(count(EventKind::kSlaveLost) + count(EventKind::kError) + count(EventKind::kStateChanged, 0), 0U) << log();
+  EXPECT_LT(first(group(events::HotConnect::What::kDisconnected), static_cast<int>(head)), events.size()) << log();
+  EXPECT_EQ(
+      count(kind_of<events::SlaveLost>) + count(kind_of<events::Failure>) + count(kind_of<events::StateChanged>, 0), 0U)
+      << log();
   EXPECT_EQ(snapshot.slaves[0].al_status, 8) << log();
 }
 
@@ -302,7 +314,7 @@ TEST_F(Disturbance, AHotConnectGroupIsKnownByItsAliasWhereverItStands) {
   run_until(20 * kSecond);
   for (const auto& slave : snapshot.slaves) EXPECT_EQ(slave.al_status, 8) << log();
   EXPECT_TRUE(snapshot.slaves[head].present);
-  EXPECT_EQ(count(EventKind::kError), 0U) << log();
+  EXPECT_EQ(count(kind_of<events::Failure>), 0U) << log();
   EXPECT_EQ(samples.back().wkc_received, samples.back().wkc_expected) << log();
 }
 
@@ -312,7 +324,7 @@ TEST_F(Disturbance, ALostReferenceClockIsNeverInSync) {
   ASSERT_EQ(snapshot.dcm.state, SyncState::kInSync);
   events.clear();
   run_until(7 * kSecond);
-  EXPECT_EQ(count(EventKind::kReferenceClock), 1U) << log();
+  EXPECT_EQ(count(kind_of<events::ReferenceClockChanged>), 1U) << log();
   EXPECT_EQ(snapshot.dcm.state, SyncState::kOutOfSync) << log();
   EXPECT_EQ(samples.back().flags & CycleSample::kDcmInSync, 0);
   run_until(40 * kSecond);
@@ -338,14 +350,17 @@ TEST_F(Disturbance, AnotherClockTakesOverWhenTheReferenceHangsInABranch) {
   ASSERT_EQ(snapshot.state, AlState::kOp) << log();
   events.clear();
   run_until(7 * kSecond);
-  EXPECT_LT(first(EventKind::kReferenceClock, 1, 0), first(EventKind::kReferenceClock, 2, 2)) << log();
+  using What = events::ReferenceClockChanged::What;
+  EXPECT_LT(first(test::with(&events::ReferenceClockChanged::what, What::kLost), 1),
+            first(test::with(&events::ReferenceClockChanged::what, What::kTookOver), 2))
+      << log();
   EXPECT_EQ(snapshot.dc.reference_clock, 2);
   EXPECT_TRUE(snapshot.slaves[2].is_reference_clock);
   EXPECT_EQ(snapshot.dcm.state, SyncState::kOutOfSync);
   run_until(30 * kSecond);
   EXPECT_EQ(snapshot.dc.reference_clock, 1) << log();
   EXPECT_EQ(snapshot.state, AlState::kOp) << log();
-  EXPECT_EQ(count(EventKind::kStateChanged, 2), 0U) << log();
+  EXPECT_EQ(count(kind_of<events::StateChanged>, 2), 0U) << log();
   EXPECT_EQ(snapshot.dcm.state, SyncState::kInSync) << log();
 }
 

@@ -85,7 +85,7 @@ TEST_P(SampleEni, RunsOnTheBusThatItDescribes) {
   request.duration = 20 * kSecond;
   std::vector<std::string> events;
   request.on_event = [&](const Event& event) {
-    if (event.error) events.push_back(describe(*event.error));
+    if (const auto* failure = event.as<events::Failure>()) events.push_back(describe(failure->error));
   };
   const auto outcome = run_network(*config, "sim:" + path_ + "?virtual", request);
   ASSERT_TRUE(outcome) << describe(outcome.error());

@@ -10,6 +10,7 @@
 #include "eni/esi_reader.h"
 #include "support/random.h"
 #include "tests/support/diagnosed_run.h"
+#include "tests/support/event_match.h"
 #include "tests/support/source_dir.h"
 
 namespace syncline {
@@ -74,10 +75,13 @@ TEST_P(FirmwareFaults, AreToldByNameOfTheSlave) {
     const auto shortest = needs_mailbox ? 24 * kSecond : 2 * kSecond;
     if (!kind.lasts) fault.until = at + shortest + static_cast<Nanoseconds>(random.next() % (2 * kSecond));
     machine.run(kind.lasts || !needs_mailbox ? 16 * kSecond : 40 * kSecond);
-    const bool event = needs_mailbox || std::ranges::any_of(machine.events, [&](const Event& e) {
-      const bool wanted = kind.fault != FaultKind::kSlowApplication || (e.kind == EventKind::kFirmwareSlow && e.a == 1);
-      return wanted && e.slave == victim && e.time > 0 && e.time - machine.report.history.begin > 5 * kSecond;
-    });
+    const bool event =
+        needs_mailbox || std::ranges::any_of(machine.events, [&](const Event& e) {
+          const bool wanted = kind.fault != FaultKind::kSlowApplication ||
+                              test::with(&events::StaleInputs::begun, true)(e) ||
+                              test::with(&events::LongCycles::begun, true)(e);
+          return wanted && e.slave == victim && e.time > 0 && e.time - machine.report.history.begin > 5 * kSecond;
+        });
     const bool finding = std::ranges::any_of(
         machine.findings, [&](const RunFinding& f) { return f.slave == victim && f.level != FindingLevel::kNote; });
     if (event && finding) continue;
@@ -102,11 +106,11 @@ TEST(SlowFirmware, ATerminalWithoutMailboxIsNamedWithWhenItBeganAndEnded) {
   fault.value_ns = 2'500'000;
   fault.until = 8 * kSecond;
   machine.run(12 * kSecond);
-  std::vector<std::pair<int, std::int64_t>> told;
+  std::vector<std::pair<int, bool>> told;
   for (const auto& event : machine.events) {
-    if (event.kind == EventKind::kFirmwareSlow) told.emplace_back(event.slave, event.a);
+    if (const auto* inputs = event.as<events::StaleInputs>()) told.emplace_back(event.slave, inputs->begun);
   }
-  EXPECT_EQ(told, (std::vector<std::pair<int, std::int64_t>>{{1, 1}, {1, 0}})) << machine.said();
+  EXPECT_EQ(told, (std::vector<std::pair<int, bool>>{{1, true}, {1, false}})) << machine.said();
   EXPECT_TRUE(machine.found(FindingCode::kInputsLate, 1)) << machine.said();
 }
 
@@ -129,8 +133,8 @@ TEST(SlowFirmware, NobodyIsAccusedOfItWithoutIt) {
     if (seed % 4 == 2) machine.fault(FaultKind::kSlaveOff, 7 * kSecond, 0).until = 8 * kSecond;
     machine.run(14 * kSecond);
     for (const auto& event : machine.events) {
-      const bool by_inputs = event.kind == EventKind::kFirmwareSlow && event.c != 0;
-      EXPECT_FALSE(by_inputs) << "seed " << seed << ", slave " << event.slave << "\n" << machine.said();
+      EXPECT_FALSE(event.is<events::StaleInputs>()) << "seed " << seed << ", slave " << event.slave << "\n"
+                                                    << machine.said();
     }
     EXPECT_FALSE(machine.found(FindingCode::kInputsLate)) << seed;
   }

@@ -90,7 +90,8 @@ class MailboxEvents : public ::testing::Test {
   }
   [[nodiscard]] std::vector<Event> of(EventKind kind, int slave) const {
     std::vector<Event> found;
-    std::ranges::copy_if(events, std::back_inserter(found), [&](const Event& e) { return e.kind == kind && e.slave == slave; });
+    std::ranges::copy_if(events, std::back_inserter(found),
+                         [&](const Event& e) { return e.kind() == kind && e.slave == slave; });
     return found;
   }
   [[nodiscard]] std::string log() const {
@@ -100,17 +101,20 @@ class MailboxEvents : public ::testing::Test {
   }
   void expect_everything_is_told() {
     for (const int slave : {0, 2}) {
-      const auto emergencies = of(EventKind::kEmergency, slave);
+      const auto emergencies = of(kind_of<events::Emergency>, slave);
       ASSERT_EQ(emergencies.size(), 1U) << log();
-      EXPECT_EQ(emergencies[0].a, 0x0A12);
-      EXPECT_EQ(emergencies[0].b, 0x11);
-      EXPECT_EQ(emergencies[0].c, 0x001A) << "its first two bytes name the AL status code";
-      const auto messages = of(EventKind::kDiagnosis, slave);
+      const auto& emergency = *emergencies[0].as<events::Emergency>();
+      EXPECT_EQ(emergency.error_code, 0x0A12);
+      EXPECT_EQ(emergency.error_register, 0x11);
+      EXPECT_EQ(emergency.data, (std::array<std::uint8_t, 5>{0x1A, 0, 0, 0, 0}))
+          << "its first two bytes name the AL status code";
+      const auto messages = of(kind_of<events::DiagnosisTold>, slave);
       ASSERT_EQ(messages.size(), 1U) << log();
-      EXPECT_EQ(messages[0].a, 0x0A12E000);
-      EXPECT_EQ(messages[0].b & 0xF, 2) << "an error";
-      EXPECT_EQ(messages[0].b >> 16, 0x001A);
-      EXPECT_GT(messages[0].c, 0);
+      const auto& message = *messages[0].as<events::DiagnosisTold>();
+      EXPECT_EQ(message.code, 0x0A12E000U);
+      EXPECT_EQ(message.type, DiagnosisMessage::Type::kError);
+      EXPECT_EQ(message.text_id, 0x001A);
+      EXPECT_GT(message.time_stamp, 0U);
       EXPECT_LT(messages[0].time - emergencies[0].time, 500 * kMillisecond) << "an emergency hurries it";
     }
     EXPECT_THAT(log(), testing::HasSubstr("slave 2: emergency 0x0a12 (A.A12, EtherCAT Outputs Data Synchronization Error), "
@@ -148,8 +152,8 @@ TEST_F(MailboxEvents, MessagesAreToldOnceHoweverLongTheyStayUnacknowledged) {
   add_drives();
   lose_frames_at(6 * kSecond);
   run(30 * kSecond);
-  EXPECT_EQ(of(EventKind::kDiagnosis, 0).size(), 1U) << log();
-  EXPECT_EQ(of(EventKind::kEmergency, 0).size(), 1U) << log();
+  EXPECT_EQ(of(kind_of<events::DiagnosisTold>, 0).size(), 1U) << log();
+  EXPECT_EQ(of(kind_of<events::Emergency>, 0).size(), 1U) << log();
 }
 
 TEST_F(MailboxEvents, CountersAreReadOnThoughFramesAreLost) {

@@ -10,6 +10,7 @@
 #include "dc/master_verdict.h"
 #include "master/master_service.h"
 #include "protocol/dcm_error.h"
+#include "tests/support/event_match.h"
 #include "tests/support/simulated_network.h"
 
 namespace syncline {
@@ -83,12 +84,11 @@ TEST(MasterSyncTruth, AStepOfTheReferenceClockIsToldWithinMillisecondsAndSpoilsN
       machine.clock_step(0, 9'123 * kMillisecond, step);
       machine.run(14 * kSecond);
       const auto out = std::ranges::find_if(machine.events, [](const Event& e) {
-        return e.kind == EventKind::kDcmSync && e.a == 0 &&
-               e.c == static_cast<std::int64_t>(dc::SyncObstacle::kClockStep);
+        return test::with(&events::MasterOutOfSync::obstacle, dc::SyncObstacle::kClockStep)(e);
       });
       ASSERT_NE(out, machine.events.end()) << machine.log();
       EXPECT_NEAR(static_cast<double>(out->time - machine.start - 9'123 * kMillisecond), 3e6, 3e6) << machine.log();
-      EXPECT_NEAR(static_cast<double>(out->b), static_cast<double>(step), 1'000);
+      EXPECT_NEAR(static_cast<double>(out->as<events::MasterOutOfSync>()->error), static_cast<double>(step), 1'000);
       EXPECT_NEAR(machine.snapshot.dcm.drift_ppm, mode == DcmMode::kMasterShift ? 31 : 0, 1);
       EXPECT_EQ(machine.snapshot.dcm.state, SyncState::kInSync) << machine.log();
     }

@@ -11,6 +11,7 @@
 #include "app/cli/run_json.h"
 #include "master/master_service.h"
 #include "support/random.h"
+#include "tests/support/event_match.h"
 #include "tests/support/simulated_network.h"
 #include "tests/support/small_machines.h"
 #include "trace/run_report.h"
@@ -105,12 +106,11 @@ class Outage : public ::testing::Test {
     return text;
   }
   /// Times of such events from `begin` on, since the start.
-  [[nodiscard]] std::vector<Nanoseconds> times(EventKind kind, std::int64_t a, Nanoseconds begin,
-                                               int slave = -2) const {
+  [[nodiscard]] std::vector<Nanoseconds> times(const test::EventMatch& match, Nanoseconds begin, int slave = -2) const {
     std::vector<Nanoseconds> found;
     for (const auto& event : events) {
       const auto time = event.time - start;
-      const bool fits = event.kind == kind && event.a == a && time >= begin && (slave == -2 || event.slave == slave);
+      const bool fits = match(event) && time >= begin && (slave == -2 || event.slave == slave);
       if (fits) found.push_back(time);
     }
     return found;
@@ -157,22 +157,29 @@ void Outage::expect_sync_after(const Case& c) {
 
 /// One outage, one trouble; and that is over soon after the slave works again.
 void Outage::expect_quiet_after(const Case& c, Nanoseconds begin, Nanoseconds end) {
-  for (const auto kind : {EventKind::kDcSlaveSync, EventKind::kDcmSync}) {
-    const auto good = times(kind, 1, begin);
+  for (const bool of_master : {false, true}) {
+    const auto is_good = [of_master](const Event& e) {
+      return of_master ? e.is<events::MasterInSync>() : e.is<events::SlavesInSync>();
+    };
+    const auto is_bad = [of_master](const Event& e) {
+      return of_master ? e.is<events::MasterOutOfSync>()
+                       : e.is<events::SlavesOutOfSync>() || e.is<events::SlavesSyncUnknown>();
+    };
+    const auto good = times(is_good, begin);
     // Out of sync and unknown may follow each other; what is over is over.
     int spells = 0;
     bool open = false;
     for (const auto& event : events) {
-      if (event.kind != kind || event.time < begin || (event.a == 1 && event.slave >= 0)) continue;
-      const bool bad = event.a == 0 || event.a == 3;
+      const bool bad = is_bad(event), of_all = is_good(event) && event.slave < 0;
+      if (event.time < begin || !(bad || of_all)) continue;
       spells += bad && !open ? 1 : 0;
       open = bad;
     }
     EXPECT_LE(spells, 1) << c.name() << log();
     EXPECT_FALSE(open) << c.name() << log();
-    auto works = times(EventKind::kStateChanged, static_cast<std::int64_t>(AlState::kPreop), end);  // PREOP -> SAFEOP
+    auto works = times(test::with(&events::StateChanged::from, AlState::kPreop), end);  // PREOP -> SAFEOP
     works.push_back(end);
-    if (good.empty() || kind == EventKind::kDcmSync) continue;
+    if (good.empty() || of_master) continue;
     // In DCX the clock that returns is moved by the external one meanwhile.
     const double most = c.mode == DcmMode::kDcx ? 2.6 : 2.0;
     EXPECT_LT(seconds(good.back() - std::ranges::max(works)), most) << c.name() << log();
@@ -231,7 +238,7 @@ TEST_F(Outage, ADriveThatFallsBehindAnotherOneIsSeen) {
   EXPECT_EQ(snapshot.slaves[2].al_status, 0x08) << log();
   run_until(10 * kSecond);
   EXPECT_EQ(snapshot.slaves[2].al_status, 0x14) << log();
-  const auto fallen = times(EventKind::kStateChanged, static_cast<std::int64_t>(AlState::kOp), 7 * kSecond, 2);
+  const auto fallen = times(test::with(&events::StateChanged::from, AlState::kOp), 7 * kSecond, 2);
   ASSERT_EQ(fallen.size(), 1U) << log();
   EXPECT_LT(seconds(fallen[0] - 7 * kSecond), 0.55);
   EXPECT_EQ(report()["slaves"][2]["state"], "SAFEOP+ERR");
@@ -261,10 +268,11 @@ TEST_F(Outage, ACutBetweenMasterAndBusIsToldAndHeals) {
   fault(FaultKind::kCableBreak, 0, 6 * kSecond, 7 * kSecond);
   go_online();
   run_until(10 * kSecond);
-  EXPECT_EQ(times(EventKind::kSlaveLost, 0, 0).size(), 4U) << log();
-  for (const std::int64_t healed : {0, 1}) {
+  EXPECT_EQ(times([](const Event& e) { return e.is<events::SlaveLost>(); }, 0).size(), 4U) << log();
+  for (const bool healed : {false, true}) {
     const auto told = std::ranges::count_if(events, [&](const Event& e) {
-      return e.kind == EventKind::kCable && e.slave == -1 && e.b == 0 && e.c == healed;
+      const auto* cable = e.as<events::CableChanged>();
+      return cable != nullptr && e.slave == -1 && cable->far_slave == 0 && cable->healed == healed;
     });
     EXPECT_EQ(told, 1) << log();
   }
@@ -280,7 +288,9 @@ TEST_F(Outage, AClockThatIsOnlyPromisedIsReplacedByTheNextOne) {
     network.sim.slaves[0].dc.system_time = false;
     go_online();
     run_until(8 * kSecond);
-    EXPECT_EQ(times(EventKind::kReferenceClock, 3, 0, 0).size(), 1U) << log();
+    const auto no_system_time =
+        test::with(&events::ReferenceClockChanged::what, events::ReferenceClockChanged::What::kNoSystemTime);
+    EXPECT_EQ(times(no_system_time, 0, 0).size(), 1U) << log();
     EXPECT_EQ(snapshot.dc.reference_clock, 1) << log();
     EXPECT_EQ(snapshot.state, AlState::kOp) << log();
     EXPECT_EQ(snapshot.dc.state, SyncState::kInSync) << log();

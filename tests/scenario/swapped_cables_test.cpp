@@ -8,6 +8,7 @@
 #include "dc/propagation_delay.h"
 #include "sim/scenario_loader.h"
 #include "tests/support/diagnosed_run.h"
+#include "tests/support/event_match.h"
 #include "tests/support/swapped_tree.h"
 
 namespace syncline {
@@ -38,8 +39,7 @@ TEST(SwappedCables, RunsInSyncAndSaysWhatToDo) {
     const auto swapped =
         std::ranges::count_if(machine.network.sim.slaves, [](const auto& slave) { return slave.entry_port != 0; });
     const auto told = std::ranges::count_if(machine.events, [](const Event& event) {
-      return event.kind == EventKind::kDelayFinding &&
-             event.a == static_cast<std::int64_t>(dc::DelayWarning::kReversedCable);
+      return test::with(&events::DelayFinding::warning, dc::DelayWarning::kReversedCable)(event);
     });
     RC_ASSERT(told == swapped);
   }));

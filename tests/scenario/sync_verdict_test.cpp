@@ -89,18 +89,22 @@ class SyncVerdictOfAMachine : public ::testing::TestWithParam<std::uint64_t> {
     }
     return text;
   }
-  /// First event of a kind, told at or after a time of the scenario, with that `a`.
-  [[nodiscard]] const Event* first(EventKind kind, Nanoseconds after, std::int64_t a) const {
-    const auto found = std::ranges::find_if(
-        events, [&](const Event& e) { return e.kind == kind && e.time >= start + after && e.a == a; });
+  /// First event of a kind, told at or after a time of the scenario.
+  [[nodiscard]] const Event* first(EventKind kind, Nanoseconds after) const {
+    const auto found =
+        std::ranges::find_if(events, [&](const Event& e) { return e.kind() == kind && e.time >= start + after; });
     return found == events.end() ? nullptr : &*found;
   }
   [[nodiscard]] const Event* out_of_sync(Nanoseconds after = 0) const {
-    return first(EventKind::kDcSlaveSync, after, 0);
+    return first(kind_of<events::SlavesOutOfSync>, after);
   }
-  [[nodiscard]] std::int64_t sum(EventKind kind) const {
+  /// Of the counts in all events of a kind.
+  template <class What>
+  [[nodiscard]] std::int64_t sum() const {
     std::int64_t total = 0;
-    for (const auto& event : events) total += event.kind == kind ? event.a : 0;
+    for (const auto& event : events) {
+      if (const auto* what = event.as<What>()) total += what->count;
+    }
     return total;
   }
   void expect_no_sync_beside_an_error() const {
@@ -182,7 +186,7 @@ TEST_P(SyncVerdictOfAMachine, LostFramesAreToldOnce) {
   go_online();
   run_until(9 * kSecond);
   EXPECT_EQ(snapshot.lost_frames, static_cast<std::uint64_t>(lost)) << log();
-  EXPECT_EQ(sum(EventKind::kFramesLost), lost) << log();
+  EXPECT_EQ(sum<events::FramesLost>(), lost) << log();
   EXPECT_EQ(snapshot.late_frames, 0U);
 }
 
@@ -203,9 +207,9 @@ TEST_P(SyncVerdictOfAMachine, AStepOfTheReferenceClockIsOutOfSyncAtOnce) {
     const auto* out = out_of_sync(at - kMillisecond);
     ASSERT_NE(out, nullptr) << log();
     EXPECT_LE(out->time, start + at + 10 * kMillisecond) << log();
-    EXPECT_EQ(out->c, 2) << "both followers at once";
+    EXPECT_EQ(out->as<events::SlavesOutOfSync>()->over_limit, 2U) << "both followers at once";
     EXPECT_EQ(out->slave, -1) << "it is none of theirs";
-    EXPECT_GT(out->b, 10'000);
+    EXPECT_GT(out->as<events::SlavesOutOfSync>()->deviation_ns, 10'000);
   }
 }
 
@@ -258,10 +262,10 @@ TEST_P(SyncVerdictOfAMachine, AStallOfTheHostIsCyclesLeftOutAndNoSync) {
   ASSERT_EQ(snapshot.dcm.state, SyncState::kInSync) << log();
   run_until(at + length + kSecond);
   EXPECT_NEAR(static_cast<double>(snapshot.skipped_cycles), static_cast<double>(length) / 1e6, 1.5);
-  EXPECT_EQ(sum(EventKind::kOverrun), static_cast<std::int64_t>(snapshot.skipped_cycles)) << log();
-  const auto* out = first(EventKind::kDcmSync, at, 0);
+  EXPECT_EQ(sum<events::CyclesLeftOut>(), static_cast<std::int64_t>(snapshot.skipped_cycles)) << log();
+  const auto* out = first(kind_of<events::MasterOutOfSync>, at);
   ASSERT_NE(out, nullptr) << log();
-  EXPECT_EQ(out->c, static_cast<int>(dc::SyncObstacle::kCyclesLeftOut));
+  EXPECT_EQ(out->as<events::MasterOutOfSync>()->obstacle, dc::SyncObstacle::kCyclesLeftOut);
   for (const auto& sample : samples) {
     const bool within = sample.send_time >= start + at + length && sample.send_time < start + at + length + kSecond;
     if (within) {

@@ -35,7 +35,7 @@ std::string run_to_op(std::size_t slaves, const DeviceDescription& device, const
   service.channels().commands.push(GoOnlineCommand{network.compiled(), AlState::kOp});
   (void)service.step();
   for (const auto& event : service.channels().events.drain()) {
-    if (event.error) return describe(*event.error);
+    if (const auto* failure = event.as<events::Failure>()) return describe(failure->error);
   }
   Snapshot snapshot;
   (void)service.channels().snapshot.read(snapshot);

@@ -163,10 +163,9 @@ TEST_F(VethBus, MasterBringsTheMachineToOp) {
   request.duration = 60 * kSecond;
   request.stop = &there;
   request.on_event = [&](const Event& event) {
-    if (event.kind == EventKind::kStateChanged && event.slave == -1 && event.b == static_cast<int>(AlState::kOp)) {
-      there = true;
-    }
-    if (event.error) errors.push_back(describe(*event.error));
+    const auto* change = event.as<events::StateChanged>();
+    if (change != nullptr && event.slave == -1 && change->to == AlState::kOp) there = true;
+    if (const auto* failure = event.as<events::Failure>()) errors.push_back(describe(failure->error));
   };
   const auto outcome = run_network(compiled->config, kMasterLink, request);
   ASSERT_TRUE(outcome);

@@ -86,25 +86,22 @@ TEST(SyncText, ShowsTheVerdictAndNothingElse) {
   EXPECT_EQ(masterSync(snapshot).tone, theme::Tone::kBad);
 }
 
+template <class... All>
+std::vector<Event> one_of_each(std::in_place_type_t<std::variant<All...>>) {
+  return {Event{0, -1, All{}}...};
+}
+
 TEST(EventText, EveryKindButProgressHasWords) {
-  for (int kind = 0; kind <= static_cast<int>(EventKind::kEventsLost); ++kind) {
-    Event event;
-    event.kind = static_cast<EventKind>(kind);
+  for (const auto& event : one_of_each(std::in_place_type<EventDetails>)) {
     const auto message = messageOf(event, Project{});
-    if (event.kind == EventKind::kScanProgress || event.kind == EventKind::kRestarted) {
-      EXPECT_FALSE(message.has_value());
-    } else if (event.kind != EventKind::kError) {
-      ASSERT_TRUE(message.has_value()) << kind;
-      EXPECT_FALSE(message->text.isEmpty()) << kind;
-    }
+    ASSERT_EQ(message.has_value(), !event.is<events::ScanProgress>()) << event.what.index();
+    const bool has_words = message && !event.is<events::MasterStopped>();
+    EXPECT_EQ(has_words && message->text.isEmpty(), false) << event.what.index();
   }
 }
 
 TEST(EventText, NamesTheAlStatusCode) {
-  Event event;
-  event.kind = EventKind::kAlStatusError;
-  event.a = 0x14;
-  event.b = 0x1B;
+  const Event event{0, -1, events::AlStatusError{0x14, 0x1B}};
   const auto message = messageOf(event, Project{});
   ASSERT_TRUE(message.has_value());
   EXPECT_EQ(message->severity, Severity::kError);

@@ -98,16 +98,8 @@ void LiveSession::drain() {
 
 void LiveSession::handle(const Event& event) {
   Q_EMIT eventArrived(event);
-  switch (event.kind) {
-    case EventKind::kOnline:
-      if (phase_ == Phase::kStarting) setPhase(Phase::kOnline);
-      break;
-    case EventKind::kOffline:
-      close();
-      break;
-    default:
-      break;
-  }
+  if (event.is<events::Online>() && phase_ == Phase::kStarting) setPhase(Phase::kOnline);
+  if (event.is<events::Offline>()) close();
 }
 
 void LiveSession::close() {

@@ -64,15 +64,15 @@ Result<BusScan> ScanController::scan(const QString& link) {
   const auto look = [&] {
     if (cancelled_) channels.cancel = true;
     for (const auto& event : channels.events.drain()) {
-      if (event.kind == EventKind::kScanProgress) {
-        const auto done = static_cast<int>(event.a), all = static_cast<int>(event.b);
+      if (const auto* now = event.as<events::ScanProgress>()) {
+        const auto done = static_cast<int>(now->done), all = static_cast<int>(now->found);
         QMetaObject::invokeMethod(this, [this, done, all] { Q_EMIT progress(done, all); }, Qt::QueuedConnection);
-      } else if (event.kind == EventKind::kScanFinished && event.scan) {
-        outcome = *event.scan;
-      } else if (event.kind == EventKind::kScanTouchesRunning) {
+      } else if (const auto* end = event.as<events::ScanFinished>()) {
+        outcome = *end->scan;
+      } else if (event.is<events::ScanTouchesRunning>()) {
         QMetaObject::invokeMethod(this, [this, event] { Q_EMIT eventArrived(event); }, Qt::QueuedConnection);
-      } else if (event.kind == EventKind::kError && event.error) {
-        outcome = tl::unexpected(*event.error);
+      } else if (const auto* failure = event.as<events::Failure>()) {
+        outcome = tl::unexpected(failure->error);
       }
     }
   };

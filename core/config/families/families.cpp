@@ -105,20 +105,11 @@ const Alarm* find_alarm(const Identity& identity, std::uint16_t error_code) {
   return found == alarms.end() ? nullptr : &*found;
 }
 
-const Alarm* find_alarm(const Identity& identity, std::uint16_t error_code, std::uint64_t data) {
+const Alarm* find_alarm(const Identity& identity, std::uint16_t error_code, const std::array<std::uint8_t, 5>& data) {
   constexpr std::uint16_t kDeviceSpecific = 0xFF00;
   // The first of the five bytes is reserved, the number follows (Yaskawa SIEP C710812 02, emergency messages).
-  const auto own = static_cast<std::uint16_t>(data >> 8);
+  const auto own = static_cast<std::uint16_t>(data[1] | data[2] << 8);
   return find_alarm(identity, error_code == kDeviceSpecific ? own : error_code);
-}
-
-const Alarm* find_alarm(std::string_view name) {
-  if (name.empty()) return nullptr;
-  for (const Family* family : all()) {
-    const auto found = std::ranges::find(family->alarms.list, name, &Alarm::name);
-    if (found != family->alarms.list.end()) return &*found;
-  }
-  return nullptr;
 }
 
 std::vector<StatusLine> status_lines(const StatusObject& object, std::uint32_t value) {

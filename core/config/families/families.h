@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -38,11 +40,10 @@ namespace syncline::families {
 
 /// The vendor's alarm of a number in 0x603F or in an emergency; null when it is none that we know.
 [[nodiscard]] const Alarm* find_alarm(const Identity& identity, std::uint16_t error_code);
-/// The alarm that an emergency tells: its error code, or behind 0xFF00 (CiA 301, device specific) the vendor's own number in
-/// the bytes behind the error register. `data`: the five bytes, the first one lowest.
-[[nodiscard]] const Alarm* find_alarm(const Identity& identity, std::uint16_t error_code, std::uint64_t data);
-/// By the vendor's name, "A.A12"; null for an empty name and for one that we do not know.
-[[nodiscard]] const Alarm* find_alarm(std::string_view name);
+/// The alarm that an emergency tells: its error code, or behind 0xFF00 (CiA 301, device specific) the vendor's own
+/// number in the bytes behind the error register.
+[[nodiscard]] const Alarm* find_alarm(const Identity& identity, std::uint16_t error_code,
+                                      const std::array<std::uint8_t, 5>& data);
 /// "A.A12 (0x0A12) EtherCAT Outputs Data Synchronization Error", or "0x0A12" when nothing is known.
 [[nodiscard]] std::string alarm_text(const Identity& identity, std::uint16_t error_code);
 

@@ -63,16 +63,13 @@ TEST(SnapshotBox, GivesEachNewsOnce) {
 TEST(EventQueue, TellsHowManyWereLost) {
   EventQueue queue(2);
   for (int i = 0; i < 5; ++i) {
-    Event event;
-    event.kind = EventKind::kOnline;
-    event.a = i;
-    queue.push(std::move(event));
+    queue.push({i, -1, events::Online{}});
   }
   const auto events = queue.drain();
   ASSERT_EQ(events.size(), 3U);
-  EXPECT_EQ(events[1].a, 1);
-  EXPECT_EQ(events[2].kind, EventKind::kEventsLost);
-  EXPECT_EQ(events[2].a, 3);
+  EXPECT_EQ(events[1].time, 1);
+  ASSERT_TRUE(events[2].is<events::EventsLost>());
+  EXPECT_EQ(events[2].as<events::EventsLost>()->count, 3U);
   EXPECT_TRUE(queue.drain().empty());
 }
 

@@ -199,9 +199,9 @@ TEST(MasterServiceScan, TellsProgressAndResultAsEvents) {
   EXPECT_TRUE(service.step());
   const auto events = service.channels().events.drain();
   ASSERT_GE(events.size(), 2U);
-  EXPECT_EQ(events.front().kind, EventKind::kScanProgress);
-  EXPECT_EQ(events.back().kind, EventKind::kScanFinished);
-  EXPECT_EQ(events.back().scan->slaves.size(), 2U);
+  EXPECT_TRUE(events.front().is<events::ScanProgress>());
+  ASSERT_TRUE(events.back().is<events::ScanFinished>());
+  EXPECT_EQ(events.back().as<events::ScanFinished>()->scan->slaves.size(), 2U);
   EXPECT_FALSE(service.step());
 }
 
@@ -213,8 +213,8 @@ TEST(MasterServiceScan, CanBeCancelled) {
   EXPECT_TRUE(service.step());
   const auto events = service.channels().events.drain();
   ASSERT_EQ(events.size(), 1U);
-  ASSERT_TRUE(events[0].error);
-  EXPECT_EQ(events[0].error->code, ErrorCode::kCancelled);
+  ASSERT_TRUE(events[0].is<events::Failure>());
+  EXPECT_EQ(events[0].as<events::Failure>()->error.code, ErrorCode::kCancelled);
   EXPECT_FALSE(service.channels().cancel);
 }
 

@@ -41,7 +41,7 @@ class Running {
     return ((now + ahead) % cycle + cycle) % cycle;
   }
   [[nodiscard]] std::size_t count(EventKind kind) const {
-    return static_cast<std::size_t>(std::ranges::count(events, kind, &Event::kind));
+    return static_cast<std::size_t>(std::ranges::count(events, kind, [](const Event& e) { return e.kind(); }));
   }
 
   VirtualClock clock;
@@ -128,7 +128,7 @@ TEST(DcStart, AStartTimeThatCameTooLateIsGivenAgain) {
   });
   running.run(running.clock.now() + 8 * kSecond);
   EXPECT_EQ(running.snapshot.state, AlState::kOp);
-  EXPECT_EQ(running.count(EventKind::kError), 0U);
+  EXPECT_EQ(running.count(kind_of<events::Failure>), 0U);
   EXPECT_EQ(std::ranges::count(asked, 1001), 1) << "who was in time is left alone";
   EXPECT_EQ(std::ranges::count(asked, 1002), 2);
 }
@@ -142,7 +142,8 @@ TEST(DcStart, CallbackThatNamesAPastTimeKeepsTheSlaveFromOpWithItsName) {
   running.run(running.clock.now() + 8 * kSecond);
   EXPECT_NE(running.snapshot.state, AlState::kOp);
   const bool named = std::ranges::any_of(running.events, [](const Event& event) {
-    return (event.error && event.error->subject.find("slave 1") != std::string::npos) || event.slave == 1;
+    const auto* failure = event.as<events::Failure>();
+    return (failure != nullptr && failure->error.subject.find("slave 1") != std::string::npos) || event.slave == 1;
   });
   EXPECT_TRUE(named);
 }
@@ -180,20 +181,23 @@ TEST(DcStart, NetworksOfOneHostAreInPhaseThroughTheGrid) {
   EXPECT_GT(spread(0), kMicrosecond);  // each starts where it happens to
 }
 
+constexpr EventKind kOfTheClocks[] = {kind_of<events::ReferenceClockChanged>, kind_of<events::SlavesInSync>,
+                                      kind_of<events::DcInitialised>, kind_of<events::MasterInSync>};
+
 TEST(DcNotifications, AreToldUnlessSwitchedOff) {
   auto network = line(3);
   network.project.master.dc.sync_window.enabled = true;
   Running all(network);
   all.run(all.clock.now() + 6 * kSecond);
-  for (const auto kind : {EventKind::kReferenceClock, EventKind::kDcSlaveSync, EventKind::kDcInitialised, EventKind::kDcmSync}) {
-    EXPECT_EQ(all.count(kind), 1U) << static_cast<int>(kind);
+  for (const auto kind : kOfTheClocks) {
+    EXPECT_EQ(all.count(kind), 1U);
   }
   network.project.master.dc.notifications = {false, false, false, false};
   Running none(network);
   none.run(none.clock.now() + 6 * kSecond);
   EXPECT_EQ(none.snapshot.state, AlState::kOp);
-  for (const auto kind : {EventKind::kReferenceClock, EventKind::kDcSlaveSync, EventKind::kDcInitialised, EventKind::kDcmSync}) {
-    EXPECT_EQ(none.count(kind), 0U) << static_cast<int>(kind);
+  for (const auto kind : kOfTheClocks) {
+    EXPECT_EQ(none.count(kind), 0U);
   }
 }
 
@@ -209,12 +213,11 @@ TEST(DcSyncWindow, NamesTheSlaveThatLeftItAmongMany) {
   network.sim.faults.push_back(step);
   Running running(network);
   running.run(running.clock.now() + 8 * kSecond);
-  const auto out = std::ranges::find_if(running.events, [](const Event& event) {
-    return event.kind == EventKind::kDcSlaveSync && event.a == 0;
-  });
+  const auto out =
+      std::ranges::find_if(running.events, [](const Event& event) { return event.is<events::SlavesOutOfSync>(); });
   ASSERT_NE(out, running.events.end());
   EXPECT_EQ(out->slave, 41);
-  EXPECT_GT(out->b, 127);
+  EXPECT_GT(out->as<events::SlavesOutOfSync>()->deviation_ns, 127);
 }
 
 TEST(DcSystemTime, Travels4Or8BytesAsConfigured) {

@@ -56,7 +56,7 @@ class DcmRun : public ::testing::Test {
   }
   [[nodiscard]] std::optional<Error> error() const {
     for (const auto& event : events) {
-      if (event.error) return event.error;
+      if (const auto* failure = event.as<events::Failure>()) return failure->error;
     }
     return std::nullopt;
   }

@@ -82,7 +82,7 @@ class DelayCompensationTest : public ::testing::Test {
   }
   std::vector<Event> measured() {
     auto events = channels.events.drain();
-    std::erase_if(events, [](const Event& event) { return event.kind != EventKind::kDelaysMeasured; });
+    std::erase_if(events, [](const Event& event) { return !event.is<events::DelaysMeasured>(); });
     return events;
   }
 
@@ -104,9 +104,9 @@ TEST_F(DelayCompensationTest, CorrectsAWrongDelayWithoutAStepOfTheClocks) {
   EXPECT_EQ(run.snapshot.slaves[3].propagation_delay_ns, delay_register(3));
   const auto events = measured();
   ASSERT_EQ(events.size(), 2U);
-  EXPECT_EQ(events[0].a, 1);
-  EXPECT_NEAR(static_cast<double>(events[0].b), -150, 20);
-  EXPECT_EQ(events[1].a, 0);
+  EXPECT_EQ(events[0].as<events::DelaysMeasured>()->corrected, 1U);
+  EXPECT_NEAR(static_cast<double>(events[0].as<events::DelaysMeasured>()->largest_ns), -150, 20);
+  EXPECT_EQ(events[1].as<events::DelaysMeasured>()->corrected, 0U);
 }
 
 TEST_F(DelayCompensationTest, LeavesTheNoiseOfTheStampsAlone) {

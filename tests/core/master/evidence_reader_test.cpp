@@ -6,6 +6,7 @@
 #include <map>
 
 #include "protocol/registers.h"
+#include "tests/support/event_match.h"
 
 namespace syncline {
 namespace {
@@ -75,12 +76,12 @@ TEST_F(EvidenceReaderTest, CountsFromWhatItFindsAndTellsWhatComesOnTop) {
   EXPECT_EQ(evidence(1).ports[1].lost_links, 1U);
   const auto events = channels.events.drain();
   ASSERT_EQ(events.size(), 2U);
-  EXPECT_EQ(events[0].kind, EventKind::kPortErrors);
+  ASSERT_TRUE(events[0].is<events::PortErrors>() && events[1].is<events::PortErrors>());
   EXPECT_EQ(events[0].slave, 1);
-  EXPECT_EQ(events[0].a, 0);
-  EXPECT_EQ(events[0].b, 2);
-  EXPECT_EQ(events[1].a, 1);
-  EXPECT_EQ(events[1].c, 1);
+  EXPECT_EQ(events[0].as<events::PortErrors>()->port, 0);
+  EXPECT_EQ(events[0].as<events::PortErrors>()->damaged_frames, 2U);
+  EXPECT_EQ(events[1].as<events::PortErrors>()->port, 1);
+  EXPECT_EQ(events[1].as<events::PortErrors>()->lost_links, 1U);
 }
 
 TEST_F(EvidenceReaderTest, SaysAtLeastWhereACounterStandsStill) {
@@ -98,8 +99,7 @@ TEST_F(EvidenceReaderTest, TellsOfWatchdogs) {
   EXPECT_EQ(evidence(0).pdi_watchdog.total, 1U);
   const auto events = channels.events.drain();
   ASSERT_EQ(events.size(), 1U);
-  EXPECT_EQ(events[0].kind, EventKind::kWatchdog);
-  EXPECT_EQ(events[0].a, 1);
+  EXPECT_TRUE(test::with(&events::WatchdogExpired::which, events::WatchdogExpired::Which::kPdi)(events[0]));
 }
 
 TEST_F(EvidenceReaderTest, AsksAgainForWhatWasLost) {

@@ -33,8 +33,8 @@ class FrameAccounts : public ::testing::TestWithParam<std::uint64_t> {
   void run(Nanoseconds duration) {
     service->run_for(duration);
     for (const auto& event : service->channels().events.drain()) {
-      if (event.kind == EventKind::kFramesLost) told_lost += event.a;
-      if (event.kind == EventKind::kFramesLate) told_late += event.a, taken_back += event.c;
+      if (const auto* lost = event.as<events::FramesLost>()) told_lost += lost->count;
+      if (const auto* late = event.as<events::FramesLate>()) told_late += late->count, taken_back += late->told_as_lost;
     }
     service->channels().snapshot.read(snapshot);
   }
@@ -145,8 +145,8 @@ TEST(FrameAccountsOfABus, WhatTheEventsTellIsWhatTheBusDropped) {
     const auto drain = [&] {
       service.channels().snapshot.read(snapshot);
       for (const auto& event : service.channels().events.drain()) {
-        if (event.kind == EventKind::kFramesLost) told += event.a;
-        if (event.kind == EventKind::kFramesLate) told -= event.c;
+        if (const auto* lost = event.as<events::FramesLost>()) told += lost->count;
+        if (const auto* late = event.as<events::FramesLate>()) told -= late->told_as_lost;
       }
     };
     const auto begin = clock.now();

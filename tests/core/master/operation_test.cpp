@@ -7,6 +7,7 @@
 #include "config/compile/compile.h"
 #include "eni/esi_reader.h"
 #include "master/master_service.h"
+#include "tests/support/event_match.h"
 #include "tests/support/source_dir.h"
 #include "tests/support/test_bus.h"
 
@@ -78,28 +79,29 @@ class OperationTest : public ::testing::Test {
   }
   [[nodiscard]] std::optional<Error> first_error() const {
     for (const auto& event : events) {
-      if (event.error) return event.error;
+      if (const auto* failure = event.as<events::Failure>()) return failure->error;
     }
     return std::nullopt;
   }
   [[nodiscard]] std::size_t count(EventKind kind) const {
-    return static_cast<std::size_t>(std::ranges::count(events, kind, &Event::kind));
+    return static_cast<std::size_t>(std::ranges::count(events, kind, [](const Event& e) { return e.kind(); }));
   }
   /// Over the counts in all events of a kind.
-  [[nodiscard]] std::int64_t sum(EventKind kind) const {
+  template <class What>
+  [[nodiscard]] std::int64_t sum() const {
     std::int64_t total = 0;
-    for (const auto& event : events) total += event.kind == kind ? event.a : 0;
+    for (const auto& event : events) {
+      if (const auto* what = event.as<What>()) total += what->count;
+    }
     return total;
   }
   [[nodiscard]] Nanoseconds time_of(EventKind kind) const {
-    const auto found = std::ranges::find(events, kind, &Event::kind);
+    const auto found = std::ranges::find(events, kind, [](const Event& e) { return e.kind(); });
     return found == events.end() ? -1 : found->time;
   }
   [[nodiscard]] Nanoseconds time_of_state(AlState state) const {
     for (const auto& event : events) {
-      if (event.kind == EventKind::kStateChanged && event.slave < 0 && event.b == static_cast<int>(state)) {
-        return event.time;
-      }
+      if (event.slave < 0 && test::with(&events::StateChanged::to, state)(event)) return event.time;
     }
     return -1;
   }
@@ -113,7 +115,7 @@ TEST_F(OperationTest, ReachesOpAndStaysThere) {
   EXPECT_TRUE(snapshot.online);
   EXPECT_EQ(snapshot.wkc_errors, 0U);
   EXPECT_EQ(snapshot.lost_frames, 0U);
-  EXPECT_EQ(count(EventKind::kOnline), 1U);
+  EXPECT_EQ(count(kind_of<events::Online>), 1U);
   for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(link->slave(i).get<std::uint16_t>(reg::kAlStatus), 8);
   // Every slave was led through all states once.
   EXPECT_EQ(link->slave(1).requests.back(), AlState::kOp);
@@ -124,8 +126,8 @@ TEST_F(OperationTest, TellsTheStartUpInTheOrderOfTheDocument) {
   project.master.dc.sync_window.enabled = true;
   compile_project();
   go_online();
-  const auto init = time_of_state(AlState::kInit), slaves = time_of(EventKind::kDcSlaveSync),
-             clocks = time_of(EventKind::kDcInitialised), master = time_of(EventKind::kDcmSync),
+  const auto init = time_of_state(AlState::kInit), slaves = time_of(kind_of<events::SlavesInSync>),
+             clocks = time_of(kind_of<events::DcInitialised>), master = time_of(kind_of<events::MasterInSync>),
              preop = time_of_state(AlState::kPreop), safeop = time_of_state(AlState::kSafeop),
              op = time_of_state(AlState::kOp);
   ASSERT_GE(init, 0);
@@ -226,10 +228,10 @@ TEST_F(OperationTest, SaysWhichCodeASlaveRefusesWith) {
   ASSERT_TRUE(first_error());
   EXPECT_EQ(first_error()->code, ErrorCode::kAlState);
   EXPECT_EQ(first_error()->extra, 0x001D);
-  const auto event = std::ranges::find(events, EventKind::kAlStatusError, &Event::kind);
+  const auto event = std::ranges::find_if(events, [](const Event& e) { return e.is<events::AlStatusError>(); });
   ASSERT_NE(event, events.end());
   EXPECT_EQ(event->slave, 2);
-  EXPECT_EQ(event->b, 0x001D);
+  EXPECT_EQ(event->as<events::AlStatusError>()->al_status_code, 0x001D);
   // The others finished the step; the bus stays online to be looked at, and goes on when it is cured.
   EXPECT_EQ(link->slave(1).get<std::uint16_t>(reg::kAlStatus), 4);
   EXPECT_TRUE(service->online());
@@ -250,9 +252,9 @@ TEST_F(OperationTest, TellsASlaveThatLeavesOpByItself) {
   run(10 * kMillisecond);
   EXPECT_EQ(snapshot.state, AlState::kSafeop);
   EXPECT_EQ(snapshot.slaves[1].al_status_code, 0x001A);
-  EXPECT_EQ(count(EventKind::kAlStatusError), 1U);
+  EXPECT_EQ(count(kind_of<events::AlStatusError>), 1U);
   run(100 * kMillisecond);
-  EXPECT_EQ(count(EventKind::kAlStatusError), 1U);  // once
+  EXPECT_EQ(count(kind_of<events::AlStatusError>), 1U);  // once
 }
 
 TEST_F(OperationTest, TellsLostSlavesAndWrongCounters) {
@@ -260,18 +262,18 @@ TEST_F(OperationTest, TellsLostSlavesAndWrongCounters) {
   events.clear();
   link->slave(2).present = false;
   run(50 * kMillisecond);
-  EXPECT_EQ(count(EventKind::kSlaveLost), 1U);
+  EXPECT_EQ(count(kind_of<events::SlaveLost>), 1U);
   // Wrong until the lost slave is known as lost, then less is expected.
-  EXPECT_EQ(count(EventKind::kWkcError), 2U);
+  EXPECT_EQ(count(kind_of<events::WkcError>), 2U);
   EXPECT_LE(snapshot.wkc_errors, 3U);
-  EXPECT_EQ(count(EventKind::kWkcExpected), 1U);
+  EXPECT_EQ(count(kind_of<events::WkcExpected>), 1U);
   EXPECT_EQ(samples.back().wkc_expected, 3);
   EXPECT_EQ(samples.back().wkc_received, samples.back().wkc_expected);
   EXPECT_FALSE(snapshot.slaves[2].present);
   link->slave(2).present = true;
   run(50 * kMillisecond);
-  EXPECT_EQ(count(EventKind::kSlaveFound), 1U);
-  EXPECT_EQ(count(EventKind::kWkcExpected), 2U);
+  EXPECT_EQ(count(kind_of<events::SlaveFound>), 1U);
+  EXPECT_EQ(count(kind_of<events::WkcExpected>), 2U);
   EXPECT_EQ(samples.back().flags & CycleSample::kWkcError, 0);
 }
 
@@ -280,7 +282,7 @@ TEST_F(OperationTest, CountsLostFramesAndGoesOn) {
   link->lose(5);
   run(200 * kMillisecond);
   EXPECT_EQ(snapshot.lost_frames, 5U);
-  EXPECT_EQ(sum(EventKind::kFramesLost), 5);
+  EXPECT_EQ(sum<events::FramesLost>(), 5);
   EXPECT_EQ(snapshot.state, AlState::kOp);
   EXPECT_EQ(snapshot.wkc_errors, 0U);
 }
@@ -297,7 +299,7 @@ TEST_F(OperationTest, EachLostFrameIsInExactlyOneEvent) {
   }
   run(200 * kMillisecond);
   EXPECT_EQ(snapshot.lost_frames, static_cast<std::uint64_t>(lost));
-  EXPECT_EQ(sum(EventKind::kFramesLost), lost);
+  EXPECT_EQ(sum<events::FramesLost>(), lost);
   int in_samples = 0;
   for (const auto& sample : samples) in_samples += sample.frames_lost;
   EXPECT_EQ(in_samples, lost);
@@ -314,7 +316,7 @@ TEST_F(OperationTest, LossesAreToldToTheEndOfOperation) {
   }
   drain();
   EXPECT_EQ(snapshot.lost_frames, 5U);
-  EXPECT_EQ(sum(EventKind::kFramesLost), 5);
+  EXPECT_EQ(sum<events::FramesLost>(), 5);
 }
 
 TEST_F(OperationTest, AFrameThatComesAfterItsDeadlineIsLateAndNotLost) {
@@ -324,8 +326,8 @@ TEST_F(OperationTest, AFrameThatComesAfterItsDeadlineIsLateAndNotLost) {
   run(200 * kMillisecond);
   EXPECT_EQ(snapshot.lost_frames, 0U);
   EXPECT_GE(snapshot.late_frames, 2U);
-  EXPECT_EQ(count(EventKind::kFramesLost), 0U);
-  EXPECT_EQ(sum(EventKind::kFramesLate), static_cast<std::int64_t>(snapshot.late_frames));
+  EXPECT_EQ(count(kind_of<events::FramesLost>), 0U);
+  EXPECT_EQ(sum<events::FramesLate>(), static_cast<std::int64_t>(snapshot.late_frames));
   const auto late = std::ranges::find_if(samples, [](const auto& s) { return (s.flags & CycleSample::kFrameLate) != 0; });
   ASSERT_NE(late, samples.end());
   EXPECT_NEAR(late->late_by_ns, 1'700'000, 20'000);
@@ -339,7 +341,7 @@ TEST_F(OperationTest, AStandstillOfTheHostIsCyclesLeftOut) {
   run(200 * kMillisecond);
   EXPECT_NEAR(static_cast<double>(snapshot.skipped_cycles), 20, 1);
   EXPECT_EQ(snapshot.overruns, 1U);
-  EXPECT_EQ(sum(EventKind::kOverrun), static_cast<std::int64_t>(snapshot.skipped_cycles));
+  EXPECT_EQ(sum<events::CyclesLeftOut>(), static_cast<std::int64_t>(snapshot.skipped_cycles));
   ASSERT_FALSE(samples.empty());
   EXPECT_EQ(samples.front().skipped_cycles, snapshot.skipped_cycles);
   EXPECT_LT(samples.front().wake_lateness_ns, 500'000);
@@ -367,7 +369,7 @@ TEST_F(OperationTest, GoesOfflineInInit) {
   }
   drain();
   EXPECT_FALSE(snapshot.online);
-  EXPECT_EQ(count(EventKind::kOffline), 1U);
+  EXPECT_EQ(count(kind_of<events::Offline>), 1U);
   for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(link->slave(i).get<std::uint16_t>(reg::kAlStatus), 1);
 }
 
@@ -393,7 +395,7 @@ TEST_F(OperationTest, CancelEndsABringUpAndTakesTheBusDown) {
   EXPECT_EQ(first_error()->code, ErrorCode::kCancelled);
   EXPECT_FALSE(service->online());
   EXPECT_FALSE(snapshot.online);
-  EXPECT_EQ(count(EventKind::kOffline), 1U);
+  EXPECT_EQ(count(kind_of<events::Offline>), 1U);
   EXPECT_EQ(link->slave(1).get<std::uint16_t>(reg::kAlStatus), 1);
   EXPECT_FALSE(service->channels().cancel);
 }
@@ -401,12 +403,12 @@ TEST_F(OperationTest, CancelEndsABringUpAndTakesTheBusDown) {
 TEST_F(OperationTest, AThreadOfItsOwnDoesTheSame) {
   service->channels().commands.push(GoOnlineCommand{config, AlState::kOp});
   MasterThread thread(*service);
-  while (snapshot.state != AlState::kOp || count(EventKind::kOnline) == 0) {
+  while (snapshot.state != AlState::kOp || count(kind_of<events::Online>) == 0) {
     drain();
     std::this_thread::yield();
   }
   service->channels().commands.push(GoOfflineCommand{});
-  while (count(EventKind::kOffline) == 0) {
+  while (count(kind_of<events::Offline>) == 0) {
     drain();
     std::this_thread::yield();
   }
@@ -430,9 +432,10 @@ TEST_F(OperationTest, RefusesABusOfAnotherSize) {
   ASSERT_TRUE(first_error());
   EXPECT_EQ(first_error()->code, ErrorCode::kSlaveMissing);
   EXPECT_NE(first_error()->subject.find("slave 2"), std::string::npos);
-  const auto last = std::find_if(events.rbegin(), events.rend(), [](const Event& e) { return e.error.has_value(); });
-  EXPECT_EQ(last->error->code, ErrorCode::kSlaveCount);
-  EXPECT_EQ(last->error->received, 2);
+  const auto last =
+      std::find_if(events.rbegin(), events.rend(), [](const Event& e) { return e.is<events::Failure>(); });
+  EXPECT_EQ(last->as<events::Failure>()->error.code, ErrorCode::kSlaveCount);
+  EXPECT_EQ(last->as<events::Failure>()->error.received, 2);
   EXPECT_FALSE(service->online());
   EXPECT_FALSE(snapshot.online);
 }
@@ -449,10 +452,10 @@ TEST_F(OperationTest, RefusesAnotherDevice) {
 TEST_F(OperationTest, AReferenceClockWithoutSystemTimeIsReplacedByTheNextOne) {
   link->slave(1).has_system_time = false;
   go_online();
-  const auto told = std::ranges::find_if(events, [](const Event& e) { return e.kind == EventKind::kReferenceClock; });
+  const auto told = std::ranges::find_if(events, [](const Event& e) { return e.is<events::ReferenceClockChanged>(); });
   ASSERT_NE(told, events.end());
   EXPECT_EQ(told->slave, 1);
-  EXPECT_EQ(told->a, 3);
+  EXPECT_EQ(told->as<events::ReferenceClockChanged>()->what, events::ReferenceClockChanged::What::kNoSystemTime);
   EXPECT_EQ(snapshot.dc.reference_clock, 2);
   // It is a drive that cannot do without SYNC0, and that is the error; the other one has its clock.
   ASSERT_TRUE(first_error());

@@ -52,7 +52,7 @@ class StartupMessagesOnBus : public testing::Test {
     service.channels().commands.push(GoOnlineCommand{config, AlState::kOp});
     (void)service.step();
     for (const auto& event : service.channels().events.drain()) {
-      if (event.error) errors += describe(*event.error) + "\n";
+      if (const auto* failure = event.as<events::Failure>()) errors += describe(failure->error) + "\n";
     }
     Snapshot snapshot;
     (void)service.channels().snapshot.read(snapshot);

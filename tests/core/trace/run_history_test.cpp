@@ -13,17 +13,6 @@ CycleSample sample(Nanoseconds time, AlState state = AlState::kOp) {
   return sample;
 }
 
-Event event(EventKind kind, Nanoseconds time, int slave, std::int64_t a = 0, std::int64_t b = 0, std::int64_t c = 0) {
-  Event event;
-  event.kind = kind;
-  event.time = time;
-  event.slave = slave;
-  event.a = a;
-  event.b = b;
-  event.c = c;
-  return event;
-}
-
 class RunHistoryTest : public ::testing::Test {
  protected:
   static NetworkConfig three_slaves() {
@@ -81,13 +70,13 @@ TEST_F(RunHistoryTest, CallsAClockOffOnlyAfterItWasNear) {
 }
 
 TEST_F(RunHistoryTest, FollowsASlaveThatGoesAndComesBack) {
-  recorder.add(event(EventKind::kCable, kSecond, 0, 1, 1, 0));
-  recorder.add(event(EventKind::kSlaveLost, kSecond, 1));
+  recorder.add(Event{kSecond, 0, events::CableChanged{1, 1, false}});
+  recorder.add(Event{kSecond, 1, events::SlaveLost{}});
   EXPECT_TRUE(recorder.history().slaves[1].absent);
   ASSERT_TRUE(recorder.history().slaves[1].cable);
   EXPECT_EQ(recorder.history().slaves[1].cable->near, 0);
-  recorder.add(event(EventKind::kCable, 4 * kSecond, 0, 1, 1, 1));
-  recorder.add(event(EventKind::kSlaveFound, 4 * kSecond, 1));
+  recorder.add(Event{4 * kSecond, 0, events::CableChanged{1, 1, true}});
+  recorder.add(Event{4 * kSecond, 1, events::SlaveFound{}});
   const auto& slave = recorder.history().slaves[1];
   EXPECT_FALSE(slave.absent);
   EXPECT_FALSE(slave.cable);
@@ -96,11 +85,11 @@ TEST_F(RunHistoryTest, FollowsASlaveThatGoesAndComesBack) {
 }
 
 TEST_F(RunHistoryTest, CountsSyncLossesInOpAlone) {
-  recorder.add(event(EventKind::kDcSlaveSync, kSecond, 2, 0, 500));
+  recorder.add(Event{kSecond, 2, events::SlavesOutOfSync{500, 1}});
   EXPECT_TRUE(recorder.history().slave_losses.empty()) << "still coming up";
   add(sample(2 * kSecond));
-  recorder.add(event(EventKind::kDcSlaveSync, 3 * kSecond, 2, 0, 500));
-  recorder.add(event(EventKind::kDcSlaveSync, 5 * kSecond, -1, 1, 5));
+  recorder.add(Event{3 * kSecond, 2, events::SlavesOutOfSync{500, 1}});
+  recorder.add(Event{5 * kSecond, -1, events::SlavesInSync{5}});
   ASSERT_EQ(recorder.history().slave_losses.size(), 1U);
   EXPECT_EQ(recorder.history().slave_losses[0].slave, 2);
   EXPECT_EQ(recorder.history().slave_losses[0].back, 5 * kSecond);
@@ -120,9 +109,9 @@ TEST_F(RunHistoryTest, FramesThatCameLateAreNotLost) {
 }
 
 TEST_F(RunHistoryTest, TakesNoEventOfASlaveThatIsNotConfigured) {
-  recorder.add(event(EventKind::kSlaveLost, kSecond, 7));
-  recorder.add(event(EventKind::kCable, kSecond, 7, 0, 9, 0));
-  recorder.add(event(EventKind::kPortErrors, kSecond, 5, 9, 1, 1));
+  recorder.add(Event{kSecond, 7, events::SlaveLost{}});
+  recorder.add(Event{kSecond, 7, events::CableChanged{0, 9, false}});
+  recorder.add(Event{kSecond, 5, events::PortErrors{9, 1, 1}});
   for (const auto& slave : recorder.history().slaves) EXPECT_TRUE(slave.absences.empty());
 }
 

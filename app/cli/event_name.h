@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string_view>
+
+#include "channels/event.h"
+
+namespace syncline::cli {
+
+/// The "kind" of an event as docs/json.md lists it.
+[[nodiscard]] std::string_view event_name(const Event& event);
+
+}  // namespace syncline::cli

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "support/result.h"
+
+/// About the master itself.
+namespace syncline::events {
+
+/// What of SCHED_FIFO, locked memory and processor was refused; once.
+struct RealTimeRefused {
+  std::string what;
+};
+
+/// A command, or what runs, failed.
+struct Failure {
+  Error error;
+};
+
+/// By something that should not have happened; the bus is taken down.
+struct MasterStopped {
+  std::string text;
+};
+
+/// The queue was full.
+struct EventsLost {
+  std::uint64_t count = 0;
+};
+
+}  // namespace syncline::events
