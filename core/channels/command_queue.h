@@ -1,23 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <mutex>
+#include <readerwriterqueue/readerwritercircularbuffer.h>
+
+#include <cstddef>
 #include <optional>
-#include <vector>
+#include <utility>
 
 #include "channels/command.h"
 
 namespace syncline {
 
+/// Commands in their order, from one thread to one other. Neither waits for the other, and who carries them out does
+/// not allocate to see that there is none.
 class CommandQueue {
  public:
-  void push(MasterCommand command);
-  std::optional<MasterCommand> pop();
-  [[nodiscard]] bool empty();
+  static constexpr std::size_t kCapacity = 256;
+
+  CommandQueue() : commands_(kCapacity) {}
+  /// False when kCapacity commands wait already: the master is not listening, and this one is not taken. Producer.
+  bool push(MasterCommand command) { return commands_.try_enqueue(std::move(command)); }
+  std::optional<MasterCommand> pop();                                        // consumer: the thread that runs the cycle
+  [[nodiscard]] bool empty() const { return commands_.size_approx() == 0; }  // consumer
 
  private:
-  std::mutex mutex_;
-  std::vector<MasterCommand> commands_;
+  moodycamel::BlockingReaderWriterCircularBuffer<MasterCommand> commands_;
 };
 
 }  // namespace syncline

@@ -4,23 +4,22 @@
 namespace syncline {
 
 void SnapshotBox::publish(const Snapshot& snapshot) {
-  const std::unique_lock lock(mutex_, std::try_to_lock);
-  if (!lock) return;
-  latest_ = snapshot;
-  fresh_ = true;
+  slots_[back_] = snapshot;
+  const auto mine = static_cast<std::uint8_t>(back_ | kFresh);
+  back_ = middle_.exchange(mine, std::memory_order_acq_rel) & kSlot;
 }
 
-void SnapshotBox::publish_surely(const Snapshot& snapshot) {
-  const std::scoped_lock lock(mutex_);
-  latest_ = snapshot;
-  fresh_ = true;
+void SnapshotBox::publish_first(const Snapshot& snapshot) {
+  slaves_.store(snapshot.slaves.size(), std::memory_order_relaxed);
+  publish(snapshot);
+  publish(snapshot);  // into the slot that lay between
 }
 
 bool SnapshotBox::read(Snapshot& out) {
-  const std::scoped_lock lock(mutex_);
-  if (!fresh_) return false;
-  out = latest_;
-  fresh_ = false;
+  if (taken()) return false;
+  slots_[front_].slaves.reserve(slaves_.load(std::memory_order_relaxed));
+  front_ = middle_.exchange(front_, std::memory_order_acq_rel) & kSlot;
+  out = slots_[front_];
   return true;
 }
 

@@ -58,12 +58,12 @@ Status Operation::start(AlState target) {
   snapshot.online = true;
   snapshot.link_up = exchange_.link().describe().up;
   snapshot.requested = target;
-  run_.channels().snapshot.publish_surely(run_.snapshot);
+  run_.channels().snapshot.publish_first(run_.snapshot);
   auto status = through_outages(target, [&](bool again) {
     if (again) esm_.abandon();
     return bring_up(target);
   });
-  run_.channels().snapshot.publish_surely(run_.snapshot);
+  run_.channels().snapshot.publish(run_.snapshot);
   return status;
 }
 
@@ -132,7 +132,7 @@ Status Operation::change_to(AlState target) {
     esm_.abandon();
     return bring_up(target);
   });
-  run_.channels().snapshot.publish_surely(run_.snapshot);
+  run_.channels().snapshot.publish(run_.snapshot);
   return status;
 }
 
@@ -155,7 +155,7 @@ void Operation::stop() {
   }
   run_.snapshot.online = false;
   run_.snapshot.time = clock_.now();
-  run_.channels().snapshot.publish_surely(run_.snapshot);
+  run_.channels().snapshot.publish(run_.snapshot);
 }
 
 /// Who did not come to INIT is named: he goes on driving until somebody else stops him.

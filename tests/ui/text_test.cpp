@@ -15,6 +15,7 @@
 #include "ui/text/sync_text.h"
 #include "ui/text/translations.h"
 #include "ui/text/units.h"
+#include "tests/support/every_event.h"
 
 namespace syncline::ui {
 namespace {
@@ -86,13 +87,8 @@ TEST(SyncText, ShowsTheVerdictAndNothingElse) {
   EXPECT_EQ(masterSync(snapshot).tone, theme::Tone::kBad);
 }
 
-template <class... All>
-std::vector<Event> one_of_each(std::in_place_type_t<std::variant<All...>>) {
-  return {Event{0, -1, All{}}...};
-}
-
 TEST(EventText, EveryKindButProgressHasWords) {
-  for (const auto& event : one_of_each(std::in_place_type<EventDetails>)) {
+  for (const auto& event : test::one_of_each()) {
     const auto message = messageOf(event, Project{});
     ASSERT_EQ(message.has_value(), !event.is<events::ScanProgress>()) << event.what.index();
     const bool has_words = message && !event.is<events::MasterStopped>();

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <thread>
 
 namespace syncline {
@@ -60,6 +61,69 @@ TEST(SnapshotBox, GivesEachNewsOnce) {
   EXPECT_FALSE(box.read(out));
 }
 
+/// Neither thread waits, and what is read is one snapshot, never parts of two.
+TEST(SnapshotBox, IsWholeBetweenTwoThreads) {
+  SnapshotBox box;
+  constexpr std::uint64_t kLast = 100'000;
+  Snapshot in;
+  in.slaves.resize(8);
+  box.publish_first(in);
+  std::thread writer([&] {
+    for (std::uint64_t i = 1; i <= kLast; ++i) {
+      in.cycles = i;
+      for (auto& slave : in.slaves) slave.propagation_delay_ns = static_cast<std::uint32_t>(i);
+      box.publish(in);
+    }
+  });
+  Snapshot out;
+  for (std::uint64_t before = 0; before < kLast; before = out.cycles) {
+    if (!box.read(out)) continue;
+    ASSERT_GE(out.cycles, before);
+    for (const auto& slave : out.slaves) ASSERT_EQ(slave.propagation_delay_ns, out.cycles);
+  }
+  writer.join();
+  EXPECT_FALSE(box.read(out)) << "the newest was read";
+}
+
+TEST(SnapshotBox, KeepsRoomInEverySlotForWhatIsPublishedInACycle) {
+  SnapshotBox box;
+  Snapshot in, out;
+  in.slaves.resize(50);
+  box.publish_first(in);
+  // Whoever reads gives back the slot that he had; that one has never held a snapshot.
+  for (int i = 0; i < 4; ++i) {
+    ASSERT_TRUE(box.read(out));
+    EXPECT_EQ(out.slaves.size(), 50U);
+    box.publish(in);
+  }
+}
+
+TEST(EventQueue, LosesNothingUntoldBetweenTwoThreads) {
+  EventQueue queue(16);
+  constexpr int kCount = 200'000;
+  std::atomic<bool> done{false};
+  std::thread producer([&] {
+    for (int i = 0; i < kCount; ++i) queue.push({i, i, events::SlaveLost{}});
+    done = true;
+  });
+  int told = 0, last = -1;
+  std::uint64_t lost = 0;
+  for (bool at_end = false; !at_end;) {
+    at_end = done;
+    for (const auto& event : queue.drain()) {
+      if (const auto* what = event.as<events::EventsLost>()) {
+        lost += what->count;
+        continue;
+      }
+      ASSERT_GT(event.slave, last);
+      last = event.slave;
+      ++told;
+    }
+  }
+  producer.join();
+  EXPECT_EQ(told + static_cast<int>(lost), kCount);
+}
+
 TEST(EventQueue, TellsHowManyWereLost) {
   EventQueue queue(2);
   for (int i = 0; i < 5; ++i) {
@@ -82,6 +146,15 @@ TEST(CommandQueue, IsFirstInFirstOut) {
   const auto second = queue.pop();
   ASSERT_TRUE(second && std::holds_alternative<RequestStateCommand>(*second));
   EXPECT_EQ(std::get<RequestStateCommand>(*second).state, AlState::kOp);
+  EXPECT_TRUE(queue.empty());
+}
+
+TEST(CommandQueue, SaysSoWhenNobodyListens) {
+  CommandQueue queue;
+  for (std::size_t i = 0; i < CommandQueue::kCapacity; ++i) EXPECT_TRUE(queue.push(ScanCommand{}));
+  EXPECT_FALSE(queue.push(ScanCommand{}));
+  EXPECT_TRUE(queue.pop());
+  EXPECT_TRUE(queue.push(ScanCommand{}));
 }
 
 }  // namespace

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <mutex>
+#include <vector>
+
+#include "cycle_hooks.h"
+#include "master/master_service.h"
+#include "tests/support/simulated_network.h"
+
+namespace syncline {
+namespace {
+
+/// Distributed clocks, servos with polled mailboxes and counters of missed events, a terminal without mailbox.
+test::SimulatedNetwork small_machine() {
+  test::SimulatedNetwork network;
+  network.add(test::io8());
+  network.add(test::servo(), "servo-y");
+  network.add(test::servo(), "servo-y");
+  network.project.master.dc.sync_window.enabled = true;
+  network.project.master.dc.dcm.mode = DcmMode::kBusShift;
+  return network;
+}
+
+/// On the channels, a cycle a step; what the onlooker does between the steps is not counted.
+class RunningCycle : public ::testing::Test {
+ protected:
+  void go_online(const test::SimulatedNetwork& network) {
+    service = std::make_unique<MasterService>(std::make_unique<test::UncountedLink>(network.link(clock)), clock);
+    service->channels().commands.push(GoOnlineCommand{network.compiled(), AlState::kOp});
+    service->run_for(5 * kSecond);
+    look();
+    events.clear();
+    ASSERT_EQ(snapshot.state, AlState::kOp);
+  }
+  void count_for(Nanoseconds duration) {
+    const auto end = clock.now() + duration;
+    for (int step = 0; clock.now() < end; ++step) {
+      {
+        const test::CountingCycle counting(counts);
+        service->step();
+      }
+      if (step % 30 == 0) look();
+    }
+    look();
+  }
+  void look() {
+    auto& channels = service->channels();
+    for (auto& event : channels.events.drain()) events.push_back(std::move(event));
+    channels.snapshot.read(snapshot);
+    samples.clear();
+    channels.samples.pop(samples);
+  }
+  template <class What>
+  [[nodiscard]] bool told() const {
+    return std::ranges::any_of(events, [](const Event& event) { return event.is<What>(); });
+  }
+
+  VirtualClock clock;
+  std::unique_ptr<MasterService> service;
+  std::vector<Event> events;
+  Snapshot snapshot;
+  std::vector<CycleSample> samples;
+  test::CycleCounts counts;
+};
+
+TEST_F(RunningCycle, NeitherAllocatesNorLocks) {
+  go_online(small_machine());
+  count_for(3 * kSecond);
+  EXPECT_EQ(counts.allocations, 0U);
+  EXPECT_EQ(counts.locks, 0U);
+  EXPECT_TRUE(snapshot.slaves[1].sm2_missed.valid) << "mailboxes were asked";
+  EXPECT_EQ(snapshot.dc.state, SyncState::kInSync);
+}
+
+TEST_F(RunningCycle, NeitherAllocatesNorLocksWhenItHasBadNews) {
+  auto network = small_machine();
+  const auto fault = [&](FaultKind kind, int slave, Nanoseconds at, std::uint32_t count) {
+    network.sim.faults.push_back({.kind = kind, .slave = slave, .at = at, .count = count});
+  };
+  fault(FaultKind::kLoseFrames, -1, 6 * kSecond, 2);
+  fault(FaultKind::kBitErrors, 1, 7 * kSecond, 1);
+  network.sim.faults.push_back(
+      {.kind = FaultKind::kClockStep, .slave = 2, .at = 8 * kSecond, .value_ns = 100 * kMicrosecond});
+  go_online(network);
+  count_for(6 * kSecond);
+  EXPECT_EQ(counts.allocations, 0U);
+  EXPECT_EQ(counts.locks, 0U);
+  EXPECT_TRUE(told<events::FramesLost>());
+  EXPECT_TRUE(told<events::PortErrors>());
+  EXPECT_TRUE(told<events::SlavesOutOfSync>());
+  EXPECT_EQ(snapshot.cycles > 0, true);
+}
+
+/// A slave that is gone, told by its cable, its presence, its state and the working counter.
+TEST_F(RunningCycle, NeitherAllocatesNorLocksWhenASlaveGoes) {
+  auto network = small_machine();
+  network.project.master.recovery.automatic = false;
+  network.sim.faults.push_back({.kind = FaultKind::kSlaveOff, .slave = 2, .at = 6 * kSecond, .until = 100 * kSecond});
+  go_online(network);
+  count_for(3 * kSecond);
+  EXPECT_EQ(counts.allocations, 0U);
+  EXPECT_EQ(counts.locks, 0U);
+  EXPECT_TRUE(told<events::SlaveLost>());
+}
+
+TEST(CycleHooks, TheCountingCounts) {
+  test::CycleCounts counts;
+  std::mutex mutex;
+  {
+    const test::CountingCycle counting(counts);
+    const std::scoped_lock lock(mutex);
+    const std::vector<int> memory(100);
+    EXPECT_EQ(memory.size(), 100U);
+    void* volatile plain = std::malloc(10);
+    std::free(plain);
+  }
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+  EXPECT_EQ(counts.locks, 1U);
+  EXPECT_EQ(counts.allocations, 2U);
+#else
+  EXPECT_EQ(counts.allocations, 1U);
+#endif
+}
+
+}  // namespace
+}  // namespace syncline
