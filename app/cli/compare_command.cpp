@@ -7,11 +7,12 @@
 #include "app/cli/counted.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/options.h"
-#include "app/composition/compare_bus.h"
 #include "app/composition/load_config.h"
+#include "app/composition/open_link.h"
 #include "config/compare/compare_configs.h"
 #include "config/compare/compare_run_time.h"
 #include "config/network_compare.h"
+#include "engine/compare_bus.h"
 #include "eni/project_file.h"
 
 namespace syncline::cli {
@@ -77,7 +78,8 @@ Result<Compared> compare_any(const Options& options) {
   Compared out;
   if (is_link(options.right)) {
     const InterruptGuard interrupt;
-    auto bus = compare_bus(left->config, options.right, {.look_only = options.look_only}, &interrupt.interrupted());
+    auto bus =
+        compare_bus(left->config, open_link(options.right), {.look_only = options.look_only}, &interrupt.interrupted());
     if (!bus) return tl::unexpected(bus.error());
     return Compared{std::move(bus->differences), {}, std::move(bus->findings)};
   }

@@ -8,8 +8,9 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/options.h"
 #include "app/composition/load_config.h"
-#include "app/composition/open_bus.h"
+#include "app/composition/open_link.h"
 #include "dc/delay_text.h"
+#include "engine/open_bus.h"
 #include "master/bus_scanner.h"
 #include "master/clock_survey.h"
 #include "master/dc_setup.h"
@@ -42,7 +43,7 @@ Result<Segment> open_segment(const Options& options, const InterruptGuard& inter
     if (!compiled) return tl::unexpected(compiled.error());
     segment.config = std::move(compiled->config);
   }
-  auto open = OpenBus::open(options.link, &interrupt.interrupted());
+  auto open = OpenBus::open(open_link(options.link), &interrupt.interrupted());
   if (!open) return tl::unexpected(open.error());
   segment.open = std::move(*open);
   const auto count = count_slaves(segment.open->bus());

@@ -12,7 +12,7 @@ namespace syncline::cli {
 namespace {
 
 struct Options {
-  VisitRequest slave;
+  SlaveOnLink slave;
   std::string name, file;
   std::uint32_t password = 0;
   bool json = false, boot = false;

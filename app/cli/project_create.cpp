@@ -6,10 +6,11 @@
 #include "app/cli/findings_text.h"
 #include "app/cli/identity_text.h"
 #include "app/cli/interrupt.h"
-#include "app/composition/describe_slaves.h"
-#include "app/composition/scan_bus.h"
+#include "app/composition/open_link.h"
 #include "config/recover/recover_project.h"
 #include "config/settings_keys.h"
+#include "engine/describe_slaves.h"
+#include "engine/scan_bus.h"
 #include "eni/catalogue/esi_catalogue.h"
 #include "eni/eni_file.h"
 #include "eni/project_builder.h"
@@ -69,11 +70,14 @@ Result<Project> build(Context& context, const CreateOptions& options, RecoveredP
     const InterruptGuard interrupt;
     ScanRequest request;
     request.cancel = &interrupt.interrupted();
-    const auto scan = scan_bus(options.scan, request);
+    const auto scan = scan_bus(open_link(options.scan), request);
     if (!scan) return tl::unexpected(scan.error());
     auto built = eni::project_from_scan(*scan, *catalogue);
     if (options.read_dictionaries) {
-      if (auto status = describe_slaves(built, options.scan, request.cancel); !status) return tl::unexpected(status.error());
+      const auto unread = describe_slaves(
+          built.project, [&] { return open_link(options.scan); }, request.cancel);
+      if (!unread) return tl::unexpected(unread.error());
+      built.warnings.insert(built.warnings.end(), unread->begin(), unread->end());
       if (interrupt.interrupted()) return fail(ErrorCode::kCancelled);
     }
     for (const auto& warning : built.warnings) context.warn(warning);

@@ -15,7 +15,8 @@
 #include "app/cli/options.h"
 #include "app/cli/run_json.h"
 #include "app/cli/run_overrides.h"
-#include "app/composition/run_network.h"
+#include "app/composition/open_link.h"
+#include "engine/run_network.h"
 #include "sim/host_profile_file.h"
 #include "support/output_file.h"
 #include "support/whole_file.h"
@@ -157,7 +158,7 @@ void execute(Context& context, const Options& options) {
 
   const InterruptGuard guard;
   request.stop = &guard.interrupted();
-  const auto outcome = run_network(compiled->config, options.link, request);
+  const auto outcome = run_network(compiled->config, open_link(options.link), request);
   lines.tell_all();
   if (!outcome) return context.fail_with(outcome.error());
   files.finish();

@@ -10,8 +10,9 @@
 #include "app/cli/event_text.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/options.h"
-#include "app/composition/scan_bus.h"
+#include "app/composition/open_link.h"
 #include "config/device_description.h"
+#include "engine/scan_bus.h"
 #include "eni/xml_text.h"
 #include "protocol/al_state.h"
 #include "protocol/error_text.h"
@@ -153,7 +154,7 @@ void scan(Context& context, const Options& options) {
     if (!event.is<events::ScanTouchesRunning>()) return;
     context.console.err << "warning: " << event_text(event, event.time) << '\n' << std::flush;
   };
-  const auto found = scan_bus(options.link, request);
+  const auto found = scan_bus(open_link(options.link), request);
   if (!found) return context.fail_with(found.error());
   for (const auto& slave : found->slaves) {
     if (slave.sii_error) context.warn(*slave.sii_error);

@@ -13,7 +13,7 @@ namespace syncline::cli {
 namespace {
 
 struct Options {
-  VisitRequest slave;
+  SlaveOnLink slave;
   std::string object, value, type;
   bool complete = false, json = false;
 };

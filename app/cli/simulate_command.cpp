@@ -8,7 +8,8 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/options.h"
 #include "app/cli/run_json.h"
-#include "app/composition/simulate_bus.h"
+#include "app/composition/load_scenario.h"
+#include "engine/simulate_bus.h"
 #include "protocol/al_state.h"
 
 namespace syncline::cli {
@@ -97,11 +98,9 @@ Json summary_json(const SimulateReport& report) {
 
 void simulate(Context& context, const Options& options) {
   SimulateRequest request;
-  request.scenario = options.scenario;
   request.adapter = options.adapter;
-  request.network = options.network;
   request.spin = static_cast<Nanoseconds>(options.spin_us * 1'000);
-  if (options.has_seed) request.seed = options.seed;
+  const auto seed = options.has_seed ? std::optional(options.seed) : std::nullopt;
   if (!options.duration.empty()) {
     const auto duration = parse_duration(options.duration);
     if (!duration) return context.fail_with(duration.error());
@@ -117,7 +116,7 @@ void simulate(Context& context, const Options& options) {
   };
   const InterruptGuard guard;
   request.stop = &guard.interrupted();
-  const auto report = simulate_bus(request);
+  const auto report = simulate_bus(load_network(options.scenario, options.network, seed), request);
   if (!report) return context.fail_with(report.error());
   if (options.json) {
     result["summary"] = summary_json(*report);

@@ -7,13 +7,14 @@
 #include "app/cli/object_value.h"
 #include "app/cli/options.h"
 #include "app/cli/visit_options.h"
+#include "app/composition/open_link.h"
 #include "master/diagnosis_history_reader.h"
 
 namespace syncline::cli {
 namespace {
 
 struct Options {
-  VisitRequest slave;
+  SlaveOnLink slave;
   std::string state;
   bool json = false;
 };
@@ -88,7 +89,7 @@ void change_state(Context& context, const Options& options) {
     }
     return {};
   };
-  if (auto done = visit_slave(slave, work, true); !done) context.fail_with(done.error());
+  if (auto done = visit_slave(open_link(slave.link), slave, work, true); !done) context.fail_with(done.error());
 }
 
 }  // namespace

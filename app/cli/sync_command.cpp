@@ -12,7 +12,7 @@ namespace syncline::cli {
 namespace {
 
 struct Options {
-  VisitRequest slave;
+  SlaveOnLink slave;
   bool json = false;
 };
 

@@ -5,20 +5,21 @@
 
 #include "app/cli/interrupt.h"
 #include "app/cli/options.h"
+#include "app/composition/open_link.h"
 
 namespace syncline::cli {
 
-void add_slave_options(CLI::App& command, VisitRequest& slave, bool& json) {
+void add_slave_options(CLI::App& command, SlaveOnLink& slave, bool& json) {
   command.add_option("link", slave.link, "LINK")->required();
   command.add_option("position", slave.position, "Position of the slave, 0 is the first")->required();
   command.add_flag("--json", json, "Print JSON");
 }
 
-void with_mailbox(Context& context, VisitRequest slave, const std::function<Status(SlaveVisit&)>& work, bool boot) {
+void with_mailbox(Context& context, SlaveOnLink slave, const std::function<Status(SlaveVisit&)>& work, bool boot) {
   const InterruptGuard interrupt;
   slave.cancel = &interrupt.interrupted();
   slave.on_left = [&context](const Error& error) { context.warn(error); };
-  const auto done = visit_slave(slave, [&](SlaveVisit& visit) -> Status {
+  const auto done = visit_slave(open_link(slave.link), slave, [&](SlaveVisit& visit) -> Status {
     visit.set_emergency_handler([&](const coe::Emergency& emergency) {
       context.console.err << fmt::format("{}: emergency 0x{:04X}, error register 0x{:02X}\n", visit.name(),
                                          emergency.error_code, emergency.error_register);

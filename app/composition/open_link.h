@@ -1,23 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <memory>
 #include <string>
 #include <string_view>
 
-#include "link/link.h"
-#include "link/replay/replay_link.h"
-#include "support/clock.h"
+#include "engine/opened_link.h"
 #include "support/result.h"
 
 namespace syncline {
-
-/// A link and the clock it runs on. The clock outlives the link.
-struct OpenedLink {
-  std::unique_ptr<Clock> clock;
-  std::unique_ptr<Link> link;
-  std::shared_ptr<const ReplayNotes> replay;  // of a capture; null: a bus that lives
-};
 
 /// Opens "sim:FILE[?virtual][&seed=N]", "nic:NAME" or "replay:FILE". Errors name the file, line and key of a scenario,
 /// or the adapter and the command that grants the permission.

@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "app/composition/eeprom_journal.h"
+#include "app/composition/open_link.h"
 #include "support/whole_file.h"
 
 namespace syncline {
@@ -20,7 +21,7 @@ Error with_slave(Error error, std::uint16_t position) {
 
 template <class Work>
 auto with_slave_of(const EepromRequest& request, Work work) -> decltype(work(std::declval<Bus&>(), std::declval<SlaveAddress>())) {
-  auto opened = OpenBus::open_for_slave(request.link, request.position, request.cancel);
+  auto opened = OpenBus::open_for_slave(open_link(request.link), request.position, request.cancel);
   if (!opened) return tl::unexpected(opened.error());
   auto& bus = (*opened)->bus();
   auto result = work(bus, SlaveAddress::at_position(request.position));

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "app/composition/open_bus.h"
+#include "engine/open_bus.h"
 #include "master/sii_writer.h"
 
 namespace syncline {

@@ -11,10 +11,10 @@
 #include "config/network_compare.h"
 #include "config/project.h"
 #include "config/sim_config.h"
+#include "engine/background_master.h"
 #include "eni/check/eni_check.h"
 #include "eni/eni_file.h"
 #include "link/simulated_link.h"
-#include "master/master_service.h"
 #include "protocol/error_text.h"
 #include "sim/sim_bus.h"
 #include "support/clock.h"
@@ -197,17 +197,20 @@ struct Run {
 };
 
 Step<Run> run(const NetworkConfig& config, const SimConfig& sim) {
-  VirtualClock clock;
+  OpenedLink opened;
+  opened.clock = std::make_unique<VirtualClock>();
+  auto& clock = *opened.clock;
   auto bus = sim::SimBus::create(sim, clock.now());
   if (!bus) return failed(TryStep::kRun, describe(bus.error()));
-  MasterService service(make_simulated_link("sim", std::move(*bus), clock), clock);
-  auto& channels = service.channels();
+  opened.link = make_simulated_link("sim", std::move(*bus), clock);
+  const auto master = make_background_master(std::move(opened));
+  auto& channels = master->channels();
   channels.commands.push(GoOnlineCommand{config, AlState::kOp});
   Run run;
   std::vector<CycleSample> samples;
   const auto end = clock.now() + kLimit;
   while (run.good < kCycles && clock.now() < end) {
-    service.run_for(kSlice);
+    master->run_for(kSlice);
     for (const auto& event : channels.events.drain()) {
       if (const auto* failure = event.as<events::Failure>()) return failed(TryStep::kRun, describe(failure->error));
     }

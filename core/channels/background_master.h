@@ -7,7 +7,7 @@
 namespace syncline {
 
 /// The background core as those see it who look at it: its channels, and what makes its time pass. Who builds one knows
-/// link, clock and threads (app/composition). Its end takes the slaves to INIT and waits for its thread.
+/// link, clock and threads (core/engine). Its end takes the slaves to INIT and waits for its thread.
 class BackgroundMaster {
  public:
   virtual ~BackgroundMaster() = default;
@@ -18,6 +18,8 @@ class BackgroundMaster {
   /// of real time.
   virtual void start() = 0;
   [[nodiscard]] virtual bool started() const = 0;
+  /// Waits until the thread has ended; the bus stays as it is.
+  virtual void stop() = 0;
   /// Unless started: one command, to its end, or one cycle in the calling thread. False when there was nothing to do.
   virtual bool step() = 0;
   /// Unless started, on a virtual clock: so much of the machine's time in the calling thread.

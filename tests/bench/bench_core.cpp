@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "app/composition/open_link.h"
-#include "app/composition/run_network.h"
-#include "app/composition/scan_bus.h"
 #include "bench/ratio_report.h"
 #include "channels/master_channels.h"
 #include "config/compile/compile.h"
+#include "engine/run_network.h"
+#include "engine/scan_bus.h"
 #include "eni/catalogue/esi_catalogue.h"
 #include "eni/project_builder.h"
 #include "master/master_service.h"
@@ -149,7 +149,7 @@ void bench_virtual_time(RatioReport& report) {
   const auto link = demo_link(true);
   eni::EsiCatalogue catalogue;
   if (!catalogue.add_folder(resource_folder() + "/esi")) return fail("no ESI files of the demonstration");
-  const auto scan = scan_bus(link);
+  const auto scan = scan_bus(open_link(link));
   if (!scan) return fail(describe(scan.error()));
   auto project = eni::project_from_scan(*scan, catalogue).project;
   const auto compiled = compile(project);
@@ -157,7 +157,7 @@ void bench_virtual_time(RatioReport& report) {
   RunRequest request;
   request.duration = 10 * kSecond;
   const double start = processor_seconds();
-  const auto outcome = run_network(compiled->config, link, request);
+  const auto outcome = run_network(compiled->config, open_link(link), request);
   const double took = processor_seconds() - start;
   if (!outcome) return fail(describe(outcome.error()));
   if (outcome->error) return fail(describe(*outcome->error));

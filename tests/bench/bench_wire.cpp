@@ -9,8 +9,9 @@
 #include <string>
 #include <thread>
 
+#include "app/composition/load_scenario.h"
 #include "app/composition/open_link.h"
-#include "app/composition/simulate_bus.h"
+#include "engine/simulate_bus.h"
 #include "protocol/error_text.h"
 #include "protocol/frame.h"
 #include "protocol/registers.h"
@@ -39,12 +40,11 @@ double thread_us() {
 class ServedBus {
  public:
   ServedBus() {
-    request_.scenario = kMachine;
     request_.adapter = NetNamespace::kBusEnd;
     request_.stop = &stop_;
     request_.on_ready = [this](const SimConfig&, const AdapterInfo&) { ready_ = true; };
     thread_ = std::thread([this] {
-      if (!simulate_bus(request_)) failed_ = true;
+      if (!simulate_bus(load_network(kMachine, 0, {}), request_)) failed_ = true;
       ended_ = true;
     });
     while (!ready_ && !ended_) std::this_thread::yield();

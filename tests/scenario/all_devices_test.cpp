@@ -4,9 +4,10 @@
 
 #include <set>
 
-#include "app/composition/run_network.h"
-#include "app/composition/scan_bus.h"
+#include "app/composition/open_link.h"
 #include "config/compile/compile.h"
+#include "engine/run_network.h"
+#include "engine/scan_bus.h"
 #include "eni/catalogue/esi_catalogue.h"
 #include "eni/project_builder.h"
 #include "protocol/error_text.h"
@@ -17,7 +18,7 @@ namespace {
 
 TEST(AllDevices, AreScannedAndBroughtToOp) {
   const std::string link = "sim:" + test::source_dir() + "/resources/scenarios/all-devices.toml?virtual";
-  const auto scan = scan_bus(link);
+  const auto scan = scan_bus(open_link(link));
   ASSERT_TRUE(scan) << describe(scan.error());
   ASSERT_EQ(scan->slaves.size(), 10U);
   EXPECT_EQ(scan->slaves[9].previous->position, 6) << "three branches leave the junction";
@@ -32,7 +33,7 @@ TEST(AllDevices, AreScannedAndBroughtToOp) {
   ASSERT_TRUE(compiled);
   RunRequest request;
   request.duration = 15 * kSecond;
-  const auto outcome = run_network(compiled->config, link, request);
+  const auto outcome = run_network(compiled->config, open_link(link), request);
   ASSERT_TRUE(outcome);
   EXPECT_FALSE(outcome->error) << describe(*outcome->error);
   EXPECT_EQ(outcome->report.state, AlState::kOp);

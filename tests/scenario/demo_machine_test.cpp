@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "app/composition/open_link.h"
-#include "app/composition/run_network.h"
-#include "app/composition/scan_bus.h"
 #include "config/compile/compile.h"
+#include "engine/run_network.h"
+#include "engine/scan_bus.h"
 #include "eni/catalogue/esi_catalogue.h"
 #include "eni/eni_file.h"
 #include "eni/project_builder.h"
@@ -30,7 +30,7 @@ class DemoMachine : public ::testing::TestWithParam<DcmMode> {
   std::vector<CycleSample> samples;
 
   void SetUp() override {
-    const auto scan = scan_bus(demo());
+    const auto scan = scan_bus(open_link(demo()));
     ASSERT_TRUE(scan);
     eni::EsiCatalogue catalogue;
     ASSERT_TRUE(catalogue.add_folder(test::source_dir() + "/resources/esi"));
@@ -46,7 +46,7 @@ class DemoMachine : public ::testing::TestWithParam<DcmMode> {
     request.duration = duration;
     request.on_event = [this](const Event& event) { events.push_back(event); };
     request.on_samples = [this](std::span<const CycleSample> s) { samples.insert(samples.end(), s.begin(), s.end()); };
-    auto outcome = run_network(compiled->config, link, request);
+    auto outcome = run_network(compiled->config, open_link(link), request);
     EXPECT_TRUE(outcome);
     return outcome ? *outcome : RunOutcome{};
   }
@@ -84,7 +84,7 @@ TEST_P(DemoMachine, CounterOfMissedEventsIsFoundByItsNameWhoeverTheVendorIs) {
   for (const std::size_t drive : {3, 4, 5}) compiled->config.slaves[drive].identity.product_code = 0x7777'0000 + drive;
   RunRequest request;
   request.duration = 10 * kSecond;
-  const auto outcome = run_network(compiled->config, demo(), request);
+  const auto outcome = run_network(compiled->config, open_link(demo()), request);
   ASSERT_TRUE(outcome);
   ASSERT_TRUE(outcome->report.slaves[3].sm2_missed && outcome->report.slaves[5].sm2_missed);
   EXPECT_EQ(outcome->report.slaves[3].sm2_missed->sub_index, 0x0C);
@@ -146,7 +146,7 @@ TEST_P(DemoMachine, RunsTheExportedFileLikeTheProject) {
   ASSERT_TRUE(read);
   RunRequest request;
   request.duration = 8 * kSecond;
-  const auto outcome = run_network(*read, demo(), request);
+  const auto outcome = run_network(*read, open_link(demo()), request);
   ASSERT_TRUE(outcome);
   EXPECT_FALSE(outcome->error);
   EXPECT_EQ(outcome->report.state, AlState::kOp);

@@ -7,8 +7,9 @@
 #include <filesystem>
 #include <map>
 
-#include "app/composition/run_network.h"
+#include "app/composition/open_link.h"
 #include "config/network_compare.h"
+#include "engine/run_network.h"
 #include "eni/eni_file.h"
 #include "protocol/error_text.h"
 #include "support/sample_folder.h"
@@ -87,7 +88,7 @@ TEST_P(SampleEni, RunsOnTheBusThatItDescribes) {
   request.on_event = [&](const Event& event) {
     if (const auto* failure = event.as<events::Failure>()) events.push_back(describe(failure->error));
   };
-  const auto outcome = run_network(*config, "sim:" + path_ + "?virtual", request);
+  const auto outcome = run_network(*config, open_link("sim:" + path_ + "?virtual"), request);
   ASSERT_TRUE(outcome) << describe(outcome.error());
   EXPECT_FALSE(outcome->error) << describe(*outcome->error);
   EXPECT_EQ(outcome->report.state, AlState::kOp) << testing::PrintToString(events);

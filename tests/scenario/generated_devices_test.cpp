@@ -7,9 +7,10 @@
 #include <filesystem>
 #include <fstream>
 
-#include "app/composition/run_network.h"
-#include "app/composition/scan_bus.h"
+#include "app/composition/open_link.h"
 #include "config/compile/compile.h"
+#include "engine/run_network.h"
+#include "engine/scan_bus.h"
 #include "eni/catalogue/esi_catalogue.h"
 #include "eni/project_builder.h"
 #include "protocol/error_text.h"
@@ -74,7 +75,7 @@ TEST(GeneratedDevices, BusOfAllEepromImagesShowsTheirIdentities) {
   }
   ASSERT_GT(used.size(), others ? 10U : 5U);
   const ScenarioFile file(text);
-  const auto scan = scan_bus(file.link());
+  const auto scan = scan_bus(open_link(file.link()));
   ASSERT_TRUE(scan) << describe(scan.error());
   ASSERT_EQ(scan->slaves.size(), used.size());
   for (std::size_t i = 0; i < used.size(); ++i) {
@@ -93,7 +94,7 @@ TEST(GeneratedDevices, EsiFilesOfTheFieldBecomeSlavesThatReachPreop) {
     // The largest files have hundreds of devices; the first of a file stands for its style.
     if (entry.path().extension() != ".xml" || ++files > 40) continue;
     const ScenarioFile file("[[slave]]\nesi = '" + entry.path().string() + "'\n");
-    const auto scan = scan_bus(file.link());
+    const auto scan = scan_bus(open_link(file.link()));
     if (!scan) continue;  // EtherCAT modules and files without devices
     ASSERT_EQ(scan->slaves.size(), 1U);
     EXPECT_FALSE(scan->slaves[0].sii_error) << entry.path() << describe(*scan->slaves[0].sii_error);
@@ -103,7 +104,7 @@ TEST(GeneratedDevices, EsiFilesOfTheFieldBecomeSlavesThatReachPreop) {
     RunRequest request;
     request.target = AlState::kPreop;
     request.duration = 5 * kSecond;
-    const auto outcome = run_network(compiled->config, file.link(), request);
+    const auto outcome = run_network(compiled->config, open_link(file.link()), request);
     ASSERT_TRUE(outcome) << entry.path();
     EXPECT_EQ(outcome->report.state, AlState::kPreop)
         << entry.path() << ": " << (outcome->error ? describe(*outcome->error) : "");
@@ -114,7 +115,7 @@ TEST(GeneratedDevices, EsiFilesOfTheFieldBecomeSlavesThatReachPreop) {
 
 TEST(LargeScenarios, ThousandSlavesAreScannedAndBroughtToOp) {
   const auto link = "sim:" + scenario("thousand.toml") + "?virtual";
-  const auto scan = scan_bus(link);
+  const auto scan = scan_bus(open_link(link));
   ASSERT_TRUE(scan) << describe(scan.error());
   ASSERT_EQ(scan->slaves.size(), 1'000U);
   EXPECT_EQ(scan->slaves[999].previous->position, 998);
@@ -126,7 +127,7 @@ TEST(LargeScenarios, ThousandSlavesAreScannedAndBroughtToOp) {
   ASSERT_TRUE(compiled);
   RunRequest request;
   request.duration = 20 * kSecond;
-  const auto outcome = run_network(compiled->config, link, request);
+  const auto outcome = run_network(compiled->config, open_link(link), request);
   ASSERT_TRUE(outcome);
   EXPECT_FALSE(outcome->error) << describe(*outcome->error);
   EXPECT_EQ(outcome->report.state, AlState::kOp);
@@ -136,11 +137,11 @@ TEST(LargeScenarios, ThousandSlavesAreScannedAndBroughtToOp) {
 TEST(LargeScenarios, NetworksOfOneScenarioDifferOnlyInTheirRandomProcesses) {
   const auto link = "sim:" + scenario("sixteen-networks.toml") + "?virtual&network=";
   for (const auto* network : {"0", "7", "15"}) {
-    const auto scan = scan_bus(link + network);
+    const auto scan = scan_bus(open_link(link + network));
     ASSERT_TRUE(scan) << describe(scan.error());
     EXPECT_EQ(scan->slaves.size(), 100U);
   }
-  const auto beyond = scan_bus(link + "16");
+  const auto beyond = scan_bus(open_link(link + "16"));
   ASSERT_FALSE(beyond);
   EXPECT_EQ(beyond.error().code, ErrorCode::kBadValue);
 }

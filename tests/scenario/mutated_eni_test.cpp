@@ -4,7 +4,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "app/composition/run_network.h"
+#include "app/composition/open_link.h"
+#include "engine/run_network.h"
 #include "eni/check/eni_check.h"
 #include "eni/eni_file.h"
 #include "eni/xml_text.h"
@@ -25,7 +26,7 @@ std::size_t findings(const std::string& text) {
 bool runs(const NetworkConfig& config, const std::string& bus) {
   RunRequest request;
   request.duration = 4 * kSecond;
-  const auto outcome = run_network(config, "sim:" + bus + "?virtual", request);
+  const auto outcome = run_network(config, open_link("sim:" + bus + "?virtual"), request);
   return outcome && !outcome->error && outcome->report.state == AlState::kOp && outcome->report.wkc_errors == 0;
 }
 

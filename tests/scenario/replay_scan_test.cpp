@@ -5,9 +5,10 @@
 
 #include <filesystem>
 
-#include "app/composition/run_network.h"
-#include "app/composition/scan_bus.h"
+#include "app/composition/open_link.h"
 #include "config/compile/compile.h"
+#include "engine/run_network.h"
+#include "engine/scan_bus.h"
 #include "eni/catalogue/esi_catalogue.h"
 #include "eni/project_builder.h"
 #include "protocol/error_text.h"
@@ -29,7 +30,7 @@ class OwnCapture : public testing::Test {
 };
 
 TEST_F(OwnCapture, ScanOfTheCaptureIsTheScanOfTheBusAsFarAsItWasLookedAt) {
-  const auto scan = scan_bus(demo());
+  const auto scan = scan_bus(open_link(demo()));
   ASSERT_TRUE(scan);
   eni::EsiCatalogue catalogue;
   ASSERT_TRUE(catalogue.add_folder(test::source_dir() + "/resources/esi"));
@@ -39,9 +40,9 @@ TEST_F(OwnCapture, ScanOfTheCaptureIsTheScanOfTheBusAsFarAsItWasLookedAt) {
   request.target = AlState::kPreop;
   request.duration = 8 * kSecond;
   request.capture = path_;
-  ASSERT_TRUE(run_network(compiled->config, demo(), request));
+  ASSERT_TRUE(run_network(compiled->config, open_link(demo()), request));
 
-  const auto replayed = scan_bus("replay:" + path_);
+  const auto replayed = scan_bus(open_link("replay:" + path_));
   ASSERT_TRUE(replayed) << describe(replayed.error());
   ASSERT_EQ(replayed->slaves.size(), scan->slaves.size());
   for (std::size_t i = 0; i < scan->slaves.size(); ++i) {
@@ -61,7 +62,7 @@ class RecordedBuses : public testing::TestWithParam<Known> {};
 
 TEST_P(RecordedBuses, AreScannedFromTheirCaptures) {
   SYNCLINE_SAMPLE(path, std::string("pcap/") + GetParam().file);
-  const auto scan = scan_bus("replay:" + path);
+  const auto scan = scan_bus(open_link("replay:" + path));
   ASSERT_TRUE(scan) << describe(scan.error());
   std::vector<std::uint32_t> products;
   for (const auto& slave : scan->slaves) products.push_back(slave.identity.product_code);
@@ -83,7 +84,7 @@ INSTANTIATE_TEST_SUITE_P(Samples, RecordedBuses, testing::Values(
 
 /// A capture of our own: coupler and four terminals.
 TEST(RecordedBus, OurCaptureShowsItsSlavesAndTheirWiring) {
-  const auto scan = scan_bus("replay:" + (test::own_samples("pcap") / "scan_of_a_row.pcapng").string());
+  const auto scan = scan_bus(open_link("replay:" + (test::own_samples("pcap") / "scan_of_a_row.pcapng").string()));
   ASSERT_TRUE(scan) << describe(scan.error());
   std::vector<std::uint32_t> products;
   for (const auto& slave : scan->slaves) products.push_back(slave.identity.product_code);
@@ -96,7 +97,7 @@ TEST(RecordedBus, OurCaptureShowsItsSlavesAndTheirWiring) {
 
 TEST(RecordedBus, WiringIsThatOfTheCapture) {
   SYNCLINE_SAMPLE(path, "pcap/ethercrab-rs__ethercrab__replay-dc.pcapng");
-  const auto scan = scan_bus("replay:" + path);
+  const auto scan = scan_bus(open_link("replay:" + path));
   ASSERT_TRUE(scan) << describe(scan.error());
   ASSERT_EQ(scan->slaves.size(), 3U);
   EXPECT_FALSE(scan->slaves[0].previous);

@@ -5,7 +5,8 @@
 #include <string>
 #include <thread>
 
-#include "app/composition/simulate_bus.h"
+#include "app/composition/load_scenario.h"
+#include "engine/simulate_bus.h"
 #include "support/net_namespace.h"
 
 namespace syncline::test {
@@ -14,12 +15,11 @@ namespace syncline::test {
 class ServedBus {
  public:
   explicit ServedBus(const std::string& scenario) {
-    request_.scenario = scenario;
     request_.adapter = NetNamespace::kBusEnd;
     request_.stop = &stop_;
     request_.on_ready = [this](const SimConfig&, const AdapterInfo&) { ready_ = true; };
-    thread_ = std::thread([this] {
-      report_ = simulate_bus(request_);
+    thread_ = std::thread([this, scenario] {
+      report_ = simulate_bus(load_network(scenario, 0, {}), request_);
       ended_ = true;
     });
     while (!ready_ && !ended_) std::this_thread::yield();

@@ -7,11 +7,12 @@
 #include <algorithm>
 #include <thread>
 
+#include "app/composition/load_scenario.h"
 #include "app/composition/open_link.h"
-#include "app/composition/run_network.h"
-#include "app/composition/scan_bus.h"
-#include "app/composition/simulate_bus.h"
 #include "config/compile/compile.h"
+#include "engine/run_network.h"
+#include "engine/scan_bus.h"
+#include "engine/simulate_bus.h"
 #include "eni/catalogue/esi_catalogue.h"
 #include "eni/project_builder.h"
 #include "protocol/error_text.h"
@@ -40,8 +41,8 @@ class VethBus : public testing::Test {
 
 TEST_F(VethBus, ScanOverTheWireFindsWhatTheScenarioSays) {
   ServedBus bus(kMachine);
-  const auto simulated = scan_bus("sim:" + kMachine + "?virtual");
-  const auto wired = scan_bus(kMasterLink);
+  const auto simulated = scan_bus(open_link("sim:" + kMachine + "?virtual"));
+  const auto wired = scan_bus(open_link(kMasterLink));
   ASSERT_TRUE(simulated);
   ASSERT_TRUE(wired) << wired.error().detail;
   ASSERT_EQ(wired->slaves.size(), simulated->slaves.size());
@@ -109,16 +110,15 @@ TEST_F(VethBus, WhatIsNoGoodFrameDoesNotComeBack) {
 
 TEST_F(VethBus, MissingAndSleepingAdaptersAreNamedWithTheRemedy) {
   SimulateRequest request;
-  request.scenario = kMachine;
   request.adapter = "no-such-card";
-  auto report = simulate_bus(request);
+  auto report = simulate_bus(load_network(kMachine, 0, {}), request);
   ASSERT_FALSE(report);
   EXPECT_EQ(report.error().code, ErrorCode::kLinkNotFound);
   EXPECT_THAT(report.error().detail, testing::HasSubstr(NetNamespace::kBusEnd));
 
   request.adapter = NetNamespace::kBusEnd;
   ASSERT_TRUE(NetNamespace::set_up(NetNamespace::kBusEnd, false));
-  report = simulate_bus(request);
+  report = simulate_bus(load_network(kMachine, 0, {}), request);
   ASSERT_FALSE(report);
   EXPECT_EQ(report.error().code, ErrorCode::kLinkDown);
   EXPECT_EQ(report.error().detail, std::string("sudo ip link set ") + NetNamespace::kBusEnd + " up");
@@ -130,11 +130,11 @@ TEST_F(VethBus, AnAdapterThatGoesAwayIsWaitedFor) {
     return std::system((std::string("ip link set ") + NetNamespace::kBusEnd + " " + state).c_str());
   };
   ASSERT_EQ(set("down"), 0);
-  EXPECT_FALSE(scan_bus(kMasterLink));
+  EXPECT_FALSE(scan_bus(open_link(kMasterLink)));
   ASSERT_EQ(set("up"), 0);
   std::size_t found = 0;
   for (int tries = 0; found == 0 && tries < 50; ++tries) {
-    if (const auto scan = scan_bus(kMasterLink)) found = scan->slaves.size();
+    if (const auto scan = scan_bus(open_link(kMasterLink))) found = scan->slaves.size();
   }
   EXPECT_EQ(found, 9U);
   EXPECT_TRUE(bus.finish());
@@ -142,7 +142,7 @@ TEST_F(VethBus, AnAdapterThatGoesAwayIsWaitedFor) {
 
 TEST_F(VethBus, MasterBringsTheMachineToOp) {
   ServedBus bus(kMachine);
-  const auto scan = scan_bus(kMasterLink);
+  const auto scan = scan_bus(open_link(kMasterLink));
   ASSERT_TRUE(scan);
   eni::EsiCatalogue catalogue;
   ASSERT_TRUE(catalogue.add_folder(test::source_dir() + "/resources/esi"));
@@ -167,7 +167,7 @@ TEST_F(VethBus, MasterBringsTheMachineToOp) {
     if (change != nullptr && event.slave == -1 && change->to == AlState::kOp) there = true;
     if (const auto* failure = event.as<events::Failure>()) errors.push_back(describe(failure->error));
   };
-  const auto outcome = run_network(compiled->config, kMasterLink, request);
+  const auto outcome = run_network(compiled->config, open_link(kMasterLink), request);
   ASSERT_TRUE(outcome);
   EXPECT_TRUE(there) << testing::PrintToString(errors);
   const auto report = bus.finish();

@@ -9,9 +9,10 @@
 #include <filesystem>
 #include <memory>
 
-#include "app/composition/run_network.h"
-#include "app/composition/scan_bus.h"
+#include "app/composition/open_link.h"
 #include "config/compile/compile.h"
+#include "engine/run_network.h"
+#include "engine/scan_bus.h"
 #include "eni/catalogue/esi_catalogue.h"
 #include "eni/project_builder.h"
 #include "tests/support/source_dir.h"
@@ -45,7 +46,7 @@ class Wireshark : public testing::Test {
 
 TEST_F(Wireshark, FindsNothingMalformedInABringUpAndAMinuteOfOperation) {
   const std::string link = "sim:" + test::source_dir() + "/resources/demo/machine.toml?virtual";
-  const auto scan = scan_bus(link);
+  const auto scan = scan_bus(open_link(link));
   ASSERT_TRUE(scan);
   eni::EsiCatalogue catalogue;
   ASSERT_TRUE(catalogue.add_folder(test::source_dir() + "/resources/esi"));
@@ -56,7 +57,7 @@ TEST_F(Wireshark, FindsNothingMalformedInABringUpAndAMinuteOfOperation) {
   RunRequest request;
   request.duration = 65 * kSecond;
   request.capture = capture_;
-  const auto outcome = run_network(compiled->config, link, request);
+  const auto outcome = run_network(compiled->config, open_link(link), request);
   ASSERT_TRUE(outcome);
   ASSERT_EQ(outcome->report.state, AlState::kOp);
 

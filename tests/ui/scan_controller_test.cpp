@@ -24,7 +24,7 @@ class ScanWithoutEsi : public ::testing::Test {
 
 TEST_F(ScanWithoutEsi, SlavesTellWhatTheyAre) {
   const auto environment = test::virtualEnvironment();
-  ui::ScanController scan(environment.open_master, environment.describe_slaves, {});
+  ui::ScanController scan(environment.scan_bus, environment.describe_slaves, {});
   std::optional<eni::BuiltProject> built;
   QObject::connect(&scan, &ui::ScanController::finished, &scan,
                    [&built](const QString&, const eni::BuiltProject& found) { built = found; });

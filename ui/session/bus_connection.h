@@ -9,20 +9,26 @@
 #include <vector>
 
 #include "channels/background_master.h"
-#include "eni/project_builder.h"
+#include "channels/bus_scan.h"
+#include "channels/event.h"
+#include "config/project.h"
 #include "support/result.h"
 #include "ui/session/eeprom_repair.h"
 
 namespace syncline::ui {
 
-/// Makes a master on the bus behind a LINK text ("sim:FILE", "nic:NAME"). Called from the window's thread and from the
-/// scan's.
+/// Makes a master on the bus behind a LINK text ("sim:FILE", "nic:NAME"). Called from the window's thread.
 using MasterOpener = std::function<Result<std::unique_ptr<BackgroundMaster>>(const QString& link)>;
 
+/// Scans the bus behind a LINK text. `tell` gets progress and warnings, in the calling thread; ends early when
+/// `cancelled`. Called from the scan's thread.
+using BusScanner = std::function<Result<BusScan>(const QString& link, const std::atomic<bool>& cancelled,
+                                                 const std::function<void(const Event&)>& tell)>;
+
 /// Completes the slaves of a scan of `link` that have no ESI with what they tell themselves; what could not be read is
-/// a warning of the project. Called from the scan's thread; ends early when `cancelled`.
-using SlaveDescriber =
-    std::function<Status(eni::BuiltProject& built, const QString& link, const std::atomic<bool>& cancelled)>;
+/// returned. Called from the scan's thread; ends early when `cancelled`.
+using SlaveDescriber = std::function<Result<std::vector<Error>>(Project& project, const QString& link,
+                                                                const std::atomic<bool>& cancelled)>;
 
 /// A network adapter that can carry EtherCAT.
 struct NetworkAdapter {
@@ -35,6 +41,7 @@ using AdapterLister = std::function<Result<std::vector<NetworkAdapter>>()>;
 /// What the program that hosts the window knows and the window does not: given once at construction.
 struct Environment {
   MasterOpener open_master;
+  BusScanner scan_bus;
   SlaveDescriber describe_slaves{};  // none: slaves stay as their EEPROM describes them
   AdapterLister list_adapters{};     // none: there are no network adapters
   QString demo_link;                 // LINK of the demonstration machine

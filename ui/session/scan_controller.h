@@ -22,7 +22,7 @@ class ScanController final : public QObject {
 
  public:
   /// `describe` may be empty.
-  ScanController(MasterOpener opener, SlaveDescriber describe, QStringList esi_folders, QObject* parent = nullptr);
+  ScanController(BusScanner scanner, SlaveDescriber describe, QStringList esi_folders, QObject* parent = nullptr);
   ~ScanController() override;
 
   /// No-op while a scan runs.
@@ -41,10 +41,10 @@ class ScanController final : public QObject {
 
  private:
   Result<eni::BuiltProject> run(const QString& link);
-  Result<BusScan> scan(const QString& link);
+  void tell(const Event& event);
   void deliver(const QString& link, Result<eni::BuiltProject> result);
 
-  MasterOpener opener_;
+  BusScanner scanner_;
   SlaveDescriber describe_;
   QStringList esi_folders_;
   std::thread worker_;

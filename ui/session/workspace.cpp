@@ -12,7 +12,7 @@ Workspace::Workspace(Environment environment, QObject* parent)
     : QObject(parent),
       environment_(std::move(environment)),
       configuration_(document_),
-      scan_(environment_.open_master, environment_.describe_slaves, environment_.esi_folders),
+      scan_(environment_.scan_bus, environment_.describe_slaves, environment_.esi_folders),
       eeprom_repair_(environment_.eeprom_repairs),
       live_(environment_.open_master),
       run_findings_(live_) {

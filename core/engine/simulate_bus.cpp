@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/composition/simulate_bus.h"
+#include "engine/simulate_bus.h"
 
-#include "app/composition/load_scenario.h"
 #include "protocol/registers.h"
 #include "support/byte_order.h"
 #include "support/real_time.h"
@@ -19,8 +18,7 @@ std::uint16_t peek16(const sim::SimBus& bus, std::size_t position, std::uint16_t
 
 }  // namespace
 
-Result<SimulateReport> simulate_bus(const SimulateRequest& request) {
-  const auto segment = load_network(request.scenario, request.network, request.seed);
+Result<SimulateReport> simulate_bus(const Result<SimConfig>& segment, const SimulateRequest& request) {
   if (!segment) return tl::unexpected(segment.error());
   RealClock clock;
   auto port = RawPort::open(request.adapter, clock);

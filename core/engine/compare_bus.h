@@ -2,10 +2,10 @@
 #pragma once
 
 #include <atomic>
-#include <string_view>
 #include <vector>
 
 #include "config/compare/compare_configs.h"
+#include "engine/opened_link.h"
 #include "master/bus_scanner.h"
 #include "support/result.h"
 
@@ -17,8 +17,9 @@ struct ComparedBus {
   std::size_t running = 0;                    // slaves in SAFEOP or OP, whose registers were compared, too
 };
 
-/// Scans the bus behind a LINK and compares it with a configuration. Errors as scan_bus().
-[[nodiscard]] Result<ComparedBus> compare_bus(const NetworkConfig& config, std::string_view link,
-                                              const ScanOptions& options = {}, const std::atomic<bool>* cancel = nullptr);
+/// Scans the bus and compares it with a configuration. Errors as scan_bus().
+[[nodiscard]] Result<ComparedBus> compare_bus(const NetworkConfig& config, Result<OpenedLink> link,
+                                              const ScanOptions& options = {},
+                                              const std::atomic<bool>* cancel = nullptr);
 
 }  // namespace syncline

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/composition/visit_slave.h"
+#include "engine/visit_slave.h"
+
+#include <utility>
 
 namespace syncline {
 
-Status visit_slave(const VisitRequest& request, const std::function<Status(SlaveVisit&)>& work, bool keep_state) {
-  auto opened = OpenBus::open_for_slave(request.link, request.position, request.cancel);
+Status visit_slave(Result<OpenedLink> link, const VisitRequest& request, const std::function<Status(SlaveVisit&)>& work,
+                   bool keep_state) {
+  auto opened = OpenBus::open_for_slave(std::move(link), request.position, request.cancel);
   if (!opened) return tl::unexpected(opened.error());
   auto& bus = (*opened)->bus();
   SlaveVisit visit(bus, request.position);

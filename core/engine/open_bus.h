@@ -4,24 +4,24 @@
 #include <atomic>
 #include <memory>
 #include <string>
-#include <string_view>
 
-#include "app/composition/capture_file.h"
-#include "app/composition/open_link.h"
+#include "engine/capture_file.h"
+#include "engine/opened_link.h"
 #include "master/bus.h"
 
 namespace syncline {
 
-/// Acyclic access to the slaves behind a LINK, for as long as it lives.
+/// Acyclic access to the slaves behind a link, for as long as it lives.
 class OpenBus {
  public:
-  /// `cancel` ends what runs on the bus; may be nullptr. `capture`: see capture_to(). Errors as open_link() and
-  /// capture_to().
-  [[nodiscard]] static Result<std::unique_ptr<OpenBus>> open(std::string_view link, const std::atomic<bool>* cancel = nullptr,
-                                                            const std::string& capture = {});
+  /// `cancel` ends what runs on the bus; may be nullptr. `capture`: see capture_to(). Errors of `link`
+  /// and as capture_to().
+  [[nodiscard]] static Result<std::unique_ptr<OpenBus>> open(Result<OpenedLink> link,
+                                                             const std::atomic<bool>* cancel = nullptr,
+                                                             const std::string& capture = {});
   /// The same, for a slave that must be there. kNoResponse when it is not.
-  [[nodiscard]] static Result<std::unique_ptr<OpenBus>> open_for_slave(std::string_view link, std::uint16_t position,
-                                                                      const std::atomic<bool>* cancel = nullptr);
+  [[nodiscard]] static Result<std::unique_ptr<OpenBus>> open_for_slave(Result<OpenedLink> link, std::uint16_t position,
+                                                                       const std::atomic<bool>* cancel = nullptr);
   OpenBus(const OpenBus&) = delete;
   OpenBus& operator=(const OpenBus&) = delete;
 

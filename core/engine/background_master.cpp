@@ -1,26 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/composition/background_master.h"
+#include "engine/background_master.h"
 
 #include <utility>
 
-#include "app/composition/open_link.h"
-#include "app/composition/virtual_pacer.h"
+#include "engine/virtual_pacer.h"
 #include "master/master_service.h"
 
 namespace syncline {
 namespace {
 
-class ComposedMaster final : public BackgroundMaster {
+class ServedMaster final : public BackgroundMaster {
  public:
-  explicit ComposedMaster(OpenedLink opened)
+  explicit ServedMaster(OpenedLink opened)
       : clock_(std::move(opened.clock)), service_(std::move(opened.link), *clock_) {}
-  ~ComposedMaster() override {
-    pacer_.reset();
-    thread_.reset();
+  ~ServedMaster() override {
+    end_thread();
     service_.shut_down();
   }
-  ComposedMaster(const ComposedMaster&) = delete;
-  ComposedMaster& operator=(const ComposedMaster&) = delete;
+  ServedMaster(const ServedMaster&) = delete;
+  ServedMaster& operator=(const ServedMaster&) = delete;
 
   [[nodiscard]] MasterChannels& channels() override { return service_.channels(); }
   [[nodiscard]] bool is_virtual() const override { return clock_->is_virtual(); }
@@ -33,11 +31,16 @@ class ComposedMaster final : public BackgroundMaster {
     }
   }
   [[nodiscard]] bool started() const override { return thread_ || pacer_; }
+  void stop() override { end_thread(); }
   bool step() override { return service_.step(); }
   void run_for(Nanoseconds duration) override { service_.run_for(duration); }
   [[nodiscard]] bool online() const override { return service_.online(); }
 
  private:
+  void end_thread() {
+    pacer_.reset();
+    thread_.reset();
+  }
   // In this order: the thread ends before the service, the service before the clock.
   std::unique_ptr<Clock> clock_;
   MasterService service_;
@@ -47,10 +50,8 @@ class ComposedMaster final : public BackgroundMaster {
 
 }  // namespace
 
-Result<std::unique_ptr<BackgroundMaster>> open_background_master(std::string_view link) {
-  auto opened = open_link(link);
-  if (!opened) return tl::unexpected(opened.error());
-  return std::make_unique<ComposedMaster>(std::move(*opened));
+std::unique_ptr<BackgroundMaster> make_background_master(OpenedLink link) {
+  return std::make_unique<ServedMaster>(std::move(link));
 }
 
 }  // namespace syncline

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/composition/open_bus.h"
+#include "engine/open_bus.h"
 
 #include <fmt/format.h>
 
@@ -10,22 +10,24 @@
 namespace syncline {
 
 OpenBus::OpenBus(OpenedLink opened, std::shared_ptr<const CaptureState> capture, const std::atomic<bool>* cancel)
-    : capture_(std::move(capture)), opened_(std::move(opened)), exchange_(*opened_.link, *opened_.clock), bus_(exchange_, *opened_.clock, cancel) {
+    : capture_(std::move(capture)),
+      opened_(std::move(opened)),
+      exchange_(*opened_.link, *opened_.clock),
+      bus_(exchange_, *opened_.clock, cancel) {
   exchange_.set_addresses({0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF}, opened_.link->describe().mac);
 }
 
-Result<std::unique_ptr<OpenBus>> OpenBus::open(std::string_view link, const std::atomic<bool>* cancel,
+Result<std::unique_ptr<OpenBus>> OpenBus::open(Result<OpenedLink> link, const std::atomic<bool>* cancel,
                                                const std::string& capture) {
-  auto opened = open_link(link);
-  if (!opened) return tl::unexpected(opened.error());
-  auto state = capture_to(capture, *opened);
+  if (!link) return tl::unexpected(link.error());
+  auto state = capture_to(capture, *link);
   if (!state) return tl::unexpected(state.error());
-  return std::unique_ptr<OpenBus>(new OpenBus(std::move(*opened), std::move(*state), cancel));
+  return std::unique_ptr<OpenBus>(new OpenBus(std::move(*link), std::move(*state), cancel));
 }
 
-Result<std::unique_ptr<OpenBus>> OpenBus::open_for_slave(std::string_view link, std::uint16_t position,
+Result<std::unique_ptr<OpenBus>> OpenBus::open_for_slave(Result<OpenedLink> link, std::uint16_t position,
                                                          const std::atomic<bool>* cancel) {
-  auto opened = open(link, cancel);
+  auto opened = open(std::move(link), cancel);
   if (!opened) return opened;
   const auto count = count_slaves((*opened)->bus());
   if (!count) return tl::unexpected(count.error());

@@ -4,10 +4,10 @@
 #include <atomic>
 #include <functional>
 #include <string>
-#include <string_view>
 
 #include "channels/bus_scan.h"
 #include "channels/event.h"
+#include "engine/opened_link.h"
 #include "master/bus_scanner.h"
 #include "support/result.h"
 
@@ -15,13 +15,13 @@ namespace syncline {
 
 struct ScanRequest {
   ScanOptions options;
-  std::function<void(const Event&)> on_event{};   // progress and warnings, while the scan runs
+  std::function<void(const Event&)> on_event{};  // progress and warnings, while the scan runs
   const std::atomic<bool>* cancel = nullptr;
-  std::string capture{};                          // pcapng file of every frame; "" for none
+  std::string capture{};                                // pcapng file of every frame; "" for none
   std::function<void(const Error&)> on_capture_lost{};  // writing it failed; the scan goes on
 };
 
-/// Opens `link`, scans the bus in the calling thread and closes it again.
-[[nodiscard]] Result<BusScan> scan_bus(std::string_view link, const ScanRequest& request = {});
+/// Scans the bus in the calling thread and closes the link. Errors of `link` pass through.
+[[nodiscard]] Result<BusScan> scan_bus(Result<OpenedLink> link, const ScanRequest& request = {});
 
 }  // namespace syncline

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/composition/virtual_pacer.h"
+#include "engine/virtual_pacer.h"
 
 #include <algorithm>
 #include <chrono>

@@ -10,6 +10,6 @@
 namespace syncline {
 
 /// A master on the bus that `link` names (see open_link(), whose errors these are). Nothing runs yet.
-[[nodiscard]] Result<std::unique_ptr<BackgroundMaster>> open_background_master(std::string_view link);
+[[nodiscard]] Result<std::unique_ptr<BackgroundMaster>> open_master(std::string_view link);
 
 }  // namespace syncline

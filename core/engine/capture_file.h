@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "app/composition/open_link.h"
+#include "engine/opened_link.h"
 #include "link/capture_tap.h"
 
 namespace syncline {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/composition/run_network.h"
+#include "engine/run_network.h"
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
-#include "app/composition/capture_file.h"
-#include "app/composition/open_link.h"
-#include "master/master_service.h"
+#include "engine/background_master.h"
+#include "engine/capture_file.h"
 
 namespace syncline {
 namespace {
@@ -14,22 +14,11 @@ namespace {
 /// Small enough that the sample ring never fills between two drains, at the shortest cycle too.
 constexpr Nanoseconds kDrainPeriod = 100 * kMillisecond;
 
-/// Whatever ends a run, an exception too: the slaves go to INIT.
-class AtTheEnd {
- public:
-  explicit AtTheEnd(MasterService& service) : service_(service) {}
-  ~AtTheEnd() { service_.shut_down(); }
-  AtTheEnd(const AtTheEnd&) = delete;
-  AtTheEnd& operator=(const AtTheEnd&) = delete;
-
- private:
-  MasterService& service_;
-};
-
 /// Tells once when the capture is lost.
 class CaptureWatch {
  public:
-  CaptureWatch(std::shared_ptr<const CaptureState> state, const RunRequest& request) : state_(std::move(state)), request_(request) {}
+  CaptureWatch(std::shared_ptr<const CaptureState> state, const RunRequest& request)
+      : state_(std::move(state)), request_(request) {}
   void look() {
     if (!state_ || !state_->failed()) return;
     if (request_.on_capture_lost) request_.on_capture_lost(state_->error());
@@ -62,8 +51,8 @@ class Drain {
       if (const auto* failure = event.as<events::Failure>(); failure && !error_) error_ = failure->error;
     }
   }
-  /// What happened before the end and is told only now; how the bus was left is no part of the run. The error when slaves
-  /// were not left in INIT.
+  /// What happened before the end and is told only now; how the bus was left is no part of the run. The error when
+  /// slaves were not left in INIT.
   std::optional<Error> rest() {
     const auto end = snapshot_.time;
     std::optional<Error> left_behind;
@@ -89,57 +78,56 @@ class Drain {
 
 bool stopped(const RunRequest& request) { return request.stop != nullptr && request.stop->load(); }
 
-/// The link goes to the service and with it.
-RunOutcome run_on(OpenedLink& opened, const NetworkConfig& config, const RunRequest& request, CaptureWatch& capture) {
-  MasterService service(std::move(opened.link), *opened.clock);
-  const AtTheEnd at_the_end(service);
-  auto& channels = service.channels();
+/// The master goes at the end, and takes the slaves to INIT whatever ends the run, an exception too.
+RunOutcome run_on(std::unique_ptr<BackgroundMaster> master, Clock& clock, const NetworkConfig& config,
+                  const RunRequest& request, CaptureWatch& capture) {
+  auto& channels = master->channels();
   Drain drain(channels, config, request, capture);
   channels.commands.push(GoOnlineCommand{config, request.target});
-  const auto end = opened.clock->now() + request.duration;
+  const auto end = clock.now() + request.duration;
 
-  if (opened.clock->is_virtual()) {
-    while (opened.clock->now() < end && !stopped(request) && !drain.failed()) {
-      service.run_for(std::min(kDrainPeriod, end - opened.clock->now()));
+  if (clock.is_virtual()) {
+    while (clock.now() < end && !stopped(request) && !drain.failed()) {
+      master->run_for(std::min(kDrainPeriod, end - clock.now()));
       drain();
     }
     auto outcome = drain.outcome();
     channels.commands.push(GoOfflineCommand{});
-    while (service.online() && service.step()) {
+    while (master->online() && master->step()) {
     }
     outcome.left_behind = drain.rest();
     return outcome;
   }
 
-  MasterThread thread(service);
-  while (opened.clock->now() < end && !stopped(request) && !drain.failed()) {
-    opened.clock->sleep_until(std::min(opened.clock->now() + kDrainPeriod, end));
+  master->start();
+  while (clock.now() < end && !stopped(request) && !drain.failed()) {
+    clock.sleep_until(std::min(clock.now() + kDrainPeriod, end));
     drain();
   }
   auto outcome = drain.outcome();
   channels.cancel = stopped(request);
   channels.commands.push(GoOfflineCommand{});
-  const auto patience = opened.clock->now() + 10 * kSecond;
+  const auto patience = clock.now() + 10 * kSecond;
   Snapshot latest;
   latest.online = true;
-  while (latest.online && opened.clock->now() < patience) {
-    opened.clock->sleep_until(opened.clock->now() + kDrainPeriod);
+  while (latest.online && clock.now() < patience) {
+    clock.sleep_until(clock.now() + kDrainPeriod);
     (void)channels.snapshot.read(latest);
   }
-  thread.stop();
+  master->stop();
   outcome.left_behind = drain.rest();
   return outcome;
 }
 
 }  // namespace
 
-Result<RunOutcome> run_network(const NetworkConfig& config, std::string_view link, const RunRequest& request) {
-  auto opened = open_link(link);
-  if (!opened) return tl::unexpected(opened.error());
-  auto state = capture_to(request.capture, *opened);
+Result<RunOutcome> run_network(const NetworkConfig& config, Result<OpenedLink> link, const RunRequest& request) {
+  if (!link) return tl::unexpected(link.error());
+  auto state = capture_to(request.capture, *link);
   if (!state) return tl::unexpected(state.error());
   CaptureWatch capture(std::move(*state), request);
-  auto outcome = run_on(*opened, config, request, capture);
+  auto& clock = *link->clock;  // the master keeps it as long as it lives
+  auto outcome = run_on(make_background_master(std::move(*link)), clock, config, request, capture);
   capture.look();  // the tap went with the service
   return outcome;
 }

@@ -4,7 +4,6 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,11 +15,8 @@
 namespace syncline {
 
 struct SimulateRequest {
-  std::string scenario;                   // TOML file
   std::string adapter;                    // "veth0"
   Nanoseconds duration = 0;               // 0: until stopped
-  std::optional<std::uint64_t> seed;      // overrides the scenario's
-  unsigned network = 0;                   // of a scenario with several
   Nanoseconds spin = 100 * kMicrosecond;  // see BusResponder::Options
   const std::atomic<bool>* stop = nullptr;
   /// Called once the bus answers, before the first frame is taken.
@@ -29,14 +25,14 @@ struct SimulateRequest {
 
 struct SimulateReport {
   ResponderCounters counters;
-  std::string refused;                      // real-time means that the system did not grant, in words
-  Nanoseconds duration = 0;                 // that the bus was there
-  std::vector<std::uint16_t> al_status;     // of every slave at the end, with the error bit
+  std::string refused;                   // real-time means that the system did not grant, in words
+  Nanoseconds duration = 0;              // that the bus was there
+  std::vector<std::uint16_t> al_status;  // of every slave at the end, with the error bit
   std::vector<std::uint16_t> al_status_code;
 };
 
-/// Serves a scenario on a network adapter in real time, in the calling thread. kLinkNotFound, kLinkDown,
-/// kLinkPermission and kLinkIo of the adapter; the scenario's errors.
-[[nodiscard]] Result<SimulateReport> simulate_bus(const SimulateRequest& request);
+/// Serves a segment on a network adapter in real time, in the calling thread. kLinkNotFound, kLinkDown,
+/// kLinkPermission and kLinkIo of the adapter; errors of `segment` pass through.
+[[nodiscard]] Result<SimulateReport> simulate_bus(const Result<SimConfig>& segment, const SimulateRequest& request);
 
 }  // namespace syncline

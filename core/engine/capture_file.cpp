@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/composition/capture_file.h"
+#include "engine/capture_file.h"
 
 #include <utility>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/composition/describe_slaves.h"
+#include "engine/describe_slaves.h"
 
 #include <algorithm>
 
-#include "app/composition/open_bus.h"
+#include "engine/open_bus.h"
 #include "master/bus.h"
 #include "master/device_dictionary_reader.h"
 #include "master/slave_visit.h"
@@ -33,15 +33,16 @@ Status complete(DeviceDescription& device, Bus& bus, std::uint16_t position) {
 
 }  // namespace
 
-void describe_slaves(eni::BuiltProject& built, Bus& bus) {
-  auto& slaves = built.project.slaves;
+std::vector<Error> describe_slaves(Project& project, Bus& bus) {
+  std::vector<Error> unread;
+  auto& slaves = project.slaves;
   for (std::size_t i = 0; i < slaves.size(); ++i) {
     auto device = slaves[i].device;
     if (!is_undescribed(device)) continue;
     const auto position = static_cast<std::uint16_t>(i);
     if (auto status = complete(device, bus, position); !status) {
-      built.warnings.push_back(status.error());
-      if (status.error().code == ErrorCode::kCancelled) return;
+      unread.push_back(status.error());
+      if (status.error().code == ErrorCode::kCancelled) return unread;
       continue;
     }
     auto described = default_slave(device, position);
@@ -50,18 +51,19 @@ void describe_slaves(eni::BuiltProject& built, Bus& bus) {
     described.dc = slaves[i].dc;
     slaves[i] = std::move(described);
   }
+  return unread;
 }
 
-Status describe_slaves(eni::BuiltProject& built, std::string_view link, const std::atomic<bool>* cancel) {
-  if (!has_undescribed_slaves(built)) return {};
-  const auto bus = OpenBus::open(link, cancel);
+Result<std::vector<Error>> describe_slaves(Project& project, const std::function<Result<OpenedLink>()>& open,
+                                           const std::atomic<bool>* cancel) {
+  if (!has_undescribed_slaves(project)) return std::vector<Error>();
+  const auto bus = OpenBus::open(open(), cancel);
   if (!bus) return tl::unexpected(bus.error());
-  describe_slaves(built, (*bus)->bus());
-  return {};
+  return describe_slaves(project, (*bus)->bus());
 }
 
-bool has_undescribed_slaves(const eni::BuiltProject& built) {
-  return std::ranges::any_of(built.project.slaves, [](const SlaveSettings& slave) { return is_undescribed(slave.device); });
+bool has_undescribed_slaves(const Project& project) {
+  return std::ranges::any_of(project.slaves, [](const SlaveSettings& slave) { return is_undescribed(slave.device); });
 }
 
 }  // namespace syncline

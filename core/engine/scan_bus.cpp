@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/composition/scan_bus.h"
+#include "engine/scan_bus.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
-#include "app/composition/open_bus.h"
+#include "engine/open_bus.h"
 
 namespace syncline {
 namespace {
@@ -26,21 +27,23 @@ void mark_unknown(BusScan& scan, const ReplayNotes& notes, const std::string& fi
   const bool no_ports = std::ranges::any_of(notes.slaves, [](const auto& note) { return !note.ports; });
   if (no_ports) std::erase_if(scan.findings, [](const Error& finding) { return finding.code == ErrorCode::kWiring; });
   if (notes.cut_frames > 0) {
-    scan.findings.push_back({ErrorCode::kScanScope, file,
-                             fmt::format("{} of its {} frames, which were captured in part only; capture whole frames (tcpdump -s 0)",
-                                         notes.cut_frames, notes.frames)});
+    scan.findings.push_back(
+        {ErrorCode::kScanScope, file,
+         fmt::format("{} of its {} frames, which were captured in part only; capture whole frames (tcpdump -s 0)",
+                     notes.cut_frames, notes.frames)});
   }
   if (notes.broken_off) {
     scan.findings.push_back({ErrorCode::kScanScope, file,
-                             fmt::format("what came after frame {}: the file breaks off there ({})", notes.frames, notes.broken_off->detail)});
+                             fmt::format("what came after frame {}: the file breaks off there ({})", notes.frames,
+                                         notes.broken_off->detail)});
   }
 }
 
 }  // namespace
 
-
-Result<BusScan> scan_bus(std::string_view link, const ScanRequest& request) {
-  auto opened = OpenBus::open(link, request.cancel, request.capture);
+Result<BusScan> scan_bus(Result<OpenedLink> link, const ScanRequest& request) {
+  const auto file = link ? link->link->describe().name : std::string();
+  auto opened = OpenBus::open(std::move(link), request.cancel, request.capture);
   if (!opened) return tl::unexpected(opened.error());
   auto& bus = (*opened)->bus();
   const auto tell = [&](EventDetails what) {
@@ -52,7 +55,7 @@ Result<BusScan> scan_bus(std::string_view link, const ScanRequest& request) {
     tell(events::ScanTouchesRunning{running, eeproms});
   };
   auto found = scan_slaves(bus, request.options, observer);
-  if (const auto notes = (*opened)->replay(); found && notes) mark_unknown(*found, *notes, std::string(link));
+  if (const auto notes = (*opened)->replay(); found && notes) mark_unknown(*found, *notes, file);
   const auto capture = (*opened)->capture();
   opened->reset();  // completes it
   if (capture && capture->failed() && request.on_capture_lost) request.on_capture_lost(capture->error());

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/composition/compare_bus.h"
+#include "engine/compare_bus.h"
 
 #include <algorithm>
+#include <utility>
 
-#include "app/composition/open_bus.h"
+#include "engine/open_bus.h"
 #include "master/bus_compare.h"
 
 namespace syncline {
 
-Result<ComparedBus> compare_bus(const NetworkConfig& config, std::string_view link, const ScanOptions& options,
+Result<ComparedBus> compare_bus(const NetworkConfig& config, Result<OpenedLink> link, const ScanOptions& options,
                                 const std::atomic<bool>* cancel) {
-  auto opened = OpenBus::open(link, cancel);
+  auto opened = OpenBus::open(std::move(link), cancel);
   if (!opened) return tl::unexpected(opened.error());
   Bus& bus = (*opened)->bus();
   const auto scan = scan_slaves(bus, options);

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/composition/open_master.h"
+
+#include <utility>
+
+#include "app/composition/open_link.h"
+#include "engine/background_master.h"
+
+namespace syncline {
+
+Result<std::unique_ptr<BackgroundMaster>> open_master(std::string_view link) {
+  auto opened = open_link(link);
+  if (!opened) return tl::unexpected(opened.error());
+  return make_background_master(std::move(*opened));
+}
+
+}  // namespace syncline

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+
+#include "link/link.h"
+#include "link/replay/replay_link.h"
+#include "support/clock.h"
+#include "support/result.h"
+
+namespace syncline {
+
+/// A link and the clock it runs on. The clock outlives the link. Who opens it decides which; what the engine does with
+/// it takes a Result, so that the errors of opening pass through.
+struct OpenedLink {
+  std::unique_ptr<Clock> clock;
+  std::unique_ptr<Link> link;
+  std::shared_ptr<const ReplayNotes> replay;  // of a capture; null: a bus that lives
+};
+
+}  // namespace syncline
