@@ -105,9 +105,13 @@ void Device::run_until(Nanoseconds time) {
 }
 
 void Device::rest() {
-  if (last_sync0_ && !esc_.device_emulation()) esc_.leave_signals_unminded();
+  const auto renewed = process_data_.input_managers();
+  if (last_sync0_ && !esc_.device_emulation()) esc_.leave_signals_unminded(renewed);
   // Without a mailbox nobody can ask what outputs are in the dictionary.
-  if (!has_mailbox() && (last_outputs_ || !needs_outputs())) esc_.leave_transfers_unminded(process_data_.buffered_managers());
+  if (has_mailbox() || (needs_outputs() && !last_outputs_)) return;
+  esc_.leave_transfers_unminded(process_data_.buffered_managers());
+  const auto outputs = process_data_.sync_manager(PdoDirection::kRx);
+  if (outputs && !dc().sync0_enabled()) esc_.renew_at_transfers(*outputs, renewed);
 }
 
 Nanoseconds Device::idle_until() {

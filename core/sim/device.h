@@ -88,8 +88,8 @@ class Device : public Esc::Listener {
   /// Nobody could tell whether check_running() is called before; the beginning of time: it must be, whenever time passes.
   [[nodiscard]] virtual Nanoseconds runs_alone_until() { return INT64_MIN; }
 
-  /// Neither SYNC0 nor process data that come and go would change anything in OP but the outputs in the dictionary, until
-  /// the ESC is woken up.
+  /// Until the ESC is woken up, SYNC0 and process data that come and go would change nothing in OP but the outputs in the
+  /// dictionary, and only that the same inputs are written again: with each SYNC0, or without one with new outputs.
   [[nodiscard]] virtual bool rests() { return false; }
 
   /// `code`: AL status code; `error_code`: of the emergency that goes with it.
@@ -106,7 +106,6 @@ class Device : public Esc::Listener {
   [[nodiscard]] bool inputs_stay() const { return process_data_.inputs_stay(); }
   [[nodiscard]] bool inputs_map(std::uint16_t index) { return process_data_.inputs_map(index); }
   [[nodiscard]] bool has_outputs() const { return process_data_.has_outputs(); }
-  [[nodiscard]] bool has_inputs() const { return process_data_.has_inputs(); }
   [[nodiscard]] bool has_mailbox() const { return config_.device.mailbox.has_value(); }
   [[nodiscard]] Esc& esc() { return esc_; }
   [[nodiscard]] const DcUnit& dc() const { return std::as_const(esc_).dc(); }

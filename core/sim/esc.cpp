@@ -77,6 +77,7 @@ bool Esc::is_untouched_by(const PassingFrame& frame) {
 [[gnu::flatten]] bool Esc::process(PassingFrame& frame, Nanoseconds time) {
   if (ports_.port0_automatically_closed() && !mark_circulating(frame.datagrams())) return false;
   protection_.start_of_frame();
+  if (renewed_by_signal_ != 0) count_renewals();
   frame_time_ = time;
   if (frame.touches_clock()) dc_.start_of_frame(time);
   if (maps_stale_) reload_maps();
@@ -339,6 +340,7 @@ void Esc::end_transfers(Nanoseconds time) {
         quiet_until_ = std::min(quiet_until_, watchdog_.deadline());
         idle_until_ = std::min(idle_until_, quiet_until_);
       }
+      if ((renewed_by_transfer_.by & bit) != 0) renew(renewed_by_transfer_.renewed, 1);
       if ((minded_ & bit) != 0) {
         raise_buffer_event(i);
         if (listener_ != nullptr) listener_->sync_manager_written(i, time);

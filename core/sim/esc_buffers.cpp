@@ -103,7 +103,7 @@ void Esc::open_buffer(std::uint32_t address, std::size_t length) {
 
 void Esc::end_transfer(unsigned number, bool write) {
   (write ? sm_written_ : sm_read_) |= 1U << number;
-  if (!write) buffers_[number].read = buffers_[number].written;
+  if (!write) buffers_.read(number);
   sm_begun_ &= ~(1U << number);
 }
 

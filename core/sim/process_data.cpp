@@ -105,6 +105,14 @@ std::uint32_t ProcessData::buffered_managers() const {
   return managers;
 }
 
+std::uint32_t ProcessData::input_managers() const {
+  std::uint32_t managers = 0;
+  for (const unsigned number : sync_managers(PdoDirection::kTx)) {
+    if (number < kManagers && esc_.has_sync_manager(number)) managers |= 1U << number;
+  }
+  return managers;
+}
+
 void ProcessData::take_outputs(unsigned manager, bool valid) {
   const auto* channel = find(manager);
   if (channel == nullptr) return;

@@ -34,6 +34,8 @@ class ProcessData {
   [[nodiscard]] bool inputs_map(std::uint16_t index);
   /// Bit per SyncManager: those of buffered process data.
   [[nodiscard]] std::uint32_t buffered_managers() const;
+  /// The same of those that renew_inputs() writes.
+  [[nodiscard]] std::uint32_t input_managers() const;
   /// The master has written outputs: into the dictionary with them, when they are `valid`. Process data in one buffer
   /// (SyncManager in mailbox mode) make room for the next.
   void take_outputs(unsigned manager, bool valid);
@@ -43,8 +45,6 @@ class ProcessData {
   [[nodiscard]] std::uint32_t byte_length(PdoDirection direction) const { return pdos_.byte_length(direction); }
   [[nodiscard]] std::uint32_t byte_length_of(unsigned manager) const;
   [[nodiscard]] bool has_outputs() const;
-  /// It has a SyncManager for them.
-  [[nodiscard]] bool has_inputs() const { return !sync_managers(PdoDirection::kTx).empty(); }
   /// First SyncManager of the direction in the device's description; valid before map(), too.
   [[nodiscard]] std::optional<unsigned> sync_manager(PdoDirection direction) const;
   /// All of the direction.
