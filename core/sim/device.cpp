@@ -90,7 +90,7 @@ void Device::tell_error(std::uint16_t error_code, std::uint8_t error_register, s
   message.text_id = text_id;
   message.time_stamp = dc().system_time(now_);
   history_.add(message);
-  process_data_.forget_inputs();
+  process_data_.forget_objects();
   if (mail_due_ == kNever) mail_due_ = now_ + kMailboxReaction;
   esc_.wake_up();
 }
@@ -332,7 +332,7 @@ void Device::sync_signal(SyncGenerator::Signal signal, Nanoseconds time) {
 }
 
 void Device::answer_mail() {
-  process_data_.forget_inputs();
+  process_data_.forget_objects();
   if (!mailbox_silent_ && state_ != AlState::kInit) handshake_.serve(state_ == AlState::kPreop);
 }
 

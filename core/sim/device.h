@@ -104,6 +104,8 @@ class Device : public Esc::Listener {
   void renew_inputs() { process_data_.renew_inputs(); }
   /// They are what they were, as long as the behaviour has changed nothing in the dictionary.
   [[nodiscard]] bool inputs_stay() const { return process_data_.inputs_stay(); }
+  /// Another number whenever objects that the master writes may have changed.
+  [[nodiscard]] std::uint32_t outputs_taken() const { return process_data_.outputs_taken(); }
   [[nodiscard]] bool inputs_map(std::uint16_t index) { return process_data_.inputs_map(index); }
   [[nodiscard]] bool has_outputs() const { return process_data_.has_outputs(); }
   [[nodiscard]] bool has_mailbox() const { return config_.device.mailbox.has_value(); }

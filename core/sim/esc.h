@@ -123,8 +123,8 @@ class Esc {
   void deactivate_sync_manager(unsigned number, bool deactivated);
   /// Bytes that the master reads from a buffered SyncManager: a transfer under way still shows the buffer before.
   void put_buffer(unsigned number, std::span<const std::uint8_t> bytes);
-  /// The PDI writes what the buffer holds already.
-  void put_same_buffer(unsigned number);
+  /// The PDI writes what the buffers of these SyncManagers (a bit each) hold already.
+  void put_same_buffers(std::uint32_t managers);
   /// The level at a LATCH input (0, 1) as of `time`; false: no time taken, or the pin is a SYNC output (0x0151).
   bool latch_input(unsigned number, bool level, Nanoseconds time);
   /// The PDI has read 0x098E or 0x098F.
@@ -184,10 +184,10 @@ class Esc {
   [[nodiscard]] unsigned read_and_write(const PassingDatagram& datagram, bool addressed);
   /// Its station address, or its alias where that is on.
   [[nodiscard]] bool has_address(std::uint16_t address) const;
-  /// The same for each frame of others: remembered as long as the settings stay.
-  [[nodiscard]] bool is_mine(std::uint16_t address) {
+  /// Has a datagram for single slaves that is for this one. Its addresses are remembered as long as the settings stay.
+  [[nodiscard]] bool is_called_by(const PassingFrame& frame) {
     if (addresses_generation_ != generation_) note_addresses();
-    return address == station_ || address == alias_;
+    return frame.is_for(station_, alias_);
   }
   void note_addresses();
   bool read_memory(std::uint16_t address, std::span<std::uint8_t> out, bool or_into);
@@ -233,7 +233,8 @@ class Esc {
   [[nodiscard]] bool any_have(std::uint8_t right, std::uint16_t address, std::size_t length) const;
   [[nodiscard]] bool plan_logical(FramePlan& plan, const PassingDatagram& datagram, std::size_t number, std::size_t offset) const;
   void follow(const FramePlan& plan, std::span<std::uint8_t> frame);
-  void follow(const FramePlan::Step& step, std::uint8_t* data);
+  /// `memory`: the ESC's, from its beginning.
+  void follow(const FramePlan::Step& step, std::uint8_t* memory, std::uint8_t* data);
   void execute_all(PassingFrame& frame);
   /// Of a plan whose datagram brings the system time: becomes effective at the end of the frame.
   void take_time(const std::uint8_t* data, std::uint8_t length);
@@ -266,6 +267,7 @@ class Esc {
   bool maps_stale_ = true;
   Nanoseconds quiet_until_ = INT64_MIN;        // nothing is due before that is not the clock's
   std::vector<std::uint8_t> active_managers_;  // those that are on and have a length
+  std::uint32_t mailboxes_ = 0;             // bit per SyncManager, on or not
   std::uint32_t buffers_begin_ = 0;         // where the first SyncManager's memory begins
   std::array<FramePlan, FramePlan::kPlaces> plans_{};
   std::uint32_t generation_ = 1;            // of the settings that plans are made by

@@ -35,8 +35,10 @@ void Esc::reload_maps() {
   }
   buffers_begin_ = EscMemory::kSize;
   active_managers_.clear();
+  mailboxes_ = 0;
   for (unsigned i = 0; i < sync_managers_.size(); ++i) {
     const auto& sm = sync_managers_[i] = sync_manager(i);
+    if (sm.is_mailbox()) mailboxes_ |= 1U << i;
     if (!sm.enabled() || sm.length == 0) continue;
     active_managers_.push_back(static_cast<std::uint8_t>(i));
     buffers_begin_ = std::min<std::uint32_t>(buffers_begin_, sm.start);

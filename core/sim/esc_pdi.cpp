@@ -94,7 +94,7 @@ void Esc::deactivate_sync_manager(unsigned number, bool deactivated) {
 void Esc::put_buffer(unsigned number, std::span<const std::uint8_t> bytes) {
   if (number >= pending_.size()) return;
   const auto area = sync_manager_area(number);
-  put_same_buffer(number);
+  put_same_buffers(1U << number);
   bytes = bytes.first(std::min(bytes.size(), area.size()));
   if ((sm_begun_ & (1U << number)) != 0) {
     pending_[number].assign(bytes.begin(), bytes.end());
@@ -105,9 +105,9 @@ void Esc::put_buffer(unsigned number, std::span<const std::uint8_t> bytes) {
   }
 }
 
-void Esc::put_same_buffer(unsigned number) {
+void Esc::put_same_buffers(std::uint32_t managers) {
   if (renewed_by_signal_ != 0) count_renewals();
-  if (buffers_.has(number)) buffers_.write(number);
+  renew(managers, 1);
 }
 
 void Esc::show_pending(unsigned number) {

@@ -345,6 +345,7 @@ std::vector<PinEdge> SimBus::pin_edges(std::size_t position, unsigned pin) const
 }
 std::vector<std::uint8_t> SimBus::peek(std::size_t position, std::uint16_t address, std::size_t length) const {
   auto& esc = *impl_->nodes.at(position).esc;
+  esc.dc().start_of_frame(impl_->now);
   esc.dc().refresh_registers();
   const auto bytes = std::as_const(esc).memory().at(address, length);
   return {bytes.begin(), bytes.end()};
