@@ -77,24 +77,22 @@ void DcUnit::leave_signals_unminded() {
   const bool regular = generator_.active() && settings_.sync0 && !settings_.sync1 && settings_.cycle0 >= kShortestCycle;
   // Without an acknowledgement of the last one none comes.
   const bool stuck = memory_.u16(reg::kPulseLength) == 0 && memory_.u8(reg::kSync0Status) != 0;
-  unminded_ = regular && !stuck;
+  if (!regular || stuck || unminded_ || !generator_.next_sync0()) return;
+  unminded_ = true;
+  next_when_left_ = *generator_.next_sync0();
 }
 
-void DcUnit::pass_unminded() {
-  const auto passed = generator_.skip_to(unwrapped_time(now_) + 1);
-  if (passed == 0) return;
-  unasked_ += passed;
-  last_unminded_ = *generator_.next_sync0() - settings_.cycle0;
-}
+void DcUnit::pass_unminded() { unasked_ += generator_.skip_to(unwrapped_time(now_) + 1); }
 
 std::optional<Nanoseconds> DcUnit::mind_signals() {
   pass_unminded();
   unminded_ = false;
   unasked_ = 0;
   signals_moved();
-  if (!last_unminded_) return std::nullopt;
-  const auto since = unwrapped_time(now_) - *std::exchange(last_unminded_, std::nullopt);
-  return now_ - clock_.true_duration(since);
+  const auto next = generator_.next_sync0();
+  if (!next || *next == next_when_left_) return std::nullopt;
+  const auto last = *next - settings_.cycle0;
+  return now_ - clock_.true_duration(unwrapped_time(now_) - last);
 }
 
 void DcUnit::deliver_until(Nanoseconds time) {

@@ -152,7 +152,7 @@ class DcUnit {
   bool start_missed_ = false, start_implausible_ = false;
   std::uint64_t start_time_ = 0;   // of the activation
   bool unminded_ = false;
-  std::optional<std::uint64_t> last_unminded_;  // SYNC0, system time
+  std::uint64_t next_when_left_ = 0;            // SYNC0 that was due when they were left unminded, system time
   std::uint64_t unasked_ = 0;                   // of them, since the last count_unminded()
   Nanoseconds now_ = 0;            // up to which SYNC signals have been delivered
   /// True time of the next SYNC signal, if there is one; empty after what moves it.

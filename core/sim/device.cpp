@@ -18,7 +18,6 @@ namespace {
 constexpr Nanoseconds kFirmwareReaction = 150 * kMicrosecond;  // to an AL request
 constexpr Nanoseconds kMailboxReaction = 250 * kMicrosecond;
 constexpr Nanoseconds kLongestWaitForSync = 200 * kMillisecond;
-constexpr int kMissingSyncs = 8;                               // in a row: the signal has stopped
 constexpr unsigned kMaxObjects = 64;
 
 // Emergency codes and error registers (ETG.1020; CiA 301).
@@ -298,10 +297,8 @@ void Device::sync_manager_written(unsigned number, Nanoseconds time) {
   if (number == 0 && has_mailbox()) {
     mail_due_ = time + kMailboxReaction + mailbox_delay_;
     esc_.wake_up();
-  } else if (!stopped_ && exchanges_process_data() && process_data_.carries(PdoDirection::kRx, number)) {
-    process_data_.take_outputs(number, state_ == AlState::kOp);
+  } else if (!stopped_ && exchanges_process_data() && process_data_.take_outputs(number, state_ == AlState::kOp)) {
     // The device works by its first SyncManager; further ones (safety) come with it.
-    if (!process_data_.leads(number)) return;
     last_outputs_ = time;
     on_outputs(time);
   }

@@ -74,6 +74,7 @@ class Device : public Esc::Listener {
 
  protected:
   static constexpr std::uint16_t kCommunicationError = 0x8100;  // CiA 301 emergency code
+  static constexpr int kMissingSyncs = 8;                       // in a row: the signal has stopped
 
   // What a behaviour adds.
   virtual void on_outputs(Nanoseconds) {}                  // SM2 event with fresh outputs in the dictionary

@@ -111,11 +111,12 @@ std::uint32_t ProcessData::buffered_managers() const {
   return managers;
 }
 
-void ProcessData::take_outputs(unsigned manager, bool valid) {
-  const auto* channel = find(manager);
-  if (channel == nullptr) return;
-  if (valid) outputs_to_dictionary(channels_[places_[manager]]);
-  if (channel->one_buffer) esc_.set_mailbox_full(manager, false);
+bool ProcessData::take_outputs(unsigned manager, bool valid) {
+  if (!carries(PdoDirection::kRx, manager)) return false;
+  auto& channel = channels_[places_[manager]];
+  if (valid) outputs_to_dictionary(channel);
+  if (channel.one_buffer) esc_.set_mailbox_full(manager, false);
+  return channel.first;
 }
 
 void ProcessData::offer_inputs(unsigned manager) {

@@ -39,8 +39,8 @@ class ProcessData {
   /// The same of those that renew_inputs() writes.
   [[nodiscard]] std::uint32_t input_managers() const { return inputs_; }
   /// The master has written outputs: into the dictionary with them, when they are `valid`. Process data in one buffer
-  /// (SyncManager in mailbox mode) make room for the next.
-  void take_outputs(unsigned manager, bool valid);
+  /// (SyncManager in mailbox mode) make room for the next. True: the first SyncManager of the outputs has them.
+  bool take_outputs(unsigned manager, bool valid);
   /// The master has read inputs: in one buffer there are new ones at once.
   void offer_inputs(unsigned manager);
 

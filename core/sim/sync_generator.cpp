@@ -69,9 +69,10 @@ void SyncGenerator::realign(std::uint64_t now, bool wide) {
 }
 
 std::uint64_t SyncGenerator::skip_to(std::uint64_t now) {
-  if (next0_ && before(*next0_, now)) first0_done_ = true;
   if (next1_ && before(*next1_, now)) first1_done_ = true;
-  return pass_to(now);
+  const auto passed = pass_to(now);
+  if (passed > 0) first0_done_ = true;
+  return passed;
 }
 
 /// On with the first of each that is not before `now`.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <vector>
 
@@ -22,7 +23,8 @@ class ThreeBuffers {
     if (times == 0) return;
     auto& buffers = buffers_[number];
     // The one that is read stays, so that behind the first time two of them take turns.
-    for (auto left = 2 - times % 2; left > 0; --left) buffers.written = next(buffers);
+    buffers.written = next(buffers);
+    if (times % 2 == 0) buffers.written = next(buffers);
     const auto address = static_cast<std::uint16_t>(reg::sync_manager(number) + kStatus);
     const auto others = memory_.u8(address) & ~SyncManager::kStatusBuffer;
     memory_.set<std::uint8_t>(address, static_cast<std::uint8_t>(others | buffers.written << kShift));
@@ -38,9 +40,8 @@ class ThreeBuffers {
     std::uint8_t written = kNone, read = kNone;  // 0 to 2
   };
   [[nodiscard]] static std::uint8_t next(const Buffers& buffers) {
-    std::uint8_t number = 0;
-    while (number == buffers.written || number == buffers.read) ++number;
-    return number;
+    const auto taken = 1U << buffers.written | 1U << buffers.read;
+    return static_cast<std::uint8_t>(std::countr_one(taken));  // the first that is free
   }
 
   EscMemory& memory_;

@@ -11,7 +11,6 @@ namespace {
 
 constexpr std::uint32_t kPllRange = 100'000;  // ns; the drive's PLL cannot lock on a clock that is further away
 constexpr Nanoseconds kPllPatience = 2 * kSecond;
-constexpr int kMissingSyncs = 8;
 /// Servo periods that are run through at once at most: a drive that nobody has asked for so long has come to rest.
 constexpr Nanoseconds kMostTicks = 100'000;
 constexpr unsigned kMissWeight = 3;  // added for a missed event; a good one takes 1 away
