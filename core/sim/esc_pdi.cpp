@@ -145,7 +145,7 @@ void Esc::sync_fired(SyncGenerator::Signal signal, Nanoseconds time) {
 }
 
 void Esc::leave_signals_unminded(std::uint32_t renewed) {
-  if (!options_.counts_at_once) return;
+  if (!options_.counts_at_once || sync_silent_) return;  // signals that the device is not told of are missed by it
   dc_.leave_signals_unminded();
   renewed_by_signal_ = dc_.signals_unminded() ? renewed : 0;
 }

@@ -97,10 +97,10 @@ Machine random_machine() {
     slaves.push_back(slave);
   }
   machine.config = line(std::move(slaves));
-  for (int i = 0; i < 2; ++i) {
+  for (const auto kind : {FaultKind::kSlowApplication, FaultKind::kStopApplication, FaultKind::kSilentSync}) {
     if (!perhaps(3)) continue;
     FaultConfig fault;
-    fault.kind = i == 0 ? FaultKind::kSlowApplication : FaultKind::kStopApplication;
+    fault.kind = kind;
     fault.slave = *rc::gen::inRange(0, count);
     fault.at = *rc::gen::inRange<Nanoseconds>(40, 90) * kMillisecond;
     fault.until = fault.at + *rc::gen::inRange<Nanoseconds>(1, 40) * kMillisecond;
