@@ -73,20 +73,26 @@ std::uint64_t DcUnit::offset() const {
 
 std::uint64_t DcUnit::system_time(Nanoseconds time) const { return masked(unwrapped_time(time)); }
 
-void DcUnit::count_unminded() {
-  const auto before = generator_.next_sync0();
-  generator_.skip_to(unwrapped_time(now_) + 1);
-  const auto next = generator_.next_sync0();
-  if (next && next != before) last_unminded_ = *next - settings_.cycle0;
+void DcUnit::leave_signals_unminded() {
+  const bool regular = generator_.active() && settings_.sync0 && !settings_.sync1 && settings_.cycle0 >= kShortestCycle;
+  // Without an acknowledgement of the last one none comes.
+  const bool stuck = memory_.u16(reg::kPulseLength) == 0 && memory_.u8(reg::kSync0Status) != 0;
+  if (!regular || stuck || unminded_ || !generator_.next_sync0()) return;
+  unminded_ = true;
+  next_when_left_ = *generator_.next_sync0();
 }
 
+void DcUnit::pass_unminded() { unasked_ += generator_.skip_to(unwrapped_time(now_) + 1); }
+
 std::optional<Nanoseconds> DcUnit::mind_signals() {
-  count_unminded();
+  pass_unminded();
   unminded_ = false;
+  unasked_ = 0;
   signals_moved();
-  if (!last_unminded_) return std::nullopt;
-  const auto since = unwrapped_time(now_) - *std::exchange(last_unminded_, std::nullopt);
-  return now_ - clock_.true_duration(since);
+  const auto next = generator_.next_sync0();
+  if (!next || *next == next_when_left_) return std::nullopt;
+  const auto last = *next - settings_.cycle0;
+  return now_ - clock_.true_duration(unwrapped_time(now_) - last);
 }
 
 void DcUnit::deliver_until(Nanoseconds time) {
@@ -160,7 +166,7 @@ void DcUnit::refresh_registers() {
   memory_.set<std::uint64_t>(reg::kSystemTime, time);
   memory_.set<std::uint32_t>(reg::kSystemTimeDifference, shown_difference());
   memory_.set<std::uint16_t>(reg::kSpeedCounterDiff, static_cast<std::uint16_t>(loop_.speed_counter_diff()));
-  if (unminded_) count_unminded();
+  if (unminded_) pass_unminded();
   if (generator_.active()) {
     memory_.set<std::uint64_t>(reg::kStartTimeCyclicOperation, masked(generator_.next_sync0().value_or(start_time_)));
     if (generator_.latest_sync1() != 0) memory_.set<std::uint64_t>(reg::kNextSync1Pulse, masked(generator_.latest_sync1()));

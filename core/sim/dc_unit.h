@@ -7,6 +7,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "config/sim_config.h"
 #include "protocol/registers.h"
@@ -38,8 +39,13 @@ class DcUnit {
   /// The same, when nothing is due.
   void pass_quietly(Nanoseconds time) { now_ = std::max(now_, time); }
   /// Nobody wants to know of each SYNC0, which come in regular cycles: they are counted when somebody looks.
-  void leave_signals_unminded() { unminded_ = generator_.active() && settings_.sync0 && !settings_.sync1 && settings_.cycle0 >= kShortestCycle; }
+  void leave_signals_unminded();
   [[nodiscard]] bool signals_unminded() const { return unminded_; }
+  /// How many have come since they were left unminded, or since the last time that somebody asked.
+  std::uint64_t count_unminded() {
+    pass_unminded();
+    return std::exchange(unasked_, 0);
+  }
   /// They are delivered again; true time of the last one that was not.
   std::optional<Nanoseconds> mind_signals();
   /// Nothing happens in the unit before, as long as nobody writes to it.
@@ -110,7 +116,7 @@ class DcUnit {
 
   void deliver_until(Nanoseconds time);
   /// What nobody wanted to know of has come and gone up to now.
-  void count_unminded();
+  void pass_unminded();
   /// Closed form of delivering for as long as nobody has asked.
   void skip_signals_before(Nanoseconds time);
   [[nodiscard]] std::uint64_t offset() const;
@@ -146,7 +152,8 @@ class DcUnit {
   bool start_missed_ = false, start_implausible_ = false;
   std::uint64_t start_time_ = 0;   // of the activation
   bool unminded_ = false;
-  std::optional<std::uint64_t> last_unminded_;  // SYNC0, system time
+  std::uint64_t next_when_left_ = 0;            // SYNC0 that was due when they were left unminded, system time
+  std::uint64_t unasked_ = 0;                   // of them, since the last count_unminded()
   Nanoseconds now_ = 0;            // up to which SYNC signals have been delivered
   /// True time of the next SYNC signal, if there is one; empty after what moves it.
   std::optional<Nanoseconds> next_signal_;

@@ -18,7 +18,6 @@ namespace {
 constexpr Nanoseconds kFirmwareReaction = 150 * kMicrosecond;  // to an AL request
 constexpr Nanoseconds kMailboxReaction = 250 * kMicrosecond;
 constexpr Nanoseconds kLongestWaitForSync = 200 * kMillisecond;
-constexpr int kMissingSyncs = 8;                               // in a row: the signal has stopped
 constexpr unsigned kMaxObjects = 64;
 
 // Emergency codes and error registers (ETG.1020; CiA 301).
@@ -90,7 +89,7 @@ void Device::tell_error(std::uint16_t error_code, std::uint8_t error_register, s
   message.text_id = text_id;
   message.time_stamp = dc().system_time(now_);
   history_.add(message);
-  process_data_.forget_inputs();
+  process_data_.forget_objects();
   if (mail_due_ == kNever) mail_due_ = now_ + kMailboxReaction;
   esc_.wake_up();
 }
@@ -105,9 +104,13 @@ void Device::run_until(Nanoseconds time) {
 }
 
 void Device::rest() {
-  if (last_sync0_ && !esc_.device_emulation()) esc_.leave_signals_unminded();
+  const auto renewed = process_data_.input_managers();
+  if (last_sync0_ && !esc_.device_emulation()) esc_.leave_signals_unminded(renewed);
   // Without a mailbox nobody can ask what outputs are in the dictionary.
-  if (!has_mailbox() && (last_outputs_ || !needs_outputs())) esc_.leave_transfers_unminded(process_data_.buffered_managers());
+  if (has_mailbox() || (needs_outputs() && !last_outputs_)) return;
+  esc_.leave_transfers_unminded(process_data_.buffered_managers());
+  const auto outputs = process_data_.sync_manager(PdoDirection::kRx);
+  if (outputs && !dc().sync0_enabled()) esc_.renew_at_transfers(*outputs, renewed);
 }
 
 Nanoseconds Device::idle_until() {
@@ -294,10 +297,8 @@ void Device::sync_manager_written(unsigned number, Nanoseconds time) {
   if (number == 0 && has_mailbox()) {
     mail_due_ = time + kMailboxReaction + mailbox_delay_;
     esc_.wake_up();
-  } else if (!stopped_ && exchanges_process_data() && process_data_.carries(PdoDirection::kRx, number)) {
-    process_data_.take_outputs(number, state_ == AlState::kOp);
+  } else if (!stopped_ && exchanges_process_data() && process_data_.take_outputs(number, state_ == AlState::kOp)) {
     // The device works by its first SyncManager; further ones (safety) come with it.
-    if (!process_data_.leads(number)) return;
     last_outputs_ = time;
     on_outputs(time);
   }
@@ -328,7 +329,7 @@ void Device::sync_signal(SyncGenerator::Signal signal, Nanoseconds time) {
 }
 
 void Device::answer_mail() {
-  process_data_.forget_inputs();
+  process_data_.forget_objects();
   if (!mailbox_silent_ && state_ != AlState::kInit) handshake_.serve(state_ == AlState::kPreop);
 }
 

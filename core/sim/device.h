@@ -74,6 +74,7 @@ class Device : public Esc::Listener {
 
  protected:
   static constexpr std::uint16_t kCommunicationError = 0x8100;  // CiA 301 emergency code
+  static constexpr int kMissingSyncs = 8;                       // in a row: the signal has stopped
 
   // What a behaviour adds.
   virtual void on_outputs(Nanoseconds) {}                  // SM2 event with fresh outputs in the dictionary
@@ -88,8 +89,8 @@ class Device : public Esc::Listener {
   /// Nobody could tell whether check_running() is called before; the beginning of time: it must be, whenever time passes.
   [[nodiscard]] virtual Nanoseconds runs_alone_until() { return INT64_MIN; }
 
-  /// Neither SYNC0 nor process data that come and go would change anything in OP but the outputs in the dictionary, until
-  /// the ESC is woken up.
+  /// Until the ESC is woken up, SYNC0 and process data that come and go would change nothing in OP but the outputs in the
+  /// dictionary, and only that the same inputs are written again: with each SYNC0, or without one with new outputs.
   [[nodiscard]] virtual bool rests() { return false; }
 
   /// `code`: AL status code; `error_code`: of the emergency that goes with it.
@@ -104,9 +105,10 @@ class Device : public Esc::Listener {
   void renew_inputs() { process_data_.renew_inputs(); }
   /// They are what they were, as long as the behaviour has changed nothing in the dictionary.
   [[nodiscard]] bool inputs_stay() const { return process_data_.inputs_stay(); }
+  /// Another number whenever objects that the master writes may have changed.
+  [[nodiscard]] std::uint32_t outputs_taken() const { return process_data_.outputs_taken(); }
   [[nodiscard]] bool inputs_map(std::uint16_t index) { return process_data_.inputs_map(index); }
   [[nodiscard]] bool has_outputs() const { return process_data_.has_outputs(); }
-  [[nodiscard]] bool has_inputs() const { return process_data_.has_inputs(); }
   [[nodiscard]] bool has_mailbox() const { return config_.device.mailbox.has_value(); }
   [[nodiscard]] Esc& esc() { return esc_; }
   [[nodiscard]] const DcUnit& dc() const { return std::as_const(esc_).dc(); }

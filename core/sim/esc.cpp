@@ -58,27 +58,23 @@ bool Esc::mark_circulating(std::span<PassingDatagram> datagrams) {
 }
 
 void Esc::note_addresses() {
-  constexpr std::uint32_t kNone = 0x1'0000;
   addresses_generation_ = generation_;
   station_ = memory_.u16(reg::kStationAddress);
-  alias_ = (memory_.u8(reg::kDlControlAlias) & 0x01) != 0 ? memory_.u16(reg::kStationAlias) : kNone;
+  alias_ = (memory_.u8(reg::kDlControlAlias) & 0x01) != 0 ? memory_.u16(reg::kStationAlias) : PassingFrame::kNoStation;
 }
 
 bool Esc::is_untouched_by(const PassingFrame& frame) {
   if (reset_step_ != 0 || ports_.port0_automatically_closed()) return false;
   if ((memory_.u16(reg::kEcatEventRequest) & memory_.u16(reg::kEcatEventMask)) != 0) return false;
-  for (const auto station : frame.stations()) {
-    if (is_mine(station)) return false;
-  }
-  return true;
+  return !is_called_by(frame);
 }
 
 // Every slave and frame goes through this and frame_end(): calls inside would cost a fifth of all the time of a simulation.
 [[gnu::flatten]] bool Esc::process(PassingFrame& frame, Nanoseconds time) {
   if (ports_.port0_automatically_closed() && !mark_circulating(frame.datagrams())) return false;
   protection_.start_of_frame();
+  if (renewed_by_signal_ != 0) count_renewals();
   frame_time_ = time;
-  if (frame.touches_clock()) dc_.start_of_frame(time);
   if (maps_stale_) reload_maps();
   frame.add_event(static_cast<std::uint16_t>(memory_.u16(reg::kEcatEventRequest) & memory_.u16(reg::kEcatEventMask)));
   touched_ = reset_step_ != 0 || ports_.changed();
@@ -93,6 +89,7 @@ bool Esc::is_untouched_by(const PassingFrame& frame) {
 
 [[gnu::noinline, gnu::flatten]] void Esc::execute_all(PassingFrame& frame) {
   frame.settle();
+  if (frame.touches_clock()) dc_.start_of_frame(frame_time_);
   for (auto& datagram : frame.datagrams()) {
     datagram.wkc = static_cast<std::uint16_t>(datagram.wkc + execute(datagram));
     datagram.adp = static_cast<std::uint16_t>(datagram.adp + datagram.step);
@@ -329,6 +326,7 @@ void Esc::take_over(const Write& write, std::span<const std::uint8_t> bytes) {
 }
 
 void Esc::end_transfers(Nanoseconds time) {
+  if (!any_pending_) sm_read_ &= minded_ | mailboxes_;  // of the others nobody is told, and nothing changes
   for (auto touched = sm_written_ | sm_read_; touched != 0; touched &= touched - 1) {
     const auto i = static_cast<unsigned>(std::countr_zero(touched));
     const auto bit = 1U << i;
@@ -339,6 +337,7 @@ void Esc::end_transfers(Nanoseconds time) {
         quiet_until_ = std::min(quiet_until_, watchdog_.deadline());
         idle_until_ = std::min(idle_until_, quiet_until_);
       }
+      if ((renewed_by_transfer_.by & bit) != 0) renew(renewed_by_transfer_.renewed, 1);
       if ((minded_ & bit) != 0) {
         raise_buffer_event(i);
         if (listener_ != nullptr) listener_->sync_manager_written(i, time);

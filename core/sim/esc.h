@@ -22,6 +22,7 @@
 #include "sim/pdi_watchdog.h"
 #include "sim/process_data_watchdog.h"
 #include "sim/sii_interface.h"
+#include "sim/three_buffers.h"
 #include "sim/write_protection.h"
 
 namespace syncline::sim {
@@ -37,6 +38,7 @@ class Esc {
     std::uint8_t ram_kbytes = 4;
     bool logical_read_write = true;       // LRW
     bool physical_read_write = true;      // APRW, FPRW, BRW
+    bool counts_at_once = true;           // what nobody minds; otherwise it is done each time, which is the same and slower
   };
   Esc(const SimSlaveConfig& config, std::vector<std::uint8_t> sii, const Options& options, Nanoseconds power_on,
       std::uint64_t seed);
@@ -82,14 +84,18 @@ class Esc {
   void wake_up() {
     idle_until_ = INT64_MIN;
     minded_ = ~0U;
+    renewed_by_transfer_ = {};
     if (dc_.signals_unminded()) mind_signals();
   }
   /// Time passes, and nothing happens.
   void pass_idly(Nanoseconds time) { dc_.pass_quietly(time); }
   /// Nobody wants to know of each SYNC0 until something wakes up the ESC; Listener::signals_passed() then tells the last.
-  void leave_signals_unminded() { dc_.leave_signals_unminded(); }
+  /// The device does no more with them than to write the same inputs again into these SyncManagers (a bit each).
+  void leave_signals_unminded(std::uint32_t renewed);
   /// Nobody wants to know of transfers in these SyncManagers (a bit each) until something wakes up the ESC.
-  void leave_transfers_unminded(std::uint32_t managers) { minded_ = ~managers; }
+  void leave_transfers_unminded(std::uint32_t managers);
+  /// At each transfer in SyncManager `by` that nobody minds the device writes the same inputs again into `renewed`.
+  void renew_at_transfers(unsigned by, std::uint32_t renewed);
   /// The frames come from elsewhere: what an ESC does with them by its position is another thing.
   void forget_plans() { ++generation_; }
   /// Another one after each change of the settings.
@@ -105,6 +111,7 @@ class Esc {
     return dc_;
   }
   [[nodiscard]] SyncManager sync_manager(unsigned number) const;
+  [[nodiscard]] bool has_sync_manager(unsigned number) const { return buffers_.has(number); }
   /// Its memory, cut where a master has set it up beyond the address space.
   [[nodiscard]] std::span<std::uint8_t> sync_manager_area(unsigned number);
   [[nodiscard]] std::span<const std::uint8_t> sync_manager_area(unsigned number) const;
@@ -116,8 +123,8 @@ class Esc {
   void deactivate_sync_manager(unsigned number, bool deactivated);
   /// Bytes that the master reads from a buffered SyncManager: a transfer under way still shows the buffer before.
   void put_buffer(unsigned number, std::span<const std::uint8_t> bytes);
-  /// The PDI writes what the buffer holds already.
-  void put_same_buffer(unsigned number);
+  /// The PDI writes what the buffers of these SyncManagers (a bit each) hold already.
+  void put_same_buffers(std::uint32_t managers);
   /// The level at a LATCH input (0, 1) as of `time`; false: no time taken, or the pin is a SYNC output (0x0151).
   bool latch_input(unsigned number, bool level, Nanoseconds time);
   /// The PDI has read 0x098E or 0x098F.
@@ -156,6 +163,9 @@ class Esc {
     std::uint16_t length;
   };
   void mind_signals();
+  /// What the device has written again with the SYNC signals that nobody minds, up to now.
+  void count_renewals();
+  void renew(std::uint32_t managers, std::uint64_t times);
   /// The rest of frame_end() after a frame that has written registers.
   void commit_all(Nanoseconds time);
   /// What happens in SyncManagers at the end of the frame.
@@ -174,10 +184,10 @@ class Esc {
   [[nodiscard]] unsigned read_and_write(const PassingDatagram& datagram, bool addressed);
   /// Its station address, or its alias where that is on.
   [[nodiscard]] bool has_address(std::uint16_t address) const;
-  /// The same for each frame of others: remembered as long as the settings stay.
-  [[nodiscard]] bool is_mine(std::uint16_t address) {
+  /// Has a datagram for single slaves that is for this one. Its addresses are remembered as long as the settings stay.
+  [[nodiscard]] bool is_called_by(const PassingFrame& frame) {
     if (addresses_generation_ != generation_) note_addresses();
-    return address == station_ || address == alias_;
+    return frame.is_for(station_, alias_);
   }
   void note_addresses();
   bool read_memory(std::uint16_t address, std::span<std::uint8_t> out, bool or_into);
@@ -194,7 +204,6 @@ class Esc {
   /// The first byte of a buffer is read: the newest one, whatever became of the transfer before.
   void open_buffer(std::uint32_t address, std::size_t length);
   void show_pending(unsigned number);
-  void show_written_buffer(unsigned number);
   void read_latches(std::uint16_t address, std::size_t length);
   void follow_latch_events();
   void sync_fired(SyncGenerator::Signal signal, Nanoseconds time);
@@ -224,7 +233,8 @@ class Esc {
   [[nodiscard]] bool any_have(std::uint8_t right, std::uint16_t address, std::size_t length) const;
   [[nodiscard]] bool plan_logical(FramePlan& plan, const PassingDatagram& datagram, std::size_t number, std::size_t offset) const;
   void follow(const FramePlan& plan, std::span<std::uint8_t> frame);
-  void follow(const FramePlan::Step& step, std::uint8_t* data);
+  /// `memory`: the ESC's, from its beginning.
+  void follow(const FramePlan::Step& step, std::uint8_t* memory, std::uint8_t* data);
   void execute_all(PassingFrame& frame);
   /// Of a plan whose datagram brings the system time: becomes effective at the end of the frame.
   void take_time(const std::uint8_t* data, std::uint8_t length);
@@ -257,6 +267,7 @@ class Esc {
   bool maps_stale_ = true;
   Nanoseconds quiet_until_ = INT64_MIN;        // nothing is due before that is not the clock's
   std::vector<std::uint8_t> active_managers_;  // those that are on and have a length
+  std::uint32_t mailboxes_ = 0;             // bit per SyncManager, on or not
   std::uint32_t buffers_begin_ = 0;         // where the first SyncManager's memory begins
   std::array<FramePlan, FramePlan::kPlaces> plans_{};
   std::uint32_t generation_ = 1;            // of the settings that plans are made by
@@ -265,6 +276,11 @@ class Esc {
   std::size_t reset_step_ = 0;
   bool sync_silent_ = false, prompt_ = false;
   std::uint32_t minded_ = ~0U;  // SyncManagers whose transfers the device is told of
+  std::uint32_t renewed_by_signal_ = 0;  // bit per SyncManager
+  struct Renewal {
+    std::uint32_t by = 0, renewed = 0;  // bit per SyncManager
+  };
+  Renewal renewed_by_transfer_;
 
   // Of the frame that is passing:
   bool touched_ = false;
@@ -281,11 +297,7 @@ class Esc {
   std::uint32_t sm_begun_ = 0;
   std::vector<std::vector<std::uint8_t>> pending_;  // of each SyncManager, not yet shown; empty: nothing
   bool any_pending_ = false;
-  /// Of a buffered SyncManager, 0 to 2: the one written last (3: none), the one that the other side reads.
-  struct Buffers {
-    std::uint8_t written = 3, read = 3;
-  };
-  std::vector<Buffers> buffers_;
+  ThreeBuffers buffers_;
 };
 
 }  // namespace syncline::sim

@@ -35,8 +35,10 @@ void Esc::reload_maps() {
   }
   buffers_begin_ = EscMemory::kSize;
   active_managers_.clear();
+  mailboxes_ = 0;
   for (unsigned i = 0; i < sync_managers_.size(); ++i) {
     const auto& sm = sync_managers_[i] = sync_manager(i);
+    if (sm.is_mailbox()) mailboxes_ |= 1U << i;
     if (!sm.enabled() || sm.length == 0) continue;
     active_managers_.push_back(static_cast<std::uint8_t>(i));
     buffers_begin_ = std::min<std::uint32_t>(buffers_begin_, sm.start);
@@ -103,7 +105,7 @@ void Esc::open_buffer(std::uint32_t address, std::size_t length) {
 
 void Esc::end_transfer(unsigned number, bool write) {
   (write ? sm_written_ : sm_read_) |= 1U << number;
-  if (!write) buffers_[number].read = buffers_[number].written;
+  if (!write) buffers_.read(number);
   sm_begun_ &= ~(1U << number);
 }
 

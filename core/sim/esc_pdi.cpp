@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <bit>
 
 #include "protocol/registers.h"
 #include "sim/esc.h"
@@ -93,7 +94,7 @@ void Esc::deactivate_sync_manager(unsigned number, bool deactivated) {
 void Esc::put_buffer(unsigned number, std::span<const std::uint8_t> bytes) {
   if (number >= pending_.size()) return;
   const auto area = sync_manager_area(number);
-  show_written_buffer(number);
+  put_same_buffers(1U << number);
   bytes = bytes.first(std::min(bytes.size(), area.size()));
   if ((sm_begun_ & (1U << number)) != 0) {
     pending_[number].assign(bytes.begin(), bytes.end());
@@ -104,19 +105,9 @@ void Esc::put_buffer(unsigned number, std::span<const std::uint8_t> bytes) {
   }
 }
 
-void Esc::put_same_buffer(unsigned number) {
-  if (number < pending_.size()) show_written_buffer(number);
-}
-
-/// Never into the buffer that is being read (ESC data sheet I, 7.1: three buffers).
-void Esc::show_written_buffer(unsigned number) {
-  auto& buffers = buffers_[number];
-  std::uint8_t next = 0;
-  while (next == buffers.written || next == buffers.read) ++next;
-  buffers.written = next;
-  const auto address = static_cast<std::uint16_t>(reg::sync_manager(number) + 5);
-  const auto others = memory_.u8(address) & ~SyncManager::kStatusBuffer;
-  memory_.set<std::uint8_t>(address, static_cast<std::uint8_t>(others | next << 4U));
+void Esc::put_same_buffers(std::uint32_t managers) {
+  if (renewed_by_signal_ != 0) count_renewals();
+  renew(managers, 1);
 }
 
 void Esc::show_pending(unsigned number) {
@@ -153,7 +144,34 @@ void Esc::sync_fired(SyncGenerator::Signal signal, Nanoseconds time) {
   if (listener_ != nullptr) listener_->sync_signal(signal, time);
 }
 
+void Esc::leave_signals_unminded(std::uint32_t renewed) {
+  if (!options_.counts_at_once || sync_silent_) return;  // signals that the device is not told of are missed by it
+  dc_.leave_signals_unminded();
+  renewed_by_signal_ = dc_.signals_unminded() ? renewed : 0;
+}
+
+void Esc::leave_transfers_unminded(std::uint32_t managers) {
+  if (!options_.counts_at_once) return;
+  // What is pending since the device hung is dealt with at the next transfer.
+  const auto pending = memory_.u32(reg::kAlEventRequest) / kAlEventSyncManager0;
+  minded_ = ~managers | pending;
+}
+
+void Esc::renew_at_transfers(unsigned by, std::uint32_t renewed) {
+  if ((minded_ >> by & 1U) == 0) renewed_by_transfer_ = {1U << by, renewed};
+}
+
+void Esc::count_renewals() {
+  if (const auto signals = dc_.count_unminded(); signals > 0) renew(renewed_by_signal_, signals);
+}
+
+void Esc::renew(std::uint32_t managers, std::uint64_t times) {
+  for (; managers != 0; managers &= managers - 1) buffers_.write(static_cast<unsigned>(std::countr_zero(managers)), times);
+}
+
 void Esc::mind_signals() {
+  count_renewals();
+  renewed_by_signal_ = 0;
   const auto last = dc_.mind_signals();
   if (listener_ != nullptr && last) listener_->signals_passed(*last);
 }

@@ -35,9 +35,7 @@ std::uint8_t status_events(const PassingDatagram& datagram) {
 const FramePlan* Esc::plan_for(PassingFrame& frame) {
   const auto* shape = frame.shape();
   if (shape == nullptr) return nullptr;
-  for (const auto station : frame.stations()) {
-    if (is_mine(station)) return nullptr;
-  }
+  if (is_called_by(frame)) return nullptr;
   auto& plan = plans_[shape->place];
   if (plan.shape != shape->id || plan.generation != generation_) {
     plan = {.shape = shape->id, .generation = generation_};
@@ -48,13 +46,14 @@ const FramePlan* Esc::plan_for(PassingFrame& frame) {
 
 void Esc::follow(const FramePlan& plan, std::span<std::uint8_t> frame) {
   auto* const begin = frame.data();
+  auto* const memory = memory_.at(0, EscMemory::kSize).data();
   const auto* const end = plan.steps.data() + plan.count;
-  for (const auto* step = plan.steps.data(); step != end; ++step) follow(*step, begin + step->offset);
+  for (const auto* step = plan.steps.data(); step != end; ++step) follow(*step, memory, begin + step->offset);
 }
 
-void Esc::follow(const FramePlan::Step& step, std::uint8_t* data) {
+void Esc::follow(const FramePlan::Step& step, std::uint8_t* memory, std::uint8_t* data) {
   const std::span in_frame(data, step.length);
-  const auto in_memory = memory_.at(step.address, step.length);
+  const std::span in_memory(memory + step.address, step.length);
   switch (step.what) {
     case Do::kOrRegister:
       short_or(in_memory, in_frame);
@@ -85,10 +84,12 @@ void Esc::follow(const FramePlan::Step& step, std::uint8_t* data) {
       return;
     }
   }
+  __builtin_unreachable();  // in every step of every frame
 }
 
 void Esc::take_time(const std::uint8_t* data, std::uint8_t length) {
   touched_ = true;
+  dc_.start_of_frame(frame_time_);
   if (time_size_ != 0) shadow_time();
   if (!writes_.empty()) {  // in the order in which they came
     writes_.push_back({reg::kSystemTime, length});

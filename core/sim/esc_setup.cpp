@@ -23,7 +23,7 @@ Esc::Esc(const SimSlaveConfig& config, std::vector<std::uint8_t> sii, const Opti
       protection_(memory_),
       sync_managers_(options.sync_manager_count),
       pending_(options.sync_manager_count),
-      buffers_(options.sync_manager_count) {
+      buffers_(memory_, options.sync_manager_count) {
   implement_registers();
   load_configuration();
   std::uint16_t features = 0;  // FMMUs map bits

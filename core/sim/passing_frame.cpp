@@ -38,16 +38,23 @@ std::uint64_t new_id() {
 
 }  // namespace
 
+void PassingFrame::find_stations() {
+  for (const auto station : stations_) wanted_[station / 64] = 0;
+  stations_.clear();
+  for (const auto& view : views_) {
+    if (!is_for_station(view.header.command)) continue;
+    const auto station = view.header.adp();
+    stations_.push_back(station);
+    wanted_[station / 64] |= std::uint64_t{1} << station % 64;
+  }
+}
+
 /// A frame that comes for the first time may be the only one of its kind.
 void PassingFrame::find_shape() {
   shape_ = nullptr;
   counters_ = {};
   passed_ = 0;
   keys_.clear();
-  stations_.clear();
-  for (const auto& view : views_) {
-    if (is_for_station(view.header.command)) stations_.push_back(view.header.adp());
-  }
   if (execution_ == Execution::kEach || for_single_slaves_ || views_.size() > FramePlan::kMostDatagrams) return;
   for (const auto& view : views_) keys_.push_back(key_of(view.header));
   const auto known = std::ranges::find(shapes_, keys_, &Shape::datagrams);
@@ -90,6 +97,7 @@ PassingFrame::Kind PassingFrame::arrive(std::span<std::uint8_t> bytes) {
   takes_port_times_ = std::ranges::any_of(datagrams_, latches_port_times);
   touches_clock_ = std::ranges::any_of(datagrams_, reaches_clock);
   bytes_ = bytes;
+  find_stations();
   find_shape();
   return Kind::kEtherCat;
 }

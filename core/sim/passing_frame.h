@@ -43,8 +43,11 @@ class PassingFrame {
   };
   /// Null: nobody is to make a plan for this frame.
   [[nodiscard]] const Shape* shape() const { return shape_; }
-  /// Station addresses that datagrams for single slaves are for.
-  [[nodiscard]] std::span<const std::uint16_t> stations() const { return stations_; }
+  static constexpr std::uint32_t kNoStation = 0x1'0000;
+  /// A datagram for single slaves is for this station address, or for the other one; kNoStation: for nobody.
+  [[nodiscard]] bool is_for(std::uint32_t station, std::uint32_t other) const {
+    return !stations_.empty() && (is_wanted(station) || is_wanted(other));
+  }
   /// An ESC has followed its plan: it counts with `wkc`, and positions move on.
   void pass(const FramePlan::Counters& wkc) {
     for (std::size_t i = 0; i < wkc.size(); ++i) counters_[i] = static_cast<std::uint16_t>(counters_[i] + wkc[i]);
@@ -67,13 +70,16 @@ class PassingFrame {
 
  private:
   void find_shape();
+  void find_stations();
+  [[nodiscard]] bool is_wanted(std::uint32_t station) const { return (wanted_[station / 64] >> station % 64 & 1U) != 0; }
 
   Execution execution_;
   std::array<Shape, FramePlan::kPlaces> shapes_;
   std::uint8_t next_shape_ = 0;
   const Shape* shape_ = nullptr;
   std::vector<std::uint64_t> keys_;     // of the datagrams, for their shape
-  std::vector<std::uint16_t> stations_;
+  std::vector<std::uint16_t> stations_;  // that datagrams for single slaves are for
+  std::array<std::uint64_t, kNoStation / 64 + 1> wanted_{};  // the same: a bit for each address
   FramePlan::Counters counters_{};      // of the plans, not yet in the datagrams
   std::uint16_t passed_ = 0;            // ESCs that have followed theirs
   std::span<std::uint8_t> bytes_;

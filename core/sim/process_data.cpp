@@ -5,6 +5,8 @@
 #include <cstring>
 #include <utility>
 
+#include "sim/short_copy.h"
+
 namespace syncline::sim {
 namespace {
 
@@ -85,8 +87,12 @@ void ProcessData::map() {
     channel.one_buffer = manager.enabled() && manager.is_mailbox();
     if (channel.direction == PdoDirection::kTx) offer_inputs(channel.manager);
   }
+  inputs_ = 0;
+  for (const unsigned number : sync_managers(PdoDirection::kTx)) {
+    if (number < kManagers && esc_.has_sync_manager(number)) inputs_ |= 1U << number;
+  }
   shared_ = shares_objects();
-  inputs_stay_ = false;
+  forget_objects();
 }
 
 bool ProcessData::inputs_map(std::uint16_t index) {
@@ -105,11 +111,12 @@ std::uint32_t ProcessData::buffered_managers() const {
   return managers;
 }
 
-void ProcessData::take_outputs(unsigned manager, bool valid) {
-  const auto* channel = find(manager);
-  if (channel == nullptr) return;
-  if (valid) outputs_to_dictionary(*channel);
-  if (channel->one_buffer) esc_.set_mailbox_full(manager, false);
+bool ProcessData::take_outputs(unsigned manager, bool valid) {
+  if (!carries(PdoDirection::kRx, manager)) return false;
+  auto& channel = channels_[places_[manager]];
+  if (valid) outputs_to_dictionary(channel);
+  if (channel.one_buffer) esc_.set_mailbox_full(manager, false);
+  return channel.first;
 }
 
 void ProcessData::offer_inputs(unsigned manager) {
@@ -117,8 +124,12 @@ void ProcessData::offer_inputs(unsigned manager) {
   if (channel != nullptr && channel->one_buffer) esc_.set_mailbox_full(manager, true);
 }
 
-void ProcessData::outputs_to_dictionary(const Channel& channel) {
+void ProcessData::outputs_to_dictionary(Channel& channel) {
   const auto bytes = std::as_const(esc_).sync_manager_area(channel.manager);
+  if (channel.outputs_stay && short_equal(bytes, channel.taken)) return;
+  channel.taken.assign(bytes.begin(), bytes.end());
+  channel.outputs_stay = true;
+  ++outputs_taken_;
   const bool all = channel.end_bit <= 8U * bytes.size();
   for (const auto& copy : channel.copies) {
     if (!all && copy.bit_offset + copy.bits > 8U * bytes.size()) continue;
@@ -127,7 +138,18 @@ void ProcessData::outputs_to_dictionary(const Channel& channel) {
   }
 }
 
+void ProcessData::forget_objects() {
+  inputs_stay_ = false;
+  forget_outputs();
+}
+
+void ProcessData::forget_outputs() {
+  ++outputs_taken_;
+  for (Channel& channel : channels_) channel.outputs_stay = false;
+}
+
 void ProcessData::clear_outputs() {
+  forget_outputs();
   for (const Channel& channel : channels_) {
     if (channel.direction == PdoDirection::kTx) continue;
     for (const auto& copy : channel.copies) std::ranges::fill(copy.entry->value, std::uint8_t{0});
@@ -154,9 +176,7 @@ void ProcessData::inputs_from_dictionary() {
 
 void ProcessData::renew_inputs() {
   if (!inputs_stay()) return inputs_from_dictionary();
-  for (const Channel& channel : channels_) {
-    if (channel.direction == PdoDirection::kTx) esc_.put_same_buffer(channel.manager);
-  }
+  esc_.put_same_buffers(inputs_);
 }
 
 }  // namespace syncline::sim

@@ -29,22 +29,24 @@ class ProcessData {
   /// The dictionary's inputs are in the SyncManagers, and outputs do not change them.
   [[nodiscard]] bool inputs_stay() const { return inputs_stay_ && generation_ == esc_.generation(); }
   /// Somebody else has been at the dictionary.
-  void forget_inputs() { inputs_stay_ = false; }
+  void forget_objects();
+  /// Another number whenever the objects that outputs are mapped to may have changed.
+  [[nodiscard]] std::uint32_t outputs_taken() const { return outputs_taken_; }
   /// An entry of the object is mapped into the inputs.
   [[nodiscard]] bool inputs_map(std::uint16_t index);
   /// Bit per SyncManager: those of buffered process data.
   [[nodiscard]] std::uint32_t buffered_managers() const;
+  /// The same of those that renew_inputs() writes.
+  [[nodiscard]] std::uint32_t input_managers() const { return inputs_; }
   /// The master has written outputs: into the dictionary with them, when they are `valid`. Process data in one buffer
-  /// (SyncManager in mailbox mode) make room for the next.
-  void take_outputs(unsigned manager, bool valid);
+  /// (SyncManager in mailbox mode) make room for the next. True: the first SyncManager of the outputs has them.
+  bool take_outputs(unsigned manager, bool valid);
   /// The master has read inputs: in one buffer there are new ones at once.
   void offer_inputs(unsigned manager);
 
   [[nodiscard]] std::uint32_t byte_length(PdoDirection direction) const { return pdos_.byte_length(direction); }
   [[nodiscard]] std::uint32_t byte_length_of(unsigned manager) const;
   [[nodiscard]] bool has_outputs() const;
-  /// It has a SyncManager for them.
-  [[nodiscard]] bool has_inputs() const { return !sync_managers(PdoDirection::kTx).empty(); }
   /// First SyncManager of the direction in the device's description; valid before map(), too.
   [[nodiscard]] std::optional<unsigned> sync_manager(PdoDirection direction) const;
   /// All of the direction.
@@ -75,6 +77,8 @@ class ProcessData {
     PdoObjects::Assignment assignment{};
     std::vector<Copy> copies{};
     std::vector<std::uint8_t> input_buffer{};
+    std::vector<std::uint8_t> taken{};  // outputs that are in the dictionary
+    bool outputs_stay = false;          // nobody else has been there since
     bool one_buffer = false;
     bool first = false;         // of its direction
     std::uint32_t end_bit = 0;  // behind all copies
@@ -84,7 +88,8 @@ class ProcessData {
   [[nodiscard]] const Channel* find(unsigned manager) const {
     return manager < kManagers && places_[manager] != kNone ? &channels_[places_[manager]] : nullptr;
   }
-  void outputs_to_dictionary(const Channel& channel);
+  void outputs_to_dictionary(Channel& channel);
+  void forget_outputs();
   [[nodiscard]] bool shares_objects() const;
   [[nodiscard]] std::vector<Copy> copies(const PdoObjects::Assignment& assignment);
 
@@ -96,6 +101,8 @@ class ProcessData {
   std::vector<unsigned> numbers_[2];
   bool shared_ = false;       // an output is an input, too
   bool inputs_stay_ = false;
+  std::uint32_t inputs_ = 0;         // bit per SyncManager
+  std::uint32_t outputs_taken_ = 0;
   std::uint32_t generation_ = 0;  // of the ESC's settings then
 };
 

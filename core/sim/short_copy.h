@@ -43,6 +43,16 @@ inline void short_copy(std::span<const std::uint8_t> from, std::span<std::uint8_
   }
 }
 
+[[nodiscard]] inline bool short_equal(std::span<const std::uint8_t> a, std::span<const std::uint8_t> b) {
+  constexpr std::size_t kWord = 8;
+  if (a.size() != b.size()) return false;
+  if (a.size() == 4) return load_le<std::uint32_t>(a) == load_le<std::uint32_t>(b);
+  if (a.size() < kWord || a.size() > 2 * kWord) return std::ranges::equal(a, b);
+  const auto last = a.size() - kWord;  // words that may overlap
+  return load_le<std::uint64_t>(a) == load_le<std::uint64_t>(b) &&
+         load_le<std::uint64_t>(a.subspan(last)) == load_le<std::uint64_t>(b.subspan(last));
+}
+
 /// Adds the bits of `from` to those of `to`, which is at least as long.
 inline void short_or(std::span<const std::uint8_t> from, std::span<std::uint8_t> to) {
   switch (from.size()) {

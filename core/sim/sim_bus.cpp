@@ -38,7 +38,7 @@ std::vector<std::uint8_t> factory_sii(const SimSlaveConfig& config) {
   return image;
 }
 
-Node power_up(const SimSlaveConfig& config, std::vector<std::uint8_t> sii, Nanoseconds time, std::uint64_t seed) {
+Node power_up(const SimSlaveConfig& config, std::vector<std::uint8_t> sii, Nanoseconds time, std::uint64_t seed, SimBus::Work work) {
   Esc::Options options;
   options.device_emulation = config.device.device_emulation();
   options.fmmu_count = config.fmmu_count;
@@ -46,6 +46,7 @@ Node power_up(const SimSlaveConfig& config, std::vector<std::uint8_t> sii, Nanos
   options.ram_kbytes = config.ram_kbytes;
   options.logical_read_write = config.logical_read_write;
   options.physical_read_write = config.physical_read_write;
+  options.counts_at_once = work == SimBus::Work::kAtOnce;
   Node node;
   node.esc = std::make_unique<Esc>(config, std::move(sii), options, time, seed);
   node.device = make_device(config, *node.esc);
@@ -71,6 +72,7 @@ struct SlaveLink {
 
 struct SimBus::Impl final : FaultTarget {
   SimConfig config;
+  Work work;
   Wiring wiring;
   std::vector<Node> nodes;
   std::vector<SlaveLink> links;
@@ -84,18 +86,19 @@ struct SimBus::Impl final : FaultTarget {
   PassingFrame passing;
   std::vector<const Stop*> touched;     // those at which the passing frame left something; the others it was not for
 
-  Impl(SimConfig c, Nanoseconds start, PassingFrame::Execution execution)
+  Impl(SimConfig c, Nanoseconds start, Work how)
       : config(std::move(c)),
+        work(how),
         wiring(config.slaves),
         links(config.slaves.size()),
         line_faults(config.bus.loss, config.seed ^ 0x6C69'6E65U),
         now(start),
-        passing(execution) {
+        passing(how == Work::kAtOnce ? PassingFrame::Execution::kPlanned : PassingFrame::Execution::kEach) {
     for (std::size_t i = 0; i < config.slaves.size(); ++i) {
       auto& slave = config.slaves[i];
       slave.oscillator.changes = rate_changes(config, i, start);
       if (config.bus.latch_noise_ns > 0) slave.dc.latch_noise_ns = config.bus.latch_noise_ns;
-      nodes.push_back(power_up(config.slaves[i], factory_sii(config.slaves[i]), start, seed_of(i)));
+      nodes.push_back(power_up(config.slaves[i], factory_sii(config.slaves[i]), start, seed_of(i), work));
     }
     rewire();
     true_delay.resize(nodes.size());
@@ -107,7 +110,7 @@ struct SimBus::Impl final : FaultTarget {
 
   [[nodiscard]] std::uint64_t seed_of(std::size_t i) const { return config.seed * 0x9E37'79B9'7F4A'7C15U + i; }
   void restart(std::size_t i, Nanoseconds time) {
-    nodes[i] = power_up(config.slaves[i], nodes[i].esc->sii_content(), time, seed_of(i));
+    nodes[i] = power_up(config.slaves[i], nodes[i].esc->sii_content(), time, seed_of(i), work);
     schedule->started_anew(i);
   }
 
@@ -299,7 +302,7 @@ void SimBus::Impl::foreign_frame(Nanoseconds time) {
 SimBus::SimBus(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 SimBus::~SimBus() = default;
 
-Result<std::unique_ptr<SimBus>> SimBus::create(const SimConfig& config, Nanoseconds start, bool plans) {
+Result<std::unique_ptr<SimBus>> SimBus::create(const SimConfig& config, Nanoseconds start, Work work) {
   if (config.slaves.empty()) return fail(ErrorCode::kConfiguration, config.name, "the segment has no slaves");
   for (std::size_t i = 0; i < config.slaves.size(); ++i) {
     if (config.slaves[i].parent.value_or(0) < config.slaves.size()) continue;
@@ -321,8 +324,7 @@ Result<std::unique_ptr<SimBus>> SimBus::create(const SimConfig& config, Nanoseco
   if (expected != config.slaves.size()) {
     return fail(ErrorCode::kConfiguration, fmt::format("slave {}", expected), "no frame reaches it; check parent and port");
   }
-  return std::unique_ptr<SimBus>(new SimBus(std::make_unique<Impl>(
-      config, start, plans ? PassingFrame::Execution::kPlanned : PassingFrame::Execution::kEach)));
+  return std::unique_ptr<SimBus>(new SimBus(std::make_unique<Impl>(config, start, work)));
 }
 
 SimBus::Returned SimBus::execute(std::span<std::uint8_t> frame, Nanoseconds send_time) {
@@ -343,6 +345,7 @@ std::vector<PinEdge> SimBus::pin_edges(std::size_t position, unsigned pin) const
 }
 std::vector<std::uint8_t> SimBus::peek(std::size_t position, std::uint16_t address, std::size_t length) const {
   auto& esc = *impl_->nodes.at(position).esc;
+  esc.dc().start_of_frame(impl_->now);
   esc.dc().refresh_registers();
   const auto bytes = std::as_const(esc).memory().at(address, length);
   return {bytes.begin(), bytes.end()};

@@ -17,9 +17,13 @@ namespace syncline::sim {
 /// (the host clock's) given by the caller and must not step back. Single-threaded, deterministic.
 class SimBus {
  public:
-  /// `start`: true time of power-on. `plans`: slaves remember what the datagrams of every cycle do to them; without, each
-  /// of them is executed each time, which is the same and slower.
-  [[nodiscard]] static Result<std::unique_ptr<SimBus>> create(const SimConfig& config, Nanoseconds start, bool plans = true);
+  /// How slaves do what is the same in every cycle.
+  enum class Work : std::uint8_t {
+    kAtOnce,  // they remember what a frame does to them, and count what nobody looks at
+    kEach,    // each datagram and each SYNC signal by itself, which is the same and slower
+  };
+  /// `start`: true time of power-on.
+  [[nodiscard]] static Result<std::unique_ptr<SimBus>> create(const SimConfig& config, Nanoseconds start, Work work = Work::kAtOnce);
   ~SimBus();
 
   struct Returned {

@@ -65,25 +65,28 @@ void SyncGenerator::realign(std::uint64_t now, bool wide) {
   // A start time that has passed comes when the counter comes round again.
   if (!wide && next0_) next0_ = first0_done_ ? nearest(*next0_) : now + static_cast<std::uint32_t>(*next0_ - now);
   if (next0_ && before(*next0_, now) && !first0_done_) next0_.reset();
-  pass_to(now);
+  (void)pass_to(now);
 }
 
-void SyncGenerator::skip_to(std::uint64_t now) {
-  if (next0_ && before(*next0_, now)) first0_done_ = true;
+std::uint64_t SyncGenerator::skip_to(std::uint64_t now) {
   if (next1_ && before(*next1_, now)) first1_done_ = true;
-  pass_to(now);
+  const auto passed = pass_to(now);
+  if (passed > 0) first0_done_ = true;
+  return passed;
 }
 
 /// On with the first of each that is not before `now`.
-void SyncGenerator::pass_to(std::uint64_t now) {
+std::uint64_t SyncGenerator::pass_to(std::uint64_t now) {
   if (next1_ && before(*next1_, now)) next1_.reset();
-  if (!next0_ || !before(*next0_, now)) return;
+  if (!next0_ || !before(*next0_, now)) return 0;
   if (settings_.cycle0 == 0) {
     next0_.reset();
-  } else {
-    const std::uint64_t missed = (now - *next0_) / settings_.cycle0 + 1;
-    next0_ = *next0_ + missed * settings_.cycle0;
+    return 1;
   }
+  const auto since = now - *next0_;
+  const auto passed = since < settings_.cycle0 ? 1 : since / settings_.cycle0 + 1;  // one, mostly
+  next0_ = *next0_ + passed * settings_.cycle0;
+  return passed;
 }
 
 }  // namespace syncline::sim

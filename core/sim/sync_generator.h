@@ -39,11 +39,11 @@ class SyncGenerator {
   /// System time has jumped to `now` (offset written, clock step): pulses that were jumped over are lost.
   /// A unit of 32 bit sees the low word only: what is due lies within one turn of it.
   void realign(std::uint64_t now, bool wide);
-  /// Nobody has looked for long: what was due before `now` has come and gone.
-  void skip_to(std::uint64_t now);
+  /// Nobody has looked for long: what was due before `now` has come and gone. How many SYNC0 that were.
+  std::uint64_t skip_to(std::uint64_t now);
 
  private:
-  void pass_to(std::uint64_t now);
+  std::uint64_t pass_to(std::uint64_t now);
   void start_sync1(std::uint64_t sync0);
 
   Settings settings_;

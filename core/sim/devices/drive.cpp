@@ -11,7 +11,6 @@ namespace {
 
 constexpr std::uint32_t kPllRange = 100'000;  // ns; the drive's PLL cannot lock on a clock that is further away
 constexpr Nanoseconds kPllPatience = 2 * kSecond;
-constexpr int kMissingSyncs = 8;
 /// Servo periods that are run through at once at most: a drive that nobody has asked for so long has come to rest.
 constexpr Nanoseconds kMostTicks = 100'000;
 constexpr unsigned kMissWeight = 3;  // added for a missed event; a good one takes 1 away
@@ -199,17 +198,25 @@ Nanoseconds Drive::sync_patience() const {
 
 /// What the servo loop does between two SYNC0 is seen at the next one, unless the inputs are latched in between.
 Nanoseconds Drive::runs_alone_until() {
-  if (watched() || !latches_at_sync0() || !last_sync_) return INT64_MIN;
+  if (watched_ || !latches_at_sync0() || !last_sync_) return INT64_MIN;
   return latch_due_ ? *latch_due_ : sync_patience();
 }
 
 // ---- events --------------------------------------------------------------------------------------
 
-AxisCommand Drive::read_command() {
+const AxisCommand& Drive::command() {
+  const bool sync0 = dc().sync0_enabled();
+  if (!known_command_ || known_command_->outputs != outputs_taken() || known_command_->sync0 != sync0) {
+    known_command_ = {read_command(sync0), outputs_taken(), sync0};
+  }
+  return known_command_->command;
+}
+
+AxisCommand Drive::read_command(bool sync0) {
   const auto& o = objects_;
   AxisCommand command;
   command.mode = axis_mode(o.mode.get());
-  if (habits_.cyclic_modes_need_dc && is_cyclic(command.mode) && !dc().sync0_enabled()) command.mode = AxisMode::kNone;
+  if (habits_.cyclic_modes_need_dc && is_cyclic(command.mode) && !sync0) command.mode = AxisMode::kNone;
   command.controlword = o.control.get();
   command.target_position = static_cast<std::int32_t>(o.target.get());
   command.target_velocity = static_cast<std::int32_t>(o.target_velocity.get());
@@ -240,10 +247,10 @@ void Drive::on_outputs(Nanoseconds time) {
     if (arriving_) {
       waiting_ = times.calc_and_copy;  // it is still busy with those before
     } else {
-      arriving_ = {read_command(), time + times.calc_and_copy};
+      arriving_ = {command(), time + times.calc_and_copy};
     }
   } else {
-    apply(read_command(), time);
+    apply(command(), time);
   }
 }
 
@@ -253,7 +260,7 @@ void Drive::take_arrived(Nanoseconds time) {
     arrived_ = arriving_->command;
     const auto end = arriving_->ready;
     arriving_.reset();
-    if (waiting_) arriving_ = {read_command(), end + *waiting_};
+    if (waiting_) arriving_ = {command(), end + *waiting_};
     waiting_.reset();
   }
 }
@@ -322,7 +329,7 @@ void Drive::raise_sync_alarm() {
 
 // ---- servo loop ----------------------------------------------------------------------------------
 
-void Drive::run_servo(Nanoseconds time) {
+void Drive::run_each_period(Nanoseconds time) {
   if (latch_due_ && *latch_due_ < time) {
     run_ticks(*latch_due_);
     axis_.step(*latch_due_);
@@ -334,8 +341,8 @@ void Drive::run_servo(Nanoseconds time) {
 
 void Drive::run_ticks(Nanoseconds time) {
   bool any = false;
-  if (!axis_.enabled() && !watched()) {
-    if (latches_at_sync0()) return;  // nobody sees a period: SYNC0 passes over them
+  if (passes_over_periods()) return;
+  if (!axis_.enabled() && !watched_) {
     any = clock_.skip_before(time);
   } else {
     clock_.keep_last(kMostTicks, time);

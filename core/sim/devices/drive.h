@@ -38,8 +38,8 @@ class Drive : public Device {
   Nanoseconds runs_alone_until() override;
   /// A servo period begins.
   virtual void servo_tick(Nanoseconds) {}
-  /// Somebody looks at servo_tick(): none may be left out.
-  [[nodiscard]] virtual bool watched() const { return false; }
+  /// Somebody looks at servo_tick(), so that none may be left out.
+  void watch_servo(bool watched) { watched_ = watched; }
   [[nodiscard]] const DriveHabits& habits() const { return habits_; }
   [[nodiscard]] const ServoClock& servo_clock() const { return clock_; }
   /// Inputs are those of SYNC0; otherwise those of the last servo period.
@@ -61,7 +61,9 @@ class Drive : public Device {
   void leave_op();
   /// When SYNC0 will have stayed away for too long.
   [[nodiscard]] Nanoseconds sync_patience() const;
-  [[nodiscard]] AxisCommand read_command();
+  /// What the objects tell the axis now.
+  [[nodiscard]] const AxisCommand& command();
+  [[nodiscard]] AxisCommand read_command(bool sync0);
   [[nodiscard]] Nanoseconds target_distance();
   void take_arrived(Nanoseconds time);
   void take_event(Nanoseconds time);
@@ -69,7 +71,12 @@ class Drive : public Device {
   void raise_sync_alarm();
   void begin_local_cycle(Nanoseconds time);
   /// Lets the servo loop run up to `time`, and latches the inputs when the shift time puts them in between.
-  void run_servo(Nanoseconds time);
+  void run_servo(Nanoseconds time) {
+    if (latch_due_ || !passes_over_periods()) run_each_period(time);
+  }
+  /// Nobody sees a servo period, and SYNC0 passes over them.
+  [[nodiscard]] bool passes_over_periods() { return !axis_.enabled() && !watched_ && latches_at_sync0(); }
+  void run_each_period(Nanoseconds time);
   void run_ticks(Nanoseconds time);
   void apply(const AxisCommand& command, Nanoseconds time);
   void publish_inputs();
@@ -95,6 +102,14 @@ class Drive : public Device {
   Objects objects_;
   std::optional<Published> published_;
   bool plain_inputs_ = false;                 // nothing else
+  bool watched_ = false;
+  /// The last one that was read, and what it was read from.
+  struct KnownCommand {
+    AxisCommand command;
+    std::uint32_t outputs = 0;
+    bool sync0 = false;
+  };
+  std::optional<KnownCommand> known_command_;
   SyncObject outputs_sync_, inputs_sync_;
   ServoClock clock_;
   PowerState power_;

@@ -56,7 +56,7 @@ std::uint32_t DriveC::configure(std::size_t pin, std::uint16_t function) {
   if (std::ranges::find(functions, function, &families::PinFunction::value) == functions.end()) return abort::kRange;
   pins_[pin] = {function, {}};
   const auto shows = [this](std::uint16_t wanted) { return std::ranges::find(pins_, wanted, &Pin::function) != pins_.end(); };
-  servo_pins_ = shows(kServoPeriod);
+  watch_servo(shows(kServoPeriod));
   see_frames(shows(kFrame));
   return abort::kNone;
 }

@@ -22,7 +22,6 @@ class DriveC final : public Drive {
  protected:
   void on_sync0(Nanoseconds time) override;
   void servo_tick(Nanoseconds time) override;
-  [[nodiscard]] bool watched() const override { return servo_pins_; }
 
  private:
   enum Function : std::uint16_t { kSync0 = 11, kFrame = 12, kServoPeriod = 0x200 };
@@ -36,7 +35,6 @@ class DriveC final : public Drive {
   [[nodiscard]] std::uint16_t synchronisation_status();
 
   std::vector<Pin> pins_;
-  bool servo_pins_ = false;
 };
 
 }  // namespace syncline::sim

@@ -28,7 +28,7 @@ class Generic final : public Device {
     renew_inputs();
   }
   Nanoseconds runs_alone_until() override { return busy_until_.value_or(INT64_MAX); }
-  bool rests() override { return inputs_stay() && !has_inputs() && !busy_until_; }
+  bool rests() override { return inputs_stay() && application_delay() == 0 && !busy_until_; }
 
  private:
   /// Takes next to no time, unless it is slow; what comes meanwhile is passed over.

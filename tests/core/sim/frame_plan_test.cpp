@@ -161,9 +161,9 @@ std::vector<Move> random_moves(const SimConfig& config) {
 }
 
 /// All that came back, and what is in the slaves in the end.
-std::vector<std::uint8_t> outcome(const SimConfig& config, const std::vector<Move>& moves, bool plans) {
+std::vector<std::uint8_t> outcome(const SimConfig& config, const std::vector<Move>& moves, sim::SimBus::Work work) {
   auto now = VirtualClock::kDefaultStart;
-  const auto bus = std::move(sim::SimBus::create(config, now, plans).value());
+  const auto bus = std::move(sim::SimBus::create(config, now, work).value());
   std::vector<std::uint8_t> all;
   for (const auto& move : moves) {
     now += move.later;
@@ -185,7 +185,7 @@ std::vector<std::uint8_t> outcome(const SimConfig& config, const std::vector<Mov
 RC_GTEST_PROP(SimFramePlan, FollowingAPlanIsExecutingTheDatagrams, ()) {
   const auto config = random_segment();
   const auto moves = random_moves(config);
-  RC_ASSERT(outcome(config, moves, true) == outcome(config, moves, false));
+  RC_ASSERT(outcome(config, moves, sim::SimBus::Work::kAtOnce) == outcome(config, moves, sim::SimBus::Work::kEach));
 }
 
 /// A frame of another shape in between, and settings that change: what was remembered does not stay.

@@ -65,7 +65,8 @@ class SimProbe {
     [[nodiscard]] T value() const { return load_le<T>(data); }
   };
 
-  explicit SimProbe(const SimConfig& config) : bus(std::move(sim::SimBus::create(config, now).value())) {}
+  explicit SimProbe(const SimConfig& config, sim::SimBus::Work work = sim::SimBus::Work::kAtOnce)
+      : bus(std::move(sim::SimBus::create(config, now, work).value())) {}
 
   Reply send(Command command, std::uint32_t address, std::vector<std::uint8_t> data) {
     FrameBuilder builder;
