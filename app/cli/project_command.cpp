@@ -8,7 +8,7 @@
 #include "app/cli/project_advice.h"
 #include "app/cli/project_create.h"
 #include "app/composition/load_config.h"
-#include "config/settings_keys.h"
+#include "settings/settings_keys.h"
 #include "eni/project_file.h"
 
 namespace syncline::cli {

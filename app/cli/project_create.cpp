@@ -9,7 +9,7 @@
 #include "app/composition/open_bus.h"
 #include "app/composition/scan_bus.h"
 #include "config/recover/recover_project.h"
-#include "config/settings_keys.h"
+#include "settings/settings_keys.h"
 #include "eni/catalogue/esi_catalogue.h"
 #include "eni/describe_slaves.h"
 #include "eni/eni_file.h"

@@ -7,7 +7,7 @@
 #include <QSignalBlocker>
 #include <algorithm>
 
-#include "config/compile/dc_times.h"
+#include "config/dc_times.h"
 #include "protocol/dc_registers.h"
 #include "ui/pages/sync_settings_editor.h"
 #include "ui/pages/sync_unit_editor.h"

@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "config/families/families.h"
-#include "config/sync_settings.h"
+#include "settings/sync_settings.h"
 #include "ui/session/setting_keys.h"
 #include "ui/text/units.h"
 #include "ui/widgets/card.h"

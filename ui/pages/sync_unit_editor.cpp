@@ -4,7 +4,7 @@
 #include <QComboBox>
 #include <QSignalBlocker>
 
-#include "config/compile/dc_times.h"
+#include "config/dc_times.h"
 #include "ui/session/setting_keys.h"
 #include "ui/text/units.h"
 #include "ui/widgets/card.h"

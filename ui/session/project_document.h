@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "config/project.h"
-#include "config/settings_keys.h"
+#include "settings/settings_keys.h"
 #include "support/result.h"
 #include "ui/commands/edit_project_command.h"
 
