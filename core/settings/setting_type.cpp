@@ -201,9 +201,11 @@ Status check_value(const Type& type, const Value& value) {
     return known ? Status{}
                  : Status(bad_value(fmt::format("{} is none of {}", format_value(type, value), words(*choice))));
   }
+  const auto* record = std::get_if<Record>(&type);
   const bool fits =
       (std::holds_alternative<Switch>(type) && std::holds_alternative<bool>(value)) ||
-      (std::holds_alternative<Record>(type) && !std::holds_alternative<bool>(value)) ||
+      (record != nullptr &&
+       (record->packed ? std::holds_alternative<std::int64_t>(value) : std::holds_alternative<std::string>(value))) ||
       (std::holds_alternative<Indices>(type) && std::holds_alternative<std::vector<std::uint16_t>>(value)) ||
       (std::holds_alternative<MacAddress>(type) && std::holds_alternative<std::vector<std::uint8_t>>(value) &&
        std::get<std::vector<std::uint8_t>>(value).size() == kMacBytes);

@@ -71,10 +71,11 @@ struct MacAddress {};
 /// PDO indices in the order of the process data.
 struct Indices {};
 
-/// Several values with a grammar of its own, as one text.
+/// Several values with a grammar of its own, as one text or packed into a number.
 struct Record {
   std::string_view kind;     // "start-up command"
   std::string_view grammar;  // "NAME xMULTIPLE ..."
+  bool packed = false;
 };
 
 using Type = std::variant<Switch, Number, Choice, Text, MacAddress, Indices, Record>;

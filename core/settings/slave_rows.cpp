@@ -18,6 +18,14 @@ constexpr auto at = [](auto& project, const Place& place) -> auto& { return proj
 /// Position and port as one number: four ports a slave.
 std::int64_t pack(const PreviousPort& previous) { return previous.position * kPorts + previous.port; }
 
+bool is_another(std::int64_t position, std::size_t own_position, std::size_t slaves) {
+  return is_position(slaves, position) && !std::cmp_equal(position, own_position);
+}
+
+std::string no_other_slave(std::int64_t position, std::size_t slaves) {
+  return fmt::format("slave {} is not another slave of the {} on the bus", position, slaves);
+}
+
 Result<Value> parse_previous(std::string_view text, std::size_t own_position, std::size_t slaves) {
   const auto colon = text.find(':');
   const auto position = parse_integer(text.substr(0, colon));
@@ -25,16 +33,14 @@ Result<Value> parse_previous(std::string_view text, std::size_t own_position, st
   if (!position || port.size() != 1 || port[0] < 'A' || port[0] > 'D') {
     return bad_value(fmt::format("\"{}\" is neither none nor POSITION:PORT, like 0:B", text));
   }
-  if (!is_position(slaves, *position) || std::cmp_equal(*position, own_position)) {
-    return bad_value(fmt::format("slave {} is not another slave of the {} on the bus", *position, slaves));
-  }
+  if (!is_another(*position, own_position, slaves)) return bad_value(no_other_slave(*position, slaves));
   return Value{pack({static_cast<std::uint16_t>(*position), static_cast<std::uint8_t>(port[0] - 'A')})};
 }
 
 Setting previous_row() {
   Setting row{
       .key = "slave.N.previous",
-      .type = Record{"slave position and port", "POSITION:A..D of another slave"},
+      .type = Record{"slave position and port", "POSITION:A..D of another slave", true},
       .words = {.label = "Connected to",
                 .help = "Where the slave is plugged in towards the master. One behind it only when that one's cables "
                         "are swapped.",
@@ -50,10 +56,15 @@ Setting previous_row() {
   row.write = [](Project& project, const Place& place, const Value& value) -> Status {
     auto& previous = at(project, place).previous;
     const auto* packed = std::get_if<std::int64_t>(&value);
-    previous.reset();
-    if (packed != nullptr) {
-      previous = {static_cast<std::uint16_t>(*packed / kPorts), static_cast<std::uint8_t>(*packed % kPorts)};
+    if (packed == nullptr) {
+      previous.reset();
+      return {};
     }
+    const auto position = *packed / kPorts;
+    if (*packed < 0 || !is_another(position, place.slave, project.slaves.size())) {
+      return bad_value(no_other_slave(position, project.slaves.size()));
+    }
+    previous = {static_cast<std::uint16_t>(position), static_cast<std::uint8_t>(*packed % kPorts)};
     return {};
   };
   row.parse = [](const Project& project, const Place& place, std::string_view text) {
