@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "eni/project_file.h"
+#include "settings/settings_table.h"
 
 namespace syncline::ui {
 
@@ -24,17 +25,19 @@ Status ProjectDocument::edit(const QString& text, ProjectEdit edit) {
   return {};
 }
 
-Status ProjectDocument::set(const QString& text, std::vector<SettingValue> settings) {
-  return edit(text, [settings = std::move(settings)](Project& project) -> Status {
-    for (const auto& setting : settings) {
-      if (auto status = set_setting(project, setting.key, setting.value); !status) return status;
+Status ProjectDocument::set(const QString& text, std::vector<SettingEdit> edits) {
+  return edit(text, [edits = std::move(edits)](Project& project) -> Status {
+    for (const auto& [setting, place, value] : edits) {
+      if (setting->of_slave() && place.slave >= project.slaves.size()) {
+        return fail(ErrorCode::kUnknownKey, settings::key_of(*setting, place), "the slave is gone");
+      }
+      if (auto status = settings::set_value(*setting, project, place, value); !status) {
+        status.error().subject = settings::key_of(*setting, place);
+        return status;
+      }
     }
     return {};
   });
-}
-
-Status ProjectDocument::set(const QString& text, const QString& key, const QString& value) {
-  return set(text, {SettingValue{key.toStdString(), value.toStdString()}});
 }
 
 void ProjectDocument::replace(const QString& text, Project project) {
