@@ -3310,6 +3310,10 @@ Einstellung %2</translation>
             <translation>Vorgabe</translation>
         </message>
         <message>
+            <source>Emptied field</source>
+            <translation>Geleertes Feld</translation>
+        </message>
+        <message>
             <source>Goes to</source>
             <translation>Geht nach</translation>
         </message>

@@ -12,6 +12,7 @@
 #include <QToolBar>
 #include <QToolButton>
 #include <QUrl>
+#include <QWhatsThis>
 #include <utility>
 
 #include "protocol/dc_registers.h"
@@ -125,6 +126,9 @@ void MainWindow::buildMenus() {
   view->addSeparator();
   view->addActions(actions_->themes);
   auto* help = menuBar()->addMenu(tr("&Help"));
+  auto* what = QWhatsThis::createAction(this);
+  what->setObjectName(QStringLiteral("actionWhatsThis"));
+  help->addAction(what);
   help->addAction(actions_->about);
 }
 

@@ -107,6 +107,25 @@ TEST_F(Fields, ASetValueThatNoLongerFitsIsKeptAndMarked) {
       << qPrintable(set_value.accessibleDescription());
 }
 
+TEST_F(Fields, AnEmptiedFieldIsLeftToWhoeverDecidesOtherwise) {
+  show(1, "slaveDcPage");
+  auto& shift = field<NumberEdit>("sync0Shift");
+  test::type(shift, QStringLiteral("-12.5"));
+  ASSERT_EQ(project().slaves[1].dc.sync0.shift, -12'500);
+  QTest::keyClick(&shift, Qt::Key_A, Qt::ControlModifier);
+  QTest::keyClick(&shift, Qt::Key_Delete);
+  QTest::keyClick(&shift, Qt::Key_Return);
+  EXPECT_EQ(project().slaves[1].dc.sync0.shift, std::nullopt);
+  show(1, "slaveGeneralPage");
+  auto& alias = field<NumberEdit>("slaveAlias");
+  alias.setFocus();
+  QTest::keyClick(&alias, Qt::Key_A, Qt::ControlModifier);
+  QTest::keyClick(&alias, Qt::Key_Delete);
+  QTest::keyClick(&alias, Qt::Key_Return);
+  EXPECT_FALSE(alias.accessibleDescription().isEmpty()) << "an alias always has a value";
+  EXPECT_EQ(project().slaves[1].alias, 0);
+}
+
 TEST_F(Fields, WhatIsTypedIsNotCompleted) {
   show(-1, "masterGeneralPage");
   test::type(field("masterCycle"), QStringLiteral("200"));

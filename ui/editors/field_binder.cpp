@@ -75,6 +75,7 @@ TextEdit* FieldBinder::text(Card& card, const char* object_name, const char* key
 NumberEdit* FieldBinder::numberField(const char* object_name, const char* key) {
   auto* field = named(new NumberEdit(numberType(key), [this, key](std::int64_t value) { return set(key, value); }), object_name,
                       settingLabel(settings::row(key)));
+  if (!settings::row(key).unset.empty()) field->setClear([this, key] { return set(key, Value{}); });
   bind(*field, key, [this, field, key] {
     const auto& setting = settings::row(key);
     const auto value = numberOf(settings::effective_value(setting, page_.project(), place()));

@@ -34,9 +34,9 @@ void NumberEdit::display() {
   markField(*this, {});
 }
 
-bool NumberEdit::take(std::int64_t value) {
-  if (const auto reason = take_(value); !reason.isEmpty()) {
-    markField(*this, reason);
+bool NumberEdit::taken(const QString& refusal) {
+  if (!refusal.isEmpty()) {
+    markField(*this, refusal);
     return false;
   }
   pending_ = false;
@@ -46,6 +46,7 @@ bool NumberEdit::take(std::int64_t value) {
 
 bool NumberEdit::commit() {
   if (!pending_) return true;
+  if (clear_ && lineEdit()->text().trimmed().isEmpty()) return taken(clear_());
   const auto value = parseNumber(number_, lineEdit()->text());
   if (!value) {
     markField(*this,
@@ -54,7 +55,7 @@ bool NumberEdit::commit() {
     return false;
   }
   if (*value == value_) return revert(), true;
-  return take(*value);
+  return taken(take_(*value));
 }
 
 void NumberEdit::revert() {
@@ -67,7 +68,7 @@ void NumberEdit::stepBy(int steps) {
   auto next = std::clamp(value_ + steps * numberStep(number_), range_.low, range_.high);
   if (number_.without_zero && next == 0) next = steps > 0 ? 1 : -1;
   if (next == value_) return;
-  take(next);
+  taken(take_(next));
   selectAll();
 }
 

@@ -3,6 +3,7 @@
 
 #include <QAbstractSpinBox>
 #include <functional>
+#include <utility>
 
 #include "settings/setting_type.h"
 #include "ui/editors/field.h"
@@ -19,6 +20,8 @@ class NumberEdit final : public QAbstractSpinBox, public Field {
   using Take = std::function<QString(std::int64_t)>;
 
   NumberEdit(const settings::Number& number, Take take, QWidget* parent = nullptr);
+  /// What an emptied field means: the setting is unset. Without it an empty field is no value.
+  void setClear(std::function<QString()> clear) { clear_ = std::move(clear); }
 
   /// Shows `value`; the arrows stay within `range`. Text that is pending stays.
   void showValue(std::int64_t value, const settings::Range& range);
@@ -43,10 +46,11 @@ class NumberEdit final : public QAbstractSpinBox, public Field {
 
  private:
   void display();
-  bool take(std::int64_t value);
+  bool taken(const QString& refusal);
 
   settings::Number number_;
   Take take_;
+  std::function<QString()> clear_;
   std::int64_t value_ = 0;
   settings::Range range_;
   bool pending_ = false;

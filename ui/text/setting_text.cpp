@@ -53,6 +53,9 @@ QString settingHelp(const settings::Setting& setting) {
                           : QString::fromUtf8(number->unit.data(), static_cast<qsizetype>(number->unit.size())));
   }
   add(word(QT_TRANSLATE_NOOP("Setting", "Values")), values);
+  if (number != nullptr && !setting.unset.empty()) {
+    add(word(QT_TRANSLATE_NOOP("Setting", "Emptied field")), QString::fromStdString(setting.unset));
+  }
   add(word(QT_TRANSLATE_NOOP("Setting", "Default")), QString::fromStdString(settings::preset_text(setting)));
   add(word(QT_TRANSLATE_NOOP("Setting", "Goes to")), whereText(setting.words));
   add(word(QT_TRANSLATE_NOOP("Setting", "Changes")), eniText(setting.words));
