@@ -22,8 +22,9 @@ void append(std::vector<SettingValue>& out, const Project& project, const Settin
 std::vector<SettingDescription> setting_descriptions() {
   std::vector<SettingDescription> descriptions;
   for (const Setting& setting : settings::table()) {
-    descriptions.push_back(
-        {setting.key, settings::type_text(setting), settings::range_text(setting), setting.words.help});
+    const auto& words = setting.words;
+    descriptions.push_back({setting.key, settings::type_text(setting), settings::range_text(setting), words.help,
+                            words.label, settings::preset_text(setting), words.object, words.eni, words.expert});
   }
   return descriptions;
 }

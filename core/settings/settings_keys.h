@@ -22,6 +22,10 @@ struct SettingDescription {
   std::string type;  // "integer us", "name", "list of PDO indices"
   std::string range;
   std::string meaning;
+  std::string name;          // beside a field of the window
+  std::string preset;        // what a new project or a new slave has; empty for lists
+  std::string goes_to, eni;  // register or object; ENI element; may be empty
+  bool expert = false;
 };
 
 [[nodiscard]] std::vector<SettingDescription> setting_descriptions();
