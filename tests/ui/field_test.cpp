@@ -399,6 +399,10 @@ TEST(SettingText, WordsOfFieldsAreKnownToTheTranslations) {
     for (const auto& bound : page->fields().bound()) {
       EXPECT_TRUE(known.contains(bound.setting->words.label)) << bound.setting->words.label;
       EXPECT_TRUE(known.contains(bound.setting->words.help)) << bound.setting->words.help;
+      const auto* choice = std::get_if<settings::Choice>(&bound.setting->type);
+      for (const auto& option : choice != nullptr ? choice->options : std::vector<settings::Option>{}) {
+        EXPECT_TRUE(known.contains(option.text)) << bound.setting->key << ' ' << option.text;
+      }
     }
   }
 }

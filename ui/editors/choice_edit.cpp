@@ -8,7 +8,7 @@ namespace syncline::ui {
 ChoiceEdit::ChoiceEdit(QWidget* parent) : QComboBox(parent) {
   setFocusPolicy(Qt::StrongFocus);
   setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  setMinimumContentsLength(14);
+  setMinimumContentsLength(8);
 }
 
 void ChoiceEdit::wheelEvent(QWheelEvent* event) {

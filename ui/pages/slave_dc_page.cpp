@@ -5,6 +5,7 @@
 
 #include "config/dc_times.h"
 #include "protocol/dc_registers.h"
+#include "ui/editors/choice_edit.h"
 #include "ui/editors/field_binder.h"
 #include "ui/pages/sync_settings_editor.h"
 #include "ui/pages/sync_unit_editor.h"
@@ -47,7 +48,7 @@ bool SlaveDcPage::appliesTo(int slave) const {
 }
 
 void SlaveDcPage::buildMode(Card& card) {
-  fields().choice(card, "operationMode", "slave.N.dc.op_mode");
+  fields().choice(card, "operationMode", "slave.N.dc.op_mode")->setMinimumContentsLength(14);
   description_ = card.addValue("operationModeDescription", tr("Meaning"), tr("ESI OpMode/Desc"));
   description_->setWordWrap(true);
   assign_activate_ = card.addValue("assignActivate", tr("AssignActivate"), tr("ESI OpMode/AssignActivate, written to register 0x0980"));

@@ -50,9 +50,11 @@ SyncSettingsEditor::SyncSettingsEditor(Card& card, Page& page) : QObject(&page) 
     const auto limit = limit_->currentData();
     page.fields().set(kErrorLimit, limit.isValid() ? settings::Value{std::int64_t{limit.toInt()}} : settings::Value{});
   });
+  limit_->setMinimumContentsLength(14);
   page.fields().bind(*limit_, kErrorLimit);
   card.addRow(limit_->accessibleName(), limit_, limit_->toolTip());
   type_ = page.fields().choice(card, "syncType", "slave.N.sync.type");
+  type_->setMinimumContentsLength(14);
 }
 
 void SyncSettingsEditor::showSlave(const SlaveSettings& slave) {
