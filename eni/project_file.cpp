@@ -5,7 +5,7 @@
 #include <map>
 #include <span>
 
-#include "config/sync_settings.h"
+#include "settings/sync_settings.h"
 #include "eni/project_fields.h"
 #include "eni/xml_text.h"
 

@@ -20,6 +20,14 @@
     <context>
         <name>Actions</name>
         <message>
+            <source>Take the last edit back</source>
+            <translation>Die letzte Änderung zurücknehmen</translation>
+        </message>
+        <message>
+            <source>Do again what was taken back</source>
+            <translation>Das Zurückgenommene noch einmal tun</translation>
+        </message>
+        <message>
             <source>&amp;New</source>
             <translation>&amp;Neu</translation>
         </message>
@@ -1221,6 +1229,10 @@
     <context>
         <name>MainWindow</name>
         <message>
+            <source>A field holds what cannot be a value: mend it, or press Esc in it.</source>
+            <translation>In einem Feld steht, was kein Wert sein kann: berichtigen oder darin Esc drücken.</translation>
+        </message>
+        <message>
             <source>Findings</source>
             <translation>Befunde</translation>
         </message>
@@ -1312,36 +1324,8 @@
             <translation>Master, live</translation>
         </message>
         <message>
-            <source>Switch %1</source>
-            <translation>%1 umschalten</translation>
-        </message>
-        <message>
-            <source>Distributed clocks</source>
-            <translation>Distributed Clocks</translation>
-        </message>
-        <message>
-            <source>Off: no distributed-clocks commands are configured</source>
-            <translation>Aus: keine Distributed-Clocks-Kommandos</translation>
-        </message>
-        <message>
             <source>Reference clock</source>
             <translation>Referenzuhr</translation>
-        </message>
-        <message>
-            <source>Change reference clock</source>
-            <translation>Referenzuhr ändern</translation>
-        </message>
-        <message>
-            <source>The slave whose system time leads (register 0x0910, ENI DC/ReferenceClock). Only slaves behind it can be synchronised.</source>
-            <translation>Der Slave, dessen Systemzeit führt (Register 0x0910, ENI DC/ReferenceClock). Nur Slaves dahinter können synchronisiert werden.</translation>
-        </message>
-        <message>
-            <source>Show 64-bit system time</source>
-            <translation>64-Bit-Systemzeit zeigen</translation>
-        </message>
-        <message>
-            <source>Reads 8 instead of 4 bytes of register 0x0910 each cycle</source>
-            <translation>Liest je Zyklus 8 statt 4 Byte von Register 0x0910</translation>
         </message>
         <message>
             <source>The master's clock leads: the reference clock is steered by a cyclic write to register 0x0910</source>
@@ -1372,96 +1356,16 @@
             <translation>Die Referenzuhr führt, und die Anwendung verschiebt den Sendezeitpunkt um die gemeldete Stellgröße</translation>
         </message>
         <message>
-            <source>Change master synchronisation</source>
-            <translation>Master-Synchronisation ändern</translation>
-        </message>
-        <message>
             <source>Set value automatic</source>
             <translation>Sollwert automatisch</translation>
-        </message>
-        <message>
-            <source>Change set value</source>
-            <translation>Sollwert ändern</translation>
         </message>
         <message>
             <source>Two thirds of the cycle</source>
             <translation>Zwei Drittel des Zyklus</translation>
         </message>
         <message>
-            <source>Set value: send to SYNC0</source>
-            <translation>Sollwert: Senden bis SYNC0</translation>
-        </message>
-        <message>
-            <source>Send to SYNC0</source>
-            <translation>Senden bis SYNC0</translation>
-        </message>
-        <message>
-            <source>Distance from sending the cyclic frame to SYNC0 (EC-Master nCtlSetVal)</source>
-            <translation>Abstand vom Senden des zyklischen Frames bis SYNC0 (EC-Master nCtlSetVal)</translation>
-        </message>
-        <message>
-            <source>In-sync limit</source>
-            <translation>Synchron-Grenze</translation>
-        </message>
-        <message>
-            <source>Change in-sync limit</source>
-            <translation>Synchron-Grenze ändern</translation>
-        </message>
-        <message>
-            <source>Controller error up to which the master counts as in sync (dwInSyncLimit)</source>
-            <translation>Reglerfehler, bis zu dem der Master als synchron gilt (dwInSyncLimit)</translation>
-        </message>
-        <message>
-            <source>Settle time of the master</source>
-            <translation>Einschwingzeit des Masters</translation>
-        </message>
-        <message>
-            <source>Change settle time</source>
-            <translation>Einschwingzeit ändern</translation>
-        </message>
-        <message>
-            <source>Settle time</source>
-            <translation>Einschwingzeit</translation>
-        </message>
-        <message>
-            <source>How long the error must stay within the limit (dwInSyncSettleTime)</source>
-            <translation>Wie lange der Fehler in der Grenze bleiben muss (dwInSyncSettleTime)</translation>
-        </message>
-        <message>
-            <source>Monitor the sync window</source>
-            <translation>Sync-Fenster überwachen</translation>
-        </message>
-        <message>
-            <source>Adds a BRD of register 0x092C to the cyclic frame. Without it slaves are not monitored.</source>
-            <translation>Fügt dem zyklischen Frame ein BRD auf Register 0x092C hinzu. Ohne dieses werden Slaves nicht überwacht.</translation>
-        </message>
-        <message>
-            <source>Limit exponent n</source>
-            <translation>Exponent n der Grenze</translation>
-        </message>
-        <message>
-            <source>Change sync window</source>
-            <translation>Sync-Fenster ändern</translation>
-        </message>
-        <message>
             <source>Limit</source>
             <translation>Grenze</translation>
-        </message>
-        <message>
-            <source>Limit 2ⁿ − 1</source>
-            <translation>Grenze 2ⁿ − 1</translation>
-        </message>
-        <message>
-            <source>Wire-ored SystemTimeDifference (register 0x092C) of all slaves, dwDevLimit</source>
-            <translation>Verodertes SystemTimeDifference (Register 0x092C) aller Slaves, dwDevLimit</translation>
-        </message>
-        <message>
-            <source>Settle time of the slaves</source>
-            <translation>Einschwingzeit der Slaves</translation>
-        </message>
-        <message>
-            <source>How long the deviation must stay within the limit</source>
-            <translation>Wie lange die Abweichung in der Grenze bleiben muss</translation>
         </message>
         <message>
             <source>Slaves in sync</source>
@@ -1532,10 +1436,6 @@
             <translation>Synchron nach</translation>
         </message>
         <message>
-            <source>First with DC</source>
-            <translation>Erster mit DC</translation>
-        </message>
-        <message>
             <source>%1 / %2</source>
             <translation>%1 / %2</translation>
         </message>
@@ -1577,46 +1477,6 @@
         <message>
             <source>Recovery</source>
             <translation>Wiederanlauf</translation>
-        </message>
-        <message>
-            <source>Switch %1</source>
-            <translation>%1 umschalten</translation>
-        </message>
-        <message>
-            <source>Bring back lost slaves</source>
-            <translation>Verlorene Slaves zurückholen</translation>
-        </message>
-        <message>
-            <source>Slaves that come back (cable healed, power back) are set up again and led to the state of the bus</source>
-            <translation>Slaves, die wiederkommen (Kabel heil, Versorgung zurück), werden neu eingerichtet und in den Zustand des Busses geführt</translation>
-        </message>
-        <message>
-            <source>Start without missing slaves</source>
-            <translation>Ohne fehlende Slaves starten</translation>
-        </message>
-        <message>
-            <source>Goes online with the slaves that are there; the others join when they appear</source>
-            <translation>Geht mit den vorhandenen Slaves online; die anderen kommen dazu, sobald sie da sind</translation>
-        </message>
-        <message>
-            <source>Tries to leave an error state</source>
-            <translation>Versuche, einen Fehlerzustand zu verlassen</translation>
-        </message>
-        <message>
-            <source>Change tries</source>
-            <translation>Versuche ändern</translation>
-        </message>
-        <message>
-            <source>How often an error is acknowledged (register 0x0120) and the state requested again; 0 leaves it to you</source>
-            <translation>Wie oft ein Fehler quittiert (Register 0x0120) und der Zustand erneut angefordert wird; bei 0 bleibt es Ihnen überlassen</translation>
-        </message>
-        <message>
-            <source>Overlap inputs and outputs</source>
-            <translation>Eingänge und Ausgänge überlagern</translation>
-        </message>
-        <message>
-            <source>Inputs and outputs of a slave share logical addresses, which halves the cyclic frame</source>
-            <translation>Eingänge und Ausgänge eines Slaves teilen sich logische Adressen; das halbiert das zyklische Telegramm</translation>
         </message>
         <message>
             <source>General</source>
@@ -1675,28 +1535,8 @@
             <translation>Bus</translation>
         </message>
         <message>
-            <source>Name of the master</source>
-            <translation>Name des Masters</translation>
-        </message>
-        <message>
-            <source>Rename master</source>
-            <translation>Master umbenennen</translation>
-        </message>
-        <message>
             <source>Name</source>
             <translation>Name</translation>
-        </message>
-        <message>
-            <source>ENI Master/Info/Name</source>
-            <translation>ENI Master/Info/Name</translation>
-        </message>
-        <message>
-            <source>Cycle time</source>
-            <translation>Zykluszeit</translation>
-        </message>
-        <message>
-            <source>Bus cycle, base of every Sync Unit Cycle (ENI Cyclic/CycleTime); 31.25 µs to 100 ms</source>
-            <translation>Buszyklus, Basis jedes Sync Unit Cycle (ENI Cyclic/CycleTime); 31,25 µs bis 100 ms</translation>
         </message>
         <message>
             <source>Current state</source>
@@ -1761,10 +1601,6 @@
         <message>
             <source>Cycles without a frame: the host came too late for them</source>
             <translation>Zyklen ohne Frame: der Host kam zu spät für sie</translation>
-        </message>
-        <message>
-            <source>Change cycle time</source>
-            <translation>Zykluszeit ändern</translation>
         </message>
         <message>
             <source>%1, %2 on the wire</source>
@@ -1986,10 +1822,6 @@ Einstellung %2</translation>
             <translation>Zugeordnete Größe, %1</translation>
         </message>
         <message>
-            <source>Change PDO assignment</source>
-            <translation>PDO-Zuordnung ändern</translation>
-        </message>
-        <message>
             <source>Entries</source>
             <translation>Einträge</translation>
         </message>
@@ -2074,20 +1906,8 @@ Einstellung %2</translation>
             <translation>Live</translation>
         </message>
         <message>
-            <source>Operation mode</source>
-            <translation>Betriebsart</translation>
-        </message>
-        <message>
-            <source>Change operation mode</source>
-            <translation>Betriebsart ändern</translation>
-        </message>
-        <message>
             <source>Mode</source>
             <translation>Betriebsart</translation>
-        </message>
-        <message>
-            <source>ESI Dc/OpMode</source>
-            <translation>ESI Dc/OpMode</translation>
         </message>
         <message>
             <source>Meaning</source>
@@ -2112,18 +1932,6 @@ Einstellung %2</translation>
         <message>
             <source>Cycle time of the master, base of the Sync Unit Cycle</source>
             <translation>Zykluszeit des Masters, Basis des Sync Unit Cycle</translation>
-        </message>
-        <message>
-            <source>Potential reference clock</source>
-            <translation>Mögliche Referenzuhr</translation>
-        </message>
-        <message>
-            <source>Change potential reference clock</source>
-            <translation>Mögliche Referenzuhr ändern</translation>
-        </message>
-        <message>
-            <source>May lead when the reference clock is missing (ENI DC/PotentialReferenceClock)</source>
-            <translation>Darf führen, wenn die Referenzuhr fehlt (ENI DC/PotentialReferenceClock)</translation>
         </message>
         <message>
             <source>0x0980 activation</source>
@@ -2190,10 +1998,6 @@ Einstellung %2</translation>
             <translation>Zähler des Geräts (Objekt 0x1C32)</translation>
         </message>
         <message>
-            <source>Off (no DC commands)</source>
-            <translation>Aus (keine DC-Kommandos)</translation>
-        </message>
-        <message>
             <source>Offline</source>
             <translation>Offline</translation>
         </message>
@@ -2245,20 +2049,8 @@ Einstellung %2</translation>
             <translation>Zeitgrenzen</translation>
         </message>
         <message>
-            <source>Name of the slave</source>
-            <translation>Name des Slaves</translation>
-        </message>
-        <message>
-            <source>Rename slave</source>
-            <translation>Slave umbenennen</translation>
-        </message>
-        <message>
             <source>Name</source>
             <translation>Name</translation>
-        </message>
-        <message>
-            <source>ENI Slave/Info/Name</source>
-            <translation>ENI Slave/Info/Name</translation>
         </message>
         <message>
             <source>Type</source>
@@ -2309,28 +2101,8 @@ Einstellung %2</translation>
             <translation>Datei oder EEPROM, woher die Gerätebeschreibung stammt</translation>
         </message>
         <message>
-            <source>Station address</source>
-            <translation>Stationsadresse</translation>
-        </message>
-        <message>
-            <source>Change station address</source>
-            <translation>Stationsadresse ändern</translation>
-        </message>
-        <message>
-            <source>Configured station address (register 0x0010)</source>
-            <translation>Konfigurierte Stationsadresse (Register 0x0010)</translation>
-        </message>
-        <message>
             <source>Alias</source>
             <translation>Alias</translation>
-        </message>
-        <message>
-            <source>Change alias</source>
-            <translation>Alias ändern</translation>
-        </message>
-        <message>
-            <source>Configured station alias (register 0x0012, SII word 0x0004)</source>
-            <translation>Konfigurierter Stationsalias (Register 0x0012, SII-Wort 0x0004)</translation>
         </message>
         <message>
             <source>Auto-increment</source>
@@ -2347,26 +2119,6 @@ Einstellung %2</translation>
         <message>
             <source>Slave and port in front of this one (ENI PreviousPort)</source>
             <translation>Slave und Port davor (ENI PreviousPort)</translation>
-        </message>
-        <message>
-            <source>Change check: %1</source>
-            <translation>Prüfung ändern: %1</translation>
-        </message>
-        <message>
-            <source>Compares SII word 0x0008 in INIT to PREOP</source>
-            <translation>Vergleicht SII-Wort 0x0008 von INIT nach PREOP</translation>
-        </message>
-        <message>
-            <source>Compares SII word 0x000A in INIT to PREOP</source>
-            <translation>Vergleicht SII-Wort 0x000A von INIT nach PREOP</translation>
-        </message>
-        <message>
-            <source>Compares SII word 0x000C in INIT to PREOP</source>
-            <translation>Vergleicht SII-Wort 0x000C von INIT nach PREOP</translation>
-        </message>
-        <message>
-            <source>Compares SII word 0x000E in INIT to PREOP</source>
-            <translation>Vergleicht SII-Wort 0x000E von INIT nach PREOP</translation>
         </message>
         <message>
             <source>Current state</source>
@@ -2636,32 +2388,8 @@ Einstellung %2</translation>
             <translation>bis %1</translation>
         </message>
         <message>
-            <source>Error limit</source>
-            <translation>Fehlergrenze</translation>
-        </message>
-        <message>
-            <source>Change error limit</source>
-            <translation>Fehlergrenze ändern</translation>
-        </message>
-        <message>
-            <source>Object 0x10F1:02: a missed SM event counts 3, a good one takes 1 away; the device gives up at the limit</source>
-            <translation>Objekt 0x10F1:02: ein verpasstes SM-Ereignis zählt 3, ein gutes nimmt 1 weg; an der Grenze gibt das Gerät auf</translation>
-        </message>
-        <message>
-            <source>Synchronisation type</source>
-            <translation>Synchronisationsart</translation>
-        </message>
-        <message>
-            <source>Change synchronisation type</source>
-            <translation>Synchronisationsart ändern</translation>
-        </message>
-        <message>
             <source>Type</source>
             <translation>Art</translation>
-        </message>
-        <message>
-            <source>Objects 0x1C32:01 and 0x1C33:01: what starts the device&apos;s cycle</source>
-            <translation>Objekte 0x1C32:01 und 0x1C33:01: was den Zyklus des Geräts startet</translation>
         </message>
         <message>
             <source>As device (%1)</source>
@@ -2676,24 +2404,8 @@ Einstellung %2</translation>
             <translation>0 (gibt nie auf)</translation>
         </message>
         <message>
-            <source>As operation mode</source>
-            <translation>Wie die Betriebsart</translation>
-        </message>
-        <message>
-            <source>Free run</source>
-            <translation>Freilauf</translation>
-        </message>
-        <message>
-            <source>SM event</source>
-            <translation>SM-Ereignis</translation>
-        </message>
-        <message>
             <source>SYNC0</source>
             <translation>SYNC0</translation>
-        </message>
-        <message>
-            <source>SYNC1</source>
-            <translation>SYNC1</translation>
         </message>
         <message numerus="yes">
             <source>%1 (%n miss(es) in a row)</source>
@@ -2714,48 +2426,20 @@ Einstellung %2</translation>
             <translation>Sync Unit Cycle</translation>
         </message>
         <message>
-            <source>Multiple or fraction of the bus cycle; the operation mode of the ESI proposes one</source>
-            <translation>Vielfaches oder Teil des Buszyklus; die Betriebsart der ESI schlägt einen vor</translation>
-        </message>
-        <message>
             <source>Cycle of %1</source>
             <translation>Zyklus von %1</translation>
-        </message>
-        <message>
-            <source>Change cycle of %1</source>
-            <translation>Zyklus von %1 ändern</translation>
         </message>
         <message>
             <source>Cycle</source>
             <translation>Zyklus</translation>
         </message>
         <message>
-            <source>Register 0x09A0</source>
-            <translation>Register 0x09A0</translation>
-        </message>
-        <message>
-            <source>Register 0x09A4 holds the delay from SYNC0 to SYNC1</source>
-            <translation>Register 0x09A4 enthält die Verzögerung von SYNC0 bis SYNC1</translation>
-        </message>
-        <message>
             <source>Shift of %1</source>
             <translation>Verschiebung von %1</translation>
         </message>
         <message>
-            <source>Change shift of %1</source>
-            <translation>Verschiebung von %1 ändern</translation>
-        </message>
-        <message>
             <source>Shift</source>
             <translation>Verschiebung</translation>
-        </message>
-        <message>
-            <source>Added to the start time, register 0x0990 (ENI DC/ShiftTime)</source>
-            <translation>Zur Startzeit addiert, Register 0x0990 (ENI DC/ShiftTime)</translation>
-        </message>
-        <message>
-            <source>Moves SYNC1 only (ENI DC/CycleTime1)</source>
-            <translation>Verschiebt nur SYNC1 (ENI DC/CycleTime1)</translation>
         </message>
         <message>
             <source>As operation mode (%1)</source>
@@ -3297,6 +2981,378 @@ Einstellung %2</translation>
         <message>
             <source>Nothing found. What the running bus shows to be wrong stands here, with its cause and what to do.</source>
             <translation>Nichts gefunden. Was am laufenden Bus nicht stimmt, steht hier, mit Ursache und Abhilfe.</translation>
+        </message>
+    </context>
+    <context>
+        <name>Setting</name>
+        <message>
+            <source>Name</source>
+            <translation>Name</translation>
+        </message>
+        <message>
+            <source>Cycle time</source>
+            <translation>Zykluszeit</translation>
+        </message>
+        <message>
+            <source>Overlap inputs and outputs</source>
+            <translation>Eingänge und Ausgänge überlagern</translation>
+        </message>
+        <message>
+            <source>Bring back lost slaves</source>
+            <translation>Verlorene Slaves zurückholen</translation>
+        </message>
+        <message>
+            <source>Tries to leave an error state</source>
+            <translation>Versuche, einen Fehlerzustand zu verlassen</translation>
+        </message>
+        <message>
+            <source>Start without missing slaves</source>
+            <translation>Ohne fehlende Slaves starten</translation>
+        </message>
+        <message>
+            <source>Distributed clocks</source>
+            <translation>Distributed Clocks</translation>
+        </message>
+        <message>
+            <source>Reference clock</source>
+            <translation>Referenzuhr</translation>
+        </message>
+        <message>
+            <source>Show 64-bit system time</source>
+            <translation>64-Bit-Systemzeit zeigen</translation>
+        </message>
+        <message>
+            <source>Master synchronisation</source>
+            <translation>Master-Synchronisation</translation>
+        </message>
+        <message>
+            <source>Send to SYNC0</source>
+            <translation>Senden bis SYNC0</translation>
+        </message>
+        <message>
+            <source>In-sync limit</source>
+            <translation>Synchron-Grenze</translation>
+        </message>
+        <message>
+            <source>Settle time</source>
+            <translation>Einschwingzeit</translation>
+        </message>
+        <message>
+            <source>Monitor the sync window</source>
+            <translation>Sync-Fenster überwachen</translation>
+        </message>
+        <message>
+            <source>Limit 2ⁿ − 1</source>
+            <translation>Grenze 2ⁿ − 1</translation>
+        </message>
+        <message>
+            <source>Station address</source>
+            <translation>Stationsadresse</translation>
+        </message>
+        <message>
+            <source>Alias</source>
+            <translation>Alias</translation>
+        </message>
+        <message>
+            <source>Vendor</source>
+            <translation>Hersteller</translation>
+        </message>
+        <message>
+            <source>Product code</source>
+            <translation>Produktcode</translation>
+        </message>
+        <message>
+            <source>Revision</source>
+            <translation>Revision</translation>
+        </message>
+        <message>
+            <source>Serial number</source>
+            <translation>Seriennummer</translation>
+        </message>
+        <message>
+            <source>Mode</source>
+            <translation>Betriebsart</translation>
+        </message>
+        <message>
+            <source>Potential reference clock</source>
+            <translation>Mögliche Referenzuhr</translation>
+        </message>
+        <message>
+            <source>Sync Unit Cycle</source>
+            <translation>Sync Unit Cycle</translation>
+        </message>
+        <message>
+            <source>Cycle</source>
+            <translation>Zyklus</translation>
+        </message>
+        <message>
+            <source>Shift</source>
+            <translation>Verschiebung</translation>
+        </message>
+        <message>
+            <source>Error limit</source>
+            <translation>Fehlergrenze</translation>
+        </message>
+        <message>
+            <source>Type</source>
+            <translation>Art</translation>
+        </message>
+        <message>
+            <source>Outputs (RxPDO)</source>
+            <translation>Ausgänge (RxPDO)</translation>
+        </message>
+        <message>
+            <source>Inputs (TxPDO)</source>
+            <translation>Eingänge (TxPDO)</translation>
+        </message>
+        <message>
+            <source>First with DC</source>
+            <translation>Erster mit DC</translation>
+        </message>
+        <message>
+            <source>Off (no DC commands)</source>
+            <translation>Aus (keine DC-Kommandos)</translation>
+        </message>
+        <message>
+            <source>As operation mode</source>
+            <translation>Wie die Betriebsart</translation>
+        </message>
+        <message>
+            <source>Off</source>
+            <translation>Aus</translation>
+        </message>
+        <message>
+            <source>Bus shift</source>
+            <translation>Bus Shift</translation>
+        </message>
+        <message>
+            <source>Master shift</source>
+            <translation>Master Shift</translation>
+        </message>
+        <message>
+            <source>Master reference clock</source>
+            <translation>Master-Referenzuhr</translation>
+        </message>
+        <message>
+            <source>Adapter reference clock</source>
+            <translation>Adapter-Referenzuhr</translation>
+        </message>
+        <message>
+            <source>External clock (DCX)</source>
+            <translation>Externe Uhr (DCX)</translation>
+        </message>
+        <message>
+            <source>Master shift by application</source>
+            <translation>Master Shift durch die Anwendung</translation>
+        </message>
+        <message>
+            <source>Free run</source>
+            <translation>Freilauf</translation>
+        </message>
+        <message>
+            <source>SM event</source>
+            <translation>SM-Ereignis</translation>
+        </message>
+        <message>
+            <source>SYNC0</source>
+            <translation>SYNC0</translation>
+        </message>
+        <message>
+            <source>SYNC1</source>
+            <translation>SYNC1</translation>
+        </message>
+        <message>
+            <source>Name of the master in the ENI file.</source>
+            <translation>Name des Masters in der ENI-Datei.</translation>
+        </message>
+        <message>
+            <source>Time between two cyclic frames.</source>
+            <translation>Zeit zwischen zwei zyklischen Frames.</translation>
+        </message>
+        <message>
+            <source>Inputs and outputs of a slave share logical addresses, which halves the cyclic frame.</source>
+            <translation>Eingänge und Ausgänge eines Slaves teilen sich logische Adressen, was das zyklische Frame halbiert.</translation>
+        </message>
+        <message>
+            <source>Slaves that come back (cable healed, power back) are set up again and led to the state of the bus.</source>
+            <translation>Slaves, die zurückkommen (Kabel heil, Strom wieder da), werden neu eingerichtet und in den Zustand des Busses geführt.</translation>
+        </message>
+        <message>
+            <source>How often an error state is acknowledged and the state requested again; 0 leaves it to the user.</source>
+            <translation>Wie oft ein Fehlerzustand quittiert und der Zustand erneut angefordert wird; 0 überlässt es dem Benutzer.</translation>
+        </message>
+        <message>
+            <source>Goes online with the slaves that are there; the others join when they appear.</source>
+            <translation>Geht mit den vorhandenen Slaves online; die anderen kommen dazu, wenn sie erscheinen.</translation>
+        </message>
+        <message>
+            <source>Distributed clocks for the whole bus.</source>
+            <translation>Distributed Clocks für den ganzen Bus.</translation>
+        </message>
+        <message>
+            <source>Position of the slave whose clock all others follow; auto is the first slave with DC.</source>
+            <translation>Position des Slaves, dessen Uhr alle anderen folgen; auto ist der erste Slave mit DC.</translation>
+        </message>
+        <message>
+            <source>Reads and shows 64 bits of the system time (0x0910).</source>
+            <translation>Liest und zeigt 64 Bit der Systemzeit (0x0910).</translation>
+        </message>
+        <message>
+            <source>How the send time of the frames and the reference clock are brought together.</source>
+            <translation>Wie Sendezeit der Frames und Referenzuhr zusammengebracht werden.</translation>
+        </message>
+        <message>
+            <source>Distance from sending the cyclic frame to SYNC0; auto is two thirds of the cycle.</source>
+            <translation>Abstand vom Senden des zyklischen Frames bis SYNC0; auto sind zwei Drittel des Zyklus.</translation>
+        </message>
+        <message>
+            <source>Largest control error that still counts as in sync; 0 is 4000 ns.</source>
+            <translation>Größter Regelfehler, der noch als synchron gilt; 0 sind 4000 ns.</translation>
+        </message>
+        <message>
+            <source>Time inside that limit before the controller counts as in sync; 0 is 1500 ms.</source>
+            <translation>Zeit innerhalb dieser Grenze, bevor der Regler als synchron gilt; 0 sind 1500 ms.</translation>
+        </message>
+        <message>
+            <source>Watches the wire-ored system time difference of all slaves (0x092C).</source>
+            <translation>Überwacht die verdrahtet veroderte Systemzeitdifferenz aller Slaves (0x092C).</translation>
+        </message>
+        <message>
+            <source>Limit of the sync window: 2^exponent - 1 ns.</source>
+            <translation>Grenze des Sync-Fensters: 2^Exponent - 1 ns.</translation>
+        </message>
+        <message>
+            <source>Time inside the window before the bus counts as in sync.</source>
+            <translation>Zeit im Fenster, bevor der Bus als synchron gilt.</translation>
+        </message>
+        <message>
+            <source>Name of the slave in the ENI file.</source>
+            <translation>Name des Slaves in der ENI-Datei.</translation>
+        </message>
+        <message>
+            <source>Address that the master gives the slave (0x0010).</source>
+            <translation>Adresse, die der Master dem Slave gibt (0x0010).</translation>
+        </message>
+        <message>
+            <source>Address in the slave&apos;s EEPROM (0x0012); 0 is none.</source>
+            <translation>Adresse im EEPROM des Slaves (0x0012); 0 ist keine.</translation>
+        </message>
+        <message>
+            <source>Compares the vendor in the slave&apos;s EEPROM with the configured one at start-up.</source>
+            <translation>Vergleicht beim Hochlauf den Hersteller im EEPROM des Slaves mit dem eingestellten.</translation>
+        </message>
+        <message>
+            <source>Compares the product in the slave&apos;s EEPROM with the configured one at start-up.</source>
+            <translation>Vergleicht beim Hochlauf den Produktcode im EEPROM des Slaves mit dem eingestellten.</translation>
+        </message>
+        <message>
+            <source>Compares the revision in the slave&apos;s EEPROM with the configured one at start-up.</source>
+            <translation>Vergleicht beim Hochlauf die Revision im EEPROM des Slaves mit der eingestellten.</translation>
+        </message>
+        <message>
+            <source>Compares the serial in the slave&apos;s EEPROM with the configured one at start-up.</source>
+            <translation>Vergleicht beim Hochlauf die Seriennummer im EEPROM des Slaves mit der eingestellten.</translation>
+        </message>
+        <message>
+            <source>Operation mode of distributed clocks; where the ESI gives a mode its own PDOs, they are assigned too.</source>
+            <translation>Betriebsart der Distributed Clocks; wo die ESI einer Betriebsart eigene PDOs gibt, werden sie auch zugeordnet.</translation>
+        </message>
+        <message>
+            <source>Marks the slave as a possible reference clock in the ENI.</source>
+            <translation>Kennzeichnet den Slave in der ENI als mögliche Referenzuhr.</translation>
+        </message>
+        <message>
+            <source>Sync Unit Cycle of SYNC0: above 0 multiplies, below 0 divides the bus cycle; auto as in the ESI.</source>
+            <translation>Sync Unit Cycle von SYNC0: über 0 vervielfacht, unter 0 teilt den Buszyklus; auto wie in der ESI.</translation>
+        </message>
+        <message>
+            <source>Cycle of SYNC0 (0x09A0), before the factor.</source>
+            <translation>Zyklus von SYNC0 (0x09A0), vor dem Faktor.</translation>
+        </message>
+        <message>
+            <source>Shift of SYNC0; auto as in the ESI.</source>
+            <translation>Verschiebung von SYNC0; auto wie in der ESI.</translation>
+        </message>
+        <message>
+            <source>Sync Unit Cycle of SYNC1: above 0 multiplies, below 0 divides the bus cycle; auto as in the ESI.</source>
+            <translation>Sync Unit Cycle von SYNC1: über 0 vervielfacht, unter 0 teilt den Buszyklus; auto wie in der ESI.</translation>
+        </message>
+        <message>
+            <source>Cycle of SYNC1 (0x09A4), before the factor.</source>
+            <translation>Zyklus von SYNC1 (0x09A4), vor dem Faktor.</translation>
+        </message>
+        <message>
+            <source>Shift of SYNC1; auto as in the ESI.</source>
+            <translation>Verschiebung von SYNC1; auto wie in der ESI.</translation>
+        </message>
+        <message>
+            <source>Error counter (3 more for a missed SM event, 1 less for a good one) at which the device gives up (0x10F1:02); 0 never, auto leaves the device&apos;s default.</source>
+            <translation>Fehlerzähler (3 mehr für ein verpasstes SM-Ereignis, 1 weniger für ein gutes), bei dem das Gerät aufgibt (0x10F1:02); 0 nie, auto lässt die Vorgabe des Geräts.</translation>
+        </message>
+        <message>
+            <source>What starts the device&apos;s cycle (0x1C32:01 and 0x1C33:01); auto as the operation mode says.</source>
+            <translation>Was den Zyklus des Geräts auslöst (0x1C32:01 und 0x1C33:01); auto wie die Betriebsart sagt.</translation>
+        </message>
+        <message>
+            <source>RxPDOs (outputs) in the order in which they lie in the process data.</source>
+            <translation>RxPDOs (Ausgänge) in der Reihenfolge, in der sie in den Prozessdaten liegen.</translation>
+        </message>
+        <message>
+            <source>TxPDOs (inputs) in the order in which they lie in the process data.</source>
+            <translation>TxPDOs (Eingänge) in der Reihenfolge, in der sie in den Prozessdaten liegen.</translation>
+        </message>
+        <message>
+            <source>Values</source>
+            <translation>Werte</translation>
+        </message>
+        <message>
+            <source>Default</source>
+            <translation>Vorgabe</translation>
+        </message>
+        <message>
+            <source>Emptied field</source>
+            <translation>Geleertes Feld</translation>
+        </message>
+        <message>
+            <source>Goes to</source>
+            <translation>Geht nach</translation>
+        </message>
+        <message>
+            <source>Changes</source>
+            <translation>Ändert</translation>
+        </message>
+        <message>
+            <source>Key</source>
+            <translation>Schlüssel</translation>
+        </message>
+        <message>
+            <source>Register %1</source>
+            <translation>Register %1</translation>
+        </message>
+        <message>
+            <source>Object %1</source>
+            <translation>Objekt %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>FieldBinder</name>
+        <message>
+            <source>Change: %1</source>
+            <translation>Ändern: %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>NumberEdit</name>
+        <message>
+            <source>&quot;%1&quot; is no such number: %2</source>
+            <translation>„%1“ ist keine solche Zahl: %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>PresetEdit</name>
+        <message>
+            <source>&quot;%1&quot; is no such number: %2 %3</source>
+            <translation>„%1“ ist keine solche Zahl: %2 %3</translation>
         </message>
     </context>
 </TS>

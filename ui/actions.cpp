@@ -10,6 +10,14 @@
 #include "ui/theme.h"
 
 namespace syncline::ui {
+namespace {
+
+/// "Undo Change: Alias"
+QString stepText(const QString& action, const QString& step) {
+  return step.isEmpty() ? action : QStringLiteral("%1 %2").arg(action, step);
+}
+
+}  // namespace
 
 QAction* Actions::add(const char* name, const QString& text, const char* icon, const QString& tool_tip,
                       const QKeySequence& keys) {
@@ -32,15 +40,15 @@ Actions::Actions(QUndoStack& stack, QObject* parent) : QObject(parent) {
   export_eni = add("actionExport", tr("&Export ENI…"), "export", tr("Write the network information file (ETG.2100)"),
                    QKeySequence(Qt::CTRL | Qt::Key_E));
   quit = add("actionQuit", tr("&Quit"), "", tr("Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q));
-  undo = stack.createUndoAction(this, tr("&Undo"));
-  undo->setObjectName(QStringLiteral("actionUndo"));
-  undo->setShortcut(QKeySequence::Undo);
-  undo->setProperty("iconName", QStringLiteral("undo"));
-  redo = stack.createRedoAction(this, tr("&Redo"));
-  redo->setObjectName(QStringLiteral("actionRedo"));
-  redo->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z));
-  redo->setProperty("iconName", QStringLiteral("redo"));
-  with_icon_ << undo << redo;
+  undo = add("actionUndo", tr("&Undo"), "undo", tr("Take the last edit back"), QKeySequence::Undo);
+  redo = add("actionRedo", tr("&Redo"), "redo", tr("Do again what was taken back"),
+             QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z));
+  undo->setEnabled(stack.canUndo());
+  redo->setEnabled(stack.canRedo());
+  connect(&stack, &QUndoStack::canUndoChanged, undo, &QAction::setEnabled);
+  connect(&stack, &QUndoStack::canRedoChanged, redo, &QAction::setEnabled);
+  connect(&stack, &QUndoStack::undoTextChanged, undo, [this](const QString& step) { undo->setText(stepText(tr("&Undo"), step)); });
+  connect(&stack, &QUndoStack::redoTextChanged, redo, [this](const QString& step) { redo->setText(stepText(tr("&Redo"), step)); });
   demo = add("actionDemo", tr("&Demonstration Machine"), "demo", tr("Scan the simulated demonstration machine and go online"));
   scan = add("actionScan", tr("&Scan…"), "scan", tr("Scan a bus and make a project of it"), QKeySequence(Qt::Key_F6));
   online = add("actionOnline", tr("Go &Online"), "online", tr("Run the configuration on the bus"), QKeySequence(Qt::Key_F5));

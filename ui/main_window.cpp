@@ -12,8 +12,10 @@
 #include <QToolBar>
 #include <QToolButton>
 #include <QUrl>
+#include <QWhatsThis>
 #include <utility>
 
+#include "protocol/dc_registers.h"
 #include "ui/actions.h"
 #include "ui/dialogs/about_dialog.h"
 #include "ui/dialogs/bus_commands.h"
@@ -124,6 +126,9 @@ void MainWindow::buildMenus() {
   view->addSeparator();
   view->addActions(actions_->themes);
   auto* help = menuBar()->addMenu(tr("&Help"));
+  auto* what = QWhatsThis::createAction(this);
+  what->setObjectName(QStringLiteral("actionWhatsThis"));
+  help->addAction(what);
   help->addAction(actions_->about);
 }
 
@@ -164,15 +169,27 @@ void MainWindow::buildToolBar() {
 }
 
 void MainWindow::connectActions() {
-  connect(actions_->create, &QAction::triggered, files_, &FileCommands::create);
-  connect(actions_->open, &QAction::triggered, files_, &FileCommands::open);
-  connect(actions_->save, &QAction::triggered, files_, &FileCommands::save);
-  connect(actions_->save_as, &QAction::triggered, files_, &FileCommands::saveAs);
-  connect(actions_->export_eni, &QAction::triggered, files_, &FileCommands::exportEni);
+  const auto on = [this](QAction* action, auto command) {
+    connect(action, &QAction::triggered, this, [this, command] {
+      if (commitFields()) command();
+    });
+  };
+  on(actions_->create, [this] { files_->create(); });
+  on(actions_->open, [this] { files_->open(); });
+  on(actions_->save, [this] { files_->save(); });
+  on(actions_->save_as, [this] { files_->saveAs(); });
+  on(actions_->export_eni, [this] { files_->exportEni(); });
+  on(actions_->scan, [this] { bus_->scan(); });
+  on(actions_->demo, [this] { bus_->startDemo(); });
+  on(actions_->online, [this] { bus_->goOnline(); });
+  auto& stack = workspace_.document().undoStack();
+  connect(actions_->undo, &QAction::triggered, this, [this, &stack] {
+    // What was typed last is what is taken back first, also where it is no value.
+    if (editor_->commitFields()) return stack.undo();
+    editor_->revertFields();
+  });
+  on(actions_->redo, [&stack] { stack.redo(); });
   connect(actions_->quit, &QAction::triggered, this, &QWidget::close);
-  connect(actions_->scan, &QAction::triggered, bus_, &BusCommands::scan);
-  connect(actions_->demo, &QAction::triggered, bus_, qOverload<>(&BusCommands::startDemo));
-  connect(actions_->online, &QAction::triggered, bus_, &BusCommands::goOnline);
   connect(actions_->offline, &QAction::triggered, bus_, &BusCommands::goOffline);
   connect(actions_->clear_statistics, &QAction::triggered, &workspace_.live(), &LiveSession::clearStatistics);
   for (auto* action : actions_->states) {
@@ -191,6 +208,13 @@ void MainWindow::connectActions() {
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->open();
   });
+}
+
+/// Commands work on what the fields show.
+bool MainWindow::commitFields() {
+  if (editor_->commitFields()) return true;
+  statusBar()->showMessage(tr("A field holds what cannot be a value: mend it, or press Esc in it."), 10'000);
+  return false;
 }
 
 void MainWindow::connectSession() {
@@ -217,7 +241,7 @@ void MainWindow::showNetworkInStrip() {
   std::vector<QString> names;
   for (const auto& slave : project.slaves) names.push_back(QString::fromStdString(slave.name));
   const auto& window = project.master.dc.sync_window;
-  const auto limit = window.enabled ? (std::uint32_t{1} << window.exponent) - 1 : 0;
+  const auto limit = window.enabled ? sync_window_limit_ns(window.exponent) : 0;
   strip_->clear();
   strip_->setNetwork(names, project.master.cycle_time, limit);
 }
@@ -290,6 +314,7 @@ void MainWindow::showEvent(QShowEvent* event) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+  editor_->commitFields();
   if (!files_->mayDiscard()) return event->ignore();
   workspace_.scan().cancel();
   workspace_.live().shutDown();
@@ -308,7 +333,7 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 
 void MainWindow::dropEvent(QDropEvent* event) {
   const auto file = event->mimeData()->urls().front().toLocalFile();
-  if (files_->mayDiscard()) files_->openFile(file);
+  if (commitFields() && files_->mayDiscard()) files_->openFile(file);
 }
 
 }  // namespace syncline::ui

@@ -45,6 +45,7 @@ class MainWindow final : public QMainWindow {
   void buildMenus();
   void buildToolBar();
   void connectActions();
+  bool commitFields();
   void connectSession();
   void updateTitle();
   void showFindingCount();

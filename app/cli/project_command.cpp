@@ -8,7 +8,7 @@
 #include "app/cli/project_advice.h"
 #include "app/cli/project_create.h"
 #include "app/composition/load_config.h"
-#include "config/settings_keys.h"
+#include "settings/settings_keys.h"
 #include "eni/project_file.h"
 
 namespace syncline::cli {
@@ -72,7 +72,15 @@ void keys(Context& context, bool json) {
   if (json) {
     Json rows = Json::array();
     for (const auto& d : descriptions) {
-      rows.push_back({{"key", d.key}, {"type", d.type}, {"range", d.range}, {"meaning", d.meaning}});
+      rows.push_back({{"key", d.key},
+                      {"type", d.type},
+                      {"range", d.range},
+                      {"meaning", d.meaning},
+                      {"name", d.name},
+                      {"default", d.preset},
+                      {"goes_to", d.goes_to},
+                      {"eni", d.eni},
+                      {"expert", d.expert}});
     }
     return context.print({{"keys", rows}});
   }

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "config/settings_keys.h"
+#include "settings/settings_keys.h"
 #include "eni/eni_file.h"
 #include "eni/project_file.h"
 #include "protocol/registers.h"

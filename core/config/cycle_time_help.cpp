@@ -10,16 +10,18 @@
 #include "config/compile/coe_init_cmds.h"
 #include "config/compile/compile.h"
 #include "config/compile/cyclic_frames.h"
-#include "config/compile/dc_times.h"
+#include "config/dc_times.h"
 #include "config/compile/task_plan.h"
 #include "config/families/families.h"
 #include "config/families/family_problems.h"
 #include "protocol/dc_registers.h"
+#include "settings/limits.h"
+#include "settings/predicates.h"
 
 namespace syncline {
 namespace {
 
-constexpr Nanoseconds kShortest = 31'250, kLongest = 100 * kMillisecond;
+constexpr Nanoseconds kShortest = limits::kShortestCycle, kLongest = limits::kLongestCycle;
 
 using families::microseconds;
 
@@ -94,7 +96,7 @@ Refusal refusal(const Demand& demand, Nanoseconds bus_cycle) {
     }
   }
   for (const Nanoseconds fixed : demand.fixed) {
-    if (cycle % fixed != 0 && fixed % cycle != 0) {
+    if (!settings::keeps_step(fixed, cycle)) {
       return {fmt::format("its operation mode {} has a SYNC0 every {}, which is neither a multiple nor a part of it",
                           demand.settings->dc.op_mode, microseconds(fixed))};
     }
@@ -129,8 +131,9 @@ class Help {
   CycleTimeHelp build() {
     find_limits();
     std::set<Nanoseconds> cycles{project_.master.cycle_time};
-    for (Nanoseconds usual : {31'250, 62'500, 125'000, 250'000, 500'000, 1'000'000, 2'000'000, 4'000'000, 5'000'000, 8'000'000,
-                              10'000'000, 16'000'000, 20'000'000}) {
+    for (const Nanoseconds usual :
+         std::initializer_list<Nanoseconds>{kShortest, 62'500, 125'000, 250'000, 500'000, 1'000'000, 2'000'000,
+                                            4'000'000, 5'000'000, 8'000'000, 10'000'000, 16'000'000, 20'000'000}) {
       cycles.insert(usual);
     }
     for (const Nanoseconds found : shortest_accepted()) cycles.insert(found);

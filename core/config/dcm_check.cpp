@@ -9,6 +9,8 @@
 #include "config/external_clock.h"
 #include "protocol/dcm_error.h"
 #include "protocol/registers.h"
+#include "settings/dc_check.h"
+#include "settings/predicates.h"
 
 namespace syncline {
 namespace {
@@ -20,11 +22,6 @@ bool any_slave_uses_dc(const NetworkConfig& config) {
 /// An ENI holds the bus cycle in whole microseconds.
 constexpr Nanoseconds kRounding = kMicrosecond;
 
-bool is_multiple(Nanoseconds value, Nanoseconds of) {
-  const auto rest = value % of;
-  return value >= of - kRounding && std::min(rest, of - rest) < kRounding;
-}
-
 /// SYNC0 must come with the frames: every so many cycles, or so many times in one.
 void check_sync_periods(const NetworkConfig& config, std::vector<DcmProblem>& problems) {
   const auto cycle = config.cycle_time();
@@ -32,7 +29,7 @@ void check_sync_periods(const NetworkConfig& config, std::vector<DcmProblem>& pr
     const auto& slave = config.slaves[i];
     if (!slave.dc || slave.dc->assign_activate == 0 || slave.dc->cycle_time0 == 0) continue;
     const auto sync = slave.dc->cycle_time0;
-    if (sync > 0 && (is_multiple(sync, cycle) || is_multiple(cycle, sync))) continue;
+    if (settings::keeps_step(sync, cycle, kRounding)) continue;
     problems.push_back({fmt::format("slave.{}.dc.sync0.cycle_us", i),
                         fmt::format("{}: a SYNC0 cycle of {} ns is neither a multiple nor a divisor of the bus cycle of {} ns",
                                     slave.name, sync, cycle),
@@ -46,7 +43,7 @@ void check_set_value(const NetworkConfig& config, Nanoseconds delay, std::vector
   if (!set_value || *set_value >= least || *set_value <= 0) return;
   problems.push_back({"master.dc.set_value_us",
                       fmt::format("{} ns is outside {}..{} ns: the cyclic frames are still on their way at SYNC0", *set_value,
-                                  least, config.cycle_time() - 1),
+                                  least, settings::set_values(config.cycle_time()).high),
                       dc::kDcmErrorInvalidSetValue});
 }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "config/dcm_settings.h"
 
-#include <fmt/format.h>
-
 namespace syncline {
 namespace {
 
@@ -21,11 +19,6 @@ constexpr DcmModeName kDcmModes[] = {{DcmMode::kOff, "off"},
 template <class T>
 void keep_if_zero(T& value, T current) {
   if (value == 0) value = current;
-}
-
-Status in_range(std::string_view key, std::int64_t value, std::int64_t min, std::int64_t max, std::string_view unit) {
-  if (value >= min && value <= max) return {};
-  return fail(ErrorCode::kBadValue, std::string(key), fmt::format("{} {} is outside {}..{} {}", value, unit, min, max, unit));
 }
 
 }  // namespace
@@ -57,24 +50,6 @@ DcmSettings effective_dcm_settings(const DcmSettings& settings) { return merge_d
 
 Nanoseconds effective_set_value(const DcmSettings& settings, Nanoseconds cycle_time) {
   return settings.set_value.value_or(cycle_time * 2 / 3);
-}
-
-Status check_dcm_settings(const DcmSettings& settings, Nanoseconds cycle_time) {
-  const auto check = [](std::initializer_list<Status> results) -> Status {
-    for (const auto& result : results) {
-      if (!result) return result;
-    }
-    return {};
-  };
-  return check({
-      in_range("master.dc.set_value_us", effective_set_value(settings, cycle_time), 1, cycle_time - 1, "ns"),
-      in_range("master.dc.gain_ppt", settings.gain_ppt, 0, DcmSettings::kMaxGain, "ppt"),
-      in_range("master.dc.drift_error_gain", settings.drift_error_gain, 0, DcmSettings::kMaxDriftErrorGain, "times"),
-      in_range("master.dc.max_valid_ns", settings.max_valid_value, 0, kSecond, "ns"),
-      in_range("master.dc.in_sync_limit_ns", settings.in_sync_limit, 0, kSecond, "ns"),
-      in_range("master.dc.in_sync_settle_ms", settings.in_sync_settle_time_ms, 0, 60'000, "ms"),
-      in_range("master.dc.start_delay_ms", settings.start_delay_ms, 0, 600'000, "ms"),
-  });
 }
 
 }  // namespace syncline

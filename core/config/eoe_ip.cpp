@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "config/compile/mailbox_init_cmds.h"
+#include "config/dotted_address.h"
 #include "protocol/eoe.h"
 #include "support/byte_order.h"
 
@@ -30,7 +30,7 @@ std::array<std::uint8_t, kMac> mac_of(std::uint16_t station_address) {
 using Parameters = std::array<std::vector<std::uint8_t>, kCount>;
 
 std::vector<std::uint8_t> address_bytes(const std::string& text) {
-  const auto bytes = compiler::ipv4_bytes(text);
+  const auto bytes = ipv4_bytes(text);
   return bytes ? std::vector<std::uint8_t>(bytes->rbegin(), bytes->rend()) : std::vector<std::uint8_t>{};
 }
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <utility>
 
-#include "config/dc_check.h"
+#include "settings/dc_check.h"
 #include "config/dcm_check.h"
 #include "master/bus_scanner.h"
 #include "protocol/dc_registers.h"

@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "config/dcm_check.h"
+#include "settings/dc_check.h"
 #include "dc/plans.h"
 
 namespace syncline {

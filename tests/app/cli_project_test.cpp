@@ -109,6 +109,9 @@ TEST(CliProject, EveryShownKeyIsExplained) {
   for (const auto& row : keys["keys"]) {
     explained.insert(row["key"].get<std::string>());
     EXPECT_FALSE(row["meaning"].get<std::string>().empty()) << row["key"];
+    EXPECT_FALSE(row["name"].get<std::string>().empty()) << row["key"];
+    EXPECT_TRUE(row["default"].is_string() && row["goes_to"].is_string() && row["eni"].is_string()) << row["key"];
+    EXPECT_TRUE(row["expert"].is_boolean()) << row["key"];
   }
   const auto shown = cli_run({"project", "show", file, "--json"}).json();
   for (const auto& [key, value] : shown["settings"].items()) {

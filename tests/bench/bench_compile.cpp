@@ -3,7 +3,7 @@
 
 #include "bench/ratio_report.h"
 #include "config/compile/incremental.h"
-#include "config/settings_keys.h"
+#include "settings/settings_keys.h"
 #include "eni/esi_reader.h"
 #include "protocol/error_text.h"
 #include "tests/support/source_dir.h"

@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "config/compile/dc_times.h"
+#include "config/dc_times.h"
 #include "eni/catalogue/esi_catalogue.h"
 #include "eni/esi_reader.h"
 #include "eni/esi_writer.h"

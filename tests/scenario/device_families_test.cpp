@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "config/families/families.h"
-#include "config/settings_keys.h"
+#include "settings/settings_keys.h"
 #include "eni/esi_reader.h"
 #include "link/simulated_link.h"
 #include "master/master_service.h"

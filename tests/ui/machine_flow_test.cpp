@@ -8,7 +8,6 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <QRadioButton>
-#include <QSpinBox>
 #include <QTabWidget>
 #include <QTemporaryDir>
 #include <algorithm>
@@ -93,7 +92,7 @@ class MachineFlow : public ::testing::Test {
     test::find<QRadioButton>(window_, "dcmMasterShift")->click();
     auto* monitor = test::find<QCheckBox>(window_, "syncWindow");
     if (!monitor->isChecked()) monitor->click();
-    test::find<QSpinBox>(window_, "syncWindowExponent")->setValue(9);
+    test::type(*test::find<QWidget>(window_, "syncWindowExponent"), QStringLiteral("9"));
   }
 
   ui::Workspace workspace_;

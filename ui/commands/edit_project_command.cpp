@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/commands/edit_project_command.h"
 
+#include <algorithm>
+
 namespace syncline::ui {
 
 ProjectPatch ProjectPatch::between(const Project& before, const Project& after) {
@@ -15,6 +17,22 @@ ProjectPatch ProjectPatch::between(const Project& before, const Project& after) 
     if (!(before.slaves[i] == after.slaves[i])) patch.slaves_.emplace_back(i, before.slaves[i]);
   }
   return patch;
+}
+
+ProjectPatch ProjectPatch::of(const Project& project, bool master, const std::vector<std::size_t>& slaves) {
+  ProjectPatch patch;
+  if (master) {
+    patch.name_ = project.name;
+    patch.master_ = project.master;
+  }
+  for (const auto slave : slaves) patch.slaves_.emplace_back(slave, project.slaves[slave]);
+  return patch;
+}
+
+bool ProjectPatch::same(const Project& project) const {
+  return (!name_ || *name_ == project.name) && (!master_ || *master_ == project.master) &&
+         (!all_slaves_ || *all_slaves_ == project.slaves) &&
+         std::ranges::all_of(slaves_, [&](const auto& part) { return project.slaves[part.first] == part.second; });
 }
 
 void ProjectPatch::restore(Project& project) const {

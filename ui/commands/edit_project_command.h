@@ -21,6 +21,10 @@ using ProjectEdit = std::function<Status(Project&)>;
 class ProjectPatch {
  public:
   static ProjectPatch between(const Project& before, const Project& after);
+  /// What `project` holds of the network and its master, and of these slaves.
+  static ProjectPatch of(const Project& project, bool master, const std::vector<std::size_t>& slaves);
+  /// Putting the parts back would change nothing.
+  [[nodiscard]] bool same(const Project& project) const;
   void restore(Project& project) const;
   [[nodiscard]] bool empty() const { return !name_ && !master_ && !all_slaves_ && slaves_.empty(); }
   /// Slaves came, went or changed their names and places (not only their settings).

@@ -3,10 +3,10 @@
 
 #include <utility>
 
+#include "settings/settings_table.h"
 #include "ui/dialogs/cut_short_dialog.h"
 #include "ui/dialogs/error_dialog.h"
 #include "ui/dialogs/link_chooser.h"
-#include "ui/session/setting_keys.h"
 #include "ui/session/workspace.h"
 
 namespace syncline::ui {
@@ -15,7 +15,8 @@ BusCommands::BusCommands(Workspace& workspace, QWidget& window)
     : QObject(&window), workspace_(workspace), window_(window) {
   connect(&workspace.scan(), &ScanController::finished, this, [this] {
     if (!std::exchange(demo_, false)) return;
-    static_cast<void>(workspace_.document().set(tr("Monitor the sync window"), keys::master(keys::kSyncWindow), QStringLiteral("on")));
+    const SettingEdit monitor{&settings::row("master.dc.sync_window"), {}, true};
+    static_cast<void>(workspace_.document().set(tr("Monitor the sync window"), {monitor}));
     goOnline();
   });
   connect(&workspace.scan(), &ScanController::failed, this, [this](const QString&, const Error& error) {

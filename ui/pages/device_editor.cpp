@@ -6,6 +6,7 @@
 #include <QTabWidget>
 #include <QVBoxLayout>
 
+#include "ui/editors/field_binder.h"
 #include "ui/pages/master_dc_page.h"
 #include "ui/pages/master_general_page.h"
 #include "ui/pages/process_data_page.h"
@@ -74,6 +75,16 @@ void DeviceEditor::showNode(int slave) {
   chooseTabs();
   refresh();
   showLive();
+}
+
+bool DeviceEditor::commitFields() {
+  bool taken = true;
+  for (auto* page : pages_) taken = page->fields().commit() && taken;
+  return taken;
+}
+
+void DeviceEditor::revertFields() {
+  for (auto* page : pages_) page->fields().revert();
 }
 
 void DeviceEditor::chooseTabs() {

@@ -23,6 +23,11 @@ class DeviceEditor final : public QWidget {
   void showNode(int slave);
   [[nodiscard]] int node() const { return slave_; }
   [[nodiscard]] QTabWidget* tabs() { return tabs_; }
+  [[nodiscard]] const QList<Page*>& pages() const { return pages_; }
+
+  /// Takes what was typed into fields and not taken yet; false when one holds what cannot be a value.
+  bool commitFields();
+  void revertFields();
 
  private:
   void refresh();

@@ -2,17 +2,15 @@
 #include "ui/pages/master_dc_page.h"
 
 #include <QButtonGroup>
+#include <QAbstractButton>
 #include <QCheckBox>
-#include <QComboBox>
-#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QRadioButton>
-#include <QSignalBlocker>
-#include <QSpinBox>
-#include <algorithm>
 
-#include "ui/session/setting_keys.h"
+#include "protocol/dc_registers.h"
+#include "ui/editors/choice_edit.h"
+#include "ui/editors/field_binder.h"
+#include "ui/editors/number_edit.h"
 #include "ui/session/workspace.h"
 #include "ui/text/glossary.h"
 #include "ui/text/sync_text.h"
@@ -20,20 +18,33 @@
 #include "ui/widgets/card.h"
 #include "ui/widgets/named.h"
 #include "ui/widgets/pill.h"
-#include "ui/widgets/time_edit.h"
 
 namespace syncline::ui {
 namespace {
 
-QString onOff(bool on) { return on ? QStringLiteral("on") : QStringLiteral("off"); }
+struct Mode {
+  DcmMode mode;
+  const char* object_name;
+  QString tip;
+};
 
-QSpinBox* spinBox(const char* object_name, const QString& accessible, int minimum, int maximum, const QString& suffix) {
-  auto* box = named(new QSpinBox, object_name, accessible);
-  box->setRange(minimum, maximum);
-  box->setSuffix(suffix);
-  box->setKeyboardTracking(false);
-  box->setAlignment(Qt::AlignRight);
-  return box;
+QList<Mode> modes() {
+  return {
+      {DcmMode::kBusShift, "dcmBusShift",
+       MasterDcPage::tr("The master's clock leads: the reference clock is steered by a cyclic write to register 0x0910")},
+      {DcmMode::kMasterShift, "dcmMasterShift",
+       MasterDcPage::tr("The reference clock leads: the master moves its send time. No extra cyclic command.")},
+      {DcmMode::kOff, "dcmOff", MasterDcPage::tr("Master and slaves run on clocks of their own; the frame drifts through the SYNC grid")},
+      {DcmMode::kMasterRefClock, "dcmMasterRefClock",
+       MasterDcPage::tr("As bus shift, without a control loop: the reference clock is written the nominal time. Needs an accurate cycle.")},
+      {DcmMode::kLinkLayerRefClock, "dcmLinkLayerRefClock",
+       MasterDcPage::tr("As bus shift, with the time that the network adapter puts into each frame while sending it")},
+      {DcmMode::kDcx, "dcmDcx",
+       MasterDcPage::tr("An external clock leads through a bridge device: the reference clock follows it, the master follows the "
+          "reference clock")},
+      {DcmMode::kMasterShiftByApp, "dcmMasterShiftByApp",
+       MasterDcPage::tr("The reference clock leads, and the application moves the send time by the reported adjustment")},
+  };
 }
 
 }  // namespace
@@ -53,112 +64,37 @@ bool MasterDcPage::appliesTo(int slave) const {
   return slave < 0 && !workspace().document().project().slaves.empty();
 }
 
-QCheckBox* MasterDcPage::addSwitch(Card& card, const char* object_name, const QString& text, const char* key,
-                                   const QString& tip) {
-  auto* box = named(new QCheckBox(text), object_name, text);
-  connect(box, &QCheckBox::clicked, this,
-          [this, text, key](bool on) { edit(tr("Switch %1").arg(text), keys::master(key), onOff(on)); });
-  card.addWide(box, tip);
-  return box;
-}
-
 void MasterDcPage::buildClocks(Card& card) {
-  enabled_ = addSwitch(card, "dcEnabled", tr("Distributed clocks"), keys::kDcEnabled,
-                       tr("Off: no distributed-clocks commands are configured"));
-  reference_ = named(new QComboBox, "referenceClock", tr("Reference clock"));
-  connect(reference_, &QComboBox::activated, this, [this] {
-    edit(tr("Change reference clock"), keys::master(keys::kReferenceClock), reference_->currentData().toString());
-  });
-  card.addRow(tr("Reference clock"), reference_,
-              tr("The slave whose system time leads (register 0x0910, ENI DC/ReferenceClock). Only slaves behind it "
-                 "can be synchronised."));
-  wide_time_ = addSwitch(card, "systemTime64", tr("Show 64-bit system time"), keys::k64Bit,
-                         tr("Reads 8 instead of 4 bytes of register 0x0910 each cycle"));
+  fields().toggle(card, "dcEnabled", "master.dc.enabled");
+  reference_ = fields().choice(card, "referenceClock", "master.dc.reference_clock");
+  wide_time_ = fields().toggle(card, "systemTime64", "master.dc.show_64bit_system_time");
 }
 
 void MasterDcPage::buildShift(Card& card) {
-  mode_ = new QButtonGroup(this);
-  const struct {
-    DcmMode mode;
-    const char* name;
-    QString tip;
-  } rows[] = {
-      {DcmMode::kBusShift, "dcmBusShift",
-       tr("The master's clock leads: the reference clock is steered by a cyclic write to register 0x0910")},
-      {DcmMode::kMasterShift, "dcmMasterShift",
-       tr("The reference clock leads: the master moves its send time. No extra cyclic command.")},
-      {DcmMode::kOff, "dcmOff", tr("Master and slaves run on clocks of their own; the frame drifts through the SYNC grid")},
-      {DcmMode::kMasterRefClock, "dcmMasterRefClock",
-       tr("As bus shift, without a control loop: the reference clock is written the nominal time. Needs an accurate cycle.")},
-      {DcmMode::kLinkLayerRefClock, "dcmLinkLayerRefClock",
-       tr("As bus shift, with the time that the network adapter puts into each frame while sending it")},
-      {DcmMode::kDcx, "dcmDcx",
-       tr("An external clock leads through a bridge device: the reference clock follows it, the master follows the "
-          "reference clock")},
-      {DcmMode::kMasterShiftByApp, "dcmMasterShiftByApp",
-       tr("The reference clock leads, and the application moves the send time by the reported adjustment")},
-  };
   constexpr int kModesPerRow = 2;
-  auto* modes = new QWidget;
-  auto* layout = new QGridLayout(modes);
-  layout->setContentsMargins(0, 0, 0, 0);
-  int count = 0;
-  for (const auto& row : rows) {
-    auto* button = named(new QRadioButton(dcmModeText(row.mode)), row.name, dcmModeText(row.mode));
-    button->setToolTip(row.tip);
-    mode_->addButton(button, static_cast<int>(row.mode));
-    layout->addWidget(button, count / kModesPerRow, count % kModesPerRow);
-    ++count;
-  }
-  layout->setColumnStretch(kModesPerRow, 1);
-  connect(mode_, &QButtonGroup::idClicked, this, [this](int id) {
-    const auto name = dcm_mode_name(static_cast<DcmMode>(id));
-    edit(tr("Change master synchronisation"), keys::master(keys::kDcmMode),
-         QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size())));
-  });
-  card.addWide(modes);
-  set_value_auto_ = named(new QCheckBox(tr("Set value automatic")), "setValueAuto", tr("Set value automatic"));
-  connect(set_value_auto_, &QCheckBox::clicked, this, [this](bool automatic) {
-    edit(tr("Change set value"), keys::master(keys::kSetValue),
-         automatic ? QStringLiteral("auto") : microsecondsSetting(set_value_->valueNs()));
-  });
-  card.addWide(set_value_auto_, tr("Two thirds of the cycle"));
-  set_value_ = named(new TimeEdit, "setValue", tr("Set value: send to SYNC0"));
-  connect(set_value_, &TimeEdit::editedNs, this, [this](Nanoseconds value) {
-    edit(tr("Change set value"), keys::master(keys::kSetValue), microsecondsSetting(value));
-  });
-  card.addRow(tr("Send to SYNC0"), set_value_, tr("Distance from sending the cyclic frame to SYNC0 (EC-Master nCtlSetVal)"));
-  dcm_limit_ = spinBox("dcmLimit", tr("In-sync limit"), 1, 1'000'000, QStringLiteral(" ns"));
-  connect(dcm_limit_, &QSpinBox::valueChanged, this, [this](int value) {
-    edit(tr("Change in-sync limit"), keys::master(keys::kDcmLimit), QString::number(value));
-  });
-  card.addRow(tr("In-sync limit"), dcm_limit_, tr("Controller error up to which the master counts as in sync (dwInSyncLimit)"));
-  dcm_settle_ = spinBox("dcmSettle", tr("Settle time of the master"), 0, 60'000, QStringLiteral(" ms"));
-  connect(dcm_settle_, &QSpinBox::valueChanged, this, [this](int value) {
-    edit(tr("Change settle time"), keys::master(keys::kDcmSettle), QString::number(value));
-  });
-  card.addRow(tr("Settle time"), dcm_settle_, tr("How long the error must stay within the limit (dwInSyncSettleTime)"));
+  QList<std::pair<std::int64_t, const char*>> names;
+  for (const auto& mode : modes()) names.append({static_cast<std::int64_t>(mode.mode), mode.object_name});
+  mode_ = fields().buttons(card, "master.dc.mode", names, kModesPerRow);
+  for (const auto& mode : modes()) mode_->button(static_cast<int>(mode.mode))->setToolTip(mode.tip);
+  set_value_auto_ = fields().automatic(card, "setValueAuto", "master.dc.set_value_us", tr("Set value automatic"),
+                                       tr("Two thirds of the cycle"));
+  set_value_ = fields().number(card, "setValue", "master.dc.set_value_us");
+  dcm_limit_ = fields().number(card, "dcmLimit", "master.dc.in_sync_limit_ns");
+  dcm_settle_ = fields().number(card, "dcmSettle", "master.dc.in_sync_settle_ms");
 }
 
 void MasterDcPage::buildWindow(Card& card) {
-  monitoring_ = addSwitch(card, "syncWindow", tr("Monitor the sync window"), keys::kSyncWindow,
-                          tr("Adds a BRD of register 0x092C to the cyclic frame. Without it slaves are not monitored."));
-  exponent_ = spinBox("syncWindowExponent", tr("Limit exponent n"), 1, 30, {});
-  connect(exponent_, &QSpinBox::valueChanged, this, [this](int value) {
-    edit(tr("Change sync window"), keys::master(keys::kSyncWindowExponent), QString::number(value));
-  });
+  monitoring_ = fields().toggle(card, "syncWindow", "master.dc.sync_window");
+  exponent_ = fields().numberField("syncWindowExponent", "master.dc.sync_window_exponent");
   auto* field = new QWidget;
   auto* layout = new QHBoxLayout(field);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(exponent_);
+  field->setFocusProxy(exponent_);
   limit_ = named(new QLabel, "syncWindowLimit", tr("Limit"));
   layout->addWidget(limit_, 1);
-  card.addRow(tr("Limit 2ⁿ − 1"), field, tr("Wire-ored SystemTimeDifference (register 0x092C) of all slaves, dwDevLimit"));
-  settle_ = spinBox("syncWindowSettle", tr("Settle time of the slaves"), 0, 60'000, QStringLiteral(" ms"));
-  connect(settle_, &QSpinBox::valueChanged, this, [this](int value) {
-    edit(tr("Change settle time"), keys::master(keys::kSyncWindowSettle), QString::number(value));
-  });
-  card.addRow(tr("Settle time"), settle_, tr("How long the deviation must stay within the limit"));
+  card.addRow(exponent_->accessibleName(), field, exponent_->toolTip());
+  settle_ = fields().number(card, "syncWindowSettle", "master.dc.sync_window_settle_ms");
 }
 
 void MasterDcPage::buildLive(Card& slaves, Card& master) {
@@ -179,41 +115,9 @@ void MasterDcPage::buildLive(Card& slaves, Card& master) {
   locked_after_ = master.addValue("dcmInSyncAfter", tr("In sync after"), tr("From the first cyclic frame"));
 }
 
-void MasterDcPage::refreshReferenceClocks() {
-  const auto& project = workspace().document().project();
-  const QSignalBlocker quiet(reference_);
-  reference_->clear();
-  reference_->addItem(tr("First with DC"), QStringLiteral("auto"));
-  for (std::size_t i = 0; i < project.slaves.size(); ++i) {
-    const auto& slave = project.slaves[i];
-    if (!slave.device.dc) continue;
-    reference_->addItem(QStringLiteral("%1  %2").arg(i).arg(QString::fromStdString(slave.name)), QString::number(i));
-  }
-  const auto chosen = project.master.dc.reference_clock;
-  reference_->setCurrentIndex(std::max(0, reference_->findData(chosen ? QString::number(*chosen) : QStringLiteral("auto"))));
-}
-
 void MasterDcPage::refresh() {
-  const auto& master = workspace().document().project().master;
-  const auto& dc = master.dc;
-  refreshReferenceClocks();
-  enabled_->setChecked(dc.enabled);
-  wide_time_->setChecked(dc.show_64bit_system_time);
-  if (auto* button = mode_->button(static_cast<int>(dc.dcm.mode))) button->setChecked(true);
-  set_value_auto_->setChecked(!dc.dcm.set_value);
-  set_value_->setRangeNs(0, master.cycle_time);
-  set_value_->showNs(dc.dcm.set_value.value_or(master.cycle_time * 2 / 3));
-  const auto show = [](QSpinBox* box, std::int64_t value) {
-    const QSignalBlocker quiet(box);
-    box->setValue(static_cast<int>(value));
-  };
-  show(dcm_limit_, dc.dcm.in_sync_limit);
-  show(dcm_settle_, dc.dcm.in_sync_settle_time_ms);
-  show(exponent_, dc.sync_window.exponent);
-  show(settle_, dc.sync_window.settle_time_ms);
-  monitoring_->setChecked(dc.sync_window.enabled);
-  limit_->setText(QStringLiteral("= ") + timeText((Nanoseconds{1} << dc.sync_window.exponent) - 1));
-
+  const auto& dc = project().master.dc;
+  limit_->setText(QStringLiteral("= ") + timeText(sync_window_limit_ns(dc.sync_window.exponent)));
   for (auto* widget : {static_cast<QWidget*>(reference_), static_cast<QWidget*>(wide_time_),
                        static_cast<QWidget*>(monitoring_)}) {
     widget->setEnabled(dc.enabled);
@@ -221,12 +125,13 @@ void MasterDcPage::refresh() {
   for (auto* button : mode_->buttons()) button->setEnabled(dc.enabled);
   const bool controlled = dc.enabled && dc.dcm.mode != DcmMode::kOff;
   set_value_auto_->setEnabled(controlled);
-  set_value_->setEnabled(controlled && dc.dcm.set_value.has_value());
+  set_value_->setEnabled(controlled);
   dcm_limit_->setEnabled(controlled);
   dcm_settle_->setEnabled(controlled);
   const bool watched = dc.enabled && dc.sync_window.enabled;
   exponent_->setEnabled(watched);
   settle_->setEnabled(watched);
+  fields().refresh();
 }
 
 void MasterDcPage::showLive(const Snapshot& snapshot) {

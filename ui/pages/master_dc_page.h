@@ -5,15 +5,14 @@
 
 class QButtonGroup;
 class QCheckBox;
-class QComboBox;
 class QLabel;
-class QSpinBox;
 
 namespace syncline::ui {
 
 class Card;
+class ChoiceEdit;
+class NumberEdit;
 class Pill;
-class TimeEdit;
 
 /// Distributed clocks of the master: who leads, who follows, and within which limit.
 class MasterDcPage final : public Page {
@@ -30,14 +29,11 @@ class MasterDcPage final : public Page {
   void buildShift(Card& card);
   void buildWindow(Card& card);
   void buildLive(Card& slaves, Card& master);
-  void refreshReferenceClocks();
-  QCheckBox* addSwitch(Card& card, const char* object_name, const QString& text, const char* key, const QString& tip);
 
-  QComboBox* reference_;
-  QCheckBox *enabled_, *wide_time_, *monitoring_, *set_value_auto_;
+  ChoiceEdit* reference_;
+  QCheckBox *wide_time_, *monitoring_, *set_value_auto_;
   QButtonGroup* mode_;
-  TimeEdit* set_value_;
-  QSpinBox *exponent_, *settle_, *dcm_limit_, *dcm_settle_;
+  NumberEdit *set_value_, *exponent_, *settle_, *dcm_limit_, *dcm_settle_;
   QLabel* limit_;
   Pill *dc_state_, *dcm_state_;
   QLabel *deviation_, *reading_, *settled_, *leader_;

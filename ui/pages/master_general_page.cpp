@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/pages/master_general_page.h"
 
-#include <QCheckBox>
-#include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLineEdit>
-#include <QLocale>
 #include <QPushButton>
-#include <QSignalBlocker>
-#include <QSpinBox>
 #include <algorithm>
 
-#include "ui/session/setting_keys.h"
+#include "ui/editors/field_binder.h"
+#include "ui/editors/preset_edit.h"
 #include "ui/session/workspace.h"
 #include "ui/text/glossary.h"
 #include "ui/text/units.h"
@@ -24,13 +19,6 @@ namespace syncline::ui {
 namespace {
 
 constexpr Nanoseconds kCycles[] = {125'000, 250'000, 500'000, 1'000'000, 2'000'000, 4'000'000, 8'000'000, 10'000'000};
-
-/// Microseconds as typed: no thousands separators, no needless zeros.
-QString cycleNumber(Nanoseconds cycle) {
-  QLocale locale;
-  locale.setNumberOptions(QLocale::OmitGroupSeparator);
-  return locale.toString(static_cast<double>(cycle) / 1e3, 'g', 9);
-}
 
 /// Payload of the cyclic frames in bytes: datagram headers, data and working counters.
 std::size_t cyclicBytes(const NetworkConfig& config) {
@@ -63,51 +51,22 @@ MasterGeneralPage::MasterGeneralPage(Workspace& workspace) : Page(workspace, "ma
 }
 
 void MasterGeneralPage::buildSettings(Card& card) {
-  name_ = named(new QLineEdit, "masterName", tr("Name of the master"));
-  connect(name_, &QLineEdit::editingFinished, this, [this] {
-    edit(tr("Rename master"), keys::master(keys::kMasterName), name_->text());
-  });
-  card.addRow(tr("Name"), name_, tr("ENI Master/Info/Name"));
-  cycle_ = named(new QComboBox, "masterCycle", tr("Cycle time"));
-  cycle_->setEditable(true);
-  cycle_->setInsertPolicy(QComboBox::NoInsert);
-  for (const auto cycle : kCycles) cycle_->addItem(cycleNumber(cycle), QVariant::fromValue(cycle));
-  connect(cycle_, &QComboBox::activated, this, &MasterGeneralPage::takeCycle);
-  connect(cycle_->lineEdit(), &QLineEdit::editingFinished, this, &MasterGeneralPage::takeCycle);
+  fields().text(card, "masterName", "master.name");
+  auto* cycle = fields().presetField("masterCycle", "master.cycle_time_us", kCycles);
   auto* field = new QWidget;
   auto* layout = new QHBoxLayout(field);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(cycle_, 1);
+  layout->addWidget(cycle, 1);
+  field->setFocusProxy(cycle);
   layout->addWidget(new QLabel(QStringLiteral("\u00B5s")));
-  card.addRow(tr("Cycle time"), field, tr("Bus cycle, base of every Sync Unit Cycle (ENI Cyclic/CycleTime); 31.25 µs to 100 ms"));
-  overlap_ = addSwitch(card, "masterOverlap", tr("Overlap inputs and outputs"), keys::kOverlap,
-                       tr("Inputs and outputs of a slave share logical addresses, which halves the cyclic frame"));
-}
-
-QCheckBox* MasterGeneralPage::addSwitch(Card& card, const char* object_name, const QString& text, const char* key,
-                                        const QString& tip) {
-  auto* box = named(new QCheckBox(text), object_name, text);
-  connect(box, &QCheckBox::clicked, this, [this, text, key](bool on) {
-    edit(tr("Switch %1").arg(text), keys::master(key), on ? QStringLiteral("on") : QStringLiteral("off"));
-  });
-  card.addWide(box, tip);
-  return box;
+  card.addRow(cycle->accessibleName(), field, cycle->toolTip());
+  fields().toggle(card, "masterOverlap", "master.overlap_process_data");
 }
 
 void MasterGeneralPage::buildRecovery(Card& card) {
-  automatic_ = addSwitch(card, "recoveryAutomatic", tr("Bring back lost slaves"), keys::kRecoverAutomatic,
-                         tr("Slaves that come back (cable healed, power back) are set up again and led to the state of the bus"));
-  incomplete_ = addSwitch(card, "recoveryIncomplete", tr("Start without missing slaves"), keys::kStartIncomplete,
-                          tr("Goes online with the slaves that are there; the others join when they appear"));
-  error_tries_ = named(new QSpinBox, "recoveryErrorTries", tr("Tries to leave an error state"));
-  error_tries_->setRange(0, 1000);
-  error_tries_->setKeyboardTracking(false);
-  error_tries_->setAlignment(Qt::AlignRight);
-  connect(error_tries_, &QSpinBox::valueChanged, this, [this](int value) {
-    edit(tr("Change tries"), keys::master(keys::kErrorTries), QString::number(value));
-  });
-  card.addRow(tr("Tries to leave an error state"), error_tries_,
-              tr("How often an error is acknowledged (register 0x0120) and the state requested again; 0 leaves it to you"));
+  fields().toggle(card, "recoveryAutomatic", "master.recovery.automatic");
+  fields().toggle(card, "recoveryIncomplete", "master.recovery.start_incomplete");
+  fields().number(card, "recoveryErrorTries", "master.recovery.error_tries");
 }
 
 void MasterGeneralPage::buildStateMachine(Card& card) {
@@ -139,33 +98,9 @@ void MasterGeneralPage::buildCounters(Card& card) {
   overruns_ = card.addValue("masterOverruns", tr("Cycles left out"), tr("Cycles without a frame: the host came too late for them"));
 }
 
-void MasterGeneralPage::takeCycle() {
-  const auto text = cycle_->currentText().trimmed();
-  bool ok = false;
-  double value = QLocale().toDouble(text, &ok);
-  if (!ok) value = text.toDouble(&ok);
-  const auto cycle = ok ? static_cast<Nanoseconds>(value * 1e3 + 0.5) : -1;
-  if (cycle == workspace().document().project().master.cycle_time) return refresh();
-  edit(tr("Change cycle time"), keys::master(keys::kCycleTime), ok ? microsecondsSetting(cycle) : text);
-}
-
 void MasterGeneralPage::refresh() {
-  const auto& project = workspace().document().project();
-  if (!name_->hasFocus() || !name_->isModified()) name_->setText(QString::fromStdString(project.master.name));
-  {
-    const QSignalBlocker quiet(cycle_);
-    const auto known = cycle_->findData(QVariant::fromValue(project.master.cycle_time));
-    cycle_->setCurrentIndex(known);
-    if (known < 0) cycle_->setEditText(cycleNumber(project.master.cycle_time));
-  }
-  overlap_->setChecked(project.master.overlap_process_data);
-  automatic_->setChecked(project.master.recovery.automatic);
-  incomplete_->setChecked(project.master.recovery.start_incomplete);
-  {
-    const QSignalBlocker quiet(error_tries_);
-    error_tries_->setValue(static_cast<int>(project.master.recovery.error_tries));
-  }
-  slaves_->setText(countText(project.slaves.size()));
+  fields().refresh();
+  slaves_->setText(countText(project().slaves.size()));
   const auto* config = workspace().configuration().config();
   const auto none = QStringLiteral("\u2013");
   dc_slaves_->setText(config != nullptr ? countText(static_cast<std::uint64_t>(std::ranges::count_if(

@@ -3,12 +3,8 @@
 
 #include "ui/pages/page.h"
 
-class QCheckBox;
-class QComboBox;
 class QLabel;
-class QLineEdit;
 class QPushButton;
-class QSpinBox;
 
 namespace syncline::ui {
 
@@ -29,14 +25,8 @@ class MasterGeneralPage final : public Page {
   void buildSettings(Card& card);
   void buildRecovery(Card& card);
   void buildStateMachine(Card& card);
-  QCheckBox* addSwitch(Card& card, const char* object_name, const QString& text, const char* key, const QString& tip);
   void buildCounters(Card& card);
-  void takeCycle();
 
-  QLineEdit* name_;
-  QComboBox* cycle_;
-  QCheckBox *overlap_, *automatic_, *incomplete_;
-  QSpinBox* error_tries_;
   Pill* state_;
   QLabel* requested_;
   QList<QPushButton*> state_buttons_;

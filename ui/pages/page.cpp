@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/pages/page.h"
 
+#include "ui/editors/field_binder.h"
 #include "ui/session/workspace.h"
 
 namespace syncline::ui {
 
 Page::Page(Workspace& workspace, const char* object_name, const QString& title)
-    : workspace_(workspace), title_(title) {
+    : workspace_(workspace), fields_(new FieldBinder(*this)), title_(title) {
   setObjectName(QLatin1String(object_name));
   setAccessibleName(title);
   setFrameShape(QFrame::NoFrame);
@@ -16,6 +17,8 @@ Page::Page(Workspace& workspace, const char* object_name, const QString& title)
 }
 
 void Page::setNode(int slave) {
+  // What was typed belongs to the node that was shown.
+  if (slave != slave_ && !fields_->commit()) fields_->revert();
   slave_ = slave;
   refresh();
   showLive(workspace_.live().snapshot());
@@ -26,17 +29,14 @@ void Page::showEvent(QShowEvent* event) {
   showLive(workspace_.live().snapshot());
 }
 
-void Page::edit(const QString& text, const QString& key, const QString& value) { edit(text, QStringList{key, value}); }
+const Project& Page::project() const { return workspace_.document().project(); }
 
-void Page::edit(const QString& text, const QStringList& keys_and_values) {
-  std::vector<SettingValue> settings;
-  for (qsizetype i = 0; i + 1 < keys_and_values.size(); i += 2) {
-    settings.push_back({keys_and_values[i].toStdString(), keys_and_values[i + 1].toStdString()});
-  }
-  if (auto status = workspace_.document().set(text, std::move(settings)); !status) {
-    workspace_.report(status.error(), Severity::kWarning, tr("Project"));
-    refresh();
-  }
+QString Page::set(const QString& text, std::vector<SettingEdit> edits) {
+  const auto status = workspace_.document().set(text, std::move(edits));
+  if (status) return {};
+  workspace_.report(status.error(), Severity::kWarning, tr("Project"));
+  refresh();
+  return QString::fromStdString(status.error().detail);
 }
 
 }  // namespace syncline::ui

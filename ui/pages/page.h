@@ -7,13 +7,15 @@
 #include "channels/cycle_sample.h"
 #include "channels/event.h"
 #include "channels/snapshot.h"
+#include "ui/session/project_document.h"
 
 namespace syncline::ui {
 
+class FieldBinder;
 class Workspace;
 
 /// A tab of the device editor for one node. A page shows the project and the live values and asks for
-/// edits; it keeps no state of its own.
+/// edits; it keeps no state of its own but what is being typed.
 class Page : public QScrollArea {
   Q_OBJECT
 
@@ -31,15 +33,19 @@ class Page : public QScrollArea {
   /// Shows the live values; only called while visible.
   virtual void showLive(const Snapshot& snapshot) = 0;
 
+  /// The page's fields that edit settings.
+  [[nodiscard]] FieldBinder& fields() { return *fields_; }
+  [[nodiscard]] const Project& project() const;
+  /// One undo step; empty, or why it was refused: then the messages say so and the page shows the project again.
+  QString set(const QString& text, std::vector<SettingEdit> edits);
+
  protected:
   void showEvent(QShowEvent* event) override;
-  /// One undo step; a refused value is told in the messages and the page shows the project again.
-  void edit(const QString& text, const QString& key, const QString& value);
-  void edit(const QString& text, const QStringList& keys_and_values);
   [[nodiscard]] Workspace& workspace() const { return workspace_; }
 
  private:
   Workspace& workspace_;
+  FieldBinder* fields_;
   QString title_;
   int slave_ = -1;
 };

@@ -8,7 +8,7 @@
 #include <QVBoxLayout>
 
 #include "ui/models/pdo_model.h"
-#include "ui/session/setting_keys.h"
+#include "ui/editors/field_binder.h"
 #include "ui/session/workspace.h"
 #include "ui/text/units.h"
 #include "ui/widgets/named.h"
@@ -65,11 +65,9 @@ QWidget* ProcessDataPage::buildDirection(PdoModel* model, QTableView*& view, QLa
   view->setColumnWidth(PdoModel::kSize, 72);
   stretchColumn(*view, PdoModel::kName);
   layout->addWidget(view, 1);
+  fields().bind(*view, model == outputs_ ? "slave.N.pdo.rx" : "slave.N.pdo.tx");
   connect(model, &PdoModel::assignmentWanted, this, [this, model](const std::vector<std::uint16_t>& pdos) {
-    QStringList indices;
-    for (const auto pdo : pdos) indices << hexText(pdo, 4);
-    edit(tr("Change PDO assignment"), keys::slave(node(), model == outputs_ ? keys::kRxPdos : keys::kTxPdos),
-         indices.join(u','));
+    fields().set(model == outputs_ ? "slave.N.pdo.rx" : "slave.N.pdo.tx", pdos);
   });
   connect(view->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
           [this, model](const QModelIndex& current) {

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/pages/slave_dc_page.h"
 
-#include <QCheckBox>
-#include <QComboBox>
 #include <QLabel>
-#include <QSignalBlocker>
-#include <algorithm>
 
-#include "config/compile/dc_times.h"
+#include "config/dc_times.h"
 #include "protocol/dc_registers.h"
+#include "ui/editors/choice_edit.h"
+#include "ui/editors/field_binder.h"
 #include "ui/pages/sync_settings_editor.h"
 #include "ui/pages/sync_unit_editor.h"
-#include "ui/session/setting_keys.h"
 #include "ui/session/workspace.h"
 #include "ui/text/units.h"
 #include "ui/widgets/card.h"
@@ -20,9 +17,6 @@
 
 namespace syncline::ui {
 namespace {
-
-// The word of the settings key for "no mode".
-const QString kOff = QStringLiteral("off");
 
 const SlaveSettings* slaveAt(const Project& project, int position) {
   return position >= 0 && static_cast<std::size_t>(position) < project.slaves.size()
@@ -39,24 +33,11 @@ SlaveDcPage::SlaveDcPage(Workspace& workspace) : Page(workspace, "slaveDcPage", 
   buildMode(*columns->add(0, tr("Operation Mode")));
   auto* sync0 = columns->add(1, tr("SYNC0"));
   auto* sync1 = columns->add(1, tr("SYNC1"));
-  sync0_ = new SyncUnitEditor(0, *sync0, this);
-  sync1_ = new SyncUnitEditor(1, *sync1, this);
+  sync0_ = new SyncUnitEditor(0, *sync0, *this);
+  sync1_ = new SyncUnitEditor(1, *sync1, *this);
   buildRegisters(*columns->add(2, tr("Registers")));
   buildLive(*columns->add(2, tr("Live")));
-  const auto connectUnit = [this](SyncUnitEditor* editor, int unit) {
-    connect(editor, &SyncUnitEditor::edited, this, [this, unit](const QString& text, QStringList settings) {
-      for (qsizetype i = 0; i < settings.size(); i += 2) {
-        settings[i] = keys::sync(node(), unit, settings[i].toLatin1().constData());
-      }
-      edit(text, settings);
-    });
-  };
-  sync_ = new SyncSettingsEditor(*columns->add(0, tr("Synchronisation")), this);
-  connect(sync_, &SyncSettingsEditor::edited, this, [this](const QString& text, const QString& key, const QString& value) {
-    edit(text, keys::slave(node(), key.toLatin1().constData()), value);
-  });
-  connectUnit(sync0_, 0);
-  connectUnit(sync1_, 1);
+  sync_ = new SyncSettingsEditor(*columns->add(0, tr("Synchronisation")), *this);
   columns->addStretch();
   setWidget(columns);
 }
@@ -67,23 +48,12 @@ bool SlaveDcPage::appliesTo(int slave) const {
 }
 
 void SlaveDcPage::buildMode(Card& card) {
-  mode_ = named(new QComboBox, "operationMode", tr("Operation mode"));
-  mode_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  mode_->setMinimumContentsLength(14);
-  connect(mode_, &QComboBox::activated, this, [this] {
-    edit(tr("Change operation mode"), keys::slave(node(), keys::kOpMode), mode_->currentData().toString());
-  });
-  card.addRow(tr("Mode"), mode_, tr("ESI Dc/OpMode"));
+  fields().choice(card, "operationMode", "slave.N.dc.op_mode")->setMinimumContentsLength(14);
   description_ = card.addValue("operationModeDescription", tr("Meaning"), tr("ESI OpMode/Desc"));
   description_->setWordWrap(true);
   assign_activate_ = card.addValue("assignActivate", tr("AssignActivate"), tr("ESI OpMode/AssignActivate, written to register 0x0980"));
   bus_cycle_ = card.addValue("syncBusCycle", tr("Bus cycle"), tr("Cycle time of the master, base of the Sync Unit Cycle"));
-  potential_ = named(new QCheckBox(tr("Potential reference clock")), "potentialReference", tr("Potential reference clock"));
-  connect(potential_, &QCheckBox::clicked, this, [this](bool on) {
-    edit(tr("Change potential reference clock"), keys::slave(node(), keys::kPotentialReference),
-         on ? QStringLiteral("on") : QStringLiteral("off"));
-  });
-  card.addWide(potential_, tr("May lead when the reference clock is missing (ENI DC/PotentialReferenceClock)"));
+  fields().toggle(card, "potentialReference", "slave.N.dc.potential_reference_clock");
 }
 
 void SlaveDcPage::buildRegisters(Card& card) {
@@ -101,34 +71,18 @@ void SlaveDcPage::buildLive(Card& card) {
   missed_ = card.addValue("slaveMissed", tr("Missed SM2 events"), tr("Counter of the device (object 0x1C32)"));
 }
 
-void SlaveDcPage::refreshModes(const SlaveSettings& slave) {
-  const QSignalBlocker quiet(mode_);
-  mode_->clear();
-  mode_->addItem(tr("Off (no DC commands)"), kOff);
-  for (const auto& mode : slave.device.dc->op_modes) {
-    const auto name = QString::fromStdString(mode.name);
-    mode_->addItem(name, name);
-    mode_->setItemData(mode_->count() - 1, QString::fromStdString(mode.description), Qt::ToolTipRole);
-  }
-  mode_->setCurrentIndex(std::max(0, mode_->findData(slave.dc.op_mode.empty() ? kOff : QString::fromStdString(slave.dc.op_mode))));
-}
-
 void SlaveDcPage::refresh() {
   const auto& project = workspace().document().project();
   const auto* slave = slaveAt(project, node());
   if (slave == nullptr || !slave->device.dc) return;
-  refreshModes(*slave);
   const auto* mode = compiler::selected_op_mode(*slave);
   description_->setText(mode != nullptr && !mode->description.empty() ? QString::fromStdString(mode->description) : none());
   assign_activate_->setText(mode != nullptr ? hexText(mode->assign_activate, 4) : none());
   bus_cycle_->setText(cycleText(project.master.cycle_time));
-  potential_->setChecked(slave->dc.potential_reference_clock);
-  const DcOpMode off;
-  const auto& shown = mode != nullptr ? *mode : off;
-  const AssignActivate units{shown.assign_activate};
-  sync0_->show(syncUnitView(0, shown, slave->dc, project.master.cycle_time), units.sync0());
-  sync1_->show(syncUnitView(1, shown, slave->dc, project.master.cycle_time), units.sync1());
-  sync_->show(*slave);
+  sync0_->showSlave(*slave, mode, project.master.cycle_time);
+  sync1_->showSlave(*slave, mode, project.master.cycle_time);
+  sync_->showSlave(*slave);
+  fields().refresh();
   refreshRegisters();
 }
 

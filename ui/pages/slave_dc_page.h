@@ -3,8 +3,6 @@
 
 #include "ui/pages/page.h"
 
-class QCheckBox;
-class QComboBox;
 class QLabel;
 
 namespace syncline::ui {
@@ -29,11 +27,8 @@ class SlaveDcPage final : public Page {
   void buildMode(Card& card);
   void buildRegisters(Card& card);
   void buildLive(Card& card);
-  void refreshModes(const SlaveSettings& slave);
   void refreshRegisters();
 
-  QComboBox* mode_;
-  QCheckBox* potential_;
   QLabel *description_, *assign_activate_, *bus_cycle_;
   SyncUnitEditor *sync0_, *sync1_;
   SyncSettingsEditor* sync_;

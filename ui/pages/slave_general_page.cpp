@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/pages/slave_general_page.h"
 
-#include <QCheckBox>
 #include <QFileInfo>
 #include <QLabel>
-#include <QLineEdit>
-#include <QSignalBlocker>
-#include <QSpinBox>
 
-#include "ui/session/setting_keys.h"
+#include "ui/editors/field_binder.h"
 #include "ui/session/workspace.h"
 #include "ui/text/glossary.h"
 #include "ui/text/units.h"
@@ -39,10 +35,7 @@ SlaveGeneralPage::SlaveGeneralPage(Workspace& workspace) : Page(workspace, "slav
 }
 
 void SlaveGeneralPage::buildIdentity(Card& card) {
-  name_ = named(new QLineEdit, "slaveName", tr("Name of the slave"));
-  connect(name_, &QLineEdit::editingFinished, this,
-          [this] { edit(tr("Rename slave"), keys::slave(node(), keys::kName), name_->text()); });
-  card.addRow(tr("Name"), name_, tr("ENI Slave/Info/Name"));
+  fields().text(card, "slaveName", "slave.N.name");
   type_ = card.addValue("slaveType", tr("Type"), tr("ESI Device/Type"));
   vendor_ = card.addValue("slaveVendor", tr("Vendor"), tr("SII word 0x0008, ESI Vendor/Id"));
   product_ = card.addValue("slaveProduct", tr("Product code"), tr("SII word 0x000A, ESI Type@ProductCode"));
@@ -53,36 +46,17 @@ void SlaveGeneralPage::buildIdentity(Card& card) {
 }
 
 void SlaveGeneralPage::buildAddresses(Card& card) {
-  const auto box = [this](const char* object_name, const QString& accessible, const char* key, const QString& text) {
-    auto* field = named(new QSpinBox, object_name, accessible);
-    field->setRange(0, 65535);
-    field->setKeyboardTracking(false);
-    field->setAlignment(Qt::AlignRight);
-    connect(field, &QSpinBox::valueChanged, this,
-            [this, key, text](int value) { edit(text, keys::slave(node(), key), QString::number(value)); });
-    return field;
-  };
-  address_ = box("slaveAddress", tr("Station address"), keys::kStationAddress, tr("Change station address"));
-  card.addRow(tr("Station address"), address_, tr("Configured station address (register 0x0010)"));
-  alias_ = box("slaveAlias", tr("Alias"), keys::kAlias, tr("Change alias"));
-  card.addRow(tr("Alias"), alias_, tr("Configured station alias (register 0x0012, SII word 0x0004)"));
+  fields().number(card, "slaveAddress", "slave.N.station_address");
+  fields().number(card, "slaveAlias", "slave.N.alias");
   auto_increment_ = card.addValue("slaveAutoIncrement", tr("Auto-increment"), tr("Position address used before the station address is set"));
   previous_ = card.addValue("slavePrevious", tr("Connected to"), tr("Slave and port in front of this one (ENI PreviousPort)"));
 }
 
 void SlaveGeneralPage::buildChecks(Card& card) {
-  const auto box = [&](const char* object_name, const QString& label, const char* key, const QString& tip) {
-    auto* field = named(new QCheckBox(label), object_name, label);
-    connect(field, &QCheckBox::clicked, this, [this, key, label](bool on) {
-      edit(tr("Change check: %1").arg(label), keys::slave(node(), key), on ? QStringLiteral("on") : QStringLiteral("off"));
-    });
-    card.addWide(field, tip);
-    return field;
-  };
-  check_vendor_ = box("checkVendor", tr("Vendor"), keys::kCheckVendor, tr("Compares SII word 0x0008 in INIT to PREOP"));
-  check_product_ = box("checkProduct", tr("Product code"), keys::kCheckProduct, tr("Compares SII word 0x000A in INIT to PREOP"));
-  check_revision_ = box("checkRevision", tr("Revision"), keys::kCheckRevision, tr("Compares SII word 0x000C in INIT to PREOP"));
-  check_serial_ = box("checkSerial", tr("Serial number"), keys::kCheckSerial, tr("Compares SII word 0x000E in INIT to PREOP"));
+  fields().toggle(card, "checkVendor", "slave.N.check.vendor");
+  fields().toggle(card, "checkProduct", "slave.N.check.product");
+  fields().toggle(card, "checkRevision", "slave.N.check.revision");
+  fields().toggle(card, "checkSerial", "slave.N.check.serial");
 }
 
 void SlaveGeneralPage::buildState(Card& card) {
@@ -109,7 +83,7 @@ void SlaveGeneralPage::refresh() {
   if (node() < 0 || static_cast<std::size_t>(node()) >= project.slaves.size()) return;
   const auto& slave = project.slaves[static_cast<std::size_t>(node())];
   const auto& device = slave.device;
-  if (!name_->hasFocus() || !name_->isModified()) name_->setText(QString::fromStdString(slave.name));
+  fields().refresh();
   type_->setText(QString::fromStdString(device.type));
   type_->setToolTip(QString::fromStdString(device.name));
   const auto vendor = hexText(device.identity.vendor_id, 8);
@@ -120,17 +94,10 @@ void SlaveGeneralPage::refresh() {
   serial_->setText(device.identity.serial_no == 0 ? tr("any") : withDecimal(device.identity.serial_no, 8));
   source_->setText(QFileInfo(QString::fromStdString(device.source)).fileName());
   source_->setToolTip(QString::fromStdString(device.source));
-  const QSignalBlocker quiet_address(address_), quiet_alias(alias_);
-  address_->setValue(slave.station_address);
-  alias_->setValue(slave.alias);
   auto_increment_->setText(hexText(Position{static_cast<std::uint16_t>(node())}.auto_increment_address(), 4));
   previous_->setText(slave.previous ? tr("%1, port %2").arg(nodeName(project, slave.previous->position))
                                           .arg(QChar(u'A' + slave.previous->port))
                                     : QString::fromStdString(project.master.name));
-  check_vendor_->setChecked(slave.check.vendor);
-  check_product_->setChecked(slave.check.product);
-  check_revision_->setChecked(slave.check.revision);
-  check_serial_->setChecked(slave.check.serial);
   preop_->setText(timeoutText(device.timeouts.preop));
   safeop_op_->setText(timeoutText(device.timeouts.safeop_op));
   to_init_->setText(timeoutText(device.timeouts.back_to_init));

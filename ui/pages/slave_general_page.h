@@ -3,10 +3,7 @@
 
 #include "ui/pages/page.h"
 
-class QCheckBox;
 class QLabel;
-class QLineEdit;
-class QSpinBox;
 
 namespace syncline::ui {
 
@@ -30,9 +27,6 @@ class SlaveGeneralPage final : public Page {
   void buildState(Card& card);
   void buildTimeouts(Card& card);
 
-  QLineEdit* name_;
-  QSpinBox *address_, *alias_;
-  QCheckBox *check_vendor_, *check_product_, *check_revision_, *check_serial_;
   QLabel *type_, *vendor_, *product_, *revision_, *serial_, *source_;
   QLabel *auto_increment_, *previous_;
   QLabel *status_code_, *meaning_, *preop_, *safeop_op_, *to_init_, *to_safeop_;

@@ -5,30 +5,26 @@
 
 #include "config/project.h"
 
-class QComboBox;
 class QLabel;
 
 namespace syncline::ui {
 
 class Card;
+class ChoiceEdit;
+class Page;
 
 /// What a device's synchronisation objects are set to at start-up, and what its family takes.
 class SyncSettingsEditor final : public QObject {
   Q_OBJECT
 
  public:
-  SyncSettingsEditor(Card& card, QObject* parent);
-  void show(const SlaveSettings& slave);
-
- Q_SIGNALS:
-  /// A settings key below "slave.N." and its value.
-  void edited(const QString& text, const QString& key, const QString& value);
+  SyncSettingsEditor(Card& card, Page& page);
+  void showSlave(const SlaveSettings& slave);
 
  private:
   void showLimit(const SlaveSettings& slave);
-  void showType(const SlaveSettings& slave);
 
-  QComboBox *limit_, *type_;
+  ChoiceEdit *limit_, *type_;
   QLabel *family_, *cycles_;
 };
 

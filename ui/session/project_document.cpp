@@ -2,11 +2,26 @@
 #include "ui/session/project_document.h"
 
 #include <QFileInfo>
+#include <algorithm>
 #include <utility>
 
 #include "eni/project_file.h"
+#include "settings/settings_table.h"
 
 namespace syncline::ui {
+namespace {
+
+Status applyAll(Project& project, const std::vector<SettingEdit>& edits) {
+  for (const auto& [setting, place, value] : edits) {
+    if (auto status = settings::set_value(*setting, project, place, value); !status) {
+      status.error().subject = settings::key_of(*setting, place);
+      return status;
+    }
+  }
+  return {};
+}
+
+}  // namespace
 
 ProjectDocument::ProjectDocument(QObject* parent) : QObject(parent) {
   connect(&undo_, &QUndoStack::cleanChanged, this, [this](bool clean) { Q_EMIT modifiedChanged(!clean); });
@@ -24,17 +39,27 @@ Status ProjectDocument::edit(const QString& text, ProjectEdit edit) {
   return {};
 }
 
-Status ProjectDocument::set(const QString& text, std::vector<SettingValue> settings) {
-  return edit(text, [settings = std::move(settings)](Project& project) -> Status {
-    for (const auto& setting : settings) {
-      if (auto status = set_setting(project, setting.key, setting.value); !status) return status;
+Status ProjectDocument::set(const QString& text, std::vector<SettingEdit> edits) {
+  bool master = false;
+  std::vector<std::size_t> slaves;
+  for (const auto& [setting, place, value] : edits) {
+    if (!setting->of_slave()) {
+      master = true;
+    } else if (place.slave >= project_.slaves.size()) {
+      return fail(ErrorCode::kUnknownKey, settings::key_of(*setting, place), "the slave is gone");
+    } else if (std::ranges::find(slaves, place.slave) == slaves.end()) {
+      slaves.push_back(place.slave);
     }
-    return {};
-  });
-}
-
-Status ProjectDocument::set(const QString& text, const QString& key, const QString& value) {
-  return set(text, {SettingValue{key.toStdString(), value.toStdString()}});
+  }
+  // A setting touches its slave or the master alone: the other slaves of a large machine need not be copied.
+  auto before = ProjectPatch::of(project_, master, slaves);
+  const auto status = applyAll(project_, edits);
+  const bool changed = !before.same(project_);
+  before.restore(project_);
+  if (!status || !changed) return status;
+  const auto again = [edits = std::move(edits)](Project& project) { return applyAll(project, edits); };
+  undo_.push(new EditProjectCommand(*this, text, again, std::move(before)));
+  return {};
 }
 
 void ProjectDocument::replace(const QString& text, Project project) {

@@ -7,11 +7,18 @@
 #include <vector>
 
 #include "config/project.h"
-#include "config/settings_keys.h"
+#include "settings/setting.h"
 #include "support/result.h"
 #include "ui/commands/edit_project_command.h"
 
 namespace syncline::ui {
+
+/// A value for a setting of the table (settings/settings_table.h).
+struct SettingEdit {
+  const settings::Setting* setting = nullptr;
+  settings::Place place;
+  settings::Value value;
+};
 
 /// The project being edited: a value, its undo steps and its file.
 class ProjectDocument final : public QObject, private ProjectHolder {
@@ -29,9 +36,8 @@ class ProjectDocument final : public QObject, private ProjectHolder {
 
   /// One undo step called `text`. An edit that fails changes nothing, one without effect makes no step.
   Status edit(const QString& text, ProjectEdit edit);
-  /// Settings by key, as `synclinectl project set` writes them; all in one undo step.
-  Status set(const QString& text, std::vector<SettingValue> settings);
-  Status set(const QString& text, const QString& key, const QString& value);
+  /// Settings of the table; all in one undo step. The error's subject is the key.
+  Status set(const QString& text, std::vector<SettingEdit> edits);
   /// Another project in place of this one, as one undo step (scan).
   void replace(const QString& text, Project project);
 

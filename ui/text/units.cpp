@@ -69,11 +69,4 @@ QString bitsText(std::uint32_t bits) {
   return QCoreApplication::translate("Units", "%n Bit(s)", nullptr, count);
 }
 
-QString microsecondsSetting(Nanoseconds value) {
-  auto text = QString::number(static_cast<double>(value) / 1e3, 'f', 3);
-  while (text.endsWith(u'0')) text.chop(1);
-  if (text.endsWith(u'.')) text.chop(1);
-  return text;
-}
-
 }  // namespace syncline::ui

@@ -20,7 +20,5 @@ namespace syncline::ui {
 [[nodiscard]] QString hexText(std::uint64_t value, int digits);
 /// "14 Bit", "4 Byte".
 [[nodiscard]] QString bitsText(std::uint32_t bits);
-/// For files and settings: digits only, C locale, microseconds with up to three decimals.
-[[nodiscard]] QString microsecondsSetting(Nanoseconds value);
 
 }  // namespace syncline::ui

@@ -5,13 +5,12 @@
 #include "config/command_text.h"
 #include "config/compile/cyclic_frames.h"
 #include "protocol/registers.h"
+#include "settings/limits.h"
 
 namespace syncline::checker {
 namespace {
 
 constexpr std::uint32_t kShortestStateTimeout = 100;  // ms
-constexpr Nanoseconds kShortestCycle = 31'250;
-constexpr Nanoseconds kLongestCycle = 10 * kSecond;
 
 void check_timeouts(const NetworkView& view, Findings& findings) {
   for (std::size_t i = 0; i < view.config.slaves.size(); ++i) {
@@ -47,7 +46,7 @@ void check_cycles(const NetworkView& view, Findings& findings) {
   const auto& tasks = view.config.cyclic;
   for (std::size_t t = 0; t < tasks.size(); ++t) {
     if (!tasks[t].cycle_time_given) continue;
-    if (tasks[t].cycle_time < kShortestCycle || tasks[t].cycle_time > kLongestCycle) {
+    if (tasks[t].cycle_time < limits::kShortestCycle || tasks[t].cycle_time > limits::kLongestTaskCycle) {
       findings.add("ENI-TIME-05", {PlaceKind::kTask, t},
                    fmt::format("CycleTime is {} us", tasks[t].cycle_time / kMicrosecond));
       continue;

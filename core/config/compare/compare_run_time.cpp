@@ -4,7 +4,7 @@
 #include <map>
 #include <set>
 
-#include "config/settings_keys.h"
+#include "settings/settings_keys.h"
 
 namespace syncline {
 namespace {

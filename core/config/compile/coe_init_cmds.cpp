@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "config/compile/dc_times.h"
+#include "config/dc_times.h"
 #include "config/compile/sync_init_cmds.h"
 #include "support/byte_order.h"
 

@@ -16,12 +16,11 @@
 #include "config/compile/slave_findings.h"
 #include "config/compile/task_plan.h"
 #include "config/compile/variables.h"
+#include "settings/predicates.h"
 
 namespace syncline::compiler {
 namespace {
 
-constexpr Nanoseconds kMinCycle = 31'250;
-constexpr Nanoseconds kMaxCycle = 100 * kMillisecond;
 
 /// What the slave's own settings decide.
 SlavePlan plan_slave(const SlaveSettings& settings, std::size_t position, bool bit_packing) {
@@ -174,7 +173,7 @@ Status check_buildable(const Project& project) {
     return fail(ErrorCode::kConfiguration, "project", "more slaves than addresses");
   }
   const Nanoseconds cycle = project.master.cycle_time;
-  if (cycle < kMinCycle || cycle > kMaxCycle) {
+  if (!settings::is_bus_cycle(cycle)) {
     return fail(ErrorCode::kBadValue, "master.cycle_time_us",
                 fmt::format("{} ns is outside 31.25 us to 100 ms", cycle));
   }

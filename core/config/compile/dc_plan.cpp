@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "config/compile/dc_times.h"
+#include "config/dc_times.h"
 
 namespace syncline::compiler {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "config/compile/dc_times.h"
+#include "config/dc_times.h"
 #include "config/module_slots.h"
 
 namespace syncline::compiler {

@@ -9,7 +9,7 @@
 #include "config/compile/sync_init_cmds.h"
 #include "config/families/families.h"
 #include "config/families/family_problems.h"
-#include "config/sync_settings.h"
+#include "settings/sync_settings.h"
 
 namespace syncline::compiler {
 namespace {

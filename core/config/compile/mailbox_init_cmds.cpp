@@ -2,7 +2,6 @@
 #include "config/compile/mailbox_init_cmds.h"
 
 #include <algorithm>
-#include <charconv>
 
 #include "config/eoe_ip.h"
 #include "protocol/eoe.h"
@@ -11,21 +10,6 @@ namespace syncline::compiler {
 namespace {
 
 constexpr int kSetIpParameter = static_cast<int>(eoe::Kind::kSetIpRequest);
-
-/// `N` numbers 0..255 with dots.
-template <std::size_t N>
-std::optional<std::array<std::uint8_t, N>> dotted_bytes(std::string_view text) {
-  std::array<std::uint8_t, N> bytes{};
-  const char* at = text.data();
-  const char* const end = at + text.size();
-  for (std::size_t i = 0; i < N; ++i) {
-    if (i > 0 && (at == end || *at++ != '.')) return std::nullopt;
-    const auto [behind, error] = std::from_chars(at, end, bytes[i]);
-    if (error != std::errc{}) return std::nullopt;
-    at = behind;
-  }
-  return at == end ? std::optional(bytes) : std::nullopt;
-}
 
 /// The header as tools write it (no fragment, no time stamp); then the service's data.
 MailboxInitCmd eoe_message(int type, const std::vector<std::uint8_t>& data, std::vector<Transition> when, std::string comment) {
@@ -98,10 +82,6 @@ void add_aoe(MailboxConfig& mailbox, const SlavePlan& slave) {
 }
 
 }  // namespace
-
-std::optional<std::array<std::uint8_t, 4>> ipv4_bytes(std::string_view text) { return dotted_bytes<4>(text); }
-
-std::optional<std::array<std::uint8_t, 6>> ams_net_id_bytes(std::string_view text) { return dotted_bytes<6>(text); }
 
 void add_mailbox_init_cmds(MailboxConfig& mailbox, const SlavePlan& slave) {
   if (mailbox.eoe) add_eoe(mailbox, slave);

@@ -7,13 +7,14 @@
 
 #include "config/compile/coe_init_cmds.h"
 #include "config/compile/cyclic_frames.h"
-#include "config/compile/dc_times.h"
+#include "config/dc_times.h"
 #include "config/compile/family_findings.h"
 #include "config/compile/finding_list.h"
 #include "config/compile/fmmu_plan.h"
 #include "config/compile/module_findings.h"
 #include "config/compile/pdo_findings.h"
 #include "protocol/dc_registers.h"
+#include "settings/predicates.h"
 
 namespace syncline::compiler {
 namespace {
@@ -102,7 +103,7 @@ void check_sync_units(FindingList& findings, const DcOpMode& mode, const DcTimes
   if (activate.sync0() && times.cycle_time0 <= 0) {
     findings.error("dc.sync0.cycle_us", fmt::format("{} switches SYNC0 on, its cycle is {} ns.", mode.name,
                                                     times.cycle_time0));
-  } else if (activate.sync0() && times.cycle_time0 % bus_cycle != 0 && bus_cycle % times.cycle_time0 != 0) {
+  } else if (activate.sync0() && !settings::keeps_step(times.cycle_time0, bus_cycle)) {
     findings.warning("dc.sync0.cycle_us",
                      fmt::format("SYNC0 every {} ns and a frame every {} ns: neither is a multiple of the other.",
                                  times.cycle_time0, bus_cycle));

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "config/families/families.h"
-#include "config/sync_settings.h"
+#include "settings/sync_settings.h"
 #include "protocol/dc_registers.h"
 #include "support/byte_order.h"
 

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "config/compile/dc_times.h"
+#include "config/dc_times.h"
 #include "config/recover/recovered_device.h"
 #include "protocol/registers.h"
 #include "support/byte_order.h"

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "config/compile/compile.h"
-#include "config/settings_keys.h"
+#include "settings/settings_keys.h"
 #include "tests/support/sample_devices.h"
 
 namespace syncline {

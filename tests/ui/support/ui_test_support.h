@@ -6,6 +6,7 @@
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QString>
+#include <QTest>
 #include <QWidget>
 #include <functional>
 
@@ -56,6 +57,16 @@ Widget* find(QWidget& root, const char* name) {
   auto* widget = root.findChild<Widget*>(QLatin1String(name));
   EXPECT_NE(widget, nullptr) << "no widget " << name;
   return widget;
+}
+
+/// As a user does it: all of the field is replaced, Enter takes it. Empty text: nothing is replaced.
+inline void type(QWidget& field, const QString& text, bool enter = true) {
+  field.setFocus();
+  if (!text.isEmpty()) {
+    QTest::keyClick(&field, Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClicks(&field, text);
+  }
+  if (enter) QTest::keyClick(&field, Qt::Key_Return);
 }
 
 /// Two drives with distributed clocks and a coupler without, made by hand.

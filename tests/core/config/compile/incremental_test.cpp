@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include "config/settings_keys.h"
+#include "settings/settings_keys.h"
 #include "support/random_project.h"
 #include "tests/support/sample_devices.h"
 

@@ -7,7 +7,7 @@
 
 #include "config/compile/compile.h"
 #include "config/eoe_ip.h"
-#include "config/settings_keys.h"
+#include "settings/settings_keys.h"
 #include "protocol/registers.h"
 #include "tests/support/sample_devices.h"
 

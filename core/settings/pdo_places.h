@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "settings/setting.h"
+
+namespace syncline::settings {
+
+/// A place for each PDO of the slave and its modules: outputs, then inputs, each index once.
+[[nodiscard]] std::vector<Place> pdo_places(const SlaveSettings& settings, std::size_t slave);
+
+/// A place for each entry of these PDOs that is no padding: item is the PDO, sub the entry's number.
+[[nodiscard]] std::vector<Place> entry_places(const SlaveSettings& settings, std::size_t slave);
+
+}  // namespace syncline::settings

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include "settings/number_text.h"
+#include "settings/setting_type.h"
+#include "settings/startup_text.h"
+#include "support/utf8.h"
+
+namespace syncline::settings {
+namespace {
+
+constexpr std::string_view kCommentMark = " # ";
+
+/// "S-0-0047", "P-3-0100": standard or product, parameter set, block number.
+std::string format_idn(std::uint16_t idn) {
+  return fmt::format("{}-{}-{:04}", (idn & 0x8000) != 0 ? 'P' : 'S', idn >> 12 & 7, idn & 0xFFF);
+}
+
+std::optional<std::uint16_t> parse_idn(std::string_view text) {
+  if (text.size() < 5 || (text[0] != 'S' && text[0] != 'P') || text[1] != '-' || text[3] != '-') {
+    const auto number = parse_integer(text);
+    return number && *number >= 0 && *number <= 0xFFFF ? std::optional(static_cast<std::uint16_t>(*number))
+                                                       : std::nullopt;
+  }
+  const auto set = parse_integer(text.substr(2, 1)), block = parse_integer(text.substr(4));
+  if (!set || *set < 0 || *set > 7 || !block || *block < 0 || *block > 0xFFF) return std::nullopt;
+  return static_cast<std::uint16_t>((text[0] == 'P' ? 0x8000 : 0) | *set << 12 | *block);
+}
+
+Status parse_target(std::string_view text, SoeCommand& command) {
+  const auto colon = text.find(':');
+  const auto equals = text.find('=');
+  if (colon == std::string_view::npos || equals == std::string_view::npos || colon > equals) {
+    return bad_value(fmt::format("\"{}\" is no DRIVE:IDN=DATA like 0:S-0-0047=00000000", text));
+  }
+  const auto drive = parse_integer(text.substr(0, colon));
+  const auto idn = parse_idn(text.substr(colon + 1, equals - colon - 1));
+  if (!drive || *drive < 0 || *drive > 7 || !idn) {
+    return bad_value(fmt::format("\"{}\" is no IDN of a drive 0..7", text.substr(0, equals)));
+  }
+  auto data = parse_hex_data(text.substr(equals + 1));
+  if (!data) return tl::unexpected(data.error());
+  command.drive = static_cast<std::uint8_t>(*drive);
+  command.idn = *idn;
+  command.data = std::move(*data);
+  return {};
+}
+
+Status parse_option(std::string_view word, SoeCommand& command) {
+  constexpr std::string_view kTimeout = "timeout=";
+  if (word == "fixed") {
+    command.fixed = true;
+  } else if (word == "off") {
+    command.enabled = false;
+  } else if (const auto ms = parse_integer(word.substr(std::min(kTimeout.size(), word.size())));
+             word.starts_with(kTimeout) && ms && *ms >= 0 && *ms <= 0xFFFF'FFFF) {
+    command.timeout_ms = static_cast<std::uint32_t>(*ms);
+  } else {
+    return bad_value(fmt::format("\"{}\" is none of fixed, off, timeout=MS", word));
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string format_soe(const SoeCommand& command) {
+  std::string text = fmt::format("{} {}:{}={:02x}", format_transitions(command.transitions), command.drive,
+                                 format_idn(command.idn), fmt::join(command.data, ""));
+  if (command.fixed) text += " fixed";
+  if (!command.enabled) text += " off";
+  if (command.timeout_ms != 0) text += fmt::format(" timeout={}", command.timeout_ms);
+  if (!command.comment.empty()) text.append(kCommentMark).append(command.comment);
+  return text;
+}
+
+Result<SoeCommand> parse_soe(std::string_view text) {
+  SoeCommand command;
+  const auto mark = text.find(kCommentMark);
+  if (mark != std::string_view::npos) command.comment = text.substr(mark + kCommentMark.size());
+  if (!is_utf8(command.comment)) return bad_value("the comment is no UTF-8 text");
+  auto rest = text.substr(0, mark);
+  if (auto status = parse_transitions(next_word(rest), command.transitions); !status) {
+    return tl::unexpected(status.error());
+  }
+  if (auto status = parse_target(next_word(rest), command); !status) return tl::unexpected(status.error());
+  for (auto word = next_word(rest); !word.empty(); word = next_word(rest)) {
+    if (auto status = parse_option(word, command); !status) return tl::unexpected(status.error());
+  }
+  return command;
+}
+
+}  // namespace syncline::settings

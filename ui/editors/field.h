@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QKeyEvent>
+#include <QWidget>
+
+namespace syncline::ui {
+
+/// A control into which something can be typed that is not in the project yet.
+class Field {
+ public:
+  virtual ~Field() = default;
+  /// Text was typed and neither taken nor given up.
+  [[nodiscard]] virtual bool pending() const = 0;
+  /// Offers what was typed as a value. False when it was refused: the text stays and is marked.
+  virtual bool commit() = 0;
+  /// Gives up what was typed.
+  virtual void revert() = 0;
+};
+
+/// The field that `widget` is or belongs to; null when there is none.
+[[nodiscard]] Field* fieldOf(QWidget* widget);
+
+/// The key belongs to a command of the window (an enabled action with that shortcut), so that the field must not take
+/// it for itself: undo, redo, export ...
+[[nodiscard]] bool isCommandKey(const QWidget& field, const QKeyEvent& event);
+
+/// Marks the control and says why; empty: unmarks it.
+void markField(QWidget& field, const QString& reason);
+
+}  // namespace syncline::ui

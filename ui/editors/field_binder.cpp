@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/editors/field_binder.h"
+
+#include <QButtonGroup>
+#include <QCheckBox>
+#include <QGridLayout>
+#include <QRadioButton>
+#include <algorithm>
+#include <utility>
+
+#include "ui/editors/choice_edit.h"
+#include "ui/editors/number_edit.h"
+#include "ui/editors/preset_edit.h"
+#include "ui/editors/text_edit.h"
+#include "ui/pages/page.h"
+#include "ui/session/workspace.h"
+#include "ui/text/setting_text.h"
+#include "ui/widgets/card.h"
+#include "ui/widgets/named.h"
+
+namespace syncline::ui {
+namespace {
+
+using settings::Setting;
+using settings::Value;
+
+std::int64_t numberOf(const Value& value) {
+  const auto* number = std::get_if<std::int64_t>(&value);
+  return number != nullptr ? *number : 0;
+}
+
+const settings::Number& numberType(const char* key) { return std::get<settings::Number>(settings::row(key).type); }
+
+/// Options in this project, or those of the type.
+std::vector<settings::Option> optionsOf(const Setting& setting, const Project& project, const settings::Place& place) {
+  if (setting.options) return setting.options(project, place);
+  std::vector<settings::Option> options;
+  if (!setting.unset.empty()) options.push_back({Value{}, setting.unset, {}});
+  const auto& own = std::get<settings::Choice>(setting.type).options;
+  options.insert(options.end(), own.begin(), own.end());
+  return options;
+}
+
+}  // namespace
+
+FieldBinder::FieldBinder(Page& page) : QObject(&page), page_(page) {}
+
+settings::Place FieldBinder::place() const { return {.slave = static_cast<std::size_t>(std::max(page_.node(), 0))}; }
+
+Value FieldBinder::value(const char* key) const { return settings::row(key).read(page_.project(), place()); }
+
+QString FieldBinder::set(const char* key, const Value& value) {
+  const auto& setting = settings::row(key);
+  return page_.set(tr("Change: %1").arg(settingLabel(setting)), {{&setting, place(), value}});
+}
+
+void FieldBinder::bind(QWidget& field, const char* key, std::function<void()> show) {
+  const auto& setting = settings::row(key);
+  if (field.toolTip().isEmpty()) field.setToolTip(settingTip(setting));
+  field.setWhatsThis(settingHelp(setting));
+  bound_.push_back({&setting, &field, std::move(show)});
+}
+
+TextEdit* FieldBinder::text(Card& card, const char* object_name, const char* key) {
+  const auto label = settingLabel(settings::row(key));
+  auto* field = named(new TextEdit([this, key](const QString& text) { return set(key, text.toStdString()); }), object_name, label);
+  bind(*field, key, [this, field, key] {
+    const auto shown = value(key);
+    field->showValue(QString::fromStdString(std::get<std::string>(shown)));
+  });
+  card.addRow(label, field, field->toolTip());
+  return field;
+}
+
+NumberEdit* FieldBinder::numberField(const char* object_name, const char* key) {
+  auto* field = named(new NumberEdit(numberType(key), [this, key](std::int64_t value) { return set(key, value); }), object_name,
+                      settingLabel(settings::row(key)));
+  if (!settings::row(key).unset.empty()) field->setClear([this, key] { return set(key, Value{}); });
+  bind(*field, key, [this, field, key] {
+    const auto& setting = settings::row(key);
+    const auto value = numberOf(settings::effective_value(setting, page_.project(), place()));
+    const auto range = settings::working_range(setting, page_.project(), place());
+    field->showValue(value, range);
+    if (!field->pending() && field->isEnabled() && !range.contains(value)) {
+      markField(*field, QString::fromStdString(settings::outside_text(numberType(key), value, range)));
+    }
+  });
+  return field;
+}
+
+NumberEdit* FieldBinder::number(Card& card, const char* object_name, const char* key) {
+  auto* field = numberField(object_name, key);
+  card.addRow(field->accessibleName(), field, field->toolTip());
+  return field;
+}
+
+PresetEdit* FieldBinder::presetField(const char* object_name, const char* key, std::span<const std::int64_t> usual) {
+  auto* field = named(new PresetEdit(numberType(key), usual, [this, key](std::int64_t value) { return set(key, value); }),
+                      object_name, settingLabel(settings::row(key)));
+  bind(*field, key, [this, field, key] { field->showValue(numberOf(value(key))); });
+  return field;
+}
+
+QCheckBox* FieldBinder::toggle(Card& card, const char* object_name, const char* key) {
+  const auto label = settingLabel(settings::row(key));
+  auto* box = named(new QCheckBox(label), object_name, label);
+  connect(box, &QCheckBox::clicked, this, [this, key](bool on) { set(key, on); });
+  bind(*box, key, [this, box, key] {
+    const auto shown = value(key);
+    box->setChecked(std::get<bool>(shown));
+  });
+  card.addWide(box, box->toolTip());
+  return box;
+}
+
+QCheckBox* FieldBinder::automatic(Card& card, const char* object_name, const char* key, const QString& label, const QString& tip) {
+  auto* box = named(new QCheckBox(label), object_name, label);
+  box->setToolTip(tip);
+  connect(box, &QCheckBox::clicked, this, [this, key](bool automatic) {
+    set(key, automatic ? Value{} : settings::effective_value(settings::row(key), page_.project(), place()));
+  });
+  bind(*box, key, [this, box, key] { box->setChecked(std::holds_alternative<settings::Unset>(value(key))); });
+  card.addWide(box, tip);
+  return box;
+}
+
+ChoiceEdit* FieldBinder::choice(Card& card, const char* object_name, const char* key) {
+  const auto label = settingLabel(settings::row(key));
+  auto* box = named(new ChoiceEdit, object_name, label);
+  const auto current = [this, key] { return optionsOf(settings::row(key), page_.project(), place()); };
+  connect(box, &QComboBox::activated, this, [this, key, current](int index) {
+    const auto options = current();
+    if (std::cmp_less(index, options.size())) set(key, options[static_cast<std::size_t>(index)].value);
+  });
+  bind(*box, key, [this, box, key, current] {
+    const auto options = current();
+    const auto shown = value(key);
+    box->clear();
+    for (const auto& option : options) box->addItem(optionText(option), QString::fromStdString(option.word));
+    const auto chosen = std::ranges::find(options, shown, &settings::Option::value);
+    if (chosen == options.end()) {  // one that the list does not offer
+      box->addItem(QString::fromStdString(settings::text_of(settings::row(key), page_.project(), place())));
+    }
+    box->setCurrentIndex(static_cast<int>(chosen - options.begin()));
+  });
+  card.addRow(label, box, box->toolTip());
+  return box;
+}
+
+QButtonGroup* FieldBinder::buttons(Card& card, const char* key, const QList<std::pair<std::int64_t, const char*>>& object_names,
+                                   int columns) {
+  const auto& setting = settings::row(key);
+  auto* group = new QButtonGroup(this);
+  auto* area = new QWidget;
+  auto* layout = new QGridLayout(area);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setColumnStretch(columns, 1);
+  for (const auto& [id, object_name] : object_names) {
+    const auto& options = std::get<settings::Choice>(setting.type).options;
+    const auto option = std::ranges::find(options, Value{id}, &settings::Option::value);
+    if (option == options.end()) continue;
+    auto* button = named(new QRadioButton(optionText(*option)), object_name, optionText(*option));
+    const auto count = static_cast<int>(group->buttons().size());
+    group->addButton(button, static_cast<int>(id));
+    layout->addWidget(button, count / columns, count % columns);
+  }
+  connect(group, &QButtonGroup::idClicked, this, [this, key](int id) { set(key, std::int64_t{id}); });
+  bind(*area, key, [this, group, key] {
+    if (auto* button = group->button(static_cast<int>(numberOf(value(key))))) button->setChecked(true);
+  });
+  card.addWide(area);
+  return group;
+}
+
+void FieldBinder::refresh() {
+  for (const auto& bound : bound_) {
+    if (bound.show) bound.show();
+  }
+}
+
+bool FieldBinder::commit() {
+  bool taken = true;
+  for (const auto& bound : bound_) {
+    if (auto* field = dynamic_cast<Field*>(bound.widget)) taken = field->commit() && taken;
+  }
+  return taken;
+}
+
+void FieldBinder::revert() {
+  for (const auto& bound : bound_) {
+    auto* field = dynamic_cast<Field*>(bound.widget);
+    if (field != nullptr && field->pending()) field->revert();
+  }
+}
+
+}  // namespace syncline::ui

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/editors/number_edit.h"
+
+#include <QLineEdit>
+#include <QStyle>
+#include <QStyleOptionSpinBox>
+#include <QWheelEvent>
+#include <algorithm>
+#include <utility>
+
+#include "ui/editors/number_text.h"
+
+namespace syncline::ui {
+
+NumberEdit::NumberEdit(const settings::Number& number, Take take, QWidget* parent)
+    : QAbstractSpinBox(parent), number_(number), take_(std::move(take)), range_(number.range) {
+  setFocusPolicy(Qt::StrongFocus);
+  setAlignment(Qt::AlignRight);
+  setAccelerated(true);
+  connect(lineEdit(), &QLineEdit::textEdited, this, [this] { pending_ = true; });
+}
+
+void NumberEdit::showValue(std::int64_t value, const settings::Range& range) {
+  value_ = value;
+  range_ = range;
+  if (pending_) return;
+  display();
+}
+
+void NumberEdit::display() {
+  const auto unit = unitText(number_);
+  const auto text = numberText(number_, value_) + (unit.isEmpty() ? unit : QChar(u' ') + unit);
+  if (lineEdit()->text() != text) lineEdit()->setText(text);
+  markField(*this, {});
+}
+
+bool NumberEdit::taken(const QString& refusal) {
+  if (!refusal.isEmpty()) {
+    markField(*this, refusal);
+    return false;
+  }
+  pending_ = false;
+  display();  // the project may say it otherwise, and said so through showValue()
+  return true;
+}
+
+bool NumberEdit::commit() {
+  if (!pending_) return true;
+  if (clear_ && lineEdit()->text().trimmed().isEmpty()) return taken(clear_());
+  const auto value = parseNumber(number_, lineEdit()->text());
+  if (!value) {
+    markField(*this,
+              tr("\"%1\" is no such number: %2")
+                  .arg(lineEdit()->text(), QString::fromStdString(settings::range_text(number_, number_.range))));
+    return false;
+  }
+  if (*value == value_) return revert(), true;
+  return taken(take_(*value));
+}
+
+void NumberEdit::revert() {
+  pending_ = false;
+  display();
+}
+
+void NumberEdit::stepBy(int steps) {
+  if (!commit()) return;
+  auto next = std::clamp(value_ + steps * numberStep(number_), range_.low, range_.high);
+  if (number_.without_zero && next == 0) next = steps > 0 ? 1 : -1;
+  if (next == value_) return;
+  taken(take_(next));
+  selectAll();
+}
+
+QAbstractSpinBox::StepEnabled NumberEdit::stepEnabled() const {
+  StepEnabled enabled = StepNone;
+  if (value_ > range_.low) enabled |= StepDownEnabled;
+  if (value_ < range_.high) enabled |= StepUpEnabled;
+  return enabled;
+}
+
+// What is typed is judged as a whole, when it is taken.
+QValidator::State NumberEdit::validate(QString&, int&) const { return QValidator::Acceptable; }
+
+QSize NumberEdit::sizeHint() const {
+  ensurePolished();
+  const auto unit = unitText(number_);
+  int width = 0;
+  // Ranges of registers are wider than what stands in them.
+  for (const auto end : {std::max<std::int64_t>(number_.range.low, -100'000'000),
+                         std::min<std::int64_t>(number_.range.high, 100'000'000)}) {
+    width = std::max(width, fontMetrics().horizontalAdvance(numberText(number_, end) + QChar(u' ') + unit));
+  }
+  QStyleOptionSpinBox option;
+  initStyleOption(&option);
+  const QSize text(width + 8, lineEdit()->sizeHint().height());
+  return style()->sizeFromContents(QStyle::CT_SpinBox, &option, text, this);
+}
+
+bool NumberEdit::event(QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride && isCommandKey(*this, static_cast<QKeyEvent&>(*event))) {
+    event->ignore();
+    return true;
+  }
+  return QAbstractSpinBox::event(event);
+}
+
+void NumberEdit::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
+    if (commit()) selectAll();
+    event->accept();
+  } else if (event->key() == Qt::Key_Escape && pending_) {
+    revert();
+    selectAll();
+    event->accept();
+  } else {
+    QAbstractSpinBox::keyPressEvent(event);
+  }
+}
+
+void NumberEdit::wheelEvent(QWheelEvent* event) {
+  // A page that scrolls must not change values on its way.
+  if (hasFocus()) {
+    QAbstractSpinBox::wheelEvent(event);
+  } else {
+    event->ignore();
+  }
+}
+
+void NumberEdit::focusOutEvent(QFocusEvent* event) {
+  commit();
+  QAbstractSpinBox::focusOutEvent(event);
+}
+
+}  // namespace syncline::ui

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/editors/preset_edit.h"
+
+#include <QLineEdit>
+#include <utility>
+
+#include "ui/editors/number_text.h"
+
+namespace syncline::ui {
+
+PresetEdit::PresetEdit(const settings::Number& number, std::span<const std::int64_t> usual, Take take, QWidget* parent)
+    : ChoiceEdit(parent), number_(number), take_(std::move(take)) {
+  setEditable(true);
+  setCompleter(nullptr);
+  setInsertPolicy(QComboBox::NoInsert);
+  for (const auto value : usual) addItem(numberText(number_, value));
+  connect(lineEdit(), &QLineEdit::textEdited, this, [this] { pending_ = true; });
+  connect(this, &QComboBox::activated, this, [this] {
+    pending_ = true;
+    commit();
+  });
+}
+
+void PresetEdit::showValue(std::int64_t value) {
+  value_ = value;
+  if (!pending_) revert();
+}
+
+bool PresetEdit::commit() {
+  if (!pending_) return true;
+  const auto typed = currentText();
+  const auto value = parseNumber(number_, typed);
+  const auto reason =
+      !value ? tr("\"%1\" is no such number: %2 %3")
+                   .arg(typed, QString::fromStdString(settings::range_text(number_, number_.range)), unitText(number_))
+      : *value != value_ ? take_(*value)
+                         : QString();
+  if (!reason.isEmpty()) {
+    markField(*this, reason);
+    return false;
+  }
+  revert();
+  return true;
+}
+
+void PresetEdit::revert() {
+  pending_ = false;
+  const auto text = numberText(number_, value_);
+  if (currentText() != text) setEditText(text);
+  markField(*this, {});
+}
+
+bool PresetEdit::event(QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride && isCommandKey(*this, static_cast<QKeyEvent&>(*event))) {
+    event->ignore();
+    return true;
+  }
+  return ChoiceEdit::event(event);
+}
+
+void PresetEdit::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
+    if (commit()) lineEdit()->selectAll();
+    event->accept();
+  } else if (event->key() == Qt::Key_Escape && pending_) {
+    revert();
+    event->accept();
+  } else {
+    ChoiceEdit::keyPressEvent(event);
+  }
+}
+
+void PresetEdit::focusOutEvent(QFocusEvent* event) {
+  commit();
+  ChoiceEdit::focusOutEvent(event);
+}
+
+}  // namespace syncline::ui

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/editors/text_edit.h"
+
+#include <utility>
+
+namespace syncline::ui {
+
+TextEdit::TextEdit(Take take, QWidget* parent) : QLineEdit(parent), take_(std::move(take)) {}
+
+void TextEdit::showValue(const QString& text) {
+  shown_ = text;
+  if (!pending()) revert();
+}
+
+bool TextEdit::commit() {
+  if (!pending()) return true;
+  const auto typed = text();
+  if (typed != shown_) {
+    if (const auto reason = take_(typed); !reason.isEmpty()) {
+      markField(*this, reason);
+      return false;
+    }
+  }
+  revert();
+  return true;
+}
+
+void TextEdit::revert() {
+  setModified(false);
+  if (text() != shown_) setText(shown_);
+  markField(*this, {});
+}
+
+bool TextEdit::event(QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride && isCommandKey(*this, static_cast<QKeyEvent&>(*event))) {
+    event->ignore();
+    return true;
+  }
+  return QLineEdit::event(event);
+}
+
+void TextEdit::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
+    if (commit()) selectAll();
+    event->accept();
+  } else if (event->key() == Qt::Key_Escape && pending()) {
+    revert();
+    event->accept();
+  } else {
+    QLineEdit::keyPressEvent(event);
+  }
+}
+
+void TextEdit::focusOutEvent(QFocusEvent* event) {
+  commit();
+  QLineEdit::focusOutEvent(event);
+}
+
+}  // namespace syncline::ui

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/text/setting_text.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+namespace syncline::ui {
+namespace {
+
+QString translated(const std::string& text) { return QCoreApplication::translate("Setting", text.c_str()); }
+QString word(const char* text) { return QCoreApplication::translate("Setting", text); }
+
+/// "0x09A0": a register; "0x10F1:02": an object; other things have names.
+QString whereText(const settings::Words& words) {
+  if (words.object.empty()) return {};
+  const auto object = QString::fromStdString(words.object);
+  if (!object.startsWith(QStringLiteral("0x"))) return object;
+  const bool is_object = object.contains(u':') || object.startsWith(QStringLiteral("0x1C"));
+  return (is_object ? word(QT_TRANSLATE_NOOP("Setting", "Object %1"))
+                    : word(QT_TRANSLATE_NOOP("Setting", "Register %1")))
+      .arg(object);
+}
+
+QString eniText(const settings::Words& words) {
+  return words.eni.empty() ? QString() : QStringLiteral("ENI ") + QString::fromStdString(words.eni);
+}
+
+}  // namespace
+
+QString settingLabel(const settings::Setting& setting) { return translated(setting.words.label); }
+
+QString optionText(const settings::Option& option) {
+  return translated(option.text.empty() ? option.word : option.text);
+}
+
+QString settingTip(const settings::Setting& setting) {
+  QStringList where{whereText(setting.words), eniText(setting.words)};
+  where.removeAll(QString());
+  const auto help = translated(setting.words.help);
+  return where.isEmpty() ? help : help + u'\n' + where.join(QStringLiteral(", "));
+}
+
+QString settingHelp(const settings::Setting& setting) {
+  QStringList facts;
+  const auto add = [&facts](const QString& name, const QString& value) {
+    if (!value.isEmpty()) facts << QStringLiteral("%1: %2").arg(name, value.toHtmlEscaped());
+  };
+  const auto* number = std::get_if<settings::Number>(&setting.type);
+  auto values = QString::fromStdString(settings::range_text(setting));
+  if (number != nullptr && !number->unit.empty()) {
+    values += u' ' + (number->unit == "us"
+                          ? QStringLiteral("\u00B5s")
+                          : QString::fromUtf8(number->unit.data(), static_cast<qsizetype>(number->unit.size())));
+  }
+  add(word(QT_TRANSLATE_NOOP("Setting", "Values")), values);
+  if (number != nullptr && !setting.unset.empty()) {
+    add(word(QT_TRANSLATE_NOOP("Setting", "Emptied field")), QString::fromStdString(setting.unset));
+  }
+  add(word(QT_TRANSLATE_NOOP("Setting", "Default")), QString::fromStdString(settings::preset_text(setting)));
+  add(word(QT_TRANSLATE_NOOP("Setting", "Goes to")), whereText(setting.words));
+  add(word(QT_TRANSLATE_NOOP("Setting", "Changes")), eniText(setting.words));
+  add(word(QT_TRANSLATE_NOOP("Setting", "Key")), QString::fromStdString(setting.key));
+  return QStringLiteral("<p><b>%1</b></p><p>%2</p><p>%3</p>")
+      .arg(settingLabel(setting).toHtmlEscaped(), translated(setting.words.help).toHtmlEscaped(),
+           facts.join(QStringLiteral("<br>")));
+}
+
+}  // namespace syncline::ui

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QString>
+#include <span>
+
+#include "settings/setting.h"
+
+/// The words of the table of settings in the user's language.
+namespace syncline::ui {
+
+[[nodiscard]] QString settingLabel(const settings::Setting& setting);
+/// The words of an option of a choice.
+[[nodiscard]] QString optionText(const settings::Option& option);
+/// What the setting means and where it goes, in two lines.
+[[nodiscard]] QString settingTip(const settings::Setting& setting);
+/// The same with values, default and key, as rich text for What's This.
+[[nodiscard]] QString settingHelp(const settings::Setting& setting);
+
+/// The labels and sentences that translations know.
+[[nodiscard]] std::span<const char* const> translatableSettings();
+
+}  // namespace syncline::ui
