@@ -7,7 +7,7 @@
 
 #include "protocol/al_state.h"
 #include "ui/text/glossary.h"
-#include "ui/theme.h"
+#include "ui/theme/theme.h"
 
 namespace syncline::ui {
 namespace {
@@ -47,11 +47,15 @@ Actions::Actions(QUndoStack& stack, QObject* parent) : QObject(parent) {
   redo->setEnabled(stack.canRedo());
   connect(&stack, &QUndoStack::canUndoChanged, undo, &QAction::setEnabled);
   connect(&stack, &QUndoStack::canRedoChanged, redo, &QAction::setEnabled);
-  connect(&stack, &QUndoStack::undoTextChanged, undo, [this](const QString& step) { undo->setText(stepText(tr("&Undo"), step)); });
-  connect(&stack, &QUndoStack::redoTextChanged, redo, [this](const QString& step) { redo->setText(stepText(tr("&Redo"), step)); });
-  demo = add("actionDemo", tr("&Demonstration Machine"), "demo", tr("Scan the simulated demonstration machine and go online"));
+  connect(&stack, &QUndoStack::undoTextChanged, undo,
+          [this](const QString& step) { undo->setText(stepText(tr("&Undo"), step)); });
+  connect(&stack, &QUndoStack::redoTextChanged, redo,
+          [this](const QString& step) { redo->setText(stepText(tr("&Redo"), step)); });
+  demo = add("actionDemo", tr("&Demonstration Machine"), "demo",
+             tr("Scan the simulated demonstration machine and go online"));
   scan = add("actionScan", tr("&Scan…"), "scan", tr("Scan a bus and make a project of it"), QKeySequence(Qt::Key_F6));
-  online = add("actionOnline", tr("Go &Online"), "online", tr("Run the configuration on the bus"), QKeySequence(Qt::Key_F5));
+  online =
+      add("actionOnline", tr("Go &Online"), "online", tr("Run the configuration on the bus"), QKeySequence(Qt::Key_F5));
   offline = add("actionOffline", tr("Go O&ffline"), "offline", tr("Bring the bus to INIT and stop"),
                 QKeySequence(Qt::SHIFT | Qt::Key_F5));
   clear_statistics = add("actionClearStatistics", tr("&Clear Statistics"), "clear", tr("Start counting anew"));
@@ -66,7 +70,9 @@ Actions::Actions(QUndoStack& stack, QObject* parent) : QObject(parent) {
   const struct {
     theme::Mode mode;
     QString text;
-  } modes[] = {{theme::Mode::kSystem, tr("&System Colours")}, {theme::Mode::kLight, tr("&Light")}, {theme::Mode::kDark, tr("&Dark")}};
+  } modes[] = {{theme::Mode::kSystem, tr("&System Colours")},
+               {theme::Mode::kLight, tr("&Light")},
+               {theme::Mode::kDark, tr("&Dark")}};
   for (const auto& mode : modes) {
     auto* action = add("", mode.text, "", mode.text);
     action->setObjectName(QStringLiteral("actionTheme_") + theme::modeName(mode.mode));

@@ -22,12 +22,13 @@ class Actions final : public QObject {
   QAction *create, *open, *save, *save_as, *export_eni, *quit;
   QAction *undo, *redo;
   QAction *demo, *scan, *online, *offline, *clear_statistics;
-  QList<QAction*> states;   // INIT, PREOP, SAFEOP, OP; data() is the AlState
-  QList<QAction*> themes;   // system, light, dark; data() is the theme::Mode
+  QList<QAction*> states;  // INIT, PREOP, SAFEOP, OP; data() is the AlState
+  QList<QAction*> themes;  // system, light, dark; data() is the theme::Mode
   QAction *toggle_theme, *about, *reset_layout;
 
  private:
-  QAction* add(const char* name, const QString& text, const char* icon, const QString& tool_tip, const QKeySequence& keys = {});
+  QAction* add(const char* name, const QString& text, const char* icon, const QString& tool_tip,
+               const QKeySequence& keys = {});
 
   QList<QAction*> with_icon_;
 };

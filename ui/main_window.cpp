@@ -24,12 +24,12 @@
 #include "ui/pages/device_editor.h"
 #include "ui/pages/welcome_page.h"
 #include "ui/panels/explorer_panel.h"
-#include "ui/panels/live_strip.h"
 #include "ui/panels/findings_panel.h"
+#include "ui/panels/live_strip.h"
 #include "ui/panels/messages_panel.h"
 #include "ui/panels/status_panel.h"
 #include "ui/session/workspace.h"
-#include "ui/theme.h"
+#include "ui/theme/theme.h"
 #include "ui/widgets/named.h"
 
 namespace syncline::ui {
@@ -193,12 +193,12 @@ void MainWindow::connectActions() {
   connect(actions_->offline, &QAction::triggered, bus_, &BusCommands::goOffline);
   connect(actions_->clear_statistics, &QAction::triggered, &workspace_.live(), &LiveSession::clearStatistics);
   for (auto* action : actions_->states) {
-    connect(action, &QAction::triggered, this, [this, action] {
-      workspace_.live().requestState(static_cast<AlState>(action->data().toInt()));
-    });
+    connect(action, &QAction::triggered, this,
+            [this, action] { workspace_.live().requestState(static_cast<AlState>(action->data().toInt())); });
   }
   for (auto* action : actions_->themes) {
-    connect(action, &QAction::triggered, this, [action] { theme::apply(static_cast<theme::Mode>(action->data().toInt())); });
+    connect(action, &QAction::triggered, this,
+            [action] { theme::apply(static_cast<theme::Mode>(action->data().toInt())); });
   }
   connect(actions_->toggle_theme, &QAction::triggered, this,
           [this] { theme::apply(theme::isDark(palette()) ? theme::Mode::kLight : theme::Mode::kDark); });

@@ -107,7 +107,8 @@ void check(Context& context, const Options& options) {
     context.console.out << options.file
                         << ": only the structure was checked; mend the errors above, then check again\n";
   }
-  context.console.out << fmt::format("{}, {}, {}\n", counted(errors, "error"), counted(warnings, "warning"), counted(notes, "note"));
+  context.console.out << fmt::format("{}, {}, {}\n", counted(errors, "error"), counted(warnings, "warning"),
+                                     counted(notes, "note"));
 }
 
 }  // namespace

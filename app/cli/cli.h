@@ -9,9 +9,9 @@ namespace syncline::cli {
 
 /// Exit codes of synclinectl.
 inline constexpr int kDone = 0;
-inline constexpr int kAnswerIsNo = 1;   // not in sync, findings of severity error
+inline constexpr int kAnswerIsNo = 1;  // not in sync, findings of severity error
 inline constexpr int kUsage = 2;
-inline constexpr int kFailed = 3;       // bus or file error
+inline constexpr int kFailed = 3;  // bus or file error
 
 /// Where a command writes: results to `out`, messages and errors to `err`.
 struct Console {

@@ -9,11 +9,11 @@
 #include "app/cli/options.h"
 #include "app/composition/load_config.h"
 #include "app/composition/open_link.h"
-#include "config/compare/compare_configs.h"
-#include "config/compare/compare_run_time.h"
-#include "config/network_compare.h"
+#include "compare/compare_configs.h"
+#include "compare/compare_run_time.h"
+#include "compare/network_compare.h"
 #include "engine/compare_bus.h"
-#include "eni/project_file.h"
+#include "eni/project/project_file.h"
 
 namespace syncline::cli {
 namespace {

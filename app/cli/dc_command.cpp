@@ -11,9 +11,9 @@
 #include "app/composition/open_link.h"
 #include "dc/delay_text.h"
 #include "engine/open_bus.h"
-#include "master/bus_scanner.h"
-#include "master/clock_survey.h"
-#include "master/dc_setup.h"
+#include "master/clocks/clock_survey.h"
+#include "master/clocks/dc_setup.h"
+#include "master/scan/bus_scanner.h"
 #include "protocol/dc_registers.h"
 
 namespace syncline::cli {
@@ -61,10 +61,14 @@ Result<Segment> open_segment(const Options& options, const InterruptGuard& inter
 
 std::string_view capability_text(DcCapability capability) {
   switch (capability) {
-    case DcCapability::kNone: return "none";
-    case DcCapability::kReceiveTimesOnly: return "receive times";
-    case DcCapability::kSystemTime32: return "32 bit";
-    case DcCapability::kSystemTime64: return "64 bit";
+    case DcCapability::kNone:
+      return "none";
+    case DcCapability::kReceiveTimesOnly:
+      return "receive times";
+    case DcCapability::kSystemTime32:
+      return "32 bit";
+    case DcCapability::kSystemTime64:
+      return "64 bit";
   }
   return "none";
 }
@@ -78,18 +82,20 @@ std::string deviation_from(const std::optional<NetworkConfig>& config, std::size
   if (dc.cycle_time0 != clock.sync0_cycle_ns) {
     return fmt::format("SYNC0 cycle {} ns, configured are {} ns", clock.sync0_cycle_ns, dc.cycle_time0);
   }
-  return dc.assign_activate == clock.assign_activate
-             ? std::string()
-             : fmt::format("activated with 0x{:04x}, configured is 0x{:04x}", clock.assign_activate, dc.assign_activate);
+  return dc.assign_activate == clock.assign_activate ? std::string()
+                                                     : fmt::format("activated with 0x{:04x}, configured is 0x{:04x}",
+                                                                   clock.assign_activate, dc.assign_activate);
 }
 
 void print_status(Context& context, const Segment& segment, const std::vector<ClockReading>& clocks, bool json) {
   int reference = -1;
-  if (const auto clock = segment.config ? configured_reference_clock(*segment.config) : std::nullopt) reference = *clock;
+  if (const auto clock = segment.config ? configured_reference_clock(*segment.config) : std::nullopt)
+    reference = *clock;
   Json rows = Json::array();
   if (!json) {
-    context.console.out << fmt::format("{:>3} {:<24} {:<13} {:>20} {:>10} {:>9} {:>9} {:>6} {:<22}\n", "POS", "NAME", "CLOCK",
-                                       "SYSTEM TIME ns", "DELAY ns", "DIFF ns", "LOOP ppm", "SYNC", "SYNC0 CYCLE ns");
+    context.console.out << fmt::format("{:>3} {:<24} {:<13} {:>20} {:>10} {:>9} {:>9} {:>6} {:<22}\n", "POS", "NAME",
+                                       "CLOCK", "SYSTEM TIME ns", "DELAY ns", "DIFF ns", "LOOP ppm", "SYNC",
+                                       "SYNC0 CYCLE ns");
   }
   for (std::size_t i = 0; i < clocks.size(); ++i) {
     const auto& clock = clocks[i];
@@ -97,7 +103,9 @@ void print_status(Context& context, const Segment& segment, const std::vector<Cl
     const auto wrong = deviation_from(segment.config, i, clock);
     if (!wrong.empty()) context.exit_code = kAnswerIsNo;
     if (json) {
-      Json row{{"position", i}, {"name", segment.name(i)}, {"clock", capability_text(clock.capability)},
+      Json row{{"position", i},
+               {"name", segment.name(i)},
+               {"clock", capability_text(clock.capability)},
                {"reference_clock", reference == static_cast<int>(i)}};
       if (clock.has_system_time()) {
         row["system_time_ns"] = clock.system_time;
@@ -124,8 +132,8 @@ void print_status(Context& context, const Segment& segment, const std::vector<Cl
     out << fmt::format("{:>3} {:<24} {:<13} ", i, name, capability_text(clock.capability));
     if (clock.has_system_time()) {
       const auto sync = !activate.unit_on() ? "off" : clock.start_pending ? "waits" : activate.sync1() ? "0+1" : "0";
-      out << fmt::format("{:>20} {:>10} {:>9} {:>9.3f} {:>6} {:<22}", clock.system_time, clock.delay_ns, clock.difference_ns,
-                         clock.correction_ppm(), sync, clock.sync0_cycle_ns);
+      out << fmt::format("{:>20} {:>10} {:>9} {:>9.3f} {:>6} {:<22}", clock.system_time, clock.delay_ns,
+                         clock.difference_ns, clock.correction_ppm(), sync, clock.sync0_cycle_ns);
     }
     out << (wrong.empty() ? "" : " " + wrong) << '\n';
   }
@@ -145,8 +153,8 @@ void print_delays(Context& context, const Segment& segment, const DelaySurvey& s
   const auto& nodes = survey.segment.nodes;
   Json rows = Json::array();
   if (!json) {
-    context.console.out << fmt::format("{:>3} {:<24} {:<13} {:>5} {:>8} {:>8} {:>8} {:>9}\n", "POS", "NAME", "CLOCK", "ENTRY",
-                                       "3 (D)", "1 (B)", "2 (C)", "DELAY ns");
+    context.console.out << fmt::format("{:>3} {:<24} {:<13} {:>5} {:>8} {:>8} {:>8} {:>9}\n", "POS", "NAME", "CLOCK",
+                                       "ENTRY", "3 (D)", "1 (B)", "2 (C)", "DELAY ns");
   }
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const auto& node = nodes[i];
@@ -160,17 +168,21 @@ void print_delays(Context& context, const Segment& segment, const DelaySurvey& s
       Json ports = Json::array();
       for (unsigned port = 0; port < kPortCount; ++port) {
         if (!node.active[port] || node.kind == dc::DcKind::kNone) continue;
-        ports.push_back({{"port", port}, {"receive_time_ns", node.receive_time[port]},
-                         {"after_entry_ns", away(port).value_or(0)}});
+        ports.push_back(
+            {{"port", port}, {"receive_time_ns", node.receive_time[port]}, {"after_entry_ns", away(port).value_or(0)}});
       }
-      rows.push_back({{"position", i}, {"name", segment.name(i)}, {"clock", capability_text(survey.segment.capabilities[i])},
-                      {"entry_port", entry}, {"ports", ports}, {"delay_ns", delay ? Json(*delay) : Json(nullptr)}});
+      rows.push_back({{"position", i},
+                      {"name", segment.name(i)},
+                      {"clock", capability_text(survey.segment.capabilities[i])},
+                      {"entry_port", entry},
+                      {"ports", ports},
+                      {"delay_ns", delay ? Json(*delay) : Json(nullptr)}});
       continue;
     }
     const auto text = [](auto value) { return value ? fmt::format("{}", *value) : std::string("-"); };
     context.console.out << fmt::format("{:>3} {:<24} {:<13} {:>5} {:>8} {:>8} {:>8} {:>9}\n", i, segment.name(i),
-                                       capability_text(survey.segment.capabilities[i]), entry, text(away(3)), text(away(1)),
-                                       text(away(2)), text(delay));
+                                       capability_text(survey.segment.capabilities[i]), entry, text(away(3)),
+                                       text(away(1)), text(away(2)), text(delay));
   }
   Json findings = Json::array();
   for (const auto& finding : survey.result.findings) {
@@ -179,9 +191,10 @@ void print_delays(Context& context, const Segment& segment, const DelaySurvey& s
     if (!json) context.console.err << fmt::format("warning: slave {}: {}\n", finding.position, words);
   }
   if (json) return context.print({{"rounds", survey.rounds}, {"slaves", rows}, {"findings", findings}});
-  context.console.out << (survey.rounds == 0 ? "Times after the entry port in ns, of the last latch that anybody made.\n"
-                                             : fmt::format("Times after the entry port in ns, medians of {} latches.\n",
-                                                           survey.rounds));
+  context.console.out << (survey.rounds == 0
+                              ? "Times after the entry port in ns, of the last latch that anybody made.\n"
+                              : fmt::format("Times after the entry port in ns, medians of {} latches.\n",
+                                            survey.rounds));
 }
 
 void show_delays(Context& context, const Options& options) {
@@ -215,7 +228,9 @@ void add_dc_command(CLI::App& app, Context& context) {
   auto delay_options = std::make_shared<Options>();
   auto* delays = command->add_subcommand("delays", "Measure the propagation delays: ports, receive times, delays");
   add_common(*delays, *delay_options);
-  delays->add_option("--rounds", delay_options->rounds, "Latches whose medians count")->check(CLI::Range(1, 100))->capture_default_str();
+  delays->add_option("--rounds", delay_options->rounds, "Latches whose medians count")
+      ->check(CLI::Range(1, 100))
+      ->capture_default_str();
   delays->add_flag("--look-only", delay_options->look_only, "Latch nothing: read the times that are there");
   delays->callback([&context, delay_options] { show_delays(context, *delay_options); });
 }

@@ -7,7 +7,7 @@
 
 #include "app/cli/options.h"
 #include "app/composition/open_link.h"
-#include "eni/xml_text.h"
+#include "eni/xml/xml_text.h"
 #include "protocol/error_text.h"
 
 namespace syncline::cli {
@@ -32,8 +32,8 @@ void add_esi_folders(CLI::App& command, EsiFolders& options) {
 }
 
 Result<eni::EsiCatalogue> open_catalogue(Context& context, const EsiFolders& options) {
-  auto catalogue =
-      options.cache.empty() ? Result<eni::EsiCatalogue>(eni::EsiCatalogue::open_default()) : eni::EsiCatalogue::open(options.cache);
+  auto catalogue = options.cache.empty() ? Result<eni::EsiCatalogue>(eni::EsiCatalogue::open_default())
+                                         : eni::EsiCatalogue::open(options.cache);
   if (!catalogue) return catalogue;
   const auto folders = options.folders.empty() ? usual_folders(*catalogue) : options.folders;
   for (const auto& folder : folders) {

@@ -17,8 +17,8 @@ struct EsiFolders {
 
 void add_esi_folders(CLI::App& command, EsiFolders& options);
 
-/// Opens the catalogue and brings it up to date. Says on the error stream what the user should know (a database that was
-/// made again); files that cannot be read stay in EsiCatalogue::warnings().
+/// Opens the catalogue and brings it up to date. Says on the error stream what the user should know (a database that
+/// was made again); files that cannot be read stay in EsiCatalogue::warnings().
 [[nodiscard]] Result<eni::EsiCatalogue> open_catalogue(Context& context, const EsiFolders& options);
 
 /// What list and search show of a device.

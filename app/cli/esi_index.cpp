@@ -50,7 +50,8 @@ void print(Context& context, const eni::EsiCatalogue& catalogue, const std::vect
     for (const auto& entry : duplicate.entries) out << "  " << entry.file << ':' << entry.line << '\n';
   }
   for (const auto& warning : catalogue.warnings()) out << "warning: " << warning.text << '\n';
-  out << fmt::format("{} devices, {} of them in several files with the same content\n", catalogue.device_count(), harmless);
+  out << fmt::format("{} devices, {} of them in several files with the same content\n", catalogue.device_count(),
+                     harmless);
 }
 
 Json to_json(const eni::EsiCatalogue& catalogue, const std::vector<eni::DuplicateDevice>& duplicates, Json folders) {
@@ -59,8 +60,11 @@ Json to_json(const eni::EsiCatalogue& catalogue, const std::vector<eni::Duplicat
   for (const auto& w : catalogue.warnings()) {
     warnings.push_back({{"file", w.file}, {"line", w.line}, {"element", w.element}, {"text", w.text}});
   }
-  return {{"database", catalogue.database()}, {"devices", catalogue.device_count()}, {"folders", std::move(folders)},
-          {"duplicates", doubles},            {"warnings", warnings}};
+  return {{"database", catalogue.database()},
+          {"devices", catalogue.device_count()},
+          {"folders", std::move(folders)},
+          {"duplicates", doubles},
+          {"warnings", warnings}};
 }
 
 Status forget(eni::EsiCatalogue& catalogue, const std::vector<std::string>& folders) {
@@ -71,8 +75,8 @@ Status forget(eni::EsiCatalogue& catalogue, const std::vector<std::string>& fold
 }
 
 void index(Context& context, const IndexOptions& options) {
-  auto opened =
-      options.cache.empty() ? Result<eni::EsiCatalogue>(eni::EsiCatalogue::open_default()) : eni::EsiCatalogue::open(options.cache);
+  auto opened = options.cache.empty() ? Result<eni::EsiCatalogue>(eni::EsiCatalogue::open_default())
+                                      : eni::EsiCatalogue::open(options.cache);
   if (!opened) return context.fail_with(opened.error());
   auto& catalogue = *opened;
   if (options.forget) {
@@ -94,7 +98,8 @@ void index(Context& context, const IndexOptions& options) {
     if (report->cancelled) context.exit_code = kAnswerIsNo;
     if (const auto status = catalogue.remember_folder(folder); !status) return context.fail_with(status.error());
     for (const auto& path : report->unreadable) {
-      context.warn(Error{.code = ErrorCode::kFileNotReadable, .detail = "its ESI files are missing here", .file = path});
+      context.warn(
+          Error{.code = ErrorCode::kFileNotReadable, .detail = "its ESI files are missing here", .file = path});
     }
     folders.push_back(report_json(folder, *report));
     if (!options.json) context.console.out << report_line(folder, *report);
@@ -109,7 +114,8 @@ void index(Context& context, const IndexOptions& options) {
 }  // namespace
 
 void add_esi_index(CLI::App& esi, Context& context) {
-  auto* command = esi.add_subcommand("index", "Read folders of ESI files into the catalogue, and say what is wrong in them");
+  auto* command =
+      esi.add_subcommand("index", "Read folders of ESI files into the catalogue, and say what is wrong in them");
   auto options = std::make_shared<IndexOptions>();
   command->add_option("folders", options->folders, "Folders of ESI files, with the folders below them")->required();
   command->add_option("--cache", options->cache, "Database of the catalogue (otherwise in the user's cache folder)");

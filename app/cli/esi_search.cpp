@@ -34,8 +34,9 @@ void search(Context& context, SearchOptions& options) {
 }  // namespace
 
 void add_esi_search(CLI::App& esi, Context& context) {
-  auto* command = esi.add_subcommand("search", "List the devices that have all the words, or beginnings of them, in their type, "
-                                               "name, vendor or group");
+  auto* command = esi.add_subcommand("search",
+                                     "List the devices that have all the words, or beginnings of them, in their type, "
+                                     "name, vendor or group");
   auto options = std::make_shared<SearchOptions>();
   command->add_option("words", options->words, "Words; none lists every device");
   command->add_option("--vendor", options->search.vendor_id, "Vendor id");

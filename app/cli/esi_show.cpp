@@ -7,7 +7,7 @@
 #include "app/cli/esi_folders.h"
 #include "app/cli/identity_text.h"
 #include "app/cli/options.h"
-#include "eni/xml_text.h"
+#include "eni/xml/xml_text.h"
 
 namespace syncline::cli {
 namespace {
@@ -36,8 +36,11 @@ Json pdos_json(const std::vector<Pdo>& pdos) {
   for (const auto& pdo : pdos) {
     Json entries = Json::array();
     for (const auto& entry : pdo.entries) {
-      entries.push_back({{"index", hex(entry.index, 4)},   {"sub_index", entry.sub_index}, {"bits", entry.bit_length},
-                         {"type", entry.data_type},        {"name", entry.name}});
+      entries.push_back({{"index", hex(entry.index, 4)},
+                         {"sub_index", entry.sub_index},
+                         {"bits", entry.bit_length},
+                         {"type", entry.data_type},
+                         {"name", entry.name}});
     }
     rows.push_back({{"index", hex(pdo.index, 4)},
                     {"name", pdo.name},
@@ -55,13 +58,15 @@ Json device_json(const eni::CatalogueEntry& entry, const DeviceDescription& devi
   Json mailbox = Json::array(), modes = Json::array();
   if (const auto& m = device.mailbox) {
     if (m->coe) mailbox.push_back("CoE");
-    for (const auto& [has, name] : {std::pair{m->eoe, "EoE"}, {m->foe, "FoE"}, {m->soe, "SoE"}, {m->aoe, "AoE"}, {m->voe, "VoE"}}) {
+    for (const auto& [has, name] :
+         {std::pair{m->eoe, "EoE"}, {m->foe, "FoE"}, {m->soe, "SoE"}, {m->aoe, "AoE"}, {m->voe, "VoE"}}) {
       if (has) mailbox.push_back(name);
     }
   }
   if (device.dc) {
     for (const auto& mode : device.dc->op_modes) {
-      modes.push_back({{"name", mode.name}, {"description", mode.description}, {"assign_activate", hex(mode.assign_activate, 4)}});
+      modes.push_back(
+          {{"name", mode.name}, {"description", mode.description}, {"assign_activate", hex(mode.assign_activate, 4)}});
     }
   }
   json["sync_managers"] = device.sync_managers.size();
@@ -98,13 +103,14 @@ void print(std::ostream& out, const Json& json, const eni::CatalogueEntry& entry
       << fmt::format("vendor   {}\ngroup    {}\nfile     {}:{}\n", entry.vendor_name,
                      entry.group_name.empty() ? entry.group_type : entry.group_name, entry.file, entry.line);
   std::string protocols;
-  for (const auto& protocol : json["mailbox"]) protocols += (protocols.empty() ? "" : " ") + protocol.get<std::string>();
+  for (const auto& protocol : json["mailbox"])
+    protocols += (protocols.empty() ? "" : " ") + protocol.get<std::string>();
   out << fmt::format("mailbox  {}\nsync     {} SyncManagers, {} FMMUs, {} objects, {} modules\n",
                      protocols.empty() ? "none" : protocols, device.sync_managers.size(), device.fmmus.size(),
                      device.dictionary.size(), device.modules.size());
   for (const auto& mode : json["op_modes"]) {
-    out << fmt::format("op mode  {} ({}) {}\n", mode["name"].get<std::string>(), mode["assign_activate"].get<std::string>(),
-                       mode["description"].get<std::string>());
+    out << fmt::format("op mode  {} ({}) {}\n", mode["name"].get<std::string>(),
+                       mode["assign_activate"].get<std::string>(), mode["description"].get<std::string>());
   }
   print_pdos(out, "RxPDO", device.rx_pdos);
   print_pdos(out, "TxPDO", device.tx_pdos);

@@ -45,7 +45,8 @@ Json report_json(const TryReport& report) {
 }
 
 void print_device(std::ostream& out, const TriedDevice& device) {
-  out << outcome_name(device.outcome) << "  " << device.file << (device.line != 0 ? ":" + std::to_string(device.line) : "");
+  out << outcome_name(device.outcome) << "  " << device.file
+      << (device.line != 0 ? ":" + std::to_string(device.line) : "");
   if (!device.type.empty()) out << "  " << device.type << "  " << to_string(device.identity);
   if (device.outcome != TryOutcome::kPassed) out << "\n    " << step_name(device.step) << ": " << device.reason;
   out << '\n';
@@ -53,8 +54,11 @@ void print_device(std::ostream& out, const TriedDevice& device) {
 
 void try_devices(Context& context, const TryOptions& options) {
   const InterruptGuard interrupt;
-  TryRequest request{.path = options.path, .threads = options.threads, .every = options.every,
-                     .keep = options.keep, .stop = &interrupt.interrupted()};
+  TryRequest request{.path = options.path,
+                     .threads = options.threads,
+                     .every = options.every,
+                     .keep = options.keep,
+                     .stop = &interrupt.interrupted()};
   if (!options.json) {
     request.on_device = [&](const TriedDevice& device) {
       if (options.all || device.outcome != TryOutcome::kPassed) print_device(context.console.out, device);
@@ -65,9 +69,10 @@ void try_devices(Context& context, const TryOptions& options) {
   if (report->count(TryOutcome::kFailed) > 0 || !report->unreadable.empty()) context.exit_code = kAnswerIsNo;
   if (options.json) return context.print(report_json(*report));
   for (const Error& error : report->unreadable) context.warn(error);
-  context.console.out << report->files << " files, " << report->devices.size() << " devices tried: "
-                      << report->count(TryOutcome::kPassed) << " passed, " << report->count(TryOutcome::kExcepted)
-                      << " excepted, " << report->count(TryOutcome::kFailed) << " failed\n";
+  context.console.out << report->files << " files, " << report->devices.size()
+                      << " devices tried: " << report->count(TryOutcome::kPassed) << " passed, "
+                      << report->count(TryOutcome::kExcepted) << " excepted, " << report->count(TryOutcome::kFailed)
+                      << " failed\n";
 }
 
 }  // namespace
@@ -79,7 +84,8 @@ void add_esi_try(CLI::App& esi, Context& context) {
   command->add_option("path", options->path, "ESI file, or folder of ESI files")->required();
   command->add_option("--threads", options->threads, "Devices tried at the same time; 0: one for each processor");
   command->add_option("--every", options->every, "Try only each n-th device of a file")->check(CLI::Range(1, 100000));
-  command->add_option("--keep", options->keep, "Folder to keep the ENI file of each device in")->check(CLI::ExistingDirectory);
+  command->add_option("--keep", options->keep, "Folder to keep the ENI file of each device in")
+      ->check(CLI::ExistingDirectory);
   command->add_flag("--all", options->all, "List the devices that passed too");
   command->add_flag("--json", options->json, "Print JSON");
   command->callback([&context, options] { try_devices(context, *options); });

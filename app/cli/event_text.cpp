@@ -7,9 +7,9 @@
 
 #include "app/cli/event_name.h"
 #include "app/cli/run_json.h"
-#include "config/families/families.h"
 #include "dc/delay_text.h"
 #include "dc/obstacle_text.h"
+#include "families/families.h"
 #include "protocol/dcm_error.h"
 #include "protocol/error_text.h"
 

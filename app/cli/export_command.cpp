@@ -10,10 +10,10 @@
 #include "app/cli/findings_text.h"
 #include "app/cli/options.h"
 #include "app/composition/load_config.h"
-#include "config/exports/exports.h"
-#include "config/recover/recover_project.h"
-#include "eni/eni_file.h"
-#include "eni/xml_text.h"
+#include "eni/format/eni_file.h"
+#include "eni/xml/xml_text.h"
+#include "exports/exports.h"
+#include "recover/recover_project.h"
 
 namespace syncline::cli {
 namespace {

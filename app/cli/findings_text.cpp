@@ -10,9 +10,12 @@ namespace {
 
 std::string_view severity_name(FindingSeverity severity) {
   switch (severity) {
-    case FindingSeverity::kInfo: return "note";
-    case FindingSeverity::kWarning: return "warning";
-    case FindingSeverity::kError: return "error";
+    case FindingSeverity::kInfo:
+      return "note";
+    case FindingSeverity::kWarning:
+      return "warning";
+    case FindingSeverity::kError:
+      return "error";
   }
   return "note";
 }

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/cli/context.h"
-#include "config/compile/compile.h"
+#include "compile/compile.h"
 
 namespace syncline::cli {
 

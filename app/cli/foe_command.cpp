@@ -5,7 +5,7 @@
 
 #include "app/cli/options.h"
 #include "app/cli/visit_options.h"
-#include "master/foe_client.h"
+#include "master/mailbox/foe_client.h"
 #include "support/whole_file.h"
 
 namespace syncline::cli {
@@ -31,33 +31,42 @@ void report(Context& context, const Options& options, std::size_t bytes, bool wr
 }
 
 void read_file(Context& context, const Options& options) {
-  with_mailbox(context, options.slave, [&](SlaveVisit& visit) -> Status {
-    const auto bytes = FoeClient(visit.mailbox()).read(options.name, options.password);
-    if (!bytes) return tl::unexpected(bytes.error());
-    if (auto status = write_whole_file(options.file, *bytes); !status) return status;
-    report(context, options, bytes->size(), false);
-    return {};
-  }, options.boot);
+  with_mailbox(
+      context, options.slave,
+      [&](SlaveVisit& visit) -> Status {
+        const auto bytes = FoeClient(visit.mailbox()).read(options.name, options.password);
+        if (!bytes) return tl::unexpected(bytes.error());
+        if (auto status = write_whole_file(options.file, *bytes); !status) return status;
+        report(context, options, bytes->size(), false);
+        return {};
+      },
+      options.boot);
 }
 
 void write_file(Context& context, const Options& options) {
   const auto bytes = read_whole_file(options.file);
   if (!bytes) return context.fail_with(bytes.error());
-  with_mailbox(context, options.slave, [&](SlaveVisit& visit) -> Status {
-    if (auto status = FoeClient(visit.mailbox()).write(options.name, bytes_of(*bytes), options.password); !status) return status;
-    report(context, options, bytes->size(), true);
-    return {};
-  }, options.boot);
+  with_mailbox(
+      context, options.slave,
+      [&](SlaveVisit& visit) -> Status {
+        if (auto status = FoeClient(visit.mailbox()).write(options.name, bytes_of(*bytes), options.password); !status)
+          return status;
+        report(context, options, bytes->size(), true);
+        return {};
+      },
+      options.boot);
 }
 
-void add(CLI::App& foe, Context& context, const char* name, const char* description, void (*work)(Context&, const Options&)) {
+void add(CLI::App& foe, Context& context, const char* name, const char* description,
+         void (*work)(Context&, const Options&)) {
   auto options = std::make_shared<Options>();
   auto* command = foe.add_subcommand(name, description);
   add_slave_options(*command, options->slave, options->json);
   command->add_option("name", options->name, "Name of the file in the slave")->required();
   command->add_option("file", options->file, "File here")->required();
   command->add_option("--password", options->password, "Password of the slave, a number");
-  command->add_flag("--boot", options->boot, "Lead the slave to BOOT for it, as firmware updates want, and back afterwards");
+  command->add_flag("--boot", options->boot,
+                    "Lead the slave to BOOT for it, as firmware updates want, and back afterwards");
   command->callback([&context, options, work] { work(context, *options); });
 }
 

@@ -17,7 +17,9 @@ Json or_null(Nanoseconds value) { return value == 0 ? Json(nullptr) : Json(value
 double process_seconds() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
-  const auto seconds = [](const timeval& t) { return static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_usec) / 1e6; };
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_usec) / 1e6;
+  };
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
@@ -58,23 +60,28 @@ std::string LatenessReport::text() const {
   std::string text;
   const auto out = std::back_inserter(text);
   const auto us = [this](double fraction) { return static_cast<double>(histogram_.percentile(fraction)) / 1000; };
-  fmt::format_to(out, "lateness of {} cycles in OP: p50 {:.3f}  p90 {:.3f}  p99 {:.3f}  p99.9 {:.3f} us   overruns {}   "
+  fmt::format_to(out,
+                 "lateness of {} cycles in OP: p50 {:.3f}  p90 {:.3f}  p99 {:.3f}  p99.9 {:.3f} us   overruns {}   "
                  "processor {:.1f} us a cycle (whole process)\n",
                  in_op_, us(0.5), us(0.9), us(0.99), us(0.999), overruns_, cpu_us_per_cycle());
   if (host_.wake_p50 > 0) {
     const auto in_us = [](Nanoseconds value) { return static_cast<double>(value) / 1000; };
-    fmt::format_to(out, "sleeping alone wakes up p50 {:.1f}  p99 {:.1f} us late; asking the clock for the last {:.1f} us of each "
-                   "wait costs {:.1f} us of processor a cycle and takes that off all but the latest\n",
-                   in_us(host_.wake_p50), in_us(host_.wake_p99), in_us(host_.spin), in_us(host_.spin_mean));
+    fmt::format_to(
+        out,
+        "sleeping alone wakes up p50 {:.1f}  p99 {:.1f} us late; asking the clock for the last {:.1f} us of each "
+        "wait costs {:.1f} us of processor a cycle and takes that off all but the latest\n",
+        in_us(host_.wake_p50), in_us(host_.wake_p99), in_us(host_.spin), in_us(host_.spin_mean));
   }
   std::map<int, std::uint64_t> octaves;  // exponent: below 2^exponent ns
   for (const auto& bin : histogram_.bins()) {
-    octaves[static_cast<int>(std::bit_width(static_cast<std::uint64_t>(std::max<std::int64_t>(bin.low, 0))))] += bin.count;
+    octaves[static_cast<int>(std::bit_width(static_cast<std::uint64_t>(std::max<std::int64_t>(bin.low, 0))))] +=
+        bin.count;
   }
   for (const auto& [exponent, count] : octaves) {
     const auto share = static_cast<double>(count) / static_cast<double>(in_op_);
-    fmt::format_to(out, "  below {:>12.3f} us {:>10} {:>9.4f} % {}\n", static_cast<double>(std::uint64_t{1} << exponent) / 1000,
-                   count, share * 100, std::string(static_cast<std::size_t>(share * 50), '#'));
+    fmt::format_to(out, "  below {:>12.3f} us {:>10} {:>9.4f} % {}\n",
+                   static_cast<double>(std::uint64_t{1} << exponent) / 1000, count, share * 100,
+                   std::string(static_cast<std::size_t>(share * 50), '#'));
   }
   return text;
 }

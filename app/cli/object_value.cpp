@@ -64,7 +64,8 @@ std::optional<std::vector<std::uint8_t>> integer_bytes(const DataType& type, std
   const auto bits = 8 * size;
   // Hexadecimal digits are bits: 0xFFFF is a fine INT.
   const auto value_bits = type.kind == ValueKind::kSigned && digits.size() == text.size() ? bits - 1 : bits;
-  if (unsigned_value && (value_bits == 64 || *unsigned_value >> value_bits == 0)) return first_bytes(*unsigned_value, size);
+  if (unsigned_value && (value_bits == 64 || *unsigned_value >> value_bits == 0))
+    return first_bytes(*unsigned_value, size);
   const auto signed_value = number<std::int64_t>(text);
   if (type.kind != ValueKind::kSigned || !signed_value || *signed_value >= 0) return std::nullopt;
   const auto least = bits == 64 ? std::numeric_limits<std::int64_t>::min() : -(std::int64_t{1} << (bits - 1));
@@ -126,7 +127,8 @@ std::string value_text(std::uint16_t code, std::span<const std::uint8_t> bytes) 
   const bool fits = type != nullptr && (type->bits == 0 || size_of(*type) == bytes.size());
   if (!fits) return fmt::format("{:02x}", fmt::join(bytes.begin(), bytes.end(), " "));
   switch (type->kind) {
-    case ValueKind::kUnsigned: return fmt::format("{}", little_endian(bytes));
+    case ValueKind::kUnsigned:
+      return fmt::format("{}", little_endian(bytes));
     case ValueKind::kSigned: {
       const auto shift = 64 - 8 * static_cast<int>(bytes.size());
       return fmt::format("{}", static_cast<std::int64_t>(little_endian(bytes) << shift) >> shift);
@@ -134,7 +136,8 @@ std::string value_text(std::uint16_t code, std::span<const std::uint8_t> bytes) 
     case ValueKind::kReal:
       if (bytes.size() == sizeof(float)) return fmt::format("{}", std::bit_cast<float>(load_le<std::uint32_t>(bytes)));
       return fmt::format("{}", std::bit_cast<double>(little_endian(bytes)));
-    case ValueKind::kText: break;
+    case ValueKind::kText:
+      break;
   }
   return text_of(bytes);
 }

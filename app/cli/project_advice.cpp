@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <memory>
 
+#include "advice/cycle_time_help.h"
+#include "advice/image_report.h"
 #include "app/cli/counted.h"
 #include "app/cli/options.h"
 #include "app/composition/load_config.h"
-#include "config/cycle_time_help.h"
-#include "config/image_report.h"
 
 namespace syncline::cli {
 namespace {
@@ -55,7 +55,8 @@ void print_text(Context& context, const CycleTimeHelp& help) {
   auto& out = context.console.out;
   for (const auto& candidate : help.candidates) {
     const bool own = candidate.cycle == help.current.cycle;
-    out << fmt::format("{:>9g} us  {}{}\n", us(candidate.cycle), verdict(candidate), own ? " (the project's cycle)" : "");
+    out << fmt::format("{:>9g} us  {}{}\n", us(candidate.cycle), verdict(candidate),
+                       own ? " (the project's cycle)" : "");
     for (std::size_t i = 0; i < candidate.refusals.size(); ++i) {
       if (i == 3) {
         out << fmt::format("              and {} more\n", candidate.refusals.size() - i);
@@ -80,17 +81,31 @@ void cycle_times(Context& context, const Options& options) {
 void print_json(Context& context, const Options& options, const ImageReport& report) {
   Json frames = Json::array(), slaves = Json::array(), movable = Json::array();
   for (const auto& frame : report.frames) {
-    frames.push_back({{"task", frame.task}, {"cycle_us", us(frame.cycle)}, {"datagrams", frame.datagrams}, {"bytes", frame.bytes},
-                      {"process_data_bytes", frame.process_data_bytes}, {"wire_time_us", us(frame.wire_time)}});
+    frames.push_back({{"task", frame.task},
+                      {"cycle_us", us(frame.cycle)},
+                      {"datagrams", frame.datagrams},
+                      {"bytes", frame.bytes},
+                      {"process_data_bytes", frame.process_data_bytes},
+                      {"wire_time_us", us(frame.wire_time)}});
   }
   for (const auto& slave : report.slaves) {
-    slaves.push_back({{"slave", slave.slave}, {"name", slave.name}, {"output_bytes", slave.output_bytes},
-                      {"input_bytes", slave.input_bytes}, {"bytes", slave.bytes}, {"wire_time_us", us(slave.wire_time)}});
+    slaves.push_back({{"slave", slave.slave},
+                      {"name", slave.name},
+                      {"output_bytes", slave.output_bytes},
+                      {"input_bytes", slave.input_bytes},
+                      {"bytes", slave.bytes},
+                      {"wire_time_us", us(slave.wire_time)}});
   }
   for (const auto& object : report.movable) {
-    movable.push_back({{"slave", object.slave}, {"name", object.name}, {"pdo", hex(object.pdo, 4)}, {"index", hex(object.index, 4)},
-                       {"sub_index", object.sub_index}, {"object", object.object}, {"bits", object.bits},
-                       {"saved_bytes", object.saved_bytes}, {"saved_wire_time_us", us(object.saved_wire_time)}});
+    movable.push_back({{"slave", object.slave},
+                       {"name", object.name},
+                       {"pdo", hex(object.pdo, 4)},
+                       {"index", hex(object.index, 4)},
+                       {"sub_index", object.sub_index},
+                       {"object", object.object},
+                       {"bits", object.bits},
+                       {"saved_bytes", object.saved_bytes},
+                       {"saved_wire_time_us", us(object.saved_wire_time)}});
   }
   context.print({{"file", options.file},
                  {"cycle_us", us(report.cycle)},
@@ -143,7 +158,8 @@ void report(Context& context, const Options& options) {
   options.json ? print_json(context, options, result) : print_text(context, result);
 }
 
-void add(CLI::App& project, Context& context, const char* name, const char* help, void (*action)(Context&, const Options&)) {
+void add(CLI::App& project, Context& context, const char* name, const char* help,
+         void (*action)(Context&, const Options&)) {
   auto* command = project.add_subcommand(name, help);
   auto options = std::make_shared<Options>();
   command->add_option("file", options->file, "Project or ENI file")->required();

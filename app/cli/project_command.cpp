@@ -8,8 +8,8 @@
 #include "app/cli/project_advice.h"
 #include "app/cli/project_create.h"
 #include "app/composition/load_config.h"
+#include "eni/project/project_file.h"
 #include "settings/settings_keys.h"
-#include "eni/project_file.h"
 
 namespace syncline::cli {
 namespace {

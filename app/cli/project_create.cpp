@@ -7,13 +7,13 @@
 #include "app/cli/identity_text.h"
 #include "app/cli/interrupt.h"
 #include "app/composition/open_link.h"
-#include "config/recover/recover_project.h"
 #include "engine/describe_slaves.h"
 #include "engine/scan_bus.h"
 #include "eni/catalogue/esi_catalogue.h"
-#include "eni/eni_file.h"
-#include "eni/project_builder.h"
-#include "eni/project_file.h"
+#include "eni/format/eni_file.h"
+#include "eni/project/project_builder.h"
+#include "eni/project/project_file.h"
+#include "recover/recover_project.h"
 #include "settings/settings_keys.h"
 
 namespace syncline::cli {

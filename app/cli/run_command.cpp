@@ -17,7 +17,7 @@
 #include "app/cli/run_overrides.h"
 #include "app/composition/open_link.h"
 #include "engine/run_network.h"
-#include "sim/host_profile_file.h"
+#include "sim/scenario/host_profile_file.h"
 #include "support/output_file.h"
 #include "support/whole_file.h"
 #include "trace/csv.h"
@@ -68,7 +68,9 @@ class SideFile {
 class RunFiles {
  public:
   RunFiles(Context& context, const NetworkConfig& config)
-      : csv_(context), log_file_(context), log_(effective_set_value(config.dc.dcm, config.cycle_time()), config.cycle_time()) {}
+      : csv_(context),
+        log_file_(context),
+        log_(effective_set_value(config.dc.dcm, config.cycle_time()), config.cycle_time()) {}
   Status open(const std::string& csv, const std::string& dcm_log) {
     auto status = Status{};
     if (!csv.empty()) status = csv_.open(csv, sample_csv_header());
@@ -103,10 +105,11 @@ class RunFiles {
 /// What the run has shown of its host, for a scenario's `[host] profile`.
 Status save_host(const Options& options, const HostRecorder& host, const NetworkConfig& config) {
   if (host.cycles() == 0) {
-    return fail(Error{ErrorCode::kFileNotWritable, {}, "the bus was not in OP, so there is nothing to save", options.save_host});
+    return fail(Error{
+        ErrorCode::kFileNotWritable, {}, "the bus was not in OP, so there is nothing to save", options.save_host});
   }
-  const auto about = fmt::format("Measured by synclinectl run on {}: {} cycles of {} us in OP.", options.link, host.cycles(),
-                                 config.cycle_time() / kMicrosecond);
+  const auto about = fmt::format("Measured by synclinectl run on {}: {} cycles of {} us in OP.", options.link,
+                                 host.cycles(), config.cycle_time() / kMicrosecond);
   return write_whole_file(options.save_host, sim::host_profile_text(host.profile(), about));
 }
 
@@ -126,7 +129,8 @@ void execute(Context& context, const Options& options) {
   RunFiles files(context, compiled->config);
   // The manual's name for a log that is on without another name.
   const bool log_is_on = options.dcm_log.empty() && compiled->config.dc.dcm.log;
-  if (auto status = files.open(options.csv, log_is_on ? "dcmlog0.0.csv" : options.dcm_log); !status) return context.fail_with(status.error());
+  if (auto status = files.open(options.csv, log_is_on ? "dcmlog0.0.csv" : options.dcm_log); !status)
+    return context.fail_with(status.error());
   RunRequest request;
   request.target = *target;
   request.duration = *duration;
@@ -185,7 +189,8 @@ void execute(Context& context, const Options& options) {
 }  // namespace
 
 void add_run_command(CLI::App& app, Context& context) {
-  auto* command = app.add_subcommand("run", "Bring a bus to OP with a project or an ENI and report how well it is in sync");
+  auto* command =
+      app.add_subcommand("run", "Bring a bus to OP with a project or an ENI and report how well it is in sync");
   auto options = std::make_shared<Options>();
   command->add_option("file", options->file, "Project or ENI file")->required();
   command->add_option("--network", options->network, "Network of a project that holds several: name or number");
@@ -194,15 +199,18 @@ void add_run_command(CLI::App& app, Context& context) {
   command->add_option("--state", options->state, "State to reach: INIT, PREOP, SAFEOP or OP")->capture_default_str();
   command->add_option("--csv", options->csv, "Write every cycle's sample to this file");
   command->add_option("--dcm-log", options->dcm_log, "Write the log of the master synchronisation to this file");
-  command->add_option("--set", options->overrides,
-                      "KEY=VALUE for this run, e.g. dcm.set_value_us=400; KEY is one of the project's, for an ENI one of those "
-                      "master.dc.* that are not in the file; dcm. stands for master.dc.");
+  command->add_option(
+      "--set", options->overrides,
+      "KEY=VALUE for this run, e.g. dcm.set_value_us=400; KEY is one of the project's, for an ENI one of those "
+      "master.dc.* that are not in the file; dcm. stands for master.dc.");
   command->add_option("--capture", options->capture, "Write every frame to this pcapng file");
-  command->add_flag("--lateness", options->lateness, "Add how late the frames were sent, and the processor time of a cycle");
+  command->add_flag("--lateness", options->lateness,
+                    "Add how late the frames were sent, and the processor time of a cycle");
   command->add_flag("--every-event", options->every_event,
                     "A line for every event; without it what happens to many slaves at one time is one line");
-  command->add_option("--save-host", options->save_host,
-                      "Write what the run showed of its host (wake-ups, send stamps, stalls) to this file, for a scenario");
+  command->add_option(
+      "--save-host", options->save_host,
+      "Write what the run showed of its host (wake-ups, send stamps, stalls) to this file, for a scenario");
   command->add_flag("--json", options->json, "Print JSON");
   command->callback([&context, options] { execute(context, *options); });
 }

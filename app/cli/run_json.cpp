@@ -31,10 +31,13 @@ std::string sm2_text(const Sm2MissedStatus& status) {
 
 Json sm2_other(const Sm2MissedStatus& status) {
   if (status.other_sub_index == 0) return nullptr;
-  return {{"object", fmt::format("0x{:04X}:{:02X}", status.index, status.other_sub_index)}, {"value", status.other_value}};
+  return {{"object", fmt::format("0x{:04X}:{:02X}", status.index, status.other_sub_index)},
+          {"value", status.other_value}};
 }
 
-std::string sm2_object(const Sm2MissedStatus& status) { return fmt::format("0x{:04X}:{:02X}", status.index, status.sub_index); }
+std::string sm2_object(const Sm2MissedStatus& status) {
+  return fmt::format("0x{:04X}:{:02X}", status.index, status.sub_index);
+}
 
 /// Since the slave was in OP first; its own counter where it has no SYNC0 that the master could follow.
 Json sm2_missed(const RunReport::Slave& slave) {
@@ -61,12 +64,18 @@ Json slave_json(const RunReport::Slave& slave, Nanoseconds now) {
 
 std::string_view sync_key(SyncState state) {
   switch (state) {
-    case SyncState::kNotMonitored: return "not_monitored";
-    case SyncState::kNotReady: return "not_ready";
-    case SyncState::kBusy: return "settling";
-    case SyncState::kInSync: return "in_sync";
-    case SyncState::kOutOfSync: return "out_of_sync";
-    case SyncState::kUnknown: return "unknown";
+    case SyncState::kNotMonitored:
+      return "not_monitored";
+    case SyncState::kNotReady:
+      return "not_ready";
+    case SyncState::kBusy:
+      return "settling";
+    case SyncState::kInSync:
+      return "in_sync";
+    case SyncState::kOutOfSync:
+      return "out_of_sync";
+    case SyncState::kUnknown:
+      return "unknown";
   }
   return "unknown";
 }
@@ -78,7 +87,8 @@ Json dc_json(const RunReport& report) {
   return {{"enabled", dc.enabled},
           {"reference_clock", dc.reference_clock < 0 ? Json(nullptr) : Json(dc.reference_clock)},
           {"monitored", dc.monitored},
-          {"in_sync", !dc.enabled || dc.state == SyncState::kNotMonitored ? Json(nullptr) : Json(dc.state == SyncState::kInSync)},
+          {"in_sync",
+           !dc.enabled || dc.state == SyncState::kNotMonitored ? Json(nullptr) : Json(dc.state == SyncState::kInSync)},
           {"state", sync_key(dc.state)},
           {"state_for_ms", dc.enabled ? rounded(static_cast<double>(report.time - dc.since) / 1e6) : Json(nullptr)},
           {"newest_reading_age_ms", age_ms(dc.newest_age_ns)},
@@ -95,8 +105,11 @@ Json dcm_json(const DcmStatus& dcm) {
           {"in_sync", dcm.mode == DcmMode::kOff ? Json(nullptr) : Json(dcm.state == SyncState::kInSync)},
           {"in_sync_after_ms", rounded(dcm.in_sync_after_ms)},
           {"state", sync_key(dcm.state)},
-          {"obstacle", dcm.obstacle == dc::SyncObstacle::kNone || dcm.mode == DcmMode::kOff ? Json(nullptr) : Json(dc::obstacle_text(dcm.obstacle))},
-          {"error_ns", {{"mean", rounded(dcm.error_mean_ns)}, {"rms", rounded(dcm.error_rms_ns)}, {"max", dcm.error_max_ns}}},
+          {"obstacle", dcm.obstacle == dc::SyncObstacle::kNone || dcm.mode == DcmMode::kOff
+                           ? Json(nullptr)
+                           : Json(dc::obstacle_text(dcm.obstacle))},
+          {"error_ns",
+           {{"mean", rounded(dcm.error_mean_ns)}, {"rms", rounded(dcm.error_rms_ns)}, {"max", dcm.error_max_ns}}},
           {"frame_error_ns", {{"now", dcm.frame_error_ns}, {"max", dcm.frame_error_max_ns}}},
           {"late_allowed_ns", dcm.late_allowed_ns},
           {"late_sends", dcm.late_sends},
@@ -114,12 +127,18 @@ std::string ms_text(const std::optional<double>& ms) { return ms ? fmt::format("
 
 std::string sync_text(SyncState state) {
   switch (state) {
-    case SyncState::kNotMonitored: return "not monitored";
-    case SyncState::kNotReady: return "not ready";
-    case SyncState::kBusy: return "getting in sync";
-    case SyncState::kInSync: return "in sync";
-    case SyncState::kOutOfSync: return "OUT OF SYNC";
-    case SyncState::kUnknown: return "unknown, no recent readings";
+    case SyncState::kNotMonitored:
+      return "not monitored";
+    case SyncState::kNotReady:
+      return "not ready";
+    case SyncState::kBusy:
+      return "getting in sync";
+    case SyncState::kInSync:
+      return "in sync";
+    case SyncState::kOutOfSync:
+      return "OUT OF SYNC";
+    case SyncState::kUnknown:
+      return "unknown, no recent readings";
   }
   return "unknown";
 }
@@ -153,14 +172,15 @@ std::string to_text(const RunReport& report) {
   std::string text;
   const auto out = std::back_inserter(text);
   fmt::format_to(out, "state {}   {} cycles of {} us   WKC errors {}   frames lost {}   late {}   cycles left out {}\n",
-                 state_text(static_cast<std::uint16_t>(report.state)), report.cycles, static_cast<double>(report.cycle_time) / 1000.0,
-                 report.wkc_errors, report.lost_frames, report.late_frames, report.skipped_cycles);
+                 state_text(static_cast<std::uint16_t>(report.state)), report.cycles,
+                 static_cast<double>(report.cycle_time) / 1000.0, report.wkc_errors, report.lost_frames,
+                 report.late_frames, report.skipped_cycles);
   fmt::format_to(out, "{:>3} {:<28} {:<10} {:>12} {:>14} {:>8} {:>12}\n", "POS", "NAME", "STATE", "DEVIATION ns",
                  "LARGEST ns", "SM2 MISS", "DELAY ns");
   for (const auto& slave : report.slaves) {
     fmt::format_to(out, "{:>3} {:<28} {:<10} {:>12} {:>14} {:>8} {:>12}\n", slave.position, slave.name,
-                   slave.present ? state_text(slave.al_status) : "absent", or_dash(slave.deviation_ns), or_dash(slave.deviation_max_ns),
-                   slave.sm2_missed ? sm2_text(*slave.sm2_missed) : "-",
+                   slave.present ? state_text(slave.al_status) : "absent", or_dash(slave.deviation_ns),
+                   or_dash(slave.deviation_max_ns), slave.sm2_missed ? sm2_text(*slave.sm2_missed) : "-",
                    slave.propagation_delay_ns ? fmt::format("{}", *slave.propagation_delay_ns) : "-");
   }
   const auto& dc = report.dc;
@@ -171,12 +191,14 @@ std::string to_text(const RunReport& report) {
   fmt::format_to(out, "\nmaster: {}, {}", dcm_mode_name(dcm.mode), sync_text(dcm.state));
   if (dcm.mode != DcmMode::kOff) {
     if (dcm.in_sync_after_ms) fmt::format_to(out, " {}", ms_text(dcm.in_sync_after_ms));
-    fmt::format_to(out, ", error mean {:.1f} ns, rms {:.1f} ns, largest {} ns (frames {} ns, {} allowed), drift {:.3f} ppm",
-                   dcm.error_mean_ns, dcm.error_rms_ns, dcm.error_max_ns,
-                   dcm.frame_error_max_ns, dcm.late_allowed_ns, dcm.drift_ppm);
+    fmt::format_to(out,
+                   ", error mean {:.1f} ns, rms {:.1f} ns, largest {} ns (frames {} ns, {} allowed), drift {:.3f} ppm",
+                   dcm.error_mean_ns, dcm.error_rms_ns, dcm.error_max_ns, dcm.frame_error_max_ns, dcm.late_allowed_ns,
+                   dcm.drift_ppm);
     if (dcm.state == SyncState::kOutOfSync) fmt::format_to(out, " ({})", dc::obstacle_text(dcm.obstacle));
   }
-  if (dcm.control_off) fmt::format_to(out, ", control is off: the timer would need {:+.4f} per mille", dcm.adjust_permil);
+  if (dcm.control_off)
+    fmt::format_to(out, ", control is off: the timer would need {:+.4f} per mille", dcm.adjust_permil);
   if (dcm.error_code != 0) {
     fmt::format_to(out, "\nDCM error {} {}: {}", hex(dcm.error_code, 8), dc::dcm_error_name(dcm.error_code),
                    dc::dcm_error_text(dcm.error_code));
@@ -186,8 +208,10 @@ std::string to_text(const RunReport& report) {
 }
 
 bool is_good(const RunReport& report, AlState target) {
-  const bool slaves = !report.dc.monitored || report.dc.state == SyncState::kNotMonitored || report.dc.state == SyncState::kInSync;
-  const bool master = report.dcm.mode == DcmMode::kOff || report.dcm.control_off || !report.dc.enabled || report.dcm.state == SyncState::kInSync;
+  const bool slaves =
+      !report.dc.monitored || report.dc.state == SyncState::kNotMonitored || report.dc.state == SyncState::kInSync;
+  const bool master = report.dcm.mode == DcmMode::kOff || report.dcm.control_off || !report.dc.enabled ||
+                      report.dcm.state == SyncState::kInSync;
   return report.state == target && slaves && master;
 }
 

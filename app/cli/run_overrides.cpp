@@ -5,10 +5,10 @@
 #include <string_view>
 #include <vector>
 
-#include "settings/settings_keys.h"
-#include "eni/eni_file.h"
-#include "eni/project_file.h"
+#include "eni/format/eni_file.h"
+#include "eni/project/project_file.h"
 #include "protocol/registers.h"
+#include "settings/settings_keys.h"
 
 namespace syncline::cli {
 namespace {
@@ -45,14 +45,17 @@ bool file_writes_loop(const NetworkConfig& config) {
            !is_logical(command.command) && writes(command.command);
   };
   return std::ranges::any_of(config.master.init_cmds, writes_loop) ||
-         std::ranges::any_of(config.slaves, [&](const auto& slave) { return std::ranges::any_of(slave.init_cmds, writes_loop); });
+         std::ranges::any_of(config.slaves,
+                             [&](const auto& slave) { return std::ranges::any_of(slave.init_cmds, writes_loop); });
 }
 
 /// What an ENI says in its frames and commands cannot be another thing for one run; empty when the key can be set.
 std::string_view why_not(const NetworkConfig& config, std::string_view key) {
-  if (!key.starts_with(kPrefix)) return "of an ENI only master.dc.* can be set for a run; change the project and export it again";
+  if (!key.starts_with(kPrefix))
+    return "of an ENI only master.dc.* can be set for a run; change the project and export it again";
   key.remove_prefix(kPrefix.size());
-  if (key == "enabled" || key == "all_slaves") return "an ENI's start-up commands say which slaves use distributed clocks";
+  if (key == "enabled" || key == "all_slaves")
+    return "an ENI's start-up commands say which slaves use distributed clocks";
   if (key == "show_64bit_system_time") return "an ENI's cyclic frames say how many bytes of the system time are read";
   const bool loop = key == "standard_loop_values" || key.starts_with("loop.");
   if (loop && file_writes_loop(config)) return "the ENI's start-up commands write 0x0930 to 0x0935 themselves";

@@ -13,7 +13,7 @@
 #include "app/composition/open_link.h"
 #include "config/device_description.h"
 #include "engine/scan_bus.h"
-#include "eni/xml_text.h"
+#include "eni/xml/xml_text.h"
 #include "protocol/al_state.h"
 #include "protocol/error_text.h"
 
@@ -83,9 +83,12 @@ constexpr std::string_view kUnknown = "unknown";
 std::string identity_of(const ScannedSlave& slave) {
   const auto& unknown = slave.unknown;
   if (!unknown.vendor_id && !unknown.product_code && !unknown.revision_no) return to_string(slave.identity);
-  const auto part = [](bool is_unknown, std::uint32_t value) { return is_unknown ? std::string(kUnknown) : hex(value, 8); };
+  const auto part = [](bool is_unknown, std::uint32_t value) {
+    return is_unknown ? std::string(kUnknown) : hex(value, 8);
+  };
   return fmt::format("{}:{}:{}", part(unknown.vendor_id, slave.identity.vendor_id),
-                     part(unknown.product_code, slave.identity.product_code), part(unknown.revision_no, slave.identity.revision_no));
+                     part(unknown.product_code, slave.identity.product_code),
+                     part(unknown.revision_no, slave.identity.revision_no));
 }
 
 /// "AB" when ports A and B are open, "a" for a link that frames do not pass.
@@ -103,7 +106,8 @@ std::string ports_text(const DlStatus& status) {
 
 std::string state_of(const ScannedSlave& slave) {
   if (slave.unknown.state) return std::string(kUnknown);
-  return fmt::format("{}{}", al_state_name(al_state_of(slave.al_status)), (slave.al_status & kAlErrorFlag) != 0 ? "+E" : "");
+  return fmt::format("{}{}", al_state_name(al_state_of(slave.al_status)),
+                     (slave.al_status & kAlErrorFlag) != 0 ? "+E" : "");
 }
 
 std::string behind_text(const BusScan& scan, const ScannedSlave& slave) {
@@ -119,8 +123,8 @@ void print_table(std::ostream& out, const BusScan& scan) {
     out << fmt::format("{:>4} {:<12} {:<32} {:>6} {:>6} {:<8} {:<6} {:<5} {}\n", slave.position, name_of(slave),
                        identity_of(slave), slave.unknown.alias ? "?" : fmt::to_string(slave.alias),
                        slave.device_id ? fmt::to_string(*slave.device_id) : "-", state_of(slave),
-                       slave.unknown.dc ? "?" : dc_text(slave.dc), slave.unknown.ports ? "?" : ports_text(slave.dl_status),
-                       behind_text(scan, slave));
+                       slave.unknown.dc ? "?" : dc_text(slave.dc),
+                       slave.unknown.ports ? "?" : ports_text(slave.dl_status), behind_text(scan, slave));
   }
   out << fmt::format("{}{}\n", counted(scan.slaves.size(), "slave"), scan.look_only ? ", looked at only" : "");
 }

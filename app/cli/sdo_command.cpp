@@ -6,8 +6,8 @@
 #include "app/cli/object_value.h"
 #include "app/cli/options.h"
 #include "app/cli/visit_options.h"
-#include "master/coe_client.h"
-#include "master/object_dictionary_reader.h"
+#include "master/mailbox/coe_client.h"
+#include "master/mailbox/object_dictionary_reader.h"
 
 namespace syncline::cli {
 namespace {
@@ -28,8 +28,10 @@ std::string access_text(std::uint16_t access) {
 }
 
 Json entry_json(const coe::EntryDescription& entry) {
-  return {{"sub_index", entry.sub_index},  {"type", data_type_name(entry.data_type)},
-          {"bits", entry.bit_length},      {"access", access_text(entry.access)},
+  return {{"sub_index", entry.sub_index},
+          {"type", data_type_name(entry.data_type)},
+          {"bits", entry.bit_length},
+          {"access", access_text(entry.access)},
           {"name", entry.name}};
 }
 
@@ -69,7 +71,8 @@ Result<std::uint16_t> type_of(const Options& options, coe::ObjectAddress object,
   const auto entry = SdoInfoClient(visit.mailbox()).entry(object.index, object.sub_index);
   if (entry) return entry->data_type;
   const auto code = entry.error().code;
-  const bool not_told = code == ErrorCode::kSdoAbort || code == ErrorCode::kMailboxProtocol || code == ErrorCode::kMailboxTimeout;
+  const bool not_told =
+      code == ErrorCode::kSdoAbort || code == ErrorCode::kMailboxProtocol || code == ErrorCode::kMailboxTimeout;
   if (!not_told) return tl::unexpected(entry.error());
   return kBytesType;
 }
@@ -78,10 +81,14 @@ void print_value(Context& context, const Options& options, coe::ObjectAddress ob
                  std::span<const std::uint8_t> bytes, bool written) {
   const auto text = value_text(type, bytes);
   if (options.json) {
-    return context.print({{"position", options.slave.position}, {"index", hex(object.index, 4)},
-                          {"sub_index", object.sub_index},      {"complete", options.complete},
-                          {"type", data_type_name(type)},       {"value", text},
-                          {"bytes", value_text(kBytesType, bytes)}, {"written", written}});
+    return context.print({{"position", options.slave.position},
+                          {"index", hex(object.index, 4)},
+                          {"sub_index", object.sub_index},
+                          {"complete", options.complete},
+                          {"type", data_type_name(type)},
+                          {"value", text},
+                          {"bytes", value_text(kBytesType, bytes)},
+                          {"written", written}});
   }
   context.console.out << fmt::format("0x{:04X}:{:02X}{} {} {}{}\n", object.index, object.sub_index,
                                      options.complete ? " (complete)" : "", data_type_name(type), text,
@@ -133,7 +140,8 @@ CLI::App* add(CLI::App& sdo, const std::shared_ptr<Options>& options, const char
 void add_object_options(CLI::App& command, Options& options) {
   command.add_option("object", options.object, "INDEX[:SUB] in hexadecimal, 0x1018:01")->required();
   command.add_flag("--complete", options.complete, "Complete access: the whole object from this sub-index (0 or 1) on");
-  command.add_option("--type", options.type, "Data type instead of the one that the slave tells: UINT, REAL, STRING, BYTES ...");
+  command.add_option("--type", options.type,
+                     "Data type instead of the one that the slave tells: UINT, REAL, STRING, BYTES ...");
 }
 
 }  // namespace
@@ -143,9 +151,11 @@ void add_sdo_command(CLI::App& app, Context& context) {
   sdo->require_subcommand(1);
 
   auto listing = std::make_shared<Options>();
-  add(*sdo, listing, "list", "All objects and entries in the slave's own words (SDO information)")->callback([&context, listing] {
-    with_mailbox(context, listing->slave, [&](SlaveVisit& visit) { return list_objects(context, *listing, visit); });
-  });
+  add(*sdo, listing, "list", "All objects and entries in the slave's own words (SDO information)")
+      ->callback([&context, listing] {
+        with_mailbox(context, listing->slave,
+                     [&](SlaveVisit& visit) { return list_objects(context, *listing, visit); });
+      });
 
   auto reading = std::make_shared<Options>();
   auto* read = add(*sdo, reading, "read", "Read an object");

@@ -34,9 +34,10 @@ void print_report(Context& context, const Options& options, const Result<SiiWrit
                           {"written", report->written},
                           {"verified", true}});
   }
-  context.console.out << fmt::format("slave {}: {}; {} of {} words were different and written, all read back right. The ESC "
-                                     "takes its configuration and alias from the EEPROM at the next power-on.\n",
-                                     options.slave.position, what, report->written, report->words);
+  context.console.out << fmt::format(
+      "slave {}: {}; {} of {} words were different and written, all read back right. The ESC "
+      "takes its configuration and alias from the EEPROM at the next power-on.\n",
+      options.slave.position, what, report->written, report->words);
 }
 
 CLI::App* add_slave_command(CLI::App& sii, const std::shared_ptr<Options>& options, const std::string& name,
@@ -85,7 +86,8 @@ void add_sii_command(CLI::App& app, Context& context) {
   }));
 
   auto finishing = std::make_shared<Options>();
-  auto* finish = add_slave_command(*sii, finishing, "finish", "End a write that was cut short because the program was killed");
+  auto* finish =
+      add_slave_command(*sii, finishing, "finish", "End a write that was cut short because the program was killed");
   finish->add_flag("--undo", finishing->undo, "Put back what the EEPROM held before that write");
   finish->callback(interruptible(finishing, [&context](const Options& options) {
     print_report(context, options, finish_eeprom(options.slave, options.undo),

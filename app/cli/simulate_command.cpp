@@ -66,8 +66,7 @@ void print_summary(std::ostream& out, const SimulateReport& report) {
                      microseconds(counters.service_quantile(0.5)), microseconds(counters.service_quantile(0.99)),
                      microseconds(counters.longest_service));
   if (!report.refused.empty()) {
-    out << fmt::format("answers may have been late: {}; this grants it: {}\n", report.refused,
-                       permission_command());
+    out << fmt::format("answers may have been late: {}; this grants it: {}\n", report.refused, permission_command());
   }
   for (std::size_t i = 0; i < report.al_status.size(); ++i) {
     if ((report.al_status[i] & kAlErrorFlag) == 0) continue;
@@ -137,7 +136,8 @@ void add_simulate_command(CLI::App& app, Context& context) {
   command->add_option("--for", options->duration, "How long, e.g. 20s; without it until Ctrl-C");
   auto* seed = command->add_option("--seed", options->seed, "Seed instead of the scenario's");
   command->add_option("--network", options->network, "Which, of a scenario with several networks, from 0");
-  command->add_option("--spin-us", options->spin_us, "Look for the next frame this long before sleeping; 0 always sleeps")
+  command
+      ->add_option("--spin-us", options->spin_us, "Look for the next frame this long before sleeping; 0 always sleeps")
       ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str();
   command->add_flag("--json", options->json, "Print JSON at the end");

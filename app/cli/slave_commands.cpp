@@ -8,7 +8,7 @@
 #include "app/cli/options.h"
 #include "app/cli/visit_options.h"
 #include "app/composition/open_link.h"
-#include "master/diagnosis_history_reader.h"
+#include "master/mailbox/diagnosis_history_reader.h"
 
 namespace syncline::cli {
 namespace {
@@ -50,11 +50,13 @@ void print_history(Context& context, const Options& options, const DiagnosisHist
                           {"messages", messages}});
   }
   auto& out = context.console.out;
-  if (history.messages.empty()) out << fmt::format("slave {}: its diagnosis history is empty\n", options.slave.position);
+  if (history.messages.empty())
+    out << fmt::format("slave {}: its diagnosis history is empty\n", options.slave.position);
   for (const auto& [sub_index, message] : history.messages) {
     out << fmt::format("0x10F3:{:02X} {:<7} code 0x{:08X} text 0x{:04X} at {} ns", sub_index, type_text(message.type),
                        message.code, message.text_id, message.time_stamp);
-    for (const auto& parameter : message.parameters) out << fmt::format(" [{}]", value_text(kBytesType, parameter.data));
+    for (const auto& parameter : message.parameters)
+      out << fmt::format(" [{}]", value_text(kBytesType, parameter.data));
     out << '\n';
   }
   if (history.unreadable > 0) out << fmt::format("{} messages cannot be read\n", history.unreadable);
@@ -81,11 +83,11 @@ void change_state(Context& context, const Options& options) {
   const auto work = [&](SlaveVisit& visit) -> Status {
     if (auto status = visit.lead_to(*target); !status) return status;
     if (options.json) {
-      context.print({{"position", slave.position},
-                     {"from", al_state_name(visit.found())},
-                     {"to", al_state_name(visit.state())}});
+      context.print(
+          {{"position", slave.position}, {"from", al_state_name(visit.found())}, {"to", al_state_name(visit.state())}});
     } else {
-      context.console.out << fmt::format("{}: {} to {}\n", visit.name(), al_state_name(visit.found()), al_state_name(visit.state()));
+      context.console.out << fmt::format("{}: {} to {}\n", visit.name(), al_state_name(visit.found()),
+                                         al_state_name(visit.state()));
     }
     return {};
   };

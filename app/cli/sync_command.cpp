@@ -5,8 +5,8 @@
 
 #include "app/cli/options.h"
 #include "app/cli/visit_options.h"
-#include "master/family_status_reader.h"
-#include "master/sync_object_reader.h"
+#include "master/mailbox/family_status_reader.h"
+#include "master/mailbox/sync_object_reader.h"
 
 namespace syncline::cli {
 namespace {
@@ -32,17 +32,23 @@ std::string_view source_text(CounterSource source) {
   switch (source) {
     case CounterSource::kObjectName:
       return "the slave names its counters";
-    case CounterSource::kDeviceProfile: return "the slave does not name its counters; what they count is known of this device";
-    case CounterSource::kUnknown: break;
+    case CounterSource::kDeviceProfile:
+      return "the slave does not name its counters; what they count is known of this device";
+    case CounterSource::kUnknown:
+      break;
   }
-  return "the slave does not name its counters and is not known; the one that rises when a frame is lost counts missed events";
+  return "the slave does not name its counters and is not known; the one that rises when a frame is lost counts missed "
+         "events";
 }
 
 std::string value_text(const SyncParameters::Entry& entry) {
   switch (entry.meaning) {
-    case SyncValue::kType: return fmt::format("{}  ({})", entry.value, sync_type_text(entry.value));
-    case SyncValue::kSupportedTypes: return fmt::format("0x{:04X}  ({})", entry.value, supported_types_text(entry.value));
-    default: return fmt::format("{}{}", entry.value, is_sync_time(entry.meaning) ? " ns" : "");
+    case SyncValue::kType:
+      return fmt::format("{}  ({})", entry.value, sync_type_text(entry.value));
+    case SyncValue::kSupportedTypes:
+      return fmt::format("0x{:04X}  ({})", entry.value, supported_types_text(entry.value));
+    default:
+      return fmt::format("{}{}", entry.value, is_sync_time(entry.meaning) ? " ns" : "");
   }
 }
 
@@ -69,8 +75,9 @@ void print_text(Context& context, const SlaveVisit& visit, const std::vector<Syn
   }
   for (std::size_t i = 0; i < family.node_states.size(); ++i) {
     const bool late = family.node_states[i] == family.family->gateway->node_late;
-    out << fmt::format("0x{:04X}:{:02X}  state of CAN node {} is 0x{:02X}{}\n", family.family->gateway->node_states, i + 1, i + 1,
-                       family.node_states[i], late ? ": its synchronous TxPDO was not there in time" : "");
+    out << fmt::format("0x{:04X}:{:02X}  state of CAN node {} is 0x{:02X}{}\n", family.family->gateway->node_states,
+                       i + 1, i + 1, family.node_states[i],
+                       late ? ": its synchronous TxPDO was not there in time" : "");
   }
 }
 
@@ -87,8 +94,8 @@ Json to_json(const FamilyStatus& family) {
           {"node_states", family.node_states}};
 }
 
-void print_json(Context& context, const Options& options, const SlaveVisit& visit, const std::vector<SyncParameters>& objects,
-                const FamilyStatus& family) {
+void print_json(Context& context, const Options& options, const SlaveVisit& visit,
+                const std::vector<SyncParameters>& objects, const FamilyStatus& family) {
   Json list = Json::array();
   for (const auto& object : objects) {
     Json entries = Json::array();
@@ -103,7 +110,10 @@ void print_json(Context& context, const Options& options, const SlaveVisit& visi
                     {"counter_source", source_key(object.counter_source)},
                     {"entries", entries}});
   }
-  context.print({{"position", options.slave.position}, {"state", al_state_name(visit.found())}, {"objects", list}, {"family", to_json(family)}});
+  context.print({{"position", options.slave.position},
+                 {"state", al_state_name(visit.found())},
+                 {"objects", list},
+                 {"family", to_json(family)}});
 }
 
 void show(Context& context, const Options& options) {
@@ -127,7 +137,8 @@ void show(Context& context, const Options& options) {
 
 void add_sync_command(CLI::App& app, Context& context) {
   auto options = std::make_shared<Options>();
-  auto* command = app.add_subcommand("sync", "Show how a slave is synchronised, and what it has missed (0x1C32, 0x1C33)");
+  auto* command =
+      app.add_subcommand("sync", "Show how a slave is synchronised, and what it has missed (0x1C32, 0x1C33)");
   add_slave_options(*command, options->slave, options->json);
   command->callback([&context, options] { show(context, *options); });
 }

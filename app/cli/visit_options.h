@@ -17,8 +17,8 @@ struct SlaveOnLink : VisitRequest {
 /// Adds LINK, POSITION and --json to a command that works on one slave.
 void add_slave_options(CLI::App& command, SlaveOnLink& slave, bool& json);
 
-/// Opens the slave's mailbox (in BOOT its bootstrap mailbox), does `work` and leaves the slave as it was; says on the error stream when the slave
-/// was led to another state for it. Ctrl-C ends it in order. Prints the error, if any.
+/// Opens the slave's mailbox (in BOOT its bootstrap mailbox), does `work` and leaves the slave as it was; says on the
+/// error stream when the slave was led to another state for it. Ctrl-C ends it in order. Prints the error, if any.
 void with_mailbox(Context& context, SlaveOnLink slave, const std::function<Status(SlaveVisit&)>& work,
                   bool boot = false);
 

@@ -32,7 +32,8 @@ Status apply_option(LinkText& link, std::string_view option, std::string_view wh
     link.network = static_cast<unsigned>(number);
     return {};
   }
-  return fail(ErrorCode::kBadValue, std::string(whole), "unknown option '" + std::string(option) + "'; " + std::string(kForms));
+  return fail(ErrorCode::kBadValue, std::string(whole),
+              "unknown option '" + std::string(option) + "'; " + std::string(kForms));
 }
 
 }  // namespace
@@ -58,7 +59,8 @@ Result<LinkText> parse_link_text(std::string_view text) {
     rest = rest.substr(0, question);
     while (!options.empty()) {
       const auto end = options.find('&');
-      if (auto status = apply_option(link, options.substr(0, end), text); !status) return tl::unexpected(status.error());
+      if (auto status = apply_option(link, options.substr(0, end), text); !status)
+        return tl::unexpected(status.error());
       options = end == std::string_view::npos ? std::string_view{} : options.substr(end + 1);
     }
   }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/composition/load_config.h"
 
-#include "config/recover/recover_project.h"
-#include "eni/eni_file.h"
-#include "eni/project_file.h"
+#include "eni/format/eni_file.h"
+#include "eni/project/project_file.h"
+#include "recover/recover_project.h"
 
 namespace syncline {
 

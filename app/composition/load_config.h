@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "config/compile/compile.h"
+#include "compile/compile.h"
 #include "support/result.h"
 
 namespace syncline {

@@ -7,13 +7,13 @@
 #include <map>
 
 #include "config/device_from_sii.h"
-#include "config/recover/simulated_network.h"
-#include "eni/eni_file.h"
-#include "eni/esi_reader.h"
-#include "eni/project_file.h"
-#include "eni/xml_text.h"
+#include "eni/esi/esi_reader.h"
+#include "eni/format/eni_file.h"
+#include "eni/project/project_file.h"
+#include "eni/xml/xml_text.h"
 #include "protocol/sii.h"
-#include "sim/scenario_loader.h"
+#include "recover/simulated_network.h"
+#include "sim/scenario/scenario_loader.h"
 
 namespace syncline {
 namespace {

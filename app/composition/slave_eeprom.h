@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "engine/open_bus.h"
-#include "master/sii_writer.h"
+#include "master/sii/sii_writer.h"
 
 namespace syncline {
 
@@ -20,8 +20,8 @@ struct EepromRequest {
 
 /// Copies the EEPROM into a file, complete or not at all; returns its bytes.
 [[nodiscard]] Result<std::size_t> save_eeprom(const EepromRequest& request, const std::string& path);
-/// Makes the EEPROM hold the file's bytes, see write_eeprom(). Before the first word a journal is kept, which goes when all is
-/// written or put back; one that a killed program has left keeps what the EEPROM held before that program.
+/// Makes the EEPROM hold the file's bytes, see write_eeprom(). Before the first word a journal is kept, which goes when
+/// all is written or put back; one that a killed program has left keeps what the EEPROM held before that program.
 [[nodiscard]] Result<SiiWriteReport> load_eeprom(const EepromRequest& request, const std::string& path);
 [[nodiscard]] Result<SiiWriteReport> set_eeprom_alias(const EepromRequest& request, std::uint16_t alias);
 

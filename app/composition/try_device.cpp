@@ -6,14 +6,14 @@
 #include <algorithm>
 #include <optional>
 
-#include "config/compile/compile.h"
-#include "config/compile/effective_slave.h"
-#include "config/network_compare.h"
+#include "compare/network_compare.h"
+#include "compile/compile.h"
+#include "compile/effective_slave.h"
 #include "config/project.h"
 #include "config/sim_config.h"
 #include "engine/background_master.h"
 #include "eni/check/eni_check.h"
-#include "eni/eni_file.h"
+#include "eni/format/eni_file.h"
 #include "link/simulated_link.h"
 #include "protocol/error_text.h"
 #include "sim/sim_bus.h"
@@ -22,9 +22,9 @@
 namespace syncline {
 namespace {
 
-constexpr Nanoseconds kLimit = 60 * kSecond;     // virtual time to reach OP
+constexpr Nanoseconds kLimit = 60 * kSecond;  // virtual time to reach OP
 constexpr Nanoseconds kSlice = 20 * kMillisecond;
-constexpr std::uint64_t kCycles = 50;            // in OP
+constexpr std::uint64_t kCycles = 50;  // in OP
 
 /// Where a try ended, and why.
 struct Stop {
@@ -91,7 +91,8 @@ std::string oversize(const DeviceDescription& device) {
       for (const Pdo& pdo : device.pdos(direction)) {
         const auto bytes = (pdo.bit_length() + 7) / 8;
         if (!pdo.fixed || pdo.sync_manager != n || !limit || *limit == 0 || bytes <= *limit) continue;
-        return fmt::format("the ESI assigns PDO 0x{:04x} of {} bytes to SM{}, which takes {}", pdo.index, bytes, n, *limit);
+        return fmt::format("the ESI assigns PDO 0x{:04x} of {} bytes to SM{}, which takes {}", pdo.index, bytes, n,
+                           *limit);
       }
     }
   }
@@ -105,7 +106,8 @@ std::string emptied_assignment(const DeviceDescription& device) {
     const bool rx = command.index == 0x1C12, tx = command.index == 0x1C13;
     const bool empties = command.sub_index == 0 && !command.data.empty() && command.data[0] == 0;
     if (empties && (rx || tx) && !default_assignment(device, rx ? PdoDirection::kRx : PdoDirection::kTx).empty()) {
-      return fmt::format("a start-up command of the ESI empties 0x{:04x}, to which the ESI assigns PDOs", command.index);
+      return fmt::format("a start-up command of the ESI empties 0x{:04x}, to which the ESI assigns PDOs",
+                         command.index);
     }
   }
   return {};
@@ -121,8 +123,8 @@ std::string turned_manager(const DeviceDescription& device) {
     const bool in = manager.type == SyncManagerType::kInputs || manager.type == SyncManagerType::kMailboxIn;
     const bool written = (manager.control_byte & kDirection) == kMasterWrites;
     if (manager.is_virtual || (!out && !in) || written == out) continue;
-    return fmt::format("the ESI calls SM{} {}, and its control byte 0x{:02x} makes it {}", n, out ? "outputs" : "inputs",
-                       manager.control_byte, written ? "outputs" : "inputs");
+    return fmt::format("the ESI calls SM{} {}, and its control byte 0x{:02x} makes it {}", n,
+                       out ? "outputs" : "inputs", manager.control_byte, written ? "outputs" : "inputs");
   }
   return {};
 }
@@ -241,21 +243,30 @@ Step<Run> all_steps(const DeviceDescription& device, const std::string& keep, Tr
 
 std::string_view outcome_name(TryOutcome outcome) {
   switch (outcome) {
-    case TryOutcome::kPassed: return "passed";
-    case TryOutcome::kExcepted: return "excepted";
-    case TryOutcome::kFailed: return "failed";
+    case TryOutcome::kPassed:
+      return "passed";
+    case TryOutcome::kExcepted:
+      return "excepted";
+    case TryOutcome::kFailed:
+      return "failed";
   }
   return "";
 }
 
 std::string_view step_name(TryStep step) {
   switch (step) {
-    case TryStep::kRead: return "read";
-    case TryStep::kCompile: return "compile";
-    case TryStep::kExport: return "export";
-    case TryStep::kCheck: return "check";
-    case TryStep::kRun: return "run";
-    case TryStep::kDone: return "done";
+    case TryStep::kRead:
+      return "read";
+    case TryStep::kCompile:
+      return "compile";
+    case TryStep::kExport:
+      return "export";
+    case TryStep::kCheck:
+      return "check";
+    case TryStep::kRun:
+      return "run";
+    case TryStep::kDone:
+      return "done";
   }
   return "";
 }

@@ -20,21 +20,21 @@ enum class TryStep : std::uint8_t { kRead, kCompile, kExport, kCheck, kRun, kDon
 /// One device of an ESI file, tried on its own.
 struct TriedDevice {
   std::string file;
-  int line = 0;                      // where a device that cannot be read is wrong
+  int line = 0;  // where a device that cannot be read is wrong
   Identity identity{};
   std::string type{}, name{};
   TryOutcome outcome = TryOutcome::kPassed;
   TryStep step = TryStep::kDone;
-  std::string reason{};                // of an exception or a failure
-  std::uint32_t modules = 0;         // plugged
-  std::uint16_t wkc_expected = 0;    // sum over the cyclic commands in OP
-  std::uint64_t cycles = 0;          // in OP, all with that working counter
+  std::string reason{};            // of an exception or a failure
+  std::uint32_t modules = 0;       // plugged
+  std::uint16_t wkc_expected = 0;  // sum over the cyclic commands in OP
+  std::uint64_t cycles = 0;        // in OP, all with that working counter
   bool operator==(const TriedDevice&) const = default;
 };
 
-/// Makes a project with the ESI's defaults of the one device, compiles it, writes its ENI, checks it, reads it again and
-/// runs what was read on the simulated device of the same description, on the virtual clock, until it has been in OP for
-/// some cycles. `keep`: file for the ENI; "" = none. Bounded in time. Any thread.
+/// Makes a project with the ESI's defaults of the one device, compiles it, writes its ENI, checks it, reads it again
+/// and runs what was read on the simulated device of the same description, on the virtual clock, until it has been in
+/// OP for some cycles. `keep`: file for the ENI; "" = none. Bounded in time. Any thread.
 [[nodiscard]] TriedDevice try_device(const DeviceDescription& device, const std::string& keep = {});
 
 }  // namespace syncline

@@ -12,18 +12,18 @@
 namespace syncline {
 
 struct TryRequest {
-  std::string path;                          // an ESI file, or a folder of them (not recursive)
-  unsigned threads = 0;                      // 0: as many as the machine has processors, 8 at most
-  unsigned every = 1;                        // tries each n-th device of a file only
-  std::string keep{};                        // folder for the ENI files, one a device; "" = none
-  const std::atomic<bool>* stop = nullptr;   // ends early
+  std::string path;                                     // an ESI file, or a folder of them (not recursive)
+  unsigned threads = 0;                                 // 0: as many as the machine has processors, 8 at most
+  unsigned every = 1;                                   // tries each n-th device of a file only
+  std::string keep{};                                   // folder for the ENI files, one a device; "" = none
+  const std::atomic<bool>* stop = nullptr;              // ends early
   std::function<void(const TriedDevice&)> on_device{};  // as each is done, one at a time
 };
 
 struct TryReport {
   std::size_t files = 0;
-  std::vector<TriedDevice> devices;          // file and device order, whatever the threads did
-  std::vector<Error> unreadable;             // whole files that are no ESI files
+  std::vector<TriedDevice> devices;  // file and device order, whatever the threads did
+  std::vector<Error> unreadable;     // whole files that are no ESI files
   [[nodiscard]] std::size_t count(TryOutcome outcome) const;
 };
 

@@ -25,7 +25,7 @@
 #include "ui/main_window.h"
 #include "ui/session/workspace.h"
 #include "ui/text/translations.h"
-#include "ui/theme.h"
+#include "ui/theme/theme.h"
 
 namespace {
 
@@ -44,14 +44,21 @@ Options parse(const QCoreApplication& app) {
   parser.setApplicationDescription(QStringLiteral("EtherCAT configurator and live synchronisation monitor"));
   parser.addHelpOption();
   parser.addVersionOption();
-  const QCommandLineOption demo(QStringLiteral("demo"), QStringLiteral("Scan the simulated demonstration machine and go online."));
-  const QCommandLineOption link(QStringLiteral("link"), QStringLiteral("Bus to use: sim:FILE[?virtual] or nic:NAME."), QStringLiteral("LINK"));
-  const QCommandLineOption theme(QStringLiteral("theme"), QStringLiteral("light, dark or system."), QStringLiteral("NAME"));
-  const QCommandLineOption language(QStringLiteral("language"), QStringLiteral("Language of the window, e.g. de; default is the desktop's, else English."),
-                                    QStringLiteral("CODE"));
+  const QCommandLineOption demo(QStringLiteral("demo"),
+                                QStringLiteral("Scan the simulated demonstration machine and go online."));
+  const QCommandLineOption link(QStringLiteral("link"), QStringLiteral("Bus to use: sim:FILE[?virtual] or nic:NAME."),
+                                QStringLiteral("LINK"));
+  const QCommandLineOption theme(QStringLiteral("theme"), QStringLiteral("light, dark or system."),
+                                 QStringLiteral("NAME"));
+  const QCommandLineOption language(
+      QStringLiteral("language"),
+      QStringLiteral("Language of the window, e.g. de; default is the desktop's, else English."),
+      QStringLiteral("CODE"));
   const QCommandLineOption screenshots(
-      QStringLiteral("screenshots"), QStringLiteral("Write a picture of every page in both themes to DIR, then exit."), QStringLiteral("DIR"));
-  const QCommandLineOption exit_after(QStringLiteral("exit-after"), QStringLiteral("Close after SECONDS."), QStringLiteral("SECONDS"));
+      QStringLiteral("screenshots"), QStringLiteral("Write a picture of every page in both themes to DIR, then exit."),
+      QStringLiteral("DIR"));
+  const QCommandLineOption exit_after(QStringLiteral("exit-after"), QStringLiteral("Close after SECONDS."),
+                                      QStringLiteral("SECONDS"));
   parser.addOptions({demo, link, theme, language, screenshots, exit_after});
   parser.addPositionalArgument(QStringLiteral("file"), QStringLiteral("Project to open."), QStringLiteral("[file]"));
   parser.process(app);
@@ -77,7 +84,8 @@ ui::EepromRepairs eeprom_repairs() {
     return writes;
   };
   repairs.end = [](const ui::CutShortWrite& write, bool undo, const std::atomic<bool>& cancel) -> Status {
-    const auto report = finish_eeprom({write.link.toStdString(), static_cast<std::uint16_t>(write.position), &cancel}, undo);
+    const auto report =
+        finish_eeprom({write.link.toStdString(), static_cast<std::uint16_t>(write.position), &cancel}, undo);
     return report ? Status{} : Status(tl::unexpected(report.error()));
   };
   return repairs;
@@ -115,7 +123,8 @@ ui::Environment environment() {
   return environment;
 }
 
-/// What a handler throws must not tear the program down while slaves drive: the loop ends, and the end is the ordinary one.
+/// What a handler throws must not tear the program down while slaves drive: the loop ends, and the end is the ordinary
+/// one.
 class Application final : public QApplication {
  public:
   using QApplication::QApplication;
@@ -135,7 +144,8 @@ class Application final : public QApplication {
 /// What is answered in the terminal needs no display.
 bool only_asks(int argc, char* argv[]) {
   return std::any_of(argv + 1, argv + argc, [](std::string_view argument) {
-    return argument == "-h" || argument == "--help" || argument == "--help-all" || argument == "-v" || argument == "--version";
+    return argument == "-h" || argument == "--help" || argument == "--help-all" || argument == "-v" ||
+           argument == "--version";
   });
 }
 
@@ -167,14 +177,16 @@ int main(int argc, char* argv[]) {
   ui::installTranslation(options.language);
 
   QSettings settings;
-  ui::theme::apply(ui::theme::modeFromName(options.theme.isEmpty() ? settings.value(kThemeSetting).toString() : options.theme));
+  ui::theme::apply(
+      ui::theme::modeFromName(options.theme.isEmpty() ? settings.value(kThemeSetting).toString() : options.theme));
   ui::Workspace workspace(environment());
   ui::MainWindow window(workspace);
   window.show();
   if (!options.screenshots.isEmpty()) {
     return renderScreenshots(window, workspace, workspace.environment().demo_link, options.screenshots) ? 0 : 1;
   }
-  // Asks nothing: who closes the terminal or shuts the machine down does not answer. The slaves go to INIT all the same.
+  // Asks nothing: who closes the terminal or shuts the machine down does not answer. The slaves go to INIT all the
+  // same.
   const StopSignals stop;
   QSocketNotifier asked_to_end(stop.descriptor(), QSocketNotifier::Read);
   QObject::connect(&asked_to_end, &QSocketNotifier::activated, &app, [&] {
@@ -183,7 +195,8 @@ int main(int argc, char* argv[]) {
     QApplication::exit(0);
   });
   QTimer::singleShot(0, &window, [&] { begin(options, window, workspace); });
-  if (options.exit_after_ms > 0) QTimer::singleShot(options.exit_after_ms, &app, [] { QApplication::exit(0); });  // asks nothing, unlike quit()
+  if (options.exit_after_ms > 0)
+    QTimer::singleShot(options.exit_after_ms, &app, [] { QApplication::exit(0); });  // asks nothing, unlike quit()
   const int result = QApplication::exec();
   if (options.theme.isEmpty()) settings.setValue(kThemeSetting, ui::theme::modeName(ui::theme::current()));
   workspace.live().shutDown();

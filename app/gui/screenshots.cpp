@@ -15,7 +15,7 @@
 #include "ui/pages/device_editor.h"
 #include "ui/panels/live_strip.h"
 #include "ui/session/workspace.h"
-#include "ui/theme.h"
+#include "ui/theme/theme.h"
 
 namespace syncline {
 namespace {

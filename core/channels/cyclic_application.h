@@ -19,8 +19,8 @@ class CyclicApplication {
     AlState state = AlState::kNone;  // of the master
   };
   virtual ~CyclicApplication() = default;
-  /// Once a cycle in the thread that runs it, before the frames are sent; must neither block nor allocate. `inputs` came
-  /// back in the cycle before; `outputs` keep what the cycle before has left in them.
+  /// Once a cycle in the thread that runs it, before the frames are sent; must neither block nor allocate. `inputs`
+  /// came back in the cycle before; `outputs` keep what the cycle before has left in them.
   virtual void run(const Cycle& cycle, std::span<const std::uint8_t> inputs, std::span<std::uint8_t> outputs) = 0;
 };
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "channels/sync_state.h"
+#include "channels/values/sync_state.h"
 #include "support/types.h"
 
 namespace syncline {

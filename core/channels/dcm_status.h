@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "channels/sync_obstacle.h"
-#include "channels/sync_state.h"
+#include "channels/values/sync_obstacle.h"
+#include "channels/values/sync_state.h"
 #include "config/dcm_settings.h"
 #include "support/types.h"
 

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "channels/miss_cause.h"
+#include "channels/values/miss_cause.h"
 #include "support/types.h"
 
 namespace syncline {

@@ -23,7 +23,7 @@ struct DcTime {
 /// Sm/CycleTime and Sm/ShiftTime of an OpMode.
 struct OpModeTime {
   std::int64_t value_ns = 0;
-  std::optional<int> factor{};                                         // CycleTime
+  std::optional<int> factor{};                                             // CycleTime
   std::optional<std::int64_t> min_after_sync_ns{}, min_before_frame_ns{};  // ShiftTime
   bool operator==(const OpModeTime&) const = default;
 };

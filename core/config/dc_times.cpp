@@ -108,6 +108,8 @@ Nanoseconds sync_cycle(const DcOpMode& mode, const DcSlaveSettings& user, int un
   return unit == 0 ? times.cycle_time0 : times.cycle_time0 + times.cycle_time1;
 }
 
-Nanoseconds shift_of_mode(const DcTime& shift, Nanoseconds bus_cycle) { return Calculation(bus_cycle).shift(shift, {}); }
+Nanoseconds shift_of_mode(const DcTime& shift, Nanoseconds bus_cycle) {
+  return Calculation(bus_cycle).shift(shift, {});
+}
 
 }  // namespace syncline::compiler

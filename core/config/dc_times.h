@@ -31,7 +31,8 @@ struct DcTimes {
 [[nodiscard]] Nanoseconds scaled_cycle(Nanoseconds bus_cycle, std::int64_t factor);
 
 /// Cycle of SYNC0 (unit 0) or SYNC1 with the user's choice for it and without its shift.
-[[nodiscard]] Nanoseconds sync_cycle(const DcOpMode& mode, const DcSlaveSettings& user, int unit, Nanoseconds bus_cycle);
+[[nodiscard]] Nanoseconds sync_cycle(const DcOpMode& mode, const DcSlaveSettings& user, int unit,
+                                     Nanoseconds bus_cycle);
 
 /// Shift that an operation mode gives a SYNC unit while the user gives none.
 [[nodiscard]] Nanoseconds shift_of_mode(const DcTime& shift, Nanoseconds bus_cycle);

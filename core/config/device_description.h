@@ -35,7 +35,7 @@ struct SyncManagerDescription {
   bool enable = false;
   bool is_virtual = false;
   bool op_only = false;
-  bool one_byte_mode = false;      // only triggers watchdog and PDI interrupt
+  bool one_byte_mode = false;  // only triggers watchdog and PDI interrupt
   std::optional<bool> watchdog{};
   bool operator==(const SyncManagerDescription&) const = default;
 };
@@ -74,13 +74,13 @@ struct DeviceReference {
   std::string type{};
   std::optional<std::uint32_t> product_code{};  // empty: the same product
   std::optional<std::uint32_t> revision_no{};
-  std::string product_revision{};               // @ProductRevision, older files: "EL1002-0000-0016"
+  std::string product_revision{};  // @ProductRevision, older files: "EL1002-0000-0016"
   bool operator==(const DeviceReference&) const = default;
 };
 
 /// Info/Port.
 struct PortDescription {
-  std::string type{};                           // MII, EBUS, NONE
+  std::string type{};  // MII, EBUS, NONE
   std::string connector{}, label{};
   std::optional<std::int32_t> rx_delay{}, tx_delay{};  // 100 ps
   bool operator==(const PortDescription&) const = default;
@@ -109,9 +109,9 @@ struct EepromCategory {
 
 struct EepromDescription {
   std::uint32_t byte_size = 2048;
-  std::vector<std::uint8_t> config_data;  // first 14 bytes of the SII
-  std::vector<std::uint8_t> boot_strap;   // 8 bytes: out start, out length, in start, in length
-  std::vector<std::uint8_t> image{};      // Data: the whole content, where the ESI gives that
+  std::vector<std::uint8_t> config_data;     // first 14 bytes of the SII
+  std::vector<std::uint8_t> boot_strap;      // 8 bytes: out start, out length, in start, in length
+  std::vector<std::uint8_t> image{};         // Data: the whole content, where the ESI gives that
   std::vector<EepromCategory> categories{};  // the vendor's own
   bool assign_to_pdi = false;
   bool operator==(const EepromDescription&) const = default;
@@ -136,28 +136,28 @@ struct DeviceDescription {
   std::vector<ChannelProfile> profiles;
   std::vector<ObjectDescription> dictionary;
   std::vector<EnumDescription> enums{};
-  std::vector<LocalizedText> names{};                       // in all languages; `name` is the reader's choice
+  std::vector<LocalizedText> names{};  // in all languages; `name` is the reader's choice
   std::string group_name{};
   EsiImage image{};
-  bool invisible = false;                                   // not offered by catalogues
+  bool invisible = false;  // not offered by catalogues
   std::vector<DeviceReference> hides{}, alternatives{}, sub_devices{};
   std::optional<bool> check_product_code{}, check_serial_no{};  // empty: ESI is silent
   std::optional<RevisionCheck> check_revision{};
-  std::vector<FmmuOptions> fmmu_options{};                  // empty or one for each of `fmmus`
+  std::vector<FmmuOptions> fmmu_options{};  // empty or one for each of `fmmus`
   std::vector<SyncUnitDescription> sync_units{};
   std::optional<SlotsDescription> slots{};
-  std::vector<ModuleDescription> modules{};                 // those that fit a slot, file order
-  std::optional<int> module_pdo_group{};                    // Type@ModulePdoGroup: place of the device's own PDOs
+  std::vector<ModuleDescription> modules{};  // those that fit a slot, file order
+  std::optional<int> module_pdo_group{};     // Type@ModulePdoGroup: place of the device's own PDOs
   bool download_module_list = false;
-  bool identification_reg134 = false;                       // ID switch is read in register 0x0134
-  std::optional<std::uint16_t> identification_ado{};        // or in this register
-  std::optional<std::int32_t> ebus_current_ma{};            // negative: supplies
+  bool identification_reg134 = false;                 // ID switch is read in register 0x0134
+  std::optional<std::uint16_t> identification_ado{};  // or in this register
+  std::optional<std::int32_t> ebus_current_ma{};      // negative: supplies
   std::vector<PortDescription> ports{};
   StartBehavior behavior{};
-  std::optional<std::uint32_t> dpram_size{};                // bytes
+  std::optional<std::uint32_t> dpram_size{};  // bytes
   std::optional<std::uint8_t> sync_manager_count{}, fmmu_count{};
   std::optional<std::uint16_t> reg_0108{};
-  std::string source;        // file the description came from, or "SII"
+  std::string source;  // file the description came from, or "SII"
   bool operator==(const DeviceDescription&) const = default;
 
   /// ESI Eeprom/ConfigData byte 1 bit 0: AL status mirrors AL control, no error acknowledge.

@@ -37,7 +37,8 @@ Pdo pdo_of(const DictionaryPdo& from, const DeviceDictionary& dictionary) {
       const auto* described = find_entry(dictionary, entry.index, entry.sub_index);
       entry.name = entry_name(dictionary, entry, described);
       if (described != nullptr) entry.data_type = described->data_type;
-      if (entry.data_type.empty()) entry.data_type = entry.bit_length == 1 ? "BOOL" : fmt::format("BIT{}", entry.bit_length);
+      if (entry.data_type.empty())
+        entry.data_type = entry.bit_length == 1 ? "BOOL" : fmt::format("BIT{}", entry.bit_length);
     }
     pdo.entries.push_back(std::move(entry));
   }
@@ -68,8 +69,10 @@ void replace(std::vector<Pdo>& pdos, const std::vector<DictionaryPdo>& from, con
 
 void complete_from_dictionary(DeviceDescription& device, const DeviceDictionary& dictionary) {
   if (!dictionary.objects.empty()) device.dictionary = dictionary.objects;
-  replace(device.rx_pdos, dictionary.rx_pdos, dictionary.assigned_rx, manager_of(device, SyncManagerType::kOutputs), dictionary);
-  replace(device.tx_pdos, dictionary.tx_pdos, dictionary.assigned_tx, manager_of(device, SyncManagerType::kInputs), dictionary);
+  replace(device.rx_pdos, dictionary.rx_pdos, dictionary.assigned_rx, manager_of(device, SyncManagerType::kOutputs),
+          dictionary);
+  replace(device.tx_pdos, dictionary.tx_pdos, dictionary.assigned_tx, manager_of(device, SyncManagerType::kInputs),
+          dictionary);
 }
 
 }  // namespace syncline

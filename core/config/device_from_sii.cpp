@@ -23,8 +23,8 @@ Pdo pdo_of(const sii::Pdo& from) {
   return pdo;
 }
 
-/// Old images, and some tools, leave the type 0 for SyncManagers that are in use: the control byte (0x0804) says mode and
-/// direction all the same.
+/// Old images, and some tools, leave the type 0 for SyncManagers that are in use: the control byte (0x0804) says mode
+/// and direction all the same.
 SyncManagerType sync_manager_type(const sii::SyncM& from) {
   constexpr std::uint8_t kEnable = 0x01, kLastType = 4;
   if (from.type != 0 || (from.enable & kEnable) == 0) {

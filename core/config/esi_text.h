@@ -26,11 +26,11 @@ struct EsiImage {
 
 /// Groups/Group: devices that a catalogue shows together.
 struct DeviceGroup {
-  std::string type{};                     // what Device/GroupType refers to
-  std::string name{};                     // in the reader's language
-  std::vector<LocalizedText> names{};     // all languages, file order
+  std::string type{};                  // what Device/GroupType refers to
+  std::string name{};                  // in the reader's language
+  std::vector<LocalizedText> names{};  // all languages, file order
   int sort_order = 0;
-  std::string parent{};                   // type of the group above, display only
+  std::string parent{};  // type of the group above, display only
   EsiImage image{};
   bool operator==(const DeviceGroup&) const = default;
 };

@@ -18,6 +18,7 @@ struct ExternalClockPlace {
 [[nodiscard]] std::optional<ExternalClockPlace> find_external_clock(const NetworkConfig& config);
 
 /// External less internal time, both of the same moment; nothing while the bridge shows none (zero).
-[[nodiscard]] std::optional<Nanoseconds> external_difference(const ExternalClockPlace& place, std::span<const std::uint8_t> inputs);
+[[nodiscard]] std::optional<Nanoseconds> external_difference(const ExternalClockPlace& place,
+                                                             std::span<const std::uint8_t> inputs);
 
 }  // namespace syncline

@@ -32,8 +32,8 @@ struct StartupCommand {
 /// AoE or EoE service sent at a transition.
 struct MailboxCommand {
   std::vector<Transition> transitions{};
-  int type = 0;                        // EoE: number of the service
-  std::vector<std::uint8_t> data{};    // without mailbox header (EoE: without EoE header too)
+  int type = 0;                      // EoE: number of the service
+  std::vector<std::uint8_t> data{};  // without mailbox header (EoE: without EoE header too)
   std::string comment{};
   bool operator==(const MailboxCommand&) const = default;
 };
@@ -41,12 +41,12 @@ struct MailboxCommand {
 /// SoE IDN written at a transition: from the ESI, or the user's own.
 struct SoeCommand {
   std::vector<Transition> transitions{Transition::kPS};
-  std::uint8_t drive = 0;              // ESI: Chn, 0..7
-  std::uint16_t idn = 0;               // bit 15: P, bits 14..12: parameter set, bits 11..0: block number
+  std::uint8_t drive = 0;  // ESI: Chn, 0..7
+  std::uint16_t idn = 0;   // bit 15: P, bits 14..12: parameter set, bits 11..0: block number
   std::vector<std::uint8_t> data{};
   bool fixed = false;
   bool enabled = true;
-  std::uint32_t timeout_ms = 0;        // 0 = the master's default
+  std::uint32_t timeout_ms = 0;  // 0 = the master's default
   std::string comment{};
   bool operator==(const SoeCommand&) const = default;
 };
@@ -60,7 +60,7 @@ struct AoeDescription {
 };
 
 struct EoeDescription {
-  bool ip = false, mac = false;        // wants an address from the master
+  bool ip = false, mac = false;  // wants an address from the master
   bool time_stamp = false;
   std::vector<MailboxCommand> init_commands{};
   bool operator==(const EoeDescription&) const = default;
@@ -81,8 +81,8 @@ struct CoeDescription {
   bool complete_access = false;
   bool segmented_sdo = false;
   std::vector<StartupCommand> init_commands;
-  bool diag_history = false;           // 0x10F3
-  bool module_od = false;              // of a module: its objects are in the device's dictionary
+  bool diag_history = false;  // 0x10F3
+  bool module_od = false;     // of a module: its objects are in the device's dictionary
   std::optional<std::uint16_t> ds402_channels{};
   std::string eds_file{};
   bool operator==(const CoeDescription&) const = default;
@@ -95,7 +95,7 @@ struct MailboxDescription {
   std::uint32_t request_timeout_ms = 100;
   std::uint32_t response_timeout_ms = 2000;
   bool real_time_mode = false;
-  AoeDescription aoe_options{};        // of no meaning unless `aoe`, and so on
+  AoeDescription aoe_options{};  // of no meaning unless `aoe`, and so on
   EoeDescription eoe_options{};
   SoeDescription soe_options{};
   bool operator==(const MailboxDescription&) const = default;

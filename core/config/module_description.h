@@ -23,12 +23,12 @@ struct SlotIncrements {
 
 struct ModuleIdent {
   std::uint32_t ident = 0;
-  bool is_default = false;            // is plugged in a new project
+  bool is_default = false;  // is plugged in a new project
   bool operator==(const ModuleIdent&) const = default;
 };
 
 struct ModuleClass {
-  std::string name{};                 // Class: what Module/Type@ModuleClass says
+  std::string name{};  // Class: what Module/Type@ModuleClass says
   std::optional<std::uint32_t> vendor_id{};
   std::string display_name{};
   bool operator==(const ModuleClass&) const = default;
@@ -39,10 +39,10 @@ struct SlotDescription {
   std::string name{};
   std::uint16_t min_instances = 0;
   std::uint16_t max_instances = 0;
-  std::vector<ModuleIdent> modules{};   // allowed by ident
-  std::vector<ModuleClass> classes{};   // or allowed by class
+  std::vector<ModuleIdent> modules{};  // allowed by ident
+  std::vector<ModuleClass> classes{};  // or allowed by class
   std::optional<std::uint16_t> slot_group{};
-  SlotIncrements increments{};          // instead of those of all slots
+  SlotIncrements increments{};  // instead of those of all slots
   std::optional<int> mdp_channel{};
   EsiImage image{};
   bool operator==(const SlotDescription&) const = default;
@@ -53,7 +53,7 @@ struct SlotDescription {
 /// Slots/ModulePdoGroup: modules of that number map behind `alignment` bytes; the PDO numbers fill the gap.
 struct ModulePdoGroup {
   std::string name{};
-  std::uint16_t alignment = 0;                              // bytes; 0 = none
+  std::uint16_t alignment = 0;  // bytes; 0 = none
   std::optional<std::uint16_t> rx_pdo{}, tx_pdo{};
   bool operator==(const ModulePdoGroup&) const = default;
 };
@@ -62,13 +62,13 @@ enum class ModuleIdentification : std::uint8_t { kModuleIdent, kIdentityObject }
 
 struct SlotsDescription {
   std::vector<SlotDescription> slots{};
-  std::vector<ModulePdoGroup> pdo_groups{};                 // number 0 is the device itself, Type@ModulePdoGroup counts them
+  std::vector<ModulePdoGroup> pdo_groups{};  // number 0 is the device itself, Type@ModulePdoGroup counts them
   std::optional<std::uint16_t> max_slot_count{}, max_slot_group_count{};
   SlotIncrements increments{};
   ModuleIdentification identify_by = ModuleIdentification::kModuleIdent;
   std::optional<std::uint16_t> mdp_channel_count{};
-  bool download_ident_list = false;                         // 0xF030 is written with what is plugged
-  std::string download_transition{};                        // of that write; empty: PS
+  bool download_ident_list = false;   // 0xF030 is written with what is plugged
+  std::string download_transition{};  // of that write; empty: PS
   bool operator==(const SlotsDescription&) const = default;
 };
 
@@ -78,13 +78,13 @@ struct ModuleDescription {
   std::string name{};
   std::vector<LocalizedText> names{};
   std::string module_class{};
-  std::optional<int> pdo_group{};                           // Type@ModulePdoGroup
-  std::vector<Pdo> rx_pdos{}, tx_pdos{};                    // indices of slot 0; see Pdo::depend_on_slot
-  std::optional<CoeDescription> coe{};                      // its init commands, also indices of slot 0
+  std::optional<int> pdo_group{};         // Type@ModulePdoGroup
+  std::vector<Pdo> rx_pdos{}, tx_pdos{};  // indices of slot 0; see Pdo::depend_on_slot
+  std::optional<CoeDescription> coe{};    // its init commands, also indices of slot 0
   std::vector<ChannelProfile> profiles{};
   std::vector<ObjectDescription> dictionary{};
   std::vector<EnumDescription> enums{};
-  std::string dc_op_mode{};                                 // DcOpModeName: mode of the device that it demands
+  std::string dc_op_mode{};  // DcOpModeName: mode of the device that it demands
   EsiImage image{};
   bool operator==(const ModuleDescription&) const = default;
 };

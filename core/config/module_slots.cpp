@@ -203,10 +203,11 @@ std::vector<SlotPlace> slot_places(const DeviceDescription& device) {
 }
 
 bool accepts(const SlotDescription& slot, const ModuleDescription& module) {
-  const bool by_ident = std::ranges::any_of(slot.modules, [&](const ModuleIdent& m) { return m.ident == module.ident; });
+  const bool by_ident =
+      std::ranges::any_of(slot.modules, [&](const ModuleIdent& m) { return m.ident == module.ident; });
   return by_ident || (!module.module_class.empty() && std::ranges::any_of(slot.classes, [&](const ModuleClass& c) {
-                        return c.name == module.module_class;
-                      }));
+           return c.name == module.module_class;
+         }));
 }
 
 ModuleDescription module_at(const ModuleDescription& module, const SlotPlace& place) {
@@ -232,7 +233,8 @@ std::optional<std::uint32_t> plugged_module(const SlaveSettings& slave, std::uin
 Status plug_module(SlaveSettings& slave, std::uint16_t number, std::optional<std::uint32_t> ident) {
   const auto places = slot_places(slave.device);
   if (number >= places.size()) {
-    return fail(ErrorCode::kBadValue, {}, fmt::format("the device has {} places for modules, counted from 0", places.size()));
+    return fail(ErrorCode::kBadValue, {},
+                fmt::format("the device has {} places for modules, counted from 0", places.size()));
   }
   const SlotPlace& place = places[number];
   const ModuleDescription* module = ident ? slave.device.module(*ident) : nullptr;
@@ -258,7 +260,8 @@ Status plug_module(SlaveSettings& slave, std::uint16_t number, std::optional<std
 void plug_default_modules(SlaveSettings& slave) {
   for (const SlotPlace& place : slot_places(slave.device)) {
     const auto ident = place.slot->default_module();
-    const bool marked = ident && std::ranges::any_of(place.slot->modules, [&](const ModuleIdent& m) { return m.is_default; });
+    const bool marked =
+        ident && std::ranges::any_of(place.slot->modules, [&](const ModuleIdent& m) { return m.is_default; });
     // A default that does not fit is the ESI's fault; the place stays empty and the findings say so.
     if (ident && (marked || place.demanded)) static_cast<void>(plug_module(slave, place.number, ident));
   }

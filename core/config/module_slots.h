@@ -13,9 +13,9 @@ namespace syncline {
 
 /// One place for a module. A slot of the ESI that may occur several times has as many places in a row.
 struct SlotPlace {
-  std::uint16_t number = 0;                   // from 0, over all slots
+  std::uint16_t number = 0;  // from 0, over all slots
   const SlotDescription* slot = nullptr;
-  bool demanded = false;                      // MinInstances: a module has to be there
+  bool demanded = false;  // MinInstances: a module has to be there
   /// What PDO and object indices of a module move by: the increments of all places before this one, and those of its
   /// slot group.
   std::uint16_t pdo_offset = 0, index_offset = 0, group_pdo_offset = 0, group_index_offset = 0;
@@ -32,8 +32,8 @@ struct SlotPlace {
 /// The module plugged at a place; empty when there is none.
 [[nodiscard]] std::optional<std::uint32_t> plugged_module(const SlaveSettings& slave, std::uint16_t place);
 
-/// Plugs a module (or pulls the one that is there): its PDOs join the assignment and its init commands the start-up list,
-/// those of the module before leave them. kBadValue when there is no such place or the module does not fit.
+/// Plugs a module (or pulls the one that is there): its PDOs join the assignment and its init commands the start-up
+/// list, those of the module before leave them. kBadValue when there is no such place or the module does not fit.
 [[nodiscard]] Status plug_module(SlaveSettings& slave, std::uint16_t place, std::optional<std::uint32_t> ident);
 
 /// The modules that the ESI marks as default or demands, for a slave that has none yet.

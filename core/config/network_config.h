@@ -19,15 +19,21 @@ namespace syncline {
 
 /// ENI Validate@Type: how the answer has to stand to the expected value for the command to be done.
 enum class ValidateType : std::uint8_t {
-  kEqual, kNotEqual, kGreaterOrEqual, kLessOrEqual, kGreater, kLess, kNone  // kNone: any answer will do
+  kEqual,
+  kNotEqual,
+  kGreaterOrEqual,
+  kLessOrEqual,
+  kGreater,
+  kLess,
+  kNone  // kNone: any answer will do
 };
 
 struct InitCmdValidate {
   std::vector<std::uint8_t> data;
-  std::vector<std::uint8_t> mask;       // empty = compare all
+  std::vector<std::uint8_t> mask;  // empty = compare all
   std::uint32_t timeout_ms = 0;
   ValidateType type = ValidateType::kEqual;
-  bool is_signed = false;               // Validate@Signed: of the comparisons by size
+  bool is_signed = false;  // Validate@Signed: of the comparisons by size
   bool operator==(const InitCmdValidate&) const = default;
 };
 
@@ -35,14 +41,14 @@ struct InitCmd {
   std::vector<Transition> transitions;
   bool before_slave = false;
   std::string comment;
-  bool requires_cycle = false;          // Requires = cycle | (absent)
+  bool requires_cycle = false;  // Requires = cycle | (absent)
   Command command = Command::kNop;
   std::uint16_t adp = 0;
   std::uint16_t ado = 0;
-  std::uint32_t logical_address = 0;    // instead of adp/ado for LRD, LWR, LRW
-  std::vector<std::uint8_t> data;       // bytes in wire order
-  std::optional<std::uint16_t> data_length;  // ENI DataLength: that many zero bytes instead of data
-  std::optional<std::uint16_t> expected_wkc; // Cnt
+  std::uint32_t logical_address = 0;          // instead of adp/ado for LRD, LWR, LRW
+  std::vector<std::uint8_t> data;             // bytes in wire order
+  std::optional<std::uint16_t> data_length;   // ENI DataLength: that many zero bytes instead of data
+  std::optional<std::uint16_t> expected_wkc;  // Cnt
   std::uint32_t retries = 0;
   std::optional<InitCmdValidate> validate;
   std::optional<std::uint32_t> timeout_ms;
@@ -50,12 +56,12 @@ struct InitCmd {
   [[nodiscard]] std::uint16_t length() const {
     return data_length ? *data_length : static_cast<std::uint16_t>(data.size());
   }
-  bool requires_frame = false;          // Requires = frame: not together with others in one frame
+  bool requires_frame = false;  // Requires = frame: not together with others in one frame
 };
 
 struct CoeInitCmd {
   StartupCommand command;
-  std::uint8_t ccs = 1;                 // 1 = download, as all tools write it
+  std::uint8_t ccs = 1;  // 1 = download, as all tools write it
   bool operator==(const CoeInitCmd&) const = default;
 };
 
@@ -63,7 +69,7 @@ struct CoeInitCmd {
 struct MailboxInitCmd {
   std::vector<Transition> transitions{};
   std::vector<std::uint8_t> data{};
-  std::uint32_t timeout_ms = 0;         // 0 = the master's default
+  std::uint32_t timeout_ms = 0;  // 0 = the master's default
   bool enabled = true;
   bool fixed = false;
   std::string comment{};
@@ -73,13 +79,13 @@ struct MailboxInitCmd {
 /// Start-up write to an IDN of a SoE drive.
 struct SoeInitCmd {
   std::vector<Transition> transitions{};
-  std::uint8_t op_code = 3;             // write request
+  std::uint8_t op_code = 3;  // write request
   std::uint8_t drive_no = 0;
   std::uint16_t idn = 0;
-  std::uint8_t elements = 0x40;         // which elements of the IDN; 0x40 = its value
+  std::uint8_t elements = 0x40;  // which elements of the IDN; 0x40 = its value
   std::uint8_t attribute = 0;
   std::vector<std::uint8_t> data{};
-  std::uint32_t timeout_ms = 0;         // 0 = the master's default
+  std::uint32_t timeout_ms = 0;  // 0 = the master's default
   bool enabled = true;
   bool fixed = false;
   std::string comment{};
@@ -89,19 +95,19 @@ struct SoeInitCmd {
 struct MailboxChannel {
   std::uint16_t start = 0;
   std::uint16_t length = 0;
-  bool short_send = false;              // ENI ShortSend: only the bytes of the message, not the whole buffer
+  bool short_send = false;  // ENI ShortSend: only the bytes of the message, not the whole buffer
   bool operator==(const MailboxChannel&) const = default;
 };
 
 /// ESI Info/Mailbox/Timeout; an ENI has no place for them, so that one that is read has the defaults.
 struct MailboxTimeouts {
-  std::uint32_t request_ms = 100;       // until the slave has taken a request out of its mailbox
-  std::uint32_t response_ms = 2000;     // until its answer is there
+  std::uint32_t request_ms = 100;    // until the slave has taken a request out of its mailbox
+  std::uint32_t response_ms = 2000;  // until its answer is there
   bool operator==(const MailboxTimeouts&) const = default;
 };
 
 struct MailboxConfig {
-  MailboxChannel send, receive;         // send = master to slave (SM0)
+  MailboxChannel send, receive;  // send = master to slave (SM0)
   MailboxTimeouts timeouts;
   std::optional<std::uint32_t> poll_time_ms;
   std::optional<std::uint32_t> status_bit_address;
@@ -112,8 +118,8 @@ struct MailboxConfig {
   std::vector<ChannelProfile> profiles;
   std::vector<SoeInitCmd> soe_commands{};
   std::vector<MailboxInitCmd> aoe_commands{}, eoe_commands{}, foe_commands{}, voe_commands{};
-  std::string aoe_net_id{};               // "1.2.3.4.5.6"; "" = none
-  bool eoe_disabled = false;            // EoE@Disabled: the slave could, the configuration does not want it
+  std::string aoe_net_id{};   // "1.2.3.4.5.6"; "" = none
+  bool eoe_disabled = false;  // EoE@Disabled: the slave could, the configuration does not want it
   bool operator==(const MailboxConfig&) const = default;
 };
 
@@ -121,21 +127,21 @@ struct MailboxConfig {
 struct ImageRange {
   std::uint32_t bit_start = 0;
   std::uint32_t bit_length = 0;
-  std::uint16_t sync_managers = 0;      // ENI Send@Sm0..Sm15 as bits; 0 = not said
+  std::uint16_t sync_managers = 0;  // ENI Send@Sm0..Sm15 as bits; 0 = not said
   bool operator==(const ImageRange&) const = default;
 };
 
 struct ConfiguredSyncManager {
   std::uint8_t number = 0;
   SyncManagerDescription description;
-  std::vector<std::uint16_t> pdos;      // assigned
+  std::vector<std::uint16_t> pdos;          // assigned
   std::optional<std::uint32_t> watchdog{};  // ENI Sm*/Watchdog
   bool operator==(const ConfiguredSyncManager&) const = default;
 };
 
 struct ConfiguredPdo {
   PdoDirection direction = PdoDirection::kRx;
-  Pdo pdo;                              // sync_manager set when assigned, empty when not
+  Pdo pdo;  // sync_manager set when assigned, empty when not
   bool operator==(const ConfiguredPdo&) const = default;
 };
 
@@ -144,16 +150,16 @@ struct SlaveDcConfig {
   bool potential_reference_clock = false;
   bool reference_clock = false;
   std::int64_t cycle_time0 = 0;
-  std::int64_t cycle_time1 = 0;         // value of 0x09A4
+  std::int64_t cycle_time1 = 0;  // value of 0x09A4
   std::int64_t shift_time = 0;
-  std::uint16_t assign_activate = 0;    // not in the element; found in the 0x0980 command
+  std::uint16_t assign_activate = 0;  // not in the element; found in the 0x0980 command
   bool operator==(const SlaveDcConfig&) const = default;
 };
 
 /// ENI Slave/HotConnect: this slave and those of its group that follow it may be absent, and may be connected anywhere.
 struct HotConnectConfig {
   std::string group;
-  std::uint16_t member_count = 1;       // slaves of the group, this one being the first
+  std::uint16_t member_count = 1;  // slaves of the group, this one being the first
   /// By which it is known: commands to the device at a position, that read and validate its alias (0x0012) or its
   /// explicit device ID.
   std::vector<InitCmd> identify_cmds;
@@ -171,7 +177,7 @@ struct Identification {
 
 /// One of the places where a slave may hang, as the ENI names it; the selected one is SlaveConfig::previous.
 struct PossiblePort {
-  std::uint8_t port = 1;                // 0..3 = A..D
+  std::uint8_t port = 1;                           // 0..3 = A..D
   std::optional<std::uint16_t> station_address{};  // of the slave in front
   std::optional<std::uint32_t> device_id{};        // deprecated by the schema
   bool operator==(const PossiblePort&) const = default;
@@ -186,7 +192,7 @@ struct SlaveConfig {
   Identity identity;
   std::optional<ImageRange> send, receive;  // send = outputs
   std::vector<ConfiguredSyncManager> sync_managers;
-  std::vector<ConfiguredPdo> pdos;          // all TxPdo first, then all RxPdo
+  std::vector<ConfiguredPdo> pdos;  // all TxPdo first, then all RxPdo
   std::optional<MailboxConfig> mailbox;
   std::vector<InitCmd> init_cmds;
   std::optional<PreviousPort> previous;
@@ -194,9 +200,9 @@ struct SlaveConfig {
   /// Present when DC is used.
   std::optional<SlaveDcConfig> dc;
   StateTimeouts timeouts;
-  std::string product_revision{};             // ENI ProductRevision, "EL2008-0000-0018"; "" = not written
+  std::string product_revision{};                  // ENI ProductRevision, "EL2008-0000-0018"; "" = not written
   std::optional<Identification> identification{};  // other than `alias`
-  std::vector<PossiblePort> other_ports{};    // PreviousPort that are not selected
+  std::vector<PossiblePort> other_ports{};         // PreviousPort that are not selected
   /// Where a tool writes one Send or Recv for each SyncManager: those pieces; `send` and `receive` span them.
   std::vector<ImageRange> send_parts{}, receive_parts{};
   bool operator==(const SlaveConfig&) const = default;
@@ -241,7 +247,7 @@ struct CyclicTask {
   std::string comment{};
   std::optional<std::int32_t> priority{};
   std::string task_id{};
-  bool cycle_time_given = true;         // false: the ENI says none, cycle_time is the best guess
+  bool cycle_time_given = true;  // false: the ENI says none, cycle_time is the best guess
   bool operator==(const CyclicTask&) const = default;
 };
 
@@ -258,8 +264,8 @@ struct ProcessImage {
   std::uint32_t input_bytes = 0;
   std::uint32_t output_bytes = 0;
   std::vector<Variable> inputs, outputs;
-  /// Bytes from CyclicCmd::input_offset and output_offset to the datagram's data in the image: 0 where a tool counts the
-  /// data (EC-Engineer), 10 where it counts datagram headers (ET9000, TwinCAT).
+  /// Bytes from CyclicCmd::input_offset and output_offset to the datagram's data in the image: 0 where a tool counts
+  /// the data (EC-Engineer), 10 where it counts datagram headers (ET9000, TwinCAT).
   std::uint32_t command_data_offset = 0;
   bool operator==(const ProcessImage&) const = default;
 };
@@ -276,10 +282,10 @@ struct MasterConfig {
   std::string name;
   std::array<std::uint8_t, 6> destination_mac{0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF};
   std::array<std::uint8_t, 6> source_mac{};
-  bool eoe = false;                          // any EoE slave
+  bool eoe = false;  // any EoE slave
   std::optional<std::uint16_t> mailbox_state_count;
   std::vector<InitCmd> init_cmds;
-  EoeSwitchSettings eoe_settings;                  // when `eoe`
+  EoeSwitchSettings eoe_settings;                   // when `eoe`
   std::uint32_t mailbox_state_start = 0x0900'0000;  // logical address of the status bits
   std::uint16_t ether_type = 0x88A4;
   bool operator==(const MasterConfig&) const = default;
@@ -288,7 +294,7 @@ struct MasterConfig {
 struct NetworkConfig {
   MasterConfig master;
   std::vector<SlaveConfig> slaves;
-  std::vector<CyclicTask> cyclic;            // the first is the base task
+  std::vector<CyclicTask> cyclic;  // the first is the base task
   ProcessImage image;
   /// Run-time DC parameters. The ENI carries the mode and whether the window is monitored by its
   /// commands; the numbers (limit, settle time, burst, set value) are the project's, or the

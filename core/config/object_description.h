@@ -24,15 +24,15 @@ struct ObjectEntry {
   std::uint16_t bit_length = 0;
   bool readable = true;
   bool writable = false;
-  std::vector<std::uint8_t> default_data;  // little endian; empty = zeros
+  std::vector<std::uint8_t> default_data;            // little endian; empty = zeros
   std::vector<std::uint8_t> min_data{}, max_data{};  // little endian; empty = not limited
   bool rx_mappable = false, tx_mappable = false;     // Flags/PdoMapping
   ObjectCategory category = ObjectCategory::kOptional;
-  bool backup = false;                               // is stored and restored
+  bool backup = false;  // is stored and restored
   bool setting = false;
   /// States in which access is restricted to, as ESI writes them: "PreOP", "PreOP_SafeOP" ...; empty = all
   std::string read_restrictions{}, write_restrictions{};
-  std::uint32_t bit_offset = 0;                      // in the object's complete access image
+  std::uint32_t bit_offset = 0;  // in the object's complete access image
   bool operator==(const ObjectEntry&) const = default;
 };
 struct ObjectDescription {
@@ -40,7 +40,7 @@ struct ObjectDescription {
   std::string name;
   std::vector<ObjectEntry> entries;  // sub-index ascending
   ObjectCode code = ObjectCode::kVariable;
-  bool depend_on_slot = false;        // in modules: SlotIndexIncrement is added to `index` for each slot
+  bool depend_on_slot = false;  // in modules: SlotIndexIncrement is added to `index` for each slot
   bool depend_on_slot_group = false;
   bool overwritten_by_module = false;
   bool operator==(const ObjectDescription&) const = default;
@@ -53,7 +53,7 @@ struct EnumValue {
   bool operator==(const EnumValue&) const = default;
 };
 struct EnumDescription {
-  std::string name{};                 // data type, as ObjectEntry::data_type refers to it
+  std::string name{};  // data type, as ObjectEntry::data_type refers to it
   std::string base_type{};
   std::uint16_t bit_length = 0;
   std::vector<EnumValue> values{};

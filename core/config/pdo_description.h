@@ -12,7 +12,7 @@ namespace syncline {
 enum class PdoDirection : std::uint8_t { kRx, kTx };  // Rx = outputs (master to slave), Tx = inputs
 
 struct PdoEntry {
-  std::uint16_t index = 0;      // 0 = padding
+  std::uint16_t index = 0;  // 0 = padding
   std::uint8_t sub_index = 0;
   std::uint16_t bit_length = 0;
   std::string name;
@@ -21,8 +21,8 @@ struct PdoEntry {
   bool depend_on_slot = false;  // in modules: SlotIndexIncrement is added to `index` for each slot
   bool depend_on_slot_group = false;
   std::string comment{};
-  std::string scale{};          // DataType@DScale: range of an analog value, "+/-10", "0-10", "4-20" ...
-  std::uint8_t swap = 0;        // DataType@SwapData: 1 swaps the bytes of words, 2 the words, 3 both
+  std::string scale{};    // DataType@DScale: range of an analog value, "+/-10", "0-10", "4-20" ...
+  std::uint8_t swap = 0;  // DataType@SwapData: 1 swaps the bytes of words, 2 the words, 3 both
   bool operator==(const PdoEntry&) const = default;
 };
 
@@ -34,16 +34,16 @@ struct Pdo {
   bool mandatory = false;
   std::vector<std::uint16_t> exclude;
   std::vector<PdoEntry> entries;
-  std::optional<std::uint8_t> sync_unit{};   // Su: number of the device's Sync Unit
-  bool is_virtual = false;                   // for the configurator only: not assigned to the hardware's SyncManager
+  std::optional<std::uint8_t> sync_unit{};  // Su: number of the device's Sync Unit
+  bool is_virtual = false;                  // for the configurator only: not assigned to the hardware's SyncManager
   /// Oversampling: copies of the entries in one cycle, each `os_index_increment` further in the object dictionary.
   std::optional<std::uint16_t> os_factor{}, os_min{}, os_max{}, os_index_increment{};
-  std::optional<int> order{};                // PdoOrder: place in the process data, ascending
+  std::optional<int> order{};  // PdoOrder: place in the process data, ascending
   std::vector<std::uint8_t> excluded_sync_managers{};
-  bool depend_on_slot = false;               // in modules: SlotPdoIncrement is added to `index` for each slot
+  bool depend_on_slot = false;  // in modules: SlotPdoIncrement is added to `index` for each slot
   bool depend_on_slot_group = false;
   std::vector<std::uint16_t> exclude_by_slot{};  // of `exclude`: those that move with the slot
-  bool overwritten_by_module = false;        // a modular configurator leaves it out, a module brings it
+  bool overwritten_by_module = false;            // a modular configurator leaves it out, a module brings it
   bool operator==(const Pdo&) const = default;
   [[nodiscard]] std::uint32_t bit_length() const;
 };

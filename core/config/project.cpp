@@ -31,7 +31,8 @@ bool conflicts(const Pdo& pdo, const std::vector<std::uint16_t>& chosen, const s
 /// The assignment of one SyncManager becomes `wanted`; what others carry stays.
 void assign(SlaveSettings& slave, PdoDirection direction, const OpModeSyncManager& wanted) {
   const auto& pdos = slave.device.pdos(direction);
-  const bool all_known = std::ranges::all_of(wanted.pdos, [&](std::uint16_t i) { return find_pdo(pdos, i) != nullptr; });
+  const bool all_known =
+      std::ranges::all_of(wanted.pdos, [&](std::uint16_t i) { return find_pdo(pdos, i) != nullptr; });
   if (wanted.pdos.empty() || !all_known) return;
   auto& assigned = direction == PdoDirection::kRx ? slave.assigned_rx_pdos : slave.assigned_tx_pdos;
   std::erase_if(assigned, [&](std::uint16_t index) {

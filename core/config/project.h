@@ -19,8 +19,8 @@ namespace syncline {
 /// Wire-ored SystemTimeDifference against 2^exponent - 1 ns for `settle_time_ms`.
 struct SyncWindowSettings {
   bool enabled = false;
-  std::uint8_t exponent = 7;             // 127 ns; 1..30
-  std::uint32_t settle_time_ms = 1500;   // 0..60000
+  std::uint8_t exponent = 7;            // 127 ns; 1..30
+  std::uint32_t settle_time_ms = 1500;  // 0..60000
   bool operator==(const SyncWindowSettings&) const = default;
 };
 
@@ -55,16 +55,16 @@ struct DcMasterSettings {
   bool show_64bit_system_time = false;
   SyncWindowSettings sync_window;
   DcmSettings dcm;
-  std::uint32_t burst_total = 10'000;         // frames of the initial drift burst
-  std::uint32_t burst_bulk = 12;              // frames a cycle in the burst
-  bool burst_ends_early = true;               // when all slaves have settled
-  std::uint8_t delay_rounds = 20;             // latches whose medians give the propagation delays; 1..100
+  std::uint32_t burst_total = 10'000;  // frames of the initial drift burst
+  std::uint32_t burst_bulk = 12;       // frames a cycle in the burst
+  bool burst_ends_early = true;        // when all slaves have settled
+  std::uint8_t delay_rounds = 20;      // latches whose medians give the propagation delays; 1..100
   /// Processing minus forwarding latency of the ESCs, ns. Empty: 40, which is an ET1100's.
   std::optional<std::uint32_t> delay_difference;
   DcLoopSettings loop;
   DcNotificationSettings notifications;
   Nanoseconds start_time_safety = 5 * kMillisecond;
-  Nanoseconds start_time_grid = 0;            // 0: the cycle
+  Nanoseconds start_time_grid = 0;  // 0: the cycle
   bool operator==(const DcMasterSettings&) const = default;
 };
 
@@ -73,7 +73,7 @@ struct RecoverySettings {
   /// Slaves that come back (cable healed, power back) are set up again and led to the state of the bus.
   bool automatic = true;
   /// How often an error state is acknowledged and the state requested again; 0 leaves it to the user.
-  std::uint32_t error_tries = 0;          // 0..1000
+  std::uint32_t error_tries = 0;  // 0..1000
   /// Goes online with the slaves that are there; the others join when they appear.
   bool start_incomplete = false;
   bool operator==(const RecoverySettings&) const = default;
@@ -81,9 +81,9 @@ struct RecoverySettings {
 
 /// Of the thread that runs the cycle on the real clock.
 struct RealTimeSettings {
-  /// So much of the end of each wait is spent at most asking the clock instead of sleeping: earlier wake-ups for processor
-  /// time. Used is what the host needs (master/spin_budget.h).
-  Nanoseconds spin = 50 * kMicrosecond;   // 0..1 ms, at most a quarter of the cycle is used
+  /// So much of the end of each wait is spent at most asking the clock instead of sleeping: earlier wake-ups for
+  /// processor time. Used is what the host needs (master/cyclic/spin_budget.h).
+  Nanoseconds spin = 50 * kMicrosecond;  // 0..1 ms, at most a quarter of the cycle is used
   /// Processor that the thread is bound to.
   std::optional<std::uint16_t> cpu;
   bool operator==(const RealTimeSettings&) const = default;
@@ -91,7 +91,7 @@ struct RealTimeSettings {
 
 struct MasterSettings {
   std::string name = "Master";
-  Nanoseconds cycle_time = kMillisecond;      // 31.25 us .. 100 ms
+  Nanoseconds cycle_time = kMillisecond;  // 31.25 us .. 100 ms
   std::array<std::uint8_t, 6> destination_mac{0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF};
   std::array<std::uint8_t, 6> source_mac{};
   /// Inputs and outputs of a slave share logical addresses, which halves the frame; off for slaves or masters that
@@ -101,8 +101,8 @@ struct MasterSettings {
   RecoverySettings recovery;
   RealTimeSettings real_time;
   ProcessImageSettings image;
-  std::vector<TaskSettings> tasks;            // beside the base task, whose cycle is `cycle_time`
-  std::vector<SyncUnit> sync_units;           // beside the unnamed one of the base task
+  std::vector<TaskSettings> tasks;   // beside the base task, whose cycle is `cycle_time`
+  std::vector<SyncUnit> sync_units;  // beside the unnamed one of the base task
   bool operator==(const MasterSettings&) const = default;
 };
 
@@ -110,13 +110,13 @@ struct MasterSettings {
 struct SyncUnitSettings {
   /// Sync Unit Cycle factor: > 0 multiplies, < 0 divides the bus cycle.
   std::optional<int> cycle_factor;
-  std::optional<Nanoseconds> user_cycle;      // overrides the factor
-  std::optional<Nanoseconds> shift;           // user shift, may be negative
+  std::optional<Nanoseconds> user_cycle;  // overrides the factor
+  std::optional<Nanoseconds> shift;       // user shift, may be negative
   bool operator==(const SyncUnitSettings&) const = default;
 };
 
 struct DcSlaveSettings {
-  std::string op_mode;                        // name of the ESI OpMode; "" = DC off (no DC commands)
+  std::string op_mode;  // name of the ESI OpMode; "" = DC off (no DC commands)
   SyncUnitSettings sync0, sync1;
   bool potential_reference_clock = false;
   bool operator==(const DcSlaveSettings&) const = default;
@@ -134,7 +134,7 @@ struct SlaveSettings {
   std::uint16_t station_address = 0;
   std::uint16_t alias = 0;
   DeviceDescription device;
-  std::optional<PreviousPort> previous;       // empty on the first slave
+  std::optional<PreviousPort> previous;  // empty on the first slave
   IdentityCheck check;
   /// Name of the hot-connect group that this slave and those behind it form: they may be absent and be plugged in
   /// anywhere, and are known by this slave's alias. Empty: the slave has its place.
@@ -143,7 +143,7 @@ struct SlaveSettings {
   /// Changed mappings of PDOs that are not fixed; others as in the device.
   std::vector<Pdo> changed_pdos;
   DcSlaveSettings dc;
-  std::vector<StartupCommand> startup;        // ESI's first, then the user's own
+  std::vector<StartupCommand> startup;  // ESI's first, then the user's own
   /// May be missing when the bus starts; like a hot-connect group it is then left out, but it has its place.
   bool optional = false;
   std::vector<PluggedModule> modules;         // slot ascending, one a slot
@@ -152,22 +152,22 @@ struct SlaveSettings {
   TimeoutSettings timeouts;
   MailboxSettings mailbox;
   EoeSlaveSettings eoe;
-  std::vector<SoeCommand> soe_startup;   // ESI's first, then the user's own
-  std::string ams_net_id;                     // AoE, "5.1.2.3.1.1"; "" = none given
+  std::vector<SoeCommand> soe_startup;  // ESI's first, then the user's own
+  std::string ams_net_id;               // AoE, "5.1.2.3.1.1"; "" = none given
   /// Names of Sync Units for outputs and inputs; "" = the unnamed one.
   std::string output_unit, input_unit;
-  std::vector<VariableName> variable_names;   // by PDO and entry, ascending
+  std::vector<VariableName> variable_names;  // by PDO and entry, ascending
   SyncSettings sync;
   CanSettings can;
-  std::vector<OutputPin> output_pins;         // pin ascending, one a pin
+  std::vector<OutputPin> output_pins;  // pin ascending, one a pin
   bool operator==(const SlaveSettings&) const = default;
 };
 
 /// Everything the user decides; saved as the project file, turned into a NetworkConfig by compile().
 struct Project {
   MasterSettings master;
-  std::vector<SlaveSettings> slaves;          // frame order
-  std::string name;                           // of the network, where a machine has several
+  std::vector<SlaveSettings> slaves;  // frame order
+  std::string name;                   // of the network, where a machine has several
   bool operator==(const Project&) const = default;
 };
 
@@ -178,7 +178,8 @@ struct Machine {
   bool operator==(const Machine&) const = default;
 };
 
-/// PDOs that the ESI assigns (Sm attribute) or demands (Mandatory), in its order, without those that exclude each other.
+/// PDOs that the ESI assigns (Sm attribute) or demands (Mandatory), in its order, without those that exclude each
+/// other.
 [[nodiscard]] std::vector<std::uint16_t> default_assignment(const DeviceDescription& device, PdoDirection direction);
 
 /// Operation mode `name` ("" = off) with the PDO assignment that the ESI gives this mode, where it gives one.

@@ -17,7 +17,7 @@ namespace syncline {
 struct IdentityCheck {
   bool vendor = true, product = true, revision = false, serial = false;
   std::optional<RevisionCheck> revision_rule = std::nullopt;  // used when `revision`; empty: as the ESI says
-  bool alias = false;                                  // 0x0012 must hold SlaveSettings::alias
+  bool alias = false;                                         // 0x0012 must hold SlaveSettings::alias
   /// Explicit device ID (ETG.1020: switch or display of the device); empty: not asked.
   std::optional<std::uint16_t> device_id = std::nullopt;
   bool operator==(const IdentityCheck&) const = default;
@@ -35,34 +35,34 @@ struct PluggedModule {
 [[nodiscard]] std::optional<RevisionCheck> revision_check_from_name(std::string_view name);
 
 struct WatchdogSettings {
-  std::optional<std::uint16_t> divider;        // 0x0400, in 40 ns, less 2
-  std::optional<std::uint16_t> pdi;            // 0x0410, in units of the divider; 0 switches it off
-  std::optional<std::uint16_t> process_data;   // 0x0420, in units of the divider; 0 switches it off
-  std::optional<bool> outputs;                 // watchdog trigger of the outputs' SyncManagers (control byte, bit 6)
+  std::optional<std::uint16_t> divider;       // 0x0400, in 40 ns, less 2
+  std::optional<std::uint16_t> pdi;           // 0x0410, in units of the divider; 0 switches it off
+  std::optional<std::uint16_t> process_data;  // 0x0420, in units of the divider; 0 switches it off
+  std::optional<bool> outputs;                // watchdog trigger of the outputs' SyncManagers (control byte, bit 6)
   bool operator==(const WatchdogSettings&) const = default;
 };
 
 /// ms; empty: ESI Info/StateMachine/Timeout and Info/Mailbox/Timeout.
 struct TimeoutSettings {
-  std::optional<std::uint32_t> preop, safeop_op, back_to_init, back_to_safeop;   // 1..600000
-  std::optional<std::uint32_t> mailbox_request, mailbox_response;                // 1..600000
+  std::optional<std::uint32_t> preop, safeop_op, back_to_init, back_to_safeop;  // 1..600000
+  std::optional<std::uint32_t> mailbox_request, mailbox_response;               // 1..600000
   bool operator==(const TimeoutSettings&) const = default;
 };
 
 struct MailboxSettings {
-  std::optional<std::uint16_t> out_size, in_size;   // bytes of the mailbox SyncManagers
+  std::optional<std::uint16_t> out_size, in_size;  // bytes of the mailbox SyncManagers
   /// The master learns of mail by a bit in the cyclic frames where the device has an FMMU for it; off: it polls.
   bool state_bit = true;
-  std::optional<std::uint32_t> poll_time_ms;        // empty: as the dialect's tool writes
+  std::optional<std::uint32_t> poll_time_ms;  // empty: as the dialect's tool writes
   bool operator==(const MailboxSettings&) const = default;
 };
 
 /// EoE "set IP parameter" (ETG.1000.6): what is empty is not set. IPv4 addresses as text, "192.168.1.10".
 struct EoeSlaveSettings {
-  bool enabled = true;                              // off: no Ethernet frames to or from this slave
+  bool enabled = true;  // off: no Ethernet frames to or from this slave
   std::optional<std::array<std::uint8_t, 6>> mac;
   std::string ip, subnet, gateway, dns;
-  std::string host_name;                            // at most 32 bytes
+  std::string host_name;  // at most 32 bytes
   bool operator==(const EoeSlaveSettings&) const = default;
 };
 
@@ -74,22 +74,22 @@ enum class SyncTypeChoice : std::uint8_t { kFreeRun, kSmEvent, kSync0, kSync1 };
 
 /// Synchronisation objects that are written at start-up; what is empty is left to the device and the operation mode.
 struct SyncSettings {
-  std::optional<std::uint16_t> error_limit;         // 0x10F1:02; 0 switches the reaction off
-  std::optional<SyncTypeChoice> type;               // of outputs and inputs
-  std::optional<Nanoseconds> input_shift;           // 0x1C33:03, from the trigger to latching the inputs
+  std::optional<std::uint16_t> error_limit;  // 0x10F1:02; 0 switches the reaction off
+  std::optional<SyncTypeChoice> type;        // of outputs and inputs
+  std::optional<Nanoseconds> input_shift;    // 0x1C33:03, from the trigger to latching the inputs
   bool operator==(const SyncSettings&) const = default;
 };
 
 /// Of a CAN gateway; what is empty is left to the device.
 struct CanSettings {
-  std::optional<Nanoseconds> cycle;                 // a multiple of the bus cycle
-  std::optional<std::uint8_t> tx_delay_percent;     // of the CAN cycle, from the SYNC message to the first RxPDO; 0..100
+  std::optional<Nanoseconds> cycle;              // a multiple of the bus cycle
+  std::optional<std::uint8_t> tx_delay_percent;  // of the CAN cycle, from the SYNC message to the first RxPDO; 0..100
   bool operator==(const CanSettings&) const = default;
 };
 
 /// What an output pin of a drive shows on an oscilloscope; functions are those of the device family.
 struct OutputPin {
-  std::uint8_t pin = 1;                             // from 1
+  std::uint8_t pin = 1;  // from 1
   std::uint16_t function = 0;
   bool operator==(const OutputPin&) const = default;
 };
@@ -97,7 +97,7 @@ struct OutputPin {
 /// Name of its own for the variable of one PDO entry.
 struct VariableName {
   std::uint16_t pdo = 0;
-  std::uint16_t entry = 0;                          // place in the PDO's mapping, from 0
+  std::uint16_t entry = 0;  // place in the PDO's mapping, from 0
   std::string name;
   bool operator==(const VariableName&) const = default;
 };

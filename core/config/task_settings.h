@@ -11,21 +11,21 @@ namespace syncline {
 /// A cyclic task beside the base task: its frames are sent in every `multiple`-th cycle.
 struct TaskSettings {
   std::string name;
-  std::uint32_t multiple = 2;                       // 1..1000 bus cycles
+  std::uint32_t multiple = 2;  // 1..1000 bus cycles
   bool operator==(const TaskSettings&) const = default;
 };
 
 /// Slaves that are exchanged together, in datagrams of their own: one that fails spoils no other's working counter.
 struct SyncUnit {
   std::string name;
-  std::string task;                                 // name of a TaskSettings; "" = the base task
+  std::string task;  // name of a TaskSettings; "" = the base task
   bool operator==(const SyncUnit&) const = default;
 };
 
 struct ProcessImageSettings {
   /// Where the process data begin in the logical address space. Empty: as the dialect's tool.
   std::optional<std::uint32_t> logical_start;
-  std::uint8_t alignment = 1;                       // each slave's data begin at a multiple of 1, 2, 4 or 8 bytes
+  std::uint8_t alignment = 1;  // each slave's data begin at a multiple of 1, 2, 4 or 8 bytes
   /// Digital terminals share bytes where the dialect packs them; off gives each whole bytes.
   bool bit_packing = true;
   bool operator==(const ProcessImageSettings&) const = default;

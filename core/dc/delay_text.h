@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "channels/delay_warning.h"
+#include "channels/values/delay_warning.h"
 
 namespace syncline {
 

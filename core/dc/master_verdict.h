@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "channels/sync_obstacle.h"
+#include "channels/values/sync_obstacle.h"
 #include "support/types.h"
 
 /// Whether the master is in sync with the reference clock: decided here and nowhere else, from values

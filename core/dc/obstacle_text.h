@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "channels/sync_obstacle.h"
+#include "channels/values/sync_obstacle.h"
 
 namespace syncline::dc {
 

@@ -15,11 +15,11 @@ namespace syncline::dc {
                                                std::uint32_t delay_ns, bool clock_is_64bit);
 
 struct StartTimeInput {
-  Nanoseconds now = 0;           // system time of the reference clock
+  Nanoseconds now = 0;  // system time of the reference clock
   Nanoseconds safety = 5 * kMillisecond;
-  Nanoseconds grid = kMillisecond;   // cycle, LCM of cycles, or the network grid
-  Nanoseconds base = 0;          // phase of the DC base: SYNC0 instants are base + n * grid
-  Nanoseconds shift = 0;         // of this slave
+  Nanoseconds grid = kMillisecond;  // cycle, LCM of cycles, or the network grid
+  Nanoseconds base = 0;             // phase of the DC base: SYNC0 instants are base + n * grid
+  Nanoseconds shift = 0;            // of this slave
 };
 /// First grid point at or behind now + safety, plus the shift.
 [[nodiscard]] Nanoseconds start_time(const StartTimeInput& input);

@@ -96,8 +96,8 @@ class Measurement {
     }
   }
 
-  /// How long a frame takes from a slave's entry to its processing unit. With port 0 open that is when it comes back there;
-  /// without, only 0x0918 can say.
+  /// How long a frame takes from a slave's entry to its processing unit. With port 0 open that is when it comes back
+  /// there; without, only 0x0918 can say.
   [[nodiscard]] std::int64_t to_processing_unit(std::size_t i) const {
     const auto& node = nodes_[i];
     const unsigned entry = ports_[i].front();
@@ -129,7 +129,7 @@ class Measurement {
   }
 
   void measure(std::size_t i) {
-    std::size_t branch = i;  // child of the DC ancestor on the way to i
+    std::size_t branch = i;    // child of the DC ancestor on the way to i
     std::int64_t between = 0;  // slaves without times that process on the way out, less those that do on the way back
     auto ancestor = nodes_[i].parent;
     while (ancestor && !has_times(*ancestor)) {
@@ -151,9 +151,9 @@ class Measurement {
     const unsigned entry = ports_[i].front();
     const unsigned last = ports_[i].back();
     const auto inside = span(i, last, entry);
-    const auto correction = static_cast<std::int64_t>(options_.t_diff_ns) *
-                            ((passes_processing_unit(previous, port) ? 1 : 0) + between -
-                             (passes_processing_unit(last, entry) ? 1 : 0));
+    const auto correction =
+        static_cast<std::int64_t>(options_.t_diff_ns) *
+        ((passes_processing_unit(previous, port) ? 1 : 0) + between - (passes_processing_unit(last, entry) ? 1 : 0));
     auto hop = (round_trip - inside + correction) / 2;
     if (hop < 0) {
       report(i, DelayWarning::kNegativeHop, hop);

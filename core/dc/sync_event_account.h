@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "channels/miss_cause.h"
+#include "channels/values/miss_cause.h"
 #include "support/counter_total.h"
 #include "support/types.h"
 
@@ -27,9 +27,9 @@ class SyncEventAccount {
   };
   /// One bus cycle in OP.
   void observe(const Cycle& cycle);
-  /// System time at which the period behind the running one begins, while cycles are regular: each delivers its outputs in
-  /// the period behind the one before, and there is no error to be counted down. Such a cycle changes nothing that can be
-  /// asked for; nothing when they are not.
+  /// System time at which the period behind the running one begins, while cycles are regular: each delivers its outputs
+  /// in the period behind the one before, and there is no error to be counted down. Such a cycle changes nothing that
+  /// can be asked for; nothing when they are not.
   [[nodiscard]] std::optional<Nanoseconds> regular_until() const {
     if ((frames_lost_ | left_out_ | integrator_ | candidate_) != 0) return std::nullopt;
     if (!evaluated_ || delivered_ != evaluated_) return std::nullopt;

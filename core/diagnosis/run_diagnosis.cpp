@@ -9,10 +9,10 @@ namespace syncline {
 
 std::vector<RunFinding> diagnose(const RunReport& report) {
   std::vector<RunFinding> findings;
-  for (const auto rule : {diagnosis::find_link_outages, diagnosis::find_absent_slaves, diagnosis::find_states, diagnosis::find_clocks,
-                          diagnosis::find_master_sync, diagnosis::find_missed_outputs, diagnosis::find_tight_sync0,
-                          diagnosis::find_firmware, diagnosis::find_port_errors, diagnosis::find_lost_frames,
-                          diagnosis::find_host, diagnosis::find_working_counters}) {
+  for (const auto rule : {diagnosis::find_link_outages, diagnosis::find_absent_slaves, diagnosis::find_states,
+                          diagnosis::find_clocks, diagnosis::find_master_sync, diagnosis::find_missed_outputs,
+                          diagnosis::find_tight_sync0, diagnosis::find_firmware, diagnosis::find_port_errors,
+                          diagnosis::find_lost_frames, diagnosis::find_host, diagnosis::find_working_counters}) {
     rule(report, findings);
   }
   std::ranges::stable_sort(findings, [](const RunFinding& x, const RunFinding& y) { return x.level > y.level; });

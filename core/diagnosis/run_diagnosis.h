@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "diagnosis/finding.h"
+#include "findings/finding.h"
 #include "trace/run_report.h"
 
 /// What a run's figures mean: pure rules on a RunReport, the same for the command line, the window and the report.

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "engine/open_bus.h"
-#include "master/bus_compare.h"
+#include "master/scan/bus_compare.h"
 
 namespace syncline {
 

@@ -4,9 +4,9 @@
 #include <atomic>
 #include <vector>
 
-#include "config/compare/compare_configs.h"
+#include "compare/compare_configs.h"
 #include "engine/opened_link.h"
-#include "master/bus_scanner.h"
+#include "master/scan/bus_scanner.h"
 #include "support/result.h"
 
 namespace syncline {

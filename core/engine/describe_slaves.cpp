@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include "engine/open_bus.h"
-#include "master/bus.h"
-#include "master/device_dictionary_reader.h"
-#include "master/slave_visit.h"
+#include "master/exchange/bus.h"
+#include "master/mailbox/device_dictionary_reader.h"
+#include "master/startup/slave_visit.h"
 
 namespace syncline {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <utility>
 
-#include "master/bus_scanner.h"
+#include "master/scan/bus_scanner.h"
 
 namespace syncline {
 

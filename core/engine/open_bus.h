@@ -7,7 +7,7 @@
 
 #include "engine/capture_file.h"
 #include "engine/opened_link.h"
-#include "master/bus.h"
+#include "master/exchange/bus.h"
 
 namespace syncline {
 

@@ -5,10 +5,10 @@
 #include <functional>
 #include <string>
 
-#include "channels/bus_scan.h"
 #include "channels/event.h"
+#include "channels/values/bus_scan.h"
 #include "engine/opened_link.h"
-#include "master/bus_scanner.h"
+#include "master/scan/bus_scanner.h"
 #include "support/result.h"
 
 namespace syncline {

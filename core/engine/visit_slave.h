@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "engine/open_bus.h"
-#include "master/slave_visit.h"
+#include "master/startup/slave_visit.h"
 
 namespace syncline {
 

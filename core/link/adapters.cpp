@@ -69,7 +69,8 @@ Result<std::vector<AdapterInfo>> list_adapters() {
     if (entry->ifa_addr == nullptr || entry->ifa_addr->sa_family != AF_PACKET) continue;
     sockaddr_ll address{};
     std::memcpy(&address, entry->ifa_addr, sizeof(address));
-    if ((entry->ifa_flags & IFF_LOOPBACK) != 0 || address.sll_hatype != ARPHRD_ETHER || address.sll_halen != 6) continue;
+    if ((entry->ifa_flags & IFF_LOOPBACK) != 0 || address.sll_hatype != ARPHRD_ETHER || address.sll_halen != 6)
+      continue;
     if (is_wireless(entry->ifa_name)) continue;
     AdapterInfo adapter;
     adapter.name = entry->ifa_name;

@@ -12,10 +12,11 @@ namespace {
 /// The segment's own life (watchdogs, SYNC units, mailboxes) goes on in steps of this when no frame comes.
 constexpr Nanoseconds kIdleStep = kMillisecond;
 constexpr Nanoseconds kAwayStep = 5 * kMillisecond;  // while the adapter is away
-/// Memory of how often the next frame came within the time of looking for it, and the share that is worth the processor.
+/// Memory of how often the next frame came within the time of looking for it, and the share that is worth the
+/// processor.
 constexpr double kLuckMemory = 0.02, kWorthIt = 0.8;
-/// A reply that is due so soon is waited for awake: woken up by the timer it would leave as much too late as the whole way
-/// through a small segment takes, and a master would measure the host instead of the bus.
+/// A reply that is due so soon is waited for awake: woken up by the timer it would leave as much too late as the whole
+/// way through a small segment takes, and a master would measure the host instead of the bus.
 constexpr Nanoseconds kAwake = 60 * kMicrosecond;
 
 }  // namespace

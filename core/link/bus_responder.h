@@ -20,9 +20,9 @@ struct ResponderCounters {
   static constexpr std::size_t kBuckets = 4'000;
 
   std::uint64_t frames = 0, bytes = 0;
-  std::uint64_t lost = 0;                    // came in and did not leave again: cable, fault, not an EtherCAT frame
-  std::uint64_t dropped = 0;                 // by the kernel, because we were too slow
-  Nanoseconds longest_service = 0;           // executing one frame, without the way through the kernel
+  std::uint64_t lost = 0;           // came in and did not leave again: cable, fault, not an EtherCAT frame
+  std::uint64_t dropped = 0;        // by the kernel, because we were too slow
+  Nanoseconds longest_service = 0;  // executing one frame, without the way through the kernel
   std::vector<std::uint32_t> service = std::vector<std::uint32_t>(kBuckets);
 
   /// Service time that `share` (0..1) of the frames did not exceed; 0 without frames.
@@ -36,8 +36,8 @@ class BusResponder {
  public:
   struct Options {
     /// After a frame the thread looks for the next one this long before it sleeps: waking up costs more than
-    /// executing. Bursts and scans profit; where the next frame mostly comes later, as in a bus cycle, it does not look.
-    /// A reply that is due within 60 us is waited for awake, too. 0 always sleeps.
+    /// executing. Bursts and scans profit; where the next frame mostly comes later, as in a bus cycle, it does not
+    /// look. A reply that is due within 60 us is waited for awake, too. 0 always sleeps.
     Nanoseconds spin = 100 * kMicrosecond;
   };
   /// All three outlive the responder; `clock` is the one on which bus and port run.
@@ -66,11 +66,11 @@ class BusResponder {
   Clock& clock_;
   Options options_;
   ResponderCounters counters_;
-  std::deque<Reply> replies_;      // on their way through the segment, in order
-  Nanoseconds bus_time_ = 0;       // the segment has been executed up to here
-  Nanoseconds wire_free_ = 0;      // end of the frame in front
+  std::deque<Reply> replies_;  // on their way through the segment, in order
+  Nanoseconds bus_time_ = 0;   // the segment has been executed up to here
+  Nanoseconds wire_free_ = 0;  // end of the frame in front
   Nanoseconds last_frame_ = 0;
-  double luck_ = 1;                // share of the frames of late that came while we would have looked
+  double luck_ = 1;  // share of the frames of late that came while we would have looked
 };
 
 }  // namespace syncline

@@ -25,9 +25,10 @@ class CaptureState {
 };
 
 /// A Link around `inner` that writes every frame sent and received into a pcapng file; the file is
-/// complete when the tap is destroyed and `state` (may be null) has not failed. Writing allocates: not for a cyclic thread
-/// with a deadline.
+/// complete when the tap is destroyed and `state` (may be null) has not failed. Writing allocates: not for a cyclic
+/// thread with a deadline.
 [[nodiscard]] Result<std::unique_ptr<Link>> make_capture_tap(std::unique_ptr<Link> inner, const std::string& path,
-                                                             Clock& clock, std::shared_ptr<CaptureState> state = nullptr);
+                                                             Clock& clock,
+                                                             std::shared_ptr<CaptureState> state = nullptr);
 
 }  // namespace syncline

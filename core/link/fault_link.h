@@ -11,11 +11,11 @@ namespace syncline {
 
 /// What a bad line, a busy host or a wrong switch does to frames. Probabilities are per frame, 0 to 1.
 struct LinkFaults {
-  double lose_request = 0;   // never reaches the bus: nothing is executed
-  double lose_reply = 0;     // executed, but the answer is lost
-  double duplicate = 0;      // the answer comes twice
-  double reorder = 0;        // the answer comes behind the one that follows it
-  double late = 0;           // the answer comes `late_by` later than it would
+  double lose_request = 0;  // never reaches the bus: nothing is executed
+  double lose_reply = 0;    // executed, but the answer is lost
+  double duplicate = 0;     // the answer comes twice
+  double reorder = 0;       // the answer comes behind the one that follows it
+  double late = 0;          // the answer comes `late_by` later than it would
   Nanoseconds late_by = 30 * kMillisecond;
   std::uint64_t seed = 1;
 };

@@ -11,11 +11,11 @@
 namespace syncline {
 
 struct AdapterInfo {
-  std::string name;          // "eth0"
+  std::string name;  // "eth0"
   std::string description;
-  std::string driver;        // "" when unknown
+  std::string driver;  // "" when unknown
   MacAddress mac{};
-  bool up = false;           // interface up and carrier present
+  bool up = false;  // interface up and carrier present
 };
 
 /// Network adapters that can carry EtherCAT (Ethernet, not loopback), by name.

@@ -31,7 +31,7 @@ Status write_block(OutputFile& out, std::uint32_t type, const std::vector<std::u
 PcapngWriter::PcapngWriter(OutputFile out) : out_(std::move(out)) {
   std::vector<std::uint8_t> section;
   ByteWriter(section).u32(0x1A2B3C4D).u16(1).u16(0).u64(~std::uint64_t{0});  // length not known
-  (void)write_block(out_, kSectionHeader, section);  // an error stays until the next one asks
+  (void)write_block(out_, kSectionHeader, section);                          // an error stays until the next one asks
   std::vector<std::uint8_t> interface;
   ByteWriter(interface).u16(kLinkTypeEthernet).u16(0).u32(0);
   ByteWriter(interface).u16(kOptionTimestampResolution).u16(1).u8(9).zeros(3).u32(0);  // 10^-9 s

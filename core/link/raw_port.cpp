@@ -125,9 +125,9 @@ Result<RawPort> RawPort::open(const std::string& adapter, Clock& clock, bool sta
   const bool sees_own = pcap_setdirection(handle.get(), PCAP_D_IN) != 0;
   if (pcap_setnonblock(handle.get(), 1, text) != 0) return fail(ErrorCode::kLinkIo, adapter, text);
   const int fd = pcap_get_selectable_fd(handle.get());
-  return RawPort(std::unique_ptr<Impl>(new Impl{std::move(handle), std::move(*info), clock, fd, sees_own,
-                                                nanoseconds ? 1 : kMicrosecond, SendSocket::open(adapter, stamps_sending),
-                                                CalendarStamp(clock), std::nullopt, stamps_sending}));
+  return RawPort(std::unique_ptr<Impl>(
+      new Impl{std::move(handle), std::move(*info), clock, fd, sees_own, nanoseconds ? 1 : kMicrosecond,
+               SendSocket::open(adapter, stamps_sending), CalendarStamp(clock), std::nullopt, stamps_sending}));
 }
 
 RawPort::RawPort(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}

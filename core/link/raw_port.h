@@ -16,12 +16,12 @@ namespace syncline {
 /// A network adapter opened for EtherCAT frames and nothing else: immediate mode, a filter for EtherType
 /// 0x88A4, non-blocking. What a master's link and a simulated segment have in common. One thread at a time.
 ///
-/// An adapter that is switched off, unplugged or without carrier is waited for: send() and poll() give kLinkDown until it is
-/// back under its name, and open it anew then.
+/// An adapter that is switched off, unplugged or without carrier is waited for: send() and poll() give kLinkDown until
+/// it is back under its name, and open it anew then.
 class RawPort {
  public:
-  /// `clock` is the real clock and outlives the port. `stamps_sending`: sent_at() is wanted. kLinkNotFound with the names
-  /// there are, kLinkDown and kLinkPermission with the command that helps, kNotSupported for what is no Ethernet.
+  /// `clock` is the real clock and outlives the port. `stamps_sending`: sent_at() is wanted. kLinkNotFound with the
+  /// names there are, kLinkDown and kLinkPermission with the command that helps, kNotSupported for what is no Ethernet.
   [[nodiscard]] static Result<RawPort> open(const std::string& adapter, Clock& clock, bool stamps_sending = false);
   RawPort(RawPort&&) noexcept;
   RawPort& operator=(RawPort&&) noexcept;

@@ -32,7 +32,8 @@ class SimulatedLink final : public Link {
 
   Result<Nanoseconds> send_corrected(std::span<const std::uint8_t> frame, const SendTimeField& field) override {
     const auto start = wire_start();
-    if (field.offset > frame.size() || frame.size() - field.offset < field.size || (field.size != 4 && field.size != 8)) {
+    if (field.offset > frame.size() || frame.size() - field.offset < field.size ||
+        (field.size != 4 && field.size != 8)) {
       return fail(ErrorCode::kMalformedData, name_, "the place of the send time is not in the frame");
     }
     auto& slot = take_slot();

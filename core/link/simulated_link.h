@@ -12,16 +12,18 @@ namespace syncline {
 
 /// How the simulated host sends.
 struct SimulatedHost {
-  /// From the moment that software takes for that of sending until the frame leaves: what the host knows of its send times
-  /// is wrong by it. That long it is busy with sending.
+  /// From the moment that software takes for that of sending until the frame leaves: what the host knows of its send
+  /// times is wrong by it. That long it is busy with sending.
   QuantileCurve stamp_error{};
   std::uint64_t seed = 1;
-  [[nodiscard]] static SimulatedHost with(const JitterProfile& jitter, std::uint64_t seed) { return {jitter.stamp_error, seed}; }
+  [[nodiscard]] static SimulatedHost with(const JitterProfile& jitter, std::uint64_t seed) {
+    return {jitter.stamp_error, seed};
+  }
 };
 
 /// The simulated segment as a Link. On a virtual clock receive() moves time to the frame's arrival or
 /// to the deadline; on the real clock it sleeps.
-[[nodiscard]] std::unique_ptr<Link> make_simulated_link(std::string name, std::unique_ptr<sim::SimBus> bus, Clock& clock,
-                                                        const SimulatedHost& host = {});
+[[nodiscard]] std::unique_ptr<Link> make_simulated_link(std::string name, std::unique_ptr<sim::SimBus> bus,
+                                                        Clock& clock, const SimulatedHost& host = {});
 
 }  // namespace syncline

@@ -4,8 +4,8 @@
 #include <exception>
 #include <utility>
 
-#include "master/bus_scanner.h"
 #include "master/operation.h"
+#include "master/scan/bus_scanner.h"
 #include "support/real_time.h"
 
 namespace syncline {

@@ -5,7 +5,7 @@
 
 #include "channels/master_channels.h"
 #include "link/link.h"
-#include "master/dc_start.h"
+#include "master/clocks/dc_start.h"
 #include "support/clock.h"
 
 namespace syncline {
@@ -33,8 +33,8 @@ class MasterService {
   /// step() until the clock has passed `duration`; for the virtual clock.
   void run_for(Nanoseconds duration);
   [[nodiscard]] bool online() const;
-  /// Takes the slaves to INIT if the bus is online. Whatever ends the program's way, an exception too, the slaves must not
-  /// stay in OP: MasterThread does it at its end, who calls step() himself has to.
+  /// Takes the slaves to INIT if the bus is online. Whatever ends the program's way, an exception too, the slaves must
+  /// not stay in OP: MasterThread does it at its end, who calls step() himself has to.
   void shut_down() noexcept;
   /// step() for a thread that nothing may end: what it throws becomes an event, and the bus is taken down.
   bool step_guarded() noexcept;

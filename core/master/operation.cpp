@@ -5,12 +5,12 @@
 #include <span>
 #include <utility>
 
-#include "settings/dc_check.h"
-#include "config/dcm_check.h"
-#include "master/bus_scanner.h"
+#include "compile/dcm_check.h"
+#include "master/scan/bus_scanner.h"
 #include "protocol/dc_registers.h"
 #include "protocol/dcm_error.h"
 #include "protocol/registers.h"
+#include "settings/dc_check.h"
 #include "support/byte_order.h"
 
 namespace syncline {
@@ -41,7 +41,8 @@ Status Operation::check() const {
   if (config_.slaves.empty()) return fail(ErrorCode::kConfiguration, "network", "it has no slaves");
   if (config_.cyclic.empty()) return fail(ErrorCode::kConfiguration, "network", "it has no cyclic frames");
   if (config_.dc.dcm.mode == DcmMode::kLinkLayerRefClock && !exchange_.link().describe().corrects_send_time) {
-    return fail(Error{.code = ErrorCode::kNotSupported, .subject = "master.dc.mode",
+    return fail(Error{.code = ErrorCode::kNotSupported,
+                      .subject = "master.dc.mode",
                       .detail = "link-layer-ref-clock: this link cannot put its send time into frames",
                       .received = dc::kDcmErrorInvalidHardwareLayer});
   }
@@ -106,7 +107,8 @@ bool Operation::await_link() {
     }
     const auto count = count_slaves(bus_);
     if (count && *count > 0) return true;
-    const bool silent = count || count.error().code == ErrorCode::kNoResponse || count.error().code == ErrorCode::kLinkDown;
+    const bool silent =
+        count || count.error().code == ErrorCode::kNoResponse || count.error().code == ErrorCode::kLinkDown;
     if (!silent || !bus_.wait_a_little()) return false;
   } while (clock_.now() < end);
   return false;

@@ -6,14 +6,14 @@
 #include <utility>
 
 #include "config/network_config.h"
-#include "master/bus.h"
-#include "master/cyclic_task.h"
-#include "master/delay_compensation.h"
-#include "master/esm.h"
-#include "master/history_collector.h"
-#include "master/recovery.h"
-#include "master/run_state.h"
-#include "master/sync_watch.h"
+#include "master/clocks/delay_compensation.h"
+#include "master/clocks/sync_watch.h"
+#include "master/cyclic/cyclic_task.h"
+#include "master/exchange/bus.h"
+#include "master/exchange/run_state.h"
+#include "master/recovery/recovery.h"
+#include "master/startup/esm.h"
+#include "master/startup/history_collector.h"
 
 namespace syncline {
 

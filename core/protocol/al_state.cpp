@@ -24,10 +24,21 @@ struct TransitionRow {
   std::string_view name;
 };
 constexpr std::array<TransitionRow, 15> kTransitions{{
-    {Transition::kII, "II"}, {Transition::kIP, "IP"}, {Transition::kPP, "PP"}, {Transition::kPO, "PO"},
-    {Transition::kPS, "PS"}, {Transition::kPI, "PI"}, {Transition::kSS, "SS"}, {Transition::kSP, "SP"},
-    {Transition::kSO, "SO"}, {Transition::kSI, "SI"}, {Transition::kOS, "OS"}, {Transition::kOP, "OP"},
-    {Transition::kOI, "OI"}, {Transition::kIB, "IB"}, {Transition::kBI, "BI"},
+    {Transition::kII, "II"},
+    {Transition::kIP, "IP"},
+    {Transition::kPP, "PP"},
+    {Transition::kPO, "PO"},
+    {Transition::kPS, "PS"},
+    {Transition::kPI, "PI"},
+    {Transition::kSS, "SS"},
+    {Transition::kSP, "SP"},
+    {Transition::kSO, "SO"},
+    {Transition::kSI, "SI"},
+    {Transition::kOS, "OS"},
+    {Transition::kOP, "OP"},
+    {Transition::kOI, "OI"},
+    {Transition::kIB, "IB"},
+    {Transition::kBI, "BI"},
 }};
 
 bool same_name(std::string_view text, std::string_view name) {

@@ -12,9 +12,7 @@ enum class AlState : std::uint8_t { kNone = 0, kInit = 1, kPreop = 2, kBoot = 3,
 
 inline constexpr std::uint16_t kAlErrorFlag = 0x0010;  // status: error indication, control: acknowledge
 
-[[nodiscard]] constexpr AlState al_state_of(std::uint16_t al_status) {
-  return static_cast<AlState>(al_status & 0x0F);
-}
+[[nodiscard]] constexpr AlState al_state_of(std::uint16_t al_status) { return static_cast<AlState>(al_status & 0x0F); }
 [[nodiscard]] std::string_view al_state_name(AlState state);    // "PREOP"
 [[nodiscard]] std::string_view al_state_letter(AlState state);  // "P"
 [[nodiscard]] std::optional<AlState> al_state_from_name(std::string_view name);

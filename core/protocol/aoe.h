@@ -27,7 +27,7 @@ struct Header {
   Address target, source;
   std::uint16_t command = 0;
   std::uint16_t state_flags = kAdsCommand;
-  std::uint32_t length = 0;         // of what follows, bytes
+  std::uint32_t length = 0;  // of what follows, bytes
   std::uint32_t error_code = 0;
   std::uint32_t invoke_id = 0;
   bool operator==(const Header&) const = default;

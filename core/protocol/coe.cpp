@@ -20,10 +20,17 @@ constexpr std::size_t kExpeditedMax = 4;
 constexpr std::size_t kMinSegment = 7;
 
 enum RequestSpecifier : std::uint8_t {
-  kDownloadSegment = 0, kDownload = 1, kUpload = 2, kUploadSegment = 3, kAbort = 4,
+  kDownloadSegment = 0,
+  kDownload = 1,
+  kUpload = 2,
+  kUploadSegment = 3,
+  kAbort = 4,
 };
 enum ResponseSpecifier : std::uint8_t {
-  kUploadSegmentDone = 0, kDownloadSegmentDone = 1, kUploadDone = 2, kDownloadDone = 3,
+  kUploadSegmentDone = 0,
+  kDownloadSegmentDone = 1,
+  kUploadDone = 2,
+  kDownloadDone = 3,
 };
 
 constexpr std::uint8_t command(std::uint8_t specifier, bool bit4 = false) {
@@ -44,8 +51,8 @@ class Encoder {
     return *this;
   }
   /// The initiate services with data: expedited where wanted and possible, else size and data.
-  Encoder& transfer(std::uint8_t command_byte, const ObjectAddress& object, bool expedited,
-                    std::uint32_t complete_size, const std::vector<std::uint8_t>& data) {
+  Encoder& transfer(std::uint8_t command_byte, const ObjectAddress& object, bool expedited, std::uint32_t complete_size,
+                    const std::vector<std::uint8_t>& data) {
     if (expedited && !data.empty() && data.size() <= kExpeditedMax) {
       const auto unused = static_cast<unsigned>(kExpeditedMax - data.size());
       head(static_cast<std::uint8_t>(command_byte | kSizeIndicated | kExpedited | (unused << 2)), object);

@@ -15,8 +15,14 @@
 namespace syncline::coe {
 
 enum class Service : std::uint8_t {
-  kEmergency = 1, kSdoRequest = 2, kSdoResponse = 3, kTxPdo = 4, kRxPdo = 5,
-  kTxPdoRemote = 6, kRxPdoRemote = 7, kSdoInformation = 8,
+  kEmergency = 1,
+  kSdoRequest = 2,
+  kSdoResponse = 3,
+  kTxPdo = 4,
+  kRxPdo = 5,
+  kTxPdoRemote = 6,
+  kRxPdoRemote = 7,
+  kSdoInformation = 8,
 };
 
 struct ObjectAddress {
@@ -91,8 +97,8 @@ struct Emergency {
 };
 
 using Request = std::variant<DownloadRequest, DownloadSegmentRequest, UploadRequest, UploadSegmentRequest, Abort>;
-using Response = std::variant<DownloadResponse, DownloadSegmentResponse, UploadResponse, UploadSegmentResponse,
-                              Abort, Emergency>;
+using Response =
+    std::variant<DownloadResponse, DownloadSegmentResponse, UploadResponse, UploadSegmentResponse, Abort, Emergency>;
 
 /// Bytes behind the mailbox header (CoE header, SDO header, data).
 [[nodiscard]] std::vector<std::uint8_t> encode(const Request& request);

@@ -13,10 +13,10 @@ enum class ValueKind : std::uint8_t { kSigned, kUnsigned, kReal, kText };
 
 /// Data type of an object (ETG.1000.6, table 64; ETG.1020) with its name in ESI and ENI files.
 struct DataType {
-  std::uint16_t code = 0;   // 0: has a name and a length in files, no number
+  std::uint16_t code = 0;  // 0: has a name and a length in files, no number
   std::string_view name;
   ValueKind kind = ValueKind::kUnsigned;
-  std::uint16_t bits = 0;   // 0: any length
+  std::uint16_t bits = 0;  // 0: any length
 };
 
 [[nodiscard]] std::span<const DataType> data_types();

@@ -18,8 +18,9 @@ struct SystemTimeDifference {
     return sign_bit() ? static_cast<std::int64_t>(magnitude()) : -static_cast<std::int64_t>(magnitude());
   }
   [[nodiscard]] static constexpr SystemTimeDifference from_signed(std::int64_t local_minus_received) {
-    const auto magnitude = static_cast<std::uint32_t>(
-        local_minus_received < 0 ? -local_minus_received : local_minus_received) & 0x7FFF'FFFFU;
+    const auto magnitude =
+        static_cast<std::uint32_t>(local_minus_received < 0 ? -local_minus_received : local_minus_received) &
+        0x7FFF'FFFFU;
     return {local_minus_received >= 0 && magnitude != 0 ? magnitude | 0x8000'0000U : magnitude};
   }
 };

@@ -15,15 +15,39 @@ std::size_t parameter_size(std::uint16_t flags) {
   const auto low = static_cast<std::uint16_t>(flags & 0x0FFF);
   if ((flags >> 12) != 0) return low;
   switch (low) {  // ETG.1020, table of data types
-    case 0x0001: case 0x0002: case 0x0005: case 0x001E: return 1;
-    case 0x0003: case 0x0006: case 0x001F: return 2;
-    case 0x0010: case 0x0016: return 3;
-    case 0x0004: case 0x0007: case 0x0008: case 0x0020: return 4;
-    case 0x0012: case 0x0018: return 5;
-    case 0x0013: case 0x0019: return 6;
-    case 0x0014: case 0x001A: return 7;
-    case 0x0011: case 0x0015: case 0x001B: case 0x0021: return 8;
-    default: return 0;
+    case 0x0001:
+    case 0x0002:
+    case 0x0005:
+    case 0x001E:
+      return 1;
+    case 0x0003:
+    case 0x0006:
+    case 0x001F:
+      return 2;
+    case 0x0010:
+    case 0x0016:
+      return 3;
+    case 0x0004:
+    case 0x0007:
+    case 0x0008:
+    case 0x0020:
+      return 4;
+    case 0x0012:
+    case 0x0018:
+      return 5;
+    case 0x0013:
+    case 0x0019:
+      return 6;
+    case 0x0014:
+    case 0x001A:
+      return 7;
+    case 0x0011:
+    case 0x0015:
+    case 0x001B:
+    case 0x0021:
+      return 8;
+    default:
+      return 0;
   }
 }
 

@@ -14,15 +14,15 @@ namespace syncline {
 struct DiagnosisMessage {
   enum class Type : std::uint8_t { kInfo = 0, kWarning = 1, kError = 2 };
   struct Parameter {
-    std::uint16_t flags = 0;      // bits 15..12: 0 a basic type (bits 11..0), 1 octets, 2 and 3 text; else its size
+    std::uint16_t flags = 0;  // bits 15..12: 0 a basic type (bits 11..0), 1 octets, 2 and 3 text; else its size
     std::vector<std::uint8_t> data;
     bool operator==(const Parameter&) const = default;
   };
 
-  std::uint32_t code = 0;         // diag code: 0xE000..: manufacturer specific in the upper word
+  std::uint32_t code = 0;  // diag code: 0xE000..: manufacturer specific in the upper word
   Type type = Type::kInfo;
-  std::uint16_t text_id = 0;      // of the ESI's DiagMessages, 0: none
-  std::uint64_t time_stamp = 0;   // DC system time, or ns since power-on; 0: none
+  std::uint16_t text_id = 0;     // of the ESI's DiagMessages, 0: none
+  std::uint64_t time_stamp = 0;  // DC system time, or ns since power-on; 0: none
   std::vector<Parameter> parameters;
 
   bool operator==(const DiagnosisMessage&) const = default;

@@ -10,9 +10,9 @@
 namespace syncline::eoe {
 
 std::vector<std::uint8_t> encode(const Header& header) {
-  const auto first = static_cast<std::uint16_t>((static_cast<unsigned>(header.kind) & 0x0FU) | (header.port & 0x0FU) << 4 |
-                                                (header.last_fragment ? 1U << 8 : 0) | (header.time_appended ? 1U << 9 : 0) |
-                                                (header.time_requested ? 1U << 10 : 0));
+  const auto first = static_cast<std::uint16_t>(
+      (static_cast<unsigned>(header.kind) & 0x0FU) | (header.port & 0x0FU) << 4 | (header.last_fragment ? 1U << 8 : 0) |
+      (header.time_appended ? 1U << 9 : 0) | (header.time_requested ? 1U << 10 : 0));
   const auto second = static_cast<std::uint16_t>((header.fragment_no & 0x3FU) | (header.offset & 0x3FU) << 6 |
                                                  (header.frame_no & 0x0FU) << 12);
   std::vector<std::uint8_t> bytes;

@@ -12,8 +12,16 @@
 namespace syncline::eoe {
 
 enum class Kind : std::uint8_t {
-  kFragment = 0, kTimeStamp = 1, kSetIpRequest = 2, kSetIpResponse = 3, kSetFilterRequest = 4,
-  kSetFilterResponse = 5, kGetIpRequest = 6, kGetIpResponse = 7, kGetFilterRequest = 8, kGetFilterResponse = 9,
+  kFragment = 0,
+  kTimeStamp = 1,
+  kSetIpRequest = 2,
+  kSetIpResponse = 3,
+  kSetFilterRequest = 4,
+  kSetFilterResponse = 5,
+  kGetIpRequest = 6,
+  kGetIpResponse = 7,
+  kGetFilterRequest = 8,
+  kGetFilterResponse = 9,
 };
 
 /// Result codes of the responses.
@@ -22,13 +30,13 @@ inline constexpr std::uint16_t kSuccess = 0x0000, kUnspecified = 0x0001, kUnsupp
 
 struct Header {
   Kind kind = Kind::kFragment;
-  std::uint8_t port = 0;            // 0..15, 0 = not told
+  std::uint8_t port = 0;  // 0..15, 0 = not told
   bool last_fragment = false;
   bool time_appended = false, time_requested = false;
-  std::uint8_t fragment_no = 0;     // 0..63; with the next two only of fragments
-  std::uint8_t offset = 0;          // 0..63, units of 32 bytes; of the first fragment: size of the whole frame
-  std::uint8_t frame_no = 0;        // 0..15
-  std::uint16_t result = 0;         // of responses, instead of the three above
+  std::uint8_t fragment_no = 0;  // 0..63; with the next two only of fragments
+  std::uint8_t offset = 0;       // 0..63, units of 32 bytes; of the first fragment: size of the whole frame
+  std::uint8_t frame_no = 0;     // 0..15
+  std::uint16_t result = 0;      // of responses, instead of the three above
   bool operator==(const Header&) const = default;
   [[nodiscard]] bool is_response() const {
     return kind == Kind::kSetIpResponse || kind == Kind::kSetFilterResponse || kind == Kind::kGetIpResponse ||

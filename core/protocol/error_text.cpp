@@ -104,7 +104,8 @@ std::string_view error_template(ErrorCode code) {
     case ErrorCode::kNoResponse:
       return "No answer from {subject}; check power, cabling and the working counter of the slaves before it.";
     case ErrorCode::kWorkingCounter:
-      return "{subject}: working counter {received} where {expected} was expected; a slave did not process the datagram.";
+      return "{subject}: working counter {received} where {expected} was expected; a slave did not process the "
+             "datagram.";
     case ErrorCode::kSlaveCount:
       return "The bus has {received} slaves where {expected} were expected; compare the wiring with the configuration.";
     case ErrorCode::kIdentityMismatch:
@@ -112,7 +113,8 @@ std::string_view error_template(ErrorCode code) {
     case ErrorCode::kAlState:
       return "{subject} refused {state} and stays in {actual}: AL status code {alcode}.";
     case ErrorCode::kAlTimeout:
-      return "{subject} did not reach {state} in time and is in {actual}; raise the timeout or check what the slave waits for.";
+      return "{subject} did not reach {state} in time and is in {actual}; raise the timeout or check what the slave "
+             "waits for.";
     case ErrorCode::kMailboxTimeout:
       return "{subject} did not answer in its mailbox in time; the slave may be busy or its mailbox is set up wrongly.";
     case ErrorCode::kMailboxProtocol:
@@ -137,7 +139,8 @@ std::string_view error_template(ErrorCode code) {
     case ErrorCode::kSlaveMissing:
       return "{subject} is missing{because}; check its power and the cable to it, or take it out of the configuration.";
     case ErrorCode::kSlaveExtra:
-      return "There is a device that is not in the configuration: {subject}{because}; scan again or take it off the bus.";
+      return "There is a device that is not in the configuration: {subject}{because}; scan again or take it off the "
+             "bus.";
     case ErrorCode::kSlavesSwapped:
       return "{subject} and {detail} have changed places; swap their cables, or their positions in the configuration.";
     case ErrorCode::kWiring:
@@ -176,7 +179,8 @@ std::string fill_error_template(std::string_view text, const Error& error) {
 
 std::string describe(const Error& error) {
   const auto text = error_template(error.code);
-  const bool names_file = text.find("{file}") != std::string_view::npos || text.find("{where}") != std::string_view::npos;
+  const bool names_file =
+      text.find("{file}") != std::string_view::npos || text.find("{where}") != std::string_view::npos;
   auto sentence = fill_error_template(text, error);
   if (!names_file && !error.file.empty()) return where_text(error) + ": " + sentence;
   return sentence;

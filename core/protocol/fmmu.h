@@ -11,7 +11,7 @@ namespace syncline {
 struct Fmmu {
   static constexpr std::size_t kSize = 16;
   std::uint32_t logical_start = 0;
-  std::uint16_t length = 0;              // touched bytes
+  std::uint16_t length = 0;  // touched bytes
   std::uint8_t logical_start_bit = 0;
   std::uint8_t logical_stop_bit = 7;
   std::uint16_t physical_start = 0;

@@ -42,9 +42,7 @@ struct Writer {
     head(kError, m.code);
     out.bytes(bytes_of(m.text));
   }
-  void operator()(const Busy& m) const {
-    out.u8(kBusy).u8(0).u16(m.done).u16(m.entire).bytes(bytes_of(m.text));
-  }
+  void operator()(const Busy& m) const { out.u8(kBusy).u8(0).u16(m.done).u16(m.entire).bytes(bytes_of(m.text)); }
 };
 
 }  // namespace
@@ -63,34 +61,53 @@ Result<Message> decode(std::span<const std::uint8_t> data) {
   const auto value = reader.u32();
   if (!reader.ok()) return fail(ErrorCode::kMalformedData, "FoE message", fmt::format("only {} bytes", data.size()));
   switch (opcode) {
-    case kRead: return ReadRequest{value, read_text(reader)};
-    case kWrite: return WriteRequest{value, read_text(reader)};
+    case kRead:
+      return ReadRequest{value, read_text(reader)};
+    case kWrite:
+      return WriteRequest{value, read_text(reader)};
     case kData: {
       const auto bytes = reader.take(reader.remaining());
       return Data{value, {bytes.begin(), bytes.end()}};
     }
-    case kAck: return Ack{value};
-    case kError: return FileError{value, read_text(reader)};
-    case kBusy: return Busy{static_cast<std::uint16_t>(value), static_cast<std::uint16_t>(value >> 16), read_text(reader)};
-    default: return fail(ErrorCode::kMalformedData, "FoE message", fmt::format("opcode {} does not exist", opcode));
+    case kAck:
+      return Ack{value};
+    case kError:
+      return FileError{value, read_text(reader)};
+    case kBusy:
+      return Busy{static_cast<std::uint16_t>(value), static_cast<std::uint16_t>(value >> 16), read_text(reader)};
+    default:
+      return fail(ErrorCode::kMalformedData, "FoE message", fmt::format("opcode {} does not exist", opcode));
   }
 }
 
 std::string_view error_text(std::uint32_t code) {
   switch (code) {
-    case error::kNotDefined: return "not defined";
-    case error::kNotFound: return "file not found";
-    case error::kAccessDenied: return "access denied; is the password right?";
-    case error::kDiskFull: return "no room left in the device";
-    case error::kIllegal: return "illegal operation";
-    case error::kPacketNumber: return "wrong packet number";
-    case error::kExists: return "the file exists already";
-    case error::kNoUser: return "no user";
-    case error::kBootstrapOnly: return "only in BOOT state";
-    case error::kNotInBootstrap: return "not in BOOT state";
-    case error::kNoRights: return "no rights for this file";
-    case error::kProgramError: return "the device's program failed";
-    default: return "unknown error of the device";
+    case error::kNotDefined:
+      return "not defined";
+    case error::kNotFound:
+      return "file not found";
+    case error::kAccessDenied:
+      return "access denied; is the password right?";
+    case error::kDiskFull:
+      return "no room left in the device";
+    case error::kIllegal:
+      return "illegal operation";
+    case error::kPacketNumber:
+      return "wrong packet number";
+    case error::kExists:
+      return "the file exists already";
+    case error::kNoUser:
+      return "no user";
+    case error::kBootstrapOnly:
+      return "only in BOOT state";
+    case error::kNotInBootstrap:
+      return "not in BOOT state";
+    case error::kNoRights:
+      return "no rights for this file";
+    case error::kProgramError:
+      return "the device's program failed";
+    default:
+      return "unknown error of the device";
   }
 }
 

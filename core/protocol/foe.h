@@ -26,12 +26,12 @@ struct WriteRequest {
   bool operator==(const WriteRequest&) const = default;
 };
 struct Data {
-  std::uint32_t packet_no = 1;   // from 1
+  std::uint32_t packet_no = 1;  // from 1
   std::vector<std::uint8_t> bytes;
   bool operator==(const Data&) const = default;
 };
 struct Ack {
-  std::uint32_t packet_no = 0;   // 0 answers a write request
+  std::uint32_t packet_no = 0;  // 0 answers a write request
   bool operator==(const Ack&) const = default;
 };
 struct FileError {
@@ -42,7 +42,7 @@ struct FileError {
 /// The packet before must be sent again later.
 struct Busy {
   std::uint16_t done = 0;
-  std::uint16_t entire = 0;      // done of entire; 0: not told
+  std::uint16_t entire = 0;  // done of entire; 0: not told
   std::string text;
   bool operator==(const Busy&) const = default;
 };

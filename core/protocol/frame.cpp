@@ -70,7 +70,8 @@ void FrameBuilder::reset() {
   last_length_field_ = 0;
 }
 
-void FrameBuilder::set_addresses(std::span<const std::uint8_t, 6> destination, std::span<const std::uint8_t, 6> source) {
+void FrameBuilder::set_addresses(std::span<const std::uint8_t, 6> destination,
+                                 std::span<const std::uint8_t, 6> source) {
   std::copy(destination.begin(), destination.end(), buffer_.begin());
   std::copy(source.begin(), source.end(), buffer_.begin() + 6);
 }

@@ -30,8 +30,8 @@ struct DatagramHeader {
   std::uint32_t address = 0;
   std::uint16_t length = 0;  // data bytes, 0..1486
   bool circulating = false;
-  bool more = false;         // set by FrameBuilder
-  std::uint16_t irq = 0;     // ECAT event field, OR of the slaves
+  bool more = false;      // set by FrameBuilder
+  std::uint16_t irq = 0;  // ECAT event field, OR of the slaves
 
   [[nodiscard]] constexpr std::uint16_t adp() const { return static_cast<std::uint16_t>(address); }
   [[nodiscard]] constexpr std::uint16_t ado() const { return static_cast<std::uint16_t>(address >> 16); }
@@ -47,7 +47,7 @@ struct DatagramView {
   DatagramHeader header;
   std::span<std::uint8_t> header_bytes;  // 10
   std::span<std::uint8_t> data;
-  std::span<std::uint8_t> wkc_bytes;     // 2
+  std::span<std::uint8_t> wkc_bytes;  // 2
 
   [[nodiscard]] std::uint16_t wkc() const { return load_le<std::uint16_t>(wkc_bytes); }
   void set_wkc(std::uint16_t value) { store_le(wkc_bytes, value); }
@@ -68,8 +68,8 @@ class FrameBuilder {
   std::optional<std::span<std::uint8_t>> add(Command command, std::uint8_t index, std::uint32_t address,
                                              std::span<const std::uint8_t> data);
   /// Same, with `length` zero bytes.
-  std::optional<std::span<std::uint8_t>> add_zeros(Command command, std::uint8_t index,
-                                                   std::uint32_t address, std::uint16_t length);
+  std::optional<std::span<std::uint8_t>> add_zeros(Command command, std::uint8_t index, std::uint32_t address,
+                                                   std::uint16_t length);
   [[nodiscard]] std::size_t datagram_count() const { return count_; }
   [[nodiscard]] std::size_t free_data_bytes() const;  // largest data length that add() still takes
   [[nodiscard]] bool empty() const { return count_ == 0; }

@@ -40,8 +40,9 @@ Result<MailboxMessage> MailboxMessage::decode(std::span<const std::uint8_t> byte
   message.counter = (type >> 4) & 0x07;
   const auto data = reader.take(length);
   if (!reader.ok()) {
-    return fail(ErrorCode::kMalformedData, "mailbox message",
-                fmt::format("its header promises {} bytes of data, {} bytes came with the header", length, bytes.size()));
+    return fail(
+        ErrorCode::kMalformedData, "mailbox message",
+        fmt::format("its header promises {} bytes of data, {} bytes came with the header", length, bytes.size()));
   }
   message.data.assign(data.begin(), data.end());
   return message;
@@ -66,28 +67,44 @@ Result<MailboxError> MailboxError::decode(std::span<const std::uint8_t> data) {
 
 std::string_view mailbox_error_text(MailboxErrorDetail detail) {
   switch (detail) {
-    case MailboxErrorDetail::kSyntax: return "syntax of the mailbox header";
-    case MailboxErrorDetail::kUnsupportedProtocol: return "the slave does not support this protocol";
-    case MailboxErrorDetail::kInvalidChannel: return "the channel does not exist";
-    case MailboxErrorDetail::kServiceNotSupported: return "the slave does not support this service of the protocol";
-    case MailboxErrorDetail::kInvalidHeader: return "the protocol's header is wrong";
-    case MailboxErrorDetail::kSizeTooShort: return "the message is too short";
-    case MailboxErrorDetail::kNoMoreMemory: return "the slave is out of memory";
-    case MailboxErrorDetail::kInvalidSize: return "the length in the message is inconsistent";
-    case MailboxErrorDetail::kServiceInWork: return "the slave is still busy with another service";
+    case MailboxErrorDetail::kSyntax:
+      return "syntax of the mailbox header";
+    case MailboxErrorDetail::kUnsupportedProtocol:
+      return "the slave does not support this protocol";
+    case MailboxErrorDetail::kInvalidChannel:
+      return "the channel does not exist";
+    case MailboxErrorDetail::kServiceNotSupported:
+      return "the slave does not support this service of the protocol";
+    case MailboxErrorDetail::kInvalidHeader:
+      return "the protocol's header is wrong";
+    case MailboxErrorDetail::kSizeTooShort:
+      return "the message is too short";
+    case MailboxErrorDetail::kNoMoreMemory:
+      return "the slave is out of memory";
+    case MailboxErrorDetail::kInvalidSize:
+      return "the length in the message is inconsistent";
+    case MailboxErrorDetail::kServiceInWork:
+      return "the slave is still busy with another service";
   }
   return "unknown mailbox error";
 }
 
 std::string_view mailbox_type_name(MailboxType type) {
   switch (type) {
-    case MailboxType::kError: return "error";
-    case MailboxType::kAoe: return "AoE";
-    case MailboxType::kEoe: return "EoE";
-    case MailboxType::kCoe: return "CoE";
-    case MailboxType::kFoe: return "FoE";
-    case MailboxType::kSoe: return "SoE";
-    case MailboxType::kVoe: return "VoE";
+    case MailboxType::kError:
+      return "error";
+    case MailboxType::kAoe:
+      return "AoE";
+    case MailboxType::kEoe:
+      return "EoE";
+    case MailboxType::kCoe:
+      return "CoE";
+    case MailboxType::kFoe:
+      return "FoE";
+    case MailboxType::kSoe:
+      return "SoE";
+    case MailboxType::kVoe:
+      return "VoE";
   }
   return "unknown";
 }

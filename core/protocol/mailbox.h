@@ -13,8 +13,15 @@ namespace syncline {
 
 enum class MailboxType : std::uint8_t { kError = 0, kAoe = 1, kEoe = 2, kCoe = 3, kFoe = 4, kSoe = 5, kVoe = 15 };
 enum class MailboxErrorDetail : std::uint16_t {
-  kSyntax = 1, kUnsupportedProtocol = 2, kInvalidChannel = 3, kServiceNotSupported = 4,
-  kInvalidHeader = 5, kSizeTooShort = 6, kNoMoreMemory = 7, kInvalidSize = 8, kServiceInWork = 9,
+  kSyntax = 1,
+  kUnsupportedProtocol = 2,
+  kInvalidChannel = 3,
+  kServiceNotSupported = 4,
+  kInvalidHeader = 5,
+  kSizeTooShort = 6,
+  kNoMoreMemory = 7,
+  kInvalidSize = 8,
+  kServiceInWork = 9,
 };
 
 /// Mailbox message: 6-byte header and data (ETG.1000.4, table 29).
@@ -24,7 +31,7 @@ struct MailboxMessage {
   std::uint8_t channel = 0;   // 0..63
   std::uint8_t priority = 0;  // 0..3
   MailboxType type = MailboxType::kCoe;
-  std::uint8_t counter = 0;   // 1..7, 0 = not used
+  std::uint8_t counter = 0;  // 1..7, 0 = not used
   std::vector<std::uint8_t> data;
 
   bool operator==(const MailboxMessage&) const = default;

@@ -89,7 +89,9 @@ inline constexpr std::uint16_t kUserRam = 0x0F80;
 inline constexpr std::uint16_t kProcessRam = 0x1000;
 
 [[nodiscard]] constexpr std::uint16_t fmmu(unsigned n) { return static_cast<std::uint16_t>(kFmmu + 16 * n); }
-[[nodiscard]] constexpr std::uint16_t sync_manager(unsigned n) { return static_cast<std::uint16_t>(kSyncManager + 8 * n); }
+[[nodiscard]] constexpr std::uint16_t sync_manager(unsigned n) {
+  return static_cast<std::uint16_t>(kSyncManager + 8 * n);
+}
 
 /// Data sheet name of the register that holds `address`, "" where none is known.
 [[nodiscard]] std::string_view name(std::uint16_t address);

@@ -13,8 +13,13 @@ namespace syncline::coe {
 namespace {
 
 enum Opcode : std::uint8_t {
-  kListRequest = 1, kListResponse = 2, kObjectRequest = 3, kObjectResponse = 4,
-  kEntryRequest = 5, kEntryResponse = 6, kError = 7,
+  kListRequest = 1,
+  kListResponse = 2,
+  kObjectRequest = 3,
+  kObjectResponse = 4,
+  kEntryRequest = 5,
+  kEntryResponse = 6,
+  kError = 7,
 };
 constexpr std::uint8_t kOpcodeMask = 0x7F;
 constexpr std::uint8_t kIncomplete = 0x80;
@@ -121,7 +126,8 @@ Result<InformationResponse> read_entry(ByteReader& reader) {
   value(value_info::kDefault, entry.default_value);
   value(value_info::kMinimum, entry.minimum);
   value(value_info::kMaximum, entry.maximum);
-  if (!reader.ok()) return malformed(fmt::format("the description of 0x{:04X}:{:02X} is too short", entry.index, entry.sub_index));
+  if (!reader.ok())
+    return malformed(fmt::format("the description of 0x{:04X}:{:02X} is too short", entry.index, entry.sub_index));
   entry.name = read_text(reader);
   return entry;
 }
@@ -160,7 +166,8 @@ Result<InformationFragment> decode_information_fragment(std::span<const std::uin
   InformationFragment fragment;
   fragment.fragments_left = reader.u16();
   if (!reader.ok()) return malformed(fmt::format("only {} bytes", data.size()));
-  if (service != static_cast<unsigned>(Service::kSdoInformation)) return malformed(fmt::format("it is CoE service {}", service));
+  if (service != static_cast<unsigned>(Service::kSdoInformation))
+    return malformed(fmt::format("it is CoE service {}", service));
   fragment.opcode = opcode & kOpcodeMask;
   fragment.incomplete = (opcode & kIncomplete) != 0;
   const auto rest = reader.take(reader.remaining());
@@ -198,15 +205,19 @@ Result<InformationRequest> decode_information_request(std::span<const std::uint8
 Result<InformationResponse> decode_information_response(std::uint8_t opcode, std::span<const std::uint8_t> data) {
   ByteReader reader(data);
   switch (opcode) {
-    case kListResponse: return read_object_list(reader);
-    case kObjectResponse: return read_object(reader);
-    case kEntryResponse: return read_entry(reader);
+    case kListResponse:
+      return read_object_list(reader);
+    case kObjectResponse:
+      return read_object(reader);
+    case kEntryResponse:
+      return read_entry(reader);
     case kError: {
       const InformationError error{reader.u32()};
       if (!reader.ok()) return malformed("the error is too short");
       return error;
     }
-    default: return malformed(fmt::format("opcode {} is not a response", opcode));
+    default:
+      return malformed(fmt::format("opcode {} is not a response", opcode));
   }
 }
 

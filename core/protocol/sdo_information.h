@@ -15,12 +15,22 @@
 namespace syncline::coe {
 
 enum class ObjectListType : std::uint16_t {
-  kLengths = 0,        // how many objects each of the other lists has
-  kAll = 1, kRxPdo = 2, kTxPdo = 3,
-  kStored = 4,         // to be kept when a device is replaced
+  kLengths = 0,  // how many objects each of the other lists has
+  kAll = 1,
+  kRxPdo = 2,
+  kTxPdo = 3,
+  kStored = 4,  // to be kept when a device is replaced
   kStartup = 5,
 };
-enum class ObjectCode : std::uint8_t { kNull = 0, kDomain = 2, kDefType = 5, kDefStruct = 6, kVariable = 7, kArray = 8, kRecord = 9 };
+enum class ObjectCode : std::uint8_t {
+  kNull = 0,
+  kDomain = 2,
+  kDefType = 5,
+  kDefStruct = 6,
+  kVariable = 7,
+  kArray = 8,
+  kRecord = 9
+};
 
 /// Bits of an entry's access word (ETG.1000.6, table 48): reading and writing in PREOP, SAFEOP, OP, and what
 /// it may be mapped into.
@@ -48,7 +58,7 @@ struct ObjectDescriptionRequest {
 struct EntryDescriptionRequest {
   std::uint16_t index = 0;
   std::uint8_t sub_index = 0;
-  std::uint8_t value_info = 0;   // what is wanted besides type, size, access and name
+  std::uint8_t value_info = 0;  // what is wanted besides type, size, access and name
   bool operator==(const EntryDescriptionRequest&) const = default;
 };
 using InformationRequest = std::variant<ObjectListRequest, ObjectDescriptionRequest, EntryDescriptionRequest>;
@@ -56,7 +66,7 @@ using InformationRequest = std::variant<ObjectListRequest, ObjectDescriptionRequ
 // Responses
 struct ObjectList {
   ObjectListType list = ObjectListType::kAll;
-  std::vector<std::uint16_t> indices;   // five numbers of objects for kLengths
+  std::vector<std::uint16_t> indices;  // five numbers of objects for kLengths
   bool operator==(const ObjectList&) const = default;
 };
 struct ObjectDescription {
@@ -70,7 +80,7 @@ struct ObjectDescription {
 struct EntryDescription {
   std::uint16_t index = 0;
   std::uint8_t sub_index = 0;
-  std::uint8_t value_info = 0;     // which of the next four are there
+  std::uint8_t value_info = 0;  // which of the next four are there
   std::uint16_t data_type = 0;
   std::uint16_t bit_length = 0;
   std::uint16_t access = 0;
@@ -89,8 +99,8 @@ using InformationResponse = std::variant<ObjectList, ObjectDescription, EntryDes
 struct InformationFragment {
   std::uint8_t opcode = 0;
   std::uint16_t fragments_left = 0;
-  bool incomplete = false;             // says the device itself; more follows
-  std::vector<std::uint8_t> data;      // of the service, behind the SDO information header
+  bool incomplete = false;         // says the device itself; more follows
+  std::vector<std::uint8_t> data;  // of the service, behind the SDO information header
   bool operator==(const InformationFragment&) const = default;
 };
 
@@ -99,7 +109,8 @@ struct InformationFragment {
 [[nodiscard]] Result<InformationRequest> decode_information_request(std::span<const std::uint8_t> data);
 
 /// The response in as many messages as a mailbox of `mailbox_size` bytes needs, each without mailbox header.
-[[nodiscard]] std::vector<std::vector<std::uint8_t>> encode(const InformationResponse& response, std::size_t mailbox_size);
+[[nodiscard]] std::vector<std::vector<std::uint8_t>> encode(const InformationResponse& response,
+                                                            std::size_t mailbox_size);
 /// One message. kMalformedData.
 [[nodiscard]] Result<InformationFragment> decode_information_fragment(std::span<const std::uint8_t> data);
 /// The data of all fragments in order, put together. kMalformedData.

@@ -13,17 +13,26 @@
 /// Slave information interface, the EEPROM's content (ETG.1000.6, 5.4; ETG.2010).
 namespace syncline::sii {
 
-inline constexpr std::uint16_t kVendorIdWord = 0x0008;    // then product code, revision, serial number
+inline constexpr std::uint16_t kVendorIdWord = 0x0008;  // then product code, revision, serial number
 inline constexpr std::uint16_t kCategoriesWord = 0x0040;
 enum class CategoryType : std::uint16_t {
-  kStrings = 10, kDataTypes = 20, kGeneral = 30, kFmmu = 40, kSyncM = 41, kFmmuExtended = 42,
-  kSyncUnit = 43, kTxPdo = 50, kRxPdo = 51, kDc = 60, kEnd = 0xFFFF,
+  kStrings = 10,
+  kDataTypes = 20,
+  kGeneral = 30,
+  kFmmu = 40,
+  kSyncM = 41,
+  kFmmuExtended = 42,
+  kSyncUnit = 43,
+  kTxPdo = 50,
+  kRxPdo = 51,
+  kDc = 60,
+  kEnd = 0xFFFF,
 };
 
 struct MailboxArea {
   std::uint16_t receive_offset = 0;  // master to slave (SM0)
   std::uint16_t receive_size = 0;
-  std::uint16_t send_offset = 0;     // slave to master (SM1)
+  std::uint16_t send_offset = 0;  // slave to master (SM1)
   std::uint16_t send_size = 0;
   bool operator==(const MailboxArea&) const = default;
 };

@@ -215,8 +215,8 @@ Status read_category(const Category& category, const StringTable& strings, Image
 
 Result<Image> decode(std::span<const std::uint8_t> bytes) {
   if (bytes.size() < kFixedBytes) {
-    return fail(ErrorCode::kSii, "slave", fmt::format("{} bytes are fewer than the {} of its fixed part", bytes.size(),
-                                                      kFixedBytes));
+    return fail(ErrorCode::kSii, "slave",
+                fmt::format("{} bytes are fewer than the {} of its fixed part", bytes.size(), kFixedBytes));
   }
   auto image = read_fixed(bytes);
   const auto categories = split(bytes);

@@ -58,13 +58,19 @@ Bytes encode_general(const General& general, StringTable& strings) {
   const auto order = strings.index_of(general.order);
   const auto name = strings.index_of(general.name);
   ByteWriter(bytes)
-      .u8(group).u8(image).u8(order).u8(name)
+      .u8(group)
+      .u8(image)
+      .u8(order)
+      .u8(name)
       .u8(0)
-      .u8(general.coe_details).u8(general.foe_details).u8(general.eoe_details)
+      .u8(general.coe_details)
+      .u8(general.foe_details)
+      .u8(general.eoe_details)
       .zeros(3)  // SoE channels, DS402 channels, sysman class
       .u8(general.flags)
       .u16(static_cast<std::uint16_t>(general.ebus_current_ma))
-      .u8(group).u8(0)
+      .u8(group)
+      .u8(0)
       .u16(general.physical_ports)
       .u16(general.physical_memory_address)
       .zeros(12);

@@ -11,7 +11,12 @@
 namespace syncline::soe {
 
 enum class OpCode : std::uint8_t {
-  kReadRequest = 1, kReadResponse = 2, kWriteRequest = 3, kWriteResponse = 4, kNotification = 5, kEmergency = 6,
+  kReadRequest = 1,
+  kReadResponse = 2,
+  kWriteRequest = 3,
+  kWriteResponse = 4,
+  kNotification = 5,
+  kEmergency = 6,
 };
 
 /// Error codes that a drive answers with.
@@ -20,10 +25,10 @@ inline constexpr std::uint16_t kNoIdn = 0x1001, kNoElement = 0x1009;
 struct Header {
   static constexpr std::size_t kSize = 4;
   OpCode op_code = OpCode::kReadRequest;
-  bool incomplete = false;          // more fragments follow; `idn` then counts those left
-  bool error = false;               // the data are an error code of 16 bits
-  std::uint8_t drive_no = 0;        // 0..7
-  std::uint8_t elements = 0x40;     // bits: state, name, attribute, unit, minimum, maximum, value, default value
+  bool incomplete = false;       // more fragments follow; `idn` then counts those left
+  bool error = false;            // the data are an error code of 16 bits
+  std::uint8_t drive_no = 0;     // 0..7
+  std::uint8_t elements = 0x40;  // bits: state, name, attribute, unit, minimum, maximum, value, default value
   std::uint16_t idn = 0;
   bool operator==(const Header&) const = default;
 };

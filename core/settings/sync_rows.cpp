@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "config/families/families.h"
+#include "families/families.h"
 #include "settings/field.h"
 #include "settings/limits.h"
 #include "settings/sync_settings.h"

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "config/families/families.h"
+#include "families/families.h"
 #include "settings/limits.h"
 
 namespace syncline {

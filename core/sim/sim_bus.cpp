@@ -7,14 +7,14 @@
 #include <optional>
 
 #include "protocol/registers.h"
-#include "sim/device.h"
-#include "sim/esc.h"
-#include "sim/fault_schedule.h"
-#include "sim/line_faults.h"
-#include "sim/passing_frame.h"
-#include "sim/rate_changes.h"
-#include "sim/segment.h"
-#include "sim/sii_from_device.h"
+#include "sim/dc/rate_changes.h"
+#include "sim/device/device.h"
+#include "sim/device/sii_from_device.h"
+#include "sim/esc/esc.h"
+#include "sim/esc/passing_frame.h"
+#include "sim/faults/fault_schedule.h"
+#include "sim/faults/line_faults.h"
+#include "sim/segment/segment.h"
 
 namespace syncline::sim {
 namespace {
@@ -38,7 +38,8 @@ std::vector<std::uint8_t> factory_sii(const SimSlaveConfig& config) {
   return image;
 }
 
-Node power_up(const SimSlaveConfig& config, std::vector<std::uint8_t> sii, Nanoseconds time, std::uint64_t seed, SimBus::Work work) {
+Node power_up(const SimSlaveConfig& config, std::vector<std::uint8_t> sii, Nanoseconds time, std::uint64_t seed,
+              SimBus::Work work) {
   Esc::Options options;
   options.device_emulation = config.device.device_emulation();
   options.fmmu_count = config.fmmu_count;
@@ -57,7 +58,7 @@ Node power_up(const SimSlaveConfig& config, std::vector<std::uint8_t> sii, Nanos
 struct Stop {
   std::size_t passage = 0;  // the reception in front of it
   std::uint16_t slave = 0;
-  Nanoseconds offset = 0;   // since the frame's start left the master
+  Nanoseconds offset = 0;  // since the frame's start left the master
   Esc* esc = nullptr;
   Device* device = nullptr;
 };
@@ -77,14 +78,14 @@ struct SimBus::Impl final : FaultTarget {
   std::vector<Node> nodes;
   std::vector<SlaveLink> links;
   SegmentPath path;
-  std::vector<Stop> stops;              // processing units of `path`
+  std::vector<Stop> stops;  // processing units of `path`
   std::vector<double> true_delay;
   LineFaults line_faults;
   std::optional<FaultSchedule> schedule;
   Nanoseconds now = 0;
-  Nanoseconds wire_free = INT64_MIN;    // a frame of somebody else is on its way to the first slave until then
+  Nanoseconds wire_free = INT64_MIN;  // a frame of somebody else is on its way to the first slave until then
   PassingFrame passing;
-  std::vector<const Stop*> touched;     // those at which the passing frame left something; the others it was not for
+  std::vector<const Stop*> touched;  // those at which the passing frame left something; the others it was not for
 
   Impl(SimConfig c, Nanoseconds start, Work how)
       : config(std::move(c)),
@@ -246,7 +247,8 @@ void SimBus::Impl::count_errors(const Reach& way) {
   for (auto p = way.damaged; p < way.end; ++p) {
     if (path.passages[p].looped) continue;
     auto& ports = nodes[path.passages[p].slave].esc->ports();
-    p == way.damaged ? ports.count_invalid_frame(path.passages[p].port) : ports.count_forwarded_error(path.passages[p].port);
+    p == way.damaged ? ports.count_invalid_frame(path.passages[p].port)
+                     : ports.count_forwarded_error(path.passages[p].port);
   }
 }
 
@@ -322,7 +324,8 @@ Result<std::unique_ptr<SimBus>> SimBus::create(const SimConfig& config, Nanoseco
     ++expected;
   }
   if (expected != config.slaves.size()) {
-    return fail(ErrorCode::kConfiguration, fmt::format("slave {}", expected), "no frame reaches it; check parent and port");
+    return fail(ErrorCode::kConfiguration, fmt::format("slave {}", expected),
+                "no frame reaches it; check parent and port");
   }
   return std::unique_ptr<SimBus>(new SimBus(std::make_unique<Impl>(config, start, work)));
 }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "config/sim_config.h"
-#include "sim/pin_trace.h"
+#include "sim/segment/pin_trace.h"
 #include "support/result.h"
 #include "support/types.h"
 
@@ -23,12 +23,13 @@ class SimBus {
     kEach,    // each datagram and each SYNC signal by itself, which is the same and slower
   };
   /// `start`: true time of power-on.
-  [[nodiscard]] static Result<std::unique_ptr<SimBus>> create(const SimConfig& config, Nanoseconds start, Work work = Work::kAtOnce);
+  [[nodiscard]] static Result<std::unique_ptr<SimBus>> create(const SimConfig& config, Nanoseconds start,
+                                                              Work work = Work::kAtOnce);
   ~SimBus();
 
   struct Returned {
-    bool lost = false;                 // nothing comes back
-    Nanoseconds arrival_time = 0;      // at the master's port
+    bool lost = false;             // nothing comes back
+    Nanoseconds arrival_time = 0;  // at the master's port
   };
   /// Sends `frame` (Ethernet frame without FCS) into the segment at `send_time`; on return the buffer
   /// holds what comes back.

@@ -58,7 +58,7 @@ struct VirtualClock::State {
   };
   std::atomic<Nanoseconds> now{0};
   JitterProfile jitter;
-  Random wake_ups{0}, stalls{0};  // apart: how often a master wakes up does not move the stalls
+  Random wake_ups{0}, stalls{0};        // apart: how often a master wakes up does not move the stalls
   std::vector<Standstill> standstills;  // by their begin
   std::size_t next_standstill = 0;
   std::optional<Standstill> next_stall;  // by chance

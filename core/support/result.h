@@ -12,56 +12,56 @@ namespace syncline {
 /// command line prints them as they are and the window translates them.
 enum class ErrorCode : std::uint16_t {
   // files
-  kFileNotFound,        // file
-  kFileNotReadable,     // file, detail
-  kFileNotWritable,     // file, detail
-  kXmlMalformed,        // file, line, detail
-  kXmlMissingElement,   // file, line, subject = element
-  kXmlBadValue,         // file, line, subject = element, detail = text
-  kNotThatKindOfFile,   // file, detail = what was expected
-  kTomlMalformed,       // file, line, detail
-  kScenarioKey,         // file, line, subject = key, detail
+  kFileNotFound,       // file
+  kFileNotReadable,    // file, detail
+  kFileNotWritable,    // file, detail
+  kXmlMalformed,       // file, line, detail
+  kXmlMissingElement,  // file, line, subject = element
+  kXmlBadValue,        // file, line, subject = element, detail = text
+  kNotThatKindOfFile,  // file, detail = what was expected
+  kTomlMalformed,      // file, line, detail
+  kScenarioKey,        // file, line, subject = key, detail
   // configuration
-  kUnknownDevice,       // subject = identity
-  kMissingEsi,          // subject = identity, detail = folder
-  kUnknownKey,          // subject = key
-  kBadValue,            // subject = key or field, detail
-  kConfiguration,       // subject = object, detail
+  kUnknownDevice,  // subject = identity
+  kMissingEsi,     // subject = identity, detail = folder
+  kUnknownKey,     // subject = key
+  kBadValue,       // subject = key or field, detail
+  kConfiguration,  // subject = object, detail
   // link
-  kLinkNotFound,        // subject = adapter or link text
-  kLinkDown,            // subject
-  kLinkPermission,      // subject = adapter, detail = command that grants it
-  kLinkIo,              // subject, detail
-  kNotSupported,        // subject, detail
+  kLinkNotFound,    // subject = adapter or link text
+  kLinkDown,        // subject
+  kLinkPermission,  // subject = adapter, detail = command that grants it
+  kLinkIo,          // subject, detail
+  kNotSupported,    // subject, detail
   // bus
-  kNoResponse,          // subject
-  kWorkingCounter,      // subject, expected, received
-  kSlaveCount,          // expected, received
-  kIdentityMismatch,    // subject = slave, detail
-  kAlState,             // subject = slave, expected = requested state, received = AL status,
-                        // extra = AL status code
-  kAlTimeout,           // subject = slave, expected = requested state, received = AL status
-  kMailboxTimeout,      // subject = slave
-  kMailboxProtocol,     // subject = slave, detail
-  kSdoAbort,            // subject = slave and object, received = abort code
-  kSii,                 // subject = slave, detail
-  kInitCmdValidation,   // subject = slave and comment, detail = expected and read bytes
-  kMalformedData,       // subject, detail
-  kDcSetup,             // subject = slave, detail
-  kDcmOutOfLimit,       // subject, expected = limit ns, received = error ns
-  kTimeout,             // subject
+  kNoResponse,         // subject
+  kWorkingCounter,     // subject, expected, received
+  kSlaveCount,         // expected, received
+  kIdentityMismatch,   // subject = slave, detail
+  kAlState,            // subject = slave, expected = requested state, received = AL status,
+                       // extra = AL status code
+  kAlTimeout,          // subject = slave, expected = requested state, received = AL status
+  kMailboxTimeout,     // subject = slave
+  kMailboxProtocol,    // subject = slave, detail
+  kSdoAbort,           // subject = slave and object, received = abort code
+  kSii,                // subject = slave, detail
+  kInitCmdValidation,  // subject = slave and comment, detail = expected and read bytes
+  kMalformedData,      // subject, detail
+  kDcSetup,            // subject = slave, detail
+  kDcmOutOfLimit,      // subject, expected = limit ns, received = error ns
+  kTimeout,            // subject
   kCancelled,
   // scan
-  kWiring,              // subject = slave, detail
-  kIdentification,      // subject = slave, detail
-  kScanScope,           // subject = slave, detail = what the scan left out
-  kSlaveMissing,        // subject = slave, detail = where it should be
-  kSlaveExtra,          // subject = identity, detail = where it is
-  kSlavesSwapped,       // subject = slave, detail = the slave that stands in its place
-  kFileTransfer,        // subject = slave and file, received = FoE error code, detail = the slave's words
+  kWiring,          // subject = slave, detail
+  kIdentification,  // subject = slave, detail
+  kScanScope,       // subject = slave, detail = what the scan left out
+  kSlaveMissing,    // subject = slave, detail = where it should be
+  kSlaveExtra,      // subject = identity, detail = where it is
+  kSlavesSwapped,   // subject = slave, detail = the slave that stands in its place
+  kFileTransfer,    // subject = slave and file, received = FoE error code, detail = the slave's words
   // files again
-  kFileLimit,           // file, line, detail = the limit that the file exceeds
-  kCatalogue,           // file = database, received = SQLite result code, detail = its words
+  kFileLimit,  // file, line, detail = the limit that the file exceeds
+  kCatalogue,  // file = database, received = SQLite result code, detail = its words
 };
 
 /// An error is an enum and the facts that prove it; see ErrorCode for which fields a code fills.

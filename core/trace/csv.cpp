@@ -23,13 +23,14 @@ void append_sample_csv(std::string& out, std::span<const CycleSample> samples) {
     const auto has = [&s](Flag flag) { return (s.flags & flag) != 0; };
     const bool lost = has(Flag::kFrameLost);
     fmt::format_to(std::back_inserter(out), "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}", s.cycle,
-                   s.send_time, s.wake_lateness_ns, when(!lost, s.round_trip_ns), when(has(Flag::kReferenceValid), s.reference_time),
-                   when(has(Flag::kDcmActive), s.dcm_error_ns), when(has(Flag::kDcmActive), s.dcm_error_filtered_ns),
-                   when(has(Flag::kDcmActive), s.drift_ppm), when(has(Flag::kDcmActive), s.dcm_adjust_ns),
-                   when(has(Flag::kDeviationValid), s.deviation_ored_ns), when(s.slave_position >= 0, s.slave_position),
-                   when(s.slave_position >= 0, s.slave_deviation_ns), when(s.sm2_position >= 0, s.sm2_position),
-                   when(s.sm2_position >= 0, s.slave_sm2_missed), s.wkc_expected, when(!lost, s.wkc_received),
-                   lost ? 1 : 0, when(has(Flag::kDcMonitored), has(Flag::kDcInSync) ? 1 : 0),
+                   s.send_time, s.wake_lateness_ns, when(!lost, s.round_trip_ns),
+                   when(has(Flag::kReferenceValid), s.reference_time), when(has(Flag::kDcmActive), s.dcm_error_ns),
+                   when(has(Flag::kDcmActive), s.dcm_error_filtered_ns), when(has(Flag::kDcmActive), s.drift_ppm),
+                   when(has(Flag::kDcmActive), s.dcm_adjust_ns), when(has(Flag::kDeviationValid), s.deviation_ored_ns),
+                   when(s.slave_position >= 0, s.slave_position), when(s.slave_position >= 0, s.slave_deviation_ns),
+                   when(s.sm2_position >= 0, s.sm2_position), when(s.sm2_position >= 0, s.slave_sm2_missed),
+                   s.wkc_expected, when(!lost, s.wkc_received), lost ? 1 : 0,
+                   when(has(Flag::kDcMonitored), has(Flag::kDcInSync) ? 1 : 0),
                    when(has(Flag::kDcmActive), has(Flag::kDcmInSync) ? 1 : 0));
     for (const auto& signal : clock_difference_signals()) {
       const auto value = signal.value(s);

@@ -114,7 +114,8 @@ std::optional<Cell> parse_cell(std::string_view text) {
     return cell;
   }
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), cell.value);
-  if (hex || error != std::errc() || end != text.data() + text.size() || !std::isfinite(cell.value)) return std::nullopt;
+  if (hex || error != std::errc() || end != text.data() + text.size() || !std::isfinite(cell.value))
+    return std::nullopt;
   return cell;
 }
 
@@ -196,8 +197,10 @@ Result<std::vector<DcmLogRow>> read_dcm_log(std::string_view text) {
   std::vector<DcmLogRow> rows;
   int number = 0;
   const auto bad = [&number](std::string detail) {
-    return fail(Error{.code = ErrorCode::kMalformedData, .subject = fmt::format("line {} of the DCM log", number),
-                      .detail = std::move(detail), .line = number});
+    return fail(Error{.code = ErrorCode::kMalformedData,
+                      .subject = fmt::format("line {} of the DCM log", number),
+                      .detail = std::move(detail),
+                      .line = number});
   };
   while (!text.empty()) {
     ++number;

@@ -13,21 +13,21 @@
 
 namespace syncline {
 
-/// One line of the DCM log: a controller execution, in the units and with the signs of the EC-Master manual (2.1.4). Its
-/// controller error is positive when the reference clock must run faster, its drift when the host's clock is the faster
-/// one: both have the opposite sign of CycleSample's.
+/// One line of the DCM log: a controller execution, in the units and with the signs of the EC-Master manual (2.1.4).
+/// Its controller error is positive when the reference clock must run faster, its drift when the host's clock is the
+/// faster one: both have the opposite sign of CycleSample's.
 struct DcmLogRow {
-  double time_ms = 0;                    // since the first row
-  std::int64_t set_value_ns = 0;         // distance between frame send time and SYNC0
-  std::int64_t bus_time_ns = 0;          // system time
-  std::int64_t bus_time_off_ns = 0;      // system time modulo sync cycle time
+  double time_ms = 0;                // since the first row
+  std::int64_t set_value_ns = 0;     // distance between frame send time and SYNC0
+  std::int64_t bus_time_ns = 0;      // system time
+  std::int64_t bus_time_off_ns = 0;  // system time modulo sync cycle time
   std::int64_t adjust_ns = 0;
   std::int64_t error_ns = 0;
   std::int64_t error_filtered_ns = 0;
-  double drift_ppm = 0;                  // between local clock and reference clock
-  double error_tenth_permil = 0;         // error in 1/10 per mille of the cycle
-  double output_sum = 0;                 // integral part of the output, ns a cycle
-  std::int64_t output_total = 0;         // all outputs since the start, ns
+  double drift_ppm = 0;           // between local clock and reference clock
+  double error_tenth_permil = 0;  // error in 1/10 per mille of the cycle
+  double output_sum = 0;          // integral part of the output, ns a cycle
+  std::int64_t output_total = 0;  // all outputs since the start, ns
   std::int64_t dc_start_time_ns = 0;
   std::uint32_t error_code = 0;
   bool dcm_in_sync = false;

@@ -43,7 +43,8 @@ void Histogram::clear() {
 
 std::int64_t Histogram::percentile(double fraction) const {
   if (count_ == 0) return 0;
-  const auto wanted = std::max<std::uint64_t>(static_cast<std::uint64_t>(std::ceil(fraction * static_cast<double>(count_))), 1);
+  const auto wanted =
+      std::max<std::uint64_t>(static_cast<std::uint64_t>(std::ceil(fraction * static_cast<double>(count_))), 1);
   std::uint64_t seen = 0;
   for (std::size_t bin = 0; bin < counts_.size(); ++bin) {
     seen += counts_[bin];
@@ -56,7 +57,8 @@ std::vector<Histogram::Bin> Histogram::bins() const {
   std::vector<Bin> used;
   for (std::size_t bin = 0; bin < counts_.size(); ++bin) {
     if (counts_[bin] == 0) continue;
-    used.push_back({static_cast<std::int64_t>(low_edge(bin)), static_cast<std::int64_t>(low_edge(bin + 1)), counts_[bin]});
+    used.push_back(
+        {static_cast<std::int64_t>(low_edge(bin)), static_cast<std::int64_t>(low_edge(bin + 1)), counts_[bin]});
   }
   return used;
 }

@@ -74,7 +74,9 @@ class MinMaxSeries {
   static constexpr std::uint64_t kFactor = 16;
   static constexpr std::size_t kLevels = 3;  // buckets of 16, 256 and 4096 samples
 
-  [[nodiscard]] std::size_t slot(std::uint64_t index) const { return static_cast<std::size_t>(index & (capacity_ - 1)); }
+  [[nodiscard]] std::size_t slot(std::uint64_t index) const {
+    return static_cast<std::size_t>(index & (capacity_ - 1));
+  }
   [[nodiscard]] std::uint64_t lower_bound(Nanoseconds time) const;
   /// First sample at or after `time`, looked for from `from` on.
   [[nodiscard]] std::uint64_t gallop(std::uint64_t from, Nanoseconds time) const;
@@ -83,7 +85,7 @@ class MinMaxSeries {
   /// Sums up the buckets whose last sample lies at `place`; queries never use an incomplete one.
   void complete_buckets(std::size_t place);
 
-  std::uint64_t capacity_;  // a power of two
+  std::uint64_t capacity_;             // a power of two
   std::uint64_t begin_ = 0, end_ = 0;  // absolute indices of the samples that are kept
   std::vector<Nanoseconds> times_;
   std::vector<float> values_;

@@ -66,7 +66,7 @@ struct RunHistory {
     Spells outputs_exceeded, inputs_exceeded;
     Spells late_inputs;  // times in which it did not renew its inputs as before; count 1 each, the last one may last
     std::uint32_t mailbox_silences = 0;  // most requests in a row without an answer
-    Spells off;  // its own deviation over the limit after it had been within; size in ns
+    Spells off;                          // its own deviation over the limit after it had been within; size in ns
     bool was_near = false;
   };
   /// Somebody left a sync window and, perhaps, came back.
@@ -81,7 +81,7 @@ struct RunHistory {
   Nanoseconds begin = 0, end = 0;  // first event, newest sample
   Spells link_outages;             // of the master's own adapter; count 1 each, size in ns; the last one may last
   bool link_down = false;
-  std::string link;                // its name, once it was away
+  std::string link;  // its name, once it was away
   bool reached_op = false;
   Spells lost_frames, late_frames, stalls, wrong_counters;   // stalls: cycles left out, size = standstill ns
   std::uint16_t counter_expected = 0, counter_received = 0;  // of the last wrong one

@@ -9,9 +9,7 @@
 namespace syncline {
 
 RunRecorder::RunRecorder(const NetworkConfig& config)
-    : sync_window_enabled_(config.dc.sync_window.enabled),
-      readings_(config.slaves.size()),
-      history_(config) {
+    : sync_window_enabled_(config.dc.sync_window.enabled), readings_(config.slaves.size()), history_(config) {
   for (std::size_t i = 0; i < config.slaves.size(); ++i) configured_.push_back(configured(config, i));
 }
 
@@ -37,7 +35,8 @@ void RunRecorder::add(std::span<const CycleSample> samples) {
   for (const auto& sample : samples) {
     lateness_.add(sample.wake_lateness_ns);
     note_settled(sample);
-    if (sample.master_state == static_cast<std::uint8_t>(AlState::kOp)) lateness_histogram_.add(sample.wake_lateness_ns);
+    if (sample.master_state == static_cast<std::uint8_t>(AlState::kOp))
+      lateness_histogram_.add(sample.wake_lateness_ns);
     if (sample.slave_position < 0 || static_cast<std::size_t>(sample.slave_position) >= readings_.size()) continue;
     auto& readings = readings_[static_cast<std::size_t>(sample.slave_position)];
     // What the reference clock shows, or a slave in front of it, is no deviation from the reference clock.
@@ -47,14 +46,15 @@ void RunRecorder::add(std::span<const CycleSample> samples) {
   }
 }
 
-/// The acquisition is reported by settled_after_ms; the maximum is about all that came afterwards, in sync or not. Where
-/// nobody watches the slaves it is over when the master has come in sync, or the machine works.
+/// The acquisition is reported by settled_after_ms; the maximum is about all that came afterwards, in sync or not.
+/// Where nobody watches the slaves it is over when the master has come in sync, or the machine works.
 void RunRecorder::note_settled(const CycleSample& sample) {
   using Flag = CycleSample::Flag;
   if ((sample.flags & Flag::kDcMonitored) != 0) {
     settled_ = settled_ || (sample.flags & Flag::kDcInSync) != 0;
   } else {
-    settled_ = settled_ || (sample.flags & Flag::kDcmInSync) != 0 || sample.master_state == static_cast<std::uint8_t>(AlState::kOp);
+    settled_ = settled_ || (sample.flags & Flag::kDcmInSync) != 0 ||
+               sample.master_state == static_cast<std::uint8_t>(AlState::kOp);
   }
 }
 
@@ -62,7 +62,8 @@ namespace {
 
 /// From the nominal arrival of the frame at the slave to its next SYNC0.
 Nanoseconds sync0_margin(const RunReport::Slave& slave, Nanoseconds set_value) {
-  const auto distance = set_value + slave.sync0_shift - static_cast<Nanoseconds>(slave.propagation_delay_ns.value_or(0));
+  const auto distance =
+      set_value + slave.sync0_shift - static_cast<Nanoseconds>(slave.propagation_delay_ns.value_or(0));
   const auto rest = distance % slave.sync0_cycle;
   return rest < 0 ? rest + slave.sync0_cycle : rest;
 }

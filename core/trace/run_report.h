@@ -23,36 +23,36 @@ struct RunReport {
   struct Slave {
     std::uint16_t position = 0;
     std::string name;
-    bool present = false;                            // answers at the end; if not, its state is unknown
-    bool cable_broken = false;                       // see SlaveStatus
-    Nanoseconds absent_since = 0;                    // host clock; while it does not answer
-    std::uint16_t al_status = 0;                     // 0 = unknown
+    bool present = false;          // answers at the end; if not, its state is unknown
+    bool cable_broken = false;     // see SlaveStatus
+    Nanoseconds absent_since = 0;  // host clock; while it does not answer
+    std::uint16_t al_status = 0;   // 0 = unknown
     std::uint16_t al_status_code = 0;
     /// From the reference clock; nothing for itself, and for slaves that do not follow it.
-    std::optional<std::int32_t> deviation_ns;        // latest reading
-    std::optional<std::int32_t> deviation_max_ns;    // largest magnitude after settling, in sync or not
+    std::optional<std::int32_t> deviation_ns;      // latest reading
+    std::optional<std::int32_t> deviation_max_ns;  // largest magnitude after settling, in sync or not
     std::optional<Sm2MissedStatus> sm2_missed;
     std::optional<std::uint32_t> propagation_delay_ns;
     SlaveEvidence evidence;
     // out of the configuration
     Identity identity;
-    bool optional = false;                           // of a hot-connect group: may be absent
-    int parent = -1, parent_port = 0;                // whom it is wired to, and by which of its ports; -1: the host
-    std::optional<Nanoseconds> sync0_margin;         // from its outputs' nominal arrival to SYNC0; nothing without SYNC0
-    Nanoseconds sync0_shift = 0, sync0_cycle = 0;    // ns; cycle 0: no SYNC0
+    bool optional = false;                         // of a hot-connect group: may be absent
+    int parent = -1, parent_port = 0;              // whom it is wired to, and by which of its ports; -1: the host
+    std::optional<Nanoseconds> sync0_margin;       // from its outputs' nominal arrival to SYNC0; nothing without SYNC0
+    Nanoseconds sync0_shift = 0, sync0_cycle = 0;  // ns; cycle 0: no SYNC0
   };
-  AlState state = AlState::kNone;                    // of the master, see Snapshot::state
-  Nanoseconds time = 0;                              // host clock, at the end
+  AlState state = AlState::kNone;  // of the master, see Snapshot::state
+  Nanoseconds time = 0;            // host clock, at the end
   Nanoseconds cycle_time = 0;
   std::uint64_t cycles = 0, wkc_errors = 0;
   std::uint64_t lost_frames = 0, late_frames = 0, overruns = 0, skipped_cycles = 0;
   std::vector<Slave> slaves;
   DcStatus dc;
-  std::optional<std::int32_t> deviation_max_ns;      // over all slaves that follow, after settling
+  std::optional<std::int32_t> deviation_max_ns;  // over all slaves that follow, after settling
   DcmStatus dcm;
-  bool sync_window_enabled = false;                  // configured
-  Statistics lateness;                               // ns, every cycle
-  Histogram lateness_histogram;                      // in OP
+  bool sync_window_enabled = false;  // configured
+  Statistics lateness;               // ns, every cycle
+  Histogram lateness_histogram;      // in OP
   RunHistory history;
   HostStatus host;
 };
@@ -74,7 +74,7 @@ class RunRecorder {
   void note_settled(const CycleSample& sample);
   [[nodiscard]] static RunReport::Slave configured(const NetworkConfig& config, std::size_t position);
 
-  std::vector<RunReport::Slave> configured_;   // what the configuration says of each slave
+  std::vector<RunReport::Slave> configured_;  // what the configuration says of each slave
   bool sync_window_enabled_;
   std::vector<SlaveReadings> readings_;
   Statistics lateness_;

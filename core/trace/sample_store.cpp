@@ -49,18 +49,22 @@ void SampleStore::append(const CycleSample& sample) {
 
   const auto time = sample.send_time;
   using Flag = CycleSample::Flag;
-  at(Series::kDeviation).append(time, valid_or_gap(sample, Flag::kFollowersRead, static_cast<float>(sample.deviation_ns)));
+  at(Series::kDeviation)
+      .append(time, valid_or_gap(sample, Flag::kFollowersRead, static_cast<float>(sample.deviation_ns)));
   const bool dcm = (sample.flags & Flag::kDcmActive) != 0;
-  at(Series::kDcmError).append(time, valid_or_gap(sample, Flag::kReferenceValid, dcm ? static_cast<float>(sample.dcm_error_ns) : kGap));
+  at(Series::kDcmError)
+      .append(time, valid_or_gap(sample, Flag::kReferenceValid, dcm ? static_cast<float>(sample.dcm_error_ns) : kGap));
   at(Series::kDcmErrorFiltered).append(time, dcm ? static_cast<float>(sample.dcm_error_filtered_ns) : kGap);
   at(Series::kDrift).append(time, dcm ? sample.drift_ppm : kGap);
   at(Series::kLateness).append(time, static_cast<float>(sample.wake_lateness_ns));
-  at(Series::kRoundTrip).append(time, (sample.flags & Flag::kFrameLost) != 0 ? kGap : static_cast<float>(sample.round_trip_ns));
+  at(Series::kRoundTrip)
+      .append(time, (sample.flags & Flag::kFrameLost) != 0 ? kGap : static_cast<float>(sample.round_trip_ns));
 
   // What a reference clock shows there is no deviation from itself.
   const bool follows = sample.slave_position >= 0 && (sample.flags & Flag::kSlaveFollows) != 0;
   if (follows && static_cast<std::size_t>(sample.slave_position) < deviation_.size()) {
-    deviation_[static_cast<std::size_t>(sample.slave_position)].append(time, static_cast<float>(sample.slave_deviation_ns));
+    deviation_[static_cast<std::size_t>(sample.slave_position)].append(time,
+                                                                       static_cast<float>(sample.slave_deviation_ns));
   }
   if (sample.sm2_position >= 0 && static_cast<std::size_t>(sample.sm2_position) < sm2_missed_.size()) {
     auto& series = sm2_missed_[static_cast<std::size_t>(sample.sm2_position)];

@@ -16,12 +16,12 @@ namespace syncline {
 class SampleStore {
  public:
   enum class Series : std::uint8_t {
-    kDeviation,       // ns, of the slaves that follow the reference clock: CycleSample::deviation_ns
-    kDcmError,        // ns, raw
+    kDeviation,  // ns, of the slaves that follow the reference clock: CycleSample::deviation_ns
+    kDcmError,   // ns, raw
     kDcmErrorFiltered,
-    kDrift,           // ppm
-    kLateness,        // ns
-    kRoundTrip,       // ns
+    kDrift,      // ppm
+    kLateness,   // ns
+    kRoundTrip,  // ns
   };
   static constexpr std::size_t kSeriesCount = 6;
 

@@ -49,8 +49,9 @@ CatalogueMatch choose(std::span<const CatalogueEntry> revisions, std::uint32_t w
   if (ruled == nullptr) ruled = newest(revisions, fits_rule);
   if (ruled != nullptr) {
     return {*ruled, MatchKind::kRule,
-            fmt::format("no ESI file has revision {}; the vendor's rule {} of revision {} accepts it ({})", revision_text(wanted),
-                        ruled->revision_rule, revision_text(revision_of(*ruled)), revision_rule_words(ruled->revision_rule))};
+            fmt::format("no ESI file has revision {}; the vendor's rule {} of revision {} accepts it ({})",
+                        revision_text(wanted), ruled->revision_rule, revision_text(revision_of(*ruled)),
+                        revision_rule_words(ruled->revision_rule))};
   }
   if (const auto* older = newest(revisions, fits_older)) {
     return {*older, MatchKind::kOlder,
@@ -67,10 +68,14 @@ CatalogueMatch choose(std::span<const CatalogueEntry> revisions, std::uint32_t w
 
 std::string_view match_kind_name(MatchKind kind) {
   switch (kind) {
-    case MatchKind::kExact: return "exact";
-    case MatchKind::kRule: return "rule";
-    case MatchKind::kOlder: return "older";
-    case MatchKind::kNewest: return "newest";
+    case MatchKind::kExact:
+      return "exact";
+    case MatchKind::kRule:
+      return "rule";
+    case MatchKind::kOlder:
+      return "older";
+    case MatchKind::kNewest:
+      return "newest";
   }
   return {};
 }

@@ -26,6 +26,7 @@ struct CatalogueMatch {
 
 /// `revisions`: the entries of the identity's vendor and product, revisions ascending, among equal ones the first wins.
 /// revision_no 0 in `identity` asks for the newest. Nothing when there are no entries.
-[[nodiscard]] std::optional<CatalogueMatch> best_match(std::span<const CatalogueEntry> revisions, const Identity& identity);
+[[nodiscard]] std::optional<CatalogueMatch> best_match(std::span<const CatalogueEntry> revisions,
+                                                       const Identity& identity);
 
 }  // namespace syncline::eni

@@ -8,15 +8,15 @@
 #include <tuple>
 
 #include "eni/catalogue/esi_cards.h"
-#include "eni/xml_text.h"
+#include "eni/xml/xml_text.h"
 #include "support/utf8.h"
 
 namespace syncline::eni {
 namespace {
 
 // Which columns an entry is read from; the tables are d = devices, f = files.
-#define ENTRY_COLUMNS                                                                                               \
-  "d.id, d.vendor_id, d.product_code, d.revision_no, d.vendor_name, d.type, d.name, d.group_type, d.group_name, "   \
+#define ENTRY_COLUMNS                                                                                             \
+  "d.id, d.vendor_id, d.product_code, d.revision_no, d.vendor_name, d.type, d.name, d.group_type, d.group_name, " \
   "d.physics, d.revision_rule, d.invisible, f.path, d.line, d.content, d.place"
 
 CatalogueEntry entry_of(const SqlStatement& row) {
@@ -45,7 +45,8 @@ Status mark_hidden(CatalogueStore& store, CatalogueEntry& entry) {
   if (entry.hidden) return {};
   auto query = store.database().prepare(
       "SELECT 1 FROM hides h JOIN devices d ON d.id = h.device JOIN chosen ON chosen.file = d.file "
-      "WHERE h.vendor_id = ?1 AND h.product_code = ?2 AND (h.revision_no = ?3 OR h.revision_no IS NULL) AND h.device <> ?4 LIMIT 1");
+      "WHERE h.vendor_id = ?1 AND h.product_code = ?2 AND (h.revision_no = ?3 OR h.revision_no IS NULL) AND h.device "
+      "<> ?4 LIMIT 1");
   if (!query) return tl::unexpected(query.error());
   const Identity& identity = entry.identity;
   query->bind(0, identity.vendor_id).bind(1, identity.product_code).bind(2, identity.revision_no).bind(3, entry.id);
@@ -111,9 +112,10 @@ class Picker {
 
 /// Types that begin with the words: the index has them in order.
 Status offer_types(CatalogueStore& store, std::string_view prefix, Picker& picker) {
-  auto query = store.database().prepare("SELECT " ENTRY_COLUMNS
-                                        " FROM devices d CROSS JOIN chosen ON chosen.file = d.file JOIN files f ON f.id = d.file "
-                                        "WHERE d.type >= ? AND d.type < ? ORDER BY d.type, d.revision_no DESC");
+  auto query = store.database().prepare(
+      "SELECT " ENTRY_COLUMNS
+      " FROM devices d CROSS JOIN chosen ON chosen.file = d.file JOIN files f ON f.id = d.file "
+      "WHERE d.type >= ? AND d.type < ? ORDER BY d.type, d.revision_no DESC");
   if (!query) return tl::unexpected(query.error());
   const std::string beyond = std::string(prefix) + "\xF4\x8F\xBF\xBF";  // U+10FFFF, behind every other character
   query->bind(0, prefix).bind(1, beyond);
@@ -123,17 +125,19 @@ Status offer_types(CatalogueStore& store, std::string_view prefix, Picker& picke
 
 /// Whatever has all the words somewhere. Beyond the cap nobody reads on, but types more.
 Status offer_words(CatalogueStore& store, const std::string& expression, Picker& picker) {
-  auto query = store.database().prepare(
-      "SELECT " ENTRY_COLUMNS " FROM (SELECT rowid FROM words WHERE words MATCH ? LIMIT 2000) w "
-      "CROSS JOIN devices d ON d.id = w.rowid CROSS JOIN chosen ON chosen.file = d.file CROSS JOIN files f ON f.id = d.file "
-      "ORDER BY d.type, d.revision_no DESC, chosen.rank, d.id");
+  auto query = store.database().prepare("SELECT " ENTRY_COLUMNS
+                                        " FROM (SELECT rowid FROM words WHERE words MATCH ? LIMIT 2000) w "
+                                        "CROSS JOIN devices d ON d.id = w.rowid CROSS JOIN chosen ON chosen.file = "
+                                        "d.file CROSS JOIN files f ON f.id = d.file "
+                                        "ORDER BY d.type, d.revision_no DESC, chosen.rank, d.id");
   if (!query) return tl::unexpected(query.error());
-  if (auto status = query->bind(0, expression).each([&] { return picker.offer(entry_of(*query)); }); !status) return status;
+  if (auto status = query->bind(0, expression).each([&] { return picker.offer(entry_of(*query)); }); !status)
+    return status;
   return picker.error();
 }
 
-/// Entries of which another one has the identity get the fingerprints of their contents: from the store, else from their
-/// files, and into the store.
+/// Entries of which another one has the identity get the fingerprints of their contents: from the store, else from
+/// their files, and into the store.
 Status compare_contents(CatalogueStore& store, std::vector<CatalogueEntry>& entries) {
   std::map<std::string, std::vector<std::uint64_t>> read;
   std::map<std::uint32_t, std::size_t> of_revision;  // the entries are of one vendor and product
@@ -142,7 +146,8 @@ Status compare_contents(CatalogueStore& store, std::vector<CatalogueEntry>& entr
     if (entry.content != 0 || of_revision[entry.identity.revision_no] < 2) continue;
     const auto [contents, is_new] = read.try_emplace(entry.file);
     if (is_new) {
-      if (const auto text = read_file(entry.file)) contents->second = read_contents(*text, entry.file).value_or(contents->second);
+      if (const auto text = read_file(entry.file))
+        contents->second = read_contents(*text, entry.file).value_or(contents->second);
       if (auto status = store.put_contents(entry.file, contents->second); !status) return status;
     }
     const auto place = static_cast<std::size_t>(entry.place);
@@ -153,14 +158,17 @@ Status compare_contents(CatalogueStore& store, std::vector<CatalogueEntry>& entr
 
 }  // namespace
 
-Result<std::vector<CatalogueEntry>> entries_of(CatalogueStore& store, std::uint32_t vendor_id, std::uint32_t product_code) {
+Result<std::vector<CatalogueEntry>> entries_of(CatalogueStore& store, std::uint32_t vendor_id,
+                                               std::uint32_t product_code) {
   auto query = store.database().prepare(
-      "SELECT " ENTRY_COLUMNS " FROM devices d CROSS JOIN chosen ON chosen.file = d.file CROSS JOIN files f ON f.id = d.file "
+      "SELECT " ENTRY_COLUMNS
+      " FROM devices d CROSS JOIN chosen ON chosen.file = d.file CROSS JOIN files f ON f.id = d.file "
       "WHERE d.vendor_id = ? AND d.product_code = ? ORDER BY d.revision_no, chosen.rank, d.id");
   if (!query) return tl::unexpected(query.error());
   std::vector<CatalogueEntry> entries;
   query->bind(0, vendor_id).bind(1, product_code);
-  if (auto status = query->each([&] { entries.push_back(entry_of(*query)); }); !status) return tl::unexpected(status.error());
+  if (auto status = query->each([&] { entries.push_back(entry_of(*query)); }); !status)
+    return tl::unexpected(status.error());
   for (auto& entry : entries) {
     if (auto status = mark_hidden(store, entry); !status) return tl::unexpected(status.error());
   }
@@ -189,7 +197,10 @@ Result<std::vector<DuplicateDevice>> duplicates(CatalogueStore& store, const std
   if (!query) return tl::unexpected(query.error());
   std::vector<DuplicateDevice> found;
   const auto number = [&](int column) { return static_cast<std::uint32_t>(query->integer(column)); };
-  if (auto status = query->each([&] { found.push_back({.identity = {number(0), number(1), number(2), 0}}); }); !status) {
+  if (auto status = query->each([&] {
+        found.push_back({.identity = {number(0), number(1), number(2), 0}});
+      });
+      !status) {
     return tl::unexpected(status.error());
   }
   // All revisions of a product come with one question.
@@ -209,7 +220,8 @@ Result<std::vector<DuplicateDevice>> duplicates(CatalogueStore& store, const std
     duplicate.entries.assign(std::ranges::lower_bound(of_product, wanted.revision_no, {}, revision),
                              std::ranges::upper_bound(of_product, wanted.revision_no, {}, revision));
     const auto& all = duplicate.entries;
-    duplicate.conflict = std::ranges::any_of(all, [&](const auto& entry) { return entry.content != all.front().content; });
+    duplicate.conflict =
+        std::ranges::any_of(all, [&](const auto& entry) { return entry.content != all.front().content; });
   }
   return found;
 }

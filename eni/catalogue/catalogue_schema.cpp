@@ -42,7 +42,8 @@ Result<std::int64_t> pragma(SqlDatabase& database, std::string_view sql) {
   auto statement = database.prepare(sql);
   if (!statement) return tl::unexpected(statement.error());
   std::int64_t value = 0;
-  if (auto status = statement->each([&] { value = statement->integer(0); }); !status) return tl::unexpected(status.error());
+  if (auto status = statement->each([&] { value = statement->integer(0); }); !status)
+    return tl::unexpected(status.error());
   return value;
 }
 
@@ -92,7 +93,8 @@ Result<SqlDatabase> try_open(const std::string& path, std::string& reason) {
 }  // namespace
 
 Result<SqlDatabase> open_catalogue_database(const std::string& path, std::string& replaced) {
-  const bool named_as_ours = std::filesystem::path(path).extension() == ".sqlite" && path.find("esi-catalogue") != std::string::npos;
+  const bool named_as_ours =
+      std::filesystem::path(path).extension() == ".sqlite" && path.find("esi-catalogue") != std::string::npos;
   if (!path.empty() && owner_of(path) == Owner::kOthers && !named_as_ours) {
     return fail(Error{.code = ErrorCode::kCatalogue, .detail = "it is no device catalogue", .file = path});
   }

@@ -7,7 +7,7 @@
 #include <cstdlib>
 
 #include "eni/catalogue/catalogue_schema.h"
-#include "eni/xml_text.h"
+#include "eni/xml/xml_text.h"
 
 namespace syncline::eni {
 namespace {
@@ -31,12 +31,13 @@ std::string numbers_of(std::string_view type) {
 
 /// Product codes behind an x, so that no digit of a type finds them.
 std::string search_text(const EsiCard& card) {
-  return fmt::format("{} {} {} {} {} {} x{:x}", card.type, card.name, card.vendor_name, card.group_type, card.group_name,
-                     numbers_of(card.type), card.identity.product_code);
+  return fmt::format("{} {} {} {} {} {} x{:x}", card.type, card.name, card.vendor_name, card.group_type,
+                     card.group_name, numbers_of(card.type), card.identity.product_code);
 }
 
 IndexedFile file_row(const SqlStatement& row, int first) {
-  return {row.integer(first), row.integer(first + 1), row.integer(first + 2), std::bit_cast<std::uint64_t>(row.integer(first + 3))};
+  return {row.integer(first), row.integer(first + 1), row.integer(first + 2),
+          std::bit_cast<std::uint64_t>(row.integer(first + 3))};
 }
 
 /// Paths below a folder are those from "folder/" up to "folder0": '0' is the character behind '/'.
@@ -100,11 +101,16 @@ Result<std::int64_t> CatalogueStore::put(std::string_view path, const IndexedFil
 
 Status CatalogueStore::put_device(std::int64_t file, const EsiCard& card) {
   auto insert = database_.prepare(
-      "INSERT INTO devices(file, line, place, vendor_id, product_code, revision_no, vendor_name, type, name, group_type, group_name, "
+      "INSERT INTO devices(file, line, place, vendor_id, product_code, revision_no, vendor_name, type, name, "
+      "group_type, group_name, "
       "physics, revision_rule, invisible) VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
   if (!insert) return tl::unexpected(insert.error());
   const Identity& identity = card.identity;
-  insert->bind(0, file).bind(1, card.line).bind(2, card.place).bind(3, identity.vendor_id).bind(4, identity.product_code);
+  insert->bind(0, file)
+      .bind(1, card.line)
+      .bind(2, card.place)
+      .bind(3, identity.vendor_id)
+      .bind(4, identity.product_code);
   insert->bind(5, identity.revision_no).bind(6, card.vendor_name).bind(7, card.type).bind(8, card.name);
   insert->bind(9, card.group_type).bind(10, card.group_name).bind(11, card.physics).bind(12, card.revision_rule);
   insert->bind(13, card.invisible);
@@ -158,12 +164,14 @@ Status CatalogueStore::remove(std::int64_t file) {
 }
 
 Result<std::vector<std::pair<std::string, IndexedFile>>> CatalogueStore::files_below(std::string_view folder) {
-  auto query = database_.prepare("SELECT path, id, size, changed_ns, content FROM files WHERE path >= ? AND path < ? ORDER BY path");
+  auto query = database_.prepare(
+      "SELECT path, id, size, changed_ns, content FROM files WHERE path >= ? AND path < ? ORDER BY path");
   if (!query) return tl::unexpected(query.error());
   const auto [from, to] = bounds_of(folder);
   query->bind(0, from).bind(1, to);
   std::vector<std::pair<std::string, IndexedFile>> files;
-  if (auto status = query->each([&] { files.emplace_back(query->text(0), file_row(*query, 1)); }); !status) return tl::unexpected(status.error());
+  if (auto status = query->each([&] { files.emplace_back(query->text(0), file_row(*query, 1)); }); !status)
+    return tl::unexpected(status.error());
   return files;
 }
 
@@ -171,7 +179,8 @@ Result<std::vector<std::string>> CatalogueStore::folders() {
   auto query = database_.prepare("SELECT path FROM folders ORDER BY rowid");
   if (!query) return tl::unexpected(query.error());
   std::vector<std::string> found;
-  if (auto status = query->each([&] { found.emplace_back(query->text(0)); }); !status) return tl::unexpected(status.error());
+  if (auto status = query->each([&] { found.emplace_back(query->text(0)); }); !status)
+    return tl::unexpected(status.error());
   return found;
 }
 
@@ -226,7 +235,9 @@ Result<std::vector<FileWarning>> CatalogueStore::problems() {
   if (auto status = query->each([&] {
         found.push_back({std::string(query->text(0)), static_cast<int>(query->integer(1)), std::string(query->text(2)),
                          std::string(query->text(3))});
-      }); !status) return tl::unexpected(status.error());
+      });
+      !status)
+    return tl::unexpected(status.error());
   return found;
 }
 

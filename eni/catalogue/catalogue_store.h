@@ -17,7 +17,7 @@ namespace syncline::eni {
 struct IndexedFile {
   std::int64_t id = 0;
   std::int64_t size = 0;
-  std::int64_t changed_ns = 0;    // modification time; kUncertain = read it again
+  std::int64_t changed_ns = 0;  // modification time; kUncertain = read it again
   std::uint64_t content = 0;
   static constexpr std::int64_t kUncertain = -1;
 };

@@ -10,7 +10,7 @@
 
 #include "eni/catalogue/content_hash.h"
 #include "eni/catalogue/esi_cards.h"
-#include "eni/xml_text.h"
+#include "eni/xml/xml_text.h"
 #include "protocol/error_text.h"
 
 namespace syncline::eni {
@@ -29,12 +29,13 @@ struct FoundFile {
 bool has_xml_name(const fs::path& path) {
   const auto extension = path.extension().string();
   constexpr std::string_view kWanted = ".xml";
-  return std::ranges::equal(extension, kWanted, [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a + 32 : a) == b; });
+  return std::ranges::equal(extension, kWanted,
+                            [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a + 32 : a) == b; });
 }
 
 FoundFile look_at(const std::string& path) {
   FoundFile found{path};
-  struct stat status{};
+  struct stat status {};
   if (::stat(path.c_str(), &status) != 0) return found;
   found.size = status.st_size;
   found.changed_ns = status.st_mtim.tv_sec * kNsPerSecond + status.st_mtim.tv_nsec;
@@ -45,8 +46,8 @@ FoundFile look_at(const std::string& path) {
 /// size: it is looked into once more next time.
 std::int64_t certain_time(const FoundFile& file) {
   constexpr std::int64_t kTick = 2 * kNsPerSecond;
-  const auto now = std::chrono::duration_cast<std::chrono::nanoseconds>(
-      std::chrono::system_clock::now().time_since_epoch()).count();
+  const auto now =
+      std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::system_clock::now().time_since_epoch()).count();
   return now - file.changed_ns < kTick ? IndexedFile::kUncertain : file.changed_ns;
 }
 
@@ -153,7 +154,9 @@ class FolderUpdate {
                         found->second.changed_ns == file.changed_ns && file.changed_ns != IndexedFile::kUncertain;
       if (!same) changed_.push_back(&file);
     }
-    const auto exists = [&](const std::string& path) { return std::ranges::binary_search(files, path, {}, &FoundFile::path); };
+    const auto exists = [&](const std::string& path) {
+      return std::ranges::binary_search(files, path, {}, &FoundFile::path);
+    };
     for (const auto& [path, row] : known_) {
       if (!exists(path)) gone_.push_back(row.id);
     }
@@ -171,7 +174,8 @@ class FolderUpdate {
   }
 
   Status write() {
-    for (std::size_t from = 0; from == 0 || (from < changed_.size() && !report_.cancelled); from += kFilesPerTransaction) {
+    for (std::size_t from = 0; from == 0 || (from < changed_.size() && !report_.cancelled);
+         from += kFilesPerTransaction) {
       auto transaction = SqlTransaction::begin(store_.database());
       if (!transaction) return tl::unexpected(transaction.error());
       if (from == 0) {

@@ -9,9 +9,9 @@
 /// Brings the index up to date with the files: only what changed is read again.
 namespace syncline::eni {
 
-/// Every *.xml below the folder, in the order of their paths; all are chosen for searching. Size and modification time say
-/// whether a file may have changed, its content whether it did. A file that cannot be read becomes a problem in the store;
-/// kFileNotFound and kFileNotReadable when it is the folder, kCatalogue when the store fails.
+/// Every *.xml below the folder, in the order of their paths; all are chosen for searching. Size and modification time
+/// say whether a file may have changed, its content whether it did. A file that cannot be read becomes a problem in the
+/// store; kFileNotFound and kFileNotReadable when it is the folder, kCatalogue when the store fails.
 [[nodiscard]] Result<IndexReport> update_folder(CatalogueStore& store, const std::string& folder,
                                                 const IndexCallback& callback = {});
 /// One file, whatever its name; errors of the file are errors here.

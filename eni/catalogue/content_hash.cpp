@@ -4,7 +4,7 @@
 #include <bit>
 #include <cstring>
 
-#include "eni/xml_text.h"
+#include "eni/xml/xml_text.h"
 
 namespace syncline::eni {
 namespace {

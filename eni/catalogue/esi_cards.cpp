@@ -8,8 +8,8 @@
 
 #include "eni/catalogue/content_hash.h"
 #include "eni/catalogue/revision_rule.h"
-#include "eni/xml_reader.h"
-#include "eni/xml_text.h"
+#include "eni/xml/xml_reader.h"
+#include "eni/xml/xml_text.h"
 #include "protocol/error_text.h"
 
 namespace syncline::eni {
@@ -46,8 +46,9 @@ class InfoReader {
                                fmt::format("Device {} is left out: {}", trim(card.type), describe(error))});
   }
 
-  /// End caps, power supplies and the like stand in ESI files so that cabinets can be drawn: no product code, nothing of an
-  /// EtherCAT slave controller. On the bus there is nobody; a slave with an empty EEPROM must not be taken for one.
+  /// End caps, power supplies and the like stand in ESI files so that cabinets can be drawn: no product code, nothing
+  /// of an EtherCAT slave controller. On the bus there is nobody; a slave with an empty EEPROM must not be taken for
+  /// one.
   static bool has_controller(const Node& device) {
     if (device.child("Type").has("ProductCode")) return true;
     constexpr const char* kParts[] = {"Fmmu", "Sm", "RxPdo", "TxPdo", "Mailbox", "Dc", "Eeprom"};
@@ -65,7 +66,8 @@ class InfoReader {
     card.vendor_name = vendor_name_;
     card.name = device.child("Name") ? device.localized("Name").trimmed() : std::string(trim(card.type));
     card.group_type = device.child("GroupType").trimmed();
-    if (const auto group = group_names_.find(card.group_type); group != group_names_.end()) card.group_name = group->second;
+    if (const auto group = group_names_.find(card.group_type); group != group_names_.end())
+      card.group_name = group->second;
     card.physics = device.attribute("Physics");
     card.revision_rule = type.attribute("CheckRevisionNo");
     card.invisible = is_true(device.attribute("Invisible"));

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "config/device_description.h"
-#include "eni/esi_reader.h"
+#include "eni/esi/esi_reader.h"
 #include "support/result.h"
 
 /// What the catalogue keeps of an ESI file: enough to find a device, far less than describes it.
@@ -24,21 +24,21 @@ struct HiddenDevice {
 struct EsiCard {
   Identity identity;
   int line = 0;
-  int place = 0;                  // of its Device element among all of the file
+  int place = 0;  // of its Device element among all of the file
   std::string vendor_name, type, name, group_type, group_name, physics;
-  std::string revision_rule;      // Type@CheckRevisionNo, "" = none given
-  bool invisible = false;         // Device@Invisible
+  std::string revision_rule;  // Type@CheckRevisionNo, "" = none given
+  bool invisible = false;     // Device@Invisible
   std::vector<HiddenDevice> hides;
   bool operator==(const EsiCard&) const = default;
 };
 
 struct EsiCards {
-  std::vector<EsiCard> cards;          // file order
-  std::vector<FileWarning> warnings;   // devices that are left out
+  std::vector<EsiCard> cards;         // file order
+  std::vector<FileWarning> warnings;  // devices that are left out
 };
 
-/// Fingerprints of all Device elements of a file, by EsiCard::place. Takes as long as reading the cards again: for the few
-/// devices that are described twice.
+/// Fingerprints of all Device elements of a file, by EsiCard::place. Takes as long as reading the cards again: for the
+/// few devices that are described twice.
 [[nodiscard]] Result<std::vector<std::uint64_t>> read_contents(std::string_view text, const std::string& file_name);
 
 /// kXmlMalformed, kFileLimit, kNotThatKindOfFile with file and line. A side file (EtherCATModule, EtherCATDict) has no

@@ -10,7 +10,7 @@
 #include "eni/catalogue/catalogue_query.h"
 #include "eni/catalogue/catalogue_store.h"
 #include "eni/catalogue/catalogue_update.h"
-#include "eni/xml_text.h"
+#include "eni/xml/xml_text.h"
 #include "protocol/error_text.h"
 
 namespace syncline::eni {
@@ -25,7 +25,7 @@ struct EsiCatalogue::State {
   std::optional<CatalogueStore> store;
   std::vector<Source> sources;
   std::vector<FileWarning> notes;
-  std::map<std::string, std::unique_ptr<EsiFile>> files;   // those that were read whole
+  std::map<std::string, std::unique_ptr<EsiFile>> files;  // those that were read whole
 
   Status open() {
     std::string replaced;
@@ -153,7 +153,8 @@ std::vector<FileWarning> EsiCatalogue::warnings() const {
     const std::size_t before = all.size();  // a broken device is found by the index and by the reader
     for (const auto& warning : more) {
       const auto same_place = [&](const FileWarning& w) { return w.file == warning.file && w.line == warning.line; };
-      if (std::none_of(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(before), same_place)) all.push_back(warning);
+      if (std::none_of(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(before), same_place))
+        all.push_back(warning);
     }
   };
   if (indexed) add(*indexed);
@@ -175,7 +176,9 @@ Result<std::vector<DuplicateDevice>> EsiCatalogue::duplicates(const std::functio
   return state_->repaired([&] { return eni::duplicates(*state_->store, go_on); });
 }
 
-Status EsiCatalogue::mend() { return state_->repaired([&] { return state_->store->check(); }); }
+Status EsiCatalogue::mend() {
+  return state_->repaired([&] { return state_->store->check(); });
+}
 
 Result<CatalogueMatch> EsiCatalogue::match(const Identity& identity) const {
   const auto entries =

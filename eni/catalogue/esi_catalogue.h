@@ -10,7 +10,7 @@
 #include "config/device_description.h"
 #include "eni/catalogue/catalogue_entry.h"
 #include "eni/catalogue/catalogue_match.h"
-#include "eni/esi_reader.h"
+#include "eni/esi/esi_reader.h"
 #include "support/result.h"
 
 namespace syncline::eni {
@@ -19,11 +19,11 @@ struct DeviceMatch {
   const DeviceDescription* device = nullptr;  // lives as long as the catalogue
   bool exact_revision = false;
   MatchKind kind = MatchKind::kExact;
-  std::string words;                          // why this device
+  std::string words;  // why this device
 };
 
-/// The devices of folders of ESI files: an index in SQLite finds them, the file of a device is read when somebody wants all
-/// of it. For one thread at a time; several programs may use the same database.
+/// The devices of folders of ESI files: an index in SQLite finds them, the file of a device is read when somebody wants
+/// all of it. For one thread at a time; several programs may use the same database.
 class EsiCatalogue {
  public:
   /// With an index in memory.

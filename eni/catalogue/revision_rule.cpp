@@ -21,7 +21,8 @@ struct Rule {
 constexpr std::array<Rule, 7> kRules{{
     {"NONE", [](std::uint32_t, std::uint32_t) { return true; }, "any revision"},
     {"EQ", [](std::uint32_t esi, std::uint32_t scanned) { return esi == scanned; }, "this revision only"},
-    {"EQ_OR_G", [](std::uint32_t esi, std::uint32_t scanned) { return scanned >= esi; }, "this revision or a newer one"},
+    {"EQ_OR_G", [](std::uint32_t esi, std::uint32_t scanned) { return scanned >= esi; },
+     "this revision or a newer one"},
     {"LW_EQ", [](std::uint32_t esi, std::uint32_t scanned) { return Words(esi).low == Words(scanned).low; },
      "revisions with the same low word"},
     {"LW_EQ_HW_EQ_OR_G",

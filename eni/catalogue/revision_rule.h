@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-/// ETG.2000 Device/Type@CheckRevisionNo: which revisions the vendor takes for the device of an ESI entry. LW and HW are the
-/// low and the high word of the revision number, G is "greater".
+/// ETG.2000 Device/Type@CheckRevisionNo: which revisions the vendor takes for the device of an ESI entry. LW and HW are
+/// the low and the high word of the revision number, G is "greater".
 namespace syncline::eni {
 
 /// NONE, EQ, EQ_OR_G, LW_EQ, LW_EQ_HW_EQ_OR_G, HW_EQ, HW_EQ_LW_EQ_OR_G.

@@ -31,7 +31,8 @@ SqlStatement& SqlStatement::bind(int parameter, std::int64_t value) {
 
 SqlStatement& SqlStatement::bind(int parameter, std::string_view text) {
   // An empty text, not NULL, where the view has no storage.
-  sqlite3_bind_text(statement_, parameter + 1, text.empty() ? "" : text.data(), static_cast<int>(text.size()), SQLITE_TRANSIENT);
+  sqlite3_bind_text(statement_, parameter + 1, text.empty() ? "" : text.data(), static_cast<int>(text.size()),
+                    SQLITE_TRANSIENT);
   return *this;
 }
 
@@ -53,7 +54,8 @@ std::int64_t SqlStatement::integer(int column) const { return sqlite3_column_int
 
 std::string_view SqlStatement::text(int column) const {
   const auto* const text = reinterpret_cast<const char*>(sqlite3_column_text(statement_, column));
-  return text ? std::string_view(text, static_cast<std::size_t>(sqlite3_column_bytes(statement_, column))) : std::string_view{};
+  return text ? std::string_view(text, static_cast<std::size_t>(sqlite3_column_bytes(statement_, column)))
+              : std::string_view{};
 }
 
 void SqlStatement::reset() {
@@ -90,8 +92,8 @@ Result<SqlStatement> SqlDatabase::prepare(std::string_view sql) {
   auto& known = statements_[sql];
   if (!known) {
     sqlite3_stmt* statement = nullptr;
-    const int code = sqlite3_prepare_v3(database_.get(), sql.data(), static_cast<int>(sql.size()), SQLITE_PREPARE_PERSISTENT,
-                                        &statement, nullptr);
+    const int code = sqlite3_prepare_v3(database_.get(), sql.data(), static_cast<int>(sql.size()),
+                                        SQLITE_PREPARE_PERSISTENT, &statement, nullptr);
     if (code != SQLITE_OK) return sql_error(database_.get(), code);
     known.reset(statement);
   }
@@ -105,15 +107,14 @@ std::int64_t SqlDatabase::last_row() const { return sqlite3_last_insert_rowid(da
 bool is_damaged(const Error& error) {
   if (error.code != ErrorCode::kCatalogue) return false;
   // The statements are always the same: that one of them is wrong, or breaks a rule, lies in what it found.
-  constexpr int kDamages[] = {SQLITE_CORRUPT, SQLITE_NOTADB, SQLITE_ERROR, SQLITE_CONSTRAINT, SQLITE_MISMATCH, SQLITE_FORMAT};
+  constexpr int kDamages[] = {SQLITE_CORRUPT,    SQLITE_NOTADB,   SQLITE_ERROR,
+                              SQLITE_CONSTRAINT, SQLITE_MISMATCH, SQLITE_FORMAT};
   return std::ranges::find(kDamages, error.received) != std::end(kDamages);
 }
 
 tl::unexpected<Error> damaged(const SqlDatabase& database, std::string detail) {
-  return fail(Error{.code = ErrorCode::kCatalogue,
-                    .detail = std::move(detail),
-                    .file = database.path(),
-                    .received = SQLITE_CORRUPT});
+  return fail(Error{
+      .code = ErrorCode::kCatalogue, .detail = std::move(detail), .file = database.path(), .received = SQLITE_CORRUPT});
 }
 
 Result<SqlTransaction> SqlTransaction::begin(SqlDatabase& database) {

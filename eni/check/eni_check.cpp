@@ -5,13 +5,13 @@
 
 #include <algorithm>
 
-#include "config/check/check_network.h"
+#include "check/check_network.h"
 #include "eni/check/eni_locations.h"
 #include "eni/check/eni_structure.h"
-#include "eni/eni_file.h"
-#include "eni/eni_reader.h"
-#include "eni/xml_reader.h"
-#include "eni/xml_text.h"
+#include "eni/format/eni_file.h"
+#include "eni/format/eni_reader.h"
+#include "eni/xml/xml_reader.h"
+#include "eni/xml/xml_text.h"
 #include "protocol/error_text.h"
 
 namespace syncline::eni {

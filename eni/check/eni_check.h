@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "config/check/check_rule.h"
+#include "check/check_rule.h"
 #include "support/result.h"
 
 namespace syncline::eni {

@@ -5,7 +5,7 @@
 
 #include <initializer_list>
 
-#include "eni/eni_end_cap.h"
+#include "eni/format/eni_end_cap.h"
 
 namespace syncline::eni {
 namespace {

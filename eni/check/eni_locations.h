@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "config/check/check_network.h"
+#include "check/check_network.h"
 
 namespace syncline::eni {
 

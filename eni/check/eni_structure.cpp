@@ -9,9 +9,9 @@
 
 #include "eni/check/eni_schema.h"
 #include "eni/check/eni_value_check.h"
-#include "eni/eni_end_cap.h"
-#include "eni/xml_reader.h"
-#include "eni/xml_text.h"
+#include "eni/format/eni_end_cap.h"
+#include "eni/xml/xml_reader.h"
+#include "eni/xml/xml_text.h"
 
 namespace syncline::eni {
 namespace {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "eni/xml_number.h"
-#include "eni/xml_text.h"
+#include "eni/xml/xml_number.h"
+#include "eni/xml/xml_text.h"
 #include "protocol/al_state.h"
 
 namespace syncline::eni {

@@ -12,7 +12,9 @@ namespace {
 
 using testing::HasSubstr;
 
-std::string scenario(const std::string& name) { return "sim:" + test::source_dir() + "/resources/" + name + "?virtual"; }
+std::string scenario(const std::string& name) {
+  return "sim:" + test::source_dir() + "/resources/" + name + "?virtual";
+}
 
 /// Our own export, in which `from` is replaced once.
 std::string edited(const TemporaryFolder& folder, const std::string& from, const std::string& to) {

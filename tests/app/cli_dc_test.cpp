@@ -63,8 +63,9 @@ TEST(CliDc, OtherBusThanTheProjectsIsRefused) {
   const TemporaryFolder folder;
   const auto project = folder.file("m.syncline");
   ASSERT_EQ(cli_run({"project", "create", project, "--scan", demo()}).code, 0);
-  const auto run = cli_run({"dc", "status", "sim:" + test::source_dir() + "/resources/scenarios/all-devices.toml?virtual",
-                            "--project", project});
+  const auto run =
+      cli_run({"dc", "status", "sim:" + test::source_dir() + "/resources/scenarios/all-devices.toml?virtual",
+               "--project", project});
   EXPECT_EQ(run.code, 3);
   EXPECT_THAT(run.err, HasSubstr("9"));
 }

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "eni/project_file.h"
+#include "eni/project/project_file.h"
 #include "tests/app/cli_runner.h"
 
 /// Slaves without an ESI: what they say of themselves.

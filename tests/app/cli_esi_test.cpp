@@ -43,8 +43,10 @@ TEST_F(CliEsi, IndexReadsOnlyWhatChanged) {
 
 TEST_F(CliEsi, IndexNamesConflictsAndBadFiles) {
   const auto text = [](const char* name) {
-    return std::string("<EtherCATInfo><Vendor><Id>1</Id></Vendor><Descriptions><Devices><Device><Type ProductCode=\"2\" "
-                       "RevisionNo=\"3\">T</Type><Name>") + name + "</Name></Device></Devices></Descriptions></EtherCATInfo>";
+    return std::string(
+               "<EtherCATInfo><Vendor><Id>1</Id></Vendor><Descriptions><Devices><Device><Type ProductCode=\"2\" "
+               "RevisionNo=\"3\">T</Type><Name>") +
+           name + "</Name></Device></Devices></Descriptions></EtherCATInfo>";
   };
   std::ofstream(folder_.file("a.xml")) << text("one");
   std::ofstream(folder_.file("b.xml")) << text("two");
@@ -113,13 +115,15 @@ TEST_F(CliEsi, ACacheThatIsSomethingElseIsRefused) {
   EXPECT_EQ(run.code, cli::kFailed);
   EXPECT_THAT(run.err, HasSubstr("it is no device catalogue"));
   EXPECT_EQ(read_text(database()), "my own file");
-  const auto project = cli_run({"project", "create", folder_.file("m.syncline"), "--scan", demo(), "--cache", database()});
+  const auto project =
+      cli_run({"project", "create", folder_.file("m.syncline"), "--scan", demo(), "--cache", database()});
   EXPECT_EQ(project.code, cli::kFailed);
 }
 
 TEST_F(CliEsi, ForgottenFoldersAreNotSearched) {
-  std::ofstream(folder_.file("a.xml")) << "<EtherCATInfo><Vendor><Id>1</Id></Vendor><Descriptions><Devices><Device><Type "
-                                          "ProductCode=\"2\">Zebra</Type></Device></Devices></Descriptions></EtherCATInfo>";
+  std::ofstream(folder_.file("a.xml"))
+      << "<EtherCATInfo><Vendor><Id>1</Id></Vendor><Descriptions><Devices><Device><Type "
+         "ProductCode=\"2\">Zebra</Type></Device></Devices></Descriptions></EtherCATInfo>";
   const auto where = std::filesystem::path(folder_.file("a.xml")).parent_path().string();
   ASSERT_EQ(esi({"index", where}).code, cli::kDone);
   EXPECT_THAT(esi({"search", "zeb"}).out, HasSubstr("Zebra"));

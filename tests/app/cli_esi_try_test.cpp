@@ -137,7 +137,8 @@ class EsiTry : public ::testing::Test {
 };
 
 void expect_passed(const TriedDevice& device, std::uint16_t wkc) {
-  EXPECT_EQ(device.outcome, TryOutcome::kPassed) << device.type << ": " << step_name(device.step) << ": " << device.reason;
+  EXPECT_EQ(device.outcome, TryOutcome::kPassed)
+      << device.type << ": " << step_name(device.step) << ": " << device.reason;
   EXPECT_EQ(device.wkc_expected, wkc) << device.type;
   EXPECT_GE(device.cycles, 50U) << device.type;
 }
@@ -241,8 +242,8 @@ TEST(EsiTrySamples, EveryDeviceReachesOpOrItsEsiContradictsItself) {
   ASSERT_TRUE(tried);
   for (const auto& device : tried->devices) {
     EXPECT_NE(device.outcome, TryOutcome::kFailed)
-        << device.file << ": " << device.type << " " << to_string(device.identity) << ": " << step_name(device.step) << ": "
-        << device.reason;
+        << device.file << ": " << device.type << " " << to_string(device.identity) << ": " << step_name(device.step)
+        << ": " << device.reason;
   }
   std::cout << tried->devices.size() << " devices tried, " << tried->count(TryOutcome::kPassed) << " passed, "
             << tried->count(TryOutcome::kExcepted) << " excepted\n";

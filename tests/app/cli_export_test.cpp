@@ -69,8 +69,8 @@ TEST_F(CliExport, WritesTablesAHeaderAndADrawing) {
 
 TEST_F(CliExport, AnEniBecomesAProjectThatExportsTheSame) {
   const auto recovered = folder_.file("recovered.syncline");
-  const auto run =
-      cli_run({"project", "create", recovered, "--eni", eni_, "--esi", test::source_dir() + "/resources/esi", "--json"});
+  const auto run = cli_run(
+      {"project", "create", recovered, "--eni", eni_, "--esi", test::source_dir() + "/resources/esi", "--json"});
   ASSERT_EQ(run.code, cli::kDone) << run.err;
   EXPECT_EQ(run.json()["differences"], nlohmann::json::array()) << run.out;
   const auto again = folder_.file("again.xml");

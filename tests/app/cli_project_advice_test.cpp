@@ -65,7 +65,8 @@ TEST_F(CliProjectAdvice, OneFileForSeveralNetworks) {
   EXPECT_EQ(asked.code, cli::kUsage);
   EXPECT_THAT(asked.err, HasSubstr("0 \"Feeder\", 1 \"Press\""));
   ASSERT_EQ(cli_run({"project", "set", machine, "--network", "Press", "master.cycle_time_us=4000"}).code, cli::kDone);
-  EXPECT_EQ(cli_run({"project", "show", machine, "--network", "1", "master.cycle_time_us"}).out, "master.cycle_time_us=4000\n");
+  EXPECT_EQ(cli_run({"project", "show", machine, "--network", "1", "master.cycle_time_us"}).out,
+            "master.cycle_time_us=4000\n");
   EXPECT_EQ(cli_run({"project", "show", machine, "--network", "Feeder", "master.cycle_time_us"}).out,
             "master.cycle_time_us=1000\n");
 }

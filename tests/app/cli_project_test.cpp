@@ -65,7 +65,8 @@ TEST(CliProject, CreateSetShowKeepEachOthersValues) {
   EXPECT_EQ(shown["master.dc.sync_window"], "on");
   EXPECT_EQ(shown["master.dc.reference_clock"], "0");
 
-  ASSERT_EQ(cli_run({"project", "set", file, "master.cycle_time_us=1000", "master.dc.mode=bus-shift"}).code, cli::kDone);
+  ASSERT_EQ(cli_run({"project", "set", file, "master.cycle_time_us=1000", "master.dc.mode=bus-shift"}).code,
+            cli::kDone);
   EXPECT_EQ(cli_run({"project", "show", file, "master.cycle_time_us"}).out, "master.cycle_time_us=1000\n");
 }
 

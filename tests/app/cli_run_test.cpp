@@ -19,8 +19,8 @@ using testing::HasSubstr;
 std::string export_demo(const TemporaryFolder& folder, const std::string& shift) {
   const auto project = folder.file("m.syncline");
   const auto eni = folder.file("m.eni.xml");
-  const auto create = cli_run({"project", "create", project, "--scan", demo(), "--cycle", "1000", "--shift", shift,
-                               "--sync-window", "on"});
+  const auto create = cli_run(
+      {"project", "create", project, "--scan", demo(), "--cycle", "1000", "--shift", shift, "--sync-window", "on"});
   EXPECT_EQ(create.code, cli::kDone) << create.err;
   const auto exported = cli_run({"export", project, "-o", eni});
   EXPECT_EQ(exported.code, cli::kDone) << exported.err;
@@ -143,7 +143,8 @@ TEST(CliRun, AProjectIsCompiledWithWhatIsSetForTheRun) {
   const auto other = with({"dcm.reference_clock=3"}, "6s");
   EXPECT_EQ(other["dc"]["reference_clock"], 3);
   const auto first = with({}, "6s");
-  EXPECT_GT(std::abs(drift_of(other) - drift_of(first)), 5) << "another quartz leads, and it is another one's rate that is seen";
+  EXPECT_GT(std::abs(drift_of(other) - drift_of(first)), 5)
+      << "another quartz leads, and it is another one's rate that is seen";
   // The frames get the command that bus shift needs, and another cycle is another cycle.
   EXPECT_EQ(with({"dcm.mode=bus-shift"}, "6s")["dcm"]["bus_shift_configured"], true);
   EXPECT_EQ(with({"master.cycle_time_us=2000"}, "6s")["cycle_us"], 2000);
@@ -199,7 +200,8 @@ TEST(CliRun, SavesWhatTheRunShowedOfItsHost) {
   std::ifstream file(host);
   std::ostringstream text;
   text << file.rdbuf();
-  EXPECT_THAT(text.str(), testing::AllOf(HasSubstr("cycles of 1000 us in OP"), HasSubstr("[wake_up]"), HasSubstr("[stamp_error]")));
+  EXPECT_THAT(text.str(),
+              testing::AllOf(HasSubstr("cycles of 1000 us in OP"), HasSubstr("[wake_up]"), HasSubstr("[stamp_error]")));
   const auto nothing = cli_run({"run", eni, "--link", demo(), "--for", "6s", "--state", "PREOP", "--save-host", host});
   EXPECT_NE(nothing.code, cli::kDone);
   EXPECT_THAT(nothing.err, HasSubstr("not in OP"));

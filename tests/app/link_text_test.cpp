@@ -20,7 +20,8 @@ TEST(LinkText, TakesClockAndSeedInAnyOrder) {
 }
 
 TEST(LinkText, SaysWhatIsAccepted) {
-  for (const char* text : {"", "eth0", "sim:", "tcp:host", "sim:m.toml?fast", "sim:m.toml?seed=", "sim:m.toml?seed=1x"}) {
+  for (const char* text :
+       {"", "eth0", "sim:", "tcp:host", "sim:m.toml?fast", "sim:m.toml?seed=", "sim:m.toml?seed=1x"}) {
     const auto link = parse_link_text(text);
     ASSERT_FALSE(link) << text;
     EXPECT_EQ(link.error().code, ErrorCode::kBadValue) << text;

@@ -2,10 +2,10 @@
 #include <fmt/format.h>
 
 #include "bench/ratio_report.h"
-#include "config/compile/incremental.h"
-#include "settings/settings_keys.h"
-#include "eni/esi_reader.h"
+#include "compile/incremental.h"
+#include "eni/esi/esi_reader.h"
 #include "protocol/error_text.h"
+#include "settings/settings_keys.h"
 #include "tests/support/source_dir.h"
 
 /// What an edit of a project with 500 slaves costs until its findings are there, against compiling the whole.
@@ -46,13 +46,15 @@ double edit_ns(const Project& project, const std::string& key, const std::string
 void bench_edits(RatioReport& report, const Project& project) {
   const double whole = median_ns([&] { static_cast<void>(compile(project)); });
   const std::string baseline = fmt::format("compile of {} slaves", kSlaves);
-  const auto edit = [&](const std::string& what, const std::string& key, const std::string& one, const std::string& other) {
+  const auto edit = [&](const std::string& what, const std::string& key, const std::string& one,
+                        const std::string& other) {
     const double took = edit_ns(project, key, one, other);
     report.add(what, took, baseline, whole, 0);
     report.add(what + ", promised", took, "50 ms", kPromiseNs, 1.0);
   };
   edit("name of a slave", "slave.250.name", "Valve", "Pump");
-  edit("PDOs of a slave, all behind it move", "slave.1.pdo.tx", "", get_setting(project, "slave.1.pdo.tx").value_or(""));
+  edit("PDOs of a slave, all behind it move", "slave.1.pdo.tx", "",
+       get_setting(project, "slave.1.pdo.tx").value_or(""));
   edit("cycle time", "master.cycle_time_us", "1000", "2000");
   report.add("compile, promised too", whole, "50 ms", kPromiseNs, 0);
 }

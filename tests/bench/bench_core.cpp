@@ -9,11 +9,11 @@
 #include "app/composition/open_link.h"
 #include "bench/ratio_report.h"
 #include "channels/master_channels.h"
-#include "config/compile/compile.h"
+#include "compile/compile.h"
 #include "engine/run_network.h"
 #include "engine/scan_bus.h"
 #include "eni/catalogue/esi_catalogue.h"
-#include "eni/project_builder.h"
+#include "eni/project/project_builder.h"
 #include "master/master_service.h"
 #include "protocol/error_text.h"
 #include "protocol/frame.h"
@@ -128,14 +128,16 @@ void bench_virtual_hundred(RatioReport& report, bool drives, double gate) {
   if (snapshot.state != AlState::kOp) return report.add_failure(what, "not in OP");
   std::vector<CycleSample> samples;
   std::size_t cycles = 0;
-  const double took = median_ns([&] {
-    for (Nanoseconds done = 0; done < kRound; done += kStep) {
-      service.run_for(kStep);
-      samples.clear();
-      service.channels().samples.pop(samples);
-      cycles += samples.size();
-    }
-  }, kRounds);
+  const double took = median_ns(
+      [&] {
+        for (Nanoseconds done = 0; done < kRound; done += kStep) {
+          service.run_for(kStep);
+          samples.clear();
+          service.channels().samples.pop(samples);
+          cycles += samples.size();
+        }
+      },
+      kRounds);
   (void)service.channels().snapshot.read(snapshot);
   if (snapshot.state != AlState::kOp || cycles < kRounds * 990) {
     return report.add_failure(what, fmt::format("{} cycles, then not in OP", cycles));

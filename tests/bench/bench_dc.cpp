@@ -64,8 +64,10 @@ void compare_steered(RatioReport& report, std::size_t slaves) {
   const auto near = frames_until_near(slaves, DcmMode::kBusShift);
   const auto whole = set_up(line(slaves), DcmMode::kBusShift);
   if (!near || !whole.error.empty()) return report.add_failure(name, "never within 100 ns");
-  fmt::print("{}: near after {} frames; the whole burst, until the reference clock follows the host: {} frames, {:.0f} ms, "
-             "{} ns apart\n", name, *near, whole.frames, static_cast<double>(whole.time) / 1e6, whole.difference);
+  fmt::print(
+      "{}: near after {} frames; the whole burst, until the reference clock follows the host: {} frames, {:.0f} ms, "
+      "{} ns apart\n",
+      name, *near, whole.frames, static_cast<double>(whole.time) / 1e6, whole.difference);
   report.add_count(name, static_cast<double>(*near), "frames", 15'000, "frames", 0.2);
 }
 
@@ -79,9 +81,9 @@ void compare(RatioReport& report, std::size_t slaves, DcmMode mode, double gate)
   const auto fast = set_up(line(slaves), mode);
   const auto name = fmt::format("clocks of {} slaves, {}", slaves, dcm_mode_name(mode));
   if (!fast.error.empty() || !slow.error.empty()) return report.add_failure(name, fast.error + slow.error);
-  fmt::print("{}: {} frames, {:.0f} ms, {} ns apart; fixed burst: {} frames, {:.0f} ms, {} ns apart\n", name, fast.frames,
-             static_cast<double>(fast.time) / 1e6, fast.difference, slow.frames, static_cast<double>(slow.time) / 1e6,
-             slow.difference);
+  fmt::print("{}: {} frames, {:.0f} ms, {} ns apart; fixed burst: {} frames, {:.0f} ms, {} ns apart\n", name,
+             fast.frames, static_cast<double>(fast.time) / 1e6, fast.difference, slow.frames,
+             static_cast<double>(slow.time) / 1e6, slow.difference);
   if (fast.difference >= kNear) return report.add_failure(name, fmt::format("{} ns apart", fast.difference));
   report.add_count(name, static_cast<double>(fast.frames), "frames", static_cast<double>(slow.frames), "frames", gate);
 }

@@ -10,7 +10,7 @@
 #include "bench/plain_dcm.h"
 #include "bench/ratio_report.h"
 #include "core/dc/dcm_plant.h"
-#include "master/sync_watch.h"
+#include "master/clocks/sync_watch.h"
 #include "support/simulated_network.h"
 
 /// The master synchronisation against no control and against plain PI controllers: same clocks, same host, same seeds.
@@ -84,8 +84,9 @@ PlantOptions machine(DcmMode mode, const JitterProfile& jitter, double ppm) {
 std::string seconds_text(double seconds) { return seconds == kNever ? "never" : fmt::format("{:.2f} s", seconds); }
 
 void print_row(const std::string& name, const char* control, const Figures& f) {
-  fmt::print("{:<34} {:<9} lock {:>8}   rms {:>11.1f}   without its mean {:>9.1f}   peak {:>11.1f}   slaves {:>8.1f} ns\n", name,
-             control, seconds_text(f.lock), f.rms, f.spread, f.peak, f.slaves);
+  fmt::print(
+      "{:<34} {:<9} lock {:>8}   rms {:>11.1f}   without its mean {:>9.1f}   peak {:>11.1f}   slaves {:>8.1f} ns\n",
+      name, control, seconds_text(f.lock), f.rms, f.spread, f.peak, f.slaves);
 }
 
 void compare(RatioReport& report, DcmMode mode, const char* profile, const JitterProfile& jitter, double ppm) {
@@ -98,9 +99,11 @@ void compare(RatioReport& report, DcmMode mode, const char* profile, const Jitte
   print_row(name, "off", off);
   // Never later, to a cycle; at 50 ppm within 2 s.
   if (ours.lock > plain.lock + 0.002) {
-    report.add_failure(name, fmt::format("locks after {}, plain PI after {}", seconds_text(ours.lock), seconds_text(plain.lock)));
+    report.add_failure(
+        name, fmt::format("locks after {}, plain PI after {}", seconds_text(ours.lock), seconds_text(plain.lock)));
   }
-  if (std::abs(ppm) <= 50 && ours.lock > 2) report.add_failure(name, fmt::format("locks after {}", seconds_text(ours.lock)));
+  if (std::abs(ppm) <= 50 && ours.lock > 2)
+    report.add_failure(name, fmt::format("locks after {}", seconds_text(ours.lock)));
   const bool desktop = std::string_view(profile) == "desktop";
   report.add_count(name + ", rms", ours.rms, "ns", plain.rms, "ns of plain PI", desktop ? 0.5 : 0);
   report.add_count(name + ", rms without mean", ours.spread, "ns", plain.spread, "ns of plain PI", 0);
@@ -147,15 +150,17 @@ void cost_of_a_cycle(RatioReport& report, DcmMode mode, double controller_ns) {
   constexpr int kCycles = 1'000;
   Nanoseconds time = 0;
   const double ns = median_ns([&] {
-    for (int i = 0; i < kCycles; ++i) {
-      time += kMillisecond;
-      CycleSample sample;
-      (void)sync.reference_write(time, time);
-      (void)sync.observe_cycle({time, time, time + (i * 37) % 100}, sample);
-      sync.observe_slaves(time, OredDeviation{static_cast<std::uint32_t>(i % 30), 4}, sample);
-    }
-  }) / kCycles;
-  report.add(fmt::format("{}, all for the clocks in a cycle", dcm_mode_name(mode)), ns, "the controller", controller_ns, 0);
+                      for (int i = 0; i < kCycles; ++i) {
+                        time += kMillisecond;
+                        CycleSample sample;
+                        (void)sync.reference_write(time, time);
+                        (void)sync.observe_cycle({time, time, time + (i * 37) % 100}, sample);
+                        sync.observe_slaves(time, OredDeviation{static_cast<std::uint32_t>(i % 30), 4}, sample);
+                      }
+                    }) /
+                    kCycles;
+  report.add(fmt::format("{}, all for the clocks in a cycle", dcm_mode_name(mode)), ns, "the controller", controller_ns,
+             0);
 }
 
 int run() {

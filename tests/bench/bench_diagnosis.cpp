@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "bench/ratio_report.h"
-#include "master/evidence_reader.h"
+#include "master/cyclic/evidence_reader.h"
 #include "support/random.h"
 #include "tests/support/diagnosed_run.h"
 #include "tests/support/small_machines.h"
@@ -27,7 +27,7 @@ struct Told {
   const char* name;
   FaultKind kind;
   EventKind event;
-  bool of_slave;   // the event names the slave
+  bool of_slave;  // the event names the slave
 };
 constexpr Told kTold[] = {
     {"lost frames", FaultKind::kLoseFrames, kind_of<events::FramesLost>, false},

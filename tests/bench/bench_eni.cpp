@@ -6,11 +6,11 @@
 #include <tinyxml2.h>
 
 #include "bench/ratio_report.h"
-#include "config/compare/compare_configs.h"
-#include "config/compile/compile.h"
+#include "compare/compare_configs.h"
+#include "compile/compile.h"
 #include "eni/check/eni_check.h"
-#include "eni/eni_file.h"
-#include "eni/line_wiring.h"
+#include "eni/format/eni_file.h"
+#include "eni/project/line_wiring.h"
 #include "protocol/error_text.h"
 #include "tests/support/sample_devices.h"
 
@@ -62,7 +62,8 @@ void bench_write(RatioReport& report) {
   const auto text = eni::write_eni(compiled->config);
   const double peak = peak_mib();
   tinyxml2::XMLDocument document;
-  if (document.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS) return report.add_failure("ENI of 1000 slaves", "is no XML");
+  if (document.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS)
+    return report.add_failure("ENI of 1000 slaves", "is no XML");
 
   const double print = median_ns([&] {
     tinyxml2::XMLPrinter printer;

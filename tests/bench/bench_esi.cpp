@@ -12,7 +12,7 @@
 #include "eni/catalogue/catalogue_store.h"
 #include "eni/catalogue/catalogue_update.h"
 #include "eni/catalogue/esi_catalogue.h"
-#include "eni/xml_text.h"
+#include "eni/xml/xml_text.h"
 #include "protocol/error_text.h"
 #include "tests/support/sample_folder.h"
 
@@ -91,8 +91,8 @@ void bench_index(RatioReport& report) {
     warm.push_back(index_ns(database, *folder, devices, read));
     if (read != 0) return report.add_failure("warm start", fmt::format("{} files read again", read));
   }
-  report.add(fmt::format("cold index, {} files, {} devices", files.size(), devices), median(cold), "tinyxml2 parses them",
-             median(parse), 1.5);
+  report.add(fmt::format("cold index, {} files, {} devices", files.size(), devices), median(cold),
+             "tinyxml2 parses them", median(parse), 1.5);
   report.add("warm start, nothing changed", median(warm), "cold index", median(cold), 0.02);
 }
 
@@ -109,7 +109,8 @@ eni::EsiCards cards_of(std::uint32_t file) {
       card.place = static_cast<int>(product * kRevisions + revision);
       card.vendor_name = fmt::format("Vendor {}", file % 40 + 1);
       card.type = fmt::format("EL{}-{:04}", 1'000 + file * 7 % 9'000, product);
-      card.name = fmt::format("{}Ch. Digital {} 24V, {}us", product % 8 + 1, product % 2 == 0 ? "Input" : "Output", file);
+      card.name =
+          fmt::format("{}Ch. Digital {} 24V, {}us", product % 8 + 1, product % 2 == 0 ? "Input" : "Output", file);
       card.group_type = product % 2 == 0 ? "DigIn" : "DigOut";
       card.group_name = product % 2 == 0 ? "Digital input terminals" : "Digital output terminals";
       card.revision_rule = "EQ_OR_G";
@@ -138,7 +139,8 @@ void bench_lookup(RatioReport& report) {
   if (!store) return report.add_failure("look-up", describe(store.error()));
   if (const auto status = fill(*store); !status) return report.add_failure("look-up", describe(status.error()));
   const auto devices = store->device_count().value_or(0);
-  if (devices != kFiles * kProducts * kRevisions) return report.add_failure("look-up", fmt::format("{} devices", devices));
+  if (devices != kFiles * kProducts * kRevisions)
+    return report.add_failure("look-up", fmt::format("{} devices", devices));
   std::uint32_t n = 0;
   bool found_all = true;
   const double lookup = median_ns([&] {
@@ -149,10 +151,12 @@ void bench_lookup(RatioReport& report) {
     found_all = found_all && entries && eni::best_match(*entries, identity)->kind == eni::MatchKind::kRule;
   });
   if (!found_all) return report.add_failure("look-up", "an identity was not found");
-  report.add(fmt::format("look-up of an identity among {} devices", devices), lookup, "a millisecond", kMillisecondNs, 1);
+  report.add(fmt::format("look-up of an identity among {} devices", devices), lookup, "a millisecond", kMillisecondNs,
+             1);
   for (const char* words : {"E", "EL21", "dig outp", "vendor 7 out", "nothing like this"}) {
     const double search = median_ns([&] { (void)eni::search(*store, {.words = words}); });
-    report.add(fmt::format("search \"{}\" among {} devices", words, devices), search, "a frame of the screen", 16 * kMillisecondNs, 1);
+    report.add(fmt::format("search \"{}\" among {} devices", words, devices), search, "a frame of the screen",
+               16 * kMillisecondNs, 1);
   }
 }
 

@@ -17,7 +17,9 @@ namespace {
 double cpu_seconds() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
-  const auto seconds = [](const timeval& t) { return static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_usec) / 1e6; };
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_usec) / 1e6;
+  };
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
@@ -70,7 +72,6 @@ void bench_bring_up(std::size_t largest) {
     }
   }
 }
-
 
 /// 4 bytes out and 4 in of each slave fit the same 4 bytes of an LRW; nothing smaller carries them.
 void bench_frame_bytes(RatioReport& report) {

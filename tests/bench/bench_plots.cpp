@@ -16,7 +16,7 @@
 #include "trace/min_max_series.h"
 #include "ui/panels/live_strip.h"
 #include "ui/plots/series_item.h"
-#include "ui/theme.h"
+#include "ui/theme/theme.h"
 
 /// Drawing a long series: our item on the pyramid against Qwt's own curve, on the same canvas.
 namespace syncline::bench {
@@ -54,7 +54,9 @@ struct Data {
 
 class Canvas {
  public:
-  explicit Canvas(double scale = 1) : image_(kCanvas * scale, QImage::Format_RGB32) { image_.setDevicePixelRatio(scale); }
+  explicit Canvas(double scale = 1) : image_(kCanvas * scale, QImage::Format_RGB32) {
+    image_.setDevicePixelRatio(scale);
+  }
 
   template <class Draw>
   double time(Draw&& draw) {
@@ -110,7 +112,8 @@ void compare_sizes(RatioReport& report, std::map<int, double>& ours) {
     ours[size.count] = item_time(data, canvas);
     const std::string what = std::string("draw ") + size.name + " points";
     report.add(what, ours[size.count], "Qwt curve", curve_time(data, canvas, false), size.gate);
-    report.add(what, ours[size.count], "Qwt curve, aggressive filter", curve_time(data, canvas, true), size.aggressive_gate);
+    report.add(what, ours[size.count], "Qwt curve, aggressive filter", curve_time(data, canvas, true),
+               size.aggressive_gate);
     if (size.count == 1'000'000) {
       report.add("draw 1 % of 1 M points", item_time(data, canvas, 0.01), "all of them", ours[size.count], 1.5);
     }
@@ -177,7 +180,8 @@ void compare_strip(RatioReport& report) {
     for (auto& sample : samples) {
       sample.cycle = cycle;
       sample.send_time = kStart + static_cast<Nanoseconds>(cycle) * kCycle;
-      sample.flags = CycleSample::kFollowersRead | CycleSample::kSlaveFollows | CycleSample::kDcmActive | CycleSample::kReferenceValid;
+      sample.flags = CycleSample::kFollowersRead | CycleSample::kSlaveFollows | CycleSample::kDcmActive |
+                     CycleSample::kReferenceValid;
       sample.deviation_ns = 20 + random() % 40;
       sample.dcm_error_ns = static_cast<std::int32_t>(random() % 401) - 200;
       sample.slave_position = static_cast<std::int16_t>(cycle % names.size());

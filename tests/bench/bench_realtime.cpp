@@ -94,8 +94,9 @@ void measure(Nanoseconds cycle, Nanoseconds spin, bool loaded, int seconds) {
 int main(int argc, char** argv) {
   using namespace syncline;
   const int seconds = argc > 1 ? std::max(1, std::atoi(argv[1])) : 60;
-  fmt::print("Lateness of the cyclic thread, {} s each (us; \"processor\" is the whole process with the simulated bus)\n",
-             seconds);
+  fmt::print(
+      "Lateness of the cyclic thread, {} s each (us; \"processor\" is the whole process with the simulated bus)\n",
+      seconds);
   fmt::print("    cycle    spin  other core     cycles       p50       p90       p99     p99.9  overruns processor\n");
   for (const bool loaded : {false, true}) {
     for (const auto cycle : {kMillisecond, 250 * kMicrosecond}) {

@@ -9,7 +9,7 @@
 #include "bench/sequential_scan.h"
 #include "link/bus_responder.h"
 #include "link/pcap_link.h"
-#include "master/bus_scanner.h"
+#include "master/scan/bus_scanner.h"
 #include "protocol/error_text.h"
 #include "support/net_namespace.h"
 #include "support/scan_bed.h"
@@ -43,8 +43,8 @@ void bench_frames(RatioReport& report, const std::string& name, const SimulatedN
   const auto slaves = network.sim.slaves.size();
   if (const auto why = shortcoming(scan, slaves); !why.empty()) return report.add_failure(name, why);
   report.add_count(name, static_cast<double>(link.frames), "frames", static_cast<double>(slaves), "slaves", limit);
-  fmt::print("{}: {} frames, {} bytes, {:.1f} ms on the bus, {:.0f} ms of processor with the simulation\n", name, link.frames,
-             link.bytes, static_cast<double>(clock.now() - virtual_begin) / 1e6, took * 1e3);
+  fmt::print("{}: {} frames, {} bytes, {:.1f} ms on the bus, {:.0f} ms of processor with the simulation\n", name,
+             link.frames, link.bytes, static_cast<double>(clock.now() - virtual_begin) / 1e6, took * 1e3);
 }
 
 struct Took {

@@ -107,8 +107,9 @@ int measure(Nanoseconds cycle, Nanoseconds spin, int seconds) {
   }
   const auto cpu = (thread_us() - begin) / static_cast<double>(round_trip.count() + lost);
   const auto us = [&](double fraction) { return static_cast<double>(round_trip.percentile(fraction)) / 1000; };
-  fmt::print("  {:>7.0f} {:>7.0f} {:>9} {:>6} {:>9.2f} {:>9.2f} {:>9.2f} {:>12.1f}\n", static_cast<double>(cycle) / 1000,
-             static_cast<double>(spin) / 1000, round_trip.count(), lost, us(0.5), us(0.99), us(0.999), cpu);
+  fmt::print("  {:>7.0f} {:>7.0f} {:>9} {:>6} {:>9.2f} {:>9.2f} {:>9.2f} {:>12.1f}\n",
+             static_cast<double>(cycle) / 1000, static_cast<double>(spin) / 1000, round_trip.count(), lost, us(0.5),
+             us(0.99), us(0.999), cpu);
   std::fflush(stdout);
   return 0;
 }
@@ -126,8 +127,9 @@ int main(int argc, char** argv) {
   }
   const bench::ServedBus bus;
   if (bus.failed()) return 1;
-  fmt::print("Round trip over a veth pair to the simulated machine, {} s each (us; processor: the master's thread a cycle)\n",
-             seconds);
+  fmt::print(
+      "Round trip over a veth pair to the simulated machine, {} s each (us; processor: the master's thread a cycle)\n",
+      seconds);
   fmt::print("    cycle    spin    frames   lost       p50       p99     p99.9    processor\n");
   int status = 0;
   for (const auto cycle : {kMillisecond, 250 * kMicrosecond}) {

@@ -16,7 +16,8 @@ class PlainMasterShift final : public dc::DcmController {
   std::optional<Nanoseconds> reference_write(Nanoseconds, Nanoseconds) override { return std::nullopt; }
   dc::DcmAction observe(const dc::DcmObservation& observation) override {
     if (observation.reference_time) {
-      const auto error = static_cast<double>(dc::wrap_to_half(*observation.reference_time - (base_ - set_value_), cycle_));
+      const auto error =
+          static_cast<double>(dc::wrap_to_half(*observation.reference_time - (base_ - set_value_), cycle_));
       const auto cycle = static_cast<double>(cycle_);
       output_ = std::clamp(-(0.01 * error + integral_), -0.02 * cycle, 0.02 * cycle);
       integral_ = std::clamp(integral_ + 2e-5 * error, -600e-6 * cycle, 600e-6 * cycle);
@@ -47,7 +48,8 @@ class PlainBusShift final : public dc::DcmController {
       predicted_ += cycle_;
       return {};
     }
-    const auto error = static_cast<double>(dc::wrap_to_half(*observation.reference_time - (base_ - set_value_), cycle_));
+    const auto error =
+        static_cast<double>(dc::wrap_to_half(*observation.reference_time - (base_ - set_value_), cycle_));
     filtered_ += 0.05 * (error - filtered_);
     correction_ = std::clamp(0.02 * filtered_, -20e3, 20e3) + integral_;
     integral_ += 1e-4 * filtered_;

@@ -43,7 +43,8 @@ double median_ns(const std::function<void()>& call, int rounds) {
   return *middle;
 }
 
-void RatioReport::add(const std::string& what, double ns, const std::string& baseline, double baseline_ns, double gate) {
+void RatioReport::add(const std::string& what, double ns, const std::string& baseline, double baseline_ns,
+                      double gate) {
   const double ratio = ns / baseline_ns;
   rows_.push_back({what, duration(ns), fmt::format("{} {}", baseline, duration(baseline_ns)), ratio_text(ratio),
                    gate > 0 ? "<= " + ratio_text(gate) : "", gate <= 0 || ratio <= gate});
@@ -67,7 +68,8 @@ void RatioReport::add_failure(const std::string& what, const std::string& why) {
 
 int RatioReport::finish(const std::string& title) const {
   bool kept = true;
-  fmt::print("{}\n  {:<46} {:>10}  {:<42} {:>8}  {:>9}\n", title, "what", "time", "baseline in this run", "ratio", "promise");
+  fmt::print("{}\n  {:<46} {:>10}  {:<42} {:>8}  {:>9}\n", title, "what", "time", "baseline in this run", "ratio",
+             "promise");
   for (const auto& row : rows_) {
     fmt::print("  {:<46} {:>10}  {:<42} {:>8}  {:>9}{}\n", row.what, row.figure, row.baseline, row.ratio, row.gate,
                row.kept ? "" : "  MISSED");

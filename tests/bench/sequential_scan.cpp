@@ -16,7 +16,8 @@ Result<std::array<std::uint8_t, 8>> read_piece(Bus& bus, std::uint16_t station, 
   std::array<std::uint8_t, 6> command{};
   store_le(command, kReadCommand);
   store_le(std::span(command).subspan(2), word);
-  if (auto wkc = bus.exchange(Command::kFpwr, station, reg::kSiiControl, command); !wkc) return tl::unexpected(wkc.error());
+  if (auto wkc = bus.exchange(Command::kFpwr, station, reg::kSiiControl, command); !wkc)
+    return tl::unexpected(wkc.error());
   for (;;) {
     const auto control = bus.read<std::uint16_t>(station, reg::kSiiControl, "slave");
     if (!control) return tl::unexpected(control.error());
@@ -53,8 +54,10 @@ Result<std::vector<sii::Image>> sequential_scan(Bus& bus) {
     const auto station = static_cast<std::uint16_t>(1001 + i);
     auto address = le_bytes(station);
     const auto adp = Position{i}.auto_increment_address();
-    if (auto wkc = bus.exchange(Command::kApwr, adp, reg::kStationAddress, address); !wkc) return tl::unexpected(wkc.error());
-    for (const auto ado : {reg::kType, reg::kFeatures, reg::kStationAlias, reg::kDlStatus, reg::kAlStatus, reg::kSystemTime}) {
+    if (auto wkc = bus.exchange(Command::kApwr, adp, reg::kStationAddress, address); !wkc)
+      return tl::unexpected(wkc.error());
+    for (const auto ado :
+         {reg::kType, reg::kFeatures, reg::kStationAlias, reg::kDlStatus, reg::kAlStatus, reg::kSystemTime}) {
       if (auto value = bus.read<std::uint16_t>(station, ado, "slave"); !value && ado != reg::kSystemTime) {
         return tl::unexpected(value.error());
       }

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "master/bus.h"
+#include "master/exchange/bus.h"
 #include "protocol/sii.h"
 
 namespace syncline::bench {

@@ -6,7 +6,7 @@
 
 #include "channels/event.h"
 #include "config/sim_config.h"
-#include "diagnosis/finding.h"
+#include "findings/finding.h"
 
 namespace syncline::bench {
 

@@ -14,7 +14,7 @@
 
 #include "app/cli/event_text.h"
 #include "bench/soak_fault_kinds.h"
-#include "eni/esi_reader.h"
+#include "eni/esi/esi_reader.h"
 #include "link/simulated_host.h"
 #include "support/random.h"
 #include "tests/support/diagnosed_run.h"

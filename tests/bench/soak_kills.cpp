@@ -16,14 +16,14 @@
 #include <thread>
 #include <vector>
 
-#include "config/compile/compile.h"
-#include "tests/support/sample_devices.h"
-#include "eni/eni_file.h"
-#include "eni/project_file.h"
+#include "compile/compile.h"
+#include "eni/format/eni_file.h"
+#include "eni/project/project_file.h"
 #include "link/pcapng_writer.h"
 #include "support/output_file.h"
 #include "support/random.h"
 #include "support/whole_file.h"
+#include "tests/support/sample_devices.h"
 #include "trace/csv.h"
 
 namespace syncline::bench {

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <sstream>
 
-#include "config/compile/compile.h"
-#include "eni/eni_file.h"
+#include "compile/compile.h"
+#include "eni/format/eni_file.h"
 #include "tests/support/sample_devices.h"
 
 namespace syncline::eni {

@@ -2,8 +2,8 @@
 // Every element and attribute of the schema: written, read back, and valid.
 #include <gtest/gtest.h>
 
-#include "config/compile/compile.h"
-#include "eni/eni_file.h"
+#include "compile/compile.h"
+#include "eni/format/eni_file.h"
 #include "eni/schema_check.h"
 #include "protocol/error_text.h"
 #include "support/sample_folder.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "eni/eni_file.h"
+#include "eni/format/eni_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "config/compile/compile.h"
-#include "config/network_compare.h"
+#include "compare/network_compare.h"
+#include "compile/compile.h"
 #include "protocol/error_text.h"
 #include "support/sample_folder.h"
 #include "tests/support/sample_devices.h"
@@ -32,7 +32,9 @@ Project full_machine() {
   project.master.source_mac = {0x02, 0x00, 0x5E, 0x10, 0x20, 0x30};
   project.master.dc.sync_window.enabled = true;
   auto& servo = project.slaves[4];
-  servo.name = "Vorsch\xC3\xBC" "be";
+  servo.name =
+      "Vorsch\xC3\xBC"
+      "be";
   servo.alias = 77;
   servo.hot_connect = "Trolley";
   servo.previous = PreviousPort{0, 2};
@@ -123,7 +125,8 @@ TEST(EniFile, WritesLargeIdentitiesAsNegativeNumbers) {
 TEST(EniFile, EscapesNames) {
   const std::string text = write_eni(compiled(full_machine()));
   EXPECT_THAT(text, HasSubstr("Line 3 &lt;press&gt; &amp; \"feeder\""));
-  EXPECT_THAT(text, HasSubstr("Vorsch\xC3\xBC" "be"));
+  EXPECT_THAT(text, HasSubstr("Vorsch\xC3\xBC"
+                              "be"));
 }
 
 TEST(EniFile, RoundsACycleToWholeMicroseconds) {
@@ -233,7 +236,8 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(EniFile, ReadsLatin1AsToolsWriteIt) {
   const auto read = parse_eni(
-      "<?xml version=\"1.0\" encoding=\"iso-8859-1\"?><EtherCATConfig><Config><Master><Info><Name>K\xFChler</Name></Info>"
+      "<?xml version=\"1.0\" "
+      "encoding=\"iso-8859-1\"?><EtherCATConfig><Config><Master><Info><Name>K\xFChler</Name></Info>"
       "</Master></Config></EtherCATConfig>",
       "memory");
   ASSERT_TRUE(read);
@@ -243,7 +247,8 @@ TEST(EniFile, ReadsLatin1AsToolsWriteIt) {
 TEST(EniFile, ReadsTheSync0CycleWhereAToolWritesNoCycleTime) {
   std::string text = write_eni(compiled(sample::small_machine()));
   text.replace(text.find("<CycleTime>1000</CycleTime>"), 27, "");
-  for (std::size_t at; (at = text.find("<CycleTime0>1000000<")) != std::string::npos;) text.replace(at, 20, "<CycleTime0>4000000<");
+  for (std::size_t at; (at = text.find("<CycleTime0>1000000<")) != std::string::npos;)
+    text.replace(at, 20, "<CycleTime0>4000000<");
   const auto read = parse_eni(text, "memory");
   ASSERT_TRUE(read);
   EXPECT_EQ(read->cycle_time(), 4 * kMillisecond);

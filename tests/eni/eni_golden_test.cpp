@@ -4,11 +4,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "compare/network_compare.h"
+#include "compile/compile.h"
 #include "config/command_text.h"
-#include "config/compile/compile.h"
-#include "config/network_compare.h"
 #include "eni/catalogue/esi_catalogue.h"
-#include "eni/eni_file.h"
+#include "eni/format/eni_file.h"
 #include "protocol/error_text.h"
 #include "support/byte_order.h"
 #include "support/sample_folder.h"
@@ -33,15 +33,14 @@ std::string pdo_lines(const SlaveConfig& slave) {
   for (const auto& [direction, pdo] : slave.pdos) {
     if (pdo.index == 0x1A26 && !pdo.sync_manager) continue;
     out += fmt::format("{} 0x{:04x} \"{}\" SM {}{}{}\n", direction == PdoDirection::kTx ? "Tx" : "Rx", pdo.index,
-                              pdo.name, pdo.sync_manager ? std::to_string(*pdo.sync_manager) : "none",
-                              pdo.fixed ? " fixed" : "", pdo.mandatory ? " mandatory" : "");
+                       pdo.name, pdo.sync_manager ? std::to_string(*pdo.sync_manager) : "none",
+                       pdo.fixed ? " fixed" : "", pdo.mandatory ? " mandatory" : "");
     for (const std::uint16_t excluded : pdo.exclude) {
       out += fmt::format("  excludes 0x{:04x}\n", excluded);
     }
     for (const auto& entry : pdo.entries) {
       out += fmt::format("  0x{:04x}:{} {} \"{}\" {}\n", entry.index, entry.sub_index, entry.bit_length,
-                       entry.name.substr(0, entry.name.find_last_not_of(' ') + 1),
-                                entry.data_type);
+                         entry.name.substr(0, entry.name.find_last_not_of(' ') + 1), entry.data_type);
     }
   }
   return out;
@@ -129,7 +128,8 @@ DeviceDescription place_holder(std::uint16_t output_bytes, std::uint16_t input_b
   return device;
 }
 
-/// TwinCAT 3 with DC and master shift: a non-DC sensor (place holder) and four drives, the second slave is the reference.
+/// TwinCAT 3 with DC and master shift: a non-DC sensor (place holder) and four drives, the second slave is the
+/// reference.
 TEST(GoldenEni, FourElmoDrivesAsTwinCat3WritesThem) {
   SYNCLINE_SAMPLE(esi, kElmoEsi);
   SYNCLINE_SAMPLE(eni, "eni/kpierczy__ethercat-lib__test_eni.xml");
@@ -163,8 +163,8 @@ TEST(GoldenEni, FourElmoDrivesAsTwinCat3WritesThem) {
     }
     EXPECT_THAT(timeouts, testing::ElementsAre("5000", "3000", "200", "200", "3000", "3000", "10000", "10000"));
     const std::string offset = hex_text(le_bytes(static_cast<std::uint16_t>(14 * (i - 1))));
-    const std::string moved = "data " + hex_text(le_bytes(static_cast<std::uint16_t>(0x800 + 14 * (i - 1)))) + "0001 " +
-                              offset + "0001";
+    const std::string moved =
+        "data " + hex_text(le_bytes(static_cast<std::uint16_t>(0x800 + 14 * (i - 1)))) + "0001 " + offset + "0001";
     EXPECT_THAT(others, testing::ElementsAre(moved, moved));
   }
 }

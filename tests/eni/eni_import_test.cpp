@@ -2,9 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "config/eoe_ip.h"
-#include "config/recover/recover_project.h"
+#include "compile/eoe_ip.h"
 #include "eni/check/check_bed.h"
+#include "recover/recover_project.h"
 
 namespace syncline::test {
 namespace {

@@ -11,11 +11,11 @@
 #include <set>
 #include <sstream>
 
-#include "config/recover/recover_project.h"
 #include "eni/catalogue/esi_catalogue.h"
-#include "eni/eni_file.h"
-#include "eni/esi_reader.h"
+#include "eni/esi/esi_reader.h"
+#include "eni/format/eni_file.h"
 #include "protocol/error_text.h"
+#include "recover/recover_project.h"
 #include "support/sample_folder.h"
 
 namespace syncline::eni {
@@ -120,7 +120,8 @@ TEST(EniPairs, CompileToTheSameCommands) {
              explained);
 }
 
-/// The same with files of our own: each stored export and our ESI files give a project that gives the export's commands.
+/// The same with files of our own: each stored export and our ESI files give a project that gives the export's
+/// commands.
 TEST(EniPairs, OurExportsCompileToTheSameCommands) {
   EsiCatalogue catalogue;
   ASSERT_TRUE(catalogue.add_folder(test::source_dir() + "/resources/esi"));

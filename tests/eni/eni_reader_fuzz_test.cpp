@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <functional>
 
-#include "config/compile/compile.h"
-#include "config/exports/exports.h"
-#include "config/recover/recover_project.h"
-#include "config/recover/simulated_network.h"
-#include "eni/eni_file.h"
+#include "compile/compile.h"
+#include "eni/format/eni_file.h"
+#include "exports/exports.h"
+#include "recover/recover_project.h"
+#include "recover/simulated_network.h"
 #include "support/random_project.h"
 #include "tests/support/sample_devices.h"
 

@@ -7,8 +7,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "config/compile/compile.h"
-#include "eni/eni_file.h"
+#include "compile/compile.h"
+#include "eni/format/eni_file.h"
 #include "eni/schema_check.h"
 #include "support/sample_folder.h"
 #include "tests/support/sample_devices.h"

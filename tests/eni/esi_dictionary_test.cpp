@@ -2,8 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "eni/esi_reader.h"
-#include "eni/esi_writer.h"
+#include "eni/esi/esi_reader.h"
+#include "eni/esi/esi_writer.h"
 
 namespace syncline::eni {
 namespace {

@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "eni/esi_reader.h"
-#include "eni/esi_writer.h"
+#include "eni/esi/esi_reader.h"
+#include "eni/esi/esi_writer.h"
 
 namespace syncline::eni {
 namespace {
@@ -66,7 +66,8 @@ constexpr const char* kModules = R"(<Modules>
   <Module><Type>broken</Type><Name>No ident</Name></Module></Modules>)";
 
 std::string station(const std::string& references = "") {
-  return std::string(kHead) + references + "<Descriptions>" + kGroups + kStation + kModules + "</Descriptions></EtherCATInfo>";
+  return std::string(kHead) + references + "<Descriptions>" + kGroups + kStation + kModules +
+         "</Descriptions></EtherCATInfo>";
 }
 
 TEST(EsiModules, SlotsSayWhichModulesFit) {
@@ -84,8 +85,9 @@ TEST(EsiModules, SlotsSayWhichModulesFit) {
   EXPECT_EQ(device.slots->slots[0].default_module(), 0x11U) << "the one that is marked";
   EXPECT_THAT(device.slots->slots[1].classes, ElementsAre(ModuleClass{"AX", std::nullopt, "Axes"}));
   EXPECT_THAT(device.slots->pdo_groups, ElementsAre(ModulePdoGroup{"Words", 2, 0x16FF, 0x1AFF}));
-  EXPECT_THAT(device.modules, ElementsAre(Field(&ModuleDescription::ident, 0x10U), Field(&ModuleDescription::ident, 0x11U),
-                                          Field(&ModuleDescription::ident, 0x12U)))
+  EXPECT_THAT(device.modules,
+              ElementsAre(Field(&ModuleDescription::ident, 0x10U), Field(&ModuleDescription::ident, 0x11U),
+                          Field(&ModuleDescription::ident, 0x12U)))
       << "by ident or by class; others are no use to this device";
   const auto& digital = *device.module(0x10);
   EXPECT_TRUE(digital.tx_pdos[0].depend_on_slot);
@@ -170,12 +172,15 @@ constexpr const char* kPlain = R"(<Descriptions><Groups/><Devices><Device Physic
   <Slots><Slot MinInstances="0" MaxInstances="1"><ModuleIdent>#x55</ModuleIdent></Slot></Slots></Device></Devices></Descriptions>)";
 
 TEST_F(EsiSideFiles, DictionaryAndModulesComeFromOtherFiles) {
-  write("a_dict.xml", "<EtherCATDict><Dictionary><Objects><Object><Index>#x2000</Index><Name>Gain</Name><Type>UINT</Type>"
-                      "<BitSize>16</BitSize></Object></Objects></Dictionary></EtherCATDict>");
+  write("a_dict.xml",
+        "<EtherCATDict><Dictionary><Objects><Object><Index>#x2000</Index><Name>Gain</Name><Type>UINT</Type>"
+        "<BitSize>16</BitSize></Object></Objects></Dictionary></EtherCATDict>");
   // It refers back to the file that refers to it.
-  write("a_mod.xml", "<EtherCATModule><InfoReference>a.xml</InfoReference><Modules><Module><Type ModuleIdent=\"#x55\">M</Type>"
-                     "<Name>M</Name></Module></Modules></EtherCATModule>");
-  const auto path = write("a.xml", std::string(kHead) + "<InfoReference>a_mod.xml</InfoReference>" + kPlain + "</EtherCATInfo>");
+  write("a_mod.xml",
+        "<EtherCATModule><InfoReference>a.xml</InfoReference><Modules><Module><Type ModuleIdent=\"#x55\">M</Type>"
+        "<Name>M</Name></Module></Modules></EtherCATModule>");
+  const auto path =
+      write("a.xml", std::string(kHead) + "<InfoReference>a_mod.xml</InfoReference>" + kPlain + "</EtherCATInfo>");
   const auto file = read_esi(path);
   ASSERT_TRUE(file);
   ASSERT_THAT(file->devices, SizeIs(1));
@@ -185,8 +190,8 @@ TEST_F(EsiSideFiles, DictionaryAndModulesComeFromOtherFiles) {
 }
 
 TEST_F(EsiSideFiles, WhatIsMissingOrElsewhereIsAWarningAtTheReference) {
-  const auto path = write("a.xml", std::string(kHead) + "\n<InfoReference>../../etc/passwd</InfoReference>" + kPlain +
-                                       "</EtherCATInfo>");
+  const auto path = write(
+      "a.xml", std::string(kHead) + "\n<InfoReference>../../etc/passwd</InfoReference>" + kPlain + "</EtherCATInfo>");
   const auto file = read_esi(path);
   ASSERT_TRUE(file);
   ASSERT_THAT(file->devices, SizeIs(1));

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "eni/esi_reader.h"
+#include "eni/esi/esi_reader.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "eni/esi_writer.h"
+#include "eni/esi/esi_writer.h"
 
 namespace syncline::eni {
 namespace {
@@ -16,7 +16,8 @@ using ::testing::SizeIs;
 
 std::string esi(const std::string& devices) {
   return "<?xml version=\"1.0\"?>\n<EtherCATInfo>\n<Vendor><Id>#x5EC</Id><Name>Maker</Name></Vendor>\n<Descriptions>"
-         "<Groups/><Devices>\n" + devices + "\n</Devices></Descriptions></EtherCATInfo>";
+         "<Groups/><Devices>\n" +
+         devices + "\n</Devices></Descriptions></EtherCATInfo>";
 }
 
 DeviceDescription read_one(const std::string& device) {
@@ -80,7 +81,8 @@ TEST(EsiReader, ReadsSyncManagersAndFmmus) {
   const auto device = read_one(kDrive);
   EXPECT_THAT(device.fmmus, ElementsAre(FmmuUse::kOutputs, FmmuUse::kInputs, FmmuUse::kMailboxState, FmmuUse::kUnused));
   ASSERT_THAT(device.sync_managers, SizeIs(4));
-  EXPECT_EQ(device.sync_managers[0], (SyncManagerDescription{SyncManagerType::kMailboxOut, 0x1800, 34, 256, 128, 0x26, true, false, false}));
+  EXPECT_EQ(device.sync_managers[0],
+            (SyncManagerDescription{SyncManagerType::kMailboxOut, 0x1800, 34, 256, 128, 0x26, true, false, false}));
   EXPECT_TRUE(device.sync_managers[2].op_only);
   EXPECT_TRUE(device.sync_managers[3].is_virtual);
   EXPECT_FALSE(device.sync_managers[3].enable);
@@ -114,9 +116,14 @@ TEST(EsiReader, ReadsMailboxAndInitCommands) {
   EXPECT_TRUE(coe.sdo_info && coe.pdo_assign && coe.segmented_sdo);
   EXPECT_FALSE(coe.complete_access || coe.pdo_config);
   ASSERT_THAT(coe.init_commands, SizeIs(1));
-  EXPECT_EQ(coe.init_commands[0], (StartupCommand{.transitions = {Transition::kPS, Transition::kSO}, .index = 0x6060,
-                                                  .sub_index = 0, .data = {8}, .complete_access = true, .fixed = true,
-                                                  .comment = "Op mode", .adapt_automatically = true}));
+  EXPECT_EQ(coe.init_commands[0], (StartupCommand{.transitions = {Transition::kPS, Transition::kSO},
+                                                  .index = 0x6060,
+                                                  .sub_index = 0,
+                                                  .data = {8},
+                                                  .complete_access = true,
+                                                  .fixed = true,
+                                                  .comment = "Op mode",
+                                                  .adapt_automatically = true}));
 }
 
 TEST(EsiReader, ReadsOperationModesAndEeprom) {
@@ -140,7 +147,8 @@ TEST(EsiReader, ReadsOperationModesAndEeprom) {
 }
 
 TEST(EsiReader, FlattensTheDictionary) {
-  const auto device = read_one(R"(<Device Physics="YY"><Type ProductCode="1">D</Type><Profile><ProfileNo>5001</ProfileNo>
+  const auto device =
+      read_one(R"(<Device Physics="YY"><Type ProductCode="1">D</Type><Profile><ProfileNo>5001</ProfileNo>
     <AddInfo>2</AddInfo><Dictionary><DataTypes>
       <DataType><Name>UDINT</Name><BitSize>32</BitSize></DataType>
       <DataType><Name>ARR</Name><BaseType>UDINT</BaseType><BitSize>64</BitSize><ArrayInfo><LBound>1</LBound><Elements>2</Elements></ArrayInfo></DataType>
@@ -161,14 +169,16 @@ TEST(EsiReader, FlattensTheDictionary) {
   first.bit_offset = 16;
   second.bit_offset = 48;
   first.write_restrictions = second.write_restrictions = "PreOP";
-  EXPECT_THAT(device.dictionary[1].entries, ElementsAre(ObjectEntry{0, "Count", "USINT", 8, true, false, {2}}, first, second));
+  EXPECT_THAT(device.dictionary[1].entries,
+              ElementsAre(ObjectEntry{0, "Count", "USINT", 8, true, false, {2}}, first, second));
   EXPECT_EQ(device.dictionary[1].code, ObjectCode::kArray);
 }
 
 TEST(EsiReader, BrokenDeviceIsLeftOutWithLineAndElement) {
-  const auto file = parse_esi(esi("<Device><Type ProductCode=\"1\">A</Type>\n<RxPdo><Index>oops</Index></RxPdo></Device>\n"
-                                  "<Device><Type ProductCode=\"2\">B</Type></Device>\n<Device/>"),
-                              "t.xml");
+  const auto file =
+      parse_esi(esi("<Device><Type ProductCode=\"1\">A</Type>\n<RxPdo><Index>oops</Index></RxPdo></Device>\n"
+                    "<Device><Type ProductCode=\"2\">B</Type></Device>\n<Device/>"),
+                "t.xml");
   ASSERT_TRUE(file);
   ASSERT_THAT(file->devices, SizeIs(1));
   EXPECT_EQ(file->devices[0].type, "B");
@@ -206,8 +216,9 @@ TEST(EsiReader, OtherFilesAreRefusedWithTheirReason) {
 }
 
 TEST(EsiReader, LatinOneBecomesUtf8) {
-  const auto device = read_one("<Device><Type>A</Type><Name>Gr\xF6\xDF"
-                               "e \xB5s</Name></Device>");
+  const auto device = read_one(
+      "<Device><Type>A</Type><Name>Gr\xF6\xDF"
+      "e \xB5s</Name></Device>");
   EXPECT_EQ(device.name, "Größe µs");
 }
 

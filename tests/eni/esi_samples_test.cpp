@@ -10,10 +10,10 @@
 
 #include "config/dc_times.h"
 #include "eni/catalogue/esi_catalogue.h"
-#include "eni/esi_reader.h"
-#include "eni/esi_writer.h"
-#include "eni/project_builder.h"
-#include "eni/xml_text.h"
+#include "eni/esi/esi_reader.h"
+#include "eni/esi/esi_writer.h"
+#include "eni/project/project_builder.h"
+#include "eni/xml/xml_text.h"
 #include "protocol/dc_registers.h"
 #include "protocol/error_text.h"
 #include "support/sample_folder.h"
@@ -73,8 +73,8 @@ void expect_same_after_writing(const std::vector<fs::path>& files) {
     for (const auto& device : file->devices) {
       const auto again = parse_esi(write_esi(device), device.source);
       ASSERT_TRUE(again) << path << ": " << describe(again.error());
-      ASSERT_EQ(again->devices.size(), 1U) << path << ": " << device.type << ": "
-                                           << (again->warnings.empty() ? "" : again->warnings.front().text);
+      ASSERT_EQ(again->devices.size(), 1U)
+          << path << ": " << device.type << ": " << (again->warnings.empty() ? "" : again->warnings.front().text);
       EXPECT_TRUE(again->devices.front() == device) << path << ": " << device.type << " " << to_string(device.identity);
     }
   }
@@ -123,9 +123,15 @@ void spoil(const std::string& text, unsigned seed) {
     for (std::size_t n = any(8); n > 0 && !spoilt.empty(); --n) {
       const auto place = any(spoilt.size() - 1);
       switch (any(2)) {
-        case 0: spoilt[place] = static_cast<char>(any(255)); break;
-        case 1: spoilt.erase(place, any(40)); break;
-        default: spoilt.insert(place, text, any(text.size() - 1), any(60)); break;
+        case 0:
+          spoilt[place] = static_cast<char>(any(255));
+          break;
+        case 1:
+          spoilt.erase(place, any(40));
+          break;
+        default:
+          spoilt.insert(place, text, any(text.size() - 1), any(60));
+          break;
       }
     }
     const auto file = parse_esi(spoilt, "spoilt.xml");

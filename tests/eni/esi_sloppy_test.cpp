@@ -2,8 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "eni/esi_reader.h"
-#include "eni/xml_number.h"
+#include "eni/esi/esi_reader.h"
+#include "eni/xml/xml_number.h"
 
 namespace syncline::eni {
 namespace {
@@ -21,7 +21,8 @@ std::string with_pdo(const std::string& pdo) {
 }
 
 TEST(SloppyNumbers, MeanOneNumberOrNone) {
-  for (const char* text : {"x1A00", "#1A00", "1A00h", "16#1A00", "# x 1A00", "#x0x1A00", "&H1A00", "6656.0", " 0x1A00 "}) {
+  for (const char* text :
+       {"x1A00", "#1A00", "1A00h", "16#1A00", "# x 1A00", "#x0x1A00", "&H1A00", "6656.0", " 0x1A00 "}) {
     EXPECT_EQ(parse_sloppy_number(text), 0x1A00) << text;
   }
   EXPECT_EQ(parse_sloppy_number("10 ms"), 10);
@@ -31,10 +32,11 @@ TEST(SloppyNumbers, MeanOneNumberOrNone) {
 }
 
 TEST(SloppyEsi, ClearMeaningIsTakenWithAWarningThatNamesElementAndLine) {
-  const auto file = parse_esi(with_pdo("<RxPdo><Index>x1600</Index><Name>P</Name>\n<Entry><Index>#x0x7000</Index>"
-                                       "<SubIndex><!-- first -->1</SubIndex>\n<Name>E</Name><DataType>UINT</DataType></Entry></RxPdo>"
-                                       "\n<Mailbox><CoE><InitCmd><Index>#x8000</Index><Data>1</Data></InitCmd></CoE></Mailbox>"),
-                              "s.xml");
+  const auto file =
+      parse_esi(with_pdo("<RxPdo><Index>x1600</Index><Name>P</Name>\n<Entry><Index>#x0x7000</Index>"
+                         "<SubIndex><!-- first -->1</SubIndex>\n<Name>E</Name><DataType>UINT</DataType></Entry></RxPdo>"
+                         "\n<Mailbox><CoE><InitCmd><Index>#x8000</Index><Data>1</Data></InitCmd></CoE></Mailbox>"),
+                "s.xml");
   ASSERT_TRUE(file);
   ASSERT_THAT(file->devices, SizeIs(1)) << file->warnings.front().text;
   const auto& pdo = file->devices[0].rx_pdos[0];
@@ -66,7 +68,9 @@ TEST(SloppyEsi, OtherPrefixIsToldOnceAFile) {
 }
 
 TEST(SloppyEsi, EncodingThatIsNotWhatTheFileSaysIsAWarning) {
-  const std::string latin = esi("<Device><Type ProductCode=\"1\">A</Type><Name>Gr\xF6\xDF" "e</Name></Device>");
+  const std::string latin =
+      esi("<Device><Type ProductCode=\"1\">A</Type><Name>Gr\xF6\xDF"
+          "e</Name></Device>");
   const auto undeclared = parse_esi(latin, "s.xml");
   ASSERT_TRUE(undeclared);
   EXPECT_EQ(undeclared->devices.at(0).name, "Größe");
@@ -123,9 +127,13 @@ TEST(SloppyEsi, TemplatesOfOlderFilesAreMovedByTheChannel) {
 TEST(SloppyEsi, BoundsOfArraysMayBeAnything) {
   for (const char* bound : {"-9223372036854775808", "9223372036854775807", "255"}) {
     const auto file = parse_esi(
-        esi(std::string("<Device><Type>A</Type><Profile><Dictionary><DataTypes><DataType><Name>ARR</Name><BaseType>BYTE</BaseType>"
-                        "<BitSize>16</BitSize><ArrayInfo><LBound>") + bound + "</LBound><Elements>9223372036854775807</Elements>"
-            "</ArrayInfo></DataType><DataType><Name>T</Name><SubItem><Name>x</Name><Type>ARR</Type></SubItem></DataType></DataTypes>"
+        esi(std::string("<Device><Type>A</Type><Profile><Dictionary><DataTypes><DataType><Name>ARR</"
+                        "Name><BaseType>BYTE</BaseType>"
+                        "<BitSize>16</BitSize><ArrayInfo><LBound>") +
+            bound +
+            "</LBound><Elements>9223372036854775807</Elements>"
+            "</ArrayInfo></DataType><DataType><Name>T</Name><SubItem><Name>x</Name><Type>ARR</Type></SubItem></"
+            "DataType></DataTypes>"
             "<Objects><Object><Index>#x2000</Index><Type>T</Type></Object></Objects></Dictionary></Profile></Device>"),
         "s.xml");
     ASSERT_TRUE(file && file->devices.size() == 1) << bound;
@@ -139,11 +147,12 @@ TEST(SloppyEsi, DictionariesThatExplodeAreBounded) {
   std::string items, objects;
   for (int i = 0; i < 50; ++i) items += "<SubItem><Name>x</Name><Type>ARR</Type></SubItem>";
   for (int i = 0; i < 3000; ++i) objects += "<Object><Index>#x2000</Index><Type>BIG</Type></Object>";
-  const auto file = parse_esi(esi("<Device><Type>A</Type><Profile><Dictionary><DataTypes><DataType><Name>ARR</Name>"
-                                  "<BaseType>BYTE</BaseType><BitSize>2040</BitSize><ArrayInfo><LBound>1</LBound>"
-                                  "<Elements>255</Elements></ArrayInfo></DataType><DataType><Name>BIG</Name>" + items +
-                                  "</DataType></DataTypes><Objects>" + objects + "</Objects></Dictionary></Profile></Device>"),
-                              "s.xml");
+  const auto file = parse_esi(
+      esi("<Device><Type>A</Type><Profile><Dictionary><DataTypes><DataType><Name>ARR</Name>"
+          "<BaseType>BYTE</BaseType><BitSize>2040</BitSize><ArrayInfo><LBound>1</LBound>"
+          "<Elements>255</Elements></ArrayInfo></DataType><DataType><Name>BIG</Name>" +
+          items + "</DataType></DataTypes><Objects>" + objects + "</Objects></Dictionary></Profile></Device>"),
+      "s.xml");
   ASSERT_TRUE(file && file->devices.size() == 1);
   EXPECT_THAT(file->devices[0].dictionary, IsEmpty());
   EXPECT_LE(file->warnings.size(), 1000U);

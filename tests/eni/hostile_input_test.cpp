@@ -10,14 +10,14 @@
 #include <filesystem>
 #include <fstream>
 
-#include "config/compile/compile.h"
-#include "eni/eni_file.h"
-#include "eni/esi_reader.h"
-#include "eni/project_file.h"
-#include "eni/xml_limits.h"
-#include "eni/xml_reader.h"
-#include "eni/xml_text.h"
-#include "eni/xml_writer.h"
+#include "compile/compile.h"
+#include "eni/esi/esi_reader.h"
+#include "eni/format/eni_file.h"
+#include "eni/project/project_file.h"
+#include "eni/xml/xml_limits.h"
+#include "eni/xml/xml_reader.h"
+#include "eni/xml/xml_text.h"
+#include "eni/xml/xml_writer.h"
 #include "protocol/error_text.h"
 #include "support/utf8.h"
 #include "tests/support/sample_devices.h"
@@ -117,8 +117,8 @@ TEST_P(HostileInput, ALongAttributeIsReadOrRefusedInTime) {
 
 TEST_P(HostileInput, TagsInCommentsAndValuesDoNotCount) {
   const auto many = repeat("<A>", 1'000);
-  for (const auto& content : {"<!--" + many + "-->", "<![CDATA[" + many + "]]>", "<A B=\"" + many + "\"/>", "<A B='" + many + "'/>",
-                              "<?pi " + many + "?>"}) {
+  for (const auto& content : {"<!--" + many + "-->", "<![CDATA[" + many + "]]>", "<A B=\"" + many + "\"/>",
+                              "<A B='" + many + "'/>", "<?pi " + many + "?>"}) {
     EXPECT_NE(GetParam().read(root(content)).code, ErrorCode::kFileLimit) << content.substr(0, 20);
   }
 }
@@ -134,7 +134,8 @@ Error read_as_eni(const std::string& text) { return error_of(parse_eni(text, "ho
 Error read_as_project(const std::string& text) { return error_of(parse_project(text, "hostile.xml")); }
 
 INSTANTIATE_TEST_SUITE_P(All, HostileInput,
-                         ::testing::Values(Reader{"Esi", "EtherCATInfo", read_as_esi}, Reader{"Eni", "EtherCATConfig", read_as_eni},
+                         ::testing::Values(Reader{"Esi", "EtherCATInfo", read_as_esi},
+                                           Reader{"Eni", "EtherCATConfig", read_as_eni},
                                            Reader{"Project", "SynclineProject", read_as_project}),
                          [](const auto& parameter) { return parameter.param.name; });
 
@@ -178,9 +179,10 @@ TEST_F(HostileFile, WhatNeverEndsIsNotReadForEver) {
 
 /// Any characters that XML can carry, of every plane.
 std::string unicode_name() {
-  const auto code = rc::gen::oneOf(rc::gen::inRange<std::uint32_t>(0x20, 0x7F), rc::gen::inRange<std::uint32_t>(0xA0, 0x800),
-                                   rc::gen::inRange<std::uint32_t>(0x800, 0xD800), rc::gen::inRange<std::uint32_t>(0xE000, 0xFFFE),
-                                   rc::gen::inRange<std::uint32_t>(0x10000, 0x110000));
+  const auto code =
+      rc::gen::oneOf(rc::gen::inRange<std::uint32_t>(0x20, 0x7F), rc::gen::inRange<std::uint32_t>(0xA0, 0x800),
+                     rc::gen::inRange<std::uint32_t>(0x800, 0xD800), rc::gen::inRange<std::uint32_t>(0xE000, 0xFFFE),
+                     rc::gen::inRange<std::uint32_t>(0x10000, 0x110000));
   std::string name = "n";  // blanks at the ends are no part of a name
   for (const auto c : *rc::gen::container<std::vector<std::uint32_t>>(code)) {
     const auto add = [&name](std::uint32_t byte) { name += static_cast<char>(byte); };
@@ -237,7 +239,12 @@ TEST(Names, BytesThatAreNoCharactersDoNotSpoilTheOthers) {
 
 TEST(Names, WhatXmlCannotCarryIsLeftOut) {
   XmlWriter xml;
-  xml.open("A").attribute("B", "a\x01\x02" "b\xEF\xBF\xBE\xEF\xBF\xBF" "c").close();
+  xml.open("A")
+      .attribute("B",
+                 "a\x01\x02"
+                 "b\xEF\xBF\xBE\xEF\xBF\xBF"
+                 "c")
+      .close();
   EXPECT_THAT(xml.take(), HasSubstr("B=\"abc\""));
 }
 

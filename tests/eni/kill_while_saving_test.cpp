@@ -11,8 +11,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "eni/project_file.h"
-#include "eni/xml_text.h"
+#include "eni/project/project_file.h"
+#include "eni/xml/xml_text.h"
 #include "support/random.h"
 #include "tests/support/sample_devices.h"
 
@@ -52,7 +52,8 @@ class KillWhileSaving : public ::testing::Test {
   Project old_, new_;
 };
 
-/// A child that saves once, stopped at each system call on its way; killed at the `stop`th. False when it came to its end.
+/// A child that saves once, stopped at each system call on its way; killed at the `stop`th. False when it came to its
+/// end.
 bool kill_at_stop(int stop, const Project& project, const std::string& path, bool& traced) {
   const pid_t child = ::fork();
   if (child == 0) {

@@ -5,7 +5,7 @@
 
 #include <filesystem>
 
-#include "eni/project_file.h"
+#include "eni/project/project_file.h"
 #include "support/random_project.h"
 
 namespace syncline::eni {
@@ -46,7 +46,9 @@ TEST(MachineFile, DevicesOfSeveralNetworksAreWrittenOnce) {
   const auto machine = press_line();
   const auto text = write_machine(machine);
   std::size_t count = 0;
-  for (auto at = text.find("<DeviceDescription "); at != std::string::npos; at = text.find("<DeviceDescription ", at + 1)) ++count;
+  for (auto at = text.find("<DeviceDescription "); at != std::string::npos;
+       at = text.find("<DeviceDescription ", at + 1))
+    ++count;
   EXPECT_EQ(count, machine.networks[0].slaves.size() + machine.networks[1].slaves.size());
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "eni/project_builder.h"
+#include "eni/project/project_builder.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,9 +7,9 @@
 #include <filesystem>
 #include <fstream>
 
-#include "eni/esi_writer.h"
-#include "eni/line_wiring.h"
-#include "eni/xml_text.h"
+#include "eni/esi/esi_writer.h"
+#include "eni/project/line_wiring.h"
+#include "eni/xml/xml_text.h"
 
 namespace syncline::eni {
 namespace {
@@ -135,8 +135,9 @@ TEST_F(ProjectBuilder, DeviceWithoutEsiComesFromItsEeprom) {
   auto& image = scan.slaves[0].sii.emplace();
   image.vendor_id = 0x5EC;
   image.product_code = 9;
-  image.general.emplace().name = "Gr\xF6\xDF"
-                                 "e\x01 ";
+  image.general.emplace().name =
+      "Gr\xF6\xDF"
+      "e\x01 ";
   image.mailbox_protocols = sii::kProtocolCoe;
   image.general->coe_details = 0x24;  // PDO assignment, complete access
   sii::Pdo pdo;
@@ -157,7 +158,9 @@ TEST_F(ProjectBuilder, DeviceWithoutEsiComesFromItsEeprom) {
   EXPECT_EQ(built.warnings[2].code, ErrorCode::kSii);
 }
 
-PreviousPort wired(const std::vector<SlaveSettings>& slaves, std::size_t i) { return slaves[i].previous.value_or(PreviousPort{99, 99}); }
+PreviousPort wired(const std::vector<SlaveSettings>& slaves, std::size_t i) {
+  return slaves[i].previous.value_or(PreviousPort{99, 99});
+}
 
 TEST(LineWiring, TerminalsHangOnTheirCouplerAndTheNextCouplerOnItsCable) {
   std::vector<SlaveSettings> slaves;

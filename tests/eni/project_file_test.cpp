@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "eni/project_file.h"
+#include "eni/project/project_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,9 +8,9 @@
 #include <filesystem>
 #include <regex>
 
-#include "eni/esi_reader.h"
-#include "eni/esi_writer.h"
-#include "eni/xml_text.h"
+#include "eni/esi/esi_reader.h"
+#include "eni/esi/esi_writer.h"
+#include "eni/xml/xml_text.h"
 #include "protocol/error_text.h"
 #include "support/random_project.h"
 #include "tests/support/sample_devices.h"
@@ -66,7 +66,8 @@ TEST(ProjectFile, CarriesEachDeviceOnce) {
 }
 
 TEST(ProjectFile, SavesAndLoads) {
-  const auto path = (std::filesystem::temp_directory_path() / ("syncline-project-" + std::to_string(::getpid()))).string();
+  const auto path =
+      (std::filesystem::temp_directory_path() / ("syncline-project-" + std::to_string(::getpid()))).string();
   const Project project = three_slaves();
   ASSERT_TRUE(save_project(project, path));
   const auto loaded = load_project(path);
@@ -77,7 +78,8 @@ TEST(ProjectFile, SavesAndLoads) {
 }
 
 TEST(ProjectFile, AbsentFieldsKeepTheirDefaults) {
-  const auto project = parse_project("<SynclineProject Version=\"1\"><Master/><Slaves/></SynclineProject>", "p.syncline");
+  const auto project =
+      parse_project("<SynclineProject Version=\"1\"><Master/><Slaves/></SynclineProject>", "p.syncline");
   ASSERT_TRUE(project);
   EXPECT_EQ(*project, Project{});
 }
@@ -97,9 +99,11 @@ TEST(ProjectFile, DamageIsNamedWithLineAndElement) {
       {"Mode=\"bus-shift\"", "Mode=\"sideways\"", ErrorCode::kXmlBadValue, "Dcm"},
       {"DestinationMac=\"ff", "DestinationMac=\"f", ErrorCode::kXmlBadValue, "Master"},
       {"<Slave Device=\"2\"", "<Slave Device=\"9\"", ErrorCode::kXmlBadValue, "Slave"},
-      {"<Slaves>", "<Slaves Version=\"1\"><Slave Device=\"1\"><RxPdos>what</RxPdos></Slave>", ErrorCode::kXmlBadValue, "RxPdos"},
+      {"<Slaves>", "<Slaves Version=\"1\"><Slave Device=\"1\"><RxPdos>what</RxPdos></Slave>", ErrorCode::kXmlBadValue,
+       "RxPdos"},
       {"<ByteSize>", "<ByteSize>x", ErrorCode::kXmlBadValue, "ByteSize"},
-      {"SynclineProject Version=\"1\"", "SynclineProject Version=\"3\"", ErrorCode::kNotThatKindOfFile, "SynclineProject"},
+      {"SynclineProject Version=\"1\"", "SynclineProject Version=\"3\"", ErrorCode::kNotThatKindOfFile,
+       "SynclineProject"},
   };
   for (const auto& damage : cases) {
     auto spoilt = text;

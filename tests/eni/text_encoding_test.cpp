@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "eni/text_encoding.h"
+#include "eni/xml/text_encoding.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <iconv.h>
 #include <rapidcheck.h>
 
-#include "eni/esi_reader.h"
-#include "eni/xml_reader.h"
+#include "eni/esi/esi_reader.h"
+#include "eni/xml/xml_reader.h"
 #include "support/utf8.h"
 
 namespace syncline::eni {

@@ -6,10 +6,10 @@
 
 #include <filesystem>
 
-#include "eni/esi_reader.h"
-#include "eni/project_builder.h"
-#include "eni/project_file.h"
-#include "eni/xml_text.h"
+#include "eni/esi/esi_reader.h"
+#include "eni/project/project_builder.h"
+#include "eni/project/project_file.h"
+#include "eni/xml/xml_text.h"
 #include "protocol/error_text.h"
 #include "support/sample_folder.h"
 #include "tests/support/source_dir.h"

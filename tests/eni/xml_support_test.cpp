@@ -6,10 +6,10 @@
 #include <filesystem>
 #include <limits>
 
-#include "eni/xml_number.h"
-#include "eni/xml_reader.h"
-#include "eni/xml_text.h"
-#include "eni/xml_writer.h"
+#include "eni/xml/xml_number.h"
+#include "eni/xml/xml_reader.h"
+#include "eni/xml/xml_text.h"
+#include "eni/xml/xml_writer.h"
 
 namespace syncline::eni {
 namespace {
@@ -50,7 +50,8 @@ TEST(XmlText, TextOfProgramsBecomesUtf8) {
 /// Whatever a user types must come back as it was, as text and as attribute.
 TEST(XmlWriter, TextComesBackExactly) {
   EXPECT_TRUE(rc::check([] {
-    const auto piece = rc::gen::element<std::string>("a", "B", " ", "\n", "\r", "\t", "<", ">", "&", "\"", "'", "]]>", "ö", "速");
+    const auto piece =
+        rc::gen::element<std::string>("a", "B", " ", "\n", "\r", "\t", "<", ">", "&", "\"", "'", "]]>", "ö", "速");
     std::string value;
     for (const auto& part : *rc::gen::container<std::vector<std::string>>(piece)) value += part;
     XmlWriter xml;

@@ -2,7 +2,7 @@
 #include <array>
 #include <memory>
 
-#include "eni/esi_reader.h"
+#include "eni/esi/esi_reader.h"
 #include "fuzz/bus_targets.h"
 #include "fuzz/script.h"
 #include "protocol/frame.h"

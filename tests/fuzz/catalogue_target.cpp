@@ -4,10 +4,10 @@
 #include <filesystem>
 #include <fstream>
 
-#include "tests/support/sample_devices.h"
 #include "eni/catalogue/esi_catalogue.h"
-#include "eni/esi_writer.h"
+#include "eni/esi/esi_writer.h"
 #include "fuzz/sandbox.h"
+#include "tests/support/sample_devices.h"
 
 namespace syncline::fuzz {
 namespace {

@@ -3,9 +3,9 @@
 
 #include "fuzz/bus_targets.h"
 #include "fuzz/script.h"
-#include "master/coe_client.h"
-#include "master/foe_client.h"
-#include "master/sdo_info_client.h"
+#include "master/mailbox/coe_client.h"
+#include "master/mailbox/foe_client.h"
+#include "master/mailbox/sdo_info_client.h"
 #include "sim/mailbox/mailbox_server.h"
 #include "tests/core/master/mailbox_bed.h"
 

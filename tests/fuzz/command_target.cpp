@@ -13,12 +13,12 @@
 
 #include "app/cli/cli.h"
 #include "app/cli/duration.h"
-#include "config/compile/compile.h"
-#include "tests/support/sample_devices.h"
-#include "eni/eni_file.h"
-#include "eni/esi_writer.h"
-#include "eni/project_file.h"
+#include "compile/compile.h"
+#include "eni/esi/esi_writer.h"
+#include "eni/format/eni_file.h"
+#include "eni/project/project_file.h"
 #include "fuzz/sandbox.h"
+#include "tests/support/sample_devices.h"
 
 namespace syncline::fuzz {
 namespace {

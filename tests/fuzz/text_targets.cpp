@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fuzz/text_targets.h"
 
-#include "tests/support/sample_devices.h"
 #include "protocol/frame.h"
 #include "protocol/registers.h"
-#include "sim/scenario_loader.h"
+#include "sim/scenario/scenario_loader.h"
 #include "sim/sim_bus.h"
 #include "support/clock.h"
+#include "tests/support/sample_devices.h"
 #include "trace/dcm_log.h"
 
 namespace syncline::fuzz {

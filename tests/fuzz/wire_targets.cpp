@@ -106,13 +106,15 @@ void run_mailbox(std::span<const std::uint8_t> bytes) {
 }
 
 std::vector<Bytes> mailboxes() {
-  const coe::EntryDescription entry{0x1018, 1, coe::value_info::kDefault, 7, 32, 7, 0, {1, 2, 3, 4}, {}, {}, "Vendor ID"};
+  const coe::EntryDescription entry{0x1018, 1,          coe::value_info::kDefault, 7, 32, 7, 0, {1, 2, 3, 4}, {},
+                                    {},     "Vendor ID"};
   const coe::ObjectList list{coe::ObjectListType::kAll, {0x1000, 0x1018}};
   const std::vector<std::pair<MailboxType, Bytes>> good{
       {MailboxType::kCoe, coe::encode(coe::Request(coe::DownloadRequest{{0x1C12, 0}, true, false, 6, Bytes(6, 1)}))},
       {MailboxType::kCoe, coe::encode(coe::Request(coe::DownloadSegmentRequest{true, true, Bytes(3, 7)}))},
       {MailboxType::kCoe, coe::encode(coe::Request(coe::UploadRequest{{0x1000, 0}, false}))},
-      {MailboxType::kCoe, coe::encode(coe::Response(coe::UploadResponse{{0x1008, 0}, false, false, 300, Bytes(40, 65)}))},
+      {MailboxType::kCoe,
+       coe::encode(coe::Response(coe::UploadResponse{{0x1008, 0}, false, false, 300, Bytes(40, 65)}))},
       {MailboxType::kCoe, coe::encode(coe::Response(coe::UploadSegmentResponse{true, true, Bytes(5, 65)}))},
       {MailboxType::kCoe, coe::encode(coe::Response(coe::Emergency{0xA001, 0x11, {1, 2, 3, 4, 5}}))},
       {MailboxType::kCoe, coe::encode(coe::InformationRequest(coe::ObjectListRequest{}))},
@@ -121,7 +123,8 @@ std::vector<Bytes> mailboxes() {
       {MailboxType::kFoe, foe::encode(foe::WriteRequest{0, "name"})},
       {MailboxType::kFoe, foe::encode(foe::Data{1, Bytes(20, 3)})},
       {MailboxType::kFoe, foe::encode(foe::FileError{0x8001, "no"})},
-      {MailboxType::kCoe, DiagnosisMessage{0xE0000001, DiagnosisMessage::Type::kError, 7, 42, {{5, {1}}, {0x1003, {1, 2, 3}}}}.encode()},
+      {MailboxType::kCoe,
+       DiagnosisMessage{0xE0000001, DiagnosisMessage::Type::kError, 7, 42, {{5, {1}}, {0x1003, {1, 2, 3}}}}.encode()},
   };
   std::vector<Bytes> corpus;
   for (const auto& [type, data] : good) {

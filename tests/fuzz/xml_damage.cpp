@@ -38,14 +38,20 @@ void damage_once(std::string& text, Random& random) {
   switch (random.next() % 8) {
     case 0:
     case 1:
-    case 2: text.replace(value.from, value.to - value.from, nasty_value(random)); break;
+    case 2:
+      text.replace(value.from, value.to - value.from, nasty_value(random));
+      break;
     case 3: {
       const auto other = some_value(text, random);
       text.replace(value.from, value.to - value.from, std::string(text.substr(other.from, other.to - other.from)));
       break;
     }
-    case 4: text.erase(element.from, copy.size()); break;
-    case 5: text.insert(element.from, copy); break;
+    case 4:
+      text.erase(element.from, copy.size());
+      break;
+    case 5:
+      text.insert(element.from, copy);
+      break;
     case 6: {
       const auto other = some_element(text, random);
       text.insert(other.from, copy);

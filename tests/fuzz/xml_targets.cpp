@@ -3,12 +3,12 @@
 
 #include <algorithm>
 
-#include "config/compile/compile.h"
+#include "compile/compile.h"
 #include "eni/catalogue/esi_cards.h"
-#include "eni/eni_file.h"
-#include "eni/esi_reader.h"
-#include "eni/esi_writer.h"
-#include "eni/project_file.h"
+#include "eni/esi/esi_reader.h"
+#include "eni/esi/esi_writer.h"
+#include "eni/format/eni_file.h"
+#include "eni/project/project_file.h"
 #include "tests/support/random_project.h"
 #include "tests/support/sample_devices.h"
 
@@ -88,7 +88,8 @@ void run_project(std::span<const std::uint8_t> bytes) {
 
 std::vector<Bytes> esis() {
   std::vector<Bytes> corpus;
-  for (const auto& slave : sample::small_machine().slaves) corpus.push_back(bytes_of_text(eni::write_esi(slave.device)));
+  for (const auto& slave : sample::small_machine().slaves)
+    corpus.push_back(bytes_of_text(eni::write_esi(slave.device)));
   corpus.push_back(bytes_of_text(eni::write_esi(test::RandomProject(7).device())));
   return corpus;
 }
@@ -98,7 +99,8 @@ std::vector<Bytes> enis() {
 }
 
 std::vector<Bytes> projects() {
-  return {bytes_of_text(eni::write_project(sample::small_machine())), bytes_of_text(eni::write_project(test::RandomProject(11).project()))};
+  return {bytes_of_text(eni::write_project(sample::small_machine())),
+          bytes_of_text(eni::write_project(test::RandomProject(11).project()))};
 }
 
 }  // namespace syncline::fuzz

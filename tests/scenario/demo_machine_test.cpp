@@ -5,12 +5,12 @@
 #include <utility>
 
 #include "app/composition/open_link.h"
-#include "config/compile/compile.h"
+#include "compile/compile.h"
 #include "engine/run_network.h"
 #include "engine/scan_bus.h"
 #include "eni/catalogue/esi_catalogue.h"
-#include "eni/eni_file.h"
-#include "eni/project_builder.h"
+#include "eni/format/eni_file.h"
+#include "eni/project/project_builder.h"
 #include "master/master_service.h"
 #include "tests/support/event_match.h"
 #include "tests/support/source_dir.h"
@@ -156,7 +156,9 @@ TEST_P(DemoMachine, RunsTheExportedFileLikeTheProject) {
 }
 
 INSTANTIATE_TEST_SUITE_P(BothModes, DemoMachine, ::testing::Values(DcmMode::kBusShift, DcmMode::kMasterShift),
-                         [](const auto& mode) { return mode.param == DcmMode::kBusShift ? "BusShift" : "MasterShift"; });
+                         [](const auto& mode) {
+                           return mode.param == DcmMode::kBusShift ? "BusShift" : "MasterShift";
+                         });
 
 }  // namespace
 }  // namespace syncline

@@ -3,11 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "config/families/families.h"
-#include "settings/settings_keys.h"
-#include "eni/esi_reader.h"
+#include "eni/esi/esi_reader.h"
+#include "families/families.h"
 #include "link/simulated_link.h"
 #include "master/master_service.h"
+#include "settings/settings_keys.h"
 #include "sim/sim_bus.h"
 #include "support/simulated_network.h"
 #include "tests/support/source_dir.h"
@@ -63,7 +63,8 @@ TEST(DeviceFamilies, ACycleIsRefusedBeforeExactlyWhenTheDeviceRefusesIt) {
       network.project.master.dc.burst_total = 500;
       const bool refused = is_refused(network.project);
       const auto status = bring_up(network);
-      EXPECT_EQ(refused, al_state_of(status.al_status) < AlState::kSafeop) << kind.type << " " << cycle << " ns: " << status.al_status;
+      EXPECT_EQ(refused, al_state_of(status.al_status) < AlState::kSafeop)
+          << kind.type << " " << cycle << " ns: " << status.al_status;
     }
   }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include "eni/esi_reader.h"
+#include "eni/esi/esi_reader.h"
 #include "protocol/al_state.h"
 #include "tests/support/diagnosed_run.h"
 #include "tests/support/event_match.h"

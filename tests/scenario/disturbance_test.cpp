@@ -299,7 +299,7 @@ TEST_F(Disturbance, AHotConnectGroupIsKnownByItsAliasWhereverItStands) {
   network.project.slaves[head].alias = 77;
   network.project.slaves[head].hot_connect = "Trolley";
   network.sim.slaves[head].alias = 77;
-  network.sim.slaves[head].parent = 0;       // at port D of the first, in front of the others
+  network.sim.slaves[head].parent = 0;  // at port D of the first, in front of the others
   network.sim.slaves[head].parent_port = 3;
   auto moved = std::move(network.sim.slaves.back());
   network.sim.slaves.pop_back();

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <numbers>
 
-#include "eni/esi_reader.h"
+#include "eni/esi/esi_reader.h"
 #include "master/master_service.h"
 #include "support/byte_order.h"
 #include "tests/support/simulated_network.h"
@@ -54,13 +54,16 @@ class Path final : public CyclicApplication {
  private:
   [[nodiscard]] std::uint16_t control(std::uint16_t status) const {
     switch (status & 0x6F) {
-      case 0x21: return 0x07;
-      case 0x23: return 0x0F;
+      case 0x21:
+        return 0x07;
+      case 0x23:
+        return 0x0F;
       case 0x27: {
         const bool more = mode_ == 7 || (mode_ == 1 && cycles_ > 1);  // interpolation on; new set-point
         return more ? 0x1F : 0x0F;
       }
-      default: return 0x06;
+      default:
+        return 0x06;
     }
   }
   /// Velocity is a raised cosine: no step in acceleration.
@@ -103,7 +106,7 @@ class DriveMotion : public ::testing::Test {
     network.add(device, "drive-c");
     auto& slave = network.project.slaves[0];
     if (free_run) slave.dc.op_mode = "";
-    slave.startup.push_back(command(0x10F1, 2, le_bytes(std::uint16_t{0})));            // no alarm: the effect is to be seen
+    slave.startup.push_back(command(0x10F1, 2, le_bytes(std::uint16_t{0})));  // no alarm: the effect is to be seen
     slave.startup.push_back(command(0x6081, 0, le_bytes(std::uint32_t{200'000})));
     network.project.master.dc.dcm.set_value = set_value;
     network.sim.faults = faults;
@@ -179,7 +182,8 @@ TEST_F(DriveMotion, EachLostFrameIsASpike) {
 
 TEST_F(DriveMotion, CyclicPositionWithoutDcSuffersFromTheJitter) {
   free_run = true;
-  EXPECT_LT(run(kCyclic, JitterProfile{}).largest_error, 120) << "targets 0 to 250 us late, by the phase of the servo period";
+  EXPECT_LT(run(kCyclic, JitterProfile{}).largest_error, 120)
+      << "targets 0 to 250 us late, by the phase of the servo period";
   // Whether a late target crosses into the next servo period is a matter of the phase: some of several runs do.
   Outcome worst;
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {

@@ -8,9 +8,9 @@
 #include <map>
 
 #include "app/composition/open_link.h"
-#include "config/network_compare.h"
+#include "compare/network_compare.h"
 #include "engine/run_network.h"
-#include "eni/eni_file.h"
+#include "eni/format/eni_file.h"
 #include "protocol/error_text.h"
 #include "support/sample_folder.h"
 

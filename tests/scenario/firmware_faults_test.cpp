@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "app/cli/event_text.h"
-#include "eni/esi_reader.h"
+#include "eni/esi/esi_reader.h"
 #include "support/random.h"
 #include "tests/support/diagnosed_run.h"
 #include "tests/support/event_match.h"

@@ -8,11 +8,11 @@
 #include <fstream>
 
 #include "app/composition/open_link.h"
-#include "config/compile/compile.h"
+#include "compile/compile.h"
 #include "engine/run_network.h"
 #include "engine/scan_bus.h"
 #include "eni/catalogue/esi_catalogue.h"
-#include "eni/project_builder.h"
+#include "eni/project/project_builder.h"
 #include "protocol/error_text.h"
 #include "support/sample_folder.h"
 #include "tests/support/source_dir.h"

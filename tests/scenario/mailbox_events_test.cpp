@@ -8,7 +8,7 @@
 
 #include "app/cli/event_text.h"
 #include "link/fault_link.h"
-#include "master/mailbox_bits.h"
+#include "master/cyclic/mailbox_bits.h"
 #include "master/master_service.h"
 #include "protocol/frame.h"
 #include "protocol/registers.h"
@@ -117,12 +117,14 @@ class MailboxEvents : public ::testing::Test {
       EXPECT_GT(message.time_stamp, 0U);
       EXPECT_LT(messages[0].time - emergencies[0].time, 500 * kMillisecond) << "an emergency hurries it";
     }
-    EXPECT_THAT(log(), testing::HasSubstr("slave 2: emergency 0x0a12 (A.A12, EtherCAT Outputs Data Synchronization Error), "
-                                          "error register 0x11, data 1a 00 00 00 00"));
+    EXPECT_THAT(log(),
+                testing::HasSubstr("slave 2: emergency 0x0a12 (A.A12, EtherCAT Outputs Data Synchronization Error), "
+                                   "error register 0x11, data 1a 00 00 00 00"));
     EXPECT_THAT(log(), testing::HasSubstr("slave 2: diagnosis error 0x0a12e000, text 0x001a, time stamp "));
   }
   void expect_steady_cycle() const {
-    for (std::size_t i = 1; i < samples.size(); ++i) ASSERT_LT(samples[i].send_time - samples[i - 1].send_time, 1'200'000);
+    for (std::size_t i = 1; i < samples.size(); ++i)
+      ASSERT_LT(samples[i].send_time - samples[i - 1].send_time, 1'200'000);
   }
 };
 
@@ -158,7 +160,9 @@ TEST_F(MailboxEvents, MessagesAreToldOnceHoweverLongTheyStayUnacknowledged) {
 
 TEST_F(MailboxEvents, CountersAreReadOnThoughFramesAreLost) {
   add_drives();
-  const auto readings = [&] { return std::ranges::count_if(samples, [](const auto& s) { return s.sm2_position >= 0; }); };
+  const auto readings = [&] {
+    return std::ranges::count_if(samples, [](const auto& s) { return s.sm2_position >= 0; });
+  };
   run(5 * kSecond);
   const auto undisturbed = readings();
   ASSERT_GT(undisturbed, 100);

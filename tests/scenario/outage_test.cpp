@@ -197,8 +197,8 @@ TEST_F(Outage, EndsInSyncWhateverGoesAwayForHowLongInWhichMode) {
     Case c;
     c.mode = kModes[static_cast<std::size_t>(i) % kModes.size()];
     c.branch = random.uniform() < 0.3;
-    // With an external clock the return of a reference clock in a branch takes the others out of the window a second time
-    // (docs/distributed-clocks.md).
+    // With an external clock the return of a reference clock in a branch takes the others out of the window a second
+    // time (docs/distributed-clocks.md).
     if (c.mode == DcmMode::kDcx) c.branch = false;
     c.kind = random.uniform() < 0.5 ? FaultKind::kCableBreak : FaultKind::kSlaveOff;
     // Of the branched machine the terminal in front of all has no clock.

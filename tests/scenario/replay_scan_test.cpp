@@ -6,11 +6,11 @@
 #include <filesystem>
 
 #include "app/composition/open_link.h"
-#include "config/compile/compile.h"
+#include "compile/compile.h"
 #include "engine/run_network.h"
 #include "engine/scan_bus.h"
 #include "eni/catalogue/esi_catalogue.h"
-#include "eni/project_builder.h"
+#include "eni/project/project_builder.h"
 #include "protocol/error_text.h"
 #include "support/sample_folder.h"
 #include "tests/support/source_dir.h"
@@ -73,14 +73,15 @@ constexpr std::uint32_t kEk1100 = 0x044C2C52, kEk1914 = 0x077A2C52, kEl1004 = 0x
                         kEl2828 = 0x0B0C3052, kEl2889 = 0x0B493052, kEl3004 = 0x0BBC3052;
 
 // What stands in the captures' names: terminals of Beckhoff, an AKD drive, a bare LAN9252.
-INSTANTIATE_TEST_SUITE_P(Samples, RecordedBuses, testing::Values(
-    Known{"ethercrab-rs__ethercrab__replay-ek1100-el2828-el2889.pcapng", {kEk1100, kEl2828, kEl2889}},
-    Known{"ethercrab-rs__ethercrab__replay-ek1914-el3004-configure.pcapng", {kEk1914, kEl3004}},
-    Known{"ethercrab-rs__ethercrab__rs-example-sii-el2004.pcapng", {kEk1100, kEl2004, kEl2004}},
-    Known{"ethercrab-rs__ethercrab__soem-sdinfo-akd.pcapng", {0x00414B44}},
-    Known{"ethercrab-rs__ethercrab__soem-sdinfo-ek1100-el1004.pcapng", {kEk1100, kEl1004}},
-    Known{"ethercrab-rs__ethercrab__soem-single-lan9252.pcapng", {0x00009252}},
-    Known{"ethercrab-rs__ethercrab__twincat-scan-boxes.pcapng", {kEk1100, kEl1004}}));
+INSTANTIATE_TEST_SUITE_P(
+    Samples, RecordedBuses,
+    testing::Values(Known{"ethercrab-rs__ethercrab__replay-ek1100-el2828-el2889.pcapng", {kEk1100, kEl2828, kEl2889}},
+                    Known{"ethercrab-rs__ethercrab__replay-ek1914-el3004-configure.pcapng", {kEk1914, kEl3004}},
+                    Known{"ethercrab-rs__ethercrab__rs-example-sii-el2004.pcapng", {kEk1100, kEl2004, kEl2004}},
+                    Known{"ethercrab-rs__ethercrab__soem-sdinfo-akd.pcapng", {0x00414B44}},
+                    Known{"ethercrab-rs__ethercrab__soem-sdinfo-ek1100-el1004.pcapng", {kEk1100, kEl1004}},
+                    Known{"ethercrab-rs__ethercrab__soem-single-lan9252.pcapng", {0x00009252}},
+                    Known{"ethercrab-rs__ethercrab__twincat-scan-boxes.pcapng", {kEk1100, kEl1004}}));
 
 /// A capture of our own: coupler and four terminals.
 TEST(RecordedBus, OurCaptureShowsItsSlavesAndTheirWiring) {

@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "dc/propagation_delay.h"
-#include "sim/scenario_loader.h"
+#include "sim/scenario/scenario_loader.h"
 #include "tests/support/diagnosed_run.h"
 #include "tests/support/event_match.h"
 #include "tests/support/swapped_tree.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include "eni/esi_reader.h"
+#include "eni/esi/esi_reader.h"
 #include "master/master_service.h"
 #include "tests/support/simulated_network.h"
 #include "tests/support/source_dir.h"

@@ -10,11 +10,11 @@
 #include <memory>
 
 #include "app/composition/open_link.h"
-#include "config/compile/compile.h"
+#include "compile/compile.h"
 #include "engine/run_network.h"
 #include "engine/scan_bus.h"
 #include "eni/catalogue/esi_catalogue.h"
-#include "eni/project_builder.h"
+#include "eni/project/project_builder.h"
 #include "tests/support/source_dir.h"
 
 namespace syncline {
@@ -24,7 +24,8 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 
 std::string output_of(const std::string& command) {
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> pipe(::popen((command + " 2>/dev/null").c_str(), "r"), ::pclose);
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> pipe(::popen((command + " 2>/dev/null").c_str(), "r"),
+                                                             ::pclose);
   std::string text;
   std::array<char, 4096> part{};
   while (const auto size = std::fread(part.data(), 1, part.size(), pipe.get())) text.append(part.data(), size);
@@ -34,7 +35,8 @@ std::string output_of(const std::string& command) {
 class Wireshark : public testing::Test {
  protected:
   void SetUp() override {
-    if (output_of("tshark --version").empty()) GTEST_SKIP() << "tshark is not here; scripts/setup --with-peers installs it";
+    if (output_of("tshark --version").empty())
+      GTEST_SKIP() << "tshark is not here; scripts/setup --with-peers installs it";
   }
   void TearDown() override { fs::remove(capture_); }
   [[nodiscard]] std::string dissect(const std::string& options) const {
@@ -70,8 +72,9 @@ TEST_F(Wireshark, FindsNothingMalformedInABringUpAndAMinuteOfOperation) {
   EXPECT_EQ(dissect("-Y 'eth.src == 00:00:00:00:00:00' -c 10"), "") << "frames without a source address";
 
   // Registers and mailbox by the dissector's names, wherever in the bring-up they come.
-  const auto words = dissect("-V -Y 'ecat.ado < 0x900 || ecat.ado == 0x918 || (ecat.ado > 0x91f && ecat.ado < 0x92c) || "
-                             "ecat.ado > 0x92c'");
+  const auto words = dissect(
+      "-V -Y 'ecat.ado < 0x900 || ecat.ado == 0x918 || (ecat.ado > 0x91f && ecat.ado < 0x92c) || "
+      "ecat.ado > 0x92c'");
   for (const auto* name : {"Phys Addr (0x10)", "ESC Status (0x110)", "AL Ctrl (0x120)", "AL Status (0x130)",
                            "DC RecvTime (0x918)", "DC SysTimeOffs", "DC SysTimeDelay (0x928)", "DC SpeedStart (0x930)",
                            "DC Activation (0x981)", "DC CycTime0 (0x9a0)", "DC StartTime0 (0x990)",

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "master/dc_setup.h"
+#include "master/clocks/dc_setup.h"
 #include "protocol/registers.h"
 #include "support/random.h"
 #include "tests/support/scan_bed.h"
@@ -18,8 +18,8 @@
 
 namespace syncline::test {
 
-/// A segment of up to `size` terminals wired at random: lines, drop lines, branches at junctions; cables of 0.2 to 100 m,
-/// quartzes of +-50 ppm, clocks that wrap soon. `mixed`: some have receive times only, some no clock at all.
+/// A segment of up to `size` terminals wired at random: lines, drop lines, branches at junctions; cables of 0.2 to 100
+/// m, quartzes of +-50 ppm, clocks that wrap soon. `mixed`: some have receive times only, some no clock at all.
 inline SimulatedNetwork random_tree(std::size_t size, std::uint64_t seed, bool mixed) {
   constexpr std::array<std::uint8_t, 3> kBranches{3, 1, 2};
   SimulatedNetwork network;

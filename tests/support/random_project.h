@@ -196,9 +196,17 @@ class RandomProject {
     d.potential_reference_clock = chance(3);
     const int modes = number(0, 3);
     for (int i = 0; i < modes; ++i) {
-      DcOpMode mode{"Mode " + std::to_string(i), trimmed_text(), number<std::uint16_t>(0, 0xFFFF), time(), time(), time(),
-                    time(), {}};
-      if (chance(2)) mode.sync_managers.push_back({2, std::nullopt, chance(2) ? std::vector<std::uint16_t>{0x1600} : std::vector<std::uint16_t>{}});
+      DcOpMode mode{"Mode " + std::to_string(i),
+                    trimmed_text(),
+                    number<std::uint16_t>(0, 0xFFFF),
+                    time(),
+                    time(),
+                    time(),
+                    time(),
+                    {}};
+      if (chance(2))
+        mode.sync_managers.push_back(
+            {2, std::nullopt, chance(2) ? std::vector<std::uint16_t>{0x1600} : std::vector<std::uint16_t>{}});
       if (chance(2)) mode.sync_managers.push_back({3, number<std::uint16_t>(0, 34), {}});
       d.op_modes.push_back(std::move(mode));
     }
@@ -211,9 +219,9 @@ class RandomProject {
     for (int i = 0; i < entries; ++i) {
       const bool writable = chance(2);
       if (entries > 1) o.code = ObjectCode::kRecord;
-      o.entries.push_back({static_cast<std::uint8_t>(i), entries == 1 ? o.name : trimmed_text(), pick({"UINT", "STRING(4)", ""}),
-                           number<std::uint16_t>(0, 64), !writable || chance(2), writable,
-                           chance(2) ? bytes(number(1, 4)) : std::vector<std::uint8_t>{}});
+      o.entries.push_back({static_cast<std::uint8_t>(i), entries == 1 ? o.name : trimmed_text(),
+                           pick({"UINT", "STRING(4)", ""}), number<std::uint16_t>(0, 64), !writable || chance(2),
+                           writable, chance(2) ? bytes(number(1, 4)) : std::vector<std::uint8_t>{}});
     }
     return o;
   }
@@ -221,7 +229,8 @@ class RandomProject {
   std::vector<std::uint16_t> assignment(const std::vector<Pdo>& pdos) {
     std::vector<std::uint16_t> chosen;
     for (const Pdo& pdo : pdos) {
-      const bool excluded = std::ranges::any_of(pdo.exclude, [&](auto other) { return std::ranges::find(chosen, other) != chosen.end(); });
+      const bool excluded = std::ranges::any_of(
+          pdo.exclude, [&](auto other) { return std::ranges::find(chosen, other) != chosen.end(); });
       if (!excluded && chance(2)) chosen.push_back(pdo.index);
     }
     if (chance(2)) std::ranges::reverse(chosen);
@@ -270,7 +279,8 @@ class RandomProject {
     }
     if (chance(3)) s.watchdog.outputs = chance(2);
     auto& t = s.timeouts;
-    for (auto* value : {&t.preop, &t.safeop_op, &t.back_to_init, &t.back_to_safeop, &t.mailbox_request, &t.mailbox_response}) {
+    for (auto* value :
+         {&t.preop, &t.safeop_op, &t.back_to_init, &t.back_to_safeop, &t.mailbox_request, &t.mailbox_response}) {
       if (chance(3)) *value = number<std::uint32_t>(1, 600'000);
     }
     if (chance(3)) s.mailbox.out_size = number<std::uint16_t>(24, 1486);
@@ -282,19 +292,22 @@ class RandomProject {
       for (const Pdo& pdo : *pdos) {
         const auto changed = std::ranges::find(s.changed_pdos, pdo.index, &Pdo::index);
         const auto& entries = changed == s.changed_pdos.end() ? pdo.entries : changed->entries;
-        if (!entries.empty() && entries.front().index != 0 && chance(4)) s.variable_names.push_back({pdo.index, 0, name()});
+        if (!entries.empty() && entries.front().index != 0 && chance(4))
+          s.variable_names.push_back({pdo.index, 0, name()});
       }
     }
     std::ranges::sort(s.variable_names, {}, &VariableName::pdo);
     // Not std::ranges::unique: clang 14 cannot compile what libstdc++ 12 makes of it.
     const auto same_pdo = [](const VariableName& a, const VariableName& b) { return a.pdo == b.pdo; };
-    s.variable_names.erase(std::unique(s.variable_names.begin(), s.variable_names.end(), same_pdo), s.variable_names.end());
+    s.variable_names.erase(std::unique(s.variable_names.begin(), s.variable_names.end(), same_pdo),
+                           s.variable_names.end());
   }
 
   void choose_samples(SlaveSettings& s) {
     for (auto* pdos : {&s.device.rx_pdos, &s.device.tx_pdos}) {
       for (Pdo& pdo : *pdos) {
-        if (!chance(5) || pdo.os_max || std::ranges::count(s.oversampling, pdo.index, &PdoOversampling::pdo) > 0) continue;
+        if (!chance(5) || pdo.os_max || std::ranges::count(s.oversampling, pdo.index, &PdoOversampling::pdo) > 0)
+          continue;
         pdo.os_max = number<std::uint16_t>(2, 8);
         s.oversampling.push_back({pdo.index, number<std::uint16_t>(1, *pdo.os_max)});
       }
@@ -344,7 +357,8 @@ class RandomProject {
     pdo.name = "Outputs";
     pdo.sync_manager = 2;
     pdo.depend_on_slot = true;
-    pdo.entries = {{static_cast<std::uint16_t>(0x7100 + ident), 1, number<std::uint16_t>(1, 32), "Value", "UDINT", false, true}};
+    pdo.entries = {
+        {static_cast<std::uint16_t>(0x7100 + ident), 1, number<std::uint16_t>(1, 32), "Value", "UDINT", false, true}};
     m.rx_pdos = {pdo};
     return m;
   }
@@ -374,7 +388,8 @@ class RandomProject {
     s.station_address = number<std::uint16_t>(1, 0xFFFF);
     s.alias = number<std::uint16_t>(0, 0xFFFF);
     if (s.alias % 4 == 1) s.hot_connect = name();
-    if (position > 0 && !chance(4)) s.previous = PreviousPort{number<std::uint16_t>(0, position - 1), number<std::uint8_t>(0, 3)};
+    if (position > 0 && !chance(4))
+      s.previous = PreviousPort{number<std::uint16_t>(0, position - 1), number<std::uint8_t>(0, 3)};
     s.check = {.vendor = chance(2), .product = chance(2), .revision = chance(2), .serial = chance(2)};
     s.assigned_rx_pdos = assignment(s.device.rx_pdos);
     s.assigned_tx_pdos = assignment(s.device.tx_pdos);
@@ -383,7 +398,9 @@ class RandomProject {
     change_mappings(s);
     set_options(s);
     if (s.device.dc && !s.device.dc->op_modes.empty() && !chance(3)) {
-      s.dc.op_mode = s.device.dc->op_modes[number<std::size_t>(0, static_cast<std::int64_t>(s.device.dc->op_modes.size()) - 1)].name;
+      s.dc.op_mode =
+          s.device.dc->op_modes[number<std::size_t>(0, static_cast<std::int64_t>(s.device.dc->op_modes.size()) - 1)]
+              .name;
     }
     s.dc.sync0 = sync_unit();
     s.dc.sync1 = sync_unit();

@@ -76,19 +76,18 @@ DeviceDescription servo() {
   device.eeprom.config_data = {0x05, 0x0C};
   device.eeprom.boot_strap = {0x00, 0x10, 0x00, 0x02, 0x00, 0x12, 0x00, 0x02};
   device.fmmus = {FmmuUse::kOutputs, FmmuUse::kInputs};
-  device.sync_managers = {manager(SyncManagerType::kMailboxOut, 0x1000, 0x26),
-                          manager(SyncManagerType::kMailboxIn, 0x1080, 0x22),
-                          manager(SyncManagerType::kOutputs, 0x1100, 0x64),
-                          manager(SyncManagerType::kInputs, 0x1180, 0x20)};
+  device.sync_managers = {
+      manager(SyncManagerType::kMailboxOut, 0x1000, 0x26), manager(SyncManagerType::kMailboxIn, 0x1080, 0x22),
+      manager(SyncManagerType::kOutputs, 0x1100, 0x64), manager(SyncManagerType::kInputs, 0x1180, 0x20)};
   device.sync_managers[0].default_size = device.sync_managers[1].default_size = 128;
   device.sync_managers[2].max_size = device.sync_managers[3].max_size = 32;
-  device.rx_pdos = {pdo(0x1600, "Outputs", 2, {{0x6040, 0, 16, "Control word", "UINT"},
-                                               {0x607A, 0, 32, "Target position", "DINT"}}),
-                    pdo(0x1601, "User outputs", std::nullopt, {{0x60FF, 0, 32, "Target velocity", "DINT"}})};
+  device.rx_pdos = {
+      pdo(0x1600, "Outputs", 2, {{0x6040, 0, 16, "Control word", "UINT"}, {0x607A, 0, 32, "Target position", "DINT"}}),
+      pdo(0x1601, "User outputs", std::nullopt, {{0x60FF, 0, 32, "Target velocity", "DINT"}})};
   device.rx_pdos[1].fixed = false;
-  device.tx_pdos = {pdo(0x1A00, "Inputs", 3, {{0x6041, 0, 16, "Status word", "UINT"},
-                                              {0, 0, 16, "", ""},
-                                              {0x6064, 0, 32, "Position actual value", "DINT"}})};
+  device.tx_pdos = {pdo(
+      0x1A00, "Inputs", 3,
+      {{0x6041, 0, 16, "Status word", "UINT"}, {0, 0, 16, "", ""}, {0x6064, 0, 32, "Position actual value", "DINT"}})};
   device.mailbox.emplace();
   device.mailbox->foe = true;
   device.mailbox->coe.emplace();

@@ -25,7 +25,8 @@ inline std::filesystem::path own_samples(const std::string& kind) {
   return std::filesystem::path(test::source_dir()) / "tests/samples" / kind;
 }
 
-/// Samples of a kind with that extension, ours and those of others as far as they are here, in the order of their names.
+/// Samples of a kind with that extension, ours and those of others as far as they are here, in the order of their
+/// names.
 inline std::vector<std::filesystem::path> all_samples(const std::string& kind, const std::string& extension) {
   std::vector<std::filesystem::path> folders{own_samples(kind)}, files;
   if (const auto others = sample_folder()) folders.push_back(*others / kind);
@@ -53,7 +54,7 @@ inline std::optional<std::string> sample_file(const std::string& relative) {
 }  // namespace syncline::test
 
 /// Declares `name` as the path of a sample, or skips the test.
-#define SYNCLINE_SAMPLE(name, relative)                                                 \
-  const auto name##_found = ::syncline::test::sample_file(relative);                    \
-  if (!name##_found) GTEST_SKIP() << "sample not here: " << (relative);                 \
+#define SYNCLINE_SAMPLE(name, relative)                                 \
+  const auto name##_found = ::syncline::test::sample_file(relative);    \
+  if (!name##_found) GTEST_SKIP() << "sample not here: " << (relative); \
   const std::string name = *name##_found

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "link/link.h"
-#include "master/bus.h"
+#include "master/exchange/bus.h"
 #include "tests/support/simulated_network.h"
 
 namespace syncline::test {

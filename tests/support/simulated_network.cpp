@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "eni/esi_reader.h"
+#include "eni/esi/esi_reader.h"
 #include "tests/support/source_dir.h"
 
 namespace syncline::test {

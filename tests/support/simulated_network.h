@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "config/compile/compile.h"
+#include "compile/compile.h"
 #include "config/project.h"
 #include "config/sim_config.h"
 #include "link/simulated_host.h"

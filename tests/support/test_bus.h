@@ -34,20 +34,20 @@ struct TestSlave {
   bool has_system_time = true;
   bool has_mailbox = false;
   bool shows_sii_address = true;
-  std::size_t sii_bytes = 8;                                    // a read gives, 4 or 8
-  Nanoseconds sii_time = 0;                                     // that a read takes
+  std::size_t sii_bytes = 8;  // a read gives, 4 or 8
+  Nanoseconds sii_time = 0;   // that a read takes
   Nanoseconds sii_ready = 0;
-  std::optional<std::uint16_t> device_id;                       // answers the request by AL control bit 5
+  std::optional<std::uint16_t> device_id;  // answers the request by AL control bit 5
   bool present = true;
   double ppm = 0;
-  double phase = 0;                     // ns, added to the host clock to give the local time
-  std::map<std::uint32_t, std::vector<std::uint8_t>> objects;   // index << 8 | sub-index
+  double phase = 0;                                            // ns, added to the host clock to give the local time
+  std::map<std::uint32_t, std::vector<std::uint8_t>> objects;  // index << 8 | sub-index
   std::vector<std::pair<std::uint32_t, std::vector<std::uint8_t>>> written;
-  std::optional<std::pair<AlState, std::uint16_t>> refuse;      // state and AL status code
+  std::optional<std::pair<AlState, std::uint16_t>> refuse;  // state and AL status code
   std::vector<AlState> requests;
-  int mailbox_delay = 0;                // polls until an answer is there
+  int mailbox_delay = 0;  // polls until an answer is there
   std::optional<coe::Emergency> emergency;
-  std::vector<std::uint8_t> download;   // of a segmented transfer
+  std::vector<std::uint8_t> download;  // of a segmented transfer
   coe::ObjectAddress transfer_object;
   std::vector<std::uint8_t> upload;
   std::deque<std::vector<std::uint8_t>> answers;
@@ -96,7 +96,7 @@ class TestBus final : public Link {
   std::vector<std::vector<std::uint8_t>> sent;  // filled when `record`
   bool record = false;
   std::size_t frames_sent = 0;
-  std::function<void()> on_frame;               // before a frame is executed
+  std::function<void()> on_frame;  // before a frame is executed
 
   Status send(std::span<const std::uint8_t> frame) override {
     ++frames_sent;
@@ -159,8 +159,8 @@ class TestBus final : public Link {
     if (!implemented(slave, ado)) return;
     const auto now = clock_.now() + kHop * static_cast<Nanoseconds>(position);
     const auto command = d.header.command;
-    const bool write = multiple_write || command == Command::kApwr || command == Command::kFpwr ||
-                       command == Command::kBwr;
+    const bool write =
+        multiple_write || command == Command::kApwr || command == Command::kFpwr || command == Command::kBwr;
     if (!write) {
       if (!before_read(slave, ado, d.data, now)) return;
       for (std::size_t n = 0; n < d.data.size(); ++n) {
@@ -246,7 +246,8 @@ class TestBus final : public Link {
     const auto state = al_state_of(control);
     slave.requests.push_back(state);
     if (slave.refuse && slave.refuse->first == state) {
-      slave.set<std::uint16_t>(reg::kAlStatus, static_cast<std::uint16_t>(slave.get<std::uint16_t>(reg::kAlStatus) | kAlErrorFlag));
+      slave.set<std::uint16_t>(reg::kAlStatus,
+                               static_cast<std::uint16_t>(slave.get<std::uint16_t>(reg::kAlStatus) | kAlErrorFlag));
       slave.set<std::uint16_t>(reg::kAlStatusCode, slave.refuse->second);
       return;
     }
@@ -284,7 +285,9 @@ class TestBus final : public Link {
     message.data = coe::encode(response);
     slave.answers.push_back(message.encode());
   }
-  static std::uint32_t key(coe::ObjectAddress object) { return static_cast<std::uint32_t>(object.index << 8) | object.sub_index; }
+  static std::uint32_t key(coe::ObjectAddress object) {
+    return static_cast<std::uint32_t>(object.index << 8) | object.sub_index;
+  }
   static void serve(TestSlave& slave, const coe::DownloadRequest& r) {
     if (r.object.index == 0x5FFF) return answer(slave, coe::Abort{r.object, 0x06020000});
     slave.transfer_object = r.object;

@@ -13,17 +13,17 @@
 #include <QWheelEvent>
 #include <set>
 
-#include "eni/project_file.h"
+#include "eni/project/project_file.h"
 #include "support/ui_test_support.h"
 #include "ui/editors/choice_edit.h"
 #include "ui/editors/field_binder.h"
 #include "ui/editors/number_edit.h"
 #include "ui/editors/number_text.h"
+#include "ui/editors/page.h"
 #include "ui/editors/preset_edit.h"
 #include "ui/editors/text_edit.h"
 #include "ui/main_window.h"
 #include "ui/pages/device_editor.h"
-#include "ui/pages/page.h"
 #include "ui/session/workspace.h"
 #include "ui/text/setting_text.h"
 

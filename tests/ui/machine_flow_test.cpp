@@ -12,7 +12,7 @@
 #include <QTemporaryDir>
 #include <algorithm>
 
-#include "eni/eni_file.h"
+#include "eni/format/eni_file.h"
 #include "support/ui_test_support.h"
 #include "ui/dialogs/file_commands.h"
 #include "ui/dialogs/link_chooser.h"
@@ -167,7 +167,8 @@ TEST_F(MachineFlow, ScansConfiguresExportsRunsAndGetsInSync) {
   EXPECT_EQ(test::find<ui::Pill>(window_, "statusDcm")->tone(), ui::theme::Tone::kGood);
   EXPECT_EQ(snapshot.dc.reference_clock, reference);
   ASSERT_NE(window_.liveStrip().store(), nullptr);
-  EXPECT_GT(window_.liveStrip().store()->series(SampleStore::Series::kDeviation).size(), 1000U) << "the plots must fill";
+  EXPECT_GT(window_.liveStrip().store()->series(SampleStore::Series::kDeviation).size(), 1000U)
+      << "the plots must fill";
 
   action("actionOffline")->trigger();
   EXPECT_TRUE(test::waitFor([this] { return workspace_.live().phase() == ui::LiveSession::Phase::kOffline; }));

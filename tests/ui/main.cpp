@@ -7,7 +7,7 @@
 #include <QLoggingCategory>
 #include <cstdio>
 
-#include "ui/theme.h"
+#include "ui/theme/theme.h"
 
 namespace {
 

@@ -27,7 +27,8 @@ std::vector<CycleSample> samples(std::uint64_t from, std::uint64_t to) {
     CycleSample s;
     s.cycle = i;
     s.send_time = kStart + static_cast<Nanoseconds>(i) * kMillisecond;
-    s.flags = CycleSample::kFollowersRead | CycleSample::kSlaveFollows | CycleSample::kDcmActive | CycleSample::kReferenceValid;
+    s.flags = CycleSample::kFollowersRead | CycleSample::kSlaveFollows | CycleSample::kDcmActive |
+              CycleSample::kReferenceValid;
     s.deviation_ns = i == 2500 ? 900 : 30;
     s.slave_position = static_cast<std::int16_t>(i % 3);
     s.slave_deviation_ns = static_cast<std::int32_t>(i % 3) * 10 - 10;
@@ -48,7 +49,8 @@ class LiveStripTest : public testing::Test {
  protected:
   void SetUp() override {
     strip.resize(1280, 230);
-    strip.setNetwork({QStringLiteral("1 Coupler"), QStringLiteral("2 Input"), QStringLiteral("3 Servo")}, kMillisecond, 500);
+    strip.setNetwork({QStringLiteral("1 Coupler"), QStringLiteral("2 Input"), QStringLiteral("3 Servo")}, kMillisecond,
+                     500);
   }
   void show() {
     strip.show();
@@ -161,7 +163,8 @@ TEST_F(LiveStripTest, WheelZoomsAllPlotsWhileDataStream) {
   auto* canvas = plot(1)->canvas();
   const QPointF at(canvas->width() / 2.0, 20);
   const auto anchor = plot(1)->timeAt(at.x());
-  QWheelEvent wheel(at, canvas->mapToGlobal(at), {}, QPoint(0, 240), Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+  QWheelEvent wheel(at, canvas->mapToGlobal(at), {}, QPoint(0, 240), Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase,
+                    false);
   QApplication::sendEvent(canvas, &wheel);
   strip.append(samples(5000, 6000));
   settle();
@@ -203,9 +206,11 @@ TEST_F(LiveStripTest, CursorsMeasure) {
   strip.cursors()->set(CursorSet::kA, kStart + 2400 * kMillisecond);
   strip.cursors()->set(CursorSet::kB, kStart + 2600 * kMillisecond);
   settle();
-  EXPECT_THAT(text("cursorDeltaLabel").toStdString(), testing::AllOf(testing::HasSubstr("+200.000"), testing::HasSubstr("5 Hz")));
+  EXPECT_THAT(text("cursorDeltaLabel").toStdString(),
+              testing::AllOf(testing::HasSubstr("+200.000"), testing::HasSubstr("5 Hz")));
   EXPECT_THAT(strip.panels()[0]->readout().toStdString(), testing::HasSubstr("max +900"));
-  EXPECT_THAT(strip.panels()[2]->readout().toStdString(), testing::AllOf(testing::HasSubstr("min -200"), testing::HasSubstr("max +200")));
+  EXPECT_THAT(strip.panels()[2]->readout().toStdString(),
+              testing::AllOf(testing::HasSubstr("min -200"), testing::HasSubstr("max +200")));
   key(Qt::Key_Escape);
   settle();
   EXPECT_TRUE(text("cursorDeltaLabel").isEmpty());

@@ -14,7 +14,7 @@
 #include "ui/plots/slave_slots.h"
 #include "ui/plots/slow_range.h"
 #include "ui/plots/unit_scale_draw.h"
-#include "ui/theme.h"
+#include "ui/theme/theme.h"
 
 namespace syncline::ui {
 namespace {
@@ -124,7 +124,8 @@ TEST(SeriesCsv, DoesNotDependOnTheLocale) {
 TEST(IsoUtc, HandlesDatesOnBothSidesOfTheEpoch) {
   EXPECT_EQ(iso_utc(0), "2000-01-01T00:00:00.000000000Z");
   EXPECT_EQ(iso_utc(-1), "1999-12-31T23:59:59.999999999Z");
-  EXPECT_EQ(iso_utc((60 * 86'400LL + 3'661) * kSecond + 5), "2000-03-01T01:01:01.000000005Z") << "2000 has a 29th of February";
+  EXPECT_EQ(iso_utc((60 * 86'400LL + 3'661) * kSecond + 5), "2000-03-01T01:01:01.000000005Z")
+      << "2000 has a 29th of February";
 }
 
 TEST(UnitScaleDraw, DecimalsFollowTheTicks) {

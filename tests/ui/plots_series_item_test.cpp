@@ -59,7 +59,8 @@ TEST(SeriesItem, OneSampleSpikeIsInThePictureAtEveryZoom) {
     const auto grid = ColumnGrid::of(begin, begin + span, kWidth);
     const int column = static_cast<int>(grid.column_of(spike));
     int dark = 0;
-    for (int x = std::max(column - 1, 0); x <= std::min(column + 1, kWidth - 1); ++x) dark += darkPixels(image, x, 10, 40);
+    for (int x = std::max(column - 1, 0); x <= std::min(column + 1, kWidth - 1); ++x)
+      dark += darkPixels(image, x, 10, 40);
     EXPECT_GE(dark, 25) << "span " << span << " ns, column " << column;
     EXPECT_EQ(darkPixels(image, std::max(column - 60, 0), 0, 40), 0) << "only the spike rises";
   }

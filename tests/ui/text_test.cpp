@@ -9,13 +9,13 @@
 #include <string>
 
 #include "protocol/error_text.h"
+#include "tests/support/every_event.h"
+#include "ui/panels/status_panel.h"
 #include "ui/text/error_text.h"
 #include "ui/text/event_text.h"
-#include "ui/panels/status_panel.h"
 #include "ui/text/sync_text.h"
 #include "ui/text/translations.h"
 #include "ui/text/units.h"
-#include "tests/support/every_event.h"
 
 namespace syncline::ui {
 namespace {

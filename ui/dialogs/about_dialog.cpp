@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/dialogs/about_dialog.h"
 
+#include <qwt_global.h>
 #include <QDialogButtonBox>
 #include <QHBoxLayout>
 #include <QIcon>
 #include <QLabel>
 #include <QVBoxLayout>
-#include <qwt_global.h>
 
 namespace syncline::ui {
 
@@ -27,8 +27,9 @@ AboutDialog::AboutDialog(const QString& version, QWidget* parent) : QDialog(pare
   text->setMinimumWidth(380);
   top->addWidget(text, 1);
   layout->addLayout(top);
-  auto* trademark = new QLabel(tr("EtherCAT is a registered trademark and patented technology, licensed by Beckhoff "
-                                  "Automation GmbH, Germany."));
+  auto* trademark =
+      new QLabel(tr("EtherCAT is a registered trademark and patented technology, licensed by Beckhoff "
+                    "Automation GmbH, Germany."));
   trademark->setObjectName(QStringLiteral("trademarkNote"));
   trademark->setWordWrap(true);
   trademark->setForegroundRole(QPalette::PlaceholderText);

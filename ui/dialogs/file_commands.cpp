@@ -22,7 +22,8 @@ void FileCommands::create() {
 
 void FileCommands::open() {
   if (!mayDiscard()) return;
-  const auto path = QFileDialog::getOpenFileName(&window_, tr("Open Project"), {}, tr("Syncline projects (*.syncline);;All files (*)"));
+  const auto path = QFileDialog::getOpenFileName(&window_, tr("Open Project"), {},
+                                                 tr("Syncline projects (*.syncline);;All files (*)"));
   if (!path.isEmpty()) openFile(path);
 }
 
@@ -80,8 +81,9 @@ bool FileCommands::exportTo(const QString& path) {
 
 bool FileCommands::mayDiscard() {
   if (!workspace_.document().isModified()) return true;
-  const auto answer = QMessageBox::question(&window_, tr("Syncline"), tr("Save the changes to %1?").arg(workspace_.document().displayName()),
-                                            QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
+  const auto answer = QMessageBox::question(
+      &window_, tr("Syncline"), tr("Save the changes to %1?").arg(workspace_.document().displayName()),
+      QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
   if (answer == QMessageBox::Save) return save();
   return answer == QMessageBox::Discard;
 }

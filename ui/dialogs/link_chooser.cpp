@@ -10,7 +10,7 @@
 #include <QVBoxLayout>
 
 #include "ui/text/error_text.h"
-#include "ui/theme.h"
+#include "ui/theme/theme.h"
 #include "ui/widgets/named.h"
 
 namespace syncline::ui {
@@ -27,8 +27,8 @@ LinkChooser::LinkChooser(const Environment& environment, const QString& current,
   list_->setSpacing(2);
   layout->addWidget(list_, 1);
   const auto& demo_link = environment.demo_link;
-  addLink(demo_link, tr("Demonstration machine"), tr("Simulated bus with a coupler, terminals and drives; no hardware needed"),
-          QStringLiteral("demo"));
+  addLink(demo_link, tr("Demonstration machine"),
+          tr("Simulated bus with a coupler, terminals and drives; no hardware needed"), QStringLiteral("demo"));
   if (!current.isEmpty() && current != demo_link && current.startsWith(QLatin1String("sim:"))) {
     addLink(current, QFileInfo(current.section(u':', 1)).fileName(), tr("Simulated bus"), QStringLiteral("demo"));
   }

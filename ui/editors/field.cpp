@@ -5,7 +5,7 @@
 #include <QKeySequence>
 #include <algorithm>
 
-#include "ui/theme.h"
+#include "ui/theme/theme.h"
 
 namespace syncline::ui {
 

@@ -10,9 +10,9 @@
 
 #include "ui/editors/choice_edit.h"
 #include "ui/editors/number_edit.h"
+#include "ui/editors/page.h"
 #include "ui/editors/preset_edit.h"
 #include "ui/editors/text_edit.h"
-#include "ui/pages/page.h"
 #include "ui/session/workspace.h"
 #include "ui/text/setting_text.h"
 #include "ui/widgets/card.h"
@@ -63,7 +63,8 @@ void FieldBinder::bind(QWidget& field, const char* key, std::function<void()> sh
 
 TextEdit* FieldBinder::text(Card& card, const char* object_name, const char* key) {
   const auto label = settingLabel(settings::row(key));
-  auto* field = named(new TextEdit([this, key](const QString& text) { return set(key, text.toStdString()); }), object_name, label);
+  auto* field = named(new TextEdit([this, key](const QString& text) { return set(key, text.toStdString()); }),
+                      object_name, label);
   bind(*field, key, [this, field, key] {
     const auto shown = value(key);
     field->showValue(QString::fromStdString(std::get<std::string>(shown)));
@@ -73,8 +74,8 @@ TextEdit* FieldBinder::text(Card& card, const char* object_name, const char* key
 }
 
 NumberEdit* FieldBinder::numberField(const char* object_name, const char* key) {
-  auto* field = named(new NumberEdit(numberType(key), [this, key](std::int64_t value) { return set(key, value); }), object_name,
-                      settingLabel(settings::row(key)));
+  auto* field = named(new NumberEdit(numberType(key), [this, key](std::int64_t value) { return set(key, value); }),
+                      object_name, settingLabel(settings::row(key)));
   if (!settings::row(key).unset.empty()) field->setClear([this, key] { return set(key, Value{}); });
   bind(*field, key, [this, field, key] {
     const auto& setting = settings::row(key);
@@ -95,8 +96,9 @@ NumberEdit* FieldBinder::number(Card& card, const char* object_name, const char*
 }
 
 PresetEdit* FieldBinder::presetField(const char* object_name, const char* key, std::span<const std::int64_t> usual) {
-  auto* field = named(new PresetEdit(numberType(key), usual, [this, key](std::int64_t value) { return set(key, value); }),
-                      object_name, settingLabel(settings::row(key)));
+  auto* field =
+      named(new PresetEdit(numberType(key), usual, [this, key](std::int64_t value) { return set(key, value); }),
+            object_name, settingLabel(settings::row(key)));
   bind(*field, key, [this, field, key] { field->showValue(numberOf(value(key))); });
   return field;
 }
@@ -113,7 +115,8 @@ QCheckBox* FieldBinder::toggle(Card& card, const char* object_name, const char* 
   return box;
 }
 
-QCheckBox* FieldBinder::automatic(Card& card, const char* object_name, const char* key, const QString& label, const QString& tip) {
+QCheckBox* FieldBinder::automatic(Card& card, const char* object_name, const char* key, const QString& label,
+                                  const QString& tip) {
   auto* box = named(new QCheckBox(label), object_name, label);
   box->setToolTip(tip);
   connect(box, &QCheckBox::clicked, this, [this, key](bool automatic) {
@@ -147,8 +150,8 @@ ChoiceEdit* FieldBinder::choice(Card& card, const char* object_name, const char*
   return box;
 }
 
-QButtonGroup* FieldBinder::buttons(Card& card, const char* key, const QList<std::pair<std::int64_t, const char*>>& object_names,
-                                   int columns) {
+QButtonGroup* FieldBinder::buttons(Card& card, const char* key,
+                                   const QList<std::pair<std::int64_t, const char*>>& object_names, int columns) {
   const auto& setting = settings::row(key);
   auto* group = new QButtonGroup(this);
   auto* area = new QWidget;

@@ -21,9 +21,9 @@ class Page;
 class PresetEdit;
 class TextEdit;
 
-/// Makes the fields of a page from rows of the table of settings: label, unit, limits in this project, step, tool tip and
-/// What's This come from the row; what a user does becomes one undo step. Keys have placeholders: "slave.N.alias" is the
-/// alias of the node that the page shows.
+/// Makes the fields of a page from rows of the table of settings: label, unit, limits in this project, step, tool tip
+/// and What's This come from the row; what a user does becomes one undo step. Keys have placeholders: "slave.N.alias"
+/// is the alias of the node that the page shows.
 class FieldBinder final : public QObject {
   Q_OBJECT
 
@@ -40,7 +40,8 @@ class FieldBinder final : public QObject {
   QCheckBox* automatic(Card& card, const char* object_name, const char* key, const QString& label, const QString& tip);
   ChoiceEdit* choice(Card& card, const char* object_name, const char* key);
   /// Radio buttons of a choice in a grid.
-  QButtonGroup* buttons(Card& card, const char* key, const QList<std::pair<std::int64_t, const char*>>& object_names, int columns);
+  QButtonGroup* buttons(Card& card, const char* key, const QList<std::pair<std::int64_t, const char*>>& object_names,
+                        int columns);
 
   /// Adds a field of another kind: words and bookkeeping from the row, the rest is the caller's.
   void bind(QWidget& field, const char* key, std::function<void()> show = {});

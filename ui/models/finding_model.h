@@ -4,7 +4,7 @@
 #include <QAbstractTableModel>
 #include <vector>
 
-#include "diagnosis/finding.h"
+#include "findings/finding.h"
 
 namespace syncline::ui {
 

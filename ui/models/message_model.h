@@ -6,7 +6,7 @@
 #include <deque>
 #include <vector>
 
-#include "ui/session/message.h"
+#include "ui/text/message.h"
 
 namespace syncline::ui {
 

@@ -54,7 +54,8 @@ void NetworkModel::assign(std::vector<Node> slaves) {
 
 void NetworkModel::setConfiguration(const NetworkConfig* config) {
   for (std::size_t i = 0; i < slaves_.size(); ++i) {
-    const auto* dc = config != nullptr && i < config->slaves.size() && config->slaves[i].dc ? &*config->slaves[i].dc : nullptr;
+    const auto* dc =
+        config != nullptr && i < config->slaves.size() && config->slaves[i].dc ? &*config->slaves[i].dc : nullptr;
     slaves_[i].dc = dc != nullptr;
     slaves_[i].configured_reference = dc != nullptr && dc->reference_clock;
   }

@@ -28,8 +28,8 @@ void PdoModel::setSlave(const SlaveSettings& slave) {
   for (const auto& pdo : slave.device.pdos(direction_)) {
     rows.push_back({effective(slave, pdo), std::ranges::find(chosen_, pdo.index) != chosen_.end(), {}});
   }
-  const bool same_rows = std::ranges::equal(rows, rows_, {}, [](const Row& row) { return row.pdo.index; },
-                                            [](const Row& row) { return row.pdo.index; });
+  const bool same_rows = std::ranges::equal(
+      rows, rows_, {}, [](const Row& row) { return row.pdo.index; }, [](const Row& row) { return row.pdo.index; });
   if (!same_rows) beginResetModel();
   rows_ = std::move(rows);
   for (auto& row : rows_) row.locked = lockReason(row.pdo, row.assigned);
@@ -70,7 +70,9 @@ QString PdoModel::lockReason(const Pdo& pdo, bool is_assigned) const {
   return {};
 }
 
-int PdoModel::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : static_cast<int>(rows_.size()); }
+int PdoModel::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : static_cast<int>(rows_.size());
+}
 
 int PdoModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : kColumns; }
 
@@ -85,7 +87,8 @@ QVariant PdoModel::data(const QModelIndex& index, int role) const {
       return row.assigned ? Qt::Checked : Qt::Unchecked;
     case Qt::ToolTipRole:
       if (!row.locked.isEmpty()) return row.locked;
-      return direction_ == PdoDirection::kRx ? tr("Assigned through object 0x1C12") : tr("Assigned through object 0x1C13");
+      return direction_ == PdoDirection::kRx ? tr("Assigned through object 0x1C12")
+                                             : tr("Assigned through object 0x1C13");
     case Qt::AccessibleTextRole:
       if (index.column() != kIndex) return {};
       return QStringLiteral("%1 %2").arg(hexText(row.pdo.index, 4), QString::fromStdString(row.pdo.name));
@@ -177,8 +180,9 @@ QVariant PdoEntryModel::data(const QModelIndex& index, int role) const {
     case kOffset:
       return QStringLiteral("%1.%2").arg(offsets_[row] / 8).arg(offsets_[row] % 8);
     case kObject:
-      return entry.index == 0 ? QStringLiteral("\u2013")
-                              : QStringLiteral("%1:%2").arg(hexText(entry.index, 4), hexText(entry.sub_index, 2).mid(2));
+      return entry.index == 0
+                 ? QStringLiteral("\u2013")
+                 : QStringLiteral("%1:%2").arg(hexText(entry.index, 4), hexText(entry.sub_index, 2).mid(2));
     case kName:
       return entry.index == 0 ? tr("(padding)") : QString::fromStdString(entry.name);
     case kType:

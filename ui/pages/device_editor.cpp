@@ -96,7 +96,8 @@ void DeviceEditor::chooseTabs() {
   for (int i = 0; i < tabs_->count(); ++i) shown.append(static_cast<Page*>(tabs_->widget(i)));
   if (shown == wanted) return;
   // The same kind of page stays in front when the selection moves on.
-  const auto front = tabs_->currentWidget() != nullptr ? static_cast<Page*>(tabs_->currentWidget())->title() : QString();
+  const auto front =
+      tabs_->currentWidget() != nullptr ? static_cast<Page*>(tabs_->currentWidget())->title() : QString();
   tabs_->clear();
   for (auto* page : wanted) {
     tabs_->addTab(page, page->title());
@@ -112,10 +113,11 @@ void DeviceEditor::refresh() {
                            .arg(cycleText(project.master.cycle_time)));
   } else {
     const auto& slave = project.slaves[static_cast<std::size_t>(slave_)];
-    subtitle_->setText(tr("%1, position %2, address %3")
-                           .arg(QString::fromStdString(slave.device.name.empty() ? slave.device.type : slave.device.name))
-                           .arg(slave_)
-                           .arg(slave.station_address));
+    subtitle_->setText(
+        tr("%1, position %2, address %3")
+            .arg(QString::fromStdString(slave.device.name.empty() ? slave.device.type : slave.device.name))
+            .arg(slave_)
+            .arg(slave.station_address));
   }
   for (auto* page : pages_) {
     if (page->appliesTo(slave_)) page->refresh();

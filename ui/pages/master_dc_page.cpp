@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/pages/master_dc_page.h"
 
-#include <QButtonGroup>
 #include <QAbstractButton>
+#include <QButtonGroup>
 #include <QCheckBox>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -31,19 +31,24 @@ struct Mode {
 QList<Mode> modes() {
   return {
       {DcmMode::kBusShift, "dcmBusShift",
-       MasterDcPage::tr("The master's clock leads: the reference clock is steered by a cyclic write to register 0x0910")},
+       MasterDcPage::tr(
+           "The master's clock leads: the reference clock is steered by a cyclic write to register 0x0910")},
       {DcmMode::kMasterShift, "dcmMasterShift",
        MasterDcPage::tr("The reference clock leads: the master moves its send time. No extra cyclic command.")},
-      {DcmMode::kOff, "dcmOff", MasterDcPage::tr("Master and slaves run on clocks of their own; the frame drifts through the SYNC grid")},
+      {DcmMode::kOff, "dcmOff",
+       MasterDcPage::tr("Master and slaves run on clocks of their own; the frame drifts through the SYNC grid")},
       {DcmMode::kMasterRefClock, "dcmMasterRefClock",
-       MasterDcPage::tr("As bus shift, without a control loop: the reference clock is written the nominal time. Needs an accurate cycle.")},
+       MasterDcPage::tr("As bus shift, without a control loop: the reference clock is written the nominal time. Needs "
+                        "an accurate cycle.")},
       {DcmMode::kLinkLayerRefClock, "dcmLinkLayerRefClock",
        MasterDcPage::tr("As bus shift, with the time that the network adapter puts into each frame while sending it")},
       {DcmMode::kDcx, "dcmDcx",
-       MasterDcPage::tr("An external clock leads through a bridge device: the reference clock follows it, the master follows the "
-          "reference clock")},
+       MasterDcPage::tr(
+           "An external clock leads through a bridge device: the reference clock follows it, the master follows the "
+           "reference clock")},
       {DcmMode::kMasterShiftByApp, "dcmMasterShiftByApp",
-       MasterDcPage::tr("The reference clock leads, and the application moves the send time by the reported adjustment")},
+       MasterDcPage::tr(
+           "The reference clock leads, and the application moves the send time by the reported adjustment")},
   };
 }
 
@@ -60,9 +65,7 @@ MasterDcPage::MasterDcPage(Workspace& workspace) : Page(workspace, "masterDcPage
   setWidget(columns);
 }
 
-bool MasterDcPage::appliesTo(int slave) const {
-  return slave < 0 && !workspace().document().project().slaves.empty();
-}
+bool MasterDcPage::appliesTo(int slave) const { return slave < 0 && !workspace().document().project().slaves.empty(); }
 
 void MasterDcPage::buildClocks(Card& card) {
   fields().toggle(card, "dcEnabled", "master.dc.enabled");
@@ -100,26 +103,33 @@ void MasterDcPage::buildWindow(Card& card) {
 void MasterDcPage::buildLive(Card& slaves, Card& master) {
   dc_state_ = named(new Pill, "dcState", tr("Slaves in sync"));
   slaves.addRow(tr("State"), dc_state_, tr("Sync window of register 0x092C"));
-  deviation_ = slaves.addValue("dcDeviation", tr("Deviation"), tr("Register 0x092C: largest latest reading of the slaves that follow the reference clock"));
-  reading_ = slaves.addValue("dcReading", tr("Last heard of"), tr("How long ago something was last heard of each slave that follows"));
+  deviation_ =
+      slaves.addValue("dcDeviation", tr("Deviation"),
+                      tr("Register 0x092C: largest latest reading of the slaves that follow the reference clock"));
+  reading_ = slaves.addValue("dcReading", tr("Last heard of"),
+                             tr("How long ago something was last heard of each slave that follows"));
   settled_ = slaves.addValue("dcSettledAfter", tr("Settled after"), tr("From the first cyclic frame"));
   leader_ = slaves.addValue("dcReference", tr("Reference clock"), tr("The slave that leads on the bus"));
   dcm_state_ = named(new Pill, "dcmState", tr("Master in sync"));
-  master.addRow(tr("State"), dcm_state_, tr("Error of the controller, frames later than the set value allows, cycles left out: none of them within the settle time"));
+  master.addRow(tr("State"), dcm_state_,
+                tr("Error of the controller, frames later than the set value allows, cycles left out: none of them "
+                   "within the settle time"));
   error_ = master.addValue("dcmError", tr("Error"), tr("Frame late in the SYNC grid > 0, filtered"));
   error_statistics_ = master.addValue("dcmErrorStatistics", tr("RMS / max"), tr("Since in sync"));
-  frame_error_ = master.addValue("dcmFrameError", tr("Frame, max / allowed"),
-                                 tr("Error of the schedule and how late frames were sent, together: largest since in sync, and at "
-                                    "which a frame meets SYNC0"));
-  drift_ = master.addValue("dcmDrift", tr("Drift"), tr("Reference clock's rate against the host's; the ceiling is about 600 ppm"));
+  frame_error_ =
+      master.addValue("dcmFrameError", tr("Frame, max / allowed"),
+                      tr("Error of the schedule and how late frames were sent, together: largest since in sync, and at "
+                         "which a frame meets SYNC0"));
+  drift_ = master.addValue("dcmDrift", tr("Drift"),
+                           tr("Reference clock's rate against the host's; the ceiling is about 600 ppm"));
   locked_after_ = master.addValue("dcmInSyncAfter", tr("In sync after"), tr("From the first cyclic frame"));
 }
 
 void MasterDcPage::refresh() {
   const auto& dc = project().master.dc;
   limit_->setText(QStringLiteral("= ") + timeText(sync_window_limit_ns(dc.sync_window.exponent)));
-  for (auto* widget : {static_cast<QWidget*>(reference_), static_cast<QWidget*>(wide_time_),
-                       static_cast<QWidget*>(monitoring_)}) {
+  for (auto* widget :
+       {static_cast<QWidget*>(reference_), static_cast<QWidget*>(wide_time_), static_cast<QWidget*>(monitoring_)}) {
     widget->setEnabled(dc.enabled);
   }
   for (auto* button : mode_->buttons()) button->setEnabled(dc.enabled);
@@ -147,7 +157,8 @@ void MasterDcPage::showLive(const Snapshot& snapshot) {
   const bool dc = snapshot.online && snapshot.dc.enabled;
   const auto deviation = snapshot.dc.deviation_ns ? timeText(*snapshot.dc.deviation_ns) : none;
   deviation_->setText(dc && snapshot.dc.monitored ? tr("%1 (limit %2)").arg(deviation, timeText(snapshot.dc.limit_ns))
-                                                  : dc ? deviation : none);
+                      : dc                        ? deviation
+                                                  : none);
   const auto age = snapshot.dc.oldest_age_ns;
   reading_->setText(!dc || age < 0 ? none : age == 0 ? tr("in this cycle") : tr("%1 ago").arg(timeText(age)));
   settled_->setText(dc ? afterText(snapshot.dc.settled_after_ms) : none);
@@ -159,8 +170,9 @@ void MasterDcPage::showLive(const Snapshot& snapshot) {
   error_statistics_->setText(dcm ? tr("%1 / %2").arg(timeText(static_cast<Nanoseconds>(snapshot.dcm.error_rms_ns)),
                                                      timeText(snapshot.dcm.error_max_ns))
                                  : none);
-  frame_error_->setText(dcm ? tr("%1 / %2").arg(timeText(snapshot.dcm.frame_error_max_ns), timeText(snapshot.dcm.late_allowed_ns))
-                            : none);
+  frame_error_->setText(
+      dcm ? tr("%1 / %2").arg(timeText(snapshot.dcm.frame_error_max_ns), timeText(snapshot.dcm.late_allowed_ns))
+          : none);
   drift_->setText(dcm ? ppmText(snapshot.dcm.drift_ppm) : none);
   locked_after_->setText(dcm ? afterText(snapshot.dcm.in_sync_after_ms) : none);
 }

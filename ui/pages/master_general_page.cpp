@@ -39,10 +39,13 @@ MasterGeneralPage::MasterGeneralPage(Workspace& workspace) : Page(workspace, "ma
   buildSettings(*columns->add(0, tr("Settings")));
   auto* information = columns->add(0, tr("Configuration"));
   slaves_ = information->addValue("masterSlaves", tr("Slaves"), tr("Configured slaves"));
-  dc_slaves_ = information->addValue("masterDcSlaves", tr("Slaves with DC"), tr("Slaves whose distributed clock is set up (ENI Slave/DC)"));
+  dc_slaves_ = information->addValue("masterDcSlaves", tr("Slaves with DC"),
+                                     tr("Slaves whose distributed clock is set up (ENI Slave/DC)"));
   inputs_ = information->addValue("masterInputs", tr("Inputs"), tr("Input process image (ENI ProcessImage/Inputs)"));
-  outputs_ = information->addValue("masterOutputs", tr("Outputs"), tr("Output process image (ENI ProcessImage/Outputs)"));
-  frame_ = information->addValue("masterFrame", tr("Cyclic frames"), tr("Bytes and time on the wire at 100 Mbit/s, each cycle"));
+  outputs_ =
+      information->addValue("masterOutputs", tr("Outputs"), tr("Output process image (ENI ProcessImage/Outputs)"));
+  frame_ = information->addValue("masterFrame", tr("Cyclic frames"),
+                                 tr("Bytes and time on the wire at 100 Mbit/s, each cycle"));
   buildStateMachine(*columns->add(1, tr("State Machine")));
   buildRecovery(*columns->add(1, tr("Recovery")));
   buildCounters(*columns->add(1, tr("Bus")));
@@ -72,7 +75,8 @@ void MasterGeneralPage::buildRecovery(Card& card) {
 void MasterGeneralPage::buildStateMachine(Card& card) {
   state_ = named(new Pill, "masterState", tr("Current state"));
   card.addRow(tr("Current state"), state_, tr("Lowest state of all slaves (register 0x0130)"));
-  requested_ = card.addValue("masterRequestedState", tr("Requested state"), tr("State asked for last (register 0x0120)"));
+  requested_ =
+      card.addValue("masterRequestedState", tr("Requested state"), tr("State asked for last (register 0x0120)"));
   auto* buttons = new QWidget;
   auto* layout = new QHBoxLayout(buttons);
   layout->setContentsMargins(0, 4, 0, 0);
@@ -94,8 +98,10 @@ void MasterGeneralPage::buildCounters(Card& card) {
   cycles_ = card.addValue("masterCycles", tr("Cycles"), tr("Bus cycles since going online"));
   lost_ = card.addValue("masterLost", tr("Lost frames"), tr("Frames that did not come back"));
   late_ = card.addValue("masterLate", tr("Late frames"), tr("Frames that came back after their cycle"));
-  wkc_ = card.addValue("masterWkc", tr("Working counter errors"), tr("Cycles whose working counter was not the expected one"));
-  overruns_ = card.addValue("masterOverruns", tr("Cycles left out"), tr("Cycles without a frame: the host came too late for them"));
+  wkc_ = card.addValue("masterWkc", tr("Working counter errors"),
+                       tr("Cycles whose working counter was not the expected one"));
+  overruns_ = card.addValue("masterOverruns", tr("Cycles left out"),
+                            tr("Cycles without a frame: the host came too late for them"));
 }
 
 void MasterGeneralPage::refresh() {
@@ -103,15 +109,17 @@ void MasterGeneralPage::refresh() {
   slaves_->setText(countText(project().slaves.size()));
   const auto* config = workspace().configuration().config();
   const auto none = QStringLiteral("\u2013");
-  dc_slaves_->setText(config != nullptr ? countText(static_cast<std::uint64_t>(std::ranges::count_if(
-                                              config->slaves, [](const SlaveConfig& slave) { return slave.dc.has_value(); })))
-                                        : none);
+  dc_slaves_->setText(config != nullptr
+                          ? countText(static_cast<std::uint64_t>(std::ranges::count_if(
+                                config->slaves, [](const SlaveConfig& slave) { return slave.dc.has_value(); })))
+                          : none);
   inputs_->setText(config != nullptr ? bitsText(config->image.input_bytes * 8) : none);
   outputs_->setText(config != nullptr ? bitsText(config->image.output_bytes * 8) : none);
   if (config == nullptr) return frame_->setText(none);
   const auto bytes = cyclicBytes(*config);
-  frame_->setText(tr("%1, %2 on the wire").arg(bitsText(static_cast<std::uint32_t>(bytes * 8)),
-                                               timeText(static_cast<Nanoseconds>((bytes + 24) * 80))));
+  frame_->setText(
+      tr("%1, %2 on the wire")
+          .arg(bitsText(static_cast<std::uint32_t>(bytes * 8)), timeText(static_cast<Nanoseconds>((bytes + 24) * 80))));
 }
 
 void MasterGeneralPage::showLive(const Snapshot& snapshot) {

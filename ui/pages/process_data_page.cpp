@@ -7,8 +7,8 @@
 #include <QTableView>
 #include <QVBoxLayout>
 
-#include "ui/models/pdo_model.h"
 #include "ui/editors/field_binder.h"
+#include "ui/models/pdo_model.h"
 #include "ui/session/workspace.h"
 #include "ui/text/units.h"
 #include "ui/widgets/named.h"
@@ -106,8 +106,9 @@ bool ProcessDataPage::appliesTo(int slave) const {
 void ProcessDataPage::showEntriesOf(PdoModel* model, int row) {
   const auto* pdo = model->pdo(row);
   entries_->setEntries(pdo != nullptr ? pdo->entries : std::vector<PdoEntry>{});
-  entries_title_->setText(pdo == nullptr ? tr("Entries")
-                                         : tr("Entries of %1 %2").arg(hexText(pdo->index, 4), QString::fromStdString(pdo->name)));
+  entries_title_->setText(pdo == nullptr
+                              ? tr("Entries")
+                              : tr("Entries of %1 %2").arg(hexText(pdo->index, 4), QString::fromStdString(pdo->name)));
   auto* other = model == outputs_ ? inputs_view_ : outputs_view_;
   if (row >= 0) other->clearSelection();
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "ui/pages/page.h"
+#include "ui/editors/page.h"
 
 class QLabel;
 class QTableView;
@@ -22,7 +22,8 @@ class ProcessDataPage final : public Page {
   void showLive(const Snapshot&) override {}
 
  private:
-  QWidget* buildDirection(PdoModel* model, QTableView*& view, QLabel*& size, const char* object_name, const QString& title);
+  QWidget* buildDirection(PdoModel* model, QTableView*& view, QLabel*& size, const char* object_name,
+                          const QString& title);
   QWidget* buildEntries();
   void showEntriesOf(PdoModel* model, int row);
 

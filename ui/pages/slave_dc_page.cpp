@@ -51,16 +51,20 @@ void SlaveDcPage::buildMode(Card& card) {
   fields().choice(card, "operationMode", "slave.N.dc.op_mode")->setMinimumContentsLength(14);
   description_ = card.addValue("operationModeDescription", tr("Meaning"), tr("ESI OpMode/Desc"));
   description_->setWordWrap(true);
-  assign_activate_ = card.addValue("assignActivate", tr("AssignActivate"), tr("ESI OpMode/AssignActivate, written to register 0x0980"));
-  bus_cycle_ = card.addValue("syncBusCycle", tr("Bus cycle"), tr("Cycle time of the master, base of the Sync Unit Cycle"));
+  assign_activate_ = card.addValue("assignActivate", tr("AssignActivate"),
+                                   tr("ESI OpMode/AssignActivate, written to register 0x0980"));
+  bus_cycle_ =
+      card.addValue("syncBusCycle", tr("Bus cycle"), tr("Cycle time of the master, base of the Sync Unit Cycle"));
   fields().toggle(card, "potentialReference", "slave.N.dc.potential_reference_clock");
 }
 
 void SlaveDcPage::buildRegisters(Card& card) {
-  register_activation_ = card.addValue("register0980", tr("0x0980 activation"), tr("Compiled value, as written in PREOP to SAFEOP"));
+  register_activation_ =
+      card.addValue("register0980", tr("0x0980 activation"), tr("Compiled value, as written in PREOP to SAFEOP"));
   register_cycle0_ = card.addValue("register09A0", tr("0x09A0 SYNC0 cycle"), tr("Compiled value (ENI DC/CycleTime0)"));
   register_cycle1_ = card.addValue("register09A4", tr("0x09A4 SYNC1"), tr("Compiled value (ENI DC/CycleTime1)"));
-  register_shift_ = card.addValue("register0990", tr("0x0990 shift"), tr("Compiled part of the start time (ENI DC/ShiftTime)"));
+  register_shift_ =
+      card.addValue("register0990", tr("0x0990 shift"), tr("Compiled part of the start time (ENI DC/ShiftTime)"));
 }
 
 void SlaveDcPage::buildLive(Card& card) {
@@ -76,7 +80,8 @@ void SlaveDcPage::refresh() {
   const auto* slave = slaveAt(project, node());
   if (slave == nullptr || !slave->device.dc) return;
   const auto* mode = compiler::selected_op_mode(*slave);
-  description_->setText(mode != nullptr && !mode->description.empty() ? QString::fromStdString(mode->description) : none());
+  description_->setText(mode != nullptr && !mode->description.empty() ? QString::fromStdString(mode->description)
+                                                                      : none());
   assign_activate_->setText(mode != nullptr ? hexText(mode->assign_activate, 4) : none());
   bus_cycle_->setText(cycleText(project.master.cycle_time));
   sync0_->showSlave(*slave, mode, project.master.cycle_time);
@@ -89,9 +94,8 @@ void SlaveDcPage::refresh() {
 void SlaveDcPage::refreshRegisters() {
   const auto* config = workspace().configuration().config();
   const auto at = static_cast<std::size_t>(node());
-  const SlaveDcConfig* dc = config != nullptr && at < config->slaves.size() && config->slaves[at].dc
-                                ? &*config->slaves[at].dc
-                                : nullptr;
+  const SlaveDcConfig* dc =
+      config != nullptr && at < config->slaves.size() && config->slaves[at].dc ? &*config->slaves[at].dc : nullptr;
   register_activation_->setText(dc != nullptr ? hexText(dc->assign_activate, 4) : none());
   register_cycle0_->setText(dc != nullptr ? timeText(dc->cycle_time0) : none());
   register_cycle1_->setText(dc != nullptr ? timeText(dc->cycle_time1) : none());
@@ -100,23 +104,27 @@ void SlaveDcPage::refreshRegisters() {
 
 void SlaveDcPage::showLive(const Snapshot& snapshot) {
   const auto at = static_cast<std::size_t>(node());
-  const SlaveStatus* status = snapshot.online && node() >= 0 && at < snapshot.slaves.size() ? &snapshot.slaves[at] : nullptr;
+  const SlaveStatus* status =
+      snapshot.online && node() >= 0 && at < snapshot.slaves.size() ? &snapshot.slaves[at] : nullptr;
   if (status == nullptr) {
     role_->setState(theme::Tone::kNeutral, tr("Offline"));
   } else if (status->is_reference_clock) {
     role_->setState(theme::Tone::kAccent, tr("Reference clock"));
   } else {
-    role_->setState(status->follows ? theme::Tone::kGood : theme::Tone::kNeutral,
-                    status->follows      ? tr("Follows")
-                    : status->dc_enabled ? tr("Does not follow")
-                                         : tr("DC off"));
+    role_->setState(status->follows ? theme::Tone::kGood : theme::Tone::kNeutral, status->follows ? tr("Follows")
+                                                                                  : status->dc_enabled
+                                                                                      ? tr("Does not follow")
+                                                                                      : tr("DC off"));
   }
-  deviation_->setText(status != nullptr && status->deviation_valid && status->follows ? signedTimeText(status->deviation_ns) : none());
+  deviation_->setText(
+      status != nullptr && status->deviation_valid && status->follows ? signedTimeText(status->deviation_ns) : none());
   delay_->setText(status != nullptr && status->dc_enabled ? timeText(status->propagation_delay_ns) : none());
-  missed_->setText(status != nullptr && status->sm2_missed.valid
-                       ? tr("%1 (object %2:%3)").arg(countText(status->sm2_missed.known ? status->sm2_missed.missed : status->sm2_missed.value), hexText(status->sm2_missed.index, 4),
-                                                     hexText(status->sm2_missed.sub_index, 2).mid(2))
-                       : none());
+  missed_->setText(
+      status != nullptr && status->sm2_missed.valid
+          ? tr("%1 (object %2:%3)")
+                .arg(countText(status->sm2_missed.known ? status->sm2_missed.missed : status->sm2_missed.value),
+                     hexText(status->sm2_missed.index, 4), hexText(status->sm2_missed.sub_index, 2).mid(2))
+          : none());
 }
 
 }  // namespace syncline::ui

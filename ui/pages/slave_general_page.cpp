@@ -19,7 +19,9 @@ QString fromView(std::string_view text) { return QString::fromUtf8(text.data(), 
 
 QString timeoutText(std::uint32_t ms) { return timeText(static_cast<Nanoseconds>(ms) * kMillisecond); }
 
-QString withDecimal(std::uint32_t value, int digits) { return QStringLiteral("%1 (%2)").arg(hexText(value, digits)).arg(value); }
+QString withDecimal(std::uint32_t value, int digits) {
+  return QStringLiteral("%1 (%2)").arg(hexText(value, digits)).arg(value);
+}
 
 }  // namespace
 
@@ -41,15 +43,18 @@ void SlaveGeneralPage::buildIdentity(Card& card) {
   product_ = card.addValue("slaveProduct", tr("Product code"), tr("SII word 0x000A, ESI Type@ProductCode"));
   revision_ = card.addValue("slaveRevision", tr("Revision"), tr("SII word 0x000C, ESI Type@RevisionNo"));
   serial_ = card.addValue("slaveSerial", tr("Serial number"), tr("SII word 0x000E"));
-  source_ = card.addValue("slaveSource", tr("Described by"), tr("File or EEPROM that the device description came from"));
+  source_ =
+      card.addValue("slaveSource", tr("Described by"), tr("File or EEPROM that the device description came from"));
   source_->setWordWrap(true);
 }
 
 void SlaveGeneralPage::buildAddresses(Card& card) {
   fields().number(card, "slaveAddress", "slave.N.station_address");
   fields().number(card, "slaveAlias", "slave.N.alias");
-  auto_increment_ = card.addValue("slaveAutoIncrement", tr("Auto-increment"), tr("Position address used before the station address is set"));
-  previous_ = card.addValue("slavePrevious", tr("Connected to"), tr("Slave and port in front of this one (ENI PreviousPort)"));
+  auto_increment_ = card.addValue("slaveAutoIncrement", tr("Auto-increment"),
+                                  tr("Position address used before the station address is set"));
+  previous_ =
+      card.addValue("slavePrevious", tr("Connected to"), tr("Slave and port in front of this one (ENI PreviousPort)"));
 }
 
 void SlaveGeneralPage::buildChecks(Card& card) {
@@ -87,17 +92,19 @@ void SlaveGeneralPage::refresh() {
   type_->setText(QString::fromStdString(device.type));
   type_->setToolTip(QString::fromStdString(device.name));
   const auto vendor = hexText(device.identity.vendor_id, 8);
-  vendor_->setText(device.vendor_name.empty() ? vendor
-                                              : QStringLiteral("%1 %2").arg(vendor, QString::fromStdString(device.vendor_name)));
+  vendor_->setText(device.vendor_name.empty()
+                       ? vendor
+                       : QStringLiteral("%1 %2").arg(vendor, QString::fromStdString(device.vendor_name)));
   product_->setText(hexText(device.identity.product_code, 8));
   revision_->setText(hexText(device.identity.revision_no, 8));
   serial_->setText(device.identity.serial_no == 0 ? tr("any") : withDecimal(device.identity.serial_no, 8));
   source_->setText(QFileInfo(QString::fromStdString(device.source)).fileName());
   source_->setToolTip(QString::fromStdString(device.source));
   auto_increment_->setText(hexText(Position{static_cast<std::uint16_t>(node())}.auto_increment_address(), 4));
-  previous_->setText(slave.previous ? tr("%1, port %2").arg(nodeName(project, slave.previous->position))
-                                          .arg(QChar(u'A' + slave.previous->port))
-                                    : QString::fromStdString(project.master.name));
+  previous_->setText(
+      slave.previous
+          ? tr("%1, port %2").arg(nodeName(project, slave.previous->position)).arg(QChar(u'A' + slave.previous->port))
+          : QString::fromStdString(project.master.name));
   preop_->setText(timeoutText(device.timeouts.preop));
   safeop_op_->setText(timeoutText(device.timeouts.safeop_op));
   to_init_->setText(timeoutText(device.timeouts.back_to_init));

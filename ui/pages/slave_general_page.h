@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "ui/pages/page.h"
+#include "ui/editors/page.h"
 
 class QLabel;
 

@@ -4,10 +4,10 @@
 #include <QLabel>
 #include <algorithm>
 
-#include "config/families/families.h"
+#include "families/families.h"
 #include "ui/editors/choice_edit.h"
 #include "ui/editors/field_binder.h"
-#include "ui/pages/page.h"
+#include "ui/editors/page.h"
 #include "ui/text/setting_text.h"
 #include "ui/text/units.h"
 #include "ui/widgets/card.h"
@@ -33,7 +33,8 @@ void choose(QComboBox& box, const QVariant& value) {
 }
 
 QString stepText(const families::CycleLimits& limits) {
-  QString text = limits.step > 1 ? SyncSettingsEditor::tr("multiples of %1").arg(cycleText(limits.full_step)) : QString();
+  QString text =
+      limits.step > 1 ? SyncSettingsEditor::tr("multiples of %1").arg(cycleText(limits.full_step)) : QString();
   const auto add = [&](const QString& part) { text += text.isEmpty() ? part : QStringLiteral(", ") + part; };
   if (limits.step <= 1 && limits.shortest > 0) add(SyncSettingsEditor::tr("from %1").arg(cycleText(limits.shortest)));
   if (limits.longest > 0) add(SyncSettingsEditor::tr("to %1").arg(cycleText(limits.longest)));
@@ -43,8 +44,10 @@ QString stepText(const families::CycleLimits& limits) {
 }  // namespace
 
 SyncSettingsEditor::SyncSettingsEditor(Card& card, Page& page) : QObject(&page) {
-  family_ = card.addValue("deviceFamily", tr("Device family"), tr("Whose limits are known beyond the ESI (docs/device-families.md)"));
-  cycles_ = card.addValue("familyCycles", tr("SYNC0 cycles"), tr("What the device takes; others are refused at SAFEOP"));
+  family_ = card.addValue("deviceFamily", tr("Device family"),
+                          tr("Whose limits are known beyond the ESI (docs/device-families.md)"));
+  cycles_ =
+      card.addValue("familyCycles", tr("SYNC0 cycles"), tr("What the device takes; others are refused at SAFEOP"));
   limit_ = named(new ChoiceEdit, "syncErrorLimit", settingLabel(settings::row(kErrorLimit)));
   connect(limit_, &QComboBox::activated, this, [this, &page] {
     const auto limit = limit_->currentData();
@@ -59,7 +62,9 @@ SyncSettingsEditor::SyncSettingsEditor(Card& card, Page& page) : QObject(&page) 
 
 void SyncSettingsEditor::showSlave(const SlaveSettings& slave) {
   const auto* family = families::find(slave.device);
-  const auto name = [](std::string_view text) { return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size())); };
+  const auto name = [](std::string_view text) {
+    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+  };
   family_->setText(family != nullptr ? name(family->name) : none());
   const auto cycles = family != nullptr && family->cycle ? stepText(*family->cycle) : QString();
   cycles_->setText(cycles.isEmpty() ? none() : cycles);

@@ -8,7 +8,7 @@
 #include <QVBoxLayout>
 
 #include "ui/models/finding_model.h"
-#include "ui/theme.h"
+#include "ui/theme/theme.h"
 #include "ui/widgets/named.h"
 #include "ui/widgets/tables.h"
 

@@ -11,16 +11,16 @@
 
 #include "ui/panels/live_strip_panels.h"
 #include "ui/panels/live_strip_toolbar.h"
-#include "ui/theme.h"
+#include "ui/theme/theme.h"
 #include "ui/widgets/named.h"
 
 namespace syncline::ui {
 namespace {
 
 constexpr int kTickMs = 33;
-constexpr unsigned kTextEvery = 6;      // ticks between updates of numbers: faster cannot be read
+constexpr unsigned kTextEvery = 6;         // ticks between updates of numbers: faster cannot be read
 constexpr unsigned kPointedTextEvery = 2;  // the same while a cursor moves
-constexpr unsigned kChooseEvery = 30;   // ticks between choices of the worst slaves
+constexpr unsigned kChooseEvery = 30;      // ticks between choices of the worst slaves
 /// The longest window on offer and something to scroll back to, within the memory that a plot may take.
 constexpr Nanoseconds kHistory = 620 * kSecond;
 constexpr std::size_t kMinCycles = 1U << 16, kMaxCycles = 1U << 21;

@@ -88,7 +88,8 @@ void LiveStrip::exportPicture() {
   QBuffer buffer(&bytes);
   buffer.open(QIODevice::WriteOnly);
   picture(2).save(&buffer, "PNG");
-  tellUnwritten(this, write_whole_file(path.toStdString(), std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size()))));
+  tellUnwritten(this, write_whole_file(path.toStdString(),
+                                       std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size()))));
 }
 
 void LiveStrip::openMenu(const QPoint& global, Nanoseconds time) {

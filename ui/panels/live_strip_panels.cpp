@@ -46,12 +46,14 @@ void hideAll(const std::vector<SeriesItem*>& items) {
 
 DeviationPanel::DeviationPanel(TimeView* view, CursorSet* cursors, QWidget* parent)
     : TracePanel(tr("DC deviation"), {tr("Deviation"), TracePlot::Quantity::kTime, 20, false}, view, cursors, parent),
-      largest_(plot()->addItem(tr("largest"), SeriesItem::Shape::kEnvelope)), slots_(kDeviationsShown) {
+      largest_(plot()->addItem(tr("largest"), SeriesItem::Shape::kEnvelope)),
+      slots_(kDeviationsShown) {
   setObjectName(QStringLiteral("deviationPanel"));
   plot()->setObjectName(QStringLiteral("deviationPlot"));
-  plot()->setToolTip(tr("Register 0x092C (System Time Difference) of the slaves that follow the reference clock. Largest: the "
-                        "wire-or of all of them read by BRD where nothing else is in it, else the largest of their latest "
-                        "readings. Lines: signed values of single slaves."));
+  plot()->setToolTip(
+      tr("Register 0x092C (System Time Difference) of the slaves that follow the reference clock. Largest: the "
+         "wire-or of all of them read by BRD where nothing else is in it, else the largest of their latest "
+         "readings. Lines: signed values of single slaves."));
   for (std::size_t i = 0; i < kDeviationsShown; ++i) slaves_.push_back(plot()->addItem({}, SeriesItem::Shape::kLine));
   hideAll(slaves_);
 }
@@ -72,7 +74,8 @@ void DeviationPanel::choose() {
   std::vector<double> scores(store.slave_count(), -1);
   for (std::size_t i = 0; i < scores.size(); ++i) {
     const auto extent = store.slave_deviation(i).extent(view().begin(), view().end() + 1);
-    if (extent) scores[i] = std::max(std::abs(static_cast<double>(extent->min)), std::abs(static_cast<double>(extent->max)));
+    if (extent)
+      scores[i] = std::max(std::abs(static_cast<double>(extent->min)), std::abs(static_cast<double>(extent->max)));
   }
   if (!slots_.update(scores, pickedSlave())) return;
   hideAll(slaves_);
@@ -132,7 +135,8 @@ void Sm2Panel::choose() {
   std::vector<double> scores(store.slave_count(), -1);
   for (std::size_t i = 0; i < scores.size(); ++i) {
     const auto& series = store.slave_sm2_missed(i);
-    if (!series.empty()) scores[i] = rate(series, view().end()) * 1e9 + static_cast<double>(series.at(view().last())->value);
+    if (!series.empty())
+      scores[i] = rate(series, view().end()) * 1e9 + static_cast<double>(series.at(view().last())->value);
   }
   if (!slots_.update(scores, pickedSlave())) return;
   hideAll(slaves_);
@@ -184,7 +188,8 @@ QString Sm2Panel::summary(Nanoseconds time) const {
 }
 
 const SeriesItem* Sm2Panel::primary() const {
-  const auto shown = std::find_if(slaves_.begin(), slaves_.end(), [](const SeriesItem* item) { return item->isVisible(); });
+  const auto shown =
+      std::find_if(slaves_.begin(), slaves_.end(), [](const SeriesItem* item) { return item->isVisible(); });
   return shown == slaves_.end() ? nullptr : *shown;
 }
 

@@ -7,7 +7,7 @@
 #include <QToolButton>
 
 #include "ui/text/units.h"
-#include "ui/theme.h"
+#include "ui/theme/theme.h"
 #include "ui/widgets/named.h"
 
 namespace syncline::ui {
@@ -22,8 +22,9 @@ LiveStripToolbar::LiveStripToolbar(TimeView* view, CursorSet* cursors, QWidget* 
     QString text;
     Nanoseconds span;
   };
-  for (const auto& choice : {Choice{"span1s", tr("1 s"), kSecond}, Choice{"span10s", tr("10 s"), 10 * kSecond},
-                             Choice{"span60s", tr("60 s"), 60 * kSecond}, Choice{"span10min", tr("10 min"), 600 * kSecond}}) {
+  for (const auto& choice :
+       {Choice{"span1s", tr("1 s"), kSecond}, Choice{"span10s", tr("10 s"), 10 * kSecond},
+        Choice{"span60s", tr("60 s"), 60 * kSecond}, Choice{"span10min", tr("10 min"), 600 * kSecond}}) {
     auto* button = addButton(layout, choice.name, choice.text, tr("Show the last %1").arg(choice.text));
     button->setCheckable(true);
     connect(button, &QToolButton::clicked, view_, [this, span = choice.span] {
@@ -39,7 +40,8 @@ LiveStripToolbar::LiveStripToolbar(TimeView* view, CursorSet* cursors, QWidget* 
   freeze_ = addButton(layout, "freezeButton", tr("Freeze"), tr("Stop the picture, not the acquisition (Space)"));
   freeze_->setCheckable(true);
   connect(freeze_, &QToolButton::clicked, view_, [this](bool on) { on ? view_->freeze() : view_->goLive(); });
-  measure_ = addButton(layout, "cursorsButton", tr("Cursors"), tr("Two cursors to drag (keys A and B put them at the pointer)"));
+  measure_ = addButton(layout, "cursorsButton", tr("Cursors"),
+                       tr("Two cursors to drag (keys A and B put them at the pointer)"));
   measure_->setCheckable(true);
   connect(measure_, &QToolButton::clicked, this, &LiveStripToolbar::cursorsToggled);
   auto* fit = addButton(layout, "fitButton", tr("Fit"), tr("Fit the value axes to what is shown (F)"));
@@ -50,13 +52,15 @@ LiveStripToolbar::LiveStripToolbar(TimeView* view, CursorSet* cursors, QWidget* 
   layout->addWidget(named(delta_, "cursorDeltaLabel", tr("Time between the cursors")));
   QToolButton* menu = addButton(layout, "liveMenuButton", QStringLiteral("\u22EF"), tr("Export, axes and cursors"));
   menu->setAccessibleName(tr("Menu of the live plots"));
-  connect(menu, &QToolButton::clicked, this, [this, menu] { Q_EMIT menuRequested(menu->mapToGlobal(menu->rect().bottomLeft())); });
+  connect(menu, &QToolButton::clicked, this,
+          [this, menu] { Q_EMIT menuRequested(menu->mapToGlobal(menu->rect().bottomLeft())); });
   connect(view_, &TimeView::modeChanged, this, &LiveStripToolbar::showState);
   connect(cursors_, &CursorSet::changed, this, &LiveStripToolbar::showState);
   showState();
 }
 
-QToolButton* LiveStripToolbar::addButton(QHBoxLayout* layout, const char* name, const QString& text, const QString& tip) {
+QToolButton* LiveStripToolbar::addButton(QHBoxLayout* layout, const char* name, const QString& text,
+                                         const QString& tip) {
   auto* button = named(new QToolButton, name, text);
   button->setText(text);
   button->setToolTip(tip);
@@ -76,7 +80,8 @@ void LiveStripToolbar::showState() {
   QString text;
   auto tone = theme::Tone::kNeutral;
   if (view_->mode() != Mode::kLive) {
-    const auto behind = timeText(std::max<Nanoseconds>(view_->behind(), 0) / (100 * kMillisecond) * (100 * kMillisecond));
+    const auto behind =
+        timeText(std::max<Nanoseconds>(view_->behind(), 0) / (100 * kMillisecond) * (100 * kMillisecond));
     text = (view_->mode() == Mode::kFrozen ? tr("Frozen, %1 behind") : tr("History, %1 behind")).arg(behind);
     tone = theme::Tone::kWarning;
   }
@@ -88,7 +93,8 @@ void LiveStripToolbar::showState() {
   if (cursors_->both()) {
     const auto time = cursors_->delta();
     delta = tr("B−A %1").arg(signedTimeText(time));
-    if (time != 0) delta += tr("   1/\u0394t %1 Hz").arg(QLocale().toString(1e9 / std::abs(static_cast<double>(time)), 'g', 6));
+    if (time != 0)
+      delta += tr("   1/\u0394t %1 Hz").arg(QLocale().toString(1e9 / std::abs(static_cast<double>(time)), 'g', 6));
   }
   delta_->setText(delta);
 }

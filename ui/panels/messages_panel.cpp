@@ -11,7 +11,7 @@
 #include <QVBoxLayout>
 
 #include "ui/models/message_model.h"
-#include "ui/theme.h"
+#include "ui/theme/theme.h"
 #include "ui/widgets/named.h"
 #include "ui/widgets/tables.h"
 

@@ -3,7 +3,7 @@
 
 #include <QWidget>
 
-#include "ui/session/message.h"
+#include "ui/text/message.h"
 
 class QLineEdit;
 class QTableView;

@@ -7,7 +7,7 @@
 
 #include "ui/models/network_model.h"
 #include "ui/text/glossary.h"
-#include "ui/theme.h"
+#include "ui/theme/theme.h"
 
 namespace syncline::ui {
 namespace {
@@ -36,7 +36,8 @@ void drawBadge(QPainter& painter, const QRect& box, const QPalette& palette, con
 }
 
 /// Returns the width that the marks took.
-int drawMarks(QPainter& painter, const QRect& row, const QStringList& marks, const QColor& color, const QFontMetrics& metrics) {
+int drawMarks(QPainter& painter, const QRect& row, const QStringList& marks, const QColor& color,
+              const QFontMetrics& metrics) {
   int right = row.right() - kMargin;
   for (const auto& mark : marks) {
     const int width = metrics.horizontalAdvance(mark) + 8;
@@ -78,7 +79,8 @@ void NodeDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, 
   painter->setFont(row.font);
   painter->setPen(text);
   const QRect area(badge.right() + 8, row.rect.top(), row.rect.right() - badge.right() - 10 - marks, row.rect.height());
-  painter->drawText(area, Qt::AlignVCenter | Qt::AlignLeft, row.fontMetrics.elidedText(name, Qt::ElideRight, area.width()));
+  painter->drawText(area, Qt::AlignVCenter | Qt::AlignLeft,
+                    row.fontMetrics.elidedText(name, Qt::ElideRight, area.width()));
   painter->restore();
 }
 

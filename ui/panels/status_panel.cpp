@@ -40,12 +40,15 @@ StatusPanel::StatusPanel(Workspace& workspace, QStatusBar& bar) : QObject(&bar),
   slaves_ = addField(bar, "statusSlaves", tr("Slaves"), tr("Slaves in the master's state, of all configured"));
   auto* gap = new QLabel;
   bar.addWidget(gap, 1);
-  dc_ = addState(bar, "statusDc", tr("Slaves in sync"), tr("Sync window of register 0x092C over all slaves that follow the reference clock"));
-  dcm_ = addState(bar, "statusDcm", tr("Master in sync"), tr("Master synchronisation: error against its limit, late frames, cycles left out"));
+  dc_ = addState(bar, "statusDc", tr("Slaves in sync"),
+                 tr("Sync window of register 0x092C over all slaves that follow the reference clock"));
+  dcm_ = addState(bar, "statusDcm", tr("Master in sync"),
+                  tr("Master synchronisation: error against its limit, late frames, cycles left out"));
   drift_ = addField(bar, "statusDrift", tr("Drift"), tr("Reference clock's rate against the host's"));
   cycle_ = addField(bar, "statusCycle", tr("Cycle time"), tr("Bus cycle"));
   losses_ = addField(bar, "statusLosses", tr("Lost frames, late frames, cycles left out"),
-                     tr("Frames that did not come back, or came after their cycle; cycles that the host came too late for; samples the display could not take"));
+                     tr("Frames that did not come back, or came after their cycle; cycles that the host came too late "
+                        "for; samples the display could not take"));
   connect(&workspace.live(), &LiveSession::snapshotChanged, this, &StatusPanel::refresh);
   connect(&workspace.live(), &LiveSession::phaseChanged, this, &StatusPanel::refresh);
   connect(&workspace, &Workspace::linkChanged, this, &StatusPanel::refresh);
@@ -53,7 +56,8 @@ StatusPanel::StatusPanel(Workspace& workspace, QStatusBar& bar) : QObject(&bar),
   refresh();
 }
 
-QLabel* StatusPanel::addField(QStatusBar& bar, const char* object_name, const QString& accessible, const QString& tool_tip) {
+QLabel* StatusPanel::addField(QStatusBar& bar, const char* object_name, const QString& accessible,
+                              const QString& tool_tip) {
   auto* label = named(new QLabel, object_name, accessible);
   label->setToolTip(tool_tip);
   label->setContentsMargins(6, 0, 6, 0);
@@ -62,7 +66,8 @@ QLabel* StatusPanel::addField(QStatusBar& bar, const char* object_name, const QS
   return label;
 }
 
-Pill* StatusPanel::addState(QStatusBar& bar, const char* object_name, const QString& accessible, const QString& tool_tip) {
+Pill* StatusPanel::addState(QStatusBar& bar, const char* object_name, const QString& accessible,
+                            const QString& tool_tip) {
   auto* pill = named(new Pill, object_name, accessible);
   pill->setToolTip(tool_tip);
   bar.addWidget(pill);
@@ -82,7 +87,8 @@ void StatusPanel::refresh() {
     const auto in_state = std::ranges::count_if(snapshot.slaves, [&](const SlaveStatus& slave) {
       return slave.present && al_state_of(slave.al_status) == snapshot.requested;
     });
-    slaves_->setText(tr("Slaves %1/%2 %3").arg(in_state).arg(snapshot.slaves.size()).arg(stateName(snapshot.requested)));
+    slaves_->setText(
+        tr("Slaves %1/%2 %3").arg(in_state).arg(snapshot.slaves.size()).arg(stateName(snapshot.requested)));
   } else {
     slaves_->setText(tr("%n slave(s)", nullptr, static_cast<int>(project.slaves.size())));
   }
@@ -94,8 +100,9 @@ void StatusPanel::refresh() {
   drift_->setText(tr("Drift %1").arg(drifting ? ppmText(snapshot.dcm.drift_ppm) : QStringLiteral("\u2013")));
   cycle_->setText(tr("Cycle %1").arg(cycleText(snapshot.online ? snapshot.cycle_time : project.master.cycle_time)));
   const auto dropped = live.droppedSamples();
-  auto losses = tr("Lost %1  Late %2  Left out %3")
-                    .arg(countText(snapshot.lost_frames), countText(snapshot.late_frames), countText(snapshot.skipped_cycles));
+  auto losses =
+      tr("Lost %1  Late %2  Left out %3")
+          .arg(countText(snapshot.lost_frames), countText(snapshot.late_frames), countText(snapshot.skipped_cycles));
   if (dropped > 0) losses += tr("  Dropped %1").arg(countText(dropped));
   losses_->setText(losses);
 }

@@ -33,7 +33,7 @@ class CursorSet final : public QObject {
   [[nodiscard]] std::optional<Nanoseconds> pointer() const { return pointer_; }
 
  Q_SIGNALS:
-  void changed();       // a cursor
+  void changed();  // a cursor
   void pointerMoved();
 
  private:

@@ -4,7 +4,7 @@
 #include <QPainter>
 #include <QStringList>
 
-#include "ui/theme.h"
+#include "ui/theme/theme.h"
 
 namespace syncline::ui {
 namespace {

@@ -5,12 +5,13 @@
 #include <array>
 #include <cmath>
 
-#include "ui/theme.h"
+#include "ui/theme/theme.h"
 
 namespace syncline::ui::plot_colors {
 namespace {
 
-constexpr std::array<QRgb, kTraceCount> kOnLight{0xFF0072B2, 0xFFD55E00, 0xFF00845F, 0xFFA84C82, 0xFF9A6A00, 0xFF2A86BE};
+constexpr std::array<QRgb, kTraceCount> kOnLight{0xFF0072B2, 0xFFD55E00, 0xFF00845F,
+                                                 0xFFA84C82, 0xFF9A6A00, 0xFF2A86BE};
 constexpr std::array<QRgb, kTraceCount> kOnDark{0xFF56B4E9, 0xFFE69F00, 0xFF2BBF94, 0xFFD98DB7, 0xFFF0E442, 0xFFF0793A};
 
 QColor pick(const QPalette& palette, QRgb light, QRgb dark) {

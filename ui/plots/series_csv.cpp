@@ -52,7 +52,9 @@ std::string series_csv(const std::vector<CsvColumn>& columns, Nanoseconds origin
   for (std::size_t i = 0; i < columns.size(); ++i) {
     out += ',' + quoted(columns[i].name);
     samples[i].reserve(columns[i].series->count(begin, end));
-    columns[i].series->for_each(begin, end, [&](Nanoseconds time, float value) { samples[i].push_back({time, value}); });
+    columns[i].series->for_each(begin, end, [&](Nanoseconds time, float value) {
+      samples[i].push_back({time, value});
+    });
   }
   out += '\n';
   std::vector<std::size_t> next(columns.size(), 0);

@@ -143,12 +143,12 @@ void SeriesItem::drawSteps(QPainter* painter, const QwtScaleMap& x, const QwtSca
     const double first = clampedY(y, points_[i - 1].y(), canvas);
     const double second = clampedY(y, points_[i].y(), canvas);
     painter->fillRect(QRectF(left - kThick / 2, std::min(first, second) - kThick / 2, right - left + kThick,
-                             std::abs(second - first) + kThick), color_);
+                             std::abs(second - first) + kThick),
+                      color_);
   }
 }
 
-void SeriesItem::drawPoints(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y,
-                            const QRectF& canvas) const {
+void SeriesItem::drawPoints(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y, const QRectF& canvas) const {
   const ColumnMap map(x, grid_.columns);
   QPen pen(color_, 0);
   // Few points: the stroker may make the line as heavy as the filled columns are.

@@ -19,7 +19,8 @@ bool SlaveSlots::shows(int slave) const {
 int SlaveSlots::freeColor(int slave) const {
   for (int i = 0; i < plot_colors::kTraceCount; ++i) {
     const int color = (slave + i) % plot_colors::kTraceCount;
-    if (std::none_of(slots_.begin(), slots_.end(), [color](const Slot& slot) { return slot.color == color; })) return color;
+    if (std::none_of(slots_.begin(), slots_.end(), [color](const Slot& slot) { return slot.color == color; }))
+      return color;
   }
   return slave % plot_colors::kTraceCount;
 }
@@ -51,7 +52,8 @@ bool SlaveSlots::update(const std::vector<double>& scores, int picked) {
   for (const int slave : others) {
     if (slots_.size() < count_) {
       add(slave);
-    } else if (const auto weakest = mildest(); weakest->slave != picked && score(slave) > kClearlyWorse * score(weakest->slave)) {
+    } else if (const auto weakest = mildest();
+               weakest->slave != picked && score(slave) > kClearlyWorse * score(weakest->slave)) {
       slots_.erase(weakest);
       add(slave);
     } else {

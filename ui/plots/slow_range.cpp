@@ -7,11 +7,11 @@
 namespace syncline::ui {
 namespace {
 
-constexpr double kTicks = 5;          // about as many lines
-constexpr double kRounding = 8;       // the range's ends are round to this part of it
-constexpr double kFarFromZero = 3;    // data this many times their span away from zero are shown without it
-constexpr double kHeadroom = 0.06;   // of the data's span, above and below
-constexpr double kRoomy = 0.55;      // data that need less of the range than this may shrink it
+constexpr double kTicks = 5;        // about as many lines
+constexpr double kRounding = 8;     // the range's ends are round to this part of it
+constexpr double kFarFromZero = 3;  // data this many times their span away from zero are shown without it
+constexpr double kHeadroom = 0.06;  // of the data's span, above and below
+constexpr double kRoomy = 0.55;     // data that need less of the range than this may shrink it
 
 /// 1, 2 or 5 times a power of ten, not below `raw`.
 double niceStep(double raw) {

@@ -27,8 +27,8 @@ void TimeView::setSpan(Nanoseconds span) {
 }
 
 void TimeView::zoom(double factor, Nanoseconds anchor) {
-  const auto wanted = std::clamp(static_cast<double>(span_) * factor, static_cast<double>(kMinSpan),
-                                 static_cast<double>(kMaxSpan));
+  const auto wanted =
+      std::clamp(static_cast<double>(span_) * factor, static_cast<double>(kMinSpan), static_cast<double>(kMaxSpan));
   const double place = static_cast<double>(end_ - anchor) / static_cast<double>(span_);
   span_ = static_cast<Nanoseconds>(std::llround(wanted));
   moveTo(anchor + static_cast<Nanoseconds>(std::llround(place * wanted)));

@@ -10,14 +10,19 @@
 #include <cmath>
 
 #include "trace/statistics.h"
-#include "ui/theme.h"
+#include "ui/theme/theme.h"
 
 namespace syncline::ui {
 
 TracePanel::TracePanel(const QString& title, const TracePlot::Options& options, TimeView* view, CursorSet* cursors,
                        QWidget* parent)
-    : QWidget(parent), view_(view), cursors_(cursors), heading_(new QLabel(title)), readout_(new QLabel),
-      legend_(new LegendBar), plot_(new TracePlot(options, view, cursors)) {
+    : QWidget(parent),
+      view_(view),
+      cursors_(cursors),
+      heading_(new QLabel(title)),
+      readout_(new QLabel),
+      legend_(new LegendBar),
+      plot_(new TracePlot(options, view, cursors)) {
   auto bold = font();
   bold.setWeight(QFont::DemiBold);
   heading_->setFont(bold);
@@ -80,7 +85,8 @@ QString TracePanel::betweenCursors() {
   if (item == nullptr || item->series() == nullptr) return {};
   const auto begin = std::min(*cursors_->at(CursorSet::kA), *cursors_->at(CursorSet::kB));
   // Every sample between the cursors is visited: only again when that can change something.
-  const Measured key{item->series(), begin, cursors_->delta(), item->series()->count(begin, begin + std::llabs(cursors_->delta()) + 1)};
+  const Measured key{item->series(), begin, cursors_->delta(),
+                     item->series()->count(begin, begin + std::llabs(cursors_->delta()) + 1)};
   if (key == measured_) return measured_text_;
   measured_ = key;
   measured_text_ = measure(*item, begin);

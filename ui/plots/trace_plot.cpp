@@ -15,16 +15,16 @@
 
 #include "ui/plots/plot_colors.h"
 #include "ui/plots/unit_scale_draw.h"
-#include "ui/theme.h"
+#include "ui/theme/theme.h"
 
 namespace syncline::ui {
 namespace {
 
-constexpr double kGrabDistance = 5;    // logical pixels about a cursor line
+constexpr double kGrabDistance = 5;  // logical pixels about a cursor line
 constexpr double kZoomPerNotch = 0.8;
 constexpr int kValueLabelExtent = 38;  // keeps the canvas where it is when labels get longer
 constexpr int kBorder = 7;
-constexpr double kLimitWithin = 6;     // a limit this many times the data is still shown to scale
+constexpr double kLimitWithin = 6;  // a limit this many times the data is still shown to scale
 
 struct Unit {
   double divisor;
@@ -48,9 +48,16 @@ QwtText titleText(const QString& quantity, const QString& unit, const QPalette& 
 }  // namespace
 
 TracePlot::TracePlot(const Options& options, TimeView* view, CursorSet* cursors, QWidget* parent)
-    : QwtPlot(parent), options_(options), view_(view), cursors_(cursors), lines_(new QwtPlotGrid),
-      band_(new LimitBandItem), cursor_item_(new CursorItem(cursors)), time_draw_(new UnitScaleDraw),
-      value_draw_(new UnitScaleDraw), range_(options.minimum_span, options.with_zero) {
+    : QwtPlot(parent),
+      options_(options),
+      view_(view),
+      cursors_(cursors),
+      lines_(new QwtPlotGrid),
+      band_(new LimitBandItem),
+      cursor_item_(new CursorItem(cursors)),
+      time_draw_(new UnitScaleDraw),
+      value_draw_(new UnitScaleDraw),
+      range_(options.minimum_span, options.with_zero) {
   setAutoReplot(false);
   setFocusPolicy(Qt::StrongFocus);
   auto* surface = new QwtPlotCanvas(this);
@@ -78,8 +85,8 @@ TracePlot::TracePlot(const Options& options, TimeView* view, CursorSet* cursors,
   // Room for half a label at each end, used or not: the canvases of a row stay aligned.
   axisWidget(QwtPlot::yLeft)->setMinBorderDist(kBorder, kBorder);
   axisWidget(QwtPlot::xBottom)->setMinBorderDist(kBorder, 2 * kBorder);
-  for (QwtPlotItem* item : {static_cast<QwtPlotItem*>(lines_), static_cast<QwtPlotItem*>(band_),
-                            static_cast<QwtPlotItem*>(cursor_item_)}) {
+  for (QwtPlotItem* item :
+       {static_cast<QwtPlotItem*>(lines_), static_cast<QwtPlotItem*>(band_), static_cast<QwtPlotItem*>(cursor_item_)}) {
     item->attach(this);
   }
   connect(view_, &TimeView::changed, this, &TracePlot::markDirty);
@@ -109,7 +116,8 @@ void TracePlot::applyTheme() {
   small.setPointSizeF(std::max(small.pointSizeF() * 0.85, 7.0));
   setCanvasBackground(palette().color(QPalette::Base));
   lines_->setPen(plot_colors::grid(palette()), 0);
-  band_->setColors(plot_colors::limitFill(palette()), plot_colors::limitLine(palette()), palette().color(QPalette::Base));
+  band_->setColors(plot_colors::limitFill(palette()), plot_colors::limitLine(palette()),
+                   palette().color(QPalette::Base));
   cursor_item_->setColors(plot_colors::cursor(palette()), palette().color(QPalette::Base));
   auto axis_palette = palette();
   axis_palette.setColor(QPalette::WindowText, plot_colors::envelope(palette()));
@@ -296,11 +304,12 @@ void TracePlot::wheel(const QWheelEvent& event) {
 void TracePlot::grab(double x) {
   drag_ = Drag::kPan;
   drag_x_ = x;
-  const auto reach = static_cast<Nanoseconds>(kGrabDistance * static_cast<double>(grid_.width) *
-                                              canvas()->devicePixelRatioF());
+  const auto reach =
+      static_cast<Nanoseconds>(kGrabDistance * static_cast<double>(grid_.width) * canvas()->devicePixelRatioF());
   for (const auto which : {CursorSet::kA, CursorSet::kB}) {
     const auto time = cursors_->at(which);
-    if (time && std::llabs(*time - timeAt(x)) <= reach) drag_ = which == CursorSet::kA ? Drag::kCursorA : Drag::kCursorB;
+    if (time && std::llabs(*time - timeAt(x)) <= reach)
+      drag_ = which == CursorSet::kA ? Drag::kCursorA : Drag::kCursorB;
   }
   canvas()->setCursor(drag_ == Drag::kPan ? Qt::ClosedHandCursor : Qt::SplitHCursor);
 }

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "channels/background_master.h"
-#include "channels/bus_scan.h"
 #include "channels/event.h"
+#include "channels/values/bus_scan.h"
 #include "config/project.h"
 #include "support/result.h"
 #include "ui/session/eeprom_repair.h"

@@ -5,7 +5,7 @@
 #include <QTimer>
 #include <optional>
 
-#include "config/compile/incremental.h"
+#include "compile/incremental.h"
 #include "support/result.h"
 
 namespace syncline::ui {

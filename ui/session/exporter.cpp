@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/session/exporter.h"
 
-#include "eni/eni_file.h"
+#include "eni/format/eni_file.h"
 #include "ui/session/configuration_monitor.h"
 
 namespace syncline::ui {

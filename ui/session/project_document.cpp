@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "eni/project_file.h"
+#include "eni/project/project_file.h"
 #include "settings/settings_table.h"
 
 namespace syncline::ui {
@@ -27,9 +27,7 @@ ProjectDocument::ProjectDocument(QObject* parent) : QObject(parent) {
   connect(&undo_, &QUndoStack::cleanChanged, this, [this](bool clean) { Q_EMIT modifiedChanged(!clean); });
 }
 
-QString ProjectDocument::displayName() const {
-  return path_.isEmpty() ? tr("Untitled") : QFileInfo(path_).fileName();
-}
+QString ProjectDocument::displayName() const { return path_.isEmpty() ? tr("Untitled") : QFileInfo(path_).fileName(); }
 
 Status ProjectDocument::edit(const QString& text, ProjectEdit edit) {
   Project changed = project_;

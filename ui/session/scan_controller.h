@@ -8,9 +8,9 @@
 #include <memory>
 #include <thread>
 
-#include "channels/bus_scan.h"
 #include "channels/event.h"
-#include "eni/project_builder.h"
+#include "channels/values/bus_scan.h"
+#include "eni/project/project_builder.h"
 #include "support/result.h"
 #include "ui/session/bus_connection.h"
 

@@ -29,7 +29,8 @@ Workspace::Workspace(Environment environment, QObject* parent)
   connect(&live_, &LiveSession::eventArrived, this, [this](const Event& event) {
     if (auto message = messageOf(event, document_.project())) messages_.append(std::move(*message));
   });
-  connect(&run_findings_, &RunFindings::findingsChanged, this, [this] { findings_.setFindings(run_findings_.findings()); });
+  connect(&run_findings_, &RunFindings::findingsChanged, this,
+          [this] { findings_.setFindings(run_findings_.findings()); });
   connect(&scan_, &ScanController::eventArrived, this, [this](const Event& event) {
     if (auto message = messageOf(event, document_.project())) messages_.append(std::move(*message));
   });

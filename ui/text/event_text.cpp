@@ -5,7 +5,7 @@
 #include <optional>
 #include <variant>
 
-#include "config/families/families.h"
+#include "families/families.h"
 #include "ui/text/error_text.h"
 #include "ui/text/glossary.h"
 #include "ui/text/units.h"

@@ -4,9 +4,9 @@
 #include <optional>
 
 #include "channels/event.h"
-#include "config/compile/compile.h"
+#include "compile/compile.h"
 #include "config/project.h"
-#include "ui/session/message.h"
+#include "ui/text/message.h"
 
 namespace syncline::ui {
 

@@ -125,11 +125,13 @@ constexpr const char* kSources[] = {
                       "Its outputs and inputs stood still meanwhile. Look for what stops it: an interrupt "
                       "storm, a debugger, a crash."),
     QT_TRANSLATE_NOOP("Finding",
-                      "{slave} does not renew its inputs in every cycle, as it did before: from {since} on, {count} (0x0805 + 8 n of its input "
+                      "{slave} does not renew its inputs in every cycle, as it did before: from {since} on, {count} "
+                      "(0x0805 + 8 n of its input "
                       "SyncManager names the same buffer again)."),
-    QT_TRANSLATE_NOOP("Finding",
-                      "Its firmware takes longer than the cycle: look for what else it has to do, give it a longer cycle, or fewer "
-                      "objects."),
+    QT_TRANSLATE_NOOP(
+        "Finding",
+        "Its firmware takes longer than the cycle: look for what else it has to do, give it a longer cycle, or fewer "
+        "objects."),
     QT_TRANSLATE_NOOP("Finding",
                       "{slave} needed longer than its cycle {count} ({object} cycle exceeded), last at {last}."),
     QT_TRANSLATE_NOOP("Finding", "Give it a longer cycle, or fewer objects and functions in each."),

@@ -4,7 +4,7 @@
 #include <QString>
 #include <span>
 
-#include "diagnosis/finding.h"
+#include "findings/finding.h"
 
 namespace syncline::ui {
 

@@ -15,14 +15,17 @@ QString masterWord() { return QCoreApplication::translate("Glossary", "Master");
 QString slaveWord() { return QCoreApplication::translate("Glossary", "Slave"); }
 
 QString stateName(AlState state) {
-  return state == AlState::kNone ? QCoreApplication::translate("Glossary", "No response") : fromView(al_state_name(state));
+  return state == AlState::kNone ? QCoreApplication::translate("Glossary", "No response")
+                                 : fromView(al_state_name(state));
 }
 
 QString masterStateName(AlState state) {
   return state == AlState::kNone ? QCoreApplication::translate("Glossary", "Slaves missing") : stateName(state);
 }
 
-QString stateLetter(AlState state) { return state == AlState::kNone ? QStringLiteral("\u2013") : fromView(al_state_letter(state)); }
+QString stateLetter(AlState state) {
+  return state == AlState::kNone ? QStringLiteral("\u2013") : fromView(al_state_letter(state));
+}
 
 QString syncStateText(SyncState state) {
   switch (state) {

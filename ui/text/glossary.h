@@ -13,14 +13,14 @@ namespace syncline::ui {
 
 [[nodiscard]] QString masterWord();
 [[nodiscard]] QString slaveWord();
-[[nodiscard]] QString stateName(AlState state);      // "SAFEOP", "No response"
+[[nodiscard]] QString stateName(AlState state);  // "SAFEOP", "No response"
 /// Of the master: "OP", or "Slaves missing" where one does not answer.
 [[nodiscard]] QString masterStateName(AlState state);
-[[nodiscard]] QString stateLetter(AlState state);    // "S"
+[[nodiscard]] QString stateLetter(AlState state);      // "S"
 [[nodiscard]] QString syncStateText(SyncState state);  // "In sync"
 /// Why the master is not in sync: "cycles left out". Empty for none.
 [[nodiscard]] QString obstacleText(dc::SyncObstacle obstacle);
-[[nodiscard]] QString dcmModeText(DcmMode mode);     // "Bus shift"
+[[nodiscard]] QString dcmModeText(DcmMode mode);  // "Bus shift"
 /// "Slave 3 (EL2002)" or the master's name.
 [[nodiscard]] QString nodeName(const Project& project, int slave);
 

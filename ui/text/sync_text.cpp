@@ -43,7 +43,8 @@ StateText masterSync(const Snapshot& snapshot) {
   if (snapshot.dcm.state != SyncState::kOutOfSync || snapshot.dcm.obstacle == dc::SyncObstacle::kNone) {
     return {toneOf(snapshot.dcm.state), text};
   }
-  return {toneOf(snapshot.dcm.state), QCoreApplication::translate("Sync", "%1: %2").arg(text, obstacleText(snapshot.dcm.obstacle))};
+  return {toneOf(snapshot.dcm.state),
+          QCoreApplication::translate("Sync", "%1: %2").arg(text, obstacleText(snapshot.dcm.obstacle))};
 }
 
 }  // namespace syncline::ui

@@ -4,7 +4,7 @@
 #include <QString>
 
 #include "channels/snapshot.h"
-#include "ui/theme.h"
+#include "ui/theme/theme.h"
 
 /// The synchronisation states in words and tones, the same in the pages and in the status bar.
 namespace syncline::ui {

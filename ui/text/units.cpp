@@ -58,8 +58,10 @@ QString ppmText(double ppm) {
 QString countText(std::uint64_t value) { return QLocale().toString(static_cast<qulonglong>(value)); }
 
 QString hexText(std::uint64_t value, int digits) {
-  return QStringLiteral("0x%1").arg(static_cast<qulonglong>(value), digits, 16, QLatin1Char('0')).toUpper().replace(
-      QLatin1Char('X'), QLatin1Char('x'));
+  return QStringLiteral("0x%1")
+      .arg(static_cast<qulonglong>(value), digits, 16, QLatin1Char('0'))
+      .toUpper()
+      .replace(QLatin1Char('X'), QLatin1Char('x'));
 }
 
 QString bitsText(std::uint32_t bits) {

@@ -5,7 +5,7 @@
 #include <QPainter>
 #include <QVBoxLayout>
 
-#include "ui/theme.h"
+#include "ui/theme/theme.h"
 #include "ui/widgets/value_label.h"
 
 namespace syncline::ui {

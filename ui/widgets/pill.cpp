@@ -34,7 +34,8 @@ Pill::Pill(QWidget* parent) : QWidget(parent) { setSizePolicy(QSizePolicy::Fixed
 
 void Pill::setState(theme::Tone tone, const QString& text) {
   if (tone == tone_ && text == text_) return;
-  const bool resized = text.size() != text_.size() || fontMetrics().horizontalAdvance(text) != fontMetrics().horizontalAdvance(text_);
+  const bool resized =
+      text.size() != text_.size() || fontMetrics().horizontalAdvance(text) != fontMetrics().horizontalAdvance(text_);
   tone_ = tone;
   text_ = text;
   setAccessibleDescription(text);

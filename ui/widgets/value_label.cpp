@@ -34,7 +34,8 @@ void ValueLabel::paintEvent(QPaintEvent* event) {
   if (text_shown == text()) return QLabel::paintEvent(event);
   QPainter painter(this);
   const auto where = QStyle::visualAlignment(layoutDirection(), alignment());
-  style()->drawItemText(&painter, contentsRect(), static_cast<int>(where), palette(), isEnabled(), text_shown, foregroundRole());
+  style()->drawItemText(&painter, contentsRect(), static_cast<int>(where), palette(), isEnabled(), text_shown,
+                        foregroundRole());
 }
 
 }  // namespace syncline::ui

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "channels/delay_warning.h"
-#include "channels/sync_obstacle.h"
+#include "channels/values/delay_warning.h"
+#include "channels/values/sync_obstacle.h"
 #include "support/types.h"
 
 /// Distributed clocks, and the two verdicts on synchronisation (docs/distributed-clocks.md).

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "channels/shared_text.h"
+#include "channels/values/shared_text.h"
 #include "support/types.h"
 
 /// Cycles, frames and the master's own adapter.

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <memory>
 
-#include "channels/bus_scan.h"
+#include "channels/values/bus_scan.h"
 
 /// What a scan tells.
 namespace syncline::events {

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "channels/shared_text.h"
+#include "channels/values/shared_text.h"
 #include "protocol/al_state.h"
 
 /// States: of the master, of slaves and of who belongs to the bus.

@@ -16,8 +16,8 @@ class BusCycleCheck {
   void start() { *this = BusCycleCheck(cycle_); }
   /// One cycle, lost frames included; `answered`: the reference clock's time came back.
   void observe(Nanoseconds scheduled_time, bool answered);
-  /// The last second's mean period was more than 2 % off. A second with a silence of 50 ms in it does not count: an adapter
-  /// that was away and is opened again keeps the host from its cycles, and that is not the timer's fault.
+  /// The last second's mean period was more than 2 % off. A second with a silence of 50 ms in it does not count: an
+  /// adapter that was away and is opened again keeps the host from its cycles, and that is not the timer's fault.
   [[nodiscard]] bool wrong() const { return wrong_; }
 
  private:

@@ -15,7 +15,7 @@ constexpr double kFilterTime = 20e6;
 constexpr double kIntegralTime = 7.5e9;    // divided by the drift error gain
 constexpr double kMaxCorrection = 20'000;  // ns; an ESC at its slew limit is not helped by more
 constexpr int kBlocksAway = 10;
-constexpr int kKnown = 100;                // readings before an outlier can be told
+constexpr int kKnown = 100;  // readings before an outlier can be told
 constexpr double kAwayPpm = 3;
 
 }  // namespace

@@ -36,15 +36,15 @@ class BusShift final : public DcmController {
   PhaseTarget target_;
   DcmMonitor monitor_;
   DcmState state_;
-  Reading anchor_;                // host time and what the reference clock is to show then
-  double lag_ = 0;                // behind (< 0) or ahead of the place in the grid, without outliers, ns
+  Reading anchor_;  // host time and what the reference clock is to show then
+  double lag_ = 0;  // behind (< 0) or ahead of the place in the grid, without outliers, ns
   WriteForecast forecast_;
-  Nanoseconds limit_;             // in sync
-  double share_;                  // of the error that is corrected at once
-  double integral_time_;          // ns
+  Nanoseconds limit_;     // in sync
+  double share_;          // of the error that is corrected at once
+  double integral_time_;  // ns
   double filtered_ = 0, integral_ = 0;
   int blocks_away_ = 0, known_ = 0;
-  bool working_off_ = false;      // a step of the clock
+  bool working_off_ = false;  // a step of the clock
 };
 
 }  // namespace syncline::dc

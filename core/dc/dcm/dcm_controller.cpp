@@ -51,13 +51,19 @@ std::unique_ptr<DcmController> make_dcm_controller(const DcmSettings& settings, 
   const bool observes = settings.control_off && settings.mode != DcmMode::kOff && settings.mode != DcmMode::kDcx;
   if (observes) return make(std::type_identity<MasterShift>{});
   switch (settings.mode) {
-    case DcmMode::kBusShift: return make(std::type_identity<BusShift>{});
+    case DcmMode::kBusShift:
+      return make(std::type_identity<BusShift>{});
     case DcmMode::kMasterShift:
-    case DcmMode::kMasterShiftByApp: return make(std::type_identity<MasterShift>{});
-    case DcmMode::kMasterRefClock: return written(WrittenClock::Time::kNominal);
-    case DcmMode::kLinkLayerRefClock: return written(WrittenClock::Time::kOfSending);
-    case DcmMode::kDcx: return make(std::type_identity<Dcx>{});
-    case DcmMode::kOff: break;
+    case DcmMode::kMasterShiftByApp:
+      return make(std::type_identity<MasterShift>{});
+    case DcmMode::kMasterRefClock:
+      return written(WrittenClock::Time::kNominal);
+    case DcmMode::kLinkLayerRefClock:
+      return written(WrittenClock::Time::kOfSending);
+    case DcmMode::kDcx:
+      return make(std::type_identity<Dcx>{});
+    case DcmMode::kOff:
+      break;
   }
   return std::make_unique<Off>(cycle_time, set_value);
 }

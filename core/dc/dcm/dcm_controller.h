@@ -16,8 +16,8 @@ namespace syncline::dc {
 /// What one cycle showed. Times in ns; reference_time is the reference clock's system time when the
 /// cyclic frame passed it (the ARMW value), extended to 64 bit.
 struct DcmObservation {
-  Nanoseconds send_time = 0;        // host clock, when the frame was really sent
-  Nanoseconds scheduled_time = 0;   // host clock, when it should have been sent
+  Nanoseconds send_time = 0;                  // host clock, when the frame was really sent
+  Nanoseconds scheduled_time = 0;             // host clock, when it should have been sent
   std::optional<Nanoseconds> reference_time;  // empty: frame lost or reference clock silent
   /// DCX: time of the external clock less that of the segment, from the bridge; and whether it ought to be there.
   std::optional<Nanoseconds> external_difference{};
@@ -28,23 +28,23 @@ struct DcmObservation {
 
 /// What to do next.
 struct DcmAction {
-  Nanoseconds period_adjust = 0;    // master shift: added to the next period
+  Nanoseconds period_adjust = 0;  // master shift: added to the next period
   /// bus shift: the frame left far from its stamp, and what it told the reference clock is that wrong. Another write at
   /// once (reference_write) takes it back before the clock has gone astray for a whole cycle.
   bool write_again = false;
 };
 
 struct DcmState {
-  Nanoseconds error = 0;            // frame late in the SYNC grid > 0
+  Nanoseconds error = 0;  // frame late in the SYNC grid > 0
   Nanoseconds error_filtered = 0;
-  double drift_ppm = 0;             // reference clock's rate minus host's
-  Nanoseconds adjust = 0;           // of the next period, or of what is written; with control off: what it would be
-  double output_sum = 0;            // what the controller has learned: its integral part, ns a cycle
-  Nanoseconds output_total = 0;     // of all adjustments since the start
-  bool in_sync = false;             // error within the limit for the settle time, and no error code
-  std::optional<Nanoseconds> in_sync_after;  // since the first observation
-  std::optional<Nanoseconds> clock_step;     // the reference clock stepped by so much, as this cycle made sure
-  std::uint32_t error_code = 0;     // DCM_E_...
+  double drift_ppm = 0;          // reference clock's rate minus host's
+  Nanoseconds adjust = 0;        // of the next period, or of what is written; with control off: what it would be
+  double output_sum = 0;         // what the controller has learned: its integral part, ns a cycle
+  Nanoseconds output_total = 0;  // of all adjustments since the start
+  bool in_sync = false;          // error within the limit for the settle time, and no error code
+  std::optional<Nanoseconds> in_sync_after;   // since the first observation
+  std::optional<Nanoseconds> clock_step;      // the reference clock stepped by so much, as this cycle made sure
+  std::uint32_t error_code = 0;               // DCM_E_...
   std::optional<Nanoseconds> external_error;  // DCX: the reference clock ahead of the external one, within half a cycle
 };
 
@@ -65,6 +65,7 @@ class DcmController {
 /// `set_value`: wanted distance from frame send to SYNC0. `least_set_value`: frame time plus propagation delay, below
 /// which the controller reports DCM_E_INVALID_SETVAL.
 [[nodiscard]] std::unique_ptr<DcmController> make_dcm_controller(const DcmSettings& settings, Nanoseconds cycle_time,
-                                                                 Nanoseconds set_value, Nanoseconds least_set_value = 0);
+                                                                 Nanoseconds set_value,
+                                                                 Nanoseconds least_set_value = 0);
 
 }  // namespace syncline::dc

@@ -8,8 +8,8 @@ namespace syncline::dc {
 namespace {
 
 constexpr double kFilterTime = 20e6;  // ns
-/// Drift that no controller is to balance: an ESC's loop reaches 763 ppm, and needs some of it itself. Once told, it must
-/// be clearly less again.
+/// Drift that no controller is to balance: an ESC's loop reaches 763 ppm, and needs some of it itself. Once told, it
+/// must be clearly less again.
 constexpr double kMaxDriftPpm = 600, kDriftBelowPpm = 590;
 
 }  // namespace

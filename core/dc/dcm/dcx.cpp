@@ -10,9 +10,9 @@ namespace syncline::dc {
 namespace {
 
 constexpr double kShare = 0.2;
-constexpr double kIntegralTime = 2.5e9;    // ns
-constexpr double kMaxCorrection = 5'000;   // ns: moves an ESC by some 60 ppm, which the host can follow
-constexpr std::uint32_t kLeastGain = 20;   // ppt: the clock that the host follows is being moved
+constexpr double kIntegralTime = 2.5e9;   // ns
+constexpr double kMaxCorrection = 5'000;  // ns: moves an ESC by some 60 ppm, which the host can follow
+constexpr std::uint32_t kLeastGain = 20;  // ppt: the clock that the host follows is being moved
 constexpr Nanoseconds kPatience = kSecond;
 
 DcmSettings for_host(DcmSettings settings) {
@@ -80,7 +80,8 @@ void Dcx::take(const DcmObservation& observation) {
   missing_since_.reset();
   behind_ = static_cast<double>(wrap_to_half(*observation.external_difference, cycle_));
   const double seen = std::clamp(*behind_, -kMaxCorrection, kMaxCorrection);
-  integral_ = std::clamp(integral_ + static_cast<double>(cycle_) / kIntegralTime * seen, -kMaxCorrection, kMaxCorrection);
+  integral_ =
+      std::clamp(integral_ + static_cast<double>(cycle_) / kIntegralTime * seen, -kMaxCorrection, kMaxCorrection);
 }
 
 }  // namespace syncline::dc

@@ -27,7 +27,7 @@ class Dcx final : public DcmController {
   DcmState state_;
   WriteForecast forecast_;
   Nanoseconds expected_lead_ = 0;  // of the reference clock before the host's clock, this cycle's noise left out
-  std::optional<double> behind_;              // the reference clock behind the external one, within half a cycle
+  std::optional<double> behind_;   // the reference clock behind the external one, within half a cycle
   std::optional<Nanoseconds> missing_since_;  // the external clock
   double integral_ = 0;
 };

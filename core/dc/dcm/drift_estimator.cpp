@@ -68,8 +68,9 @@ DriftEstimator::Point DriftEstimator::median_sample() {
   if (half >= kLeastHalf) {
     std::array<double, kSamples> levels{};
     std::transform(begin, end, levels.begin(), level);
-    const double rise = median_of(std::span(levels).subspan(static_cast<std::size_t>(half), static_cast<std::size_t>(half))) -
-                        median_of(std::span(levels).first(static_cast<std::size_t>(half)));
+    const double rise =
+        median_of(std::span(levels).subspan(static_cast<std::size_t>(half), static_cast<std::size_t>(half))) -
+        median_of(std::span(levels).first(static_cast<std::size_t>(half)));
     const double more = rise / static_cast<double>(begin[half].host - first.host) * 1e6;
     if (std::abs(more) > kOtherTrendPpm) trend += more;
   }

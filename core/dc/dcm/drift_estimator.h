@@ -9,8 +9,8 @@
 namespace syncline::dc {
 
 /// Rate of the reference clock against the host clock. A block of cycles gives one point, its median: what single send
-/// stamps are wrong by, however far, does not count. A straight line through the points of the last seconds is the rate.
-/// A step of one of the clocks between two points is no rate, and is left out. Allocates nothing.
+/// stamps are wrong by, however far, does not count. A straight line through the points of the last seconds is the
+/// rate. A step of one of the clocks between two points is no rate, and is left out. Allocates nothing.
 class DriftEstimator {
  public:
   explicit DriftEstimator(Nanoseconds block = 100 * kMillisecond) : block_(block) {}

@@ -9,8 +9,8 @@
 namespace syncline::dc {
 
 /// The host's timer follows the reference clock: the next period is longer or shorter by the drift that the tracker has
-/// learned and a share of the phase that it sees. When the application moves the timer (MasterShiftByApp), or control is
-/// off, the adjustment is only reported.
+/// learned and a share of the phase that it sees. When the application moves the timer (MasterShiftByApp), or control
+/// is off, the adjustment is only reported.
 class MasterShift final : public DcmController {
  public:
   MasterShift(const DcmSettings& settings, Nanoseconds cycle_time, Nanoseconds set_value, Nanoseconds least = 0);

@@ -7,9 +7,9 @@
 namespace syncline::dc {
 namespace {
 
-constexpr double kReading = 1'000;          // ns; a send stamp's error where nothing is known of it
-constexpr double kDriftAtStart = 200e-6;    // of the cycle
-constexpr double kMaxDrift = 1'000e-6;      // of the cycle; what is reported as too high is still balanced
+constexpr double kReading = 1'000;        // ns; a send stamp's error where nothing is known of it
+constexpr double kDriftAtStart = 200e-6;  // of the cycle
+constexpr double kMaxDrift = 1'000e-6;    // of the cycle; what is reported as too high is still balanced
 
 double square(double x) { return x * x; }
 
@@ -44,9 +44,13 @@ void PhaseTracker::advance(double cycles, double moved) {
 bool PhaseTracker::update(double phase) {
   double surprise = wrapped(phase - phase_);
   switch (gate_.judge(surprise, settled())) {
-    case OutlierGate::Verdict::kOutlier: return false;
-    case OutlierGate::Verdict::kStep: forget_phase(); break;
-    case OutlierGate::Verdict::kValid: break;
+    case OutlierGate::Verdict::kOutlier:
+      return false;
+    case OutlierGate::Verdict::kStep:
+      forget_phase();
+      break;
+    case OutlierGate::Verdict::kValid:
+      break;
   }
   const double phase_gain = std::max(p11_ / (p11_ + 1), settled_.phase);
   const double drift_gain = std::max(p12_ / (p11_ + 1), settled_.drift);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "dc/dcm/outlier_gate.h"
+#include "dc/outlier_gate.h"
 
 namespace syncline::dc {
 

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "dc/dcm/dcm_controller.h"
-#include "dc/dcm/outlier_gate.h"
+#include "dc/outlier_gate.h"
 
 namespace syncline::dc {
 

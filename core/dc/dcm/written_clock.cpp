@@ -5,9 +5,7 @@ namespace syncline::dc {
 
 WrittenClock::WrittenClock(Time time, const DcmSettings& settings, Nanoseconds cycle_time, Nanoseconds set_value,
                            Nanoseconds least)
-    : time_(time),
-      target_{0, set_value, cycle_time},
-      monitor_(settings, cycle_time, set_value, least) {}
+    : time_(time), target_{0, set_value, cycle_time}, monitor_(settings, cycle_time, set_value, least) {}
 
 void WrittenClock::start(Nanoseconds base, Nanoseconds first_reference_time, Nanoseconds first_send_time) {
   target_.base = base;

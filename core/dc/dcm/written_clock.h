@@ -13,7 +13,8 @@ namespace syncline::dc {
 class WrittenClock final : public DcmController {
  public:
   enum class Time : std::uint8_t { kNominal, kOfSending };
-  WrittenClock(Time time, const DcmSettings& settings, Nanoseconds cycle_time, Nanoseconds set_value, Nanoseconds least);
+  WrittenClock(Time time, const DcmSettings& settings, Nanoseconds cycle_time, Nanoseconds set_value,
+               Nanoseconds least);
   void start(Nanoseconds base, Nanoseconds first_reference_time, Nanoseconds first_send_time) override;
   std::optional<Nanoseconds> reference_write(Nanoseconds send_time, Nanoseconds scheduled_time) override;
   DcmAction observe(const DcmObservation& observation) override;

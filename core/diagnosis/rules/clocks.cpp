@@ -66,14 +66,15 @@ void find_out_of_sync(const RunReport& report, Findings& findings) {
                        time_figure("limit", dc.limit_ns), moment_figure(report, "since", dc.since)}});
 }
 
-/// A slave that comes back finds its time again; that is told as its absence, also where the or-ed deviation of all shows it
-/// before its own.
+/// A slave that comes back finds its time again; that is told as its absence, also where the or-ed deviation of all
+/// shows it before its own.
 bool came_back(const RunReport& report, const RunHistory::SyncLoss& loss) {
   const auto was_away = [&](const RunHistory::Slave& slave) {
     return slave.absences.near({loss.time, loss.time, 0, 0}, kSecond);
   };
   const auto& slaves = report.history.slaves;
-  return loss.slave < 0 ? std::ranges::any_of(slaves, was_away) : was_away(slaves[static_cast<std::size_t>(loss.slave)]);
+  return loss.slave < 0 ? std::ranges::any_of(slaves, was_away)
+                        : was_away(slaves[static_cast<std::size_t>(loss.slave)]);
 }
 
 /// Without the adapter nobody hears the time; who found it again afterwards has nothing wrong with him.
@@ -83,8 +84,9 @@ bool without_adapter(const RunReport& report, const RunHistory::SyncLoss& loss) 
 
 void find_left_window(const RunReport& report, Findings& findings) {
   std::vector<RunHistory::SyncLoss> losses;
-  std::ranges::copy_if(report.history.slave_losses, std::back_inserter(losses),
-                       [&](const RunHistory::SyncLoss& loss) { return !came_back(report, loss) && !without_adapter(report, loss); });
+  std::ranges::copy_if(report.history.slave_losses, std::back_inserter(losses), [&](const RunHistory::SyncLoss& loss) {
+    return !came_back(report, loss) && !without_adapter(report, loss);
+  });
   if (losses.empty()) return;
   const auto& first = losses.front();
   RunFinding finding{Code::kWindowLeft, FindingLevel::kWarning, first.slave, first.time,

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "config/families/families.h"
 #include "diagnosis/rules/rules.h"
+#include "families/families.h"
 
 namespace syncline::diagnosis {
 namespace {
@@ -67,7 +67,8 @@ void find_watchdogs(const RunReport& report, const RunReport::Slave& slave, Find
   const auto& outputs = history.process_data_watchdog;
   // Outputs that could not come: the cause is told already.
   const bool was_cut_off = std::ranges::all_of(outputs.list(), [&](const Spell& spell) {
-    return adapter_was_away(report, {spell.from - kReadLater, spell.to, 0, 0}) || history.absences.near(spell, kReadLater);
+    return adapter_was_away(report, {spell.from - kReadLater, spell.to, 0, 0}) ||
+           history.absences.near(spell, kReadLater);
   });
   if (!outputs.empty() && report.history.reached_op && !was_cut_off) {
     findings.push_back({Code::kOutputsWatchdog,
@@ -89,13 +90,12 @@ void find_firmware(const RunReport& report, Findings& findings) {
     find_late_inputs(report, slave, findings);
     const auto silences = report.history.slaves[slave.position].mailbox_silences;
     if (slave.present && silences >= kSilences) {
-      findings.push_back(
-          {Code::kMailboxSilent,
-           FindingLevel::kWarning,
-           slave.position,
-           0,
-           0,
-           {slave_figure(report, slave.position), count_figure("count", silences)}});
+      findings.push_back({Code::kMailboxSilent,
+                          FindingLevel::kWarning,
+                          slave.position,
+                          0,
+                          0,
+                          {slave_figure(report, slave.position), count_figure("count", silences)}});
     }
   }
 }

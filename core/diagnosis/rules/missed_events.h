@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "diagnosis/finding.h"
+#include "findings/finding.h"
 #include "trace/run_report.h"
 
 namespace syncline::diagnosis {

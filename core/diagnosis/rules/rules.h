@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "diagnosis/finding.h"
+#include "findings/finding.h"
 #include "trace/run_report.h"
 
 /// The rules of the diagnosis, a family of causes a file. Each looks at the report alone and adds what it finds; what

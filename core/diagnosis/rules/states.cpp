@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <iterator>
 
-#include "config/families/families.h"
 #include "diagnosis/rules/missed_events.h"
 #include "diagnosis/rules/rules.h"
+#include "families/families.h"
 #include "protocol/al_state.h"
 
 namespace syncline::diagnosis {

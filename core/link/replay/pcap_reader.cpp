@@ -40,7 +40,8 @@ Result<PcapReader> PcapReader::from_stream(void* stream, const std::string& name
   impl->name = name;
   if (pcap_datalink(handle) != DLT_EN10MB) {
     const char* kind = pcap_datalink_val_to_name(pcap_datalink(handle));
-    return fail(Error{ErrorCode::kNotThatKindOfFile, {},
+    return fail(Error{ErrorCode::kNotThatKindOfFile,
+                      {},
                       std::string("a capture of Ethernet frames; this one holds ") + (kind ? kind : "something else"),
                       name});
   }
@@ -58,7 +59,8 @@ Result<PcapReader> PcapReader::open(const std::string& path) {
 
 Result<PcapReader> PcapReader::from_memory(std::span<const std::uint8_t> bytes, const std::string& name) {
   // fmemopen refuses size 0, and "rb" writes nothing into the buffer whatever its type says.
-  if (bytes.empty()) return fail(Error{ErrorCode::kNotThatKindOfFile, {}, "a pcap or pcapng capture; it is empty", name});
+  if (bytes.empty())
+    return fail(Error{ErrorCode::kNotThatKindOfFile, {}, "a pcap or pcapng capture; it is empty", name});
   auto* file = ::fmemopen(const_cast<std::uint8_t*>(bytes.data()), bytes.size(), "rb");
   if (file == nullptr) return fail(Error{ErrorCode::kFileNotReadable, {}, std::strerror(errno), name});
   return from_stream(file, name);
@@ -80,9 +82,11 @@ Result<std::optional<CapturedFrame>> PcapReader::next() {
   if (__builtin_sub_overflow(Nanoseconds{header->ts.tv_sec}, kDcEpochUnixSeconds, &since_epoch) ||
       __builtin_mul_overflow(since_epoch, kSecond, &whole_seconds) ||
       __builtin_add_overflow(whole_seconds, fraction, &frame.time)) {
-    return fail(Error{ErrorCode::kFileNotReadable, {},
-                      fmt::format("a frame's time stamp of {} s is outside of the years 1708 to 2292", header->ts.tv_sec),
-                      impl_->name});
+    return fail(
+        Error{ErrorCode::kFileNotReadable,
+              {},
+              fmt::format("a frame's time stamp of {} s is outside of the years 1708 to 2292", header->ts.tv_sec),
+              impl_->name});
   }
   frame.bytes.assign(bytes, bytes + header->caplen);
   frame.truncated = header->caplen < header->len;

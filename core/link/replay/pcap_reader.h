@@ -14,9 +14,9 @@
 namespace syncline {
 
 struct CapturedFrame {
-  Nanoseconds time = 0;               // since the DC epoch
-  std::vector<std::uint8_t> bytes;    // Ethernet frame without FCS, as far as it was captured
-  bool truncated = false;             // the capture holds less than there was on the wire
+  Nanoseconds time = 0;             // since the DC epoch
+  std::vector<std::uint8_t> bytes;  // Ethernet frame without FCS, as far as it was captured
+  bool truncated = false;           // the capture holds less than there was on the wire
 };
 
 /// Reads pcap and pcapng captures of Ethernet frames, one after the other.

@@ -120,7 +120,8 @@ void BusRecorder::learn_broadcast(const Sent& sent, std::uint16_t wkc) {
 
 /// Once for all of them: a damaged or made-up frame may claim thousands.
 void BusRecorder::note_broadcast_write(std::uint16_t address, std::span<const std::uint8_t> data) {
-  if (address == reg::kSiiControl && data.size() >= 6) std::ranges::fill(sii_address_, load_le<std::uint32_t>(data.subspan(2)));
+  if (address == reg::kSiiControl && data.size() >= 6)
+    std::ranges::fill(sii_address_, load_le<std::uint32_t>(data.subspan(2)));
   if (address == reg::kSiiAddress && data.size() >= 4) std::ranges::fill(sii_address_, load_le<std::uint32_t>(data));
   if (address >= reg::kReceiveTimePort0 && address < reg::kSystemTime) return;
   for (std::size_t i = 0; i < data.size(); ++i) written_to_all_->insert(static_cast<std::uint32_t>(address + i));
@@ -144,7 +145,8 @@ void BusRecorder::note_write(std::size_t position, std::uint16_t address, std::s
 
 void BusRecorder::note_read(std::size_t position, std::uint16_t address, std::span<const std::uint8_t> data) {
   auto& from = slave(position);
-  if (address == reg::kStationAddress && data.size() >= 2) stations_.try_emplace(load_le<std::uint16_t>(data), position);
+  if (address == reg::kStationAddress && data.size() >= 2)
+    stations_.try_emplace(load_le<std::uint16_t>(data), position);
   if (address < kSiiEnd && address + data.size() > reg::kSiiControl) note_sii(position, address, data);
   for (std::size_t i = 0; i < data.size(); ++i) {
     from.memory.try_emplace(static_cast<std::uint32_t>(address + i), data[i]);

@@ -19,7 +19,8 @@ struct RecordedSlave {
   std::map<std::uint32_t, std::uint8_t> memory;  // bytes that were read or written with a working counter
   std::map<std::uint32_t, std::uint16_t> sii;    // EEPROM by word address
   bool reads_8_bytes = false;                    // of the EEPROM at a time
-  /// Of all slaves together: bytes that a broadcast has written, so that every slave has them. Their values are not known.
+  /// Of all slaves together: bytes that a broadcast has written, so that every slave has them. Their values are not
+  /// known.
   std::shared_ptr<const std::set<std::uint32_t>> written_to_all;
 
   [[nodiscard]] bool knows(std::uint32_t address, std::size_t length) const;
@@ -54,10 +55,10 @@ class BusRecorder {
   RecordedSlave& slave(std::size_t position);
   [[nodiscard]] std::optional<std::size_t> position_of(const DatagramHeader& header) const;
 
-  std::vector<SentFrame> open_;                      // sent and not yet back, oldest first
+  std::vector<SentFrame> open_;  // sent and not yet back, oldest first
   std::vector<RecordedSlave> slaves_;
-  std::map<std::uint16_t, std::size_t> stations_;    // station address to position
-  std::vector<std::uint32_t> sii_address_;           // that the master set last, by position
+  std::map<std::uint16_t, std::size_t> stations_;  // station address to position
+  std::vector<std::uint32_t> sii_address_;         // that the master set last, by position
   std::vector<std::uint16_t> sii_status_;
   std::size_t exchanges_ = 0;
   std::shared_ptr<std::set<std::uint32_t>> written_to_all_ = std::make_shared<std::set<std::uint32_t>>();

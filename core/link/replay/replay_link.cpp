@@ -36,7 +36,8 @@ class ReplayedSlave {
     // The capture's master gave its own; ours gives others.
     store(reg::kStationAddress, std::uint16_t{0});
     store(reg::kSiiControl, std::uint16_t{0});
-    for (std::uint32_t a = reg::kSiiConfiguration; a < reg::kSiiData + 8U; ++a) recorded_.memory.try_emplace(a, std::uint8_t{0});
+    for (std::uint32_t a = reg::kSiiConfiguration; a < reg::kSiiData + 8U; ++a)
+      recorded_.memory.try_emplace(a, std::uint8_t{0});
   }
   [[nodiscard]] std::uint16_t station() const { return load<std::uint16_t>(reg::kStationAddress); }
 
@@ -144,7 +145,7 @@ class ReplayLink final : public Link {
     // What a write puts down is what the master sent, not what an earlier slave answered.
     const std::vector<std::uint8_t> sent(datagram.data.begin(), datagram.data.end());
     for (auto& slave : slaves_) {
-      const bool addressed = is_auto_increment(header.command) ? adp == 0
+      const bool addressed = is_auto_increment(header.command)  ? adp == 0
                              : is_fixed_address(header.command) ? slave.station() == header.adp()
                                                                 : is_broadcast(header.command);
       if (is_auto_increment(header.command) || is_broadcast(header.command)) ++adp;
@@ -157,7 +158,8 @@ class ReplayLink final : public Link {
 
   static unsigned access(ReplayedSlave& slave, const DatagramView& datagram, std::span<const std::uint8_t> sent) {
     const auto& header = datagram.header;
-    const bool both = header.command == Command::kAprw || header.command == Command::kFprw || header.command == Command::kBrw;
+    const bool both =
+        header.command == Command::kAprw || header.command == Command::kFprw || header.command == Command::kBrw;
     const bool multiple = header.command == Command::kArmw || header.command == Command::kFrmw;
     unsigned count = 0;
     if (!writes(header.command) || both || multiple) {
@@ -227,7 +229,8 @@ Result<std::unique_ptr<Link>> make_replay_link(const std::string& path, VirtualC
   if (recorder.exchanges() == 0) {
     const auto why = found.cut_frames == 0
                          ? std::string("a capture with EtherCAT frames and their answers")
-                         : fmt::format("a capture of whole frames; {} of its {} were captured in part only", found.cut_frames, found.frames);
+                         : fmt::format("a capture of whole frames; {} of its {} were captured in part only",
+                                       found.cut_frames, found.frames);
     return fail(Error{ErrorCode::kNotThatKindOfFile, {}, why, path});
   }
   for (const auto& slave : recorder.slaves()) found.slaves.push_back(note_of(slave));

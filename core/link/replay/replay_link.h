@@ -21,8 +21,8 @@ struct ReplayNotes {
   };
   std::vector<Slave> slaves;
   std::size_t frames = 0;
-  std::size_t cut_frames = 0;        // captured in part only: passed over
-  std::optional<Error> broken_off;   // the file ends in the middle of a frame; what came before is used
+  std::size_t cut_frames = 0;       // captured in part only: passed over
+  std::optional<Error> broken_off;  // the file ends in the middle of a frame; what came before is used
 };
 
 /// A bus as a capture recorded it: reads are answered from what the capture's master read, addresses can be

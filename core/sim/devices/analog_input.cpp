@@ -12,8 +12,8 @@ constexpr Nanoseconds kLargest = 0x7FFF;
 constexpr std::uint16_t kInteger16 = 0x03;
 
 std::uint16_t triangle(Nanoseconds time) {
-  const auto phase = time % kPeriod;                                        // rises for the first half
-  const auto height = kPeriod / 2 - std::abs(phase - kPeriod / 2);          // 0 .. half a period
+  const auto phase = time % kPeriod;                                // rises for the first half
+  const auto height = kPeriod / 2 - std::abs(phase - kPeriod / 2);  // 0 .. half a period
   return static_cast<std::uint16_t>(2 * kLargest * height / (kPeriod / 2) - kLargest);
 }
 

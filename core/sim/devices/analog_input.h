@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "sim/device.h"
+#include "sim/device/device.h"
 
 namespace syncline::sim {
 

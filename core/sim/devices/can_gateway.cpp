@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sim/devices/can_gateway.h"
 
-#include "config/families/families.h"
+#include "families/families.h"
 
 namespace syncline::sim {
 namespace {
 
 constexpr std::uint8_t kNodeInTime = 0x00;
-constexpr std::uint32_t kCanFrame = 130 * kMicrosecond;   // 8 data bytes at 1 Mbit/s, stuff bits included
-constexpr std::uint32_t kCanCycle = 300 * kMicrosecond;   // output, SYNC and input message
-constexpr Nanoseconds kSyncMessage = 47 * kMicrosecond;   // 0 data bytes
-constexpr Nanoseconds kPreparation = 20 * kMicrosecond;   // up to this, of the transmit PDOs in front of the SYNC message
+constexpr std::uint32_t kCanFrame = 130 * kMicrosecond;  // 8 data bytes at 1 Mbit/s, stuff bits included
+constexpr std::uint32_t kCanCycle = 300 * kMicrosecond;  // output, SYNC and input message
+constexpr Nanoseconds kSyncMessage = 47 * kMicrosecond;  // 0 data bytes
+constexpr Nanoseconds kPreparation =
+    20 * kMicrosecond;  // up to this, of the transmit PDOs in front of the SYNC message
 
-// 0xF800: parameters of the CAN bus as in the ESI of an EL6751. :07 and :08 are something else there: with us they say how
-// long a cycle occupies the bus (ns), and that the node has asynchronous PDOs.
+// 0xF800: parameters of the CAN bus as in the ESI of an EL6751. :07 and :08 are something else there: with us they say
+// how long a cycle occupies the bus (ns), and that the node has asynchronous PDOs.
 constexpr std::uint8_t kCycleTime = 0x04, kBusOccupied = 0x07, kAsynchronous = 0x08, kTxPdoDelay = 0x0E;
 
 constexpr std::uint16_t kOutputs = 0x7000, kInputs = 0x6000, kDiagnosis = 0xA000;
@@ -70,7 +71,9 @@ void CanGateway::add_parameters() {
   d.add<std::uint8_t>(objects().node_states, 1, "State of node 1", kNodeInTime);
 }
 
-Nanoseconds CanGateway::parameter(std::uint8_t sub_index) { return dictionary_.get<std::uint32_t>(parameters(), sub_index); }
+Nanoseconds CanGateway::parameter(std::uint8_t sub_index) {
+  return dictionary_.get<std::uint32_t>(parameters(), sub_index);
+}
 
 /// From the SYNC message to the first synchronous RxPDO: a part of the CAN cycle.
 Nanoseconds CanGateway::tx_pdo_delay() {
@@ -108,7 +111,9 @@ void CanGateway::on_state(AlState state) {
   if (state == AlState::kSafeop) {
     const bool sync0 = unit.sync0_enabled();
     outputs_sync_.set_type(sync0 ? SyncType::kSync0 : SyncType::kOwnSyncManager);
-    inputs_sync_.set_type(sync0 ? SyncType::kSync0 : has_outputs() ? SyncType::kSyncManager2 : SyncType::kOwnSyncManager);
+    inputs_sync_.set_type(sync0           ? SyncType::kSync0
+                          : has_outputs() ? SyncType::kSyncManager2
+                                          : SyncType::kOwnSyncManager);
     for (auto* object : {&outputs_sync_, &inputs_sync_}) {
       if (sync0) object->set_cycle(unit.settings().cycle0);
       object->set_sync0_cycle(sync0 ? unit.settings().cycle0 : 0);

@@ -13,7 +13,7 @@ constexpr std::uint32_t kPllRange = 100'000;  // ns; the drive's PLL cannot lock
 constexpr Nanoseconds kPllPatience = 2 * kSecond;
 /// Servo periods that are run through at once at most: a drive that nobody has asked for so long has come to rest.
 constexpr Nanoseconds kMostTicks = 100'000;
-constexpr unsigned kMissWeight = 3;  // added for a missed event; a good one takes 1 away
+constexpr unsigned kMissWeight = 3;             // added for a missed event; a good one takes 1 away
 constexpr std::uint32_t kCurrentLoop = 62'500;  // ns
 
 // ETG.1000.6, table 64
@@ -22,15 +22,18 @@ constexpr std::uint16_t kSigned8 = 0x02, kSigned32 = 0x04, kUnsigned8 = 0x05, kU
 constexpr std::uint16_t kControl = 0x6040, kStatus = 0x6041, kMode = 0x6060, kModeDisplay = 0x6061, kDemand = 0x6062,
                         kActual = 0x6064, kVelocity = 0x606C, kTarget = 0x607A, kProfileVelocity = 0x6081,
                         kProfileAcceleration = 0x6083, kInterpolationPoint = 0x60C1, kInterpolationTime = 0x60C2,
-                        kFollowingError = 0x60F4, kTargetVelocity = 0x60FF, kErrorCode = 0x603F, kErrorSettings = 0x10F1;
+                        kFollowingError = 0x60F4, kTargetVelocity = 0x60FF, kErrorCode = 0x603F,
+                        kErrorSettings = 0x10F1;
 
 AxisMode axis_mode(std::uint8_t mode) {
   switch (const auto wanted = static_cast<AxisMode>(mode)) {
     case AxisMode::kProfilePosition:
     case AxisMode::kInterpolatedPosition:
     case AxisMode::kCyclicPosition:
-    case AxisMode::kCyclicVelocity: return wanted;
-    default: return AxisMode::kNone;
+    case AxisMode::kCyclicVelocity:
+      return wanted;
+    default:
+      return AxisMode::kNone;
   }
 }
 
@@ -38,7 +41,8 @@ bool is_cyclic(AxisMode mode) { return mode == AxisMode::kCyclicPosition || mode
 
 /// Where the free-running timer stands when nobody leads it: anywhere, but the same in each run.
 Nanoseconds timer_phase(const SimSlaveConfig& config) {
-  const auto hash = std::hash<std::uint64_t>{}(config.serial_no * 7919ULL + config.parent.value_or(77) * 104'729ULL + 12'345ULL);
+  const auto hash =
+      std::hash<std::uint64_t>{}(config.serial_no * 7919ULL + config.parent.value_or(77) * 104'729ULL + 12'345ULL);
   return static_cast<Nanoseconds>(hash * 2'654'435'761ULL % 1'000'003ULL);
 }
 
@@ -86,20 +90,22 @@ void Drive::add_objects() {
   o.target = object<std::uint32_t>(kTarget, 0, "Target position", 0, kSigned32, true);
   o.target_velocity = object<std::uint32_t>(kTargetVelocity, 0, "Target velocity", 0, kSigned32, true);
   o.profile_velocity = object<std::uint32_t>(kProfileVelocity, 0, "Profile velocity", 100'000, kUnsigned32, true);
-  o.profile_acceleration = object<std::uint32_t>(kProfileAcceleration, 0, "Profile acceleration", 1'000'000, kUnsigned32, true);
+  o.profile_acceleration =
+      object<std::uint32_t>(kProfileAcceleration, 0, "Profile acceleration", 1'000'000, kUnsigned32, true);
   o.following_error = object<std::uint32_t>(kFollowingError, 0, "Following error actual value", 0, kSigned32);
   dictionary_.set_object_name(kInterpolationPoint, "Interpolation data record");
   object<std::uint8_t>(kInterpolationPoint, 0, "Number of entries", 1, kUnsigned8);
   o.point = object<std::uint32_t>(kInterpolationPoint, 1, "Interpolation position", 0, kSigned32, true);
   dictionary_.set_object_name(kInterpolationTime, "Interpolation time period");
   object<std::uint8_t>(kInterpolationTime, 0, "Number of entries", 2, kUnsigned8);
-  o.interpolation_time = object<std::uint8_t>(kInterpolationTime, 1, "Interpolation time period value", 1, kUnsigned8, true);
+  o.interpolation_time =
+      object<std::uint8_t>(kInterpolationTime, 1, "Interpolation time period value", 1, kUnsigned8, true);
   o.interpolation_index = object<std::uint8_t>(kInterpolationTime, 2, "Interpolation time index", 0xFD, kSigned8, true);
   dictionary_.set_object_name(kErrorSettings, "Error settings");
   object<std::uint8_t>(kErrorSettings, 0, "Number of entries", 2, kUnsigned8);
   object<std::uint32_t>(kErrorSettings, 1, "Local error reaction", 1, kUnsigned32, true);
-  o.sync_error_limit =
-      object<std::uint16_t>(kErrorSettings, 2, "Sync error counter limit", habits_.error_limit.usual, kUnsigned16, true);
+  o.sync_error_limit = object<std::uint16_t>(kErrorSettings, 2, "Sync error counter limit", habits_.error_limit.usual,
+                                             kUnsigned16, true);
   dictionary_.find(kErrorSettings, 2)->on_write = [this](std::span<const std::uint8_t> data) {
     return load_le<std::uint16_t>(data) <= habits_.error_limit.largest ? abort::kNone : abort::kRange;
   };
@@ -265,8 +271,8 @@ void Drive::take_arrived(Nanoseconds time) {
   }
 }
 
-/// An SM2 event that was early enough for the next SYNC0. Whether the firmware then gets ready in time is another matter, that
-/// of exceeded cycles.
+/// An SM2 event that was early enough for the next SYNC0. Whether the firmware then gets ready in time is another
+/// matter, that of exceeded cycles.
 void Drive::take_event(Nanoseconds time) {
   if (!event_due_ || *event_due_ > time) return;
   event_in_time_ = true;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "sim/device.h"
+#include "sim/device/device.h"
 #include "sim/devices/power_state.h"
 #include "sim/devices/servo_axis.h"
 #include "sim/devices/servo_clock.h"
@@ -9,21 +9,23 @@
 
 namespace syncline::sim {
 
-/// What distinguishes one vendor's drive from another's: the table of device families, and what is the simulation's own.
+/// What distinguishes one vendor's drive from another's: the table of device families, and what is the simulation's
+/// own.
 struct DriveHabits {
   /// Of a family with cycle limits, error limit, counters, times and types. `supported`: SyncHabits::Supported.
   DriveHabits(const families::Family& family, std::uint16_t supported);
 
-  families::CycleLimits cycle;                // of SYNC0
+  families::CycleLimits cycle;  // of SYNC0
   std::uint32_t servo_period_ns;
   SyncHabits sync;
-  families::ErrorLimit error_limit;           // 0x10F1:02, and what happens at the limit
-  bool cyclic_modes_need_dc;                  // without SYNC0 no cyclic synchronous mode
-  bool pll = false;                           // the servo timer follows SYNC0; otherwise SYNC0 restarts it
+  families::ErrorLimit error_limit;  // 0x10F1:02, and what happens at the limit
+  bool cyclic_modes_need_dc;         // without SYNC0 no cyclic synchronous mode
+  bool pll = false;                  // the servo timer follows SYNC0; otherwise SYNC0 restarts it
 };
 
-/// CiA 402 drive with profile position, interpolated position and the cyclic synchronous modes for position and velocity:
-/// sync objects 0x1C32 and 0x1C33, free run or SYNC0, missed SM2 events with the +3/-1 integrator of 0x10F1:02.
+/// CiA 402 drive with profile position, interpolated position and the cyclic synchronous modes for position and
+/// velocity: sync objects 0x1C32 and 0x1C33, free run or SYNC0, missed SM2 events with the +3/-1 integrator of
+/// 0x10F1:02.
 class Drive : public Device {
  public:
   Drive(const SimSlaveConfig& config, Esc& esc, const DriveHabits& habits);
@@ -87,8 +89,8 @@ class Drive : public Device {
   struct Objects {
     ObjectValue<std::uint16_t> error_code, control, status, sync_error_limit;
     ObjectValue<std::uint8_t> mode, mode_display, interpolation_time, interpolation_index;
-    ObjectValue<std::uint32_t> demand, actual, velocity, target, target_velocity, profile_velocity, profile_acceleration,
-        point, following_error;
+    ObjectValue<std::uint32_t> demand, actual, velocity, target, target_velocity, profile_velocity,
+        profile_acceleration, point, following_error;
   };
 
   /// What is in the inputs beside the axis.
@@ -101,7 +103,7 @@ class Drive : public Device {
   DriveHabits habits_;
   Objects objects_;
   std::optional<Published> published_;
-  bool plain_inputs_ = false;                 // nothing else
+  bool plain_inputs_ = false;  // nothing else
   bool watched_ = false;
   /// The last one that was read, and what it was read from.
   struct KnownCommand {
@@ -115,14 +117,14 @@ class Drive : public Device {
   PowerState power_;
   ServoAxis axis_;
   std::optional<Arriving> arriving_;
-  std::optional<AxisCommand> arrived_;        // for the next SYNC0
-  std::optional<Nanoseconds> last_sync_;      // since PREOP
+  std::optional<AxisCommand> arrived_;    // for the next SYNC0
+  std::optional<Nanoseconds> last_sync_;  // since PREOP
   std::optional<Nanoseconds> latch_due_;
   Nanoseconds busy_until_ = 0;
   bool any_outputs_ = false, was_op_ = false;
-  std::optional<Nanoseconds> waiting_;        // newer outputs than those on their way, and how long copying them will take
-  std::optional<Nanoseconds> event_due_;      // when the outputs of the last SM2 event are there, if nothing delays them
-  bool event_in_time_ = false;                // there was one for the next SYNC0
+  std::optional<Nanoseconds> waiting_;    // newer outputs than those on their way, and how long copying them will take
+  std::optional<Nanoseconds> event_due_;  // when the outputs of the last SM2 event are there, if nothing delays them
+  bool event_in_time_ = false;            // there was one for the next SYNC0
   unsigned integrator_ = 0;
 };
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <string>
 
-#include "config/families/families.h"
+#include "families/families.h"
 #include "protocol/registers.h"
 
 namespace syncline::sim {
@@ -33,7 +33,8 @@ DriveHabits habits() {
 
 DriveC::DriveC(const SimSlaveConfig& config, Esc& esc) : Drive(config, esc, sim::habits()) {
   const auto& object = *family().status;
-  auto& status = dictionary_.add<std::uint16_t>(object.object.index, object.object.sub_index, std::string(object.name), 0);
+  auto& status =
+      dictionary_.add<std::uint16_t>(object.object.index, object.object.sub_index, std::string(object.name), 0);
   status.on_read = [this](ObjectDictionary::Entry& entry) { entry.value = le_bytes(synchronisation_status()); };
   pins_.resize(family().pins->pins);
   add_pins();
@@ -45,9 +46,12 @@ void DriveC::add_pins() {
   d.set_object_name(object.index, "Output pin configuration");
   d.add<std::uint8_t>(object.index, 0, "Number of Entries", object.pins);
   for (std::uint8_t pin = 0; pin < object.pins; ++pin) {
-    auto& entry = d.add(object.index, static_cast<std::uint8_t>(pin + 1), "Output " + std::to_string(pin) + " configuration",
-                        std::vector<std::uint8_t>(object.bytes), true);
-    entry.on_write = [this, pin](std::span<const std::uint8_t> data) { return configure(pin, load_le<std::uint16_t>(data)); };
+    auto& entry =
+        d.add(object.index, static_cast<std::uint8_t>(pin + 1), "Output " + std::to_string(pin) + " configuration",
+              std::vector<std::uint8_t>(object.bytes), true);
+    entry.on_write = [this, pin](std::span<const std::uint8_t> data) {
+      return configure(pin, load_le<std::uint16_t>(data));
+    };
   }
 }
 
@@ -55,7 +59,9 @@ std::uint32_t DriveC::configure(std::size_t pin, std::uint16_t function) {
   const auto& functions = family().pins->functions;
   if (std::ranges::find(functions, function, &families::PinFunction::value) == functions.end()) return abort::kRange;
   pins_[pin] = {function, {}};
-  const auto shows = [this](std::uint16_t wanted) { return std::ranges::find(pins_, wanted, &Pin::function) != pins_.end(); };
+  const auto shows = [this](std::uint16_t wanted) {
+    return std::ranges::find(pins_, wanted, &Pin::function) != pins_.end();
+  };
   watch_servo(shows(kServoPeriod));
   see_frames(shows(kFrame));
   return abort::kNone;

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "sim/devices/drive.h"
-#include "sim/pin_trace.h"
+#include "sim/segment/pin_trace.h"
 
 namespace syncline::sim {
 

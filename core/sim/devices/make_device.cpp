@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <optional>
 
-#include "config/families/families.h"
-#include "sim/device.h"
+#include "families/families.h"
+#include "sim/device/device.h"
 #include "sim/devices/analog_input.h"
 #include "sim/devices/can_gateway.h"
 #include "sim/devices/drive.h"
@@ -43,7 +43,8 @@ class Generic final : public Device {
 };
 
 DriveHabits servo_habits() {
-  constexpr std::uint16_t kSupported = SyncHabits::kFreeRun | SyncHabits::kSync0 | SyncHabits::kLocalShift | SyncHabits::kMeasures;
+  constexpr std::uint16_t kSupported =
+      SyncHabits::kFreeRun | SyncHabits::kSync0 | SyncHabits::kLocalShift | SyncHabits::kMeasures;
   return {*families::of_behaviour("servo-y"), kSupported};
 }
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-#include "sim/object_dictionary.h"
+#include "sim/objects/object_dictionary.h"
 #include "support/byte_order.h"
 
 namespace syncline::sim {

@@ -41,11 +41,16 @@ bool PowerState::take_reset() { return std::exchange(reset_, false); }
 
 std::uint16_t PowerState::statusword() const {
   switch (state_) {
-    case State::kSwitchOnDisabled: return 0x0250;
-    case State::kReadyToSwitchOn: return 0x0231;
-    case State::kSwitchedOn: return 0x0233;
-    case State::kOperationEnabled: return 0x0237;
-    case State::kFault: return 0x0218;
+    case State::kSwitchOnDisabled:
+      return 0x0250;
+    case State::kReadyToSwitchOn:
+      return 0x0231;
+    case State::kSwitchedOn:
+      return 0x0233;
+    case State::kOperationEnabled:
+      return 0x0237;
+    case State::kFault:
+      return 0x0218;
   }
   return 0;
 }

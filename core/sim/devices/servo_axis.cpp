@@ -8,16 +8,17 @@
 namespace syncline::sim {
 namespace {
 
-constexpr double kLag = 0.5e-3;              // s, of the velocity behind its command
-constexpr double kGain = 100;                // 1/s, position loop
-constexpr double kWindow = 2;                // increments, target reached
-constexpr std::uint16_t kNewSetPoint = 0x10;        // controlword, profile position
+constexpr double kLag = 0.5e-3;                       // s, of the velocity behind its command
+constexpr double kGain = 100;                         // 1/s, position loop
+constexpr double kWindow = 2;                         // increments, target reached
+constexpr std::uint16_t kNewSetPoint = 0x10;          // controlword, profile position
 constexpr std::uint16_t kEnableInterpolation = 0x10;  // controlword, interpolated position
 
 double seconds_of(Nanoseconds time) { return static_cast<double>(time) * 1e-9; }
 
 std::int32_t increments(double value) {
-  constexpr double kLowest = std::numeric_limits<std::int32_t>::min(), kHighest = std::numeric_limits<std::int32_t>::max();
+  constexpr double kLowest = std::numeric_limits<std::int32_t>::min(),
+                   kHighest = std::numeric_limits<std::int32_t>::max();
   return static_cast<std::int32_t>(std::lround(std::clamp(value, kLowest, kHighest)));
 }
 
@@ -48,7 +49,8 @@ void ServoAxis::command(const AxisCommand& command, Nanoseconds time, Nanosecond
   moved_ = true;
   if (command.mode != mode_) set_mode(command.mode);
   switch (mode_) {
-    case AxisMode::kCyclicPosition: return start_segment(command.target_position, time, cycle);
+    case AxisMode::kCyclicPosition:
+      return start_segment(command.target_position, time, cycle);
     case AxisMode::kInterpolatedPosition:
       segment_length_ = cycle;
       return take_point(command);
@@ -57,7 +59,8 @@ void ServoAxis::command(const AxisCommand& command, Nanoseconds time, Nanosecond
       if ((command.controlword & ~previous.controlword & kNewSetPoint) != 0) take_set_point(command);
       acknowledged_ = acknowledged_ && (command.controlword & kNewSetPoint) != 0;
       return;
-    default: return;
+    default:
+      return;
   }
 }
 
@@ -131,11 +134,16 @@ double ServoAxis::profile(double seconds) {
 
 double ServoAxis::demand_at(Nanoseconds time, double seconds) {
   switch (mode_) {
-    case AxisMode::kCyclicPosition: return segment_at(time);
-    case AxisMode::kInterpolatedPosition: return segment_length_ > 0 ? interpolate(time) : demand_;
-    case AxisMode::kProfilePosition: return profile(seconds);
-    case AxisMode::kCyclicVelocity: return demand_ + command_.target_velocity * seconds;
-    case AxisMode::kNone: break;
+    case AxisMode::kCyclicPosition:
+      return segment_at(time);
+    case AxisMode::kInterpolatedPosition:
+      return segment_length_ > 0 ? interpolate(time) : demand_;
+    case AxisMode::kProfilePosition:
+      return profile(seconds);
+    case AxisMode::kCyclicVelocity:
+      return demand_ + command_.target_velocity * seconds;
+    case AxisMode::kNone:
+      break;
   }
   return demand_;
 }

@@ -10,16 +10,22 @@
 namespace syncline::sim {
 
 /// Modes of operation that the simulated drives have (CiA 402, 0x6060).
-enum class AxisMode : std::uint8_t { kNone = 0, kProfilePosition = 1, kInterpolatedPosition = 7, kCyclicPosition = 8, kCyclicVelocity = 9 };
+enum class AxisMode : std::uint8_t {
+  kNone = 0,
+  kProfilePosition = 1,
+  kInterpolatedPosition = 7,
+  kCyclicPosition = 8,
+  kCyclicVelocity = 9
+};
 
 /// What the process data and objects tell an axis. Positions in increments.
 struct AxisCommand {
   AxisMode mode = AxisMode::kNone;
   std::uint16_t controlword = 0;
   std::int32_t target_position = 0;
-  std::int32_t target_velocity = 0;              // increments/s
+  std::int32_t target_velocity = 0;  // increments/s
   std::int32_t interpolation_point = 0;
-  std::uint32_t profile_velocity = 100'000;      // increments/s
+  std::uint32_t profile_velocity = 100'000;        // increments/s
   std::uint32_t profile_acceleration = 1'000'000;  // increments/s^2
 };
 

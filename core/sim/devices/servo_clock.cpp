@@ -8,7 +8,7 @@
 namespace syncline::sim {
 namespace {
 
-constexpr double kLargestStep = 1000;                        // ns a SYNC0
+constexpr double kLargestStep = 1000;  // ns a SYNC0
 constexpr double kProportional = 0.25, kIntegral = 0.02;
 constexpr double kLargestTrim = 500e-6;
 constexpr Nanoseconds kLockWindow = 1000, kUnlockWindow = 3000;

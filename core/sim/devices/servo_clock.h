@@ -43,7 +43,7 @@ class ServoClock {
   void pass(std::int64_t length);
 
   Nanoseconds period_;
-  double quartz_ = 1, trim_ = 0;   // length of the period by the quartz, relative; correction by the PLL
+  double quartz_ = 1, trim_ = 0;  // length of the period by the quartz, relative; correction by the PLL
   Nanoseconds phase_;
   std::optional<Nanoseconds> next_;
   std::int64_t length_ = 0;     // of the period, in parts of 2^-32 ns

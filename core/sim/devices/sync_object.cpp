@@ -8,8 +8,8 @@ namespace syncline::sim {
 namespace {
 
 constexpr std::uint8_t kType = 0x01, kCycle = 0x02, kShift = 0x03, kSupported = 0x04, kMinimumCycle = 0x05,
-                       kCalcAndCopy = 0x06, kMinimumDelay = 0x07, kGetCycleTime = 0x08, kDelay = 0x09, kSync0Cycle = 0x0A,
-                       kSyncError = 0x20;
+                       kCalcAndCopy = 0x06, kMinimumDelay = 0x07, kGetCycleTime = 0x08, kDelay = 0x09,
+                       kSync0Cycle = 0x0A, kSyncError = 0x20;
 constexpr std::uint16_t kMeasure = 1;
 constexpr std::uint16_t kBoolean = 0x0001;  // ETG.1000.6, table 64
 
@@ -32,7 +32,8 @@ SyncObject::SyncObject(ObjectDictionary& dictionary, std::uint16_t index, const 
 
 void SyncObject::add_entries(const char* name) {
   auto& d = dictionary_;
-  const auto word = [&](std::uint8_t sub_index, std::string_view text, std::uint16_t value) -> ObjectDictionary::Entry& {
+  const auto word = [&](std::uint8_t sub_index, std::string_view text,
+                        std::uint16_t value) -> ObjectDictionary::Entry& {
     return d.add<std::uint16_t>(index_, sub_index, std::string(text), value);
   };
   const auto time = [&](std::uint8_t sub_index, std::string_view text, std::uint32_t value, bool writable = false) {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "config/families/device_family.h"
+#include "families/device_family.h"
 #include "sim/devices/object_value.h"
 #include "support/types.h"
 
@@ -17,17 +17,22 @@ enum class SyncType : std::uint16_t { kFreeRun = 0, kOwnSyncManager = 1, kSync0 
 struct SyncHabits {
   /// Bits of sub-index 4: free run, SyncManager event, SYNC0, SYNC1, shift by a local timer, measures its times.
   enum Supported : std::uint16_t {
-    kFreeRun = 0x0001, kSyncManager = 0x0002, kSync0 = 0x0004, kSync1 = 0x0008, kLocalShift = 0x0010, kMeasures = 0x4000,
+    kFreeRun = 0x0001,
+    kSyncManager = 0x0002,
+    kSync0 = 0x0004,
+    kSync1 = 0x0008,
+    kLocalShift = 0x0010,
+    kMeasures = 0x4000,
   };
   /// What the table of device families says of a family with known counters, times and types.
   SyncHabits(const families::Family& family, std::uint16_t supported_bits, std::uint32_t minimum);
 
   std::uint16_t supported;
   std::uint32_t minimum_cycle;
-  std::uint32_t calc_and_copy, delay;         // worst case; from the trigger to the output or to latching
+  std::uint32_t calc_and_copy, delay;  // worst case; from the trigger to the output or to latching
   families::SyncCounters counters;
   families::SyncTypes types;
-  bool cycle_writable = false;                // the master tells its cycle in sub-index 2
+  bool cycle_writable = false;  // the master tells its cycle in sub-index 2
   std::string_view delay_name = "Maximum delay time";
   std::string_view missed_name = "SM event missed counter", exceeded_name = "Cycle exceeded counter",
                    too_short_name = "Shift too short counter";

@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::size_t kMostValues = 1024;  // a device has little memory
 
-std::vector<std::uint8_t> response(const aoe::Header& request, std::uint32_t error_code, std::span<const std::uint8_t> data) {
+std::vector<std::uint8_t> response(const aoe::Header& request, std::uint32_t error_code,
+                                   std::span<const std::uint8_t> data) {
   auto header = request;
   std::swap(header.target, header.source);
   header.state_flags = static_cast<std::uint16_t>(header.state_flags | aoe::Header::kResponse);
@@ -38,7 +39,8 @@ std::vector<std::uint8_t> AoeServer::respond(std::span<const std::uint8_t> reque
     result.u32(0);
   } else if (reader.ok() && header->command == aoe::kRead) {
     const auto found = values_.find({group, offset});
-    const auto value = found == values_.end() ? std::span<const std::uint8_t>{} : std::span<const std::uint8_t>(found->second);
+    const auto value =
+        found == values_.end() ? std::span<const std::uint8_t>{} : std::span<const std::uint8_t>(found->second);
     const auto bytes = value.first(std::min<std::size_t>(length, value.size()));
     result.u32(0).u32(static_cast<std::uint32_t>(bytes.size())).bytes(bytes);
   } else {

@@ -9,7 +9,8 @@
 
 namespace syncline::sim {
 
-/// ADS of a simulated device: a memory by index group and offset, written and read with the ADS commands of these names.
+/// ADS of a simulated device: a memory by index group and offset, written and read with the ADS commands of these
+/// names.
 class AoeServer {
  public:
   /// The answer to a message, header and data; nothing for what is no request.

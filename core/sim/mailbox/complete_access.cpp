@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "sim/pdo_objects.h"
+#include "sim/objects/pdo_objects.h"
 
 namespace syncline::sim {
 namespace {
@@ -14,7 +14,8 @@ std::uint8_t entry_count(ObjectDictionary& dictionary, std::uint16_t index) {
   return dictionary.get<std::uint8_t>(index, 0);
 }
 
-void append_bits(std::vector<std::uint8_t>& out, std::size_t& used, std::span<const std::uint8_t> value, std::size_t bits) {
+void append_bits(std::vector<std::uint8_t>& out, std::size_t& used, std::span<const std::uint8_t> value,
+                 std::size_t bits) {
   out.resize((used + bits + 7) / 8);
   copy_bits(out, used, value, 0, bits);
   used += bits;
@@ -22,7 +23,8 @@ void append_bits(std::vector<std::uint8_t>& out, std::size_t& used, std::span<co
 
 }  // namespace
 
-std::uint32_t read_complete(ObjectDictionary& dictionary, const coe::ObjectAddress& object, std::vector<std::uint8_t>& out) {
+std::uint32_t read_complete(ObjectDictionary& dictionary, const coe::ObjectAddress& object,
+                            std::vector<std::uint8_t>& out) {
   const auto subs = dictionary.sub_indices(object.index);
   if (subs.empty()) return abort::kNoObject;
   if (subs.back() == 0) {  // a variable is its own image

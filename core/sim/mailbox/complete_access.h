@@ -6,14 +6,15 @@
 #include <vector>
 
 #include "protocol/coe.h"
-#include "sim/object_dictionary.h"
+#include "sim/objects/object_dictionary.h"
 
 namespace syncline::sim {
 
 /// All entries of an object as one image (ETG.1000.6, 5.6.2 "complete access"): from sub-index 0 it begins with
 /// the number of entries in 16 bits, then the entries follow, packed by their length in bits.
 /// Abort code or 0.
-std::uint32_t read_complete(ObjectDictionary& dictionary, const coe::ObjectAddress& object, std::vector<std::uint8_t>& out);
+std::uint32_t read_complete(ObjectDictionary& dictionary, const coe::ObjectAddress& object,
+                            std::vector<std::uint8_t>& out);
 
 /// Writes an image. An object whose number of entries can be written (PDO mapping and assignment) is emptied
 /// first and gets its number last. Abort code or 0; entries before the one that is refused keep their new value,

@@ -31,9 +31,12 @@ std::vector<std::uint8_t> EoeServer::respond(std::span<const std::uint8_t> reque
       answer.insert(answer.end(), parameters_.begin(), parameters_.end());
       return answer;
     }
-    case eoe::Kind::kSetFilterRequest: return response(eoe::Kind::kSetFilterResponse, header->port, eoe::kNoFilterSupport);
-    case eoe::Kind::kGetFilterRequest: return response(eoe::Kind::kGetFilterResponse, header->port, eoe::kNoFilterSupport);
-    default: return {};
+    case eoe::Kind::kSetFilterRequest:
+      return response(eoe::Kind::kSetFilterResponse, header->port, eoe::kNoFilterSupport);
+    case eoe::Kind::kGetFilterRequest:
+      return response(eoe::Kind::kGetFilterResponse, header->port, eoe::kNoFilterSupport);
+    default:
+      return {};
   }
 }
 

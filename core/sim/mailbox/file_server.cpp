@@ -72,7 +72,8 @@ foe::Message FileServer::take(const foe::Data& data, std::size_t mailbox_size) {
   if (data.packet_no != t.packet_no + 1) return refuse(foe::error::kPacketNumber);
   if (t.bytes.size() + data.bytes.size() > kLargestFile) return refuse(foe::error::kDiskFull);
   const bool next_sector = (t.bytes.size() + data.bytes.size()) / kSector > t.bytes.size() / kSector;
-  if (next_sector && !std::exchange(t.erased, true)) return foe::Busy{0, 0, "erasing"};  // the master repeats the packet
+  if (next_sector && !std::exchange(t.erased, true))
+    return foe::Busy{0, 0, "erasing"};  // the master repeats the packet
   t.erased = false;
   t.packet_no = data.packet_no;
   t.bytes.insert(t.bytes.end(), data.bytes.begin(), data.bytes.end());

@@ -33,7 +33,7 @@ class FileServer {
     std::uint32_t packet_no = 0;
     bool writing = false;
     bool last_sent = false;
-    bool erased = false;       // the sector that the next packet begins
+    bool erased = false;  // the sector that the next packet begins
   };
   foe::Message begin_read(const foe::ReadRequest& request, std::size_t mailbox_size);
   foe::Message begin_write(const foe::WriteRequest& request);

@@ -14,11 +14,16 @@ constexpr ObjectListType kLists[] = {ObjectListType::kAll, ObjectListType::kRxPd
 /// Bit of the access word that puts an object into the list.
 std::uint16_t access_bit(ObjectListType type) {
   switch (type) {
-    case ObjectListType::kRxPdo: return coe::access::kRxPdo;
-    case ObjectListType::kTxPdo: return coe::access::kTxPdo;
-    case ObjectListType::kStored: return coe::access::kBackup;
-    case ObjectListType::kStartup: return coe::access::kSettings;
-    default: return 0;
+    case ObjectListType::kRxPdo:
+      return coe::access::kRxPdo;
+    case ObjectListType::kTxPdo:
+      return coe::access::kTxPdo;
+    case ObjectListType::kStored:
+      return coe::access::kBackup;
+    case ObjectListType::kStartup:
+      return coe::access::kSettings;
+    default:
+      return 0;
   }
 }
 
@@ -35,9 +40,8 @@ std::vector<std::uint16_t> InformationServer::list(ObjectListType type) {
   if (type == ObjectListType::kAll) return indices;
   std::erase_if(indices, [&](std::uint16_t index) {
     const auto subs = dictionary_.sub_indices(index);
-    return std::ranges::none_of(subs, [&](std::uint8_t sub) {
-      return (dictionary_.find(index, sub)->access() & access_bit(type)) != 0;
-    });
+    return std::ranges::none_of(
+        subs, [&](std::uint8_t sub) { return (dictionary_.find(index, sub)->access() & access_bit(type)) != 0; });
   });
   return indices;
 }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "protocol/sdo_information.h"
-#include "sim/object_dictionary.h"
+#include "sim/objects/object_dictionary.h"
 
 namespace syncline::sim {
 

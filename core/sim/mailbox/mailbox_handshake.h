@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "sim/esc.h"
+#include "sim/esc/esc.h"
 #include "sim/mailbox/mailbox_server.h"
 
 namespace syncline::sim {

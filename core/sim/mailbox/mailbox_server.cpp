@@ -11,7 +11,8 @@ constexpr std::size_t kMostEmergencies = 8;  // older ones go; a device has litt
 
 }  // namespace
 
-MailboxServer::MailboxServer(ObjectDictionary& dictionary, const MailboxDescription& mailbox, std::uint32_t foe_password)
+MailboxServer::MailboxServer(ObjectDictionary& dictionary, const MailboxDescription& mailbox,
+                             std::uint32_t foe_password)
     : mailbox_(mailbox),
       sdo_(dictionary, {mailbox.coe && mailbox.coe->complete_access}),
       information_(dictionary),
@@ -95,15 +96,19 @@ void MailboxServer::receive(std::span<const std::uint8_t> bytes, std::size_t rep
     case MailboxType::kVoe:
       if (mailbox_.voe) return;  // the vendor's own: nothing to say
       break;
-    default: break;
+    default:
+      break;
   }
   queue_error(MailboxErrorDetail::kUnsupportedProtocol);
 }
 
 void MailboxServer::receive_coe(const MailboxMessage& request, std::size_t reply_size, bool in_preop) {
   const auto service = coe::service_of(request.data);
-  if (!service) return queue_error(request.data.size() < 2 ? MailboxErrorDetail::kSizeTooShort : MailboxErrorDetail::kServiceNotSupported);
-  if (*service == coe::Service::kSdoInformation && mailbox_.coe->sdo_info) return receive_information(request, reply_size);
+  if (!service)
+    return queue_error(request.data.size() < 2 ? MailboxErrorDetail::kSizeTooShort
+                                               : MailboxErrorDetail::kServiceNotSupported);
+  if (*service == coe::Service::kSdoInformation && mailbox_.coe->sdo_info)
+    return receive_information(request, reply_size);
   if (*service != coe::Service::kSdoRequest) return queue_error(MailboxErrorDetail::kServiceNotSupported);
   const auto decoded = coe::decode_request(request.data);
   if (!decoded) return queue(MailboxType::kCoe, coe::encode(coe::Response(coe::Abort{{}, abort::kCommand})));

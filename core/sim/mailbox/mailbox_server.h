@@ -56,7 +56,7 @@ class MailboxServer {
   SoeServer soe_;
   AoeServer aoe_;
   std::deque<std::vector<std::uint8_t>> queue_;
-  std::vector<std::uint8_t> last_, before_last_;   // as they were loaded
+  std::vector<std::uint8_t> last_, before_last_;  // as they were loaded
   std::uint8_t last_request_ = 0, counter_ = 0;
 };
 

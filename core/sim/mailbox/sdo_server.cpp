@@ -48,9 +48,11 @@ coe::Response SdoServer::upload(const coe::UploadRequest& request) {
   response.complete_access = request.complete_access;
   response.complete_size = static_cast<std::uint32_t>(data.size());
   response.expedited = !data.empty() && data.size() <= 4;
-  const auto first = response.expedited ? data.size() : std::min(data.size(), coe::first_message_capacity(mailbox_size_));
+  const auto first =
+      response.expedited ? data.size() : std::min(data.size(), coe::first_message_capacity(mailbox_size_));
   response.data.assign(data.begin(), data.begin() + static_cast<std::ptrdiff_t>(first));
-  if (first < data.size()) transfer_ = Transfer{object, request.complete_access, std::move(data), first, 0, false, false};
+  if (first < data.size())
+    transfer_ = Transfer{object, request.complete_access, std::move(data), first, 0, false, false};
   return response;
 }
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "protocol/coe.h"
-#include "sim/object_dictionary.h"
+#include "sim/objects/object_dictionary.h"
 
 namespace syncline::sim {
 

@@ -44,10 +44,12 @@ TEST(DcTimes, Sync0WithoutACycleTimeMeansTheBusCycle) {
 
 TEST(DcTimes, NumbersThatNoDeviceMeansStayBounded) {
   constexpr int kInts[] = {std::numeric_limits<int>::min(), std::numeric_limits<int>::max()};
-  constexpr std::int64_t kLongs[] = {0, std::numeric_limits<std::int64_t>::min(), std::numeric_limits<std::int64_t>::max()};
+  constexpr std::int64_t kLongs[] = {0, std::numeric_limits<std::int64_t>::min(),
+                                     std::numeric_limits<std::int64_t>::max()};
   for (const int f : kInts) {
     for (const std::int64_t v : kLongs) {
-      const auto times = dc_times(both_syncs(factor(f, v), factor(f, v), factor(f, v), factor(f, v)), {}, 100 * kSecond);
+      const auto times =
+          dc_times(both_syncs(factor(f, v), factor(f, v), factor(f, v), factor(f, v)), {}, 100 * kSecond);
       for (const auto time : {times.cycle_time0, times.cycle_time1, times.shift_time}) {
         EXPECT_LE(std::abs(time), 3'000 * kSecond);
       }

@@ -46,7 +46,8 @@ TEST(DeviceDictionary, PdosComeFromTheMappingInTheOrderOfTheAssignment) {
   DeviceDictionary dictionary;
   dictionary.objects = {object(0x6040, "Controlword", {entry(0, "", "UINT", 16)}),
                         object(0x2000, "Thing", {entry(0, "Count", "USINT", 8), entry(1, "First", "BOOL", 1)})};
-  dictionary.rx_pdos = {{0x1600, "Fixed", {0x60400010}, false}, {0x1601, "", {0x20000101, 0x00000007, 0x30000208}, true}};
+  dictionary.rx_pdos = {{0x1600, "Fixed", {0x60400010}, false},
+                        {0x1601, "", {0x20000101, 0x00000007, 0x30000208}, true}};
   dictionary.assigned_rx = {0x1601, 0x1600};
   complete_from_dictionary(device, dictionary);
   ASSERT_EQ(device.rx_pdos.size(), 2U);

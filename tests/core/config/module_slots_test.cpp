@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "config/compile/compile.h"
+#include "compile/compile.h"
 #include "settings/settings_keys.h"
 #include "tests/support/sample_devices.h"
 
@@ -61,7 +61,7 @@ TEST(ModuleSlots, PlacesCountIncrementsOfThoseBefore) {
   const auto device = gateway();
   const auto places = slot_places(device);
   ASSERT_EQ(places.size(), 4U);
-  EXPECT_EQ(places[1].pdo_offset, 0);      // the first slot moves nothing
+  EXPECT_EQ(places[1].pdo_offset, 0);  // the first slot moves nothing
   EXPECT_EQ(places[3].pdo_offset, 0x20);
   EXPECT_EQ(places[3].index_offset, 0x1000);
   EXPECT_TRUE(places[1].demanded);

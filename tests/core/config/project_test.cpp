@@ -35,7 +35,8 @@ TEST(Project, IdentityIsWrittenInHexadecimal) {
   EXPECT_EQ(to_string(Identity{0x2, 0x044C2C52, 0x00120000, 0}), "0x00000002:0x044c2c52:0x00120000");
 }
 
-Pdo pdo(std::uint16_t index, std::optional<std::uint8_t> manager, std::vector<std::uint16_t> exclude = {}, bool mandatory = false) {
+Pdo pdo(std::uint16_t index, std::optional<std::uint8_t> manager, std::vector<std::uint16_t> exclude = {},
+        bool mandatory = false) {
   auto made = sample::pdo(index, "", manager, {{0x6000, 1, 8, "", "USINT"}});
   made.exclude = std::move(exclude);
   made.mandatory = mandatory;

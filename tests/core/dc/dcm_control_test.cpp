@@ -68,7 +68,7 @@ class Plant {
   double ppm_, jitter_;
   Random random_;
   double reference_ = 7'000;
-  double correction_ = 0, learned_;      // ppm
+  double correction_ = 0, learned_;  // ppm
   Nanoseconds host_ = 0, schedule_ = 0;
 };
 

@@ -89,7 +89,7 @@ TEST(BusCycleCheck, ToleratesAFewCyclesThatWereLeftOutAndRecovers) {
   };
   run(3'000, 100);  // 1 %
   EXPECT_FALSE(check.wrong());
-  run(3'000, 20);   // 5 %
+  run(3'000, 20);  // 5 %
   EXPECT_TRUE(check.wrong());
   run(3'000, 1'000'000);
   EXPECT_FALSE(check.wrong());

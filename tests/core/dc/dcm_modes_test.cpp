@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "dc/dcm/dcm_controller.h"
-#include "dc/dcm/outlier_gate.h"
 #include "dc/dcm/phase_tracker.h"
+#include "dc/outlier_gate.h"
 #include "dcm_plant.h"
 
 namespace syncline::dc {
@@ -87,7 +87,8 @@ TEST(DcmModes, AnApplicationThatDoesAsItIsToldIsAMasterShift) {
 }
 
 TEST(DcmModes, NothingMovesByItselfWhenTheApplicationOrNobodyShallMoveIt) {
-  for (const auto mode : {DcmMode::kMasterShift, DcmMode::kMasterShiftByApp, DcmMode::kBusShift, DcmMode::kMasterRefClock}) {
+  for (const auto mode :
+       {DcmMode::kMasterShift, DcmMode::kMasterShiftByApp, DcmMode::kBusShift, DcmMode::kMasterRefClock}) {
     auto settings = settings_for(mode);
     settings.control_off = true;
     auto controller = make_dcm_controller(settings, kMillisecond, 600'000);

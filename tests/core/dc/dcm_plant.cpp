@@ -50,7 +50,9 @@ void EscClock::learn(double ppm, double share) {
 }
 
 DcmPlant::DcmPlant(PlantOptions options)
-    : options_(std::move(options)), random_(options_.seed), reference_(options_.reference_ppm, steers_reference_clock(options_.mode) ? kSteeredDepth : 16) {
+    : options_(std::move(options)),
+      random_(options_.seed),
+      reference_(options_.reference_ppm, steers_reference_clock(options_.mode) ? kSteeredDepth : 16) {
   options_.settings.mode = options_.mode;
   controller_ = options_.controller ? options_.controller()
                                     : make_dcm_controller(options_.settings, options_.cycle, options_.set_value);

@@ -18,7 +18,8 @@ namespace syncline::dc {
 /// its loop would not notice when both are wrong.
 class EscClock {
  public:
-  /// `ppm`: of the quartz, against the host's clock. `depth`: messages over which the differences are averaged (0x0934).
+  /// `ppm`: of the quartz, against the host's clock. `depth`: messages over which the differences are averaged
+  /// (0x0934).
   explicit EscClock(double ppm, double depth = 16) : ppm_(ppm), depth_(depth) {}
   void advance(double ns) { time_ = time_after(ns); }
   /// One time written to 0x0910.
@@ -50,16 +51,16 @@ struct PlantOptions {
   Nanoseconds set_value = 666'667;
   double reference_ppm = 50;
   std::vector<double> slave_ppm{80, -40};
-  double learned_share = 1;                 // of their drift, that a burst has taught the clocks before
-  double start_error = 0;                   // of the first frame in the SYNC grid, ns
+  double learned_share = 1;  // of their drift, that a burst has taught the clocks before
+  double start_error = 0;    // of the first frame in the SYNC grid, ns
   JitterProfile jitter{};
-  double stamp_noise = 0;                   // sigma of the host's send stamp, ns
-  double send_delay = 0;                    // sigma of the one-sided normal time from the stamp to the wire, ns
-  QuantileCurve stamp_error{};              // ... and as measured, with its tails
+  double stamp_noise = 0;       // sigma of the host's send stamp, ns
+  double send_delay = 0;        // sigma of the one-sided normal time from the stamp to the wire, ns
+  QuantileCurve stamp_error{};  // ... and as measured, with its tails
   struct {
     int cycle = -1;
     double ns = 0;
-  } clock_step{};                           // of the reference clock and all that follow it
+  } clock_step{};  // of the reference clock and all that follow it
   /// Another controller than the mode's own.
   std::function<std::unique_ptr<DcmController>()> controller{};
   std::uint64_t seed = 1;
@@ -68,11 +69,11 @@ struct PlantOptions {
 };
 
 struct PlantCycle {
-  double time = 0;          // s
-  double grid_error = 0;    // the schedule against the SYNC grid, truth, ns
-  double jitter = 0;        // how late the frame left, ns
-  double slave_error = 0;   // worst slave against the reference clock, truth, ns
-  double deviation = 0;     // worst 0x092C, ns
+  double time = 0;         // s
+  double grid_error = 0;   // the schedule against the SYNC grid, truth, ns
+  double jitter = 0;       // how late the frame left, ns
+  double slave_error = 0;  // worst slave against the reference clock, truth, ns
+  double deviation = 0;    // worst 0x092C, ns
   DcmState state;
 };
 

@@ -44,9 +44,7 @@ TEST(StartTime, FollowsThePhaseOfTheBase) {
   EXPECT_EQ(start_time({10 * kMillisecond, 5 * kMillisecond, kMillisecond, 666'667, 0}), 15'666'667);
 }
 
-TEST(StartTime, ComesBeforeABaseThatIsStillToCome) {
-  EXPECT_EQ(start_time({1'000, 0, 10'000, 23'000, 0}), 3'000);
-}
+TEST(StartTime, ComesBeforeABaseThatIsStillToCome) { EXPECT_EQ(start_time({1'000, 0, 10'000, 23'000, 0}), 3'000); }
 
 TEST(StartTime, LetsSlavesStartedAtDifferentTimesFireTogether) {
   EXPECT_TRUE(rc::check([] {

@@ -45,15 +45,16 @@ TEST(PropagationDelay, LineWithoutTDiffIsWrongByHalfOfItAHop) {
 TEST(PropagationDelay, TreeOfTheDataSheet) {
   const std::vector nodes{node({}, 0, {{0, 1000}, {1, 5680}}),
                           node(0, 1, {{0, 7000}, {1, 9260}, {2, 10'920}}),
-                          node(1, 1, {{0, 50}, {1, 750}}), node(2, 1, {{0, 9}}),
-                          node(1, 2, {{0, 4'294'967'000}, {1, 444}}), node(4, 1, {{0, 77}})};
+                          node(1, 1, {{0, 50}, {1, 750}}),
+                          node(2, 1, {{0, 9}}),
+                          node(1, 2, {{0, 4'294'967'000}, {1, 444}}),
+                          node(4, 1, {{0, 77}})};
   EXPECT_THAT(propagation_delays(nodes).delay_ns, ElementsAre(0, 400, 1200, 1550, 3120, 3490));
 }
 
 TEST(PropagationDelay, StarOnAJunction) {
-  const std::vector nodes{
-      node({}, 0, {{0, 648'892'279}, {3, 648'892'959}, {1, 648'893'639}, {2, 648'894'359}}),
-      node(0, 3, {{0, 1}}), node(0, 1, {{0, 2}}), node(0, 2, {{0, 3}})};
+  const std::vector nodes{node({}, 0, {{0, 648'892'279}, {3, 648'892'959}, {1, 648'893'639}, {2, 648'894'359}}),
+                          node(0, 3, {{0, 1}}), node(0, 1, {{0, 2}}), node(0, 2, {{0, 3}})};
   EXPECT_THAT(propagation_delays(nodes).delay_ns, ElementsAre(0, 340, 1000, 1700));
 }
 
@@ -151,9 +152,7 @@ TEST(PropagationDelay, HopOfMoreThanAMillisecondIsToldAndNotUsed) {
   EXPECT_LT(result.delay_ns[1].value_or(UINT32_MAX), 1'000U);
 }
 
-TEST(PropagationDelay, NothingForNoSlaves) {
-  EXPECT_THAT(propagation_delays({}).delay_ns, IsEmpty());
-}
+TEST(PropagationDelay, NothingForNoSlaves) { EXPECT_THAT(propagation_delays({}).delay_ns, IsEmpty()); }
 
 }  // namespace
 }  // namespace syncline::dc

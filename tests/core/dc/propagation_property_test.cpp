@@ -15,9 +15,9 @@ namespace {
 
 struct Shape {
   int slaves = 200;
-  bool without_dc = false;      // some slaves with two ports know no DC
-  bool reversed = false;        // some cables are plugged the wrong way round
-  std::uint32_t noise = 0;      // of every receive time, ns
+  bool without_dc = false;  // some slaves with two ports know no DC
+  bool reversed = false;    // some cables are plugged the wrong way round
+  std::uint32_t noise = 0;  // of every receive time, ns
 };
 
 constexpr std::array<unsigned, 3> kBranchOrder{3, 1, 2};

@@ -19,13 +19,13 @@ class SegmentTruth {
  public:
   struct Slave {
     DcKind kind = DcKind::kFull;
-    std::uint32_t clock_offset = 0;          // local time when the frame reaches the first slave
-    std::uint32_t garbage = 0;               // what inactive ports show
+    std::uint32_t clock_offset = 0;  // local time when the frame reaches the first slave
+    std::uint32_t garbage = 0;       // what inactive ports show
     std::uint32_t processing = 300, forwarding = 260;
-    std::uint32_t wire = 0;                  // to the parent
+    std::uint32_t wire = 0;  // to the parent
     std::optional<std::uint16_t> parent;
     unsigned parent_port = 0;
-    unsigned entry = 0;                      // the port at which the cable to the parent is plugged
+    unsigned entry = 0;  // the port at which the cable to the parent is plugged
     std::array<std::optional<std::uint16_t>, 4> child{};
   };
 

@@ -221,10 +221,12 @@ TEST(SyncEventAccount, CountingRegularCyclesAtOnceIsObservingEach) {
     for (int i = *rc::gen::inRange(5, 80); i > 0; --i) {
       const bool usual = *rc::gen::inRange(0, 6) != 0;
       time += usual ? kCycle : *rc::gen::inRange<Nanoseconds>(kCycle / 10, 3 * kCycle);
-      const SyncEventAccount::Cycle cycle{time, usual || *rc::gen::inRange(0, 2) != 0, usual ? 0U : *rc::gen::inRange(0U, 2U)};
+      const SyncEventAccount::Cycle cycle{time, usual || *rc::gen::inRange(0, 2) != 0,
+                                          usual ? 0U : *rc::gen::inRange(0U, 2U)};
       each.observe(cycle);
       each.confirm_op();
-      const bool quiet = cycle.delivered && cycle.left_out == 0 && next != kNone && cycle.time >= next && cycle.time < next + kCycle;
+      const bool quiet =
+          cycle.delivered && cycle.left_out == 0 && next != kNone && cycle.time >= next && cycle.time < next + kCycle;
       if (quiet) {
         next += kCycle;
         ++regular;

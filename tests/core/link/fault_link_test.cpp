@@ -106,7 +106,8 @@ TEST(FaultLink, HoldsLateFramesBackForTheirTime) {
 }
 
 TEST(FaultLink, DoesTheSameForTheSameSeed) {
-  const LinkFaults faults{.lose_request = 0.1, .lose_reply = 0.1, .duplicate = 0.1, .reorder = 0.1, .late = 0.1, .seed = 9};
+  const LinkFaults faults{
+      .lose_request = 0.1, .lose_reply = 0.1, .duplicate = 0.1, .reorder = 0.1, .late = 0.1, .seed = 9};
   Bench first(faults), second(faults);
   for (std::uint8_t i = 0; i < 200; ++i) {
     first.send(i);

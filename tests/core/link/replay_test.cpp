@@ -79,8 +79,8 @@ const std::string& small_capture(CaptureFile& file) {
   file.exchange(Command::kFprd, 0x1002, reg::kDlStatus, {0, 0}, {0x31, 0x5A}, 1);  // later: not what a scan saw
   file.exchange(Command::kFprd, 0x1001, reg::kSystemTime, {0, 0, 0, 0}, {1, 2, 3, 4}, 0);
   file.exchange(Command::kFpwr, 0x1001, reg::kSiiControl, {0, 1, 8, 0, 0, 0}, {0, 1, 8, 0, 0, 0}, 1);
-  file.exchange(Command::kFprd, 0x1001, reg::kSiiControl, {0, 0}, {0x00, 0x80}, 1);             // busy
-  file.exchange(Command::kFprd, 0x1001, reg::kSiiData, {0, 0, 0, 0}, {9, 9, 9, 9}, 1);          // too early: no word
+  file.exchange(Command::kFprd, 0x1001, reg::kSiiControl, {0, 0}, {0x00, 0x80}, 1);     // busy
+  file.exchange(Command::kFprd, 0x1001, reg::kSiiData, {0, 0, 0, 0}, {9, 9, 9, 9}, 1);  // too early: no word
   file.exchange(Command::kFprd, 0x1001, reg::kSiiControl, {0, 0}, {0x00, 0x00}, 1);
   file.exchange(Command::kFprd, 0x1001, reg::kSiiData, {0, 0, 0, 0}, {0x17, 0x5C, 0, 0}, 1);
   return file.finish();
@@ -224,7 +224,8 @@ TEST(BusRecorder, WhatIsWrittenToAllIsKeptOnceForAll) {
     FrameBuilder builder;
     builder.set_addresses(kBroadcast, kMaster);
     const std::vector<std::uint8_t> data(1400, 0x11);
-    ASSERT_TRUE(builder.add(Command::kBwr, static_cast<std::uint8_t>(i), device_address(0, static_cast<std::uint16_t>(0x1000 + 1400 * i)), data));
+    ASSERT_TRUE(builder.add(Command::kBwr, static_cast<std::uint8_t>(i),
+                            device_address(0, static_cast<std::uint16_t>(0x1000 + 1400 * i)), data));
     const auto frame = builder.finish();
     std::vector<std::uint8_t> sent(frame.begin(), frame.end()), back = sent;
     back[6] |= 0x02;
@@ -274,14 +275,16 @@ TEST(Replay, FramesThatAreThereInPartOnlyAreCounted) {
   exchange_state(file);
   const auto path = file.finish();
   auto bytes = bytes_of_file(path);
-  // The original length of the last packet, 4 bytes behind the captured one in its block (block of 28 + frame + options).
+  // The original length of the last packet, 4 bytes behind the captured one in its block (block of 28 + frame +
+  // options).
   std::size_t block = 28 + 32, last = block;
   while (block + 12 <= bytes.size()) {
     last = block;
     block += load_le<std::uint32_t>(std::span(bytes).subspan(block + 4));
   }
   store_le(std::span(bytes).subspan(last + 24), std::uint32_t{1500});
-  std::ofstream(path, std::ios::binary).write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  std::ofstream(path, std::ios::binary)
+      .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
   VirtualClock clock;
   ReplayNotes notes;
   ASSERT_TRUE(make_replay_link(path, clock, &notes));

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "master/acyclic_window.h"
+#include "master/exchange/acyclic_window.h"
 
 #include <gtest/gtest.h>
 
 #include "link/fault_link.h"
-#include "master/bus.h"
+#include "master/exchange/bus.h"
 #include "tests/support/test_bus.h"
 
 namespace syncline {
@@ -25,7 +25,8 @@ class AcyclicWindowTest : public ::testing::Test {
     segment = inner.get();
     for (std::uint16_t i = 0; i < kSlaves; ++i) {
       segment->slave(i).set<std::uint16_t>(reg::kStationAddress, static_cast<std::uint16_t>(1001 + i));
-      for (std::uint16_t n = 0; n < 64; ++n) segment->slave(i).set<std::uint32_t>(static_cast<std::uint16_t>(0x1000 + 4 * n), i * 1000U + n);
+      for (std::uint16_t n = 0; n < 64; ++n)
+        segment->slave(i).set<std::uint32_t>(static_cast<std::uint16_t>(0x1000 + 4 * n), i * 1000U + n);
     }
     link = std::make_unique<FaultLink>(std::move(inner), clock, faults);
     exchange = std::make_unique<FrameExchange>(*link, clock);
@@ -37,9 +38,10 @@ class AcyclicWindowTest : public ::testing::Test {
     std::vector<Datagram> reads;
     for (std::uint16_t i = 0; i < kSlaves; ++i) {
       for (std::uint16_t n = 0; n < 64; ++n) {
-        reads.push_back({Command::kFprd,
-                         device_address(static_cast<std::uint16_t>(1001 + i), static_cast<std::uint16_t>(0x1000 + 4 * n)),
-                         bytes[i * 64U + n]});
+        reads.push_back(
+            {Command::kFprd,
+             device_address(static_cast<std::uint16_t>(1001 + i), static_cast<std::uint16_t>(0x1000 + 4 * n)),
+             bytes[i * 64U + n]});
       }
     }
     const auto status = bus->transact(reads);

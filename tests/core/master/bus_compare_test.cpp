@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "master/bus_compare.h"
+#include "master/scan/bus_compare.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "config/check/network_view.h"
-#include "config/compile/compile.h"
+#include "check/network_view.h"
+#include "compile/compile.h"
 #include "tests/support/sample_devices.h"
 
 namespace syncline {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "master/bus_match.h"
+#include "master/scan/bus_match.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "master/bus_scanner.h"
+#include "master/scan/bus_scanner.h"
 
 #include <gtest/gtest.h>
 
@@ -90,8 +90,8 @@ TEST_F(BusScannerTest, ReadsManySiisAtTheSameTime) {
 
 TEST_F(BusScannerTest, ASlaveWithABrokenSiiIsStillThere) {
   link.slave(1).sii.assign(2048, 0);
-  link.slave(1).sii[0x7C] = 15;  // 16 Kbit
-  store_le<std::uint16_t>(std::span(link.slave(1).sii).subspan(0x80), 10);   // strings, longer than the EEPROM
+  link.slave(1).sii[0x7C] = 15;                                             // 16 Kbit
+  store_le<std::uint16_t>(std::span(link.slave(1).sii).subspan(0x80), 10);  // strings, longer than the EEPROM
   store_le<std::uint16_t>(std::span(link.slave(1).sii).subspan(0x82), 0x7000);
   const auto scan = scan_slaves(bus);
   ASSERT_TRUE(scan);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "master/bus.h"
+#include "master/exchange/bus.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include "dc/propagation_delay.h"
 #include "link/replay/pcap_reader.h"
 #include "link/replay/recorded_bus.h"
-#include "master/topology.h"
+#include "master/scan/topology.h"
 #include "protocol/error_text.h"
 #include "protocol/registers.h"
 #include "support/byte_order.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "master/clock_segment.h"
+#include "master/clocks/clock_segment.h"
 
 #include <gtest/gtest.h>
 
@@ -35,8 +35,8 @@ bool has(const dc::DelayResult& result, dc::DelayWarning warning, std::uint16_t 
 }
 
 TEST(SegmentDelays, SlaveConnectedByItsPort1HasItsTrueDelayAndAWarning) {
-  // A - B - C with wires of 100 and 200 ns, tP 300, tF 260; B's cables are swapped: the frame comes in at port 1, passes
-  // no processing unit on its way out by port 0, and is processed on its way back, behind C.
+  // A - B - C with wires of 100 and 200 ns, tP 300, tF 260; B's cables are swapped: the frame comes in at port 1,
+  // passes no processing unit on its way out by port 0, and is processed on its way back, behind C.
   const std::vector status{open_ports({0, 1}), open_ports({0}), open_ports({0, 1})};
   // Frame: A in 0, out 300, B in 400 (port 1), out 660, C in 860, out 1160, B in 1360 (port 0), out 1660, A in 1760.
   const std::vector nodes{node(status[0], {{0, 5'000}, {1, 6'760}}), node(status[1], {{0, 77}}),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "master/cyclic_frame_set.h"
+#include "master/cyclic/cyclic_frame_set.h"
 
 #include <gtest/gtest.h>
 

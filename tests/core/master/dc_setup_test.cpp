@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The initialisation of the clocks against the simulated segment, whose delays and clocks are known.
-#include "master/dc_setup.h"
+#include "master/clocks/dc_setup.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -82,7 +82,8 @@ TEST(DcSetup, NoiseOfTheStampsStaysSmallWherePortAIsClosed) {
   auto network = test::SimulatedNetwork();
   for (int i = 0; i < 3; ++i) network.add(test::io8());
   network.sim.slaves[2].entry_port = 1;
-  network.sim.slaves[2].oscillator.start_offset = 2'147'483'648 - 30 * kMillisecond;  // half of the range is passed meanwhile
+  network.sim.slaves[2].oscillator.start_offset =
+      2'147'483'648 - 30 * kMillisecond;  // half of the range is passed meanwhile
   network.sim.bus.latch_noise_ns = 40;
   ClockBed bed(std::move(network));
   const auto clocks = bed.set_up();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Start times of SYNC signals: who says them, and whether they will come.
-#include "master/dc_start.h"
+#include "master/clocks/dc_start.h"
 
 #include <gtest/gtest.h>
 

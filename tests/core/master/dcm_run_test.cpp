@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "dc/plans.h"
 #include "channels/dcm_query.h"
+#include "dc/plans.h"
 #include "master/master_service.h"
 #include "protocol/dcm_error.h"
 #include "protocol/error_text.h"
@@ -63,7 +63,8 @@ class DcmRun : public ::testing::Test {
 };
 
 TEST_F(DcmRun, EveryModeThatControlsComesInSyncOnTheBus) {
-  for (const auto mode : {DcmMode::kBusShift, DcmMode::kMasterShift, DcmMode::kMasterRefClock, DcmMode::kLinkLayerRefClock}) {
+  for (const auto mode :
+       {DcmMode::kBusShift, DcmMode::kMasterShift, DcmMode::kMasterRefClock, DcmMode::kLinkLayerRefClock}) {
     dcm().mode = mode;
     events.clear();
     go_online();
@@ -85,7 +86,8 @@ TEST_F(DcmRun, SaysWhatKeepsItFromTheLockAndNotAnErrorWithinTheLimit) {
   network.sim.slaves[2].cable_m = 2'000;
   go_online();
   ASSERT_TRUE(error());
-  EXPECT_THAT(describe(*error()), testing::AllOf(HasSubstr("set value is too small"), testing::Not(HasSubstr("beyond the limit"))));
+  EXPECT_THAT(describe(*error()),
+              testing::AllOf(HasSubstr("set value is too small"), testing::Not(HasSubstr("beyond the limit"))));
 }
 
 TEST_F(DcmRun, TheLinkCorrectsWhatSoftwareDoesNotKnow) {
@@ -130,7 +132,8 @@ TEST_F(DcmRun, TheStatusIsResetAndParametersChangeWhileItRuns) {
   EXPECT_EQ(snapshot.dcm.set_value_ns, 400'000);
   EXPECT_EQ(dcm_status(snapshot).state, SyncState::kInSync);
   // SYNC0 stands where it was; the frames moved.
-  const auto distance = ((snapshot.dc.start_time - samples.back().reference_time) % kMillisecond + kMillisecond) % kMillisecond;
+  const auto distance =
+      ((snapshot.dc.start_time - samples.back().reference_time) % kMillisecond + kMillisecond) % kMillisecond;
   EXPECT_NEAR(static_cast<double>(distance), 400'000, 2'000);
 
   change.gain_ppt = 501;
@@ -201,7 +204,8 @@ class DcmDcx : public DcmRun {
     dcm().mode = DcmMode::kDcx;
   }
   [[nodiscard]] Nanoseconds apart() {
-    const auto theirs = static_cast<Nanoseconds>(other->system_time(0)), ours = static_cast<Nanoseconds>(bus->system_time(0));
+    const auto theirs = static_cast<Nanoseconds>(other->system_time(0)),
+               ours = static_cast<Nanoseconds>(bus->system_time(0));
     return dc::wrap_to_half(theirs - ours, kMillisecond);
   }
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "master/delay_compensation.h"
+#include "master/clocks/delay_compensation.h"
 
 #include <gtest/gtest.h>
 

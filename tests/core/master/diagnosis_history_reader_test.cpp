@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "master/diagnosis_history_reader.h"
+#include "master/mailbox/diagnosis_history_reader.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "master/evidence_reader.h"
+#include "master/cyclic/evidence_reader.h"
 
 #include <gtest/gtest.h>
 

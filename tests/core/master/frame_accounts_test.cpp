@@ -158,7 +158,8 @@ TEST(FrameAccountsOfABus, WhatTheEventsTellIsWhatTheBusDropped) {
     const auto before = counts;
     told = 0;
     if (seed % 3 == 0) {
-      faults->set_faults({.late = 0.02, .late_by = static_cast<Nanoseconds>(random.next() % (90 * kMillisecond)), .seed = seed});
+      faults->set_faults(
+          {.late = 0.02, .late_by = static_cast<Nanoseconds>(random.next() % (90 * kMillisecond)), .seed = seed});
     }
     service.run_for(4 * kSecond);
     faults->set_faults({});

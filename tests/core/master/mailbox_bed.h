@@ -9,8 +9,8 @@
 
 #include "link/fault_link.h"
 #include "link/link.h"
-#include "master/bus.h"
-#include "master/mailbox_client.h"
+#include "master/exchange/bus.h"
+#include "master/mailbox/mailbox_client.h"
 #include "protocol/frame.h"
 #include "protocol/mailbox.h"
 #include "protocol/registers.h"
@@ -30,7 +30,7 @@ class MailboxSlave final : public Link {
 
   Handler handler;
   bool answers_repeats = true;
-  bool has_repeats = true;        // else it acknowledges and its mailbox stays empty
+  bool has_repeats = true;  // else it acknowledges and its mailbox stays empty
   std::size_t requests = 0, repeats = 0;
 
   Status send(std::span<const std::uint8_t> frame) override {
@@ -71,8 +71,10 @@ class MailboxSlave final : public Link {
   bool serve(DatagramView& d) {
     const bool write = d.header.command == Command::kFpwr;
     switch (d.header.ado()) {
-      case kSend: return write && take(d.data);
-      case kReceive: return !write && give(d.data);
+      case kSend:
+        return write && take(d.data);
+      case kReceive:
+        return !write && give(d.data);
       case kSm1 + 5:
         d.data[0] = posted_ ? SyncManager::kStatusMailboxFull : std::uint8_t{0};
         return true;
@@ -81,7 +83,8 @@ class MailboxSlave final : public Link {
         if (!write) d.data[0] = activate_;
         if (!write && d.data.size() > 1) d.data[1] = acknowledge_;
         return true;
-      default: return false;
+      default:
+        return false;
     }
   }
   bool take(std::span<const std::uint8_t> bytes) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "master/mailbox_client.h"
+#include "master/mailbox/mailbox_client.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,9 +8,9 @@
 #include <map>
 #include <numeric>
 
-#include "master/coe_client.h"
-#include "master/foe_client.h"
-#include "master/sdo_info_client.h"
+#include "master/mailbox/coe_client.h"
+#include "master/mailbox/foe_client.h"
+#include "master/mailbox/sdo_info_client.h"
 #include "support/random.h"
 #include "tests/core/master/mailbox_bed.h"
 
@@ -37,13 +37,16 @@ struct Server {
 
   Messages operator()(const MailboxMessage& message) {
     if (message.type == MailboxType::kFoe) return foe(*foe::decode(message.data));
-    if (*coe::service_of(message.data) == coe::Service::kSdoInformation) return info(*coe::decode_information_request(message.data));
+    if (*coe::service_of(message.data) == coe::Service::kSdoInformation)
+      return info(*coe::decode_information_request(message.data));
     return std::visit([this](const auto& r) { return sdo(r); }, *coe::decode_request(message.data));
   }
   Messages sdo(const coe::UploadRequest& r) {
     position = std::min(object.size(), object.size() <= 4 ? 4 : coe::first_message_capacity(mailbox));
     return {coe_message(coe::Emergency{0x1234, 1, {}}),
-            coe_message(coe::UploadResponse{r.object, r.complete_access, object.size() <= 4 && !object.empty(),
+            coe_message(coe::UploadResponse{r.object,
+                                            r.complete_access,
+                                            object.size() <= 4 && !object.empty(),
                                             static_cast<std::uint32_t>(object.size()),
                                             {object.begin(), object.begin() + static_cast<std::ptrdiff_t>(position)}})};
   }
@@ -51,8 +54,8 @@ struct Server {
     const auto size = std::min(object.size() - position, coe::segment_capacity(mailbox));
     const auto begin = object.begin() + static_cast<std::ptrdiff_t>(position);
     position += size;
-    return {coe_message(coe::UploadSegmentResponse{r.toggle, position == object.size(),
-                                                   {begin, begin + static_cast<std::ptrdiff_t>(size)}})};
+    return {coe_message(coe::UploadSegmentResponse{
+        r.toggle, position == object.size(), {begin, begin + static_cast<std::ptrdiff_t>(size)}})};
   }
   Messages sdo(const coe::DownloadRequest& r) {
     object = r.data;
@@ -75,7 +78,8 @@ struct Server {
       response = coe::InformationError{0x06090011};
     }
     Messages messages;
-    for (auto& part : coe::encode(response, mailbox)) messages.push_back(message_of(MailboxType::kCoe, std::move(part)));
+    for (auto& part : coe::encode(response, mailbox))
+      messages.push_back(message_of(MailboxType::kCoe, std::move(part)));
     return messages;
   }
   Messages foe(const foe::Message& message) {
@@ -107,7 +111,8 @@ struct Server {
   foe::Message next_packet() {
     const auto full = foe::data_capacity(mailbox);
     const auto begin = std::min(file.size(), packet * full), end = std::min(file.size(), begin + full);
-    return foe::Data{++packet, {file.begin() + static_cast<std::ptrdiff_t>(begin), file.begin() + static_cast<std::ptrdiff_t>(end)}};
+    return foe::Data{
+        ++packet, {file.begin() + static_cast<std::ptrdiff_t>(begin), file.begin() + static_cast<std::ptrdiff_t>(end)}};
   }
 };
 
@@ -228,32 +233,46 @@ struct Lie {
   std::function<coe::Response(const coe::Request&)> answer;
   const char* says;
 };
-coe::Response announce(std::uint32_t size) { return coe::UploadResponse{{0x2000, 0}, false, false, size, {1, 2, 3, 4, 5}}; }
+coe::Response announce(std::uint32_t size) {
+  return coe::UploadResponse{{0x2000, 0}, false, false, size, {1, 2, 3, 4, 5}};
+}
 bool first(const coe::Request& request) { return std::holds_alternative<coe::UploadRequest>(request); }
 
 TEST(CoeClient, HostileUploadsEndWithAClearError) {
   const std::vector<Lie> lies{
-      {"endless", [](const auto& r) {
+      {"endless",
+       [](const auto& r) {
          if (first(r)) return announce(100'000);
          return coe::Response(coe::UploadSegmentResponse{std::get<coe::UploadSegmentRequest>(r).toggle, false, {}});
-       }, "empty segment"},
-      {"too much", [](const auto& r) {
+       },
+       "empty segment"},
+      {"too much",
+       [](const auto& r) {
          if (first(r)) return announce(20);
-         return coe::Response(coe::UploadSegmentResponse{std::get<coe::UploadSegmentRequest>(r).toggle, false, Bytes(50)});
-       }, "more than the 20 bytes"},
-      {"too little", [](const auto& r) {
+         return coe::Response(
+             coe::UploadSegmentResponse{std::get<coe::UploadSegmentRequest>(r).toggle, false, Bytes(50)});
+       },
+       "more than the 20 bytes"},
+      {"too little",
+       [](const auto& r) {
          if (first(r)) return announce(200);
-         return coe::Response(coe::UploadSegmentResponse{std::get<coe::UploadSegmentRequest>(r).toggle, true, Bytes(8)});
-       }, "13 bytes where 200"},
-      {"toggle", [](const auto& r) {
+         return coe::Response(
+             coe::UploadSegmentResponse{std::get<coe::UploadSegmentRequest>(r).toggle, true, Bytes(8)});
+       },
+       "13 bytes where 200"},
+      {"toggle",
+       [](const auto& r) {
          if (first(r)) return announce(200);
          return coe::Response(coe::UploadSegmentResponse{true, false, Bytes(8)});
-       }, "toggle"},
+       },
+       "toggle"},
       {"huge", [](const auto&) { return announce(0xFFFF'FFFF); }, "announces 4294967295"},
-      {"other service", [](const auto& r) {
+      {"other service",
+       [](const auto& r) {
          if (first(r)) return announce(200);
          return coe::Response(coe::DownloadSegmentResponse{false});
-       }, "another request"},
+       },
+       "another request"},
   };
   for (const auto& lie : lies) {
     MailboxBed bed;
@@ -281,7 +300,8 @@ TEST(SdoInfoClient, AbortAndBrokenFragmentsAreErrors) {
   EXPECT_EQ(entry.error().received, 0x06090011);
 
   bed.slave->handler = [](const MailboxMessage&) {  // says "two to come" for ever
-    auto part = coe::encode(coe::InformationResponse(coe::ObjectList{coe::ObjectListType::kAll, {0x1000}}), 128).front();
+    auto part =
+        coe::encode(coe::InformationResponse(coe::ObjectList{coe::ObjectListType::kAll, {0x1000}}), 128).front();
     part[4] = 2;
     return Messages(5, message_of(MailboxType::kCoe, part));
   };
@@ -302,7 +322,8 @@ TEST(FoeClient, TheSlavesErrorKeepsItsWords) {
 }
 
 TEST(FoeClient, AFileThatFillsItsLastPacketIsEndedByAnEmptyOne) {
-  for (const std::size_t size : {std::size_t{0}, foe::data_capacity(128), 2 * foe::data_capacity(128), std::size_t{1}}) {
+  for (const std::size_t size :
+       {std::size_t{0}, foe::data_capacity(128), 2 * foe::data_capacity(128), std::size_t{1}}) {
     MailboxBed bed;
     Server server;
     bed.slave->handler = [&](const MailboxMessage& m) { return server(m); };
@@ -333,7 +354,8 @@ TEST(MailboxClient, RandomAnswersEndInAResult) {
         } else if (!data.empty() && request.type == MailboxType::kFoe) {
           data[0] = static_cast<std::uint8_t>(random.next() % 7);
         }
-        messages.push_back(message_of(random.next() % 5 == 0 ? static_cast<MailboxType>(random.next() % 16) : request.type, data));
+        messages.push_back(
+            message_of(random.next() % 5 == 0 ? static_cast<MailboxType>(random.next() % 16) : request.type, data));
       }
       return messages;
     };

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "master/missing_frames.h"
+#include "master/exchange/missing_frames.h"
 
 #include <gtest/gtest.h>
 
-#include "master/tally.h"
+#include "master/exchange/tally.h"
 
 namespace syncline {
 namespace {

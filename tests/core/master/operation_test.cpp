@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <thread>
 
-#include "config/compile/compile.h"
-#include "eni/esi_reader.h"
+#include "compile/compile.h"
+#include "eni/esi/esi_reader.h"
 #include "master/master_service.h"
 #include "tests/support/event_match.h"
 #include "tests/support/source_dir.h"
@@ -109,7 +109,8 @@ class OperationTest : public ::testing::Test {
 
 TEST_F(OperationTest, ReachesOpAndStaysThere) {
   go_online();
-  EXPECT_FALSE(first_error()) << static_cast<int>(first_error()->code) << first_error()->subject << first_error()->detail;
+  EXPECT_FALSE(first_error()) << static_cast<int>(first_error()->code) << first_error()->subject
+                              << first_error()->detail;
   run(kSecond);
   EXPECT_EQ(snapshot.state, AlState::kOp);
   EXPECT_TRUE(snapshot.online);
@@ -212,7 +213,8 @@ TEST_F(OperationTest, ReadsTheSm2CounterWhereTheVendorHasIt) {
   EXPECT_EQ(snapshot.slaves[2].sm2_missed.value, 3U);
   EXPECT_FALSE(snapshot.slaves[0].sm2_missed.valid);
   // Those from before OP are no misses of this run.
-  EXPECT_TRUE(std::ranges::any_of(samples, [](const auto& s) { return s.sm2_position == 2 && s.slave_sm2_missed == 0; }));
+  EXPECT_TRUE(
+      std::ranges::any_of(samples, [](const auto& s) { return s.sm2_position == 2 && s.slave_sm2_missed == 0; }));
 }
 
 TEST_F(OperationTest, RunsTheCoeStartUpCommandsBeforeSafeop) {
@@ -328,7 +330,8 @@ TEST_F(OperationTest, AFrameThatComesAfterItsDeadlineIsLateAndNotLost) {
   EXPECT_GE(snapshot.late_frames, 2U);
   EXPECT_EQ(count(kind_of<events::FramesLost>), 0U);
   EXPECT_EQ(sum<events::FramesLate>(), static_cast<std::int64_t>(snapshot.late_frames));
-  const auto late = std::ranges::find_if(samples, [](const auto& s) { return (s.flags & CycleSample::kFrameLate) != 0; });
+  const auto late =
+      std::ranges::find_if(samples, [](const auto& s) { return (s.flags & CycleSample::kFrameLate) != 0; });
   ASSERT_NE(late, samples.end());
   EXPECT_NEAR(late->late_by_ns, 1'700'000, 20'000);
   EXPECT_GE(std::ranges::count_if(samples, [](const auto& s) { return s.frames_lost > 0; }), 1);

@@ -6,9 +6,9 @@
 #include <fstream>
 #include <iterator>
 
+#include "master/scan/bus_scanner.h"
 #include "tests/support/sample_folder.h"
 #include "tests/support/scan_bed.h"
-#include "master/bus_scanner.h"
 
 namespace syncline {
 namespace {

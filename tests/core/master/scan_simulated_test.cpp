@@ -4,11 +4,11 @@
 #include <rapidcheck.h>
 
 #include "link/fault_link.h"
-#include "master/bus_scanner.h"
 #include "master/operation.h"
+#include "master/scan/bus_scanner.h"
 #include "protocol/error_text.h"
 #include "protocol/registers.h"
-#include "sim/sii_from_device.h"
+#include "sim/device/sii_from_device.h"
 #include "tests/support/scan_bed.h"
 #include "tests/support/swapped_tree.h"
 
@@ -111,7 +111,8 @@ TEST(ScanSimulated, AThousandSlavesAreNoLimit) {
 TEST(ScanSimulated, LossesAndSwapsChangeNothing) {
   const auto network = test::different_slaves(20);
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-    Bed bed(network, {.lose_request = 0.01, .lose_reply = 0.01, .duplicate = 0.02, .reorder = 0.02, .late = 0.01, .seed = seed});
+    Bed bed(network,
+            {.lose_request = 0.01, .lose_reply = 0.01, .duplicate = 0.02, .reorder = 0.02, .late = 0.01, .seed = seed});
     const auto scan = scan_slaves(*bed.bus);
     ASSERT_TRUE(scan) << seed;
     expect_true(*scan, network);
@@ -235,7 +236,8 @@ TEST_F(LookOnly, EepromsGoBackToThePdiWhenTheScanIsCancelled) {
   assign_eeproms_to_pdi(true);
   std::atomic<bool> cancel{false};
   Bus cancellable(*exchange, clock, &cancel);
-  const auto scan = scan_slaves(cancellable, {}, {.progress = [&](std::size_t done, std::size_t) { cancel = done > 0; }});
+  const auto scan =
+      scan_slaves(cancellable, {}, {.progress = [&](std::size_t done, std::size_t) { cancel = done > 0; }});
   ASSERT_FALSE(scan);
   EXPECT_EQ(scan.error().code, ErrorCode::kCancelled);
   for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(watched->peek(i, reg::kSiiConfiguration, 1)[0] & 1, 1) << i;

@@ -2,8 +2,8 @@
 // The scan of slaves whose EEPROMs take their time, all of them or one: what it costs, and that it reads what is there.
 #include <gtest/gtest.h>
 
-#include "master/bus_scanner.h"
-#include "sim/sii_from_device.h"
+#include "master/scan/bus_scanner.h"
+#include "sim/device/sii_from_device.h"
 #include "tests/support/scan_bed.h"
 
 namespace syncline {

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include "master/scan_findings.h"
-#include "master/topology.h"
+#include "master/scan/scan_findings.h"
+#include "master/scan/topology.h"
 #include "support/random.h"
 
 namespace syncline {
@@ -16,7 +16,8 @@ DlStatus with_open(unsigned ports) {
   std::uint16_t value = 0x0001;
   for (unsigned port = 0; port < kPortCount; ++port) {
     const bool open = ((ports >> port) & 1U) != 0;
-    value = static_cast<std::uint16_t>(value | (open ? (1U << (9 + 2 * port)) | (1U << (4 + port)) : 1U << (8 + 2 * port)));
+    value =
+        static_cast<std::uint16_t>(value | (open ? (1U << (9 + 2 * port)) | (1U << (4 + port)) : 1U << (8 + 2 * port)));
   }
   return {value};
 }
@@ -58,7 +59,8 @@ struct Tree {
   std::optional<PreviousPort> previous(std::size_t position) const {
     const auto& node = nodes[static_cast<std::size_t>(order[position])];
     if (node.parent < 0) return std::nullopt;
-    return PreviousPort{static_cast<std::uint16_t>(nodes[static_cast<std::size_t>(node.parent)].position), node.parent_port};
+    return PreviousPort{static_cast<std::uint16_t>(nodes[static_cast<std::size_t>(node.parent)].position),
+                        node.parent_port};
   }
 
  private:

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include "master/bus_scanner.h"
+#include "master/scan/bus_scanner.h"
 #include "tests/support/test_bus.h"
 
 /// EEPROMs and slaves that lie: the scan ends, names who and where, and the others are read.

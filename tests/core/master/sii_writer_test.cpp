@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "master/sii_writer.h"
+#include "master/sii/sii_writer.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "link/fault_link.h"
 #include "protocol/sii.h"
-#include "sim/sii_from_device.h"
+#include "sim/device/sii_from_device.h"
 #include "support/random.h"
 #include "tests/support/scan_bed.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include "master/coe_download_work.h"
-#include "master/init_cmd_runner.h"
 #include "master/master_service.h"
+#include "master/startup/coe_download_work.h"
+#include "master/startup/init_cmd_runner.h"
 #include "tests/support/simulated_network.h"
 #include "tests/support/test_bus.h"
 
@@ -40,7 +40,8 @@ TEST_F(SlaveBatch, SendsOneCommandOfEverySlaveInOneFrameAndKeepsEachSlavesOrder)
     commands.push_back(write(slave, 0x0F00, static_cast<std::uint16_t>(7 + slave)));
   }
   std::vector<InitCmdWork> works;
-  for (std::size_t slave = 0; slave < 3; ++slave) works.push_back(work({&commands[2 * slave], &commands[2 * slave + 1]}));
+  for (std::size_t slave = 0; slave < 3; ++slave)
+    works.push_back(work({&commands[2 * slave], &commands[2 * slave + 1]}));
   SlaveWork* const all[] = {&works[0], &works[1], &works[2]};
   ASSERT_TRUE(run_side_by_side(bus, all));
   ASSERT_EQ(link.sent.size(), 2U);
@@ -64,7 +65,8 @@ TEST_F(SlaveBatch, TriesAgainAsOftenAsTheCommandSays) {
 }
 
 TEST_F(SlaveBatch, OneSlavesFailureDoesNotHoldTheOthers) {
-  auto wrong = write(7, 0x0F00, 1), never = write(0, 0x0F02, 5), right = write(1, 0x0F00, 2), next = write(1, 0x0F02, 3);
+  auto wrong = write(7, 0x0F00, 1), never = write(0, 0x0F02, 5), right = write(1, 0x0F00, 2),
+       next = write(1, 0x0F02, 3);
   auto failing = work({&wrong, &never}), good = work({&right, &next});
   SlaveWork* const all[] = {&failing, &good};
   ASSERT_TRUE(run_side_by_side(bus, all));
@@ -134,8 +136,8 @@ TEST_F(SlaveBatch, DownloadsObjectsOfEveryLengthToManySlavesAtOnce) {
   }
   works.reserve(3);
   for (std::size_t i = 0; i < 3; ++i) {
-    works.emplace_back(mailbox_port(slaves[i]), std::vector<const StartupCommand*>{&commands[0], &commands[1]}, counters[i],
-                       CoeDownloadWork::EmergencyHandler{});
+    works.emplace_back(mailbox_port(slaves[i]), std::vector<const StartupCommand*>{&commands[0], &commands[1]},
+                       counters[i], CoeDownloadWork::EmergencyHandler{});
     all.push_back(&works.back());
   }
   ASSERT_TRUE(run_side_by_side(bus, all));

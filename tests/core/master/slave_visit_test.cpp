@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "master/slave_visit.h"
+#include "master/startup/slave_visit.h"
 
 #include <gtest/gtest.h>
 
 #include <numeric>
 
-#include "master/foe_client.h"
+#include "master/mailbox/foe_client.h"
 #include "protocol/error_text.h"
 #include "protocol/registers.h"
 #include "tests/support/simulated_network.h"
@@ -51,7 +51,8 @@ class SlaveVisitTest : public ::testing::TestWithParam<AlState> {
 
 TEST_P(SlaveVisitTest, LeavesTheSlaveAsItWasFound) {
   for (const std::uint16_t position : {0, 1}) {
-    ASSERT_TRUE(bus->write<std::uint16_t>(Command::kApwr, Position{position}.auto_increment_address(), reg::kStationAddress, 7));
+    ASSERT_TRUE(bus->write<std::uint16_t>(Command::kApwr, Position{position}.auto_increment_address(),
+                                          reg::kStationAddress, 7));
   }
   {  // Somebody led it there.
     SlaveVisit earlier(*bus, 1);

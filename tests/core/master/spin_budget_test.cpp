@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "master/spin_budget.h"
+#include "master/cyclic/spin_budget.h"
 
 #include <gtest/gtest.h>
 

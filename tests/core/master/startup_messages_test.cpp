@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "master/startup_messages.h"
+#include "master/startup/startup_messages.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -123,7 +123,8 @@ TEST(StartupMessages, ComeInTheOrderOfTheEniAtTheirTransition) {
   mailbox.soe_commands = {idn};
   const auto messages = startup_messages(mailbox, Transition::kPS);
   ASSERT_EQ(messages.size(), 5U);
-  const MailboxType order[] = {MailboxType::kAoe, MailboxType::kEoe, MailboxType::kSoe, MailboxType::kFoe, MailboxType::kVoe};
+  const MailboxType order[] = {MailboxType::kAoe, MailboxType::kEoe, MailboxType::kSoe, MailboxType::kFoe,
+                               MailboxType::kVoe};
   for (std::size_t i = 0; i < 5; ++i) {
     EXPECT_EQ(messages[i].type, order[i]);
     EXPECT_EQ(messages[i].answered, order[i] != MailboxType::kVoe);

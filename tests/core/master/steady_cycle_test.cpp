@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include "config/compile/compile.h"
+#include "compile/compile.h"
 #include "cycle_hooks.h"
-#include "eni/esi_reader.h"
+#include "eni/esi/esi_reader.h"
 #include "master/operation.h"
 #include "tests/support/source_dir.h"
 #include "tests/support/test_bus.h"

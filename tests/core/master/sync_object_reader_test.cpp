@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "master/sync_object_reader.h"
+#include "master/mailbox/sync_object_reader.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "master/topology.h"
+#include "master/scan/topology.h"
 
 #include <gtest/gtest.h>
 

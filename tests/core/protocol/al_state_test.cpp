@@ -64,7 +64,8 @@ TEST(Command, NamesAndKinds) {
   EXPECT_EQ(command_name(static_cast<Command>(15)), "?");
   for (int c = 1; c <= kLastCommand; ++c) {
     const auto command = static_cast<Command>(c);
-    const int kinds = is_logical(command) + is_auto_increment(command) + is_fixed_address(command) + is_broadcast(command);
+    const int kinds =
+        is_logical(command) + is_auto_increment(command) + is_fixed_address(command) + is_broadcast(command);
     EXPECT_EQ(kinds, 1) << command_name(command);
     const auto name = command_name(command);
     EXPECT_EQ(writes(command), name.find('W') != std::string_view::npos) << name;
@@ -83,19 +84,61 @@ TEST(Registers, AreFoundByAnyByteTheyHold) {
 }
 
 TEST(Registers, EveryNamedAddressConstantHasAName) {
-  for (const auto address :
-       {reg::kType, reg::kBuild, reg::kFmmuCount, reg::kFeatures, reg::kStationAddress, reg::kStationAlias, reg::kEscReset,
-        reg::kDlControl, reg::kDlControlLoop, reg::kDlControlAlias, reg::kDlStatus, reg::kAlControl, reg::kAlStatus,
-        reg::kAlStatusCode, reg::kPdiControl, reg::kEcatEventMask, reg::kAlEventMask, reg::kEcatEventRequest,
-        reg::kAlEventRequest, reg::kRxErrorCounter, reg::kForwardedErrorCounter, reg::kProcessingUnitErrorCounter,
-        reg::kPdiErrorCounter, reg::kLostLinkCounter, reg::kWatchdogDivider, reg::kWatchdogPdi,
-        reg::kWatchdogProcessData, reg::kWatchdogStatus, reg::kWatchdogCounterProcessData, reg::kSiiConfiguration,
-        reg::kSiiControl, reg::kSiiAddress, reg::kSiiData, reg::kReceiveTimePort0, reg::kReceiveTimePort3,
-        reg::kSystemTime, reg::kReceiveTimeProcessingUnit, reg::kSystemTimeOffset, reg::kSystemTimeDelay,
-        reg::kSpeedCounterDiff, reg::kFilterDepthDifference, reg::kFilterDepthSpeedCounter, reg::kCyclicUnitControl,
-        reg::kActivation, reg::kPulseLength, reg::kActivationStatus, reg::kSync0Status, reg::kStartTimeCyclicOperation,
-        reg::kNextSync1Pulse, reg::kSync0CycleTime, reg::kSync1CycleTime, reg::kLatch0Control, reg::kLatch1Status,
-        reg::kLatch1NegativeEdge, reg::kEcatBufferChangeTime}) {
+  for (const auto address : {reg::kType,
+                             reg::kBuild,
+                             reg::kFmmuCount,
+                             reg::kFeatures,
+                             reg::kStationAddress,
+                             reg::kStationAlias,
+                             reg::kEscReset,
+                             reg::kDlControl,
+                             reg::kDlControlLoop,
+                             reg::kDlControlAlias,
+                             reg::kDlStatus,
+                             reg::kAlControl,
+                             reg::kAlStatus,
+                             reg::kAlStatusCode,
+                             reg::kPdiControl,
+                             reg::kEcatEventMask,
+                             reg::kAlEventMask,
+                             reg::kEcatEventRequest,
+                             reg::kAlEventRequest,
+                             reg::kRxErrorCounter,
+                             reg::kForwardedErrorCounter,
+                             reg::kProcessingUnitErrorCounter,
+                             reg::kPdiErrorCounter,
+                             reg::kLostLinkCounter,
+                             reg::kWatchdogDivider,
+                             reg::kWatchdogPdi,
+                             reg::kWatchdogProcessData,
+                             reg::kWatchdogStatus,
+                             reg::kWatchdogCounterProcessData,
+                             reg::kSiiConfiguration,
+                             reg::kSiiControl,
+                             reg::kSiiAddress,
+                             reg::kSiiData,
+                             reg::kReceiveTimePort0,
+                             reg::kReceiveTimePort3,
+                             reg::kSystemTime,
+                             reg::kReceiveTimeProcessingUnit,
+                             reg::kSystemTimeOffset,
+                             reg::kSystemTimeDelay,
+                             reg::kSpeedCounterDiff,
+                             reg::kFilterDepthDifference,
+                             reg::kFilterDepthSpeedCounter,
+                             reg::kCyclicUnitControl,
+                             reg::kActivation,
+                             reg::kPulseLength,
+                             reg::kActivationStatus,
+                             reg::kSync0Status,
+                             reg::kStartTimeCyclicOperation,
+                             reg::kNextSync1Pulse,
+                             reg::kSync0CycleTime,
+                             reg::kSync1CycleTime,
+                             reg::kLatch0Control,
+                             reg::kLatch1Status,
+                             reg::kLatch1NegativeEdge,
+                             reg::kEcatBufferChangeTime}) {
     EXPECT_NE(reg::name(address), "") << std::hex << address;
   }
 }

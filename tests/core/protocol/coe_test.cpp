@@ -17,9 +17,7 @@ Bytes some_bytes(int low, int high) {
   return *rc::gen::container<Bytes>(size, rc::gen::arbitrary<std::uint8_t>());
 }
 
-ObjectAddress any_object() {
-  return {*rc::gen::arbitrary<std::uint16_t>(), *rc::gen::arbitrary<std::uint8_t>()};
-}
+ObjectAddress any_object() { return {*rc::gen::arbitrary<std::uint16_t>(), *rc::gen::arbitrary<std::uint8_t>()}; }
 
 template <class Transfer>
 Transfer any_transfer() {
@@ -40,21 +38,31 @@ Segment any_segment() {
 
 Request any_request() {
   switch (*rc::gen::inRange(0, 5)) {
-    case 0: return any_transfer<DownloadRequest>();
-    case 1: return any_segment<DownloadSegmentRequest>();
-    case 2: return UploadRequest{any_object(), *rc::gen::arbitrary<bool>()};
-    case 3: return UploadSegmentRequest{*rc::gen::arbitrary<bool>()};
-    default: return Abort{any_object(), *rc::gen::arbitrary<std::uint32_t>()};
+    case 0:
+      return any_transfer<DownloadRequest>();
+    case 1:
+      return any_segment<DownloadSegmentRequest>();
+    case 2:
+      return UploadRequest{any_object(), *rc::gen::arbitrary<bool>()};
+    case 3:
+      return UploadSegmentRequest{*rc::gen::arbitrary<bool>()};
+    default:
+      return Abort{any_object(), *rc::gen::arbitrary<std::uint32_t>()};
   }
 }
 
 Response any_response() {
   switch (*rc::gen::inRange(0, 6)) {
-    case 0: return DownloadResponse{any_object()};
-    case 1: return DownloadSegmentResponse{*rc::gen::arbitrary<bool>()};
-    case 2: return any_transfer<UploadResponse>();
-    case 3: return any_segment<UploadSegmentResponse>();
-    case 4: return Abort{any_object(), *rc::gen::arbitrary<std::uint32_t>()};
+    case 0:
+      return DownloadResponse{any_object()};
+    case 1:
+      return DownloadSegmentResponse{*rc::gen::arbitrary<bool>()};
+    case 2:
+      return any_transfer<UploadResponse>();
+    case 3:
+      return any_segment<UploadSegmentResponse>();
+    case 4:
+      return Abort{any_object(), *rc::gen::arbitrary<std::uint32_t>()};
     default:
       return Emergency{*rc::gen::arbitrary<std::uint16_t>(), *rc::gen::arbitrary<std::uint8_t>(),
                        *rc::gen::arbitrary<std::array<std::uint8_t, 5>>()};
@@ -62,7 +70,9 @@ Response any_response() {
 }
 
 TEST(Coe, ExpeditedDownloadsByHand) {
-  const auto encoded = [](Bytes data) { return encode(Request(DownloadRequest{{0x1C12, 1}, false, true, 0, std::move(data)})); };
+  const auto encoded = [](Bytes data) {
+    return encode(Request(DownloadRequest{{0x1C12, 1}, false, true, 0, std::move(data)}));
+  };
   EXPECT_EQ(encoded({0x01}), from_hex("0020 2F 121C 01 01000000"));
   EXPECT_EQ(encoded({0x00, 0x16}), from_hex("0020 2B 121C 01 00160000"));
   EXPECT_EQ(encoded({1, 2, 3}), from_hex("0020 27 121C 01 01020300"));
@@ -95,7 +105,8 @@ TEST(Coe, UploadByHand) {
 
 TEST(Coe, SegmentsByHand) {
   EXPECT_EQ(encode(Request(DownloadSegmentRequest{true, true, {0xAA}})), from_hex("0020 1D AA 000000000000"));
-  EXPECT_EQ(encode(Request(DownloadSegmentRequest{false, false, Bytes(9, 0x11)})), from_hex("0020 00 111111111111111111"));
+  EXPECT_EQ(encode(Request(DownloadSegmentRequest{false, false, Bytes(9, 0x11)})),
+            from_hex("0020 00 111111111111111111"));
   EXPECT_EQ(encode(Request(UploadSegmentRequest{true})), from_hex("0020 70 00000000000000"));
   EXPECT_EQ(encode(Response(DownloadSegmentResponse{true})), from_hex("0030 30 00000000000000"));
   const auto last = decode_response(from_hex("0030 0B 4142 0000000000"));  // five of seven bytes unused
@@ -160,7 +171,8 @@ TEST(Coe, TruncatedMessagesAreRefused) {
 
 TEST(Coe, AnyBytesDecodeOrFail) {
   EXPECT_TRUE(rc::check([](Bytes bytes) {
-    if (bytes.size() > 1 && *rc::gen::arbitrary<bool>()) bytes[1] = static_cast<std::uint8_t>(0x10 * *rc::gen::inRange(1, 4));
+    if (bytes.size() > 1 && *rc::gen::arbitrary<bool>())
+      bytes[1] = static_cast<std::uint8_t>(0x10 * *rc::gen::inRange(1, 4));
     const auto request = decode_request(bytes);
     if (request) RC_ASSERT((decode_request(encode(*request)) == request));
     const auto response = decode_response(bytes);

@@ -35,7 +35,8 @@ TEST(ErrorText, AlStateSaysStatesCodeAndHint) {
 TEST(ErrorText, AbortCodeIsShownInWords) {
   Error error{ErrorCode::kSdoAbort, "Slave 1, 0x1C12:01"};
   error.received = 0x06020000;
-  EXPECT_EQ(describe(error), "Slave 1, 0x1C12:01: the slave aborted the SDO transfer with 0x06020000 (object does not exist).");
+  EXPECT_EQ(describe(error),
+            "Slave 1, 0x1C12:01: the slave aborted the SDO transfer with 0x06020000 (object does not exist).");
 }
 
 TEST(ErrorText, FileAndLineLeadTheSentence) {
@@ -48,7 +49,8 @@ TEST(ErrorText, FileAndLineLeadTheSentence) {
 }
 
 TEST(ErrorText, PermissionNamesTheCommand) {
-  EXPECT_THAT(describe({ErrorCode::kLinkPermission, "eth0", "sudo setcap x=ep /opt/bin"}), HasSubstr("sudo setcap x=ep /opt/bin"));
+  EXPECT_THAT(describe({ErrorCode::kLinkPermission, "eth0", "sudo setcap x=ep /opt/bin"}),
+              HasSubstr("sudo setcap x=ep /opt/bin"));
 }
 
 TEST(ErrorText, TranslatedTemplatesMayReorderAndMayBeBroken) {

@@ -36,9 +36,9 @@ TEST(FrameBuilder, WritesTheBytesOfTheSpecification) {
   const auto frame = builder.finish();
   Bytes expected = from_hex(
       "010105010000 101112131415 88A4"
-      "1C10"                                      // 28 bytes of datagrams, type 1
-      "08 01 0000 2001 0280 0000 1100 0000"       // BWR, more follows
-      "04 02 0110 3001 0200 0000 0000 0000");     // FPRD, last
+      "1C10"                                   // 28 bytes of datagrams, type 1
+      "08 01 0000 2001 0280 0000 1100 0000"    // BWR, more follows
+      "04 02 0110 3001 0200 0000 0000 0000");  // FPRD, last
   expected.resize(60, 0);
   EXPECT_EQ(Bytes(frame.begin(), frame.end()), expected);
 }

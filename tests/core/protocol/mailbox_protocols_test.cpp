@@ -30,7 +30,8 @@ TEST(MailboxErrorReply, ByHandAndBack) {
 
 TEST(MailboxErrorReply, EveryDetailHasItsOwnWords) {
   std::set<std::string_view> words;
-  for (std::uint16_t detail = 1; detail <= 9; ++detail) words.insert(mailbox_error_text(static_cast<MailboxErrorDetail>(detail)));
+  for (std::uint16_t detail = 1; detail <= 9; ++detail)
+    words.insert(mailbox_error_text(static_cast<MailboxErrorDetail>(detail)));
   EXPECT_EQ(words.size(), 9U);
   EXPECT_EQ(mailbox_error_text(static_cast<MailboxErrorDetail>(77)), "unknown mailbox error");
 }

@@ -44,7 +44,8 @@ TEST(SdoInformation, ResponsesOfAnyLengthComeBackFromTheirFragments) {
   coe::ObjectList list{coe::ObjectListType::kRxPdo, {}};
   for (std::uint16_t i = 0; i < 700; ++i) list.indices.push_back(static_cast<std::uint16_t>(0x2000 + i));
   const coe::ObjectDescription object{0x1C32, 0x29, 32, coe::ObjectCode::kRecord, "SM output parameter"};
-  coe::EntryDescription entry{0x1C32, 0x0B, 0, 0x06, 16, coe::access::kRead | coe::access::kTxPdo, 0, {}, {}, {}, "SM-Event Missed"};
+  coe::EntryDescription entry{
+      0x1C32, 0x0B, 0, 0x06, 16, coe::access::kRead | coe::access::kTxPdo, 0, {}, {}, {}, "SM-Event Missed"};
   for (const std::size_t mailbox : {48, 128, 1486}) {
     EXPECT_EQ(there_and_back(list, mailbox), coe::InformationResponse(list));
     EXPECT_EQ(there_and_back(object, mailbox), coe::InformationResponse(object));
@@ -55,7 +56,8 @@ TEST(SdoInformation, ResponsesOfAnyLengthComeBackFromTheirFragments) {
   entry.default_value = {1, 0};
   entry.maximum = {0xFF, 0xFF};
   EXPECT_EQ(there_and_back(entry, 128), coe::InformationResponse(entry));
-  EXPECT_EQ(there_and_back(coe::InformationError{0x06020000}, 128), coe::InformationResponse(coe::InformationError{0x06020000}));
+  EXPECT_EQ(there_and_back(coe::InformationError{0x06020000}, 128),
+            coe::InformationResponse(coe::InformationError{0x06020000}));
 }
 
 TEST(SdoInformation, AnswerIsKnownByItsOpcode) {
@@ -76,9 +78,13 @@ TEST(SdoInformation, EntryThatIsShorterThanItSaysIsRefused) {
 }
 
 TEST(Foe, MessagesComeBack) {
-  const std::vector<foe::Message> messages{
-      foe::ReadRequest{0x12345678, "firmware.efw"}, foe::WriteRequest{0, "a"}, foe::Data{1, {1, 2, 3}}, foe::Data{70'000, {}},
-      foe::Ack{3}, foe::FileError{foe::error::kNotFound, "no such file"}, foe::Busy{10, 100, "erasing"}};
+  const std::vector<foe::Message> messages{foe::ReadRequest{0x12345678, "firmware.efw"},
+                                           foe::WriteRequest{0, "a"},
+                                           foe::Data{1, {1, 2, 3}},
+                                           foe::Data{70'000, {}},
+                                           foe::Ack{3},
+                                           foe::FileError{foe::error::kNotFound, "no such file"},
+                                           foe::Busy{10, 100, "erasing"}};
   for (const auto& message : messages) {
     const auto back = foe::decode(foe::encode(message));
     ASSERT_TRUE(back);
@@ -94,8 +100,12 @@ TEST(Foe, WordsForEveryErrorOfTheTable) {
 }
 
 TEST(DiagnosisMessage, ComesBackWithItsParameters) {
-  const DiagnosisMessage message{0x0000E800, DiagnosisMessage::Type::kError, 0x0012, 123'456'789,
-                                 {{0x0006, {0x34, 0x12}}, {0x2003, {'a', 'b', 'c'}}, {0x001B, {1, 2, 3, 4, 5, 6, 7, 8}}}};
+  const DiagnosisMessage message{
+      0x0000E800,
+      DiagnosisMessage::Type::kError,
+      0x0012,
+      123'456'789,
+      {{0x0006, {0x34, 0x12}}, {0x2003, {'a', 'b', 'c'}}, {0x001B, {1, 2, 3, 4, 5, 6, 7, 8}}}};
   const auto back = DiagnosisMessage::decode(message.encode());
   ASSERT_TRUE(back);
   EXPECT_EQ(*back, message);

@@ -45,11 +45,12 @@ TEST(Fmmu, BitLength) {
 }
 
 TEST(Fmmu, RoundTrip) {
-  EXPECT_TRUE(rc::check([](std::uint32_t logical, std::uint16_t length, std::uint16_t physical, bool r, bool w, bool a) {
-    const auto bit = [] { return static_cast<std::uint8_t>(*rc::gen::inRange(0, 8)); };
-    const Fmmu fmmu{logical, length, bit(), bit(), physical, bit(), r, w, a};
-    RC_ASSERT(Fmmu::decode(fmmu.encode()) == fmmu);
-  }));
+  EXPECT_TRUE(
+      rc::check([](std::uint32_t logical, std::uint16_t length, std::uint16_t physical, bool r, bool w, bool a) {
+        const auto bit = [] { return static_cast<std::uint8_t>(*rc::gen::inRange(0, 8)); };
+        const Fmmu fmmu{logical, length, bit(), bit(), physical, bit(), r, w, a};
+        RC_ASSERT(Fmmu::decode(fmmu.encode()) == fmmu);
+      }));
 }
 
 TEST(Fmmu, ReservedBitsAreIgnored) {

@@ -28,9 +28,7 @@ Bytes read_binary(const fs::path& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-bool is_hex_text(const Bytes& bytes) {
-  return !bytes.empty() && bytes.front() == ':';
-}
+bool is_hex_text(const Bytes& bytes) { return !bytes.empty() && bytes.front() == ':'; }
 
 /// Value behind "key=" in the note column, nothing when it is not there.
 std::optional<std::string> note_value(const std::string& note, const std::string& key) {

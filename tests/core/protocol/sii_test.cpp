@@ -132,7 +132,7 @@ TEST(Sii, CategoriesByHand) {
   const auto bytes = encode(small_image());
   const Bytes categories(bytes.begin() + 0x80, bytes.end());
   const Bytes expected = from_hex(
-      "0A00 0400 01 05 534552564F 00"                                         // one string, a byte to fill the word
+      "0A00 0400 01 05 534552564F 00"  // one string, a byte to fill the word
       "1E00 1000 00000101 00 000000 000000 00 0000 0000 0000 0000 000000000000000000000000"
       "2800 0200 010203 FF"
       "2900 0400 0010 8000 26 00 01 01"

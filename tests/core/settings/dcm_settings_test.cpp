@@ -11,8 +11,13 @@ namespace {
 
 using ::testing::HasSubstr;
 
-constexpr DcmMode kModes[] = {DcmMode::kOff,         DcmMode::kBusShift, DcmMode::kMasterShift,     DcmMode::kMasterRefClock,
-                              DcmMode::kLinkLayerRefClock, DcmMode::kDcx,      DcmMode::kMasterShiftByApp};
+constexpr DcmMode kModes[] = {DcmMode::kOff,
+                              DcmMode::kBusShift,
+                              DcmMode::kMasterShift,
+                              DcmMode::kMasterRefClock,
+                              DcmMode::kLinkLayerRefClock,
+                              DcmMode::kDcx,
+                              DcmMode::kMasterShiftByApp};
 
 TEST(DcmSettings, HaveTheDefaultsOfTheManual) {
   const DcmSettings settings;
@@ -70,10 +75,14 @@ TEST(DcmSettings, OutsideTheirRangesAreRefusedByName) {
 
 TEST(DcmSettings, AreSettingsOfTheProject) {
   Project project;
-  for (const auto& [key, value] : std::initializer_list<std::pair<const char*, const char*>>{
-           {"master.dc.mode", "master-ref-clock"}, {"master.dc.gain_ppt", "5"}, {"master.dc.drift_error_gain", "1"},
-           {"master.dc.max_valid_ns", "2500"}, {"master.dc.control_off", "on"}, {"master.dc.standard_loop_values", "on"},
-           {"master.dc.log", "on"}}) {
+  for (const auto& [key, value] :
+       std::initializer_list<std::pair<const char*, const char*>>{{"master.dc.mode", "master-ref-clock"},
+                                                                  {"master.dc.gain_ppt", "5"},
+                                                                  {"master.dc.drift_error_gain", "1"},
+                                                                  {"master.dc.max_valid_ns", "2500"},
+                                                                  {"master.dc.control_off", "on"},
+                                                                  {"master.dc.standard_loop_values", "on"},
+                                                                  {"master.dc.log", "on"}}) {
     const auto status = set_setting(project, key, value);
     ASSERT_TRUE(status) << key << ": " << status.error().detail;
   }

@@ -61,7 +61,8 @@ TEST(SettingsKeys, EveryListedKeyIsDescribedOnce) {
   std::set<std::string> described;
   for (const auto& description : setting_descriptions()) {
     EXPECT_TRUE(described.insert(description.key).second) << description.key;
-    EXPECT_FALSE(description.type.empty() || description.range.empty() || description.meaning.empty()) << description.key;
+    EXPECT_FALSE(description.type.empty() || description.range.empty() || description.meaning.empty())
+        << description.key;
   }
   for (const auto& setting : list_settings(random_project(7))) {
     auto key = std::regex_replace(setting.key, std::regex("^slave\\.[0-9]+"), "slave.N");
@@ -205,8 +206,13 @@ TEST(SettingsKeys, StartupListGrowsChangesAndShrinks) {
   ASSERT_TRUE(set_setting(project, "slave.0.startup.1", "PS 0x1c12:00=0100001600 complete fixed"));
   const auto& startup = project.slaves[0].startup;
   ASSERT_EQ(startup.size(), 2U);
-  EXPECT_EQ(startup[0], (StartupCommand{.transitions = {Transition::kPS, Transition::kSO}, .index = 0x6060, .sub_index = 0,
-                                        .data = {8}, .enabled = false, .timeout_ms = 500, .comment = "CSP # mode"}));
+  EXPECT_EQ(startup[0], (StartupCommand{.transitions = {Transition::kPS, Transition::kSO},
+                                        .index = 0x6060,
+                                        .sub_index = 0,
+                                        .data = {8},
+                                        .enabled = false,
+                                        .timeout_ms = 500,
+                                        .comment = "CSP # mode"}));
   EXPECT_EQ(get_setting(project, "slave.0.startup.1"), "PS 0x1c12:00=0100001600 complete fixed");
   ASSERT_TRUE(set_setting(project, "slave.0.startup.0", ""));
   ASSERT_EQ(startup.size(), 1U);

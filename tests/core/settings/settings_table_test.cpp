@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include "config/families/families.h"
+#include "families/families.h"
 #include "settings/limits.h"
 #include "settings/predicates.h"
 #include "support/random_project.h"

@@ -3,8 +3,8 @@
 
 #include "protocol/fmmu.h"
 #include "sim/mailbox/file_server.h"
-#include "sim/object_dictionary.h"
-#include "sim/pdo_objects.h"
+#include "sim/objects/object_dictionary.h"
+#include "sim/objects/pdo_objects.h"
 #include "tests/core/sim/sim_probe.h"
 
 /// What a device examines before it changes its state, and the AL status code that says what is wrong.
@@ -27,7 +27,8 @@ class SimChecks : public testing::Test {
     probe.set_sync_manager(0, 2, 0x1100, 16, 0x64);
     probe.set_sync_manager(0, 3, 0x1400, 20, 0x20);
   }
-  void map(unsigned number, std::uint32_t logical, std::uint16_t physical, std::uint16_t length, bool read, bool write) {
+  void map(unsigned number, std::uint32_t logical, std::uint16_t physical, std::uint16_t length, bool read,
+           bool write) {
     Fmmu fmmu;
     fmmu.logical_start = logical;
     fmmu.physical_start = physical;

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "sim/three_buffers.h"
+#include "sim/esc/three_buffers.h"
 #include "tests/core/sim/sim_probe.h"
 
 /// What slaves in OP count when somebody looks, against slaves that do it each time.

@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "protocol/error_text.h"
-#include "sim/host_profile_file.h"
+#include "sim/scenario/host_profile_file.h"
 #include "tests/core/sim/sim_probe.h"
 
 /// Scenarios and host profiles that contradict themselves, and the file, line and key that the error names.
@@ -50,27 +50,28 @@ Wrong fault(const std::string& keys, const std::string& key, int line, const std
 }
 
 TEST(BadScenario, NumbersOutsideOfWhatTheirKeyCanHold) {
-  for (const auto& wrong :
-       {Wrong{servo() + "alias = 70000\n", "alias", 3, "0 to 65535"},
-        Wrong{servo() + "alias = -1\n", "alias", 3, "0 to 65535"},
-        Wrong{servo() + "alias = 1.5\n", "alias", 3, "whole number"},
-        Wrong{servo() + "ppm = \"much\"\n", "ppm", 3, "number"}, Wrong{servo() + "ppm = nan\n", "ppm", 3, "number"},
-        Wrong{servo() + "processing_delay_ns = -5\n", "processing_delay_ns", 3, "0 to"},
-        Wrong{servo() + "wander_ppm = -5\n", "wander_ppm", 3, "0 to"},
-        Wrong{servo() + "lrw = 1\n", "lrw", 3, "true or false"}, Wrong{servo() + "count = 0\n", "count", 3, "1 to"},
-        Wrong{servo() + "count = 64001\n", "count", 3, "1 to 64000"},
-        Wrong{servo() + "count = 2.0\n", "count", 3, "whole number"},
-        Wrong{servo() + "alias = 65530\ncount = 10\n", "alias", 3, "counts up to 65539"},
-        Wrong{servo() + "serial_no = 4294967290\ncount = 10\n", "serial_no", 3, "counts up beyond"},
-        Wrong{servo() + "entry = \"B\"\ncount = 2\n", "entry", 3, "one by one"},
-        Wrong{servo() + terminal() + "count = 64000\n", "count", 5, "64001"},
-        Wrong{servo() + "spread_ppm = nan\n", "spread_ppm", 3, "number"},
-        Wrong{servo() + "ppm = inf\n", "ppm", 3, "number"},
-        Wrong{"[host]\nppm = nan\n" + servo(), "ppm", 2, "number"},
-        Wrong{"seed = -1\n" + servo(), "seed", 1, "from 0 on"},
-        Wrong{"[bus]\nloss = 2\n" + servo(), "loss", 2, "0 to 1"},
-        Wrong{"[bus]\nlatch = 2\n" + servo(), "latch", 2, "is not a key"},
-        Wrong{"[host]\nppm = 1e9\n" + servo(), "ppm", 2, "-10000"}}) {
+  for (const auto& wrong : {Wrong{servo() + "alias = 70000\n", "alias", 3, "0 to 65535"},
+                            Wrong{servo() + "alias = -1\n", "alias", 3, "0 to 65535"},
+                            Wrong{servo() + "alias = 1.5\n", "alias", 3, "whole number"},
+                            Wrong{servo() + "ppm = \"much\"\n", "ppm", 3, "number"},
+                            Wrong{servo() + "ppm = nan\n", "ppm", 3, "number"},
+                            Wrong{servo() + "processing_delay_ns = -5\n", "processing_delay_ns", 3, "0 to"},
+                            Wrong{servo() + "wander_ppm = -5\n", "wander_ppm", 3, "0 to"},
+                            Wrong{servo() + "lrw = 1\n", "lrw", 3, "true or false"},
+                            Wrong{servo() + "count = 0\n", "count", 3, "1 to"},
+                            Wrong{servo() + "count = 64001\n", "count", 3, "1 to 64000"},
+                            Wrong{servo() + "count = 2.0\n", "count", 3, "whole number"},
+                            Wrong{servo() + "alias = 65530\ncount = 10\n", "alias", 3, "counts up to 65539"},
+                            Wrong{servo() + "serial_no = 4294967290\ncount = 10\n", "serial_no", 3, "counts up beyond"},
+                            Wrong{servo() + "entry = \"B\"\ncount = 2\n", "entry", 3, "one by one"},
+                            Wrong{servo() + terminal() + "count = 64000\n", "count", 5, "64001"},
+                            Wrong{servo() + "spread_ppm = nan\n", "spread_ppm", 3, "number"},
+                            Wrong{servo() + "ppm = inf\n", "ppm", 3, "number"},
+                            Wrong{"[host]\nppm = nan\n" + servo(), "ppm", 2, "number"},
+                            Wrong{"seed = -1\n" + servo(), "seed", 1, "from 0 on"},
+                            Wrong{"[bus]\nloss = 2\n" + servo(), "loss", 2, "0 to 1"},
+                            Wrong{"[bus]\nlatch = 2\n" + servo(), "latch", 2, "is not a key"},
+                            Wrong{"[host]\nppm = 1e9\n" + servo(), "ppm", 2, "-10000"}}) {
     expect_wrong(wrong);
   }
 }

@@ -103,14 +103,15 @@ TEST_P(SimScenarioErrors, NameFileLineAndKey) {
   EXPECT_EQ(config.error().subject, GetParam().key);
 }
 
-INSTANTIATE_TEST_SUITE_P(Texts, SimScenarioErrors, testing::Values(
-    BadScenario{"name = \"x\"\nspeed = 3\n[[slave]]\nesi = \"a\"\n", "speed", 2},
-    BadScenario{"[[slave]]\nesi = \"a\"\nppm = \"fast\"\n", "ppm", 3},
-    BadScenario{"[[slave]]\nesi = \"a\"\n[[slave]]\nesi = \"a\"\nparent = 7\n", "parent", 5},
-    BadScenario{"[[slave]]\nesi = \"a\"\n[[slave]]\nesi = \"a\"\nport = \"A\"\n", "port", 5},
-    BadScenario{"[[slave]]\nesi = \"a\"\n[[fault]]\nkind = \"flood\"\n", "kind", 4},
-    BadScenario{"[host]\njitter = \"some\"\n[[slave]]\nesi = \"a\"\n", "jitter", 2},
-    BadScenario{"[[slave]]\nname = \"x\"\nesi = \"a\"\ncable_m = -1\n", "cable_m", 4}));
+INSTANTIATE_TEST_SUITE_P(
+    Texts, SimScenarioErrors,
+    testing::Values(BadScenario{"name = \"x\"\nspeed = 3\n[[slave]]\nesi = \"a\"\n", "speed", 2},
+                    BadScenario{"[[slave]]\nesi = \"a\"\nppm = \"fast\"\n", "ppm", 3},
+                    BadScenario{"[[slave]]\nesi = \"a\"\n[[slave]]\nesi = \"a\"\nparent = 7\n", "parent", 5},
+                    BadScenario{"[[slave]]\nesi = \"a\"\n[[slave]]\nesi = \"a\"\nport = \"A\"\n", "port", 5},
+                    BadScenario{"[[slave]]\nesi = \"a\"\n[[fault]]\nkind = \"flood\"\n", "kind", 4},
+                    BadScenario{"[host]\njitter = \"some\"\n[[slave]]\nesi = \"a\"\n", "jitter", 2},
+                    BadScenario{"[[slave]]\nname = \"x\"\nesi = \"a\"\ncable_m = -1\n", "cable_m", 4}));
 
 TEST(SimScenario, MalformedTomlNamesTheLineAndAMissingFileItsName) {
   const auto path = testing::TempDir() + "broken.toml";

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "protocol/dl_status.h"
-#include "sim/esc.h"
+#include "sim/esc/esc.h"
 #include "tests/core/sim/sim_probe.h"
 
 /// Loop control, DL status, forwarding rule, ESC reset and error counters (ESC data sheet I, 3.2 and 14).
@@ -13,9 +13,7 @@ namespace {
 using testing::ElementsAre;
 
 SimConfig three() { return line({sim_slave("SL-1100"), sim_slave("SL-2002"), sim_slave("SL-1002")}); }
-std::uint16_t slaves_on(SimProbe& probe) {
-  return probe.send(Command::kBrd, device_address(0, reg::kType), {0}).wkc;
-}
+std::uint16_t slaves_on(SimProbe& probe) { return probe.send(Command::kBrd, device_address(0, reg::kType), {0}).wkc; }
 DlStatus dl_status(SimProbe& probe, std::uint16_t position) {
   return DlStatus{probe.read(position, reg::kDlStatus, 2).value<std::uint16_t>()};
 }
@@ -42,7 +40,8 @@ TEST(SimLoopControl, APortHeldOpenWithoutALinkSwallowsFramesBehindItsSlave) {
   probe.write(2, reg::kDlControlLoop, {kOpenB});
   EXPECT_TRUE(probe.send(Command::kBwr, device_address(0, reg::kStationAddress), {0x77, 0x00}).lost);
   EXPECT_THAT(probe.bus->peek(2, reg::kStationAddress, 2), ElementsAre(0x77, 0x00)) << "the slaves have executed it";
-  EXPECT_EQ(DlStatus{load_le<std::uint16_t>(probe.bus->peek(2, reg::kDlStatus, 2))}.value & 0x0C20, 0) << "open, no link";
+  EXPECT_EQ(DlStatus{load_le<std::uint16_t>(probe.bus->peek(2, reg::kDlStatus, 2))}.value & 0x0C20, 0)
+      << "open, no link";
 }
 
 TEST(SimLoopControl, ATemporarySettingEndsAfterASecond) {

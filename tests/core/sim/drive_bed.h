@@ -97,7 +97,9 @@ class DriveBed {
   std::vector<std::uint8_t> inputs() { return probe.read(0, device.sync_managers[3].start_address, length(3)).data; }
   /// Statusword and actual position come first with both drives.
   std::uint16_t statusword() { return load_le<std::uint16_t>(inputs()); }
-  std::int32_t position() { return static_cast<std::int32_t>(load_le<std::uint32_t>(std::span(std::as_const(last_ = inputs())).subspan(2))); }
+  std::int32_t position() {
+    return static_cast<std::int32_t>(load_le<std::uint32_t>(std::span(std::as_const(last_ = inputs())).subspan(2)));
+  }
 
   /// True time of the next SYNC0.
   Nanoseconds next_sync() {

@@ -147,7 +147,8 @@ TEST_F(DrivePins, FramesShowOnTheirPin) {
   const auto edges = drive.probe.bus->pin_edges(0, kFramePin);
   ASSERT_EQ(edges.size(), 2 * before + 2);
   EXPECT_NEAR(static_cast<double>(edges[edges.size() - 2].time - sent), 0, 1000);
-  EXPECT_NEAR(static_cast<double>(edges.back().time - edges[edges.size() - 2].time), 5'760, 1000) << "64 bytes and preamble";
+  EXPECT_NEAR(static_cast<double>(edges.back().time - edges[edges.size() - 2].time), 5'760, 1000)
+      << "64 bytes and preamble";
 }
 
 TEST_F(DrivePins, TypeSaysWhetherOutputsWaitForSync0) {

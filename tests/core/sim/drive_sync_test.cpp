@@ -16,7 +16,8 @@ TEST(DriveSync, ObjectsAreCompleteAndWritableWhereTheDriveHasTheChoice) {
     DriveBed drive(type);
     for (const std::uint16_t index : {0x1C32, 0x1C33}) {
       EXPECT_EQ(drive.read(index, 0), 0x20U);
-      for (std::uint8_t sub = 1; sub <= 0x0D; ++sub) EXPECT_NE(drive.read(index, sub), 0xDEADBEEF) << type << " " << int{sub};
+      for (std::uint8_t sub = 1; sub <= 0x0D; ++sub)
+        EXPECT_NE(drive.read(index, sub), 0xDEADBEEF) << type << " " << int{sub};
       EXPECT_EQ(drive.read(index, 0x20), 0U);
       const bool chooses = type == "SL-XE2";  // the servo's type tells what the SYNC signals made of it
       EXPECT_EQ(drive.write(index, 1, {2, 0}), chooses ? 0U : kReadOnly);

@@ -5,7 +5,7 @@
 #include <array>
 
 #include "protocol/fmmu.h"
-#include "sim/esc.h"
+#include "sim/esc/esc.h"
 #include "tests/core/sim/sim_probe.h"
 
 /// Who may touch what: write protection, SyncManagers that the PDI locks, buffers while they are read.
@@ -18,7 +18,8 @@ using testing::ElementsAre;
 constexpr std::array<std::uint8_t, 6> kMac{};
 
 /// One frame with several datagrams; their working counters.
-std::vector<std::uint16_t> send_all(SimProbe& probe, const std::vector<std::pair<std::uint16_t, std::vector<std::uint8_t>>>& writes) {
+std::vector<std::uint16_t> send_all(SimProbe& probe,
+                                    const std::vector<std::pair<std::uint16_t, std::vector<std::uint8_t>>>& writes) {
   FrameBuilder builder;
   builder.set_addresses(kMac, kMac);
   std::uint8_t index = 0;
@@ -41,8 +42,9 @@ TEST(SimWriteProtection, RegistersNeedTheEnableInTheSameFrame) {
   EXPECT_EQ(probe.write(0, reg::kStationAddress, {0x11, 0x22}).wkc, 0) << "the next frame is too late";
   EXPECT_EQ(probe.read(0, reg::kStationAddress, 2).wkc, 1) << "reading is free";
   EXPECT_EQ(probe.write(0, 0x1800, {5}).wkc, 1) << "so is the memory";
-  EXPECT_THAT(send_all(probe, {{reg::kStationAddress, {0x11, 0x22}}, {0x0020, {0}}, {reg::kStationAddress, {0x33, 0x44}}}),
-              ElementsAre(0, 1, 1));
+  EXPECT_THAT(
+      send_all(probe, {{reg::kStationAddress, {0x11, 0x22}}, {0x0020, {0}}, {reg::kStationAddress, {0x33, 0x44}}}),
+      ElementsAre(0, 1, 1));
   EXPECT_THAT(probe.read(0, reg::kStationAddress, 2).data, ElementsAre(0x33, 0x44));
   EXPECT_EQ(probe.write(0, 0x0021, {0}).wkc, 0) << "the protection protects itself";
   EXPECT_THAT(send_all(probe, {{0x0020, {0}}, {0x0021, {0}}}), ElementsAre(1, 1));
@@ -101,7 +103,8 @@ class SimBuffers : public testing::Test {
     esc.memory().set<std::uint64_t>(reg::sync_manager(3), 0x0001'0020'0008'1400U);
     esc.memory().set<std::uint64_t>(reg::sync_manager(2), 0x0001'0024'0008'1100U);
   }
-  std::vector<std::uint8_t> access(Command command, std::uint16_t ado, std::vector<std::uint8_t> data, std::uint16_t* wkc = nullptr) {
+  std::vector<std::uint8_t> access(Command command, std::uint16_t ado, std::vector<std::uint8_t> data,
+                                   std::uint16_t* wkc = nullptr) {
     FrameBuilder builder;
     builder.set_addresses(kMac, kMac);
     builder.add(command, 1, device_address(0, ado), data);

@@ -13,7 +13,7 @@ using testing::ElementsAre;
 
 SimConfig three_terminals() {
   auto config = line({sim_slave("SL-1100"), sim_slave("SL-2002"), sim_slave("SL-1002")});
-  config.slaves[1].dc = {false, true, true};   // receive times only
+  config.slaves[1].dc = {false, true, true};  // receive times only
   config.slaves[2].dc = {false, false, false};
   return config;
 }

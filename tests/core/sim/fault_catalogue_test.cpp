@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "protocol/dc_registers.h"
-#include "sim/al_checks.h"
+#include "sim/device/al_checks.h"
 #include "tests/core/sim/drive_bed.h"
 
 /// Each fault of a scenario does to registers what the machine's real counterpart does to them (docs/scenarios.md lists

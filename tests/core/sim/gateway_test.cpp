@@ -84,7 +84,7 @@ class Gateway : public testing::Test {
   std::optional<SimProbe> probe;
   std::vector<std::pair<std::uint8_t, std::uint32_t>> parameters;
   std::uint32_t sync0_ns = 1'000'000;
-  std::uint32_t told_cycle = 0;  // 0x1C32:02 in the start-up list
+  std::uint32_t told_cycle = 0;    // 0x1C32:02 in the start-up list
   std::uint8_t delay_percent = 0;  // 0xF800:0E, of the CAN cycle
   std::uint32_t input_shift = 0;   // 0x1C33:03
   std::uint8_t counter = 0;

@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "sim/esc.h"
+#include "sim/esc/esc.h"
 #include "tests/core/sim/sim_probe.h"
 
 /// Latch units and SYNC signals of an ESC: registers 0x0980 to 0x09CF.
@@ -199,7 +199,8 @@ TEST_F(SimSyncSignals, Sync1BelongsToTheFirstSync0BehindItsPredecessor) {
     start(250'000, row.cycle1 * 1000, 1'000'000, 0x07);
     esc->advance_to(6 * kMillisecond);
     ASSERT_GE(sync1.size(), 4U) << row.cycle1;
-    for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(sync1[i], kMillisecond + row.expected[i] * kMicrosecond) << row.cycle1;
+    for (std::size_t i = 0; i < 4; ++i)
+      EXPECT_EQ(sync1[i], kMillisecond + row.expected[i] * kMicrosecond) << row.cycle1;
     EXPECT_EQ(sync0.size(), 21U) << "SYNC0 goes on in between";
   }
 }

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "protocol/dc_registers.h"
-#include "sim/esc_types.h"
+#include "sim/esc/esc_types.h"
 #include "tests/core/sim/sim_probe.h"
 
 /// What the line and the clocks do all the time: loss by chance, asymmetric cables, noise of the receive times, ramps.

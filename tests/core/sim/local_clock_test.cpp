@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sim/local_clock.h"
+#include "sim/dc/local_clock.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "sim/segment.h"
+#include "sim/segment/segment.h"
 
 namespace syncline::sim {
 namespace {

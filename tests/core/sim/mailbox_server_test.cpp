@@ -5,10 +5,10 @@
 
 #include <numeric>
 
-#include "sim/diagnosis_history.h"
 #include "sim/mailbox/complete_access.h"
 #include "sim/mailbox/mailbox_server.h"
-#include "sim/pdo_objects.h"
+#include "sim/objects/diagnosis_history.h"
+#include "sim/objects/pdo_objects.h"
 
 namespace syncline::sim {
 namespace {

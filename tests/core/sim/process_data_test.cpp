@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sim/process_data.h"
+#include "sim/device/process_data.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

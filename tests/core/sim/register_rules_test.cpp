@@ -69,7 +69,8 @@ TEST(SimSync, ACycleOfZeroIsASingleShot) {
   EXPECT_EQ(pending(), 1);
   probe.pass(10 * kMillisecond);
   EXPECT_EQ(pending(), 0) << "it has fired";
-  EXPECT_EQ(probe.read(0, reg::kStartTimeCyclicOperation, 8).value<std::uint64_t>(), start) << "and there is no next one";
+  EXPECT_EQ(probe.read(0, reg::kStartTimeCyclicOperation, 8).value<std::uint64_t>(), start)
+      << "and there is no next one";
 }
 
 class SimLateStart : public testing::TestWithParam<bool> {};

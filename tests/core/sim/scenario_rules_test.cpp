@@ -13,8 +13,10 @@ namespace {
 /// A scenario of one slave and one fault in a file of its own.
 Result<SimConfig> load(const std::string& device, const std::string& fault) {
   const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-  const auto path = (std::filesystem::temp_directory_path() / (std::string("syncline-") + info->name() + ".toml")).string();
-  std::ofstream(path) << "[[slave]]\nesi = \"" << resource("esi/" + device + ".xml") << "\"\n[[fault]]\nslave = 0\n" << fault;
+  const auto path =
+      (std::filesystem::temp_directory_path() / (std::string("syncline-") + info->name() + ".toml")).string();
+  std::ofstream(path) << "[[slave]]\nesi = \"" << resource("esi/" + device + ".xml") << "\"\n[[fault]]\nslave = 0\n"
+                      << fault;
   auto config = sim::load_scenario(path, scenario_device);
   std::filesystem::remove(path);
   return config;

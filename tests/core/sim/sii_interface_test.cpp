@@ -10,8 +10,8 @@ namespace syncline::test {
 namespace {
 
 constexpr std::uint16_t kRead = 0x0100, kWrite = 0x0201, kReload = 0x0400;
-constexpr std::uint16_t kChecksumError = 0x0800, kNotLoaded = 0x1000, kCommandError = 0x2000, kWriteEnableError = 0x4000,
-                        kBusy = 0x8000;
+constexpr std::uint16_t kChecksumError = 0x0800, kNotLoaded = 0x1000, kCommandError = 0x2000,
+                        kWriteEnableError = 0x4000, kBusy = 0x8000;
 
 SimConfig one_terminal(SimSiiConfig sii = {}) {
   auto slave = sim_slave("SL-1100");

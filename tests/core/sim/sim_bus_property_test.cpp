@@ -13,7 +13,8 @@ namespace {
 
 const SimConfig& segment() {
   static const SimConfig config = [] {
-    auto made = line({sim_slave("SL-1100"), sim_slave("SL-2002"), sim_slave("SL-SV7", "servo-y"), sim_slave("SL-XE2", "drive-c")});
+    auto made = line(
+        {sim_slave("SL-1100"), sim_slave("SL-2002"), sim_slave("SL-SV7", "servo-y"), sim_slave("SL-XE2", "drive-c")});
     made.slaves[1].dc = {false, true, true};
     made.slaves[3].dc = {true, true, false};
     made.slaves[2].sii = {kMillisecond, 3 * kMillisecond, false};
@@ -27,10 +28,12 @@ const SimConfig& segment() {
 /// Addresses where something happens, with neighbours.
 rc::Gen<std::uint16_t> interesting_address() {
   const auto near = [](std::uint16_t start, std::uint16_t size) {
-    return rc::gen::map(rc::gen::inRange<unsigned>(0, size), [start](unsigned offset) { return static_cast<std::uint16_t>(start + offset); });
+    return rc::gen::map(rc::gen::inRange<unsigned>(0, size),
+                        [start](unsigned offset) { return static_cast<std::uint16_t>(start + offset); });
   };
-  return rc::gen::oneOf(near(0x0000, 0x0140), near(0x0300, 0x20), near(0x0400, 0x50), near(0x0500, 0x10), near(0x0600, 0x100),
-                        near(0x0800, 0x80), near(0x0900, 0x100), near(0x0FF0, 0x400), near(0xFF00, 0xFF), rc::gen::arbitrary<std::uint16_t>());
+  return rc::gen::oneOf(near(0x0000, 0x0140), near(0x0300, 0x20), near(0x0400, 0x50), near(0x0500, 0x10),
+                        near(0x0600, 0x100), near(0x0800, 0x80), near(0x0900, 0x100), near(0x0FF0, 0x400),
+                        near(0xFF00, 0xFF), rc::gen::arbitrary<std::uint16_t>());
 }
 
 std::vector<std::uint8_t> random_frame() {
@@ -39,7 +42,8 @@ std::vector<std::uint8_t> random_frame() {
   for (int i = 0; i < count; ++i) {
     const auto command = static_cast<Command>(*rc::gen::inRange(0, 18));
     const auto adp = *rc::gen::element<std::uint16_t>(0, 0xFFFF, 0xFFFE, 0xFFFD, 1001, 0x1234);
-    const auto data = *rc::gen::container<std::vector<std::uint8_t>>(*rc::gen::inRange<std::size_t>(0, 200), rc::gen::arbitrary<std::uint8_t>());
+    const auto data = *rc::gen::container<std::vector<std::uint8_t>>(*rc::gen::inRange<std::size_t>(0, 200),
+                                                                     rc::gen::arbitrary<std::uint8_t>());
     (void)builder.add(command, static_cast<std::uint8_t>(i), device_address(adp, *interesting_address()), data);
   }
   const auto frame = builder.finish();
@@ -76,7 +80,8 @@ RC_GTEST_PROP(SimBusProperty, DamagedFramesAreHarmless, ()) {
   for (int i = 0; i < 4; ++i) {
     auto frame = random_frame();
     const auto hits = *rc::gen::inRange(1, 8);
-    for (int hit = 0; hit < hits; ++hit) frame[*rc::gen::inRange<std::size_t>(12, frame.size())] = *rc::gen::arbitrary<std::uint8_t>();
+    for (int hit = 0; hit < hits; ++hit)
+      frame[*rc::gen::inRange<std::size_t>(12, frame.size())] = *rc::gen::arbitrary<std::uint8_t>();
     frame.resize(*rc::gen::inRange<std::size_t>(0, frame.size() + 1));
     frame.shrink_to_fit();  // so that a sanitizer sees a read behind it
     frames.push_back(std::move(frame));

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "eni/esi_reader.h"
+#include "eni/esi/esi_reader.h"
 #include "protocol/frame.h"
 #include "protocol/registers.h"
-#include "sim/scenario_loader.h"
+#include "sim/scenario/scenario_loader.h"
 #include "sim/sim_bus.h"
 #include "support/byte_order.h"
 #include "support/clock.h"
@@ -62,7 +62,9 @@ class SimProbe {
     std::vector<std::uint8_t> data;
     std::uint8_t source_mac0 = 0;
     template <std::unsigned_integral T>
-    [[nodiscard]] T value() const { return load_le<T>(data); }
+    [[nodiscard]] T value() const {
+      return load_le<T>(data);
+    }
   };
 
   explicit SimProbe(const SimConfig& config, sim::SimBus::Work work = sim::SimBus::Work::kAtOnce)
@@ -91,7 +93,8 @@ class SimProbe {
     return reply;
   }
   Reply read(std::uint16_t position, std::uint16_t ado, std::size_t length) {
-    return send(Command::kAprd, device_address(Position{position}.auto_increment_address(), ado), std::vector<std::uint8_t>(length));
+    return send(Command::kAprd, device_address(Position{position}.auto_increment_address(), ado),
+                std::vector<std::uint8_t>(length));
   }
   Reply write(std::uint16_t position, std::uint16_t ado, std::vector<std::uint8_t> data) {
     return send(Command::kApwr, device_address(Position{position}.auto_increment_address(), ado), std::move(data));
@@ -107,7 +110,8 @@ class SimProbe {
     return read(position, reg::kAlStatus, 2).value<std::uint16_t>();
   }
   std::uint16_t al_code(std::uint16_t position) { return read(position, reg::kAlStatusCode, 2).value<std::uint16_t>(); }
-  void set_sync_manager(std::uint16_t position, unsigned number, std::uint16_t start, std::uint16_t length, std::uint8_t control) {
+  void set_sync_manager(std::uint16_t position, unsigned number, std::uint16_t start, std::uint16_t length,
+                        std::uint8_t control) {
     std::vector<std::uint8_t> bytes;
     ByteWriter(bytes).u16(start).u16(length).u8(control).u8(0).u8(1).u8(0);
     write(position, reg::sync_manager(number), bytes);

@@ -26,14 +26,16 @@ CycleSample sample(std::uint64_t cycle) {
   s.dcm_output_total_ns = -1'000'000;
   s.dcm_error_code = 0x981201C2;
   s.deviation_ored_ns = 31;
-  s.flags = CycleSample::kReferenceValid | CycleSample::kDcmActive | CycleSample::kDcmInSync | CycleSample::kDeviationValid;
+  s.flags =
+      CycleSample::kReferenceValid | CycleSample::kDcmActive | CycleSample::kDcmInSync | CycleSample::kDeviationValid;
   return s;
 }
 
 TEST(DcmLog, HasTheColumnsOfTheManualInItsOrder) {
-  EXPECT_EQ(dcm_log_header(),
-            "Time[ms];SyncSetVal [ns];BusTime [ns];BusTimeOff;CtlAdj [ns];CtlErr [ns];CtlErrFilt;Drift [ppm];"
-            "CtlErr [1/10 pmil];CtlOutSum;CtlOutTot;DCStartTime;DCMErrorCode;DCMInSync;DCInSync;SystemTimeDifference [ns]\n");
+  EXPECT_EQ(
+      dcm_log_header(),
+      "Time[ms];SyncSetVal [ns];BusTime [ns];BusTimeOff;CtlAdj [ns];CtlErr [ns];CtlErrFilt;Drift [ppm];"
+      "CtlErr [1/10 pmil];CtlOutSum;CtlOutTot;DCStartTime;DCMErrorCode;DCMInSync;DCInSync;SystemTimeDifference [ns]\n");
 }
 
 TEST(DcmLog, SaysTheCycleInTheUnitsAndWithTheSignsOfTheManual) {
@@ -44,8 +46,9 @@ TEST(DcmLog, SaysTheCycleInTheUnitsAndWithTheSignsOfTheManual) {
   ASSERT_TRUE(row);
   std::string text;
   append_dcm_log(text, *row);
-  EXPECT_EQ(text, "2.000;666667;820000000012333340;333340;7;250;200;-12.500;2.500;-12.250;-1000000;820000000005000000;"
-                  "0x981201c2;1;0;31\n");
+  EXPECT_EQ(text,
+            "2.000;666667;820000000012333340;333340;7;250;200;-12.500;2.500;-12.250;-1000000;820000000005000000;"
+            "0x981201c2;1;0;31\n");
 }
 
 TEST(DcmLog, HasNoLineForACycleWithoutAReading) {

@@ -23,7 +23,8 @@ TEST(Histogram, PercentilesNeverUnderstateAndOverstateByABinAtMost) {
   EXPECT_TRUE(rc::check([] {
     const auto exponents = *rc::gen::nonEmpty(rc::gen::container<std::vector<int>>(rc::gen::inRange(0, 40)));
     std::vector<std::int64_t> values;
-    for (const int exponent : exponents) values.push_back(*rc::gen::inRange<std::int64_t>(0, (std::int64_t{1} << exponent) + 1));
+    for (const int exponent : exponents)
+      values.push_back(*rc::gen::inRange<std::int64_t>(0, (std::int64_t{1} << exponent) + 1));
     Histogram histogram;
     for (const auto value : values) histogram.add(value);
     for (const double fraction : {0.01, 0.5, 0.9, 0.99, 0.999, 1.0}) {

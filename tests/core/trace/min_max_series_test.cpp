@@ -52,7 +52,8 @@ TEST(MinMaxSeries, ColumnsEqualBruteForceAtEveryZoom) {
   std::vector<SeriesColumn> columns;
   for (int round = 0; round < 40; ++round) {
     const auto span = samples.back().time - samples.front().time;
-    const auto begin = samples.front().time + static_cast<Nanoseconds>(random.uniform(-0.1, 0.9) * static_cast<double>(span));
+    const auto begin =
+        samples.front().time + static_cast<Nanoseconds>(random.uniform(-0.1, 0.9) * static_cast<double>(span));
     const auto width = 1 + static_cast<Nanoseconds>(std::pow(10.0, random.uniform(3, 10)));
     series.columns(begin, begin + 20 * width, width, columns);
     ASSERT_GE(columns.size(), 20U);

@@ -62,11 +62,14 @@ TEST(CatalogueMatch, ElseTheNearestOlderThenTheNewest) {
 }
 
 TEST(CatalogueMatch, SaysWhy) {
-  const auto words = [](const auto& entries, std::uint32_t revision) { return best_match(entries, {2, 3, revision, 0})->words; };
+  const auto words = [](const auto& entries, std::uint32_t revision) {
+    return best_match(entries, {2, 3, revision, 0})->words;
+  };
   const auto ruled = revisions({{0x10, "EQ_OR_G"}});
   EXPECT_EQ(words(ruled, 0x10), "revision 0x00000010, exactly");
-  EXPECT_EQ(words(ruled, 0x20), "no ESI file has revision 0x00000020; the vendor's rule EQ_OR_G of revision 0x00000010 accepts "
-                                "it (this revision or a newer one)");
+  EXPECT_EQ(words(ruled, 0x20),
+            "no ESI file has revision 0x00000020; the vendor's rule EQ_OR_G of revision 0x00000010 accepts "
+            "it (this revision or a newer one)");
   const auto strict = revisions({{0x10, "EQ"}});
   EXPECT_THAT(words(strict, 0x20), HasSubstr("no rule of the vendor accepts it; the nearest older one is 0x00000010"));
   EXPECT_THAT(words(strict, 0x08), HasSubstr("or an older one; the newest one is 0x00000010"));

@@ -107,15 +107,18 @@ TEST_F(Catalogue, SearchesTheFoldersOfThisProgramOnly) {
 }
 
 TEST_F(Catalogue, FindsWhileSomebodyTypes) {
-  put("a.xml", esi_text({{1, 0x10, "EL2004", "4K. Dig. Ausgang 24V"}, {1, 0x11, "EL2004", "4Ch. Dig. Output 24V"},
-                         {2, 0x10, "EL2004-0010", "4Ch. Dig. Output 24V"}, {3, 0x10, "EK1100", "Koppler für EtherCAT"},
+  put("a.xml", esi_text({{1, 0x10, "EL2004", "4K. Dig. Ausgang 24V"},
+                         {1, 0x11, "EL2004", "4Ch. Dig. Output 24V"},
+                         {2, 0x10, "EL2004-0010", "4Ch. Dig. Output 24V"},
+                         {3, 0x10, "EK1100", "Koppler für EtherCAT"},
                          {0x44C2C52, 0x10, "EL1100", "", "Analogue"}}));
   put("b.xml", esi_text({{1, 0x10, "XEL 2", "Drive"}}, "Łódź Drives", 7));
   EsiCatalogue catalogue;
   ASSERT_TRUE(catalogue.add_folder(folder().string()));
   EXPECT_THAT(types(catalogue, {"el20"}), ElementsAre("EL2004", "EL2004-0010"));
   EXPECT_EQ(catalogue.search({"el20"})->front().identity.revision_no, 0x11U);  // the newest stands for all
-  EXPECT_THAT(types(catalogue, {.words = "el20", .all_revisions = true}), ElementsAre("EL2004", "EL2004", "EL2004-0010"));
+  EXPECT_THAT(types(catalogue, {.words = "el20", .all_revisions = true}),
+              ElementsAre("EL2004", "EL2004", "EL2004-0010"));
   EXPECT_THAT(types(catalogue, {"EL2004-0"}), ElementsAre("EL2004-0010"));
   EXPECT_THAT(types(catalogue, {"2004"}), ElementsAre("EL2004", "EL2004-0010"));  // users remember numbers
   EXPECT_THAT(types(catalogue, {"outp dig maker"}), ElementsAre("EL2004", "EL2004-0010"));
@@ -135,8 +138,10 @@ TEST_F(Catalogue, FindsWhileSomebodyTypes) {
 }
 
 TEST_F(Catalogue, LeavesOutWhatANewerDeviceHides) {
-  put("a.xml", esi_text({{1, 0x10, "A1"}, {1, 0x11, "A2", "", "", "<HideType RevisionNo=\"#x10\"/>"},
-                         {2, 0x10, "B1"}, {3, 0x10, "C1", "", "", "<HideType ProductCode=\"2\">B1</HideType>"}}));
+  put("a.xml", esi_text({{1, 0x10, "A1"},
+                         {1, 0x11, "A2", "", "", "<HideType RevisionNo=\"#x10\"/>"},
+                         {2, 0x10, "B1"},
+                         {3, 0x10, "C1", "", "", "<HideType ProductCode=\"2\">B1</HideType>"}}));
   EsiCatalogue catalogue;
   ASSERT_TRUE(catalogue.add_folder(folder().string()));
   EXPECT_THAT(types(catalogue, {}), ElementsAre("A2", "C1"));
@@ -149,7 +154,8 @@ TEST_F(Catalogue, LeavesOutWhatANewerDeviceHides) {
 
 TEST_F(Catalogue, ReportsDuplicatesAndConflicts) {
   put("a.xml", esi_text({{1, 0x10, "A1"}, {2, 0x10, "B1"}, {3, 0x10, "C1"}, {0, 0, "P1"}, {0, 0, "P2"}}));
-  put("b.xml", "<?xml version=\"1.0\"?>\n" + esi_text({{1, 0x10, "A1", "Thing<!-- comment -->"}, {2, 0x10, "B1", "Other"}}));
+  put("b.xml",
+      "<?xml version=\"1.0\"?>\n" + esi_text({{1, 0x10, "A1", "Thing<!-- comment -->"}, {2, 0x10, "B1", "Other"}}));
   EsiCatalogue catalogue;
   ASSERT_TRUE(catalogue.add_folder(folder().string()));
   const auto found = *catalogue.duplicates();
@@ -158,7 +164,8 @@ TEST_F(Catalogue, ReportsDuplicatesAndConflicts) {
   EXPECT_FALSE(found[0].conflict);
   EXPECT_EQ(found[1].identity.product_code, 2U);
   EXPECT_TRUE(found[1].conflict);
-  EXPECT_THAT(found[1].entries, ElementsAre(Field(&CatalogueEntry::file, file("a.xml")), Field(&CatalogueEntry::file, file("b.xml"))));
+  EXPECT_THAT(found[1].entries,
+              ElementsAre(Field(&CatalogueEntry::file, file("a.xml")), Field(&CatalogueEntry::file, file("b.xml"))));
   const auto match = *catalogue.match({0x5EC, 2, 0x10, 0});
   EXPECT_EQ(match.entry.file, file("a.xml"));
   EXPECT_THAT(match.words, HasSubstr("b.xml line"));
@@ -169,9 +176,10 @@ TEST_F(Catalogue, TellsOfFilesThatCannotBeReadEachTime) {
   put("bad.xml", "<EtherCATInfo>\n<Vendor>");
   put("eni.xml", "<EtherCATConfig/>");
   put("module.xml", "<EtherCATModule/>");
-  put("part.xml", esi_text({{1, 0x10, "A1"}, {2, 0x10, "B1", "", "", "", "SerialNo=\"1\" CheckRevisionNo=\"EQ\""}}) );
-  put("device.xml", "<EtherCATInfo><Vendor><Id>1</Id></Vendor><Descriptions><Devices>\n<Device><Type ProductCode=\"x\">T</Type>"
-                    "</Device></Devices></Descriptions></EtherCATInfo>");
+  put("part.xml", esi_text({{1, 0x10, "A1"}, {2, 0x10, "B1", "", "", "", "SerialNo=\"1\" CheckRevisionNo=\"EQ\""}}));
+  put("device.xml",
+      "<EtherCATInfo><Vendor><Id>1</Id></Vendor><Descriptions><Devices>\n<Device><Type ProductCode=\"x\">T</Type>"
+      "</Device></Devices></Descriptions></EtherCATInfo>");
   for (int twice = 0; twice < 2; ++twice) {
     auto catalogue = opened();
     ASSERT_TRUE(catalogue.add_folder(folder().string()));
@@ -192,7 +200,8 @@ TEST_F(Catalogue, TellsOfFilesThatCannotBeReadEachTime) {
 }
 
 TEST_F(Catalogue, ReadsTheWholeDeviceFromItsFileWhenAsked) {
-  put("a.xml", esi_text({{1, 0x10, "A1", "Thing", "Digital", "<Sm StartAddress=\"#x1000\" ControlByte=\"#x26\">MBoxOut</Sm>"}}));
+  put("a.xml",
+      esi_text({{1, 0x10, "A1", "Thing", "Digital", "<Sm StartAddress=\"#x1000\" ControlByte=\"#x26\">MBoxOut</Sm>"}}));
   auto catalogue = opened();
   ASSERT_TRUE(catalogue.add_folder(folder().string()));
   const auto match = catalogue.device_for({0x5EC, 1, 0x10, 0});
@@ -335,11 +344,12 @@ TEST_F(Catalogue, ManyDevicesOfOneIdentityTakeLinearTime) {
 }
 
 TEST_F(Catalogue, PartsWithoutAControllerAreNoDevices) {
-  put("a.xml", "<EtherCATInfo><Vendor><Id>2</Id><Name>M</Name></Vendor><Descriptions><Groups/><Devices>"
-               "<Device Physics=\"\" Invisible=\"1\"><Type>EC9011</Type><Name>End cap</Name></Device>"
-               "<Device Physics=\"KK\"><Type>EC9100</Type><Name>Supply</Name></Device>"
-               "<Device Physics=\"YY\"><Type ProductCode=\"7\" RevisionNo=\"1\">EC7</Type></Device>"
-               "</Devices></Descriptions></EtherCATInfo>");
+  put("a.xml",
+      "<EtherCATInfo><Vendor><Id>2</Id><Name>M</Name></Vendor><Descriptions><Groups/><Devices>"
+      "<Device Physics=\"\" Invisible=\"1\"><Type>EC9011</Type><Name>End cap</Name></Device>"
+      "<Device Physics=\"KK\"><Type>EC9100</Type><Name>Supply</Name></Device>"
+      "<Device Physics=\"YY\"><Type ProductCode=\"7\" RevisionNo=\"1\">EC7</Type></Device>"
+      "</Devices></Descriptions></EtherCATInfo>");
   auto catalogue = opened();
   ASSERT_TRUE(catalogue.add_folder(folder().string()));
   EXPECT_THAT(types(catalogue, {.with_hidden = true}), ElementsAre("EC7"));
@@ -383,9 +393,10 @@ TEST_F(Catalogue, MendsEveryKindOfDamage) {
     EXPECT_THAT(types(catalogue, {.words = "Thing", .with_hidden = true}), ElementsAre("A1", "B1")) << what;
   };
   all_there("new");
-  for (const char* const sql : {"DROP TABLE devices", "DROP TABLE words", "DELETE FROM words_data", "DROP TABLE hides",
-                                "DROP INDEX devices_by_file", "PRAGMA user_version=0", "ALTER TABLE files RENAME path TO way",
-                                "PRAGMA writable_schema=ON; UPDATE sqlite_master SET rootpage=99 WHERE name='devices'"}) {
+  for (const char* const sql :
+       {"DROP TABLE devices", "DROP TABLE words", "DELETE FROM words_data", "DROP TABLE hides",
+        "DROP INDEX devices_by_file", "PRAGMA user_version=0", "ALTER TABLE files RENAME path TO way",
+        "PRAGMA writable_schema=ON; UPDATE sqlite_master SET rootpage=99 WHERE name='devices'"}) {
     ASSERT_TRUE(SqlDatabase::open(database())->execute(sql)) << sql;
     all_there(sql);
   }

@@ -21,13 +21,14 @@ inline std::string esi_text(const std::vector<EsiText>& devices, const std::stri
                             std::uint32_t vendor_id = 0x5EC) {
   std::string escaped = vendor;
   if (const auto at = escaped.find('&'); at != std::string::npos) escaped.replace(at, 1, "&amp;");
-  std::string text = "<EtherCATInfo><Vendor><Id>" + std::to_string(vendor_id) + "</Id><Name>" + escaped +
-                     "</Name></Vendor><Descriptions>\n<Groups><Group><Type>Digital</Type><Name LcId=\"1031\">Klemmen</Name>"
-                     "<Name LcId=\"1033\">Digital terminals</Name></Group></Groups><Devices>\n";
+  std::string text =
+      "<EtherCATInfo><Vendor><Id>" + std::to_string(vendor_id) + "</Id><Name>" + escaped +
+      "</Name></Vendor><Descriptions>\n<Groups><Group><Type>Digital</Type><Name LcId=\"1031\">Klemmen</Name>"
+      "<Name LcId=\"1033\">Digital terminals</Name></Group></Groups><Devices>\n";
   for (const auto& d : devices) {
     text += "<Device Physics=\"YY\"><Type ProductCode=\"" + std::to_string(d.product) + "\" RevisionNo=\"" +
-            std::to_string(d.revision) + "\" " + d.type_attributes + ">" + d.type + "</Type>" + d.extra + "<Name>" + d.name +
-            "</Name><GroupType>" + d.group + "</GroupType></Device>\n";
+            std::to_string(d.revision) + "\" " + d.type_attributes + ">" + d.type + "</Type>" + d.extra + "<Name>" +
+            d.name + "</Name><GroupType>" + d.group + "</GroupType></Device>\n";
   }
   return text + "</Devices></Descriptions></EtherCATInfo>\n";
 }
@@ -50,7 +51,8 @@ class EsiFolderTest : public ::testing::Test {
   void put(const std::string& name, const std::string& text, int age = 60) const {
     std::filesystem::create_directories(std::filesystem::path(file(name)).parent_path());
     std::ofstream(file(name), std::ios::binary) << text;
-    std::filesystem::last_write_time(file(name), std::filesystem::file_time_type::clock::now() - std::chrono::seconds(age));
+    std::filesystem::last_write_time(file(name),
+                                     std::filesystem::file_time_type::clock::now() - std::chrono::seconds(age));
   }
 
  private:

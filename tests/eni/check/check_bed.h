@@ -5,9 +5,9 @@
 #include <set>
 #include <string>
 
-#include "config/compile/compile.h"
+#include "compile/compile.h"
 #include "eni/check/eni_check.h"
-#include "eni/eni_file.h"
+#include "eni/format/eni_file.h"
 #include "protocol/fmmu.h"
 #include "protocol/registers.h"
 #include "support/byte_order.h"

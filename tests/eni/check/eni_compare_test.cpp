@@ -6,8 +6,8 @@
 
 #include <map>
 
-#include "config/compare/compare_configs.h"
-#include "config/network_compare.h"
+#include "compare/compare_configs.h"
+#include "compare/network_compare.h"
 #include "eni/check/check_bed.h"
 #include "support/eni_values.h"
 #include "support/sample_folder.h"

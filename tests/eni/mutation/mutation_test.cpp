@@ -5,7 +5,7 @@
 
 #include <map>
 
-#include "config/compare/compare_configs.h"
+#include "compare/compare_configs.h"
 #include "eni/check/check_bed.h"
 #include "eni/mutation/defects.h"
 #include "support/sample_folder.h"

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "check/network_view.h"
+#include "check/state_requests.h"
+#include "config/command_text.h"
+#include "protocol/dc_registers.h"
+#include "protocol/registers.h"
+
+namespace syncline::checker {
+namespace {
+
+bool in(std::uint16_t ado, std::uint16_t first, unsigned size) { return ado >= first && ado < first + size; }
+
+constexpr std::uint16_t kSiiRead = 0x0100;   // in 0x0502
+constexpr std::uint32_t kLastWord = 0xFFFF;  // of any EEPROM in the field
+
+class OrderCheck {
+ public:
+  OrderCheck(const NetworkView& view, std::size_t slave, Findings& findings)
+      : slave_(slave), config_(view.config.slaves[slave]), findings_(findings) {}
+
+  void run() {
+    for (const Transition transition : {Transition::kIP, Transition::kPS, Transition::kSO}) {
+      check_before_request(transition);
+    }
+    check_address();
+    check_eeprom();
+    check_answers();
+  }
+
+ private:
+  void add(std::string_view code, std::size_t cmd, std::string what) {
+    findings_.add(code, {PlaceKind::kSlaveInitCmd, slave_, cmd}, std::move(what));
+  }
+
+  /// SyncManagers, FMMUs and SYNC0 are checked or used by the slave when it changes its state.
+  void check_before_request(Transition transition) {
+    const auto request = state_request(config_, transition);
+    if (!request) return;
+    for (std::size_t i = *request + 1; i < config_.init_cmds.size(); ++i) {
+      const InitCmd& cmd = config_.init_cmds[i];
+      if (!has(cmd, transition) || !writes(cmd.command) || is_logical(cmd.command)) continue;
+      const std::string what = fmt::format("on {} it comes behind the request for {}", transition_name(transition),
+                                           al_state_name(target(transition)));
+      if (in(cmd.ado, reg::kSyncManager, 0x80)) {
+        add("ENI-ORD-01", i, what);
+      } else if (in(cmd.ado, reg::kFmmu, 0x100)) {
+        add("ENI-ORD-02", i, what);
+      } else if (const auto assign = written_number(cmd, reg::kCyclicUnitControl, 2);
+                 assign && AssignActivate{static_cast<std::uint16_t>(*assign)}.unit_on()) {
+        add("ENI-ORD-03", i, what);
+      }
+    }
+  }
+
+  /// From INIT a slave is known by its place until it has its station address.
+  void check_address() {
+    bool has_address = false;
+    for (std::size_t i = 0; i < config_.init_cmds.size(); ++i) {
+      const InitCmd& cmd = config_.init_cmds[i];
+      if (!has(cmd, Transition::kIP)) continue;
+      has_address = has_address || writes_register(cmd, reg::kStationAddress);
+      if (is_fixed_address(cmd.command) && !has_address) {
+        add("ENI-ORD-04", i, fmt::format("{} comes before the station address is set (0x0010)", address_text(cmd)));
+        return;
+      }
+      if (const auto value = written_number(cmd, reg::kStationAddress, 2); value && *value != config_.station_address) {
+        add("ENI-ORD-07", i, fmt::format("it sets {}, PhysAddr is {}", *value, config_.station_address));
+      }
+    }
+  }
+
+  /// The EEPROM belongs to the master while it reads it, and to the slave when it goes to PREOP.
+  void check_eeprom() {
+    enum class Owner { kUnknown, kMaster, kSlave } owner = Owner::kUnknown;
+    const auto request = state_request(config_, Transition::kIP);
+    for (std::size_t i = 0; i < config_.init_cmds.size(); ++i) {
+      const InitCmd& cmd = config_.init_cmds[i];
+      if (!has(cmd, Transition::kIP)) continue;
+      if (const auto value = written_number(cmd, reg::kSiiConfiguration, 1)) {
+        owner = (*value & 1) != 0 ? Owner::kSlave : Owner::kMaster;
+      }
+      if (writes_register(cmd, reg::kSiiControl) && owner != Owner::kMaster) {
+        add("ENI-ORD-05", i, "it reads the EEPROM, which does not belong to the master (0x0500 = 0) yet");
+        return;
+      }
+      if (request == i && owner == Owner::kMaster && config_.mailbox) {
+        add("ENI-ORD-06", i, "PREOP is requested while the EEPROM belongs to the master (0x0500 = 0)");
+      }
+    }
+  }
+
+  /// Each request to read the EEPROM (0x0100 in 0x0502, a word's address in 0x0504) has its answer read from 0x0508,
+  /// and no answer is compared that nobody asked for.
+  void check_answers() {
+    constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+    std::size_t asked = kNone;
+    const auto unread = [&] {
+      if (asked != kNone) add("ENI-ORD-09", asked, "no command on IP reads 0x0508 before the next request");
+    };
+    bool valid = false;  // an answer is there, perhaps read already
+    for (std::size_t i = 0; i < config_.init_cmds.size(); ++i) {
+      const InitCmd& cmd = config_.init_cmds[i];
+      if (!has(cmd, Transition::kIP) || is_logical(cmd.command)) continue;
+      if (const auto control = written_number(cmd, reg::kSiiControl, 2)) {
+        unread();
+        valid = *control == kSiiRead && written_number(cmd, reg::kSiiAddress, 4).value_or(0) <= kLastWord;
+        asked = valid ? i : kNone;
+      } else if (!writes(cmd.command) && cmd.ado == reg::kSiiData) {
+        if (!valid && cmd.validate)
+          add("ENI-ORD-09", i, "it compares data of the EEPROM for which no valid command asks");
+        asked = kNone;
+      }
+    }
+    unread();
+  }
+
+  std::size_t slave_;
+  const SlaveConfig& config_;
+  Findings& findings_;
+};
+
+/// What may be left of an earlier run is cleared before the slaves are addressed.
+void check_master(const NetworkView& view, Findings& findings) {
+  struct Cleared {
+    std::uint16_t ado;
+    const char* what;
+  };
+  if (view.config.slaves.empty()) return;
+  for (const Cleared& cleared_area :
+       {Cleared{reg::kStationAddress, "station addresses (0x0010)"}, Cleared{reg::kFmmu, "FMMUs (0x0600)"},
+        Cleared{reg::kSyncManager, "SyncManagers (0x0800)"}}) {
+    const bool cleared = std::ranges::any_of(view.config.master.init_cmds, [&](const InitCmd& cmd) {
+      return cmd.command == Command::kBwr && has(cmd, Transition::kIP) && writes_register(cmd, cleared_area.ado);
+    });
+    if (!cleared) {
+      findings.add("ENI-ORD-08", {PlaceKind::kMaster},
+                   fmt::format("no command of the master on IP clears the {}", cleared_area.what));
+    }
+  }
+}
+
+}  // namespace
+
+void check_command_order(const NetworkView& view, Findings& findings) {
+  check_master(view, findings);
+  for (std::size_t i = 0; i < view.config.slaves.size(); ++i) {
+    OrderCheck(view, i, findings).run();
+  }
+}
+
+}  // namespace syncline::checker

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <unordered_map>
+
+#include "check/network_view.h"
+
+namespace syncline::checker {
+namespace {
+
+void check_members(const NetworkView& view, std::size_t head, Findings& findings) {
+  const auto& slaves = view.config.slaves;
+  const HotConnectConfig& group = *slaves[head].hot_connect;
+  const ConfigPlace place{PlaceKind::kHotConnect, head};
+  if (head + group.member_count > slaves.size()) {
+    findings.add("ENI-HC-01", place,
+                 fmt::format("group \"{}\" has {} members, but only {} slaves are left from here", group.group,
+                             group.member_count, slaves.size() - head));
+    return;
+  }
+  for (std::size_t i = head + 1; i < head + group.member_count; ++i) {
+    if (slaves[i].hot_connect) {
+      findings.add("ENI-HC-01", place,
+                   fmt::format("group \"{}\" has {} members, but {} begins a group of its own", group.group,
+                               group.member_count, view.name(i)));
+      return;
+    }
+  }
+}
+
+void check_identification(const NetworkView& view, std::size_t head, Findings& findings) {
+  const HotConnectConfig& group = *view.config.slaves[head].hot_connect;
+  const bool compares = std::ranges::any_of(
+      group.identify_cmds, [](const InitCmd& cmd) { return cmd.validate && !cmd.validate->data.empty(); });
+  if (!compares) {
+    findings.add("ENI-HC-02", {PlaceKind::kHotConnect, head},
+                 fmt::format("group \"{}\" has no IdentifyCmd that compares what it reads", group.group));
+  }
+}
+
+}  // namespace
+
+void check_hot_connect(const NetworkView& view, Findings& findings) {
+  std::unordered_map<std::uint16_t, std::size_t> aliases;
+  const auto& slaves = view.config.slaves;
+  for (std::size_t i = 0; i < slaves.size(); ++i) {
+    if (!slaves[i].hot_connect) continue;
+    check_members(view, i, findings);
+    check_identification(view, i, findings);
+    const auto alias = slaves[i].hot_connect->alias();
+    if (!alias) continue;
+    if (const auto [it, is_new] = aliases.emplace(*alias, i); !is_new) {
+      findings.add("ENI-HC-03", {PlaceKind::kHotConnect, i},
+                   fmt::format("alias {} identifies the group of {}, too", *alias, view.name(it->second)));
+    }
+  }
+}
+
+}  // namespace syncline::checker

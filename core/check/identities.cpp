@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include "check/network_view.h"
+#include "config/command_text.h"
+#include "protocol/registers.h"
+
+namespace syncline::checker {
+namespace {
+
+/// Words of the SII that say who a slave is (ETG.1000.6, table 16), and what Info says about them.
+struct IdentityField {
+  std::uint16_t word;
+  const char* name;
+  std::uint32_t Identity::*member;
+};
+constexpr IdentityField kFields[] = {{0x08, "VendorId", &Identity::vendor_id},
+                                     {0x0A, "ProductCode", &Identity::product_code},
+                                     {0x0C, "RevisionNo", &Identity::revision_no},
+                                     {0x0E, "SerialNo", &Identity::serial_no}};
+
+constexpr std::uint16_t kSiiRead = 0x0100;  // in 0x0502
+
+/// A file leaves the serial number 0 where any will do, and what is missing is told by the structure.
+bool is_said(const IdentityField& field, const Identity& identity) { return identity.*field.member != 0; }
+
+/// Bytes of a field that are read from `word` on.
+struct Part {
+  const IdentityField* field = nullptr;
+  unsigned shift = 0;
+};
+Part part_at(std::uint16_t word) {
+  for (const IdentityField& field : kFields) {
+    if (word == field.word || word == field.word + 1) return {&field, word == field.word ? 0U : 16U};
+  }
+  return {};
+}
+
+/// Follows the reads of the EEPROM on one transition and compares what they expect with Info.
+void check_slave(const NetworkView& view, std::size_t slave, Findings& findings) {
+  const SlaveConfig& config = view.config.slaves[slave];
+  std::optional<std::uint16_t> word;
+  for (std::size_t i = 0; i < config.init_cmds.size(); ++i) {
+    const InitCmd& cmd = config.init_cmds[i];
+    if (!has(cmd, Transition::kIP)) continue;
+    if (const auto control = written_number(cmd, reg::kSiiControl, 2); control && (*control & kSiiRead) != 0) {
+      if (const auto address = written_number(cmd, reg::kSiiAddress, 2)) word = static_cast<std::uint16_t>(*address);
+    }
+    if (!word || cmd.ado != reg::kSiiData || is_logical(cmd.command) || writes(cmd.command) || !cmd.validate) continue;
+    const InitCmdValidate& expected = *cmd.validate;
+    const Part part = part_at(*word);
+    if (part.field == nullptr || expected.type != ValidateType::kEqual || !is_said(*part.field, config.identity)) {
+      continue;
+    }
+    const std::uint32_t said = config.identity.*part.field->member >> part.shift;
+    for (std::size_t b = 0; b < expected.data.size() && b < (32U - part.shift) / 8; ++b) {
+      const std::uint8_t mask = b < expected.mask.size() ? expected.mask[b] : expected.mask.empty() ? 0xFF : 0;
+      if (((expected.data[b] ^ said >> (8 * b)) & mask) == 0) continue;
+      findings.add("ENI-REF-10", {PlaceKind::kSlaveInitCmd, slave, i},
+                   fmt::format("{} is 0x{:08x} in Info, the command expects the bytes {}", part.field->name,
+                               config.identity.*part.field->member, hex_text(expected.data)));
+      break;
+    }
+  }
+}
+
+}  // namespace
+
+void check_identities(const NetworkView& view, Findings& findings) {
+  for (std::size_t i = 0; i < view.config.slaves.size(); ++i) check_slave(view, i, findings);
+}
+
+}  // namespace syncline::checker

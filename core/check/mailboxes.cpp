@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <unordered_map>
+
+#include "check/network_view.h"
+#include "protocol/registers.h"
+
+namespace syncline::checker {
+namespace {
+
+constexpr std::uint16_t kSmallestCoeMailbox = 16;  // header, CoE header, an expedited SDO
+constexpr std::uint16_t kLargestDatagram = 1486;
+
+class MailboxCheck {
+ public:
+  MailboxCheck(const NetworkView& view, std::size_t slave, Findings& findings)
+      : view_(view), slave_(slave), mailbox_(*view.config.slaves[slave].mailbox), findings_(findings) {}
+
+  void run() {
+    check_protocols();
+    if (mailbox_.status_bit_address) {
+      check_status_bit(*mailbox_.status_bit_address);
+    } else if (!mailbox_.poll_time_ms) {
+      add("ENI-MBX-05", "Recv has neither PollTime nor StatusBitAddr");
+    }
+    check_memory();
+  }
+
+ private:
+  void check_memory() {
+    const bool sends = check_channel(mailbox_.send, "Send");
+    const bool receives = check_channel(mailbox_.receive, "Recv");
+    if (sends && receives && range(mailbox_.send).overlaps(range(mailbox_.receive))) {
+      return add("ENI-MBX-02", fmt::format("Send (0x{:04x}, {} bytes) and Recv (0x{:04x}, {} bytes) share memory",
+                                           mailbox_.send.start, mailbox_.send.length, mailbox_.receive.start,
+                                           mailbox_.receive.length));
+    }
+    if (sends) check_manager(0, mailbox_.send, "Send");
+    if (receives) check_manager(1, mailbox_.receive, "Recv");
+  }
+
+  void add(std::string_view code, std::string what) {
+    findings_.add(code, {PlaceKind::kMailbox, slave_}, std::move(what));
+  }
+  static Range range(const MailboxChannel& channel) {
+    return {channel.start, std::uint64_t{channel.start} + channel.length};
+  }
+
+  bool check_channel(const MailboxChannel& channel, const char* name) {
+    if (channel.length >= kSmallestCoeMailbox && channel.length <= kLargestDatagram && channel.start >= 0x0F00) {
+      return true;
+    }
+    add("ENI-MBX-01", fmt::format("{} has {} bytes at 0x{:04x}", name, channel.length, channel.start));
+    return false;
+  }
+
+  /// The init command on IP sets the SyncManager to what the mailbox element says.
+  void check_manager(unsigned number, const MailboxChannel& channel, const char* name) {
+    const SyncManagerWrite* write = view_.registers[slave_].manager(number);
+    if (write == nullptr) {
+      if (!view_.config.slaves[slave_].init_cmds.empty()) {
+        add("ENI-MBX-03", fmt::format("no init command on IP enables SM{} for {}", number, name));
+      }
+      return;
+    }
+    const ConfigPlace place{PlaceKind::kSlaveInitCmd, slave_, write->cmd};
+    const SyncManager& manager = write->manager;
+    if (manager.start != channel.start || manager.length != channel.length) {
+      findings_.add("ENI-MBX-04", place,
+                    fmt::format("SM{} is set to {} bytes at 0x{:04x}, {} says {} bytes at 0x{:04x}", number,
+                                manager.length, manager.start, name, channel.length, channel.start));
+    }
+    if (!manager.is_mailbox() || manager.ecat_writes() != (number == 0)) {
+      findings_.add("ENI-MBX-09", place,
+                    fmt::format("the control byte 0x{:02x} does not make SM{} a mailbox for {}", manager.control,
+                                number, number == 0 ? "requests" : "answers"));
+    }
+  }
+
+  void check_protocols() {
+    const bool any = mailbox_.aoe || mailbox_.eoe || mailbox_.coe || mailbox_.foe || mailbox_.soe || mailbox_.voe;
+    const bool coe_missing = !mailbox_.coe && !mailbox_.coe_commands.empty();
+    const bool soe_missing = !mailbox_.soe && !mailbox_.soe_commands.empty();
+    if (coe_missing || soe_missing) {
+      add("ENI-MBX-06",
+          fmt::format("there are {0} start-up commands, and no Protocol says {0}", coe_missing ? "CoE" : "SoE"));
+    } else if (!any) {
+      add("ENI-MBX-10", "no Protocol is named");
+    }
+  }
+
+  /// The status bit is counted, mapped by an FMMU and read cyclically.
+  void check_status_bit(std::uint32_t bit) {
+    const MasterConfig& master = view_.config.master;
+    const std::uint64_t logical = std::uint64_t{master.mailbox_state_start} * 8 + bit;
+    const bool mapped = std::ranges::any_of(view_.registers[slave_].fmmus, [&](const FmmuWrite& write) {
+      return write.fmmu.read && logical_bits(write.fmmu).begin == logical &&
+             write.fmmu.physical_start < reg::kSyncManager + 0x80;
+    });
+    const bool read = std::ranges::any_of(view_.cyclic, [&](const CyclicPlace& cyclic) {
+      return (cyclic.cmd->command == Command::kLrd || cyclic.cmd->command == Command::kLrw) &&
+             has(*cyclic.cmd, AlState::kPreop) && logical_bytes(*cyclic.cmd).contains({logical / 8, logical / 8 + 1});
+    });
+    if (bit >= master.mailbox_state_count.value_or(0)) {
+      add("ENI-MBX-07",
+          fmt::format("status bit {}, and MailboxStates counts {}", bit, master.mailbox_state_count.value_or(0)));
+    } else if (!mapped || !read) {
+      add("ENI-MBX-07", fmt::format("status bit {} is {}", bit,
+                                    mapped ? "not read by a cyclic command in PREOP" : "mapped by no FMMU on IP"));
+    }
+  }
+
+  const NetworkView& view_;
+  std::size_t slave_;
+  const MailboxConfig& mailbox_;
+  Findings& findings_;
+};
+
+}  // namespace
+
+void check_mailboxes(const NetworkView& view, Findings& findings) {
+  std::unordered_map<std::uint32_t, std::size_t> bits;
+  for (std::size_t i = 0; i < view.config.slaves.size(); ++i) {
+    const auto& mailbox = view.config.slaves[i].mailbox;
+    if (!mailbox) continue;
+    MailboxCheck(view, i, findings).run();
+    if (!mailbox->status_bit_address) continue;
+    if (const auto [it, is_new] = bits.emplace(*mailbox->status_bit_address, i); !is_new) {
+      findings.add(
+          "ENI-MBX-08", {PlaceKind::kMailbox, i},
+          fmt::format("status bit {} belongs to {}, too", *mailbox->status_bit_address, view.name(it->second)));
+    }
+  }
+}
+
+}  // namespace syncline::checker

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include "check/network_view.h"
+#include "compile/cyclic_frames.h"
+#include "config/command_text.h"
+#include "protocol/registers.h"
+#include "settings/limits.h"
+
+namespace syncline::checker {
+namespace {
+
+constexpr std::uint32_t kShortestStateTimeout = 100;  // ms
+
+void check_timeouts(const NetworkView& view, Findings& findings) {
+  for (std::size_t i = 0; i < view.config.slaves.size(); ++i) {
+    const auto& commands = view.config.slaves[i].init_cmds;
+    for (std::size_t c = 0; c < commands.size(); ++c) {
+      if (!commands[c].validate) continue;
+      const std::uint32_t timeout = commands[c].validate->timeout_ms;
+      const ConfigPlace place{PlaceKind::kSlaveInitCmd, i, c};
+      if (timeout == 0) {
+        findings.add("ENI-TIME-01", place,
+                     fmt::format("{} compares what it reads with a time-out of 0", address_text(commands[c])));
+      } else if (commands[c].ado == reg::kAlStatus && timeout < kShortestStateTimeout) {
+        findings.add("ENI-TIME-02", place, fmt::format("the change of state may take {} ms", timeout));
+      }
+    }
+  }
+}
+
+void check_load(std::size_t t, const CyclicTask& task, Findings& findings) {
+  Nanoseconds wire = 0;
+  for (const auto& frame : task.frames) wire += compiler::wire_time(frame);
+  const auto what =
+      fmt::format("{} frames take {:.1f} us on the wire, the cycle is {:.1f} us", task.frames.size(),
+                  static_cast<double>(wire) / kMicrosecond, static_cast<double>(task.cycle_time) / kMicrosecond);
+  if (wire > task.cycle_time) {
+    findings.add("ENI-TIME-03", {PlaceKind::kTask, t}, what);
+  } else if (wire > task.cycle_time / 10 * 8) {
+    findings.add("ENI-TIME-04", {PlaceKind::kTask, t}, what);
+  }
+}
+
+void check_cycles(const NetworkView& view, Findings& findings) {
+  const auto& tasks = view.config.cyclic;
+  for (std::size_t t = 0; t < tasks.size(); ++t) {
+    if (!tasks[t].cycle_time_given) continue;
+    if (tasks[t].cycle_time < limits::kShortestCycle || tasks[t].cycle_time > limits::kLongestTaskCycle) {
+      findings.add("ENI-TIME-05", {PlaceKind::kTask, t},
+                   fmt::format("CycleTime is {} us", tasks[t].cycle_time / kMicrosecond));
+      continue;
+    }
+    check_load(t, tasks[t], findings);
+    const Nanoseconds base = tasks.front().cycle_time;
+    if (tasks.front().cycle_time_given && base > 0 && tasks[t].cycle_time % base != 0) {
+      findings.add("ENI-TIME-06", {PlaceKind::kTask, t},
+                   fmt::format("its cycle of {} us is no multiple of the first task's {} us",
+                               tasks[t].cycle_time / kMicrosecond, base / kMicrosecond));
+    }
+  }
+}
+
+}  // namespace
+
+void check_times(const NetworkView& view, Findings& findings) {
+  check_timeouts(view, findings);
+  check_cycles(view, findings);
+}
+
+}  // namespace syncline::checker

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "compare/compare_configs.h"
+#include "config/project.h"
+
+namespace syncline {
+
+/// Settings of two projects that only our master knows, as no ENI has a place for them: the numbers of synchronisation
+/// and monitoring, recovery, real time. Group kRunTime, `what` is the settings key.
+[[nodiscard]] std::vector<ConfigDifference> compare_run_time(const Project& left, const Project& right);
+
+}  // namespace syncline

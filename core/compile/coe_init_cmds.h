@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "compile/compile.h"
+#include "compile/slave_plan.h"
+#include "support/types.h"
+
+namespace syncline::compiler {
+
+/// The CoE downloads of a slave, in order: list of its modules (0xF030), PDO assignment cleared, mappings of the PDOs
+/// that are not fixed, PDO assignment, synchronisation type of the op mode, then the start-up list and the objects that
+/// settings stand for (sync_commands). Empty for a slave without CoE.
+[[nodiscard]] std::vector<CoeInitCmd> coe_init_cmds(const SlavePlan& slave, EniDialect dialect);
+
+/// Object 0x60C2 (CiA 402): cycle = value * 10^exponent s. Empty when a byte cannot say it exactly.
+struct InterpolationTime {
+  std::uint8_t value = 0;
+  std::int8_t exponent = -3;
+  bool operator==(const InterpolationTime&) const = default;
+};
+[[nodiscard]] std::optional<InterpolationTime> interpolation_time(Nanoseconds cycle);
+
+/// True for a start-up command as the ESI has it: only those are adapted to the cycle, never the user's own.
+[[nodiscard]] bool is_from_esi(const StartupCommand& command, const DeviceDescription& device);
+
+}  // namespace syncline::compiler

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "compile/init_cmd_builder.h"
+#include "compile/slave_plan.h"
+
+namespace syncline::compiler {
+
+/// PREOP to SAFEOP: SYNC cycle times, start time and activation; clears on the way into PREOP. Nothing for a slave
+/// without DC commands. The start time written is the SYNC0 shift: the master adds the common start when it runs.
+void add_dc_start(InitCmdBuilder& cmds, const SlavePlan& slave);
+/// Back to PREOP: SYNC signals off.
+void add_dc_stop(InitCmdBuilder& cmds, const SlavePlan& slave);
+
+}  // namespace syncline::compiler

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compile/pdo_findings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace syncline::compiler {
+namespace {
+
+struct Assignment {
+  PdoDirection direction;
+  const char* key;
+  const std::vector<std::uint16_t>& chosen;
+};
+
+bool contains(const std::vector<std::uint16_t>& indices, std::uint16_t index) {
+  return std::ranges::find(indices, index) != indices.end();
+}
+
+void check_chosen(FindingList& findings, const SlavePlan& slave, const Assignment& assignment) {
+  const auto& pdos = slave.device().pdos(assignment.direction);
+  for (std::size_t i = 0; i < assignment.chosen.size(); ++i) {
+    const std::uint16_t index = assignment.chosen[i];
+    const auto pdo = std::ranges::find(pdos, index, &Pdo::index);
+    if (pdo == pdos.end()) {
+      findings.error(assignment.key, fmt::format("The device has no PDO 0x{:04X} in this direction.", index));
+      continue;
+    }
+    if (std::ranges::count(assignment.chosen, index) > 1 &&
+        std::ranges::find(assignment.chosen, index) - assignment.chosen.begin() == static_cast<std::ptrdiff_t>(i)) {
+      findings.error(assignment.key, fmt::format("PDO 0x{:04X} is assigned twice.", index));
+    }
+    const bool carried = std::ranges::any_of(slave.channels, [&](const auto& c) { return contains(c.pdos, index); });
+    if (!carried) {
+      findings.error(assignment.key, fmt::format("No SyncManager can carry PDO 0x{:04X}.", index));
+    }
+    for (const std::uint16_t excluded : pdo->exclude) {
+      if (excluded != index && contains(assignment.chosen, excluded)) {
+        findings.error(assignment.key, fmt::format("PDO 0x{:04X} excludes 0x{:04X}; only one of them can be assigned.",
+                                                   index, excluded));
+      }
+    }
+  }
+}
+
+void check_mandatory(FindingList& findings, const SlavePlan& slave, const Assignment& assignment) {
+  for (const Pdo& pdo : slave.device().pdos(assignment.direction)) {
+    if (pdo.mandatory && !contains(assignment.chosen, pdo.index)) {
+      findings.warning(assignment.key, fmt::format("PDO 0x{:04X} is mandatory and not assigned.", pdo.index));
+    }
+  }
+}
+
+/// Without the object 0x1C1x the device goes on with its own assignment, and its SyncManager length does not fit ours.
+void check_assignable(FindingList& findings, const SlavePlan& slave, const Assignment& assignment) {
+  const auto& mailbox = slave.device().mailbox;
+  if (mailbox && mailbox->coe && mailbox->coe->pdo_assign) {
+    return;
+  }
+  std::vector<std::uint16_t> fixed, chosen = assignment.chosen;
+  for (const Pdo& pdo : slave.device().pdos(assignment.direction)) {
+    if (pdo.sync_manager) {
+      fixed.push_back(pdo.index);
+    }
+  }
+  std::ranges::sort(fixed);
+  std::ranges::sort(chosen);
+  if (fixed != chosen) {
+    findings.warning(assignment.key, "The device cannot be told another PDO assignment than its ESI's default.");
+  }
+}
+
+void check_sizes(FindingList& findings, const SlavePlan& slave) {
+  for (const auto& channel : slave.channels) {
+    const char* key = channel.is_output() ? "pdo.rx" : "pdo.tx";
+    const auto& description = channel.description;
+    const std::uint32_t bytes = (channel.bit_length + 7) / 8;
+    if (description.max_size && *description.max_size > 0 && bytes > *description.max_size) {
+      findings.error(key, fmt::format("{} bytes exceed the {} that SyncManager {} takes.", bytes, *description.max_size,
+                                      channel.number));
+    }
+    if (description.min_size && bytes > 0 && bytes < *description.min_size) {
+      findings.error(key, fmt::format("SyncManager {} needs at least {} bytes, the PDOs have {}.", channel.number,
+                                      *description.min_size, bytes));
+    }
+  }
+}
+
+/// The mapping and assignment objects count in one byte, and sub-index 255 is taken.
+void check_counts(FindingList& findings, const SlavePlan& slave) {
+  constexpr std::size_t kMost = 254;
+  const auto& mailbox = slave.device().mailbox;
+  if (!mailbox || !mailbox->coe) return;
+  for (const auto& [direction, pdo] : slave.pdos) {
+    if (mailbox->coe->pdo_config && !pdo.fixed && pdo.entries.size() > kMost) {
+      findings.error(
+          fmt::format("pdo.map.0x{:04x}", pdo.index),
+          fmt::format("{} entries are mapped; the object 0x{:04X} takes {}.", pdo.entries.size(), pdo.index, kMost));
+    }
+  }
+  for (const auto& channel : slave.channels) {
+    if (mailbox->coe->pdo_assign && channel.pdos.size() > kMost) {
+      findings.error(channel.is_output() ? "pdo.rx" : "pdo.tx",
+                     fmt::format("{} PDOs are assigned to SyncManager {}; its object takes {}.", channel.pdos.size(),
+                                 channel.number, kMost));
+    }
+  }
+}
+
+/// The dictionary lists as many sub-indices of a mapping object as the device keeps room for.
+void check_room(FindingList& findings, const SlavePlan& slave) {
+  for (const Pdo& changed : slave.settings->changed_pdos) {
+    const auto& dictionary = slave.device().dictionary;
+    const auto object = std::ranges::find(dictionary, changed.index, &ObjectDescription::index);
+    if (object == dictionary.end() || object->entries.empty()) continue;
+    const std::size_t room = object->entries.back().sub_index;
+    if (room > 0 && changed.entries.size() > room) {
+      findings.warning(
+          fmt::format("pdo.map.0x{:04x}", changed.index),
+          fmt::format("{} entries are mapped; the device's dictionary has room for {} in 0x{:04X}. Map fewer, or "
+                      "use another PDO for the rest.",
+                      changed.entries.size(), room, changed.index));
+    }
+  }
+}
+
+void check_excluded_managers(FindingList& findings, const SlavePlan& slave) {
+  for (const auto& [direction, pdo] : slave.pdos) {
+    const auto& excluded = pdo.excluded_sync_managers;
+    if (!pdo.sync_manager || std::ranges::find(excluded, *pdo.sync_manager) == excluded.end()) continue;
+    findings.error(
+        direction == PdoDirection::kRx ? "pdo.rx" : "pdo.tx",
+        fmt::format("PDO 0x{:04X} must not lie in SyncManager {} (ESI ExcludedSm).", pdo.index, *pdo.sync_manager));
+  }
+}
+
+void check_oversampling(FindingList& findings, const SlavePlan& slave) {
+  for (const PdoOversampling& wanted : slave.settings->oversampling) {
+    const Pdo* pdo = slave.find_pdo(wanted.pdo);
+    const std::string key = fmt::format("pdo.oversampling.0x{:04x}", wanted.pdo);
+    if (pdo == nullptr) {
+      findings.error(key, fmt::format("The device has no PDO 0x{:04X}.", wanted.pdo));
+    } else if (wanted.factor < pdo->os_min.value_or(1) || wanted.factor > pdo->os_max.value_or(1000)) {
+      findings.error(key, fmt::format("PDO 0x{:04X} takes {} to {} samples a cycle, not {}.", wanted.pdo,
+                                      pdo->os_min.value_or(1), pdo->os_max.value_or(1000), wanted.factor));
+    }
+  }
+}
+
+/// A mapping without an entry that the ESI fixes would be refused by the device.
+void check_fixed_entries(FindingList& findings, const SlavePlan& slave) {
+  for (const Pdo& changed : slave.settings->changed_pdos) {
+    const Pdo* pdo = nullptr;
+    for (const auto direction : {PdoDirection::kRx, PdoDirection::kTx}) {
+      const auto& pdos = slave.device().pdos(direction);
+      const auto found = std::ranges::find(pdos, changed.index, &Pdo::index);
+      if (found != pdos.end()) pdo = &*found;
+    }
+    if (pdo == nullptr) continue;
+    for (const PdoEntry& entry : pdo->entries) {
+      const bool kept = std::ranges::any_of(changed.entries, [&](const PdoEntry& e) {
+        return e.index == entry.index && e.sub_index == entry.sub_index && e.bit_length == entry.bit_length;
+      });
+      if (entry.fixed && !kept) {
+        findings.error(fmt::format("pdo.map.0x{:04x}", changed.index),
+                       fmt::format("0x{:04X}:{:02X} must stay in PDO 0x{:04X} (ESI Entry@Fixed).", entry.index,
+                                   entry.sub_index, changed.index));
+      }
+    }
+  }
+}
+
+void check_changed(FindingList& findings, const SlavePlan& slave) {
+  const auto& mailbox = slave.device().mailbox;
+  const bool configurable = mailbox && mailbox->coe && mailbox->coe->pdo_config;
+  for (const Pdo& changed : slave.settings->changed_pdos) {
+    const Pdo* pdo = slave.find_pdo(changed.index);
+    const std::string key = fmt::format("pdo.map.0x{:04x}", changed.index);
+    if (pdo == nullptr) {
+      findings.error(key, fmt::format("The device has no PDO 0x{:04X}.", changed.index));
+    } else if (pdo->fixed || !configurable) {
+      findings.error(key, fmt::format("The mapping of PDO 0x{:04X} is fixed.", changed.index));
+    }
+  }
+}
+
+}  // namespace
+
+void find_pdo_problems(FindingList& findings, const SlavePlan& slave) {
+  const Assignment assignments[] = {{PdoDirection::kRx, "pdo.rx", slave.settings->assigned_rx_pdos},
+                                    {PdoDirection::kTx, "pdo.tx", slave.settings->assigned_tx_pdos}};
+  for (const Assignment& assignment : assignments) {
+    check_chosen(findings, slave, assignment);
+    check_mandatory(findings, slave, assignment);
+    check_assignable(findings, slave, assignment);
+  }
+  check_sizes(findings, slave);
+  check_changed(findings, slave);
+  check_fixed_entries(findings, slave);
+  check_excluded_managers(findings, slave);
+  check_counts(findings, slave);
+  check_room(findings, slave);
+  check_oversampling(findings, slave);
+}
+
+}  // namespace syncline::compiler

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compile/slave_findings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "compile/coe_init_cmds.h"
+#include "compile/cyclic_frames.h"
+#include "compile/family_findings.h"
+#include "compile/finding_list.h"
+#include "compile/fmmu_plan.h"
+#include "compile/module_findings.h"
+#include "compile/pdo_findings.h"
+#include "config/dc_times.h"
+#include "protocol/dc_registers.h"
+#include "settings/predicates.h"
+
+namespace syncline::compiler {
+namespace {
+
+void check_memory(FindingList& findings, const SlavePlan& slave) {
+  const auto fmmus = plan_fmmus(slave).size();
+  const auto available = slave.device().fmmus.size();
+  if (available > 0 && fmmus > available) {
+    findings.error("pdo.rx", fmt::format("The process data need {} FMMUs, the device has {}.", fmmus, available));
+  }
+  const std::uint32_t bytes =
+      (std::max(slave.image_bits(PdoDirection::kRx), slave.image_bits(PdoDirection::kTx)) + 7) / 8;
+  if (bytes > kMaxDatagramBytes - kDatagramOverhead) {
+    findings.error("pdo.rx", fmt::format("{} bytes of process data do not fit into one Ethernet frame.", bytes));
+  }
+}
+
+void check_hot_connect(FindingList& findings, const SlavePlan& slave) {
+  const auto& settings = *slave.settings;
+  if (settings.hot_connect.empty() && !settings.optional) return;
+  const char* key = settings.hot_connect.empty() ? "optional" : "hot_connect";
+  const char* who = settings.hot_connect.empty() ? "An optional slave" : "The first slave of a hot-connect group";
+  if (settings.alias == 0 && !settings.check.device_id) {
+    findings.error("alias",
+                   fmt::format("{} is known by its alias; it has none. Write one to its EEPROM (synclinectl sii "
+                               "alias) and set it here, or set the device ID of its switches (check.device_id).",
+                               who));
+  }
+  if (slave.position == 0) {
+    findings.error(key, fmt::format("{} cannot be the first slave of the bus: nobody could be in front of it.", who));
+  }
+}
+
+void check_device_id(FindingList& findings, const SlavePlan& slave) {
+  const auto& device = slave.device();
+  if (slave.settings->check.device_id && !device.identification_ado && !device.identification_reg134) {
+    findings.warning("check.device_id",
+                     "The ESI does not say that the device has an explicit device ID; it is asked by the "
+                     "request bit of AL control all the same.");
+  }
+}
+
+void check_eoe(FindingList& findings, const SlavePlan& slave) {
+  const auto& eoe = slave.settings->eoe;
+  const bool wanted = eoe.mac || !eoe.ip.empty() || !eoe.subnet.empty() || !eoe.gateway.empty() || !eoe.dns.empty() ||
+                      !eoe.host_name.empty();
+  const bool able = slave.device().mailbox && slave.device().mailbox->eoe;
+  if (wanted && !able) findings.warning("eoe.ip", "The device has no EoE; its addresses are not set.");
+  if (!slave.settings->ams_net_id.empty() && !(slave.device().mailbox && slave.device().mailbox->aoe)) {
+    findings.warning("aoe.net_id", "The device has no AoE; its AMS Net ID is not written.");
+  }
+}
+
+/// (divider + 2) * 40 ns times the watchdog's value: how long outputs may stay away.
+void check_watchdog(FindingList& findings, const SlavePlan& slave) {
+  constexpr std::uint32_t kUsualDivider = 2498;  // 100 us, after reset
+  constexpr std::uint32_t kUsualTime = 1000;     // 100 ms
+  const auto& device = slave.device();
+  const bool triggered = std::ranges::any_of(slave.channels, [](const ProcessDataChannel& channel) {
+    return channel.is_output() && channel.bit_length > 0 && (channel.description.control_byte & 0x40) != 0;
+  });
+  const std::uint32_t count = device.reg_0420 ? *device.reg_0420 : kUsualTime;
+  if (!triggered || count == 0) return;
+  const Nanoseconds unit = (Nanoseconds{device.reg_0400 ? *device.reg_0400 : kUsualDivider} + 2) * 40;
+  if (const Nanoseconds time = unit * count; time <= slave.cycle_time * 2) {
+    findings.error(
+        "watchdog.process_data",
+        fmt::format("The process data watchdog runs out after {} us, outputs come every {} us: one lost frame "
+                    "stops the slave. Raise watchdog.process_data, or 0 switches it off.",
+                    time / kMicrosecond, slave.cycle_time / kMicrosecond));
+  }
+}
+
+void check_mailbox(FindingList& findings, const SlavePlan& slave) {
+  constexpr std::uint16_t kMailboxHeader = 6;
+  if (slave.device().mailbox && !slave.mailbox) {
+    findings.error("", "The ESI names mailbox protocols, but no pair of mailbox SyncManagers.");
+  } else if (slave.mailbox &&
+             (slave.mailbox->out.length <= kMailboxHeader || slave.mailbox->in.length <= kMailboxHeader)) {
+    findings.error("", "The ESI gives the mailbox no usable size.");
+  }
+}
+
+void check_sync_units(FindingList& findings, const DcOpMode& mode, const DcTimes& times, Nanoseconds bus_cycle) {
+  if (!times.exact) {
+    findings.warning("dc.sync0.factor",
+                     "The bus cycle is not divisible by the factor; the SYNC cycle is cut to whole "
+                     "nanoseconds and drifts against the frame.");
+  }
+  const AssignActivate activate{mode.assign_activate};
+  if (activate.sync0() && times.cycle_time0 <= 0) {
+    findings.error("dc.sync0.cycle_us",
+                   fmt::format("{} switches SYNC0 on, its cycle is {} ns.", mode.name, times.cycle_time0));
+  } else if (activate.sync0() && !settings::keeps_step(times.cycle_time0, bus_cycle)) {
+    findings.warning("dc.sync0.cycle_us",
+                     fmt::format("SYNC0 every {} ns and a frame every {} ns: neither is a multiple of the other.",
+                                 times.cycle_time0, bus_cycle));
+  }
+  if (times.cycle_time1 < 0) {
+    findings.error("dc.sync1.shift_us",
+                   fmt::format("SYNC1 would come {} ns before SYNC0; register 0x09A4 holds only a delay after it.",
+                               -times.cycle_time1));
+  }
+}
+
+void check_dc(FindingList& findings, const SlavePlan& slave) {
+  const DcSlaveSettings& user = slave.settings->dc;
+  if (user.op_mode.empty()) {
+    return;
+  }
+  const DcOpMode* mode = selected_op_mode(*slave.settings);
+  if (mode == nullptr) {
+    findings.error("dc.op_mode", fmt::format("The ESI has no operation mode \"{}\".", user.op_mode));
+  } else if (slave.dc_commands()) {
+    check_sync_units(findings, *mode, dc_times(*mode, user, slave.cycle_time), slave.cycle_time);
+  }
+}
+
+void check_interpolation_time(FindingList& findings, const SlavePlan& slave) {
+  constexpr std::uint16_t kInterpolationTimePeriod = 0x60C2;
+  if (interpolation_time(slave.cycle_time)) {
+    return;
+  }
+  const auto& startup = slave.settings->startup;
+  for (std::size_t k = 0; k < startup.size(); ++k) {
+    if (startup[k].index == kInterpolationTimePeriod && is_from_esi(startup[k], slave.device())) {
+      findings.warning(
+          fmt::format("startup.{}", k),
+          fmt::format("Object 0x60C2 cannot express a cycle of {} ns; the ESI's value is kept.", slave.cycle_time));
+    }
+  }
+}
+
+void check_topology(FindingList& findings, const SlavePlan& slave) {
+  // What the others must be known for: master_findings.
+  if (!slave.settings->previous && slave.position > 0) {
+    findings.warning("previous", "The wiring is unknown: propagation delays will be measured as if in a line.");
+  }
+}
+
+}  // namespace
+
+void find_slave_problems(std::vector<Finding>& out, const SlavePlan& slave, const SlaveConfig& config) {
+  FindingList findings(out, slave.position);
+  find_pdo_problems(findings, slave);
+  check_memory(findings, slave);
+  find_module_problems(findings, slave);
+  check_hot_connect(findings, slave);
+  check_device_id(findings, slave);
+  check_watchdog(findings, slave);
+  check_eoe(findings, slave);
+  check_mailbox(findings, slave);
+  check_dc(findings, slave);
+  find_family_problems(findings, slave, config);
+  check_interpolation_time(findings, slave);
+  check_topology(findings, slave);
+}
+
+}  // namespace syncline::compiler

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "compile/slave_plan.h"
+
+namespace syncline::compiler {
+
+/// Downloads on PS that the settings slave.N.sync.*, slave.N.can.* and slave.N.output_pin.* ask for. Without SYNC0 a
+/// gateway with a CAN cycle is told its bus cycle, unless the start-up list does so.
+[[nodiscard]] std::vector<StartupCommand> sync_commands(const SlavePlan& slave);
+
+}  // namespace syncline::compiler

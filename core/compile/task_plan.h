@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "compile/cyclic_frames.h"
+#include "compile/slave_plan.h"
+
+/// Which task exchanges whose process data.
+namespace syncline::compiler {
+
+/// Number of a Sync Unit by its name: 0 for the unnamed one and for names that nobody has.
+[[nodiscard]] std::size_t sync_unit_number(const MasterSettings& master, std::string_view name);
+
+/// Task of each Sync Unit, the unnamed one first: 0 is the base task, 1.. those of MasterSettings::tasks. A unit whose
+/// task does not exist stays in the base task.
+[[nodiscard]] std::vector<std::size_t> unit_tasks(const MasterSettings& master);
+
+/// Cycle of a task, ns.
+[[nodiscard]] Nanoseconds task_cycle(const MasterSettings& master, std::size_t task);
+
+/// Fills SlavePlan::output_unit, input_unit and cycle_time.
+void plan_tasks(const Project& project, std::span<SlavePlan> slaves);
+
+/// The base task, then the slower ones that have something to exchange.
+[[nodiscard]] std::vector<CyclicTask> cyclic_tasks(const MasterSettings& master, const CyclicLayout& cyclic);
+
+}  // namespace syncline::compiler

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "families/family_problems.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "protocol/dc_registers.h"
+
+namespace syncline::families {
+namespace {
+
+using Topic = Problem::Topic;
+
+constexpr std::uint16_t kSync0Type = 2, kSync1Type = 3;
+constexpr std::uint16_t kAxisStep = 0x0800;  // CiA 402: objects of the next axis of one device
+constexpr unsigned kMostAxes = 8;
+constexpr std::uint32_t kDriveProfile = 402;
+
+/// Modes of any CiA 402 drive whose targets mean nothing without a fixed distance from the frame.
+constexpr ModeNeedsDc kAnyDrive[] = {
+    {8, false,
+     "Cyclic synchronous position mode needs SYNC0: without it targets come at no fixed distance from the servo "
+     "period"},
+    {9, false,
+     "Cyclic synchronous velocity mode needs SYNC0: without it targets come at no fixed distance from the servo "
+     "period"},
+    {10, false,
+     "Cyclic synchronous torque mode needs SYNC0: without it targets come at no fixed distance from the servo period"},
+};
+
+/// Nearest cycles that the family takes below and above: "750 us or 875 us".
+std::string nearest(const CycleLimits& limits, Nanoseconds cycle) {
+  const Nanoseconds step = limits.full_step;
+  const Nanoseconds least = std::max((limits.shortest + step - 1) / step * step, step);
+  const Nanoseconds most = limits.longest > 0 ? limits.longest / step * step : INT64_MAX / 2;
+  const Nanoseconds below = std::min(cycle / step * step, most), above = cycle / step * step + step;
+  std::string text;
+  if (below >= least) text = microseconds(below);
+  if (above <= most && below != most)
+    text += fmt::format("{}{}", text.empty() ? "" : " or ", microseconds(std::max(above, least)));
+  return text;
+}
+
+class SlaveProblems {
+ public:
+  SlaveProblems(const Family* family, const SlaveConfig& slave, Nanoseconds bus_cycle)
+      : slave_(slave),
+        bus_cycle_(bus_cycle),
+        family_(family),
+        sync0_(slave.dc && AssignActivate{slave.dc->assign_activate}.sync0()) {}
+
+  std::vector<Problem> take() {
+    if (family_ != nullptr) {
+      check_cycle();
+      check_objects();
+      check_error_limit();
+      check_sync_types();
+      check_can_cycle();
+    }
+    check_modes();
+    return std::move(out_);
+  }
+
+ private:
+  struct Written {
+    std::uint64_t value = 0;
+    std::size_t command = 0;
+  };
+
+  /// The last start-up command that writes the object.
+  [[nodiscard]] std::optional<Written> written(coe::ObjectAddress object) const {
+    if (!slave_.mailbox) return std::nullopt;
+    const auto& commands = slave_.mailbox->coe_commands;
+    for (std::size_t i = commands.size(); i-- > 0;) {
+      const StartupCommand& command = commands[i].command;
+      const bool writes = command.enabled && !command.complete_access && command.index == object.index &&
+                          command.sub_index == object.sub_index && !command.data.empty() && command.data.size() <= 8;
+      if (!writes) continue;
+      Written found{0, i};
+      for (std::size_t k = command.data.size(); k-- > 0;) found.value = found.value << 8 | command.data[k];
+      return found;
+    }
+    return std::nullopt;
+  }
+
+  void add(Topic topic, bool refused, std::string text, std::optional<std::size_t> command = {}, bool outputs = false) {
+    out_.push_back({topic, refused, outputs, command, std::move(text)});
+  }
+
+  void check_cycle() {
+    if (!sync0_ || !family_->cycle || slave_.dc->cycle_time0 <= 0) return;
+    const Nanoseconds cycle = slave_.dc->cycle_time0;
+    const auto judgement = judge_cycle(*family_, cycle);
+    if (judgement.reason.empty()) return;
+    const auto better = nearest(*family_->cycle, cycle);
+    const auto advice = better.empty() ? "" : fmt::format(" Next to it: {}.", better);
+    add(judgement.refused ? Topic::kCycleRefused : Topic::kCyclePartly, judgement.refused,
+        fmt::format("SYNC0 comes every {}: {}.{}", microseconds(cycle), judgement.reason, advice));
+  }
+
+  void check_objects() {
+    const unsigned most = family_->objects.per_direction;
+    if (most == 0) return;
+    for (const PdoDirection direction : {PdoDirection::kRx, PdoDirection::kTx}) {
+      std::size_t objects = 0;
+      for (const ConfiguredPdo& configured : slave_.pdos) {
+        if (configured.direction != direction || !configured.pdo.sync_manager) continue;
+        objects += static_cast<std::size_t>(
+            std::ranges::count_if(configured.pdo.entries, [](const PdoEntry& entry) { return entry.index != 0; }));
+      }
+      if (objects <= most) continue;
+      add(Topic::kObjects, true,
+          fmt::format(
+              "{} objects are mapped in this direction, {} {} take {}. Unassign a PDO, or map fewer objects and "
+              "exchange the slow ones by SDO.",
+              objects, family_->name, family_->devices, most),
+          {}, direction == PdoDirection::kRx);
+    }
+  }
+
+  void check_error_limit() {
+    const auto limit = written(kSyncErrorLimit);
+    if (!limit || !family_->error_limit) return;
+    if (limit->value > family_->error_limit->largest) {
+      add(Topic::kErrorLimit, true,
+          fmt::format("The error limit 0x10F1:02 is set to {}, {} {} take 0 to {} and refuse the download.",
+                      limit->value, family_->name, family_->devices, family_->error_limit->largest),
+          limit->command);
+    } else if (limit->value == 0) {
+      add(Topic::kErrorLimitOff, false,
+          "The error limit 0x10F1:02 is 0: the slave never stops for missed SM events, the application has to watch "
+          "their "
+          "counter.",
+          limit->command);
+    }
+  }
+
+  void check_sync_type(std::uint16_t index, std::span<const std::uint16_t> taken, std::uint16_t usual) {
+    const bool outputs = index == kOutputSync;
+    const SyncTypes& types = family_->sync_types;
+    const auto type = written({index, 1});
+    const auto report = [&](bool refused, std::string text) {
+      add(Topic::kSyncType, refused, std::move(text), type ? std::optional(type->command) : std::nullopt, outputs);
+    };
+    if (type && !types.writable) {
+      return report(
+          true, fmt::format("0x{:04X}:01 is read-only in {} {}: the download ends the start-up. The SYNC signals set "
+                            "the type; remove the command.",
+                            index, family_->name, family_->devices));
+    }
+    if (type && std::ranges::find(taken, type->value) == taken.end()) {
+      return report(true, fmt::format("0x{:04X}:01 is set to {}, which {} {} do not have.", index, type->value,
+                                      family_->name, family_->devices));
+    }
+    const std::uint64_t value = type ? type->value : usual;
+    const bool by_signal = value == kSync0Type || value == kSync1Type;
+    if (type && by_signal && !sync0_) {
+      report(
+          !types.follow_dc,
+          fmt::format("0x{:04X}:01 asks for SYNC signals, and they are off. Select an operation mode with DC, or free "
+                      "run.",
+                      index));
+    } else if (sync0_ && !by_signal && !types.follow_dc) {
+      report(false, fmt::format("SYNC0 is on, and 0x{:04X}:01 = {} does not use it: {}. Set it to 2.", index, value,
+                                outputs ? "outputs count from their arrival" : "inputs are not those of SYNC0"));
+    }
+  }
+
+  void check_sync_types() {
+    const SyncTypes& types = family_->sync_types;
+    if (types.outputs.empty() || !slave_.mailbox || !slave_.mailbox->coe) return;
+    check_sync_type(kOutputSync, types.outputs, types.usual_outputs);
+    check_sync_type(kInputSync, types.inputs, types.usual_inputs);
+  }
+
+  void check_can_cycle() {
+    if (!family_->gateway) return;
+    const CanGateway& gateway = *family_->gateway;
+    const auto can = written(gateway.can_cycle), told = written(gateway.told_cycle);
+    if (told && static_cast<std::int64_t>(told->value) != bus_cycle_ && told->value != 0) {
+      add(Topic::kCanCycle, sync0_,
+          fmt::format("The gateway is told a bus cycle of {} (0x1C32:02), frames come every {}.",
+                      microseconds(static_cast<Nanoseconds>(told->value)), microseconds(bus_cycle_)),
+          told->command);
+    }
+    if (!can || can->value == 0) return;
+    const auto cycle = static_cast<Nanoseconds>(std::min<std::uint64_t>(can->value, UINT32_MAX));
+    const Nanoseconds bus = sync0_ && slave_.dc->cycle_time0 > 0 ? slave_.dc->cycle_time0 : bus_cycle_;
+    if (bus > 0 && cycle % bus != 0) {
+      add(Topic::kCanCycle, true,
+          fmt::format("The CAN cycle of {} (0x{:04X}:{:02X}) is no multiple of the bus cycle of {}: the gateway "
+                      "refuses SAFEOP.",
+                      microseconds(cycle), gateway.can_cycle.index, gateway.can_cycle.sub_index, microseconds(bus)),
+          can->command);
+    } else if (!sync0_ && cycle != bus && (!told || told->value == 0)) {
+      add(Topic::kCanCycle, false,
+          "Without SYNC0 the gateway knows its bus cycle from 0x1C32:02 only, which no start-up command writes: it "
+          "starts a CAN "
+          "cycle with each frame.",
+          can->command);
+    }
+  }
+
+  [[nodiscard]] std::span<const ModeNeedsDc> modes() const {
+    if (family_ != nullptr && !family_->modes_need_dc.list.empty()) return family_->modes_need_dc.list;
+    const bool drive =
+        slave_.mailbox && std::ranges::any_of(slave_.mailbox->profiles, [](const ChannelProfile& profile) {
+          return (profile.profile_no & 0xFFFF) == kDriveProfile;
+        });
+    return drive ? std::span<const ModeNeedsDc>(kAnyDrive) : std::span<const ModeNeedsDc>{};
+  }
+
+  void check_modes() {
+    const auto needing = modes();
+    if (sync0_ || needing.empty()) return;
+    for (unsigned axis = 0; axis < kMostAxes; ++axis) {
+      const auto index = static_cast<std::uint16_t>(kModeOfOperation.index + axis * kAxisStep);
+      const auto mode = written({index, 0});
+      if (!mode) continue;
+      const auto need = std::ranges::find(needing, static_cast<std::int8_t>(mode->value), &ModeNeedsDc::mode);
+      if (need == needing.end()) continue;
+      add(Topic::kModeNeedsDc, false,
+          fmt::format(
+              "0x{:04X} is set to {}, and SYNC0 is off. {}. Select an operation mode with DC, or a profile mode.",
+              index, need->mode, need->why),
+          mode->command);
+    }
+  }
+
+  const SlaveConfig& slave_;
+  Nanoseconds bus_cycle_;
+  const Family* family_;
+  bool sync0_;
+  std::vector<Problem> out_;
+};
+
+}  // namespace
+
+std::string microseconds(Nanoseconds time) { return fmt::format("{:g} us", static_cast<double>(time) / 1e3); }
+
+CycleJudgement judge_cycle(const Family& family, Nanoseconds sync0_cycle) {
+  if (!family.cycle) return {};
+  const CycleLimits& limits = *family.cycle;
+  const auto of = [&](std::string_view what, Nanoseconds time) {
+    return fmt::format(fmt::runtime(what), microseconds(time), family.name, family.devices);
+  };
+  if (limits.shortest > 0 && sync0_cycle < limits.shortest)
+    return {true, of("{0} is the shortest cycle that {1} {2} take", limits.shortest)};
+  if (limits.longest > 0 && sync0_cycle > limits.longest)
+    return {true, of("{0} is the longest cycle that {1} {2} take", limits.longest)};
+  if (sync0_cycle % limits.step != 0) return {true, of("{1} {2} take multiples of {0}", limits.step)};
+  if (sync0_cycle % limits.full_step != 0) {
+    return {false, of("{1} {2} need multiples of {0}", limits.full_step) + "; " + std::string(limits.otherwise)};
+  }
+  return {};
+}
+
+std::vector<Problem> problems(const Family* family, const SlaveConfig& slave, Nanoseconds bus_cycle) {
+  return SlaveProblems(family, slave, bus_cycle).take();
+}
+
+}  // namespace syncline::families

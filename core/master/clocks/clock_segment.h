@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "channels/values/bus_scan.h"
+#include "dc/propagation_delay.h"
+#include "master/exchange/bus.h"
+#include "master/exchange/slave_address.h"
+#include "protocol/dl_status.h"
+
+namespace syncline {
+
+/// What the slaves of a segment can do with clocks, and their ports. Frame order.
+struct ClockSegment {
+  std::vector<DcCapability> capabilities;
+  std::vector<DlStatus> dl_status;
+  /// Ready to be filled with receive times; the wiring is found with them.
+  std::vector<dc::DelayNode> nodes;
+};
+/// Reads only. kNoResponse names the slave that does not answer.
+[[nodiscard]] Result<ClockSegment> read_clock_segment(Bus& bus, std::span<const SlaveAddress> slaves);
+
+[[nodiscard]] bool has_system_time(DcCapability capability);
+
+/// The delays of slaves in the order in which frames pass their processing units, wired as ports and receive times
+/// say. That order is not the tree's when a slave is connected by another port than 0: what hangs at it may come
+/// before it. Pure.
+[[nodiscard]] dc::DelayResult segment_delays(std::span<const dc::DelayNode> nodes, std::span<const DlStatus> dl_status,
+                                             const dc::DelayOptions& options);
+
+}  // namespace syncline

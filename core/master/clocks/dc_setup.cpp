@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "master/clocks/dc_setup.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "dc/plans.h"
+#include "master/clocks/dc_burst.h"
+#include "master/clocks/dc_loop_values.h"
+#include "protocol/registers.h"
+
+namespace syncline {
+namespace {
+
+constexpr std::uint32_t kUsualDelayDifference = 40;  // ns, ET1100
+constexpr Nanoseconds kReplyTimeout = 10 * kMillisecond;
+
+}  // namespace
+
+std::optional<std::uint16_t> configured_reference_clock(const NetworkConfig& config) {
+  if (!config.dc.enabled) return std::nullopt;
+  if (config.dc.reference_clock) return config.dc.reference_clock;
+  if (const auto position = config.reference_clock()) return position;
+  for (std::size_t i = 0; i < config.slaves.size(); ++i) {
+    if (config.slaves[i].dc) return static_cast<std::uint16_t>(i);
+  }
+  return std::nullopt;
+}
+
+dc::DelayOptions delay_options(const DcMasterSettings& settings) {
+  return {settings.delay_difference.value_or(kUsualDelayDifference)};
+}
+
+std::size_t DcNetwork::synchronised_count() const {
+  return static_cast<std::size_t>(std::ranges::count_if(slaves, &Slave::synchronised));
+}
+
+std::string DcSetup::subject(std::size_t slave) const {
+  return fmt::format("slave {} ({})", slaves_[slave], config_.slaves[slaves_[slave]].name);
+}
+
+Result<DcNetwork> DcSetup::run() {
+  if (auto status = read_slaves(); !status) return tl::unexpected(status.error());
+  if (auto status = measure(); !status) return tl::unexpected(status.error());
+  if (auto status = burst(); !status) return tl::unexpected(status.error());
+  return for_all_slaves();
+}
+
+/// The network as the configuration counts its slaves.
+DcNetwork DcSetup::for_all_slaves() const {
+  DcNetwork network = network_;
+  network.slaves.assign(config_.slaves.size(), {});
+  for (std::size_t i = 0; i < slaves_.size(); ++i) network.slaves[slaves_[i]] = network_.slaves[i];
+  network.measured = slaves_;
+  network.segment = segment_;
+  network.reference_clock = static_cast<std::uint16_t>(slaves_[network_.reference_clock]);
+  for (auto& finding : network.findings) finding.position = static_cast<std::uint16_t>(slaves_[finding.position]);
+  return network;
+}
+
+/// The configured clock, or the first one by the user's will; when it is not there, or its system time does not answer,
+/// the next one that takes part in distributed clocks.
+Status DcSetup::choose_reference() {
+  const auto can_lead = [this](std::size_t i) { return has_system_time(segment_.capabilities[i]); };
+  const auto take = [this](std::size_t i, std::size_t home) {
+    network_.reference_clock = static_cast<std::uint16_t>(i);
+    network_.home = static_cast<std::uint16_t>(home);
+    return Status{};
+  };
+  if (config_.dc.first_slave_is_reference_clock) {
+    for (std::size_t i = 0; i < slaves_.size(); ++i) {
+      if (can_lead(i)) return take(i, slaves_[i]);
+    }
+    return fail(ErrorCode::kDcSetup, "master", "no slave on the bus has a system time");
+  }
+  const auto configured = configured_reference_clock(config_);
+  if (!configured || *configured >= config_.slaves.size()) {
+    return fail(ErrorCode::kDcSetup, "master", "no slave is configured as reference clock");
+  }
+  for (std::size_t i = 0; i < slaves_.size(); ++i) {
+    const bool is_it = slaves_[i] == *configured;
+    if (is_it && !can_lead(i)) network_.without_time = configured;
+    const bool candidate = is_it || (slaves_[i] > *configured && config_.slaves[slaves_[i]].dc);
+    if (candidate && can_lead(i)) return take(i, network_.without_time ? slaves_[i] : *configured);
+  }
+  if (network_.without_time) {
+    return fail(ErrorCode::kDcSetup, fmt::format("slave {} ({})", *configured, config_.slaves[*configured].name),
+                "it has no system time and cannot be the reference clock, and no slave behind it can");
+  }
+  return fail(ErrorCode::kDcSetup, "master", "no slave that is there can be the reference clock");
+}
+
+Status DcSetup::read_slaves() {
+  for (const auto slave : slaves_) {
+    addresses_.push_back(SlaveAddress::at_station(config_.slaves[slave].station_address));
+  }
+  auto segment = read_clock_segment(bus_, addresses_);
+  if (!segment) return tl::unexpected(segment.error());
+  segment_ = std::move(*segment);
+  if (auto status = choose_reference(); !status) return status;
+  for (std::size_t i = 0; i < slaves_.size(); ++i) {
+    const auto capability = segment_.capabilities[i];
+    network_.slaves.push_back({capability, has_system_time(capability) && i >= network_.reference_clock, 0});
+  }
+  return {};
+}
+
+/// False when a frame was lost: that costs its round only.
+Result<bool> DcSetup::latch_round(DelayLatch& latch) {
+  auto& trigger = latch.trigger();
+  frame_.clear();
+  (void)frame_.add(trigger);
+  if (auto status = bus_.exchange().send(frame_); !status) return tl::unexpected(status.error());
+  PendingFrame* frames[] = {&frame_};
+  if (auto status = bus_.exchange().collect(frames, frame_.send_time() + kReplyTimeout); !status) {
+    return tl::unexpected(status.error());
+  }
+  if (!trigger.answered) return false;
+  if (auto status = bus_.transact(latch.begin_reading()); !status) {
+    if (status.error().code == ErrorCode::kNoResponse) return false;
+    return tl::unexpected(status.error());
+  }
+  if (!latch.take()) return false;
+  latch_time_ = frame_.send_time();
+  return true;
+}
+
+Status DcSetup::measure() {
+  DelayLatch latch(addresses_, segment_.nodes, config_.dc.delay_rounds);
+  for (unsigned round = 0; round < std::max<unsigned>(config_.dc.delay_rounds, 1); ++round) {
+    if (auto counted = latch_round(latch); !counted) return tl::unexpected(counted.error());
+  }
+  if (latch.rounds() == 0) return fail(ErrorCode::kDcSetup, "master", "no answer to the receive time latch");
+  auto delays = segment_delays(latch.nodes(), segment_.dl_status, delay_options(config_.dc));
+  network_.findings = std::move(delays.findings);
+  const auto origin = delays.delay_ns[network_.reference_clock].value_or(0);
+  for (std::size_t i = 0; i < slaves_.size(); ++i) {
+    const auto delay = delays.delay_ns[i].value_or(origin);
+    network_.slaves[i].delay_ns = delay > origin ? delay - origin : 0;
+  }
+  return write_times(latch);
+}
+
+/// With control off nothing teaches the reference clock the host's rate, or its natural drift would not be seen.
+bool DcSetup::steered() const { return steers_reference_clock(config_.dc.dcm.mode) && !config_.dc.dcm.control_off; }
+
+Status DcSetup::write_times(const DelayLatch& latch) {
+  std::vector<Write> times, filters;
+  for (std::size_t i = 0; i < slaves_.size(); ++i) {
+    const auto& slave = network_.slaves[i];
+    if (!has_system_time(slave.capability)) continue;
+    const bool wide = slave.capability == DcCapability::kSystemTime64;
+    auto offset = le_bytes(dc::system_time_offset(latch_time_, latch.processing_unit(i), slave.delay_ns, wide));
+    if (!wide) offset.resize(4);
+    times.push_back({i, reg::kSystemTimeOffset, std::move(offset)});
+    times.push_back({i, reg::kSystemTimeDelay, le_bytes(slave.delay_ns)});
+    add_loop_values(i, filters);
+  }
+  // Writing the speed counter resets the filters, which must see the new times.
+  return write_all(times).and_then([&] { return write_all(filters); });
+}
+
+void DcSetup::add_loop_values(std::size_t slave, std::vector<Write>& filters) const {
+  const auto role = slave == network_.reference_clock ? DcLoopRole::kLeader : DcLoopRole::kFollower;
+  for (auto& write : dc_loop_values(config_, role)) {
+    const bool optional = write.optional();
+    filters.push_back({slave, write.address, std::move(write.bytes), optional});
+  }
+}
+
+Status DcSetup::write_all(std::span<Write> writes) {
+  std::vector<Datagram> datagrams;
+  for (auto& write : writes) datagrams.push_back(addresses_[write.slave].write(write.address, write.bytes));
+  if (auto status = bus_.transact(datagrams); !status) return status;
+  for (std::size_t i = 0; i < writes.size(); ++i) {
+    if (datagrams[i].wkc > 0 || writes[i].optional) continue;
+    return fail(ErrorCode::kDcSetup, subject(writes[i].slave), "it does not take its system time offset");
+  }
+  return {};
+}
+
+Status DcSetup::burst() {
+  DcBurst::Plan plan;
+  plan.by_place = complete();  // else places on the bus are not those of the configuration
+  const auto adp = plan.by_place ? Position{network_.reference_clock}.auto_increment_address()
+                                 : config_.slaves[slaves_[network_.reference_clock]].station_address;
+  plan.address = device_address(adp, reg::kSystemTime);
+  plan.steer = steered();
+  plan.wide = config_.dc.show_64bit_system_time;
+  plan.total = config_.dc.burst_total;
+  plan.bulk = config_.dc.burst_bulk;
+  plan.ends_early = config_.dc.burst_ends_early;
+  plan.cycle = config_.cycle_time();
+  const auto outcome = DcBurst(bus_, plan).run();
+  if (!outcome) return tl::unexpected(outcome.error());
+  if (!outcome->answered) {
+    return fail(ErrorCode::kDcSetup, subject(network_.reference_clock), "its system time cannot be read");
+  }
+  network_.host_time = outcome->host_time;
+  network_.reference_time = outcome->reference_time;
+  network_.burst_frames = outcome->frames;
+  network_.settled = outcome->settled;
+  return {};
+}
+
+}  // namespace syncline

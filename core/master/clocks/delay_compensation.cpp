@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "master/clocks/delay_compensation.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "protocol/registers.h"
+#include "support/byte_order.h"
+
+namespace syncline {
+namespace {
+
+/// A round is a latch and the reading of all slaves; datagrams that found no room ride with the next cycles.
+constexpr unsigned kRoundPatience = 200;
+constexpr unsigned kMostFailedRounds = 5;
+
+}  // namespace
+
+void DelayCompensation::start(const DcNetwork& network, Nanoseconds now) {
+  const auto& config = run_.config();
+  slaves_ = network.measured;
+  dl_status_ = network.segment.dl_status;
+  reference_clock_ = network.reference_clock;
+  std::vector<SlaveAddress> addresses;
+  for (const auto slave : slaves_) addresses.push_back(SlaveAddress::at_station(config.slaves[slave].station_address));
+  latch_ = std::make_unique<DelayLatch>(addresses, network.segment.nodes, config.dc.delay_rounds);
+  corrections_.assign(slaves_.size(), {});
+  for (std::size_t i = 0; i < slaves_.size(); ++i) {
+    auto& correction = corrections_[i];
+    correction.written = correction.target = network.slaves[slaves_[i]].delay_ns;
+    correction.datagram = addresses[i].write(reg::kSystemTimeDelay, correction.bytes);
+  }
+  requests_.clear();
+  requests_.reserve(3 * slaves_.size() + 1);
+  step_ = Step::kWait;
+  set_enabled(config.dc.continuous_propagation_compensation, now);
+}
+
+void DelayCompensation::set_enabled(bool enabled, Nanoseconds now) {
+  enabled_ = enabled;
+  step_ = Step::kWait;
+  next_measurement_ = now + kPeriod;
+  next_step_ = now;
+  // What was on its way to another value stays where it is.
+  for (auto& correction : corrections_) correction.target = correction.written;
+}
+
+std::span<Datagram* const> DelayCompensation::requests(Nanoseconds now) {
+  requests_.clear();
+  corrections_sent_ = 0;
+  if (!enabled_ || !latch_) return {};
+  switch (step_) {
+    case Step::kWait:
+      if (now < next_measurement_) {
+        add_corrections(now);
+        break;
+      }
+      latch_->forget();
+      failed_rounds_ = 0;
+      begin_round();
+      [[fallthrough]];
+    case Step::kTrigger:
+      requests_.push_back(&latch_->trigger());
+      break;
+    case Step::kRead:
+      for (auto& read : latch_->reads()) {
+        if (!read.answered) requests_.push_back(&read);
+      }
+      break;
+  }
+  return requests_;
+}
+
+void DelayCompensation::begin_round() {
+  step_ = Step::kTrigger;
+  patience_ = kRoundPatience;
+}
+
+void DelayCompensation::take(Nanoseconds now, std::optional<std::uint16_t> leader) {
+  if (!enabled_ || !latch_) return;
+  take_corrections();
+  if (step_ == Step::kWait) return;
+  // Delays count from the clock that leads, and say nothing while somebody is on the way.
+  if (!all_there() || leader != reference_clock_ || patience_-- == 0) return give_up(now);
+  take_round(now);
+}
+
+void DelayCompensation::take_round(Nanoseconds now) {
+  if (step_ == Step::kTrigger) {
+    if (!requests_.front()->answered) return;
+    latch_->begin_reading();
+    step_ = Step::kRead;
+    return;
+  }
+  if (!std::ranges::all_of(requests_, [](const Datagram* read) { return read->answered; })) return;
+  if (!latch_->take() && ++failed_rounds_ > kMostFailedRounds) return give_up(now);
+  if (latch_->rounds() == latch_->wanted_rounds()) return finish(now);
+  begin_round();
+}
+
+void DelayCompensation::finish(Nanoseconds now) {
+  step_ = Step::kWait;
+  next_measurement_ = now + kPeriod;
+  const auto delays = segment_delays(latch_->nodes(), dl_status_, delay_options(run_.config().dc));
+  const auto leader = std::ranges::find(slaves_, std::size_t{reference_clock_}) - slaves_.begin();
+  const auto origin = delays.delay_ns[static_cast<std::size_t>(leader)].value_or(0);
+  std::int64_t largest = 0;
+  std::size_t corrected = 0;
+  for (std::size_t i = 0; i < slaves_.size(); ++i) {
+    if (!run_.snapshot.slaves[slaves_[i]].dc_enabled || !delays.delay_ns[i] || *delays.delay_ns[i] < origin) continue;
+    const auto delay = *delays.delay_ns[i] - origin;
+    const auto change = std::int64_t{delay} - std::int64_t{corrections_[i].written};
+    if (std::abs(change) <= kDeadBand || std::abs(change) > kLargestChange) continue;
+    corrections_[i].target = delay;
+    ++corrected;
+    if (std::abs(change) > std::abs(largest)) largest = change;
+  }
+  run_.event(now, -1, events::DelaysMeasured{corrected, largest});
+}
+
+void DelayCompensation::give_up(Nanoseconds now) {
+  step_ = Step::kWait;
+  next_measurement_ = now + kPeriod;
+}
+
+/// A nanosecond of each slave that is not where it should be.
+void DelayCompensation::add_corrections(Nanoseconds now) {
+  if (now < next_step_) return;
+  next_step_ = now + kStepPeriod;
+  for (auto& correction : corrections_) {
+    if (correction.written == correction.target) continue;
+    const auto next = correction.written < correction.target ? correction.written + 1 : correction.written - 1;
+    store_le(std::span(correction.bytes), next);
+    correction.datagram.answered = false;
+    correction.datagram.wkc = 0;
+    requests_.push_back(&correction.datagram);
+  }
+  corrections_sent_ = requests_.size();
+}
+
+void DelayCompensation::take_corrections() {
+  if (corrections_sent_ == 0) return;
+  for (std::size_t i = 0; i < corrections_.size(); ++i) {
+    auto& correction = corrections_[i];
+    if (correction.written == correction.target || !correction.datagram.done()) continue;
+    correction.written = load_le<std::uint32_t>(correction.bytes);
+    correction.datagram.answered = false;
+    run_.snapshot.slaves[slaves_[i]].propagation_delay_ns = correction.written;
+  }
+}
+
+bool DelayCompensation::all_there() const {
+  return std::ranges::all_of(slaves_, [this](std::size_t slave) { return run_.snapshot.slaves[slave].present; });
+}
+
+}  // namespace syncline

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "master/clocks/slaves_sync.h"
+
+#include <algorithm>
+
+namespace syncline {
+namespace {
+
+/// A slave that does not answer must not keep the others' news.
+constexpr Nanoseconds kCulpritPatience = 100 * kMillisecond;
+/// Rounds of readings because of an or-ed value that hovers about the limit come no closer than this.
+constexpr Nanoseconds kRoundPeriod = 100 * kMillisecond;
+/// Readings in turn may be lost with their frames several times before nobody knows any more.
+constexpr Nanoseconds kLeastStale = 500 * kMillisecond;
+constexpr int kStaleRounds = 4;
+
+double milliseconds(Nanoseconds time) { return static_cast<double>(time) / static_cast<double>(kMillisecond); }
+
+SyncState state_of(dc::SyncVerdict::State state) {
+  switch (state) {
+    case dc::SyncVerdict::State::kNotMonitored:
+      return SyncState::kNotMonitored;
+    case dc::SyncVerdict::State::kSettling:
+      return SyncState::kBusy;
+    case dc::SyncVerdict::State::kInSync:
+      return SyncState::kInSync;
+    case dc::SyncVerdict::State::kOutOfSync:
+      return SyncState::kOutOfSync;
+    case dc::SyncVerdict::State::kUnknown:
+      return SyncState::kUnknown;
+  }
+  return SyncState::kNotReady;
+}
+
+}  // namespace
+
+void SlavesSync::start(const DcNetwork& network, Nanoseconds first_cycle, bool steered) {
+  const auto& config = run_.config();
+  steered_ = steered;
+  readings_.assign(config.slaves.size(), {});
+  for (auto& reading : readings_) reading.time = first_cycle;
+  lost_.assign(config.slaves.size(), 0);
+  returned_.assign(config.slaves.size(), 0);
+  out_since_.reset();
+  round_since_.reset();
+  auto& dc = run_.snapshot.dc;
+  dc.reference_clock = network.reference_clock;
+  dc.monitored = config.dc.sync_window.enabled && network.synchronised_count() >= 2;
+  const auto round = static_cast<Nanoseconds>(network.synchronised_count()) * config.cycle_time();
+  verdict_ =
+      dc::SyncVerdict(config.dc.sync_window, dc.monitored, std::max(kLeastStale, kStaleRounds * round), first_cycle);
+  dc.limit_ns = verdict_.limit_ns();
+  dc.state = state_of(verdict_.state());
+  dc.since = first_cycle;
+}
+
+void SlavesSync::observe(Nanoseconds time, bool led, bool distributed, const std::optional<OredDeviation>& ored,
+                         CycleSample& sample) {
+  take_readings(time, distributed);
+  if (ored) {
+    ored_ns_ = ored->magnitude_ns;
+    run_.snapshot.dc.deviation_ored_ns = ored_ns_;
+    sample.deviation_ored_ns = ored_ns_;
+    sample.flags |= CycleSample::kDeviationValid;
+  }
+  dc::SyncVerdict::Input input{time, led, readings_, {}};
+  if (ored && distributed) input.ored = meaning(*ored);
+  const auto edge = verdict_.observe(input);
+  report(time, sample);
+  if (const auto& deviation = run_.snapshot.dc.deviation_ns) {
+    sample.deviation_ns = input.ored && input.ored->followers_only ? ored_ns_ : *deviation;
+    sample.flags |= CycleSample::kFollowersRead;
+  }
+  look_closer(time);
+  tell(edge, time);
+}
+
+void SlavesSync::take_readings(Nanoseconds time, bool distributed) {
+  auto& snapshot = run_.snapshot;
+  const auto leader = snapshot.dc.reference_clock;
+  followers_ = 0;
+  for (std::size_t i = 0; i < readings_.size(); ++i) {
+    auto& slave = snapshot.slaves[i];
+    auto& reading = readings_[i];
+    const bool wanted = slave.dc_enabled && leader >= 0 && static_cast<int>(i) > leader;
+    const bool stays = slave.present && (lost_[i] | returned_[i]) == 0;
+    const bool follows = stays ? wanted : follows_again(i, time) && wanted;
+    if (follows != reading.follows) reading = {follows, false, time, 0};
+    slave.follows = follows;
+    followers_ += follows ? 1 : 0;
+    if (!distributed || !slave.deviation_valid || slave.deviation_time != time) continue;
+    reading.read = true;
+    reading.time = time;
+    reading.deviation_ns = slave.deviation_ns;
+    tell_return(i, time);
+  }
+}
+
+bool SlavesSync::follows_again(std::size_t slave, Nanoseconds time) {
+  const auto& status = run_.snapshot.slaves[slave];
+  const auto leader = run_.snapshot.dc.reference_clock;
+  const bool was_lost = lost_[slave] != 0;
+  const bool behind = leader >= 0 && static_cast<int>(slave) > leader;
+  const bool follows = status.present && status.dc_enabled && behind && !comes_back(slave, time);
+  if (!status.present) lost_[slave] = 1;
+  returned_[slave] = status.present && (returned_[slave] != 0 || (was_lost && lost_[slave] == 0)) ? 1 : 0;
+  return follows;
+}
+
+/// The others stayed in sync, and so no edge of the verdict says that this one is again.
+void SlavesSync::tell_return(std::size_t slave, Nanoseconds time) {
+  const auto& reading = readings_[slave];
+  const bool within = reading.follows && reading.magnitude() <= verdict_.limit_ns();
+  if (returned_[slave] == 0 || !within || verdict_.state() != dc::SyncVerdict::State::kInSync) return;
+  returned_[slave] = 0;
+  run_.event(time, static_cast<int>(slave), events::SlavesInSync{reading.magnitude()});
+}
+
+/// A clock that was away is set up anew before it can be asked to follow. It counts again when it has caught up, or
+/// when its slave works with it.
+bool SlavesSync::comes_back(std::size_t slave, Nanoseconds time) {
+  if (lost_[slave] == 0) return false;
+  const auto& status = run_.snapshot.slaves[slave];
+  const auto state = al_state_of(status.al_status);
+  const bool works = state == AlState::kSafeop || state == AlState::kOp;
+  const bool caught_up = status.deviation_valid && status.deviation_time == time &&
+                         std::abs(std::int64_t{status.deviation_ns}) <= verdict_.limit_ns();
+  lost_[slave] = !works && !caught_up ? 1 : 0;
+  return lost_[slave] != 0;
+}
+
+/// A slave in front of the reference clock gets the master's time, and a reference clock that the master steers has its
+/// error against the host: what ors them is over the limit for reasons that are none of the followers'.
+dc::OredReading SlavesSync::meaning(const OredDeviation& ored) const {
+  const auto& dc = run_.snapshot.dc;
+  const auto with_leader = followers_ + 1;
+  bool leader_is_quiet = dc.reference_clock >= 0;
+  if (leader_is_quiet) {
+    const auto& own = readings_[static_cast<std::size_t>(dc.reference_clock)];
+    leader_is_quiet = !own.read || own.magnitude() <= verdict_.limit_ns();
+  }
+  return {ored.magnitude_ns, ored.wkc >= with_leader, ored.wkc == with_leader && !steered_ && leader_is_quiet};
+}
+
+void SlavesSync::report(Nanoseconds time, CycleSample& sample) {
+  auto& dc = run_.snapshot.dc;
+  const auto& evidence = verdict_.evidence();
+  dc.state = state_of(verdict_.state());
+  dc.since = verdict_.since();
+  dc.followers = static_cast<std::uint16_t>(evidence.followers);
+  dc.over_limit = static_cast<std::uint16_t>(evidence.over);
+  dc.all_alike = evidence.all_alike();
+  dc.culprit = evidence.over > 0 && !dc.all_alike ? evidence.worst : -1;
+  dc.deviation_ns.reset();
+  if (evidence.worst >= 0) dc.deviation_ns = evidence.worst_ns;
+  dc.newest_age_ns = evidence.newest > 0 ? time - evidence.newest : -1;
+  dc.oldest_age_ns = evidence.followers > 0 ? time - evidence.oldest : -1;
+  if (const auto settled = verdict_.settled_after()) dc.settled_after_ms = milliseconds(*settled);
+  if (dc.state != SyncState::kNotMonitored) sample.flags |= CycleSample::kDcMonitored;
+  if (dc.state == SyncState::kInSync) sample.flags |= CycleSample::kDcInSync;
+  const auto position = static_cast<std::size_t>(sample.slave_position);
+  if (sample.slave_position >= 0 && readings_[position].follows) sample.flags |= CycleSample::kSlaveFollows;
+}
+
+/// An or-ed value that has just left the limit for an unknown reason: everybody is read at once.
+void SlavesSync::look_closer(Nanoseconds time) {
+  const bool risen = verdict_.undecided() && !was_undecided_;
+  was_undecided_ = verdict_.undecided();
+  if (round_since_ && (all_read_since(*round_since_) || time - *round_since_ >= kCulpritPatience)) round_since_.reset();
+  if (!risen || time < next_round_) return;
+  round_since_ = time;
+  next_round_ = time + kRoundPeriod;
+}
+
+bool SlavesSync::all_read_since(Nanoseconds time) const {
+  return std::ranges::all_of(readings_, [time](const auto& r) { return !r.follows || (r.read && r.time > time); });
+}
+
+void SlavesSync::tell(dc::SyncVerdict::Edge edge, Nanoseconds time) {
+  const auto& evidence = verdict_.evidence();
+  switch (edge) {
+    case dc::SyncVerdict::Edge::kInSync:
+      if (out_since_) tell_culprit(*out_since_ + kCulpritPatience);
+      returned_.assign(returned_.size(), 0);
+      run_.event(time, -1, events::SlavesInSync{evidence.worst >= 0 ? evidence.worst_ns : ored_ns_});
+      return;
+    case dc::SyncVerdict::Edge::kUnknown:
+      if (out_since_) tell_culprit(*out_since_ + kCulpritPatience);
+      run_.event(time, -1, events::SlavesSyncUnknown{evidence.followers > 0 ? time - evidence.oldest : 0});
+      return;
+    case dc::SyncVerdict::Edge::kOutOfSync:
+      out_since_ = time;
+      out_by_ = ored_ns_;
+      out_culprit_ = -1;
+      out_count_ = 0;
+      out_alike_ = false;
+      break;
+    case dc::SyncVerdict::Edge::kNone:
+      break;
+  }
+  tell_culprit(time);
+}
+
+/// The wire-ored value names nobody: told when every slave has been read since. Only who was seen over the limit is
+/// to blame, of several the one that was furthest away, and none when all have moved alike: that was the reference
+/// clock.
+void SlavesSync::tell_culprit(Nanoseconds time) {
+  if (!out_since_) return;
+  const auto& evidence = verdict_.evidence();
+  if (evidence.over > 0 && (out_culprit_ < 0 || evidence.worst_ns > out_by_)) {
+    out_culprit_ = evidence.worst;
+    out_by_ = evidence.worst_ns;
+  }
+  out_count_ = std::max(out_count_, evidence.over);
+  out_alike_ = out_alike_ || evidence.all_alike();
+  if (!all_read_since(*out_since_) && time - *out_since_ < kCulpritPatience) return;
+  run_.event(*out_since_, out_alike_ ? -1 : out_culprit_, events::SlavesOutOfSync{out_by_, out_count_});
+  out_since_.reset();
+}
+
+}  // namespace syncline

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "dc/sync_verdict.h"
+#include "master/clocks/dc_setup.h"
+#include "master/clocks/ored_deviation.h"
+#include "master/exchange/run_state.h"
+
+namespace syncline {
+
+/// Slaves against their reference clock: hands the readings of each cycle to the verdict, keeps the result in the
+/// snapshot and the sample, tells the edges and names who is to blame. Allocates nothing after start().
+class SlavesSync {
+ public:
+  explicit SlavesSync(RunState& run) : run_(run) {}
+
+  /// `steered`: the reference clock's own 0x092C is its error against the host, because the master writes its 0x0910.
+  void start(const DcNetwork& network, Nanoseconds first_cycle, bool steered);
+  /// One cycle, after its readings. `led`: there is a reference clock; `distributed`: its time reached the slaves in
+  /// this cycle, without which 0x092C says nothing new.
+  void observe(Nanoseconds time, bool led, bool distributed, const std::optional<OredDeviation>& ored,
+               CycleSample& sample);
+  /// Somebody left the sync window, or may have: the slaves' own readings must say, soon.
+  [[nodiscard]] bool wants_readings() const { return out_since_.has_value() || round_since_.has_value(); }
+
+ private:
+  void take_readings(Nanoseconds time, bool distributed);
+  /// Whether a slave behind the reference clock follows, with what became of it while it was away.
+  [[nodiscard]] bool follows_again(std::size_t slave, Nanoseconds time);
+  void tell_return(std::size_t slave, Nanoseconds time);
+  [[nodiscard]] bool comes_back(std::size_t slave, Nanoseconds time);
+  [[nodiscard]] dc::OredReading meaning(const OredDeviation& ored) const;
+  void report(Nanoseconds time, CycleSample& sample);
+  void look_closer(Nanoseconds time);
+  void tell(dc::SyncVerdict::Edge edge, Nanoseconds time);
+  void tell_culprit(Nanoseconds time);
+  [[nodiscard]] bool all_read_since(Nanoseconds time) const;
+
+  RunState& run_;
+  dc::SyncVerdict verdict_;
+  std::vector<dc::ClockReading> readings_;
+  // Bytes, because all of them are asked in each cycle:
+  std::vector<std::uint8_t> lost_;      // 1: were away and have not caught up
+  std::vector<std::uint8_t> returned_;  // 1: have, and it is not told yet that they are in sync
+  std::size_t followers_ = 0;
+  bool steered_ = false;
+  std::uint32_t ored_ns_ = 0;
+  std::optional<Nanoseconds> out_since_;  // out of sync, and not told yet
+  std::uint32_t out_by_ = 0;
+  int out_culprit_ = -1;
+  std::size_t out_count_ = 0;
+  bool out_alike_ = false;
+  bool was_undecided_ = false;
+  std::optional<Nanoseconds> round_since_;  // everybody is to be read
+  Nanoseconds next_round_ = 0;
+};
+
+}  // namespace syncline

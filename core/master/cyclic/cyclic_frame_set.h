@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "config/network_config.h"
+#include "master/clocks/ored_deviation.h"
+#include "master/exchange/frame_exchange.h"
+
+namespace syncline {
+
+/// The cyclic frames of a configuration with their process image: what is sent each cycle and what its
+/// answers say. Everything is sized at construction; a cycle allocates nothing.
+class CyclicFrameSet {
+ public:
+  explicit CyclicFrameSet(const NetworkConfig& config);
+  CyclicFrameSet(const CyclicFrameSet&) = delete;
+  CyclicFrameSet& operator=(const CyclicFrameSet&) = delete;
+
+  /// Which commands are sent: those whose State list names `state`.
+  void select(AlState state);
+  /// True when a command that is sent in the selected state reads 0x092C from all slaves.
+  [[nodiscard]] bool reads_deviation() const;
+
+  /// Fills the frames of cycle number `cycle`. `steer`: the reference clock is to be written (bus shift); if not, that
+  /// command travels as a NOP, because any value written to 0x0910 steers the clock.
+  void prepare(std::uint64_t cycle, bool steer);
+  /// Times that depend on the moment of sending, system time. `reference_time`: what the reference clock will show;
+  /// slaves in front of it are written what the master sends, before the clock has put its own time into the datagram.
+  void stamp(Nanoseconds reference_time, std::optional<Nanoseconds> reference_write);
+  [[nodiscard]] std::span<PendingFrame* const> frames() const { return active_; }
+
+  /// Whose clock the commands read and steer that the configuration means for the reference clock: that one,
+  /// another slave's, or nobody's (then they travel as NOP: a clock that has just been switched on must not
+  /// be handed to the others).
+  struct Leader {
+    enum class Who : std::uint8_t { kConfigured, kOther, kNobody } who = Who::kConfigured;
+    std::uint16_t station = 0;  // of the other
+    bool operator==(const Leader&) const = default;
+  };
+  void follow(Leader leader);
+  [[nodiscard]] Leader leader() const { return leader_; }
+  /// The commands as they are configured read and steer this slave's clock.
+  [[nodiscard]] bool configured_for(std::uint16_t position, std::uint16_t station) const;
+
+  /// The time that is written to the reference clock is corrected by the link while it sends.
+  void correct_by_link();
+
+  /// Working counters count without the slaves that are marked: they are lost, or in a state without process data.
+  void expect_without(const std::vector<bool>& slaves);
+  /// Expected process-data counters of all commands, by the configuration and now.
+  [[nodiscard]] std::uint16_t wkc_configured() const;
+  [[nodiscard]] std::uint16_t wkc_expected() const;
+
+  /// What the answers of this cycle say.
+  struct Reading {
+    std::uint16_t wkc_expected = 0, wkc_received = 0;       // process data
+    std::optional<std::uint16_t> al_status, al_status_wkc;  // all slaves ored
+    std::optional<std::uint64_t> reference_time;            // as wide as it was read
+    bool reference_is_64bit = false;
+    std::optional<OredDeviation> deviation_ored;
+  };
+  /// Takes the answers over into the process image and performs the slave-to-slave copies.
+  Reading evaluate();
+
+  /// A byte of the logical address space that a command reads from slaves.
+  struct LogicalByte {
+    std::size_t entry = 0, offset = 0;
+  };
+  [[nodiscard]] std::optional<LogicalByte> find_logical(std::uint32_t address) const;
+  /// As it came back in the cycle that was evaluated last, whatever the working counter expected; nothing when it did
+  /// not.
+  [[nodiscard]] std::optional<std::uint8_t> read_logical(LogicalByte place) const;
+
+  [[nodiscard]] std::span<std::uint8_t> outputs() { return outputs_; }
+  [[nodiscard]] std::span<const std::uint8_t> inputs() const { return inputs_; }
+
+ private:
+  enum class Role : std::uint8_t { kOther, kProcessData, kAlStatus, kReferenceTime, kReferenceWrite, kDeviation };
+  struct Entry {
+    const CyclicCmd* command = nullptr;
+    Role role = Role::kOther;
+    std::size_t frame = 0;
+    std::uint64_t divider = 1;  // sent every so many base cycles
+    bool selected = false;
+    bool sent = false;
+    std::uint16_t wkc_without = 0;  // part of the expected counter that does not come now
+    std::vector<std::uint8_t> data;
+    Datagram datagram;
+  };
+
+  /// Part of a command's working counter that one slave makes.
+  struct Share {
+    std::size_t slave = 0, entry = 0;
+    std::uint16_t wkc = 0;
+  };
+
+  static Role role_of(const CyclicCmd& command);
+  void add_task(const CyclicTask& task, Nanoseconds base_cycle);
+  void size_images(const NetworkConfig& config);
+  void share_counters(const NetworkConfig& config);
+  void address_leader(Entry& entry);
+  void fill(Entry& entry, bool steer);
+  static void fill_time(Entry& entry, Nanoseconds time);
+  void read(const Entry& entry, Reading& reading);
+  void store_inputs(const Entry& entry);
+  void copy_slave_to_slave(const Entry& entry);
+
+  std::uint32_t data_offset_;
+  std::vector<Entry> entries_;
+  std::vector<Share> shares_;
+  Leader leader_;
+  std::vector<PendingFrame> frames_;
+  std::vector<PendingFrame*> active_;
+  std::vector<std::uint8_t> inputs_, outputs_;
+};
+
+}  // namespace syncline

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "master/exchange/frame_exchange.h"
+#include "master/exchange/mailbox_handshake.h"
+#include "master/exchange/run_state.h"
+#include "protocol/coe.h"
+
+namespace syncline {
+
+/// The slaves' mailboxes while the bus runs: fetches a message that nobody asked for, or uploads an object of at most
+/// 4 bytes; one slave at a time, one datagram a cycle in the acyclic frame. Tells emergencies by events. Allocates
+/// nothing in the cycle.
+class CyclicMailbox {
+ public:
+  struct Answer {
+    enum class Kind : std::uint8_t {
+      kValue,
+      kAbort,
+      kFetched,
+      kNothing
+    };  // kNothing: no answer in time, or an unusable one
+    std::uint16_t slave = 0;
+    coe::ObjectAddress object;  // index 0: it was a fetch
+    Kind kind = Kind::kNothing;
+    std::uint32_t value = 0;  // of the object, or the abort code
+    bool emergency = false;   // one came, now or before the answer
+  };
+
+  explicit CyclicMailbox(RunState& run);
+  CyclicMailbox(const CyclicMailbox&) = delete;
+  CyclicMailbox& operator=(const CyclicMailbox&) = delete;
+
+  /// Off while others use the mailboxes; what is under way is still finished.
+  void set_enabled(bool enabled) { enabled_ = enabled; }
+  [[nodiscard]] bool idle() const { return !busy_; }
+  /// Something may be begun with this slave: nothing is under way, and its mailbox works in its state.
+  [[nodiscard]] bool ready_for(std::size_t slave) const;
+
+  void upload(std::size_t slave, coe::ObjectAddress object, Nanoseconds now);
+  void fetch(std::size_t slave, Nanoseconds now);
+
+  void add_to(PendingFrame& frame, Nanoseconds now);
+  /// After the cycle: what has come to its end.
+  std::optional<Answer> take(Nanoseconds now);
+
+ private:
+  std::optional<Answer> finish(Nanoseconds now);
+  std::optional<Answer> take_message(Nanoseconds now);
+  [[nodiscard]] Answer over(Answer::Kind kind, std::uint32_t value = 0);
+
+  RunState& run_;
+  std::vector<MailboxPort> ports_;  // per slave
+  std::vector<MailboxHandshake::Receipt> receipts_;
+  MailboxHandshake handshake_;
+  Answer current_;
+  bool enabled_ = false, busy_ = false;
+  bool asked_ = false;
+};
+
+}  // namespace syncline

@@ -1,0 +1,339 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "master/cyclic/cyclic_task.h"
+
+#include <algorithm>
+
+namespace syncline {
+namespace {
+
+/// Nobody looks at a snapshot more often than this.
+constexpr Nanoseconds kPublishPeriod = 1 * kMillisecond;
+/// Copying what many slaves are takes longer than their cycle: when nobody has looked, the next one can wait. On the
+/// virtual clock whoever looks does so between stretches of time, at whose end all is published in any case.
+constexpr Nanoseconds kUnreadPeriod = 10 * kMillisecond, kUnreadVirtualPeriod = 100 * kMillisecond;
+constexpr std::size_t kMostAcyclicFrames = 8;
+constexpr int kMostAmendments = 4;
+constexpr Nanoseconds kLatest = 95;  // % of the cycle: then its frames must be back
+constexpr std::size_t kFrameOverhead = kEthernetHeaderSize + kEtherCatHeaderSize;
+
+std::int32_t to_32(Nanoseconds value) {
+  return static_cast<std::int32_t>(std::clamp<Nanoseconds>(value, INT32_MIN, INT32_MAX));
+}
+
+}  // namespace
+
+CyclicTaskRunner::CyclicTaskRunner(FrameExchange& exchange, Clock& clock, RunState& run, SyncWatch& sync)
+    : exchange_(exchange),
+      clock_(clock),
+      run_(run),
+      sync_(sync),
+      frames_(run.config()),
+      slaves_(run),
+      mailbox_(run),
+      mailbox_bits_(run, frames_),
+      mailboxes_(run, mailbox_, mailbox_bits_),
+      sync_events_(run, sync),
+      sm2_(run, mailbox_, sync_events_),
+      evidence_(run),
+      inputs_(run),
+      health_(run),
+      reference_(run, sync, frames_),
+      feed_(run.config().cycle_time()),
+      without_(run.config().slaves.size()),
+      acyclic_(kMostAcyclicFrames),
+      cycle_time_(run.config().cycle_time()),
+      spin_(std::min(run.config().real_time.spin, cycle_time_ / 4), SpinBudget::tolerated(cycle_time_)) {
+  in_flight_.reserve(64);
+  if (run.config().dc.dcm.mode == DcmMode::kLinkLayerRefClock) frames_.correct_by_link();
+  if (run.config().dc.dcm.mode == DcmMode::kDcx) external_clock_ = find_external_clock(run.config());
+}
+
+void CyclicTaskRunner::start(Nanoseconds first_cycle) {
+  scheduled_ = first_cycle;
+  last_sent_.reset();
+  lost_seen_ = exchange_.lost_frames();
+}
+
+Status CyclicTaskRunner::run_cycle(std::span<Datagram* const> acyclic) {
+  wait_for_slot();
+  send_time_ = clock_.now();
+  CycleSample sample;
+  sample.cycle = run_.snapshot.cycles;
+  steering_ = sync_.reference_write(send_time_, scheduled_).has_value();
+  if (auto* application = run_.channels().application.load(std::memory_order_acquire)) {
+    application->run({sample.cycle, scheduled_, run_.snapshot.state}, frames_.inputs(), frames_.outputs());
+  }
+  reference_.address(slaves_.settled());
+  frames_.prepare(sample.cycle, steering_);
+  fill_acyclic(acyclic, send_time_);
+  first_stamp_.reset();
+  auto status = note_link(exchange_frames(deadline()));
+  adapt_acyclic_limit();
+  note_sending(sample);
+  exchange_.missing().expire(clock_.now());
+  health_.observe_frames(exchange_.lost_frames() - lost_seen_, exchange_.missing().take_news(), send_time_, sample);
+  lost_seen_ = exchange_.lost_frames();
+  evaluate(sample);
+  if (auto amended = amend_clock(); !amended && amended.error().code != ErrorCode::kLinkDown)
+    status = std::move(amended);
+  health_.tell(send_time_);
+  finish_sample(sample);
+  scheduled_ += cycle_time_ + adjust_;
+  return status;
+}
+
+/// An adapter that is away is waited for, as slaves are that do not answer.
+Status CyclicTaskRunner::note_link(Status status) {
+  const bool down = !status && status.error().code == ErrorCode::kLinkDown;
+  run_.note_link(!down, clock_.now());
+  return down ? Status{} : status;
+}
+
+/// A cycle whose time is half over is left out, so that a late frame and the next one never go out together: slaves
+/// would see two frames in one SYNC0 period. The phase stays.
+void CyclicTaskRunner::wait_for_slot() {
+  spin_.observe(clock_.sleep_until(scheduled_, spin_.amount()));
+  const auto behind = clock_.now() - scheduled_ - cycle_time_ / 2;
+  skipped_ = behind > 0 ? behind / cycle_time_ + 1 : 0;
+  if (skipped_ == 0) return;
+  scheduled_ += skipped_ * cycle_time_;
+  spin_.observe(clock_.sleep_until(scheduled_, spin_.amount()));
+}
+
+void CyclicTaskRunner::tell_rest() {
+  exchange_.missing().give_up();
+  health_.tell_rest(exchange_.missing().take_news());
+}
+
+void CyclicTaskRunner::stamp(Nanoseconds send_time) {
+  if (amendment_.sending()) {
+    amendment_stamp_ = send_time;
+    const auto steered = steering_ ? sync_.reference_write(send_time, send_time) : std::nullopt;
+    amendment_.write(steered.value_or(sync_.reference_time_at(send_time)));
+    return;
+  }
+  if (!first_stamp_) first_stamp_ = send_time;
+  if (!sync_.active()) return;
+  frames_.stamp(sync_.reference_time_at(send_time),
+                steering_ ? sync_.reference_write(send_time, scheduled_) : std::nullopt);
+  // One behind the other, whatever the host's clock says when it hands them over.
+  feed_.stamp(sync_.reference_time_at(std::max(send_time, wire_free_)));
+}
+
+void CyclicTaskRunner::note_sending(CycleSample& sample) {
+  const auto sent = frames_.frames();
+  if (!sent.empty()) {
+    const auto& first = *sent.front();
+    send_time_ = first.send_time();
+    if (first.answered()) {
+      sample.round_trip_ns = to_32(first.arrival_time() - first.send_time());
+      learn_travel(first);
+    }
+  }
+  sample.send_time = send_time_;
+  sample.wake_lateness_ns = to_32(send_time_ - scheduled_);
+  health_.observe_schedule(skipped_, last_sent_ ? send_time_ - *last_sent_ : 0, send_time_, sample);
+  last_sent_ = send_time_;
+}
+
+void CyclicTaskRunner::fill_acyclic(std::span<Datagram* const> requests, Nanoseconds now) {
+  for (auto& frame : acyclic_) frame.clear();
+  // Short and regular readings first: a long mailbox datagram finds room in the next cycle.
+  slaves_.add_to(acyclic_.front(), sync_.monitored() && !frames_.reads_deviation(), sync_.wants_readings());
+  mailboxes_.add_to(acyclic_.front(), now);
+  sm2_.begin(now);
+  mailbox_.add_to(acyclic_.front(), now);
+  // What would not come back in time is left for the next cycle; one request a cycle goes in any case. Where nothing
+  // comes back in time, it is the host that is slow, and not the number of bytes.
+  constexpr Nanoseconds kPerByte = 80;
+  auto room = cycle_time_ * kLatest / 100 - travel_ - cyclic_wire_time() - acyclic_wire_time();
+  const bool limited = room > 0;
+  std::size_t frame = 0;
+  for (auto* request : requests) {
+    room -= static_cast<Nanoseconds>(kDatagramHeaderSize + request->data.size() + kWkcSize) * kPerByte;
+    if (limited && room < 0 && request != requests.front()) break;
+    while (frame < acyclic_limit_ && !acyclic_[frame].add(*request)) ++frame;
+    if (frame == acyclic_limit_) break;
+  }
+  // Whoever waits for an answer goes first, and evidence takes one datagram a cycle.
+  if (!inputs_.add_to(acyclic_.front())) evidence_.add_to(acyclic_.front());
+}
+
+/// A bus with many slaves has many requests, and how many frames a cycle can carry depends on the host,
+/// the wire and the length of the segment: found by trying.
+void CyclicTaskRunner::adapt_acyclic_limit() {
+  std::size_t sent = 0;
+  bool all_back = true;
+  Nanoseconds last = scheduled_;
+  for (const auto& frame : acyclic_) {
+    if (frame.empty()) continue;
+    ++sent;
+    all_back = all_back && frame.answered();
+    last = std::max(last, frame.arrival_time());
+  }
+  if (!all_back) {
+    acyclic_limit_ = std::max<std::size_t>(1, acyclic_limit_ / 2);
+  } else if (sent == acyclic_limit_ && last < scheduled_ + cycle_time_ / 2) {
+    acyclic_limit_ = std::min(acyclic_limit_ + 1, kMostAcyclicFrames);
+  }
+}
+
+Nanoseconds CyclicTaskRunner::cyclic_wire_time() {
+  Nanoseconds sum = 0;
+  for (const auto* frame : frames_.frames()) sum += wire_time_ns(frame->size() + kFrameOverhead);
+  return sum;
+}
+
+Nanoseconds CyclicTaskRunner::acyclic_wire_time() const {
+  Nanoseconds sum = 0;
+  for (const auto& frame : acyclic_) {
+    if (!frame.empty()) sum += wire_time_ns(frame.size() + kFrameOverhead);
+  }
+  return sum;
+}
+
+/// Four fifths of the cycle leave time for what follows; where the segment is so long that its frames need more, they
+/// get it.
+Nanoseconds CyclicTaskRunner::deadline() {
+  const auto needed = travel_ + cyclic_wire_time() + acyclic_wire_time() + cycle_time_ / 20;
+  return scheduled_ + std::clamp(needed, cycle_time_ * 8 / 10, cycle_time_ * kLatest / 100);
+}
+
+/// The shortest counts, and is forgotten slowly: what else a frame waits for is the host's.
+void CyclicTaskRunner::learn_travel(const PendingFrame& frame) {
+  const auto travel = frame.arrival_time() - frame.send_time() - wire_time_ns(frame.size() + kFrameOverhead);
+  travel_ = travel_ == 0 || travel < travel_ ? std::max<Nanoseconds>(travel, 0) : travel_ + (travel - travel_) / 64;
+}
+
+Status CyclicTaskRunner::exchange_frames(Nanoseconds deadline) {
+  in_flight_.clear();
+  Status status;
+  const auto note = [&status](Status sent) {
+    if (!sent) status = std::move(sent);
+  };
+  for (auto* frame : frames_.frames()) note(send(*frame));
+  for (auto& frame : acyclic_) {
+    if (!frame.empty()) note(send(frame));
+  }
+  for (auto& frame : feed_.prepare()) note(send(frame));
+  // A late wake-up must not leave the frames without time to come back.
+  const auto patience = std::max(deadline, clock_.now() + cycle_time_ / 4);
+  if (auto collected = exchange_.collect(in_flight_, patience); !collected) return collected;
+  return status;
+}
+
+Status CyclicTaskRunner::send(PendingFrame& frame) {
+  if (auto sent = exchange_.send(frame, this); !sent) return sent;
+  in_flight_.push_back(&frame);
+  wire_free_ = std::max(wire_free_, frame.send_time()) + wire_time_ns(frame.size() + kFrameOverhead);
+  return {};
+}
+
+/// As often as it takes, but not so late in the cycle that it would meet the next frame.
+Status CyclicTaskRunner::amend_clock() {
+  const auto station = reference_.station();
+  const auto latest = scheduled_ + cycle_time_ * 8 / 10;
+  const auto is_time = [&] { return clock_.now() + cycle_time_ / 8 < latest; };
+  if (const auto tuning = is_time() ? reference_.take_tuning() : std::nullopt) {
+    if (auto sent = amendment_.run(exchange_, *tuning, *this, latest); !sent) return sent;
+  }
+  bool again = station && steering_ && sync_.wants_second_write();
+  for (int i = 0; again && i < kMostAmendments && is_time(); ++i) {
+    if (auto sent = amendment_.run(exchange_, {*station, {}, true}, *this, latest); !sent) return sent;
+    const auto time = amendment_.reading();
+    if (!time) break;
+    const auto sent_at = amendment_.send_time();
+    dc::DcmObservation found{sent_at, amendment_stamp_, sync_.extend(*time, sent_at)};
+    found.way_out = sent_at - amendment_stamp_;
+    again = sync_.observe_second_write(found);
+  }
+  return {};
+}
+
+/// Slaves were looked at: what is expected of the bus from now on.
+void CyclicTaskRunner::after_sweep() {
+  sweeps_seen_ = slaves_.sweeps();
+  reference_.look(send_time_);
+  if (health_.judging()) expect_present();
+}
+
+void CyclicTaskRunner::expect_present() {
+  for (std::size_t i = 0; i < without_.size(); ++i) {
+    const auto& slave = run_.snapshot.slaves[i];
+    const auto state = al_state_of(slave.al_status);
+    without_[i] = !slave.present || (state != AlState::kSafeop && state != AlState::kOp);
+  }
+  const auto before = frames_.wkc_expected();
+  frames_.expect_without(without_);
+  const auto now = frames_.wkc_expected();
+  if (now != before) run_.event(send_time_, -1, events::WkcExpected{frames_.wkc_configured(), now});
+}
+
+std::optional<Nanoseconds> CyclicTaskRunner::reference_time(const CyclicFrameSet::Reading& reading) const {
+  if (!reading.reference_time) return std::nullopt;
+  if (reading.reference_is_64bit) return static_cast<Nanoseconds>(*reading.reference_time);
+  return sync_.extend(static_cast<std::uint32_t>(*reading.reference_time), send_time_);
+}
+
+dc::DcmObservation CyclicTaskRunner::observation(const CyclicFrameSet::Reading& reading) const {
+  dc::DcmObservation result{send_time_, scheduled_, reference_time(reading)};
+  if (first_stamp_) result.way_out = send_time_ - *first_stamp_;
+  if (external_clock_) {
+    const auto& bridge = run_.snapshot.slaves[external_clock_->slave];
+    result.external_expected = bridge.present && al_state_of(bridge.al_status) == AlState::kOp;
+    if (result.external_expected) result.external_difference = external_difference(*external_clock_, frames_.inputs());
+  }
+  return result;
+}
+
+void CyclicTaskRunner::evaluate(CycleSample& sample) {
+  const auto reading = frames_.evaluate();
+  const bool up = run_.snapshot.link_up;
+  if (up) health_.observe_wkc(reading.wkc_expected, reading.wkc_received, send_time_, sample);
+  if (reading.al_status) slaves_.observe_broadcast(*reading.al_status, *reading.al_status_wkc);
+  const auto all = slaves_.take(send_time_, sample);
+  slaves_.observe_silence((!up || (sample.flags & CycleSample::kFrameLost) != 0) && !reading.al_status, send_time_);
+  if (slaves_.sweeps() != sweeps_seen_) after_sweep();
+  take_mailboxes(sample);
+  adjust_ = sync_.observe_cycle(observation(reading), sample);
+  reference_.watch(send_time_);
+  evidence_.take(send_time_);
+  const bool all_back = std::ranges::all_of(frames_.frames(), &PendingFrame::answered);
+  inputs_.take(send_time_, all_back && sample.skipped_cycles == 0);
+  sync_events_.observe(sample, all_back);
+  const auto deviation = reading.deviation_ored ? reading.deviation_ored : all;
+  sync_.observe_slaves(send_time_, deviation, sample);
+}
+
+void CyclicTaskRunner::take_mailboxes(CycleSample& sample) {
+  mailbox_bits_.observe();
+  mailboxes_.take_polls();
+  const auto answer = mailbox_.take(send_time_);
+  if (!answer) return;
+  if (answer->emergency) slaves_.refresh_al_status();  // a slave that fell behind others that had fallen before
+  sm2_.take(*answer, send_time_, sample);
+  mailboxes_.take(*answer, send_time_);
+}
+
+void CyclicTaskRunner::finish_sample(CycleSample& sample) {
+  auto& snapshot = run_.snapshot;
+  sample.master_state = static_cast<std::uint8_t>(snapshot.state);
+  snapshot.time = sample.send_time;
+  ++snapshot.cycles;
+  (void)run_.channels().samples.push(sample);
+  const auto unread = clock_.is_virtual() ? kUnreadVirtualPeriod : kUnreadPeriod;
+  const auto period = run_.channels().snapshot.taken() ? kPublishPeriod : unread;
+  if (sample.send_time - last_published_ >= period) publish();
+}
+
+void CyclicTaskRunner::publish_latest() {
+  if (run_.snapshot.time != last_published_) publish();
+}
+
+void CyclicTaskRunner::publish() {
+  run_.snapshot.host = {spin_.amount(), spin_.mean_spent(), spin_.wake_p50(), spin_.wake_p99()};
+  last_published_ = run_.snapshot.time;
+  run_.channels().snapshot.publish(run_.snapshot);
+}
+
+}  // namespace syncline

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "config/external_clock.h"
+#include "master/clocks/clock_amendment.h"
+#include "master/clocks/clock_feed.h"
+#include "master/clocks/sync_watch.h"
+#include "master/cyclic/bus_health.h"
+#include "master/cyclic/cyclic_frame_set.h"
+#include "master/cyclic/cyclic_mailbox.h"
+#include "master/cyclic/evidence_reader.h"
+#include "master/cyclic/input_watch.h"
+#include "master/cyclic/mailbox_bits.h"
+#include "master/cyclic/mailbox_watch.h"
+#include "master/cyclic/reference_clock.h"
+#include "master/cyclic/slave_watch.h"
+#include "master/cyclic/sm2_reader.h"
+#include "master/cyclic/spin_budget.h"
+#include "master/cyclic/sync_event_watch.h"
+#include "master/exchange/bus.h"
+#include "master/exchange/run_state.h"
+
+namespace syncline {
+
+/// The bus cycle: wakes on its absolute schedule, stamps and sends the cyclic frames and as many acyclic
+/// frames as the cycle has room for, collects the answers and hands them to those who watch. In the steady cycle it
+/// allocates, locks, logs and throws nothing (the snapshot is only published when nobody reads it just then).
+class CyclicTaskRunner final : public CyclePump, private SendStamp {
+ public:
+  CyclicTaskRunner(FrameExchange& exchange, Clock& clock, RunState& run, SyncWatch& sync);
+
+  /// The next cycle is scheduled for `first_cycle`.
+  void start(Nanoseconds first_cycle);
+  /// Which cyclic commands are sent: those of this master state.
+  void select(AlState state) { frames_.select(state); }
+  Status run_cycle(std::span<Datagram* const> acyclic) override;
+
+  [[nodiscard]] SlaveWatch& slaves() { return slaves_; }
+  [[nodiscard]] CyclicMailbox& mailbox() { return mailbox_; }
+  [[nodiscard]] MailboxWatch& mailboxes() { return mailboxes_; }
+  [[nodiscard]] Sm2Reader& sm2() { return sm2_; }
+  [[nodiscard]] BusHealth& health() { return health_; }
+  [[nodiscard]] CyclicFrameSet& frames() { return frames_; }
+  [[nodiscard]] ReferenceClock& reference() { return reference_; }
+  [[nodiscard]] ClockFeed& feed() { return feed_; }
+  /// Expects the working counter of those slaves that are there and exchange process data. Tells a change.
+  void expect_present();
+  [[nodiscard]] Nanoseconds next_cycle() const { return scheduled_; }
+  /// No more cycles follow: what has not been told yet.
+  void tell_rest();
+  /// The snapshot of the latest cycle, unless it has been: somebody may look before the next.
+  void publish_latest();
+
+ private:
+  void wait_for_slot();
+  void publish();
+  void stamp(Nanoseconds send_time) override;
+  void note_sending(CycleSample& sample);
+  void fill_acyclic(std::span<Datagram* const> requests, Nanoseconds now);
+  void adapt_acyclic_limit();
+  Status exchange_frames(Nanoseconds deadline);
+  Status note_link(Status status);
+  /// On the wire, of the cyclic frames, and of those that ride with them.
+  [[nodiscard]] Nanoseconds cyclic_wire_time();
+  [[nodiscard]] Nanoseconds acyclic_wire_time() const;
+  /// When the frames of this cycle count as lost.
+  [[nodiscard]] Nanoseconds deadline();
+  void learn_travel(const PendingFrame& frame);
+  Status send(PendingFrame& frame);
+  void evaluate(CycleSample& sample);
+  void take_mailboxes(CycleSample& sample);
+  void after_sweep();
+  Status amend_clock();
+  [[nodiscard]] dc::DcmObservation observation(const CyclicFrameSet::Reading& reading) const;
+  [[nodiscard]] std::optional<Nanoseconds> reference_time(const CyclicFrameSet::Reading& reading) const;
+  void finish_sample(CycleSample& sample);
+
+  FrameExchange& exchange_;
+  Clock& clock_;
+  RunState& run_;
+  SyncWatch& sync_;
+  CyclicFrameSet frames_;
+  SlaveWatch slaves_;
+  CyclicMailbox mailbox_;
+  MailboxBits mailbox_bits_;
+  MailboxWatch mailboxes_;
+  SyncEventWatch sync_events_;
+  Sm2Reader sm2_;
+  EvidenceReader evidence_;
+  InputWatch inputs_;
+  BusHealth health_;
+  ReferenceClock reference_;
+  ClockFeed feed_;
+  ClockAmendment amendment_;
+  std::uint64_t lost_seen_ = 0;  // lost frames that have been told
+  std::uint64_t sweeps_seen_ = 0;
+  std::vector<bool> without_;  // slaves that take no part in the process data
+  std::vector<PendingFrame> acyclic_;
+  std::size_t acyclic_limit_ = 1;  // frames a cycle, as many as come back in time
+  std::vector<PendingFrame*> in_flight_;
+  Nanoseconds cycle_time_;
+  SpinBudget spin_;                       // last part of each wait
+  std::int64_t skipped_ = 0;              // cycles left out before this one
+  std::optional<Nanoseconds> last_sent_;  // first frame of the cycle before
+  Nanoseconds scheduled_ = 0;
+  Nanoseconds send_time_ = 0;               // of this cycle's first frame
+  Nanoseconds wire_free_ = 0;               // when the frames that were sent have left
+  Nanoseconds travel_ = 0;                  // a frame's way through the segment and back, without its length
+  std::optional<Nanoseconds> first_stamp_;  // of that frame, from before it was sent
+  Nanoseconds amendment_stamp_ = 0;
+  bool steering_ = false;
+  Nanoseconds last_published_ = 0;
+  Nanoseconds adjust_ = 0;
+  std::optional<ExternalClockPlace> external_clock_;
+};
+
+}  // namespace syncline

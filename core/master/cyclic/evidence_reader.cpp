@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "master/cyclic/evidence_reader.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "protocol/registers.h"
+#include "support/byte_order.h"
+
+namespace syncline {
+namespace {
+
+constexpr std::size_t kPorts = 4;
+// Offsets from 0x0300.
+constexpr std::size_t kForwarded = 0x08, kProcessingUnit = 0x0C, kPdi = 0x0D, kLostLinks = 0x10;
+
+struct Place {
+  std::uint16_t address;
+  std::uint16_t length;
+};
+
+}  // namespace
+
+EvidenceReader::EvidenceReader(RunState& run) : run_(run), totals_(run.config().slaves.size()) {}
+
+bool EvidenceReader::worth_reading() const {
+  const auto& slave = run_.snapshot.slaves[slave_];
+  return slave.present && (what_ != What::kSpeedCounter || slave.dc_enabled);
+}
+
+void EvidenceReader::next() {
+  what_ = static_cast<What>((static_cast<std::uint8_t>(what_) + 1) % kKinds);
+  if (what_ == What::kPorts) slave_ = (slave_ + 1) % totals_.size();
+}
+
+void EvidenceReader::add_to(PendingFrame& frame) {
+  asked_ = false;
+  if (totals_.empty()) return;
+  // Whoever is not there costs no cycle, and nobody being there no hang.
+  for (std::size_t tried = 0; !worth_reading() && tried < kKinds * 16; ++tried) next();
+  if (!worth_reading()) return;
+  constexpr std::array<Place, kKinds> kPlaces{
+      {{reg::kRxErrorCounter, 20}, {reg::kWatchdogCounterProcessData, 2}, {reg::kSpeedCounterDiff, 2}}};
+  const auto place = kPlaces[static_cast<std::size_t>(what_)];
+  bytes_.fill(0);
+  datagram_ = {Command::kFprd, device_address(run_.config().slaves[slave_].station_address, place.address),
+               std::span(bytes_).first(place.length)};
+  asked_ = frame.add(datagram_);
+}
+
+void EvidenceReader::take(Nanoseconds time) {
+  if (!std::exchange(asked_, false) || !datagram_.answered) return;  // lost, or no room: once more
+  if (datagram_.wkc > 0) {
+    switch (what_) {
+      case What::kPorts:
+        take_ports(time);
+        break;
+      case What::kWatchdogs:
+        take_watchdogs(time);
+        break;
+      case What::kSpeedCounter:
+        take_speed_counter(time);
+        break;
+    }
+  }
+  next();
+}
+
+void EvidenceReader::take_ports(Nanoseconds time) {
+  auto& evidence = run_.snapshot.slaves[slave_].evidence;
+  auto& totals = totals_[slave_].ports;
+  std::array<std::uint32_t, 20> more{};
+  for (std::size_t i = 0; i < totals.size(); ++i) more[i] = totals[i].read(bytes_[i]);
+  for (std::size_t port = 0; port < kPorts; ++port) {
+    auto& errors = evidence.ports[port];
+    const auto &invalid = totals[2 * port], &receive = totals[2 * port + 1], &forwarded = totals[kForwarded + port],
+               &lost = totals[kLostLinks + port];
+    errors = {invalid.total(), receive.total(), forwarded.total(), lost.total(),
+              invalid.at_least() || receive.at_least() || forwarded.at_least() || lost.at_least()};
+    tell_port(port, std::max(more[2 * port], more[2 * port + 1]), more[kLostLinks + port], time);
+  }
+  evidence.processing_unit_errors = totals[kProcessingUnit].total();
+  evidence.pdi_errors = totals[kPdi].total();
+  evidence.ports_time = time;
+}
+
+/// Errors that were only forwarded are somebody else's. A damaged frame is counted in both counters as a rule.
+void EvidenceReader::tell_port(std::size_t port, std::uint32_t damaged, std::uint32_t lost_links, Nanoseconds time) {
+  if (damaged == 0 && lost_links == 0) return;
+  run_.event(time, static_cast<int>(slave_), events::PortErrors{static_cast<std::uint8_t>(port), damaged, lost_links});
+}
+
+void EvidenceReader::take_watchdogs(Nanoseconds time) {
+  auto& evidence = run_.snapshot.slaves[slave_].evidence;
+  auto& totals = totals_[slave_].watchdogs;
+  const std::array<EvidenceCount*, 2> counts{&evidence.process_data_watchdog, &evidence.pdi_watchdog};
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    const auto more = totals[i].read(bytes_[i]);
+    *counts[i] = {totals[i].total(), totals[i].at_least(), time};
+    if (more == 0) continue;
+    using Which = events::WatchdogExpired::Which;
+    run_.event(time, static_cast<int>(slave_),
+               events::WatchdogExpired{i == 0 ? Which::kProcessData : Which::kPdi, more});
+  }
+}
+
+void EvidenceReader::take_speed_counter(Nanoseconds time) {
+  auto& evidence = run_.snapshot.slaves[slave_].evidence;
+  evidence.speed_counter_difference = static_cast<std::int16_t>(load_le<std::uint16_t>(bytes_));
+  evidence.speed_counter_time = time;
+}
+
+}  // namespace syncline

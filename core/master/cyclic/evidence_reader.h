@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "master/exchange/frame_exchange.h"
+#include "master/exchange/run_state.h"
+#include "support/counter_total.h"
+
+namespace syncline {
+
+/// Reads what the slaves' ESCs counted, while the bus runs: the port error counters, the watchdog counters and the
+/// speed counter difference of one slave after the other, one datagram in each cycle that is left for
+/// it (see InputWatch), behind everything else that wants the acyclic frame. Fills SlaveEvidence and tells new errors
+/// by kPortErrors and kWatchdog. Allocates nothing; the cyclic thread.
+class EvidenceReader {
+ public:
+  explicit EvidenceReader(RunState& run);
+  EvidenceReader(const EvidenceReader&) = delete;
+  EvidenceReader& operator=(const EvidenceReader&) = delete;
+
+  void add_to(PendingFrame& frame);
+  void take(Nanoseconds time);
+
+ private:
+  enum class What : std::uint8_t { kPorts, kWatchdogs, kSpeedCounter };
+  static constexpr std::uint8_t kKinds = 3;
+  static constexpr CounterTotal kByte{8, CounterTotal::End::kSaturates};
+
+  /// By differences, because nobody else's reading shall be disturbed by clearing them.
+  struct Totals {
+    std::array<CounterTotal, 20> ports;  // 0x0300 to 0x0313
+    std::array<CounterTotal, 2> watchdogs{kByte, kByte};
+    Totals() : ports(filled(std::make_index_sequence<20>{})) {}
+    template <std::size_t... I>
+    static std::array<CounterTotal, sizeof...(I)> filled(std::index_sequence<I...>) {
+      return {((void)I, kByte)...};
+    }
+  };
+
+  void next();
+  [[nodiscard]] bool worth_reading() const;
+  void take_ports(Nanoseconds time);
+  void tell_port(std::size_t port, std::uint32_t damaged, std::uint32_t lost_links, Nanoseconds time);
+  void take_watchdogs(Nanoseconds time);
+  void take_speed_counter(Nanoseconds time);
+
+  RunState& run_;
+  std::vector<Totals> totals_;
+  std::size_t slave_ = 0;
+  What what_ = What::kPorts;
+  std::array<std::uint8_t, 20> bytes_{};
+  Datagram datagram_;
+  bool asked_ = false;
+};
+
+}  // namespace syncline

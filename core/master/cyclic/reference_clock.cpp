@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "master/cyclic/reference_clock.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <utility>
+
+#include "master/clocks/dc_loop_values.h"
+
+namespace syncline {
+namespace {
+
+using What = events::ReferenceClockChanged::What;
+
+using Leader = CyclicFrameSet::Leader;
+
+constexpr int kReadings = 16;
+constexpr std::int64_t kNear = 50;  // ns: what the others do not notice
+/// A clock that is not near by then steps the others when it leads again; they bear it.
+constexpr Nanoseconds kPatience = 10 * kSecond;
+
+}  // namespace
+
+/// Below SAFEOP a slave's clock may be in the middle of being set up.
+bool ReferenceClock::can_lead(std::size_t slave) const {
+  const auto& status = run_.snapshot.slaves[slave];
+  const auto state = al_state_of(status.al_status);
+  return status.present && status.dc_enabled && (state == AlState::kSafeop || state == AlState::kOp);
+}
+
+void ReferenceClock::start(std::uint16_t home, std::uint16_t leader, bool by_place) {
+  home_ = home;
+  leader_ = leader;
+  by_place_ = places_right_ = by_place;
+  approach_.reset();
+  address(true);
+}
+
+void ReferenceClock::address(bool settled) {
+  if (!home_) return;
+  Leader wanted{Leader::Who::kNobody, 0};
+  if (leader_) wanted = {Leader::Who::kOther, run_.config().slaves[*leader_].station_address};
+  // The frames of a file mean the clock that leads in that file; who leads here may have been chosen otherwise.
+  const bool configured =
+      leader_ == home_ && frames_.configured_for(*home_, run_.config().slaves[*home_].station_address);
+  if (configured && by_place_ && places_right_ && settled) wanted = {};
+  if (frames_.leader() != wanted) frames_.follow(wanted);
+}
+
+std::optional<std::uint16_t> ReferenceClock::station() const {
+  if (!leader_) return std::nullopt;
+  return run_.config().slaves[*leader_].station_address;
+}
+
+void ReferenceClock::look(Nanoseconds time) {
+  if (!home_) return;
+  auto& slaves = run_.snapshot.slaves;
+  places_right_ = std::all_of(slaves.begin(), slaves.begin() + *home_, [](const SlaveStatus& s) { return s.present; });
+  if (leader_ && slaves[*leader_].present) return;
+  if (leader_) {
+    run_.event(time, *leader_, events::ReferenceClockChanged{What::kLost});
+    slaves[*leader_].is_reference_clock = false;
+    leader_.reset();
+    sync_.leader_lost(time);
+  }
+  // Not set up anew, so it has gone on by itself with what it had learned.
+  if (can_lead(*home_)) return lead(*home_, time);
+  for (std::size_t i = 0; i < slaves.size(); ++i) {
+    if (can_lead(i)) return lead(static_cast<std::uint16_t>(i), time);
+  }
+}
+
+std::optional<std::uint16_t> ReferenceClock::candidate(std::span<const std::size_t> slaves) const {
+  std::optional<std::uint16_t> first;
+  for (const auto slave : slaves) {
+    if (!run_.snapshot.slaves[slave].dc_enabled) continue;
+    if (slave == home_) return home_;
+    if (!first) first = static_cast<std::uint16_t>(slave);
+  }
+  return first;
+}
+
+void ReferenceClock::lead(std::uint16_t position, Nanoseconds time) {
+  hand_over(position);
+  sync_.leader_found(position, time);
+  run_.event(time, position, events::ReferenceClockChanged{position == home_ ? What::kPresent : What::kTookOver});
+}
+
+/// A clock that follows takes each message as it is, and runs on with the last one when nobody leads it any more: that
+/// was what the master believed, with the noise of a send stamp, because the leader was gone already. Averaged, one
+/// more message makes that good. Where the master steers the clock that leads, it goes on telling it the time.
+void ReferenceClock::tune(std::uint16_t position, bool leads) {
+  const auto& config = run_.config();
+  if (config.dc.dcm.standard_loop_values) return;
+  if (position == home_ || steers_reference_clock(config.dc.dcm.mode)) return;
+  auto& slot = tunings_[tunings_[0] ? 1 : 0];
+  slot = ClockAmendment::Request{config.slaves[position].station_address, difference_depth(config, leads), leads};
+}
+
+std::optional<ClockAmendment::Request> ReferenceClock::take_tuning() {
+  for (auto& tuning : tunings_) {
+    if (tuning) return std::exchange(tuning, std::nullopt);
+  }
+  return std::nullopt;
+}
+
+void ReferenceClock::hand_over(std::uint16_t position) {
+  if (leader_) run_.snapshot.slaves[*leader_].is_reference_clock = false;
+  if (leader_) tune(*leader_, false);
+  tune(position, true);
+  leader_ = position;
+  run_.snapshot.slaves[position].is_reference_clock = true;
+  approach_.reset();
+}
+
+void ReferenceClock::watch(Nanoseconds time) {
+  if (!home_ || !leader_ || leader_ == home_) return;
+  if (!can_lead(*home_)) return approach_.reset();
+  if (!approach_) approach_ = Approach{time, time};
+  if (!is_near() && time - approach_->begin < kPatience) return;
+  hand_over(*home_);
+  sync_.leader_moved(*home_);
+  run_.event(time, *home_, events::ReferenceClockChanged{What::kPresent});
+}
+
+/// In the mean of some readings: a clock in front of its substitute is told what the master believes, with the host's
+/// jitter.
+bool ReferenceClock::is_near() {
+  const auto& status = run_.snapshot.slaves[*home_];
+  if (!status.deviation_valid || status.deviation_time <= approach_->last_reading) return false;
+  approach_->last_reading = status.deviation_time;
+  approach_->sum += status.deviation_ns;
+  if (++approach_->readings < kReadings) return false;
+  const auto sum = approach_->sum;
+  approach_->sum = approach_->readings = 0;
+  return std::abs(sum) <= kNear * kReadings;
+}
+
+}  // namespace syncline

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "master/clocks/clock_amendment.h"
+#include "master/clocks/sync_watch.h"
+#include "master/cyclic/cyclic_frame_set.h"
+#include "master/exchange/run_state.h"
+
+namespace syncline {
+
+/// Who leads the distributed clocks while the bus runs: the reference clock, and when it is lost the next slave whose
+/// clock is synchronised. When it comes back it follows its substitute until it shows the same time, and then leads
+/// again, so that the others do not notice. Allocates nothing.
+class ReferenceClock {
+ public:
+  ReferenceClock(RunState& run, SyncWatch& sync, CyclicFrameSet& frames) : run_(run), sync_(sync), frames_(frames) {}
+
+  /// After the DC initialisation: who is to lead whenever it is there, and who does. `by_place`: the configuration's
+  /// places on the bus are right, and its commands mean the one that leads.
+  void start(std::uint16_t home, std::uint16_t leader, bool by_place);
+  /// After slaves were lost or found: a lost leader is replaced. Tells kReferenceClock.
+  void look(Nanoseconds time);
+  /// Before each cycle. `settled`: nobody seems to have come or gone. If not, the leading clock is asked by its station
+  /// address and not by its place: the place may be another's now, and a device that was just switched on has no
+  /// address yet and a time that nobody must be told.
+  void address(bool settled);
+  /// Station address of the clock that leads, if one does.
+  [[nodiscard]] std::optional<std::uint16_t> station() const;
+  /// What the control loops of those that began or ceased to lead are to be told, once.
+  [[nodiscard]] std::optional<ClockAmendment::Request> take_tuning();
+  /// After each cycle: is the one that is to lead near enough?
+  void watch(Nanoseconds time);
+  /// Nobody leads: which of these slaves ought to, when its clock has been set.
+  [[nodiscard]] std::optional<std::uint16_t> candidate(std::span<const std::size_t> slaves) const;
+  void lead(std::uint16_t position, Nanoseconds time);
+  [[nodiscard]] std::uint16_t home() const { return home_.value_or(0); }
+  /// Position of the slave that leads, if any does.
+  [[nodiscard]] std::optional<std::uint16_t> leader() const { return leader_; }
+
+ private:
+  /// Readings of 0x092C of the one that comes home.
+  struct Approach {
+    Nanoseconds begin = 0, last_reading = 0;
+    std::int64_t sum = 0;
+    int readings = 0;
+  };
+  [[nodiscard]] bool can_lead(std::size_t slave) const;
+  [[nodiscard]] bool is_near();
+  void hand_over(std::uint16_t position);
+  void tune(std::uint16_t position, bool leads);
+
+  RunState& run_;
+  SyncWatch& sync_;
+  CyclicFrameSet& frames_;
+  std::optional<std::uint16_t> home_, leader_;
+  bool by_place_ = false;      // the configuration's commands mean the home clock by its place or address
+  bool places_right_ = false;  // everybody in front of it is there
+  std::optional<Approach> approach_;
+  std::array<std::optional<ClockAmendment::Request>, 2> tunings_;
+};
+
+}  // namespace syncline

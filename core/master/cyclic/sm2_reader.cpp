@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "master/cyclic/sm2_reader.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "master/mailbox/sm2_counter_profile.h"
+#include "protocol/dc_registers.h"
+
+namespace syncline {
+namespace {
+
+/// Often enough for a live plot, seldom enough to leave the slaves' mailboxes to others.
+constexpr Nanoseconds kPeriod = 20 * kMillisecond;
+constexpr coe::ObjectAddress kSyncErrorLimit{0x10F1, 2};
+constexpr std::uint8_t kCalcAndCopyTime = 0x06, kShiftTooShort = 0x0D, kSyncErrorSubIndex = 0x20;
+
+bool uses_sync(const SlaveConfig& slave) {
+  return slave.mailbox && slave.mailbox->coe && slave.dc && AssignActivate{slave.dc->assign_activate}.sync0();
+}
+
+std::uint8_t other_of(std::uint8_t sub_index) {
+  return sub_index == kSm2MissedSubIndex ? kSm2MissedSubIndexOldLayout : kSm2MissedSubIndex;
+}
+
+}  // namespace
+
+Sm2Reader::Sm2Reader(RunState& run, CyclicMailbox& mailbox, SyncEventWatch& events)
+    : run_(run), mailbox_(mailbox), events_(events) {
+  for (std::size_t i = 0; i < run.config().slaves.size(); ++i) {
+    const auto& slave = run.config().slaves[i];
+    if (!uses_sync(slave)) continue;
+    const auto known = known_sm2_missed_sub_index(slave.identity);
+    Counter counter;
+    counter.slave = static_cast<std::uint16_t>(i);
+    counter.missed = known.value_or(kSm2MissedSubIndex);
+    counter.exceeded = other_of(counter.missed);
+    counter.has = static_cast<std::uint16_t>((1U << kItems) - 1);
+    // Nobody knows which of the two it is: they are read in turn, and neither is called by its name.
+    const auto not_there = known ? bit(Item::kOther) : bit(Item::kOutputsExceeded) | bit(Item::kInputsExceeded);
+    counter.has = static_cast<std::uint16_t>(counter.has & ~not_there);
+    counters_.push_back(counter);
+  }
+}
+
+std::vector<std::size_t> Sm2Reader::slaves() const {
+  std::vector<std::size_t> slaves;
+  for (const auto& counter : counters_) slaves.push_back(counter.slave);
+  return slaves;
+}
+
+void Sm2Reader::set_sub_index(std::size_t slave, std::uint8_t sub_index) {
+  for (auto& counter : counters_) {
+    if (counter.slave != slave) continue;
+    counter.missed = sub_index;
+    counter.exceeded = other_of(sub_index);
+    counter.has |= bit(Item::kOutputsExceeded) | bit(Item::kInputsExceeded);
+    counter.has = static_cast<std::uint16_t>(counter.has & ~bit(Item::kOther));
+  }
+}
+
+void Sm2Reader::choose(Counter& counter) {
+  for (const auto once : {Item::kLimit, Item::kCalcAndCopy}) {
+    if ((counter.has & bit(once)) == 0) continue;
+    counter.turn = once;
+    return;
+  }
+  if (counter.turn != Item::kMissed && (counter.has & bit(Item::kMissed)) != 0) {
+    counter.turn = Item::kMissed;
+    return;
+  }
+  constexpr auto kFirst = static_cast<std::uint8_t>(Item::kOther);
+  for (std::uint8_t n = 0; n < kItems - kFirst; ++n) {
+    const auto next = static_cast<std::uint8_t>(counter.rare) + 1;
+    counter.rare = next == kItems ? Item::kOther : static_cast<Item>(next);
+    if ((counter.has & bit(counter.rare)) == 0) continue;
+    counter.turn = counter.rare;
+    return;
+  }
+}
+
+coe::ObjectAddress Sm2Reader::object(const Counter& counter) {
+  switch (counter.turn) {
+    case Item::kLimit:
+      return kSyncErrorLimit;
+    case Item::kCalcAndCopy:
+      return {kSyncManager2Parameter, kCalcAndCopyTime};
+    case Item::kMissed:
+      return {kSyncManager2Parameter, counter.missed};
+    case Item::kOther:
+      return {kSyncManager2Parameter, other_of(counter.missed)};
+    case Item::kOutputsExceeded:
+      return {kSyncManager2Parameter, counter.exceeded};
+    case Item::kOutputsShift:
+      return {kSyncManager2Parameter, kShiftTooShort};
+    case Item::kSyncError:
+      return {kSyncManager2Parameter, kSyncErrorSubIndex};
+    case Item::kInputsExceeded:
+      return {kSyncManager3Parameter, counter.exceeded};
+    case Item::kInputsShift:
+      return {kSyncManager3Parameter, kShiftTooShort};
+  }
+  return {};
+}
+
+void Sm2Reader::begin(Nanoseconds now) {
+  if (counters_.empty() || now < next_start_ || !mailbox_.idle()) return;
+  next_start_ = now + kPeriod / static_cast<Nanoseconds>(counters_.size());
+  current_ = (current_ + 1) % counters_.size();
+  auto& counter = counters_[current_];
+  const auto state = al_state_of(run_.snapshot.slaves[counter.slave].al_status);
+  const bool counting = state == AlState::kSafeop || state == AlState::kOp;
+  if (!counting || counter.has == 0 || !mailbox_.ready_for(counter.slave)) return;
+  choose(counter);
+  if ((counter.has & bit(counter.turn)) != 0) mailbox_.upload(counter.slave, object(counter), now);
+}
+
+void Sm2Reader::take(const CyclicMailbox::Answer& answer, Nanoseconds now, CycleSample& sample) {
+  using Kind = CyclicMailbox::Answer::Kind;
+  if (counters_.empty()) return;
+  auto& counter = counters_[current_];
+  if (counter.slave != answer.slave || answer.object.index == 0 || answer.object != object(counter)) return;
+  const auto item = counter.turn;
+  const bool once = item == Item::kLimit || item == Item::kCalcAndCopy;
+  if (answer.kind == Kind::kAbort || (once && answer.kind == Kind::kValue)) {
+    counter.has = static_cast<std::uint16_t>(counter.has & ~bit(item));
+  }
+  // There are not two to be mistaken for each other.
+  if (answer.kind == Kind::kAbort && item == Item::kOther)
+    run_.snapshot.slaves[counter.slave].sm2_missed.other_sub_index = 0;
+  if (answer.kind == Kind::kValue) take_value(counter, answer.value, now, sample);
+}
+
+void Sm2Reader::take_value(Counter& counter, std::uint32_t value, Nanoseconds now, CycleSample& sample) {
+  auto& slave = run_.snapshot.slaves[counter.slave];
+  auto& evidence = slave.evidence;
+  const auto count = [&](EvidenceCount& result, std::size_t which) {
+    auto& total = counter.totals[which];
+    const auto more = total.read(value);
+    result = {total.total(), total.at_least(), now};
+    if (&result == &evidence.outputs.exceeded || &result == &evidence.inputs.exceeded)
+      tell_exceeded(counter, which, more, now);
+  };
+  switch (counter.turn) {
+    case Item::kLimit:
+      slave.sm2_missed.limit = value;
+      events_.set_limit(counter.slave, value);
+      return;
+    case Item::kCalcAndCopy:
+      evidence.calc_and_copy_ns = value;
+      return;
+    case Item::kMissed:
+      return take_missed(counter, value, now, sample);
+    case Item::kOther:
+      slave.sm2_missed.other_sub_index = other_of(counter.missed);
+      slave.sm2_missed.other_value = value;
+      return;
+    case Item::kOutputsExceeded:
+      return count(evidence.outputs.exceeded, 0);
+    case Item::kOutputsShift:
+      return count(evidence.outputs.shift_too_short, 1);
+    case Item::kSyncError:
+      evidence.outputs.sync_error = value != 0;
+      return;
+    case Item::kInputsExceeded:
+      return count(evidence.inputs.exceeded, 2);
+    case Item::kInputsShift:
+      return count(evidence.inputs.shift_too_short, 3);
+  }
+}
+
+/// Once when it begins to rise, and once when it has stopped.
+void Sm2Reader::tell_exceeded(Counter& counter, std::size_t which, std::uint32_t more, Nanoseconds now) {
+  if (std::exchange(counter.rising[which], more > 0) == (more > 0)) return;
+  run_.event(now, counter.slave, events::LongCycles{more > 0, more});
+}
+
+void Sm2Reader::take_missed(const Counter& counter, std::uint32_t value, Nanoseconds now, CycleSample& sample) {
+  auto& status = run_.snapshot.slaves[counter.slave].sm2_missed;
+  events_.read(counter.slave, value);
+  status.valid = true;
+  status.value = value;
+  status.time = now;
+  status.index = kSyncManager2Parameter;
+  status.sub_index = counter.missed;
+  sample.sm2_position = static_cast<std::int16_t>(counter.slave);
+  sample.slave_sm2_missed = status.total();
+  sample.slave_sm2_integrator = status.integrator;
+}
+
+}  // namespace syncline

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "master/cyclic/sync_event_watch.h"
+
+#include <utility>
+
+#include "protocol/dc_registers.h"
+
+namespace syncline {
+namespace {
+
+/// So long a slave that fell may be thought to be in OP: until the next sweep over all AL states.
+constexpr Nanoseconds kStillInOp = 600 * kMillisecond;
+/// What a slave counts while it finds into OP is no fault of the running bus; what makes it fall again is.
+constexpr Nanoseconds kSettling = 100 * kMillisecond;
+constexpr auto kNone = static_cast<std::size_t>(-1);
+
+bool in_op(const SlaveStatus& slave) {
+  return slave.present && al_state_of(slave.al_status) == AlState::kOp && (slave.al_status & kAlErrorFlag) == 0;
+}
+
+}  // namespace
+
+SyncEventWatch::SyncEventWatch(RunState& run, const SyncWatch& sync)
+    : run_(run), sync_(sync), place_(run.config().slaves.size(), kNone) {
+  const auto& slaves = run.config().slaves;
+  for (std::size_t i = 0; i < slaves.size(); ++i) {
+    const auto& dc = slaves[i].dc;
+    if (!dc || !slaves[i].send || !AssignActivate{dc->assign_activate}.sync0()) continue;
+    const auto period = dc->cycle_time0 > 0 ? dc->cycle_time0 : run.config().cycle_time();
+    place_[i] = slaves_.size();
+    slaves_.push_back({i, period, dc->shift_time, {}, {}, 0, 0, {}, {}});
+  }
+}
+
+SyncEventWatch::Slave* SyncEventWatch::find(std::size_t position) {
+  if (position >= place_.size() || place_[position] == kNone) return nullptr;
+  auto& slave = slaves_[place_[position]];
+  settle(slave);
+  return &slave;
+}
+
+void SyncEventWatch::end_settling(Slave& slave, Nanoseconds time) {
+  if (!slave.before || time - *slave.in_op_since < kSettling) return;
+  // At its limit it may have fallen already, and nobody has seen that yet.
+  if (slave.account->at_limit() && time - *slave.in_op_since < kSettling + kStillInOp) return;
+  slave.account = slave.before;
+  slave.account->entered_op();
+  slave.before.reset();
+}
+
+void SyncEventWatch::follow_state(Slave& slave, Nanoseconds time) {
+  const bool op = in_op(run_.snapshot.slaves[slave.position]);
+  if (op == slave.in_op_since.has_value()) return;
+  if (!op) {
+    slave.in_op_since.reset();
+    slave.before.reset();
+    slave.account->left_op();
+    publish(slave);
+    return;
+  }
+  slave.in_op_since = time;
+  if (!slave.account) slave.account.emplace(slave.period, sync_.base() + slave.shift);
+  slave.account->set_limit(slave.limit);
+  slave.before = slave.account;
+  slave.account->entered_op();
+}
+
+void SyncEventWatch::observe(CycleSample& sample, bool outputs_back) {
+  if (!sync_.active()) return;
+  const bool known = (sample.flags & CycleSample::kReferenceValid) != 0;
+  const auto passed = known ? sample.reference_time : sync_.reference_time_at(sample.send_time);
+  const bool regular = outputs_back && sample.skipped_cycles == 0;
+  for (auto& slave : slaves_) {
+    const auto delay = static_cast<Nanoseconds>(run_.snapshot.slaves[slave.position].propagation_delay_ns);
+    if (regular && slave.next && observe_regular(slave, passed + delay)) continue;
+    settle(slave);
+    follow_state(slave, sample.send_time);
+    if (!slave.in_op_since) continue;
+    end_settling(slave, sample.send_time);
+    slave.account->observe({passed + delay, outputs_back, sample.skipped_cycles});
+    confirm(slave, sample.send_time);
+    if (slave.before) continue;
+    publish(slave);
+    if (!slave.at_limit_since) slave.next = slave.account->regular_until();
+  }
+  if (sample.sm2_position < 0) tell(sample);
+}
+
+bool SyncEventWatch::observe_regular(Slave& slave, Nanoseconds time) const {
+  const auto since = time - *slave.next;
+  if (since < 0 || since >= slave.period || !in_op(run_.snapshot.slaves[slave.position])) return false;
+  *slave.next += slave.period;
+  ++slave.regular;
+  return true;
+}
+
+void SyncEventWatch::settle(Slave& slave) {
+  if (slave.regular > 0) slave.account->pass_regular(std::exchange(slave.regular, 0));
+  slave.next.reset();
+}
+
+void SyncEventWatch::tell(CycleSample& sample) {
+  if (!news_) return;
+  for (auto& slave : slaves_) {
+    const auto& status = run_.snapshot.slaves[slave.position].sm2_missed;
+    if (!status.known || status.missed == slave.told) continue;
+    slave.told = status.missed;
+    sample.sm2_position = static_cast<std::int16_t>(slave.position);
+    sample.slave_sm2_missed = status.missed;
+    sample.slave_sm2_integrator = status.integrator;
+    return;
+  }
+  news_ = false;
+}
+
+void SyncEventWatch::confirm(Slave& slave, Nanoseconds time) {
+  if (!slave.account->at_limit()) {
+    slave.at_limit_since.reset();
+  } else if (!slave.at_limit_since) {
+    slave.at_limit_since = time;
+  }
+  if (!slave.at_limit_since || time - *slave.at_limit_since > kStillInOp) slave.account->confirm_op();
+}
+
+void SyncEventWatch::read(std::size_t position, std::uint32_t counter) {
+  auto* slave = find(position);
+  if (slave == nullptr || !slave->account) return;
+  if (slave->before) return;
+  slave->account->read(counter);
+  publish(*slave);
+}
+
+void SyncEventWatch::set_limit(std::size_t position, std::uint32_t limit) {
+  auto* slave = find(position);
+  if (slave == nullptr) return;
+  slave->limit = limit;
+  if (slave->before) slave->before->set_limit(limit);
+  if (slave->account) slave->account->set_limit(limit);
+}
+
+void SyncEventWatch::publish(const Slave& slave) {
+  auto& status = run_.snapshot.slaves[slave.position].sm2_missed;
+  const auto& account = *slave.account;
+  news_ = news_ || !status.known || status.missed != account.missed();
+  status.known = true;
+  status.missed = account.missed();
+  status.computed = account.computed();
+  status.at_least = account.at_least();
+  status.by_cause = account.by_cause();
+  status.integrator = account.integrator();
+  status.integrator_highest = account.integrator_highest();
+}
+
+}  // namespace syncline

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "dc/sync_event_account.h"
+#include "master/clocks/sync_watch.h"
+#include "master/exchange/run_state.h"
+
+namespace syncline {
+
+/// Follows the missed SM2 events of every slave with SYNC0 from cycle to cycle: where its outputs arrived in its SYNC0
+/// period, and what that does to its internal error counter; see dc/sync_event_account.h. Allocates nothing; the cyclic
+/// thread.
+class SyncEventWatch {
+ public:
+  SyncEventWatch(RunState& run, const SyncWatch& sync);
+
+  /// One cycle; `outputs_back`: all cyclic frames came back. Not before SYNC0 has its grid.
+  /// Tells in the sample the count of one slave that has changed since it was told.
+  void observe(CycleSample& sample, bool outputs_back);
+  /// A reading of the slave's counter of missed events.
+  void read(std::size_t slave, std::uint32_t counter);
+  void set_limit(std::size_t slave, std::uint32_t limit);
+
+ private:
+  struct Slave {
+    std::size_t position = 0;
+    Nanoseconds period = 0, shift = 0;
+    std::optional<dc::SyncEventAccount> account;
+    std::optional<dc::SyncEventAccount> before;  // while it settles: what counts when it stays in OP
+    std::uint32_t limit = 0, told = 0;
+    std::optional<Nanoseconds> in_op_since, at_limit_since;
+    // While all of its cycles are regular they are counted only, and the account gets them when it is asked:
+    std::optional<Nanoseconds> next{};  // begin of the period in which the next outputs are to come
+    std::int64_t regular = 0;
+  };
+  [[nodiscard]] Slave* find(std::size_t position);
+  void follow_state(Slave& slave, Nanoseconds time);
+  static void confirm(Slave& slave, Nanoseconds time);
+  /// The outputs came at `time`: when they should, after all others did.
+  [[nodiscard]] bool observe_regular(Slave& slave, Nanoseconds time) const;
+  /// From here on it is the account that counts.
+  static void settle(Slave& slave);
+  void publish(const Slave& slave);
+  void tell(CycleSample& sample);
+  /// It found into OP: what it counted on the way there is forgotten.
+  static void end_settling(Slave& slave, Nanoseconds time);
+
+  RunState& run_;
+  const SyncWatch& sync_;
+  std::vector<Slave> slaves_;
+  bool news_ = false;               // a count has changed that may not have been told
+  std::vector<std::size_t> place_;  // in slaves_, by position; npos: it has no SYNC0
+};
+
+}  // namespace syncline

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "master/exchange/run_state.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "support/overloaded.h"
+
+namespace syncline {
+namespace {
+
+/// BOOT stands beside the ladder INIT, PREOP, SAFEOP, OP, below PREOP.
+int rank(AlState state) {
+  switch (state) {
+    case AlState::kNone:
+      return 0;
+    case AlState::kInit:
+      return 1;
+    case AlState::kBoot:
+      return 2;
+    case AlState::kPreop:
+      return 3;
+    case AlState::kSafeop:
+      return 4;
+    case AlState::kOp:
+      return 5;
+  }
+  return 0;
+}
+
+}  // namespace
+
+RunState::RunState(const NetworkConfig& config, MasterChannels& channels, SharedText adapter)
+    : mailbox_counters(config.slaves.size()),
+      mailbox_full(config.slaves.size()),
+      config_(config),
+      channels_(channels),
+      adapter_(std::move(adapter)) {
+  for (const auto& slave : config.slaves) {
+    groups_.push_back(slave.hot_connect ? SharedText(slave.hot_connect->group) : SharedText());
+  }
+  snapshot.cycle_time = config.cycle_time();
+  snapshot.slaves.resize(config.slaves.size());
+}
+
+/// Notifications of the clocks can be switched off.
+bool RunState::told(const EventDetails& what) const {
+  const auto& notifications = config_.dc.notifications;
+  return std::visit(Overloaded{[&](const events::ReferenceClockChanged&) { return notifications.reference_clock; },
+                               [&](const events::SlavesInSync&) { return notifications.slaves_in_sync; },
+                               [&](const events::SlavesOutOfSync&) { return notifications.slaves_in_sync; },
+                               [&](const events::SlavesNotMonitored&) { return notifications.slaves_in_sync; },
+                               [&](const events::SlavesSyncUnknown&) { return notifications.slaves_in_sync; },
+                               [&](const events::DcInitialised&) { return notifications.dc_status; },
+                               [&](const events::MasterInSync&) { return notifications.dcm_in_sync; },
+                               [&](const events::MasterOutOfSync&) { return notifications.dcm_in_sync; },
+                               [](const auto&) { return true; }},
+                    what);
+}
+
+void RunState::event(Nanoseconds time, int slave, EventDetails what) {
+  if (told(what)) channels_.events.push({time, slave, std::move(what)});
+}
+
+void RunState::error(const Error& error, Nanoseconds time) { event(time, -1, events::Failure{error}); }
+
+void RunState::emergency(std::size_t slave, const coe::Emergency& emergency, Nanoseconds time) {
+  event(time, static_cast<int>(slave),
+        events::Emergency{emergency.error_code, emergency.error_register, emergency.data,
+                          config_.slaves[slave].identity});
+}
+
+bool RunState::hot_connect(std::size_t slave, events::HotConnect::What what, Nanoseconds time) {
+  const auto head = config_.hot_connect_head(slave);
+  if (!head) return false;
+  event(time, static_cast<int>(slave), events::HotConnect{what, groups_[*head]});
+  return true;
+}
+
+MailboxPort RunState::port_of(std::size_t slave) const {
+  auto port = mailbox_port(config_.slaves[slave]);
+  port.full = [this, slave] { return mailbox_full[slave]; };
+  return port;
+}
+
+void RunState::set_al_status(std::size_t slave, std::uint16_t status, std::uint16_t code, Nanoseconds time) {
+  auto& known = snapshot.slaves[slave];
+  const auto old = std::exchange(known.al_status, status);
+  const auto old_code = std::exchange(known.al_status_code, code);
+  const auto position = static_cast<int>(slave);
+  if (al_state_of(old) != al_state_of(status)) {
+    event(time, position, events::StateChanged{al_state_of(old), al_state_of(status)});
+  }
+  const bool failed = (status & kAlErrorFlag) != 0;
+  const bool news = (old & kAlErrorFlag) == 0 || old_code != code || al_state_of(old) != al_state_of(status);
+  if (failed && news) event(time, position, events::AlStatusError{status, code});
+}
+
+void RunState::set_present(std::size_t slave, bool present, Nanoseconds time) {
+  auto& known = snapshot.slaves[slave];
+  if (std::exchange(known.present, present) == present) return;
+  using What = events::HotConnect::What;
+  const bool told = hot_connect(slave, present ? What::kConnected : What::kDisconnected, time);
+  if (!told && present) event(time, static_cast<int>(slave), events::SlaveFound{});
+  if (!told && !present) event(time, static_cast<int>(slave), events::SlaveLost{});
+  known.absent_since = present ? 0 : time;
+  if (!present) {
+    // Whatever it was in, nobody knows what it is in now. What was counted stays: it is the evidence.
+    known.al_status = known.al_status_code = 0;
+    known.deviation_valid = false;
+  }
+}
+
+void RunState::note_link(bool up, Nanoseconds time) {
+  snapshot.link_up = up;
+  if (up != link_away_since_.has_value()) return;  // nothing new
+  if (up) {
+    event(time, -1, events::LinkUp{adapter_, time - *link_away_since_});
+    link_away_since_.reset();
+  } else {
+    event(time, -1, events::LinkDown{adapter_});
+    link_away_since_ = time;
+    ++link_outages_;
+  }
+}
+
+bool RunState::somebody_absent() const { return !std::ranges::all_of(snapshot.slaves, &SlaveStatus::present); }
+
+bool RunState::somebody_present() const { return std::ranges::any_of(snapshot.slaves, &SlaveStatus::present); }
+
+bool RunState::complete() const {
+  for (std::size_t i = 0; i < snapshot.slaves.size(); ++i) {
+    if (!snapshot.slaves[i].present && !config_.hot_connect_head(i)) return false;
+  }
+  return true;
+}
+
+AlState RunState::lowest_state() const {
+  auto lowest = AlState::kNone;
+  for (const auto& slave : snapshot.slaves) {
+    const auto state = al_state_of(slave.al_status);
+    if (slave.present && (lowest == AlState::kNone || rank(state) < rank(lowest))) lowest = state;
+  }
+  return lowest;
+}
+
+void RunState::update_master_state(Nanoseconds time) {
+  const auto state = complete() ? lowest_state() : AlState::kNone;
+  const auto old = std::exchange(snapshot.state, state);
+  if (old != state) event(time, -1, events::StateChanged{old, state});
+}
+
+std::string RunState::slave_name(std::size_t slave) const {
+  const auto& name = config_.slaves[slave].name;
+  return name.empty() ? fmt::format("slave {}", slave) : fmt::format("slave {} ({})", slave, name);
+}
+
+}  // namespace syncline

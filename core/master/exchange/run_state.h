@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "channels/master_channels.h"
+#include "config/network_config.h"
+#include "master/exchange/mailbox_handshake.h"
+#include "protocol/coe.h"
+
+namespace syncline {
+
+/// What everybody who takes part in running a bus reads and writes: the configuration, the latest
+/// status of everything, and the way to the outside. Lives in the thread that runs the cycle.
+class RunState {
+ public:
+  /// `adapter`: name of the link, for what is told of it.
+  RunState(const NetworkConfig& config, MasterChannels& channels, SharedText adapter = {});
+
+  [[nodiscard]] const NetworkConfig& config() const { return config_; }
+  [[nodiscard]] MasterChannels& channels() { return channels_; }
+
+  Snapshot snapshot;
+  std::vector<std::uint8_t> mailbox_counters;  // per slave, the last one used
+  /// Per slave, what the latest cyclic frames say about its mailbox; nothing where they do not say it.
+  std::vector<std::optional<bool>> mailbox_full;
+
+  /// `slave` -1: the master, the bus. Notifications that the configuration switches off are left out.
+  void event(Nanoseconds time, int slave, EventDetails what);
+  void error(const Error& error, Nanoseconds time);
+  void emergency(std::size_t slave, const coe::Emergency& emergency, Nanoseconds time);
+  /// Tells of a slave that comes and goes as it likes; false when it is none.
+  bool hot_connect(std::size_t slave, events::HotConnect::What what, Nanoseconds time);
+  /// The slave's mailbox with its bit in the process image.
+  [[nodiscard]] MailboxPort port_of(std::size_t slave) const;
+  /// Takes over a reading of AL status and code; tells changes and new errors.
+  void set_al_status(std::size_t slave, std::uint16_t status, std::uint16_t code, Nanoseconds time);
+  /// A slave that does not answer is in no state that anybody knows: kNone.
+  void set_present(std::size_t slave, bool present, Nanoseconds time);
+  /// Every slave answers that has its place; members of hot-connect groups come and go as they like.
+  [[nodiscard]] bool complete() const;
+  /// Of the slaves that answer; kNone when none does.
+  [[nodiscard]] AlState lowest_state() const;
+  /// The master's state is the lowest of all slaves, kNone unless they are complete; tells a change.
+  void update_master_state(Nanoseconds time);
+  [[nodiscard]] std::string slave_name(std::size_t slave) const;
+  /// The master's adapter is there, or away; tells a change.
+  void note_link(bool up, Nanoseconds time);
+  /// How often it has gone away.
+  [[nodiscard]] unsigned link_outages() const { return link_outages_; }
+  [[nodiscard]] std::optional<Nanoseconds> link_away_since() const { return link_away_since_; }
+  [[nodiscard]] bool somebody_absent() const;
+  [[nodiscard]] bool somebody_present() const;
+
+ private:
+  [[nodiscard]] bool told(const EventDetails& what) const;
+
+  const NetworkConfig& config_;
+  MasterChannels& channels_;
+  SharedText adapter_;
+  std::vector<SharedText> groups_;  // per slave, of the heads of hot-connect groups
+  std::optional<Nanoseconds> link_away_since_;
+  unsigned link_outages_ = 0;
+};
+
+}  // namespace syncline

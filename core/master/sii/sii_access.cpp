@@ -1,0 +1,368 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "master/sii/sii_access.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "protocol/registers.h"
+
+namespace syncline {
+namespace {
+
+constexpr std::uint16_t kReadCommand = 0x0100;
+constexpr std::uint16_t kWriteCommand = 0x0201;  // with write enable in the same datagram
+constexpr std::uint16_t kReloadCommand = 0x0400;
+constexpr std::uint16_t kReadsEightBytes = 0x0040;
+constexpr std::uint16_t kCommandError = 0x2000;
+constexpr std::uint16_t kWriteEnableError = 0x4000;
+constexpr std::uint16_t kBusy = 0x8000;
+constexpr std::size_t kStatusBytes = 6;  // 0x0502 control and status, 0x0504 address
+
+/// An I2C EEPROM at 150 kHz gives eight bytes in 0.7 ms; a slave whose PDI emulates it may need far longer.
+constexpr Nanoseconds kFirstPause = 1 * kMillisecond;
+constexpr Nanoseconds kShortestPause = 20 * kMicrosecond;
+constexpr int kSureReads = 3;  // before a shorter pause is tried
+/// Looks that are so close to each other go into one frame.
+constexpr Nanoseconds kTogether = 100 * kMicrosecond;
+constexpr Nanoseconds kBusyLimit = 300 * kMillisecond;
+constexpr int kTries = 4;
+constexpr int kWriteTries = 20;
+/// One command for everybody pays from here on.
+constexpr std::size_t kFewestForBroadcast = 3;
+
+void store_command(std::span<std::uint8_t> bytes, std::uint16_t command, std::uint32_t word) {
+  store_le(bytes, command);
+  store_le(bytes.subspan(2), word);
+}
+
+Error sii_error(std::uint32_t word, std::string_view what) {
+  return {ErrorCode::kSii, "slave", fmt::format("{} at word 0x{:04X}", what, word)};
+}
+
+}  // namespace
+
+/// A request under way.
+struct SiiAccess::Job {
+  SiiRequest* request = nullptr;
+  std::size_t got = 0;  // bytes that are in the request
+  bool started = false;
+  bool failed_command = false;  // errors must be cleared before the next try
+  Nanoseconds start_time = 0, next_look = 0;
+  std::optional<Nanoseconds> busy_for;  // at the latest look, since the start
+  int silences = 0, errors = 0, mismatches = 0;
+  std::array<std::uint8_t, kWindowBytes> window{};
+
+  [[nodiscard]] std::uint32_t word() const { return request->word + static_cast<std::uint32_t>(got / 2); }
+  [[nodiscard]] bool open() const { return got < 8 && !request->error; }
+  void give_up(std::string_view why) { request->error = sii_error(word(), why); }
+};
+
+SiiAccess::SiiAccess(Bus& bus, std::vector<SlaveAddress> slaves, Options options)
+    : bus_(bus), slaves_(std::move(slaves)), ports_(slaves_.size()), options_(options) {
+  for (auto& port : ports_) port.pace = kFirstPause;
+}
+
+Status SiiAccess::look() {
+  std::vector<std::array<std::uint8_t, kLookBytes>> bytes(size());
+  std::vector<Datagram> datagrams;
+  for (std::size_t i = 0; i < size(); ++i) datagrams.push_back(slaves_[i].read(reg::kSiiConfiguration, bytes[i]));
+  if (auto status = bus_.transact(datagrams); !status) return status;
+  for (std::size_t i = 0; i < size(); ++i) set_found(i, bytes[i]);
+  return {};
+}
+
+void SiiAccess::set_found(std::size_t slave, std::span<const std::uint8_t, kLookBytes> bytes) {
+  const auto control = load_le<std::uint16_t>(bytes.subspan(2));
+  auto& port = ports_[slave];
+  port.pdi = ((bytes[0] | bytes[1]) & 0x01) != 0;
+  port.old_error = (control & (kCommandError | kWriteEnableError)) != 0;
+  port.eight_bytes = (control & kReadsEightBytes) != 0;
+  port.looked_at = true;
+}
+
+Status SiiAccess::open() {
+  if (!std::ranges::all_of(ports_, &Port::looked_at)) {
+    if (auto status = look(); !status) return status;
+  }
+  std::vector<std::size_t> to_take, to_clear;
+  for (std::size_t i = 0; i < size(); ++i) {
+    if (!accessible(i)) continue;
+    if (ports_[i].pdi) to_take.push_back(i);
+    if (ports_[i].old_error) to_clear.push_back(i);
+  }
+  const auto write_all = [&](std::span<const std::size_t> whom, std::uint16_t ado, std::vector<std::uint8_t> value) {
+    std::vector<Datagram> writes;
+    for (const auto i : whom) writes.push_back(slaves_[i].write(ado, value));
+    return bus_.transact(writes);
+  };
+  // Force, then assign to ECAT: two frames, for a register takes one value a frame.
+  if (auto status = write_all(to_take, reg::kSiiConfiguration, {0x02}); !status) return status;
+  if (auto status = write_all(to_take, reg::kSiiConfiguration, {0x00}); !status) return status;
+  return write_all(to_clear, reg::kSiiControl, {0x00, 0x00});
+}
+
+Status SiiAccess::close() {
+  std::array<std::uint8_t, 1> to_pdi{0x01};
+  std::vector<Datagram> writes;
+  for (std::size_t i = 0; i < size(); ++i) {
+    if (ports_[i].pdi && accessible(i)) writes.push_back(slaves_[i].write(reg::kSiiConfiguration, to_pdi));
+  }
+  // Also when the user wants an end: nobody else would give them back.
+  const NotCancellable to_the_end(bus_);
+  return bus_.transact(writes);
+}
+
+Status SiiAccess::read(std::span<SiiRequest> requests, std::optional<std::uint32_t> next) {
+  std::vector<Job> jobs;
+  for (auto& request : requests) {
+    auto& port = ports_[request.slave];
+    auto& job = jobs.emplace_back();
+    job.request = &request;
+    request.error.reset();
+    job.started = port.started == request.word;
+    job.start_time = bus_.clock().now();
+    job.next_look = job.start_time + port.pace;
+    port.started.reset();
+  }
+  // What begins before this read has ended could take the place of a read that is not fetched yet.
+  bool look_ahead = calm_;
+  calm_ = true;
+  while (!jobs.empty()) {
+    if (auto status = clear_errors(jobs); !status) return status;
+    if (auto status = start(jobs); !status) return status;
+    if (!probed_) {
+      if (auto status = probe(jobs.front()); !status) return status;
+      for (auto& job : jobs) job.next_look = bus_.clock().now();
+    }
+    const auto due = std::ranges::min(jobs, {}, &Job::next_look).next_look;
+    if (const auto left = due - bus_.clock().now(); left > 0) {
+      if (auto status = bus_.wait(left); !status) return status;
+    }
+    if (auto status = fetch(jobs, look_ahead ? next : std::nullopt); !status) return status;
+    look_ahead = false;  // a slave that is asked again would lose that once more
+  }
+  return {};
+}
+
+/// How long EEPROMs here take is found by one of them, with one datagram a look, before all are looked at.
+Status SiiAccess::probe(const Job& job) {
+  Nanoseconds pace = kFirstPause, too_early = 0;
+  for (;; pace *= 2) {
+    if (auto status = bus_.wait(std::max<Nanoseconds>(job.start_time + pace - bus_.clock().now(), 1)); !status)
+      return status;
+    std::array<std::uint8_t, 2> control{};
+    auto read = slaves_[job.request->slave].read(reg::kSiiControl, control);
+    if (auto status = bus_.transact(read); !status) return status;
+    if (read.wkc == 0 || (load_le<std::uint16_t>(control) & kBusy) == 0 || pace > kBusyLimit) break;
+    too_early = pace;
+  }
+  probed_ = true;
+  for (auto& port : ports_) {
+    port.pace = pace;
+    port.too_early = too_early;
+  }
+  return {};
+}
+
+Status SiiAccess::clear_errors(std::vector<Job>& jobs) {
+  std::array<std::uint8_t, 2> zero{};
+  std::vector<Datagram> writes;
+  for (auto& job : jobs) {
+    if (!job.failed_command) continue;
+    writes.push_back(slaves_[job.request->slave].write(reg::kSiiControl, zero));
+    job.failed_command = false;
+  }
+  return bus_.transact(writes);
+}
+
+Status SiiAccess::start(std::vector<Job>& jobs) {
+  std::vector<Job*> to_start;
+  for (auto& job : jobs) {
+    if (!job.started) to_start.push_back(&job);
+  }
+  if (to_start.empty()) return {};
+  const bool same = std::ranges::all_of(to_start, [&](const auto* job) { return job->word() == to_start[0]->word(); });
+  std::vector<Datagram> writes;
+  if (options_.broadcast && same && to_start.size() == jobs.size() && jobs.size() >= kFewestForBroadcast) {
+    store_command(to_start[0]->window, kReadCommand, to_start[0]->word());
+    writes.push_back(
+        {Command::kBwr, device_address(0, reg::kSiiControl), std::span(to_start[0]->window).first(kStatusBytes)});
+    // Whatever the others were doing, they do this now.
+    for (auto& port : ports_) port.started.reset();
+  } else {
+    for (auto* job : to_start) {
+      store_command(job->window, kReadCommand, job->word());
+      writes.push_back(
+          slaves_[job->request->slave].write(reg::kSiiControl, std::span(job->window).first(kStatusBytes)));
+    }
+  }
+  if (auto status = bus_.transact(writes); !status) return status;
+  for (auto* job : to_start) {
+    job->started = true;
+    job->start_time = bus_.clock().now();
+    job->next_look = job->start_time + ports_[job->request->slave].pace;
+    job->busy_for.reset();
+  }
+  return {};
+}
+
+bool SiiAccess::may_look_ahead(const std::vector<Job>& jobs) const {
+  return options_.broadcast && jobs.size() >= kFewestForBroadcast && std::ranges::all_of(jobs, [this](const Job& job) {
+           const auto& port = ports_[job.request->slave];
+           return port.eight_bytes && port.reads_address_back && job.got == 0;
+         });
+}
+
+Status SiiAccess::fetch(std::vector<Job>& jobs, std::optional<std::uint32_t> next) {
+  std::vector<Datagram> datagrams;
+  std::vector<Job*> asked;
+  const auto latest = bus_.clock().now() + kTogether;
+  for (auto& job : jobs) {
+    if (job.next_look > latest) continue;
+    job.window.fill(0);
+    asked.push_back(&job);
+    datagrams.push_back(slaves_[job.request->slave].read(reg::kSiiControl, job.window));
+  }
+  // The next read begins behind the last answer. A slave that is still busy ignores it (write access is
+  // blocked), and a slave that takes it too early shows the wrong address and is asked again.
+  std::array<std::uint8_t, kStatusBytes> ahead{};
+  const bool look_ahead = next && asked.size() == jobs.size() && may_look_ahead(jobs);
+  if (look_ahead) {
+    store_command(ahead, kReadCommand, *next);
+    datagrams.push_back({Command::kBwr, device_address(0, reg::kSiiControl), ahead});
+  }
+  if (auto status = bus_.transact(datagrams); !status) return status;
+  for (std::size_t i = 0; i < asked.size(); ++i) {
+    auto& job = *asked[i];
+    if (datagrams[i].wkc == 0) {
+      if (++job.silences == kTries) job.give_up("no answer");
+      job.next_look = bus_.clock().now() + kFirstPause;
+      continue;
+    }
+    if (take(job, look_ahead)) {
+      learn(job);
+      if (look_ahead) ports_[job.request->slave].started = next;
+    } else {
+      calm_ = false;
+    }
+  }
+  std::erase_if(jobs, [](const Job& job) { return !job.open(); });
+  return {};
+}
+
+/// True when the read is complete.
+bool SiiAccess::take(Job& job, bool looked_ahead) {
+  auto& port = ports_[job.request->slave];
+  const auto control = load_le<std::uint16_t>(job.window);
+  const auto address = load_le<std::uint32_t>(std::span(job.window).subspan(2));
+  if ((control & kBusy) != 0) {
+    const auto now = bus_.clock().now();
+    job.busy_for = now - job.start_time;
+    job.next_look = now + std::max(*job.busy_for / 4, kShortestPause);
+    if (*job.busy_for > kBusyLimit) job.give_up("the EEPROM stays busy");
+    return false;
+  }
+  if ((control & kCommandError) != 0) {
+    job.started = false;
+    job.failed_command = true;
+    if (++job.errors == kTries) job.give_up("the EEPROM acknowledges no read command");
+    return false;
+  }
+  if (port.reads_address_back && address != job.word()) {
+    job.started = false;
+    // Once may be a frame that was repeated, or a look ahead that came too early. An ESC that never shows
+    // the address is believed without; one that has done so is not.
+    if (++job.mismatches < (looked_ahead || port.showed_address ? 2 * kTries : kTries)) return false;
+    if (port.showed_address) {
+      job.give_up("it reads other words than it is asked for");
+    } else {
+      port.reads_address_back = false;
+    }
+    return false;
+  }
+  port.showed_address = port.showed_address || (address != 0 && address == job.word());
+  port.eight_bytes = (control & kReadsEightBytes) != 0;
+  const std::size_t count = std::min<std::size_t>(port.eight_bytes ? 8 : 4, 8 - job.got);
+  std::copy_n(job.window.begin() + kStatusBytes, count,
+              job.request->data.begin() + static_cast<std::ptrdiff_t>(job.got));
+  job.got += count;
+  job.started = false;
+  return job.got == 8;
+}
+
+/// Keeps the pause a little longer than the EEPROM needs: a look too early costs frames.
+void SiiAccess::learn(const Job& job) {
+  auto& port = ports_[job.request->slave];
+  if (job.busy_for) {
+    port.pace = bus_.clock().now() - job.start_time;
+    port.too_early = *job.busy_for;
+    port.calm_reads = 0;
+  } else if (port.calm_reads < kSureReads) {
+    ++port.calm_reads;
+  } else if (port.pace > kShortestPause) {
+    port.pace -= (port.pace - port.too_early) / 16;
+  }
+}
+
+/// Waits until the EEPROM is not busy; `window` then holds the registers. A busy EEPROM takes no command.
+Status SiiAccess::await_idle(std::size_t slave, std::span<std::uint8_t, kWindowBytes> window, std::uint32_t word,
+                             std::string_view what) {
+  const auto begin = bus_.clock().now();
+  for (;;) {
+    std::ranges::fill(window, std::uint8_t{0});
+    auto read = slaves_[slave].read(reg::kSiiControl, window);
+    if (auto status = bus_.transact(read); !status) return status;
+    if (read.wkc == 0) return fail(sii_error(word, fmt::format("no answer to {}", what)));
+    if ((load_le<std::uint16_t>(window) & kBusy) == 0) return {};
+    if (bus_.clock().now() - begin > kBusyLimit)
+      return fail(sii_error(word, fmt::format("the EEPROM stays busy at {}", what)));
+    if (auto status = bus_.wait(200 * kMicrosecond); !status) return status;
+  }
+}
+
+Status SiiAccess::command(std::size_t slave, std::span<std::uint8_t> bytes, std::string_view what) {
+  const auto word = load_le<std::uint32_t>(bytes.subspan(2));
+  if (auto status = bus_.check_cancel(); !status) return status;
+  // What the EEPROM has begun it ends; who left it in between would not know what it holds.
+  const NotCancellable to_the_end(bus_);
+  std::array<std::uint8_t, kWindowBytes> window{};
+  for (int attempt = 0; attempt < kWriteTries; ++attempt) {
+    // Another command, of a program that was killed, may still be in work.
+    if (auto status = await_idle(slave, window, word, what); !status) return status;
+    std::vector<std::uint8_t> request(bytes.begin(), bytes.end());
+    auto write = slaves_[slave].write(reg::kSiiControl, request);
+    if (auto status = bus_.transact(write); !status) return status;
+    if (write.wkc == 0)
+      return fail(ErrorCode::kSii, "slave", fmt::format("no answer to {} at word 0x{:04X}", what, word));
+    if (auto status = bus_.wait(200 * kMicrosecond); !status) return status;
+    if (auto status = await_idle(slave, window, word, what); !status) return status;
+    const auto control = load_le<std::uint16_t>(window);
+    if ((control & kWriteEnableError) != 0) return fail(sii_error(word, "the ESC does not enable writing"));
+    if ((control & kCommandError) == 0) return {};
+    // The EEPROM is still storing the word before; it acknowledges nothing meanwhile.
+    std::array<std::uint8_t, 2> zero{};
+    auto clear = slaves_[slave].write(reg::kSiiControl, zero);
+    if (auto status = bus_.transact(clear); !status) return status;
+    if (auto status = bus_.wait(2 * kMillisecond); !status) return status;
+  }
+  return fail(sii_error(word, fmt::format("the EEPROM acknowledges no {}", what)));
+}
+
+Status SiiAccess::write(std::size_t slave, std::uint32_t word, std::uint16_t value) {
+  ports_[slave].started.reset();
+  // Command, address and data in one datagram: the enable bit holds for its own frame only.
+  std::array<std::uint8_t, 8> bytes{};
+  store_command(bytes, kWriteCommand, word);
+  store_le(std::span(bytes).subspan(kStatusBytes), value);
+  return command(slave, bytes, "write command");
+}
+
+Status SiiAccess::reload(std::size_t slave) {
+  ports_[slave].started.reset();
+  std::array<std::uint8_t, kStatusBytes> bytes{};
+  store_command(bytes, kReloadCommand, 0);
+  return command(slave, bytes, "reload command");
+}
+
+}  // namespace syncline

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "config/network_config.h"
+#include "master/exchange/bus.h"
+#include "master/scan/bus_match.h"
+
+namespace syncline {
+
+/// Who stands at each of the first `count` places of the bus. The EEPROM is read of those devices only whose
+/// station address `known` does not know; the others' identity stays empty. Bus errors; a device
+/// whose EEPROM cannot be read has no identity.
+[[nodiscard]] Result<std::vector<FoundDevice>> survey_bus(Bus& bus, std::uint16_t count,
+                                                          const std::function<bool(std::uint16_t station)>& known = {});
+
+/// The slave as match_bus() wants it.
+[[nodiscard]] WantedDevice wanted_device(const NetworkConfig& config, std::size_t slave);
+/// Asks devices that a hot-connect group's first slave may be by the group's identify commands, as far as these do not
+/// just compare the alias; of the devices that `known` does not know. Bus errors.
+[[nodiscard]] Status identify_groups(Bus& bus, const NetworkConfig& config, std::vector<FoundDevice>& devices,
+                                     const std::function<bool(std::uint16_t station)>& known = {});
+
+/// What a match says, as errors in frame order: kSlavesSwapped, kIdentityMismatch, kSlaveMissing, kSlaveExtra.
+[[nodiscard]] std::vector<Error> explain(const BusMatch& match, const NetworkConfig& config,
+                                         const std::vector<FoundDevice>& found);
+
+}  // namespace syncline

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "master/startup/clock_steps.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "dc/obstacle_text.h"
+#include "master/clocks/dc_join.h"
+#include "master/clocks/dc_start.h"
+#include "protocol/dcm_error.h"
+
+namespace syncline {
+namespace {
+
+constexpr Nanoseconds kSyncTimeout = 30 * kSecond;
+
+}  // namespace
+
+Result<Nanoseconds> ClockSteps::initialise(SlaveList present) {
+  std::optional<DcNetwork> network;
+  if (configured_reference_clock(run_.config())) {
+    auto result = DcSetup(bus_, run_.config(), std::move(present)).run();
+    if (!result) return tl::unexpected(result.error());
+    network = std::move(*result);
+    note(*network);
+  }
+  auto first_cycle = bus_.clock().now() + run_.config().cycle_time();
+  if (network) {
+    first_cycle = sync_.first_cycle(*network, first_cycle);
+    sync_.start(*network, first_cycle);
+    delays_.start(*network, first_cycle);
+  }
+  return first_cycle;
+}
+
+std::uint32_t ClockSteps::estimated_delay(std::size_t slave) const {
+  constexpr std::uint32_t kUsualHop = 500;  // ns: an ESC with copper ports and some metres of cable
+  const auto& previous = run_.config().slaves[slave].previous;
+  if (!previous || previous->position >= run_.snapshot.slaves.size()) return 0;
+  return run_.snapshot.slaves[previous->position].propagation_delay_ns + kUsualHop;
+}
+
+void ClockSteps::note(const DcNetwork& network) {
+  std::vector<std::uint16_t> watched;
+  for (std::size_t i = 0; i < network.slaves.size(); ++i) {
+    const auto& clock = network.slaves[i];
+    auto& slave = run_.snapshot.slaves[i];
+    slave.dc_enabled = clock.synchronised;
+    slave.is_reference_clock = i == network.reference_clock;
+    slave.propagation_delay_ns = clock.delay_ns;
+    // One that joins later gets its clock then.
+    if (attendance_.missing(i) && run_.config().slaves[i].dc) {
+      slave.dc_enabled = true;
+      slave.propagation_delay_ns = estimated_delay(i);
+    }
+    if (slave.dc_enabled) watched.push_back(static_cast<std::uint16_t>(i));
+  }
+  task_.slaves().set_dc_slaves(std::move(watched));
+  for (const auto& finding : network.findings) {
+    run_.event(bus_.clock().now(), finding.position, events::DelayFinding{finding.warning, finding.value_ns});
+  }
+  const bool configured = network.reference_clock == configured_reference_clock(run_.config());
+  task_.reference().start(network.home, network.reference_clock, configured && attendance_.complete());
+  const auto now = bus_.clock().now();
+  using What = events::ReferenceClockChanged::What;
+  if (network.without_time) run_.event(now, *network.without_time, events::ReferenceClockChanged{What::kNoSystemTime});
+  run_.event(now, network.reference_clock, events::ReferenceClockChanged{What::kPresent});
+}
+
+Result<bool> ClockSteps::comes_true(bool (SyncWatch::*in_sync)() const) {
+  const auto end = bus_.clock().now() + kSyncTimeout;
+  while (!(sync_.*in_sync)()) {
+    if (auto status = bus_.wait_a_little(); !status) return tl::unexpected(status.error());
+    if (bus_.clock().now() >= end) return false;
+  }
+  return true;
+}
+
+Status ClockSteps::await_slaves() {
+  if (!sync_.active()) return {};
+  const auto in_sync = comes_true(&SyncWatch::slaves_in_sync);
+  if (!in_sync) return tl::unexpected(in_sync.error());
+  if (!*in_sync) {
+    const auto& dc = run_.snapshot.dc;
+    const auto who = dc.culprit >= 0 ? run_.slave_name(static_cast<std::size_t>(dc.culprit)) : std::string("they are");
+    const auto by = dc.deviation_ns.value_or(dc.deviation_ored_ns);
+    return fail(ErrorCode::kDcSetup, "the slaves",
+                fmt::format("{} {} ns from the reference clock after {} s, the sync window allows {} ns", who, by,
+                            kSyncTimeout / kSecond, dc.limit_ns));
+  }
+  const auto now = bus_.clock().now();
+  if (!sync_.monitored()) run_.event(now, -1, events::SlavesNotMonitored{});
+  std::size_t count = 0;
+  for (const auto& slave : run_.snapshot.slaves) count += slave.dc_enabled && slave.present ? 1 : 0;
+  run_.event(now, -1, events::DcInitialised{count, run_.snapshot.dc.reference_clock});
+  return {};
+}
+
+Status ClockSteps::await_master() {
+  if (!sync_.active()) return {};
+  const auto in_sync = comes_true(&SyncWatch::schedule_in_sync);
+  if (!in_sync) return tl::unexpected(in_sync.error());
+  if (*in_sync) return {};
+  const auto& dcm = run_.snapshot.dcm;
+  Error error{ErrorCode::kDcmOutOfLimit, "master"};
+  error.expected = run_.config().dc.dcm.in_sync_limit;
+  error.received = dcm.error_ns;
+  if (dcm.error_code == 0 && std::abs(error.received) > error.expected) return fail(std::move(error));
+  const auto why = dcm.error_code != 0 ? dc::dcm_error_text(dcm.error_code) : dc::obstacle_text(dcm.obstacle);
+  return fail(ErrorCode::kDcSetup, "the master",
+              fmt::format("it is not in sync after {} s: {}", kSyncTimeout / kSecond, why));
+}
+
+Status ClockSteps::join(const SlaveList& slaves) {
+  if (!sync_.active()) return {};
+  auto& reference = task_.reference();
+  DcJoin join(bus_, run_, sync_, task_.feed(), reference.home());
+  auto others = slaves;
+  if (const auto first = reference.leader() ? std::nullopt : reference.candidate(slaves)) {
+    // Nobody has kept the time: it goes on with the master's own idea of it.
+    const std::size_t leader = *first;
+    if (auto status = join.run({&leader, 1}, std::nullopt); !status) return status;
+    reference.lead(*first, bus_.clock().now());
+    std::erase(others, leader);
+  }
+  return join.run(others, reference.leader());
+}
+
+Result<SlaveList> ClockSteps::without_sync_signals(const SlaveList& slaves) {
+  SlaveList without;
+  if (!sync_.active()) return without;
+  const auto faults = check_dc_start(bus_, run_.config(), slaves);
+  if (!faults) return tl::unexpected(faults.error());
+  for (const auto& fault : *faults) without.push_back(fault.slave);
+  return without;
+}
+
+Status ClockSteps::check_sync_signals(const SlaveList& slaves) {
+  if (!sync_.active()) return {};
+  const auto faults = check_dc_start(bus_, run_.config(), slaves);
+  if (!faults) return tl::unexpected(faults.error());
+  for (const auto& fault : *faults) run_.error(fault.error, bus_.clock().now());
+  return faults->empty() ? Status{} : fail(faults->front().error);
+}
+
+}  // namespace syncline

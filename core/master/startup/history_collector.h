@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "master/cyclic/cyclic_task.h"
+#include "master/exchange/bus.h"
+#include "master/exchange/run_state.h"
+#include "master/startup/esm.h"
+
+namespace syncline {
+
+/// Reads what is new in the slaves' diagnosis histories and tells each message by an event, oldest first. Changes
+/// nothing in the slaves: their messages stay unacknowledged. Messages that a ring lost before it was read (as many
+/// as it has places, within MailboxWatch::kHistoryPeriod) are not told.
+class HistoryCollector {
+ public:
+  HistoryCollector(Bus& bus, RunState& run, CyclicTaskRunner& task, Esm& esm);
+
+  /// After a bus cycle; does nothing as long as there is no news. Cycles go on while it reads. Bus errors;
+  /// kCancelled when a command of the user came in between (then it is read the next time).
+  Status after_cycle();
+
+ private:
+  Status read(std::size_t slave);
+
+  Bus& bus_;
+  RunState& run_;
+  CyclicTaskRunner& task_;
+  Esm& esm_;
+};
+
+}  // namespace syncline

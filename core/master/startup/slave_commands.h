@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "master/clocks/sync_watch.h"
+#include "master/exchange/bus.h"
+#include "master/exchange/run_state.h"
+#include "master/startup/init_cmd_runner.h"
+
+namespace syncline {
+
+/// Positions of slaves in the configuration, ascending.
+using SlaveList = std::vector<std::size_t>;
+
+/// What the state machine does with many slaves at a time: their init commands of a transition and
+/// their AL status, all slaves side by side.
+class SlaveCommands {
+ public:
+  SlaveCommands(Bus& bus, RunState& run, const SyncWatch& sync);
+
+  /// Which of the transition's commands of a slave run: by their index in its list.
+  using Part = std::function<bool(std::size_t slave, std::size_t index)>;
+
+  /// Register commands, or mailbox commands (CoE objects first, then the other protocols). A slave that fails is told
+  /// by an event, acknowledged when it reports an error, and taken off the list; it does not keep the others from
+  /// finishing. The result is the first slave's error; errors of the bus itself (see ends_everything()) end all.
+  Status run(SlaveList& slaves, Transition transition, const Part& part = {}) {
+    return run(slaves, transition, part, 0);
+  }
+  Status run_mailbox(SlaveList& slaves, Transition transition);
+
+  /// Switches the SYNC units of slaves off and sets them up again, with more time than the attempts before left.
+  Status restart_sync_signals(SlaveList& slaves, unsigned attempt);
+
+  /// What the master's own commands of INIT to PREOP wrote to all slaves (clear FMMUs, SyncManagers, clocks), for
+  /// slaves that were not there then.
+  Status repeat_broadcasts(std::span<const std::size_t> slaves);
+
+  /// Reads AL status and code of these slaves and tells what is new. Slaves that do not answer are lost.
+  Status read_al_status(std::span<const std::size_t> slaves);
+  Status read_all();
+  /// Acknowledges the error of those that report one; waits until they took it, at most a second.
+  Status acknowledge(std::span<const std::size_t> slaves);
+
+  /// Where slave number `slave` really is, when others in front of it are missing.
+  void set_position(std::size_t slave, std::uint16_t position) { positions_[slave] = position; }
+  [[nodiscard]] std::uint16_t position(std::size_t slave) const { return positions_[slave]; }
+
+ private:
+  Status run(SlaveList& slaves, Transition transition, const Part& part, unsigned attempt);
+  template <class Work, class Messages>
+  Status send_all(SlaveList& slaves, Messages messages);
+  Status finish(SlaveList& slaves, std::span<SlaveWork* const> works);
+  Status report(std::span<const std::size_t> slaves, std::span<const Error> errors);
+  Status write_acknowledge(std::span<const std::size_t> slaves);
+
+  Bus& bus_;
+  RunState& run_;
+  const SyncWatch& sync_;
+  std::vector<std::uint16_t> positions_;
+};
+
+/// Errors after which going on with the other slaves makes no sense.
+[[nodiscard]] bool ends_everything(const Error& error);
+
+}  // namespace syncline

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "recover/recovered_slave.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "compile/eoe_ip.h"
+#include "recover/recovered_dc.h"
+#include "recover/recovered_device.h"
+#include "recover/register_writes.h"
+#include "support/byte_order.h"
+
+namespace syncline::recover {
+namespace {
+
+using compiler::FindingList;
+
+const Pdo* find_pdo(const DeviceDescription& device, PdoDirection direction, std::uint16_t index) {
+  const auto& pdos = device.pdos(direction);
+  const auto found = std::ranges::find(pdos, index, &Pdo::index);
+  return found == pdos.end() ? nullptr : &*found;
+}
+
+bool same_mapping(const Pdo& left, const Pdo& right) {
+  return std::ranges::equal(left.entries, right.entries, [](const PdoEntry& l, const PdoEntry& r) {
+    return l.index == r.index && l.sub_index == r.sub_index && l.bit_length == r.bit_length;
+  });
+}
+
+/// What an ESI lacks to be the device of this slave; "" when nothing.
+std::string misfit(const DeviceDescription& device, const SlaveConfig& slave) {
+  for (const auto& manager : slave.sync_managers) {
+    if (manager.pdos.empty()) continue;
+    const bool there = manager.number < device.sync_managers.size() &&
+                       device.sync_managers[manager.number].type == manager.description.type &&
+                       device.sync_managers[manager.number].start_address == manager.description.start_address;
+    if (!there) return fmt::format("it has no such SyncManager {}", manager.number);
+  }
+  for (const auto direction : {PdoDirection::kRx, PdoDirection::kTx}) {
+    for (const std::uint16_t index : assigned_pdos(slave, direction)) {
+      const Pdo* pdo = find_pdo(device, direction, index);
+      if (pdo == nullptr) return fmt::format("it has no PDO 0x{:04X}", index);
+      const auto used = std::ranges::find_if(slave.pdos, [&](const ConfiguredPdo& configured) {
+        return configured.direction == direction && configured.pdo.index == index;
+      });
+      if (used != slave.pdos.end() && pdo->fixed && !same_mapping(*pdo, used->pdo)) {
+        return fmt::format("its fixed PDO 0x{:04X} maps other entries", index);
+      }
+    }
+  }
+  return {};
+}
+
+DeviceDescription choose_device(const SlaveConfig& slave, const DeviceLookup& devices, Nanoseconds cycle,
+                                FindingList& findings) {
+  const DeviceDescription* found = devices ? devices(slave.identity) : nullptr;
+  if (found == nullptr) {
+    findings.info("", fmt::format("No ESI of {} is at hand: the device is described by what the ENI uses of it; other "
+                                  "PDOs, operation modes and objects are unknown.",
+                                  to_string(slave.identity)));
+    return recovered_device(slave, cycle);
+  }
+  if (const auto why = misfit(*found, slave); !why.empty()) {
+    findings.warning("",
+                     fmt::format("The ESI's {} was not taken, {}: the device is described by what the ENI uses of it.",
+                                 found->type, why));
+    return recovered_device(slave, cycle);
+  }
+  return *found;
+}
+
+void recover_pdos(SlaveSettings& settings, const SlaveConfig& slave) {
+  settings.assigned_rx_pdos = assigned_pdos(slave, PdoDirection::kRx);
+  settings.assigned_tx_pdos = assigned_pdos(slave, PdoDirection::kTx);
+  for (const auto direction : {PdoDirection::kRx, PdoDirection::kTx}) {
+    auto& assigned = direction == PdoDirection::kRx ? settings.assigned_rx_pdos : settings.assigned_tx_pdos;
+    if (!assigned.empty() || !slave.pdos.empty()) continue;
+    for (const Pdo& pdo : settings.device.pdos(direction)) {
+      if (pdo.sync_manager) assigned.push_back(pdo.index);
+    }
+  }
+  for (const auto& [direction, pdo] : slave.pdos) {
+    const Pdo* of_device = find_pdo(settings.device, direction, pdo.index);
+    if (of_device != nullptr && !of_device->fixed && !same_mapping(*of_device, pdo)) {
+      settings.changed_pdos.push_back(pdo);
+    }
+  }
+}
+
+void recover_checks(SlaveSettings& settings, const std::vector<SiiCheck>& checks) {
+  settings.check = {};
+  settings.check.vendor = settings.check.product = false;
+  for (const SiiCheck& check : checks) {
+    constexpr std::size_t kWord = 2;
+    switch (check.word) {
+      case 0x08:
+        settings.check.vendor = true;
+        break;
+      case 0x0A:
+        settings.check.product = true;
+        break;
+      case 0x0C:
+        settings.check.revision = true;
+        settings.check.revision_rule = check.expected.size() == kWord                ? RevisionCheck::kLowWordEqual
+                                       : check.type == ValidateType::kGreaterOrEqual ? RevisionCheck::kEqualOrGreater
+                                                                                     : RevisionCheck::kEqual;
+        break;
+      case 0x0E:
+        settings.check.serial = true;
+        break;
+      default:
+        break;
+    }
+  }
+}
+
+template <class T>
+void set_if_other(std::optional<T>& setting, const T& wanted, const T& of_device) {
+  if (wanted != of_device) setting = wanted;
+}
+
+void recover_times(SlaveSettings& settings, const SlaveConfig& slave) {
+  const StateTimeouts& of_device = settings.device.timeouts;
+  set_if_other(settings.timeouts.preop, slave.timeouts.preop, of_device.preop);
+  set_if_other(settings.timeouts.safeop_op, slave.timeouts.safeop_op, of_device.safeop_op);
+  set_if_other(settings.timeouts.back_to_init, slave.timeouts.back_to_init, of_device.back_to_init);
+  set_if_other(settings.timeouts.back_to_safeop, slave.timeouts.back_to_safeop, of_device.back_to_safeop);
+  const auto writes = register_writes(slave.init_cmds);
+  if (writes.reg_0400 != settings.device.reg_0400) settings.watchdog.divider = writes.reg_0400;
+  if (writes.reg_0410 != settings.device.reg_0410) settings.watchdog.pdi = writes.reg_0410;
+  if (writes.reg_0420 != settings.device.reg_0420) settings.watchdog.process_data = writes.reg_0420;
+}
+
+std::optional<std::uint16_t> default_size(const DeviceDescription& device, std::size_t manager) {
+  return manager < device.sync_managers.size() ? device.sync_managers[manager].default_size : std::nullopt;
+}
+
+void recover_mailbox(SlaveSettings& settings, const SlaveConfig& slave, EniDialect dialect, FindingList& findings) {
+  if (!slave.mailbox) return;
+  const MailboxConfig& mailbox = *slave.mailbox;
+  if (default_size(settings.device, 0) != mailbox.send.length) settings.mailbox.out_size = mailbox.send.length;
+  if (default_size(settings.device, 1) != mailbox.receive.length) settings.mailbox.in_size = mailbox.receive.length;
+  settings.mailbox.state_bit = mailbox.status_bit_address.has_value();
+  const std::uint32_t usual = dialect == EniDialect::kTwinCat ? 50 : 10;
+  if (mailbox.poll_time_ms && *mailbox.poll_time_ms != usual) settings.mailbox.poll_time_ms = mailbox.poll_time_ms;
+  settings.ams_net_id = mailbox.aoe_net_id;
+  std::size_t others = 0;  // EoE commands that set no address
+  for (const MailboxInitCmd& cmd : mailbox.eoe_commands) {
+    if (const auto ip = decode_ip_parameters(cmd.data, slave.station_address)) {
+      settings.eoe = *ip;
+    } else {
+      ++others;
+    }
+  }
+  settings.eoe.enabled = !mailbox.eoe_disabled;
+  if (others > 0) {
+    findings.warning("", fmt::format("{} start-up command{} of EoE cannot be kept: a project has a place for the IP "
+                                     "parameters only.",
+                                     others, others == 1 ? "" : "s"));
+  }
+  for (const SoeInitCmd& cmd : mailbox.soe_commands) {
+    settings.soe_startup.push_back(
+        {cmd.transitions, cmd.drive_no, cmd.idn, cmd.data, cmd.fixed, cmd.enabled, cmd.timeout_ms, cmd.comment});
+  }
+  const std::pair<const std::vector<MailboxInitCmd>&, const char*> messages[] = {
+      {mailbox.aoe_commands, "AoE"}, {mailbox.foe_commands, "FoE"}, {mailbox.voe_commands, "VoE"}};
+  for (const auto& [commands, protocol] : messages) {
+    if (commands.empty()) continue;
+    findings.warning("", fmt::format("{} start-up command{} of {} cannot be kept: a project has no place for them.",
+                                     commands.size(), commands.size() == 1 ? "" : "s", protocol));
+  }
+}
+
+void recover_dc(SlaveSettings& settings, const SlaveConfig& slave, Nanoseconds cycle, FindingList& findings) {
+  const auto choice = recovered_dc_settings(slave, settings.device, cycle);
+  settings.dc = choice.settings;
+  if (!choice.exact) {
+    findings.warning("dc.op_mode",
+                     fmt::format("No operation mode of {} has the AssignActivate 0x{:04X} of the ENI: DC is off.",
+                                 settings.device.type, dc_of(slave)->assign_activate));
+  }
+}
+
+}  // namespace
+
+SlaveSettings recovered_slave(const NetworkConfig& config, std::size_t position, const DeviceLookup& devices,
+                              FindingList& findings) {
+  const SlaveConfig& slave = config.slaves[position];
+  const auto device = choose_device(slave, devices, config.cycle_time(), findings);
+  SlaveSettings settings = default_slave(device, static_cast<std::uint16_t>(position));
+  settings.name = slave.name;
+  settings.station_address = slave.station_address;
+  settings.alias = slave.alias;
+  settings.device.identity.serial_no = slave.identity.serial_no;
+  settings.previous = slave.previous;
+  if (!settings.previous && position > 0) {
+    settings.previous = PreviousPort{static_cast<std::uint16_t>(position - 1), 1};
+  }
+  settings.startup.clear();
+  settings.soe_startup.clear();
+  recover_pdos(settings, slave);
+  recover_checks(settings, sii_checks(slave.init_cmds));
+  recover_times(settings, slave);
+  recover_mailbox(settings, slave, dialect_of(config), findings);
+  recover_dc(settings, slave, config.cycle_time(), findings);
+  if (slave.hot_connect) {
+    settings.hot_connect = slave.hot_connect->group;
+    settings.alias = slave.hot_connect->alias().value_or(settings.alias);
+  }
+  if (slave.identification) {
+    settings.check.device_id = static_cast<std::uint16_t>(slave.identification->value);
+  }
+  return settings;
+}
+
+}  // namespace syncline::recover

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "compile/finding_list.h"
+#include "recover/recover_project.h"
+
+namespace syncline::recover {
+
+/// The settings of one slave, without those start-up commands that can only be told apart when the rest is compiled.
+[[nodiscard]] SlaveSettings recovered_slave(const NetworkConfig& config, std::size_t position,
+                                            const DeviceLookup& devices, compiler::FindingList& findings);
+
+}  // namespace syncline::recover

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "compile/finding_list.h"
+#include "config/network_config.h"
+#include "config/project.h"
+
+namespace syncline::recover {
+
+/// Cyclic tasks behind the first one become tasks with a Sync Unit each; slaves whose FMMUs point into the process data
+/// that a task exchanges are put into its Sync Unit. A cycle that is no multiple of the first one's is a finding, and
+/// its slaves stay in the base task.
+void recover_tasks(Project& project, const NetworkConfig& config, compiler::FindingList& findings);
+
+}  // namespace syncline::recover

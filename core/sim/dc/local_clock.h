@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "config/sim_config.h"
+#include "support/random.h"
+#include "support/types.h"
+
+namespace syncline::sim {
+
+/// Local time of one ESC: a quartz with its own error and slow wander, counted in ticks of 10 ns, and
+/// the rare 9 ns and 11 ns steps by which the time control loop corrects it (ESC data sheet I, 9.1.4).
+/// `time` arguments are true time and never lie before the last advance_to() or set_correction().
+/// All of it is arithmetic on whole numbers, so that a run is the same on every machine and compiler.
+class LocalClock {
+ public:
+  /// Nominal tick of the ESC's counter, ns.
+  static constexpr std::uint64_t kTick = 10;
+  static constexpr Nanoseconds kNever = INT64_MAX;
+
+  LocalClock(const OscillatorConfig& config, Nanoseconds power_on, std::uint64_t seed);
+
+  /// When the quartz will have wandered, or warmed up; kNever: it does not.
+  [[nodiscard]] Nanoseconds next_change() const { return next_change_; }
+  /// Commits what changes the rate up to `time`, in steps of 100 ms (longer ones when more than an hour passes at
+  /// once). True: the rate is another.
+  bool advance_to(Nanoseconds time) {
+    if (time < next_change_) return false;
+    change_until(time);
+    return true;
+  }
+  /// What the counter shows: the value of the last tick.
+  [[nodiscard]] std::uint64_t sample(Nanoseconds time) const {
+    const auto passed = static_cast<Fixed>(time - time_);
+    const auto raw = whole(raw_ + passed * raw_rate_);
+    return raw - raw % kTick - whole(correction_ + passed * correction_rate_ + kOne / 2);
+  }
+  /// The counter without its granularity, ns.
+  [[nodiscard]] std::uint64_t exact(Nanoseconds time) const {
+    return whole(raw_ - correction_ + static_cast<Fixed>(time - time_) * (raw_rate_ - correction_rate_));
+  }
+  /// First true time from `from` on at which exact() reaches `local`: `from` when that is past, kNever when true time
+  /// ends before.
+  [[nodiscard]] Nanoseconds time_of(std::uint64_t local, Nanoseconds from) const;
+
+  /// True time in which the counter, as fast as it is now, goes on by `local` ns (a short while), rounded up.
+  [[nodiscard]] Nanoseconds true_duration(std::uint64_t local) const {
+    return static_cast<Nanoseconds>(passing_time(local, 0));
+  }
+
+  /// Relative slow-down from the time control loop, at most a tenth, effective from `time` on.
+  void set_correction(double relative, Nanoseconds time) {
+    advance_to(time);
+    commit(time);
+    loop_rate_ = rate_of(relative);
+    correction_rate_ = by_quartz(loop_rate_);
+  }
+  /// The counter jumps by `delta` ns (a fault).
+  void step(Nanoseconds delta) { raw_ += static_cast<Fixed>(delta) * kOne; }
+
+ private:
+  // What follows runs several times for every slave and frame.
+  /// Nanoseconds in parts of 2^-60: what the rates resolve is less than a picosecond in a day.
+  __extension__ using Fixed = __int128;
+  __extension__ using Unsigned = unsigned __int128;
+  static constexpr unsigned kFractionBits = 60;
+  static constexpr std::int64_t kOne = std::int64_t{1} << kFractionBits;
+
+  /// The counter's word: it wraps.
+  [[nodiscard]] static std::uint64_t whole(Fixed value) { return static_cast<std::uint64_t>(value >> kFractionBits); }
+  /// A relative deviation; no clock is further off than a tenth.
+  [[nodiscard]] static std::int64_t rate_of(double relative);
+  /// A rate by the quartz, by true time.
+  [[nodiscard]] std::int64_t by_quartz(std::int64_t rate) const {
+    return static_cast<std::int64_t>(static_cast<Fixed>(rate) * raw_rate_ >> kFractionBits);
+  }
+  void commit(Nanoseconds time) {
+    const auto passed = static_cast<Fixed>(time - time_);
+    raw_ += passed * raw_rate_;
+    correction_ += passed * correction_rate_;
+    time_ = time;
+  }
+  /// The rates are those of the quartz as it is now.
+  void take_rates();
+  void change_until(Nanoseconds time);
+  [[nodiscard]] Unsigned passing_time(std::uint64_t ahead, std::uint64_t fraction) const;
+  [[nodiscard]] double moved_at(Nanoseconds time) const;
+  /// When the next change of the rate behind `time` is due, `step` later at most; kNever: none.
+  [[nodiscard]] Nanoseconds next_move(Nanoseconds time, Nanoseconds step) const;
+
+  Nanoseconds time_;                                    // committed true time; the rates have been the same since
+  Fixed raw_;                                           // uncorrected counter at time_
+  Fixed correction_ = 0;                                // subtracted so far
+  std::int64_t raw_rate_ = kOne, correction_rate_ = 0;  // of both by true time
+  std::int64_t loop_rate_ = 0;                          // of the correction by the quartz
+  double ppm_, wander_ = 0, wander_limit_, moved_ = 0;
+  std::vector<RateChange> changes_;
+  Nanoseconds next_wander_, next_move_, next_change_;
+  Random random_;
+};
+
+}  // namespace syncline::sim

@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "config/sim_config.h"
+#include "protocol/fmmu.h"
+#include "protocol/registers.h"
+#include "protocol/sync_manager.h"
+#include "sim/dc/dc_unit.h"
+#include "sim/esc/esc_ports.h"
+#include "sim/esc/frame_plan.h"
+#include "sim/esc/passing_frame.h"
+#include "sim/esc/pdi_watchdog.h"
+#include "sim/esc/process_data_watchdog.h"
+#include "sim/esc/sii_interface.h"
+#include "sim/esc/three_buffers.h"
+#include "sim/registers/esc_memory.h"
+#include "sim/registers/write_protection.h"
+
+namespace syncline::sim {
+
+/// EtherCAT slave controller: executes the datagrams of passing frames on its register file and RAM
+/// (ESC data sheet I, chapters 2 to 8). Register writes become effective at the end of the frame.
+class Esc {
+ public:
+  struct Options {
+    std::uint8_t fmmu_count = 8;
+    std::uint8_t sync_manager_count = 8;
+    bool device_emulation = false;
+    std::uint8_t ram_kbytes = 4;
+    bool logical_read_write = true;   // LRW
+    bool physical_read_write = true;  // APRW, FPRW, BRW
+    bool counts_at_once = true;       // what nobody minds; otherwise it is done each time, which is the same and slower
+  };
+  Esc(const SimSlaveConfig& config, std::vector<std::uint8_t> sii, const Options& options, Nanoseconds power_on,
+      std::uint64_t seed);
+
+  /// Events of the PDI side, in the order in which they happen; times are true time.
+  struct Listener {
+    virtual ~Listener() = default;
+    virtual void al_control_written(Nanoseconds time) = 0;
+    virtual void sync_manager_written(unsigned number, Nanoseconds time) = 0;  // last byte, good frame
+    virtual void sync_manager_read(unsigned number, Nanoseconds time) = 0;
+    /// The master wrote the activation register: switched it on or off, or asks for a repeated message.
+    virtual void sync_manager_set(unsigned number, Nanoseconds time) = 0;
+    virtual void process_data_watchdog_expired(Nanoseconds time) = 0;
+    virtual void sync_signal(SyncGenerator::Signal signal, Nanoseconds time) = 0;
+    /// Of the SYNC0 that nobody wanted to know, the last one came at `time`.
+    virtual void signals_passed(Nanoseconds) {}
+  };
+  /// The listener must outlive the ESC; the ESC must not move afterwards.
+  void set_listener(Listener* listener);
+
+  // ---- the frame's way ----
+  /// Of a frame that takes port times. `first`: here begins its way through the slave.
+  void frame_at_port(unsigned port, Nanoseconds time, bool first);
+  /// Nothing of this frame for single slaves is for this one, nor does it leave a trace in it.
+  [[nodiscard]] bool is_untouched_by(const PassingFrame& frame);
+  /// The frame passes the processing unit: executes every datagram in place. False: it is destroyed there.
+  [[nodiscard]] bool process(PassingFrame& frame, Nanoseconds time);
+  /// The last byte has passed with a good FCS.
+  void frame_end(Nanoseconds time);
+  /// The FCS was bad: nothing of what the frame wrote becomes effective, except in RAM.
+  void frame_damaged();
+  void advance_to(Nanoseconds time) {
+    dc_.advance_to(time);
+    if (time >= quiet_until_) advance_others(time);
+  }
+  /// The frame that process() has seen last found something to do here, and its frame_end() must follow.
+  [[nodiscard]] bool touched() const { return touched_; }
+
+  // ---- when something happens ----
+  /// Nothing is due before, neither in the ESC nor in the device behind it. Whatever may bring something forward ends
+  /// it.
+  [[nodiscard]] Nanoseconds idle_until() const { return idle_until_; }
+  void stay_idle_until(Nanoseconds time) { idle_until_ = std::min({time, dc_.quiet_until(), quiet_until_}); }
+  void wake_up() {
+    idle_until_ = INT64_MIN;
+    minded_ = ~0U;
+    renewed_by_transfer_ = {};
+    if (dc_.signals_unminded()) mind_signals();
+  }
+  /// Time passes, and nothing happens.
+  void pass_idly(Nanoseconds time) { dc_.pass_quietly(time); }
+  /// Nobody wants to know of each SYNC0 until something wakes up the ESC; Listener::signals_passed() then tells the
+  /// last. The device does no more with them than to write the same inputs again into these SyncManagers (a bit each).
+  void leave_signals_unminded(std::uint32_t renewed);
+  /// Nobody wants to know of transfers in these SyncManagers (a bit each) until something wakes up the ESC.
+  void leave_transfers_unminded(std::uint32_t managers);
+  /// At each transfer in SyncManager `by` that nobody minds the device writes the same inputs again into `renewed`.
+  void renew_at_transfers(unsigned by, std::uint32_t renewed);
+  /// The frames come from elsewhere: what an ESC does with them by its position is another thing.
+  void forget_plans() { ++generation_; }
+  /// Another one after each change of the settings.
+  [[nodiscard]] std::uint32_t generation() const { return generation_; }
+
+  // ---- the device's side ----
+  [[nodiscard]] EscMemory& memory() { return memory_; }
+  [[nodiscard]] const EscMemory& memory() const { return memory_; }
+  [[nodiscard]] const DcUnit& dc() const { return dc_; }
+  /// For what changes it from outside: faults, and tests.
+  [[nodiscard]] DcUnit& dc() {
+    wake_up();
+    return dc_;
+  }
+  [[nodiscard]] SyncManager sync_manager(unsigned number) const;
+  [[nodiscard]] bool has_sync_manager(unsigned number) const { return buffers_.has(number); }
+  /// Its memory, cut where a master has set it up beyond the address space.
+  [[nodiscard]] std::span<std::uint8_t> sync_manager_area(unsigned number);
+  [[nodiscard]] std::span<const std::uint8_t> sync_manager_area(unsigned number) const;
+  void set_mailbox_full(unsigned number, bool full);
+  /// Repeat request of the master against the PDI's acknowledgement (0x0806 bit 1, 0x0807 bit 1).
+  [[nodiscard]] bool repeat_requested(unsigned number) const;
+  void acknowledge_repeat(unsigned number);
+  /// The PDI locks the memory of a SyncManager against the master, or gives it free (0x0807 bit 0).
+  void deactivate_sync_manager(unsigned number, bool deactivated);
+  /// Bytes that the master reads from a buffered SyncManager: a transfer under way still shows the buffer before.
+  void put_buffer(unsigned number, std::span<const std::uint8_t> bytes);
+  /// The PDI writes what the buffers of these SyncManagers (a bit each) hold already.
+  void put_same_buffers(std::uint32_t managers);
+  /// The level at a LATCH input (0, 1) as of `time`; false: no time taken, or the pin is a SYNC output (0x0151).
+  bool latch_input(unsigned number, bool level, Nanoseconds time);
+  /// The PDI has read 0x098E or 0x098F.
+  void acknowledge_sync(SyncGenerator::Signal signal);
+  /// The device is not told of SYNC signals, whatever its pins show.
+  void silence_sync(bool silent) {
+    wake_up();
+    sync_silent_ = silent;
+  }
+  /// The PDI has dealt with these bits of the AL event request (0x0220).
+  void acknowledge_events(std::uint32_t events);
+  /// The PDI deals with the events of SyncManagers as soon as it is told of them: nobody sees them pending.
+  void serve_promptly(bool promptly) { prompt_ = promptly; }
+  /// The device stops to ask the ESC, or does so again.
+  void pdi_stops(Nanoseconds time) {
+    pdi_watchdog_.pdi_stops(time);
+    quiet_until_ = std::min(quiet_until_, pdi_watchdog_.deadline());
+    wake_up();
+  }
+  void pdi_works();
+  /// The process data watchdog has expired and not been triggered since.
+  [[nodiscard]] bool outputs_expired() const { return memory_.u16(reg::kWatchdogStatus) == 0; }
+  [[nodiscard]] bool device_emulation() const { return options_.device_emulation; }
+  [[nodiscard]] EscPorts& ports() { return ports_; }
+  /// R, E and S were written to 0x0040 by three consecutive frames: the slave starts anew.
+  [[nodiscard]] bool reset_requested() const { return reset_step_ == kResetSequence.size(); }
+  /// What the EEPROM holds, over power cycles.
+  [[nodiscard]] SiiInterface& sii() { return sii_; }
+  [[nodiscard]] const std::vector<std::uint8_t>& sii_content() const { return sii_.content(); }
+
+ private:
+  static constexpr std::array<std::uint8_t, 3> kResetSequence{'R', 'E', 'S'};
+  static constexpr std::size_t kMaxFrameBody = 0x0800;  // the length in the EtherCAT header has 11 bits
+  struct Write {
+    std::uint16_t address;
+    std::uint16_t length;
+  };
+  void mind_signals();
+  /// What the device has written again with the SYNC signals that nobody minds, up to now.
+  void count_renewals();
+  void renew(std::uint32_t managers, std::uint64_t times);
+  /// The rest of frame_end() after a frame that has written registers.
+  void commit_all(Nanoseconds time);
+  /// What happens in SyncManagers at the end of the frame.
+  void end_transfers(Nanoseconds time);
+  /// All that time does to an ESC but its clock.
+  void advance_others(Nanoseconds time);
+  void raise_event(std::uint16_t event);
+  void raise_al_event(std::uint32_t event);
+  /// Of SyncManager `number`.
+  void raise_buffer_event(unsigned number);
+  void clear_event(std::uint16_t event);
+  /// What its working counter grows by.
+  [[nodiscard]] unsigned execute(const PassingDatagram& datagram);
+  [[nodiscard]] unsigned read(const PassingDatagram& datagram, bool addressed);
+  [[nodiscard]] unsigned write(const PassingDatagram& datagram, bool addressed);
+  [[nodiscard]] unsigned read_and_write(const PassingDatagram& datagram, bool addressed);
+  /// Its station address, or its alias where that is on.
+  [[nodiscard]] bool has_address(std::uint16_t address) const;
+  /// Has a datagram for single slaves that is for this one. Its addresses are remembered as long as the settings stay.
+  [[nodiscard]] bool is_called_by(const PassingFrame& frame) {
+    if (addresses_generation_ != generation_) note_addresses();
+    return frame.is_for(station_, alias_);
+  }
+  void note_addresses();
+  bool read_memory(std::uint16_t address, std::span<std::uint8_t> out, bool or_into);
+  /// Registers, and RAM that is no SyncManager's matter.
+  bool read_registers(std::uint16_t address, std::span<std::uint8_t> out, bool or_into);
+  [[nodiscard]] bool is_readable(std::uint16_t address, std::size_t length) const;
+  /// Registers with gaps between them.
+  bool read_what_is_there(std::uint16_t address, std::span<const std::uint8_t> from, std::span<std::uint8_t> out,
+                          bool or_into) const;
+  /// Copies `bits` between a datagram and the memory, whole bytes at once where the mapping is aligned.
+  void copy_mapped(std::span<std::uint8_t> datagram, std::uint64_t datagram_bit, std::uint64_t memory_bit,
+                   std::uint64_t bits, bool writing);
+  bool write_memory(Command command, std::uint16_t address, std::span<const std::uint8_t> data);
+  /// The first byte of a buffer is read: the newest one, whatever became of the transfer before.
+  void open_buffer(std::uint32_t address, std::size_t length);
+  void show_pending(unsigned number);
+  void read_latches(std::uint16_t address, std::size_t length);
+  void follow_latch_events();
+  void sync_fired(SyncGenerator::Signal signal, Nanoseconds time);
+  /// Whether the SyncManagers let the master at this memory now.
+  [[nodiscard]] bool buffer_allows(std::uint32_t address, std::size_t length, bool write) const {
+    return address + length <= buffers_begin_ || managers_allow(address, length, write);  // registers, nearly always
+  }
+  [[nodiscard]] bool managers_allow(std::uint32_t address, std::size_t length, bool write) const;
+  void end_transfer(unsigned number, bool write);
+  void note_buffer_access(std::uint32_t address, std::size_t length, bool write);
+  void take_over(const Write& write, std::span<const std::uint8_t> bytes);
+  void commit_register(const Write& write, Nanoseconds time);
+  /// Forwarding rule for a circulating frame; false: it is destroyed.
+  [[nodiscard]] bool mark_circulating(std::span<PassingDatagram> datagrams);
+  void follow_reset_sequence(bool written);
+  void load_configuration();
+  void reload_maps();
+  void implement_registers();
+
+  // Plans of frames (esc_plans.cpp).
+  /// Null: the datagrams must be executed.
+  [[nodiscard]] const FramePlan* plan_for(PassingFrame& frame);
+  void make_plan(FramePlan& plan, PassingFrame& frame) const;
+  [[nodiscard]] bool plan_datagram(FramePlan& plan, const PassingDatagram& datagram, std::size_t number,
+                                   std::size_t offset) const;
+  [[nodiscard]] bool plan_reading(FramePlan& plan, const PassingDatagram& datagram, std::size_t number,
+                                  std::size_t offset) const;
+  [[nodiscard]] bool plan_time(FramePlan& plan, const PassingDatagram& datagram, std::size_t number,
+                               std::size_t offset) const;
+  [[nodiscard]] bool any_have(std::uint8_t right, std::uint16_t address, std::size_t length) const;
+  [[nodiscard]] bool plan_logical(FramePlan& plan, const PassingDatagram& datagram, std::size_t number,
+                                  std::size_t offset) const;
+  void follow(const FramePlan& plan, std::span<std::uint8_t> frame);
+  /// `memory`: the ESC's, from its beginning.
+  void follow(const FramePlan::Step& step, std::uint8_t* memory, std::uint8_t* data);
+  void execute_all(PassingFrame& frame);
+  /// Of a plan whose datagram brings the system time: becomes effective at the end of the frame.
+  void take_time(const std::uint8_t* data, std::uint8_t length);
+  /// As if it had been written by a datagram that was executed: another one follows.
+  void shadow_time();
+
+  Options options_;
+  EscMemory memory_;
+  EscPorts ports_;
+  DcUnit dc_;
+  SiiInterface sii_;
+  ProcessDataWatchdog watchdog_;
+  PdiWatchdog pdi_watchdog_;
+  WriteProtection protection_;
+  Listener* listener_ = nullptr;
+  /// An active FMMU; with the buffered SyncManager that it maps as a whole, where nothing but the write protection can
+  /// forbid such an access: the usual case, which is then decided once and not in each frame.
+  struct Mapping {
+    Fmmu fmmu;
+    std::optional<unsigned> whole_buffer{};
+  };
+  [[nodiscard]] bool plan_mapping(FramePlan& plan, const PassingDatagram& datagram, const Mapping& mapping,
+                                  bool writing, std::size_t offset) const;
+  [[nodiscard]] std::optional<unsigned> find_whole_buffer(const Fmmu& fmmu) const;
+  [[nodiscard]] bool map_datagram(const PassingDatagram& datagram, std::span<const Mapping> mappings, bool writing);
+  /// What one FMMU maps of a datagram, byte by byte or bit by bit.
+  [[nodiscard]] bool map_part(const PassingDatagram& datagram, const Fmmu& fmmu, bool writing);
+  std::vector<Mapping> write_mappings_, read_mappings_;
+  std::vector<SyncManager> sync_managers_;  // decoded
+  bool maps_stale_ = true;
+  Nanoseconds quiet_until_ = INT64_MIN;        // nothing is due before that is not the clock's
+  std::vector<std::uint8_t> active_managers_;  // those that are on and have a length
+  std::uint32_t mailboxes_ = 0;                // bit per SyncManager, on or not
+  std::uint32_t buffers_begin_ = 0;            // where the first SyncManager's memory begins
+  std::array<FramePlan, FramePlan::kPlaces> plans_{};
+  std::uint32_t generation_ = 1;                                      // of the settings that plans are made by
+  std::uint32_t addresses_generation_ = 0, station_ = 0, alias_ = 0;  // the addresses of that generation
+  Nanoseconds idle_until_ = INT64_MIN;
+  std::size_t reset_step_ = 0;
+  bool sync_silent_ = false, prompt_ = false;
+  std::uint32_t minded_ = ~0U;           // SyncManagers whose transfers the device is told of
+  std::uint32_t renewed_by_signal_ = 0;  // bit per SyncManager
+  struct Renewal {
+    std::uint32_t by = 0, renewed = 0;  // bit per SyncManager
+  };
+  Renewal renewed_by_transfer_;
+
+  // Of the frame that is passing:
+  bool touched_ = false;
+  std::uint8_t time_size_ = 0;  // bytes of the system time that a plan has received; 0: none
+  std::uint64_t time_received_ = 0;
+  Nanoseconds frame_time_ = 0;  // when it began to pass
+  std::array<std::optional<Nanoseconds>, 4> port_times_{};
+  bool latch_unit_ = false, latch_ports_ = false;
+  std::vector<Write> writes_;
+  std::array<std::uint8_t, kMaxFrameBody> shadow_{};  // bytes of writes_, in order
+  std::size_t shadow_size_ = 0;
+  std::uint32_t sm_written_ = 0, sm_read_ = 0;  // bit per SyncManager
+  // Bit per SyncManager: a transfer has touched its first byte and not yet its last; lasts over frames.
+  std::uint32_t sm_begun_ = 0;
+  std::vector<std::vector<std::uint8_t>> pending_;  // of each SyncManager, not yet shown; empty: nothing
+  bool any_pending_ = false;
+  ThreeBuffers buffers_;
+};
+
+}  // namespace syncline::sim

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "protocol/registers.h"
+#include "sim/esc/esc.h"
+
+/// What an ESC has after power-on: registers with their rights, features, configuration from the SII.
+namespace syncline::sim {
+namespace {
+
+// Bits of 0x0008. 0x0100: 0x0981 bits 7..3 and 0x0984.
+constexpr std::uint16_t kEnhancedSyncActivation = 0x0100, kNoLogicalReadWrite = 0x0200, kNoPhysicalReadWrite = 0x0400;
+
+}  // namespace
+
+Esc::Esc(const SimSlaveConfig& config, std::vector<std::uint8_t> sii, const Options& options, Nanoseconds power_on,
+         std::uint64_t seed)
+    : options_(options),
+      memory_(0x400U * options.ram_kbytes),
+      ports_(memory_),
+      dc_(config.oscillator, config.dc, power_on, seed, memory_),
+      sii_(std::move(sii), config.sii, memory_),
+      watchdog_(memory_),
+      pdi_watchdog_(memory_),
+      protection_(memory_),
+      sync_managers_(options.sync_manager_count),
+      pending_(options.sync_manager_count),
+      buffers_(memory_, options.sync_manager_count) {
+  implement_registers();
+  load_configuration();
+  std::uint16_t features = 0;  // FMMUs map bits
+  if (config.dc.receive_times) features |= 0x0004;
+  if (config.dc.is_64bit) features |= 0x0008;
+  if (config.dc.system_time) features |= kEnhancedSyncActivation;
+  memory_.set<std::uint8_t>(reg::kType, config.esc_type);
+  memory_.set<std::uint8_t>(reg::kFmmuCount, options.fmmu_count);
+  memory_.set<std::uint8_t>(reg::kSyncManagerCount, options.sync_manager_count);
+  memory_.set<std::uint8_t>(reg::kRamSize, options.ram_kbytes);
+  memory_.set<std::uint8_t>(reg::kPortDescriptor, 0xFF);
+  if (!options.logical_read_write) features |= kNoLogicalReadWrite;
+  if (!options.physical_read_write) features |= kNoPhysicalReadWrite;
+  memory_.set<std::uint16_t>(reg::kFeatures, features);
+  memory_.set<std::uint16_t>(reg::kAlControl, 0x0001);
+  memory_.set<std::uint16_t>(reg::kAlStatus, 0x0001);
+  memory_.set<std::uint16_t>(reg::kWatchdogDivider, 2498);
+  memory_.set<std::uint16_t>(reg::kWatchdogPdi, 1000);
+  memory_.set<std::uint16_t>(reg::kWatchdogProcessData, 1000);
+  memory_.set<std::uint16_t>(reg::kWatchdogStatus, 1);
+}
+
+void Esc::implement_registers() {
+  constexpr auto r = EscMemory::kRead;
+  constexpr auto rw = EscMemory::kReadWrite;
+  memory_.implement(reg::kType, 10, r);
+  memory_.implement(reg::kStationAddress, 2, rw);
+  memory_.implement(reg::kStationAlias, 2, r);
+  protection_.implement_registers();
+  memory_.implement(reg::kEscReset, 1, rw);
+  memory_.implement(reg::kDlControl, 4, rw);
+  memory_.implement(reg::kDlStatus, 2, r);
+  memory_.implement(reg::kAlControl, 2, rw);
+  memory_.implement(reg::kAlStatus, 2, r);
+  memory_.implement(reg::kAlStatusCode, 2, r);
+  memory_.implement(reg::kPdiControl, 2, r);
+  memory_.implement(reg::kPdiConfiguration, 4, r);
+  memory_.implement(reg::kEcatEventMask, 2, rw);
+  memory_.implement(reg::kAlEventMask, 4, r);
+  memory_.implement(reg::kEcatEventRequest, 2, r);
+  memory_.implement(reg::kAlEventRequest, 4, r);
+  memory_.implement(reg::kRxErrorCounter, 0x0E, rw);
+  memory_.implement(reg::kLostLinkCounter, 4, rw);
+  memory_.implement(reg::kWatchdogDivider, 2, rw);
+  memory_.implement(reg::kWatchdogPdi, 2, rw);
+  memory_.implement(reg::kWatchdogProcessData, 2, rw);
+  memory_.implement(reg::kWatchdogStatus, 4, r);
+  memory_.implement(reg::kSiiConfiguration, 1, rw);
+  memory_.implement(reg::kSiiPdiAccess, 1, r);
+  memory_.implement(reg::kSiiControl, 14, rw);
+  memory_.implement(reg::kDigitalOutputs, 4, rw);
+  memory_.implement(reg::kUserRam, 0x80, rw);
+  memory_.implement(reg::kFmmu, static_cast<std::uint16_t>(16 * options_.fmmu_count), rw);
+  memory_.implement(reg::kSyncManager, static_cast<std::uint16_t>(8 * options_.sync_manager_count), rw);
+}
+
+void Esc::load_configuration() {
+  const auto& content = sii_.content();
+  if (!sii_.checksum_ok()) return;
+  memory_.set<std::uint8_t>(reg::kPdiControl, content[0]);
+  memory_.set<std::uint8_t>(reg::kEscConfiguration, content[1]);
+  memory_.set<std::uint16_t>(reg::kPdiConfiguration, load_le<std::uint16_t>(std::span(content).subspan(2)));
+  memory_.set<std::uint16_t>(reg::kPulseLength, load_le<std::uint16_t>(std::span(content).subspan(4)));
+  memory_.set<std::uint16_t>(reg::kStationAlias, load_le<std::uint16_t>(std::span(content).subspan(8)));
+}
+
+}  // namespace syncline::sim

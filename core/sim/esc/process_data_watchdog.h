@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "protocol/registers.h"
+#include "sim/esc/watchdog_timer.h"
+
+namespace syncline::sim {
+
+/// Process data watchdog of an ESC (registers 0x0400, 0x0420, 0x0440, 0x0442; ESC data sheet II, 3.8): started by
+/// the first write to a SyncManager with the watchdog trigger, restarted by each further one.
+class ProcessDataWatchdog {
+ public:
+  explicit ProcessDataWatchdog(EscMemory& memory) : memory_(memory), timer_(memory, reg::kWatchdogProcessData) {}
+
+  void trigger(Nanoseconds time);
+  /// True when it expires now: once, until the next trigger.
+  bool advance_to(Nanoseconds time) { return timer_.advance_to(time) && expire(); }
+  [[nodiscard]] Nanoseconds deadline() const { return timer_.deadline(); }
+  /// The SyncManager was switched off: nothing to watch.
+  void stop() { timer_.stop(); }
+
+ private:
+  bool expire();
+
+  EscMemory& memory_;
+  WatchdogTimer timer_;
+};
+
+}  // namespace syncline::sim

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <vector>
+
+#include "protocol/registers.h"
+#include "protocol/sync_manager.h"
+#include "sim/registers/esc_memory.h"
+
+namespace syncline::sim {
+
+/// Which of the three buffers of each buffered SyncManager the PDI has written last, and which one the master reads
+/// (ESC data sheet I, 7.1): it never writes into the one that is being read. Shown in 0x0805 + 8 n, bits 5:4.
+class ThreeBuffers {
+ public:
+  ThreeBuffers(EscMemory& memory, unsigned sync_managers) : memory_(memory), buffers_(sync_managers) {}
+
+  [[nodiscard]] bool has(unsigned number) const { return number < buffers_.size(); }
+  /// The PDI writes so many times, and the master does not read meanwhile.
+  void write(unsigned number, std::uint64_t times = 1) {
+    if (times == 0) return;
+    auto& buffers = buffers_[number];
+    // The one that is read stays, so that behind the first time two of them take turns.
+    buffers.written = next(buffers);
+    if (times % 2 == 0) buffers.written = next(buffers);
+    const auto address = static_cast<std::uint16_t>(reg::sync_manager(number) + kStatus);
+    const auto others = memory_.u8(address) & ~SyncManager::kStatusBuffer;
+    memory_.set<std::uint8_t>(address, static_cast<std::uint8_t>(others | buffers.written << kShift));
+  }
+  /// The master reads the one that was written last.
+  void read(unsigned number) { buffers_[number].read = buffers_[number].written; }
+
+ private:
+  static constexpr std::uint16_t kStatus = 5;
+  static constexpr unsigned kShift = 4;
+  static constexpr std::uint8_t kNone = 3;
+  struct Buffers {
+    std::uint8_t written = kNone, read = kNone;  // 0 to 2
+  };
+  [[nodiscard]] static std::uint8_t next(const Buffers& buffers) {
+    const auto taken = 1U << buffers.written | 1U << buffers.read;
+    return static_cast<std::uint8_t>(std::countr_one(taken));  // the first that is free
+  }
+
+  EscMemory& memory_;
+  std::vector<Buffers> buffers_;
+};
+
+}  // namespace syncline::sim

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "config/sim_config.h"
+#include "sim/scenario/scenario_table.h"
+
+namespace syncline::sim {
+
+/// Reads the [[fault]]s of a scenario, whose slaves are known already. What a fault cannot have, what contradicts the
+/// machine, and what contradicts another fault are errors of the file.
+class ScenarioFaults {
+ public:
+  /// All outlive it.
+  ScenarioFaults(std::span<const SimSlaveConfig> slaves, const std::string& file, std::optional<Error>& error)
+      : slaves_(slaves), file_(file), error_(error) {}
+  void read(const toml::table& node);
+  [[nodiscard]] std::vector<FaultConfig> take() { return std::move(faults_); }
+
+ private:
+  void check_slave(Table& table, const FaultConfig& fault);
+  void check_port(Table& table, const FaultConfig& fault);
+  void check_time(Table& table, const FaultConfig& fault);
+  [[nodiscard]] bool has_cable(int slave, std::uint8_t port) const;
+
+  std::span<const SimSlaveConfig> slaves_;
+  const std::string& file_;
+  std::optional<Error>& error_;
+  std::vector<FaultConfig> faults_;
+};
+
+/// "A" to "D" of `key`; without it `fallback`.
+[[nodiscard]] std::uint8_t port_number(Table& table, std::string_view key, char fallback);
+
+}  // namespace syncline::sim

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "eni/check/eni_structure.h"
+#include "eni/format/eni_end_cap.h"
+#include "eni/format/eni_file.h"
+#include "eni/format/eni_reader.h"
+#include "eni/xml/xml_reader.h"
+#include "eni/xml/xml_text.h"
+
+namespace syncline::eni {
+namespace {
+
+using Element = tinyxml2::XMLElement;
+
+/// Elements that the schema knows and the reader leaves out: makers' own, and texts for people.
+constexpr std::string_view kLeftOut[] = {"Manufacturer", "VendorSpecific", "DisplayName"};
+
+struct Count {
+  std::size_t times = 0;
+  int line = 0;
+};
+
+void count_left_out(const Element& parent, std::map<std::string, Count>& counts) {
+  for (const auto* e = parent.FirstChildElement(); e != nullptr; e = e->NextSiblingElement()) {
+    const std::string_view name = e->Name();
+    if (std::ranges::find(kLeftOut, name) == std::end(kLeftOut)) {
+      count_left_out(*e, counts);
+      continue;
+    }
+    Count& count = counts[fmt::format("<{}> in <{}>", name, parent.Name())];
+    if (count.times++ == 0) count.line = e->GetLineNum();
+  }
+}
+
+std::vector<Finding> unread_parts(const Element& root) {
+  std::vector<Finding> out;
+  const auto add = [&](const std::string& what, int line) {
+    out.push_back({FindingSeverity::kWarning, -1, "", fmt::format("Line {} is not read: {}.", line, what)});
+  };
+  for (const EniFinding& finding : check_structure(root)) {
+    if (finding.code == "ENI-XML-04") add(finding.what, finding.line);
+  }
+  std::map<std::string, Count> counts;
+  count_left_out(root, counts);
+  for (const auto& [what, count] : counts) {
+    const bool told =
+        std::ranges::any_of(out, [&what = what](const Finding& f) { return f.text.find(what) != std::string::npos; });
+    if (told) continue;
+    add(count.times > 1 ? fmt::format("{}, {} times", what, count.times) : what, count.line);
+  }
+  const Element* config = root.FirstChildElement("Config");
+  const Element* slave = config != nullptr ? config->FirstChildElement("Slave") : nullptr;
+  for (; slave != nullptr; slave = slave->NextSiblingElement("Slave")) {
+    if (is_end_cap(*slave))
+      add("a Slave without address, commands and data, as tools write end caps", slave->GetLineNum());
+  }
+  return out;
+}
+
+}  // namespace
+
+Result<EniImport> import_eni_text(std::string_view text, const std::string& file_name) {
+  const auto document = parse_xml(text, file_name);
+  if (!document) return tl::unexpected(document.error());
+  const Element& root = *(*document)->RootElement();
+  auto config = read_eni_document(&root, file_name);
+  if (!config) return tl::unexpected(config.error());
+  return EniImport{std::move(*config), unread_parts(root)};
+}
+
+Result<EniImport> import_eni(const std::string& path) {
+  const auto text = read_file(path);
+  return text ? import_eni_text(*text, path) : tl::unexpected(text.error());
+}
+
+}  // namespace syncline::eni

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "eni/esi/esi_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "eni/esi/esi_device.h"
+#include "eni/esi/esi_side_files.h"
+#include "eni/xml/text_encoding.h"
+#include "eni/xml/xml_reader.h"
+#include "eni/xml/xml_text.h"
+#include "protocol/error_text.h"
+
+namespace syncline::eni {
+namespace {
+
+EsiVendor read_vendor(const Node& info) {
+  const Node vendor = info.required("Vendor");
+  return {vendor.required("Id").number<std::uint32_t>(), vendor.localized("Name").trimmed()};
+}
+
+/// "Device EL2004": what a user finds in the file.
+std::string subject_of(const Node& device) {
+  const auto type = device.child("Type").trimmed();
+  return type.empty() ? "Device" : "Device " + type;
+}
+
+/// Reads a document and those that it refers to into one EsiFile.
+class EsiDocument {
+ public:
+  EsiDocument(EsiFile& file, SideFiles* side_files) : file_(file), side_files_(side_files) {}
+
+  void read(const Node& root) {
+    if (root.name() == "EtherCATInfo") {
+      read_info(root);
+    } else if (root.name() == "EtherCATInfoList") {
+      for (const Node& info : root.children("EtherCATInfo")) read_info(info);
+    } else if (root.name() == "EtherCATModule") {
+      read_references(root);
+      add_modules(modules_of(root));
+    } else {
+      root.fail(ErrorCode::kNotThatKindOfFile,
+                fmt::format("an ESI file with the root <EtherCATInfo>, not <{}>", root.name()));
+    }
+  }
+
+ private:
+  void read_info(const Node& info) {
+    read_references(info);
+    const Node descriptions = info.required("Descriptions");
+    add_modules(modules_of(descriptions));
+    EsiSurroundings surroundings{.vendor = read_vendor(info),
+                                 .groups = read_groups(descriptions),
+                                 .modules = file_.modules,
+                                 .pdo_templates = read_pdo_templates(descriptions),
+                                 .side_files = side_files_};
+    for (const Node& node : descriptions.child("Devices").children("Device")) add_device(node, surroundings);
+    std::ranges::move(surroundings.groups, std::back_inserter(file_.groups));
+  }
+
+  void add_device(const Node& node, const EsiSurroundings& surroundings) {
+    Reading part = node.reading().of_part();  // its own: one broken device must not take the others with it
+    auto device = read_device(node.with(part), surroundings);
+    if (part.ok()) {
+      file_.devices.push_back(std::move(device));
+      return;
+    }
+    Error error = *part.error();
+    part.warn(error.line, error.subject, fmt::format("{} is left out: {}", subject_of(node), describe(error)));
+    error.detail = fmt::format("{}: {}", subject_of(node), error.detail);
+    file_.rejected.push_back(std::move(error));
+  }
+
+  /// In older EtherCATModule files the modules stand in the root, otherwise in Modules.
+  [[nodiscard]] Node modules_of(const Node& parent) const {
+    const Node modules = parent.child("Modules");
+    return modules ? modules : parent;
+  }
+
+  void add_modules(const Node& modules) {
+    std::ranges::move(read_modules(modules, side_files_), std::back_inserter(file_.modules));
+  }
+
+  /// InfoReference: the modules of other files; a file that was visited is not visited again.
+  void read_references(const Node& info) {
+    for (const Node& reference : info.children("InfoReference")) {
+      const auto name = reference.trimmed();
+      if (name.empty()) continue;
+      if (side_files_ == nullptr) {
+        reference.warn(fmt::format("\"{}\" is another file, which is not read here", name));
+      } else if (side_files_->visit(name)) {
+        read_reference(reference, name);
+      }
+    }
+  }
+
+  void read_reference(const Node& reference, const std::string& name) {
+    const auto file = side_files_->open(name);
+    if (!file) {
+      reference.warn(fmt::format("the file is left out: {}", describe(file.error())));
+      return;
+    }
+    const Node root = (*file)->root();
+    read_references(root);
+    add_modules(modules_of(root.child("Descriptions") ? root.child("Descriptions") : root));
+  }
+
+  EsiFile& file_;
+  SideFiles* side_files_;
+};
+
+/// What find_encoding() guesses; see there.
+void warn_of_encoding(const TextEncoding& encoding, Reading& reading) {
+  if (!encoding.guessed) return;
+  reading.warn(1, "?xml",
+               fmt::format("the text is not UTF-8, though it should be; read as {}",
+                           encoding.name == "CP1252" ? "ISO-8859-1 (windows-1252)" : encoding.name));
+}
+
+/// `owner` of the text, if any, gives its memory back as soon as the document stands.
+Result<EsiFile> read_text(std::string_view text, const std::string& file_name, const EsiReadOptions& options,
+                          const std::filesystem::path* folder, std::string* owner = nullptr) {
+  const auto document = parse_xml(text, file_name);
+  if (!document) return tl::unexpected(document.error());
+  const TextEncoding encoding = find_encoding(text);
+  if (owner != nullptr) *owner = std::string();
+  EsiFile file;
+  Reading reading(file_name, file.warnings, options.language);
+  warn_of_encoding(encoding, reading);
+  std::optional<SideFiles> side_files;
+  if (folder != nullptr) {
+    side_files.emplace(*folder, reading);
+    (void)side_files->visit(std::filesystem::path(file_name).filename().string());
+  }
+  EsiDocument(file, side_files ? &*side_files : nullptr).read({(*document)->RootElement(), reading});
+  if (!reading.ok()) return tl::unexpected(*reading.error());
+  return file;
+}
+
+}  // namespace
+
+Result<EsiFile> parse_esi(std::string_view text, const std::string& file_name, const EsiReadOptions& options) {
+  return read_text(text, file_name, options, nullptr);
+}
+
+Result<EsiFile> read_esi(const std::string& path, const EsiReadOptions& options) {
+  auto text = read_file(path);
+  if (!text) return tl::unexpected(text.error());
+  const auto folder = std::filesystem::path(path).parent_path();
+  return read_text(*text, path, options, &folder, &*text);
+}
+
+}  // namespace syncline::eni

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "channels/values/bus_scan.h"
+#include "config/project.h"
+#include "eni/catalogue/esi_catalogue.h"
+#include "support/result.h"
+
+namespace syncline::eni {
+
+struct BuiltProject {
+  Project project;
+  std::vector<Error> warnings;  // kMissingEsi: configured from the SII; other revision taken ...
+};
+
+/// Project of a scanned bus: the catalogue's device for each identity, else what the SII says.
+[[nodiscard]] BuiltProject project_from_scan(const BusScan& scan, const EsiCatalogue& catalogue);
+/// Offline project: devices in bus order, wired as a line. kUnknownDevice names the identity.
+[[nodiscard]] Result<Project> project_from_devices(const std::vector<Identity>& devices, const EsiCatalogue& catalogue);
+
+}  // namespace syncline::eni

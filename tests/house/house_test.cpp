@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: Apache-2.0
+// The rooms of the house as docs/architecture.md draws them, held against what the sources include.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "tests/support/source_dir.h"
+
+namespace syncline {
+namespace {
+
+namespace fs = std::filesystem;
+using Names = std::set<std::string>;
+
+/// A room and the rooms that it may include; each also what is in itself.
+struct Room {
+  std::string folder;
+  Names may;
+};
+
+const Names kValues{"core/support", "core/protocol", "core/config"};
+
+Names with(Names names, const Names& more) {
+  names.insert(more.begin(), more.end());
+  return names;
+}
+
+std::vector<Room> rooms() {
+  const auto planned = with(kValues, {"core/families", "core/settings", "core/compile"});
+  return {
+      {"core/support", {}},
+      {"core/protocol", {"core/support"}},
+      {"core/findings", {"core/support", "core/protocol"}},
+      {"core/config", {"core/support", "core/protocol"}},
+      {"core/families", kValues},
+      {"core/settings", with(kValues, {"core/families"})},
+      {"core/compile", with(kValues, {"core/families", "core/settings"})},
+      {"core/check", planned},
+      {"core/compare", with(kValues, {"core/families", "core/settings"})},
+      {"core/recover", with(planned, {"core/compare"})},
+      {"core/exports", kValues},
+      {"core/advice", planned},
+      {"core/channels", kValues},
+      {"core/dc", with(kValues, {"core/channels"})},
+      {"core/sim", with(kValues, {"core/families"})},
+      {"core/link", with(kValues, {"core/sim"})},
+      {"core/master",
+       with(planned, {"core/dc", "core/channels", "core/link", "core/check", "core/compare", "core/recover"})},
+      {"core/trace", with(kValues, {"core/dc", "core/channels"})},
+      {"core/diagnosis", with(kValues, {"core/dc", "core/channels", "core/families", "core/findings", "core/trace"})},
+      {"core/engine",
+       with(kValues, {"core/channels", "core/compare", "core/sim", "core/link", "core/master", "core/trace"})},
+  };
+}
+
+/// All sources below `folder`, relative to the project.
+std::vector<std::string> sources(const std::string& folder) {
+  const fs::path root = test::source_dir();
+  std::vector<std::string> found;
+  for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
+    const auto extension = entry.path().extension();
+    if (extension == ".h" || extension == ".cpp") found.push_back(fs::relative(entry.path(), root).generic_string());
+  }
+  std::ranges::sort(found);
+  return found;
+}
+
+std::string text_of(const std::string& file) {
+  std::ifstream in(fs::path(test::source_dir()) / file);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+struct Include {
+  std::string name;
+  bool ours = false;  // in quotes
+};
+
+std::vector<Include> includes_of(const std::string& file) {
+  static const std::regex pattern(R"re(#include ([<"])([^>"]+)[>"])re");
+  const auto text = text_of(file);
+  std::vector<Include> found;
+  for (std::sregex_iterator it(text.begin(), text.end(), pattern), end; it != end; ++it)
+    found.push_back({(*it)[2], (*it)[1] == "\""});
+  return found;
+}
+
+/// Where an include of ours lies; empty when it is made by the build.
+std::string file_of(const std::string& include) {
+  for (const auto& candidate : {"core/" + include, include}) {
+    if (fs::exists(fs::path(test::source_dir()) / candidate)) return candidate;
+  }
+  return {};
+}
+
+std::string folder_of(const std::string& file) { return fs::path(file).parent_path().generic_string(); }
+/// "core/sim" of "core/sim/esc/esc.h", "eni" of "eni/xml/xml_text.h".
+std::string room_of(const std::string& file) {
+  const auto first = file.find('/');
+  const auto place = file.substr(0, first);
+  return place == "core" ? file.substr(0, file.find('/', first + 1)) : place;
+}
+
+class Graph {
+ public:
+  void add(const std::string& from, const std::string& to) {
+    if (from != to) arrows_[from].insert(to);
+  }
+  /// The folders of a circle, in its order; empty when there is none.
+  [[nodiscard]] std::vector<std::string> circle() const {
+    Names done;
+    for (const auto& [folder, targets] : arrows_) {
+      std::vector<std::string> way;
+      if (walk(folder, way, done)) return way;
+    }
+    return {};
+  }
+
+ private:
+  bool walk(const std::string& folder, std::vector<std::string>& way, Names& done) const {
+    if (const auto seen = std::ranges::find(way, folder); seen != way.end()) {
+      way.erase(way.begin(), seen);
+      return true;
+    }
+    if (done.contains(folder)) return false;
+    way.push_back(folder);
+    if (const auto found = arrows_.find(folder); found != arrows_.end()) {
+      for (const auto& target : found->second) {
+        if (walk(target, way, done)) return true;
+      }
+    }
+    way.pop_back();
+    done.insert(folder);
+    return false;
+  }
+  std::map<std::string, Names> arrows_;
+};
+
+TEST(House, RoomsIncludeOnlyWhatStandsBelowThem) {
+  const auto all = rooms();
+  Names known;
+  for (const auto& room : all) {
+    for (const auto& below : room.may)
+      EXPECT_TRUE(known.contains(below)) << room.folder << " stands in front of " << below;
+    known.insert(room.folder);
+    for (const auto& file : sources(room.folder)) {
+      for (const auto& include : includes_of(file)) {
+        if (!include.ours) continue;
+        const auto target = file_of(include.name);
+        ASSERT_FALSE(target.empty()) << file << " includes " << include.name;
+        const auto other = room_of(target);
+        EXPECT_TRUE(other == room.folder || room.may.contains(other)) << file << " includes " << target;
+      }
+    }
+  }
+  for (const auto& entry : fs::directory_iterator(fs::path(test::source_dir()) / "core")) {
+    if (entry.is_directory()) EXPECT_TRUE(known.contains("core/" + entry.path().filename().string())) << entry.path();
+  }
+}
+
+TEST(House, NoFoldersIncludeEachOther) {
+  Graph graph;
+  for (const char* place : {"core", "eni", "ui", "app"}) {
+    for (const auto& file : sources(place)) {
+      for (const auto& include : includes_of(file)) {
+        if (const auto target = include.ours ? file_of(include.name) : std::string(); !target.empty())
+          graph.add(folder_of(file), folder_of(target));
+      }
+    }
+  }
+  EXPECT_EQ(graph.circle(), std::vector<std::string>());
+}
+
+TEST(House, OnlookersSeeTheChannelsAndNotTheCore) {
+  for (const char* place : {"ui", "eni"}) {
+    for (const auto& file : sources(place)) {
+      for (const auto& include : includes_of(file)) {
+        const auto target = include.ours ? file_of(include.name) : std::string();
+        const auto room = target.empty() ? std::string() : room_of(target);
+        const bool core = room == "core/sim" || room == "core/master" || room == "core/link";
+        EXPECT_FALSE(core) << file << " includes " << target;
+        EXPECT_FALSE(room == "app") << file << " includes " << target;
+        if (std::string(place) == "eni") EXPECT_FALSE(room == "ui") << file << " includes " << target;
+      }
+    }
+  }
+}
+
+TEST(House, TheCoreKnowsNeitherQtNorXml) {
+  for (const char* place : {"core", "eni", "app/cli", "app/composition"}) {
+    for (const auto& file : sources(place)) {
+      for (const auto& include : includes_of(file)) {
+        EXPECT_FALSE(!include.ours && (include.name.front() == 'Q' || include.name.starts_with("qwt"))) << file;
+        EXPECT_FALSE(std::string(place) == "core" && include.name == "tinyxml2.h") << file;
+      }
+    }
+  }
+}
+
+TEST(House, EachRoomSaysWhatLivesInIt) {
+  auto folders = rooms();
+  for (const char* place : {"eni", "ui", "app"}) folders.push_back({place, {}});
+  for (const auto& room : folders) {
+    const auto text = text_of(room.folder + "/README.md");
+    EXPECT_TRUE(text.starts_with("# " + room.folder)) << room.folder << "/README.md";
+    EXPECT_NE(text.find("ay include"), std::string::npos) << room.folder;
+  }
+}
+
+TEST(House, EachSourceNamesItsLicence) {
+  for (const char* place : {"core", "eni", "ui", "app", "tests"}) {
+    for (const auto& file : sources(place)) {
+      EXPECT_TRUE(text_of(file).starts_with("// SPDX-License-Identifier: Apache-2.0\n")) << file;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace syncline

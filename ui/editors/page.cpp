@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/editors/page.h"
+
+#include "ui/editors/field_binder.h"
+#include "ui/session/workspace.h"
+
+namespace syncline::ui {
+
+Page::Page(Workspace& workspace, const char* object_name, const QString& title)
+    : workspace_(workspace), fields_(new FieldBinder(*this)), title_(title) {
+  setObjectName(QLatin1String(object_name));
+  setAccessibleName(title);
+  setFrameShape(QFrame::NoFrame);
+  setWidgetResizable(true);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
+  viewport()->setAutoFillBackground(false);
+}
+
+void Page::setNode(int slave) {
+  // What was typed belongs to the node that was shown.
+  if (slave != slave_ && !fields_->commit()) fields_->revert();
+  slave_ = slave;
+  refresh();
+  showLive(workspace_.live().snapshot());
+}
+
+void Page::showEvent(QShowEvent* event) {
+  QScrollArea::showEvent(event);
+  showLive(workspace_.live().snapshot());
+}
+
+const Project& Page::project() const { return workspace_.document().project(); }
+
+QString Page::set(const QString& text, std::vector<SettingEdit> edits) {
+  const auto status = workspace_.document().set(text, std::move(edits));
+  if (status) return {};
+  workspace_.report(status.error(), Severity::kWarning, tr("Project"));
+  refresh();
+  return QString::fromStdString(status.error().detail);
+}
+
+}  // namespace syncline::ui
