@@ -236,6 +236,30 @@ TEST_F(Fields, WhatWasTypedBelongsToTheSlaveThatWasShown) {
   EXPECT_EQ(project().slaves[2].alias, 0);
 }
 
+TEST_F(Fields, WhatIsTypedGoesWithItsMachine) {
+  show(1, "slaveGeneralPage");
+  test::type(field("slaveAlias"), QStringLiteral("7"), false);
+  auto other = editableProject();
+  other.slaves.pop_back();
+  workspace_.document().replace(QStringLiteral("scan"), other);
+  window_.selectNode(-1);
+  EXPECT_EQ(project(), other);
+}
+
+TEST_F(Fields, AMenuOverAFieldDoesNotEndTheTyping) {
+  for (const auto& [node, page, name] : {std::tuple{-1, "masterGeneralPage", "masterName"},
+                                         std::tuple{-1, "masterGeneralPage", "masterCycle"},
+                                         std::tuple{1, "slaveGeneralPage", "slaveAlias"}}) {
+    show(node, page);
+    test::type(field(name), QStringLiteral("5"), false);
+    QFocusEvent menu(QEvent::FocusOut, Qt::PopupFocusReason);
+    QApplication::sendEvent(&field(name), &menu);
+    EXPECT_EQ(project(), editableProject()) << name;
+    EXPECT_TRUE(fieldOf(&field(name))->pending()) << name;
+    QTest::keyClick(&field(name), Qt::Key_Escape);
+  }
+}
+
 TEST_F(Fields, EachSaysWhatItMeansAndWhereItGoes) {
   for (auto* page : window_.editor().pages()) {
     for (const auto& bound : page->fields().bound()) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <QFocusEvent>
 #include <QKeyEvent>
 #include <QWidget>
 
@@ -24,6 +25,9 @@ class Field {
 /// The key belongs to a command of the window (an enabled action with that shortcut), so that the field must not take
 /// it for itself: undo, redo, export ...
 [[nodiscard]] bool isCommandKey(const QWidget& field, const QKeyEvent& event);
+
+/// A menu that opens over the field does not end the typing.
+[[nodiscard]] inline bool leavesField(const QFocusEvent& event) { return event.reason() != Qt::PopupFocusReason; }
 
 /// Marks the control and says why; empty: unmarks it.
 void markField(QWidget& field, const QString& reason);

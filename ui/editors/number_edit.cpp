@@ -128,7 +128,7 @@ void NumberEdit::wheelEvent(QWheelEvent* event) {
 }
 
 void NumberEdit::focusOutEvent(QFocusEvent* event) {
-  commit();
+  if (leavesField(*event)) commit();
   QAbstractSpinBox::focusOutEvent(event);
 }
 

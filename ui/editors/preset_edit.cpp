@@ -71,7 +71,7 @@ void PresetEdit::keyPressEvent(QKeyEvent* event) {
 }
 
 void PresetEdit::focusOutEvent(QFocusEvent* event) {
-  commit();
+  if (leavesField(*event)) commit();
   ChoiceEdit::focusOutEvent(event);
 }
 

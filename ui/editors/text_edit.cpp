@@ -52,7 +52,7 @@ void TextEdit::keyPressEvent(QKeyEvent* event) {
 }
 
 void TextEdit::focusOutEvent(QFocusEvent* event) {
-  commit();
+  if (leavesField(*event)) commit();
   QLineEdit::focusOutEvent(event);
 }
 

@@ -54,6 +54,8 @@ DeviceEditor::DeviceEditor(Workspace& workspace, QWidget* parent) : QWidget(pare
     page->setParent(this);
     page->hide();
   }
+  // Before any selection changes: what is typed belongs to slaves that may be others now.
+  connect(&workspace.document(), &ProjectDocument::slavesReplaced, this, &DeviceEditor::revertFields);
   connect(&workspace.document(), &ProjectDocument::projectChanged, this, [this](bool structural) {
     const auto count = static_cast<int>(workspace_.document().project().slaves.size());
     if (slave_ >= count) slave_ = -1;

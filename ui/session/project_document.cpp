@@ -73,7 +73,7 @@ void ProjectDocument::reset() {
   path_.clear();
   undo_.clear();
   Q_EMIT pathChanged();
-  Q_EMIT projectChanged(true);
+  projectEdited(true);
 }
 
 Status ProjectDocument::load(const QString& path) {
@@ -84,7 +84,7 @@ Status ProjectDocument::load(const QString& path) {
   path_ = path;
   undo_.clear();
   Q_EMIT pathChanged();
-  Q_EMIT projectChanged(true);
+  projectEdited(true);
   return {};
 }
 
@@ -98,6 +98,9 @@ Status ProjectDocument::save(const QString& path) {
   return {};
 }
 
-void ProjectDocument::projectEdited(bool structural) { Q_EMIT projectChanged(structural); }
+void ProjectDocument::projectEdited(bool structural) {
+  if (structural) Q_EMIT slavesReplaced();
+  Q_EMIT projectChanged(structural);
+}
 
 }  // namespace syncline::ui

@@ -47,6 +47,8 @@ class ProjectDocument final : public QObject, private ProjectHolder {
   Status save(const QString& path);
 
  Q_SIGNALS:
+  /// Comes before projectChanged(true), for whoever holds what belongs to the slaves there were.
+  void slavesReplaced();
   /// `structural`: slaves came or went.
   void projectChanged(bool structural);
   void pathChanged();
