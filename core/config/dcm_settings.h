@@ -62,7 +62,4 @@ struct DcmSettings {
 [[nodiscard]] DcmSettings effective_dcm_settings(const DcmSettings& settings);
 [[nodiscard]] Nanoseconds effective_set_value(const DcmSettings& settings, Nanoseconds cycle_time);
 
-/// kBadValue when a parameter is outside its range. The error names parameter, value and range.
-[[nodiscard]] Status check_dcm_settings(const DcmSettings& settings, Nanoseconds cycle_time);
-
 }  // namespace syncline
