@@ -247,9 +247,9 @@ TEST_F(Fields, WhatIsTypedGoesWithItsMachine) {
 }
 
 TEST_F(Fields, AMenuOverAFieldDoesNotEndTheTyping) {
-  for (const auto& [node, page, name] : {std::tuple{-1, "masterGeneralPage", "masterName"},
-                                         std::tuple{-1, "masterGeneralPage", "masterCycle"},
-                                         std::tuple{1, "slaveGeneralPage", "slaveAlias"}}) {
+  for (const auto& [node, page, name] :
+       {std::tuple{-1, "masterGeneralPage", "masterName"}, std::tuple{-1, "masterGeneralPage", "masterCycle"},
+        std::tuple{1, "slaveGeneralPage", "slaveAlias"}}) {
     show(node, page);
     test::type(field(name), QStringLiteral("5"), false);
     QFocusEvent menu(QEvent::FocusOut, Qt::PopupFocusReason);
