@@ -64,7 +64,7 @@ void Esc::note_addresses() {
 }
 
 bool Esc::is_untouched_by(const PassingFrame& frame) {
-  if (reset_step_ != 0 || ports_.port0_automatically_closed()) return false;
+  if (reset_.begun() || ports_.port0_automatically_closed()) return false;
   if ((memory_.u16(reg::kEcatEventRequest) & memory_.u16(reg::kEcatEventMask)) != 0) return false;
   return !is_called_by(frame);
 }
@@ -78,7 +78,7 @@ bool Esc::is_untouched_by(const PassingFrame& frame) {
   frame_time_ = time;
   if (maps_stale_) reload_maps();
   frame.add_event(static_cast<std::uint16_t>(memory_.u16(reg::kEcatEventRequest) & memory_.u16(reg::kEcatEventMask)));
-  touched_ = reset_step_ != 0 || ports_.changed();
+  touched_ = reset_.begun() || ports_.changed();
   if (const auto* plan = plan_for(frame)) {
     follow(*plan, frame.bytes());
     frame.pass(plan->wkc);
@@ -266,16 +266,6 @@ void Esc::commit_register(const Write& write, Nanoseconds time) {
   }
 }
 
-void Esc::follow_reset_sequence(bool written) {
-  const auto value = memory_.u8(reg::kEscReset);
-  if (!written || reset_step_ >= kResetSequence.size() || value != kResetSequence[reset_step_]) {
-    reset_step_ = written && value == kResetSequence[0] ? 1 : 0;
-  } else {
-    ++reset_step_;
-  }
-  memory_.set<std::uint8_t>(reg::kEscReset, static_cast<std::uint8_t>(reset_step_));
-}
-
 void Esc::frame_damaged() {
   writes_.clear();
   time_size_ = 0;
@@ -306,7 +296,7 @@ void Esc::take_over(const Write& write, std::span<const std::uint8_t> bytes) {
 [[gnu::flatten]] void Esc::frame_end(Nanoseconds time) {
   dc_.advance_to(time);
   if (time_size_ != 0) dc_.system_time_received(std::exchange(time_size_, std::uint8_t{0}), time_received_, time);
-  if (!writes_.empty() || latch_unit_ || reset_step_ != 0) commit_all(time);
+  if (!writes_.empty() || latch_unit_ || reset_.begun()) commit_all(time);
   if ((sm_written_ | sm_read_) != 0) end_transfers(time);
 }
 
@@ -336,7 +326,7 @@ void Esc::take_over(const Write& write, std::span<const std::uint8_t> bytes) {
     quiet_until_ = INT64_MIN;
     if (sii_.advance_to(time)) load_configuration();
   }
-  if (reset_written || reset_step_ != 0) follow_reset_sequence(reset_written);
+  if (reset_written || reset_.begun()) reset_.end_of_frame(reset_written);
   writes_.clear();
   shadow_size_ = 0;
   if (latch_unit_) dc_.latch_processing_unit();

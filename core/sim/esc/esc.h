@@ -20,6 +20,7 @@
 #include "sim/esc/passing_frame.h"
 #include "sim/esc/pdi_watchdog.h"
 #include "sim/esc/process_data_watchdog.h"
+#include "sim/esc/reset_sequence.h"
 #include "sim/esc/sii_interface.h"
 #include "sim/esc/three_buffers.h"
 #include "sim/registers/esc_memory.h"
@@ -151,13 +152,12 @@ class Esc {
   [[nodiscard]] bool device_emulation() const { return options_.device_emulation; }
   [[nodiscard]] EscPorts& ports() { return ports_; }
   /// R, E and S were written to 0x0040 by three consecutive frames: the slave starts anew.
-  [[nodiscard]] bool reset_requested() const { return reset_step_ == kResetSequence.size(); }
+  [[nodiscard]] bool reset_requested() const { return reset_.complete(); }
   /// What the EEPROM holds, over power cycles.
   [[nodiscard]] SiiInterface& sii() { return sii_; }
   [[nodiscard]] const std::vector<std::uint8_t>& sii_content() const { return sii_.content(); }
 
  private:
-  static constexpr std::array<std::uint8_t, 3> kResetSequence{'R', 'E', 'S'};
   static constexpr std::size_t kMaxFrameBody = 0x0800;  // the length in the EtherCAT header has 11 bits
   struct Write {
     std::uint16_t address;
@@ -219,7 +219,6 @@ class Esc {
   void commit_register(const Write& write, Nanoseconds time);
   /// Forwarding rule for a circulating frame; false: it is destroyed.
   [[nodiscard]] bool mark_circulating(std::span<PassingDatagram> datagrams);
-  void follow_reset_sequence(bool written);
   void load_configuration();
   void reload_maps();
   void implement_registers();
@@ -254,6 +253,7 @@ class Esc {
   ProcessDataWatchdog watchdog_;
   PdiWatchdog pdi_watchdog_;
   WriteProtection protection_;
+  ResetSequence reset_;
   Listener* listener_ = nullptr;
   /// An active FMMU; with the buffered SyncManager that it maps as a whole, where nothing but the write protection can
   /// forbid such an access: the usual case, which is then decided once and not in each frame.
@@ -278,7 +278,6 @@ class Esc {
   std::uint32_t generation_ = 1;                                      // of the settings that plans are made by
   std::uint32_t addresses_generation_ = 0, station_ = 0, alias_ = 0;  // the addresses of that generation
   Nanoseconds idle_until_ = INT64_MIN;
-  std::size_t reset_step_ = 0;
   bool sync_silent_ = false, prompt_ = false;
   std::uint32_t minded_ = ~0U;           // SyncManagers whose transfers the device is told of
   std::uint32_t renewed_by_signal_ = 0;  // bit per SyncManager

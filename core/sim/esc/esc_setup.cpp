@@ -21,6 +21,7 @@ Esc::Esc(const SimSlaveConfig& config, std::vector<std::uint8_t> sii, const Opti
       watchdog_(memory_),
       pdi_watchdog_(memory_),
       protection_(memory_),
+      reset_(memory_),
       sync_managers_(options.sync_manager_count),
       pending_(options.sync_manager_count),
       buffers_(memory_, options.sync_manager_count) {
