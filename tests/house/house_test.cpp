@@ -161,7 +161,9 @@ TEST(House, RoomsIncludeOnlyWhatStandsBelowThem) {
     }
   }
   for (const auto& entry : fs::directory_iterator(fs::path(test::source_dir()) / "core")) {
-    if (entry.is_directory()) EXPECT_TRUE(known.contains("core/" + entry.path().filename().string())) << entry.path();
+    if (entry.is_directory()) {
+      EXPECT_TRUE(known.contains("core/" + entry.path().filename().string())) << entry.path();
+    }
   }
 }
 
@@ -187,7 +189,9 @@ TEST(House, OnlookersSeeTheChannelsAndNotTheCore) {
         const bool core = room == "core/sim" || room == "core/master" || room == "core/link";
         EXPECT_FALSE(core) << file << " includes " << target;
         EXPECT_FALSE(room == "app") << file << " includes " << target;
-        if (std::string(place) == "eni") EXPECT_FALSE(room == "ui") << file << " includes " << target;
+        if (std::string(place) == "eni") {
+          EXPECT_FALSE(room == "ui") << file << " includes " << target;
+        }
       }
     }
   }
