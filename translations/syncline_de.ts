@@ -163,6 +163,14 @@
             <source>Version, licence and trademarks</source>
             <translation>Version, Lizenz und Marken</translation>
         </message>
+        <message>
+            <source>&amp;Expert Settings</source>
+            <translation>&amp;Experteneinstellungen</translation>
+        </message>
+        <message>
+            <source>Show the settings that few machines need</source>
+            <translation>Die Einstellungen zeigen, die wenige Maschinen brauchen</translation>
+        </message>
     </context>
     <context>
         <name>BusCommands</name>
@@ -1626,6 +1634,18 @@
             <source>Frames that came back after their cycle</source>
             <translation>Frames, die nach ihrem Zyklus zurückkamen</translation>
         </message>
+        <message>
+            <source>Frame Addresses</source>
+            <translation>Adressen der Rahmen</translation>
+        </message>
+        <message>
+            <source>Process Image</source>
+            <translation>Prozessabbild</translation>
+        </message>
+        <message>
+            <source>Real Time</source>
+            <translation>Echtzeit</translation>
+        </message>
     </context>
     <context>
         <name>MessageModel</name>
@@ -1837,6 +1857,10 @@ Einstellung %2</translation>
             <source>%1 assigned</source>
             <translation>%1 zugeordnet</translation>
         </message>
+        <message>
+            <source>As slave, PDO and entry</source>
+            <translation>Wie Slave, PDO und Eintrag</translation>
+        </message>
     </context>
     <context>
         <name>ProjectDocument</name>
@@ -2021,6 +2045,18 @@ Einstellung %2</translation>
             <source>Does not follow</source>
             <translation>Folgt nicht</translation>
         </message>
+        <message>
+            <source>CAN</source>
+            <translation>CAN</translation>
+        </message>
+        <message>
+            <source>Output Pins</source>
+            <translation>Ausgangspins</translation>
+        </message>
+        <message>
+            <source>Pin %1</source>
+            <translation>Pin %1</translation>
+        </message>
     </context>
     <context>
         <name>SlaveGeneralPage</name>
@@ -2113,14 +2149,6 @@ Einstellung %2</translation>
             <translation>Positionsadresse, bevor die Stationsadresse gesetzt ist</translation>
         </message>
         <message>
-            <source>Connected to</source>
-            <translation>Angeschlossen an</translation>
-        </message>
-        <message>
-            <source>Slave and port in front of this one (ENI PreviousPort)</source>
-            <translation>Slave und Port davor (ENI PreviousPort)</translation>
-        </message>
-        <message>
             <source>Current state</source>
             <translation>Aktueller Zustand</translation>
         </message>
@@ -2187,6 +2215,18 @@ Einstellung %2</translation>
         <message>
             <source>%1 + error</source>
             <translation>%1 + Fehler</translation>
+        </message>
+        <message>
+            <source>Place on the Bus</source>
+            <translation>Platz am Bus</translation>
+        </message>
+        <message>
+            <source>In front</source>
+            <translation>Davor</translation>
+        </message>
+        <message>
+            <source>Slave and port in front of this one</source>
+            <translation>Slave und Port vor diesem</translation>
         </message>
     </context>
     <context>
@@ -3333,12 +3373,588 @@ Einstellung %2</translation>
             <source>Object %1</source>
             <translation>Objekt %1</translation>
         </message>
+        <message>
+            <source>Destination address</source>
+            <translation>Zieladresse</translation>
+        </message>
+        <message>
+            <source>Destination address of the frames; broadcast unless a switch demands another.</source>
+            <translation>Zieladresse der Rahmen; Broadcast, sofern kein Switch eine andere verlangt.</translation>
+        </message>
+        <message>
+            <source>Source address</source>
+            <translation>Quelladresse</translation>
+        </message>
+        <message>
+            <source>Source address in the ENI file; zeros leave it to the network card.</source>
+            <translation>Quelladresse in der ENI-Datei; Nullen überlassen sie der Netzwerkkarte.</translation>
+        </message>
+        <message>
+            <source>Asking the clock</source>
+            <translation>Uhr abfragen</translation>
+        </message>
+        <message>
+            <source>Most of each wait that is spent asking the clock: earlier wake-ups for processor time. Used is what this host needs for 99 of 100 frames to leave at most 2 % of the cycle late, and at most a quarter of the cycle.</source>
+            <translation>Höchster Teil jeder Wartezeit, in dem die Uhr abgefragt wird: früheres Aufwachen gegen Prozessorzeit. Benutzt wird, was dieser Rechner braucht, damit 99 von 100 Rahmen höchstens 2 % des Zyklus zu spät gehen, und höchstens ein Viertel des Zyklus.</translation>
+        </message>
+        <message>
+            <source>Processor</source>
+            <translation>Prozessor</translation>
+        </message>
+        <message>
+            <source>Processor that the cyclic thread is bound to; auto leaves it to the system.</source>
+            <translation>Prozessor, an den der zyklische Thread gebunden wird; auto überlässt es dem System.</translation>
+        </message>
+        <message>
+            <source>Continuous propagation compensation</source>
+            <translation>Laufzeiten ständig nachmessen</translation>
+        </message>
+        <message>
+            <source>Measures the propagation delays again every 30 s and corrects them in small steps.</source>
+            <translation>Misst die Laufzeiten alle 30 s neu und korrigiert sie in kleinen Schritten.</translation>
+        </message>
+        <message>
+            <source>Burst, frames</source>
+            <translation>Burst, Rahmen</translation>
+        </message>
+        <message>
+            <source>Frames of the first drift compensation (FRMW or ARMW of 0x0910).</source>
+            <translation>Rahmen des ersten Driftausgleichs (FRMW oder ARMW auf 0x0910).</translation>
+        </message>
+        <message>
+            <source>Burst, frames a cycle</source>
+            <translation>Burst, Rahmen je Zyklus</translation>
+        </message>
+        <message>
+            <source>Frames of that burst in one cycle.</source>
+            <translation>Rahmen dieses Bursts in einem Zyklus.</translation>
+        </message>
+        <message>
+            <source>Burst ends early</source>
+            <translation>Burst endet früher</translation>
+        </message>
+        <message>
+            <source>The burst ends when all slaves have settled.</source>
+            <translation>Der Burst endet, sobald alle Slaves eingeschwungen sind.</translation>
+        </message>
+        <message>
+            <source>Lead of the start time</source>
+            <translation>Vorlauf der Startzeit</translation>
+        </message>
+        <message>
+            <source>Lead of the SYNC start time (0x0990) on the time of writing it.</source>
+            <translation>Vorlauf der SYNC-Startzeit (0x0990) vor dem Zeitpunkt, zu dem sie geschrieben wird.</translation>
+        </message>
+        <message>
+            <source>Grid of the start time</source>
+            <translation>Raster der Startzeit</translation>
+        </message>
+        <message>
+            <source>Start times are multiples of this; 0 is the bus cycle.</source>
+            <translation>Startzeiten sind Vielfache davon; 0 ist der Buszyklus.</translation>
+        </message>
+        <message>
+            <source>First slave leads</source>
+            <translation>Erster Slave führt</translation>
+        </message>
+        <message>
+            <source>The first slave on the bus that has a system time leads, whatever is configured.</source>
+            <translation>Der erste Slave am Bus mit einer Systemzeit führt, was auch immer konfiguriert ist.</translation>
+        </message>
+        <message>
+            <source>Synchronise all slaves</source>
+            <translation>Alle Slaves synchronisieren</translation>
+        </message>
+        <message>
+            <source>Every slave that has a system time is synchronised, with or without a DC operation mode.</source>
+            <translation>Jeder Slave mit einer Systemzeit wird synchronisiert, mit oder ohne DC-Betriebsart.</translation>
+        </message>
+        <message>
+            <source>Delay measurements</source>
+            <translation>Laufzeitmessungen</translation>
+        </message>
+        <message>
+            <source>Latches of the receive times (0x0900) whose medians give the propagation delays.</source>
+            <translation>Latches der Empfangszeiten (0x0900), deren Mediane die Laufzeiten ergeben.</translation>
+        </message>
+        <message>
+            <source>Delay difference</source>
+            <translation>Laufzeitdifferenz</translation>
+        </message>
+        <message>
+            <source>Processing minus forwarding latency of the ESCs (tDiff of their data sheets); auto is 40 ns.</source>
+            <translation>Verarbeitungs- minus Weiterleitungszeit der ESCs (tDiff ihrer Datenblätter); auto ist 40 ns.</translation>
+        </message>
+        <message>
+            <source>Speed counter start</source>
+            <translation>Startwert Speed Counter</translation>
+        </message>
+        <message>
+            <source>Start value of the slaves' time control loops (0x0930): small ones follow faster, large ones smoother; auto suits the cycle.</source>
+            <translation>Startwert der Zeitregelkreise der Slaves (0x0930): kleine folgen schneller, große ruhiger; auto passt zum Zyklus.</translation>
+        </message>
+        <message>
+            <source>Filter depth, difference</source>
+            <translation>Filtertiefe Differenz</translation>
+        </message>
+        <message>
+            <source>Exponent of the average over the time differences (0x0934); auto is 0.</source>
+            <translation>Exponent des Mittelwerts über die Zeitdifferenzen (0x0934); auto ist 0.</translation>
+        </message>
+        <message>
+            <source>Filter depth, speed counter</source>
+            <translation>Filtertiefe Speed Counter</translation>
+        </message>
+        <message>
+            <source>Exponent of the average over the clock period deviation (0x0935); auto is 8.</source>
+            <translation>Exponent des Mittelwerts über die Abweichung der Taktperiode (0x0935); auto ist 8.</translation>
+        </message>
+        <message>
+            <source>Tell of the reference clock</source>
+            <translation>Referenzuhr melden</translation>
+        </message>
+        <message>
+            <source>Tells presence and loss of the reference clock.</source>
+            <translation>Meldet, dass die Referenzuhr da ist oder verloren ging.</translation>
+        </message>
+        <message>
+            <source>Tell of slaves in sync</source>
+            <translation>Slaves synchron melden</translation>
+        </message>
+        <message>
+            <source>Tells when the slaves come in sync and fall out of it.</source>
+            <translation>Meldet, wann die Slaves synchron werden und wann nicht mehr.</translation>
+        </message>
+        <message>
+            <source>Tell of the clocks' state</source>
+            <translation>Zustand der Uhren melden</translation>
+        </message>
+        <message>
+            <source>Tells that the distributed clocks are initialised, or why not.</source>
+            <translation>Meldet, dass die verteilten Uhren initialisiert sind, oder warum nicht.</translation>
+        </message>
+        <message>
+            <source>Tell of the master in sync</source>
+            <translation>Master synchron melden</translation>
+        </message>
+        <message>
+            <source>Tells when the master comes in sync and falls out of it.</source>
+            <translation>Meldet, wann der Master synchron wird und wann nicht mehr.</translation>
+        </message>
+        <message>
+            <source>Gain</source>
+            <translation>Verstärkung</translation>
+        </message>
+        <message>
+            <source>Share of the control error that one cycle corrects while in sync (nCtlGain), in thousandths; 0 is 2.</source>
+            <translation>Anteil des Regelfehlers, den ein Zyklus im synchronen Zustand korrigiert (nCtlGain), in Tausendsteln; 0 ist 2.</translation>
+        </message>
+        <message>
+            <source>Drift error gain</source>
+            <translation>Verstärkung Driftfehler</translation>
+        </message>
+        <message>
+            <source>Multiplies the integral gain (nCtlDriftErrorGain): more follows a changing drift faster and lets more noise through; 0 is 3.</source>
+            <translation>Vervielfacht die Integralverstärkung (nCtlDriftErrorGain): mehr folgt einer wechselnden Drift schneller und lässt mehr Rauschen durch; 0 ist 3.</translation>
+        </message>
+        <message>
+            <source>Valid readings</source>
+            <translation>Gültige Messwerte</translation>
+        </message>
+        <message>
+            <source>Readings further than this from what is expected are invalid (nMaxValidVal); 0 is 3000 ns.</source>
+            <translation>Messwerte, die weiter als dies vom Erwarteten entfernt sind, sind ungültig (nMaxValidVal); 0 ist 3000 ns.</translation>
+        </message>
+        <message>
+            <source>Start delay</source>
+            <translation>Startverzögerung</translation>
+        </message>
+        <message>
+            <source>Wait before the control error is judged.</source>
+            <translation>Wartezeit, bevor der Regelfehler beurteilt wird.</translation>
+        </message>
+        <message>
+            <source>Control off</source>
+            <translation>Regelung aus</translation>
+        </message>
+        <message>
+            <source>Nothing is moved, so that the natural drift and the adjustment that would be made can be read (bCtlOff).</source>
+            <translation>Nichts wird bewegt, so dass die natürliche Drift und die Korrektur, die gemacht würde, abzulesen sind (bCtlOff).</translation>
+        </message>
+        <message>
+            <source>Standard loop values</source>
+            <translation>Standardwerte der Regelkreise</translation>
+        </message>
+        <message>
+            <source>Leaves the time control loops of the slaves (0x0930, 0x0934) at the values of their reset.</source>
+            <translation>Lässt die Zeitregelkreise der Slaves (0x0930, 0x0934) auf den Werten nach dem Reset.</translation>
+        </message>
+        <message>
+            <source>Controller log</source>
+            <translation>Protokoll des Reglers</translation>
+        </message>
+        <message>
+            <source>Keeps the log of the controller, one line a cycle (bLogEnabled).</source>
+            <translation>Führt das Protokoll des Reglers, eine Zeile je Zyklus (bLogEnabled).</translation>
+        </message>
+        <message>
+            <source>Network</source>
+            <translation>Netz</translation>
+        </message>
+        <message>
+            <source>Name of this network, where a machine has several (--network).</source>
+            <translation>Name dieses Netzes, wenn eine Maschine mehrere hat (--network).</translation>
+        </message>
+        <message>
+            <source>Logical start address</source>
+            <translation>Logische Startadresse</translation>
+        </message>
+        <message>
+            <source>Logical address of the first process data; auto as the dialect's tool.</source>
+            <translation>Logische Adresse der ersten Prozessdaten; auto wie das Werkzeug des Dialekts.</translation>
+        </message>
+        <message>
+            <source>Alignment</source>
+            <translation>Ausrichtung</translation>
+        </message>
+        <message>
+            <source>The data of each slave begin at a multiple of so many bytes in the process image.</source>
+            <translation>Die Daten jedes Slaves beginnen im Prozessabbild an einem Vielfachen von so vielen Bytes.</translation>
+        </message>
+        <message>
+            <source>Bit packing</source>
+            <translation>Bitweise packen</translation>
+        </message>
+        <message>
+            <source>Digital terminals are mapped bit by bit and may share bytes; off gives each whole bytes.</source>
+            <translation>Digitale Klemmen werden bitweise abgebildet und können sich Bytes teilen; aus gibt jeder ganze Bytes.</translation>
+        </message>
+        <message>
+            <source>Connected to</source>
+            <translation>Verbunden mit</translation>
+        </message>
+        <message>
+            <source>Where the slave is plugged in towards the master. One behind it only when that one's cables are swapped.</source>
+            <translation>Wo der Slave in Richtung Master steckt. Einer hinter ihm nur, wenn dessen Kabel vertauscht sind.</translation>
+        </message>
+        <message>
+            <source>Hot-connect group</source>
+            <translation>Hot-Connect-Gruppe</translation>
+        </message>
+        <message>
+            <source>This slave and those behind it may be absent and be plugged in anywhere, known by this slave's alias.</source>
+            <translation>Dieser Slave und die hinter ihm dürfen fehlen und überall gesteckt werden, erkannt am Alias dieses Slaves.</translation>
+        </message>
+        <message>
+            <source>Optional</source>
+            <translation>Optional</translation>
+        </message>
+        <message>
+            <source>The slave may be missing; it is known by its device ID or alias, and the others run without it.</source>
+            <translation>Der Slave darf fehlen; er wird an seiner Geräte-ID oder am Alias erkannt, und die anderen laufen ohne ihn.</translation>
+        </message>
+        <message>
+            <source>Revision rule</source>
+            <translation>Revisionsregel</translation>
+        </message>
+        <message>
+            <source>How check.revision compares (ETG.2000 CheckRevisionNo): LW and HW are the low and high words, G is newer; auto as in the ESI.</source>
+            <translation>Wie check.revision vergleicht (ETG.2000 CheckRevisionNo): LW und HW sind unteres und oberes Wort, G ist neuer; auto wie in der ESI.</translation>
+        </message>
+        <message>
+            <source>Compares the alias in the slave (0x0012) with the configured one at start-up.</source>
+            <translation>Vergleicht beim Start den Alias im Slave (0x0012) mit dem konfigurierten.</translation>
+        </message>
+        <message>
+            <source>Device ID</source>
+            <translation>Geräte-ID</translation>
+        </message>
+        <message>
+            <source>Explicit device ID (switches or display of the device, ETG.1020) that is compared at start-up.</source>
+            <translation>Explizite Geräte-ID (Schalter oder Anzeige des Geräts, ETG.1020), die beim Start verglichen wird.</translation>
+        </message>
+        <message>
+            <source>Watchdog divider</source>
+            <translation>Watchdog-Teiler</translation>
+        </message>
+        <message>
+            <source>Watchdog divider (0x0400): unit of the watchdogs is (value + 2) * 40 ns; auto as in the ESI.</source>
+            <translation>Watchdog-Teiler (0x0400): Einheit der Watchdogs ist (Wert + 2) * 40 ns; auto wie in der ESI.</translation>
+        </message>
+        <message>
+            <source>PDI watchdog</source>
+            <translation>PDI-Watchdog</translation>
+        </message>
+        <message>
+            <source>PDI watchdog (0x0410) in units of the divider; 0 switches it off; auto as in the ESI.</source>
+            <translation>PDI-Watchdog (0x0410) in Einheiten des Teilers; 0 schaltet ihn ab; auto wie in der ESI.</translation>
+        </message>
+        <message>
+            <source>Process data watchdog</source>
+            <translation>Prozessdaten-Watchdog</translation>
+        </message>
+        <message>
+            <source>Process data watchdog (0x0420) in units of the divider; 0 switches it off; auto as in the ESI.</source>
+            <translation>Prozessdaten-Watchdog (0x0420) in Einheiten des Teilers; 0 schaltet ihn ab; auto wie in der ESI.</translation>
+        </message>
+        <message>
+            <source>Outputs trigger the watchdog</source>
+            <translation>Ausgänge lösen Watchdog aus</translation>
+        </message>
+        <message>
+            <source>Outputs trigger the process data watchdog (control byte of their SyncManagers, bit 6); auto as in the ESI.</source>
+            <translation>Ausgänge triggern den Prozessdaten-Watchdog (Steuerbyte ihrer SyncManager, Bit 6); auto wie in der ESI.</translation>
+        </message>
+        <message>
+            <source>INIT to PREOP</source>
+            <translation>INIT nach PREOP</translation>
+        </message>
+        <message>
+            <source>Time-out for INIT to PREOP or BOOT; auto as in the ESI.</source>
+            <translation>Zeitlimit für INIT nach PREOP oder BOOT; auto wie in der ESI.</translation>
+        </message>
+        <message>
+            <source>PREOP to SAFEOP to OP</source>
+            <translation>PREOP nach SAFEOP nach OP</translation>
+        </message>
+        <message>
+            <source>Time-out for PREOP to SAFEOP and SAFEOP to OP; auto as in the ESI.</source>
+            <translation>Zeitlimit für PREOP nach SAFEOP und SAFEOP nach OP; auto wie in der ESI.</translation>
+        </message>
+        <message>
+            <source>Back to INIT</source>
+            <translation>Zurück nach INIT</translation>
+        </message>
+        <message>
+            <source>Time-out for the way back to INIT; auto as in the ESI.</source>
+            <translation>Zeitlimit für den Weg zurück nach INIT; auto wie in der ESI.</translation>
+        </message>
+        <message>
+            <source>Back to SAFEOP</source>
+            <translation>Zurück nach SAFEOP</translation>
+        </message>
+        <message>
+            <source>Time-out for OP to SAFEOP; auto as in the ESI.</source>
+            <translation>Zeitlimit für OP nach SAFEOP; auto wie in der ESI.</translation>
+        </message>
+        <message>
+            <source>Mailbox request</source>
+            <translation>Mailbox-Anfrage</translation>
+        </message>
+        <message>
+            <source>Time-out for the slave to take a mailbox request; auto as in the ESI.</source>
+            <translation>Zeit, in der der Slave eine Mailbox-Anfrage annehmen muss; auto wie in der ESI.</translation>
+        </message>
+        <message>
+            <source>Mailbox response</source>
+            <translation>Mailbox-Antwort</translation>
+        </message>
+        <message>
+            <source>Time-out for the slave to answer a mailbox request; auto as in the ESI.</source>
+            <translation>Zeit, in der der Slave eine Mailbox-Anfrage beantworten muss; auto wie in der ESI.</translation>
+        </message>
+        <message>
+            <source>Output mailbox</source>
+            <translation>Ausgangs-Mailbox</translation>
+        </message>
+        <message>
+            <source>Size of the output mailbox; auto as in the ESI.</source>
+            <translation>Größe der Ausgangs-Mailbox; auto wie in der ESI.</translation>
+        </message>
+        <message>
+            <source>Input mailbox</source>
+            <translation>Eingangs-Mailbox</translation>
+        </message>
+        <message>
+            <source>Size of the input mailbox; auto as in the ESI.</source>
+            <translation>Größe der Eingangs-Mailbox; auto wie in der ESI.</translation>
+        </message>
+        <message>
+            <source>Mailbox state by a bit</source>
+            <translation>Mailbox-Zustand als Bit</translation>
+        </message>
+        <message>
+            <source>The master learns of mail by a bit in the cyclic frames, where the device has an FMMU for it; off: it polls.</source>
+            <translation>Der Master erfährt von Post durch ein Bit in den zyklischen Rahmen, wenn das Gerät eine FMMU dafür hat; aus: er fragt nach.</translation>
+        </message>
+        <message>
+            <source>Poll time</source>
+            <translation>Abfragezeit</translation>
+        </message>
+        <message>
+            <source>How often the mailbox is polled; auto as the dialect's tool.</source>
+            <translation>Wie oft die Mailbox abgefragt wird; auto wie das Werkzeug des Dialekts.</translation>
+        </message>
+        <message>
+            <source>Ethernet (EoE)</source>
+            <translation>Ethernet (EoE)</translation>
+        </message>
+        <message>
+            <source>Ethernet frames are passed to and from the slave (EoE).</source>
+            <translation>Ethernet-Rahmen werden zum Slave und von ihm weitergereicht (EoE).</translation>
+        </message>
+        <message>
+            <source>Ethernet address</source>
+            <translation>Ethernet-Adresse</translation>
+        </message>
+        <message>
+            <source>Ethernet address that the slave gets at start-up (EoE).</source>
+            <translation>Ethernet-Adresse, die der Slave beim Start bekommt (EoE).</translation>
+        </message>
+        <message>
+            <source>IP address</source>
+            <translation>IP-Adresse</translation>
+        </message>
+        <message>
+            <source>IP address that the slave gets at start-up (EoE).</source>
+            <translation>IP-Adresse, die der Slave beim Start bekommt (EoE).</translation>
+        </message>
+        <message>
+            <source>Subnet mask</source>
+            <translation>Subnetzmaske</translation>
+        </message>
+        <message>
+            <source>Subnet mask that the slave gets at start-up (EoE).</source>
+            <translation>Subnetzmaske, die der Slave beim Start bekommt (EoE).</translation>
+        </message>
+        <message>
+            <source>Default gateway</source>
+            <translation>Standard-Gateway</translation>
+        </message>
+        <message>
+            <source>Default gateway that the slave gets at start-up (EoE).</source>
+            <translation>Standard-Gateway, das der Slave beim Start bekommt (EoE).</translation>
+        </message>
+        <message>
+            <source>Name server</source>
+            <translation>Namensserver</translation>
+        </message>
+        <message>
+            <source>Name server that the slave gets at start-up (EoE).</source>
+            <translation>Namensserver, den der Slave beim Start bekommt (EoE).</translation>
+        </message>
+        <message>
+            <source>Host name</source>
+            <translation>Rechnername</translation>
+        </message>
+        <message>
+            <source>Host name that the slave gets at start-up (EoE).</source>
+            <translation>Rechnername, den der Slave beim Start bekommt (EoE).</translation>
+        </message>
+        <message>
+            <source>AMS Net ID</source>
+            <translation>AMS-Net-ID</translation>
+        </message>
+        <message>
+            <source>AMS Net ID of the slave (AoE).</source>
+            <translation>AMS-Net-ID des Slaves (AoE).</translation>
+        </message>
+        <message>
+            <source>Sync Unit of the outputs</source>
+            <translation>Sync Unit der Ausgänge</translation>
+        </message>
+        <message>
+            <source>Sync Unit that exchanges the outputs; nothing for the unnamed one in the base task.</source>
+            <translation>Sync Unit, die die Ausgänge austauscht; nichts für die unbenannte in der Basistask.</translation>
+        </message>
+        <message>
+            <source>Sync Unit of the inputs</source>
+            <translation>Sync Unit der Eingänge</translation>
+        </message>
+        <message>
+            <source>Sync Unit that exchanges the inputs; nothing for the unnamed one in the base task.</source>
+            <translation>Sync Unit, die die Eingänge austauscht; nichts für die unbenannte in der Basistask.</translation>
+        </message>
+        <message>
+            <source>Input shift</source>
+            <translation>Eingangsverschiebung</translation>
+        </message>
+        <message>
+            <source>From the trigger to latching the inputs (0x1C33:03); auto as the operation mode says.</source>
+            <translation>Vom Auslöser bis zum Übernehmen der Eingänge (0x1C33:03); auto wie die Betriebsart sagt.</translation>
+        </message>
+        <message>
+            <source>CAN cycle</source>
+            <translation>CAN-Zyklus</translation>
+        </message>
+        <message>
+            <source>CAN cycle of a gateway (EL6751 0xF800:04), a multiple of the bus cycle; without SYNC0 the gateway is told the bus cycle, too. 0 is one CAN cycle a bus cycle, auto leaves the device's default.</source>
+            <translation>CAN-Zyklus eines Gateways (EL6751 0xF800:04), ein Vielfaches des Buszyklus; ohne SYNC0 wird dem Gateway auch der Buszyklus mitgeteilt. 0 ist ein CAN-Zyklus je Buszyklus, auto lässt die Voreinstellung des Geräts.</translation>
+        </message>
+        <message>
+            <source>TxPDO delay</source>
+            <translation>TxPDO-Verzögerung</translation>
+        </message>
+        <message>
+            <source>From the CAN SYNC message of a gateway to its first synchronous RxPDO (EL6751 0xF800:0E), in % of the CAN cycle.</source>
+            <translation>Von der CAN-SYNC-Nachricht eines Gateways bis zum ersten synchronen RxPDO (EL6751 0xF800:0E), in % des CAN-Zyklus.</translation>
+        </message>
+        <message>
+            <source>Output pin</source>
+            <translation>Ausgangspin</translation>
+        </message>
+        <message>
+            <source>What output pin K (from 1) of a drive shows on an oscilloscope (Copley 0x2193); auto leaves it alone.</source>
+            <translation>Was der Ausgangspin K (ab 1) eines Antriebs am Oszilloskop zeigt (Copley 0x2193); auto lässt ihn, wie er ist.</translation>
+        </message>
+        <message>
+            <source>Module</source>
+            <translation>Modul</translation>
+        </message>
+        <message>
+            <source>Module in place K of a modular device, counted from 0; its PDOs and start-up commands come with it.</source>
+            <translation>Modul auf Platz K eines modularen Geräts, gezählt ab 0; seine PDOs und Startkommandos kommen mit.</translation>
+        </message>
+        <message>
+            <source>Oversampling</source>
+            <translation>Oversampling</translation>
+        </message>
+        <message>
+            <source>How many samples of PDO 0xIIII a cycle carries; auto as the operation mode says.</source>
+            <translation>Wie viele Abtastwerte des PDO 0xIIII ein Zyklus trägt; auto wie die Betriebsart sagt.</translation>
+        </message>
+        <message>
+            <source>Variable</source>
+            <translation>Variable</translation>
+        </message>
+        <message>
+            <source>Name of the variable for entry K of PDO 0xIIII in the process image; nothing for SLAVE.PDO.ENTRY.</source>
+            <translation>Name der Variablen für Eintrag K des PDO 0xIIII im Prozessabbild; nichts für SLAVE.PDO.EINTRAG.</translation>
+        </message>
+        <message>
+            <source>auto</source>
+            <translation>auto</translation>
+        </message>
+        <message>
+            <source>none</source>
+            <translation>keine</translation>
+        </message>
+        <message>
+            <source>on</source>
+            <translation>ein</translation>
+        </message>
+        <message>
+            <source>off</source>
+            <translation>aus</translation>
+        </message>
+        <message>
+            <source>None (base task)</source>
+            <translation>Keine (Basistask)</translation>
+        </message>
+        <message>
+            <source>Expert setting: few machines need it</source>
+            <translation>Experteneinstellung: wenige Maschinen brauchen sie</translation>
+        </message>
     </context>
     <context>
         <name>FieldBinder</name>
         <message>
             <source>Change: %1</source>
             <translation>Ändern: %1</translation>
+        </message>
+        <message>
+            <source>%1 (Expert)</source>
+            <translation>%1 (Experte)</translation>
         </message>
     </context>
     <context>
@@ -3353,6 +3969,82 @@ Einstellung %2</translation>
         <message>
             <source>&quot;%1&quot; is no such number: %2 %3</source>
             <translation>„%1“ ist keine solche Zahl: %2 %3</translation>
+        </message>
+    </context>
+    <context>
+        <name>MasterDcExpertPage</name>
+        <message>
+            <source>Distributed Clocks (Expert)</source>
+            <translation>Verteilte Uhren (Experte)</translation>
+        </message>
+        <message>
+            <source>Clocks and Delays</source>
+            <translation>Uhren und Laufzeiten</translation>
+        </message>
+        <message>
+            <source>Burst and Start Time</source>
+            <translation>Burst und Startzeit</translation>
+        </message>
+        <message>
+            <source>Controller (DCM)</source>
+            <translation>Regler (DCM)</translation>
+        </message>
+        <message>
+            <source>Control Loops of the Slaves</source>
+            <translation>Regelkreise der Slaves</translation>
+        </message>
+        <message>
+            <source>Messages of the Clocks</source>
+            <translation>Meldungen der Uhren</translation>
+        </message>
+    </context>
+    <context>
+        <name>SlaveTimingPage</name>
+        <message>
+            <source>Watchdogs (Expert)</source>
+            <translation>Watchdogs (Experte)</translation>
+        </message>
+        <message>
+            <source>Watchdogs</source>
+            <translation>Watchdogs</translation>
+        </message>
+        <message>
+            <source>Time-outs of State Changes</source>
+            <translation>Zeitlimits der Zustandswechsel</translation>
+        </message>
+    </context>
+    <context>
+        <name>SlaveMailboxPage</name>
+        <message>
+            <source>Mailbox</source>
+            <translation>Mailbox</translation>
+        </message>
+        <message>
+            <source>Ethernet (EoE)</source>
+            <translation>Ethernet (EoE)</translation>
+        </message>
+        <message>
+            <source>ADS (AoE)</source>
+            <translation>ADS (AoE)</translation>
+        </message>
+    </context>
+    <context>
+        <name>SlaveDataPage</name>
+        <message>
+            <source>Data Options</source>
+            <translation>Datenoptionen</translation>
+        </message>
+        <message>
+            <source>Modules</source>
+            <translation>Module</translation>
+        </message>
+        <message>
+            <source>Oversampling</source>
+            <translation>Oversampling</translation>
+        </message>
+        <message>
+            <source>Sync Units</source>
+            <translation>Sync Units</translation>
         </message>
     </context>
 </TS>

@@ -83,6 +83,9 @@ Actions::Actions(QUndoStack& stack, QObject* parent) : QObject(parent) {
   }
   toggle_theme = add("actionToggleTheme", tr("Light/Dark"), "theme", tr("Switch between light and dark"));
   reset_layout = add("actionResetLayout", tr("&Reset Layout"), "", tr("Put all panels back in their places"));
+  expert = add("actionExpert", tr("&Expert Settings"), "", tr("Show the settings that few machines need"),
+               QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_X));
+  expert->setCheckable(true);
   about = add("actionAbout", tr("&About Syncline"), "", tr("Version, licence and trademarks"));
 }
 

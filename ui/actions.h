@@ -24,7 +24,7 @@ class Actions final : public QObject {
   QAction *demo, *scan, *online, *offline, *clear_statistics;
   QList<QAction*> states;  // INIT, PREOP, SAFEOP, OP; data() is the AlState
   QList<QAction*> themes;  // system, light, dark; data() is the theme::Mode
-  QAction *toggle_theme, *about, *reset_layout;
+  QAction *toggle_theme, *about, *reset_layout, *expert;
 
  private:
   QAction* add(const char* name, const QString& text, const char* icon, const QString& tool_tip,

@@ -124,6 +124,8 @@ void MainWindow::buildMenus() {
   view->addActions({explorer_dock_->toggleViewAction(), messages_dock_->toggleViewAction(),
                     findings_dock_->toggleViewAction(), actions_->reset_layout});
   view->addSeparator();
+  view->addAction(actions_->expert);
+  view->addSeparator();
   view->addActions(actions_->themes);
   auto* help = menuBar()->addMenu(tr("&Help"));
   auto* what = QWhatsThis::createAction(this);
@@ -202,6 +204,13 @@ void MainWindow::connectActions() {
   }
   connect(actions_->toggle_theme, &QAction::triggered, this,
           [this] { theme::apply(theme::isDark(palette()) ? theme::Mode::kLight : theme::Mode::kDark); });
+  connect(actions_->expert, &QAction::triggered, this, [this](bool expert) {
+    if (commitFields()) workspace_.setExpert(expert);
+    actions_->expert->setChecked(workspace_.expert());
+  });
+  connect(&workspace_, &Workspace::expertChanged, actions_->expert,
+          [this] { actions_->expert->setChecked(workspace_.expert()); });
+  actions_->expert->setChecked(workspace_.expert());
   connect(actions_->reset_layout, &QAction::triggered, this, &MainWindow::resetLayout);
   connect(actions_->about, &QAction::triggered, this, [this] {
     auto* dialog = new AboutDialog(workspace_.environment().version, this);

@@ -31,7 +31,7 @@ namespace {
 
 using namespace syncline;
 
-const QString kThemeSetting = QStringLiteral("theme");
+const QString kThemeSetting = QStringLiteral("theme"), kExpertSetting = QStringLiteral("expert");
 
 struct Options {
   QString file, link, theme, screenshots, language;
@@ -181,6 +181,7 @@ int main(int argc, char* argv[]) {
       ui::theme::modeFromName(options.theme.isEmpty() ? settings.value(kThemeSetting).toString() : options.theme));
   ui::Workspace workspace(environment());
   ui::MainWindow window(workspace);
+  if (options.screenshots.isEmpty()) workspace.setExpert(settings.value(kExpertSetting).toBool());
   window.show();
   if (!options.screenshots.isEmpty()) {
     return renderScreenshots(window, workspace, workspace.environment().demo_link, options.screenshots) ? 0 : 1;
@@ -199,6 +200,7 @@ int main(int argc, char* argv[]) {
     QTimer::singleShot(options.exit_after_ms, &app, [] { QApplication::exit(0); });  // asks nothing, unlike quit()
   const int result = QApplication::exec();
   if (options.theme.isEmpty()) settings.setValue(kThemeSetting, ui::theme::modeName(ui::theme::current()));
+  settings.setValue(kExpertSetting, workspace.expert());
   workspace.live().shutDown();
   return result;
 }

@@ -102,6 +102,9 @@ bool renderScreenshots(ui::MainWindow& window, ui::Workspace& workspace, const Q
     ui::theme::apply(mode);
     QApplication::processEvents();
     takePages(camera, window, workspace, ui::theme::modeName(mode));
+    workspace.setExpert(true);
+    takePages(camera, window, workspace, ui::theme::modeName(mode) + QStringLiteral("-expert"));
+    workspace.setExpert(false);
     takeDialogs(camera, window, workspace, ui::theme::modeName(mode));
   }
   workspace.live().shutDown();

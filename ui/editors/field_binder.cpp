@@ -36,6 +36,11 @@ std::vector<settings::Option> optionsOf(const Setting& setting, const Project& p
   if (setting.options) return setting.options(project, place);
   std::vector<settings::Option> options;
   if (!setting.unset.empty()) options.push_back({Value{}, setting.unset, {}});
+  if (std::holds_alternative<settings::Switch>(setting.type)) {
+    options.push_back({true, "on", {}});
+    options.push_back({false, "off", {}});
+    return options;
+  }
   const auto& own = std::get<settings::Choice>(setting.type).options;
   options.insert(options.end(), own.begin(), own.end());
   return options;
@@ -43,45 +48,88 @@ std::vector<settings::Option> optionsOf(const Setting& setting, const Project& p
 
 }  // namespace
 
-FieldBinder::FieldBinder(Page& page) : QObject(&page), page_(page) {}
+FieldBinder::FieldBinder(Page& page) : QObject(&page), page_(page), where_([this] { return place(); }) {}
 
 settings::Place FieldBinder::place() const { return {.slave = static_cast<std::size_t>(std::max(page_.node(), 0))}; }
 
 Value FieldBinder::value(const char* key) const { return settings::row(key).read(page_.project(), place()); }
 
+Value FieldBinder::read(const char* key, const Where& where) const {
+  return settings::row(key).read(page_.project(), at(where));
+}
+
 QString FieldBinder::set(const char* key, const Value& value) {
+  return take(
+      key, [this] { return place(); }, value);
+}
+
+QString FieldBinder::take(const char* key, const Where& where, const Value& value) {
+  const auto place = where();
+  if (!place) return {};  // the slave lost it meanwhile
   const auto& setting = settings::row(key);
-  return page_.set(tr("Change: %1").arg(settingLabel(setting)), {{&setting, place(), value}});
+  return page_.set(tr("Change: %1").arg(settingLabel(setting)), {{&setting, *place, value}});
+}
+
+QString FieldBinder::takeText(const char* key, const Where& where, const QString& text) {
+  const auto& setting = settings::row(key);
+  const auto plain = text.toStdString();
+  if (!setting.unset.empty() && (plain.empty() || plain == setting.unset)) return take(key, where, Value{});
+  if (std::holds_alternative<settings::Text>(setting.type)) return take(key, where, plain);
+  const auto trimmed = text.trimmed().toStdString();
+  const auto value =
+      setting.parse ? setting.parse(page_.project(), at(where), trimmed) : settings::parse_value(setting.type, trimmed);
+  return value ? take(key, where, *value) : QString::fromStdString(value.error().detail);
 }
 
 void FieldBinder::bind(QWidget& field, const char* key, std::function<void()> show) {
   const auto& setting = settings::row(key);
   if (field.toolTip().isEmpty()) field.setToolTip(settingTip(setting));
   field.setWhatsThis(settingHelp(setting));
-  bound_.push_back({&setting, &field, std::move(show)});
+  bound_.push_back({.setting = &setting, .widget = &field, .show = std::move(show), .place = where_});
+}
+
+TextEdit* FieldBinder::textField(const char* object_name, const char* key, Where place) {
+  const auto& setting = settings::row(key);
+  const auto where = place ? std::move(place) : where_;
+  auto* field = named(new TextEdit([this, key, where](const QString& text) { return takeText(key, where, text); }),
+                      object_name, settingLabel(setting));
+  field->setPlaceholderText(settingWord(setting.unset));
+  bind(*field, key, [this, field, key, where] {
+    const auto shown = read(key, where);
+    if (std::holds_alternative<settings::Unset>(shown)) return field->showValue({});
+    const auto* plain = std::get_if<std::string>(&shown);
+    field->showValue(QString::fromStdString(
+        plain != nullptr ? *plain : settings::text_of(settings::row(key), page_.project(), at(where))));
+  });
+  bound_.back().place = where;
+  return field;
 }
 
 TextEdit* FieldBinder::text(Card& card, const char* object_name, const char* key) {
-  const auto label = settingLabel(settings::row(key));
-  auto* field = named(new TextEdit([this, key](const QString& text) { return set(key, text.toStdString()); }),
-                      object_name, label);
-  bind(*field, key, [this, field, key] {
-    const auto shown = value(key);
-    field->showValue(QString::fromStdString(std::get<std::string>(shown)));
-  });
-  card.addRow(label, field, field->toolTip());
+  auto* field = textField(object_name, key);
+  addRow(card, field->accessibleName(), *field);
   return field;
 }
 
 NumberEdit* FieldBinder::numberField(const char* object_name, const char* key) {
-  auto* field = named(new NumberEdit(numberType(key), [this, key](std::int64_t value) { return set(key, value); }),
-                      object_name, settingLabel(settings::row(key)));
-  if (!settings::row(key).unset.empty()) field->setClear([this, key] { return set(key, Value{}); });
-  bind(*field, key, [this, field, key] {
+  auto* field =
+      named(new NumberEdit(numberType(key),
+                           [this, key, where = where_](std::int64_t value) { return take(key, where, value); }),
+            object_name, settingLabel(settings::row(key)));
+  if (const auto& unset = settings::row(key).unset; !unset.empty()) {
+    field->setClear(settingWord(unset), [this, key, where = where_] { return take(key, where, Value{}); });
+  }
+  bind(*field, key, [this, field, key, where = where_] {
     const auto& setting = settings::row(key);
-    const auto value = numberOf(settings::effective_value(setting, page_.project(), place()));
-    const auto range = settings::working_range(setting, page_.project(), place());
-    field->showValue(value, range);
+    const auto effective = settings::effective_value(setting, page_.project(), at(where));
+    const auto value = numberOf(effective);
+    const auto range = settings::working_range(setting, page_.project(), at(where));
+    if (std::holds_alternative<settings::Unset>(read(key, where))) {
+      field->showUnset(std::holds_alternative<settings::Unset>(effective) ? std::nullopt : std::optional(value), range);
+      if (std::holds_alternative<settings::Unset>(effective)) return;
+    } else {
+      field->showValue(value, range);
+    }
     if (!field->pending() && field->isEnabled() && !range.contains(value)) {
       markField(*field, QString::fromStdString(settings::outside_text(numberType(key), value, range)));
     }
@@ -91,7 +139,7 @@ NumberEdit* FieldBinder::numberField(const char* object_name, const char* key) {
 
 NumberEdit* FieldBinder::number(Card& card, const char* object_name, const char* key) {
   auto* field = numberField(object_name, key);
-  card.addRow(field->accessibleName(), field, field->toolTip());
+  addRow(card, field->accessibleName(), *field);
   return field;
 }
 
@@ -106,12 +154,12 @@ PresetEdit* FieldBinder::presetField(const char* object_name, const char* key, s
 QCheckBox* FieldBinder::toggle(Card& card, const char* object_name, const char* key) {
   const auto label = settingLabel(settings::row(key));
   auto* box = named(new QCheckBox(label), object_name, label);
-  connect(box, &QCheckBox::clicked, this, [this, key](bool on) { set(key, on); });
-  bind(*box, key, [this, box, key] {
-    const auto shown = value(key);
+  connect(box, &QCheckBox::clicked, this, [this, key, where = where_](bool on) { take(key, where, on); });
+  bind(*box, key, [this, box, key, where = where_] {
+    const auto shown = read(key, where);
     box->setChecked(std::get<bool>(shown));
   });
-  card.addWide(box, box->toolTip());
+  addWide(card, *box);
   return box;
 }
 
@@ -127,26 +175,28 @@ QCheckBox* FieldBinder::automatic(Card& card, const char* object_name, const cha
   return box;
 }
 
-ChoiceEdit* FieldBinder::choice(Card& card, const char* object_name, const char* key) {
+ChoiceEdit* FieldBinder::choice(Card& card, const char* object_name, const char* key, Options own) {
   const auto label = settingLabel(settings::row(key));
   auto* box = named(new ChoiceEdit, object_name, label);
-  const auto current = [this, key] { return optionsOf(settings::row(key), page_.project(), place()); };
-  connect(box, &QComboBox::activated, this, [this, key, current](int index) {
+  const auto current = [this, key, where = where_, own = std::move(own)] {
+    return own ? own(page_.project(), at(where)) : optionsOf(settings::row(key), page_.project(), at(where));
+  };
+  connect(box, &QComboBox::activated, this, [this, key, where = where_, current](int index) {
     const auto options = current();
-    if (std::cmp_less(index, options.size())) set(key, options[static_cast<std::size_t>(index)].value);
+    if (std::cmp_less(index, options.size())) take(key, where, options[static_cast<std::size_t>(index)].value);
   });
-  bind(*box, key, [this, box, key, current] {
+  bind(*box, key, [this, box, key, where = where_, current] {
     const auto options = current();
-    const auto shown = value(key);
+    const auto shown = read(key, where);
     box->clear();
     for (const auto& option : options) box->addItem(optionText(option), QString::fromStdString(option.word));
     const auto chosen = std::ranges::find(options, shown, &settings::Option::value);
     if (chosen == options.end()) {  // one that the list does not offer
-      box->addItem(QString::fromStdString(settings::text_of(settings::row(key), page_.project(), place())));
+      box->addItem(QString::fromStdString(settings::text_of(settings::row(key), page_.project(), at(where))));
     }
     box->setCurrentIndex(static_cast<int>(chosen - options.begin()));
   });
-  card.addRow(label, box, box->toolTip());
+  addRow(card, label, *box);
   return box;
 }
 
@@ -176,9 +226,8 @@ QButtonGroup* FieldBinder::buttons(Card& card, const char* key,
 }
 
 void FieldBinder::refresh() {
-  for (const auto& bound : bound_) {
-    if (bound.show) bound.show();
-  }
+  for (const auto& items : items_) fillItems(items);
+  showRows();
 }
 
 bool FieldBinder::commit() {

@@ -4,6 +4,9 @@
 #include <QList>
 #include <QObject>
 #include <functional>
+#include <initializer_list>
+#include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -23,14 +26,31 @@ class TextEdit;
 
 /// Makes the fields of a page from rows of the table of settings: label, unit, limits in this project, step, tool tip
 /// and What's This come from the row; what a user does becomes one undo step. Keys have placeholders: "slave.N.alias"
-/// is the alias of the node that the page shows.
+/// is the alias of the node that the page shows. Expert settings are hidden while the window does not show them, unless
+/// they differ from their default; so are fields that the shown device has no use for.
 class FieldBinder final : public QObject {
   Q_OBJECT
 
  public:
+  using Applies = std::function<bool(const SlaveSettings&)>;
+  using Options = std::function<std::vector<settings::Option>(const Project&, const settings::Place&)>;
+  using Label = std::function<QString(const Project&, const settings::Place&)>;
+
   explicit FieldBinder(Page& page);
 
+  /// A field for each key, of the kind that its row asks for, named after the key: "slave.N.eoe.host_name" is
+  /// "slaveEoeHostName". Only for slaves that `applies` says yes to. A card of nothing else is hidden while none of
+  /// its fields is shown, and says so when all of them are for experts.
+  void keys(Card& card, std::initializer_list<const char*> keys, const Applies& applies = {});
+  /// The same as choices among `options`.
+  void chosen(Card& card, std::initializer_list<const char*> keys, const Options& options, const Applies& applies);
+  /// A field for each place of a key that has several: as many rows as the shown slave has of them.
+  void items(Card& card, const char* key, Label label, Options options = {});
+
   TextEdit* text(Card& card, const char* object_name, const char* key);
+  /// Without a row in a card, for the place that the page says; nothing while there is none.
+  TextEdit* textField(const char* object_name, const char* key,
+                      std::function<std::optional<settings::Place>()> place = {});
   NumberEdit* number(Card& card, const char* object_name, const char* key);
   /// Without a row of its own in a card.
   NumberEdit* numberField(const char* object_name, const char* key);
@@ -38,7 +58,8 @@ class FieldBinder final : public QObject {
   QCheckBox* toggle(Card& card, const char* object_name, const char* key);
   /// Ticked while the setting is unset; unticked, it keeps the value that was in force.
   QCheckBox* automatic(Card& card, const char* object_name, const char* key, const QString& label, const QString& tip);
-  ChoiceEdit* choice(Card& card, const char* object_name, const char* key);
+  /// `options`: instead of those of the row.
+  ChoiceEdit* choice(Card& card, const char* object_name, const char* key, Options options = {});
   /// Radio buttons of a choice in a grid.
   QButtonGroup* buttons(Card& card, const char* key, const QList<std::pair<std::int64_t, const char*>>& object_names,
                         int columns);
@@ -53,6 +74,10 @@ class FieldBinder final : public QObject {
 
   /// Shows the project as it is now. Tells nobody.
   void refresh();
+  /// Whether a field has something to show of this node.
+  [[nodiscard]] bool wanted(int node) const;
+  /// The title of the page says that its fields are for experts: their cards need not.
+  void setExpertPage() { expert_page_ = true; }
   /// Takes what was typed and not taken yet; false when a field refused.
   bool commit();
   void revert();
@@ -61,12 +86,47 @@ class FieldBinder final : public QObject {
     const settings::Setting* setting = nullptr;
     QWidget* widget = nullptr;
     std::function<void()> show;
+    std::function<std::optional<settings::Place>()> place;  // nothing: the shown node has no such item
+    Applies applies{};
+    Card* card = nullptr;
+    QWidget* row = nullptr;  // of the card
+    Label label{};           // of an item
   };
   [[nodiscard]] const std::vector<Bound>& bound() const { return bound_; }
 
  private:
+  using Where = std::function<std::optional<settings::Place>()>;
+  /// The rows of a key with several places.
+  struct Items {
+    Card* card = nullptr;
+    const char* key = nullptr;
+    Label label;
+    Options options;
+    std::vector<settings::Place> places;
+    std::size_t made = 0;
+  };
+
+  void addKeys(Card& card, std::initializer_list<const char*> keys, const Options& options, const Applies& applies);
+  QWidget* makeField(Card& card, const QString& object_name, const char* key, const Options& options);
+  void addRow(Card& card, const QString& label, QWidget& field);
+  void addWide(Card& card, QWidget& field);
+  QString take(const char* key, const Where& where, const settings::Value& value);
+  QString takeText(const char* key, const Where& where, const QString& text);
+  [[nodiscard]] settings::Value read(const char* key, const Where& where) const;
+  [[nodiscard]] settings::Place at(const Where& where) const { return where().value_or(place()); }
+  void fillItems(const std::shared_ptr<Items>& items);
+  [[nodiscard]] bool shows(const Bound& bound, const settings::Place& place) const;
+  void showRows();
+
   Page& page_;
   std::vector<Bound> bound_;
+  std::vector<std::shared_ptr<Items>> items_;
+  std::vector<Card*> own_cards_;  // of nothing but fields
+  Where where_;                   // of the field that is being made
+  bool expert_page_ = false, expert_card_ = false;
 };
+
+/// "slave.N.eoe.host_name": "slaveEoeHostName".
+[[nodiscard]] QString fieldName(const char* key);
 
 }  // namespace syncline::ui

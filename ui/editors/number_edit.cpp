@@ -23,13 +23,34 @@ NumberEdit::NumberEdit(const settings::Number& number, Take take, QWidget* paren
 void NumberEdit::showValue(std::int64_t value, const settings::Range& range) {
   value_ = value;
   range_ = range;
+  unset_ = false;
   if (pending_) return;
   display();
 }
 
-void NumberEdit::display() {
+void NumberEdit::showUnset(std::optional<std::int64_t> stands_for, const settings::Range& range) {
+  value_ = stands_for.value_or(0);
+  range_ = range;
+  unset_ = true;
+  stands_for_ = stands_for;
+  if (pending_) return;
+  display();
+}
+
+QString NumberEdit::shownText(std::int64_t value) const {
   const auto unit = unitText(number_);
-  const auto text = numberText(number_, value_) + (unit.isEmpty() ? unit : QChar(u' ') + unit);
+  return numberText(number_, value) + (unit.isEmpty() ? unit : QChar(u' ') + unit);
+}
+
+void NumberEdit::display() {
+  if (unset_) {
+    const auto text = stands_for_ ? QStringLiteral("%1: %2").arg(clear_word_, shownText(*stands_for_)) : clear_word_;
+    if (lineEdit()->placeholderText() != text) {
+      lineEdit()->setPlaceholderText(text);
+      updateGeometry();
+    }
+  }
+  const auto text = unset_ ? QString() : shownText(value_);
   if (lineEdit()->text() != text) lineEdit()->setText(text);
   markField(*this, {});
 }
@@ -46,7 +67,8 @@ bool NumberEdit::taken(const QString& refusal) {
 
 bool NumberEdit::commit() {
   if (!pending_) return true;
-  if (clear_ && lineEdit()->text().trimmed().isEmpty()) return taken(clear_());
+  const auto typed = lineEdit()->text().trimmed();
+  if (clear_ && (typed.isEmpty() || typed == clear_word_)) return unset_ ? (revert(), true) : taken(clear_());
   const auto value = parseNumber(number_, lineEdit()->text());
   if (!value) {
     markField(*this,
@@ -54,7 +76,7 @@ bool NumberEdit::commit() {
                   .arg(lineEdit()->text(), QString::fromStdString(settings::range_text(number_, number_.range))));
     return false;
   }
-  if (*value == value_) return revert(), true;
+  if (!unset_ && *value == value_) return revert(), true;
   return taken(take_(*value));
 }
 
@@ -91,6 +113,7 @@ QSize NumberEdit::sizeHint() const {
                          std::min<std::int64_t>(number_.range.high, 100'000'000)}) {
     width = std::max(width, fontMetrics().horizontalAdvance(numberText(number_, end) + QChar(u' ') + unit));
   }
+  width = std::max(width, fontMetrics().horizontalAdvance(lineEdit()->placeholderText()));
   QStyleOptionSpinBox option;
   initStyleOption(&option);
   const QSize text(width + 8, lineEdit()->sizeHint().height());

@@ -3,6 +3,7 @@
 
 #include <QAbstractSpinBox>
 #include <functional>
+#include <optional>
 #include <utility>
 
 #include "settings/setting_type.h"
@@ -20,11 +21,16 @@ class NumberEdit final : public QAbstractSpinBox, public Field {
   using Take = std::function<QString(std::int64_t)>;
 
   NumberEdit(const settings::Number& number, Take take, QWidget* parent = nullptr);
-  /// What an emptied field means: the setting is unset. Without it an empty field is no value.
-  void setClear(std::function<QString()> clear) { clear_ = std::move(clear); }
+  /// What an emptied field means: the setting is unset, which `word` says. Without it an empty field is no value.
+  void setClear(const QString& word, std::function<QString()> clear) {
+    clear_word_ = word;
+    clear_ = std::move(clear);
+  }
 
   /// Shows `value`; the arrows stay within `range`. Text that is pending stays.
   void showValue(std::int64_t value, const settings::Range& range);
+  /// The setting is unset: the empty field says so, and what stands for it where that is known.
+  void showUnset(std::optional<std::int64_t> stands_for, const settings::Range& range);
   [[nodiscard]] std::int64_t value() const { return value_; }
   [[nodiscard]] const settings::Range& range() const { return range_; }
 
@@ -45,12 +51,16 @@ class NumberEdit final : public QAbstractSpinBox, public Field {
   [[nodiscard]] StepEnabled stepEnabled() const override;
 
  private:
+  [[nodiscard]] QString shownText(std::int64_t value) const;
   void display();
   bool taken(const QString& refusal);
 
   settings::Number number_;
   Take take_;
+  QString clear_word_;
   std::function<QString()> clear_;
+  bool unset_ = false;
+  std::optional<std::int64_t> stands_for_;
   std::int64_t value_ = 0;
   settings::Range range_;
   bool pending_ = false;

@@ -31,6 +31,8 @@ void Page::showEvent(QShowEvent* event) {
 
 const Project& Page::project() const { return workspace_.document().project(); }
 
+bool Page::expert() const { return workspace_.expert(); }
+
 QString Page::set(const QString& text, std::vector<SettingEdit> edits) {
   const auto status = workspace_.document().set(text, std::move(edits));
   if (status) return {};

@@ -35,7 +35,10 @@ class Page : public QScrollArea {
 
   /// The page's fields that edit settings.
   [[nodiscard]] FieldBinder& fields() { return *fields_; }
+  [[nodiscard]] const FieldBinder& fields() const { return *fields_; }
   [[nodiscard]] const Project& project() const;
+  /// Settings that few machines need are shown.
+  [[nodiscard]] bool expert() const;
   /// One undo step; empty, or why it was refused: then the messages say so and the page shows the project again.
   QString set(const QString& text, std::vector<SettingEdit> edits);
 

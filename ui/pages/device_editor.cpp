@@ -1,17 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/pages/device_editor.h"
 
+#include <QApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QTabWidget>
 #include <QVBoxLayout>
 
 #include "ui/editors/field_binder.h"
+#include "ui/pages/master_dc_expert_page.h"
 #include "ui/pages/master_dc_page.h"
 #include "ui/pages/master_general_page.h"
 #include "ui/pages/process_data_page.h"
+#include "ui/pages/slave_data_page.h"
 #include "ui/pages/slave_dc_page.h"
 #include "ui/pages/slave_general_page.h"
+#include "ui/pages/slave_mailbox_page.h"
+#include "ui/pages/slave_timing_page.h"
 #include "ui/session/workspace.h"
 #include "ui/text/glossary.h"
 #include "ui/text/units.h"
@@ -48,8 +53,9 @@ DeviceEditor::DeviceEditor(Workspace& workspace, QWidget* parent) : QWidget(pare
   tabs_->setAccessibleName(tr("Pages of the selected node"));
   tabs_->setDocumentMode(true);
   layout->addWidget(tabs_, 1);
-  pages_ = {new MasterGeneralPage(workspace), new MasterDcPage(workspace), new SlaveGeneralPage(workspace),
-            new SlaveDcPage(workspace), new ProcessDataPage(workspace)};
+  pages_ = {new MasterGeneralPage(workspace), new MasterDcPage(workspace),     new MasterDcExpertPage(workspace),
+            new SlaveGeneralPage(workspace),  new SlaveDcPage(workspace),      new ProcessDataPage(workspace),
+            new SlaveDataPage(workspace),     new SlaveMailboxPage(workspace), new SlaveTimingPage(workspace)};
   for (auto* page : pages_) {
     page->setParent(this);
     page->hide();
@@ -62,6 +68,11 @@ DeviceEditor::DeviceEditor(Workspace& workspace, QWidget* parent) : QWidget(pare
     if (structural) return showNode(slave_);
     chooseTabs();
     refresh();
+  });
+  connect(&workspace, &Workspace::expertChanged, this, [this] {
+    // A field that is edited stays; here it is the switch that takes it away.
+    if (isAncestorOf(QApplication::focusWidget())) tabs_->setFocus();
+    showNode(slave_);
   });
   connect(&workspace.configuration(), &ConfigurationMonitor::compiled, this, &DeviceEditor::refresh);
   connect(&workspace.live(), &LiveSession::snapshotChanged, this, &DeviceEditor::showLive);
@@ -92,7 +103,9 @@ void DeviceEditor::revertFields() {
 void DeviceEditor::chooseTabs() {
   QList<Page*> wanted;
   for (auto* page : pages_) {
-    if (page->appliesTo(slave_)) wanted.append(page);
+    if (!page->appliesTo(slave_)) continue;
+    if (page->node() != slave_) page->setNode(slave_);  // it did not apply before
+    wanted.append(page);
   }
   QList<Page*> shown;
   for (int i = 0; i < tabs_->count(); ++i) shown.append(static_cast<Page*>(tabs_->widget(i)));

@@ -49,6 +49,10 @@ MasterGeneralPage::MasterGeneralPage(Workspace& workspace) : Page(workspace, "ma
   buildStateMachine(*columns->add(1, tr("State Machine")));
   buildRecovery(*columns->add(1, tr("Recovery")));
   buildCounters(*columns->add(1, tr("Bus")));
+  fields().keys(*columns->add(0, tr("Frame Addresses")), {"master.destination_mac", "master.source_mac"});
+  fields().keys(*columns->add(2, tr("Process Image")),
+                {"master.image.logical_start", "master.image.alignment", "master.image.bit_packing"});
+  fields().keys(*columns->add(2, tr("Real Time")), {"master.real_time.spin_us", "master.real_time.cpu"});
   columns->addStretch();
   setWidget(columns);
 }
@@ -63,6 +67,7 @@ void MasterGeneralPage::buildSettings(Card& card) {
   field->setFocusProxy(cycle);
   layout->addWidget(new QLabel(QStringLiteral("\u00B5s")));
   card.addRow(cycle->accessibleName(), field, cycle->toolTip());
+  fields().text(card, "networkName", "network.name");
   fields().toggle(card, "masterOverlap", "master.overlap_process_data");
 }
 

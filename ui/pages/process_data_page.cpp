@@ -6,8 +6,10 @@
 #include <QLabel>
 #include <QTableView>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "ui/editors/field_binder.h"
+#include "ui/editors/text_edit.h"
 #include "ui/models/pdo_model.h"
 #include "ui/session/workspace.h"
 #include "ui/text/units.h"
@@ -93,7 +95,38 @@ QWidget* ProcessDataPage::buildEntries() {
   entries_view_->setColumnWidth(PdoEntryModel::kLength, 64);
   stretchColumn(*entries_view_, PdoEntryModel::kName);
   layout->addWidget(entries_view_, 1);
+  layout->addWidget(buildName());
+  connect(entries_view_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this] { showName(); });
   return area;
+}
+
+/// The name of the selected entry in the process image.
+QWidget* ProcessDataPage::buildName() {
+  auto* area = new QWidget;
+  auto* layout = new QHBoxLayout(area);
+  layout->setContentsMargins(0, 0, 0, 0);
+  name_ = fields().textField("variableName", "slave.N.variable.0xIIII.K", [this] { return namedEntry(); });
+  name_->setPlaceholderText(tr("As slave, PDO and entry"));
+  auto* caption = new QLabel(name_->accessibleName());
+  caption->setBuddy(name_);
+  caption->setToolTip(name_->toolTip());
+  layout->addWidget(caption);
+  layout->addWidget(name_, 1);
+  return area;
+}
+
+std::optional<settings::Place> ProcessDataPage::namedEntry() const {
+  const int row = entries_view_->currentIndex().row();
+  if (node() < 0 || row < 0) return {};
+  const settings::Place place{static_cast<std::size_t>(node()), shown_pdo_, static_cast<std::uint32_t>(row)};
+  const auto places = settings::row("slave.N.variable.0xIIII.K").items(project(), place.slave);
+  return std::ranges::find(places, place) != places.end() ? std::optional(place) : std::nullopt;
+}
+
+void ProcessDataPage::showName() {
+  name_->setEnabled(namedEntry().has_value());
+  if (!name_->isEnabled()) name_->showValue({});
+  fields().refresh();
 }
 
 bool ProcessDataPage::appliesTo(int slave) const {
@@ -105,12 +138,15 @@ bool ProcessDataPage::appliesTo(int slave) const {
 
 void ProcessDataPage::showEntriesOf(PdoModel* model, int row) {
   const auto* pdo = model->pdo(row);
+  shown_pdo_ = pdo != nullptr ? pdo->index : std::uint16_t{0};
   entries_->setEntries(pdo != nullptr ? pdo->entries : std::vector<PdoEntry>{});
   entries_title_->setText(pdo == nullptr
                               ? tr("Entries")
                               : tr("Entries of %1 %2").arg(hexText(pdo->index, 4), QString::fromStdString(pdo->name)));
   auto* other = model == outputs_ ? inputs_view_ : outputs_view_;
   if (row >= 0) other->clearSelection();
+  entries_view_->setCurrentIndex(entries_->index(0, 0));
+  showName();
 }
 
 void ProcessDataPage::refresh() {
@@ -123,6 +159,7 @@ void ProcessDataPage::refresh() {
   inputs_size_->setText(tr("%1 assigned").arg(bitsText(inputs_->assignedBits())));
   outputs_view_->parentWidget()->setVisible(!slave.device.rx_pdos.empty());
   inputs_view_->parentWidget()->setVisible(!slave.device.tx_pdos.empty());
+  showName();
   if (shown_node_ == node()) return;
   shown_node_ = node();
   auto* view = slave.device.rx_pdos.empty() ? inputs_view_ : outputs_view_;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
+
+#include "settings/setting.h"
 #include "ui/editors/page.h"
 
 class QLabel;
@@ -10,6 +13,7 @@ namespace syncline::ui {
 
 class PdoModel;
 class PdoEntryModel;
+class TextEdit;
 
 /// PDO assignment of a slave by check boxes, both directions, and the entries of the selected PDO.
 class ProcessDataPage final : public Page {
@@ -25,12 +29,17 @@ class ProcessDataPage final : public Page {
   QWidget* buildDirection(PdoModel* model, QTableView*& view, QLabel*& size, const char* object_name,
                           const QString& title);
   QWidget* buildEntries();
+  QWidget* buildName();
   void showEntriesOf(PdoModel* model, int row);
+  void showName();
+  [[nodiscard]] std::optional<settings::Place> namedEntry() const;
 
   PdoModel *outputs_, *inputs_;
   QTableView *outputs_view_, *inputs_view_, *entries_view_;
   QLabel *outputs_size_, *inputs_size_, *entries_title_;
   PdoEntryModel* entries_;
+  TextEdit* name_ = nullptr;
+  std::uint16_t shown_pdo_ = 0;  // 0: none
   int shown_node_ = -2;
 };
 

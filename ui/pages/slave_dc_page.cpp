@@ -4,6 +4,7 @@
 #include <QLabel>
 
 #include "config/dc_times.h"
+#include "families/families.h"
 #include "protocol/dc_registers.h"
 #include "ui/editors/choice_edit.h"
 #include "ui/editors/field_binder.h"
@@ -38,6 +39,13 @@ SlaveDcPage::SlaveDcPage(Workspace& workspace) : Page(workspace, "slaveDcPage", 
   buildRegisters(*columns->add(2, tr("Registers")));
   buildLive(*columns->add(2, tr("Live")));
   sync_ = new SyncSettingsEditor(*columns->add(0, tr("Synchronisation")), *this);
+  const auto gateway = [](const SlaveSettings& slave) {
+    const auto* family = families::find(slave.device);
+    return family != nullptr && family->gateway;
+  };
+  fields().keys(*columns->add(1, tr("CAN")), {"slave.N.can.cycle_us", "slave.N.can.tx_delay_percent"}, gateway);
+  fields().items(*columns->add(2, tr("Output Pins")), "slave.N.output_pin.K",
+                 [](const Project&, const settings::Place& place) { return tr("Pin %1").arg(place.item); });
   columns->addStretch();
   setWidget(columns);
 }

@@ -5,6 +5,7 @@
 #include <QLabel>
 
 #include "ui/editors/field_binder.h"
+#include "ui/editors/text_edit.h"
 #include "ui/session/workspace.h"
 #include "ui/text/glossary.h"
 #include "ui/text/units.h"
@@ -17,7 +18,11 @@ namespace {
 
 QString fromView(std::string_view text) { return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size())); }
 
-QString timeoutText(std::uint32_t ms) { return timeText(static_cast<Nanoseconds>(ms) * kMillisecond); }
+/// The user's, or else the device's.
+QString timeoutText(const Project& project, int slave, const char* key) {
+  const auto ms = settings::effective_value(settings::row(key), project, {.slave = static_cast<std::size_t>(slave)});
+  return timeText(std::get<std::int64_t>(ms) * kMillisecond);
+}
 
 QString withDecimal(std::uint32_t value, int digits) {
   return QStringLiteral("%1 (%2)").arg(hexText(value, digits)).arg(value);
@@ -29,7 +34,14 @@ SlaveGeneralPage::SlaveGeneralPage(Workspace& workspace) : Page(workspace, "slav
   auto* columns = new CardColumns;
   buildIdentity(*columns->add(0, tr("Device")));
   buildAddresses(*columns->add(1, tr("Address")));
-  buildChecks(*columns->add(1, tr("Checks at Start-up")));
+  buildPlace(*columns->add(0, tr("Place on the Bus")));
+  auto* checks = columns->add(1, tr("Checks at Start-up"));
+  fields().toggle(*checks, "checkVendor", "slave.N.check.vendor");
+  fields().toggle(*checks, "checkProduct", "slave.N.check.product");
+  fields().toggle(*checks, "checkRevision", "slave.N.check.revision");
+  fields().keys(*checks, {"slave.N.check.revision_rule"});
+  fields().toggle(*checks, "checkSerial", "slave.N.check.serial");
+  fields().keys(*checks, {"slave.N.check.alias", "slave.N.check.device_id"});
   buildState(*columns->add(2, tr("State")));
   buildTimeouts(*columns->add(2, tr("Time-outs")));
   columns->addStretch();
@@ -53,15 +65,13 @@ void SlaveGeneralPage::buildAddresses(Card& card) {
   fields().number(card, "slaveAlias", "slave.N.alias");
   auto_increment_ = card.addValue("slaveAutoIncrement", tr("Auto-increment"),
                                   tr("Position address used before the station address is set"));
-  previous_ =
-      card.addValue("slavePrevious", tr("Connected to"), tr("Slave and port in front of this one (ENI PreviousPort)"));
 }
 
-void SlaveGeneralPage::buildChecks(Card& card) {
-  fields().toggle(card, "checkVendor", "slave.N.check.vendor");
-  fields().toggle(card, "checkProduct", "slave.N.check.product");
-  fields().toggle(card, "checkRevision", "slave.N.check.revision");
-  fields().toggle(card, "checkSerial", "slave.N.check.serial");
+void SlaveGeneralPage::buildPlace(Card& card) {
+  auto* previous = fields().textField("slavePrevious", "slave.N.previous");
+  card.addRow(previous->accessibleName(), previous, previous->toolTip());
+  previous_ = card.addValue("slavePreviousName", tr("In front"), tr("Slave and port in front of this one"));
+  fields().keys(card, {"slave.N.optional", "slave.N.hot_connect"});
 }
 
 void SlaveGeneralPage::buildState(Card& card) {
@@ -105,10 +115,10 @@ void SlaveGeneralPage::refresh() {
       slave.previous
           ? tr("%1, port %2").arg(nodeName(project, slave.previous->position)).arg(QChar(u'A' + slave.previous->port))
           : QString::fromStdString(project.master.name));
-  preop_->setText(timeoutText(device.timeouts.preop));
-  safeop_op_->setText(timeoutText(device.timeouts.safeop_op));
-  to_init_->setText(timeoutText(device.timeouts.back_to_init));
-  to_safeop_->setText(timeoutText(device.timeouts.back_to_safeop));
+  preop_->setText(timeoutText(project, node(), "slave.N.timeout.preop_ms"));
+  safeop_op_->setText(timeoutText(project, node(), "slave.N.timeout.safeop_op_ms"));
+  to_init_->setText(timeoutText(project, node(), "slave.N.timeout.back_to_init_ms"));
+  to_safeop_->setText(timeoutText(project, node(), "slave.N.timeout.back_to_safeop_ms"));
 }
 
 void SlaveGeneralPage::showLive(const Snapshot& snapshot) {

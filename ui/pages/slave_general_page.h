@@ -23,7 +23,7 @@ class SlaveGeneralPage final : public Page {
  private:
   void buildIdentity(Card& card);
   void buildAddresses(Card& card);
-  void buildChecks(Card& card);
+  void buildPlace(Card& card);
   void buildState(Card& card);
   void buildTimeouts(Card& card);
 

@@ -58,6 +58,8 @@ SyncSettingsEditor::SyncSettingsEditor(Card& card, Page& page) : QObject(&page) 
   card.addRow(limit_->accessibleName(), limit_, limit_->toolTip());
   type_ = page.fields().choice(card, "syncType", "slave.N.sync.type");
   type_->setMinimumContentsLength(14);
+  page.fields().keys(card, {"slave.N.sync.input_shift_us"},
+                     [](const SlaveSettings& slave) { return slave.device.mailbox && slave.device.mailbox->coe; });
 }
 
 void SyncSettingsEditor::showSlave(const SlaveSettings& slave) {

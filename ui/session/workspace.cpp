@@ -40,6 +40,11 @@ Workspace::Workspace(Environment environment, QObject* parent)
   });
 }
 
+void Workspace::setExpert(bool expert) {
+  if (expert == std::exchange(expert_, expert)) return;
+  Q_EMIT expertChanged();
+}
+
 void Workspace::setLink(const QString& link) {
   if (link_ == link) return;
   link_ = link;

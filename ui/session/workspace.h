@@ -39,6 +39,10 @@ class Workspace final : public QObject {
   [[nodiscard]] const QString& link() const { return link_; }
   void setLink(const QString& link);
 
+  /// Whether settings that few machines need are shown.
+  [[nodiscard]] bool expert() const { return expert_; }
+  void setExpert(bool expert);
+
   /// Compiles and starts; a configuration with errors is refused (the messages name them).
   Status goOnline();
   /// A line in the message window.
@@ -47,6 +51,7 @@ class Workspace final : public QObject {
 
  Q_SIGNALS:
   void linkChanged();
+  void expertChanged();
 
  private:
   void showFindings();
@@ -54,6 +59,7 @@ class Workspace final : public QObject {
 
   Environment environment_;
   QString link_;
+  bool expert_ = false;
   ProjectDocument document_;
   ConfigurationMonitor configuration_;
   ScanController scan_;

@@ -33,10 +33,17 @@ QString optionText(const settings::Option& option) {
   return translated(option.text.empty() ? option.word : option.text);
 }
 
+QString settingWord(const std::string& word) { return word.empty() ? QString() : translated(word); }
+
+QString expertText(const QString& label) { return label + QStringLiteral(" \u25C6"); }
+
 QString settingTip(const settings::Setting& setting) {
   QStringList where{whereText(setting.words), eniText(setting.words)};
   where.removeAll(QString());
-  const auto help = translated(setting.words.help);
+  auto help = translated(setting.words.help);
+  if (setting.words.expert) {
+    help += u'\n' + expertText(word(QT_TRANSLATE_NOOP("Setting", "Expert setting: few machines need it"))).trimmed();
+  }
   return where.isEmpty() ? help : help + u'\n' + where.join(QStringLiteral(", "));
 }
 

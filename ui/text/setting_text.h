@@ -12,6 +12,10 @@ namespace syncline::ui {
 [[nodiscard]] QString settingLabel(const settings::Setting& setting);
 /// The words of an option of a choice.
 [[nodiscard]] QString optionText(const settings::Option& option);
+/// A word of the table, like "auto".
+[[nodiscard]] QString settingWord(const std::string& word);
+/// `label` with the mark of settings that few machines need.
+[[nodiscard]] QString expertText(const QString& label);
 /// What the setting means and where it goes, in two lines.
 [[nodiscard]] QString settingTip(const settings::Setting& setting);
 /// The same with values, default and key, as rich text for What's This.

@@ -1,25 +1,36 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/widgets/card.h"
 
+#include <QAbstractSpinBox>
+#include <QComboBox>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QPainter>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <utility>
 
 #include "ui/theme/theme.h"
 #include "ui/widgets/value_label.h"
 
 namespace syncline::ui {
 
+namespace {
+
+constexpr int kMargin = 12, kSpacing = 10;
+
+}  // namespace
+
 Card::Card(const QString& title, QWidget* parent) : QWidget(parent) {
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(14, 8, 14, 10);
   layout->setSpacing(6);
-  auto* heading = new QLabel(title, this);
-  auto font = heading->font();
+  heading_ = new QLabel(title, this);
+  auto font = heading_->font();
   font.setWeight(QFont::DemiBold);
-  heading->setFont(font);
-  layout->addWidget(heading);
+  heading_->setFont(font);
+  layout->addWidget(heading_);
   form_ = new QFormLayout;
   form_->setHorizontalSpacing(14);
   form_->setVerticalSpacing(5);
@@ -61,25 +72,119 @@ void Card::paintEvent(QPaintEvent*) {
 
 CardColumns::CardColumns(QWidget* parent) : QWidget(parent) {
   auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(12, 10, 12, 10);
-  layout->setSpacing(10);
+  layout->setContentsMargins(kMargin, 10, kMargin, 10);
+  layout->setSpacing(kSpacing);
 }
 
 Card* CardColumns::add(int column, const QString& title) {
-  auto* row = static_cast<QHBoxLayout*>(layout());
-  while (columns_.size() <= column) {
-    auto* stack = new QVBoxLayout;
-    stack->setSpacing(10);
-    row->addLayout(stack, 1);
-    columns_.append(stack);
-  }
+  while (columns_.size() <= column) columns_.append(QList<Card*>());
   auto* card = new Card(title, this);
-  columns_[column]->addWidget(card);
+  columns_[column].append(card);
   return card;
 }
 
-void CardColumns::addStretch() {
-  for (auto* column : columns_) column->addStretch(1);
+/// 0: none of its cards is shown.
+int CardColumns::widthOf(qsizetype column) const {
+  int width = 0;
+  for (const auto* card : columns_[column]) {
+    if (!card->isHidden()) width = std::max(width, card->minimumSizeHint().width());
+  }
+  return width;
+}
+
+/// How many columns that show something stand beside each other in this width; at least one. All are as wide as the
+/// widest.
+int CardColumns::fitting(int width) const {
+  int widest = 0, used = 0;
+  for (qsizetype i = 0; i < columns_.size(); ++i) {
+    const int needed = widthOf(i);
+    widest = std::max(widest, needed);
+    used += needed > 0 ? 1 : 0;
+  }
+  const int room = width - 2 * kMargin + kSpacing;
+  return std::clamp(room / (widest + kSpacing), 1, std::max(used, 1));
+}
+
+void CardColumns::arrange() {
+  const int wanted = fitting(width());
+  QList<Card*> order;
+  QList<int> stack_of;
+  int used = 0;
+  for (qsizetype i = 0; i < columns_.size(); ++i) {
+    for (auto* card : columns_[i]) {
+      order.append(card);
+      stack_of.append(used % wanted);
+    }
+    if (widthOf(i) > 0) ++used;
+  }
+  if (stack_of == placed_ && shown_ == wanted) return;
+  shown_ = wanted;
+  placed_ = stack_of;
+  auto* row = static_cast<QHBoxLayout*>(layout());
+  for (auto* stack : stacks_) {
+    while (auto* item = stack->takeAt(0)) delete item;
+    row->removeItem(stack);
+    delete stack;
+  }
+  stacks_.clear();
+  for (int i = 0; i < wanted; ++i) {
+    stacks_.append(new QVBoxLayout);
+    stacks_.last()->setSpacing(kSpacing);
+    row->addLayout(stacks_.last(), 1);
+  }
+  for (qsizetype i = 0; i < order.size(); ++i) stacks_[stack_of[i]]->addWidget(order[i]);
+  for (auto* stack : stacks_) stack->addStretch(1);
+  orderTabs();
+  updateGeometry();
+}
+
+/// Down one column, then down the next, whatever was made first.
+void CardColumns::orderTabs() {
+  QWidget* last = nullptr;
+  for (const auto* stack : stacks_) {
+    for (int i = 0; i < stack->count(); ++i) {
+      auto* card = stack->itemAt(i)->widget();
+      if (card == nullptr) continue;
+      for (auto* field : card->findChildren<QWidget*>()) {
+        if (field->window() != window()) continue;  // the list that a choice opens
+        // The line edit of a spin box goes with it.
+        const bool inner = qobject_cast<QAbstractSpinBox*>(field->parentWidget()) != nullptr ||
+                           qobject_cast<QComboBox*>(field->parentWidget()) != nullptr;
+        if (inner || (field->focusPolicy() & Qt::TabFocus) == 0 || field->focusProxy() != nullptr) continue;
+        if (last != nullptr) setTabOrder(last, field);
+        last = field;
+      }
+    }
+  }
+}
+
+int CardColumns::rows() const {
+  int rows = 0;
+  for (const auto& column : columns_) {
+    for (auto* card : column) rows += card->form()->rowCount();
+  }
+  return rows;
+}
+
+QSize CardColumns::minimumSizeHint() const {
+  int widest = 0;
+  for (qsizetype i = 0; i < columns_.size(); ++i) widest = std::max(widest, widthOf(i));
+  return {widest + 2 * kMargin, layout()->minimumSize().height()};
+}
+
+bool CardColumns::event(QEvent* event) {
+  // Cards came, went or grew.
+  if (event->type() == QEvent::LayoutRequest) {
+    arrange();
+    const int before = std::exchange(rows_, rows());
+    if (before != rows_) orderTabs();
+  }
+  return QWidget::event(event);
+}
+
+void CardColumns::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  arrange();
 }
 
 }  // namespace syncline::ui

@@ -15,6 +15,8 @@ class Card final : public QWidget {
   explicit Card(const QString& title, QWidget* parent = nullptr);
 
   [[nodiscard]] QFormLayout* form() { return form_; }
+  [[nodiscard]] QString title() const { return heading_->text(); }
+  void setTitle(const QString& title) { heading_->setText(title); }
   /// Label and field with a tool tip on both.
   void addRow(const QString& label, QWidget* field, const QString& tool_tip = {});
   /// Field over the whole width.
@@ -26,10 +28,12 @@ class Card final : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  QLabel* heading_;
   QFormLayout* form_;
 };
 
-/// Columns of cards side by side, as wide as they need; scrolls when the page is too small.
+/// Columns of cards side by side, as wide as they need. Where they do not fit beside each other, the last columns stand
+/// below the others, so that a page scrolls in one direction only.
 class CardColumns final : public QWidget {
   Q_OBJECT
 
@@ -37,10 +41,26 @@ class CardColumns final : public QWidget {
   explicit CardColumns(QWidget* parent = nullptr);
   /// `column` counts from 0; cards of a column stand below each other.
   Card* add(int column, const QString& title);
-  void addStretch();
+  /// Ends the columns.
+  void addStretch() { arrange(); }
+  [[nodiscard]] QSize minimumSizeHint() const override;
+
+ protected:
+  bool event(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
-  QList<class QVBoxLayout*> columns_;
+  [[nodiscard]] int widthOf(qsizetype column) const;
+  [[nodiscard]] int fitting(int width) const;
+  [[nodiscard]] int rows() const;
+  void arrange();
+  void orderTabs();
+
+  QList<QList<Card*>> columns_;
+  QList<class QVBoxLayout*> stacks_;
+  QList<int> placed_;  // the stack of each card
+  int rows_ = 0;       // in all cards
+  int shown_ = 0;      // columns side by side
 };
 
 }  // namespace syncline::ui

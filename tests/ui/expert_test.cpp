@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+// Settings that few machines need: hidden until they are asked for or differ from their default.
+#include <gtest/gtest.h>
+
+#include <QAbstractSpinBox>
+#include <QAction>
+#include <QLabel>
+#include <QTabWidget>
+
+#include "support/ui_test_support.h"
+#include "ui/editors/field_binder.h"
+#include "ui/editors/number_edit.h"
+#include "ui/editors/page.h"
+#include "ui/editors/text_edit.h"
+#include "ui/main_window.h"
+#include "ui/pages/device_editor.h"
+#include "ui/session/workspace.h"
+#include "ui/widgets/card.h"
+
+namespace syncline::ui {
+namespace {
+
+class ExpertSettings : public ::testing::Test {
+ protected:
+  ExpertSettings() : workspace_(test::virtualEnvironment()), window_(workspace_) {
+    workspace_.document().replace(QStringLiteral("load"), test::smallProject());
+    window_.show();
+  }
+  ~ExpertSettings() override { workspace_.document().undoStack().setClean(); }
+
+  QAction& action() { return *window_.findChild<QAction*>(QStringLiteral("actionExpert")); }
+  const Project& project() { return workspace_.document().project(); }
+  bool show(int node, const char* page) {
+    window_.selectNode(node);
+    auto* tabs = window_.editor().tabs();
+    for (int i = 0; i < tabs->count(); ++i) {
+      if (tabs->widget(i)->objectName() == QLatin1String(page)) tabs->setCurrentIndex(i);
+    }
+    return tabs->currentWidget()->objectName() == QLatin1String(page);
+  }
+  template <class Widget = QWidget>
+  Widget& field(const char* name) {
+    return *test::find<Widget>(window_, name);
+  }
+  void set(const char* key, const settings::Value& value) {
+    ASSERT_TRUE(workspace_.document().set(QStringLiteral("set"), {{&settings::row(key), {.slave = 1}, value}}));
+  }
+
+  Workspace workspace_;
+  MainWindow window_;
+};
+
+TEST_F(ExpertSettings, AreShownWithTheSwitchOnly) {
+  EXPECT_FALSE(action().isChecked());
+  EXPECT_FALSE(show(-1, "masterDcExpertPage"));
+  ASSERT_TRUE(show(-1, "masterGeneralPage"));
+  EXPECT_FALSE(field("masterRealTimeCpu").isVisible());
+  EXPECT_FALSE(show(1, "slaveTimingPage"));
+  action().trigger();
+  EXPECT_TRUE(workspace_.expert());
+  EXPECT_TRUE(show(-1, "masterDcExpertPage"));
+  ASSERT_TRUE(show(-1, "masterGeneralPage"));
+  EXPECT_TRUE(field("masterRealTimeCpu").isVisible());
+  EXPECT_TRUE(show(1, "slaveTimingPage"));
+  action().trigger();
+  EXPECT_FALSE(show(1, "slaveTimingPage"));
+  EXPECT_FALSE(show(-1, "masterDcExpertPage"));
+}
+
+TEST_F(ExpertSettings, CarryAMark) {
+  action().trigger();
+  ASSERT_TRUE(show(-1, "masterGeneralPage"));
+  auto* card = qobject_cast<Card*>(field("masterRealTimeCpu").parentWidget());
+  ASSERT_NE(card, nullptr);
+  EXPECT_TRUE(card->title().contains(QStringLiteral("(Expert)"))) << qPrintable(card->title());
+  ASSERT_TRUE(show(1, "slaveGeneralPage"));
+  auto& rule = field("slaveCheckRevisionRule");
+  auto* caption = qobject_cast<QLabel*>(qobject_cast<Card*>(rule.parentWidget())->form()->labelForField(&rule));
+  ASSERT_NE(caption, nullptr);
+  EXPECT_TRUE(caption->text().endsWith(QChar(0x25C6))) << qPrintable(caption->text());
+  EXPECT_EQ(rule.accessibleName(), QStringLiteral("Revision rule"));
+}
+
+TEST_F(ExpertSettings, StayWhenTheyDifferFromTheDefault) {
+  set("slave.N.watchdog.divider", std::int64_t{1000});
+  set("master.real_time.cpu", std::int64_t{2});
+  ASSERT_TRUE(show(1, "slaveTimingPage"));
+  EXPECT_TRUE(field("slaveWatchdogDivider").isVisible());
+  EXPECT_FALSE(field("slaveWatchdogPdi").isVisible());
+  EXPECT_FALSE(show(2, "slaveTimingPage")) << "another slave";
+  ASSERT_TRUE(show(-1, "masterGeneralPage"));
+  EXPECT_TRUE(field("masterRealTimeCpu").isVisible());
+  EXPECT_FALSE(field("masterRealTimeSpinUs").isVisible());
+  workspace_.document().undoStack().undo();
+  EXPECT_FALSE(field("masterRealTimeCpu").isVisible());
+}
+
+TEST_F(ExpertSettings, AFieldStaysUnderTheCursorThatPassesItsDefault) {
+  set("slave.N.watchdog.divider", std::int64_t{1000});
+  window_.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
+  ASSERT_TRUE(show(1, "slaveTimingPage"));
+  auto& divider = field<NumberEdit>("slaveWatchdogDivider");
+  divider.setFocus();
+  QTest::keyClick(&divider, Qt::Key_A, Qt::ControlModifier);
+  QTest::keyClick(&divider, Qt::Key_Delete);
+  QTest::keyClick(&divider, Qt::Key_Return);
+  EXPECT_EQ(project().slaves[1].watchdog.divider, std::nullopt);
+  EXPECT_TRUE(divider.isVisible());
+}
+
+/// Tab goes down one column and then the next, also to fields that were made later.
+TEST_F(ExpertSettings, TabFollowsTheColumns) {
+  action().trigger();
+  ASSERT_TRUE(show(-1, "masterGeneralPage"));
+  const auto after = [&](const char* name) {
+    auto* next = field(name).nextInFocusChain();
+    while (!(next->focusPolicy() & Qt::TabFocus) || !next->isVisible() ||
+           qobject_cast<QAbstractSpinBox*>(next->parentWidget()) != nullptr) {
+      next = next->nextInFocusChain();
+    }
+    return next->objectName();
+  };
+  EXPECT_EQ(after("networkName"), QStringLiteral("masterOverlap"));
+  EXPECT_EQ(after("masterImageLogicalStart"), QStringLiteral("masterImageAlignment"));
+  EXPECT_EQ(after("masterImageBitPacking"), QStringLiteral("masterRealTimeSpinUs"));
+}
+
+/// A page that is too narrow for its columns puts them below each other instead of hiding some.
+TEST_F(ExpertSettings, NarrowPagesStackTheirColumns) {
+  action().trigger();
+  for (const QSize size : {QSize(1280, 800), QSize(1024, 640)}) {
+    window_.resize(size);
+    for (const int node : {-1, 1}) {
+      window_.selectNode(node);
+      for (auto* page : window_.editor().pages()) {
+        if (!page->appliesTo(node)) continue;
+        window_.editor().tabs()->setCurrentWidget(page);
+        QApplication::processEvents();
+        EXPECT_LE(page->widget()->width(), page->viewport()->width())
+            << page->objectName().toStdString() << " at " << size.width();
+      }
+    }
+  }
+}
+
+/// An unset number says so, and typing what stands for it is a decision.
+TEST_F(ExpertSettings, WhatAutoStandsForCanBeSet) {
+  action().trigger();
+  ASSERT_TRUE(show(-1, "masterDcExpertPage"));
+  auto& delay = field<NumberEdit>("masterDcDelayDifferenceNs");
+  auto* line = delay.findChild<QLineEdit*>();
+  ASSERT_NE(line, nullptr);
+  EXPECT_EQ(line->text(), QString());
+  EXPECT_EQ(line->placeholderText(), QStringLiteral("auto: 40 ns"));
+  EXPECT_EQ(field("masterDcLoopSpeedCounterStart").findChild<QLineEdit*>()->placeholderText(), QStringLiteral("auto"));
+  test::type(delay, QStringLiteral("40"));
+  EXPECT_EQ(project().master.dc.delay_difference, 40U);
+  EXPECT_EQ(line->text(), QStringLiteral("40 ns"));
+  test::type(delay, QStringLiteral("auto"));
+  EXPECT_EQ(project().master.dc.delay_difference, std::nullopt);
+}
+
+TEST_F(ExpertSettings, AnAddressThatIsNoneStaysMarked) {
+  action().trigger();
+  ASSERT_TRUE(show(-1, "masterGeneralPage"));
+  auto& address = field<TextEdit>("masterDestinationMac");
+  EXPECT_EQ(address.text(), QStringLiteral("ff:ff:ff:ff:ff:ff"));
+  test::type(address, QStringLiteral("01:02"));
+  EXPECT_EQ(address.text(), QStringLiteral("01:02"));
+  EXPECT_FALSE(address.accessibleDescription().isEmpty());
+  QTest::keyClick(&address, Qt::Key_Escape);
+  EXPECT_EQ(address.text(), QStringLiteral("ff:ff:ff:ff:ff:ff"));
+}
+
+}  // namespace
+}  // namespace syncline::ui

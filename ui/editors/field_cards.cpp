@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+// Cards made of lists of keys, and which of their fields are shown.
+#include <QApplication>
+#include <QCheckBox>
+#include <QLabel>
+#include <algorithm>
+#include <set>
+
+#include "ui/editors/choice_edit.h"
+#include "ui/editors/field_binder.h"
+#include "ui/editors/number_edit.h"
+#include "ui/editors/page.h"
+#include "ui/editors/text_edit.h"
+#include "ui/text/setting_text.h"
+#include "ui/widgets/card.h"
+
+namespace syncline::ui {
+namespace {
+
+using settings::Setting;
+
+/// What a new project and a new slave have. Expert settings do not depend on the device.
+bool isDefault(const Setting& setting, const Project& project, const settings::Place& place) {
+  static const Project fresh = [] {
+    Project made;
+    made.slaves.emplace_back();
+    return made;
+  }();
+  auto same = place;
+  same.slave = 0;
+  return setting.read(project, place) == setting.read(fresh, same);
+}
+
+bool holdsFocus(const QWidget& field) { return field.hasFocus() || field.isAncestorOf(QApplication::focusWidget()); }
+
+}  // namespace
+
+QString fieldName(const char* key) {
+  QString name;
+  bool upper = false;
+  for (const auto& part : QString::fromLatin1(key).split(u'.')) {
+    if (part == u"N" || part == u"K" || part == u"0xIIII") continue;
+    for (const auto c : part) {
+      if (c != u'_') name += upper ? c.toUpper() : c;
+      upper = c == u'_';
+    }
+    upper = true;
+  }
+  return name;
+}
+
+QWidget* FieldBinder::makeField(Card& card, const QString& object_name, const char* key, const Options& options) {
+  const auto latin = object_name.toLatin1();
+  const auto& setting = settings::row(key);
+  const bool on_off = std::holds_alternative<settings::Switch>(setting.type);
+  if (options || std::holds_alternative<settings::Choice>(setting.type) || (on_off && !setting.unset.empty())) {
+    return choice(card, latin.constData(), key, options);
+  }
+  if (on_off) return toggle(card, latin.constData(), key);
+  if (std::holds_alternative<settings::Number>(setting.type)) return number(card, latin.constData(), key);
+  return text(card, latin.constData(), key);
+}
+
+void FieldBinder::addRow(Card& card, const QString& label, QWidget& field) {
+  auto& bound = bound_.back();
+  const bool marked = bound.setting->words.expert && !expert_card_;
+  card.addRow(marked ? expertText(label) : label, &field, field.toolTip());
+  bound.card = &card;
+  bound.row = &field;
+}
+
+void FieldBinder::addWide(Card& card, QWidget& field) {
+  auto& bound = bound_.back();
+  auto* box = qobject_cast<QCheckBox*>(&field);
+  if (box != nullptr && bound.setting->words.expert && !expert_card_) box->setText(expertText(box->text()));
+  card.addWide(&field, field.toolTip());
+  bound.card = &card;
+  bound.row = &field;
+}
+
+void FieldBinder::keys(Card& card, std::initializer_list<const char*> keys, const Applies& applies) {
+  addKeys(card, keys, {}, applies);
+}
+
+void FieldBinder::chosen(Card& card, std::initializer_list<const char*> keys, const Options& options,
+                         const Applies& applies) {
+  addKeys(card, keys, options, applies);
+}
+
+void FieldBinder::addKeys(Card& card, std::initializer_list<const char*> keys, const Options& options,
+                          const Applies& applies) {
+  const bool only = card.form()->rowCount() == 0;
+  const bool experts = std::ranges::all_of(keys, [](const char* key) { return settings::row(key).words.expert; });
+  if (only) own_cards_.push_back(&card);
+  if (only && experts && !expert_page_) card.setTitle(tr("%1 (Expert)").arg(card.title()));
+  expert_card_ = experts && (only || expert_page_);
+  for (const auto* key : keys) {
+    makeField(card, fieldName(key), key, options);
+    bound_.back().applies = applies;
+  }
+  expert_card_ = false;
+}
+
+void FieldBinder::items(Card& card, const char* key, Label label, Options options) {
+  if (card.form()->rowCount() == 0) own_cards_.push_back(&card);
+  items_.push_back(std::make_shared<Items>(Items{&card, key, std::move(label), std::move(options), {}}));
+}
+
+/// Makes the rows that are missing; those that are too many stay and are hidden.
+void FieldBinder::fillItems(const std::shared_ptr<Items>& items) {
+  const auto slave = place().slave;
+  const auto& project = page_.project();
+  items->places =
+      slave < project.slaves.size() ? settings::row(items->key).items(project, slave) : std::vector<settings::Place>{};
+  const auto usual = where_;
+  for (; items->made < items->places.size(); ++items->made) {
+    where_ = [items, number = items->made]() -> std::optional<settings::Place> {
+      return number < items->places.size() ? std::optional(items->places[number]) : std::nullopt;
+    };
+    makeField(*items->card, fieldName(items->key) + QString::number(items->made), items->key, items->options);
+    bound_.back().label = items->label;
+  }
+  where_ = usual;
+}
+
+bool FieldBinder::shows(const Bound& bound, const settings::Place& place) const {
+  const auto& project = page_.project();
+  if (bound.setting->of_slave() && place.slave >= project.slaves.size()) return false;
+  if (bound.applies && !bound.applies(project.slaves[place.slave])) return false;
+  return !bound.setting->words.expert || page_.expert() || !isDefault(*bound.setting, project, place);
+}
+
+bool FieldBinder::wanted(int node) const {
+  const auto slave = static_cast<std::size_t>(std::max(node, 0));
+  const auto& project = page_.project();
+  for (const auto& items : items_) {
+    const auto& setting = settings::row(items->key);
+    if (slave >= project.slaves.size()) continue;
+    const auto places = setting.items(project, slave);
+    if (std::ranges::any_of(places, [&](const settings::Place& place) {
+          return !setting.words.expert || page_.expert() || !isDefault(setting, project, place);
+        })) {
+      return true;
+    }
+  }
+  return std::ranges::any_of(bound_, [&](const Bound& bound) {
+    if (bound.setting->items) return false;
+    return shows(bound, {.slave = slave}) || (node == page_.node() && holdsFocus(*bound.widget));
+  });
+}
+
+void FieldBinder::showRows() {
+  std::set<Card*> used;
+  for (const auto& bound : bound_) {
+    const auto place = bound.place();
+    // A value on its way through its default does not take the field away under the cursor.
+    const bool shown = place && (shows(bound, *place) || holdsFocus(*bound.widget));
+    if (bound.row != nullptr) bound.card->form()->setRowVisible(bound.row, shown);
+    if (!shown) continue;
+    used.insert(bound.card);
+    if (bound.label) {
+      const auto label = bound.label(page_.project(), *place);
+      bound.widget->setAccessibleName(label);
+      if (auto* caption = qobject_cast<QLabel*>(bound.card->form()->labelForField(bound.row))) {
+        caption->setText(bound.setting->words.expert ? expertText(label) : label);
+      }
+    }
+    if (bound.show) bound.show();
+  }
+  for (auto* card : own_cards_) card->setVisible(used.contains(card));
+}
+
+}  // namespace syncline::ui
