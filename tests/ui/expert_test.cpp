@@ -128,17 +128,30 @@ TEST_F(ExpertSettings, TabFollowsTheColumns) {
 
 /// A page that is too narrow for its columns puts them below each other instead of hiding some.
 TEST_F(ExpertSettings, NarrowPagesStackTheirColumns) {
+  auto project = test::smallProject();
+  project.slaves[1].device.mailbox.emplace().coe.emplace();
+  project.slaves[1].device.dc->op_modes.front().description = "words that wrap in a column of the page";
+  workspace_.document().replace(QStringLiteral("load"), project);
   action().trigger();
   for (const QSize size : {QSize(1280, 800), QSize(1024, 640)}) {
     window_.resize(size);
-    for (const int node : {-1, 1}) {
+    workspace_.setExpert(false);
+    QApplication::processEvents();
+    workspace_.setExpert(true);
+    for (const int node : {-1, 2, 0, 1}) {  // rows come while their page is not shown
       window_.selectNode(node);
       for (auto* page : window_.editor().pages()) {
         if (!page->appliesTo(node)) continue;
         window_.editor().tabs()->setCurrentWidget(page);
-        QApplication::processEvents();
+        for (int round = 0; round < 3; ++round) QApplication::processEvents();  // layouts ask for another one
         EXPECT_LE(page->widget()->width(), page->viewport()->width())
             << page->objectName().toStdString() << " at " << size.width();
+        for (const auto& bound : page->fields().bound()) {
+          const auto& widget = *bound.widget;
+          if (!widget.isVisible() || bound.row == nullptr) continue;
+          EXPECT_GE(widget.height(), widget.sizeHint().height()) << bound.setting->key << " at " << size.width();
+          EXPECT_GE(widget.width(), widget.minimumSizeHint().width()) << bound.setting->key << " at " << size.width();
+        }
       }
     }
   }

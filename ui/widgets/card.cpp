@@ -92,17 +92,22 @@ int CardColumns::widthOf(qsizetype column) const {
   return width;
 }
 
-/// How many columns that show something stand beside each other in this width; at least one. All are as wide as the
-/// widest.
+/// How many stacks of columns that show something fit beside each other in this width; at least one.
 int CardColumns::fitting(int width) const {
-  int widest = 0, used = 0;
+  QList<int> widths;
   for (qsizetype i = 0; i < columns_.size(); ++i) {
-    const int needed = widthOf(i);
-    widest = std::max(widest, needed);
-    used += needed > 0 ? 1 : 0;
+    if (const int needed = widthOf(i); needed > 0) widths.append(needed);
   }
-  const int room = width - 2 * kMargin + kSpacing;
-  return std::clamp(room / (widest + kSpacing), 1, std::max(used, 1));
+  for (auto stacks = widths.size(); stacks > 1; --stacks) {
+    int needed = 2 * kMargin - kSpacing;
+    for (qsizetype stack = 0; stack < stacks; ++stack) {
+      int widest = 0;
+      for (auto i = stack; i < widths.size(); i += stacks) widest = std::max(widest, widths[i]);
+      needed += widest + kSpacing;
+    }
+    if (needed <= width) return static_cast<int>(stacks);
+  }
+  return 1;
 }
 
 void CardColumns::arrange() {
@@ -180,6 +185,16 @@ bool CardColumns::event(QEvent* event) {
     if (before != rows_) orderTabs();
   }
   return QWidget::event(event);
+}
+
+void CardColumns::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  // Rows that came or went while nobody saw the page have not been measured.
+  for (auto* card : findChildren<Card*>()) {
+    card->form()->invalidate();
+    card->layout()->invalidate();
+    card->updateGeometry();
+  }
 }
 
 void CardColumns::resizeEvent(QResizeEvent* event) {
