@@ -1636,7 +1636,7 @@
         </message>
         <message>
             <source>Frame Addresses</source>
-            <translation>Adressen der Rahmen</translation>
+            <translation>Adressen der Frames</translation>
         </message>
         <message>
             <source>Process Image</source>
@@ -3379,7 +3379,7 @@ Einstellung %2</translation>
         </message>
         <message>
             <source>Destination address of the frames; broadcast unless a switch demands another.</source>
-            <translation>Zieladresse der Rahmen; Broadcast, sofern kein Switch eine andere verlangt.</translation>
+            <translation>Zieladresse der Frames; Broadcast, sofern kein Switch eine andere verlangt.</translation>
         </message>
         <message>
             <source>Source address</source>
@@ -3395,7 +3395,7 @@ Einstellung %2</translation>
         </message>
         <message>
             <source>Most of each wait that is spent asking the clock: earlier wake-ups for processor time. Used is what this host needs for 99 of 100 frames to leave at most 2 % of the cycle late, and at most a quarter of the cycle.</source>
-            <translation>Höchster Teil jeder Wartezeit, in dem die Uhr abgefragt wird: früheres Aufwachen gegen Prozessorzeit. Benutzt wird, was dieser Rechner braucht, damit 99 von 100 Rahmen höchstens 2 % des Zyklus zu spät gehen, und höchstens ein Viertel des Zyklus.</translation>
+            <translation>Höchster Teil jeder Wartezeit, in dem die Uhr abgefragt wird: früheres Aufwachen gegen Prozessorzeit. Benutzt wird, was dieser Rechner braucht, damit 99 von 100 Frames höchstens 2 % des Zyklus zu spät gehen, und höchstens ein Viertel des Zyklus.</translation>
         </message>
         <message>
             <source>Processor</source>
@@ -3415,19 +3415,19 @@ Einstellung %2</translation>
         </message>
         <message>
             <source>Burst, frames</source>
-            <translation>Burst, Rahmen</translation>
+            <translation>Burst, Frames</translation>
         </message>
         <message>
             <source>Frames of the first drift compensation (FRMW or ARMW of 0x0910).</source>
-            <translation>Rahmen des ersten Driftausgleichs (FRMW oder ARMW auf 0x0910).</translation>
+            <translation>Frames des ersten Driftausgleichs (FRMW oder ARMW auf 0x0910).</translation>
         </message>
         <message>
             <source>Burst, frames a cycle</source>
-            <translation>Burst, Rahmen je Zyklus</translation>
+            <translation>Burst, Frames je Zyklus</translation>
         </message>
         <message>
             <source>Frames of that burst in one cycle.</source>
-            <translation>Rahmen dieses Bursts in einem Zyklus.</translation>
+            <translation>Frames dieses Bursts in einem Zyklus.</translation>
         </message>
         <message>
             <source>Burst ends early</source>
@@ -3531,7 +3531,7 @@ Einstellung %2</translation>
         </message>
         <message>
             <source>Tells that the distributed clocks are initialised, or why not.</source>
-            <translation>Meldet, dass die verteilten Uhren initialisiert sind, oder warum nicht.</translation>
+            <translation>Meldet, dass die Distributed Clocks initialisiert sind, oder warum nicht.</translation>
         </message>
         <message>
             <source>Tell of the master in sync</source>
@@ -3663,7 +3663,7 @@ Einstellung %2</translation>
         </message>
         <message>
             <source>Compares the alias in the slave (0x0012) with the configured one at start-up.</source>
-            <translation>Vergleicht beim Start den Alias im Slave (0x0012) mit dem konfigurierten.</translation>
+            <translation>Vergleicht beim Hochlauf den Alias im Slave (0x0012) mit dem konfigurierten.</translation>
         </message>
         <message>
             <source>Device ID</source>
@@ -3671,7 +3671,7 @@ Einstellung %2</translation>
         </message>
         <message>
             <source>Explicit device ID (switches or display of the device, ETG.1020) that is compared at start-up.</source>
-            <translation>Explizite Geräte-ID (Schalter oder Anzeige des Geräts, ETG.1020), die beim Start verglichen wird.</translation>
+            <translation>Explizite Geräte-ID (Schalter oder Anzeige des Geräts, ETG.1020), die beim Hochlauf verglichen wird.</translation>
         </message>
         <message>
             <source>Watchdog divider</source>
@@ -3711,7 +3711,7 @@ Einstellung %2</translation>
         </message>
         <message>
             <source>Time-out for INIT to PREOP or BOOT; auto as in the ESI.</source>
-            <translation>Zeitlimit für INIT nach PREOP oder BOOT; auto wie in der ESI.</translation>
+            <translation>Zeitgrenze für INIT nach PREOP oder BOOT; auto wie in der ESI.</translation>
         </message>
         <message>
             <source>PREOP to SAFEOP to OP</source>
@@ -3719,7 +3719,7 @@ Einstellung %2</translation>
         </message>
         <message>
             <source>Time-out for PREOP to SAFEOP and SAFEOP to OP; auto as in the ESI.</source>
-            <translation>Zeitlimit für PREOP nach SAFEOP und SAFEOP nach OP; auto wie in der ESI.</translation>
+            <translation>Zeitgrenze für PREOP nach SAFEOP und SAFEOP nach OP; auto wie in der ESI.</translation>
         </message>
         <message>
             <source>Back to INIT</source>
@@ -3727,7 +3727,7 @@ Einstellung %2</translation>
         </message>
         <message>
             <source>Time-out for the way back to INIT; auto as in the ESI.</source>
-            <translation>Zeitlimit für den Weg zurück nach INIT; auto wie in der ESI.</translation>
+            <translation>Zeitgrenze für den Weg zurück nach INIT; auto wie in der ESI.</translation>
         </message>
         <message>
             <source>Back to SAFEOP</source>
@@ -3735,7 +3735,7 @@ Einstellung %2</translation>
         </message>
         <message>
             <source>Time-out for OP to SAFEOP; auto as in the ESI.</source>
-            <translation>Zeitlimit für OP nach SAFEOP; auto wie in der ESI.</translation>
+            <translation>Zeitgrenze für OP nach SAFEOP; auto wie in der ESI.</translation>
         </message>
         <message>
             <source>Mailbox request</source>
@@ -3775,7 +3775,7 @@ Einstellung %2</translation>
         </message>
         <message>
             <source>The master learns of mail by a bit in the cyclic frames, where the device has an FMMU for it; off: it polls.</source>
-            <translation>Der Master erfährt von Post durch ein Bit in den zyklischen Rahmen, wenn das Gerät eine FMMU dafür hat; aus: er fragt nach.</translation>
+            <translation>Der Master erfährt von Post durch ein Bit in den zyklischen Frames, wenn das Gerät eine FMMU dafür hat; aus: er fragt nach.</translation>
         </message>
         <message>
             <source>Poll time</source>
@@ -3791,7 +3791,7 @@ Einstellung %2</translation>
         </message>
         <message>
             <source>Ethernet frames are passed to and from the slave (EoE).</source>
-            <translation>Ethernet-Rahmen werden zum Slave und von ihm weitergereicht (EoE).</translation>
+            <translation>Ethernet-Frames werden zum Slave und von ihm weitergereicht (EoE).</translation>
         </message>
         <message>
             <source>Ethernet address</source>
@@ -3799,7 +3799,7 @@ Einstellung %2</translation>
         </message>
         <message>
             <source>Ethernet address that the slave gets at start-up (EoE).</source>
-            <translation>Ethernet-Adresse, die der Slave beim Start bekommt (EoE).</translation>
+            <translation>Ethernet-Adresse, die der Slave beim Hochlauf bekommt (EoE).</translation>
         </message>
         <message>
             <source>IP address</source>
@@ -3807,7 +3807,7 @@ Einstellung %2</translation>
         </message>
         <message>
             <source>IP address that the slave gets at start-up (EoE).</source>
-            <translation>IP-Adresse, die der Slave beim Start bekommt (EoE).</translation>
+            <translation>IP-Adresse, die der Slave beim Hochlauf bekommt (EoE).</translation>
         </message>
         <message>
             <source>Subnet mask</source>
@@ -3815,7 +3815,7 @@ Einstellung %2</translation>
         </message>
         <message>
             <source>Subnet mask that the slave gets at start-up (EoE).</source>
-            <translation>Subnetzmaske, die der Slave beim Start bekommt (EoE).</translation>
+            <translation>Subnetzmaske, die der Slave beim Hochlauf bekommt (EoE).</translation>
         </message>
         <message>
             <source>Default gateway</source>
@@ -3823,7 +3823,7 @@ Einstellung %2</translation>
         </message>
         <message>
             <source>Default gateway that the slave gets at start-up (EoE).</source>
-            <translation>Standard-Gateway, das der Slave beim Start bekommt (EoE).</translation>
+            <translation>Standard-Gateway, das der Slave beim Hochlauf bekommt (EoE).</translation>
         </message>
         <message>
             <source>Name server</source>
@@ -3831,7 +3831,7 @@ Einstellung %2</translation>
         </message>
         <message>
             <source>Name server that the slave gets at start-up (EoE).</source>
-            <translation>Namensserver, den der Slave beim Start bekommt (EoE).</translation>
+            <translation>Namensserver, den der Slave beim Hochlauf bekommt (EoE).</translation>
         </message>
         <message>
             <source>Host name</source>
@@ -3839,7 +3839,7 @@ Einstellung %2</translation>
         </message>
         <message>
             <source>Host name that the slave gets at start-up (EoE).</source>
-            <translation>Rechnername, den der Slave beim Start bekommt (EoE).</translation>
+            <translation>Rechnername, den der Slave beim Hochlauf bekommt (EoE).</translation>
         </message>
         <message>
             <source>AMS Net ID</source>
@@ -3945,6 +3945,14 @@ Einstellung %2</translation>
             <source>Expert setting: few machines need it</source>
             <translation>Experteneinstellung: wenige Maschinen brauchen sie</translation>
         </message>
+        <message>
+            <source>frames</source>
+            <translation>Frames</translation>
+        </message>
+        <message>
+            <source>bytes</source>
+            <translation>Byte</translation>
+        </message>
     </context>
     <context>
         <name>FieldBinder</name>
@@ -3975,7 +3983,7 @@ Einstellung %2</translation>
         <name>MasterDcExpertPage</name>
         <message>
             <source>Distributed Clocks (Expert)</source>
-            <translation>Verteilte Uhren (Experte)</translation>
+            <translation>Distributed Clocks (Experte)</translation>
         </message>
         <message>
             <source>Clocks and Delays</source>
@@ -4010,7 +4018,7 @@ Einstellung %2</translation>
         </message>
         <message>
             <source>Time-outs of State Changes</source>
-            <translation>Zeitlimits der Zustandswechsel</translation>
+            <translation>Zeitgrenzen der Zustandswechsel</translation>
         </message>
     </context>
     <context>

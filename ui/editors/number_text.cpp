@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/editors/number_text.h"
 
+#include <QCoreApplication>
 #include <QLocale>
+#include <string>
 
 #include "settings/number_text.h"
 
@@ -16,7 +18,7 @@ QString numberText(const settings::Number& number, std::int64_t value) {
 
 QString unitText(const settings::Number& number) {
   if (number.unit == "us") return QStringLiteral("\u00B5s");
-  return QString::fromUtf8(number.unit.data(), static_cast<qsizetype>(number.unit.size()));
+  return QCoreApplication::translate("Setting", std::string(number.unit).c_str());  // words like "frames"
 }
 
 std::optional<std::int64_t> parseNumber(const settings::Number& number, QString text) {

@@ -284,6 +284,8 @@ constexpr const char* kSources[] = {
     QT_TRANSLATE_NOOP("Setting", "on"),
     QT_TRANSLATE_NOOP("Setting", "off"),
     QT_TRANSLATE_NOOP("Setting", "None (base task)"),
+    QT_TRANSLATE_NOOP("Setting", "frames"),
+    QT_TRANSLATE_NOOP("Setting", "bytes"),
 };
 
 }  // namespace

@@ -55,9 +55,7 @@ QString settingHelp(const settings::Setting& setting) {
   const auto* number = std::get_if<settings::Number>(&setting.type);
   auto values = QString::fromStdString(settings::range_text(setting));
   if (number != nullptr && !number->unit.empty()) {
-    values += u' ' + (number->unit == "us"
-                          ? QStringLiteral("\u00B5s")
-                          : QString::fromUtf8(number->unit.data(), static_cast<qsizetype>(number->unit.size())));
+    values += u' ' + (number->unit == "us" ? QStringLiteral("\u00B5s") : translated(std::string(number->unit)));
   }
   add(word(QT_TRANSLATE_NOOP("Setting", "Values")), values);
   if (number != nullptr && !setting.unset.empty()) {
