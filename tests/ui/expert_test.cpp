@@ -166,6 +166,7 @@ TEST_F(ExpertSettings, WhatAutoStandsForCanBeSet) {
   ASSERT_NE(line, nullptr);
   EXPECT_EQ(line->text(), QString());
   EXPECT_EQ(line->placeholderText(), QStringLiteral("auto: 40 ns"));
+  EXPECT_EQ(delay.accessibleDescription(), QStringLiteral("auto: 40 ns"));
   EXPECT_EQ(field("masterDcLoopSpeedCounterStart").findChild<QLineEdit*>()->placeholderText(), QStringLiteral("auto"));
   test::type(delay, QStringLiteral("40"));
   EXPECT_EQ(project().master.dc.delay_difference, 40U);

@@ -91,6 +91,7 @@ class FieldBinder final : public QObject {
     Card* card = nullptr;
     QWidget* row = nullptr;  // of the card
     Label label{};           // of an item
+    bool marked = false;     // as a setting for experts; else its card or page says so
   };
   [[nodiscard]] const std::vector<Bound>& bound() const { return bound_; }
 
@@ -103,11 +104,13 @@ class FieldBinder final : public QObject {
     Label label;
     Options options;
     std::vector<settings::Place> places;
+    bool own_card = false;
     std::size_t made = 0;
   };
 
   void addKeys(Card& card, std::initializer_list<const char*> keys, const Options& options, const Applies& applies);
   QWidget* makeField(Card& card, const QString& object_name, const char* key, const Options& options);
+  bool ownCard(Card& card, bool experts);
   void addRow(Card& card, const QString& label, QWidget& field);
   void addWide(Card& card, QWidget& field);
   QString take(const char* key, const Where& where, const settings::Value& value);

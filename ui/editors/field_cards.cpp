@@ -63,8 +63,8 @@ QWidget* FieldBinder::makeField(Card& card, const QString& object_name, const ch
 
 void FieldBinder::addRow(Card& card, const QString& label, QWidget& field) {
   auto& bound = bound_.back();
-  const bool marked = bound.setting->words.expert && !expert_card_;
-  card.addRow(marked ? expertText(label) : label, &field, field.toolTip());
+  bound.marked = bound.setting->words.expert && !expert_card_;
+  card.addRow(bound.marked ? expertText(label) : label, &field, field.toolTip());
   bound.card = &card;
   bound.row = &field;
 }
@@ -72,10 +72,19 @@ void FieldBinder::addRow(Card& card, const QString& label, QWidget& field) {
 void FieldBinder::addWide(Card& card, QWidget& field) {
   auto& bound = bound_.back();
   auto* box = qobject_cast<QCheckBox*>(&field);
-  if (box != nullptr && bound.setting->words.expert && !expert_card_) box->setText(expertText(box->text()));
+  bound.marked = box != nullptr && bound.setting->words.expert && !expert_card_;
+  if (bound.marked) box->setText(expertText(box->text()));
   card.addWide(&field, field.toolTip());
   bound.card = &card;
   bound.row = &field;
+}
+
+/// True when nothing else stands in the card; then its title says whether all of it is for experts.
+bool FieldBinder::ownCard(Card& card, bool experts) {
+  if (card.form()->rowCount() != 0) return false;
+  own_cards_.push_back(&card);
+  if (experts && !expert_page_) card.setTitle(tr("%1 (Expert)").arg(card.title()));
+  return true;
 }
 
 void FieldBinder::keys(Card& card, std::initializer_list<const char*> keys, const Applies& applies) {
@@ -89,11 +98,9 @@ void FieldBinder::chosen(Card& card, std::initializer_list<const char*> keys, co
 
 void FieldBinder::addKeys(Card& card, std::initializer_list<const char*> keys, const Options& options,
                           const Applies& applies) {
-  const bool only = card.form()->rowCount() == 0;
   const bool experts = std::ranges::all_of(keys, [](const char* key) { return settings::row(key).words.expert; });
-  if (only) own_cards_.push_back(&card);
-  if (only && experts && !expert_page_) card.setTitle(tr("%1 (Expert)").arg(card.title()));
-  expert_card_ = experts && (only || expert_page_);
+  const bool own = ownCard(card, experts);
+  expert_card_ = experts && (own || expert_page_);
   for (const auto* key : keys) {
     makeField(card, fieldName(key), key, options);
     bound_.back().applies = applies;
@@ -102,8 +109,8 @@ void FieldBinder::addKeys(Card& card, std::initializer_list<const char*> keys, c
 }
 
 void FieldBinder::items(Card& card, const char* key, Label label, Options options) {
-  if (card.form()->rowCount() == 0) own_cards_.push_back(&card);
-  items_.push_back(std::make_shared<Items>(Items{&card, key, std::move(label), std::move(options), {}}));
+  const bool own = ownCard(card, settings::row(key).words.expert);
+  items_.push_back(std::make_shared<Items>(Items{&card, key, std::move(label), std::move(options), {}, own}));
 }
 
 /// Makes the rows that are missing; those that are too many stay and are hidden.
@@ -113,6 +120,7 @@ void FieldBinder::fillItems(const std::shared_ptr<Items>& items) {
   items->places =
       slave < project.slaves.size() ? settings::row(items->key).items(project, slave) : std::vector<settings::Place>{};
   const auto usual = where_;
+  expert_card_ = items->own_card;
   for (; items->made < items->places.size(); ++items->made) {
     where_ = [items, number = items->made]() -> std::optional<settings::Place> {
       return number < items->places.size() ? std::optional(items->places[number]) : std::nullopt;
@@ -120,6 +128,7 @@ void FieldBinder::fillItems(const std::shared_ptr<Items>& items) {
     makeField(*items->card, fieldName(items->key) + QString::number(items->made), items->key, items->options);
     bound_.back().label = items->label;
   }
+  expert_card_ = false;
   where_ = usual;
 }
 
@@ -162,7 +171,7 @@ void FieldBinder::showRows() {
       const auto label = bound.label(page_.project(), *place);
       bound.widget->setAccessibleName(label);
       if (auto* caption = qobject_cast<QLabel*>(bound.card->form()->labelForField(bound.row))) {
-        caption->setText(bound.setting->words.expert ? expertText(label) : label);
+        caption->setText(bound.marked ? expertText(label) : label);
       }
     }
     if (bound.show) bound.show();

@@ -53,6 +53,7 @@ void NumberEdit::display() {
   const auto text = unset_ ? QString() : shownText(value_);
   if (lineEdit()->text() != text) lineEdit()->setText(text);
   markField(*this, {});
+  setAccessibleDescription(unset_ ? lineEdit()->placeholderText() : QString());  // where others see it in grey
 }
 
 bool NumberEdit::taken(const QString& refusal) {
