@@ -256,6 +256,26 @@ TEST_F(Fields, UndoTakesBackWhatIsBeingTyped) {
   EXPECT_EQ(project().master.name, "Press");
 }
 
+TEST_F(Fields, PdosOfModulesAreShownAndNamed) {
+  auto machine = editableProject();
+  auto& device = machine.slaves[0].device;  // a coupler without PDOs of its own
+  device.slots = machine.slaves[1].device.slots;
+  device.modules = machine.slaves[1].device.modules;
+  device.modules.front().tx_pdos = machine.slaves[1].device.tx_pdos;
+  workspace_.document().replace(QStringLiteral("load"), machine);
+  show(0, "slaveDataPage");
+  auto& module = field<ChoiceEdit>("slaveModule0");
+  EXPECT_EQ(module.accessibleName(), QStringLiteral("0  Axes"));
+  module.setFocus();
+  QTest::keyClick(&module, Qt::Key_End);
+  ASSERT_EQ(project().slaves[0].modules.size(), 1U);
+  show(0, "processDataPage");
+  ASSERT_TRUE(field("variableName").isEnabled());
+  test::type(field("variableName"), QStringLiteral("Axis 1 position"));
+  ASSERT_EQ(project().slaves[0].variable_names.size(), 1U);
+  EXPECT_EQ(project().slaves[0].variable_names.front().name, "Axis 1 position");
+}
+
 TEST_F(Fields, WhatWasTypedBelongsToTheSlaveThatWasShown) {
   show(1, "slaveGeneralPage");
   test::type(field("slaveAlias"), QStringLiteral("7"), false);

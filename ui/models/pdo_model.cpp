@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "config/module_slots.h"
 #include "ui/text/units.h"
 
 namespace syncline::ui {
@@ -25,7 +26,7 @@ PdoModel::PdoModel(PdoDirection direction, QObject* parent) : QAbstractTableMode
 void PdoModel::setSlave(const SlaveSettings& slave) {
   chosen_ = assigned(slave, direction_);
   std::vector<Row> rows;
-  for (const auto& pdo : slave.device.pdos(direction_)) {
+  for (const auto& pdo : pdos_of(slave, direction_)) {  // those of its modules, too
     rows.push_back({effective(slave, pdo), std::ranges::find(chosen_, pdo.index) != chosen_.end(), {}});
   }
   const bool same_rows = std::ranges::equal(

@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "config/module_slots.h"
 #include "ui/editors/field_binder.h"
 #include "ui/editors/text_edit.h"
 #include "ui/models/pdo_model.h"
@@ -18,6 +19,11 @@
 
 namespace syncline::ui {
 namespace {
+
+/// Of the device or of its modules.
+bool hasPdos(const SlaveSettings& slave, PdoDirection direction) {
+  return !slave.device.pdos(direction).empty() || (!slave.modules.empty() && !pdos_of(slave, direction).empty());
+}
 
 QLabel* heading(const QString& text) {
   auto* label = new QLabel(text);
@@ -132,8 +138,8 @@ void ProcessDataPage::showName() {
 bool ProcessDataPage::appliesTo(int slave) const {
   const auto& slaves = workspace().document().project().slaves;
   if (slave < 0 || static_cast<std::size_t>(slave) >= slaves.size()) return false;
-  const auto& device = slaves[static_cast<std::size_t>(slave)].device;
-  return !device.rx_pdos.empty() || !device.tx_pdos.empty();
+  const auto& settings = slaves[static_cast<std::size_t>(slave)];
+  return hasPdos(settings, PdoDirection::kRx) || hasPdos(settings, PdoDirection::kTx);
 }
 
 void ProcessDataPage::showEntriesOf(PdoModel* model, int row) {
@@ -157,12 +163,13 @@ void ProcessDataPage::refresh() {
   inputs_->setSlave(slave);
   outputs_size_->setText(tr("%1 assigned").arg(bitsText(outputs_->assignedBits())));
   inputs_size_->setText(tr("%1 assigned").arg(bitsText(inputs_->assignedBits())));
-  outputs_view_->parentWidget()->setVisible(!slave.device.rx_pdos.empty());
-  inputs_view_->parentWidget()->setVisible(!slave.device.tx_pdos.empty());
+  const bool outputs = outputs_->rowCount() > 0;
+  outputs_view_->parentWidget()->setVisible(outputs);
+  inputs_view_->parentWidget()->setVisible(inputs_->rowCount() > 0);
   showName();
   if (shown_node_ == node()) return;
   shown_node_ = node();
-  auto* view = slave.device.rx_pdos.empty() ? inputs_view_ : outputs_view_;
+  auto* view = outputs ? outputs_view_ : inputs_view_;
   view->setCurrentIndex(view->model()->index(0, 0));
   showEntriesOf(view == outputs_view_ ? outputs_ : inputs_, 0);
 }
