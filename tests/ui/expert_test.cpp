@@ -6,6 +6,7 @@
 #include <QAction>
 #include <QLabel>
 #include <QTabWidget>
+#include <QTranslator>
 
 #include "support/ui_test_support.h"
 #include "ui/editors/field_binder.h"
@@ -15,6 +16,7 @@
 #include "ui/main_window.h"
 #include "ui/pages/device_editor.h"
 #include "ui/session/workspace.h"
+#include "ui/text/translations.h"
 #include "ui/widgets/card.h"
 
 namespace syncline::ui {
@@ -126,35 +128,66 @@ TEST_F(ExpertSettings, TabFollowsTheColumns) {
   EXPECT_EQ(after("masterImageBitPacking"), QStringLiteral("masterRealTimeSpinUs"));
 }
 
-/// A page that is too narrow for its columns puts them below each other instead of hiding some.
-TEST_F(ExpertSettings, NarrowPagesStackTheirColumns) {
+/// A machine whose pages show each of their cards.
+Project wordyProject() {
   auto project = test::smallProject();
-  project.slaves[1].device.mailbox.emplace().coe.emplace();
-  project.slaves[1].device.dc->op_modes.front().description = "words that wrap in a column of the page";
-  workspace_.document().replace(QStringLiteral("load"), project);
-  action().trigger();
+  auto& device = project.slaves[1].device;
+  device.mailbox.emplace().coe.emplace();
+  device.mailbox->eoe = device.mailbox->aoe = true;
+  device.dc->op_modes.front().description = "words that wrap in a column of the page";
+  project.master.sync_units = {{"Infeed", {}}};
+  return project;
+}
+
+/// Nothing on the page is wider than the page, lower than it wants to be, or narrower than its words.
+void expectNothingClipped(Page& page) {
+  constexpr int kWrapped = 4;  // pixels that a label beside it may take that is wrapped
+  const auto where = page.objectName().toStdString() + " at " + std::to_string(page.window()->width());
+  EXPECT_LE(page.widget()->width(), page.viewport()->width()) << where;
+  for (const auto& bound : page.fields().bound()) {
+    const auto& widget = *bound.widget;
+    if (!widget.isVisible() || bound.row == nullptr) continue;
+    EXPECT_GE(widget.height(), widget.sizeHint().height() - kWrapped) << bound.setting->key << ' ' << where;
+    EXPECT_GE(widget.width(), widget.minimumSizeHint().width()) << bound.setting->key << ' ' << where;
+    auto* caption = qobject_cast<QLabel*>(bound.card->form()->labelForField(bound.row));
+    if (caption == nullptr) continue;
+    EXPECT_GE(caption->width(), caption->sizeHint().width()) << bound.setting->key << ' ' << where;
+  }
+}
+
+/// Pages that are too narrow for their columns put them below each other instead of hiding some.
+void lookAtEveryPage(Workspace& workspace, MainWindow& window) {
+  workspace.document().replace(QStringLiteral("load"), wordyProject());
+  window.show();
   for (const QSize size : {QSize(1280, 800), QSize(1024, 640)}) {
-    window_.resize(size);
-    workspace_.setExpert(false);
+    window.resize(size);
+    workspace.setExpert(false);
     QApplication::processEvents();
-    workspace_.setExpert(true);
+    workspace.setExpert(true);
     for (const int node : {-1, 2, 0, 1}) {  // rows come while their page is not shown
-      window_.selectNode(node);
-      for (auto* page : window_.editor().pages()) {
+      window.selectNode(node);
+      for (auto* page : window.editor().pages()) {
         if (!page->appliesTo(node)) continue;
-        window_.editor().tabs()->setCurrentWidget(page);
+        window.editor().tabs()->setCurrentWidget(page);
         for (int round = 0; round < 3; ++round) QApplication::processEvents();  // layouts ask for another one
-        EXPECT_LE(page->widget()->width(), page->viewport()->width())
-            << page->objectName().toStdString() << " at " << size.width();
-        for (const auto& bound : page->fields().bound()) {
-          const auto& widget = *bound.widget;
-          if (!widget.isVisible() || bound.row == nullptr) continue;
-          EXPECT_GE(widget.height(), widget.sizeHint().height()) << bound.setting->key << " at " << size.width();
-          EXPECT_GE(widget.width(), widget.minimumSizeHint().width()) << bound.setting->key << " at " << size.width();
-        }
+        expectNothingClipped(*page);
       }
     }
   }
+  workspace.document().undoStack().setClean();
+}
+
+TEST_F(ExpertSettings, NothingIsClipped) { lookAtEveryPage(workspace_, window_); }
+
+TEST(GermanPages, NothingIsClipped) {
+  ASSERT_TRUE(installTranslation(QStringLiteral("de")));
+  {
+    Workspace workspace(test::virtualEnvironment());
+    MainWindow window(workspace);
+    lookAtEveryPage(workspace, window);
+  }
+  for (auto* translator : QCoreApplication::instance()->findChildren<QTranslator*>()) delete translator;
+  QLocale::setDefault(QLocale::c());
 }
 
 /// An unset number says so, and typing what stands for it is a decision.
