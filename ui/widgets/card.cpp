@@ -187,16 +187,6 @@ bool CardColumns::event(QEvent* event) {
   return QWidget::event(event);
 }
 
-void CardColumns::showEvent(QShowEvent* event) {
-  QWidget::showEvent(event);
-  // Rows that came or went while nobody saw the page have not been measured.
-  for (auto* card : findChildren<Card*>()) {
-    card->form()->invalidate();
-    card->layout()->invalidate();
-    card->updateGeometry();
-  }
-}
-
 void CardColumns::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   arrange();

@@ -47,7 +47,6 @@ class CardColumns final : public QWidget {
 
  protected:
   bool event(QEvent* event) override;
-  void showEvent(QShowEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
  private:
