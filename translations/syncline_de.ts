@@ -655,11 +655,7 @@
             <source>Not there yet (hot-connect group %1)</source>
             <translation>Noch nicht da (Hot-Connect-Gruppe %1)</translation>
         </message>
-        <message>
-            <source>Scan finished</source>
-            <translation>Scan beendet</translation>
-        </message>
-        <message>
+            <message>
             <source>The scan touches a running machine: %1 slaves are beyond INIT. States and station addresses stay; %2 EEPROMs are taken from their PDIs while they are read, and the DC receive times are latched</source>
             <translation>Die Suche berührt eine laufende Maschine: %1 Slaves sind über INIT hinaus. Zustände und Stationsadressen bleiben; %2 EEPROMs werden zum Lesen von ihren PDIs genommen, und die DC-Empfangszeiten werden festgehalten</translation>
         </message>

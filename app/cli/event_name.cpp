@@ -11,7 +11,6 @@ using Name = std::string_view;
 /// Without a form for any other: a new kind of event needs its name. What belongs together for whoever filters has one.
 struct Names {
   Name operator()(const events::ScanProgress&) const { return "scan_progress"; }
-  Name operator()(const events::ScanFinished&) const { return "scan_finished"; }
   Name operator()(const events::ScanTouchesRunning&) const { return "scan_touches_running"; }
   Name operator()(const events::Online&) const { return "online"; }
   Name operator()(const events::Offline&) const { return "offline"; }

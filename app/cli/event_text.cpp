@@ -49,7 +49,6 @@ struct Words {
 
   // ---- scan
   std::string operator()(const events::ScanProgress&) const { return {}; }
-  std::string operator()(const events::ScanFinished&) const { return "scan finished"; }
   std::string operator()(const events::ScanTouchesRunning& e) const {
     return fmt::format(
         "a running machine is touched: {} slaves are beyond INIT. States and station addresses stay; {} EEPROMs "

@@ -12,12 +12,9 @@
 #include <string_view>
 
 #include "app/composition/eeprom_journal.h"
-#include "app/composition/open_link.h"
-#include "app/composition/open_master.h"
 #include "app/composition/slave_eeprom.h"
+#include "app/gui/bus_functions.h"
 #include "app/gui/screenshots.h"
-#include "engine/describe_slaves.h"
-#include "engine/scan_bus.h"
 #include "link/pcap_link.h"
 #include "support/stop_signals.h"
 #include "ui/dialogs/bus_commands.h"
@@ -103,21 +100,8 @@ Result<std::vector<ui::NetworkAdapter>> adapters() {
 
 ui::Environment environment() {
   ui::Environment environment;
-  environment.open_master = [](const QString& link) { return open_master(link.toStdString()); };
-  environment.scan_bus = [](const QString& link, const std::atomic<bool>& cancelled,
-                            const std::function<void(const Event&)>& tell) {
-    ScanRequest request;
-    request.on_event = tell;
-    request.cancel = &cancelled;
-    return scan_bus(open_link(link.toStdString()), request);
-  };
-  environment.describe_slaves = [](Project& project, const QString& link, const std::atomic<bool>& cancelled) {
-    return describe_slaves(
-        project, [&] { return open_link(link.toStdString()); }, &cancelled);
-  };
+  connect_buses(environment);
   environment.list_adapters = adapters;
-  environment.demo_link = QString::fromStdString(demo_link(true));
-  environment.esi_folders = {QString::fromStdString(resource_folder()) + QStringLiteral("/esi")};
   environment.eeprom_repairs = eeprom_repairs();
   environment.version = QStringLiteral(SYNCLINE_VERSION);
   return environment;

@@ -9,10 +9,6 @@
 
 namespace syncline {
 
-/// `look_only`: see ScanOptions.
-struct ScanCommand {
-  bool look_only = false;
-};
 struct GoOnlineCommand {
   NetworkConfig config;
   AlState target = AlState::kOp;
@@ -23,7 +19,7 @@ struct RequestStateCommand {
 };
 struct ClearStatisticsCommand {};
 /// Parameters of the running master synchronisation; zeros leave what is. The mode cannot change while online: it is
-/// part of the cyclic frames. Refused with kError when a parameter is outside its range.
+/// part of the cyclic frames. Refused with events::Failure when a parameter is outside its range.
 struct ConfigureDcmCommand {
   DcmSettings settings;
 };
@@ -33,8 +29,7 @@ struct ResetDcmStatusCommand {};
 struct CompensateDelaysCommand {
   bool on = false;
 };
-using MasterCommand =
-    std::variant<ScanCommand, GoOnlineCommand, GoOfflineCommand, RequestStateCommand, ClearStatisticsCommand,
-                 ConfigureDcmCommand, ResetDcmStatusCommand, CompensateDelaysCommand>;
+using MasterCommand = std::variant<GoOnlineCommand, GoOfflineCommand, RequestStateCommand, ClearStatisticsCommand,
+                                   ConfigureDcmCommand, ResetDcmStatusCommand, CompensateDelaysCommand>;
 
 }  // namespace syncline

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "master/operation.h"
-#include "master/scan/bus_scanner.h"
 #include "support/real_time.h"
 
 namespace syncline {
@@ -20,7 +19,6 @@ struct MasterService::Impl {
   Impl(std::unique_ptr<Link> own_link, Clock& own_clock)
       : link(std::move(own_link)), clock(own_clock), exchange(*link, own_clock) {}
 
-  void execute(const ScanCommand& command);
   void execute(GoOnlineCommand& command);
   void execute(const GoOfflineCommand&);
   void execute(const RequestStateCommand& command);
@@ -45,20 +43,6 @@ struct MasterService::Impl {
 };
 
 void MasterService::Impl::tell(EventDetails what) { channels.events.push({clock.now(), -1, std::move(what)}); }
-
-void MasterService::Impl::execute(const ScanCommand& command) {
-  if (operation) return tell(Error{ErrorCode::kConfiguration, "scan", "the bus is online; go offline first"});
-  exchange.set_addresses(kBroadcastMac, link->describe().mac);
-  Bus bus(exchange, clock, &channels.cancel);
-  ScanObserver observer;
-  observer.progress = [&](std::size_t done, std::size_t found) { tell(events::ScanProgress{done, found}); };
-  observer.touching = [&](std::size_t running, std::size_t eeproms) {
-    tell(events::ScanTouchesRunning{running, eeproms});
-  };
-  auto scan = scan_slaves(bus, {.look_only = command.look_only}, observer);
-  if (!scan) return tell(scan.error());
-  tell(events::ScanFinished{std::make_shared<const BusScan>(std::move(*scan))});
-}
 
 /// The thread that executes the command is the one that runs the cycle.
 void MasterService::Impl::bind_thread(const RealTimeSettings& settings) {

@@ -4,6 +4,7 @@
 #include "fuzz/bus_targets.h"
 #include "fuzz/lying_link.h"
 #include "master/master_service.h"
+#include "master/scan/bus_scanner.h"
 #include "tests/support/simulated_network.h"
 
 namespace syncline::fuzz {
@@ -27,9 +28,11 @@ Machine machine(bool clocks) {
   return made;
 }
 
-void scan(MasterService& service, bool look_only) {
-  service.channels().commands.push(ScanCommand{look_only});
-  (void)service.step();
+/// On a link of its own, as the programs do.
+void scan(std::unique_ptr<Link> link, Clock& clock, bool look_only) {
+  FrameExchange exchange(*link, clock);
+  Bus bus(exchange, clock, nullptr);
+  (void)scan_slaves(bus, {.look_only = look_only}, {});
 }
 
 void bring_up(MasterService& service, const NetworkConfig& config, AlState target) {
@@ -48,8 +51,8 @@ void run_master(std::span<const std::uint8_t> bytes) {
   const auto& used = what % 16 == 15 ? synchronised : plain;
   VirtualClock clock;
   const auto begin = clock.now();
+  if (what % 4 < 2) scan(std::make_unique<LyingLink>(used.network.link(clock), script), clock, what % 4 == 1);
   MasterService service(std::make_unique<LyingLink>(used.network.link(clock), script), clock);
-  if (what % 4 < 2) scan(service, what % 4 == 1);
   if (what % 4 > 0) bring_up(service, used.config, what % 4 == 2 ? AlState::kPreop : AlState::kOp);
   service.shut_down();
   (void)service.channels().events.drain();

@@ -31,7 +31,7 @@ Status LiveSession::goOnline(const QString& link, NetworkConfig config) {
   link_ = link;
   config_ = std::move(config);
   snapshot_ = Snapshot{};
-  master_->channels().commands.push(GoOnlineCommand{config_, AlState::kOp});
+  send(GoOnlineCommand{config_, AlState::kOp});
   setPhase(Phase::kStarting);
   if (!master_->is_virtual() || auto_advance_) master_->start();
   tick_.start();
@@ -41,7 +41,7 @@ Status LiveSession::goOnline(const QString& link, NetworkConfig config) {
 void LiveSession::goOffline() {
   if (phase_ == Phase::kOffline || phase_ == Phase::kStopping) return;
   if (phase_ == Phase::kStarting) master_->channels().cancel.store(true);
-  master_->channels().commands.push(GoOfflineCommand{});
+  send(GoOfflineCommand{});
   stopping_since_.start();
   setPhase(Phase::kStopping);
   if (!master_->started()) {
@@ -64,11 +64,17 @@ void LiveSession::shutDown() {
 }
 
 void LiveSession::requestState(AlState state) {
-  if (master_ && phase_ == Phase::kOnline) master_->channels().commands.push(RequestStateCommand{state});
+  if (master_ && phase_ == Phase::kOnline) send(RequestStateCommand{state});
 }
 
 void LiveSession::clearStatistics() {
-  if (master_) master_->channels().commands.push(ClearStatisticsCommand{});
+  if (master_) send(ClearStatisticsCommand{});
+}
+
+/// A master that has stopped listening is told like whatever else goes wrong with it.
+void LiveSession::send(MasterCommand command) {
+  if (master_->channels().commands.push(std::move(command))) return;
+  Q_EMIT eventArrived({snapshot_.time, -1, events::Failure{Error{ErrorCode::kTimeout, "master"}}});
 }
 
 void LiveSession::advance(Nanoseconds duration) {

@@ -8,6 +8,7 @@
 #include <memory>
 #include <vector>
 
+#include "channels/command.h"
 #include "channels/cycle_sample.h"
 #include "channels/event.h"
 #include "channels/snapshot.h"
@@ -57,6 +58,7 @@ class LiveSession final : public QObject {
   void eventArrived(const syncline::Event& event);
 
  private:
+  void send(MasterCommand command);
   void tick();
   void drain();
   void handle(const Event& event);

@@ -27,7 +27,6 @@ class Words {
 
   // ---- scan
   Line operator()(const events::ScanProgress&) const { return std::nullopt; }
-  Line operator()(const events::ScanFinished&) const { return info(tr("Scan finished")); }
   Line operator()(const events::ScanTouchesRunning& e) const {
     return warning(
         tr("The scan touches a running machine: %1 slaves are beyond INIT. States and station addresses stay; "

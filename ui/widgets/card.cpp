@@ -18,6 +18,7 @@ namespace syncline::ui {
 namespace {
 
 constexpr int kMargin = 12, kSpacing = 10;
+constexpr int kWidest = 640;  // of a card: a field wider than that says nothing more
 
 }  // namespace
 
@@ -74,6 +75,7 @@ CardColumns::CardColumns(QWidget* parent) : QWidget(parent) {
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(kMargin, 10, kMargin, 10);
   layout->setSpacing(kSpacing);
+  layout->addStretch();  // what is left where all cards are as wide as they may be
 }
 
 Card* CardColumns::add(int column, const QString& title) {
@@ -117,6 +119,7 @@ void CardColumns::arrange() {
   int used = 0;
   for (qsizetype i = 0; i < columns_.size(); ++i) {
     for (auto* card : columns_[i]) {
+      card->setMaximumWidth(std::max(kWidest, card->minimumSizeHint().width()));
       order.append(card);
       stack_of.append(used % wanted);
     }
@@ -135,7 +138,7 @@ void CardColumns::arrange() {
   for (int i = 0; i < wanted; ++i) {
     stacks_.append(new QVBoxLayout);
     stacks_.last()->setSpacing(kSpacing);
-    row->addLayout(stacks_.last(), 1);
+    row->insertLayout(i, stacks_.last(), 1);
   }
   for (qsizetype i = 0; i < order.size(); ++i) stacks_[stack_of[i]]->addWidget(order[i]);
   for (auto* stack : stacks_) stack->addStretch(1);

@@ -32,8 +32,8 @@ class Card final : public QWidget {
   QFormLayout* form_;
 };
 
-/// Columns of cards side by side, as wide as they need. Where they do not fit beside each other, the last columns stand
-/// below the others, so that a page scrolls in one direction only.
+/// Columns of cards side by side, as wide as they need and no wider than one reads. Where they do not fit beside each
+/// other, the last columns stand below the others, so that a page scrolls in one direction only.
 class CardColumns final : public QWidget {
   Q_OBJECT
 

@@ -2,9 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <memory>
-
-#include "channels/values/bus_scan.h"
 
 /// What a scan tells.
 namespace syncline::events {
@@ -18,10 +15,6 @@ struct ScanProgress {
 struct ScanTouchesRunning {
   std::size_t running = 0;  // slaves beyond INIT
   std::size_t eeproms = 0;  // taken from their PDIs to be read
-};
-
-struct ScanFinished {
-  std::shared_ptr<const BusScan> scan;  // never null
 };
 
 }  // namespace syncline::events

@@ -25,20 +25,6 @@ constexpr std::uint16_t kControl = 0x6040, kStatus = 0x6041, kMode = 0x6060, kMo
                         kFollowingError = 0x60F4, kTargetVelocity = 0x60FF, kErrorCode = 0x603F,
                         kErrorSettings = 0x10F1;
 
-AxisMode axis_mode(std::uint8_t mode) {
-  switch (const auto wanted = static_cast<AxisMode>(mode)) {
-    case AxisMode::kProfilePosition:
-    case AxisMode::kInterpolatedPosition:
-    case AxisMode::kCyclicPosition:
-    case AxisMode::kCyclicVelocity:
-      return wanted;
-    default:
-      return AxisMode::kNone;
-  }
-}
-
-bool is_cyclic(AxisMode mode) { return mode == AxisMode::kCyclicPosition || mode == AxisMode::kCyclicVelocity; }
-
 /// Where the free-running timer stands when nobody leads it: anywhere, but the same in each run.
 Nanoseconds timer_phase(const SimSlaveConfig& config) {
   const auto hash =

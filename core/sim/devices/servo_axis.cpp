@@ -24,6 +24,18 @@ std::int32_t increments(double value) {
 
 }  // namespace
 
+AxisMode axis_mode(std::uint8_t mode) {
+  switch (const auto wanted = static_cast<AxisMode>(mode)) {
+    case AxisMode::kProfilePosition:
+    case AxisMode::kInterpolatedPosition:
+    case AxisMode::kCyclicPosition:
+    case AxisMode::kCyclicVelocity:
+      return wanted;
+    default:
+      return AxisMode::kNone;
+  }
+}
+
 void ServoAxis::enable(Nanoseconds time) {
   enabled_ = moved_ = true;
   velocity_ = 0;

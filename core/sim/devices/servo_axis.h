@@ -18,6 +18,13 @@ enum class AxisMode : std::uint8_t {
   kCyclicVelocity = 9
 };
 
+/// Of object 0x6060; kNone for what the drives do not have.
+[[nodiscard]] AxisMode axis_mode(std::uint8_t mode);
+/// Targets come with each SYNC0.
+[[nodiscard]] constexpr bool is_cyclic(AxisMode mode) {
+  return mode == AxisMode::kCyclicPosition || mode == AxisMode::kCyclicVelocity;
+}
+
 /// What the process data and objects tell an axis. Positions in increments.
 struct AxisCommand {
   AxisMode mode = AxisMode::kNone;

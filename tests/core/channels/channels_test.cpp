@@ -140,9 +140,9 @@ TEST(EventQueue, TellsHowManyWereLost) {
 TEST(CommandQueue, IsFirstInFirstOut) {
   CommandQueue queue;
   EXPECT_FALSE(queue.pop());
-  queue.push(ScanCommand{});
+  queue.push(ClearStatisticsCommand{});
   queue.push(RequestStateCommand{AlState::kOp});
-  EXPECT_TRUE(std::holds_alternative<ScanCommand>(*queue.pop()));
+  EXPECT_TRUE(std::holds_alternative<ClearStatisticsCommand>(*queue.pop()));
   const auto second = queue.pop();
   ASSERT_TRUE(second && std::holds_alternative<RequestStateCommand>(*second));
   EXPECT_EQ(std::get<RequestStateCommand>(*second).state, AlState::kOp);
@@ -151,10 +151,10 @@ TEST(CommandQueue, IsFirstInFirstOut) {
 
 TEST(CommandQueue, SaysSoWhenNobodyListens) {
   CommandQueue queue;
-  for (std::size_t i = 0; i < CommandQueue::kCapacity; ++i) EXPECT_TRUE(queue.push(ScanCommand{}));
-  EXPECT_FALSE(queue.push(ScanCommand{}));
+  for (std::size_t i = 0; i < CommandQueue::kCapacity; ++i) EXPECT_TRUE(queue.push(ClearStatisticsCommand{}));
+  EXPECT_FALSE(queue.push(ClearStatisticsCommand{}));
   EXPECT_TRUE(queue.pop());
-  EXPECT_TRUE(queue.push(ScanCommand{}));
+  EXPECT_TRUE(queue.push(ClearStatisticsCommand{}));
 }
 
 }  // namespace

@@ -190,33 +190,5 @@ TEST(DeviceFromSii, KeepsWhatAnEsiWouldSay) {
   EXPECT_EQ(device.source, "SII");
 }
 
-TEST(MasterServiceScan, TellsProgressAndResultAsEvents) {
-  VirtualClock clock;
-  auto link = std::make_unique<test::TestBus>(clock, 2);
-  for (std::size_t i = 0; i < 2; ++i) link->slave(i).sii = sii::encode(image(1));
-  MasterService service(std::move(link), clock);
-  service.channels().commands.push(ScanCommand{});
-  EXPECT_TRUE(service.step());
-  const auto events = service.channels().events.drain();
-  ASSERT_GE(events.size(), 2U);
-  EXPECT_TRUE(events.front().is<events::ScanProgress>());
-  ASSERT_TRUE(events.back().is<events::ScanFinished>());
-  EXPECT_EQ(events.back().as<events::ScanFinished>()->scan->slaves.size(), 2U);
-  EXPECT_FALSE(service.step());
-}
-
-TEST(MasterServiceScan, CanBeCancelled) {
-  VirtualClock clock;
-  MasterService service(std::make_unique<test::TestBus>(clock, 2), clock);
-  service.channels().commands.push(ScanCommand{});
-  service.channels().cancel = true;
-  EXPECT_TRUE(service.step());
-  const auto events = service.channels().events.drain();
-  ASSERT_EQ(events.size(), 1U);
-  ASSERT_TRUE(events[0].is<events::Failure>());
-  EXPECT_EQ(events[0].as<events::Failure>()->error.code, ErrorCode::kCancelled);
-  EXPECT_FALSE(service.channels().cancel);
-}
-
 }  // namespace
 }  // namespace syncline

@@ -7,6 +7,7 @@
 #include "compile/compile.h"
 #include "eni/esi/esi_reader.h"
 #include "master/master_service.h"
+#include "protocol/sii.h"
 #include "tests/support/event_match.h"
 #include "tests/support/source_dir.h"
 #include "tests/support/test_bus.h"

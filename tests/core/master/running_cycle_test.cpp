@@ -90,7 +90,6 @@ TEST_F(RunningCycle, NeitherAllocatesNorLocksWhenItHasBadNews) {
   EXPECT_TRUE(told<events::FramesLost>());
   EXPECT_TRUE(told<events::PortErrors>());
   EXPECT_TRUE(told<events::SlavesOutOfSync>());
-  EXPECT_EQ(snapshot.cycles > 0, true);
 }
 
 /// A slave that is gone, told by its cable, its presence, its state and the working counter.

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "app/composition/open_link.h"
+#include "app/composition/open_master.h"
+#include "engine/describe_slaves.h"
+#include "engine/scan_bus.h"
+#include "ui/session/bus_connection.h"
+
+namespace syncline {
+
+/// The window's way to buses: what it asks for by the text of a LINK.
+inline void connect_buses(ui::Environment& environment) {
+  environment.open_master = [](const QString& link) { return open_master(link.toStdString()); };
+  environment.scan_bus = [](const QString& link, const std::atomic<bool>& cancelled,
+                            const std::function<void(const Event&)>& tell) {
+    ScanRequest request;
+    request.on_event = tell;
+    request.cancel = &cancelled;
+    return scan_bus(open_link(link.toStdString()), request);
+  };
+  environment.describe_slaves = [](Project& project, const QString& link, const std::atomic<bool>& cancelled) {
+    return describe_slaves(
+        project, [&] { return open_link(link.toStdString()); }, &cancelled);
+  };
+  environment.demo_link = QString::fromStdString(demo_link(true));
+  environment.esi_folders = {QString::fromStdString(resource_folder()) + QStringLiteral("/esi")};
+}
+
+}  // namespace syncline
