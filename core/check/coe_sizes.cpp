@@ -83,7 +83,7 @@ bool is_drive(const SlaveConfig& slave) {
          });
 }
 
-void check_slave(const NetworkView& view, std::size_t slave, Findings& findings) {
+void check_downloads(const NetworkView& view, std::size_t slave, Findings& findings) {
   const SlaveConfig& config = view.config.slaves[slave];
   const auto mapped = mapped_sizes(config);
   const auto& commands = config.mailbox->coe_commands;
@@ -111,7 +111,7 @@ void check_slave(const NetworkView& view, std::size_t slave, Findings& findings)
 
 void check_coe_sizes(const NetworkView& view, Findings& findings) {
   for (std::size_t i = 0; i < view.config.slaves.size(); ++i) {
-    if (view.config.slaves[i].mailbox) check_slave(view, i, findings);
+    if (view.config.slaves[i].mailbox) check_downloads(view, i, findings);
   }
 }
 

@@ -14,7 +14,6 @@ namespace {
 
 bool in(std::uint16_t ado, std::uint16_t first, unsigned size) { return ado >= first && ado < first + size; }
 
-constexpr std::uint16_t kSiiRead = 0x0100;   // in 0x0502
 constexpr std::uint32_t kLastWord = 0xFFFF;  // of any EEPROM in the field
 
 class OrderCheck {

@@ -6,7 +6,7 @@ namespace {
 
 using enum CheckSeverity;
 
-constexpr CheckRule kRules[] = {
+constexpr CheckRule kCyclicRules[] = {
     {"ENI-DC-01", kError, "Slaves use distributed clocks, and nothing distributes the time",
      "Each clock runs at its own speed: SYNC signals drift apart by some 10 us a second",
      "Add NOP 0x0900 and ARMW 0x0910 to the cyclic commands"},
@@ -85,6 +85,6 @@ constexpr CheckRule kRules[] = {
 
 }  // namespace
 
-std::span<const CheckRule> cyclic_rules() { return kRules; }
+std::span<const CheckRule> cyclic_rules() { return kCyclicRules; }
 
 }  // namespace syncline::checker

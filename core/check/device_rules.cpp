@@ -6,7 +6,7 @@ namespace {
 
 using enum CheckSeverity;
 
-constexpr CheckRule kRules[] = {
+constexpr CheckRule kDeviceRules[] = {
     {"ENI-DEV-01", kError, "A SYNC0 cycle that the device does not take",
      "The slave refuses SAFEOP (AL status code 0x0035, 0x0036 or 0x002E)",
      "Choose a cycle that all devices take (synclinectl project cycle-times)"},
@@ -34,6 +34,6 @@ constexpr CheckRule kRules[] = {
 
 }  // namespace
 
-std::span<const CheckRule> device_rules() { return kRules; }
+std::span<const CheckRule> device_rules() { return kDeviceRules; }
 
 }  // namespace syncline::checker

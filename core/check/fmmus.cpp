@@ -9,8 +9,6 @@
 namespace syncline::checker {
 namespace {
 
-constexpr std::uint16_t kFirstDataAddress = 0x0F00;  // digital outputs; registers lie below
-
 bool maps_process_data(const Fmmu& fmmu) { return fmmu.physical_start >= kFirstDataAddress; }
 
 /// Logical bytes that cyclic commands of one direction carry in a state.

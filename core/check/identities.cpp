@@ -19,8 +19,6 @@ constexpr IdentityField kFields[] = {{0x08, "VendorId", &Identity::vendor_id},
                                      {0x0C, "RevisionNo", &Identity::revision_no},
                                      {0x0E, "SerialNo", &Identity::serial_no}};
 
-constexpr std::uint16_t kSiiRead = 0x0100;  // in 0x0502
-
 /// A file leaves the serial number 0 where any will do, and what is missing is told by the structure.
 bool is_said(const IdentityField& field, const Identity& identity) { return identity.*field.member != 0; }
 
@@ -37,7 +35,7 @@ Part part_at(std::uint16_t word) {
 }
 
 /// Follows the reads of the EEPROM on one transition and compares what they expect with Info.
-void check_slave(const NetworkView& view, std::size_t slave, Findings& findings) {
+void check_identity(const NetworkView& view, std::size_t slave, Findings& findings) {
   const SlaveConfig& config = view.config.slaves[slave];
   std::optional<std::uint16_t> word;
   for (std::size_t i = 0; i < config.init_cmds.size(); ++i) {
@@ -67,7 +65,7 @@ void check_slave(const NetworkView& view, std::size_t slave, Findings& findings)
 }  // namespace
 
 void check_identities(const NetworkView& view, Findings& findings) {
-  for (std::size_t i = 0; i < view.config.slaves.size(); ++i) check_slave(view, i, findings);
+  for (std::size_t i = 0; i < view.config.slaves.size(); ++i) check_identity(view, i, findings);
 }
 
 }  // namespace syncline::checker

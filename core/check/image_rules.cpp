@@ -6,7 +6,7 @@ namespace {
 
 using enum CheckSeverity;
 
-constexpr CheckRule kRules[] = {
+constexpr CheckRule kImageRules[] = {
     {"ENI-TIME-01", kWarning, "A check has a time-out of 0",
      "It fails unless the first answer fits; other masters take 0 for a default of their own",
      "Give Validate a Timeout in ms"},
@@ -70,6 +70,6 @@ constexpr CheckRule kRules[] = {
 
 }  // namespace
 
-std::span<const CheckRule> image_rules() { return kRules; }
+std::span<const CheckRule> image_rules() { return kImageRules; }
 
 }  // namespace syncline::checker

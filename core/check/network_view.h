@@ -13,6 +13,12 @@
 /// The rules of the checker and what they share; check_network() puts them together.
 namespace syncline::checker {
 
+/// Where the memory of an ESC begins that SyncManagers and FMMUs may use: the digital outputs
+/// (ESC data sheet, section II); registers lie below.
+inline constexpr std::uint16_t kFirstDataAddress = 0x0F00;
+/// A read in 0x0502 (ESC data sheet, section II).
+inline constexpr std::uint16_t kSiiRead = 0x0100;
+
 struct FmmuWrite {
   std::size_t cmd = 0;  // index in SlaveConfig::init_cmds
   unsigned number = 0;

@@ -6,7 +6,7 @@ namespace {
 
 using enum CheckSeverity;
 
-constexpr CheckRule kRules[] = {
+constexpr CheckRule kSlaveRules[] = {
     {"ENI-PDO-01", kError, "A SyncManager carries a PDO that the slave does not describe",
      "The size of the data and the variables in them are unknown",
      "Describe the PDO, or take it out of the SyncManager's list"},
@@ -96,6 +96,6 @@ constexpr CheckRule kRules[] = {
 
 }  // namespace
 
-std::span<const CheckRule> slave_rules() { return kRules; }
+std::span<const CheckRule> slave_rules() { return kSlaveRules; }
 
 }  // namespace syncline::checker

@@ -6,7 +6,7 @@ namespace {
 
 using enum CheckSeverity;
 
-constexpr CheckRule kRules[] = {
+constexpr CheckRule kStructureRules[] = {
     {"ENI-XML-01", kError, "The file cannot be taken in",
      "A value stands in a form that no reader understands, so that nothing behind it was checked by meaning",
      "Mend the value at the line named, then check again"},
@@ -76,6 +76,6 @@ constexpr CheckRule kRules[] = {
 
 }  // namespace
 
-std::span<const CheckRule> structure_rules() { return kRules; }
+std::span<const CheckRule> structure_rules() { return kStructureRules; }
 
 }  // namespace syncline::checker

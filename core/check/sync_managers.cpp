@@ -10,7 +10,6 @@ namespace syncline::checker {
 namespace {
 
 constexpr std::uint16_t kProcessMemory = 0x1000;
-constexpr std::uint16_t kFirstDataAddress = 0x0F00;
 constexpr unsigned kDigitalInputs = 4;
 constexpr unsigned kBuffers = 3;  // of a SyncManager that buffers
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "compare/slave_pairing.h"
 #include "config/command_text.h"
 
 namespace syncline {
@@ -17,8 +18,6 @@ template <class T>
 std::string optional_text(const std::optional<T>& value) {
   return value ? fmt::format("{}", *value) : "none";
 }
-
-constexpr std::size_t kMostCells = 4'000'000;  // beyond, what differs is paired by place
 
 using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
 

@@ -8,8 +8,6 @@
 namespace syncline {
 namespace {
 
-constexpr std::size_t kMostCells = 4'000'000;
-
 bool same_product(const SlaveKey& a, const SlaveKey& b) {
   return a.identity.vendor_id == b.identity.vendor_id && a.identity.product_code == b.identity.product_code;
 }

@@ -24,6 +24,9 @@ struct SlavePairing {
   std::vector<bool> moved;
 };
 
+/// Cells of the table of an alignment; what differs in a larger one is paired by place.
+inline constexpr std::size_t kMostCells = 4'000'000;
+
 /// The pairing that keeps order and identity of as many slaves as possible; then slaves that stand elsewhere; then
 /// other devices in the same place. n x m steps for the part that differs, pairing by place beyond 4 million.
 [[nodiscard]] SlavePairing pair_slaves(std::span<const SlaveKey> left, std::span<const SlaveKey> right);

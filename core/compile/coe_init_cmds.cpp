@@ -14,7 +14,6 @@ namespace {
 
 constexpr std::uint16_t kSyncManagerPdoAssign = 0x1C10;  // + SyncManager
 constexpr std::uint16_t kSyncManagerParameter = 0x1C30;  // + SyncManager
-constexpr std::uint16_t kInterpolationTimePeriod = 0x60C2;
 constexpr std::uint16_t kModuleIdentList = 0xF030;
 
 using Bytes = std::vector<std::uint8_t>;

@@ -10,6 +10,9 @@
 
 namespace syncline::compiler {
 
+/// Interpolation time period of a drive, CiA 402.
+inline constexpr std::uint16_t kInterpolationTimePeriod = 0x60C2;
+
 /// The CoE downloads of a slave, in order: list of its modules (0xF030), PDO assignment cleared, mappings of the PDOs
 /// that are not fixed, PDO assignment, synchronisation type of the op mode, then the start-up list and the objects that
 /// settings stand for (sync_commands). Empty for a slave without CoE.

@@ -134,7 +134,6 @@ void check_dc(FindingList& findings, const SlavePlan& slave) {
 }
 
 void check_interpolation_time(FindingList& findings, const SlavePlan& slave) {
-  constexpr std::uint16_t kInterpolationTimePeriod = 0x60C2;
   if (interpolation_time(slave.cycle_time)) {
     return;
   }

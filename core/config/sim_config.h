@@ -44,6 +44,9 @@ struct SimSiiConfig {
   bool eight_bytes = true;     // a read gives 8 bytes, otherwise 4
 };
 
+/// What a metre of cable costs a frame.
+inline constexpr double kCableNsPerMetre = 5;
+
 struct SimSlaveConfig {
   std::string name;
   std::string behaviour;  // "generic", "servo-y", "drive-c", "can-gateway", "analog-input", "sync-bridge"

@@ -34,10 +34,10 @@ constexpr Family el6751() {
   return family;
 }
 
-constexpr std::array kFamilies{el6751()};
+constexpr std::array kBeckhoffFamilies{el6751()};
 
 }  // namespace
 
-std::span<const Family> beckhoff_families() { return kFamilies; }
+std::span<const Family> beckhoff_families() { return kBeckhoffFamilies; }
 
 }  // namespace syncline::families

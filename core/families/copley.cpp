@@ -23,9 +23,9 @@ constexpr std::array kPinFunctions{
     PinFunction{0x200, "servo-period", "the start of the servo period"},
 };
 
-constexpr std::array<std::uint16_t, 2> kTypes{0, 2};
+constexpr std::array<std::uint16_t, 2> kCopleySyncTypes{0, 2};
 
-constexpr std::array kModes{
+constexpr std::array kCopleyModes{
     ModeNeedsDc{8, false,
                 "Cyclic synchronous position mode without SYNC0 gets its targets at no fixed distance from the "
                 "servo period, and moves badly"},
@@ -55,19 +55,19 @@ constexpr Family copley() {
   family.pins = PinObject{0x2193, 7, 10, kPinFunctions,
                           "Copley Synchronization 1.4, Debugging synchronization; ESI of Copley XE2, 0x2193"};
   // The note has 0 as default, the ESI 2.
-  family.sync_types.outputs = family.sync_types.inputs = kTypes;
+  family.sync_types.outputs = family.sync_types.inputs = kCopleySyncTypes;
   family.sync_types.usual_outputs = family.sync_types.usual_inputs = 2;
   family.sync_types.writable = true;
   family.sync_types.source =
       "ESI of Copley XE2, 0x1C32 and 0x1C33; Copley Synchronization 1.4, Sync manager configuration";
-  family.modes_need_dc = {kModes, "Copley Synchronization 1.4, Running without synchronization"};
+  family.modes_need_dc = {kCopleyModes, "Copley Synchronization 1.4, Running without synchronization"};
   return family;
 }
 
-constexpr std::array kFamilies{copley()};
+constexpr std::array kCopleyFamilies{copley()};
 
 }  // namespace
 
-std::span<const Family> copley_families() { return kFamilies; }
+std::span<const Family> copley_families() { return kCopleyFamilies; }
 
 }  // namespace syncline::families

@@ -7,7 +7,7 @@ namespace syncline::families {
 namespace {
 
 // The simulated devices (resources/esi) have the habits of a family each, and some of their own where it is silent.
-constexpr std::uint32_t kVendor = 0x5C17;
+constexpr std::uint32_t kSimulatedVendor = 0x5C17;
 constexpr std::string_view kOwn = "docs/scenarios.md";
 
 constexpr std::array kDriveAlarms{Alarm{0x8700, {}, "Sync controller"}};
@@ -17,7 +17,7 @@ Family simulated(const Family& like, std::string_view id, std::string_view name,
   Family family = like;
   family.id = id;
   family.name = name;
-  family.match = {kVendor, product, product, {}};
+  family.match = {kSimulatedVendor, product, product, {}};
   family.behaviour = behaviour;
   return family;
 }

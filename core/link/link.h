@@ -14,6 +14,10 @@ namespace syncline {
 
 using MacAddress = std::array<std::uint8_t, 6>;
 
+/// In the first byte of an address; the ESC sets it in the source address of what it has processed
+/// (ESC data sheet, section I).
+inline constexpr std::uint8_t kLocallyAdministered = 0x02;
+
 struct LinkDescription {
   std::string name;  // "sim:resources/demo/machine.toml", "nic:eth0"
   std::string kind;  // "simulated", "nic", "replay"

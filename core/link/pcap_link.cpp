@@ -9,8 +9,6 @@
 namespace syncline {
 namespace {
 
-constexpr std::uint8_t kLocallyAdministered = 0x02;
-
 class PcapLink final : public Link {
  public:
   PcapLink(RawPort port, Clock& clock) : port_(std::move(port)), source_(port_.adapter().mac), clock_(clock) {

@@ -19,10 +19,10 @@
 namespace syncline {
 namespace {
 
-struct PcapCloser {
+struct PortCloser {
   void operator()(pcap_t* handle) const { pcap_close(handle); }
 };
-using PcapHandle = std::unique_ptr<pcap_t, PcapCloser>;
+using PcapHandle = std::unique_ptr<pcap_t, PortCloser>;
 
 std::string up_command(const std::string& adapter) { return "sudo ip link set " + adapter + " up"; }
 

@@ -25,7 +25,7 @@ constexpr std::uint8_t kOpcodeMask = 0x7F;
 constexpr std::uint8_t kIncomplete = 0x80;
 constexpr std::size_t kHeaderSize = 6;  // CoE header and SDO information header
 
-tl::unexpected<Error> malformed(std::string detail) {
+tl::unexpected<Error> malformed_information(std::string detail) {
   return fail(ErrorCode::kMalformedData, "SDO information", std::move(detail));
 }
 
@@ -93,17 +93,17 @@ Result<InformationResponse> read_object_list(ByteReader& reader) {
   ObjectList list;
   list.list = static_cast<ObjectListType>(reader.u16());
   while (reader.ok() && reader.remaining() >= 2) list.indices.push_back(reader.u16());
-  if (!reader.ok()) return malformed("the object list is too short");
+  if (!reader.ok()) return malformed_information("the object list is too short");
   return list;
 }
 
-Result<InformationResponse> read_object(ByteReader& reader) {
+Result<InformationResponse> read_object_description(ByteReader& reader) {
   ObjectDescription object;
   object.index = reader.u16();
   object.data_type = reader.u16();
   object.max_sub_index = reader.u8();
   object.code = static_cast<ObjectCode>(reader.u8());
-  if (!reader.ok()) return malformed("the object description is too short");
+  if (!reader.ok()) return malformed_information("the object description is too short");
   object.name = read_text(reader);
   return object;
 }
@@ -127,7 +127,8 @@ Result<InformationResponse> read_entry(ByteReader& reader) {
   value(value_info::kMinimum, entry.minimum);
   value(value_info::kMaximum, entry.maximum);
   if (!reader.ok())
-    return malformed(fmt::format("the description of 0x{:04X}:{:02X} is too short", entry.index, entry.sub_index));
+    return malformed_information(
+        fmt::format("the description of 0x{:04X}:{:02X} is too short", entry.index, entry.sub_index));
   entry.name = read_text(reader);
   return entry;
 }
@@ -165,9 +166,9 @@ Result<InformationFragment> decode_information_fragment(std::span<const std::uin
   reader.skip(1);
   InformationFragment fragment;
   fragment.fragments_left = reader.u16();
-  if (!reader.ok()) return malformed(fmt::format("only {} bytes", data.size()));
+  if (!reader.ok()) return malformed_information(fmt::format("only {} bytes", data.size()));
   if (service != static_cast<unsigned>(Service::kSdoInformation))
-    return malformed(fmt::format("it is CoE service {}", service));
+    return malformed_information(fmt::format("it is CoE service {}", service));
   fragment.opcode = opcode & kOpcodeMask;
   fragment.incomplete = (opcode & kIncomplete) != 0;
   const auto rest = reader.take(reader.remaining());
@@ -196,9 +197,9 @@ Result<InformationRequest> decode_information_request(std::span<const std::uint8
       break;
     }
     default:
-      return malformed(fmt::format("opcode {} is not a request", fragment->opcode));
+      return malformed_information(fmt::format("opcode {} is not a request", fragment->opcode));
   }
-  if (!reader.ok()) return malformed("the request is too short");
+  if (!reader.ok()) return malformed_information("the request is too short");
   return request;
 }
 
@@ -208,16 +209,16 @@ Result<InformationResponse> decode_information_response(std::uint8_t opcode, std
     case kListResponse:
       return read_object_list(reader);
     case kObjectResponse:
-      return read_object(reader);
+      return read_object_description(reader);
     case kEntryResponse:
       return read_entry(reader);
     case kError: {
       const InformationError error{reader.u32()};
-      if (!reader.ok()) return malformed("the error is too short");
+      if (!reader.ok()) return malformed_information("the error is too short");
       return error;
     }
     default:
-      return malformed(fmt::format("opcode {} is not a response", opcode));
+      return malformed_information(fmt::format("opcode {} is not a response", opcode));
   }
 }
 

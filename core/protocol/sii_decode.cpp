@@ -7,7 +7,7 @@
 namespace syncline::sii {
 namespace {
 
-constexpr std::size_t kFixedBytes = 2 * kCategoriesWord;
+constexpr std::size_t kFixedPart = 2 * kCategoriesWord;
 constexpr std::size_t kGeneralMinimum = 14;  // up to the EBUS current; older images end early
 constexpr std::size_t kSyncMBytes = 8;
 constexpr std::size_t kDcModeBytes = 24;
@@ -26,7 +26,7 @@ tl::unexpected<Error> broken(const Category& category, std::string_view what) {
 Result<std::vector<Category>> split(std::span<const std::uint8_t> bytes) {
   std::vector<Category> categories;
   ByteReader reader(bytes);
-  reader.skip(kFixedBytes);
+  reader.skip(kFixedPart);
   while (reader.remaining() >= 2) {
     Category category;
     category.word_offset = reader.position() / 2;
@@ -214,9 +214,9 @@ Status read_category(const Category& category, const StringTable& strings, Image
 }  // namespace
 
 Result<Image> decode(std::span<const std::uint8_t> bytes) {
-  if (bytes.size() < kFixedBytes) {
+  if (bytes.size() < kFixedPart) {
     return fail(ErrorCode::kSii, "slave",
-                fmt::format("{} bytes are fewer than the {} of its fixed part", bytes.size(), kFixedBytes));
+                fmt::format("{} bytes are fewer than the {} of its fixed part", bytes.size(), kFixedPart));
   }
   auto image = read_fixed(bytes);
   const auto categories = split(bytes);

@@ -17,7 +17,7 @@ constexpr std::size_t kMaxStringLength = 255;
 
 /// Names are stored once and referred to by a 1-based index; 0 is the empty name. What does not
 /// fit (more than 255 names) becomes the empty name, as the format knows no more.
-class StringTable {
+class StringPool {
  public:
   std::uint8_t index_of(const std::string& text) {
     if (text.empty()) return 0;
@@ -51,7 +51,7 @@ void append_category(Bytes& out, CategoryType type, Bytes data, std::uint8_t pad
   append_category(out, static_cast<std::uint16_t>(type), std::move(data), padding);
 }
 
-Bytes encode_general(const General& general, StringTable& strings) {
+Bytes encode_general(const General& general, StringPool& strings) {
   Bytes bytes;
   const auto group = strings.index_of(general.group);
   const auto image = strings.index_of(general.image);
@@ -86,7 +86,7 @@ Bytes encode_sync_managers(const std::vector<SyncM>& sync_managers) {
   return bytes;
 }
 
-Bytes encode_pdos(const std::vector<Pdo>& pdos, StringTable& strings) {
+Bytes encode_pdos(const std::vector<Pdo>& pdos, StringPool& strings) {
   Bytes bytes;
   ByteWriter writer(bytes);
   for (const auto& pdo : pdos) {
@@ -108,7 +108,7 @@ Bytes encode_pdos(const std::vector<Pdo>& pdos, StringTable& strings) {
   return bytes;
 }
 
-Bytes encode_dc_modes(const std::vector<DcMode>& modes, StringTable& strings) {
+Bytes encode_dc_modes(const std::vector<DcMode>& modes, StringPool& strings) {
   Bytes bytes;
   ByteWriter writer(bytes);
   for (const auto& mode : modes) {
@@ -153,7 +153,7 @@ Bytes encode_fixed(const Image& image) {
 
 Bytes encode_categories(const Image& image) {
   // The names' category stands first but is known last, so the others are made before it.
-  StringTable strings;
+  StringPool strings;
   Bytes rest;
   if (image.general) append_category(rest, CategoryType::kGeneral, encode_general(*image.general, strings));
   if (!image.fmmus.empty()) append_category(rest, CategoryType::kFmmu, image.fmmus, 0xFF);

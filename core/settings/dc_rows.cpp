@@ -9,7 +9,7 @@
 namespace syncline::settings {
 namespace {
 
-constexpr auto dc = [](auto& project) -> auto& { return project.master.dc; };
+constexpr auto bus_dc = [](auto& project) -> auto& { return project.master.dc; };
 constexpr auto loop = [](auto& project) -> auto& { return project.master.dc.loop; };
 constexpr auto notifications = [](auto& project) -> auto& { return project.master.dc.notifications; };
 constexpr auto window = [](auto& project) -> auto& { return project.master.dc.sync_window; };
@@ -31,7 +31,7 @@ Setting reference_clock_row() {
        .help = "Position of the slave whose clock all others follow; auto is the first slave with DC.",
        .object = "0x0910",
        .eni = "DC/ReferenceClock"},
-      [](auto& p, const Place&) -> auto& { return dc(p).reference_clock; });
+      [](auto& p, const Place&) -> auto& { return bus_dc(p).reference_clock; });
   row.type_words = "slave position";
   row.range_words = "auto, 0..last slave";
   row.options = clocks;
@@ -74,29 +74,29 @@ std::vector<Setting> start_rows() {
            .help = "Frames of the first drift compensation (FRMW or ARMW of 0x0910).",
            .object = "0x0910",
            .expert = true},
-          [](auto& p, const Place&) -> auto& { return dc(p).burst_total; }),
+          [](auto& p, const Place&) -> auto& { return bus_dc(p).burst_total; }),
       field_setting(
           "master.dc.burst_bulk", integer(1, 1000, "frames"),
           {.label = "Burst, frames a cycle", .help = "Frames of that burst in one cycle.", .expert = true},
-          [](auto& p, const Place&) -> auto& { return dc(p).burst_bulk; }),
+          [](auto& p, const Place&) -> auto& { return bus_dc(p).burst_bulk; }),
       field_setting(
           "master.dc.burst_ends_early", Switch{},
           {.label = "Burst ends early", .help = "The burst ends when all slaves have settled.", .expert = true},
-          [](auto& p, const Place&) -> auto& { return dc(p).burst_ends_early; }),
+          [](auto& p, const Place&) -> auto& { return bus_dc(p).burst_ends_early; }),
       field_setting(
           "master.dc.start_time_safety_us", microseconds(0, 10 * kSecond),
           {.label = "Lead of the start time",
            .help = "Lead of the SYNC start time (0x0990) on the time of writing it.",
            .object = "0x0990",
            .expert = true},
-          [](auto& p, const Place&) -> auto& { return dc(p).start_time_safety; }),
+          [](auto& p, const Place&) -> auto& { return bus_dc(p).start_time_safety; }),
       field_setting(
           "master.dc.start_time_grid_us", microseconds(0, kSecond),
           {.label = "Grid of the start time",
            .help = "Start times are multiples of this; 0 is the bus cycle.",
            .object = "0x0990",
            .expert = true},
-          [](auto& p, const Place&) -> auto& { return dc(p).start_time_grid; }),
+          [](auto& p, const Place&) -> auto& { return bus_dc(p).start_time_grid; }),
   };
 }
 
@@ -105,7 +105,7 @@ std::vector<Setting> clock_rows() {
       field_setting(
           "master.dc.enabled", Switch{},
           {.label = "Distributed clocks", .help = "Distributed clocks for the whole bus.", .eni = "Slave/DC, InitCmds"},
-          [](auto& p, const Place&) -> auto& { return dc(p).enabled; }),
+          [](auto& p, const Place&) -> auto& { return bus_dc(p).enabled; }),
       reference_clock_row(),
       field_setting(
           "master.dc.continuous_propagation_compensation", Switch{},
@@ -113,14 +113,14 @@ std::vector<Setting> clock_rows() {
            .help = "Measures the propagation delays again every 30 s and corrects them in small steps.",
            .object = "0x0928",
            .expert = true},
-          [](auto& p, const Place&) -> auto& { return dc(p).continuous_propagation_compensation; }),
+          [](auto& p, const Place&) -> auto& { return bus_dc(p).continuous_propagation_compensation; }),
       field_setting(
           "master.dc.show_64bit_system_time", Switch{},
           {.label = "Show 64-bit system time",
            .help = "Reads and shows 64 bits of the system time (0x0910).",
            .object = "0x0910",
            .eni = "Cyclic/Frame/Cmd (0x0910, 8 bytes)"},
-          [](auto& p, const Place&) -> auto& { return dc(p).show_64bit_system_time; }),
+          [](auto& p, const Place&) -> auto& { return bus_dc(p).show_64bit_system_time; }),
   };
 }
 
@@ -131,20 +131,20 @@ std::vector<Setting> choice_rows() {
           {.label = "First slave leads",
            .help = "The first slave on the bus that has a system time leads, whatever is configured.",
            .expert = true},
-          [](auto& p, const Place&) -> auto& { return dc(p).first_slave_is_reference_clock; }),
+          [](auto& p, const Place&) -> auto& { return bus_dc(p).first_slave_is_reference_clock; }),
       field_setting(
           "master.dc.all_slaves", Switch{},
           {.label = "Synchronise all slaves",
            .help = "Every slave that has a system time is synchronised, with or without a DC operation mode.",
            .expert = true},
-          [](auto& p, const Place&) -> auto& { return dc(p).all_slaves; }),
+          [](auto& p, const Place&) -> auto& { return bus_dc(p).all_slaves; }),
       field_setting(
           "master.dc.delay_rounds", integer(1, 100),
           {.label = "Delay measurements",
            .help = "Latches of the receive times (0x0900) whose medians give the propagation delays.",
            .object = "0x0900",
            .expert = true},
-          [](auto& p, const Place&) -> auto& { return dc(p).delay_rounds; }),
+          [](auto& p, const Place&) -> auto& { return bus_dc(p).delay_rounds; }),
       with_automatic(field_setting(
                          "master.dc.delay_difference_ns", integer(0, 1000, "ns"),
                          {.label = "Delay difference",
@@ -152,7 +152,7 @@ std::vector<Setting> choice_rows() {
                                   "auto is 40 ns.",
                           .object = "0x0928",
                           .expert = true},
-                         [](auto& p, const Place&) -> auto& { return dc(p).delay_difference; }),
+                         [](auto& p, const Place&) -> auto& { return bus_dc(p).delay_difference; }),
                      [](const Project&, const Place&) { return Value{std::int64_t{40}}; }),
   };
 }

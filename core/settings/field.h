@@ -14,6 +14,9 @@
 /// Makes a row from a field of the project: getter, setter and "auto" follow from the field's C++ type.
 namespace syncline::settings {
 
+/// The slave of a row that stands once for each of them.
+inline constexpr auto at_slave = [](auto& project, const Place& place) -> auto& { return project.slaves[place.slave]; };
+
 inline Value to_value(bool field) { return field; }
 inline Value to_value(const std::string& field) { return field; }
 inline Value to_value(const std::vector<std::uint16_t>& field) { return field; }

@@ -12,8 +12,6 @@
 namespace syncline::settings {
 namespace {
 
-constexpr auto at = [](auto& project, const Place& place) -> auto& { return project.slaves[place.slave]; };
-
 constexpr Text kIpAddress{.kind = "IPv4 address",
                           .form = "nothing, four numbers 0..255 with dots",
                           .may_be_empty = true,
@@ -133,11 +131,11 @@ Setting soe_row() {
       .read = {},
       .write = {}};
   row.read = [](const Project& project, const Place& place) -> Value {
-    const auto& startup = at(project, place).soe_startup;
+    const auto& startup = at_slave(project, place).soe_startup;
     return place.item < startup.size() ? format_soe(startup[place.item]) : std::string{};
   };
   row.write = [](Project& project, const Place& place, const Value& value) {
-    return set_soe(at(project, place), place.item, std::get<std::string>(value));
+    return set_soe(at_slave(project, place), place.item, std::get<std::string>(value));
   };
   row.items = [](const Project& project, std::size_t slave) {
     return numbered(slave, project.slaves[slave].soe_startup.size());
@@ -159,7 +157,7 @@ Setting unit_row(const char* direction, const char* label, std::string SlaveSett
   row.write = [field](Project& project, const Place& place, const Value& value) -> Status {
     const auto& text = std::get<std::string>(value);
     const auto& units = project.master.sync_units;
-    const bool known = text.empty() || text == at(project, place).*field ||
+    const bool known = text.empty() || text == at_slave(project, place).*field ||
                        std::ranges::find(units, text, &SyncUnit::name) != units.end();
     if (!known) {
       std::string names;
@@ -167,7 +165,7 @@ Setting unit_row(const char* direction, const char* label, std::string SlaveSett
       return bad_value(
           fmt::format("there is no Sync Unit \"{}\"; the project has {}", text, names.empty() ? "none" : names));
     }
-    at(project, place).*field = text;
+    at_slave(project, place).*field = text;
     return {};
   };
   return row;

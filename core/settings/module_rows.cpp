@@ -65,20 +65,20 @@ Range factors_of(const SlaveSettings& slave, std::uint32_t index) {
 
 Status set_factor(SlaveSettings& slave, std::uint16_t index, const Value& value) {
   auto& factors = slave.oversampling;
-  const auto at = std::ranges::lower_bound(factors, index, {}, &PdoOversampling::pdo);
-  const bool known = at != factors.end() && at->pdo == index;
+  const auto found = std::ranges::lower_bound(factors, index, {}, &PdoOversampling::pdo);
+  const bool known = found != factors.end() && found->pdo == index;
   const auto* factor = std::get_if<std::int64_t>(&value);
   if (factor == nullptr) {
-    if (known) factors.erase(at);
+    if (known) factors.erase(found);
     return {};
   }
   if (const auto range = factors_of(slave, index); !range.contains(*factor)) {
     return bad_value(fmt::format("\"{}\" is neither auto nor a factor from {} to {}", *factor, range.low, range.high));
   }
   if (known) {
-    at->factor = static_cast<std::uint16_t>(*factor);
+    found->factor = static_cast<std::uint16_t>(*factor);
   } else {
-    factors.insert(at, {index, static_cast<std::uint16_t>(*factor)});
+    factors.insert(found, {index, static_cast<std::uint16_t>(*factor)});
   }
   return {};
 }

@@ -13,11 +13,9 @@ namespace {
 
 constexpr std::string_view kOff = "off";
 
-constexpr auto at = [](auto& project, const Place& place) -> auto& { return project.slaves[place.slave]; };
-
-std::vector<Option> modes(const Project& project, const Place& place) {
+std::vector<Option> op_modes(const Project& project, const Place& place) {
   std::vector<Option> options{{std::string(), std::string(kOff), "Off (no DC commands)"}};
-  const auto& dc = at(project, place).device.dc;
+  const auto& dc = at_slave(project, place).device.dc;
   if (!dc) return options;
   for (const DcOpMode& mode : dc->op_modes) options.push_back({mode.name, mode.name, mode.name});
   return options;
@@ -54,17 +52,17 @@ Setting op_mode_row() {
       .write = {}};
   row.type_words = "operation mode";
   row.range_words = "off, a name of the ESI's OpMode";
-  row.options = modes;
+  row.options = op_modes;
   row.parse = [](const Project& project, const Place& place, std::string_view text) {
-    return parse_mode(at(project, place), text);
+    return parse_mode(at_slave(project, place), text);
   };
   row.format = [](const Project&, const Place&, const Value& value) {
     const auto& mode = std::get<std::string>(value);
     return mode.empty() ? std::string(kOff) : mode;
   };
-  row.read = [](const Project& project, const Place& place) -> Value { return at(project, place).dc.op_mode; };
+  row.read = [](const Project& project, const Place& place) -> Value { return at_slave(project, place).dc.op_mode; };
   row.write = [](Project& project, const Place& place, const Value& value) -> Status {
-    auto& slave = at(project, place);
+    auto& slave = at_slave(project, place);
     const auto* mode = std::get_if<std::string>(&value);
     if (mode == nullptr) return bad_value("it is the name of an operation mode");
     if (*mode != slave.dc.op_mode) select_op_mode(slave, *mode);
@@ -75,7 +73,7 @@ Setting op_mode_row() {
 
 /// What the operation mode says of a SYNC unit for which nothing is set.
 Value shift_of_mode(const Project& project, const Place& place, int unit) {
-  const auto& slave = at(project, place);
+  const auto& slave = at_slave(project, place);
   const auto* mode = compiler::selected_op_mode(slave);
   if (mode == nullptr) return {};
   return Value{
@@ -84,7 +82,7 @@ Value shift_of_mode(const Project& project, const Place& place, int unit) {
 
 /// With the factor that the user chose, or as the mode says.
 Value cycle_of_mode(const Project& project, const Place& place, int unit) {
-  const auto& slave = at(project, place);
+  const auto& slave = at_slave(project, place);
   const auto* mode = compiler::selected_op_mode(slave);
   if (mode == nullptr) return {};
   return Value{compiler::sync_cycle(*mode, slave.dc, unit, project.master.cycle_time)};

@@ -8,8 +8,6 @@
 namespace syncline::settings {
 namespace {
 
-constexpr auto at = [](auto& project, const Place& place) -> auto& { return project.slaves[place.slave]; };
-
 template <class T>
 Value known(const std::optional<T>& of_device) {
   return to_value(of_device);
@@ -32,16 +30,17 @@ std::vector<Setting> identity_rows() {
            .help = "The slave may be missing; it is known by its device ID or alias, and the others run without it.",
            .eni = "Slave/HotConnect"},
           [](auto& slave) -> auto& { return slave.optional; }),
-      with_automatic(slave_setting(
-                         "check.revision_rule", revision_rules(),
-                         {.label = "Revision rule",
-                          .help = "How check.revision compares (ETG.2000 CheckRevisionNo): LW and HW are the low and "
-                                  "high words, G is newer; auto as in the ESI.",
-                          .object = "SII 0x000C",
-                          .eni = "InitCmd/Validate",
-                          .expert = true},
-                         [](auto& slave) -> auto& { return slave.check.revision_rule; }),
-                     [](const Project& p, const Place& place) { return known(at(p, place).device.check_revision); }),
+      with_automatic(
+          slave_setting(
+              "check.revision_rule", revision_rules(),
+              {.label = "Revision rule",
+               .help = "How check.revision compares (ETG.2000 CheckRevisionNo): LW and HW are the low and "
+                       "high words, G is newer; auto as in the ESI.",
+               .object = "SII 0x000C",
+               .eni = "InitCmd/Validate",
+               .expert = true},
+              [](auto& slave) -> auto& { return slave.check.revision_rule; }),
+          [](const Project& p, const Place& place) { return known(at_slave(p, place).device.check_revision); }),
       slave_setting(
           "check.alias", Switch{},
           {.label = "Alias",
@@ -69,7 +68,7 @@ Setting watchdog_row(const char* name, const char* label, const char* help, cons
           fmt::format("watchdog.{}", name), integer(0, limits::kLargestWord),
           {.label = label, .help = help, .object = address, .eni = "Slave/InitCmds", .expert = true},
           [field](auto& slave) -> auto& { return slave.watchdog.*field; }),
-      [of_device](const Project& p, const Place& place) { return known(at(p, place).device.*of_device); });
+      [of_device](const Project& p, const Place& place) { return known(at_slave(p, place).device.*of_device); });
 }
 
 std::vector<Setting> watchdog_rows() {
@@ -110,12 +109,13 @@ Setting timeout_row(const char* name, const char* label, const char* what, const
 
 std::vector<Setting> timeout_rows() {
   const auto state = [](std::uint32_t StateTimeouts::*of_device) {
-    return
-        [of_device](const Project& p, const Place& place) { return to_value(at(p, place).device.timeouts.*of_device); };
+    return [of_device](const Project& p, const Place& place) {
+      return to_value(at_slave(p, place).device.timeouts.*of_device);
+    };
   };
   const auto mailbox = [](std::uint32_t MailboxDescription::*of_device) {
     return [of_device](const Project& p, const Place& place) {
-      const auto& described = at(p, place).device.mailbox;
+      const auto& described = at_slave(p, place).device.mailbox;
       return described ? to_value((*described).*of_device) : Value{};
     };
   };

@@ -13,8 +13,6 @@ namespace {
 constexpr std::string_view kNone = "none";
 constexpr std::int64_t kPorts = 4;
 
-constexpr auto at = [](auto& project, const Place& place) -> auto& { return project.slaves[place.slave]; };
-
 /// Position and port as one number: four ports a slave.
 std::int64_t pack(const PreviousPort& previous) { return previous.position * kPorts + previous.port; }
 
@@ -50,11 +48,11 @@ Setting previous_row() {
       .write = {}};
   row.unset = kNone;
   row.read = [](const Project& project, const Place& place) -> Value {
-    const auto& previous = at(project, place).previous;
+    const auto& previous = at_slave(project, place).previous;
     return previous ? Value{pack(*previous)} : Value{};
   };
   row.write = [](Project& project, const Place& place, const Value& value) -> Status {
-    auto& previous = at(project, place).previous;
+    auto& previous = at_slave(project, place).previous;
     const auto* packed = std::get_if<std::int64_t>(&value);
     if (packed == nullptr) {
       previous.reset();
@@ -71,7 +69,7 @@ Setting previous_row() {
     return parse_previous(text, place.slave, project.slaves.size());
   };
   row.format = [](const Project& project, const Place& place, const Value&) {
-    const auto& previous = at(project, place).previous;
+    const auto& previous = at_slave(project, place).previous;
     return previous ? fmt::format("{}:{:c}", previous->position, 'A' + previous->port) : std::string(kNone);
   };
   return row;
@@ -89,12 +87,12 @@ Setting hot_connect_row() {
       [](auto& slave) -> auto& { return slave.hot_connect; });
   row.unset = kNone;
   row.read = [](const Project& project, const Place& place) -> Value {
-    const auto& group = at(project, place).hot_connect;
+    const auto& group = at_slave(project, place).hot_connect;
     return group.empty() ? Value{} : Value{group};
   };
   row.write = [](Project& project, const Place& place, const Value& value) -> Status {
     const auto* group = std::get_if<std::string>(&value);
-    at(project, place).hot_connect = group != nullptr ? *group : std::string();
+    at_slave(project, place).hot_connect = group != nullptr ? *group : std::string();
     return {};
   };
   return row;

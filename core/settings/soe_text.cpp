@@ -9,8 +9,6 @@
 namespace syncline::settings {
 namespace {
 
-constexpr std::string_view kCommentMark = " # ";
-
 /// "S-0-0047", "P-3-0100": standard or product, parameter set, block number.
 std::string format_idn(std::uint16_t idn) {
   return fmt::format("{}-{}-{:04}", (idn & 0x8000) != 0 ? 'P' : 'S', idn >> 12 & 7, idn & 0xFFF);

@@ -8,11 +8,7 @@
 #include "support/utf8.h"
 
 namespace syncline::settings {
-namespace {
-
-constexpr std::string_view kCommentMark = " # ";
-
-}  // namespace
+namespace {}  // namespace
 
 std::string_view next_word(std::string_view& text) {
   const auto begin = std::min(text.find_first_not_of(' '), text.size());

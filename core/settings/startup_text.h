@@ -21,6 +21,8 @@ namespace syncline::settings {
 [[nodiscard]] Result<SoeCommand> parse_soe(std::string_view text);
 
 // Parts of these.
+/// What stands between a command and its comment.
+inline constexpr std::string_view kCommentMark = " # ";
 /// Takes the next word off the front of `text`; "" at its end.
 [[nodiscard]] std::string_view next_word(std::string_view& text);
 [[nodiscard]] std::string format_transitions(const std::vector<Transition>& transitions);

@@ -12,8 +12,6 @@
 namespace syncline::settings {
 namespace {
 
-constexpr auto at = [](auto& project, const Place& place) -> auto& { return project.slaves[place.slave]; };
-
 Choice sync_types() {
   Choice choice;
   constexpr std::pair<SyncTypeChoice, const char*> kTypes[] = {{SyncTypeChoice::kFreeRun, "Free run"},
@@ -29,7 +27,7 @@ Choice sync_types() {
 /// What the type lets through must suit the device, too.
 Setting checked(Setting row) {
   row.write = [write = std::move(row.write)](Project& project, const Place& place, const Value& value) -> Status {
-    auto& slave = at(project, place);
+    auto& slave = at_slave(project, place);
     const auto sync = slave.sync;
     const auto can = slave.can;
     auto status = write(project, place, value);
@@ -46,7 +44,7 @@ Setting checked(Setting row) {
 /// Those that the device takes.
 std::vector<Option> sync_types_of(const Project& project, const Place& place) {
   std::vector<Option> options{{Unset{}, "auto", "As operation mode"}};
-  auto asked = at(project, place);
+  auto asked = at_slave(project, place);
   asked.sync = {};
   for (auto& option : sync_types().options) {
     asked.sync.type = static_cast<SyncTypeChoice>(std::get<std::int64_t>(option.value));
@@ -56,13 +54,13 @@ std::vector<Option> sync_types_of(const Project& project, const Place& place) {
 }
 
 Range error_limits(const Project& project, const Place& place) {
-  const auto* family = families::find(at(project, place).device);
+  const auto* family = families::find(at_slave(project, place).device);
   const bool known = family != nullptr && family->error_limit;
   return {0, known ? family->error_limit->largest : limits::kLargestWord};
 }
 
 Value usual_error_limit(const Project& project, const Place& place) {
-  const auto* family = families::find(at(project, place).device);
+  const auto* family = families::find(at_slave(project, place).device);
   return family != nullptr && family->error_limit ? to_value(family->error_limit->usual) : Value{};
 }
 
@@ -107,7 +105,7 @@ Setting pin_row() {
   row.range_words = "auto, words of the device family: nothing, sync0, frames, servo-period";
   row.unset = "auto";
   row.read = [](const Project& project, const Place& place) -> Value {
-    const auto& slave = at(project, place);
+    const auto& slave = at_slave(project, place);
     const auto pin = std::ranges::find(slave.output_pins, place.item, &OutputPin::pin);
     const auto* pins = pins_of(slave);
     if (pin == slave.output_pins.end() || pins == nullptr) return {};
@@ -117,11 +115,11 @@ Setting pin_row() {
   row.parse = [](const Project&, const Place&, std::string_view text) -> Result<Value> { return std::string(text); };
   row.write = [](Project& project, const Place& place, const Value& value) {
     const auto* word = std::get_if<std::string>(&value);
-    return set_pin(at(project, place), place.item, word != nullptr ? *word : std::string_view("auto"));
+    return set_pin(at_slave(project, place), place.item, word != nullptr ? *word : std::string_view("auto"));
   };
   row.options = [](const Project& project, const Place& place) {
     std::vector<Option> options{{Unset{}, "auto", {}}};
-    const auto* pins = pins_of(at(project, place));
+    const auto* pins = pins_of(at_slave(project, place));
     if (pins == nullptr) return options;
     for (const auto& function : pins->functions)
       options.push_back({std::string(function.word), std::string(function.word), {}});

@@ -17,14 +17,14 @@ std::tuple<std::uint16_t, std::uint16_t> position(const Place& place) {
 void set_name(SlaveSettings& slave, const Place& place, const std::string& name) {
   auto& names = slave.variable_names;
   const auto wanted = position(place);
-  const auto at = std::ranges::lower_bound(names, wanted, {}, [](const VariableName& n) { return position(n); });
-  const bool known = at != names.end() && position(*at) == wanted;
+  const auto found = std::ranges::lower_bound(names, wanted, {}, [](const VariableName& n) { return position(n); });
+  const bool known = found != names.end() && position(*found) == wanted;
   if (name.empty()) {
-    if (known) names.erase(at);
+    if (known) names.erase(found);
   } else if (known) {
-    at->name = name;
+    found->name = name;
   } else {
-    names.insert(at, {std::get<0>(wanted), std::get<1>(wanted), name});
+    names.insert(found, {std::get<0>(wanted), std::get<1>(wanted), name});
   }
 }
 

@@ -18,11 +18,11 @@ namespace {
 
 constexpr const char* kFile = "/dev/shm/syncline-epoch";
 constexpr std::uint64_t kMagic = 0x3130'6863'6F70'6544ULL;
-constexpr int kTries = 32;
+constexpr int kEpochTries = 32;
 constexpr int kPatience = 100;  // times a millisecond, for another program that is just writing
 constexpr mode_t kEverybody = 0666;
 
-Nanoseconds read_clock(clockid_t id) {
+Nanoseconds reading_of(clockid_t id) {
   timespec time{};
   ::clock_gettime(id, &time);
   return static_cast<Nanoseconds>(time.tv_sec) * kSecond + time.tv_nsec;
@@ -66,9 +66,9 @@ bool lock_within_patience(int fd) {
 Nanoseconds calendar_shift() {
   auto shortest = std::numeric_limits<Nanoseconds>::max();
   Nanoseconds shift = 0;
-  for (int i = 0; i < kTries; ++i) {
-    const auto before = read_clock(CLOCK_MONOTONIC), calendar = read_clock(CLOCK_REALTIME),
-               after = read_clock(CLOCK_MONOTONIC);
+  for (int i = 0; i < kEpochTries; ++i) {
+    const auto before = reading_of(CLOCK_MONOTONIC), calendar = reading_of(CLOCK_REALTIME),
+               after = reading_of(CLOCK_MONOTONIC);
     if (after - before >= shortest) continue;
     shortest = after - before;
     shift = calendar - (before + (after - before) / 2);

@@ -46,7 +46,7 @@ SyncManagerType sync_manager_type(const Node& node, std::uint8_t control) {
   return written_by_master ? SyncManagerType::kOutputs : SyncManagerType::kInputs;
 }
 
-SyncManagerDescription read_sync_manager(const Node& node) {
+SyncManagerDescription read_device_sync_manager(const Node& node) {
   SyncManagerDescription manager;
   manager.start_address = node.number<std::uint16_t>("StartAddress").value_or(0);
   manager.control_byte = node.number<std::uint8_t>("ControlByte").value_or(0);
@@ -72,7 +72,7 @@ SyncUnitDescription read_sync_unit(const Node& node) {
 
 void read_memory(const Node& device, DeviceDescription& description) {
   read_fmmus(device, description);
-  for (const Node& sm : device.children("Sm")) description.sync_managers.push_back(read_sync_manager(sm));
+  for (const Node& sm : device.children("Sm")) description.sync_managers.push_back(read_device_sync_manager(sm));
   for (const Node& su : device.children("Su")) description.sync_units.push_back(read_sync_unit(su));
   const Node esc = device.child("ESC");
   description.reg_0108 = esc.child_number<std::uint16_t>("Reg0108");

@@ -13,6 +13,9 @@
 
 namespace syncline::eni {
 
+/// SyncManagers of an ESC (data sheet, section II, 0x0800 to 0x087F).
+inline constexpr int kMaxSyncManagers = 16;
+
 /// An element of an ENI file, or none: every access on a missing element gives the default. Takes the forms that the
 /// field's files use beyond the schema; what it cannot take is kXmlBadValue with the element and its line.
 class EniElement {

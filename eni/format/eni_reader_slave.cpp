@@ -2,14 +2,13 @@
 #include <algorithm>
 
 #include "eni/format/eni_reader.h"
+#include "protocol/registers.h"
 #include "support/types.h"
 
 namespace syncline::eni {
 namespace {
 
 constexpr std::uint16_t kFirstStationAddress = 1001;
-constexpr std::uint16_t kAliasRegister = 0x0012;
-constexpr int kMaxSyncManagers = 16;
 
 void read_identification(const EniElement& element, SlaveConfig& slave) {
   if (!element) {
@@ -17,7 +16,7 @@ void read_identification(const EniElement& element, SlaveConfig& slave) {
   }
   const Identification found{element.number_of<std::uint16_t>("Ado"),
                              element.number_attribute<std::uint32_t>("Value").value_or(0)};
-  if (found.ado == kAliasRegister && found.value <= UINT16_MAX) {
+  if (found.ado == reg::kStationAlias && found.value <= UINT16_MAX) {
     slave.alias = static_cast<std::uint16_t>(found.value);
   } else {
     slave.identification = found;

@@ -5,11 +5,10 @@
 
 #include "eni/format/eni_file.h"
 #include "eni/xml/xml_text.h"
+#include "protocol/registers.h"
 
 namespace syncline::eni {
 namespace {
-
-constexpr std::uint16_t kAliasRegister = 0x0012;
 
 void write_dc(EniText& out, const std::optional<SlaveDcConfig>& dc) {
   if (!dc && !out.style().dc_element_always) {
@@ -72,7 +71,7 @@ void write_info(EniText& out, const SlaveConfig& slave) {
   out.number("PhysAddr", slave.station_address);
   out.number("AutoIncAddr", slave.auto_increment_address);
   if (slave.identification || slave.alias != 0) {
-    const Identification by = slave.identification.value_or(Identification{kAliasRegister, slave.alias});
+    const Identification by = slave.identification.value_or(Identification{reg::kStationAlias, slave.alias});
     out.open("Identification", {{"Value", EniText::decimal(by.value)}});
     out.number("Ado", by.ado);
     out.close();

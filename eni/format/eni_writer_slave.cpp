@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "eni/format/eni_element.h"
 #include "eni/format/eni_writer.h"
 
 namespace syncline::eni {
 namespace {
-
-constexpr int kMaxSyncManagers = 16;
 
 std::string_view type_name(SyncManagerType type) {
   switch (type) {

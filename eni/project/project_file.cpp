@@ -12,7 +12,7 @@
 namespace syncline::eni {
 namespace {
 
-constexpr const char* kRoot = "SynclineProject";
+constexpr const char* kProjectRoot = "SynclineProject";
 /// 1: one network in the root. 2: Network elements, only written when there are several, so that older programs go on
 /// reading what they understand.
 constexpr int kOneNetwork = 1, kSeveralNetworks = 2;
@@ -123,7 +123,7 @@ std::string write(std::string_view machine_name, std::span<const Project> networ
   XmlWriter xml;
   Devices devices;
   const bool several = networks.size() != 1;
-  xml.open(kRoot).attribute("Version", std::to_string(several ? kSeveralNetworks : kOneNetwork));
+  xml.open(kProjectRoot).attribute("Version", std::to_string(several ? kSeveralNetworks : kOneNetwork));
   if (!machine_name.empty()) xml.attribute("Machine", machine_name);
   for (const Project& network : networks) {
     if (several) xml.open("Network");
@@ -169,8 +169,8 @@ Result<Machine> parse_machine(std::string_view text, const std::string& file_nam
                       .file = file_name,
                       .line = root.line()});
   };
-  if (root.name() != kRoot)
-    return other_kind(fmt::format("a project file with the root <{}>, not <{}>", kRoot, root.name()));
+  if (root.name() != kProjectRoot)
+    return other_kind(fmt::format("a project file with the root <{}>, not <{}>", kProjectRoot, root.name()));
   if (root.number<int>("Version").value_or(kOneNetwork) > kSeveralNetworks) {
     return other_kind(
         fmt::format("a project file of version {} or older, not {}", kSeveralNetworks, root.attribute("Version")));

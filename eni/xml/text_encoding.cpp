@@ -8,14 +8,13 @@
 #include <cerrno>
 #include <cstdint>
 
+#include "eni/xml/xml_text.h"
 #include "support/utf8.h"
 
 namespace syncline::eni {
 namespace {
 
 constexpr std::size_t kDeclaration = 300;  // bytes within which an XML declaration ends
-
-std::uint8_t byte_at(std::string_view text, std::size_t i) { return static_cast<std::uint8_t>(text[i]); }
 
 struct Mark {
   std::string_view bytes;

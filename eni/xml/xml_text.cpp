@@ -8,8 +8,6 @@
 namespace syncline::eni {
 namespace {
 
-std::uint8_t byte_at(std::string_view text, std::size_t i) { return static_cast<std::uint8_t>(text[i]); }
-
 void append_utf8(std::string& out, std::uint32_t code) {
   const auto add = [&out](std::uint32_t byte) { out.push_back(static_cast<char>(byte)); };
   if (code < 0x80) {

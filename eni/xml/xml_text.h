@@ -23,6 +23,10 @@ namespace syncline::eni {
 /// Valid UTF-8 without control characters: for strings out of a slave's EEPROM, which XML may not be able to carry.
 [[nodiscard]] std::string printable_text(std::string text);
 
+[[nodiscard]] inline std::uint8_t byte_at(std::string_view text, std::size_t i) {
+  return static_cast<std::uint8_t>(text[i]);
+}
+
 [[nodiscard]] std::string_view trim(std::string_view text);
 
 }  // namespace syncline::eni

@@ -12,12 +12,12 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
-std::string esi(const std::string& devices, const std::string& outside = "") {
+std::string sloppy(const std::string& devices, const std::string& outside = "") {
   return "<EtherCATInfo><Vendor><Id>2</Id><Name>M</Name></Vendor><Descriptions><Groups/><Devices>\n" + devices +
          "</Devices>" + outside + "</Descriptions></EtherCATInfo>";
 }
 std::string with_pdo(const std::string& pdo) {
-  return esi("<Device><Type ProductCode=\"1\">A</Type>\n" + pdo + "</Device>");
+  return sloppy("<Device><Type ProductCode=\"1\">A</Type>\n" + pdo + "</Device>");
 }
 
 TEST(SloppyNumbers, MeanOneNumberOrNone) {
@@ -56,8 +56,8 @@ TEST(SloppyEsi, ClearMeaningIsTakenWithAWarningThatNamesElementAndLine) {
 }
 
 TEST(SloppyEsi, OtherPrefixIsToldOnceAFile) {
-  const auto file = parse_esi(esi("<Device><Type ProductCode=\"0x10\" RevisionNo=\"0x20\">A</Type></Device>\n"
-                                  "<Device><Type ProductCode=\"0x11\">B</Type></Device>"),
+  const auto file = parse_esi(sloppy("<Device><Type ProductCode=\"0x10\" RevisionNo=\"0x20\">A</Type></Device>\n"
+                                     "<Device><Type ProductCode=\"0x11\">B</Type></Device>"),
                               "s.xml");
   ASSERT_TRUE(file);
   ASSERT_THAT(file->devices, SizeIs(2));
@@ -68,16 +68,16 @@ TEST(SloppyEsi, OtherPrefixIsToldOnceAFile) {
 }
 
 TEST(SloppyEsi, EncodingThatIsNotWhatTheFileSaysIsAWarning) {
-  const std::string latin =
-      esi("<Device><Type ProductCode=\"1\">A</Type><Name>Gr\xF6\xDF"
-          "e</Name></Device>");
+  const std::string latin = sloppy(
+      "<Device><Type ProductCode=\"1\">A</Type><Name>Gr\xF6\xDF"
+      "e</Name></Device>");
   const auto undeclared = parse_esi(latin, "s.xml");
   ASSERT_TRUE(undeclared);
   EXPECT_EQ(undeclared->devices.at(0).name, "Größe");
   ASSERT_THAT(undeclared->warnings, SizeIs(1));
   EXPECT_THAT(undeclared->warnings[0].text, HasSubstr("ISO-8859-1"));
   EXPECT_THAT(parse_esi("<?xml version=\"1.0\" encoding=\"ISO-8859-1\"?>" + latin, "s.xml")->warnings, IsEmpty());
-  EXPECT_THAT(parse_esi("\xEF\xBB\xBF" + esi("<Device><Type>A</Type></Device>"), "s.xml")->warnings, IsEmpty());
+  EXPECT_THAT(parse_esi("\xEF\xBB\xBF" + sloppy("<Device><Type>A</Type></Device>"), "s.xml")->warnings, IsEmpty());
 }
 
 TEST(SloppyEsi, WhatHasNoClearMeaningLeavesTheDeviceOutWithItsPlace) {
@@ -109,10 +109,10 @@ TEST(SloppyEsi, WhatHasNoClearMeaningLeavesTheDeviceOutWithItsPlace) {
 
 TEST(SloppyEsi, TemplatesOfOlderFilesAreMovedByTheChannel) {
   const auto file = parse_esi(
-      esi("<Device><Type>A</Type><TxPdo Ref=\"In\" Chn=\"2\" Sm=\"3\" Fixed=\"1\"/></Device>",
-          "<Pdos><Pdo RefName=\"In\"><Name ChnFac=\"1\">Channel #1</Name><Index ChnFac=\"1\">#x1a00</Index>"
-          "<Exclude ChnFac=\"1\">#x1a10</Exclude><Entry><Index ChnFac=\"16\">#x6000</Index><SubIndex>1</SubIndex>"
-          "<BitLen>1</BitLen></Entry></Pdo></Pdos>"),
+      sloppy("<Device><Type>A</Type><TxPdo Ref=\"In\" Chn=\"2\" Sm=\"3\" Fixed=\"1\"/></Device>",
+             "<Pdos><Pdo RefName=\"In\"><Name ChnFac=\"1\">Channel #1</Name><Index ChnFac=\"1\">#x1a00</Index>"
+             "<Exclude ChnFac=\"1\">#x1a10</Exclude><Entry><Index ChnFac=\"16\">#x6000</Index><SubIndex>1</SubIndex>"
+             "<BitLen>1</BitLen></Entry></Pdo></Pdos>"),
       "s.xml");
   ASSERT_TRUE(file && file->devices.size() == 1);
   const auto& pdo = file->devices[0].tx_pdos.at(0);
@@ -127,7 +127,8 @@ TEST(SloppyEsi, TemplatesOfOlderFilesAreMovedByTheChannel) {
 TEST(SloppyEsi, BoundsOfArraysMayBeAnything) {
   for (const char* bound : {"-9223372036854775808", "9223372036854775807", "255"}) {
     const auto file = parse_esi(
-        esi(std::string("<Device><Type>A</Type><Profile><Dictionary><DataTypes><DataType><Name>ARR</"
+        sloppy(
+            std::string("<Device><Type>A</Type><Profile><Dictionary><DataTypes><DataType><Name>ARR</"
                         "Name><BaseType>BYTE</BaseType>"
                         "<BitSize>16</BitSize><ArrayInfo><LBound>") +
             bound +
@@ -148,10 +149,10 @@ TEST(SloppyEsi, DictionariesThatExplodeAreBounded) {
   for (int i = 0; i < 50; ++i) items += "<SubItem><Name>x</Name><Type>ARR</Type></SubItem>";
   for (int i = 0; i < 3000; ++i) objects += "<Object><Index>#x2000</Index><Type>BIG</Type></Object>";
   const auto file = parse_esi(
-      esi("<Device><Type>A</Type><Profile><Dictionary><DataTypes><DataType><Name>ARR</Name>"
-          "<BaseType>BYTE</BaseType><BitSize>2040</BitSize><ArrayInfo><LBound>1</LBound>"
-          "<Elements>255</Elements></ArrayInfo></DataType><DataType><Name>BIG</Name>" +
-          items + "</DataType></DataTypes><Objects>" + objects + "</Objects></Dictionary></Profile></Device>"),
+      sloppy("<Device><Type>A</Type><Profile><Dictionary><DataTypes><DataType><Name>ARR</Name>"
+             "<BaseType>BYTE</BaseType><BitSize>2040</BitSize><ArrayInfo><LBound>1</LBound>"
+             "<Elements>255</Elements></ArrayInfo></DataType><DataType><Name>BIG</Name>" +
+             items + "</DataType></DataTypes><Objects>" + objects + "</Objects></Dictionary></Profile></Device>"),
       "s.xml");
   ASSERT_TRUE(file && file->devices.size() == 1);
   EXPECT_THAT(file->devices[0].dictionary, IsEmpty());

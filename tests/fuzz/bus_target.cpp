@@ -2,7 +2,6 @@
 #include <array>
 #include <memory>
 
-#include "eni/esi/esi_reader.h"
 #include "fuzz/bus_targets.h"
 #include "fuzz/script.h"
 #include "protocol/frame.h"
@@ -10,7 +9,7 @@
 #include "sim/sim_bus.h"
 #include "support/byte_order.h"
 #include "support/clock.h"
-#include "tests/support/source_dir.h"
+#include "tests/support/sample_devices.h"
 
 namespace syncline::fuzz {
 namespace {
@@ -27,16 +26,11 @@ constexpr std::array<Nanoseconds, 8> kPauses{0,
                                              30 * kMillisecond};
 constexpr std::array<std::uint16_t, 8> kAddresses{0, 0xFFFF, 0xFFFE, 0xFFFD, 1001, 1002, 0, 0x1234};
 
-DeviceDescription device(const std::string& file) {
-  const auto esi = eni::read_esi(test::source_dir() + "/resources/esi/" + file);
-  return esi && !esi->devices.empty() ? esi->devices.front() : DeviceDescription{};
-}
-
 SimConfig segment(const std::array<std::pair<const char*, const char*>, kSlaves>& devices) {
   SimConfig config;
   for (const auto& [file, behaviour] : devices) {
     SimSlaveConfig slave;
-    slave.device = device(file);
+    slave.device = sample::own(file);
     slave.behaviour = behaviour;
     if (!config.slaves.empty()) slave.parent = static_cast<std::uint16_t>(config.slaves.size() - 1);
     slave.oscillator.ppm = static_cast<double>(config.slaves.size()) * 20 - 20;
@@ -49,8 +43,8 @@ SimConfig segment(const std::array<std::pair<const char*, const char*>, kSlaves>
 const std::array<SimConfig, 2>& segments() {
   static const auto made = [] {
     std::array<SimConfig, 2> configs{
-        segment({{{"SL-1100.xml", "generic"}, {"SL-SV7.xml", "servo-y"}, {"SL-2002.xml", "generic"}}}),
-        segment({{{"SL-3002.xml", "analog-input"}, {"SL-XE2.xml", "drive-c"}, {"SL-6751.xml", "can-gateway"}}})};
+        segment({{{"SL-1100", "generic"}, {"SL-SV7", "servo-y"}, {"SL-2002", "generic"}}}),
+        segment({{{"SL-3002", "analog-input"}, {"SL-XE2", "drive-c"}, {"SL-6751", "can-gateway"}}})};
     configs[0].slaves[2].dc = {false, true, true};
     configs[0].slaves[1].sii = {kMillisecond, 3 * kMillisecond, false};
     configs[1].slaves[1].dc = {true, true, false};

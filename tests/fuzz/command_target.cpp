@@ -25,7 +25,7 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-constexpr std::string_view kMachine =
+constexpr std::string_view kCommandMachine =
     "[[slave]]\nesi = \"esi/out.xml\"\ndc = \"none\"\n[[slave]]\nesi = \"esi/servo.xml\"\n";
 constexpr const char* kLink = "sim:m.toml?virtual";
 
@@ -48,7 +48,7 @@ class CommandSandbox {
   }
   void fill() const {
     box_.clear();
-    box_.put("m.toml", kMachine);
+    box_.put("m.toml", kCommandMachine);
     box_.put("p.syncline", project_);
     box_.put("e.xml", eni_);
     box_.put("esi/out.xml", esis_[0]);

@@ -12,13 +12,13 @@
 namespace syncline::fuzz {
 namespace {
 
-constexpr const char* kName = "fuzz.toml";
+constexpr const char* kSourceName = "fuzz.toml";
 constexpr std::size_t kFewSlaves = 6;
 
 Result<sim::ScenarioDevice> some_device(const sim::DeviceQuery& query) {
   if (query.path.ends_with("servo")) return sim::ScenarioDevice{sample::servo(), {}};
   if (query.path.ends_with("output")) return sim::ScenarioDevice{sample::digital_output(), {}};
-  return fail(Error{.code = ErrorCode::kFileNotFound, .subject = query.path, .file = kName});
+  return fail(Error{.code = ErrorCode::kFileNotFound, .subject = query.path, .file = kSourceName});
 }
 
 void run_for_a_while(const SimConfig& config) {
@@ -102,7 +102,7 @@ count = 3
 }  // namespace
 
 void run_scenario(std::span<const std::uint8_t> bytes) {
-  const auto config = sim::parse_scenario(text_of(bytes), kName, some_device);
+  const auto config = sim::parse_scenario(text_of(bytes), kSourceName, some_device);
   if (!config) return promise(!config.error().file.empty());
   promise(!config->slaves.empty());
   for (const auto& fault : config->faults) promise(fault.slave < static_cast<int>(config->slaves.size()));

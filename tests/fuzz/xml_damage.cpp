@@ -11,7 +11,7 @@ struct Range {
 };
 
 /// A text between tags or an attribute's value, near a random place.
-Range some_value(std::string_view text, Random& random) {
+Range some_xml_value(std::string_view text, Random& random) {
   const bool attribute = random.next() % 2 == 0;
   const char open = attribute ? '"' : '>', close = attribute ? '"' : '<';
   const auto from = text.find(open, pick(random, text.size()));
@@ -32,7 +32,7 @@ Range some_element(std::string_view text, Random& random) {
 }
 
 void damage_once(std::string& text, Random& random) {
-  const auto value = some_value(text, random);
+  const auto value = some_xml_value(text, random);
   const auto element = some_element(text, random);
   const std::string copy = text.substr(element.from, element.to - element.from);
   switch (random.next() % 8) {
@@ -42,7 +42,7 @@ void damage_once(std::string& text, Random& random) {
       text.replace(value.from, value.to - value.from, nasty_value(random));
       break;
     case 3: {
-      const auto other = some_value(text, random);
+      const auto other = some_xml_value(text, random);
       text.replace(value.from, value.to - value.from, std::string(text.substr(other.from, other.to - other.from)));
       break;
     }

@@ -18,7 +18,7 @@
 namespace syncline {
 namespace {
 
-std::string demo(const std::string& options = {}) {
+std::string demo_link(const std::string& options = {}) {
   return "sim:" + test::source_dir() + "/resources/demo/machine.toml?virtual" + options;
 }
 
@@ -30,7 +30,7 @@ class DemoMachine : public ::testing::TestWithParam<DcmMode> {
   std::vector<CycleSample> samples;
 
   void SetUp() override {
-    const auto scan = scan_bus(open_link(demo()));
+    const auto scan = scan_bus(open_link(demo_link()));
     ASSERT_TRUE(scan);
     eni::EsiCatalogue catalogue;
     ASSERT_TRUE(catalogue.add_folder(test::source_dir() + "/resources/esi"));
@@ -53,7 +53,7 @@ class DemoMachine : public ::testing::TestWithParam<DcmMode> {
 };
 
 TEST_P(DemoMachine, ReachesOpInSync) {
-  const auto outcome = run(demo(), 20 * kSecond);
+  const auto outcome = run(demo_link(), 20 * kSecond);
   EXPECT_FALSE(outcome.error);
   const auto& report = outcome.report;
   EXPECT_EQ(report.state, AlState::kOp);
@@ -84,7 +84,7 @@ TEST_P(DemoMachine, CounterOfMissedEventsIsFoundByItsNameWhoeverTheVendorIs) {
   for (const std::size_t drive : {3, 4, 5}) compiled->config.slaves[drive].identity.product_code = 0x7777'0000 + drive;
   RunRequest request;
   request.duration = 10 * kSecond;
-  const auto outcome = run_network(compiled->config, open_link(demo()), request);
+  const auto outcome = run_network(compiled->config, open_link(demo_link()), request);
   ASSERT_TRUE(outcome);
   ASSERT_TRUE(outcome->report.slaves[3].sm2_missed && outcome->report.slaves[5].sm2_missed);
   EXPECT_EQ(outcome->report.slaves[3].sm2_missed->sub_index, 0x0C);
@@ -92,9 +92,9 @@ TEST_P(DemoMachine, CounterOfMissedEventsIsFoundByItsNameWhoeverTheVendorIs) {
 }
 
 TEST_P(DemoMachine, IsTheSameForTheSameSeedOnly) {
-  (void)run(demo("&seed=7"), 5 * kSecond);
+  (void)run(demo_link("&seed=7"), 5 * kSecond);
   const auto first = std::exchange(samples, {});
-  (void)run(demo("&seed=7"), 5 * kSecond);
+  (void)run(demo_link("&seed=7"), 5 * kSecond);
   ASSERT_EQ(first.size(), samples.size());
   for (std::size_t i = 0; i < first.size(); ++i) {
     ASSERT_EQ(first[i].send_time, samples[i].send_time);
@@ -102,7 +102,7 @@ TEST_P(DemoMachine, IsTheSameForTheSameSeedOnly) {
     ASSERT_EQ(first[i].deviation_ored_ns, samples[i].deviation_ored_ns);
   }
   samples.clear();
-  (void)run(demo("&seed=8"), 5 * kSecond);
+  (void)run(demo_link("&seed=8"), 5 * kSecond);
   bool same = first.size() == samples.size();
   for (std::size_t i = 0; same && i < first.size(); ++i) same = first[i].send_time == samples[i].send_time;
   EXPECT_FALSE(same);
@@ -111,7 +111,7 @@ TEST_P(DemoMachine, IsTheSameForTheSameSeedOnly) {
 /// Largest number of missed SM2 events of a drive when the host wakes up as `jitter` says; a drive that
 /// gave up for it counts as a thousand.
 std::uint32_t missed_events(const Project& project, const JitterProfile& jitter) {
-  auto opened = open_link(demo());
+  auto opened = open_link(demo_link());
   const auto compiled = compile(project);
   auto* clock = opened ? dynamic_cast<VirtualClock*>(opened->clock.get()) : nullptr;
   if (clock == nullptr || !compiled) return ~0U;
@@ -146,7 +146,7 @@ TEST_P(DemoMachine, RunsTheExportedFileLikeTheProject) {
   ASSERT_TRUE(read);
   RunRequest request;
   request.duration = 8 * kSecond;
-  const auto outcome = run_network(*read, open_link(demo()), request);
+  const auto outcome = run_network(*read, open_link(demo_link()), request);
   ASSERT_TRUE(outcome);
   EXPECT_FALSE(outcome->error);
   EXPECT_EQ(outcome->report.state, AlState::kOp);

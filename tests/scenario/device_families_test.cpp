@@ -3,21 +3,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "eni/esi/esi_reader.h"
 #include "families/families.h"
 #include "link/simulated_link.h"
 #include "master/master_service.h"
 #include "settings/settings_keys.h"
 #include "sim/sim_bus.h"
 #include "support/simulated_network.h"
-#include "tests/support/source_dir.h"
+#include "tests/support/sample_devices.h"
 
 namespace syncline {
 namespace {
-
-DeviceDescription device_of(const std::string& type) {
-  return eni::read_esi(test::source_dir() + "/resources/esi/" + type + ".xml")->devices.front();
-}
 
 struct Kind {
   const char* type;
@@ -27,8 +22,8 @@ constexpr Kind kServo{"SL-SV7", "servo-y"}, kDrive{"SL-XE2", "drive-c"}, kGatewa
 
 test::SimulatedNetwork machine(const Kind& kind) {
   test::SimulatedNetwork network;
-  network.add(device_of("SL-1100"));
-  network.add(device_of(kind.type), kind.behaviour);
+  network.add(sample::own("SL-1100"));
+  network.add(sample::own(kind.type), kind.behaviour);
   return network;
 }
 

@@ -1,22 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include "eni/esi/esi_reader.h"
 #include "protocol/al_state.h"
 #include "tests/support/diagnosed_run.h"
 #include "tests/support/event_match.h"
+#include "tests/support/sample_devices.h"
 #include "tests/support/small_machines.h"
-#include "tests/support/source_dir.h"
 
 namespace syncline {
 namespace {
 
 using Code = FindingCode;
-
-DeviceDescription device(const std::string& file) {
-  const auto esi = eni::read_esi(test::source_dir() + "/resources/esi/" + file);
-  return esi && !esi->devices.empty() ? esi->devices.front() : DeviceDescription{};
-}
 
 /// A coupler-like terminal and two servo axes.
 class Diagnosis : public ::testing::Test {
@@ -32,8 +26,8 @@ class Diagnosis : public ::testing::Test {
 };
 
 TEST_F(Diagnosis, AccusesNobodyOnAHealthyMachine) {
-  machine.network.add(device("SL-XE2.xml"), "drive-c");
-  machine.network.add(device("SL-6751.xml"), "can-gateway");
+  machine.network.add(sample::own("SL-XE2"), "drive-c");
+  machine.network.add(sample::own("SL-6751"), "can-gateway");
   machine.run(12 * kSecond);
   EXPECT_EQ(machine.report.state, AlState::kOp);
   EXPECT_FALSE(machine.accuses()) << machine.said();
@@ -76,7 +70,7 @@ TEST_F(Diagnosis, NeverComputesAboveTheLimitOfADriveInOp) {
 TEST(DiagnosisOfOneDrive, SaysByHowMuchSync0ComesTooEarly) {
   test::DiagnosedRun machine;
   machine.network.add(test::io8());
-  machine.network.add(device("SL-XE2.xml"), "drive-c");
+  machine.network.add(sample::own("SL-XE2"), "drive-c");
   auto& shift = machine.network.project.slaves[1].dc.sync0.shift;
   shift = -640 * kMicrosecond;
   machine.run(8 * kSecond);
@@ -93,7 +87,7 @@ TEST(DiagnosisOfOneDrive, SaysByHowMuchSync0ComesTooEarly) {
 TEST(DiagnosisOfAGateway, TellsCanCyclesThatAreSkipped) {
   test::DiagnosedRun machine;
   machine.network.add(test::io8());
-  machine.network.add(device("SL-6751.xml"), "can-gateway");
+  machine.network.add(sample::own("SL-6751"), "can-gateway");
   StartupCommand length{{Transition::kPS}, 0xF800, 7, {0x40, 0x77, 0x1B, 0x00}, false, false, true, 0, "1.8 ms"};
   machine.network.project.slaves[1].startup.push_back(length);
   machine.run(8 * kSecond);

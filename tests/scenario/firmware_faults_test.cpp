@@ -7,29 +7,23 @@
 #include <algorithm>
 
 #include "app/cli/event_text.h"
-#include "eni/esi/esi_reader.h"
 #include "support/random.h"
 #include "tests/support/diagnosed_run.h"
 #include "tests/support/event_match.h"
-#include "tests/support/source_dir.h"
+#include "tests/support/sample_devices.h"
 
 namespace syncline {
 namespace {
 
 constexpr int kInjections = 17;
 
-DeviceDescription device(const std::string& file) {
-  const auto esi = eni::read_esi(test::source_dir() + "/resources/esi/" + file);
-  return esi && !esi->devices.empty() ? esi->devices.front() : DeviceDescription{};
-}
-
-struct Kind {
+struct FirmwareKind {
   FaultKind fault;
   Nanoseconds least, most;  // value, where the kind has one
   bool lasts;               // for good, else for some seconds
 };
 
-class FirmwareFaults : public ::testing::TestWithParam<Kind> {};
+class FirmwareFaults : public ::testing::TestWithParam<FirmwareKind> {};
 
 TEST_P(FirmwareFaults, AreToldByNameOfTheSlave) {
   const auto kind = GetParam();
@@ -42,10 +36,10 @@ TEST_P(FirmwareFaults, AreToldByNameOfTheSlave) {
     for (std::size_t slave = 0; slave < count; ++slave) {
       switch (random.next() % 4) {
         case 0:
-          machine.network.add(device("SL-XE2.xml"), "drive-c");
+          machine.network.add(sample::own("SL-XE2"), "drive-c");
           break;
         case 1:
-          machine.network.add(device("SL-6751.xml"), "can-gateway");
+          machine.network.add(sample::own("SL-6751"), "can-gateway");
           break;
         case 2:
           machine.network.add(test::io8());
@@ -123,9 +117,9 @@ TEST(SlowFirmware, NobodyIsAccusedOfItWithoutIt) {
     machine.jitter = std::array{JitterProfile::none(), JitterProfile::quiet(), JitterProfile::desktop(),
                                 JitterProfile::bad()}[seed % 4];
     machine.network.add(test::io8());
-    machine.network.add(device("SL-3002.xml"), "analog-input");
-    if (seed % 2 == 0) machine.network.add(device("SL-XE2.xml"), "drive-c");
-    if (seed % 3 == 0) machine.network.add(device("SL-6751.xml"), "can-gateway");
+    machine.network.add(sample::own("SL-3002"), "analog-input");
+    if (seed % 2 == 0) machine.network.add(sample::own("SL-XE2"), "drive-c");
+    if (seed % 3 == 0) machine.network.add(sample::own("SL-6751"), "can-gateway");
     machine.network.add(test::servo(), "servo-y");
     for (auto& slave : machine.network.sim.slaves) slave.oscillator.ppm = random.uniform(-45, 45);
     // A terminal that hangs is no slow one, and one that is off is none either.
@@ -154,14 +148,15 @@ TEST(FirmwareFault, AMailboxThatWasSilentAnswersAgainAndIsToldAllTheSame) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Kinds, FirmwareFaults,
-                         ::testing::Values(Kind{FaultKind::kStopApplication, 0, 0, true},
-                                           Kind{FaultKind::kStopApplication, 0, 0, false},
-                                           Kind{FaultKind::kSlowApplication, 2 * kMillisecond, 8 * kMillisecond, true},
-                                           Kind{FaultKind::kSlowApplication, 2 * kMillisecond, 8 * kMillisecond, false},
-                                           Kind{FaultKind::kMailboxSilence, 0, 0, true},
-                                           Kind{FaultKind::kMailboxSilence, 0, 0, false},
-                                           Kind{FaultKind::kSlowMailbox, 2200 * kMillisecond, 4 * kSecond, true}));
+INSTANTIATE_TEST_SUITE_P(
+    Kinds, FirmwareFaults,
+    ::testing::Values(FirmwareKind{FaultKind::kStopApplication, 0, 0, true},
+                      FirmwareKind{FaultKind::kStopApplication, 0, 0, false},
+                      FirmwareKind{FaultKind::kSlowApplication, 2 * kMillisecond, 8 * kMillisecond, true},
+                      FirmwareKind{FaultKind::kSlowApplication, 2 * kMillisecond, 8 * kMillisecond, false},
+                      FirmwareKind{FaultKind::kMailboxSilence, 0, 0, true},
+                      FirmwareKind{FaultKind::kMailboxSilence, 0, 0, false},
+                      FirmwareKind{FaultKind::kSlowMailbox, 2200 * kMillisecond, 4 * kSecond, true}));
 
 }  // namespace
 }  // namespace syncline

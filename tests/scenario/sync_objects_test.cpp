@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include "eni/esi/esi_reader.h"
 #include "master/master_service.h"
+#include "tests/support/sample_devices.h"
 #include "tests/support/simulated_network.h"
-#include "tests/support/source_dir.h"
 
 namespace syncline {
 namespace {
@@ -35,13 +34,9 @@ Sm2MissedStatus counters_of(const DeviceDescription& device, const std::string& 
   return snapshot.slaves.empty() ? Sm2MissedStatus{} : snapshot.slaves[0].sm2_missed;
 }
 
-DeviceDescription device_of(const std::string& type) {
-  return eni::read_esi(test::source_dir() + "/resources/esi/" + type + ".xml")->devices.front();
-}
-
 TEST(SyncCounters, OfADeviceThatNobodyKnowsBothAreRead) {
   for (const auto& [type, behaviour] : {std::pair{"SL-SV7", "servo-y"}, std::pair{"SL-XE2", "drive-c"}}) {
-    auto device = device_of(type);
+    auto device = sample::own(type);
     device.identity.product_code = 0x7777'0001;
     device.mailbox->coe->sdo_info = false;
     const auto status = counters_of(device, behaviour);
@@ -57,7 +52,7 @@ TEST(SyncCounters, OfADeviceThatNobodyKnowsBothAreRead) {
 }
 
 TEST(SyncCounters, OfAKnownDeviceOneIsRead) {
-  auto device = device_of("SL-SV7");
+  auto device = sample::own("SL-SV7");
   device.mailbox->coe->sdo_info = false;
   const auto status = counters_of(device, "servo-y");
   EXPECT_EQ(status.sub_index, 0x0C);

@@ -14,7 +14,7 @@ namespace syncline::ui {
 namespace {
 
 constexpr float kGap = std::numeric_limits<float>::quiet_NaN();
-constexpr Nanoseconds kStart = 830'000'000 * kSecond;  // a date, not zero: float time would lose it
+constexpr Nanoseconds kSeriesStart = 830'000'000 * kSecond;  // a date, not zero: float time would lose it
 constexpr int kWidth = 400, kHeight = 100;
 
 /// Canvas of kWidth x kHeight for values -50..50.
@@ -42,7 +42,7 @@ int darkPixels(const QImage& image, int x, int top, int bottom) {
 
 MinMaxSeries flat(int samples, int spike_at, float spike) {
   MinMaxSeries series(1U << 18);
-  for (int i = 0; i < samples; ++i) series.append(kStart + i * kMillisecond, i == spike_at ? spike : 0.F);
+  for (int i = 0; i < samples; ++i) series.append(kSeriesStart + i * kMillisecond, i == spike_at ? spike : 0.F);
   return series;
 }
 
@@ -50,7 +50,7 @@ TEST(SeriesItem, OneSampleSpikeIsInThePictureAtEveryZoom) {
   constexpr int kSamples = 200'000;
   constexpr int kSpikeAt = 123'457;
   const auto series = flat(kSamples, kSpikeAt, 40);
-  const Nanoseconds spike = kStart + kSpikeAt * kMillisecond;
+  const Nanoseconds spike = kSeriesStart + kSpikeAt * kMillisecond;
   SeriesItem item(QStringLiteral("spike"));
   item.setSeries(&series);
   for (Nanoseconds span = 200 * kSecond; span > 40 * kMillisecond; span /= 3) {
@@ -70,7 +70,7 @@ TEST(SeriesItem, ColumnsAreTheBruteForceExtremes) {
   std::mt19937_64 random(7);
   MinMaxSeries series(1U << 17);
   std::vector<std::pair<Nanoseconds, float>> samples;
-  Nanoseconds time = kStart;
+  Nanoseconds time = kSeriesStart;
   for (int i = 0; i < 100'000; ++i) {
     time += 100'000 + static_cast<Nanoseconds>(random() % 50'000);
     const auto value = random() % 50 == 0 ? kGap : static_cast<float>(static_cast<double>(random() % 2001) - 1000.0);
@@ -81,7 +81,8 @@ TEST(SeriesItem, ColumnsAreTheBruteForceExtremes) {
   item.setSeries(&series);
   for (int round = 0; round < 200; ++round) {
     const auto span = 300 * kMillisecond + static_cast<Nanoseconds>(random() % (10 * kSecond));
-    const auto begin = kStart + static_cast<Nanoseconds>(random() % static_cast<std::uint64_t>(time - kStart));
+    const auto begin =
+        kSeriesStart + static_cast<Nanoseconds>(random() % static_cast<std::uint64_t>(time - kSeriesStart));
     const auto grid = ColumnGrid::of(begin, begin + span, 97);
     item.prepare(grid);
     if (item.columns().empty()) continue;
@@ -107,14 +108,14 @@ TEST(SeriesItem, ColumnsAreTheBruteForceExtremes) {
 TEST(SeriesItem, SlidingMovesColumnsWithoutChangingThem) {
   std::mt19937_64 random(11);
   MinMaxSeries series(1U << 16);
-  for (int i = 0; i < 60'000; ++i) series.append(kStart + i * kMillisecond, static_cast<float>(random() % 1000));
+  for (int i = 0; i < 60'000; ++i) series.append(kSeriesStart + i * kMillisecond, static_cast<float>(random() % 1000));
   SeriesItem item(QStringLiteral("x"));
   item.setSeries(&series);
-  const auto first = ColumnGrid::of(kStart + 20 * kSecond, kStart + 30 * kSecond, kWidth);
+  const auto first = ColumnGrid::of(kSeriesStart + 20 * kSecond, kSeriesStart + 30 * kSecond, kWidth);
   item.prepare(first);
   const auto before = item.columns();
   for (const Nanoseconds slide : {1LL, 999'999LL, 33'000'000LL, 1'234'567'891LL}) {
-    const auto grid = ColumnGrid::of(kStart + 20 * kSecond + slide, kStart + 30 * kSecond + slide, kWidth);
+    const auto grid = ColumnGrid::of(kSeriesStart + 20 * kSecond + slide, kSeriesStart + 30 * kSecond + slide, kWidth);
     EXPECT_EQ(grid.width, first.width);
     EXPECT_EQ((grid.origin - first.origin) % first.width, 0);
     item.prepare(grid);
@@ -129,12 +130,12 @@ TEST(SeriesItem, MissingSamplesStayAGap) {
     const auto count = 10 * kSecond / step;
     for (Nanoseconds i = 0; i < count; ++i) {
       const bool lost = i * step >= 4 * kSecond && i * step < 6 * kSecond;
-      series.append(kStart + i * step, lost ? kGap : 0.F);
+      series.append(kSeriesStart + i * step, lost ? kGap : 0.F);
     }
     SeriesItem item(QStringLiteral("x"));
     item.setSeries(&series);
     item.setMaxGap(step * 5 / 2);
-    const auto image = drawn(item, kStart, kStart + 10 * kSecond);
+    const auto image = drawn(item, kSeriesStart, kSeriesStart + 10 * kSecond);
     EXPECT_EQ(item.columns().empty(), step != kMillisecond);
     EXPECT_GT(darkPixels(image, 100, 45, 55), 0);
     for (int x = 170; x < 230; ++x) EXPECT_EQ(darkPixels(image, x, 0, kHeight), 0) << "x " << x;
@@ -144,27 +145,27 @@ TEST(SeriesItem, MissingSamplesStayAGap) {
 
 TEST(SeriesItem, SamplesFarApartAreNotJoined) {
   MinMaxSeries series;
-  series.append(kStart, 0);
-  series.append(kStart + 100 * kMillisecond, 0);
-  series.append(kStart + 900 * kMillisecond, 0);
-  series.append(kStart + kSecond, 0);
+  series.append(kSeriesStart, 0);
+  series.append(kSeriesStart + 100 * kMillisecond, 0);
+  series.append(kSeriesStart + 900 * kMillisecond, 0);
+  series.append(kSeriesStart + kSecond, 0);
   SeriesItem item(QStringLiteral("x"));
   item.setSeries(&series);
   item.setMaxGap(250 * kMillisecond);
-  const auto image = drawn(item, kStart, kStart + kSecond);
+  const auto image = drawn(item, kSeriesStart, kSeriesStart + kSecond);
   EXPECT_GT(darkPixels(image, 20, 45, 55), 0);
   EXPECT_EQ(darkPixels(image, 200, 0, kHeight), 0);
 }
 
 TEST(SeriesItem, CounterIsDrawnAsStepsThatHold) {
   MinMaxSeries series;
-  series.append(kStart, 0);
-  series.append(kStart + 5 * kSecond, 20);
+  series.append(kSeriesStart, 0);
+  series.append(kSeriesStart + 5 * kSecond, 20);
   SeriesItem item(QStringLiteral("x"));
   item.setSeries(&series);
   item.setShape(SeriesItem::Shape::kStep);
-  item.setHoldUntil(kStart + 8 * kSecond);
-  const auto image = drawn(item, kStart, kStart + 10 * kSecond);
+  item.setHoldUntil(kSeriesStart + 8 * kSecond);
+  const auto image = drawn(item, kSeriesStart, kSeriesStart + 10 * kSecond);
   EXPECT_GT(darkPixels(image, 190, 48, 52), 0) << "level before the event";
   EXPECT_EQ(darkPixels(image, 190, 0, 46), 0) << "no slope towards the event";
   EXPECT_GT(darkPixels(image, 220, 28, 32), 0) << "level after the event";
@@ -175,23 +176,23 @@ TEST(SeriesItem, CounterIsDrawnAsStepsThatHold) {
 
 TEST(SeriesItem, LevelFromBeforeTheStretchComesIn) {
   MinMaxSeries series;
-  series.append(kStart - 100 * kSecond, 20);
+  series.append(kSeriesStart - 100 * kSecond, 20);
   SeriesItem item(QStringLiteral("x"));
   item.setSeries(&series);
   item.setShape(SeriesItem::Shape::kStep);
-  item.setHoldUntil(kStart + 10 * kSecond);
-  EXPECT_GT(darkPixels(drawn(item, kStart, kStart + 10 * kSecond), 200, 28, 32), 0);
+  item.setHoldUntil(kSeriesStart + 10 * kSecond);
+  EXPECT_GT(darkPixels(drawn(item, kSeriesStart, kSeriesStart + 10 * kSecond), 200, 28, 32), 0);
   ASSERT_TRUE(item.extent());
   EXPECT_EQ(item.extent()->max, 20);
 }
 
 TEST(SeriesItem, RepeatedCounterReadingsCostNoPoints) {
   MinMaxSeries series;
-  for (int i = 0; i < 5000; ++i) series.append(kStart + i * kMillisecond, i < 2500 ? 1.F : 2.F);
+  for (int i = 0; i < 5000; ++i) series.append(kSeriesStart + i * kMillisecond, i < 2500 ? 1.F : 2.F);
   SeriesItem item(QStringLiteral("x"));
   item.setSeries(&series);
   item.setShape(SeriesItem::Shape::kStep);
-  item.prepare(ColumnGrid::of(kStart, kStart + 5 * kSecond, kWidth));
+  item.prepare(ColumnGrid::of(kSeriesStart, kSeriesStart + 5 * kSecond, kWidth));
   EXPECT_LE(item.points().size(), 5U);
 }
 

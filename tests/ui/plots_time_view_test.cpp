@@ -7,22 +7,22 @@ namespace syncline::ui {
 namespace {
 
 using Mode = TimeView::Mode;
-constexpr Nanoseconds kStart = 830'000'000 * kSecond;
+constexpr Nanoseconds kViewStart = 830'000'000 * kSecond;
 
 class TimeViewTest : public testing::Test {
  protected:
   void SetUp() override {
     view.setSpan(10 * kSecond);
-    view.setBounds(kStart, kStart + 60 * kSecond);
+    view.setBounds(kViewStart, kViewStart + 60 * kSecond);
   }
   TimeView view;
 };
 
 TEST_F(TimeViewTest, FollowsTheNewestSample) {
   EXPECT_EQ(view.mode(), Mode::kLive);
-  EXPECT_EQ(view.end(), kStart + 60 * kSecond);
-  view.setBounds(kStart, kStart + 61 * kSecond);
-  EXPECT_EQ(view.begin(), kStart + 51 * kSecond);
+  EXPECT_EQ(view.end(), kViewStart + 60 * kSecond);
+  view.setBounds(kViewStart, kViewStart + 61 * kSecond);
+  EXPECT_EQ(view.begin(), kViewStart + 51 * kSecond);
   EXPECT_EQ(view.behind(), 0);
 }
 
@@ -30,7 +30,7 @@ TEST_F(TimeViewTest, PanLeavesFollowingAndHoldsWhileDataArrive) {
   view.pan(-5 * kSecond);
   EXPECT_EQ(view.mode(), Mode::kHistory);
   const auto begin = view.begin();
-  view.setBounds(kStart, kStart + 100 * kSecond);
+  view.setBounds(kViewStart, kViewStart + 100 * kSecond);
   EXPECT_EQ(view.begin(), begin);
   EXPECT_EQ(view.behind(), 45 * kSecond);
 }
@@ -44,20 +44,20 @@ TEST_F(TimeViewTest, ZoomKeepsThePlaceUnderThePointer) {
 
 TEST_F(TimeViewTest, GoingLiveAgainKeepsTheZoomWidth) {
   view.zoom(0.25, view.begin());
-  view.setBounds(kStart, kStart + 90 * kSecond);
+  view.setBounds(kViewStart, kViewStart + 90 * kSecond);
   view.goLive();
   EXPECT_EQ(view.mode(), Mode::kLive);
   EXPECT_EQ(view.span(), 2500 * kMillisecond);
-  EXPECT_EQ(view.end(), kStart + 90 * kSecond);
+  EXPECT_EQ(view.end(), kViewStart + 90 * kSecond);
 }
 
 TEST_F(TimeViewTest, FrozenPictureStandsStill) {
   int changes = 0;
   view.freeze();
   QObject::connect(&view, &TimeView::changed, [&] { ++changes; });
-  view.setBounds(kStart, kStart + 70 * kSecond);
+  view.setBounds(kViewStart, kViewStart + 70 * kSecond);
   EXPECT_EQ(changes, 0);
-  EXPECT_EQ(view.end(), kStart + 60 * kSecond);
+  EXPECT_EQ(view.end(), kViewStart + 60 * kSecond);
   EXPECT_EQ(view.behind(), 10 * kSecond);
   view.pan(-kSecond);
   EXPECT_EQ(view.mode(), Mode::kFrozen) << "looking around does not thaw";
@@ -65,19 +65,19 @@ TEST_F(TimeViewTest, FrozenPictureStandsStill) {
 
 TEST_F(TimeViewTest, DoesNotGetLostBesideTheData) {
   view.pan(-1000 * kSecond);
-  EXPECT_GT(view.end(), kStart);
+  EXPECT_GT(view.end(), kViewStart);
   view.pan(5000 * kSecond);
-  EXPECT_LT(view.begin(), kStart + 60 * kSecond);
-  view.zoom(1e12, kStart);
+  EXPECT_LT(view.begin(), kViewStart + 60 * kSecond);
+  view.zoom(1e12, kViewStart);
   EXPECT_EQ(view.span(), TimeView::kMaxSpan);
-  view.zoom(1e-15, kStart);
+  view.zoom(1e-15, kViewStart);
   EXPECT_EQ(view.span(), TimeView::kMinSpan);
 }
 
 TEST_F(TimeViewTest, WindowLengthDoesNotStopFollowing) {
   view.setSpan(kSecond);
   EXPECT_EQ(view.mode(), Mode::kLive);
-  EXPECT_EQ(view.end(), kStart + 60 * kSecond);
+  EXPECT_EQ(view.end(), kViewStart + 60 * kSecond);
 }
 
 }  // namespace

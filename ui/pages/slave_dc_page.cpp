@@ -25,8 +25,6 @@ const SlaveSettings* slaveAt(const Project& project, int position) {
              : nullptr;
 }
 
-QString none() { return QStringLiteral("\u2013"); }
-
 }  // namespace
 
 SlaveDcPage::SlaveDcPage(Workspace& workspace) : Page(workspace, "slaveDcPage", tr("Distributed Clocks")) {
@@ -89,8 +87,8 @@ void SlaveDcPage::refresh() {
   if (slave == nullptr || !slave->device.dc) return;
   const auto* mode = compiler::selected_op_mode(*slave);
   description_->setText(mode != nullptr && !mode->description.empty() ? QString::fromStdString(mode->description)
-                                                                      : none());
-  assign_activate_->setText(mode != nullptr ? hexText(mode->assign_activate, 4) : none());
+                                                                      : noText());
+  assign_activate_->setText(mode != nullptr ? hexText(mode->assign_activate, 4) : noText());
   bus_cycle_->setText(cycleText(project.master.cycle_time));
   sync0_->showSlave(*slave, mode, project.master.cycle_time);
   sync1_->showSlave(*slave, mode, project.master.cycle_time);
@@ -104,10 +102,10 @@ void SlaveDcPage::refreshRegisters() {
   const auto at = static_cast<std::size_t>(node());
   const SlaveDcConfig* dc =
       config != nullptr && at < config->slaves.size() && config->slaves[at].dc ? &*config->slaves[at].dc : nullptr;
-  register_activation_->setText(dc != nullptr ? hexText(dc->assign_activate, 4) : none());
-  register_cycle0_->setText(dc != nullptr ? timeText(dc->cycle_time0) : none());
-  register_cycle1_->setText(dc != nullptr ? timeText(dc->cycle_time1) : none());
-  register_shift_->setText(dc != nullptr ? timeText(dc->shift_time) : none());
+  register_activation_->setText(dc != nullptr ? hexText(dc->assign_activate, 4) : noText());
+  register_cycle0_->setText(dc != nullptr ? timeText(dc->cycle_time0) : noText());
+  register_cycle1_->setText(dc != nullptr ? timeText(dc->cycle_time1) : noText());
+  register_shift_->setText(dc != nullptr ? timeText(dc->shift_time) : noText());
 }
 
 void SlaveDcPage::showLive(const Snapshot& snapshot) {
@@ -124,15 +122,16 @@ void SlaveDcPage::showLive(const Snapshot& snapshot) {
                                                                                       ? tr("Does not follow")
                                                                                       : tr("DC off"));
   }
-  deviation_->setText(
-      status != nullptr && status->deviation_valid && status->follows ? signedTimeText(status->deviation_ns) : none());
-  delay_->setText(status != nullptr && status->dc_enabled ? timeText(status->propagation_delay_ns) : none());
+  deviation_->setText(status != nullptr && status->deviation_valid && status->follows
+                          ? signedTimeText(status->deviation_ns)
+                          : noText());
+  delay_->setText(status != nullptr && status->dc_enabled ? timeText(status->propagation_delay_ns) : noText());
   missed_->setText(
       status != nullptr && status->sm2_missed.valid
           ? tr("%1 (object %2:%3)")
                 .arg(countText(status->sm2_missed.known ? status->sm2_missed.missed : status->sm2_missed.value),
                      hexText(status->sm2_missed.index, 4), hexText(status->sm2_missed.sub_index, 2).mid(2))
-          : none());
+          : noText());
 }
 
 }  // namespace syncline::ui

@@ -16,8 +16,6 @@
 namespace syncline::ui {
 namespace {
 
-QString fromView(std::string_view text) { return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size())); }
-
 /// The user's, or else the device's.
 QString timeoutText(const Project& project, int slave, const char* key) {
   const auto ms = settings::effective_value(settings::row(key), project, {.slave = static_cast<std::size_t>(slave)});

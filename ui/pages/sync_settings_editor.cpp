@@ -20,8 +20,6 @@ constexpr int kMissWeight = 3;  // of a missed event; a good one takes 1 away
 constexpr int kMostMisses = 10;
 constexpr const char* kErrorLimit = "slave.N.sync.error_limit";
 
-QString none() { return QStringLiteral("\u2013"); }
-
 /// Shows `value`, also one that the list does not offer.
 void choose(QComboBox& box, const QVariant& value) {
   auto row = box.findData(value);
@@ -67,9 +65,9 @@ void SyncSettingsEditor::showSlave(const SlaveSettings& slave) {
   const auto name = [](std::string_view text) {
     return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
   };
-  family_->setText(family != nullptr ? name(family->name) : none());
+  family_->setText(family != nullptr ? name(family->name) : noText());
   const auto cycles = family != nullptr && family->cycle ? stepText(*family->cycle) : QString();
-  cycles_->setText(cycles.isEmpty() ? none() : cycles);
+  cycles_->setText(cycles.isEmpty() ? noText() : cycles);
   showLimit(slave);
   type_->setEnabled(slave.device.mailbox && slave.device.mailbox->coe);
 }

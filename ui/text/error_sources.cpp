@@ -8,7 +8,7 @@ namespace {
 
 // The templates of core/protocol/error_text.cpp once more, where lupdate can see them: core knows no Qt.
 // A test compares the two.
-constexpr const char* kSources[] = {
+constexpr const char* kErrorSources[] = {
     QT_TRANSLATE_NOOP("Error", "The file {file} does not exist; check its name and folder."),
     QT_TRANSLATE_NOOP("Error", "The file {file} cannot be read{because}."),
     QT_TRANSLATE_NOOP("Error",
@@ -71,6 +71,6 @@ constexpr const char* kSources[] = {
 
 }  // namespace
 
-std::span<const char* const> translatableErrors() { return kSources; }
+std::span<const char* const> translatableErrors() { return kErrorSources; }
 
 }  // namespace syncline::ui

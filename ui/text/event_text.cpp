@@ -13,17 +13,15 @@
 namespace syncline::ui {
 namespace {
 
-QString fromView(std::string_view text) { return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size())); }
-
 QChar portLetter(std::int64_t port) { return QLatin1Char(static_cast<char>('A' + (port & 3))); }
 
 /// Source text for lupdate's "Events" context. Without a form for any other: a new kind of event needs its words.
-class Words {
+class EventWords {
   Q_DECLARE_TR_FUNCTIONS(Events)
 
  public:
   using Line = std::optional<Message>;
-  explicit Words(int slave) : slave_(slave) {}
+  explicit EventWords(int slave) : slave_(slave) {}
 
   // ---- scan
   Line operator()(const events::ScanProgress&) const { return std::nullopt; }
@@ -181,7 +179,7 @@ class Words {
   int slave_;
 };
 
-Words::Line Words::operator()(const events::HotConnect& e) const {
+EventWords::Line EventWords::operator()(const events::HotConnect& e) const {
   using What = events::HotConnect::What;
   const auto text = e.what == What::kConnected      ? tr("Connected (hot-connect group %1)")
                     : e.what == What::kDisconnected ? tr("Disconnected (hot-connect group %1)")
@@ -189,7 +187,7 @@ Words::Line Words::operator()(const events::HotConnect& e) const {
   return info(text.arg(QString::fromStdString(e.group.str())));
 }
 
-Words::Line Words::operator()(const events::RecoveryStep& e) const {
+EventWords::Line EventWords::operator()(const events::RecoveryStep& e) const {
   using Stage = events::RecoveryStep::Stage;
   switch (e.stage) {
     case Stage::kBegun:
@@ -204,7 +202,7 @@ Words::Line Words::operator()(const events::RecoveryStep& e) const {
   return error(tr("Recovery given up after try %1; request the state again when the cause is removed").arg(e.tries));
 }
 
-Words::Line Words::operator()(const events::ReferenceClockChanged& e) const {
+EventWords::Line EventWords::operator()(const events::ReferenceClockChanged& e) const {
   using What = events::ReferenceClockChanged::What;
   switch (e.what) {
     case What::kTookOver:
@@ -221,7 +219,7 @@ Words::Line Words::operator()(const events::ReferenceClockChanged& e) const {
   return info(tr("Reference clock present"));
 }
 
-Words::Line Words::operator()(const events::SlavesOutOfSync& e) const {
+EventWords::Line EventWords::operator()(const events::SlavesOutOfSync& e) const {
   if (slave_ < 0 && e.over_limit > 0) {
     return warning(tr("All slaves out of sync at once and to the same side, deviation %1: the reference "
                       "clock has stepped")
@@ -233,7 +231,7 @@ Words::Line Words::operator()(const events::SlavesOutOfSync& e) const {
                                   : tr("Slaves out of sync, deviation %1").arg(timeText(e.deviation_ns)));
 }
 
-Words::Line Words::operator()(const events::DelayFinding& e) const {
+EventWords::Line EventWords::operator()(const events::DelayFinding& e) const {
   switch (e.warning) {
     case dc::DelayWarning::kReversedCable:
       return warning(tr("Connected by port %1 instead of A: swap its cables IN and OUT. Its delay is right here, but "
@@ -251,7 +249,7 @@ Words::Line Words::operator()(const events::DelayFinding& e) const {
   return warning(tr("Implausible propagation delay: %1").arg(signedTimeText(e.value)));
 }
 
-Words::Line Words::operator()(const events::FramesLate& e) const {
+EventWords::Line EventWords::operator()(const events::FramesLate& e) const {
   const auto count = static_cast<int>(e.count);
   return warning(
       e.told_as_lost > 0
@@ -261,7 +259,7 @@ Words::Line Words::operator()(const events::FramesLate& e) const {
           : tr("%n frame(s) back late, up to %1 after the deadline", nullptr, count).arg(timeText(e.late_by)));
 }
 
-Words::Line Words::operator()(const events::Emergency& e) const {
+EventWords::Line EventWords::operator()(const events::Emergency& e) const {
   QStringList bytes;
   for (const auto byte : e.data) bytes += QStringLiteral("%1").arg(byte, 2, 16, QLatin1Char('0'));
   auto code = hexText(e.error_code, 4);
@@ -272,7 +270,7 @@ Words::Line Words::operator()(const events::Emergency& e) const {
                      .arg(code, hexText(e.error_register, 2), bytes.join(QLatin1Char(' '))));
 }
 
-Words::Line Words::operator()(const events::DiagnosisTold& e) const {
+EventWords::Line EventWords::operator()(const events::DiagnosisTold& e) const {
   using Type = DiagnosisMessage::Type;
   const auto severity = e.type == Type::kInfo      ? Severity::kInfo
                         : e.type == Type::kWarning ? Severity::kWarning
@@ -301,7 +299,7 @@ QDateTime dateTimeOf(Nanoseconds dc_time) {
 }
 
 std::optional<Message> messageOf(const Event& event, const Project& project) {
-  auto message = std::visit(Words(event.slave), event.what);
+  auto message = std::visit(EventWords(event.slave), event.what);
   if (!message) return std::nullopt;
   message->time = dateTimeOf(event.time);
   message->slave = event.slave;

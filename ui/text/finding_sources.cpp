@@ -7,7 +7,7 @@ namespace syncline::ui {
 namespace {
 
 // The words of core/diagnosis once more, where lupdate can see them: core knows no Qt. A test compares the two.
-constexpr const char* kSources[] = {
+constexpr const char* kFindingSources[] = {
     QT_TRANSLATE_NOOP("Finding", "No answer from {slaves} since {since}; {near} is the last that answers."),
     QT_TRANSLATE_NOOP("Finding", "Check the power of the first one and the cable that leads to it."),
     QT_TRANSLATE_NOOP("Finding",
@@ -201,6 +201,6 @@ constexpr const char* kSources[] = {
 
 }  // namespace
 
-std::span<const char* const> translatableFindings() { return kSources; }
+std::span<const char* const> translatableFindings() { return kFindingSources; }
 
 }  // namespace syncline::ui

@@ -9,7 +9,7 @@ namespace syncline::ui {
 namespace {
 
 /// Source text for lupdate's "Finding" context.
-class Words {
+class FindingWords {
   Q_DECLARE_TR_FUNCTIONS(Finding)
 
  public:
@@ -19,30 +19,30 @@ class Words {
   }
 };
 
-QString Words::of(const Figure& figure) {
-  using Unit = Figure::Unit;
+QString FindingWords::of(const Figure& figure) {
+  using In = Figure::Unit;
   switch (figure.unit) {
-    case Unit::kCount: {
+    case In::kCount: {
       const auto count = countText(static_cast<std::uint64_t>(figure.value));
       return figure.text.empty() ? count : tr("at least %1").arg(count);
     }
-    case Unit::kTimes: {
+    case In::kTimes: {
       if (figure.value == 1 && figure.text.empty()) return tr("once");
       const auto times = tr("%1 times").arg(countText(static_cast<std::uint64_t>(figure.value)));
       return figure.text.empty() ? times : tr("at least %1").arg(times);
     }
-    case Unit::kNanoseconds:
+    case In::kNanoseconds:
       return timeText(figure.value);
-    case Unit::kMoment:
+    case In::kMoment:
       return timeText(figure.value / kMillisecond * kMillisecond);
-    case Unit::kPpm:
+    case In::kPpm:
       return ppmText(static_cast<double>(figure.value) / 1e3);
-    case Unit::kSlave:
+    case In::kSlave:
       if (figure.value == -1) return tr("the host");
       if (figure.value < 0) return tr("nobody in the configuration");
       return figure.other > figure.value ? tr("slaves %1 to %2").arg(figure.value).arg(figure.other)
                                          : tr("slave %1").arg(figure.value);
-    case Unit::kText:
+    case In::kText:
       return figure.text.empty() ? QString() : sentence(figure.text);
     default:
       return QString::fromStdString(figure_text(figure));
@@ -54,7 +54,7 @@ QString fill(QString text, const RunFinding& finding) {
     const auto name = QLatin1Char('{') +
                       QString::fromUtf8(figure.name.data(), static_cast<qsizetype>(figure.name.size())) +
                       QLatin1Char('}');
-    text.replace(name, Words::of(figure));
+    text.replace(name, FindingWords::of(figure));
   }
   if (!text.isEmpty()) text[0] = text[0].toUpper();
   return text;
@@ -63,12 +63,12 @@ QString fill(QString text, const RunFinding& finding) {
 }  // namespace
 
 QString findingText(const RunFinding& finding) {
-  return fill(Words::sentence(finding_words(finding.code).why), finding);
+  return fill(FindingWords::sentence(finding_words(finding.code).why), finding);
 }
 
 QString findingAdvice(const RunFinding& finding) {
   const auto mend = finding_words(finding.code).mend;
-  return mend.empty() ? QString() : fill(Words::sentence(mend), finding);
+  return mend.empty() ? QString() : fill(FindingWords::sentence(mend), finding);
 }
 
 }  // namespace syncline::ui

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/text/glossary.h"
 
+#include "ui/text/units.h"
+
 #include <QCoreApplication>
 #include <string_view>
 
 namespace syncline::ui {
-namespace {
-
-QString fromView(std::string_view text) { return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size())); }
-
-}  // namespace
+namespace {}  // namespace
 
 QString masterWord() { return QCoreApplication::translate("Glossary", "Master"); }
 QString slaveWord() { return QCoreApplication::translate("Glossary", "Slave"); }

@@ -8,7 +8,7 @@ namespace {
 
 // The words of core/settings that fields show once more, where lupdate can see them: core knows no Qt. A test compares
 // the two.
-constexpr const char* kSources[] = {
+constexpr const char* kSettingSources[] = {
     QT_TRANSLATE_NOOP("Setting", "Name"),
     QT_TRANSLATE_NOOP("Setting", "Cycle time"),
     QT_TRANSLATE_NOOP("Setting", "Overlap inputs and outputs"),
@@ -290,6 +290,6 @@ constexpr const char* kSources[] = {
 
 }  // namespace
 
-std::span<const char* const> translatableSettings() { return kSources; }
+std::span<const char* const> translatableSettings() { return kSettingSources; }
 
 }  // namespace syncline::ui

@@ -71,4 +71,8 @@ QString bitsText(std::uint32_t bits) {
   return QCoreApplication::translate("Units", "%n Bit(s)", nullptr, count);
 }
 
+QString noText() { return QStringLiteral("\u2013"); }
+
+QString fromView(std::string_view text) { return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size())); }
+
 }  // namespace syncline::ui

@@ -3,6 +3,7 @@
 
 #include <QString>
 #include <cstdint>
+#include <string_view>
 
 #include "support/types.h"
 
@@ -20,5 +21,9 @@ namespace syncline::ui {
 [[nodiscard]] QString hexText(std::uint64_t value, int digits);
 /// "14 Bit", "4 Byte".
 [[nodiscard]] QString bitsText(std::uint32_t bits);
+
+/// A dash, where there is nothing to show.
+[[nodiscard]] QString noText();
+[[nodiscard]] QString fromView(std::string_view text);
 
 }  // namespace syncline::ui

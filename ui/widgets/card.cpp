@@ -17,7 +17,7 @@ namespace syncline::ui {
 
 namespace {
 
-constexpr int kMargin = 12, kSpacing = 10;
+constexpr int kCardMargin = 12, kSpacing = 10;
 constexpr int kWidest = 640;  // of a card: a field wider than that says nothing more
 
 }  // namespace
@@ -73,7 +73,7 @@ void Card::paintEvent(QPaintEvent*) {
 
 CardColumns::CardColumns(QWidget* parent) : QWidget(parent) {
   auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(kMargin, 10, kMargin, 10);
+  layout->setContentsMargins(kCardMargin, 10, kCardMargin, 10);
   layout->setSpacing(kSpacing);
   layout->addStretch();  // what is left where all cards are as wide as they may be
 }
@@ -101,7 +101,7 @@ int CardColumns::fitting(int width) const {
     if (const int needed = widthOf(i); needed > 0) widths.append(needed);
   }
   for (auto stacks = widths.size(); stacks > 1; --stacks) {
-    int needed = 2 * kMargin - kSpacing;
+    int needed = 2 * kCardMargin - kSpacing;
     for (qsizetype stack = 0; stack < stacks; ++stack) {
       int widest = 0;
       for (auto i = stack; i < widths.size(); i += stacks) widest = std::max(widest, widths[i]);
@@ -177,7 +177,7 @@ int CardColumns::rows() const {
 QSize CardColumns::minimumSizeHint() const {
   int widest = 0;
   for (qsizetype i = 0; i < columns_.size(); ++i) widest = std::max(widest, widthOf(i));
-  return {widest + 2 * kMargin, layout()->minimumSize().height()};
+  return {widest + 2 * kCardMargin, layout()->minimumSize().height()};
 }
 
 bool CardColumns::event(QEvent* event) {

@@ -8,7 +8,7 @@ namespace {
 
 constexpr int kPadding = 8;
 constexpr int kMark = 8;
-constexpr int kGap = 6;
+constexpr int kPillGap = 6;
 
 /// Full disc, ring, triangle, square: told apart without colour.
 void drawMark(QPainter& painter, const QRectF& box, theme::Tone tone) {
@@ -45,7 +45,7 @@ void Pill::setState(theme::Tone tone, const QString& text) {
 
 QSize Pill::sizeHint() const {
   const auto metrics = fontMetrics();
-  return {metrics.horizontalAdvance(text_) + 2 * kPadding + kMark + kGap, metrics.height() + 6};
+  return {metrics.horizontalAdvance(text_) + 2 * kPadding + kMark + kPillGap, metrics.height() + 6};
 }
 
 void Pill::paintEvent(QPaintEvent*) {
@@ -60,7 +60,8 @@ void Pill::paintEvent(QPaintEvent*) {
   painter.setBrush(color);
   drawMark(painter, QRectF(kPadding, area.center().y() - kMark / 2.0, kMark, kMark), tone_);
   painter.setPen(color);
-  painter.drawText(area.adjusted(kPadding + kMark + kGap, 0, -kPadding, 0), Qt::AlignVCenter | Qt::AlignLeft, text_);
+  painter.drawText(area.adjusted(kPadding + kMark + kPillGap, 0, -kPadding, 0), Qt::AlignVCenter | Qt::AlignLeft,
+                   text_);
 }
 
 }  // namespace syncline::ui

@@ -9,9 +9,9 @@ namespace {
 
 /// Gains of the line that follows the readings, critically damped.
 constexpr double kLevelGain = 0.1, kRateGain = 0.0053;
-constexpr int kLearning = 50;      // readings until the line is trusted
-constexpr double kScatters = 7.5;  // six standard deviations of a normal distribution
-constexpr double kMemory = 0.02;
+constexpr int kLearning = 50;          // readings until the line is trusted
+constexpr double kStepScatters = 7.5;  // six standard deviations of a normal distribution
+constexpr double kStepMemory = 0.02;
 constexpr int kLost = 20;  // strange readings in a row that do not agree: the line is begun anew
 
 }  // namespace
@@ -27,7 +27,7 @@ std::optional<Nanoseconds> ClockStepDetector::observe(Nanoseconds host_time, Nan
   if (passed <= 0) return std::nullopt;
   const double surprise =
       static_cast<double>(reference_time - reference_ - passed) - rate_ * static_cast<double>(passed) - fraction_;
-  const double gate = std::max(limit_, kScatters * scatter_);
+  const double gate = std::max(limit_, kStepScatters * scatter_);
   if (readings_ >= kLearning && std::abs(surprise) > gate) {
     const auto step = sure_step(surprise, gate);
     if (!step && strange_ < kLost) return std::nullopt;
@@ -46,7 +46,7 @@ std::optional<Nanoseconds> ClockStepDetector::observe(Nanoseconds host_time, Nan
   }
   strange_ = 0;
   readings_ = std::min(readings_ + 1, kLearning);
-  scatter_ += std::max(kMemory, 1.0 / readings_) * (std::min(std::abs(surprise), gate) - scatter_);
+  scatter_ += std::max(kStepMemory, 1.0 / readings_) * (std::min(std::abs(surprise), gate) - scatter_);
   follow(surprise, static_cast<double>(passed));
   return std::nullopt;
 }

@@ -7,7 +7,7 @@
 namespace syncline::dc {
 namespace {
 
-constexpr double kFilterTime = 20e6;  // ns
+constexpr double kShownFilterTime = 20e6;  // ns
 /// Drift that no controller is to balance: an ESC's loop reaches 763 ppm, and needs some of it itself. Once told, it
 /// must be clearly less again.
 constexpr double kMaxDriftPpm = 600, kDriftBelowPpm = 590;
@@ -53,7 +53,7 @@ bool DcmMonitor::observe(const DcmObservation& observation, Nanoseconds error) {
 
 void DcmMonitor::read(const DcmObservation& observation, Nanoseconds error) {
   error_ = error;
-  filtered_ += std::min(1.0, static_cast<double>(cycle_) / kFilterTime) * (static_cast<double>(error) - filtered_);
+  filtered_ += std::min(1.0, static_cast<double>(cycle_) / kShownFilterTime) * (static_cast<double>(error) - filtered_);
   judge_.observe(observation.send_time, static_cast<Nanoseconds>(std::llround(filtered_)));
   const auto step = steps_.observe(observation.send_time, *observation.reference_time);
   // A clock that is still being led to its place changes its rate as it goes.

@@ -10,9 +10,9 @@ namespace syncline::dc {
 namespace {
 
 constexpr double kShare = 0.2;
-constexpr double kIntegralTime = 2.5e9;   // ns
-constexpr double kMaxCorrection = 5'000;  // ns: moves an ESC by some 60 ppm, which the host can follow
-constexpr std::uint32_t kLeastGain = 20;  // ppt: the clock that the host follows is being moved
+constexpr double kDcxIntegralTime = 2.5e9;   // ns
+constexpr double kDcxMaxCorrection = 5'000;  // ns: moves an ESC by some 60 ppm, which the host can follow
+constexpr std::uint32_t kLeastGain = 20;     // ppt: the clock that the host follows is being moved
 constexpr Nanoseconds kPatience = kSecond;
 
 DcmSettings for_host(DcmSettings settings) {
@@ -42,7 +42,7 @@ void Dcx::start(Nanoseconds base, Nanoseconds first_reference_time, Nanoseconds 
 std::optional<Nanoseconds> Dcx::reference_write(Nanoseconds send_time, Nanoseconds) {
   const auto forecast = forecast_.at(send_time, host_.state().drift_ppm);
   if (control_off_ || !behind_ || !forecast) return std::nullopt;
-  const double push = std::clamp(kShare * *behind_, -kMaxCorrection, kMaxCorrection) + integral_;
+  const double push = std::clamp(kShare * *behind_, -kDcxMaxCorrection, kDcxMaxCorrection) + integral_;
   return *forecast + std::llround(push);
 }
 
@@ -79,9 +79,9 @@ void Dcx::take(const DcmObservation& observation) {
   }
   missing_since_.reset();
   behind_ = static_cast<double>(wrap_to_half(*observation.external_difference, cycle_));
-  const double seen = std::clamp(*behind_, -kMaxCorrection, kMaxCorrection);
-  integral_ =
-      std::clamp(integral_ + static_cast<double>(cycle_) / kIntegralTime * seen, -kMaxCorrection, kMaxCorrection);
+  const double seen = std::clamp(*behind_, -kDcxMaxCorrection, kDcxMaxCorrection);
+  integral_ = std::clamp(integral_ + static_cast<double>(cycle_) / kDcxIntegralTime * seen, -kDcxMaxCorrection,
+                         kDcxMaxCorrection);
 }
 
 }  // namespace syncline::dc

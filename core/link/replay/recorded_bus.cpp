@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "link/link.h"
 #include "protocol/registers.h"
 #include "support/byte_order.h"
 
@@ -13,7 +14,6 @@ namespace {
 constexpr std::size_t kMostOpen = 256;
 /// Positions beyond what a segment can have are a damaged frame's.
 constexpr std::size_t kMostSlaves = 4096;
-constexpr std::uint8_t kLocallyAdministered = 0x02;
 constexpr std::uint16_t kSiiBusy = 0x8000;
 constexpr std::uint16_t kSiiReads8Bytes = 0x0040;
 constexpr std::uint16_t kSiiEnd = reg::kSiiData + 8;

@@ -20,19 +20,19 @@ constexpr std::uint8_t kCycleTime = 0x04, kBusOccupied = 0x07, kAsynchronous = 0
 constexpr std::uint16_t kOutputs = 0x7000, kInputs = 0x6000, kDiagnosis = 0xA000;
 constexpr std::uint8_t kNodeState = 1, kSyncMessages = 2;
 
-const families::Family& family() {
+const families::Family& gateway_family() {
   static const families::Family& found = *families::of_behaviour("can-gateway");
   return found;
 }
-const families::CanGateway& objects() { return *family().gateway; }
+const families::CanGateway& objects() { return *gateway_family().gateway; }
 std::uint16_t parameters() { return objects().can_cycle.index; }
 
 SyncHabits habits() {
   constexpr std::uint16_t kDynamic = 0x8000;  // of the EL6751's ESI, with the others
-  SyncHabits habits(family(),
+  SyncHabits habits(gateway_family(),
                     SyncHabits::kFreeRun | SyncHabits::kSyncManager | SyncHabits::kSync0 | SyncHabits::kLocalShift |
                         SyncHabits::kMeasures | kDynamic,
-                    static_cast<std::uint32_t>(family().cycle->shortest));
+                    static_cast<std::uint32_t>(gateway_family().cycle->shortest));
   habits.cycle_writable = true;
   return habits;
 }
@@ -93,7 +93,7 @@ std::uint16_t CanGateway::check_sync(AlState) {
   // Without DC the gateway knows the bus cycle from the master's start-up list only.
   const Nanoseconds bus = unit.sync0_enabled() ? unit.settings().cycle0 : outputs_sync_.cycle();
   if (unit.sync0_enabled()) {
-    if (bus < family().cycle->shortest) return al_code::kCycleTooSmall;
+    if (bus < gateway_family().cycle->shortest) return al_code::kCycleTooSmall;
     if (outputs_sync_.contradicts(unit.settings().cycle0)) return al_code::kInvalidSyncCycle;
   }
   const auto can = parameter(kCycleTime);

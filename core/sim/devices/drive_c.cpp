@@ -13,14 +13,14 @@ namespace {
 constexpr Nanoseconds kServoPulse = 10 * kMicrosecond;
 constexpr Nanoseconds kPulseUnit = 10;  // of register 0x0982
 
-const families::Family& family() {
+const families::Family& drive_c_family() {
   static const families::Family& found = *families::of_behaviour("drive-c");
   return found;
 }
 
 /// Entries are named as in the ESI of a Copley XE2.
-DriveHabits habits() {
-  DriveHabits habits(family(), SyncHabits::kFreeRun | SyncHabits::kSync0 | SyncHabits::kLocalShift);
+DriveHabits drive_c_habits() {
+  DriveHabits habits(drive_c_family(), SyncHabits::kFreeRun | SyncHabits::kSync0 | SyncHabits::kLocalShift);
   habits.pll = true;
   habits.sync.delay_name = "Hardware delay time";
   habits.sync.missed_name = "SM-Event missed";
@@ -31,18 +31,18 @@ DriveHabits habits() {
 
 }  // namespace
 
-DriveC::DriveC(const SimSlaveConfig& config, Esc& esc) : Drive(config, esc, sim::habits()) {
-  const auto& object = *family().status;
+DriveC::DriveC(const SimSlaveConfig& config, Esc& esc) : Drive(config, esc, drive_c_habits()) {
+  const auto& object = *drive_c_family().status;
   auto& status =
       dictionary_.add<std::uint16_t>(object.object.index, object.object.sub_index, std::string(object.name), 0);
   status.on_read = [this](ObjectDictionary::Entry& entry) { entry.value = le_bytes(synchronisation_status()); };
-  pins_.resize(family().pins->pins);
+  pins_.resize(drive_c_family().pins->pins);
   add_pins();
 }
 
 void DriveC::add_pins() {
   auto& d = dictionary_;
-  const auto& object = *family().pins;
+  const auto& object = *drive_c_family().pins;
   d.set_object_name(object.index, "Output pin configuration");
   d.add<std::uint8_t>(object.index, 0, "Number of Entries", object.pins);
   for (std::uint8_t pin = 0; pin < object.pins; ++pin) {
@@ -56,7 +56,7 @@ void DriveC::add_pins() {
 }
 
 std::uint32_t DriveC::configure(std::size_t pin, std::uint16_t function) {
-  const auto& functions = family().pins->functions;
+  const auto& functions = drive_c_family().pins->functions;
   if (std::ranges::find(functions, function, &families::PinFunction::value) == functions.end()) return abort::kRange;
   pins_[pin] = {function, {}};
   const auto shows = [this](std::uint16_t wanted) {

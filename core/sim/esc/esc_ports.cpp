@@ -3,6 +3,7 @@
 
 #include "protocol/dl_status.h"
 #include "protocol/registers.h"
+#include "sim/esc/esc_events.h"
 
 namespace syncline::sim {
 namespace {
@@ -10,7 +11,6 @@ namespace {
 constexpr std::uint32_t kResetControl = 0x0007'0001;  // largest FIFO, forwarding rule on, all loops auto
 constexpr std::uint32_t kTemporary = 0x0000'0002;
 constexpr Nanoseconds kTemporaryTime = kSecond;
-constexpr std::uint16_t kEventDlStatus = 0x0004;
 constexpr unsigned kNotPorts = 0x000F;
 
 }  // namespace
@@ -73,7 +73,7 @@ void EscPorts::write_status() {
   }
   if (status == before) return;
   memory_.set<std::uint16_t>(reg::kDlStatus, static_cast<std::uint16_t>(status));
-  const auto request = memory_.u16(reg::kEcatEventRequest) | kEventDlStatus;
+  const auto request = memory_.u16(reg::kEcatEventRequest) | esc_events::kEventDlStatus;
   memory_.set<std::uint16_t>(reg::kEcatEventRequest, static_cast<std::uint16_t>(request));
 }
 

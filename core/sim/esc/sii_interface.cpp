@@ -18,7 +18,7 @@ constexpr std::uint16_t kNotLoaded = 0x1000;
 constexpr std::uint16_t kCommandError = 0x2000;
 constexpr std::uint16_t kWriteEnableError = 0x4000;
 constexpr std::uint16_t kBusy = 0x8000;
-constexpr std::uint16_t kRead = 0x0100, kWrite = 0x0200, kReload = 0x0400;
+constexpr std::uint16_t kSiiRead = 0x0100, kSiiWrite = 0x0200, kSiiReload = 0x0400;
 constexpr std::size_t kCheckedBytes = 14;
 constexpr std::uint32_t kOneAddressByteSize = 2048;  // 16 kbit and less
 
@@ -64,12 +64,12 @@ void SiiInterface::control_written(Nanoseconds time) {
   const auto control = memory_.u16(reg::kSiiControl);
   command_ = control & kCommandMask;
   errors_ &= static_cast<std::uint16_t>(~(kCommandError | kWriteEnableError));
-  if (command_ == kWrite && (control & kWriteEnable) == 0) {
+  if (command_ == kSiiWrite && (control & kWriteEnable) == 0) {
     errors_ |= kWriteEnableError;
     command_ = 0;
   }
   if (command_ == 0) return show(0);
-  done_at_ = time + (command_ == kWrite ? config_.write_time : config_.read_time);
+  done_at_ = time + (command_ == kSiiWrite ? config_.write_time : config_.read_time);
   show(static_cast<std::uint16_t>(kBusy | command_));
 }
 
@@ -80,18 +80,18 @@ bool SiiInterface::advance_to(Nanoseconds time) {
   execute(command);
   command_ = 0;
   show(0);
-  return command == kReload && checksum_ok();
+  return command == kSiiReload && checksum_ok();
 }
 
 void SiiInterface::execute(std::uint16_t command) {
   const auto word = memory_.u32(reg::kSiiAddress);
   if (content_.empty()) {  // nobody answers on its wires
     errors_ |= kCommandError;
-  } else if (command == kRead) {
+  } else if (command == kSiiRead) {
     read(word);
-  } else if (command == kReload) {
+  } else if (command == kSiiReload) {
     load();
-  } else if (command == kWrite && 2ULL * word + 1 < content_.size()) {
+  } else if (command == kSiiWrite && 2ULL * word + 1 < content_.size()) {
     std::copy_n(memory_.at(reg::kSiiData, 2).begin(), 2, content_.begin() + static_cast<std::ptrdiff_t>(2 * word));
   } else {
     errors_ |= kCommandError;

@@ -9,7 +9,7 @@ namespace syncline::sim {
 namespace {
 
 /// Longest value that the device has room for.
-constexpr std::size_t kLargest = 64 * 1024;
+constexpr std::size_t kLargestObject = 64 * 1024;
 
 coe::Response abort_with(const coe::ObjectAddress& object, std::uint32_t code) { return coe::Abort{object, code}; }
 
@@ -94,7 +94,7 @@ coe::Response SdoServer::download(const coe::DownloadRequest& request) {
     if (code != abort::kNone) return abort_with(object, code);
     return coe::DownloadResponse{object};
   }
-  if (request.complete_size > kLargest) return abort_with(object, abort::kOutOfMemory);
+  if (request.complete_size > kLargestObject) return abort_with(object, abort::kOutOfMemory);
   transfer_ = std::move(transfer);
   return coe::DownloadResponse{object};
 }

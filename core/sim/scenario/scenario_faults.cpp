@@ -17,7 +17,6 @@ using R = FaultRule;
 constexpr std::array kKeys{R::kUntil, R::kCount,       R::kPort, R::kValue, R::kState,
                            R::kCode,  R::kProbability, R::kPpm,  R::kPeriod};
 constexpr std::int64_t kMostFrames = 1'000'000'000;
-constexpr double kMostPpm = 10'000;
 
 const FaultRule* find_rule(Table& table) {
   const auto kind = table.text("kind", "");

@@ -14,8 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kMostPpm = 10'000;
-
 JitterProfile jitter_of(Table& table) {
   const auto text = table.text("jitter", "none");
   if (text == "none") return JitterProfile::none();

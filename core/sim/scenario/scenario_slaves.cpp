@@ -20,10 +20,8 @@ namespace fs = std::filesystem;
 
 /// Auto-increment addressing has 16 bits; station addresses start at 1001.
 constexpr std::int64_t kMostSlaves = 64'000;
-constexpr double kMostPpm = 10'000;
 constexpr double kMostCable = 20'000;            // m
 constexpr std::uint32_t kMostDelay = 1'000'000;  // ns, inside an ESC
-constexpr double kNsPerMetre = 5;
 
 SimDcConfig dc_of(Table& table) {
   const auto text = table.text("dc", "64");
@@ -163,8 +161,9 @@ void ScenarioSlaves::read_place(Table& table, SimSlaveConfig& slave) {
     }
   }
   slave.cable_m = table.number("cable_m", 1.0, 0, kMostCable);
-  slave.asymmetry_ns = table.number("asymmetry_ns", 0, -2 * kMostCable * kNsPerMetre, 2 * kMostCable * kNsPerMetre);
-  if (std::abs(slave.asymmetry_ns) > 2 * slave.cable_m * kNsPerMetre) {
+  slave.asymmetry_ns =
+      table.number("asymmetry_ns", 0, -2 * kMostCable * kCableNsPerMetre, 2 * kMostCable * kCableNsPerMetre);
+  if (std::abs(slave.asymmetry_ns) > 2 * slave.cable_m * kCableNsPerMetre) {
     table.fail_at("asymmetry_ns", fmt::format("is more than there and back over {} m together", slave.cable_m));
   }
 }

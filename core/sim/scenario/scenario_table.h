@@ -15,6 +15,9 @@
 
 namespace syncline::sim {
 
+/// Beyond, it is no clock.
+inline constexpr double kMostPpm = 10'000;
+
 /// Reads one table of a TOML file: every key that is asked for is remembered, the others are errors. The first error of
 /// a file stands, with file, line and key; after it the values are of no use.
 class Table {

@@ -9,10 +9,8 @@
 namespace syncline::sim {
 namespace {
 
-constexpr double kNsPerMetre = 5.0;
-
-double way_out(const SimSlaveConfig& slave) { return slave.cable_m * kNsPerMetre + slave.asymmetry_ns / 2; }
-double way_back(const SimSlaveConfig& slave) { return slave.cable_m * kNsPerMetre - slave.asymmetry_ns / 2; }
+double way_out(const SimSlaveConfig& slave) { return slave.cable_m * kCableNsPerMetre + slave.asymmetry_ns / 2; }
+double way_back(const SimSlaveConfig& slave) { return slave.cable_m * kCableNsPerMetre - slave.asymmetry_ns / 2; }
 
 class Walk {
  public:

@@ -10,7 +10,7 @@
 namespace syncline::dc {
 namespace {
 
-PlantOptions with(JitterProfile jitter, double ppm = 50) {
+PlantOptions bus_shifted(JitterProfile jitter, double ppm = 50) {
   PlantOptions options;
   options.mode = DcmMode::kBusShift;
   options.jitter = jitter;
@@ -22,7 +22,7 @@ PlantOptions with(JitterProfile jitter, double ppm = 50) {
 TEST(BusShift, ReferenceClockFollowsTheHostAndSlavesFollowIt) {
   for (const auto& jitter : {JitterProfile::none(), JitterProfile::quiet(), JitterProfile::desktop()}) {
     for (const double ppm : {-400.0, -50.0, 0.0, 50.0, 400.0}) {
-      DcmPlant plant(with(jitter, ppm));
+      DcmPlant plant(bus_shifted(jitter, ppm));
       plant.run_until(20);
       EXPECT_LT(plant.in_sync_at(), 1.6) << ppm;
       EXPECT_EQ(plant.times_lost(), 0) << ppm;
@@ -36,7 +36,7 @@ TEST(BusShift, ReferenceClockFollowsTheHostAndSlavesFollowIt) {
 }
 
 TEST(BusShift, LearnsTheDriftWithoutABurst) {
-  auto options = with(JitterProfile::quiet());
+  auto options = bus_shifted(JitterProfile::quiet());
   options.learned_share = 0;
   DcmPlant plant(options);
   plant.run_until(40);
@@ -48,7 +48,7 @@ TEST(BusShift, LearnsTheDriftWithoutABurst) {
 TEST(BusShift, RestOfTheDriftThatTheBurstLeftIsNoLongLag) {
   // A tenth is still to be learned; with the share alone it would leave 2 us that fade over many seconds.
   for (const double ppm : {-50.0, 50.0}) {
-    auto options = with(JitterProfile::desktop(), ppm);
+    auto options = bus_shifted(JitterProfile::desktop(), ppm);
     options.learned_share = 0.9;
     DcmPlant plant(options);
     plant.run_until(15);
@@ -61,7 +61,7 @@ TEST(BusShift, DoesNotSwingWhereTheEscsGainIsHigh) {
   // Near the end of its speed counter an ESC reacts a hundred times as strongly as near zero.
   for (const Nanoseconds cycle : {250'000, 1'000'000}) {
     for (const double ppm : {-550.0, 550.0}) {
-      auto options = with(JitterProfile::desktop(), ppm);
+      auto options = bus_shifted(JitterProfile::desktop(), ppm);
       options.cycle = cycle;
       options.set_value = cycle * 2 / 3;
       DcmPlant plant(options);
@@ -74,7 +74,7 @@ TEST(BusShift, DoesNotSwingWhereTheEscsGainIsHigh) {
 
 TEST(BusShift, MovesToTheGridWithoutAStep) {
   for (const double error : {-200e3, 100e3}) {
-    auto options = with(JitterProfile::quiet());
+    auto options = bus_shifted(JitterProfile::quiet());
     options.start_error = error;
     DcmPlant plant(options);
     plant.run_until(12);
@@ -90,7 +90,7 @@ TEST(BusShift, MovesToTheGridWithoutAStep) {
 }
 
 TEST(BusShift, OneLateCycleDisturbsNobody) {
-  auto options = with(JitterProfile::quiet());
+  auto options = bus_shifted(JitterProfile::quiet());
   options.late = [](int cycle) { return cycle == 8'000 ? 900e3 : 0.0; };
   DcmPlant plant(options);
   plant.run_until(12);
@@ -100,7 +100,7 @@ TEST(BusShift, OneLateCycleDisturbsNobody) {
 }
 
 TEST(BusShift, ABurstOfLostFramesDisturbsNobody) {
-  auto options = with(JitterProfile::quiet());
+  auto options = bus_shifted(JitterProfile::quiet());
   options.lost = [](int cycle) { return cycle >= 8'000 && cycle < 8'150; };
   DcmPlant plant(options);
   plant.run_until(12);
@@ -110,7 +110,7 @@ TEST(BusShift, ABurstOfLostFramesDisturbsNobody) {
 }
 
 TEST(BusShift, SilenceOfTheReferenceClockLosesTheLock) {
-  auto options = with(JitterProfile::quiet());
+  auto options = bus_shifted(JitterProfile::quiet());
   options.lost = [](int cycle) { return cycle >= 5'000 && cycle < 6'000; };
   DcmPlant plant(options);
   plant.run_until(5.5);
@@ -121,7 +121,7 @@ TEST(BusShift, SilenceOfTheReferenceClockLosesTheLock) {
 }
 
 TEST(BusShift, NoiseOfTheSendStampsStaysAwayFromTheSlaves) {
-  auto options = with(JitterProfile::desktop());
+  auto options = bus_shifted(JitterProfile::desktop());
   options.stamp_noise = 500;
   DcmPlant plant(options);
   plant.run_until(30);
@@ -134,7 +134,7 @@ TEST(BusShift, NoiseOfTheSendStampsStaysAwayFromTheSlaves) {
 
 TEST(BusShift, StampsThatAreWrongByTensOfMicrosecondsNowAndThenStayAwayFromTheSlaves) {
   for (const double ppm : {-50.0, 50.0}) {
-    auto options = with(JitterProfile::quiet(), ppm);
+    auto options = bus_shifted(JitterProfile::quiet(), ppm);
     options.stamp_error = options.jitter.stamp_error;
     DcmPlant plant(options);
     plant.run_until(30);
@@ -144,7 +144,7 @@ TEST(BusShift, StampsThatAreWrongByTensOfMicrosecondsNowAndThenStayAwayFromTheSl
 }
 
 TEST(BusShift, StaysInSyncWithStampsOfAFewMicroseconds) {
-  auto options = with(JitterProfile::desktop());
+  auto options = bus_shifted(JitterProfile::desktop());
   options.stamp_noise = 3'000;
   DcmPlant plant(options);
   plant.run_until(30);
@@ -155,7 +155,7 @@ TEST(BusShift, StaysInSyncWithStampsOfAFewMicroseconds) {
 
 TEST(BusShift, HoldsAtShortAndLongCycles) {
   for (const Nanoseconds cycle : {62'500, 125'000, 250'000, 2'000'000, 4'000'000}) {
-    auto options = with(JitterProfile::desktop());
+    auto options = bus_shifted(JitterProfile::desktop());
     options.cycle = cycle;
     options.set_value = cycle * 2 / 3;
     DcmPlant plant(options);
@@ -168,7 +168,7 @@ TEST(BusShift, HoldsAtShortAndLongCycles) {
 }
 
 TEST(BusShift, NoSlowBeatBetweenTheTwoClocks) {
-  DcmPlant plant(with(JitterProfile::desktop(), 50));
+  DcmPlant plant(bus_shifted(JitterProfile::desktop(), 50));
   plant.run_until(70);
   for (double from = 10; from < 65; from += 5) {
     EXPECT_LT(std::abs(plant.mean(&PlantCycle::grid_error, from, from + 5)), 10) << from;
@@ -177,7 +177,7 @@ TEST(BusShift, NoSlowBeatBetweenTheTwoClocks) {
 
 TEST(BusShift, AReferenceClockThatCannotFollowIsADriftTooHigh) {
   for (const double ppm : {-800.0, 800.0}) {
-    DcmPlant plant(with(JitterProfile::quiet(), ppm));
+    DcmPlant plant(bus_shifted(JitterProfile::quiet(), ppm));
     plant.run_until(10);
     EXPECT_EQ(plant.last().state.error_code, kDcmErrorDriftTooHigh) << ppm;
     // It slides through the grid again and again, and is never in sync on its way.

@@ -10,7 +10,7 @@
 namespace syncline::dc {
 namespace {
 
-PlantOptions with(JitterProfile jitter, double ppm = 50) {
+PlantOptions master_shifted(JitterProfile jitter, double ppm = 50) {
   PlantOptions options;
   options.mode = DcmMode::kMasterShift;
   options.jitter = jitter;
@@ -22,7 +22,7 @@ PlantOptions with(JitterProfile jitter, double ppm = 50) {
 TEST(MasterShift, LocksAfterTheSettleTimeAndStays) {
   for (const auto& jitter : {JitterProfile::none(), JitterProfile::quiet(), JitterProfile::desktop()}) {
     for (const double ppm : {-400.0, -50.0, 0.0, 50.0, 400.0}) {
-      DcmPlant plant(with(jitter, ppm));
+      DcmPlant plant(master_shifted(jitter, ppm));
       plant.run_until(20);
       EXPECT_LT(plant.in_sync_at(), 1.6) << ppm;
       EXPECT_EQ(plant.times_lost(), 0) << ppm;
@@ -35,7 +35,7 @@ TEST(MasterShift, LocksAfterTheSettleTimeAndStays) {
 
 TEST(MasterShift, OneSidedWakeUpDelayIsNoBias) {
   // The mean lateness of this host is 2.4 us; a loop that saw it would send that much too early.
-  DcmPlant plant(with(JitterProfile::desktop()));
+  DcmPlant plant(master_shifted(JitterProfile::desktop()));
   plant.run_until(20);
   EXPECT_GT(plant.mean(&PlantCycle::jitter, 10), 2'000);
   EXPECT_LT(std::abs(plant.mean(&PlantCycle::grid_error, 10)), 20);
@@ -43,7 +43,7 @@ TEST(MasterShift, OneSidedWakeUpDelayIsNoBias) {
 
 TEST(MasterShift, BringsAnyStartingPhaseToTheGrid) {
   for (const double error : {-490e3, -200e3, 4e3, 200e3, 499e3}) {
-    auto options = with(JitterProfile::quiet());
+    auto options = master_shifted(JitterProfile::quiet());
     options.start_error = error;
     DcmPlant plant(options);
     plant.run_until(6);
@@ -53,7 +53,7 @@ TEST(MasterShift, BringsAnyStartingPhaseToTheGrid) {
 }
 
 TEST(MasterShift, NoPeriodIsBentByMoreThanAFiftiethAndTheWayBackOvershootsLittle) {
-  auto options = with(JitterProfile::none());
+  auto options = master_shifted(JitterProfile::none());
   options.start_error = 490e3;
   DcmPlant plant(options);
   plant.run_until(3);
@@ -67,7 +67,7 @@ TEST(MasterShift, NoPeriodIsBentByMoreThanAFiftiethAndTheWayBackOvershootsLittle
 
 TEST(MasterShift, HoldsAtShortAndLongCycles) {
   for (const Nanoseconds cycle : {62'500, 125'000, 250'000, 2'000'000, 4'000'000}) {
-    auto options = with(JitterProfile::quiet());
+    auto options = master_shifted(JitterProfile::quiet());
     options.cycle = cycle;
     options.set_value = cycle * 2 / 3;
     DcmPlant plant(options);
@@ -78,7 +78,7 @@ TEST(MasterShift, HoldsAtShortAndLongCycles) {
 }
 
 TEST(MasterShift, OneLateCycleLeavesTheScheduleAlone) {
-  auto options = with(JitterProfile::quiet());
+  auto options = master_shifted(JitterProfile::quiet());
   options.late = [](int cycle) { return cycle == 8'000 ? 900e3 : 0.0; };
   DcmPlant plant(options);
   plant.run_until(12);
@@ -111,7 +111,7 @@ TEST(MasterShift, AFrameStampedWrongIsGated) {
 }
 
 TEST(MasterShift, CoastsWithTheLearnedDriftWhileFramesAreLost) {
-  auto options = with(JitterProfile::quiet(), 400);
+  auto options = master_shifted(JitterProfile::quiet(), 400);
   options.lost = [](int cycle) { return cycle >= 8'000 && cycle < 8'150; };
   DcmPlant plant(options);
   plant.run_until(12);
@@ -121,7 +121,7 @@ TEST(MasterShift, CoastsWithTheLearnedDriftWhileFramesAreLost) {
 }
 
 TEST(MasterShift, SilenceOfTheReferenceClockLosesTheLock) {
-  auto options = with(JitterProfile::quiet());
+  auto options = master_shifted(JitterProfile::quiet());
   options.lost = [](int cycle) { return cycle >= 5'000 && cycle < 6'000; };
   DcmPlant plant(options);
   plant.run_until(5.1);
@@ -136,7 +136,7 @@ TEST(MasterShift, SilenceOfTheReferenceClockLosesTheLock) {
 }
 
 TEST(MasterShift, NoSlowBeatBetweenTheTwoClocks) {
-  DcmPlant plant(with(JitterProfile::desktop(), 50));
+  DcmPlant plant(master_shifted(JitterProfile::desktop(), 50));
   plant.run_until(70);
   // A schedule that slid through the grid would need 20 s for a cycle at 50 ppm; means of 5 s show it.
   for (double from = 10; from < 65; from += 5) {
@@ -145,7 +145,7 @@ TEST(MasterShift, NoSlowBeatBetweenTheTwoClocks) {
 }
 
 TEST(MasterShift, ToleratesSendStampsOfAFewMicroseconds) {
-  auto options = with(JitterProfile::desktop());
+  auto options = master_shifted(JitterProfile::desktop());
   options.stamp_noise = 3'000;
   DcmPlant plant(options);
   plant.run_until(30);
@@ -157,19 +157,19 @@ TEST(MasterShift, ToleratesSendStampsOfAFewMicroseconds) {
 
 TEST(MasterShift, DriftBeyond600PpmIsReportedThoughBalanced) {
   for (const double ppm : {-800.0, 800.0}) {
-    DcmPlant plant(with(JitterProfile::quiet(), ppm));
+    DcmPlant plant(master_shifted(JitterProfile::quiet(), ppm));
     plant.run_until(5);
     EXPECT_EQ(plant.last().state.error_code, kDcmErrorDriftTooHigh);
     EXPECT_NEAR(plant.last().state.drift_ppm, ppm, 1);
     EXPECT_LT(plant.worst(&PlantCycle::grid_error, 4), 200);
   }
-  DcmPlant plant(with(JitterProfile::quiet(), 590));
+  DcmPlant plant(master_shifted(JitterProfile::quiet(), 590));
   plant.run_until(5);
   EXPECT_FALSE(plant.reported(kDcmErrorDriftTooHigh));
 }
 
 TEST(MasterShift, RepeatsItselfBitByBit) {
-  DcmPlant first(with(JitterProfile::desktop())), second(with(JitterProfile::desktop()));
+  DcmPlant first(master_shifted(JitterProfile::desktop())), second(master_shifted(JitterProfile::desktop()));
   first.run_until(3);
   second.run_until(3);
   ASSERT_EQ(first.cycles().size(), second.cycles().size());

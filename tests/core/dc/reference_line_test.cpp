@@ -15,12 +15,12 @@ namespace {
 constexpr Nanoseconds kHost = 820'000'000 * kSecond, kReference = 700'000'000 * kSecond;
 
 /// A reference clock that runs 40 ppm fast, read every millisecond through stamps that are wrong by `error`.
-struct Readings {
+struct LineReadings {
   double ppm = 40;
   int count = 0;
   ReferenceLine line;
 
-  Readings() { line.start(kHost, kReference); }
+  LineReadings() { line.start(kHost, kReference); }
   [[nodiscard]] Nanoseconds host() const { return kHost + count * kMillisecond; }
   [[nodiscard]] Nanoseconds truth(Nanoseconds host) const {
     return kReference + (host - kHost) + std::llround(static_cast<double>(host - kHost) * ppm * 1e-6);
@@ -35,7 +35,7 @@ struct Readings {
 };
 
 TEST(ReferenceLine, FollowsPlaceAndRate) {
-  Readings readings;
+  LineReadings readings;
   for (int i = 0; i < 2'000; ++i) readings.read(0);
   EXPECT_NEAR(readings.off(), 0, 2);
   EXPECT_NEAR(readings.off(10 * kMillisecond), 0, 5);
@@ -44,7 +44,7 @@ TEST(ReferenceLine, FollowsPlaceAndRate) {
 
 /// Place and rate are critically damped: there as soon as may be, and not beyond.
 TEST(ReferenceLine, FollowsANewRateWithoutGoingBeyond) {
-  Readings readings;
+  LineReadings readings;
   for (int i = 0; i < 2'000; ++i) readings.read(0);
   const auto turn = readings.host(), there = readings.truth(turn);
   Nanoseconds most = 0, least = 0, behind = 0;
@@ -62,7 +62,7 @@ TEST(ReferenceLine, FollowsANewRateWithoutGoingBeyond) {
 }
 
 TEST(ReferenceLine, ASingleWrongStampDoesNotGoOn) {
-  Readings readings;
+  LineReadings readings;
   for (int i = 0; i < 2'000; ++i) readings.read(0);
   readings.read(67 * kMicrosecond);
   EXPECT_NEAR(readings.off(), 0, 2);
@@ -71,7 +71,7 @@ TEST(ReferenceLine, ASingleWrongStampDoesNotGoOn) {
 }
 
 TEST(ReferenceLine, IsQuieterThanTheStampsOfAHost) {
-  Readings readings;
+  LineReadings readings;
   Random random(1);
   const auto host = JitterProfile::quiet();
   double sum = 0, mean = 0;
@@ -87,14 +87,14 @@ TEST(ReferenceLine, IsQuieterThanTheStampsOfAHost) {
 }
 
 TEST(ReferenceLine, AStepIsBelievedWhenItStays) {
-  Readings readings;
+  LineReadings readings;
   for (int i = 0; i < 500; ++i) readings.read(0);
   for (int i = 0; i < 25; ++i) readings.read(kMillisecond / 4);
   EXPECT_NEAR(readings.off(), kMillisecond / 4, 20);
 }
 
 TEST(ReferenceLine, AnotherLeaderIsBelievedAtOnceAndRunsAsFast) {
-  Readings readings;
+  LineReadings readings;
   for (int i = 0; i < 500; ++i) readings.read(0);
   readings.line.start_place_anew();
   readings.read(9 * kMicrosecond);

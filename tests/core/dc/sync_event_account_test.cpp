@@ -11,7 +11,7 @@
 namespace syncline::dc {
 namespace {
 
-constexpr Nanoseconds kCycle = kMillisecond;
+constexpr Nanoseconds kPeriod = kMillisecond;
 constexpr Nanoseconds kFirst = 700'000;
 
 /// What happened to a frame on its way to the slave.
@@ -28,7 +28,7 @@ class Bench {
 
   /// SYNC0 comes 700 us behind the frame, or 100 us in front of a late one.
   void cycle(Fate fate) {
-    const Nanoseconds time = ++number_ * kCycle;
+    const Nanoseconds time = ++number_ * kPeriod;
     fresh_ = fresh_ || fate == Fate::kGood;
     at_sync0(std::exchange(fresh_, fate == Fate::kLate));
     if (fate == Fate::kLeftOut) {
@@ -45,7 +45,7 @@ class Bench {
     if (!fallen) account.confirm_op();
   }
 
-  SyncEventAccount account{kCycle, kFirst};
+  SyncEventAccount account{kPeriod, kFirst};
   std::uint32_t counter = 0, integrator = 0, highest = 0;
   bool fallen = false;
 
@@ -123,10 +123,10 @@ TEST(SyncEventAccount, ForgetsWhatTheSlaveDidNotMiss) {
   Bench bench(9);
   bench.good(5);
   // The answer was lost on its way back: the slave had its outputs.
-  for (int i = 0; i < 8; ++i) bench.account.observe({(100 + i) * kCycle, false, 0});
-  bench.account.observe({108 * kCycle, true, 0});
+  for (int i = 0; i < 8; ++i) bench.account.observe({(100 + i) * kPeriod, false, 0});
+  bench.account.observe({108 * kPeriod, true, 0});
   bench.read();
-  bench.account.observe({109 * kCycle, true, 0});
+  bench.account.observe({109 * kPeriod, true, 0});
   bench.read();
   EXPECT_EQ(bench.account.missed(), 0U);
   EXPECT_LT(bench.account.integrator_highest(), 9U) << "it is still in OP";
@@ -160,16 +160,16 @@ TEST(SyncEventAccount, TakesTheCounterOfASlaveThatKeepsItBehindTheFall) {
 }
 
 TEST(SyncEventAccount, CountsPeriodsNotFramesWhereSync0IsSlower) {
-  SyncEventAccount account(4 * kCycle, kFirst);
-  for (int i = 0; i < 40; ++i) account.observe({i * kCycle, i % 4 != 2, 0});
+  SyncEventAccount account(4 * kPeriod, kFirst);
+  for (int i = 0; i < 40; ++i) account.observe({i * kPeriod, i % 4 != 2, 0});
   account.read(0);
   EXPECT_EQ(account.missed(), 0U) << "three of four frames are enough";
   EXPECT_EQ(account.integrator(), 0U);
 }
 
 TEST(SyncEventAccount, ComputesForASlaveWithoutACounter) {
-  SyncEventAccount account(kCycle, kFirst);
-  for (int i = 0; i < 10; ++i) account.observe({i * kCycle, i != 4, 0});
+  SyncEventAccount account(kPeriod, kFirst);
+  for (int i = 0; i < 10; ++i) account.observe({i * kPeriod, i != 4, 0});
   EXPECT_EQ(account.missed(), 1U);
   EXPECT_EQ(account.computed(), 1U);
   EXPECT_EQ(account.by_cause()[0], 1U);
@@ -211,7 +211,7 @@ TEST(SyncEventAccount, FollowsADriveThroughAnyDisturbance) {
 
 TEST(SyncEventAccount, CountingRegularCyclesAtOnceIsObservingEach) {
   EXPECT_TRUE(rc::check([] {
-    SyncEventAccount each{kCycle, kFirst}, at_once{kCycle, kFirst};
+    SyncEventAccount each{kPeriod, kFirst}, at_once{kPeriod, kFirst};
     for (auto* account : {&each, &at_once}) account->set_limit(9);
     Nanoseconds time = 0;
     constexpr Nanoseconds kNone = -1;
@@ -220,15 +220,15 @@ TEST(SyncEventAccount, CountingRegularCyclesAtOnceIsObservingEach) {
     const auto settle = [&] { at_once.pass_regular(std::exchange(regular, 0)); };
     for (int i = *rc::gen::inRange(5, 80); i > 0; --i) {
       const bool usual = *rc::gen::inRange(0, 6) != 0;
-      time += usual ? kCycle : *rc::gen::inRange<Nanoseconds>(kCycle / 10, 3 * kCycle);
+      time += usual ? kPeriod : *rc::gen::inRange<Nanoseconds>(kPeriod / 10, 3 * kPeriod);
       const SyncEventAccount::Cycle cycle{time, usual || *rc::gen::inRange(0, 2) != 0,
                                           usual ? 0U : *rc::gen::inRange(0U, 2U)};
       each.observe(cycle);
       each.confirm_op();
       const bool quiet =
-          cycle.delivered && cycle.left_out == 0 && next != kNone && cycle.time >= next && cycle.time < next + kCycle;
+          cycle.delivered && cycle.left_out == 0 && next != kNone && cycle.time >= next && cycle.time < next + kPeriod;
       if (quiet) {
-        next += kCycle;
+        next += kPeriod;
         ++regular;
       } else {
         if (regular > 0) settle();

@@ -13,7 +13,7 @@ namespace {
 using State = SyncVerdict::State;
 using Edge = SyncVerdict::Edge;
 
-constexpr Nanoseconds kStart = 820'000'000 * kSecond;
+constexpr Nanoseconds kVerdictStart = 820'000'000 * kSecond;
 constexpr Nanoseconds kStale = 500 * kMillisecond;
 
 /// Three slaves behind a reference clock at position 0, a cycle of 1 ms.
@@ -21,9 +21,9 @@ class SyncVerdictTest : public ::testing::Test {
  protected:
   void SetUp() override {
     readings.resize(4);
-    for (std::size_t i = 1; i < 4; ++i) readings[i] = {true, false, kStart, 0};
+    for (std::size_t i = 1; i < 4; ++i) readings[i] = {true, false, kVerdictStart, 0};
   }
-  [[nodiscard]] static Nanoseconds at(int ms) { return kStart + ms * kMillisecond; }
+  [[nodiscard]] static Nanoseconds at(int ms) { return kVerdictStart + ms * kMillisecond; }
   void read(std::size_t slave, int ms, std::int32_t deviation) {
     readings[slave].read = true;
     readings[slave].time = at(ms);
@@ -53,7 +53,7 @@ class SyncVerdictTest : public ::testing::Test {
   }
   SyncWindowSettings settings{true, 7, 1500};
   std::vector<ClockReading> readings;
-  SyncVerdict verdict{settings, true, kStale, kStart};
+  SyncVerdict verdict{settings, true, kStale, kVerdictStart};
 };
 
 TEST_F(SyncVerdictTest, LimitIsAPowerOfTwoLessOne) { EXPECT_EQ(verdict.limit_ns(), 127U); }
@@ -90,12 +90,12 @@ TEST_F(SyncVerdictTest, OutOfSyncAtOnceAndToldOnce) {
 
 TEST_F(SyncVerdictTest, WithoutSettleTimeTheFirstGoodReadingIsEnough) {
   settings.settle_time_ms = 0;
-  verdict = SyncVerdict(settings, true, kStale, kStart);
+  verdict = SyncVerdict(settings, true, kStale, kVerdictStart);
   EXPECT_EQ(ored(0, 1, 127), Edge::kInSync);
 }
 
 TEST_F(SyncVerdictTest, NothingIsSaidWhereNothingIsMonitored) {
-  verdict = SyncVerdict(settings, false, kStale, kStart);
+  verdict = SyncVerdict(settings, false, kStale, kVerdictStart);
   EXPECT_EQ(in_turn(0, 3000, 900'000), Edge::kNone);
   EXPECT_EQ(verdict.state(), State::kNotMonitored);
   EXPECT_EQ(verdict.evidence().worst_ns, 900'000U);  // though it is seen

@@ -11,9 +11,9 @@ namespace syncline {
 namespace {
 
 /// Gives every frame back after 10 us.
-class EchoLink final : public Link {
+class LateEchoLink final : public Link {
  public:
-  explicit EchoLink(VirtualClock& clock) : clock_(clock) {}
+  explicit LateEchoLink(VirtualClock& clock) : clock_(clock) {}
   Status send(std::span<const std::uint8_t> frame) override {
     ++executed;
     frames_.push_back({clock_.now() + 10'000, {frame.begin(), frame.end()}});
@@ -40,11 +40,11 @@ class EchoLink final : public Link {
 
 struct Bench {
   VirtualClock clock;
-  EchoLink* echo = nullptr;
+  LateEchoLink* echo = nullptr;
   std::unique_ptr<FaultLink> link;
 
   explicit Bench(const LinkFaults& faults) {
-    auto inner = std::make_unique<EchoLink>(clock);
+    auto inner = std::make_unique<LateEchoLink>(clock);
     echo = inner.get();
     link = std::make_unique<FaultLink>(std::move(inner), clock, faults);
   }

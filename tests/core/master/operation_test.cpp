@@ -5,20 +5,14 @@
 #include <thread>
 
 #include "compile/compile.h"
-#include "eni/esi/esi_reader.h"
 #include "master/master_service.h"
 #include "protocol/sii.h"
 #include "tests/support/event_match.h"
-#include "tests/support/source_dir.h"
+#include "tests/support/sample_devices.h"
 #include "tests/support/test_bus.h"
 
 namespace syncline {
 namespace {
-
-DeviceDescription device(const std::string& type) {
-  const auto file = eni::read_esi(test::source_dir() + "/resources/esi/" + type + ".xml");
-  return file && !file->devices.empty() ? file->devices.front() : DeviceDescription{};
-}
 
 std::vector<std::uint8_t> sii_of(const Identity& identity) {
   sii::Image image;
@@ -45,7 +39,7 @@ class OperationTest : public ::testing::Test {
     auto bus = std::make_unique<test::TestBus>(clock, types.size());
     link = bus.get();
     for (std::uint16_t i = 0; i < types.size(); ++i) {
-      const auto description = device(types[i]);
+      const auto description = sample::own(types[i]);
       ASSERT_NE(description.identity.vendor_id, 0U);
       project.slaves.push_back(default_slave(description, i));
       link->slave(i).sii = sii_of(description.identity);

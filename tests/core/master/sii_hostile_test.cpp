@@ -20,13 +20,13 @@ std::vector<std::uint8_t> honest() {
   return sii::encode(image);
 }
 
-struct Bed {
+struct HostileBed {
   VirtualClock clock;
   test::TestBus link{clock, 3};
   FrameExchange exchange{link, clock};
   Bus bus{exchange, clock};
 
-  explicit Bed(std::vector<std::uint8_t> liar) {
+  explicit HostileBed(std::vector<std::uint8_t> liar) {
     for (std::size_t i = 0; i < 3; ++i) link.slave(i).sii = honest();
     link.slave(1).sii = std::move(liar);
   }
@@ -45,7 +45,7 @@ std::vector<std::uint8_t> blank() {
   return bytes;
 }
 
-void expect_error(Bed& bed, const std::string& what) {
+void expect_error(HostileBed& bed, const std::string& what) {
   const auto scan = bed.scan();
   ASSERT_TRUE(scan);
   ASSERT_TRUE(scan->slaves[1].sii_error);
@@ -59,14 +59,14 @@ TEST(HostileSii, ACategoryBeyondTheEnd) {
   auto bytes = blank();
   put(bytes, 0x40, 50);
   put(bytes, 0x41, 0x7000);
-  Bed bed(bytes);
+  HostileBed bed(bytes);
   expect_error(bed, "category 50 at word 0x0040 of 28672 words");
 }
 
 TEST(HostileSii, CategoriesWithoutEnd) {
   auto bytes = blank();
   for (std::size_t word = 0x40; word + 1 < 1024; word += 2) put(bytes, word, 0x0801);
-  Bed bed(bytes);
+  HostileBed bed(bytes);
   const auto scan = bed.scan();
   ASSERT_TRUE(scan);
   EXPECT_TRUE(scan->slaves[1].sii || scan->slaves[1].sii_error);
@@ -76,13 +76,13 @@ TEST(HostileSii, EndlessCategoriesInAnEepromThatClaimsToBeHuge) {
   std::vector<std::uint8_t> bytes(128 * 1024);
   put(bytes, 0x3E, 0xFFFF);
   for (std::size_t word = 0x40; word + 1 < bytes.size() / 2; word += 2) put(bytes, word, 0x0801);
-  Bed bed(bytes);
+  HostileBed bed(bytes);
   expect_error(bed, "more than 1024 categories");
 }
 
 TEST(HostileSii, AnEepromThatWasNeverWritten) {
   for (const std::uint8_t fill : {std::uint8_t{0x00}, std::uint8_t{0xFF}}) {
-    Bed bed(std::vector<std::uint8_t>(2048, fill));
+    HostileBed bed(std::vector<std::uint8_t>(2048, fill));
     const auto scan = bed.scan();
     ASSERT_TRUE(scan);
     EXPECT_TRUE(scan->slaves[1].sii);
@@ -95,7 +95,7 @@ TEST(HostileSii, AnyBytesAtAll) {
     auto liar = bytes;
     liar.resize(std::max<std::size_t>(liar.size(), 0x80));
     put(liar, 0x3E, size_word);
-    Bed bed(liar);
+    HostileBed bed(liar);
     const auto scan = bed.scan();
     RC_ASSERT(scan.has_value());
     RC_ASSERT(scan->slaves[1].sii.has_value() != scan->slaves[1].sii_error.has_value());
@@ -106,12 +106,12 @@ TEST(HostileSii, AnyBytesAtAll) {
 }
 
 /// The status that every look at the liar's EEPROM finds.
-void claim(Bed& bed, std::uint16_t status) {
+void claim(HostileBed& bed, std::uint16_t status) {
   bed.link.on_frame = [&bed, status] { bed.link.slave(1).set(reg::kSiiControl, status); };
 }
 
 TEST(HostileSii, AnEepromThatStaysBusy) {
-  Bed bed(honest());
+  HostileBed bed(honest());
   claim(bed, 0x8040);
   const auto begin = bed.clock.now();
   expect_error(bed, "stays busy at word 0x0000");
@@ -119,7 +119,7 @@ TEST(HostileSii, AnEepromThatStaysBusy) {
 }
 
 TEST(HostileSii, AnEepromThatAcknowledgesNothing) {
-  Bed bed(honest());
+  HostileBed bed(honest());
   claim(bed, 0x2040);
   // The read command of the test bus clears the status in the frame itself; the look comes in the next one.
   expect_error(bed, "acknowledges no read command at word 0x0000");
@@ -127,7 +127,7 @@ TEST(HostileSii, AnEepromThatAcknowledgesNothing) {
 
 TEST(HostileSii, ASlaveThatShowsAnyAddressAndStatus) {
   rc::check([](std::uint64_t seed) {
-    Bed bed(honest());
+    HostileBed bed(honest());
     std::uint64_t state = seed | 1;
     bed.link.on_frame = [&] {
       state = state * 6364136223846793005ULL + 1442695040888963407ULL;
@@ -143,7 +143,7 @@ TEST(HostileSii, ASlaveThatShowsAnyAddressAndStatus) {
 
 /// Same header, different content behind it: each is read by itself.
 TEST(SiiKinds, SlavesThatOnlyLookAlikeAreReadOneByOne) {
-  Bed bed(honest());
+  HostileBed bed(honest());
   auto other = honest();
   sii::Image image;
   image.vendor_id = 0x5C17;
@@ -161,7 +161,7 @@ TEST(SiiKinds, SlavesThatOnlyLookAlikeAreReadOneByOne) {
 }
 
 TEST(SiiKinds, AWrongHeaderChecksumSharesNothing) {
-  Bed bed(honest());
+  HostileBed bed(honest());
   for (std::size_t i = 0; i < 3; ++i) bed.link.slave(i).sii[14] ^= 0x55;
   const auto scan = bed.scan();
   ASSERT_TRUE(scan);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "master/scan/topology.h"
+#include "dl_status_of.h"
 
 #include <gtest/gtest.h>
 
@@ -7,15 +8,7 @@ namespace syncline {
 namespace {
 
 /// DL status with these ports open and communicating, all others closed.
-DlStatus open_ports(std::initializer_list<unsigned> ports) {
-  std::uint16_t value = 0x0001;
-  for (unsigned port = 0; port < kPortCount; ++port) value |= static_cast<std::uint16_t>(1U << (8 + 2 * port));
-  for (const auto port : ports) {
-    value = static_cast<std::uint16_t>(value & ~(1U << (8 + 2 * port)));
-    value = static_cast<std::uint16_t>(value | (1U << (9 + 2 * port)) | (1U << (4 + port)));
-  }
-  return {value};
-}
+using test::open_ports;
 
 TEST(Topology, FollowsALine) {
   const std::vector<DlStatus> slaves{open_ports({0, 1}), open_ports({0, 1}), open_ports({0})};

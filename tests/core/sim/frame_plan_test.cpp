@@ -11,7 +11,7 @@
 namespace syncline::test {
 namespace {
 
-constexpr std::uint32_t kImage = 0x0100'0000;
+constexpr std::uint32_t kPlanImage = 0x0100'0000;
 
 struct Move {
   std::vector<std::uint8_t> frame;
@@ -23,7 +23,7 @@ template <typename T>
 T one_of(std::initializer_list<T> values) {
   return *rc::gen::elementOf(std::vector<T>(values));
 }
-bool perhaps(int in) { return *rc::gen::inRange(0, in) == 0; }
+bool one_in(int in) { return *rc::gen::inRange(0, in) == 0; }
 
 std::vector<std::uint8_t> bytes(std::size_t count) {
   return *rc::gen::container<std::vector<std::uint8_t>>(count, rc::gen::arbitrary<std::uint8_t>());
@@ -39,12 +39,12 @@ SimConfig random_segment() {
     slaves.push_back(sim_slave(types[kind], behaviours[kind]));
     auto& slave = slaves.back();
     slave.oscillator.ppm = *rc::gen::inRange(-100, 100);
-    slave.oscillator.wander_ppm = perhaps(2) ? 0.1 : 0;
-    if (kind < 2) slave.dc = {perhaps(2), true, !perhaps(4)};
-    slave.logical_read_write = !perhaps(6);
+    slave.oscillator.wander_ppm = one_in(2) ? 0.1 : 0;
+    if (kind < 2) slave.dc = {one_in(2), true, !one_in(4)};
+    slave.logical_read_write = !one_in(6);
   }
   auto config = line(std::move(slaves));
-  if (perhaps(4)) config.bus.loss = 0.02;
+  if (one_in(4)) config.bus.loss = 0.02;
   return config;
 }
 
@@ -70,19 +70,19 @@ void set_up(const SimConfig& config, std::vector<Move>& moves, std::uint32_t& en
       write(Command::kFpwr, station, reg::sync_manager(m), setting);
       const bool outputs = sm.type == SyncManagerType::kOutputs;
       if (!outputs && sm.type != SyncManagerType::kInputs) continue;
-      const auto bit = perhaps(4) ? *rc::gen::inRange(0, 8) : 0;
+      const auto bit = one_in(4) ? *rc::gen::inRange(0, 8) : 0;
       std::vector<std::uint8_t> mapping;
       ByteWriter(mapping).u32(end).u16(length).u8(static_cast<std::uint8_t>(bit)).u8(7).u16(sm.start_address).u8(0);
-      ByteWriter(mapping).u8(perhaps(8) ? 3 : outputs ? 2 : 1).u8(1).u8(0).u16(0);
+      ByteWriter(mapping).u8(one_in(8) ? 3 : outputs ? 2 : 1).u8(1).u8(0).u16(0);
       write(Command::kFpwr, station, reg::fmmu(fmmu++), mapping);
-      if (!perhaps(4)) end += length;
+      if (!one_in(4)) end += length;
     }
     std::vector<std::uint8_t> mailbox_state;  // and a bit of a register
     const auto place = static_cast<std::uint8_t>(*rc::gen::inRange(0, 8));
     ByteWriter(mailbox_state).u32(end).u16(1).u8(place).u8(place).u16(0x080D).u8(3).u8(1).u8(1).u8(0).u16(0);
     write(Command::kFpwr, station, reg::fmmu(fmmu), mailbox_state);
-    end += perhaps(2) ? 1 : 0;
-    if (perhaps(3)) continue;  // no SYNC signals
+    end += one_in(2) ? 1 : 0;
+    if (one_in(3)) continue;  // no SYNC signals
     auto cycles = le_bytes(one_of<std::uint32_t>({1'000'000, 250'000, 999'990}));
     std::vector<std::uint8_t> timing(cycles.begin(), cycles.end());
     cycles = le_bytes(one_of<std::uint32_t>({0, 100'000}));
@@ -105,18 +105,18 @@ std::vector<FrameBuilder> cyclic_frames(std::uint32_t end) {
   std::vector<FrameBuilder> frames(3);
   for (auto& builder : frames) {
     const auto size = static_cast<std::uint16_t>(one_of<unsigned>({4, 8}));
-    if (!perhaps(4))
-      builder.add_zeros(perhaps(2) ? Command::kArmw : Command::kFrmw, 1,
-                        device_address(perhaps(2) ? 0 : 1001, reg::kSystemTime), size);
-    if (perhaps(4)) builder.add_zeros(Command::kBwr, 1, device_address(0, reg::kSystemTime), size);
+    if (!one_in(4))
+      builder.add_zeros(one_in(2) ? Command::kArmw : Command::kFrmw, 1,
+                        device_address(one_in(2) ? 0 : 1001, reg::kSystemTime), size);
+    if (one_in(4)) builder.add_zeros(Command::kBwr, 1, device_address(0, reg::kSystemTime), size);
     const auto logical = one_of({Command::kLrw, Command::kLrw, Command::kLrd, Command::kLwr});
-    const auto cut = perhaps(3) ? *rc::gen::inRange(0U, 5U) : 0U;
-    const auto length = std::max<std::uint32_t>(1, end - kImage + *rc::gen::inRange(0U, 3U));
-    builder.add_zeros(logical, 1, kImage + cut, static_cast<std::uint16_t>(length));
-    if (!perhaps(3))
+    const auto cut = one_in(3) ? *rc::gen::inRange(0U, 5U) : 0U;
+    const auto length = std::max<std::uint32_t>(1, end - kPlanImage + *rc::gen::inRange(0U, 3U));
+    builder.add_zeros(logical, 1, kPlanImage + cut, static_cast<std::uint16_t>(length));
+    if (!one_in(3))
       builder.add_zeros(Command::kBrd, 1, device_address(0, one_of({reg::kAlStatus, reg::kDlStatus, reg::kType})), 2);
-    if (!perhaps(3)) builder.add_zeros(Command::kBrd, 1, device_address(0, reg::kSystemTimeDifference), 4);
-    if (perhaps(4)) builder.add_zeros(Command::kAprd, 1, device_address(0xFFFF, reg::kAlStatus), 2);
+    if (!one_in(3)) builder.add_zeros(Command::kBrd, 1, device_address(0, reg::kSystemTimeDifference), 4);
+    if (one_in(4)) builder.add_zeros(Command::kAprd, 1, device_address(0xFFFF, reg::kAlStatus), 2);
   }
   return frames;
 }
@@ -135,18 +135,18 @@ std::vector<std::uint8_t> any_frame() {
 
 std::vector<Move> random_moves(const SimConfig& config) {
   std::vector<Move> moves;
-  std::uint32_t end = kImage;
+  std::uint32_t end = kPlanImage;
   set_up(config, moves, end);
   const auto frames = cyclic_frames(end);
   const auto count = *rc::gen::inRange(5, 60);
   for (int i = 0; i < count; ++i) {
     const auto later = *rc::gen::inRange<Nanoseconds>(200 * kMicrosecond, kMillisecond);
-    if (perhaps(12)) {
-      moves.push_back({any_frame(), later, perhaps(3)});
+    if (one_in(12)) {
+      moves.push_back({any_frame(), later, one_in(3)});
       continue;
     }
     auto builder = frames[*rc::gen::inRange<std::size_t>(0, frames.size())];
-    if (perhaps(4))
+    if (one_in(4))
       builder.add_zeros(Command::kFprd, 1, device_address(one_of<std::uint16_t>({1001, 1002, 1003}), reg::kAlStatus),
                         2);
     const auto sent = builder.finish();
@@ -155,7 +155,7 @@ std::vector<Move> random_moves(const SimConfig& config) {
     while (const auto datagram = reader.next()) {
       std::ranges::copy(bytes(std::min<std::size_t>(datagram->data.size(), 8)), datagram->data.begin());
     }
-    moves.push_back({std::move(frame), later, perhaps(10)});
+    moves.push_back({std::move(frame), later, one_in(10)});
   }
   return moves;
 }
@@ -193,10 +193,10 @@ TEST(SimFramePlan, SettingsThatChangeAreHeeded) {
   SimProbe probe(line({sim_slave("SL-2002"), sim_slave("SL-2002")}));
   const auto type = [&probe] { return probe.send(Command::kBrd, device_address(0, reg::kAlStatus), {0, 0}); };
   for (int i = 0; i < 3; ++i) EXPECT_EQ(type().wkc, 2);
-  const auto read = [&probe] { return probe.send(Command::kLrd, kImage, {0, 0}); };
+  const auto read = [&probe] { return probe.send(Command::kLrd, kPlanImage, {0, 0}); };
   for (int i = 0; i < 3; ++i) EXPECT_EQ(read().wkc, 0);
   std::vector<std::uint8_t> mapping;
-  ByteWriter(mapping).u32(kImage).u16(1).u8(0).u8(7).u16(reg::kType).u8(0).u8(1).u8(1).u8(0).u16(0);
+  ByteWriter(mapping).u32(kPlanImage).u16(1).u8(0).u8(7).u16(reg::kType).u8(0).u8(1).u8(1).u8(0).u16(0);
   probe.write(1, reg::fmmu(0), mapping);
   for (int i = 0; i < 3; ++i) EXPECT_EQ(read().wkc, 1);
   EXPECT_EQ(read().data[0], probe.read(1, reg::kType, 1).data[0]);

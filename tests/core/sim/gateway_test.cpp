@@ -11,7 +11,7 @@
 namespace syncline::test {
 namespace {
 
-constexpr std::uint16_t kOutputArea = 0x1100, kInputArea = 0x1200;
+constexpr std::uint16_t kGatewayOutputs = 0x1100, kGatewayInputs = 0x1200;
 
 /// The CAN gateway alone on the bus. Parameters are set as a device's default values.
 class Gateway : public testing::Test {
@@ -38,8 +38,8 @@ class Gateway : public testing::Test {
       probe->write(0, reg::kStartTimeCyclicOperation, le_bytes(now + 5 * kMillisecond));
       probe->write(0, reg::kCyclicUnitControl, {0x00, static_cast<std::uint8_t>(sync1_ns != 0 ? 0x07 : 0x03)});
     }
-    probe->set_sync_manager(0, 2, kOutputArea, 4, 0x64);
-    probe->set_sync_manager(0, 3, kInputArea, 6, 0x20);
+    probe->set_sync_manager(0, 2, kGatewayOutputs, 4, 0x64);
+    probe->set_sync_manager(0, 3, kGatewayInputs, 6, 0x20);
     if (const auto status = probe->request(0, 4); status != 4) return status;
     if (dc) probe->pass(5 * kMillisecond);  // OP needs the first SYNC0
     output(0);
@@ -68,9 +68,9 @@ class Gateway : public testing::Test {
     data.resize(4);
     return load_le<std::uint32_t>(data);
   }
-  void output(std::uint32_t value) { probe->write(0, kOutputArea, le_bytes(value)); }
+  void output(std::uint32_t value) { probe->write(0, kGatewayOutputs, le_bytes(value)); }
   Inputs inputs() {
-    const auto data = probe->read(0, kInputArea, 6).data;
+    const auto data = probe->read(0, kGatewayInputs, 6).data;
     return {load_le<std::uint32_t>(data), data[4], data[5]};
   }
   /// So many bus cycles of 1 ms with new outputs each.
@@ -265,8 +265,8 @@ TEST_F(Gateway, SignalsThatNoOperationModeHasAreRefused) {
   ASSERT_EQ(probe->request(0, 2), 2);
   probe->write(0, reg::kSync0CycleTime, le_bytes(std::uint32_t{1'000'000}));
   probe->write(0, reg::kCyclicUnitControl, {0x00, 0x07});
-  probe->set_sync_manager(0, 2, kOutputArea, 4, 0x64);
-  probe->set_sync_manager(0, 3, kInputArea, 6, 0x20);
+  probe->set_sync_manager(0, 2, kGatewayOutputs, 4, 0x64);
+  probe->set_sync_manager(0, 3, kGatewayInputs, 6, 0x20);
   EXPECT_EQ(probe->request(0, 4), 0x12);
   EXPECT_EQ(probe->al_code(0), 0x0030);
 }

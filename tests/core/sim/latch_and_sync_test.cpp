@@ -13,7 +13,7 @@ namespace {
 
 using testing::ElementsAre;
 
-constexpr std::array<std::uint8_t, 6> kMac{};
+constexpr std::array<std::uint8_t, 6> kNoMac{};
 
 class SimLatchUnit : public testing::Test {
  protected:
@@ -152,7 +152,7 @@ class SimSyncSignals : public testing::Test, public sim::Esc::Listener {
   }
   void write(std::uint16_t ado, std::vector<std::uint8_t> data) {
     FrameBuilder builder;
-    builder.set_addresses(kMac, kMac);
+    builder.set_addresses(kNoMac, kNoMac);
     builder.add(Command::kBwr, 1, device_address(0, ado), data);
     const auto sent = builder.finish();
     std::vector<std::uint8_t> frame(sent.begin(), sent.end());

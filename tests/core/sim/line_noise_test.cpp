@@ -11,7 +11,7 @@
 namespace syncline::test {
 namespace {
 
-SimConfig three() { return line({sim_slave("SL-1100"), sim_slave("SL-SV7", "servo-y"), sim_slave("SL-1002")}); }
+SimConfig with_servo() { return line({sim_slave("SL-1100"), sim_slave("SL-SV7", "servo-y"), sim_slave("SL-1002")}); }
 
 std::vector<int> lost_of(const SimConfig& config, int frames) {
   SimProbe probe(config);
@@ -23,7 +23,7 @@ std::vector<int> lost_of(const SimConfig& config, int frames) {
 }
 
 TEST(LineNoise, FramesAreLostByChanceAndTheSameForTheSameSeed) {
-  auto config = three();
+  auto config = with_servo();
   config.bus.loss = 0.01;
   const auto first = lost_of(config, 20'000);
   EXPECT_NEAR(static_cast<double>(first.size()), 200, 50);
@@ -33,7 +33,7 @@ TEST(LineNoise, FramesAreLostByChanceAndTheSameForTheSameSeed) {
 }
 
 TEST(LineNoise, ALossBehindASlaveHasBeenExecutedByIt) {
-  auto config = three();
+  auto config = with_servo();
   config.bus.loss = 0.5;
   SimProbe probe(config);
   int executed = 0, lost = 0;
@@ -47,7 +47,7 @@ TEST(LineNoise, ALossBehindASlaveHasBeenExecutedByIt) {
 }
 
 TEST(LineNoise, BitErrorsWithAProbabilityAreCountedAtTheirPort) {
-  auto config = three();
+  auto config = with_servo();
   FaultConfig noise;
   noise.kind = FaultKind::kBitErrors;
   noise.slave = 2;
@@ -114,7 +114,7 @@ double rate(SimProbe& probe, std::uint16_t slave) {
 }
 
 TEST(LineNoise, AQuartzThatWarmsUpStaysWhereItCameTo) {
-  auto config = three();
+  auto config = with_servo();
   FaultConfig ramp;
   ramp.kind = FaultKind::kTemperatureRamp;
   ramp.slave = 1;
@@ -132,7 +132,7 @@ TEST(LineNoise, AQuartzThatWarmsUpStaysWhereItCameTo) {
 }
 
 TEST(LineNoise, AHostThatWarmsUpIsAllSlavesTheOtherWayRound) {
-  auto config = three();
+  auto config = with_servo();
   FaultConfig ramp;
   ramp.kind = FaultKind::kTemperatureRamp;
   ramp.slave = -1;
@@ -146,7 +146,7 @@ TEST(LineNoise, AHostThatWarmsUpIsAllSlavesTheOtherWayRound) {
 }
 
 TEST(LineNoise, AHostWhoseTimeServiceSlewsItsClockIsOffUntilItIsThrough) {
-  auto config = three();
+  auto config = with_servo();
   FaultConfig slew;
   slew.kind = FaultKind::kClockSlew;
   slew.slave = -1;

@@ -14,7 +14,7 @@
 namespace syncline::test {
 namespace {
 
-constexpr std::uint16_t kOutputs = 0x1000, kSize = 4;
+constexpr std::uint16_t kOutputs = 0x1000, kAreaSize = 4;
 
 /// A terminal with four bytes of outputs in one object.
 struct Bed {
@@ -22,7 +22,7 @@ struct Bed {
     dictionary.add<std::uint32_t>(0x7000, 1, "Out", 0, true);
     auto& memory = esc.memory();
     memory.set<std::uint16_t>(reg::sync_manager(0), kOutputs);
-    memory.set<std::uint16_t>(static_cast<std::uint16_t>(reg::sync_manager(0) + 2), kSize);
+    memory.set<std::uint16_t>(static_cast<std::uint16_t>(reg::sync_manager(0) + 2), kAreaSize);
     data.emplace(slave.device, dictionary, esc, 64);
     data->map();
   }

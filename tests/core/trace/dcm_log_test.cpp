@@ -13,7 +13,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-CycleSample sample(std::uint64_t cycle) {
+CycleSample logged(std::uint64_t cycle) {
   CycleSample s;
   s.cycle = cycle;
   s.send_time = 820'000'000'000'000'000 + static_cast<Nanoseconds>(cycle) * kMillisecond;
@@ -40,9 +40,9 @@ TEST(DcmLog, HasTheColumnsOfTheManualInItsOrder) {
 
 TEST(DcmLog, SaysTheCycleInTheUnitsAndWithTheSignsOfTheManual) {
   DcmLog log(666'667, kMillisecond);
-  ASSERT_TRUE(log.row(sample(10)));
+  ASSERT_TRUE(log.row(logged(10)));
   log.set_start_time(820'000'000'005'000'000);
-  const auto row = log.row(sample(12));
+  const auto row = log.row(logged(12));
   ASSERT_TRUE(row);
   std::string text;
   append_dcm_log(text, *row);
@@ -53,10 +53,10 @@ TEST(DcmLog, SaysTheCycleInTheUnitsAndWithTheSignsOfTheManual) {
 
 TEST(DcmLog, HasNoLineForACycleWithoutAReading) {
   DcmLog log(666'667, kMillisecond);
-  auto lost = sample(1);
+  auto lost = logged(1);
   lost.flags &= static_cast<std::uint16_t>(~CycleSample::kReferenceValid);
   EXPECT_FALSE(log.row(lost));
-  auto unmonitored = sample(2);
+  auto unmonitored = logged(2);
   unmonitored.flags &= static_cast<std::uint16_t>(~CycleSample::kDeviationValid);
   EXPECT_FALSE(log.row(unmonitored)->system_time_difference_ns);
 }
@@ -66,7 +66,7 @@ TEST(DcmLog, IsReadBackAsItWasWritten) {
   std::string text = dcm_log_header();
   std::vector<DcmLogRow> rows;
   for (std::uint64_t cycle = 0; cycle < 50; ++cycle) {
-    auto s = sample(cycle);
+    auto s = logged(cycle);
     if (cycle % 3 == 0) s.flags &= static_cast<std::uint16_t>(~CycleSample::kDeviationValid);
     rows.push_back(*log.row(s));
     append_dcm_log(text, rows.back());
@@ -100,7 +100,7 @@ TEST(DcmLog, WhatIsNoLogIsRefusedWithItsLine) {
 
 TEST(ClockDifferences, AreInTheSampleTableUnderTheirNames) {
   EXPECT_THAT(sample_csv_header(), HasSubstr(",NetworkToSubDeviceClkDiff_ns,MdeviceToNetworkClkDiff_ns,"));
-  const auto s = sample(1);
+  const auto s = logged(1);
   std::string text;
   append_sample_csv(text, std::span(&s, 1));
   EXPECT_THAT(text, HasSubstr(",31,-250,"));
@@ -108,7 +108,7 @@ TEST(ClockDifferences, AreInTheSampleTableUnderTheirNames) {
   const CycleSample without_clocks;
   append_sample_csv(text, std::span(&without_clocks, 1));
   EXPECT_THAT(text, HasSubstr(",0,0,0,,0,,\n"));
-  auto unheard = sample(1);  // a controller runs, but the reference clock did not answer in this cycle
+  auto unheard = logged(1);  // a controller runs, but the reference clock did not answer in this cycle
   unheard.flags = CycleSample::kDcmActive;
   EXPECT_FALSE(clock_difference_signals()[1].value(unheard));
   EXPECT_EQ(clock_difference_signals()[0].name, "NetworkToSubDeviceClkDiff");

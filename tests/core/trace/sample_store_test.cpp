@@ -8,7 +8,7 @@
 namespace syncline {
 namespace {
 
-CycleSample sample(std::uint64_t cycle) {
+CycleSample stored(std::uint64_t cycle) {
   CycleSample s;
   s.cycle = cycle;
   s.send_time = static_cast<Nanoseconds>(cycle) * kMillisecond;
@@ -26,11 +26,11 @@ std::vector<float> values(const MinMaxSeries& series) {
 
 TEST(SampleStore, LostFramesAndInvalidValuesAreGaps) {
   SampleStore store(2);
-  auto lost = sample(2);
+  auto lost = stored(2);
   lost.flags |= CycleSample::kFrameLost;
-  auto unmonitored = sample(3);
+  auto unmonitored = stored(3);
   unmonitored.flags = 0;
-  store.append(std::vector<CycleSample>{sample(1), lost, unmonitored});
+  store.append(std::vector<CycleSample>{stored(1), lost, unmonitored});
   const auto ored = values(store.series(SampleStore::Series::kDeviation));
   ASSERT_EQ(ored.size(), 3U);
   EXPECT_EQ(ored[0], 12);
@@ -41,7 +41,7 @@ TEST(SampleStore, LostFramesAndInvalidValuesAreGaps) {
 
 TEST(SampleStore, MissingCyclesLeaveAGap) {
   SampleStore store(0);
-  store.append(std::vector<CycleSample>{sample(1), sample(5)});
+  store.append(std::vector<CycleSample>{stored(1), stored(5)});
   EXPECT_EQ(store.missing_cycles(), 3U);
   const auto ored = values(store.series(SampleStore::Series::kDeviation));
   ASSERT_EQ(ored.size(), 3U);
@@ -50,16 +50,16 @@ TEST(SampleStore, MissingCyclesLeaveAGap) {
 
 TEST(SampleStore, SlaveReadingsGoToTheirSlave) {
   SampleStore store(3);
-  auto s = sample(1);
+  auto s = stored(1);
   s.flags |= CycleSample::kSlaveFollows;
   s.slave_position = 2;
   s.slave_deviation_ns = -7;
   s.sm2_position = 1;
   s.slave_sm2_missed = 4;
-  auto foreign = sample(2);
+  auto foreign = stored(2);
   foreign.flags |= CycleSample::kSlaveFollows;
   foreign.slave_position = 9;  // of another configuration: ignored
-  auto leader = sample(3);
+  auto leader = stored(3);
   leader.slave_position = 0;  // follows nobody: what it shows is no deviation
   leader.slave_deviation_ns = 30'000;
   store.append(std::vector<CycleSample>{s, foreign, leader});

@@ -60,7 +60,7 @@ bool shorten(NetworkConfig& config, Random& random) {
   return static_cast<bool>(found);
 }
 
-bool change_count(NetworkConfig& config, Random& random) {
+bool change_cyclic_count(NetworkConfig& config, Random& random) {
   const auto found = pick_cyclic(config, random, [](const CyclicCmd& cmd) { return cmd.expected_wkc.value_or(0) > 0; });
   if (!found) return false;
   found->expected_wkc = static_cast<std::uint16_t>(
@@ -206,28 +206,28 @@ bool shrink_image(NetworkConfig& config, Random& random) {
   return true;
 }
 
-constexpr DefectKind kKinds[] = {{"a cyclic command is missing", true, lose_command},
-                                 {"the cyclic read of the states is missing", false, lose_al_status},
-                                 {"a cyclic command at another logical address", true, move_address},
-                                 {"a cyclic command that is too short", true, shorten},
-                                 {"a working counter of a cyclic command", true, change_count},
-                                 {"a cyclic command without working counter", true, lose_count},
-                                 {"a cyclic command's data elsewhere in the image", true, move_data},
-                                 {"a cyclic command that is not sent in OP", true, lose_state},
-                                 {"another cycle than SYNC0's", true, change_cycle},
-                                 {"the time of another clock", true, take_other_clock},
-                                 {"a time of too few bytes", true, shorten_time},
-                                 {"the clock steered before it is read", true, steer_before_reading},
-                                 {"another SYNC0 cycle in the element", true, change_sync0},
-                                 {"another SYNC0 cycle written", true, change_sync0_write},
-                                 {"SYNC0 half set up", true, lose_sync0_write},
-                                 {"no reference clock", true, lose_reference},
-                                 {"a variable on another's bits", true, move_variable},
-                                 {"the size of a variable", true, change_variable_size},
-                                 {"an image that is too small", true, shrink_image}};
+constexpr DefectKind kCyclicKinds[] = {{"a cyclic command is missing", true, lose_command},
+                                       {"the cyclic read of the states is missing", false, lose_al_status},
+                                       {"a cyclic command at another logical address", true, move_address},
+                                       {"a cyclic command that is too short", true, shorten},
+                                       {"a working counter of a cyclic command", true, change_cyclic_count},
+                                       {"a cyclic command without working counter", true, lose_count},
+                                       {"a cyclic command's data elsewhere in the image", true, move_data},
+                                       {"a cyclic command that is not sent in OP", true, lose_state},
+                                       {"another cycle than SYNC0's", true, change_cycle},
+                                       {"the time of another clock", true, take_other_clock},
+                                       {"a time of too few bytes", true, shorten_time},
+                                       {"the clock steered before it is read", true, steer_before_reading},
+                                       {"another SYNC0 cycle in the element", true, change_sync0},
+                                       {"another SYNC0 cycle written", true, change_sync0_write},
+                                       {"SYNC0 half set up", true, lose_sync0_write},
+                                       {"no reference clock", true, lose_reference},
+                                       {"a variable on another's bits", true, move_variable},
+                                       {"the size of a variable", true, change_variable_size},
+                                       {"an image that is too small", true, shrink_image}};
 
 }  // namespace
 
-std::span<const DefectKind> cyclic_defects() { return kKinds; }
+std::span<const DefectKind> cyclic_defects() { return kCyclicKinds; }
 
 }  // namespace syncline::test

@@ -112,19 +112,19 @@ bool change_value(NetworkConfig& config, Random& random) {
   return cmd != nullptr;
 }
 
-constexpr DefectKind kKinds[] = {{"another size of a mailbox", true, change_length},
-                                 {"another place of a mailbox", true, change_start},
-                                 {"start-up commands without their protocol", true, lose_protocol},
-                                 {"another bit for a mailbox's state", true, move_status_bit},
-                                 {"a download that is too long", true, lengthen_list_entry},
-                                 {"another PDO or entry written", true, change_list_entry},
-                                 {"a download without data", true, lose_data},
-                                 {"a download in INIT", true, wrong_transition},
-                                 {"entries of a list before it is emptied", true, swap_order},
-                                 {"another value of an object", false, change_value}};
+constexpr DefectKind kMailboxKinds[] = {{"another size of a mailbox", true, change_length},
+                                        {"another place of a mailbox", true, change_start},
+                                        {"start-up commands without their protocol", true, lose_protocol},
+                                        {"another bit for a mailbox's state", true, move_status_bit},
+                                        {"a download that is too long", true, lengthen_list_entry},
+                                        {"another PDO or entry written", true, change_list_entry},
+                                        {"a download without data", true, lose_data},
+                                        {"a download in INIT", true, wrong_transition},
+                                        {"entries of a list before it is emptied", true, swap_order},
+                                        {"another value of an object", false, change_value}};
 
 }  // namespace
 
-std::span<const DefectKind> mailbox_defects() { return kKinds; }
+std::span<const DefectKind> mailbox_defects() { return kMailboxKinds; }
 
 }  // namespace syncline::test

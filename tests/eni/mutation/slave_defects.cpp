@@ -8,7 +8,7 @@ SlaveConfig* any_slave(NetworkConfig& config, Random& random) {
   return pick_if(config.slaves, random, [](const SlaveConfig& slave) { return !slave.init_cmds.empty(); });
 }
 
-bool change_station_address(NetworkConfig& config, Random& random) {
+bool move_station(NetworkConfig& config, Random& random) {
   SlaveConfig* slave = any_slave(config, random);
   if (slave == nullptr) return false;
   slave->station_address = static_cast<std::uint16_t>(slave->station_address + 100 + pick(random, 100));
@@ -144,24 +144,24 @@ bool lengthen_range(NetworkConfig& config, Random& random) {
   return range != nullptr;
 }
 
-constexpr DefectKind kKinds[] = {{"another station address", true, change_station_address},
-                                 {"the station address of another", true, share_station_address},
-                                 {"another auto-increment address", true, change_place},
-                                 {"another identity", true, change_identity},
-                                 {"a slave that hangs on itself", true, hang_on_itself},
-                                 {"two slaves at one port", true, share_port},
-                                 {"a PDO is missing in a SyncManager's list", true, lose_pdo},
-                                 {"a PDO that nobody describes", true, assign_unknown_pdo},
-                                 {"a PDO twice in a list", true, assign_pdo_twice},
-                                 {"a SyncManager elsewhere", true, move_manager},
-                                 {"a SyncManager in the other direction", true, turn_manager},
-                                 {"the length of an entry", true, lengthen_entry},
-                                 {"a slave's data elsewhere in the image", true, move_range},
-                                 {"the size of a slave's data", true, lengthen_range},
-                                 {"another alias", false, give_alias}};
+constexpr DefectKind kSlaveKinds[] = {{"another station address", true, move_station},
+                                      {"the station address of another", true, share_station_address},
+                                      {"another auto-increment address", true, change_place},
+                                      {"another identity", true, change_identity},
+                                      {"a slave that hangs on itself", true, hang_on_itself},
+                                      {"two slaves at one port", true, share_port},
+                                      {"a PDO is missing in a SyncManager's list", true, lose_pdo},
+                                      {"a PDO that nobody describes", true, assign_unknown_pdo},
+                                      {"a PDO twice in a list", true, assign_pdo_twice},
+                                      {"a SyncManager elsewhere", true, move_manager},
+                                      {"a SyncManager in the other direction", true, turn_manager},
+                                      {"the length of an entry", true, lengthen_entry},
+                                      {"a slave's data elsewhere in the image", true, move_range},
+                                      {"the size of a slave's data", true, lengthen_range},
+                                      {"another alias", false, give_alias}};
 
 }  // namespace
 
-std::span<const DefectKind> slave_defects() { return kKinds; }
+std::span<const DefectKind> slave_defects() { return kSlaveKinds; }
 
 }  // namespace syncline::test
