@@ -52,6 +52,8 @@ Json LatenessReport::json() const {
           {"sleep_alone_p99_ns", or_null(host_.wake_p99)},
           {"spin_ns", host_.spin},
           {"spin_ns_per_cycle", host_.spin_mean},
+          {"held_ns", host_.held},
+          {"held_by_others_ns", host_.held_by_others ? Json(*host_.held_by_others) : Json(nullptr)},
           {"overruns", overruns_},
           {"cpu_us_per_cycle", static_cast<double>(static_cast<std::int64_t>(cpu_us_per_cycle() * 1000)) / 1000}};
 }

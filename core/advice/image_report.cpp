@@ -2,6 +2,7 @@
 #include "advice/image_report.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "compile/cyclic_frames.h"
 
@@ -67,7 +68,7 @@ class Reporter {
         report_.frames.push_back(load);
       }
     }
-    report_.wire_time = static_cast<Nanoseconds>(wire_time + 0.5);
+    report_.wire_time = std::llround(wire_time);
     report_.bandwidth = report_.cycle > 0 ? wire_time / static_cast<double>(report_.cycle) : 0;
   }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
+
 #include "support/types.h"
 
 namespace syncline {
@@ -11,6 +13,8 @@ struct HostStatus {
   Nanoseconds spin_mean = 0;  // what a cycle has spent so in the mean
   Nanoseconds wake_p50 = 0,
               wake_p99 = 0;  // how late sleeping alone wakes up, of the latest some hundred cycles; 0 not known
+  Nanoseconds held = 0;      // by how much the cyclic thread came too late where cycles were left out, all together
+  std::optional<Nanoseconds> held_by_others;  // of it, while it was ready and other threads had its processor
   bool operator==(const HostStatus&) const = default;
 };
 

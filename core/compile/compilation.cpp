@@ -125,7 +125,7 @@ void Compilation::configure(const Project& project, const CompileOptions& option
       find_slave_problems(slave_findings_[i], plan, configs[i]);
     }
     configs[i].hot_connect = plan_hot_connect(project, i);
-    shared_[i] = std::move(shared);
+    shared_[i] = shared;
   }
 }
 

@@ -20,7 +20,7 @@ Status visit_slave(Result<OpenedLink> link, const VisitRequest& request, const s
     throw;
   }
   if (keep_state && done) return done;
-  const auto left = visit.leave();
+  auto left = visit.leave();
   if (done) return left;
   if (!left && request.on_left) request.on_left(left.error());
   return done;

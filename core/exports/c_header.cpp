@@ -180,7 +180,7 @@ class Header {
 
   /// Names that differ in case or in signs only get numbers.
   std::string unique(std::string_view text) {
-    const std::string base = identifier(text);
+    std::string base = identifier(text);
     int& number = used_[upper(base)];
     if (++number == 1) return base;
     std::string name = fmt::format("{}_{}", base, number);

@@ -42,7 +42,7 @@ const ResponderCounters& BusResponder::counters() {
 Status BusResponder::serve(Nanoseconds end, const std::atomic<bool>& stop) {
   while (!stop.load(std::memory_order_relaxed)) {
     const auto taken = take_frame();
-    const auto sent = taken ? send_due() : Status(tl::unexpected(taken.error()));
+    auto sent = taken ? send_due() : Status(tl::unexpected(taken.error()));
     if (!sent) {
       if (sent.error().code != ErrorCode::kLinkDown) return sent;
       // The cable is pulled: the segment lives on, and what was on its way is lost.

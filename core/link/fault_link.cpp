@@ -110,7 +110,7 @@ Result<Nanoseconds> FaultLink::send_corrected(std::span<const std::uint8_t> fram
 Result<ReceivedFrame> FaultLink::receive(std::span<std::uint8_t> buffer, Nanoseconds deadline) {
   for (;;) {
     if (const auto held = impl_->deliver_held(buffer); held.length > 0) return held;
-    const auto received = impl_->inner->receive(buffer, impl_->next_due(deadline));
+    auto received = impl_->inner->receive(buffer, impl_->next_due(deadline));
     if (!received) return received;
     if (received->length > 0) {
       if (impl_->passes(buffer.first(received->length))) return received;

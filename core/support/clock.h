@@ -3,8 +3,10 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 #include "support/jitter_profile.h"
+#include "support/processor_wait.h"
 #include "support/types.h"
 
 namespace syncline {
@@ -26,6 +28,9 @@ class Clock {
     sleep_until(deadline);
     return 0;
   }
+  /// How long the calling thread has been kept waiting by others for its processor since it began; empty when that is
+  /// not known, and on virtual time. Always to be asked by the same thread.
+  [[nodiscard]] virtual std::optional<Nanoseconds> processor_wait() { return std::nullopt; }
   /// True when time passes only by sleep_until (virtual time).
   [[nodiscard]] virtual bool is_virtual() const = 0;
 };
@@ -38,10 +43,12 @@ class RealClock final : public Clock {
   [[nodiscard]] Nanoseconds now() const override;
   void sleep_until(Nanoseconds deadline) override;
   Nanoseconds sleep_until(Nanoseconds deadline, Nanoseconds spin) override;
+  [[nodiscard]] std::optional<Nanoseconds> processor_wait() override { return wait_.take(); }
   [[nodiscard]] bool is_virtual() const override { return false; }
 
  private:
   Nanoseconds epoch_shift_ = 0;
+  ProcessorWait wait_;
 };
 
 /// Virtual time: sleep_until advances now() to the deadline and returns at once. With a jitter

@@ -42,7 +42,8 @@ CyclicTaskRunner::CyclicTaskRunner(FrameExchange& exchange, Clock& clock, RunSta
       without_(run.config().slaves.size()),
       acyclic_(kMostAcyclicFrames),
       cycle_time_(run.config().cycle_time()),
-      spin_(std::min(run.config().real_time.spin, cycle_time_ / 4), SpinBudget::tolerated(cycle_time_)) {
+      spin_(std::min(run.config().real_time.spin, cycle_time_ / 4), SpinBudget::tolerated(cycle_time_)),
+      standstill_(clock) {
   in_flight_.reserve(64);
   if (run.config().dc.dcm.mode == DcmMode::kLinkLayerRefClock) frames_.correct_by_link();
   if (run.config().dc.dcm.mode == DcmMode::kDcx) external_clock_ = find_external_clock(run.config());
@@ -92,10 +93,12 @@ Status CyclicTaskRunner::note_link(Status status) {
 /// A cycle whose time is half over is left out, so that a late frame and the next one never go out together: slaves
 /// would see two frames in one SYNC0 period. The phase stays.
 void CyclicTaskRunner::wait_for_slot() {
+  standstill_.before_wait();
   spin_.observe(clock_.sleep_until(scheduled_, spin_.amount()));
   const auto behind = clock_.now() - scheduled_ - cycle_time_ / 2;
   skipped_ = behind > 0 ? behind / cycle_time_ + 1 : 0;
   if (skipped_ == 0) return;
+  standstill_.note(behind + cycle_time_ / 2);
   scheduled_ += skipped_ * cycle_time_;
   spin_.observe(clock_.sleep_until(scheduled_, spin_.amount()));
 }
@@ -331,7 +334,8 @@ void CyclicTaskRunner::publish_latest() {
 }
 
 void CyclicTaskRunner::publish() {
-  run_.snapshot.host = {spin_.amount(), spin_.mean_spent(), spin_.wake_p50(), spin_.wake_p99()};
+  run_.snapshot.host = {spin_.amount(),   spin_.mean_spent(), spin_.wake_p50(),
+                        spin_.wake_p99(), standstill_.held(), standstill_.held_by_others()};
   last_published_ = run_.snapshot.time;
   run_.channels().snapshot.publish(run_.snapshot);
 }

@@ -20,6 +20,7 @@
 #include "master/cyclic/slave_watch.h"
 #include "master/cyclic/sm2_reader.h"
 #include "master/cyclic/spin_budget.h"
+#include "master/cyclic/standstill_cause.h"
 #include "master/cyclic/sync_event_watch.h"
 #include "master/exchange/bus.h"
 #include "master/exchange/run_state.h"
@@ -103,7 +104,8 @@ class CyclicTaskRunner final : public CyclePump, private SendStamp {
   std::size_t acyclic_limit_ = 1;  // frames a cycle, as many as come back in time
   std::vector<PendingFrame*> in_flight_;
   Nanoseconds cycle_time_;
-  SpinBudget spin_;                       // last part of each wait
+  SpinBudget spin_;  // last part of each wait
+  StandstillCause standstill_;
   std::int64_t skipped_ = 0;              // cycles left out before this one
   std::optional<Nanoseconds> last_sent_;  // first frame of the cycle before
   Nanoseconds scheduled_ = 0;

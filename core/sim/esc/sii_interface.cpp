@@ -85,13 +85,12 @@ bool SiiInterface::advance_to(Nanoseconds time) {
 
 void SiiInterface::execute(std::uint16_t command) {
   const auto word = memory_.u32(reg::kSiiAddress);
-  if (content_.empty()) {  // nobody answers on its wires
-    errors_ |= kCommandError;
-  } else if (command == kSiiRead) {
+  const bool there = !content_.empty();  // else nobody answers on its wires
+  if (there && command == kSiiRead) {
     read(word);
-  } else if (command == kSiiReload) {
+  } else if (there && command == kSiiReload) {
     load();
-  } else if (command == kSiiWrite && 2ULL * word + 1 < content_.size()) {
+  } else if (there && command == kSiiWrite && 2ULL * word + 1 < content_.size()) {
     std::copy_n(memory_.at(reg::kSiiData, 2).begin(), 2, content_.begin() + static_cast<std::ptrdiff_t>(2 * word));
   } else {
     errors_ |= kCommandError;

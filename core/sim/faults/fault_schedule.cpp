@@ -75,7 +75,7 @@ void FaultSchedule::add(const FaultConfig& fault, Act apply, Act undo) {
   if (undo && fault.until > fault.at) actions_.push_back({start_ + fault.until, std::move(undo)});
 }
 
-void FaultSchedule::add_lasting(const FaultConfig& fault, std::size_t slave, Act apply, Act undo) {
+void FaultSchedule::add_lasting(const FaultConfig& fault, std::size_t slave, const Act& apply, const Act& undo) {
   const auto number = faults_;
   add(
       fault,

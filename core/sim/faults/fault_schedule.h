@@ -59,7 +59,7 @@ class FaultSchedule {
   /// At the fault's time; where it has an end, `undo` then.
   void add(const FaultConfig& fault, Act apply, Act undo = {});
   /// The same, of something that a new slave has too.
-  void add_lasting(const FaultConfig& fault, std::size_t slave, Act apply, Act undo);
+  void add_lasting(const FaultConfig& fault, std::size_t slave, const Act& apply, const Act& undo);
   void add_repeated(const FaultConfig& fault, std::uint32_t count, std::function<void(Nanoseconds)> act);
   void add_fault(const FaultConfig& fault);
   void add_line_fault(const FaultConfig& fault);
