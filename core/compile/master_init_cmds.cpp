@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "compile/master_init_cmds.h"
 
+#include "protocol/dc_registers.h"
 #include "protocol/registers.h"
 #include "support/byte_order.h"
 
@@ -11,7 +12,6 @@ constexpr std::uint16_t kAllFmmusLength = 256;         // 16 FMMUs of 16 bytes
 constexpr std::uint16_t kAllSyncManagersLength = 256;  // as the field's tools write it: the whole page 0x0800..0x08FF
 constexpr std::uint16_t kSystemTimeUnitLength = 32;    // 0x0910..0x092F
 constexpr std::uint16_t kDlStatusEvent = 0x0004;
-constexpr std::uint16_t kSpeedCounterDefault = 0x1000;
 constexpr std::uint16_t kFilterDepths = 0x0C00;  // difference 0, speed counter 12
 
 InitCmd broadcast(Command command, std::uint16_t ado, std::string comment, std::vector<std::uint8_t> data) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "channels/values/delay_warning.h"
+#include "protocol/dc_registers.h"
 
 namespace syncline::dc {
 
@@ -25,7 +26,7 @@ struct DelayNode {
 };
 
 struct DelayOptions {
-  std::uint32_t t_diff_ns = 40;  // processing minus forwarding latency of an ESC
+  std::uint32_t t_diff_ns = kUsualDelayDifference;  // processing minus forwarding latency of an ESC
 };
 
 struct DelayFinding {

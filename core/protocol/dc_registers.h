@@ -6,6 +6,11 @@
 
 namespace syncline {
 
+/// Speed counter start 0x0930 after reset (ESC data sheet, section II); writing it starts the loop anew.
+inline constexpr std::uint16_t kSpeedCounterDefault = 0x1000;
+/// Processing minus forwarding latency of an ET1100, ns (its data sheet, tDiff): of slaves nothing else is known of.
+inline constexpr std::uint32_t kUsualDelayDifference = 40;
+
 /// SystemTimeDifference 0x092C: sign and magnitude. Bit 31 is kept raw because data sheet
 /// editions disagree on its meaning; limits use the magnitude only.
 struct SystemTimeDifference {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include "protocol/dc_registers.h"
 #include "settings/field.h"
 #include "settings/limits.h"
 #include "settings/predicates.h"
@@ -153,7 +154,7 @@ std::vector<Setting> choice_rows() {
                           .object = "0x0928",
                           .expert = true},
                          [](auto& p, const Place&) -> auto& { return bus_dc(p).delay_difference; }),
-                     [](const Project&, const Place&) { return Value{std::int64_t{40}}; }),
+                     [](const Project&, const Place&) { return Value{std::int64_t{kUsualDelayDifference}}; }),
   };
 }
 

@@ -14,7 +14,6 @@
 namespace syncline {
 namespace {
 
-constexpr std::uint16_t kSpeedCounterDefault = 0x1000;
 constexpr Nanoseconds kSettleTimeout = 5 * kSecond;
 /// In the mean of so many cycles; a mean, because a clock in front of the leader is told what the master believes.
 constexpr int kReadings = 16;

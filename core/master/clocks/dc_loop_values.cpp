@@ -2,13 +2,13 @@
 #include "master/clocks/dc_loop_values.h"
 
 #include "dc/plans.h"
+#include "protocol/dc_registers.h"
 #include "protocol/registers.h"
 #include "support/byte_order.h"
 
 namespace syncline {
 namespace {
 
-constexpr std::uint16_t kSpeedCounterDefault = 0x1000;
 /// Averages 2^6 differences: what the host writes jitters with its send times, with tails of tens of microseconds; what
 /// slaves are written does not. One that returns has to be learned quickly.
 constexpr std::uint8_t kHostFilterDepth = 6, kReturningFilterDepth = 5;

@@ -8,12 +8,12 @@
 #include "dc/plans.h"
 #include "master/clocks/dc_burst.h"
 #include "master/clocks/dc_loop_values.h"
+#include "protocol/dc_registers.h"
 #include "protocol/registers.h"
 
 namespace syncline {
 namespace {
 
-constexpr std::uint32_t kUsualDelayDifference = 40;  // ns, ET1100
 constexpr Nanoseconds kReplyTimeout = 10 * kMillisecond;
 
 }  // namespace
