@@ -36,7 +36,7 @@ constexpr Row state(Signal column) {
           }};
 }
 
-constexpr std::array kRows{
+constexpr std::array kSampleColumns{
     whole<&CycleSample::cycle>(Signal::kCycle),
     whole<&CycleSample::send_time>(Signal::kSendTime),
     whole<&CycleSample::flags>(Signal::kFlags),
@@ -68,8 +68,8 @@ constexpr std::array kRows{
 };
 
 constexpr auto kColumns = [] {
-  std::array<Signal, kRows.size()> columns{};
-  for (std::size_t i = 0; i < kRows.size(); ++i) columns[i] = kRows[i].column;
+  std::array<Signal, kSampleColumns.size()> columns{};
+  for (std::size_t i = 0; i < kSampleColumns.size(); ++i) columns[i] = kSampleColumns[i].column;
   return columns;
 }();
 
@@ -78,7 +78,7 @@ constexpr auto kColumns = [] {
 std::span<const Signal> sample_columns() { return kColumns; }
 
 PutCell cell_writer(Signal column) {
-  for (const auto& row : kRows) {
+  for (const auto& row : kSampleColumns) {
     if (row.column == column) return row.put;
   }
   return nullptr;

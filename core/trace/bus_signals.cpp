@@ -66,7 +66,7 @@ constexpr const char* kDcm = "master synchronisation (DCM), in the grid of the r
 constexpr const char* kTimeDifference = "register 0x092C";
 constexpr const char* kProcessData = "process data commands";
 
-constexpr std::array kRows{
+constexpr std::array kBusRows{
     cell(Signal::kCycle, "cycle", "Cycle", "", [](const CycleSample& s) { return whole(s.cycle); }),
     cell(Signal::kSendTime, "send_time_ns", "Send time", "ns", [](const CycleSample& s) { return whole(s.send_time); }),
     every_cycle(Signal::kLateness, "lateness_ns", "Send lateness", "ns", "host clock: send time less scheduled time",
@@ -160,6 +160,6 @@ constexpr std::array kRows{
 
 }  // namespace
 
-std::span<const SignalInfo> bus_signals() { return kRows; }
+std::span<const SignalInfo> bus_signals() { return kBusRows; }
 
 }  // namespace syncline

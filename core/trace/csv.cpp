@@ -12,38 +12,38 @@ namespace syncline {
 namespace {
 
 /// New ones at the end: readers of these tables may count columns.
-constexpr std::array kColumns{Signal::kCycle,
-                              Signal::kSendTime,
-                              Signal::kLateness,
-                              Signal::kRoundTrip,
-                              Signal::kReferenceTime,
-                              Signal::kDcmError,
-                              Signal::kDcmErrorFiltered,
-                              Signal::kDrift,
-                              Signal::kDcmAdjust,
-                              Signal::kDeviationOred,
-                              Signal::kSlave,
-                              Signal::kSlaveReading,
-                              Signal::kSm2Slave,
-                              Signal::kSm2Reading,
-                              Signal::kWkcExpected,
-                              Signal::kWkcReceived,
-                              Signal::kFrameLost,
-                              Signal::kDcInSync,
-                              Signal::kDcmInSync,
-                              Signal::kNetworkToSlave,
-                              Signal::kMasterToNetwork,
-                              Signal::kFramesLost,
-                              Signal::kFrameLateBy,
-                              Signal::kSkippedCycles,
-                              Signal::kDeviation,
-                              Signal::kSlaveFollows};
+constexpr std::array kCsvColumns{Signal::kCycle,
+                                 Signal::kSendTime,
+                                 Signal::kLateness,
+                                 Signal::kRoundTrip,
+                                 Signal::kReferenceTime,
+                                 Signal::kDcmError,
+                                 Signal::kDcmErrorFiltered,
+                                 Signal::kDrift,
+                                 Signal::kDcmAdjust,
+                                 Signal::kDeviationOred,
+                                 Signal::kSlave,
+                                 Signal::kSlaveReading,
+                                 Signal::kSm2Slave,
+                                 Signal::kSm2Reading,
+                                 Signal::kWkcExpected,
+                                 Signal::kWkcReceived,
+                                 Signal::kFrameLost,
+                                 Signal::kDcInSync,
+                                 Signal::kDcmInSync,
+                                 Signal::kNetworkToSlave,
+                                 Signal::kMasterToNetwork,
+                                 Signal::kFramesLost,
+                                 Signal::kFrameLateBy,
+                                 Signal::kSkippedCycles,
+                                 Signal::kDeviation,
+                                 Signal::kSlaveFollows};
 
 }  // namespace
 
 std::string sample_csv_header() {
   std::string header;
-  for (const auto column : kColumns) {
+  for (const auto column : kCsvColumns) {
     if (!header.empty()) header += ',';
     header += info(column).key;
   }
@@ -52,9 +52,9 @@ std::string sample_csv_header() {
 
 void append_sample_csv(std::string& out, std::span<const CycleSample> samples) {
   for (const auto& sample : samples) {
-    for (std::size_t i = 0; i < kColumns.size(); ++i) {
+    for (std::size_t i = 0; i < kCsvColumns.size(); ++i) {
       if (i > 0) out += ',';
-      if (const auto number = info(kColumns[i]).of_cycle(sample))
+      if (const auto number = info(kCsvColumns[i]).of_cycle(sample))
         std::visit([&out](auto value) { fmt::format_to(std::back_inserter(out), "{}", value); }, *number);
     }
     out += '\n';

@@ -83,7 +83,7 @@ constexpr SignalInfo momentary(Signal id, std::string_view key, std::string_view
 
 constexpr std::string_view kSinceOp = "the slave being in OP first";
 
-constexpr std::array kRows{
+constexpr std::array kSlaveRows{
     SignalInfo{Signal::kSlaveDeviation, "deviation_ns", "Deviation", "ns", "register 0x092C, signed", "",
                SignalInfo::Scope::kSlave, Form::kReadings, Scale::kSignedLog, nullptr, nullptr, nullptr},
     count(Signal::kSm2Missed, "sm2_missed", "SM2 events missed", "object 0x1C32:0B or 0x1C32:0C", sm2_missed, kSinceOp),
@@ -145,7 +145,7 @@ void add_port(std::vector<SignalInfo>& rows) {
 }
 
 std::vector<SignalInfo> make_rows() {
-  std::vector<SignalInfo> rows(kRows.begin(), kRows.end());
+  std::vector<SignalInfo> rows(kSlaveRows.begin(), kSlaveRows.end());
   add_port<0>(rows);
   add_port<1>(rows);
   add_port<2>(rows);

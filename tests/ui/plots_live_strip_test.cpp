@@ -51,7 +51,7 @@ std::vector<CycleSample> samples(std::uint64_t from, std::uint64_t to) {
 }
 
 /// What runs: the names, the cycle, and a sync window of 2^exponent - 1 ns.
-NetworkConfig network(const std::vector<std::string>& names, Nanoseconds cycle_time, std::uint8_t exponent = 9) {
+NetworkConfig runningNetwork(const std::vector<std::string>& names, Nanoseconds cycle_time, std::uint8_t exponent = 9) {
   NetworkConfig config;
   config.cyclic.resize(1);
   config.cyclic.front().cycle_time = cycle_time;
@@ -66,7 +66,7 @@ class LiveStripTest : public testing::Test {
  protected:
   void SetUp() override {
     strip.resize(1280, 230);
-    run(network({"1 Coupler", "2 Input", "3 Servo"}, kMillisecond));
+    run(runningNetwork({"1 Coupler", "2 Input", "3 Servo"}, kMillisecond));
   }
   /// Another run begins.
   void run(NetworkConfig config) {
@@ -242,7 +242,7 @@ TEST_F(LiveStripTest, NothingIsDrawnOrSaidThroughAnOutage) {
 }
 
 TEST_F(LiveStripTest, LimitIsThatOfTheConfigurationThatRuns) {
-  run(network({"1 Drive"}, kMillisecond, 10));
+  run(runningNetwork({"1 Drive"}, kMillisecond, 10));
   record->add(samples(0, 100));
   show();
   settle();
@@ -311,7 +311,7 @@ TEST_F(LiveStripTest, NewNetworkStartsEmpty) {
   show();
   record->add(samples(0, 1000));
   settle();
-  run(network({"1 Other"}, 250 * kMicrosecond));
+  run(runningNetwork({"1 Other"}, 250 * kMicrosecond));
   settle();
   EXPECT_TRUE(strip.store()->empty());
   record->add(samples(0, 50));

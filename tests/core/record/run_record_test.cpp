@@ -6,7 +6,7 @@
 namespace syncline {
 namespace {
 
-NetworkConfig machine() {
+NetworkConfig running_machine() {
   NetworkConfig config;
   config.cyclic.resize(1);
   config.cyclic.front().cycle_time = 250 * kMicrosecond;
@@ -19,21 +19,21 @@ NetworkConfig machine() {
 }
 
 TEST(RunRecord, LimitsAndNamesAreThoseOfTheConfigurationThatRuns) {
-  const RunRecord record(machine());
+  const RunRecord record(running_machine());
   EXPECT_EQ(record.limits(), (RunLimits{250 * kMicrosecond, 511, 4000}));
   EXPECT_EQ(record.slave_name(1), "Servo");
   EXPECT_EQ(record.slave_name(7), "7");
-  auto unmonitored = machine();
+  auto unmonitored = running_machine();
   unmonitored.dc.sync_window.enabled = false;
   unmonitored.dc.dcm.mode = DcmMode::kOff;
   EXPECT_EQ(limits_of(unmonitored), (RunLimits{250 * kMicrosecond, 0, 0}));
-  auto without_clocks = machine();
+  auto without_clocks = running_machine();
   without_clocks.dc.enabled = false;
   EXPECT_EQ(limits_of(without_clocks), (RunLimits{250 * kMicrosecond, 0, 0}));
 }
 
 TEST(RunRecord, KeepsTheLastSnapshotOfTheRunAndTheLatestEvents) {
-  RunRecord record(machine());
+  RunRecord record(running_machine());
   Snapshot online;
   online.online = true;
   online.cycles = 77;
@@ -49,7 +49,7 @@ TEST(RunRecord, KeepsTheLastSnapshotOfTheRunAndTheLatestEvents) {
 }
 
 TEST(RunRecord, SamplesAndSnapshotsReachTheStore) {
-  RunRecord record(machine());
+  RunRecord record(running_machine());
   CycleSample sample;
   sample.cycle = 1;
   sample.send_time = kSecond;
