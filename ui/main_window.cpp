@@ -15,7 +15,6 @@
 #include <QWhatsThis>
 #include <utility>
 
-#include "protocol/dc_registers.h"
 #include "ui/actions.h"
 #include "ui/dialogs/about_dialog.h"
 #include "ui/dialogs/bus_commands.h"
@@ -232,27 +231,14 @@ void MainWindow::connectSession() {
   connect(&document, &ProjectDocument::pathChanged, this, &MainWindow::updateTitle);
   connect(&document, &ProjectDocument::projectChanged, this, [this](bool structural) {
     updateActions();
-    if (structural && workspace_.live().phase() == LiveSession::Phase::kOffline) showNetworkInStrip();
+    if (structural && workspace_.live().phase() == LiveSession::Phase::kOffline) strip_->setRecord(nullptr);
   });
   auto& live = workspace_.live();
-  connect(&live, &LiveSession::phaseChanged, this, [this] {
-    updateActions();
-    if (workspace_.live().phase() == LiveSession::Phase::kStarting) showNetworkInStrip();
-  });
-  connect(&live, &LiveSession::samplesArrived, strip_, &LiveStrip::append);
+  connect(&live, &LiveSession::phaseChanged, this, &MainWindow::updateActions);
+  connect(&live, &LiveSession::recordChanged, this, [this] { strip_->setRecord(workspace_.live().record()); });
   connect(&workspace_.scan(), &ScanController::started, this, &MainWindow::updateActions);
   connect(&workspace_.scan(), &ScanController::finished, this, &MainWindow::updateActions);
   connect(&workspace_.scan(), &ScanController::failed, this, &MainWindow::updateActions);
-}
-
-void MainWindow::showNetworkInStrip() {
-  const auto& project = workspace_.document().project();
-  std::vector<QString> names;
-  for (const auto& slave : project.slaves) names.push_back(QString::fromStdString(slave.name));
-  const auto& window = project.master.dc.sync_window;
-  const auto limit = window.enabled ? sync_window_limit_ns(window.exponent) : 0;
-  strip_->clear();
-  strip_->setNetwork(names, project.master.cycle_time, limit);
 }
 
 /// The tab says how much there is, so that nobody has to look whether there is any.

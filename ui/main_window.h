@@ -51,7 +51,6 @@ class MainWindow final : public QMainWindow {
   void showFindingCount();
   void updateActions();
   void updateTheme();
-  void showNetworkInStrip();
   void resetLayout();
 
   Workspace& workspace_;

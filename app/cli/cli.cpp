@@ -29,6 +29,7 @@ void add_commands(CLI::App& app, Context& context) {
   add_check_command(app, context);
   add_compare_command(app, context);
   add_run_command(app, context);
+  add_record_command(app, context);
   add_simulate_command(app, context);
 }
 

@@ -53,6 +53,7 @@ void add_export_command(CLI::App& app, Context& context);
 void add_check_command(CLI::App& app, Context& context);
 void add_compare_command(CLI::App& app, Context& context);
 void add_run_command(CLI::App& app, Context& context);
+void add_record_command(CLI::App& app, Context& context);
 void add_simulate_command(CLI::App& app, Context& context);
 
 [[nodiscard]] std::string hex(std::uint64_t value, int digits);

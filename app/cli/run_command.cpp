@@ -15,6 +15,7 @@
 #include "app/cli/options.h"
 #include "app/cli/run_json.h"
 #include "app/cli/run_overrides.h"
+#include "app/cli/run_recording.h"
 #include "app/composition/open_link.h"
 #include "engine/run_network.h"
 #include "sim/scenario/host_profile_file.h"
@@ -29,6 +30,7 @@ namespace {
 
 struct Options {
   std::string file, network, link, duration = "10s", csv, dcm_log, capture, save_host, state = "OP";
+  RecordOptions record;
   std::vector<std::string> overrides;
   bool json = false, lateness = false, every_event = false;
 };
@@ -131,6 +133,9 @@ void execute(Context& context, const Options& options) {
   const bool log_is_on = options.dcm_log.empty() && compiled->config.dc.dcm.log;
   if (auto status = files.open(options.csv, log_is_on ? "dcmlog0.0.csv" : options.dcm_log); !status)
     return context.fail_with(status.error());
+  const auto started = RunRecording::start(context, options.record, options.file, options.link, compiled->config);
+  if (!started) return context.fail_with(started.error());
+  auto& recording = **started;
   RunRequest request;
   request.target = *target;
   request.duration = *duration;
@@ -140,22 +145,28 @@ void execute(Context& context, const Options& options) {
   Json events = Json::array();
   EventLines lines([&context](const std::string& line) { context.console.err << line << '\n'; }, !options.every_event);
   if (options.json) {
-    request.on_event = [&events, &first](const Event& event) {
+    request.on_event = [&events, &first, &recording](const Event& event) {
+      recording.add(event);
       if (!first) first = event.time;
       if (auto json = event_json(event, *first); !json.is_null()) events.push_back(std::move(json));
     };
   } else {
-    request.on_event = [&lines](const Event& event) { lines.add(event); };
+    request.on_event = [&lines, &recording](const Event& event) {
+      recording.add(event);
+      lines.add(event);
+    };
   }
   LatenessReport lateness;
   HostRecorder host(compiled->config.cycle_time());
-  request.on_snapshot = [&files, &lines, &lateness](const Snapshot& snapshot) {
+  request.on_snapshot = [&files, &lines, &lateness, &recording](const Snapshot& snapshot) {
     files.note(snapshot);
+    recording.add(snapshot);
     lateness.note(snapshot.host);
     lines.tell_until(snapshot.time);
   };
-  request.on_samples = [&files, &lateness, &host, &options](std::span<const CycleSample> samples) {
+  request.on_samples = [&files, &lateness, &host, &options, &recording](std::span<const CycleSample> samples) {
     files.add(samples);
+    recording.add(samples);
     lateness.add(samples);
     if (!options.save_host.empty()) host.add(samples);
   };
@@ -166,6 +177,7 @@ void execute(Context& context, const Options& options) {
   lines.tell_all();
   if (!outcome) return context.fail_with(outcome.error());
   files.finish();
+  recording.finish(outcome->report);
   if (!options.save_host.empty()) {
     if (auto status = save_host(options, host, compiled->config); !status) context.fail_with(status.error());
   }
@@ -204,6 +216,7 @@ void add_run_command(CLI::App& app, Context& context) {
       "KEY=VALUE for this run, e.g. dcm.set_value_us=400; KEY is one of the project's, for an ENI one of those "
       "master.dc.* that are not in the file; dcm. stands for master.dc.");
   command->add_option("--capture", options->capture, "Write every frame to this pcapng file");
+  add_record_options(*command, options->record);
   command->add_flag("--lateness", options->lateness,
                     "Add how late the frames were sent, and the processor time of a cycle");
   command->add_flag("--every-event", options->every_event,

@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "app/cli/evidence_json.h"
+#include "channels/sync_standing.h"
 #include "dc/obstacle_text.h"
 #include "protocol/dcm_error.h"
 
@@ -62,24 +63,6 @@ Json slave_json(const RunReport::Slave& slave, Nanoseconds now) {
           {"evidence", evidence_json(slave, now)}};
 }
 
-std::string_view sync_key(SyncState state) {
-  switch (state) {
-    case SyncState::kNotMonitored:
-      return "not_monitored";
-    case SyncState::kNotReady:
-      return "not_ready";
-    case SyncState::kBusy:
-      return "settling";
-    case SyncState::kInSync:
-      return "in_sync";
-    case SyncState::kOutOfSync:
-      return "out_of_sync";
-    case SyncState::kUnknown:
-      return "unknown";
-  }
-  return "unknown";
-}
-
 Json age_ms(Nanoseconds age) { return age < 0 ? Json(nullptr) : rounded(static_cast<double>(age) / 1e6); }
 
 Json dc_json(const RunReport& report) {
@@ -87,9 +70,8 @@ Json dc_json(const RunReport& report) {
   return {{"enabled", dc.enabled},
           {"reference_clock", dc.reference_clock < 0 ? Json(nullptr) : Json(dc.reference_clock)},
           {"monitored", dc.monitored},
-          {"in_sync",
-           !dc.enabled || dc.state == SyncState::kNotMonitored ? Json(nullptr) : Json(dc.state == SyncState::kInSync)},
-          {"state", sync_key(dc.state)},
+          {"in_sync", or_null(slaves_in_sync(dc))},
+          {"state", sync_state_key(dc.state)},
           {"state_for_ms", dc.enabled ? rounded(static_cast<double>(report.time - dc.since) / 1e6) : Json(nullptr)},
           {"newest_reading_age_ms", age_ms(dc.newest_age_ns)},
           {"oldest_reading_age_ms", age_ms(dc.oldest_age_ns)},
@@ -102,9 +84,9 @@ Json dc_json(const RunReport& report) {
 
 Json dcm_json(const DcmStatus& dcm) {
   return {{"mode", dcm_mode_name(dcm.mode)},
-          {"in_sync", dcm.mode == DcmMode::kOff ? Json(nullptr) : Json(dcm.state == SyncState::kInSync)},
+          {"in_sync", or_null(master_in_sync(dcm))},
           {"in_sync_after_ms", rounded(dcm.in_sync_after_ms)},
-          {"state", sync_key(dcm.state)},
+          {"state", sync_state_key(dcm.state)},
           {"obstacle", dcm.obstacle == dc::SyncObstacle::kNone || dcm.mode == DcmMode::kOff
                            ? Json(nullptr)
                            : Json(dc::obstacle_text(dcm.obstacle))},
@@ -124,24 +106,6 @@ Json dcm_json(const DcmStatus& dcm) {
 std::string or_dash(const std::optional<std::int32_t>& value) { return value ? fmt::format("{}", *value) : "-"; }
 
 std::string ms_text(const std::optional<double>& ms) { return ms ? fmt::format("after {:.0f} ms", *ms) : "not yet"; }
-
-std::string sync_text(SyncState state) {
-  switch (state) {
-    case SyncState::kNotMonitored:
-      return "not monitored";
-    case SyncState::kNotReady:
-      return "not ready";
-    case SyncState::kBusy:
-      return "getting in sync";
-    case SyncState::kInSync:
-      return "in sync";
-    case SyncState::kOutOfSync:
-      return "OUT OF SYNC";
-    case SyncState::kUnknown:
-      return "unknown, no recent readings";
-  }
-  return "unknown";
-}
 
 }  // namespace
 
@@ -184,11 +148,11 @@ std::string to_text(const RunReport& report) {
                    slave.propagation_delay_ns ? fmt::format("{}", *slave.propagation_delay_ns) : "-");
   }
   const auto& dc = report.dc;
-  fmt::format_to(out, "slaves: {}", dc.enabled ? sync_text(dc.state) : "no distributed clocks");
+  fmt::format_to(out, "slaves: {}", dc.enabled ? sync_state_text(dc.state) : "no distributed clocks");
   if (dc.monitored) fmt::format_to(out, ", settled {}, limit {} ns", ms_text(dc.settled_after_ms), dc.limit_ns);
   if (report.deviation_max_ns) fmt::format_to(out, ", largest deviation {} ns", *report.deviation_max_ns);
   const auto& dcm = report.dcm;
-  fmt::format_to(out, "\nmaster: {}, {}", dcm_mode_name(dcm.mode), sync_text(dcm.state));
+  fmt::format_to(out, "\nmaster: {}, {}", dcm_mode_name(dcm.mode), sync_state_text(dcm.state));
   if (dcm.mode != DcmMode::kOff) {
     if (dcm.in_sync_after_ms) fmt::format_to(out, " {}", ms_text(dcm.in_sync_after_ms));
     fmt::format_to(out,
@@ -208,11 +172,7 @@ std::string to_text(const RunReport& report) {
 }
 
 bool is_good(const RunReport& report, AlState target) {
-  const bool slaves =
-      !report.dc.monitored || report.dc.state == SyncState::kNotMonitored || report.dc.state == SyncState::kInSync;
-  const bool master = report.dcm.mode == DcmMode::kOff || report.dcm.control_off || !report.dc.enabled ||
-                      report.dcm.state == SyncState::kInSync;
-  return report.state == target && slaves && master;
+  return report.state == target && is_synchronised(report.dc, report.dcm);
 }
 
 }  // namespace syncline::cli

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "channels/values/sync_state.h"
 #include "protocol/al_state.h"
 #include "support/types.h"
 
@@ -40,9 +41,6 @@ struct CycleSample {
     kWkcError = 2,
     kDeviationValid = 4,
     kDcmActive = 8,
-    kDcmInSync = 16,
-    kDcInSync = 32,
-    kDcMonitored = 64,
     kReferenceValid = 128,
     kOverrun = 256,
     kFrameLate = 512,       // late_by_ns is valid
@@ -51,6 +49,8 @@ struct CycleSample {
   };
   std::uint16_t flags = 0;
   std::uint8_t master_state = 0;  // AlState
+  /// The two verdicts of this cycle, as DcStatus::state and DcmStatus::state.
+  SyncState slaves_sync = SyncState::kNotMonitored, master_sync = SyncState::kNotMonitored;
 };
 
 }  // namespace syncline

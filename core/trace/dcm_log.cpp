@@ -170,8 +170,8 @@ std::optional<DcmLogRow> DcmLog::row(const CycleSample& sample) {
   row.output_total = sample.dcm_output_total_ns;
   row.dc_start_time_ns = start_time_;
   row.error_code = sample.dcm_error_code;
-  row.dcm_in_sync = (sample.flags & CycleSample::kDcmInSync) != 0;
-  row.dc_in_sync = (sample.flags & CycleSample::kDcInSync) != 0;
+  row.dcm_in_sync = sample.master_sync == SyncState::kInSync;
+  row.dc_in_sync = sample.slaves_sync == SyncState::kInSync;
   if ((sample.flags & CycleSample::kDeviationValid) != 0) row.system_time_difference_ns = sample.deviation_ored_ns;
   return row;
 }

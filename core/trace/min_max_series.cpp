@@ -31,15 +31,24 @@ Nanoseconds floor_to(Nanoseconds time, Nanoseconds width) {
 }  // namespace
 
 MinMaxSeries::MinMaxSeries(std::size_t capacity)
-    : capacity_(std::bit_ceil(std::max<std::uint64_t>(capacity, 2 * kTop))) {}
+    : capacity_(std::bit_ceil(std::max<std::uint64_t>(capacity, 2 * kTop))),
+      times_(std::make_shared<std::vector<Nanoseconds>>()) {}
+
+MinMaxSeries MinMaxSeries::beside(const MinMaxSeries& leader) {
+  MinMaxSeries series(leader.capacity_);
+  series.times_ = leader.times_;
+  series.leads_ = false;
+  return series;
+}
 
 void MinMaxSeries::clear() { begin_ = end_ = 0; }
 
-Nanoseconds MinMaxSeries::first_time() const { return empty() ? 0 : times_[slot(begin_)]; }
-Nanoseconds MinMaxSeries::last_time() const { return empty() ? 0 : times_[slot(end_ - 1)]; }
+Nanoseconds MinMaxSeries::first_time() const { return empty() ? 0 : time_of(begin_); }
+Nanoseconds MinMaxSeries::last_time() const { return empty() ? 0 : time_of(end_ - 1); }
 
 std::size_t MinMaxSeries::memory_bytes() const {
-  std::size_t bytes = times_.capacity() * sizeof(Nanoseconds) + values_.capacity() * sizeof(float);
+  std::size_t bytes = values_.capacity() * sizeof(float);
+  if (leads_) bytes += times_->capacity() * sizeof(Nanoseconds);
   for (const auto& level : levels_) bytes += level.capacity() * sizeof(Range);
   return bytes;
 }
@@ -49,7 +58,7 @@ void MinMaxSeries::append(Nanoseconds time, float value) {
   // Buckets are reused as a whole: the oldest block of the top level goes at once.
   if (end_ - begin_ == capacity_) begin_ += kTop;
   const auto place = slot(end_);
-  put(times_, place, time);
+  if (leads_) put(*times_, place, time);
   put(values_, place, value);
   if ((place + 1) % kFactor == 0) complete_buckets(place);
   ++end_;
@@ -82,7 +91,7 @@ std::uint64_t MinMaxSeries::lower_bound(Nanoseconds time) const {
   std::uint64_t high = end_;
   while (low < high) {
     const auto middle = low + (high - low) / 2;
-    if (times_[slot(middle)] < time) {
+    if (time_of(middle) < time) {
       low = middle + 1;
     } else {
       high = middle;
@@ -120,12 +129,12 @@ MinMaxSeries::Range MinMaxSeries::range(std::uint64_t begin, std::uint64_t end) 
 std::uint64_t MinMaxSeries::gallop(std::uint64_t from, Nanoseconds time) const {
   // Neighbouring columns hold few samples or many: galloping beats a binary search over everything.
   std::uint64_t step = 1;
-  while (from + step < end_ && times_[slot(from + step)] < time) step *= 2;
+  while (from + step < end_ && time_of(from + step) < time) step *= 2;
   auto low = from;
   auto high = std::min(from + step, end_);
   while (low < high) {
     const auto middle = low + (high - low) / 2;
-    if (times_[slot(middle)] < time) {
+    if (time_of(middle) < time) {
       low = middle + 1;
     } else {
       high = middle;
@@ -193,11 +202,17 @@ std::optional<MinMaxSeries::Extent> MinMaxSeries::extent(Nanoseconds begin, Nano
   return Extent{found.min, found.max};
 }
 
+std::optional<MinMaxSeries::Reading> MinMaxSeries::held_at(Nanoseconds time) const {
+  const auto index = lower_bound(time + 1);
+  if (index == begin_ || std::isnan(values_[slot(index - 1)])) return std::nullopt;
+  return Reading{time_of(index - 1), values_[slot(index - 1)]};
+}
+
 std::optional<MinMaxSeries::Reading> MinMaxSeries::at(Nanoseconds time) const {
   auto index = lower_bound(time + 1);
   while (index > begin_) {
     --index;
-    if (!std::isnan(values_[slot(index)])) return Reading{times_[slot(index)], values_[slot(index)]};
+    if (!std::isnan(values_[slot(index)])) return Reading{time_of(index), values_[slot(index)]};
   }
   return std::nullopt;
 }

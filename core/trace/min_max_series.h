@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -26,6 +27,11 @@ class MinMaxSeries {
   /// `capacity` in samples; rounded up to a power of two, at least 8192. Memory grows with the samples
   /// up to it (12.6 bytes a sample).
   explicit MinMaxSeries(std::size_t capacity = 1U << 20);
+  /// Of the same capacity and with the same times as `leader`, which are kept once (4.6 bytes a sample here): whatever
+  /// is appended here was appended there just before, at the same time. Clear both or none.
+  [[nodiscard]] static MinMaxSeries beside(const MinMaxSeries& leader);
+  MinMaxSeries(MinMaxSeries&&) noexcept = default;
+  MinMaxSeries& operator=(MinMaxSeries&&) noexcept = default;
 
   /// `time` must not be earlier than the last one (such a sample is dropped).
   void append(Nanoseconds time, float value);
@@ -55,16 +61,18 @@ class MinMaxSeries {
   };
   [[nodiscard]] std::optional<Extent> extent(Nanoseconds begin, Nanoseconds end) const;
 
-  /// Latest valid value at or before `time`, and its time.
+  /// Latest valid value at or before `time`, and its time: whoever shows it as present looks at its age.
   struct Reading {
     Nanoseconds time = 0;
     float value = 0;
   };
   [[nodiscard]] std::optional<Reading> at(Nanoseconds time) const;
+  /// Of a series whose value holds until the next one: what holds at `time`; nothing after a gap.
+  [[nodiscard]] std::optional<Reading> held_at(Nanoseconds time) const;
   /// Calls `visit(time, value)` for every sample in [begin, end), gaps (NaN) included.
   template <class Visit>
   void for_each(Nanoseconds begin, Nanoseconds end, Visit&& visit) const {
-    for (auto i = lower_bound(begin); i < end_ && times_[slot(i)] < end; ++i) visit(times_[slot(i)], values_[slot(i)]);
+    for (auto i = lower_bound(begin); i < end_ && time_of(i) < end; ++i) visit(time_of(i), values_[slot(i)]);
   }
 
  private:
@@ -77,6 +85,7 @@ class MinMaxSeries {
   [[nodiscard]] std::size_t slot(std::uint64_t index) const {
     return static_cast<std::size_t>(index & (capacity_ - 1));
   }
+  [[nodiscard]] Nanoseconds time_of(std::uint64_t index) const { return (*times_)[slot(index)]; }
   [[nodiscard]] std::uint64_t lower_bound(Nanoseconds time) const;
   /// First sample at or after `time`, looked for from `from` on.
   [[nodiscard]] std::uint64_t gallop(std::uint64_t from, Nanoseconds time) const;
@@ -87,7 +96,8 @@ class MinMaxSeries {
 
   std::uint64_t capacity_;             // a power of two
   std::uint64_t begin_ = 0, end_ = 0;  // absolute indices of the samples that are kept
-  std::vector<Nanoseconds> times_;
+  std::shared_ptr<std::vector<Nanoseconds>> times_;
+  bool leads_ = true;  // writes the times
   std::vector<float> values_;
   std::vector<Range> levels_[kLevels];
 };

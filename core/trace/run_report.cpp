@@ -49,11 +49,10 @@ void RunRecorder::add(std::span<const CycleSample> samples) {
 /// The acquisition is reported by settled_after_ms; the maximum is about all that came afterwards, in sync or not.
 /// Where nobody watches the slaves it is over when the master has come in sync, or the machine works.
 void RunRecorder::note_settled(const CycleSample& sample) {
-  using Flag = CycleSample::Flag;
-  if ((sample.flags & Flag::kDcMonitored) != 0) {
-    settled_ = settled_ || (sample.flags & Flag::kDcInSync) != 0;
+  if (is_watched(sample.slaves_sync)) {
+    settled_ = settled_ || sample.slaves_sync == SyncState::kInSync;
   } else {
-    settled_ = settled_ || (sample.flags & Flag::kDcmInSync) != 0 ||
+    settled_ = settled_ || sample.master_sync == SyncState::kInSync ||
                sample.master_state == static_cast<std::uint8_t>(AlState::kOp);
   }
 }

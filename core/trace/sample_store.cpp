@@ -7,70 +7,190 @@
 namespace syncline {
 namespace {
 
-constexpr Nanoseconds kRepeatEvery = 100 * kMillisecond;
-constexpr float kGap = std::numeric_limits<float>::quiet_NaN();
+using Form = SignalInfo::Form;
+using Scope = SignalInfo::Scope;
 
-float valid_or_gap(const CycleSample& sample, unsigned flag, float value) {
-  const bool lost = (sample.flags & CycleSample::kFrameLost) != 0;
-  return !lost && (sample.flags & flag) != 0 ? value : kGap;
+constexpr float kGap = std::numeric_limits<float>::quiet_NaN();
+constexpr std::size_t kLeastReadings = 8192;
+/// So many cycles without an answer, and what was known of states and counts is old.
+constexpr std::uint32_t kOutage = 10;
+/// How often values are looked over for their age.
+constexpr Nanoseconds kLookEvery = 100 * kMillisecond;
+
+float value_or_gap(const std::optional<SignalNumber>& number) {
+  return number ? static_cast<float>(as_double(*number)) : kGap;
 }
 
 }  // namespace
 
-SampleStore::SampleStore(std::size_t slaves, std::size_t cycle_capacity) {
-  for (std::size_t i = 0; i < kSeriesCount; ++i) series_.emplace_back(cycle_capacity);
-  const auto per_slave = std::max<std::size_t>(slaves == 0 ? 0 : cycle_capacity / slaves, 8192);
-  for (std::size_t i = 0; i < slaves; ++i) {
-    deviation_.emplace_back(per_slave);
-    sm2_missed_.emplace_back(8192);
+SampleStore::SampleStore(const Layout& layout) : layout_(layout), places_(kSignalCount) {
+  const auto per_slave = std::max(layout.slaves == 0 ? 0 : layout.cycle_capacity / layout.slaves, kLeastReadings);
+  for (const auto& signal : signals()) {
+    auto& first = places_[static_cast<std::size_t>(signal.id)];
+    const bool of_slaves = signal.scope == Scope::kSlave;
+    const auto count = of_slaves ? layout.slaves : 1;
+    switch (signal.form) {
+      case Form::kCell:
+        break;
+      case Form::kCycles:
+        first = of_cycles_.size();
+        cycles_.push_back(&signal);
+        of_cycles_.push_back(first == 0 ? MinMaxSeries(layout.cycle_capacity)
+                                        : MinMaxSeries::beside(of_cycles_.front()));
+        break;
+      case Form::kReadings:
+        first = of_readings_.size();
+        if (!of_slaves) readings_.push_back(&signal);
+        for (std::size_t i = 0; i < count; ++i) of_readings_.emplace_back(per_slave);
+        break;
+      case Form::kHeld:
+        first = of_held_.size();
+        (of_slaves ? held_by_slave_ : held_).push_back(&signal);
+        for (std::size_t i = 0; i < count; ++i) of_held_.emplace_back(kLeastReadings);
+        break;
+    }
   }
 }
 
-void SampleStore::clear() {
-  for (auto& series : series_) series.clear();
-  for (auto& series : deviation_) series.clear();
-  for (auto& series : sm2_missed_) series.clear();
-  any_ = false;
-  missing_cycles_ = 0;
+std::size_t SampleStore::place(Signal signal, std::size_t slave) const {
+  return places_[static_cast<std::size_t>(signal)] + slave;
+}
+
+const MinMaxSeries& SampleStore::series(Signal signal) const { return series(signal, 0); }
+
+const MinMaxSeries& SampleStore::series(Signal signal, std::size_t slave) const {
+  switch (info(signal).form) {
+    case Form::kReadings:
+      return of_readings_.at(place(signal, slave));
+    case Form::kHeld:
+      return of_held_.at(place(signal, slave)).series();
+    default:
+      return of_cycles_.at(place(signal, slave));
+  }
+}
+
+const HeldSeries* SampleStore::held(Signal signal, std::size_t slave) const {
+  return info(signal).form == Form::kHeld ? &of_held_.at(place(signal, slave)) : nullptr;
+}
+
+Nanoseconds SampleStore::heard(Signal signal) const { return heard(signal, 0); }
+
+Nanoseconds SampleStore::heard(Signal signal, std::size_t slave) const {
+  return info(signal).form == Form::kHeld ? of_held_.at(place(signal, slave)).heard()
+                                          : series(signal, slave).last_time();
+}
+
+Nanoseconds SampleStore::longest_gap(Signal signal) const {
+  if (info(signal).form != Form::kReadings) return layout_.cycle_time * 5 / 2;
+  // One slave is read a cycle, in turn.
+  return 4 * static_cast<Nanoseconds>(std::max<std::size_t>(layout_.slaves, 1)) * layout_.cycle_time +
+         20 * kMillisecond;
+}
+
+std::optional<MinMaxSeries::Reading> SampleStore::value(Signal signal, Nanoseconds time) const {
+  return value(signal, 0, time);
+}
+
+std::optional<MinMaxSeries::Reading> SampleStore::value(Signal signal, std::size_t slave, Nanoseconds time) const {
+  if (info(signal).form == Form::kHeld) return of_held_.at(place(signal, slave)).at(time);
+  auto reading = series(signal, slave).at(time);
+  if (reading && time - reading->time > longest_gap(signal)) reading.reset();
+  return reading;
+}
+
+std::size_t SampleStore::memory_bytes() const {
+  std::size_t bytes = 0;
+  for (const auto& series : of_cycles_) bytes += series.memory_bytes();
+  for (const auto& series : of_readings_) bytes += series.memory_bytes();
+  for (const auto& held : of_held_) bytes += held.series().memory_bytes();
+  return bytes;
 }
 
 void SampleStore::append(std::span<const CycleSample> samples) {
   for (const auto& sample : samples) append(sample);
 }
 
+/// One gap sample keeps the lines from being joined across what is missing.
+void SampleStore::leave_gap(Nanoseconds time) {
+  for (auto& series : of_cycles_) series.append(time, kGap);
+  for (const auto* signal : held_) of_held_[place(signal->id, 0)].lose(time);
+}
+
 void SampleStore::append(const CycleSample& sample) {
   if (any_ && sample.cycle > next_cycle_) {
     missing_cycles_ += sample.cycle - next_cycle_;
-    // One gap sample just before keeps the line from being joined across what is missing.
-    for (auto& series : series_) series.append(sample.send_time - 1, kGap);
+    leave_gap(sample.send_time - 1);
   }
   any_ = true;
   next_cycle_ = sample.cycle + 1;
 
   const auto time = sample.send_time;
-  using Flag = CycleSample::Flag;
-  at(Series::kDeviation)
-      .append(time, valid_or_gap(sample, Flag::kFollowersRead, static_cast<float>(sample.deviation_ns)));
-  const bool dcm = (sample.flags & Flag::kDcmActive) != 0;
-  at(Series::kDcmError)
-      .append(time, valid_or_gap(sample, Flag::kReferenceValid, dcm ? static_cast<float>(sample.dcm_error_ns) : kGap));
-  at(Series::kDcmErrorFiltered).append(time, dcm ? static_cast<float>(sample.dcm_error_filtered_ns) : kGap);
-  at(Series::kDrift).append(time, dcm ? sample.drift_ppm : kGap);
-  at(Series::kLateness).append(time, static_cast<float>(sample.wake_lateness_ns));
-  at(Series::kRoundTrip)
-      .append(time, (sample.flags & Flag::kFrameLost) != 0 ? kGap : static_cast<float>(sample.round_trip_ns));
-
-  // What a reference clock shows there is no deviation from itself.
-  const bool follows = sample.slave_position >= 0 && (sample.flags & Flag::kSlaveFollows) != 0;
-  if (follows && static_cast<std::size_t>(sample.slave_position) < deviation_.size()) {
-    deviation_[static_cast<std::size_t>(sample.slave_position)].append(time,
-                                                                       static_cast<float>(sample.slave_deviation_ns));
+  for (std::size_t i = 0; i < cycles_.size(); ++i)
+    of_cycles_[i].append(time, value_or_gap(cycles_[i]->of_cycle(sample)));
+  for (const auto* signal : readings_) {
+    if (const auto number = signal->of_cycle(sample))
+      of_readings_[place(signal->id, 0)].append(time, static_cast<float>(as_double(*number)));
   }
-  if (sample.sm2_position >= 0 && static_cast<std::size_t>(sample.sm2_position) < sm2_missed_.size()) {
-    auto& series = sm2_missed_[static_cast<std::size_t>(sample.sm2_position)];
-    const auto value = static_cast<float>(sample.slave_sm2_missed);
-    const auto last = series.at(time);
-    if (!last || last->value != value || time - last->time >= kRepeatEvery) series.append(time, value);
+  for (const auto* signal : held_) {
+    if (signal->of_cycle == nullptr) continue;
+    auto& held = of_held_[place(signal->id, 0)];
+    if (const auto number = signal->of_cycle(sample)) {
+      held.hear(time, static_cast<float>(as_double(*number)));
+    } else {
+      held.lose(time);
+    }
+  }
+  append_slaves(sample);
+}
+
+void SampleStore::append_slaves(const CycleSample& sample) {
+  const auto time = sample.send_time;
+  // What a reference clock shows there is no deviation from itself.
+  const bool follows = sample.slave_position >= 0 && (sample.flags & CycleSample::kSlaveFollows) != 0;
+  if (follows && static_cast<std::size_t>(sample.slave_position) < layout_.slaves) {
+    of_readings_[place(Signal::kSlaveDeviation, static_cast<std::size_t>(sample.slave_position))].append(
+        time, static_cast<float>(sample.slave_deviation_ns));
+  }
+  if (sample.sm2_position >= 0 && static_cast<std::size_t>(sample.sm2_position) < layout_.slaves) {
+    const auto slave = static_cast<std::size_t>(sample.sm2_position);
+    of_held_[place(Signal::kSm2Missed, slave)].hear(time, static_cast<float>(sample.slave_sm2_missed));
+    of_held_[place(Signal::kSm2Integrator, slave)].hear(time, static_cast<float>(sample.slave_sm2_integrator));
+  }
+  const bool lost = (sample.flags & CycleSample::kFrameLost) != 0;
+  lost_in_a_row_ = lost ? lost_in_a_row_ + 1 : 0;
+  const bool outage = lost_in_a_row_ == kOutage;
+  if (!outage && time < next_look_) return;
+  next_look_ = time + kLookEvery;
+  for (const auto* signal : held_by_slave_) {
+    for (std::size_t slave = 0; slave < layout_.slaves; ++slave) {
+      auto& held = of_held_[place(signal->id, slave)];
+      if (outage) {
+        held.lose(time - (kOutage - 1) * layout_.cycle_time);
+      } else {
+        held.expire(time);
+      }
+    }
+  }
+}
+
+void SampleStore::append(const Snapshot& snapshot) {
+  for (const auto* signal : held_) {
+    if (signal->of_bus == nullptr) continue;
+    if (const auto value = signal->of_bus(snapshot))
+      of_held_[place(signal->id, 0)].hear(snapshot.time, static_cast<float>(*value));
+  }
+  const auto count = std::min(layout_.slaves, snapshot.slaves.size());
+  for (const auto* signal : held_by_slave_) {
+    if (signal->of_slave == nullptr) continue;
+    for (std::size_t slave = 0; slave < count; ++slave) {
+      const auto& status = snapshot.slaves[slave];
+      auto& held = of_held_[place(signal->id, slave)];
+      if (!status.present || lost_in_a_row_ >= kOutage) {
+        held.lose(status.present ? snapshot.time : status.absent_since);
+      } else if (const auto reading = signal->of_slave(snapshot, status, layout_.speed_counter_start)) {
+        held.hear(reading->time, static_cast<float>(reading->value));
+      }
+    }
   }
 }
 

@@ -2,56 +2,75 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "channels/cycle_sample.h"
+#include "channels/snapshot.h"
+#include "trace/held_series.h"
 #include "trace/min_max_series.h"
+#include "trace/signals.h"
 
 namespace syncline {
 
-/// The samples of a run, as series that plots and reports read. Time is the host clock's send time.
-/// Lost frames and values that were not valid are gaps; cycles that are missing in the stream (ring
-/// overruns) leave a gap too. Not thread-safe: lives where the samples are drained.
+/// The signals of a run (core/trace/signals.h), as series that plots and reports read. Time is the host clock's send
+/// time. Lost frames, values that were not valid and cycles that are missing in the stream (ring overruns) are gaps.
+/// Not thread-safe: lives where the samples are drained.
 class SampleStore {
  public:
-  enum class Series : std::uint8_t {
-    kDeviation,  // ns, of the slaves that follow the reference clock: CycleSample::deviation_ns
-    kDcmError,   // ns, raw
-    kDcmErrorFiltered,
-    kDrift,      // ppm
-    kLateness,   // ns
-    kRoundTrip,  // ns
+  struct Layout {
+    std::size_t slaves = 0;
+    Nanoseconds cycle_time = kMillisecond;
+    std::size_t cycle_capacity = 1U << 20;       // cycles that are kept
+    std::uint16_t speed_counter_start = 0x1000;  // register 0x0930
   };
-  static constexpr std::size_t kSeriesCount = 6;
-
-  /// `cycle_capacity`: cycles that are kept; per-slave series keep as many readings divided by the
-  /// number of slaves (at least 8192 each).
-  explicit SampleStore(std::size_t slaves = 0, std::size_t cycle_capacity = 1U << 20);
+  /// Readings of single slaves are kept `cycle_capacity` divided by the number of slaves, at least 8192 each.
+  explicit SampleStore(const Layout& layout);
 
   void append(std::span<const CycleSample> samples);
-  void clear();
+  /// Counts and states; the samples that came before it first.
+  void append(const Snapshot& snapshot);
 
-  [[nodiscard]] const MinMaxSeries& series(Series which) const { return series_[static_cast<std::size_t>(which)]; }
-  /// Signed 0x092C readings of one slave, ns.
-  [[nodiscard]] const MinMaxSeries& slave_deviation(std::size_t position) const { return deviation_.at(position); }
-  /// Missed SM2 events of one slave: the counter's readings, a step series. Readings that repeat the
-  /// last value are kept at most every 100 ms, so that hours fit.
-  [[nodiscard]] const MinMaxSeries& slave_sm2_missed(std::size_t position) const { return sm2_missed_.at(position); }
-  [[nodiscard]] std::size_t slave_count() const { return deviation_.size(); }
-  [[nodiscard]] bool empty() const { return series_.front().empty(); }
-  [[nodiscard]] Nanoseconds first_time() const { return series_.front().first_time(); }
-  [[nodiscard]] Nanoseconds last_time() const { return series_.front().last_time(); }
+  /// Of a signal that is drawn (not SignalInfo::Form::kCell), of the bus or of one slave.
+  [[nodiscard]] const MinMaxSeries& series(Signal signal) const;
+  [[nodiscard]] const MinMaxSeries& series(Signal signal, std::size_t slave) const;
+  /// The same of a held signal, with how long its last value holds; null for the others.
+  [[nodiscard]] const HeldSeries* held(Signal signal, std::size_t slave = 0) const;
+  /// Until when the last value of a held signal holds; of the others the time of their last sample.
+  [[nodiscard]] Nanoseconds heard(Signal signal) const;
+  [[nodiscard]] Nanoseconds heard(Signal signal, std::size_t slave) const;
+  /// Two neighbouring samples further apart than this have a gap between them, and an older one is no present value.
+  [[nodiscard]] Nanoseconds longest_gap(Signal signal) const;
+  /// The value at `time` with the time of its reading; nothing where the latest is too old for that.
+  [[nodiscard]] std::optional<MinMaxSeries::Reading> value(Signal signal, Nanoseconds time) const;
+  [[nodiscard]] std::optional<MinMaxSeries::Reading> value(Signal signal, std::size_t slave, Nanoseconds time) const;
+
+  [[nodiscard]] std::size_t slave_count() const { return layout_.slaves; }
+  [[nodiscard]] bool empty() const { return axis().empty(); }
+  [[nodiscard]] Nanoseconds first_time() const { return axis().first_time(); }
+  [[nodiscard]] Nanoseconds last_time() const { return axis().last_time(); }
   /// Cycles that the stream skipped.
   [[nodiscard]] std::uint64_t missing_cycles() const { return missing_cycles_; }
+  [[nodiscard]] std::size_t memory_bytes() const;
 
  private:
   void append(const CycleSample& sample);
-  MinMaxSeries& at(Series which) { return series_[static_cast<std::size_t>(which)]; }
+  void append_slaves(const CycleSample& sample);
+  void leave_gap(Nanoseconds time);
+  /// Every cycle has a value of it.
+  [[nodiscard]] const MinMaxSeries& axis() const { return of_cycles_[axis_]; }
+  [[nodiscard]] std::size_t place(Signal signal, std::size_t slave) const;
 
-  std::vector<MinMaxSeries> series_;
-  std::vector<MinMaxSeries> deviation_, sm2_missed_;
+  Layout layout_;
+  std::size_t axis_ = 0;
+  std::vector<std::size_t> places_;  // by signal: of its first series in one of the following
+  std::vector<const SignalInfo*> cycles_, readings_, held_, held_by_slave_;
+  std::vector<MinMaxSeries> of_cycles_, of_readings_;
+  std::vector<HeldSeries> of_held_;
   std::uint64_t next_cycle_ = 0;
+  Nanoseconds next_look_ = 0;
+  std::uint32_t lost_in_a_row_ = 0;
   bool any_ = false;
   std::uint64_t missing_cycles_ = 0;
 };

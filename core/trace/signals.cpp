@@ -1,27 +1,40 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trace/signals.h"
 
+#include <algorithm>
+#include <array>
+
+#include "trace/bus_signals.h"
+#include "trace/slave_signals.h"
+
 namespace syncline {
 namespace {
 
-bool has(const CycleSample& sample, CycleSample::Flag flag) { return (sample.flags & flag) != 0; }
-
-std::optional<double> network_to_slave(const CycleSample& sample) {
-  if (has(sample, CycleSample::kDeviationValid)) return sample.deviation_ored_ns;
-  // Monitored, but not read in this cycle; or no clocks at all.
-  return has(sample, CycleSample::kReferenceValid) ? std::nullopt : std::optional(0.0);
+std::array<SignalInfo, kSignalCount> make_table() {
+  std::array<SignalInfo, kSignalCount> table{};
+  for (const auto part : {bus_signals(), slave_signals()}) {
+    for (const auto& signal : part) table[static_cast<std::size_t>(signal.id)] = signal;
+  }
+  return table;
 }
-
-std::optional<double> master_to_network(const CycleSample& sample) {
-  if (has(sample, CycleSample::kReferenceValid)) return sample.dcm_error_ns;
-  return has(sample, CycleSample::kDcmActive) ? std::nullopt : std::optional(0.0);
-}
-
-constexpr Signal kSignals[] = {{"NetworkToSubDeviceClkDiff", "ns", network_to_slave},
-                               {"MdeviceToNetworkClkDiff", "ns", master_to_network}};
 
 }  // namespace
 
-std::span<const Signal> clock_difference_signals() { return kSignals; }
+std::span<const SignalInfo> signals() {
+  static const auto kTable = make_table();
+  return kTable;
+}
+
+const SignalInfo& info(Signal signal) { return signals()[static_cast<std::size_t>(signal)]; }
+
+const SignalInfo* find_signal(std::string_view key, SignalInfo::Scope scope) {
+  const auto found = std::ranges::find_if(
+      signals(), [&](const SignalInfo& signal) { return signal.key == key && signal.scope == scope; });
+  return found == signals().end() ? nullptr : &*found;
+}
+
+double as_double(const SignalNumber& number) {
+  return std::visit([](auto value) { return static_cast<double>(value); }, number);
+}
 
 }  // namespace syncline

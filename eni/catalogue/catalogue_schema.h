@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "eni/catalogue/sqlite_database.h"
+#include "sqlite/sqlite_database.h"
 
 namespace syncline::eni {
 

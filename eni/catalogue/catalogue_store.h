@@ -9,7 +9,7 @@
 
 #include "eni/catalogue/catalogue_entry.h"
 #include "eni/catalogue/esi_cards.h"
-#include "eni/catalogue/sqlite_database.h"
+#include "sqlite/sqlite_database.h"
 
 /// The tables behind the catalogue: a cache that can be made again from the ESI files at any time.
 namespace syncline::eni {

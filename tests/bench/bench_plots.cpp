@@ -167,11 +167,14 @@ void compare_live(RatioReport& report) {
 void compare_strip(RatioReport& report) {
   constexpr Nanoseconds kCycle = 125 * kMicrosecond;
   constexpr int kPerTick = 267;
-  std::vector<QString> names;
-  for (int i = 0; i < 20; ++i) names.push_back(QStringLiteral("Slave_%1").arg(1001 + i));
+  NetworkConfig config;
+  config.cyclic.resize(1);
+  config.cyclic.front().cycle_time = kCycle;
+  for (int i = 0; i < 20; ++i) config.slaves.emplace_back().name = "Slave_" + std::to_string(1001 + i);
+  RunRecord record(config);
   ui::LiveStrip strip;
   strip.resize(1280, 230);
-  strip.setNetwork(names, kCycle, 1000);
+  strip.setRecord(&record);
   strip.timeView()->setSpan(60 * kSecond);
   std::mt19937 random(3);
   std::uint64_t cycle = 0;
@@ -184,14 +187,14 @@ void compare_strip(RatioReport& report) {
                      CycleSample::kReferenceValid;
       sample.deviation_ns = 20 + random() % 40;
       sample.dcm_error_ns = static_cast<std::int32_t>(random() % 401) - 200;
-      sample.slave_position = static_cast<std::int16_t>(cycle % names.size());
+      sample.slave_position = static_cast<std::int16_t>(cycle % config.slaves.size());
       sample.slave_deviation_ns = static_cast<std::int32_t>(random() % 41) - 20;
       ++cycle;
     }
     return samples;
   };
   strip.show();
-  strip.append(produce(480'000));
+  record.add(produce(480'000));
   strip.refresh();
   QApplication::processEvents();
   const auto samples = produce(kPerTick);
@@ -201,14 +204,14 @@ void compare_strip(RatioReport& report) {
       sample.cycle += kPerTick;
       sample.send_time += kPerTick * kCycle;
     }
-    strip.append(moving);
+    record.add(moving);
   });
   const double frame = median_ns([&] {
     for (auto& sample : moving) {
       sample.cycle += kPerTick;
       sample.send_time += kPerTick * kCycle;
     }
-    strip.append(moving);
+    record.add(moving);
     strip.refresh();
     QApplication::processEvents();
   });

@@ -7,6 +7,7 @@
 #include "fuzz/bus_targets.h"
 #include "fuzz/catalogue_target.h"
 #include "fuzz/command_target.h"
+#include "fuzz/recording_target.h"
 #include "fuzz/text_targets.h"
 #include "fuzz/wire_targets.h"
 #include "fuzz/xml_targets.h"
@@ -27,6 +28,7 @@ constexpr std::array kTargets{Target{"frame", run_frame, frames, damage_frame, 3
                               Target{"master", run_master, master_scripts, damage_bytes, 100},
                               Target{"clients", run_clients, client_scripts, damage_bytes, 3'000},
                               Target{"catalogue", run_catalogue, catalogues, damage_database, 400},
+                              Target{"recording", run_recording, recordings, damage_database, 300},
                               Target{"command", run_command, commands, damage_words, 500}};
 
 }  // namespace

@@ -39,6 +39,7 @@ std::vector<Room> rooms() {
       {"core/support", {}},
       {"core/protocol", {"core/support"}},
       {"core/findings", {"core/support", "core/protocol"}},
+      {"core/sqlite", {"core/support"}},
       {"core/config", {"core/support", "core/protocol"}},
       {"core/families", kValues},
       {"core/settings", with(kValues, {"core/families"})},
@@ -56,6 +57,8 @@ std::vector<Room> rooms() {
        with(planned, {"core/dc", "core/channels", "core/link", "core/check", "core/compare", "core/recover"})},
       {"core/trace", with(kValues, {"core/dc", "core/channels"})},
       {"core/diagnosis", with(kValues, {"core/dc", "core/channels", "core/families", "core/findings", "core/trace"})},
+      {"core/record",
+       with(kValues, {"core/dc", "core/channels", "core/findings", "core/trace", "core/diagnosis", "core/sqlite"})},
       {"core/engine",
        with(kValues, {"core/channels", "core/compare", "core/sim", "core/link", "core/master", "core/trace"})},
   };

@@ -110,7 +110,7 @@ class SyncVerdictOfAMachine : public ::testing::TestWithParam<std::uint64_t> {
   void expect_no_sync_beside_an_error() const {
     for (const auto& sample : samples) {
       if (sample.dcm_error_code == 0) continue;
-      ASSERT_EQ(sample.flags & CycleSample::kDcmInSync, 0) << "cycle " << sample.cycle;
+      ASSERT_NE(sample.master_sync, SyncState::kInSync) << "cycle " << sample.cycle;
     }
   }
 };
@@ -164,7 +164,7 @@ TEST_P(SyncVerdictOfAMachine, WhoIsNotMonitoredIsNotInSync) {
   run_until(8 * kSecond);
   EXPECT_EQ(snapshot.state, AlState::kOp) << log();
   EXPECT_EQ(snapshot.dc.state, SyncState::kNotMonitored);
-  EXPECT_TRUE(std::ranges::none_of(samples, [](const auto& s) { return (s.flags & CycleSample::kDcInSync) != 0; }));
+  EXPECT_TRUE(std::ranges::none_of(samples, [](const auto& s) { return s.slaves_sync == SyncState::kInSync; }));
   std::string table;
   append_sample_csv(table, std::span(samples).last(1));
   EXPECT_NE(table.find(",0,,1,"), std::string::npos) << table;  // frame_lost, dc_in_sync, dcm_in_sync
@@ -269,7 +269,7 @@ TEST_P(SyncVerdictOfAMachine, AStallOfTheHostIsCyclesLeftOutAndNoSync) {
   for (const auto& sample : samples) {
     const bool within = sample.send_time >= start + at + length && sample.send_time < start + at + length + kSecond;
     if (within) {
-      ASSERT_EQ(sample.flags & CycleSample::kDcmInSync, 0) << log();
+      ASSERT_NE(sample.master_sync, SyncState::kInSync) << log();
     }
   }
   EXPECT_EQ(snapshot.lost_frames, 0U);

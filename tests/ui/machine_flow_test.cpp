@@ -167,8 +167,7 @@ TEST_F(MachineFlow, ScansConfiguresExportsRunsAndGetsInSync) {
   EXPECT_EQ(test::find<ui::Pill>(window_, "statusDcm")->tone(), ui::theme::Tone::kGood);
   EXPECT_EQ(snapshot.dc.reference_clock, reference);
   ASSERT_NE(window_.liveStrip().store(), nullptr);
-  EXPECT_GT(window_.liveStrip().store()->series(SampleStore::Series::kDeviation).size(), 1000U)
-      << "the plots must fill";
+  EXPECT_GT(window_.liveStrip().store()->series(Signal::kDeviation).size(), 1000U) << "the plots must fill";
 
   action("actionOffline")->trigger();
   EXPECT_TRUE(test::waitFor([this] { return workspace_.live().phase() == ui::LiveSession::Phase::kOffline; }));

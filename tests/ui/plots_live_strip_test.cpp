@@ -12,6 +12,8 @@
 #include <QToolButton>
 #include <QWheelEvent>
 #include <cmath>
+#include <memory>
+#include <utility>
 
 namespace syncline::ui {
 namespace {
@@ -35,8 +37,11 @@ std::vector<CycleSample> samples(std::uint64_t from, std::uint64_t to) {
     s.dcm_error_ns = i % 2 == 0 ? 200 : -200;
     s.dcm_error_filtered_ns = 5;
     s.drift_ppm = 12.5F;
-    if (i >= 3000 && i < 3200) s.flags |= CycleSample::kFrameLost;
-    if (i % 250 == 0) {
+    if (i >= 3000 && i < 3200) {
+      s.flags = CycleSample::kFrameLost | CycleSample::kDcmActive;
+      s.slave_position = -1;
+    }
+    if (i % 250 == 0 && (i < 3000 || i >= 3200)) {
       s.sm2_position = 2;
       s.slave_sm2_missed = i < 4000 ? 7 : 8;
     }
@@ -45,12 +50,28 @@ std::vector<CycleSample> samples(std::uint64_t from, std::uint64_t to) {
   return result;
 }
 
+/// What runs: the names, the cycle, and a sync window of 2^exponent - 1 ns.
+NetworkConfig runningNetwork(const std::vector<std::string>& names, Nanoseconds cycle_time, std::uint8_t exponent = 9) {
+  NetworkConfig config;
+  config.cyclic.resize(1);
+  config.cyclic.front().cycle_time = cycle_time;
+  for (const auto& name : names) config.slaves.emplace_back().name = name;
+  config.dc.enabled = true;
+  config.dc.sync_window.enabled = true;
+  config.dc.sync_window.exponent = exponent;
+  return config;
+}
+
 class LiveStripTest : public testing::Test {
  protected:
   void SetUp() override {
     strip.resize(1280, 230);
-    strip.setNetwork({QStringLiteral("1 Coupler"), QStringLiteral("2 Input"), QStringLiteral("3 Servo")}, kMillisecond,
-                     500);
+    run(runningNetwork({"1 Coupler", "2 Input", "3 Servo"}, kMillisecond));
+  }
+  /// Another run begins.
+  void run(NetworkConfig config) {
+    const auto before = std::exchange(record, std::make_unique<RunRecord>(std::move(config)));
+    strip.setRecord(record.get());
   }
   void show() {
     strip.show();
@@ -71,6 +92,7 @@ class LiveStripTest : public testing::Test {
   std::uint64_t paints() { return plot(0)->paintCount() + plot(1)->paintCount() + plot(2)->paintCount(); }
   QString text(const char* name) { return strip.findChild<QLabel*>(QLatin1String(name))->text(); }
 
+  std::unique_ptr<RunRecord> record;
   LiveStrip strip;
 };
 
@@ -79,18 +101,18 @@ TEST_F(LiveStripTest, SaysWhatToDoWithoutData) {
   auto* label = strip.findChild<QLabel*>(QStringLiteral("liveEmptyLabel"));
   EXPECT_TRUE(label->isVisible());
   EXPECT_THAT(label->text().toStdString(), testing::HasSubstr("go online"));
-  strip.append(samples(0, 100));
+  record->add(samples(0, 100));
   settle();
   EXPECT_FALSE(label->isVisible());
   EXPECT_TRUE(plot(0)->isVisible());
-  strip.clear();
+  strip.setRecord(nullptr);
   settle();
   EXPECT_TRUE(label->isVisible());
 }
 
 TEST_F(LiveStripTest, FillsAllThreePlots) {
   show();
-  strip.append(samples(0, 6000));
+  record->add(samples(0, 6000));
   settle();
   EXPECT_FALSE(plot(0)->items().front()->columns().empty());
   EXPECT_THAT(strip.panels()[0]->legend()->text().toStdString(), testing::HasSubstr("largest 30"));
@@ -103,7 +125,7 @@ TEST_F(LiveStripTest, FillsAllThreePlots) {
 }
 
 TEST_F(LiveStripTest, HiddenPlotsAreNotPainted) {
-  strip.append(samples(0, 1000));
+  record->add(samples(0, 1000));
   for (int i = 0; i < 100; ++i) strip.refresh();
   QApplication::processEvents();
   EXPECT_EQ(paints(), 0U);
@@ -111,7 +133,7 @@ TEST_F(LiveStripTest, HiddenPlotsAreNotPainted) {
   EXPECT_GT(paints(), 0U);
   strip.hide();
   const auto before = paints();
-  strip.append(samples(1000, 2000));
+  record->add(samples(1000, 2000));
   for (int i = 0; i < 100; ++i) strip.refresh();
   QApplication::processEvents();
   EXPECT_EQ(paints(), before);
@@ -119,12 +141,12 @@ TEST_F(LiveStripTest, HiddenPlotsAreNotPainted) {
 
 TEST_F(LiveStripTest, OnePaintAPlotAndTick) {
   show();
-  strip.append(samples(0, 1000));
+  record->add(samples(0, 1000));
   settle();
   for (std::uint64_t i = 0; i < 20; ++i) {
     const auto before = paints();
-    strip.append(samples(1000 + i * 10, 1005 + i * 10));
-    strip.append(samples(1005 + i * 10, 1010 + i * 10));
+    record->add(samples(1000 + i * 10, 1005 + i * 10));
+    record->add(samples(1005 + i * 10, 1010 + i * 10));
     strip.refresh();
     QApplication::processEvents();
     EXPECT_LE(paints() - before, 3U);
@@ -138,13 +160,13 @@ TEST_F(LiveStripTest, OnePaintAPlotAndTick) {
 
 TEST_F(LiveStripTest, FrozenPictureIsNotPaintedAndSamplesGoOnBeingKept) {
   show();
-  strip.append(samples(0, 1000));
+  record->add(samples(0, 1000));
   settle();
   key(Qt::Key_Space);
   EXPECT_EQ(strip.timeView()->mode(), Mode::kFrozen);
   settle();
   const auto before = paints();
-  strip.append(samples(1000, 4000));
+  record->add(samples(1000, 4000));
   for (int i = 0; i < 30; ++i) strip.refresh();
   QApplication::processEvents();
   EXPECT_EQ(paints(), before);
@@ -158,7 +180,7 @@ TEST_F(LiveStripTest, FrozenPictureIsNotPaintedAndSamplesGoOnBeingKept) {
 
 TEST_F(LiveStripTest, WheelZoomsAllPlotsWhileDataStream) {
   show();
-  strip.append(samples(0, 5000));
+  record->add(samples(0, 5000));
   settle();
   auto* canvas = plot(1)->canvas();
   const QPointF at(canvas->width() / 2.0, 20);
@@ -166,7 +188,7 @@ TEST_F(LiveStripTest, WheelZoomsAllPlotsWhileDataStream) {
   QWheelEvent wheel(at, canvas->mapToGlobal(at), {}, QPoint(0, 240), Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase,
                     false);
   QApplication::sendEvent(canvas, &wheel);
-  strip.append(samples(5000, 6000));
+  record->add(samples(5000, 6000));
   settle();
   EXPECT_EQ(strip.timeView()->mode(), Mode::kHistory);
   EXPECT_LT(strip.timeView()->span(), 7 * kSecond);
@@ -181,7 +203,7 @@ TEST_F(LiveStripTest, WheelZoomsAllPlotsWhileDataStream) {
 
 TEST_F(LiveStripTest, LostFramesAreAGapInThePicture) {
   show();
-  strip.append(samples(0, 6000));
+  record->add(samples(0, 6000));
   settle();
   strip.timeView()->zoom(0.1, kStart + 3100 * kMillisecond);  // 1 s about the gap
   settle();
@@ -199,9 +221,41 @@ TEST_F(LiveStripTest, LostFramesAreAGapInThePicture) {
   EXPECT_TRUE(painted(kStart + 3250 * kMillisecond));
 }
 
+/// Frozen within an outage, neither the plots nor the legends show what was read before it.
+TEST_F(LiveStripTest, NothingIsDrawnOrSaidThroughAnOutage) {
+  show();
+  record->add(samples(0, 3190));  // lost frames from 3 s on
+  settle();
+  EXPECT_THAT(strip.panels()[0]->legend()->text().toStdString(), testing::HasSubstr("largest \u2013"));
+  EXPECT_THAT(strip.panels()[1]->legend()->text().toStdString(), testing::HasSubstr("#2 3 Servo \u2013"));
+  EXPECT_THAT(strip.panels()[2]->legend()->text().toStdString(),
+              testing::AllOf(testing::HasSubstr("raw \u2013"), testing::HasSubstr("filtered \u2013")));
+  EXPECT_THAT(strip.panels()[2]->readout().toStdString(), testing::HasSubstr("\u2013"));
+  strip.timeView()->zoom(0.1, kStart + 3100 * kMillisecond);
+  settle();
+  const auto outage = plot(1)->grid().column_of(kStart + 3 * kSecond);
+  for (const auto* item : {plot(1)->items().front(), plot(2)->items().back()}) {
+    for (const auto& point : item->points()) {
+      EXPECT_TRUE(std::isnan(point.y()) || point.x() <= outage + 1) << point.x();
+    }
+  }
+}
+
+TEST_F(LiveStripTest, LimitIsThatOfTheConfigurationThatRuns) {
+  run(runningNetwork({"1 Drive"}, kMillisecond, 10));
+  record->add(samples(0, 100));
+  show();
+  settle();
+  double limit = 0;
+  for (auto* item : plot(0)->itemList()) {
+    if (const auto* found = dynamic_cast<LimitBandItem*>(item)) limit = found->limit();
+  }
+  EXPECT_EQ(limit, 1023);
+}
+
 TEST_F(LiveStripTest, CursorsMeasure) {
   show();
-  strip.append(samples(0, 6000));
+  record->add(samples(0, 6000));
   settle();
   strip.cursors()->set(CursorSet::kA, kStart + 2400 * kMillisecond);
   strip.cursors()->set(CursorSet::kB, kStart + 2600 * kMillisecond);
@@ -218,7 +272,7 @@ TEST_F(LiveStripTest, CursorsMeasure) {
 
 TEST_F(LiveStripTest, LegendReadsTheValueUnderThePointer) {
   show();
-  strip.append(samples(0, 6000));
+  record->add(samples(0, 6000));
   settle();
   key(Qt::Key_Space);
   strip.cursors()->setPointer(kStart + 2500 * kMillisecond + 10);
@@ -228,19 +282,20 @@ TEST_F(LiveStripTest, LegendReadsTheValueUnderThePointer) {
 
 TEST_F(LiveStripTest, CsvHoldsTheShownRange) {
   show();
-  strip.append(samples(0, 6000));
+  record->add(samples(0, 6000));
   strip.timeView()->setSpan(kSecond);
   settle();
   const auto table = strip.csv();
   EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 1 + 1001);
-  EXPECT_THAT(table, testing::StartsWith("time_ns,time_utc,deviation_max_ns,dcm_error_ns,"));
+  EXPECT_THAT(table, testing::AllOf(testing::StartsWith("time_ns,time_utc,lateness_ns,"),
+                                    testing::HasSubstr(",dcm_error_ns,")));
   EXPECT_THAT(table, testing::HasSubstr("deviation_ns 3 Servo"));
   EXPECT_THAT(table, testing::HasSubstr("\n5999000000,"));
 }
 
 TEST_F(LiveStripTest, EveryControlHasNames) {
   show();
-  strip.append(samples(0, 100));
+  record->add(samples(0, 100));
   settle();
   for (const auto* button : strip.findChildren<QToolButton*>()) {
     EXPECT_FALSE(button->objectName().isEmpty());
@@ -254,12 +309,12 @@ TEST_F(LiveStripTest, EveryControlHasNames) {
 
 TEST_F(LiveStripTest, NewNetworkStartsEmpty) {
   show();
-  strip.append(samples(0, 1000));
+  record->add(samples(0, 1000));
   settle();
-  strip.setNetwork({QStringLiteral("1 Other")}, 250 * kMicrosecond, 0);
+  run(runningNetwork({"1 Other"}, 250 * kMicrosecond));
   settle();
   EXPECT_TRUE(strip.store()->empty());
-  strip.append(samples(0, 50));
+  record->add(samples(0, 50));
   settle();
   EXPECT_THAT(strip.panels()[0]->legend()->text().toStdString(), testing::HasSubstr("1 Other"));
   EXPECT_THAT(strip.panels()[0]->legend()->text().toStdString(), testing::Not(testing::HasSubstr("Servo")));
@@ -267,7 +322,7 @@ TEST_F(LiveStripTest, NewNetworkStartsEmpty) {
 
 TEST_F(LiveStripTest, PictureIsLightWhateverTheThemeIs) {
   show();
-  strip.append(samples(0, 1000));
+  record->add(samples(0, 1000));
   settle();
   const auto image = strip.picture(2);
   EXPECT_GT(image.width(), 2400);

@@ -21,15 +21,6 @@ constexpr int kTickMs = 33;
 constexpr unsigned kTextEvery = 6;         // ticks between updates of numbers: faster cannot be read
 constexpr unsigned kPointedTextEvery = 2;  // the same while a cursor moves
 constexpr unsigned kChooseEvery = 30;      // ticks between choices of the worst slaves
-/// The longest window on offer and something to scroll back to, within the memory that a plot may take.
-constexpr Nanoseconds kHistory = 620 * kSecond;
-constexpr std::size_t kMinCycles = 1U << 16, kMaxCycles = 1U << 21;
-
-std::size_t capacityFor(Nanoseconds cycle_time) {
-  const auto cycles = static_cast<std::size_t>(kHistory / std::max<Nanoseconds>(cycle_time, 1));
-  return std::clamp(cycles, kMinCycles, kMaxCycles);
-}
-
 }  // namespace
 
 LiveStrip::LiveStrip(QWidget* parent) : QWidget(parent), toolbar_(new LiveStripToolbar(&view_, &cursors_)) {
@@ -72,29 +63,15 @@ LiveStrip::LiveStrip(QWidget* parent) : QWidget(parent), toolbar_(new LiveStripT
   }
   connect(&tick_, &QTimer::timeout, this, &LiveStrip::tick);
   tick_.setInterval(kTickMs);
-  setNetwork({}, kMillisecond, 0);
+  setRecord(nullptr);
   applyTheme();
 }
 
 LiveStrip::~LiveStrip() = default;
 
-void LiveStrip::setNetwork(const std::vector<QString>& slaveNames, Nanoseconds cycleTime, std::uint32_t windowLimitNs) {
-  auto fresh = slaveNames.empty() ? nullptr : std::make_unique<SampleStore>(slaveNames.size(), capacityFor(cycleTime));
-  source_ = {fresh.get(), slaveNames, cycleTime, windowLimitNs};
-  for (auto* panel : panels_) panel->setSource(&source_);
-  store_ = std::move(fresh);
-  cursors_.clear();
-  view_.reset();
-  showState();
-}
-
-void LiveStrip::append(const std::vector<CycleSample>& samples) {
-  if (store_) store_->append(samples);
-}
-
-void LiveStrip::clear() {
-  if (store_) store_->clear();
-  for (auto* panel : panels_) panel->setSource(&source_);
+void LiveStrip::setRecord(const RunRecord* record) {
+  record_ = record;
+  for (auto* panel : panels_) panel->setSource(record_);
   cursors_.clear();
   view_.reset();
   showState();
@@ -111,7 +88,7 @@ void LiveStrip::refresh() {
 
 void LiveStrip::tick() {
   if (window()->isMinimized()) return;
-  if (store_ && !store_->empty()) view_.setBounds(store_->first_time(), store_->last_time());
+  if (hasSamples()) view_.setBounds(record_->samples().first_time(), record_->samples().last_time());
   if (ticks_ % kTextEvery == 0 || (text_wanted_ && ticks_ % kPointedTextEvery == 0)) {
     text_wanted_ = false;
     const bool moving = view_.mode() == TimeView::Mode::kLive;
@@ -123,7 +100,7 @@ void LiveStrip::tick() {
 }
 
 void LiveStrip::showState() {
-  const bool any = store_ && !store_->empty();
+  const bool any = hasSamples();
   stack_->setCurrentIndex(any ? 1 : 0);
   toolbar_->setEnabled(any);
   toolbar_->showState();

@@ -5,12 +5,9 @@
 #include <QTimer>
 #include <QWidget>
 #include <array>
-#include <cstdint>
-#include <memory>
-#include <vector>
+#include <string>
 
-#include "channels/cycle_sample.h"
-#include "channels/snapshot.h"
+#include "record/run_record.h"
 #include "ui/plots/trace_panel.h"
 
 class QStackedLayout;
@@ -19,8 +16,8 @@ namespace syncline::ui {
 
 class LiveStripToolbar;
 
-/// Three plots over one time axis: DC deviation, missed SM2 events, DCM error. Owns the history of the
-/// samples; takes them at any rate and draws on a tick of its own, only what can be seen.
+/// Three plots over one time axis: DC deviation, missed SM2 events, DCM error. Draws what a run's record holds on a
+/// tick of its own, only what can be seen; names and limits are those of the configuration that runs.
 class LiveStrip : public QWidget {
   Q_OBJECT
 
@@ -28,12 +25,8 @@ class LiveStrip : public QWidget {
   explicit LiveStrip(QWidget* parent = nullptr);
   ~LiveStrip() override;
 
-  /// Starts an empty history. `windowLimitNs`: sync-window limit, 0 = not monitored.
-  void setNetwork(const std::vector<QString>& slaveNames, Nanoseconds cycleTime, std::uint32_t windowLimitNs);
-  /// Cheap: stores only.
-  void append(const std::vector<CycleSample>& samples);
-  /// Forgets the samples, keeps the network.
-  void clear();
+  /// What is drawn; null: nothing. It must outlive the strip or be replaced.
+  void setRecord(const RunRecord* record);
   /// Colours from the palette that is set now; palette changes call it by themselves.
   void applyTheme();
   /// The slave that the deviation and SM2 plots draw in any case; -1 = only the worst.
@@ -43,7 +36,7 @@ class LiveStrip : public QWidget {
   void refresh();
   [[nodiscard]] TimeView* timeView() { return &view_; }
   [[nodiscard]] CursorSet* cursors() { return &cursors_; }
-  [[nodiscard]] const SampleStore* store() const { return store_.get(); }
+  [[nodiscard]] const SampleStore* store() const { return record_ == nullptr ? nullptr : &record_->samples(); }
   [[nodiscard]] const std::array<TracePanel*, 3>& panels() const { return panels_; }
   /// The stretch that is shown as a table: times in ns since the first sample and in UTC, one column a
   /// series; C locale.
@@ -60,6 +53,7 @@ class LiveStrip : public QWidget {
  private:
   void tick();
   void showState();
+  [[nodiscard]] bool hasSamples() const { return record_ != nullptr && !record_->samples().empty(); }
   void openMenu(const QPoint& global, Nanoseconds time);
   void exportCsv();
   void exportPicture();
@@ -68,8 +62,7 @@ class LiveStrip : public QWidget {
 
   TimeView view_;
   CursorSet cursors_;
-  TraceSource source_;
-  std::unique_ptr<SampleStore> store_;
+  const RunRecord* record_ = nullptr;
   LiveStripToolbar* toolbar_;
   QStackedLayout* stack_;
   QWidget* plots_;

@@ -35,18 +35,19 @@ void tellUnwritten(QWidget* parent, const Status& status) {
 
 std::string LiveStrip::csv() const {
   std::vector<CsvColumn> columns;
-  if (!store_) return series_csv(columns, 0, 0, 0);
-  using Series = SampleStore::Series;
-  columns = {{"deviation_max_ns", &store_->series(Series::kDeviation)},
-             {"dcm_error_ns", &store_->series(Series::kDcmError)},
-             {"dcm_error_filtered_ns", &store_->series(Series::kDcmErrorFiltered)},
-             {"drift_ppm", &store_->series(Series::kDrift)}};
-  const auto add = [&](const char* quantity, const MinMaxSeries& series, std::size_t slave) {
-    if (series.empty()) return;
-    columns.push_back({std::string(quantity) + " " + source_.slave_names[slave].toStdString(), &series});
-  };
-  for (std::size_t i = 0; i < store_->slave_count(); ++i) add("deviation_ns", store_->slave_deviation(i), i);
-  for (std::size_t i = 0; i < store_->slave_count(); ++i) add("sm2_missed", store_->slave_sm2_missed(i), i);
+  if (record_ == nullptr) return series_csv(columns, 0, 0, 0);
+  const auto& samples = record_->samples();
+  for (const auto& signal : signals()) {
+    if (signal.form == SignalInfo::Form::kCell) continue;
+    const bool of_slaves = signal.scope == SignalInfo::Scope::kSlave;
+    for (std::size_t slave = 0; slave < (of_slaves ? samples.slave_count() : 1); ++slave) {
+      const auto& series = samples.series(signal.id, slave);
+      if (series.empty()) continue;
+      auto name = std::string(signal.key);
+      if (of_slaves) name += " " + record_->slave_name(slave);
+      columns.push_back({std::move(name), &series});
+    }
+  }
   return series_csv(columns, view_.first(), view_.begin(), view_.end() + 1);
 }
 
@@ -66,7 +67,8 @@ QImage LiveStrip::picture(double scale) {
   painter.setFont(font());
   painter.drawText(QRect(kMargin, kMargin + size.height(), size.width(), kCaption), Qt::AlignVCenter,
                    tr("Syncline, %1, cycle %2")
-                       .arg(QDateTime::currentDateTimeUtc().toString(Qt::ISODate), cycleText(source_.cycle_time)));
+                       .arg(QDateTime::currentDateTimeUtc().toString(Qt::ISODate),
+                            cycleText(record_ == nullptr ? 0 : record_->limits().cycle_time)));
   painter.end();
   plots_->setPalette(shown);
   for (auto* panel : panels_) panel->applyTheme();

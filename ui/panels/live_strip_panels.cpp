@@ -15,16 +15,6 @@ namespace {
 
 constexpr std::size_t kDeviationsShown = 3;  // what fits the legend beside the estimate
 constexpr std::size_t kCountersShown = 4;
-using Series = SampleStore::Series;
-
-Nanoseconds cycleGap(const TraceSource& source) { return source.cycle_time * 5 / 2; }
-
-/// One slave is read a cycle, in turn.
-Nanoseconds slaveGap(const TraceSource& source) {
-  const auto slaves = static_cast<Nanoseconds>(std::max<std::size_t>(source.slave_names.size(), 1));
-  return 4 * slaves * source.cycle_time + 20 * kMillisecond;
-}
-
 Nanoseconds rounded(double value) { return static_cast<Nanoseconds>(std::llround(value)); }
 
 void colorSlots(const std::vector<SeriesItem*>& items, const SlaveSlots& slots_shown, const QPalette& palette) {
@@ -61,19 +51,17 @@ DeviationPanel::DeviationPanel(TimeView* view, CursorSet* cursors, QWidget* pare
 void DeviationPanel::attach() {
   slots_.clear();
   hideAll(slaves_);
-  largest_->setSeries(hasStore() ? &source().store->series(Series::kDeviation) : nullptr);
-  if (!hasStore()) return;
-  largest_->setMaxGap(cycleGap(source()));
-  for (auto* item : slaves_) item->setMaxGap(slaveGap(source()));
-  const auto limit = source().limit_ns;
+  largest_->setSeries(nullptr);
+  if (!hasSource()) return;
+  draw(*largest_, Signal::kDeviation);
+  const auto limit = source().limits().deviation_ns;
   plot()->setLimit(limit, limit > 0 ? tr("limit \u00B1%1").arg(timeText(limit)) : QString());
 }
 
 void DeviationPanel::choose() {
-  const auto& store = *source().store;
-  std::vector<double> scores(store.slave_count(), -1);
+  std::vector<double> scores(store().slave_count(), -1);
   for (std::size_t i = 0; i < scores.size(); ++i) {
-    const auto extent = store.slave_deviation(i).extent(view().begin(), view().end() + 1);
+    const auto extent = store().series(Signal::kSlaveDeviation, i).extent(view().begin(), view().end() + 1);
     if (extent)
       scores[i] = std::max(std::abs(static_cast<double>(extent->min)), std::abs(static_cast<double>(extent->max)));
   }
@@ -81,7 +69,7 @@ void DeviationPanel::choose() {
   hideAll(slaves_);
   for (std::size_t i = 0; i < slots_.slots().size(); ++i) {
     const int slave = slots_.slots()[i].slave;
-    slaves_[i]->setSeries(&store.slave_deviation(static_cast<std::size_t>(slave)));
+    draw(*slaves_[i], Signal::kSlaveDeviation, static_cast<std::size_t>(slave));
     slaves_[i]->setTitle(slaveName(slave));
     slaves_[i]->setVisible(true);
   }
@@ -96,7 +84,7 @@ void DeviationPanel::colorItems() {
 
 std::vector<LegendBar::Entry> DeviationPanel::entries(Nanoseconds time) const {
   std::vector<LegendBar::Entry> result{entry(*largest_, time)};
-  if (const auto reading = source().store->series(Series::kDeviation).at(time)) {
+  if (const auto reading = store().value(Signal::kDeviation, time)) {
     result.front().value = timeText(rounded(static_cast<double>(reading->value)));
   }
   for (std::size_t i = 0; i < slots_.slots().size(); ++i) {
@@ -106,7 +94,7 @@ std::vector<LegendBar::Entry> DeviationPanel::entries(Nanoseconds time) const {
 }
 
 QString DeviationPanel::summary(Nanoseconds) const {
-  const auto extent = source().store->series(Series::kDeviation).extent(view().begin(), view().end() + 1);
+  const auto extent = store().series(Signal::kDeviation).extent(view().begin(), view().end() + 1);
   if (!extent) return {};
   return tr("peak %1").arg(timeText(rounded(static_cast<double>(extent->max))));
 }
@@ -131,18 +119,17 @@ void Sm2Panel::attach() {
 }
 
 void Sm2Panel::choose() {
-  const auto& store = *source().store;
-  std::vector<double> scores(store.slave_count(), -1);
+  std::vector<double> scores(store().slave_count(), -1);
   for (std::size_t i = 0; i < scores.size(); ++i) {
-    const auto& series = store.slave_sm2_missed(i);
-    if (!series.empty())
-      scores[i] = rate(series, view().end()) * 1e9 + static_cast<double>(series.at(view().last())->value);
+    const auto& series = store().series(Signal::kSm2Missed, i);
+    if (const auto last = series.at(view().last()))
+      scores[i] = rate(series, view().end()) * 1e9 + static_cast<double>(last->value);
   }
   if (!slots_.update(scores, pickedSlave())) return;
   hideAll(slaves_);
   for (std::size_t i = 0; i < slots_.slots().size(); ++i) {
     const int slave = slots_.slots()[i].slave;
-    slaves_[i]->setSeries(&store.slave_sm2_missed(static_cast<std::size_t>(slave)));
+    draw(*slaves_[i], Signal::kSm2Missed, static_cast<std::size_t>(slave));
     slaves_[i]->setTitle(slaveName(slave));
     slaves_[i]->setVisible(true);
   }
@@ -209,11 +196,11 @@ DcmPanel::DcmPanel(TimeView* view, CursorSet* cursors, QWidget* parent)
 }
 
 void DcmPanel::attach() {
-  raw_->setSeries(hasStore() ? &source().store->series(Series::kDcmError) : nullptr);
-  filtered_->setSeries(hasStore() ? &source().store->series(Series::kDcmErrorFiltered) : nullptr);
-  if (!hasStore()) return;
-  raw_->setMaxGap(cycleGap(source()));
-  filtered_->setMaxGap(cycleGap(source()));
+  raw_->setSeries(nullptr);
+  filtered_->setSeries(nullptr);
+  if (!hasSource()) return;
+  draw(*raw_, Signal::kDcmError);
+  draw(*filtered_, Signal::kDcmErrorFiltered);
 }
 
 void DcmPanel::colorItems() {
@@ -226,8 +213,9 @@ std::vector<LegendBar::Entry> DcmPanel::entries(Nanoseconds time) const {
 }
 
 QString DcmPanel::summary(Nanoseconds time) const {
-  const auto drift = source().store->series(Series::kDrift).at(time);
-  return drift ? tr("drift %1").arg(ppmText(static_cast<double>(drift->value))) : tr("DCM is off");
+  if (source().limits().dcm_error_ns == 0) return tr("DCM is off");
+  const auto drift = store().value(Signal::kDrift, time);
+  return tr("drift %1").arg(drift ? ppmText(static_cast<double>(drift->value)) : QStringLiteral("\u2013"));
 }
 
 QString DcmPanel::valueText(double value) const { return signedTimeText(rounded(value)); }

@@ -49,9 +49,18 @@ SeriesItem::SeriesItem(const QString& title) : QwtPlotItem(title) { setZ(20); }
 
 void SeriesItem::setSeries(const MinMaxSeries* series) {
   series_ = series;
+  held_ = nullptr;
   columns_.clear();
   points_.clear();
   extent_.reset();
+}
+
+std::optional<MinMaxSeries::Reading> SeriesItem::valueAt(Nanoseconds time) const {
+  if (series_ == nullptr) return std::nullopt;
+  if (shape_ == Shape::kStep) return series_->held_at(time);
+  auto reading = series_->at(time);
+  if (reading && time - reading->time > max_gap_) reading.reset();
+  return reading;
 }
 
 void SeriesItem::prepare(const ColumnGrid& grid) {
@@ -60,6 +69,7 @@ void SeriesItem::prepare(const ColumnGrid& grid) {
   points_.clear();
   extent_.reset();
   if (series_ == nullptr || series_->empty()) return;
+  if (held_ != nullptr) hold_until_ = held_->heard();
   extent_ = series_->extent(grid.origin, grid.end());
   const auto count = series_->count(grid.origin, grid.end());
   if (shape_ != Shape::kStep && count > kDense * static_cast<std::size_t>(grid.columns)) {
@@ -75,6 +85,8 @@ void SeriesItem::preparePoints() {
   const bool step = shape_ == Shape::kStep;
   const auto add = [&](Nanoseconds time, float value) {
     if (std::isnan(value)) {
+      // What held until here ends here.
+      if (step && joined) points_.emplace_back(grid_.column_of(time), points_.back().y());
       joined = false;
       return;
     }
@@ -87,7 +99,7 @@ void SeriesItem::preparePoints() {
     joined = true;
   };
   // The line comes in from the left and leaves to the right.
-  if (const auto left = series_->at(grid_.origin - 1)) {
+  if (const auto left = step ? series_->held_at(grid_.origin - 1) : series_->at(grid_.origin - 1)) {
     if (step || grid_.origin - left->time < max_gap_) add(left->time, left->value);
     if (step && !extent_) extent_ = MinMaxSeries::Extent{left->value, left->value};
     if (step) extent_ = MinMaxSeries::Extent{std::min(extent_->min, left->value), std::max(extent_->max, left->value)};

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "trace/held_series.h"
 #include "trace/min_max_series.h"
 
 namespace syncline::ui {
@@ -48,6 +49,10 @@ class SeriesItem final : public QwtPlotItem {
   [[nodiscard]] const MinMaxSeries* series() const { return series_; }
   /// Neighbouring samples further apart than this are not joined (steps always are).
   void setMaxGap(Nanoseconds gap) { max_gap_ = gap; }
+  /// Steps hold their last value as long as this has heard of it; null: until setHoldUntil().
+  void setHeldBy(const HeldSeries* held) { held_ = held; }
+  /// What is shown as the value at `time`: the reading before it, as long as it is not too old for that.
+  [[nodiscard]] std::optional<MinMaxSeries::Reading> valueAt(Nanoseconds time) const;
   /// Steps hold their last value until here.
   void setHoldUntil(Nanoseconds time) { hold_until_ = time; }
 
@@ -69,6 +74,7 @@ class SeriesItem final : public QwtPlotItem {
   void drawPoints(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y, const QRectF& canvas) const;
 
   const MinMaxSeries* series_ = nullptr;
+  const HeldSeries* held_ = nullptr;
   Shape shape_ = Shape::kLine;
   QColor color_ = Qt::black;
   Nanoseconds max_gap_ = 100 * kMillisecond;

@@ -47,7 +47,7 @@ TracePanel::TracePanel(const QString& title, const TracePlot::Options& options, 
   readout_->setAccessibleName(tr("Figures: %1").arg(title));
 }
 
-void TracePanel::setSource(const TraceSource* source) {
+void TracePanel::setSource(const RunRecord* source) {
   source_ = source;
   attach();
   colorItems();
@@ -64,7 +64,7 @@ QString TracePanel::readout() const { return readout_->text(); }
 QString TracePanel::title() const { return heading_->text(); }
 
 void TracePanel::refreshText(bool choose_now) {
-  if (!hasStore() || source_->store->empty()) {
+  if (!hasSource() || store().empty()) {
     legend_->setEntries({});
     readout_->clear();
     return;
@@ -98,8 +98,8 @@ QString TracePanel::measure(const SeriesItem& item, Nanoseconds begin) const {
   item.series()->for_each(begin, begin + std::llabs(cursors_->delta()) + 1, [&](Nanoseconds, float value) {
     if (!std::isnan(value)) statistics.add(static_cast<double>(value));
   });
-  const auto a = item.series()->at(*cursors_->at(CursorSet::kA));
-  const auto b = item.series()->at(*cursors_->at(CursorSet::kB));
+  const auto a = item.valueAt(*cursors_->at(CursorSet::kA));
+  const auto b = item.valueAt(*cursors_->at(CursorSet::kB));
   if (!a || !b) return tr("no samples at A or B");
   const auto text = tr("B−A %1").arg(valueText(static_cast<double>(b->value) - static_cast<double>(a->value)));
   if (statistics.count() == 0) return text;
@@ -110,7 +110,7 @@ QString TracePanel::measure(const SeriesItem& item, Nanoseconds begin) const {
 LegendBar::Entry TracePanel::entry(const SeriesItem& item, Nanoseconds time) const {
   LegendBar::Entry entry{item.title().text(), {}, QStringLiteral("\u2013"), item.color(), item.shape()};
   if (item.series() == nullptr) return entry;
-  if (const auto reading = item.series()->at(time)) entry.value = valueText(static_cast<double>(reading->value));
+  if (const auto reading = item.valueAt(time)) entry.value = valueText(static_cast<double>(reading->value));
   return entry;
 }
 
@@ -122,8 +122,13 @@ LegendBar::Entry TracePanel::slaveEntry(const SeriesItem& item, int position, Na
 }
 
 QString TracePanel::slaveName(int position) const {
-  const auto index = static_cast<std::size_t>(position);
-  return index < source_->slave_names.size() ? source_->slave_names[index] : QString::number(position);
+  return QString::fromStdString(source_->slave_name(static_cast<std::size_t>(position)));
+}
+
+void TracePanel::draw(SeriesItem& item, Signal signal, std::size_t slave) const {
+  item.setSeries(&store().series(signal, slave));
+  item.setHeldBy(store().held(signal, slave));
+  item.setMaxGap(store().longest_gap(signal));
 }
 
 void TracePanel::applyTheme() {

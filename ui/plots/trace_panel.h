@@ -4,21 +4,13 @@
 #include <QWidget>
 #include <vector>
 
-#include "trace/sample_store.h"
+#include "record/run_record.h"
 #include "ui/plots/legend_bar.h"
 #include "ui/plots/trace_plot.h"
 
 class QLabel;
 
 namespace syncline::ui {
-
-/// What the panels draw and how it is called.
-struct TraceSource {
-  const SampleStore* store = nullptr;
-  std::vector<QString> slave_names;
-  Nanoseconds cycle_time = kMillisecond;
-  std::uint32_t limit_ns = 0;  // 0 = not monitored
-};
 
 /// A plot with its heading, legend and read-out. Subclasses say which series it shows.
 class TracePanel : public QWidget {
@@ -29,7 +21,7 @@ class TracePanel : public QWidget {
              QWidget* parent = nullptr);
 
   /// The source must outlive the panel or be replaced.
-  void setSource(const TraceSource* source);
+  void setSource(const RunRecord* source);
   /// The slave that is drawn whatever its values are; -1 = none.
   void setPickedSlave(int position);
   /// Chooses what to draw and writes the numbers; a few times a second.
@@ -42,7 +34,7 @@ class TracePanel : public QWidget {
   [[nodiscard]] QString title() const;
 
  protected:
-  /// The source is new: tell the items their series.
+  /// The source is new, or gone: tell the items their series.
   virtual void attach() = 0;
   /// Picks slaves anew; nothing to do by default.
   virtual void choose() {}
@@ -55,8 +47,11 @@ class TracePanel : public QWidget {
   [[nodiscard]] virtual const SeriesItem* primary() const = 0;
   [[nodiscard]] virtual QString valueText(double value) const = 0;
 
-  [[nodiscard]] const TraceSource& source() const { return *source_; }
-  [[nodiscard]] bool hasStore() const { return source_ != nullptr && source_->store != nullptr; }
+  [[nodiscard]] bool hasSource() const { return source_ != nullptr; }
+  [[nodiscard]] const RunRecord& source() const { return *source_; }
+  [[nodiscard]] const SampleStore& store() const { return source_->samples(); }
+  /// The item draws the signal, of the bus or of one slave.
+  void draw(SeriesItem& item, Signal signal, std::size_t slave = 0) const;
   [[nodiscard]] int pickedSlave() const { return picked_; }
   [[nodiscard]] const TimeView& view() const { return *view_; }
   [[nodiscard]] LegendBar::Entry entry(const SeriesItem& item, Nanoseconds time) const;
@@ -79,7 +74,7 @@ class TracePanel : public QWidget {
   QLabel *heading_, *readout_;
   LegendBar* legend_;
   TracePlot* plot_;
-  const TraceSource* source_ = nullptr;
+  const RunRecord* source_ = nullptr;
   int picked_ = -1;
   Measured measured_;
   QString measured_text_;

@@ -29,9 +29,10 @@ Status LiveSession::goOnline(const QString& link, NetworkConfig config) {
   if (!master) return tl::unexpected(master.error());
   master_ = std::move(*master);
   link_ = link;
-  config_ = std::move(config);
+  const auto before = std::exchange(record_, std::make_unique<RunRecord>(std::move(config)));
+  Q_EMIT recordChanged();
   snapshot_ = Snapshot{};
-  send(GoOnlineCommand{config_, AlState::kOp});
+  send(GoOnlineCommand{record_->config(), AlState::kOp});
   setPhase(Phase::kStarting);
   if (!master_->is_virtual() || auto_advance_) master_->start();
   tick_.start();
@@ -94,6 +95,8 @@ void LiveSession::drain() {
   samples_.clear();
   channels.samples.pop(samples_);
   const bool fresh = channels.snapshot.read(snapshot_);
+  record_->add(samples_);
+  if (fresh) record_->add(snapshot_);
   if (!samples_.empty()) Q_EMIT samplesArrived(samples_);
   if (fresh) Q_EMIT snapshotChanged();
   for (const auto& event : events) {
@@ -103,6 +106,7 @@ void LiveSession::drain() {
 }
 
 void LiveSession::handle(const Event& event) {
+  record_->add(event);
   Q_EMIT eventArrived(event);
   if (event.is<events::Online>() && phase_ == Phase::kStarting) setPhase(Phase::kOnline);
   if (event.is<events::Offline>()) close();

@@ -13,14 +13,15 @@
 #include "channels/event.h"
 #include "channels/snapshot.h"
 #include "config/network_config.h"
+#include "record/run_record.h"
 #include "support/result.h"
 #include "ui/session/bus_connection.h"
 
 namespace syncline::ui {
 
 /// The running master as the window sees it: commands go in, and on one tick the channels are
-/// drained into signals. A thread of the master's runs the cycles; on a virtual clock a test may, too, by
-/// advance().
+/// drained into the run's record and into signals. A thread of the master's runs the cycles; on a virtual clock a test
+/// may, too, by advance().
 class LiveSession final : public QObject {
   Q_OBJECT
 
@@ -47,12 +48,14 @@ class LiveSession final : public QObject {
   [[nodiscard]] bool isVirtual() const;
   [[nodiscard]] const QString& link() const { return link_; }
   [[nodiscard]] const Snapshot& snapshot() const { return snapshot_; }
-  /// What runs; empty when offline.
-  [[nodiscard]] const NetworkConfig& config() const { return config_; }
+  /// The run that goes on, or was the last one; null before the first.
+  [[nodiscard]] const RunRecord* record() const { return record_.get(); }
   [[nodiscard]] std::uint64_t droppedSamples() const;
 
  Q_SIGNALS:
   void phaseChanged();
+  /// Another run has begun: the record before is gone when this returns.
+  void recordChanged();
   void snapshotChanged();
   void samplesArrived(const std::vector<syncline::CycleSample>& samples);
   void eventArrived(const syncline::Event& event);
@@ -71,7 +74,7 @@ class LiveSession final : public QObject {
   Phase phase_ = Phase::kOffline;
   bool auto_advance_ = true;
   QString link_;
-  NetworkConfig config_;
+  std::unique_ptr<RunRecord> record_;
   Snapshot snapshot_;
   std::vector<CycleSample> samples_;
   std::unique_ptr<BackgroundMaster> master_;  // none: offline

@@ -3,11 +3,9 @@
 
 #include <QObject>
 #include <QTimer>
-#include <optional>
 #include <vector>
 
-#include "diagnosis/run_diagnosis.h"
-#include "trace/run_report.h"
+#include "findings/finding.h"
 
 namespace syncline::ui {
 
@@ -29,12 +27,8 @@ class RunFindings final : public QObject {
   void findingsChanged();
 
  private:
-  void begin();
-
   LiveSession& live_;
   QTimer timer_;
-  std::optional<RunRecorder> recorder_;
-  Snapshot last_;  // the window forgets it when it goes offline
   bool news_ = false;
   std::vector<RunFinding> findings_;
 };

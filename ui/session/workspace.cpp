@@ -27,7 +27,7 @@ Workspace::Workspace(Environment environment, QObject* parent)
   });
   connect(&live_, &LiveSession::snapshotChanged, this, [this] { network_.setSnapshot(live_.snapshot()); });
   connect(&live_, &LiveSession::eventArrived, this, [this](const Event& event) {
-    if (auto message = messageOf(event, document_.project())) messages_.append(std::move(*message));
+    if (auto message = messageOf(event, live_.record()->config())) messages_.append(std::move(*message));
   });
   connect(&run_findings_, &RunFindings::findingsChanged, this,
           [this] { findings_.setFindings(run_findings_.findings()); });

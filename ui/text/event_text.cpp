@@ -298,14 +298,22 @@ QDateTime dateTimeOf(Nanoseconds dc_time) {
   return QDateTime::fromMSecsSinceEpoch(kDcEpochUnixSeconds * 1000 + dc_time / kMillisecond);
 }
 
-std::optional<Message> messageOf(const Event& event, const Project& project) {
+namespace {
+
+template <class Network>
+std::optional<Message> messageIn(const Event& event, const Network& network) {
   auto message = std::visit(EventWords(event.slave), event.what);
   if (!message) return std::nullopt;
   message->time = dateTimeOf(event.time);
   message->slave = event.slave;
-  message->source = nodeName(project, event.slave);
+  message->source = nodeName(network, event.slave);
   return message;
 }
+
+}  // namespace
+
+std::optional<Message> messageOf(const Event& event, const Project& project) { return messageIn(event, project); }
+std::optional<Message> messageOf(const Event& event, const NetworkConfig& running) { return messageIn(event, running); }
 
 Message messageOf(const Finding& finding, const Project& project) {
   return {{},

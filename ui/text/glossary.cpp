@@ -87,10 +87,18 @@ QString dcmModeText(DcmMode mode) {
   return {};
 }
 
-QString nodeName(const Project& project, int slave) {
-  if (slave < 0) return QString::fromStdString(project.master.name);
-  if (static_cast<std::size_t>(slave) >= project.slaves.size()) return slaveWord() + u' ' + QString::number(slave);
-  return QString::fromStdString(project.slaves[static_cast<std::size_t>(slave)].name);
+namespace {
+
+template <class Network>
+QString nameIn(const Network& network, int slave) {
+  if (slave < 0) return QString::fromStdString(network.master.name);
+  if (static_cast<std::size_t>(slave) >= network.slaves.size()) return slaveWord() + u' ' + QString::number(slave);
+  return QString::fromStdString(network.slaves[static_cast<std::size_t>(slave)].name);
 }
+
+}  // namespace
+
+QString nodeName(const Project& project, int slave) { return nameIn(project, slave); }
+QString nodeName(const NetworkConfig& running, int slave) { return nameIn(running, slave); }
 
 }  // namespace syncline::ui

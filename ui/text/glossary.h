@@ -4,6 +4,7 @@
 #include <QString>
 
 #include "channels/snapshot.h"
+#include "config/network_config.h"
 #include "config/project.h"
 #include "protocol/al_state.h"
 
@@ -23,5 +24,6 @@ namespace syncline::ui {
 [[nodiscard]] QString dcmModeText(DcmMode mode);  // "Bus shift"
 /// "Slave 3 (EL2002)" or the master's name.
 [[nodiscard]] QString nodeName(const Project& project, int slave);
+[[nodiscard]] QString nodeName(const NetworkConfig& running, int slave);
 
 }  // namespace syncline::ui

@@ -156,8 +156,7 @@ void SlavesSync::report(Nanoseconds time, CycleSample& sample) {
   dc.newest_age_ns = evidence.newest > 0 ? time - evidence.newest : -1;
   dc.oldest_age_ns = evidence.followers > 0 ? time - evidence.oldest : -1;
   if (const auto settled = verdict_.settled_after()) dc.settled_after_ms = milliseconds(*settled);
-  if (dc.state != SyncState::kNotMonitored) sample.flags |= CycleSample::kDcMonitored;
-  if (dc.state == SyncState::kInSync) sample.flags |= CycleSample::kDcInSync;
+  sample.slaves_sync = dc.state;
   const auto position = static_cast<std::size_t>(sample.slave_position);
   if (sample.slave_position >= 0 && readings_[position].follows) sample.flags |= CycleSample::kSlaveFollows;
 }

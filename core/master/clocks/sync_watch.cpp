@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "channels/sync_standing.h"
 #include "compile/dcm_check.h"
 #include "dc/plans.h"
 #include "settings/dc_check.h"
@@ -107,8 +108,7 @@ void SyncWatch::start(const DcNetwork& network, Nanoseconds first_cycle) {
 }
 
 bool SyncWatch::slaves_in_sync() const {
-  const auto state = run_.snapshot.dc.state;
-  return !run_.snapshot.dc.monitored || state == SyncState::kNotMonitored || state == SyncState::kInSync;
+  return !run_.snapshot.dc.monitored || syncline::slaves_in_sync(run_.snapshot.dc).value_or(true);
 }
 
 bool SyncWatch::schedule_in_sync() const {
@@ -143,7 +143,7 @@ Nanoseconds SyncWatch::observe_cycle(const dc::DcmObservation& observation, Cycl
   sample.dcm_output_total_ns = state.output_total;
   sample.dcm_error_code = state.error_code;
   if (dcm.mode != DcmMode::kOff) sample.flags |= CycleSample::kDcmActive;
-  if (dcm.state == SyncState::kInSync) sample.flags |= CycleSample::kDcmInSync;
+  sample.master_sync = dcm.state;
   return period_adjust(action.period_adjust);
 }
 

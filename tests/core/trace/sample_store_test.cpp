@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
+#include <utility>
 
 namespace syncline {
 namespace {
@@ -15,6 +17,26 @@ CycleSample stored(std::uint64_t cycle) {
   s.flags = CycleSample::kFollowersRead | CycleSample::kDcmActive | CycleSample::kReferenceValid;
   s.deviation_ns = 12;
   s.dcm_error_ns = -34;
+  s.dcm_error_filtered_ns = -30;
+  return s;
+}
+
+CycleSample stored_lost(std::uint64_t cycle) {
+  auto s = stored(cycle);
+  s.flags = CycleSample::kFrameLost | CycleSample::kDcmActive;
+  return s;
+}
+
+Snapshot stored_snapshot(Nanoseconds time, std::uint32_t missed) {
+  Snapshot s;
+  s.time = time;
+  s.online = true;
+  s.slaves.resize(2);
+  for (auto& slave : s.slaves) slave.present = true;
+  s.slaves[1].sm2_missed.known = true;
+  s.slaves[1].sm2_missed.missed = missed;
+  s.slaves[1].evidence.ports[2].lost_links = 3;
+  s.slaves[1].evidence.ports_time = kMillisecond;
   return s;
 }
 
@@ -25,31 +47,52 @@ std::vector<float> values(const MinMaxSeries& series) {
 }
 
 TEST(SampleStore, LostFramesAndInvalidValuesAreGaps) {
-  SampleStore store(2);
-  auto lost = stored(2);
-  lost.flags |= CycleSample::kFrameLost;
+  SampleStore store({.slaves = 2});
   auto unmonitored = stored(3);
   unmonitored.flags = 0;
-  store.append(std::vector<CycleSample>{stored(1), lost, unmonitored});
-  const auto ored = values(store.series(SampleStore::Series::kDeviation));
-  ASSERT_EQ(ored.size(), 3U);
-  EXPECT_EQ(ored[0], 12);
-  EXPECT_TRUE(std::isnan(ored[1]));
-  EXPECT_TRUE(std::isnan(ored[2]));
-  EXPECT_TRUE(std::isnan(values(store.series(SampleStore::Series::kDcmError))[2]));
+  store.append(std::vector<CycleSample>{stored(1), stored_lost(2), unmonitored});
+  const auto largest = values(store.series(Signal::kDeviation));
+  ASSERT_EQ(largest.size(), 3U);
+  EXPECT_EQ(largest[0], 12);
+  EXPECT_TRUE(std::isnan(largest[1]));
+  EXPECT_TRUE(std::isnan(largest[2]));
+  EXPECT_TRUE(std::isnan(values(store.series(Signal::kDcmError))[2]));
+}
+
+/// The controller goes on through an outage with what it learned; that is no reading.
+TEST(SampleStore, NothingOfTheControllerIsDrawnThroughAnOutage) {
+  SampleStore store({.slaves = 2});
+  store.append(std::vector<CycleSample>{stored(1), stored_lost(2), stored_lost(3), stored(4)});
+  for (const auto signal : {Signal::kDcmError, Signal::kDcmErrorFiltered, Signal::kFrameError, Signal::kDrift}) {
+    const auto drawn = values(store.series(signal));
+    ASSERT_EQ(drawn.size(), 4U);
+    EXPECT_FALSE(std::isnan(drawn[0])) << info(signal).key;
+    EXPECT_TRUE(std::isnan(drawn[1])) << info(signal).key;
+    EXPECT_TRUE(std::isnan(drawn[2])) << info(signal).key;
+    EXPECT_FALSE(std::isnan(drawn[3])) << info(signal).key;
+  }
+}
+
+TEST(SampleStore, APresentValueIsNoOlderThanItsGap) {
+  SampleStore store({.slaves = 2});
+  std::vector<CycleSample> samples{stored(1)};
+  for (std::uint64_t cycle = 2; cycle < 20; ++cycle) samples.push_back(stored_lost(cycle));
+  store.append(samples);
+  EXPECT_TRUE(store.value(Signal::kDcmError, 2 * kMillisecond));
+  EXPECT_FALSE(store.value(Signal::kDcmError, 19 * kMillisecond)) << "read 18 ms before";
 }
 
 TEST(SampleStore, MissingCyclesLeaveAGap) {
-  SampleStore store(0);
+  SampleStore store({});
   store.append(std::vector<CycleSample>{stored(1), stored(5)});
   EXPECT_EQ(store.missing_cycles(), 3U);
-  const auto ored = values(store.series(SampleStore::Series::kDeviation));
-  ASSERT_EQ(ored.size(), 3U);
-  EXPECT_TRUE(std::isnan(ored[1]));
+  const auto largest = values(store.series(Signal::kDeviation));
+  ASSERT_EQ(largest.size(), 3U);
+  EXPECT_TRUE(std::isnan(largest[1]));
 }
 
 TEST(SampleStore, SlaveReadingsGoToTheirSlave) {
-  SampleStore store(3);
+  SampleStore store({.slaves = 3});
   auto s = stored(1);
   s.flags |= CycleSample::kSlaveFollows;
   s.slave_position = 2;
@@ -63,9 +106,64 @@ TEST(SampleStore, SlaveReadingsGoToTheirSlave) {
   leader.slave_position = 0;  // follows nobody: what it shows is no deviation
   leader.slave_deviation_ns = 30'000;
   store.append(std::vector<CycleSample>{s, foreign, leader});
-  EXPECT_EQ(store.slave_deviation(2).at(INT64_MAX - 1)->value, -7);
-  EXPECT_TRUE(store.slave_deviation(0).empty());
-  EXPECT_EQ(store.slave_sm2_missed(1).at(INT64_MAX - 1)->value, 4);
+  EXPECT_EQ(store.value(Signal::kSlaveDeviation, 2, 3 * kMillisecond)->value, -7);
+  EXPECT_TRUE(store.series(Signal::kSlaveDeviation, 0).empty());
+  EXPECT_EQ(store.value(Signal::kSm2Missed, 1, 3 * kMillisecond)->value, 4);
+}
+
+TEST(SampleStore, CountsHoldFromReadingToReadingAndNotThroughAnOutage) {
+  SampleStore store({.slaves = 2});
+  store.append(std::vector<CycleSample>{stored(1)});
+  store.append(stored_snapshot(1 * kMillisecond, 7));
+  EXPECT_EQ(store.value(Signal::kSm2Missed, 1, kMillisecond)->value, 7);
+  EXPECT_EQ(store.value(port_signal(2, PortSignal::kLostLinks), 1, kMillisecond)->value, 3);
+  std::vector<CycleSample> outage;
+  for (std::uint64_t cycle = 2; cycle < 40; ++cycle) outage.push_back(stored_lost(cycle));
+  store.append(outage);
+  EXPECT_EQ(store.heard(Signal::kSm2Missed, 1), 2 * kMillisecond) << "the gap begins with the first lost frame";
+  EXPECT_FALSE(store.value(Signal::kSm2Missed, 1, 39 * kMillisecond));
+  store.append(stored_snapshot(39 * kMillisecond, 8));
+  EXPECT_FALSE(store.value(Signal::kSm2Missed, 1, 39 * kMillisecond)) << "nobody answers";
+  store.append(std::vector<CycleSample>{stored(40)});
+  store.append(stored_snapshot(40 * kMillisecond, 9));
+  EXPECT_EQ(store.value(Signal::kSm2Missed, 1, 40 * kMillisecond)->value, 9);
+}
+
+TEST(SampleStore, AnAbsentSlaveHasNoValues) {
+  SampleStore store({.slaves = 2});
+  store.append(std::vector<CycleSample>{stored(1)});
+  store.append(stored_snapshot(kMillisecond, 7));
+  auto gone = stored_snapshot(500 * kMillisecond, 7);
+  gone.slaves[1].present = false;
+  gone.slaves[1].absent_since = 400 * kMillisecond;
+  store.append(gone);
+  EXPECT_FALSE(store.value(Signal::kSm2Missed, 1, 500 * kMillisecond));
+  EXPECT_EQ(store.value(Signal::kSm2Missed, 1, 300 * kMillisecond)->value, 7);
+}
+
+TEST(SampleStore, AValueThatIsNoLongerReadEnds) {
+  SampleStore store({.slaves = 2});
+  auto s = stored(1);
+  s.sm2_position = 1;
+  s.slave_sm2_missed = 4;
+  store.append(std::vector<CycleSample>{s});
+  for (std::uint64_t cycle = 2; cycle < 7'000; ++cycle) store.append(std::vector<CycleSample>{stored(cycle)});
+  EXPECT_FALSE(store.value(Signal::kSm2Missed, 1, 6'999 * kMillisecond));
+  EXPECT_EQ(store.value(Signal::kSm2Missed, 1, kMillisecond)->value, 4);
+}
+
+TEST(Signals, EachHasItsPlaceItsKeyAndOneSource) {
+  std::set<std::pair<std::string_view, bool>> keys;
+  for (std::size_t i = 0; i < kSignalCount; ++i) {
+    const auto& signal = signals()[i];
+    EXPECT_EQ(static_cast<std::size_t>(signal.id), i) << signal.key;
+    EXPECT_FALSE(signal.name.empty()) << i;
+    EXPECT_FALSE(signal.source.empty()) << signal.key;
+    EXPECT_TRUE(keys.insert({signal.key, signal.scope == SignalInfo::Scope::kSlave}).second) << signal.key;
+    const int sources = (signal.of_cycle != nullptr) + (signal.of_bus != nullptr) + (signal.of_slave != nullptr);
+    EXPECT_EQ(sources, signal.id == Signal::kSlaveDeviation ? 0 : 1) << signal.key;
+    EXPECT_EQ(find_signal(signal.key, signal.scope), &signal);
+  }
 }
 
 }  // namespace

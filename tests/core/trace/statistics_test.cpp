@@ -18,7 +18,7 @@ namespace {
 TEST(SampleCsv, HasAsManyFieldsAsTheHeaderAndNoDecimalComma) {
   const auto* previous = std::setlocale(LC_ALL, "de_DE.UTF-8");
   CycleSample s;
-  s.flags = CycleSample::kDcmActive;
+  s.flags = CycleSample::kDcmActive | CycleSample::kReferenceValid;
   s.drift_ppm = 1.5F;
   std::string text;
   append_sample_csv(text, std::vector<CycleSample>{s});

@@ -7,8 +7,8 @@
 #include <chrono>
 
 #include "eni/catalogue/esi_folder.h"
-#include "eni/catalogue/sqlite_database.h"
 #include "protocol/error_text.h"
+#include "sqlite/sqlite_database.h"
 
 namespace syncline::eni {
 namespace {

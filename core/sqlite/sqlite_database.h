@@ -15,7 +15,7 @@ struct sqlite3;
 struct sqlite3_stmt;
 
 /// SQLite without its C interface: values that close themselves, kCatalogue with SQLite's code and words.
-namespace syncline::eni {
+namespace syncline {
 
 /// A prepared statement. Parameters and columns count from 0. Texts of a row live until the next step().
 class SqlStatement {
@@ -23,6 +23,10 @@ class SqlStatement {
   explicit SqlStatement(sqlite3_stmt* statement) : statement_(statement) {}
   SqlStatement& bind(int parameter, std::int64_t value);
   SqlStatement& bind(int parameter, std::string_view text);
+  SqlStatement& bind_real(int parameter, double value);
+  /// Bytes that outlive the next step().
+  SqlStatement& bind_blob(int parameter, std::string_view bytes);
+  SqlStatement& bind_null(int parameter);
   /// True: there is a row to read. False: done.
   [[nodiscard]] Result<bool> step();
   /// For statements that give no rows: runs it and makes it ready for the next use.
@@ -47,6 +51,10 @@ class SqlStatement {
   }
   [[nodiscard]] std::int64_t integer(int column) const;
   [[nodiscard]] std::string_view text(int column) const;
+  [[nodiscard]] double real(int column) const;
+  /// Bytes of a BLOB or a text, whichever it is.
+  [[nodiscard]] std::string_view blob(int column) const;
+  [[nodiscard]] bool is_null(int column) const;
   void reset();
 
  private:
@@ -58,6 +66,8 @@ class SqlDatabase {
  public:
   /// "" is a database in memory that ends with this object.
   [[nodiscard]] static Result<SqlDatabase> open(const std::string& path);
+  /// One that exists, to be looked at: what a killed program left in its log is read too.
+  [[nodiscard]] static Result<SqlDatabase> open_to_read(const std::string& path);
 
   [[nodiscard]] const std::string& path() const { return path_; }
   /// Statements without parameters and rows, several separated by ";".
@@ -67,6 +77,7 @@ class SqlDatabase {
   [[nodiscard]] std::int64_t last_row() const;
 
  private:
+  static Result<SqlDatabase> open_with(const std::string& path, int flags);
   struct Close {
     void operator()(sqlite3* database) const;
   };
@@ -97,4 +108,4 @@ class SqlTransaction {
   SqlDatabase* database_;
 };
 
-}  // namespace syncline::eni
+}  // namespace syncline

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "eni/catalogue/sqlite_database.h"
+#include "sqlite/sqlite_database.h"
 
 #include <sqlite3.h>
 
@@ -7,7 +7,7 @@
 #include <iterator>
 #include <utility>
 
-namespace syncline::eni {
+namespace syncline {
 namespace {
 
 constexpr int kBusyTimeoutMs = 10'000;  // another program may be indexing the same folders
@@ -36,6 +36,21 @@ SqlStatement& SqlStatement::bind(int parameter, std::string_view text) {
   return *this;
 }
 
+SqlStatement& SqlStatement::bind_real(int parameter, double value) {
+  sqlite3_bind_double(statement_, parameter + 1, value);
+  return *this;
+}
+
+SqlStatement& SqlStatement::bind_blob(int parameter, std::string_view bytes) {
+  sqlite3_bind_blob64(statement_, parameter + 1, bytes.empty() ? "" : bytes.data(), bytes.size(), nullptr);
+  return *this;
+}
+
+SqlStatement& SqlStatement::bind_null(int parameter) {
+  sqlite3_bind_null(statement_, parameter + 1);
+  return *this;
+}
+
 Result<bool> SqlStatement::step() {
   const int code = sqlite3_step(statement_);
   if (code == SQLITE_ROW) return true;
@@ -58,6 +73,16 @@ std::string_view SqlStatement::text(int column) const {
               : std::string_view{};
 }
 
+double SqlStatement::real(int column) const { return sqlite3_column_double(statement_, column); }
+
+std::string_view SqlStatement::blob(int column) const {
+  const auto* const bytes = static_cast<const char*>(sqlite3_column_blob(statement_, column));
+  return bytes ? std::string_view(bytes, static_cast<std::size_t>(sqlite3_column_bytes(statement_, column)))
+               : std::string_view{};
+}
+
+bool SqlStatement::is_null(int column) const { return sqlite3_column_type(statement_, column) == SQLITE_NULL; }
+
 void SqlStatement::reset() {
   sqlite3_reset(statement_);
   sqlite3_clear_bindings(statement_);
@@ -67,11 +92,17 @@ void SqlDatabase::Close::operator()(sqlite3* database) const { sqlite3_close_v2(
 void SqlDatabase::Finalize::operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
 
 Result<SqlDatabase> SqlDatabase::open(const std::string& path) {
+  return open_with(path, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
+}
+
+Result<SqlDatabase> SqlDatabase::open_to_read(const std::string& path) { return open_with(path, SQLITE_OPEN_READONLY); }
+
+Result<SqlDatabase> SqlDatabase::open_with(const std::string& path, int flags) {
   SqlDatabase opened;
   opened.path_ = path;
   sqlite3* database = nullptr;
-  const int flags = SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_NOMUTEX;
-  const int code = sqlite3_open_v2(path.empty() ? ":memory:" : path.c_str(), &database, flags, nullptr);
+  const int code =
+      sqlite3_open_v2(path.empty() ? ":memory:" : path.c_str(), &database, flags | SQLITE_OPEN_NOMUTEX, nullptr);
   opened.database_.reset(database);
   if (code != SQLITE_OK) {
     auto error = sql_error(database, code);
@@ -132,4 +163,4 @@ Status SqlTransaction::commit() {
   return status;
 }
 
-}  // namespace syncline::eni
+}  // namespace syncline

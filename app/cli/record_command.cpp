@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <memory>
+#include <string>
+
+#include "app/cli/context.h"
+#include "app/cli/counted.h"
+#include "app/cli/options.h"
+#include "record/recording_reader.h"
+#include "support/output_file.h"
+#include "trace/csv.h"
+
+namespace syncline::cli {
+namespace {
+
+struct Options {
+  std::string file, out, document;
+  bool json = false;
+};
+
+double seconds(Nanoseconds time) { return static_cast<double>(time) / 1e9; }
+
+Json slave_or_null(int slave) { return slave < 0 ? Json(nullptr) : Json(slave); }
+
+Json to_json(const RecordingInfo& info) {
+  Json slaves = Json::array(), documents = Json::array(), events = Json::array(), findings = Json::array(),
+       notes = Json::array();
+  for (const auto& slave : info.about.slaves) slaves.push_back(slave.name);
+  for (const auto& document : info.about.documents)
+    documents.push_back({{"kind", document.kind}, {"name", document.name}, {"bytes", document.body.size()}});
+  for (const auto& event : info.events) {
+    events.push_back({{"time_s", seconds(event.time - info.begin)},
+                      {"slave", slave_or_null(event.slave)},
+                      {"kind", event.kind},
+                      {"text", event.text}});
+  }
+  for (const auto& finding : info.findings) {
+    findings.push_back({{"code", finding.code},
+                        {"severity", finding.level},
+                        {"slave", slave_or_null(finding.slave)},
+                        {"text", finding.text}});
+  }
+  for (const auto& note : info.notes)
+    notes.push_back({{"time_s", seconds(note.time - info.begin)}, {"text", note.text}});
+  return {
+      {"program", info.about.program},
+      {"link", info.about.link},
+      {"cycle_time_us", static_cast<double>(info.about.limits.cycle_time) / 1000},
+      {"limits", {{"deviation_ns", info.about.limits.deviation_ns}, {"dcm_error_ns", info.about.limits.dcm_error_ns}}},
+      {"slaves", std::move(slaves)},
+      {"documents", std::move(documents)},
+      {"cycles", info.cycles},
+      {"missing_cycles", info.missing_cycles},
+      {"duration_s", seconds(info.end - info.begin)},
+      {"ended", info.ended ? Json(*info.ended) : Json(nullptr)},
+      {"events", std::move(events)},
+      {"findings", std::move(findings)},
+      {"notes", std::move(notes)}};
+}
+
+std::string end_text(const RecordingInfo& info) {
+  if (info.ended) return *info.ended;
+  return fmt::format("cut short: the program was killed, or still records; whole up to {:.3f} s",
+                     seconds(info.end - info.begin));
+}
+
+std::string to_text(const RecordingInfo& info) {
+  const auto& about = info.about;
+  auto text =
+      fmt::format("{} on {}\n{} cycles of {:g} us in {:.3f} s, {} missing\n{}\nend: {}\n", about.program, about.link,
+                  info.cycles, static_cast<double>(about.limits.cycle_time) / 1000, seconds(info.end - info.begin),
+                  info.missing_cycles, counted(about.slaves.size(), "slave"), end_text(info));
+  for (const auto& document : about.documents)
+    text += fmt::format("{}: {}, {} bytes\n", document.kind, document.name, document.body.size());
+  for (const auto& event : info.events)
+    text += fmt::format("{:9.3f} s  {}\n", seconds(event.time - info.begin), event.text);
+  for (const auto& finding : info.findings) text += fmt::format("{}: {}\n", finding.level, finding.text);
+  for (const auto& note : info.notes)
+    text += fmt::format("{:9.3f} s  note: {}\n", seconds(note.time - info.begin), note.text);
+  return text;
+}
+
+void show_info(Context& context, const Options& options) {
+  auto reader = RecordingReader::open(options.file);
+  if (!reader) return context.fail_with(reader.error());
+  const auto info = reader->info();
+  if (!info) return context.fail_with(info.error());
+  if (options.json) return context.print(to_json(*info));
+  context.console.out << to_text(*info);
+}
+
+/// As a run writes it, byte for byte.
+Status write_csv(RecordingReader& reader, const std::string& path) {
+  auto file = OutputFile::create(path);
+  if (!file) return tl::unexpected(file.error());
+  auto status = file->write(sample_csv_header());
+  std::string text;
+  auto read = reader.samples([&](std::span<const CycleSample> samples) {
+    text.clear();
+    append_sample_csv(text, samples);
+    status = file->write(text);
+    return status.has_value();
+  });
+  if (!read) return read;
+  return status ? file->finish() : status;
+}
+
+Status write_document(RecordingReader& reader, const Options& options) {
+  const auto info = reader.info();
+  if (!info) return tl::unexpected(info.error());
+  for (const auto& document : info->about.documents) {
+    if (document.kind != options.document) continue;
+    auto file = OutputFile::create(options.out);
+    if (!file) return tl::unexpected(file.error());
+    if (auto status = file->write(document.body); !status) return status;
+    return file->finish();
+  }
+  return fail(ErrorCode::kBadValue, "--document", "the recording holds a \"project\" and a \"configuration\"");
+}
+
+void export_to(Context& context, const Options& options) {
+  auto reader = RecordingReader::open(options.file);
+  if (!reader) return context.fail_with(reader.error());
+  const auto status = options.document.empty() ? write_csv(*reader, options.out) : write_document(*reader, options);
+  if (!status) context.fail_with(status.error());
+}
+
+void verify(Context& context, const Options& options) {
+  auto reader = RecordingReader::open(options.file);
+  const auto blocks = reader ? reader->verify() : Result<std::uint64_t>(tl::unexpected(reader.error()));
+  if (!blocks) {
+    context.fail_with(blocks.error());
+    // What is another kind of file, or none, is no damaged recording.
+    if (blocks.error().code == ErrorCode::kFileNotReadable) context.exit_code = kAnswerIsNo;
+    return;
+  }
+  const auto info = reader->info();
+  if (!info) return context.fail_with(info.error());
+  if (options.json) {
+    return context.print({{"whole", true}, {"cut_short", !info->ended}, {"blocks", *blocks}, {"cycles", info->cycles}});
+  }
+  context.console.out << fmt::format("whole: {}, {} cycles; end: {}\n", counted(*blocks, "block"), info->cycles,
+                                     end_text(*info));
+}
+
+}  // namespace
+
+void add_record_command(CLI::App& app, Context& context) {
+  auto* group = app.add_subcommand("record", "Look at a recording that run --record has written");
+  group->require_subcommand(1);
+  auto options = std::make_shared<Options>();
+  auto* show = group->add_subcommand("info", "What was run, how long, what happened and what it means");
+  auto* copy = group->add_subcommand("export", "Write the samples as run --csv does, or what was run");
+  auto* check = group->add_subcommand("verify", "Read everything and check it; exit code 1 when it is damaged");
+  for (auto* command : {show, copy, check}) command->add_option("file", options->file, "Recording")->required();
+  copy->add_option("out", options->out, "File to write")->required();
+  copy->add_option("--document", options->document, "Write this document instead: project or configuration");
+  for (auto* command : {show, check}) command->add_flag("--json", options->json, "Print JSON");
+  show->callback([&context, options] { show_info(context, *options); });
+  copy->callback([&context, options] { export_to(context, *options); });
+  check->callback([&context, options] { verify(context, *options); });
+}
+
+}  // namespace syncline::cli

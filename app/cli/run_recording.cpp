@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/run_recording.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <utility>
+#include <vector>
+
+#include "app/cli/duration.h"
+#include "app/cli/event_name.h"
+#include "app/cli/event_text.h"
+#include "app/cli/options.h"
+#include "diagnosis/run_diagnosis.h"
+#include "eni/format/eni_file.h"
+#include "support/whole_file.h"
+
+namespace syncline::cli {
+namespace {
+
+constexpr std::uint64_t kMiB = 1ULL << 20;
+
+std::string_view level_name(FindingLevel level) {
+  switch (level) {
+    case FindingLevel::kNote:
+      return "note";
+    case FindingLevel::kWarning:
+      return "warning";
+    case FindingLevel::kError:
+      return "error";
+  }
+  return "note";
+}
+
+Result<RecordingAbout> about(const std::string& file, const std::string& link, const NetworkConfig& config) {
+  auto result = about_run(config);
+  result.program = std::string("synclinectl ") + SYNCLINE_VERSION;
+  result.link = link;
+  auto text = read_whole_file(file);
+  if (!text) return tl::unexpected(text.error());
+  result.documents.push_back({"project", std::filesystem::path(file).filename().string(), std::move(*text)});
+  result.documents.push_back({"configuration", "configuration.eni.xml", eni::write_eni(config)});
+  return result;
+}
+
+}  // namespace
+
+void add_record_options(CLI::App& command, RecordOptions& options) {
+  command.add_option("--record", options.file,
+                     "Record the run to this new file: every cycle, events, findings and what was run");
+  command.add_option("--record-longest", options.longest,
+                     "End the recording after so long, e.g. 10min; the run goes on");
+  command.add_option("--record-most-mib", options.most_mib, "End the recording at this size; the run goes on");
+  command
+      .add_option("--record-keep-free-mib", options.keep_free_mib,
+                  "End the recording when the disk has less room than this left")
+      ->capture_default_str();
+}
+
+Result<std::unique_ptr<RunRecording>> RunRecording::start(Context& context, const RecordOptions& options,
+                                                          const std::string& file, const std::string& link,
+                                                          const NetworkConfig& config) {
+  std::unique_ptr<RunRecording> recording(new RunRecording(context));
+  if (options.file.empty()) return recording;
+  Recorder::Options bounds;
+  if (!options.longest.empty()) {
+    const auto longest = parse_duration(options.longest);
+    if (!longest) return tl::unexpected(longest.error());
+    bounds.longest = *longest;
+  }
+  bounds.most_bytes = options.most_mib * kMiB;
+  bounds.keep_free_bytes = options.keep_free_mib * kMiB;
+  const auto what = about(file, link, config);
+  if (!what) return tl::unexpected(what.error());
+  auto recorder = Recorder::start(options.file, *what, bounds, [where = recording.get()](const Recorder::Stop& stop) {
+    const std::lock_guard lock(where->mutex_);
+    where->stop_ = stop;
+  });
+  if (!recorder) return tl::unexpected(recorder.error());
+  recording->recorder_ = std::move(*recorder);
+  recording->file_ = options.file;
+  return recording;
+}
+
+void RunRecording::add(std::span<const CycleSample> samples) {
+  if (!recorder_) return;
+  recorder_->add(samples);
+  tell();
+}
+
+void RunRecording::add(const Snapshot& snapshot) {
+  if (recorder_) recorder_->add(snapshot);
+}
+
+void RunRecording::add(const Event& event) {
+  if (!recorder_) return;
+  if (auto words = event_words(event); !words.empty())
+    recorder_->add(RecordedEvent{event.time, event.slave, std::string(event_name(event)), std::move(words)});
+}
+
+void RunRecording::tell() {
+  const std::lock_guard lock(mutex_);
+  if (!stop_) return;
+  if (stop_->error) {
+    context_.fail_with(*stop_->error);
+  } else {
+    context_.console.err << fmt::format("{}: the recording has ended, {}; the run goes on\n", file_, stop_->why);
+  }
+  stop_.reset();
+}
+
+void RunRecording::finish(const RunReport& report) {
+  if (!recorder_) return;
+  std::vector<RecordedFinding> findings;
+  for (const auto& finding : diagnose(report)) {
+    findings.push_back({std::string(finding_code_name(finding.code)), std::string(level_name(finding.level)),
+                        finding.slave, describe(finding)});
+  }
+  const auto status = recorder_->finish("end of the run", findings);
+  const bool told = [this] {
+    const std::lock_guard lock(mutex_);
+    return !stop_;
+  }();
+  tell();
+  if (!status && told && context_.exit_code == kDone) context_.fail_with(status.error());
+}
+
+}  // namespace syncline::cli

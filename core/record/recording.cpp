@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "record/recording.h"
+
+#include "dc/plans.h"
+
+namespace syncline {
+
+RecordingAbout about_run(const NetworkConfig& config) {
+  RecordingAbout about;
+  about.limits = limits_of(config);
+  about.speed_counter_start = config.dc.loop.speed_counter_start.value_or(dc::speed_counter_start(config.cycle_time()));
+  for (const auto& slave : config.slaves) {
+    const auto& id = slave.identity;
+    about.slaves.push_back({slave.name, id.vendor_id, id.product_code, id.revision_no});
+  }
+  return about;
+}
+
+}  // namespace syncline

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "record/run_record.h"
+
+/// What stands in a recording besides samples: given by who records, read back as it was.
+namespace syncline {
+
+struct RecordedDocument {
+  std::string kind;  // "project", "configuration"; one of each
+  std::string name;  // of the file it came from
+  std::string body;
+  bool operator==(const RecordedDocument&) const = default;
+};
+
+struct RecordedSlave {
+  std::string name;
+  std::uint32_t vendor_id = 0, product_code = 0, revision_no = 0;
+  bool operator==(const RecordedSlave&) const = default;
+};
+
+/// About the run as a whole.
+struct RecordingAbout {
+  std::string program;  // "synclinectl 0.1.0"
+  std::string link;     // LINK text
+  std::string begun;    // "2026-03-01T12:00:00Z", wall clock; "" when that would not be the same in every run
+  std::vector<RecordedDocument> documents;
+  std::vector<RecordedSlave> slaves;
+  RunLimits limits;
+  std::uint16_t speed_counter_start = 0x1000;  // register 0x0930
+};
+/// Slaves and limits of a configuration; the rest is left to the caller.
+[[nodiscard]] RecordingAbout about_run(const NetworkConfig& config);
+
+struct RecordedEvent {
+  Nanoseconds time = 0;  // host clock
+  int slave = -1;        // -1: the master or the bus
+  std::string kind;      // as docs/json.md lists them
+  std::string text;
+  bool operator==(const RecordedEvent&) const = default;
+};
+
+struct RecordedFinding {
+  std::string code, level;
+  int slave = -1;
+  std::string text;
+  bool operator==(const RecordedFinding&) const = default;
+};
+
+struct RecordedNote {
+  Nanoseconds time = 0;
+  std::string text;
+  bool operator==(const RecordedNote&) const = default;
+};
+
+}  // namespace syncline

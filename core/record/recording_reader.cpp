@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "record/recording_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+#include "record/column_codec.h"
+#include "record/sample_columns.h"
+
+namespace syncline {
+namespace {
+
+/// More slaves than a segment can have: the number is damaged.
+constexpr std::int64_t kMostSlaves = 65'535;
+
+template <class T>
+T number_of(std::string_view text, T otherwise) {
+  T value = otherwise;
+  std::from_chars(text.data(), text.data() + text.size(), value);
+  return value;
+}
+
+}  // namespace
+
+Result<RecordingReader> RecordingReader::open(const std::string& path) {
+  auto database = open_recording(path);
+  if (!database) return tl::unexpected(database.error());
+  return RecordingReader(std::move(*database));
+}
+
+/// Calls `take(statement)` for each row; it may return a Status.
+template <class Take>
+Status RecordingReader::each(std::string_view sql, Take&& take) {
+  auto statement = database_.prepare(sql);
+  if (!statement) return read_error(database_, statement.error());
+  Status taken;
+  const auto status = statement->each([&] {
+    if constexpr (std::is_void_v<decltype(take(*statement))>) {
+      take(*statement);
+    } else {
+      taken = take(*statement);
+    }
+    return taken.has_value();
+  });
+  if (!status) return read_error(database_, status.error());
+  return taken;
+}
+
+Status RecordingReader::read_about(RecordingInfo& info) {
+  auto& about = info.about;
+  auto status = each("SELECT key, value FROM meta", [&](const SqlStatement& row) {
+    const auto key = row.text(0);
+    if (key == "program") about.program = row.text(1);
+    if (key == "link") about.link = row.text(1);
+    if (key == "begun") about.begun = row.text(1);
+    if (key == "ended") info.ended = row.text(1);
+    if (key == "speed_counter_start") about.speed_counter_start = number_of<std::uint16_t>(row.text(1), 0x1000);
+  });
+  if (!status) return status;
+  status = each("SELECT key, value FROM limits", [&](const SqlStatement& row) {
+    const auto value = row.integer(1);
+    if (row.text(0) == "cycle_time") about.limits.cycle_time = value;
+    if (row.text(0) == "deviation") about.limits.deviation_ns = static_cast<std::uint32_t>(value);
+    if (row.text(0) == "dcm_error") about.limits.dcm_error_ns = value;
+  });
+  if (!status) return status;
+  status = each("SELECT kind, name, body FROM document ORDER BY kind", [&](const SqlStatement& row) {
+    about.documents.push_back({std::string(row.text(0)), std::string(row.text(1)), std::string(row.blob(2))});
+  });
+  if (!status) return status;
+  status = each("SELECT position, name, vendor_id, product_code, revision_no FROM slave ORDER BY position",
+                [&](const SqlStatement& row) -> Status {
+                  if (row.integer(0) != static_cast<std::int64_t>(about.slaves.size()) || row.integer(0) > kMostSlaves)
+                    return damaged_recording(database_, "its slaves are not numbered in a row");
+                  about.slaves.push_back({std::string(row.text(1)), static_cast<std::uint32_t>(row.integer(2)),
+                                          static_cast<std::uint32_t>(row.integer(3)),
+                                          static_cast<std::uint32_t>(row.integer(4))});
+                  return {};
+                });
+  if (status && about.limits.cycle_time <= 0) return damaged_recording(database_, "it has no cycle time");
+  return status;
+}
+
+Status RecordingReader::read_told(RecordingInfo& info) {
+  const auto slave_of = [](const SqlStatement& row, int column) {
+    return row.is_null(column) ? -1 : static_cast<int>(row.integer(column));
+  };
+  auto status = each("SELECT time_ns, slave, kind, text FROM event ORDER BY id", [&](const SqlStatement& row) {
+    info.events.push_back({row.integer(0), slave_of(row, 1), std::string(row.text(2)), std::string(row.text(3))});
+  });
+  if (!status) return status;
+  status = each("SELECT code, level, slave, text FROM finding ORDER BY id", [&](const SqlStatement& row) {
+    info.findings.push_back(
+        {std::string(row.text(0)), std::string(row.text(1)), slave_of(row, 2), std::string(row.text(3))});
+  });
+  if (!status) return status;
+  return each("SELECT time_ns, text FROM note ORDER BY id", [&](const SqlStatement& row) {
+    info.notes.push_back({row.integer(0), std::string(row.text(1))});
+  });
+}
+
+Result<RecordingInfo> RecordingReader::info() {
+  RecordingInfo info;
+  auto status = read_about(info);
+  if (status) status = read_told(info);
+  std::int64_t first = 0, last = 0;
+  if (status) {
+    status = blocks([&](const Block& block) -> Status {
+      if (info.blocks == 0) {
+        info.begin = block.begin;
+        first = block.first_cycle;
+      }
+      last = block.last_cycle;
+      ++info.blocks;
+      info.cycles += static_cast<std::uint64_t>(block.cycles);
+      info.end = block.end;
+      return {};
+    });
+  }
+  if (!status) return tl::unexpected(status.error());
+  if (info.blocks > 0) info.missing_cycles = static_cast<std::uint64_t>(last - first + 1) - info.cycles;
+  return info;
+}
+
+Status RecordingReader::blocks(const std::function<Status(const Block&)>& take) {
+  std::int64_t number = 0, next_cycle = 0;
+  return each("SELECT number, first_cycle, last_cycle, cycles, begin_ns, end_ns, columns FROM block ORDER BY number",
+              [&](const SqlStatement& row) -> Status {
+                const Block block{row.integer(0), row.integer(1), row.integer(2), row.integer(3),
+                                  row.integer(4), row.integer(5), row.integer(6)};
+                const bool cycles = block.first_cycle >= next_cycle && block.last_cycle >= block.first_cycle &&
+                                    block.last_cycle < INT64_MAX && block.cycles >= 1 &&
+                                    block.cycles <= kMostBlockCycles &&
+                                    block.cycles - 1 <= block.last_cycle - block.first_cycle;
+                if (block.number != number || !cycles || block.end < block.begin)
+                  return damaged_recording(database_, fmt::format("block {} is none", block.number));
+                ++number;
+                next_cycle = block.last_cycle + 1;
+                return take(block);
+              });
+}
+
+Status RecordingReader::read_block(const Block& block, std::vector<CycleSample>& out) {
+  const auto count = static_cast<std::size_t>(block.cycles);
+  out.assign(count, CycleSample{});
+  auto row = database_.prepare("SELECT codec, count, cells FROM data WHERE id = ?");
+  if (!row) return read_error(database_, row.error());
+  Cells cells;
+  std::int64_t columns = 0;
+  for (const auto column : sample_columns()) {
+    row->bind(0, block.number * kSeriesPerBlock + series_number(column));
+    const auto there = row->step();
+    if (!there) return read_error(database_, there.error());
+    bool good = true;
+    if (*there) {
+      ++columns;
+      const auto codec = static_cast<ColumnCodec>(row->integer(0));
+      good = row->integer(1) == block.cycles && decode_column(codec, row->blob(2), count, cells);
+      const auto put = cell_writer(column);
+      for (std::size_t i = 0; good && i < count; ++i) {
+        if (cells[i]) put(out[i], *cells[i]);
+      }
+    } else {
+      good = column != Signal::kCycle && column != Signal::kSendTime && column != Signal::kFlags;
+    }
+    row->reset();
+    if (!good) {
+      return damaged_recording(database_,
+                               fmt::format("{} of block {} cannot be read", syncline::info(column).key, block.number));
+    }
+  }
+  const auto is = [](std::uint64_t cycle, std::int64_t said) { return static_cast<std::int64_t>(cycle) == said; };
+  if (columns != block.columns || !is(out.front().cycle, block.first_cycle) ||
+      !is(out.back().cycle, block.last_cycle) || out.front().send_time != block.begin ||
+      out.back().send_time != block.end) {
+    return damaged_recording(database_, fmt::format("block {} holds other cycles than it says", block.number));
+  }
+  return {};
+}
+
+Status RecordingReader::samples(const std::function<bool(std::span<const CycleSample>)>& take) {
+  std::vector<CycleSample> samples;
+  bool more = true;
+  return blocks([&](const Block& block) -> Status {
+    if (!more) return {};
+    if (auto status = read_block(block, samples); !status) return status;
+    more = take(samples);
+    return {};
+  });
+}
+
+Result<std::vector<BlockSummary>> RecordingReader::overview(Signal signal, int slave) {
+  std::vector<BlockSummary> result;
+  auto row = database_.prepare("SELECT count, min, max, last FROM summary WHERE id = ?");
+  if (!row) return read_error(database_, row.error());
+  auto status = blocks([&](const Block& block) -> Status {
+    row->bind(0, block.number * kSeriesPerBlock + series_number(signal, slave));
+    const auto there = row->step();
+    if (!there) return read_error(database_, there.error());
+    if (*there) {
+      result.push_back({block.begin, block.end, row->integer(0), row->real(1), row->real(2), row->real(3)});
+    }
+    row->reset();
+    return {};
+  });
+  if (!status) return tl::unexpected(status.error());
+  return result;
+}
+
+Result<RecordingReader::Points> RecordingReader::points(Signal signal, int slave) {
+  Points result;
+  auto row = database_.prepare("SELECT codec, count, times, cells FROM data WHERE id = ?");
+  if (!row) return read_error(database_, row.error());
+  std::vector<Nanoseconds> times;
+  std::vector<float> values;
+  auto status = blocks([&](const Block& block) -> Status {
+    row->bind(0, block.number * kSeriesPerBlock + series_number(signal, slave));
+    const auto there = row->step();
+    if (!there) return read_error(database_, there.error());
+    if (!*there) {
+      row->reset();
+      return {};
+    }
+    const auto count = static_cast<std::size_t>(std::max<std::int64_t>(row->integer(1), 0));
+    const bool good =
+        row->integer(0) == 0 && decode_times(row->blob(2), count, times) && decode_floats(row->blob(3), count, values);
+    row->reset();
+    if (!good) {
+      return damaged_recording(database_,
+                               fmt::format("{} of block {} cannot be read", syncline::info(signal).key, block.number));
+    }
+    result.times.insert(result.times.end(), times.begin(), times.end());
+    result.values.insert(result.values.end(), values.begin(), values.end());
+    return {};
+  });
+  if (!status) return tl::unexpected(status.error());
+  return result;
+}
+
+Status RecordingReader::check_sums(const Block& block, std::span<const CycleSample> samples) {
+  auto row = database_.prepare("SELECT count, min, max FROM summary WHERE id = ?");
+  if (!row) return read_error(database_, row.error());
+  for (const auto& signal : signals()) {
+    if (signal.form != SignalInfo::Form::kCycles) continue;
+    std::int64_t count = 0;
+    float low = 0, high = 0;
+    for (const auto& sample : samples) {
+      const auto number = signal.of_cycle(sample);
+      if (!number) continue;
+      const auto value = static_cast<float>(as_double(*number));
+      low = count == 0 ? value : std::min(low, value);
+      high = count == 0 ? value : std::max(high, value);
+      ++count;
+    }
+    row->bind(0, block.number * kSeriesPerBlock + series_number(signal.id));
+    const auto there = row->step();
+    if (!there) return read_error(database_, there.error());
+    const bool same = *there ? row->integer(0) == count && static_cast<float>(row->real(1)) == low &&
+                                   static_cast<float>(row->real(2)) == high
+                             : count == 0;
+    row->reset();
+    if (!same) {
+      return damaged_recording(
+          database_, fmt::format("the sums of {} in block {} are not those of its values", signal.key, block.number));
+    }
+  }
+  return {};
+}
+
+Result<std::uint64_t> RecordingReader::verify() {
+  std::string found;
+  auto status = each("PRAGMA integrity_check(1)", [&](const SqlStatement& row) { found = row.text(0); });
+  if (status && found != "ok") status = damaged_recording(database_, found);
+  RecordingInfo about;
+  if (status) status = read_about(about);
+  if (status) status = read_told(about);
+  std::uint64_t count = 0;
+  std::vector<CycleSample> samples;
+  if (status) {
+    status = blocks([&](const Block& block) -> Status {
+      if (auto read = read_block(block, samples); !read) return read;
+      ++count;
+      return check_sums(block, samples);
+    });
+  }
+  if (status) {
+    status = each("SELECT max(id) FROM data", [&](const SqlStatement& row) -> Status {
+      if (row.is_null(0) || row.integer(0) / kSeriesPerBlock < static_cast<std::int64_t>(count)) return {};
+      return damaged_recording(database_, "there are values of blocks that are not there");
+    });
+  }
+  for (const auto& signal : signals()) {
+    const bool of_slaves = signal.scope == SignalInfo::Scope::kSlave;
+    if (!status || (!of_slaves && signal.of_bus == nullptr)) continue;
+    const auto slaves = of_slaves ? static_cast<int>(about.about.slaves.size()) : 0;
+    for (int slave = of_slaves ? 0 : -1; status && slave < slaves; ++slave) {
+      if (const auto read = points(signal.id, slave); !read) status = tl::unexpected(read.error());
+    }
+  }
+  if (!status) return tl::unexpected(status.error());
+  return count;
+}
+
+}  // namespace syncline

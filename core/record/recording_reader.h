@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "channels/cycle_sample.h"
+#include "record/recording.h"
+#include "record/recording_schema.h"
+
+namespace syncline {
+
+/// A recording as a whole, without its samples.
+struct RecordingInfo {
+  RecordingAbout about;
+  std::optional<std::string> ended;  // why; nothing: the program was killed, and it is whole up to its last block
+  std::uint64_t blocks = 0, cycles = 0;
+  std::uint64_t missing_cycles = 0;  // between the first and the last one
+  Nanoseconds begin = 0, end = 0;    // host clock, of the first and the last sample
+  std::vector<RecordedEvent> events;
+  std::vector<RecordedFinding> findings;
+  std::vector<RecordedNote> notes;
+};
+
+/// Sums of one signal over one block.
+struct BlockSummary {
+  Nanoseconds begin = 0, end = 0;
+  std::int64_t count = 0;  // of values
+  double min = 0, max = 0, last = 0;
+};
+
+/// Reads a recording, also one that is being written. What is damaged is told, not guessed. For one thread.
+class RecordingReader {
+ public:
+  /// As open_recording(), and kFileNotReadable.
+  [[nodiscard]] static Result<RecordingReader> open(const std::string& path);
+
+  [[nodiscard]] Result<RecordingInfo> info();
+  /// All samples in their order, a block at a time, until `take` returns false.
+  [[nodiscard]] Status samples(const std::function<bool(std::span<const CycleSample>)>& take);
+  /// A signal over the whole recording, a row a block that has any value of it; of a slave, or of the bus with -1.
+  [[nodiscard]] Result<std::vector<BlockSummary>> overview(Signal signal, int slave = -1);
+  /// Values of slaves' counts and states, and of totals: when they changed; not-a-number where nothing is known.
+  struct Points {
+    std::vector<Nanoseconds> times;
+    std::vector<float> values;
+  };
+  [[nodiscard]] Result<Points> points(Signal signal, int slave = -1);
+  /// Reads everything: the database's own check, all samples, each sum against its samples. The first thing that is
+  /// wrong; the number of blocks that were read.
+  [[nodiscard]] Result<std::uint64_t> verify();
+
+ private:
+  explicit RecordingReader(SqlDatabase database) : database_(std::move(database)) {}
+  struct Block {
+    std::int64_t number = 0, first_cycle = 0, last_cycle = 0, cycles = 0, begin = 0, end = 0, columns = 0;
+  };
+  /// In the order in which they were written.
+  Status blocks(const std::function<Status(const Block&)>& take);
+  Status read_block(const Block& block, std::vector<CycleSample>& out);
+  Status check_sums(const Block& block, std::span<const CycleSample> samples);
+  Status read_about(RecordingInfo& info);
+  Status read_told(RecordingInfo& info);
+  template <class Take>
+  Status each(std::string_view sql, Take&& take);
+
+  SqlDatabase database_;
+};
+
+}  // namespace syncline

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "record/recording_schema.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <string_view>
+#include <utility>
+
+namespace syncline {
+namespace {
+
+// All is appended, so that what was written once is never touched again.
+constexpr const char* kTables = R"(
+BEGIN;
+CREATE TABLE meta(key TEXT PRIMARY KEY, value TEXT NOT NULL);
+CREATE TABLE document(kind TEXT PRIMARY KEY, name TEXT NOT NULL, body BLOB NOT NULL);
+CREATE TABLE limits(key TEXT PRIMARY KEY, value INTEGER NOT NULL, unit TEXT NOT NULL);
+CREATE TABLE slave(position INTEGER PRIMARY KEY, name TEXT NOT NULL, vendor_id INTEGER, product_code INTEGER, revision_no INTEGER);
+CREATE TABLE signal(id INTEGER PRIMARY KEY, key TEXT NOT NULL, name TEXT NOT NULL, unit TEXT NOT NULL, scope TEXT NOT NULL,
+  form TEXT NOT NULL, source TEXT NOT NULL, since TEXT NOT NULL);
+CREATE TABLE series(id INTEGER PRIMARY KEY, signal INTEGER NOT NULL, slave INTEGER);
+CREATE TABLE block(number INTEGER PRIMARY KEY, first_cycle INTEGER NOT NULL, last_cycle INTEGER NOT NULL, cycles INTEGER NOT NULL,
+  begin_ns INTEGER NOT NULL, end_ns INTEGER NOT NULL, columns INTEGER NOT NULL);
+CREATE TABLE summary(id INTEGER PRIMARY KEY, count INTEGER NOT NULL, min REAL, max REAL, last REAL);
+CREATE TABLE data(id INTEGER PRIMARY KEY, codec INTEGER NOT NULL, count INTEGER NOT NULL, times BLOB, cells BLOB, levels BLOB);
+CREATE TABLE event(id INTEGER PRIMARY KEY, time_ns INTEGER NOT NULL, slave INTEGER, kind TEXT NOT NULL, text TEXT NOT NULL);
+CREATE TABLE finding(id INTEGER PRIMARY KEY, code TEXT NOT NULL, level TEXT NOT NULL, slave INTEGER, text TEXT NOT NULL);
+CREATE TABLE note(id INTEGER PRIMARY KEY, time_ns INTEGER NOT NULL, text TEXT NOT NULL);
+COMMIT;
+)";
+
+// In WAL mode a commit is whole or not there, whatever kills the program; NORMAL keeps the order on the disk, too.
+constexpr const char* kConnection = "PRAGMA journal_mode=WAL; PRAGMA synchronous=NORMAL; PRAGMA temp_store=MEMORY;";
+
+Result<std::int64_t> pragma(SqlDatabase& database, std::string_view sql) {
+  auto statement = database.prepare(sql);
+  if (!statement) return tl::unexpected(statement.error());
+  std::int64_t value = 0;
+  if (auto status = statement->each([&] { value = statement->integer(0); }); !status)
+    return tl::unexpected(status.error());
+  return value;
+}
+
+/// By the file's first bytes, so that a damaged one is known too; a log beside it may hold the rest.
+Status look_at(const std::string& path) {
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) return fail(Error{.code = ErrorCode::kFileNotFound, .file = path});
+  std::array<char, 16> header{};
+  std::ifstream file(path, std::ios::binary);
+  file.read(header.data(), header.size());
+  if (std::filesystem::is_directory(path, error) || !file.good() ||
+      std::string_view(header.data(), 15) != "SQLite format 3") {
+    return fail(Error{.code = ErrorCode::kNotThatKindOfFile,
+                      .detail = "a recording that \"synclinectl run --record\" has written",
+                      .file = path});
+  }
+  return {};
+}
+
+}  // namespace
+
+tl::unexpected<Error> read_error(const SqlDatabase& database, const Error& error) {
+  const bool damaged = is_damaged(error);
+  auto detail = damaged ? fmt::format("it is damaged or cut off ({})", error.detail) : error.detail;
+  return fail(Error{.code = ErrorCode::kFileNotReadable,
+                    .detail = std::move(detail),
+                    .file = database.path(),
+                    .received = error.received});
+}
+
+tl::unexpected<Error> write_error(const SqlDatabase& database, const Error& error) {
+  return fail(Error{.code = ErrorCode::kFileNotWritable,
+                    .detail = error.detail,
+                    .file = database.path(),
+                    .received = error.received});
+}
+
+tl::unexpected<Error> damaged_recording(const SqlDatabase& database, std::string what) {
+  return fail(Error{.code = ErrorCode::kFileNotReadable,
+                    .detail = fmt::format("it is damaged: {}", std::move(what)),
+                    .file = database.path()});
+}
+
+Result<SqlDatabase> create_recording(const std::string& path) {
+  std::error_code error;
+  if (std::filesystem::exists(path, error)) {
+    return fail(Error{.code = ErrorCode::kFileNotWritable,
+                      .detail = "there is one of this name already, and a recording replaces nothing",
+                      .file = path});
+  }
+  auto database = SqlDatabase::open(path);
+  if (!database) {
+    return fail(Error{.code = ErrorCode::kFileNotWritable, .detail = database.error().detail, .file = path});
+  }
+  const auto mark = fmt::format("PRAGMA page_size=8192; PRAGMA application_id={}; PRAGMA user_version={};",
+                                kRecordingId, kRecordingVersion);
+  for (const char* const sql : {mark.c_str(), kConnection, kTables}) {
+    if (auto status = database->execute(sql); !status) return write_error(*database, status.error());
+  }
+  return database;
+}
+
+Result<SqlDatabase> open_recording(const std::string& path) {
+  if (auto status = look_at(path); !status) return tl::unexpected(status.error());
+  auto database = SqlDatabase::open_to_read(path);
+  if (!database) {
+    return fail(Error{.code = ErrorCode::kFileNotReadable, .detail = database.error().detail, .file = path});
+  }
+  const auto id = pragma(*database, "PRAGMA application_id");
+  if (!id) return read_error(*database, id.error());
+  if (*id != kRecordingId) {
+    return fail(Error{.code = ErrorCode::kNotThatKindOfFile,
+                      .detail = "a recording; this database belongs to another program",
+                      .file = path});
+  }
+  const auto version = pragma(*database, "PRAGMA user_version");
+  if (!version) return read_error(*database, version.error());
+  if (*version < 1 || *version > kRecordingVersion) {
+    return fail(Error{.code = ErrorCode::kNotThatKindOfFile,
+                      .detail = fmt::format("a recording of version {} or older; this one is of version {}, use the "
+                                            "program that has written it, or a newer one",
+                                            kRecordingVersion, *version),
+                      .file = path});
+  }
+  return database;
+}
+
+}  // namespace syncline

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "sqlite/sqlite_database.h"
+#include "trace/signals.h"
+
+/// The tables of a recording (docs/recording.md), and whose file it is.
+namespace syncline {
+
+inline constexpr std::int64_t kRecordingId = 0x53594E52;  // "SYNR", SQLite's application_id
+inline constexpr std::int64_t kRecordingVersion = 1;      // user_version
+/// Rows of `summary` and `data`: block * kSeriesPerBlock + series.
+inline constexpr std::int64_t kSeriesPerBlock = 1 << 20;
+inline constexpr std::int64_t kMostBlockCycles = 1 << 16;
+/// Cycles of one bucket of a block's min/max level.
+inline constexpr std::size_t kLevelCycles = 256;
+
+/// Number of a signal's series, of the bus or of a slave.
+[[nodiscard]] constexpr std::int64_t series_number(Signal signal, int slave = -1) {
+  return static_cast<std::int64_t>(signal) + (std::int64_t{slave} + 1) * 256;
+}
+
+/// A new file with empty tables, ready to be appended to. kFileNotWritable: it exists, or cannot be made.
+[[nodiscard]] Result<SqlDatabase> create_recording(const std::string& path);
+/// To be read. kFileNotFound, kNotThatKindOfFile: no recording, or one of a newer version; kFileNotReadable: damaged.
+[[nodiscard]] Result<SqlDatabase> open_recording(const std::string& path);
+
+/// What SQLite says, as an error of reading or of writing this file.
+[[nodiscard]] tl::unexpected<Error> read_error(const SqlDatabase& database, const Error& error);
+[[nodiscard]] tl::unexpected<Error> write_error(const SqlDatabase& database, const Error& error);
+[[nodiscard]] tl::unexpected<Error> damaged_recording(const SqlDatabase& database, std::string what);
+
+}  // namespace syncline

@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "record/recording_writer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <utility>
+
+#include "record/column_codec.h"
+#include "record/sample_columns.h"
+
+namespace syncline {
+namespace {
+
+using Form = SignalInfo::Form;
+using Scope = SignalInfo::Scope;
+
+constexpr std::string_view form_name(Form form) {
+  switch (form) {
+    case Form::kCell:
+      return "cell";
+    case Form::kCycles:
+      return "cycles";
+    case Form::kReadings:
+      return "readings";
+    case Form::kHeld:
+      return "held";
+  }
+  return "cell";
+}
+
+SampleStore::Layout layout_of(const RecordingAbout& about) {
+  // Only what the next block needs is looked up in it.
+  return {about.slaves.size(), about.limits.cycle_time, static_cast<std::size_t>(kMostBlockCycles),
+          about.speed_counter_start};
+}
+
+std::string levels_of(std::span<const CycleSample> samples, const SignalInfo& signal, std::vector<float>& values) {
+  constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
+  std::vector<float> levels;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (i % kLevelCycles == 0) levels.insert(levels.end(), {kNothing, kNothing});
+    const auto number = signal.of_cycle(samples[i]);
+    values.push_back(number ? static_cast<float>(as_double(*number)) : kNothing);
+    if (!number) continue;
+    auto& low = levels[levels.size() - 2];
+    auto& high = levels.back();
+    if (!(low <= values.back())) low = values.back();
+    if (!(high >= values.back())) high = values.back();
+  }
+  return encode_floats(levels);
+}
+
+}  // namespace
+
+RecordingWriter::RecordingWriter(SqlDatabase database, const RecordingAbout& about)
+    : database_(std::move(database)), store_(layout_of(about)) {}
+
+Result<RecordingWriter> RecordingWriter::create(const std::string& path, const RecordingAbout& about) {
+  auto database = create_recording(path);
+  if (!database) return tl::unexpected(database.error());
+  RecordingWriter writer(std::move(*database), about);
+  if (auto status = writer.begin(about); !status) return write_error(writer.database_, status.error());
+  return writer;
+}
+
+Status RecordingWriter::begin(const RecordingAbout& about) {
+  auto transaction = SqlTransaction::begin(database_);
+  if (!transaction) return tl::unexpected(transaction.error());
+  auto status = put_meta("program", about.program);
+  if (status) status = put_meta("link", about.link);
+  if (status) status = put_meta("begun", about.begun);
+  if (status) status = put_meta("speed_counter_start", fmt::format("{}", about.speed_counter_start));
+  auto document = database_.prepare("INSERT INTO document(kind, name, body) VALUES(?, ?, ?)");
+  for (const auto& d : about.documents) {
+    if (status && document) status = document->bind(0, d.kind).bind(1, d.name).bind_blob(2, d.body).run();
+  }
+  auto limit = database_.prepare("INSERT INTO limits(key, value, unit) VALUES(?, ?, 'ns')");
+  const std::pair<std::string_view, std::int64_t> limits[] = {{"cycle_time", about.limits.cycle_time},
+                                                              {"deviation", about.limits.deviation_ns},
+                                                              {"dcm_error", about.limits.dcm_error_ns}};
+  for (const auto& [key, value] : limits) {
+    if (status && limit) status = limit->bind(0, key).bind(1, value).run();
+  }
+  auto slave = database_.prepare(
+      "INSERT INTO slave(position, name, vendor_id, product_code, revision_no) VALUES(?, ?, ?, ?, ?)");
+  for (std::size_t i = 0; i < about.slaves.size(); ++i) {
+    const auto& s = about.slaves[i];
+    if (status && slave) {
+      slave->bind(0, static_cast<std::int64_t>(i)).bind(1, s.name).bind(2, s.vendor_id);
+      status = slave->bind(3, s.product_code).bind(4, s.revision_no).run();
+    }
+  }
+  for (const auto* statement : {&document, &limit, &slave}) {
+    if (status && !*statement) status = tl::unexpected(statement->error());
+  }
+  if (status) status = put_signals();
+  return status ? transaction->commit() : status;
+}
+
+Status RecordingWriter::put_signals() {
+  auto row = database_.prepare(
+      "INSERT INTO signal(id, key, name, unit, scope, form, source, since) VALUES(?, ?, ?, ?, ?, ?, ?, ?)");
+  if (!row) return tl::unexpected(row.error());
+  for (const auto& signal : signals()) {
+    row->bind(0, static_cast<std::int64_t>(signal.id)).bind(1, signal.key).bind(2, signal.name).bind(3, signal.unit);
+    row->bind(4, signal.scope == Scope::kBus ? std::string_view("bus") : std::string_view("slave"));
+    row->bind(5, form_name(signal.form)).bind(6, signal.source).bind(7, signal.since);
+    if (auto status = row->run(); !status) return status;
+  }
+  return {};
+}
+
+Status RecordingWriter::put_meta(std::string_view key, std::string_view value) {
+  auto row = database_.prepare("INSERT INTO meta(key, value) VALUES(?, ?)");
+  if (!row) return tl::unexpected(row.error());
+  return row->bind(0, key).bind(1, value).run();
+}
+
+Status RecordingWriter::write(const RecordingBatch& batch) {
+  auto transaction = SqlTransaction::begin(database_);
+  if (!transaction) return write_error(database_, transaction.error());
+  Status status;
+  store(batch);
+  for (auto rest = std::span(batch.samples); status && !rest.empty();) {
+    const auto count = std::min(rest.size(), static_cast<std::size_t>(kMostBlockCycles));
+    status = put_block(rest.first(count));
+    rest = rest.subspan(count);
+  }
+  // What snapshots without samples tell waits for the next block.
+  if (status && !batch.samples.empty()) status = put_held(blocks_ - 1);
+  auto event = database_.prepare("INSERT INTO event(time_ns, slave, kind, text) VALUES(?, ?, ?, ?)");
+  for (const auto& e : batch.events) {
+    if (!status || !event) break;
+    event->bind(0, e.time).bind(2, e.kind).bind(3, e.text);
+    status = (e.slave >= 0 ? event->bind(1, std::int64_t{e.slave}) : event->bind_null(1)).run();
+  }
+  auto note = database_.prepare("INSERT INTO note(time_ns, text) VALUES(?, ?)");
+  for (const auto& n : batch.notes) {
+    if (status && note) status = note->bind(0, n.time).bind(1, n.text).run();
+  }
+  for (const auto* statement : {&event, &note}) {
+    if (status && !*statement) status = tl::unexpected(statement->error());
+  }
+  if (status) status = transaction->commit();
+  if (!status) return write_error(database_, status.error());
+  return {};
+}
+
+/// In the order in which they were taken.
+void RecordingWriter::store(const RecordingBatch& batch) {
+  std::size_t done = 0;
+  for (const auto& taken : batch.snapshots) {
+    const auto until = std::clamp(taken.after, done, batch.samples.size());
+    store_.append(std::span(batch.samples).subspan(done, until - done));
+    done = until;
+    store_.append(taken.snapshot);
+  }
+  store_.append(std::span(batch.samples).subspan(done));
+}
+
+Status RecordingWriter::put_block(std::span<const CycleSample> samples) {
+  const auto columns = put_columns(samples);
+  if (!columns) return tl::unexpected(columns.error());
+  auto row = database_.prepare(
+      "INSERT INTO block(number, first_cycle, last_cycle, cycles, begin_ns, end_ns, columns) VALUES(?, ?, ?, ?, ?, ?, "
+      "?)");
+  if (!row) return tl::unexpected(row.error());
+  row->bind(0, blocks_).bind(1, static_cast<std::int64_t>(samples.front().cycle));
+  row->bind(2, static_cast<std::int64_t>(samples.back().cycle)).bind(3, static_cast<std::int64_t>(samples.size()));
+  row->bind(4, samples.front().send_time).bind(5, samples.back().send_time).bind(6, *columns);
+  if (auto status = row->run(); !status) return status;
+  if (!any_) first_ = samples.front().send_time;
+  any_ = true;
+  last_ = samples.back().send_time;
+  auto status = put_sums(samples);
+  ++blocks_;
+  return status;
+}
+
+Result<std::int64_t> RecordingWriter::put_columns(std::span<const CycleSample> samples) {
+  auto row = database_.prepare("INSERT INTO data(id, codec, count, cells, levels) VALUES(?, ?, ?, ?, ?)");
+  if (!row) return tl::unexpected(row.error());
+  std::int64_t count = 0;
+  Cells cells(samples.size());
+  std::vector<float> values;
+  for (const auto column : sample_columns()) {
+    const auto& signal = info(column);
+    std::ranges::transform(samples, cells.begin(), signal.of_cycle);
+    const auto encoded = encode_column(cells);
+    if (!encoded) continue;
+    ++count;
+    const auto series = series_number(column);
+    if (auto status = put_series(series, column, -1); !status) return tl::unexpected(status.error());
+    values.clear();
+    const auto levels = signal.form == Form::kCycles ? levels_of(samples, signal, values) : std::string();
+    row->bind(0, blocks_ * kSeriesPerBlock + series).bind(1, static_cast<std::int64_t>(encoded->codec));
+    row->bind(2, static_cast<std::int64_t>(samples.size())).bind_blob(3, encoded->bytes);
+    if (auto status = (levels.empty() ? row->bind_null(4) : row->bind_blob(4, levels)).run(); !status)
+      return tl::unexpected(status.error());
+    if (signal.form != Form::kCycles) continue;
+    if (auto status = put_summary(blocks_, series, values); !status) return tl::unexpected(status.error());
+  }
+  return count;
+}
+
+/// Signals that are made of others: their pictures at least need no sums.
+Status RecordingWriter::put_sums(std::span<const CycleSample> samples) {
+  std::vector<float> values;
+  for (const auto& signal : signals()) {
+    const bool is_column = std::ranges::find(sample_columns(), signal.id) != sample_columns().end();
+    if (signal.form != Form::kCycles || is_column) continue;
+    values.clear();
+    (void)levels_of(samples, signal, values);
+    if (auto status = put_summary(blocks_, series_number(signal.id), values); !status) return status;
+  }
+  return {};
+}
+
+Status RecordingWriter::put_held(std::int64_t block) {
+  auto row = database_.prepare("INSERT INTO data(id, codec, count, times, cells) VALUES(?, 0, ?, ?, ?)");
+  if (!row) return tl::unexpected(row.error());
+  std::vector<Nanoseconds> times;
+  std::vector<float> values;
+  for (const auto& signal : signals()) {
+    const bool of_slaves = signal.scope == Scope::kSlave;
+    // What single cycles tell stands in the columns.
+    if (signal.form == Form::kCell || signal.form == Form::kCycles || (!of_slaves && signal.of_bus == nullptr))
+      continue;
+    for (std::size_t slave = 0; slave < (of_slaves ? store_.slave_count() : 1); ++slave) {
+      const auto number = series_number(signal.id, of_slaves ? static_cast<int>(slave) : -1);
+      const auto& series = store_.series(signal.id, slave);
+      const auto [seen, fresh] = written_.try_emplace(number, std::numeric_limits<Nanoseconds>::min());
+      if (series.empty() || (!fresh && seen->second == series.last_time())) continue;
+      times.clear();
+      values.clear();
+      series.for_each(seen->second + (fresh ? 0 : 1), std::numeric_limits<Nanoseconds>::max(),
+                      [&](Nanoseconds time, float value) {
+                        times.push_back(time);
+                        values.push_back(value);
+                      });
+      seen->second = series.last_time();
+      if (times.empty()) continue;
+      if (auto status = put_series(number, signal.id, of_slaves ? static_cast<int>(slave) : -1); !status) return status;
+      if (auto status = put_summary(block, number, values); !status) return status;
+      const auto time_bytes = encode_times(times);
+      const auto value_bytes = encode_floats(values);
+      row->bind(0, block * kSeriesPerBlock + number).bind(1, static_cast<std::int64_t>(times.size()));
+      if (auto status = row->bind_blob(2, time_bytes).bind_blob(3, value_bytes).run(); !status) return status;
+    }
+  }
+  return {};
+}
+
+Status RecordingWriter::put_series(std::int64_t series, Signal signal, int slave) {
+  if (!known_series_.insert(series).second) return {};
+  auto row = database_.prepare("INSERT INTO series(id, signal, slave) VALUES(?, ?, ?)");
+  if (!row) return tl::unexpected(row.error());
+  row->bind(0, series).bind(1, static_cast<std::int64_t>(signal));
+  return (slave >= 0 ? row->bind(2, std::int64_t{slave}) : row->bind_null(2)).run();
+}
+
+Status RecordingWriter::put_summary(std::int64_t block, std::int64_t series, const std::vector<float>& values) {
+  std::int64_t count = 0;
+  double low = 0, high = 0, last = 0;
+  for (const auto value : values) {
+    if (std::isnan(value)) continue;
+    const auto v = static_cast<double>(value);
+    low = count == 0 ? v : std::min(low, v);
+    high = count == 0 ? v : std::max(high, v);
+    last = v;
+    ++count;
+  }
+  if (count == 0) return {};
+  auto row = database_.prepare("INSERT INTO summary(id, count, min, max, last) VALUES(?, ?, ?, ?, ?)");
+  if (!row) return tl::unexpected(row.error());
+  row->bind(0, block * kSeriesPerBlock + series).bind(1, count);
+  return row->bind_real(2, low).bind_real(3, high).bind_real(4, last).run();
+}
+
+Status RecordingWriter::finish(const std::string& why, std::span<const RecordedFinding> findings) {
+  auto transaction = SqlTransaction::begin(database_);
+  if (!transaction) return write_error(database_, transaction.error());
+  auto row = database_.prepare("INSERT INTO finding(code, level, slave, text) VALUES(?, ?, ?, ?)");
+  Status status;
+  if (!row) status = tl::unexpected(row.error());
+  for (const auto& finding : findings) {
+    if (!status) break;
+    row->bind(0, finding.code).bind(1, finding.level).bind(3, finding.text);
+    status = (finding.slave >= 0 ? row->bind(2, std::int64_t{finding.slave}) : row->bind_null(2)).run();
+  }
+  if (status) status = put_meta("ended", why);
+  if (status) status = transaction->commit();
+  // Without its log it is one file, which can be read where nothing can be written.
+  if (status) status = database_.execute("PRAGMA wal_checkpoint(TRUNCATE); PRAGMA journal_mode=DELETE;");
+  if (!status) return write_error(database_, status.error());
+  return {};
+}
+
+std::uint64_t RecordingWriter::bytes() const {
+  std::uint64_t bytes = 0;
+  for (const char* const beside : {"", "-wal"}) {
+    std::error_code error;
+    const auto size = std::filesystem::file_size(path() + beside, error);
+    if (!error) bytes += size;
+  }
+  return bytes;
+}
+
+}  // namespace syncline

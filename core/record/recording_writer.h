@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <set>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "channels/cycle_sample.h"
+#include "channels/snapshot.h"
+#include "record/recording.h"
+#include "record/recording_schema.h"
+
+namespace syncline {
+
+/// What one commit holds.
+struct RecordingBatch {
+  struct Taken {
+    std::size_t after = 0;  // so many of the samples came before it
+    Snapshot snapshot;
+  };
+  std::vector<CycleSample> samples;
+  std::vector<Taken> snapshots;
+  std::vector<RecordedEvent> events;
+  std::vector<RecordedNote> notes;
+  [[nodiscard]] bool empty() const { return samples.empty() && snapshots.empty() && events.empty() && notes.empty(); }
+};
+
+/// Writes a recording, in the calling thread. Everything is whole up to the last commit, whatever kills the program.
+class RecordingWriter {
+ public:
+  /// kFileNotWritable, also when there is a file of this name.
+  [[nodiscard]] static Result<RecordingWriter> create(const std::string& path, const RecordingAbout& about);
+
+  /// One commit: a block for each stretch of samples, and what came with it.
+  [[nodiscard]] Status write(const RecordingBatch& batch);
+  /// The last commit: why it ended, and what the run means. The file is then one file, to be read anywhere.
+  [[nodiscard]] Status finish(const std::string& why, std::span<const RecordedFinding> findings);
+
+  [[nodiscard]] const std::string& path() const { return database_.path(); }
+  /// From the first sample to the last.
+  [[nodiscard]] Nanoseconds duration() const { return any_ ? last_ - first_ : 0; }
+  [[nodiscard]] std::uint64_t bytes() const;
+
+ private:
+  RecordingWriter(SqlDatabase database, const RecordingAbout& about);
+  Status begin(const RecordingAbout& about);
+  Status put_signals();
+  Status put_meta(std::string_view key, std::string_view value);
+  void store(const RecordingBatch& batch);
+  Status put_block(std::span<const CycleSample> samples);
+  /// How many have values.
+  Result<std::int64_t> put_columns(std::span<const CycleSample> samples);
+  Status put_sums(std::span<const CycleSample> samples);
+  /// What slaves and counts have shown since the block before.
+  Status put_held(std::int64_t block);
+  Status put_series(std::int64_t series, Signal signal, int slave);
+  Status put_summary(std::int64_t block, std::int64_t series, const std::vector<float>& values);
+
+  SqlDatabase database_;
+  SampleStore store_;                            // the same that draws: gaps and ages are decided once
+  std::map<std::int64_t, Nanoseconds> written_;  // by series, time of the newest sample
+  std::set<std::int64_t> known_series_;
+  std::int64_t blocks_ = 0;
+  Nanoseconds first_ = 0, last_ = 0;
+  bool any_ = false;
+};
+
+}  // namespace syncline

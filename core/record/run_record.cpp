@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "record/run_record.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "dc/plans.h"
+#include "diagnosis/run_diagnosis.h"
+#include "protocol/dc_registers.h"
+
+namespace syncline {
+namespace {
+
+/// Ten minutes and something to scroll back to, within the memory that the samples may take.
+constexpr Nanoseconds kHistory = 620 * kSecond;
+constexpr std::size_t kLeastCycles = 1U << 16, kMostCycles = 1U << 21;
+
+SampleStore::Layout layout_of(const NetworkConfig& config, std::size_t cycle_capacity) {
+  SampleStore::Layout layout;
+  layout.slaves = config.slaves.size();
+  layout.cycle_time = std::max<Nanoseconds>(config.cycle_time(), 1);
+  const auto suitable = std::clamp(static_cast<std::size_t>(kHistory / layout.cycle_time), kLeastCycles, kMostCycles);
+  layout.cycle_capacity = cycle_capacity > 0 ? cycle_capacity : suitable;
+  layout.speed_counter_start = config.dc.loop.speed_counter_start.value_or(dc::speed_counter_start(layout.cycle_time));
+  return layout;
+}
+
+}  // namespace
+
+RunLimits limits_of(const NetworkConfig& config) {
+  RunLimits limits;
+  limits.cycle_time = config.cycle_time();
+  if (!config.dc.enabled) return limits;
+  const auto& window = config.dc.sync_window;
+  if (window.enabled) limits.deviation_ns = sync_window_limit_ns(window.exponent);
+  if (config.dc.dcm.mode != DcmMode::kOff) limits.dcm_error_ns = effective_dcm_settings(config.dc.dcm).in_sync_limit;
+  return limits;
+}
+
+RunRecord::RunRecord(NetworkConfig config, std::size_t cycle_capacity)
+    : config_(std::move(config)),
+      limits_(limits_of(config_)),
+      samples_(layout_of(config_, cycle_capacity)),
+      recorder_(config_) {}
+
+void RunRecord::add(std::span<const CycleSample> samples) {
+  samples_.append(samples);
+  recorder_.add(samples);
+}
+
+void RunRecord::add(const Snapshot& snapshot) {
+  if (!snapshot.online) return;
+  snapshot_ = snapshot;
+  samples_.append(snapshot_);
+  recorder_.add(snapshot_);
+}
+
+void RunRecord::add(const Event& event) {
+  recorder_.add(event);
+  if (events_.size() == kMostEvents) {
+    events_.pop_front();
+    ++forgotten_events_;
+  }
+  events_.push_back(event);
+}
+
+std::string RunRecord::slave_name(std::size_t position) const {
+  return position < config_.slaves.size() ? config_.slaves[position].name : fmt::format("{}", position);
+}
+
+std::vector<RunFinding> RunRecord::findings() const {
+  const auto run = report();
+  return run.history.reached_op ? diagnose(run) : std::vector<RunFinding>{};
+}
+
+}  // namespace syncline

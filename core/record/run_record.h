@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "channels/event.h"
+#include "channels/snapshot.h"
+#include "config/network_config.h"
+#include "findings/finding.h"
+#include "trace/run_report.h"
+#include "trace/sample_store.h"
+
+namespace syncline {
+
+/// What the run is held against, out of the configuration that runs.
+struct RunLimits {
+  Nanoseconds cycle_time = kMillisecond;
+  std::uint32_t deviation_ns = 0;  // of the slaves: 2^n - 1; 0: not monitored
+  Nanoseconds dcm_error_ns = 0;    // of the master; 0: no master synchronisation
+  bool operator==(const RunLimits&) const = default;
+};
+[[nodiscard]] RunLimits limits_of(const NetworkConfig& config);
+
+/// One run: the configuration that runs and whatever came of it, for as long as somebody looks. Owned by who runs it;
+/// plots, tables, exports and recordings read here. Not thread-safe: lives where the channels are drained.
+class RunRecord {
+ public:
+  static constexpr std::size_t kMostEvents = 1U << 16;
+
+  /// `cycle_capacity` cycles of samples are kept; 0: as many as suit the cycle time.
+  explicit RunRecord(NetworkConfig config, std::size_t cycle_capacity = 0);
+
+  /// Everything that is drained; the samples before the snapshot that came with them.
+  void add(std::span<const CycleSample> samples);
+  void add(const Snapshot& snapshot);
+  void add(const Event& event);
+
+  [[nodiscard]] const NetworkConfig& config() const { return config_; }
+  [[nodiscard]] const RunLimits& limits() const { return limits_; }
+  /// As the configuration names it; its number where there is none.
+  [[nodiscard]] std::string slave_name(std::size_t position) const;
+  [[nodiscard]] const SampleStore& samples() const { return samples_; }
+  /// The newest while the bus was online; empty before.
+  [[nodiscard]] const Snapshot& snapshot() const { return snapshot_; }
+  /// In their order, the latest kMostEvents.
+  [[nodiscard]] const std::deque<Event>& events() const { return events_; }
+  [[nodiscard]] std::uint64_t forgotten_events() const { return forgotten_events_; }
+  [[nodiscard]] RunReport report() const { return recorder_.finish(snapshot_); }
+  /// What the figures mean. Judged is what was in OP: on the way there everything is unfinished.
+  [[nodiscard]] std::vector<RunFinding> findings() const;
+
+ private:
+  NetworkConfig config_;
+  RunLimits limits_;
+  SampleStore samples_;
+  RunRecorder recorder_;
+  Snapshot snapshot_;
+  std::deque<Event> events_;
+  std::uint64_t forgotten_events_ = 0;
+};
+
+}  // namespace syncline

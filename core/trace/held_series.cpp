@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "trace/held_series.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace syncline {
+
+void HeldSeries::hear(Nanoseconds time, float value) {
+  if (!series_.empty() && time <= heard_) return;
+  if (known_) longest_ = std::max(longest_, time - heard_);
+  if (!known_ || value != value_) series_.append(time, value);
+  heard_ = time;
+  value_ = value;
+  known_ = true;
+}
+
+void HeldSeries::lose(Nanoseconds time) {
+  if (!known_) return;
+  known_ = false;
+  heard_ = std::max(heard_ + 1, time);
+  series_.append(heard_, std::numeric_limits<float>::quiet_NaN());
+}
+
+void HeldSeries::expire(Nanoseconds now) {
+  if (known_ && now - heard_ > std::max(kPatience, 4 * longest_)) lose(heard_);
+}
+
+void HeldSeries::clear() {
+  series_.clear();
+  heard_ = longest_ = 0;
+  known_ = false;
+}
+
+std::optional<MinMaxSeries::Reading> HeldSeries::at(Nanoseconds time) const {
+  // Behind the last reading it is the last one that is old, not another one that holds.
+  return series_.held_at(time);
+}
+
+}  // namespace syncline

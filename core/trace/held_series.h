@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "trace/min_max_series.h"
+
+namespace syncline {
+
+/// A value that holds from one reading to the next: a count or a state. Kept are its changes, so that hours cost
+/// little; it is never said to hold longer than somebody has heard of it.
+class HeldSeries {
+ public:
+  /// Before anything is known of how often it is read.
+  static constexpr Nanoseconds kPatience = 5 * kSecond;
+
+  explicit HeldSeries(std::size_t capacity) : series_(capacity) {}
+
+  /// A reading; the same one again, or an older one, changes nothing.
+  void hear(Nanoseconds time, float value);
+  /// From `time` on nothing is known, until it is heard again. A time before the last reading means just behind it.
+  void lose(Nanoseconds time);
+  /// Lost where the last reading is old for how often it was read before: four times the longest interval, at least
+  /// kPatience.
+  void expire(Nanoseconds now);
+  void clear();
+
+  /// Step series; after a gap (NaN) nothing holds.
+  [[nodiscard]] const MinMaxSeries& series() const { return series_; }
+  /// Until here its last value holds.
+  [[nodiscard]] Nanoseconds heard() const { return heard_; }
+  /// What holds at `time`, and since when.
+  [[nodiscard]] std::optional<MinMaxSeries::Reading> at(Nanoseconds time) const;
+
+ private:
+  MinMaxSeries series_;
+  Nanoseconds heard_ = 0, longest_ = 0;
+  float value_ = 0;
+  bool known_ = false;
+};
+
+}  // namespace syncline

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+
+#include "trace/signals.h"
+
+namespace syncline {
+
+/// The rows of each slave in the table of signals.
+[[nodiscard]] std::span<const SignalInfo> slave_signals();
+
+}  // namespace syncline

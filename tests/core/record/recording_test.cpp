@@ -1,0 +1,373 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <thread>
+
+#include "record/recorder.h"
+#include "record/recording_reader.h"
+#include "support/whole_file.h"
+#include "tests/core/record/made_samples.h"
+#include "trace/csv.h"
+
+namespace syncline {
+namespace {
+
+using testing::HasSubstr;
+
+RecordingAbout machine() {
+  RecordingAbout about;
+  about.program = "test 1";
+  about.link = "sim:machine.toml?virtual";
+  about.documents = {{"configuration", "c.xml", "<EtherCATConfig/>"},
+                     {"project", "p.syncline", std::string("\0<p/>", 5)}};
+  about.slaves = {{"Coupler", 2, 0x44C2C52, 1}, {"Input", 2, 3, 4}, {"Servo", 0x539, 5, 6}};
+  about.limits = {kMillisecond, 511, 4000};
+  return about;
+}
+
+Snapshot snapshot(Nanoseconds time, std::uint32_t missed) {
+  Snapshot s;
+  s.time = time;
+  s.online = true;
+  s.lost_frames = missed / 2;
+  s.slaves.resize(3);
+  for (auto& slave : s.slaves) {
+    slave.present = true;
+    slave.al_status = 8;
+  }
+  s.slaves[2].sm2_missed.known = true;
+  s.slaves[2].sm2_missed.missed = missed;
+  s.slaves[1].evidence.ports[0].lost_links = missed / 3;
+  s.slaves[1].evidence.ports_time = time;
+  return s;
+}
+
+std::string csv(std::span<const CycleSample> samples) {
+  auto text = sample_csv_header();
+  append_sample_csv(text, samples);
+  return text;
+}
+
+class RecordingFile : public testing::Test {
+ protected:
+  RecordingFile() {
+    std::string pattern = (std::filesystem::temp_directory_path() / "syncline-record-XXXXXX").string();
+    folder_ = ::mkdtemp(pattern.data());
+  }
+  ~RecordingFile() override { std::filesystem::remove_all(folder_); }
+
+  [[nodiscard]] std::string path(const std::string& name = "run.slrec") const { return (folder_ / name).string(); }
+  std::unique_ptr<Recorder> start(const Recorder::Options& options = {}, const std::string& name = "run.slrec") {
+    auto recorder = Recorder::start(path(name), machine(), options, [this](const Recorder::Stop& stop) {
+      stop_ = stop;
+      ++stops_;
+    });
+    EXPECT_TRUE(recorder) << recorder.error().detail;
+    return std::move(*recorder);
+  }
+  /// A recording of some seconds.
+  void make(const std::string& name = "run.slrec") {
+    auto recorder = start({}, name);
+    test::MadeSamples made(1);
+    for (int i = 0; i < 40; ++i) {
+      samples_ = made.next(100);
+      recorder->add(samples_);
+      recorder->add(snapshot(samples_.back().send_time, static_cast<std::uint32_t>(i)));
+    }
+    ASSERT_TRUE(recorder->finish());
+  }
+  static std::string read_csv(RecordingReader& reader) {
+    auto text = sample_csv_header();
+    const auto status = reader.samples([&text](std::span<const CycleSample> samples) {
+      append_sample_csv(text, samples);
+      return true;
+    });
+    EXPECT_TRUE(status) << status.error().detail;
+    return text;
+  }
+
+  std::filesystem::path folder_;
+  std::vector<CycleSample> samples_;
+  Recorder::Stop stop_;
+  int stops_ = 0;
+};
+
+TEST_F(RecordingFile, HoldsTheRunAsItWas) {
+  test::MadeSamples made(7);
+  SampleStore live({.slaves = 3});
+  std::vector<CycleSample> all;
+  auto recorder = start();
+  for (int i = 0; i < 120; ++i) {
+    const auto samples = made.next(100);
+    all.insert(all.end(), samples.begin(), samples.end());
+    recorder->add(samples);
+    live.append(samples);
+    const auto now = snapshot(samples.back().send_time, static_cast<std::uint32_t>(i / 7));
+    recorder->add(now);
+    live.append(now);
+  }
+  const RecordedEvent lost{all[50].send_time, -1, "frames_lost", "1 frame lost"};
+  const RecordedEvent error{all[60].send_time, 2, "al_status_error", "slave 2: error"};
+  recorder->add(lost);
+  recorder->add(error);
+  recorder->add(RecordedNote{all[70].send_time, "cable pulled"});
+  ASSERT_TRUE(
+      recorder->finish("end of the run", std::vector<RecordedFinding>{{"frames-lost", "warning", -1, "noise"}}));
+
+  auto reader = RecordingReader::open(path());
+  ASSERT_TRUE(reader) << reader.error().detail;
+  const auto info = reader->info();
+  ASSERT_TRUE(info) << info.error().detail;
+  EXPECT_EQ(info->about.program, "test 1");
+  EXPECT_EQ(info->about.link, machine().link);
+  EXPECT_EQ(info->about.documents, machine().documents);
+  EXPECT_EQ(info->about.slaves, machine().slaves);
+  EXPECT_EQ(info->about.limits, machine().limits);
+  EXPECT_EQ(info->ended, "end of the run");
+  EXPECT_EQ(info->cycles, all.size());
+  EXPECT_EQ(info->missing_cycles, all.back().cycle - all.front().cycle + 1 - all.size());
+  EXPECT_EQ(info->events, (std::vector<RecordedEvent>{lost, error}));
+  EXPECT_EQ(info->findings.size(), 1U);
+  EXPECT_EQ(info->notes, (std::vector<RecordedNote>{{all[70].send_time, "cable pulled"}}));
+  EXPECT_EQ(read_csv(*reader), csv(all)) << "byte for byte";
+  EXPECT_TRUE(reader->verify());
+  EXPECT_FALSE(std::filesystem::exists(path() + "-wal")) << "one file, when it is done";
+
+  // What the plots hold is what the file holds.
+  for (const auto& [signal, slave] : {std::pair{Signal::kSm2Missed, 2},
+                                      {Signal::kLostFrames, -1},
+                                      {port_signal(0, PortSignal::kLostLinks), 1},
+                                      {Signal::kAlState, 0}}) {
+    const auto points = reader->points(signal, slave);
+    ASSERT_TRUE(points);
+    RecordingReader::Points drawn;
+    const auto& series = live.series(signal, static_cast<std::size_t>(std::max(slave, 0)));
+    series.for_each(INT64_MIN, INT64_MAX, [&](Nanoseconds time, float value) {
+      drawn.times.push_back(time);
+      drawn.values.push_back(value);
+    });
+    EXPECT_EQ(points->times, drawn.times) << syncline::info(signal).key;
+    EXPECT_EQ(points->values.size(), drawn.values.size());
+  }
+  const auto overview = reader->overview(Signal::kDcmError);
+  ASSERT_TRUE(overview);
+  const auto extent = live.series(Signal::kDcmError).extent(INT64_MIN, INT64_MAX);
+  double low = 0, high = 0;
+  for (const auto& block : *overview) {
+    low = std::min(low, block.min);
+    high = std::max(high, block.max);
+  }
+  EXPECT_EQ(low, static_cast<double>(extent->min));
+  EXPECT_EQ(high, static_cast<double>(extent->max));
+}
+
+TEST_F(RecordingFile, TheSameRunGivesTheSameFile) {
+  make("one");
+  make("two");
+  const auto one = read_whole_file(path("one")), two = read_whole_file(path("two"));
+  ASSERT_TRUE(one && two);
+  EXPECT_TRUE(*one == *two);
+}
+
+TEST_F(RecordingFile, ReplacesNothing) {
+  make();
+  const auto again = Recorder::start(path(), machine(), {}, {});
+  ASSERT_FALSE(again);
+  EXPECT_EQ(again.error().code, ErrorCode::kFileNotWritable);
+  EXPECT_THAT(again.error().detail, HasSubstr("already"));
+  EXPECT_TRUE(RecordingReader::open(path())->verify());
+}
+
+TEST_F(RecordingFile, EndsAtItsLengthAndSize) {
+  for (const bool by_size : {false, true}) {
+    Recorder::Options options;
+    (by_size ? options.most_bytes : options.keep_free_bytes) = by_size ? 1'000'000 : 0;
+    if (!by_size) options.longest = 2 * kSecond;
+    const std::string name = by_size ? "size" : "length";
+    auto recorder = start(options, name);
+    test::MadeSamples made(3);
+    stops_ = 0;
+    for (int i = 0; i < 600; ++i) recorder->add(made.next(100));
+    EXPECT_TRUE(recorder->finish()) << "that was asked for";
+    EXPECT_EQ(stops_, 1);
+    EXPECT_THAT(stop_.why, HasSubstr(by_size ? "size" : "length"));
+    auto reader = RecordingReader::open(path(name));
+    ASSERT_TRUE(reader);
+    EXPECT_EQ(reader->info()->ended, stop_.why);
+    EXPECT_LT(reader->info()->cycles, by_size ? 30'000U : 3'100U);
+    EXPECT_GE(reader->info()->cycles, 1'500U);
+    EXPECT_TRUE(reader->verify());
+  }
+}
+
+TEST_F(RecordingFile, StopsWithAMessageBeforeTheDiskIsFull) {
+  Recorder::Options options;
+  options.keep_free_bytes = UINT64_MAX;
+  auto recorder = start(options);
+  test::MadeSamples made(3);
+  for (int i = 0; i < 30; ++i) recorder->add(made.next(100));
+  const auto status = recorder->finish();
+  ASSERT_FALSE(status);
+  EXPECT_EQ(stops_, 1);
+  ASSERT_TRUE(stop_.error);
+  EXPECT_THAT(stop_.error->detail, HasSubstr("left on the disk"));
+  auto reader = RecordingReader::open(path());
+  ASSERT_TRUE(reader);
+  EXPECT_TRUE(reader->verify());
+  EXPECT_GT(reader->info()->cycles, 0U);
+}
+
+/// A file that may not grow any more, as on a full disk: what was committed stays.
+TEST_F(RecordingFile, SurvivesADiskThatIsFull) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    ::signal(SIGXFSZ, SIG_IGN);
+    const rlimit limit{400'000, 400'000};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+    auto recorder = Recorder::start(path(), machine(), {}, {});
+    if (!recorder) ::_exit(2);
+    test::MadeSamples made(3);
+    for (int i = 0; i < 4000; ++i) (*recorder)->add(made.next(100));
+    ::_exit((*recorder)->finish() ? 3 : 0);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << status;
+  auto reader = RecordingReader::open(path());
+  ASSERT_TRUE(reader);
+  EXPECT_TRUE(reader->verify());
+}
+
+/// Killed at any moment it is whole up to the last commit, and what it holds is what was recorded.
+TEST_F(RecordingFile, KilledAtAnyMomentItIsWhole) {
+  Random random(2026);
+  constexpr int kRounds = 30;
+  int with_samples = 0;
+  for (int round = 0; round < kRounds; ++round) {
+    const auto name = "killed" + std::to_string(round);
+    int told[2];
+    ASSERT_EQ(::pipe(told), 0);
+    const pid_t child = ::fork();
+    if (child == 0) {
+      auto recorder = Recorder::start(path(name), machine(), {.commit_every = 20 * kMillisecond}, {});
+      if (!recorder) ::_exit(2);
+      test::MadeSamples made(static_cast<std::uint64_t>(round));
+      for (char i = 0;; ++i) {
+        const auto samples = made.next(20);
+        (*recorder)->add(samples);
+        (*recorder)->add(snapshot(samples.back().send_time, 1));
+        (void)!::write(told[1], &i, 1);
+        std::this_thread::sleep_for(std::chrono::microseconds(300));
+      }
+    }
+    ::close(told[1]);
+    char first = 0;
+    (void)!::read(told[0], &first, 1);
+    std::this_thread::sleep_for(std::chrono::microseconds(random.next() % 60'000));
+    ::kill(child, SIGKILL);
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    ::close(told[0]);
+    ASSERT_TRUE(WIFSIGNALED(status));
+    auto reader = RecordingReader::open(path(name));
+    ASSERT_TRUE(reader) << reader.error().detail;
+    const auto verified = reader->verify();
+    ASSERT_TRUE(verified) << verified.error().detail;
+    const auto info = reader->info();
+    ASSERT_TRUE(info);
+    EXPECT_FALSE(info->ended) << "cut short, and says so";
+    with_samples += info->cycles > 0 ? 1 : 0;
+    test::MadeSamples made(static_cast<std::uint64_t>(round));
+    std::vector<CycleSample> expected;
+    while (expected.size() < info->cycles) {
+      const auto more = made.next(20);
+      expected.insert(expected.end(), more.begin(), more.end());
+    }
+    expected.resize(info->cycles);
+    EXPECT_TRUE(read_csv(*reader) == csv(expected)) << "round " << round;
+  }
+  EXPECT_GT(with_samples, kRounds / 2);
+}
+
+TEST_F(RecordingFile, WhatIsNoneIsRefusedWithItsReason) {
+  EXPECT_EQ(RecordingReader::open(path("none")).error().code, ErrorCode::kFileNotFound);
+  EXPECT_EQ(RecordingReader::open(folder_.string()).error().code, ErrorCode::kNotThatKindOfFile);
+  ASSERT_TRUE(write_whole_file(path("text"), "cycle,send_time_ns\n1,2\n"));
+  EXPECT_EQ(RecordingReader::open(path("text")).error().code, ErrorCode::kNotThatKindOfFile);
+  ASSERT_TRUE(write_whole_file(path("empty"), ""));
+  EXPECT_EQ(RecordingReader::open(path("empty")).error().code, ErrorCode::kNotThatKindOfFile);
+  ASSERT_TRUE(SqlDatabase::open(path("photos"))->execute("CREATE TABLE photos(name)"));
+  const auto foreign = RecordingReader::open(path("photos"));
+  ASSERT_FALSE(foreign);
+  EXPECT_THAT(foreign.error().detail, HasSubstr("another program"));
+  make();
+  ASSERT_TRUE(SqlDatabase::open(path())->execute("PRAGMA user_version=7"));
+  const auto future = RecordingReader::open(path());
+  ASSERT_FALSE(future);
+  EXPECT_EQ(future.error().code, ErrorCode::kNotThatKindOfFile);
+  EXPECT_THAT(future.error().detail, HasSubstr("version 7"));
+}
+
+TEST_F(RecordingFile, CutOffItIsExplained) {
+  make();
+  const auto whole = *read_whole_file(path());
+  for (const std::size_t size : {whole.size() / 2, whole.size() - 1000, std::size_t{5000}, std::size_t{100}}) {
+    ASSERT_TRUE(write_whole_file(path("cut"), std::string_view(whole).substr(0, size)));
+    auto reader = RecordingReader::open(path("cut"));
+    const auto verified = reader ? reader->verify() : Result<std::uint64_t>(tl::unexpected(reader.error()));
+    ASSERT_FALSE(verified) << size;
+    EXPECT_EQ(verified.error().file, path("cut"));
+    EXPECT_THAT(verified.error().detail, testing::AnyOf(HasSubstr("damaged"), HasSubstr("cut off"))) << size;
+  }
+}
+
+TEST_F(RecordingFile, RowsThatContradictEachOtherAreFound) {
+  for (const char* const harm :
+       {"UPDATE block SET cycles = cycles + 1 WHERE number = 0", "UPDATE block SET first_cycle = 9 WHERE number = 0",
+        "UPDATE block SET cycles = -5", "UPDATE block SET cycles = 1000000000", "DELETE FROM block WHERE number = 0",
+        "UPDATE data SET cells = substr(cells, 1, length(cells) - 1) WHERE codec = 2", "UPDATE data SET codec = 9",
+        "UPDATE data SET count = 1000000000000", "DELETE FROM data WHERE codec = 1", "UPDATE summary SET max = max + 1",
+        "DELETE FROM summary", "UPDATE slave SET position = 77 WHERE position = 1", "DELETE FROM limits",
+        "DROP TABLE event", "UPDATE limits SET value = 0"}) {
+    std::filesystem::remove(path());
+    make();
+    ASSERT_TRUE(SqlDatabase::open(path())->execute(harm)) << harm;
+    auto reader = RecordingReader::open(path());
+    ASSERT_TRUE(reader) << harm;
+    const auto verified = reader->verify();
+    const bool no_limits = std::string_view(harm).starts_with("DELETE FROM limits");
+    EXPECT_EQ(verified.has_value(), no_limits) << harm;
+  }
+}
+
+/// Whatever happens to its bytes, it is read or refused, and nothing worse.
+TEST_F(RecordingFile, DamagedBytesAreReadOrRefused) {
+  make();
+  const auto whole = *read_whole_file(path());
+  EXPECT_TRUE(rc::check([&] {
+    auto harmed = whole;
+    const auto hits = *rc::gen::inRange(1, 30);
+    for (int i = 0; i < hits; ++i)
+      harmed[static_cast<std::size_t>(*rc::gen::inRange<int>(0, static_cast<int>(harmed.size())))] =
+          static_cast<char>(*rc::gen::inRange(0, 256));
+    RC_ASSERT(write_whole_file(path("harmed"), harmed).has_value());
+    if (auto reader = RecordingReader::open(path("harmed"))) {
+      (void)reader->info();
+      (void)reader->verify();
+      (void)reader->overview(Signal::kDcmError);
+      (void)reader->points(Signal::kSm2Missed, 2);
+    }
+  }));
+}
+
+}  // namespace
+}  // namespace syncline

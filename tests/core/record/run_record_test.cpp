@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "record/run_record.h"
+
+#include <gtest/gtest.h>
+
+namespace syncline {
+namespace {
+
+NetworkConfig running_machine() {
+  NetworkConfig config;
+  config.cyclic.resize(1);
+  config.cyclic.front().cycle_time = 250 * kMicrosecond;
+  config.slaves.emplace_back().name = "Coupler";
+  config.slaves.emplace_back().name = "Servo";
+  config.dc.enabled = true;
+  config.dc.sync_window.enabled = true;
+  config.dc.sync_window.exponent = 9;
+  return config;
+}
+
+TEST(RunRecord, LimitsAndNamesAreThoseOfTheConfigurationThatRuns) {
+  const RunRecord record(running_machine());
+  EXPECT_EQ(record.limits(), (RunLimits{250 * kMicrosecond, 511, 4000}));
+  EXPECT_EQ(record.slave_name(1), "Servo");
+  EXPECT_EQ(record.slave_name(7), "7");
+  auto unmonitored = running_machine();
+  unmonitored.dc.sync_window.enabled = false;
+  unmonitored.dc.dcm.mode = DcmMode::kOff;
+  EXPECT_EQ(limits_of(unmonitored), (RunLimits{250 * kMicrosecond, 0, 0}));
+  auto without_clocks = running_machine();
+  without_clocks.dc.enabled = false;
+  EXPECT_EQ(limits_of(without_clocks), (RunLimits{250 * kMicrosecond, 0, 0}));
+}
+
+TEST(RunRecord, KeepsTheLastSnapshotOfTheRunAndTheLatestEvents) {
+  RunRecord record(running_machine());
+  Snapshot online;
+  online.online = true;
+  online.cycles = 77;
+  record.add(online);
+  record.add(Snapshot{});  // offline: says nothing about the run
+  EXPECT_EQ(record.snapshot().cycles, 77U);
+  constexpr std::size_t kMore = 10;
+  for (std::size_t i = 0; i < RunRecord::kMostEvents + kMore; ++i)
+    record.add(Event{static_cast<Nanoseconds>(i), -1, events::Online{}});
+  EXPECT_EQ(record.events().size(), RunRecord::kMostEvents);
+  EXPECT_EQ(record.forgotten_events(), kMore);
+  EXPECT_EQ(record.events().front().time, static_cast<Nanoseconds>(kMore));
+}
+
+TEST(RunRecord, SamplesAndSnapshotsReachTheStore) {
+  RunRecord record(running_machine());
+  CycleSample sample;
+  sample.cycle = 1;
+  sample.send_time = kSecond;
+  sample.flags = CycleSample::kDcmActive | CycleSample::kReferenceValid;
+  sample.dcm_error_ns = 12;
+  record.add(std::span(&sample, 1));
+  Snapshot online;
+  online.online = true;
+  online.time = kSecond;
+  online.slaves.resize(2);
+  online.slaves[1].present = true;
+  online.slaves[1].al_status = 8;
+  record.add(online);
+  EXPECT_EQ(record.samples().value(Signal::kDcmError, kSecond)->value, 12);
+  EXPECT_EQ(record.samples().value(Signal::kAlState, 1, kSecond)->value, 8);
+  EXPECT_TRUE(record.findings().empty()) << "it was not in OP";
+}
+
+}  // namespace
+}  // namespace syncline

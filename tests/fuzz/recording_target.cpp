@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fuzz/recording_target.h"
+
+#include <filesystem>
+
+#include "fuzz/sandbox.h"
+#include "record/recorder.h"
+#include "record/recording_reader.h"
+#include "tests/core/record/made_samples.h"
+
+namespace syncline::fuzz {
+
+void run_recording(std::span<const std::uint8_t> bytes) {
+  static const Sandbox sandbox;
+  sandbox.clear();
+  sandbox.put("run.slrec", text_of(bytes));
+  auto reader = RecordingReader::open(sandbox.file("run.slrec"));
+  if (!reader) return promise(!reader.error().file.empty());
+  const auto whole = reader->verify();
+  const auto info = reader->info();
+  std::uint64_t cycles = 0;
+  const auto read = reader->samples([&cycles](std::span<const CycleSample> samples) {
+    cycles += samples.size();
+    return true;
+  });
+  (void)reader->overview(Signal::kDcmError);
+  (void)reader->points(Signal::kSm2Missed, 2);
+  if (whole) promise(info && read && cycles == info->cycles);
+}
+
+std::vector<Bytes> recordings() {
+  const Sandbox sandbox;
+  RecordingAbout about;
+  about.slaves.resize(3);
+  {
+    auto recorder = Recorder::start(sandbox.file("run.slrec"), about, {.keep_free_bytes = 0}, {});
+    if (!recorder) return {};
+    test::MadeSamples made(1);
+    for (int i = 0; i < 20; ++i) (*recorder)->add(made.next(100));
+    (*recorder)->add(RecordedEvent{1, 2, "frames_lost", "one"});
+  }
+  return {bytes_of_text(sandbox.text("run.slrec"))};
+}
+
+}  // namespace syncline::fuzz
