@@ -171,6 +171,10 @@
             <source>Show the settings that few machines need</source>
             <translation>Die Einstellungen zeigen, die wenige Maschinen brauchen</translation>
         </message>
+        <message>
+            <source>Open a project, an ENI, an ESI file, a capture or a scenario</source>
+            <translation>Ein Projekt, eine ENI, eine ESI-Datei, eine Aufzeichnung oder ein Szenario öffnen</translation>
+        </message>
     </context>
     <context>
         <name>BusCommands</name>
@@ -201,6 +205,22 @@
         <message>
             <source>Monitor the sync window</source>
             <translation>Sync-Fenster überwachen</translation>
+        </message>
+        <message>
+            <source>A scan needs the bus for itself.</source>
+            <translation>Ein Scan braucht den Bus für sich allein.</translation>
+        </message>
+        <message>
+            <source>Restart the machine with the project as it is now?</source>
+            <translation>Die Maschine mit dem Projekt neu starten, wie es jetzt ist?</translation>
+        </message>
+        <message>
+            <source>All slaves go to INIT and come up again.</source>
+            <translation>Alle Slaves gehen nach INIT und laufen wieder hoch.</translation>
+        </message>
+        <message>
+            <source>Restart</source>
+            <translation>Neu starten</translation>
         </message>
     </context>
     <context>
@@ -894,6 +914,54 @@
             <source>Save the changes to %1?</source>
             <translation>Änderungen an %1 speichern?</translation>
         </message>
+        <message>
+            <source>A new project begins without a machine.</source>
+            <translation>Ein neues Projekt beginnt ohne Maschine.</translation>
+        </message>
+        <message>
+            <source>All that can be opened (*.syncline *.xml *.esi *.eni *.pcap *.pcapng *.toml);;Syncline projects (*.syncline);;All files (*)</source>
+            <translation>Alles, was sich öffnen lässt (*.syncline *.xml *.esi *.eni *.pcap *.pcapng *.toml);;Syncline-Projekte (*.syncline);;Alle Dateien (*)</translation>
+        </message>
+        <message>
+            <source>%1 cannot be opened here.</source>
+            <translation>%1 lässt sich hier nicht öffnen.</translation>
+        </message>
+        <message>
+            <source>Another project is opened.</source>
+            <translation>Ein anderes Projekt wird geöffnet.</translation>
+        </message>
+        <message>
+            <source>It is a log of the master synchronisation: a spreadsheet shows it.</source>
+            <translation>Es ist ein Protokoll der Master-Synchronisation: eine Tabellenkalkulation zeigt es.</translation>
+        </message>
+        <message>
+            <source>It is neither a project, an ENI, an ESI, a capture nor a scenario.</source>
+            <translation>Es ist weder ein Projekt noch eine ENI, eine ESI, eine Aufzeichnung oder ein Szenario.</translation>
+        </message>
+        <message>
+            <source>Another window has %1 open.</source>
+            <translation>Ein anderes Fenster hat %1 geöffnet.</translation>
+        </message>
+        <message>
+            <source>It is %1. Here it can be looked at and changed, and be saved under another name. If that window is gone, delete %2.</source>
+            <translation>Es ist %1. Hier kann das Projekt angesehen, geändert und unter anderem Namen gesichert werden. Gibt es jenes Fenster nicht mehr, löschen Sie %2.</translation>
+        </message>
+        <message>
+            <source>Open Read-only</source>
+            <translation>Nur lesend öffnen</translation>
+        </message>
+        <message>
+            <source>Recover</source>
+            <translation>Wiederherstellen</translation>
+        </message>
+        <message>
+            <source>The unsaved work could not be read.</source>
+            <translation>Die ungesicherte Arbeit konnte nicht gelesen werden.</translation>
+        </message>
+        <message>
+            <source>Recovered %1; it is not saved yet</source>
+            <translation>%1 wiederhergestellt; noch nicht gesichert</translation>
+        </message>
     </context>
     <context>
         <name>Glossary</name>
@@ -1299,6 +1367,14 @@
         <message>
             <source>%1[*] – Syncline</source>
             <translation>%1[*] – Syncline</translation>
+        </message>
+        <message>
+            <source>Revert to what runs</source>
+            <translation>Zurück zu dem, was läuft</translation>
+        </message>
+        <message>
+            <source>%1[*] (read-only) – Syncline</source>
+            <translation>%1[*] (nur lesend) – Syncline</translation>
         </message>
     </context>
     <context>
@@ -2563,6 +2639,22 @@ Einstellung %2</translation>
             <source>Begin with the simulated demonstration machine, a bus, or a project file.</source>
             <translation>Mit der simulierten Vorführmaschine, einem Bus oder einer Projektdatei beginnen.</translation>
         </message>
+        <message>
+            <source>Open %1</source>
+            <translation>%1 öffnen</translation>
+        </message>
+        <message>
+            <source>Pin %1</source>
+            <translation>%1 anheften</translation>
+        </message>
+        <message>
+            <source>Stays in the list</source>
+            <translation>Bleibt in der Liste</translation>
+        </message>
+        <message>
+            <source>Keep it in the list</source>
+            <translation>In der Liste behalten</translation>
+        </message>
     </context>
     <context>
         <name>Workspace</name>
@@ -2580,6 +2672,10 @@ Einstellung %2</translation>
                 <numerusform>%n Slave auf %1 gefunden</numerusform>
                 <numerusform>%n Slaves auf %1 gefunden</numerusform>
             </translation>
+        </message>
+        <message>
+            <source>Unsaved work is not kept</source>
+            <translation>Ungesicherte Arbeit wird nicht aufbewahrt</translation>
         </message>
     </context>
     <context>
@@ -3949,6 +4045,46 @@ Einstellung %2</translation>
             <source>bytes</source>
             <translation>Byte</translation>
         </message>
+        <message>
+            <source>Task</source>
+            <translation>Task</translation>
+        </message>
+        <message>
+            <source>A task beside the base task, whose frames are sent in every MULTIPLE-th cycle; K counts from 0, the number behind the last adds one.</source>
+            <translation>Ein Task neben dem Basis-Task, dessen Frames in jedem MULTIPLE-ten Zyklus gesendet werden; K zählt ab 0, die Nummer hinter dem letzten fügt einen hinzu.</translation>
+        </message>
+        <message>
+            <source>Sync Unit</source>
+            <translation>Sync Unit</translation>
+        </message>
+        <message>
+            <source>Slaves that are exchanged together in datagrams of their own, in the base task or in TASK; K counts from 0, the number behind the last adds one.</source>
+            <translation>Slaves, die zusammen in eigenen Datagrammen ausgetauscht werden, im Basis-Task oder in TASK; K zählt ab 0, die Nummer hinter der letzten fügt eine hinzu.</translation>
+        </message>
+        <message>
+            <source>Mapping</source>
+            <translation>Mapping</translation>
+        </message>
+        <message>
+            <source>What PDO 0xIIII carries. Only PDOs that are not fixed can be changed.</source>
+            <translation>Was PDO 0xIIII trägt. Nur PDOs, die nicht fest sind, können geändert werden.</translation>
+        </message>
+        <message>
+            <source>Start-up command</source>
+            <translation>Startkommando</translation>
+        </message>
+        <message>
+            <source>CoE object that is written at these transitions, K counts from 0; the number behind the last adds one.</source>
+            <translation>CoE-Objekt, das bei diesen Übergängen geschrieben wird, K zählt ab 0; die Nummer hinter dem letzten fügt eines hinzu.</translation>
+        </message>
+        <message>
+            <source>SoE start-up command</source>
+            <translation>SoE-Startkommando</translation>
+        </message>
+        <message>
+            <source>IDN that is written at these transitions, K counts from 0; the number behind the last adds one.</source>
+            <translation>IDN, die bei diesen Übergängen geschrieben wird, K zählt ab 0; die Nummer hinter der letzten fügt eine hinzu.</translation>
+        </message>
     </context>
     <context>
         <name>FieldBinder</name>
@@ -3959,6 +4095,10 @@ Einstellung %2</translation>
         <message>
             <source>%1 (Expert)</source>
             <translation>%1 (Experte)</translation>
+        </message>
+        <message>
+            <source>Finding: %1</source>
+            <translation>Befund: %1</translation>
         </message>
     </context>
     <context>
@@ -4049,6 +4189,870 @@ Einstellung %2</translation>
         <message>
             <source>Sync Units</source>
             <translation>Sync Units</translation>
+        </message>
+    </context>
+    <context>
+        <name>Questions</name>
+        <message>
+            <source>The machine is running. Take it offline?</source>
+            <translation>Die Maschine läuft. Offline nehmen?</translation>
+        </message>
+        <message>
+            <source>All slaves go to INIT.</source>
+            <translation>Alle Slaves gehen nach INIT.</translation>
+        </message>
+        <message>
+            <source>Go Offline</source>
+            <translation>Offline gehen</translation>
+        </message>
+    </context>
+    <context>
+        <name>SlaveStartupPage</name>
+        <message>
+            <source>INIT to PREOP</source>
+            <translation>INIT nach PREOP</translation>
+        </message>
+        <message>
+            <source>PREOP to SAFEOP</source>
+            <translation>PREOP nach SAFEOP</translation>
+        </message>
+        <message>
+            <source>SAFEOP to OP</source>
+            <translation>SAFEOP nach OP</translation>
+        </message>
+        <message>
+            <source>INIT to BOOT</source>
+            <translation>INIT nach BOOT</translation>
+        </message>
+        <message>
+            <source>PREOP again</source>
+            <translation>PREOP noch einmal</translation>
+        </message>
+        <message>
+            <source>OP to SAFEOP</source>
+            <translation>OP nach SAFEOP</translation>
+        </message>
+        <message>
+            <source>OP to PREOP</source>
+            <translation>OP nach PREOP</translation>
+        </message>
+        <message>
+            <source>SAFEOP to PREOP</source>
+            <translation>SAFEOP nach PREOP</translation>
+        </message>
+        <message>
+            <source>SAFEOP to INIT</source>
+            <translation>SAFEOP nach INIT</translation>
+        </message>
+        <message>
+            <source>PREOP to INIT</source>
+            <translation>PREOP nach INIT</translation>
+        </message>
+        <message>
+            <source>Transitions</source>
+            <translation>Übergänge</translation>
+        </message>
+        <message>
+            <source>State changes at which the command is sent (ENI InitCmd/Transition)</source>
+            <translation>Zustandswechsel, bei denen das Kommando gesendet wird (ENI InitCmd/Transition)</translation>
+        </message>
+        <message>
+            <source>Time-out</source>
+            <translation>Zeitlimit</translation>
+        </message>
+        <message>
+            <source>ms for the answer; empty: the master&apos;s own (ENI InitCmd/Timeout)</source>
+            <translation>ms für die Antwort; leer: das des Masters (ENI InitCmd/Timeout)</translation>
+        </message>
+        <message>
+            <source>a time-out is a whole number of ms</source>
+            <translation>ein Zeitlimit ist eine ganze Zahl von ms</translation>
+        </message>
+        <message>
+            <source>Comment</source>
+            <translation>Kommentar</translation>
+        </message>
+        <message>
+            <source>Beside the command in the ENI (InitCmd/Comment)</source>
+            <translation>Steht in der ENI beim Kommando (InitCmd/Comment)</translation>
+        </message>
+        <message>
+            <source>&quot;%1&quot; is no object like 0x6060:00</source>
+            <translation>„%1“ ist kein Objekt wie 0x6060:00</translation>
+        </message>
+        <message>
+            <source>Value</source>
+            <translation>Wert</translation>
+        </message>
+        <message>
+            <source>Decimal, or hexadecimal with 0x; bytes in the order of the wire (ENI InitCmd/Data)</source>
+            <translation>Dezimal, oder hexadezimal mit 0x; Bytes in der Reihenfolge der Leitung (ENI InitCmd/Data)</translation>
+        </message>
+        <message>
+            <source>&quot;%1&quot; is no IDN like S-0-0047</source>
+            <translation>„%1“ ist keine IDN wie S-0-0047</translation>
+        </message>
+        <message>
+            <source>drives count from 0 to 7</source>
+            <translation>Antriebe zählen von 0 bis 7</translation>
+        </message>
+        <message>
+            <source>Enabled</source>
+            <translation>Aktiv</translation>
+        </message>
+        <message>
+            <source>Off: the command is kept, but not sent</source>
+            <translation>Aus: das Kommando bleibt erhalten, wird aber nicht gesendet</translation>
+        </message>
+        <message>
+            <source>Object</source>
+            <translation>Objekt</translation>
+        </message>
+        <message>
+            <source>Index and sub-index, hexadecimal: 0x6060:00 (ENI InitCmd/Index and SubIndex)</source>
+            <translation>Index und Subindex, hexadezimal: 0x6060:00 (ENI InitCmd/Index und SubIndex)</translation>
+        </message>
+        <message>
+            <source>Complete access</source>
+            <translation>Complete Access</translation>
+        </message>
+        <message>
+            <source>The value is the whole object, from sub-index 0 or 1 on (ENI InitCmd@CompleteAccess)</source>
+            <translation>Der Wert ist das ganze Objekt, ab Subindex 0 oder 1 (ENI InitCmd@CompleteAccess)</translation>
+        </message>
+        <message>
+            <source>Fixed</source>
+            <translation>Fest</translation>
+        </message>
+        <message>
+            <source>The device needs the command as it is (ENI InitCmd@Fixed)</source>
+            <translation>Das Gerät braucht das Kommando so, wie es ist (ENI InitCmd@Fixed)</translation>
+        </message>
+        <message>
+            <source>Adapt automatically</source>
+            <translation>Automatisch anpassen</translation>
+        </message>
+        <message>
+            <source>The value follows another setting, such as the cycle time (ESI InitCmd@AdaptAutomatically)</source>
+            <translation>Der Wert folgt einer anderen Einstellung, etwa der Zykluszeit (ESI InitCmd@AdaptAutomatically)</translation>
+        </message>
+        <message>
+            <source>Drive</source>
+            <translation>Antrieb</translation>
+        </message>
+        <message>
+            <source>Drive of the device, 0 to 7 (ENI InitCmd/DriveNo)</source>
+            <translation>Antrieb des Geräts, 0 bis 7 (ENI InitCmd/DriveNo)</translation>
+        </message>
+        <message>
+            <source>IDN</source>
+            <translation>IDN</translation>
+        </message>
+        <message>
+            <source>Standard or product parameter: S-0-0047, P-0-0100 (ENI InitCmd/IDN)</source>
+            <translation>Standard- oder Produktparameter: S-0-0047, P-0-0100 (ENI InitCmd/IDN)</translation>
+        </message>
+        <message>
+            <source>Bytes in hexadecimal, in the order of the wire (ENI InitCmd/Data)</source>
+            <translation>Bytes hexadezimal, in der Reihenfolge der Leitung (ENI InitCmd/Data)</translation>
+        </message>
+        <message>
+            <source>Start-up</source>
+            <translation>Start</translation>
+        </message>
+        <message>
+            <source>start-up command</source>
+            <translation>Startkommando</translation>
+        </message>
+        <message>
+            <source>SoE start-up command</source>
+            <translation>SoE-Startkommando</translation>
+        </message>
+        <message>
+            <source>Objects (CoE)</source>
+            <translation>Objekte (CoE)</translation>
+        </message>
+        <message>
+            <source>Parameters (SoE)</source>
+            <translation>Parameter (SoE)</translation>
+        </message>
+        <message>
+            <source>Data type</source>
+            <translation>Datentyp</translation>
+        </message>
+        <message>
+            <source>As what the value is written; the command holds its bytes</source>
+            <translation>Als was der Wert geschrieben wird; das Kommando hält seine Bytes</translation>
+        </message>
+        <message>
+            <source>Choose Object…</source>
+            <translation>Objekt wählen …</translation>
+        </message>
+        <message>
+            <source>Choose an object of the device</source>
+            <translation>Ein Objekt des Geräts wählen</translation>
+        </message>
+        <message>
+            <source>As described (%1)</source>
+            <translation>Wie beschrieben (%1)</translation>
+        </message>
+    </context>
+    <context>
+        <name>DifferenceDialog</name>
+        <message>
+            <source>Project and Running Machine</source>
+            <translation>Projekt und laufende Maschine</translation>
+        </message>
+        <message>
+            <source>The machine runs on as it was started. A double click goes to the field.</source>
+            <translation>Die Maschine läuft weiter, wie sie gestartet wurde. Ein Doppelklick führt zum Feld.</translation>
+        </message>
+        <message>
+            <source>Runs</source>
+            <translation>Läuft</translation>
+        </message>
+        <message>
+            <source>Project</source>
+            <translation>Projekt</translation>
+        </message>
+        <message>
+            <source>Differences between project and running machine</source>
+            <translation>Unterschiede zwischen Projekt und laufender Maschine</translation>
+        </message>
+    </context>
+    <context>
+        <name>DifferenceModel</name>
+        <message>
+            <source>Where</source>
+            <translation>Wo</translation>
+        </message>
+        <message>
+            <source>What</source>
+            <translation>Was</translation>
+        </message>
+    </context>
+    <context>
+        <name>FoundDialog</name>
+        <message numerus="yes">
+            <source>%n match(es)</source>
+            <translation>
+                <numerusform>%n stimmt überein</numerusform>
+                <numerusform>%n stimmen überein</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n additional</source>
+            <translation>
+                <numerusform>%n zusätzlich</numerusform>
+                <numerusform>%n zusätzlich</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n missing</source>
+            <translation>
+                <numerusform>%n fehlt</numerusform>
+                <numerusform>%n fehlen</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n moved</source>
+            <translation>
+                <numerusform>%n verschoben</numerusform>
+                <numerusform>%n verschoben</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n wired otherwise</source>
+            <translation>
+                <numerusform>%n anders verdrahtet</numerusform>
+                <numerusform>%n anders verdrahtet</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n in another revision</source>
+            <translation>
+                <numerusform>%n in anderer Revision</numerusform>
+                <numerusform>%n in anderer Revision</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n other device(s)</source>
+            <translation>
+                <numerusform>%n anderes Gerät</numerusform>
+                <numerusform>%n andere Geräte</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>The bus on %1 beside the project: %2.</source>
+            <translation>Der Bus an %1 neben dem Projekt: %2.</translation>
+        </message>
+        <message>
+            <source>Scan Result</source>
+            <translation>Ergebnis des Scans</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n slave(s) of this bus are running. They were only looked at and nothing was written, so some of what they are may not be known.</source>
+            <translation>
+                <numerusform>%n Slave dieses Busses läuft. Es wurde nur geschaut und nichts geschrieben, daher ist vielleicht nicht alles über ihn bekannt.</numerusform>
+                <numerusform>%n Slaves dieses Busses laufen. Es wurde nur geschaut und nichts geschrieben, daher ist vielleicht nicht alles über sie bekannt.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Scan &amp;Fully…</source>
+            <translation>&amp;Vollständig scannen …</translation>
+        </message>
+        <message>
+            <source>Scan fully</source>
+            <translation>Vollständig scannen</translation>
+        </message>
+        <message>
+            <source>Touch the running machine?</source>
+            <translation>Die laufende Maschine berühren?</translation>
+        </message>
+        <message>
+            <source>States stay as they are. EEPROMs are taken from their devices while they are read, the receive times of all slaves are latched, and slaves without a description are asked in PREOP.</source>
+            <translation>Zustände bleiben, wie sie sind. EEPROMs werden ihren Geräten entzogen, während sie gelesen werden, die Empfangszeiten aller Slaves werden erfasst, und Slaves ohne Beschreibung werden in PREOP befragt.</translation>
+        </message>
+        <message>
+            <source>Scan Fully</source>
+            <translation>Vollständig scannen</translation>
+        </message>
+        <message>
+            <source>Slaves in the project and on the bus</source>
+            <translation>Slaves im Projekt und am Bus</translation>
+        </message>
+        <message>
+            <source>&amp;Take Over Ticked</source>
+            <translation>&amp;Angekreuztes übernehmen</translation>
+        </message>
+        <message>
+            <source>Take over what is ticked</source>
+            <translation>Angekreuztes übernehmen</translation>
+        </message>
+        <message>
+            <source>&amp;Replace Project…</source>
+            <translation>Projekt &amp;ersetzen …</translation>
+        </message>
+        <message>
+            <source>Replace the project</source>
+            <translation>Das Projekt ersetzen</translation>
+        </message>
+        <message>
+            <source>A new project of the bus with the defaults of its devices; all settings go</source>
+            <translation>Ein neues Projekt des Busses mit den Vorgaben seiner Geräte; alle Einstellungen gehen</translation>
+        </message>
+        <message>
+            <source>&amp;Keep Project</source>
+            <translation>Projekt &amp;behalten</translation>
+        </message>
+        <message>
+            <source>Keep the project</source>
+            <translation>Das Projekt behalten</translation>
+        </message>
+        <message>
+            <source>The other revision does not take these settings: %1</source>
+            <translation>Die andere Revision nimmt diese Einstellungen nicht: %1</translation>
+        </message>
+        <message>
+            <source>Replace the whole project?</source>
+            <translation>Das ganze Projekt ersetzen?</translation>
+        </message>
+        <message>
+            <source>Its settings go; Undo brings them back.</source>
+            <translation>Seine Einstellungen gehen; Rückgängig bringt sie zurück.</translation>
+        </message>
+        <message>
+            <source>Replace</source>
+            <translation>Ersetzen</translation>
+        </message>
+    </context>
+    <context>
+        <name>FoundModel</name>
+        <message>
+            <source>Matches</source>
+            <translation>Stimmt überein</translation>
+        </message>
+        <message>
+            <source>Wired otherwise</source>
+            <translation>Anders verdrahtet</translation>
+        </message>
+        <message>
+            <source>Moved</source>
+            <translation>Verschoben</translation>
+        </message>
+        <message>
+            <source>Other revision</source>
+            <translation>Andere Revision</translation>
+        </message>
+        <message>
+            <source>Other device</source>
+            <translation>Anderes Gerät</translation>
+        </message>
+        <message>
+            <source>Missing</source>
+            <translation>Fehlt</translation>
+        </message>
+        <message>
+            <source>Additional</source>
+            <translation>Zusätzlich</translation>
+        </message>
+        <message>
+            <source>the master</source>
+            <translation>dem Master</translation>
+        </message>
+        <message>
+            <source>slave %1, port %2</source>
+            <translation>Slave %1, Port %2</translation>
+        </message>
+        <message>
+            <source>Connected to %1 instead of %2</source>
+            <translation>Angeschlossen an %1 statt an %2</translation>
+        </message>
+        <message>
+            <source>Position %1 instead of %2</source>
+            <translation>Position %1 statt %2</translation>
+        </message>
+        <message>
+            <source>Revision %1 instead of %2</source>
+            <translation>Revision %1 statt %2</translation>
+        </message>
+        <message>
+            <source>%1 instead of %2</source>
+            <translation>%1 statt %2</translation>
+        </message>
+        <message>
+            <source>Not on the bus; ticked: goes out of the project</source>
+            <translation>Nicht am Bus; angekreuzt: geht aus dem Projekt</translation>
+        </message>
+        <message>
+            <source>Not in the project; ticked: comes in</source>
+            <translation>Nicht im Projekt; angekreuzt: kommt hinein</translation>
+        </message>
+        <message>
+            <source>Take over</source>
+            <translation>Übernehmen</translation>
+        </message>
+        <message>
+            <source>In the project</source>
+            <translation>Im Projekt</translation>
+        </message>
+        <message>
+            <source>On the bus</source>
+            <translation>Am Bus</translation>
+        </message>
+        <message>
+            <source>Difference</source>
+            <translation>Unterschied</translation>
+        </message>
+    </context>
+    <context>
+        <name>ImportCommands</name>
+        <message>
+            <source>Open</source>
+            <translation>Öffnen</translation>
+        </message>
+        <message>
+            <source>The ENI could not be read.</source>
+            <translation>Die ENI konnte nicht gelesen werden.</translation>
+        </message>
+        <message numerus="yes">
+            <source>A project was made of %1; exported again, %n command(s) would differ.</source>
+            <translation>
+                <numerusform>Aus %1 wurde ein Projekt; erneut exportiert wäre %n Kommando anders.</numerusform>
+                <numerusform>Aus %1 wurde ein Projekt; erneut exportiert wären %n Kommandos anders.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Add the folder of this device description to the catalogue?</source>
+            <translation>Den Ordner dieser Gerätebeschreibung in den Katalog aufnehmen?</translation>
+        </message>
+        <message>
+            <source>All ESI files below %1 are read; scans then know their devices.</source>
+            <translation>Alle ESI-Dateien unter %1 werden gelesen; Scans kennen dann ihre Geräte.</translation>
+        </message>
+        <message>
+            <source>Add Folder</source>
+            <translation>Ordner aufnehmen</translation>
+        </message>
+        <message>
+            <source>Catalogue</source>
+            <translation>Katalog</translation>
+        </message>
+        <message>
+            <source>Reading the ESI files below %1 …</source>
+            <translation>Die ESI-Dateien unter %1 werden gelesen …</translation>
+        </message>
+        <message>
+            <source>The folder could not be read.</source>
+            <translation>Der Ordner konnte nicht gelesen werden.</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n new device(s) of %1 are in the catalogue.</source>
+            <translation>
+                <numerusform>%n neues Gerät aus %1 ist im Katalog.</numerusform>
+                <numerusform>%n neue Geräte aus %1 sind im Katalog.</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>MasterTasksPage</name>
+        <message>
+            <source>Tasks (Expert)</source>
+            <translation>Tasks (Experte)</translation>
+        </message>
+        <message>
+            <source>Task</source>
+            <translation>Task</translation>
+        </message>
+        <message>
+            <source>Name of the task (ENI Cyclic)</source>
+            <translation>Name des Tasks (ENI Cyclic)</translation>
+        </message>
+        <message>
+            <source>Bus cycles</source>
+            <translation>Buszyklen</translation>
+        </message>
+        <message>
+            <source>Its frames are sent in every so many-th bus cycle, 1 to 1000</source>
+            <translation>Seine Frames werden in jedem so vielten Buszyklus gesendet, 1 bis 1000</translation>
+        </message>
+        <message>
+            <source>Cycle</source>
+            <translation>Zyklus</translation>
+        </message>
+        <message>
+            <source>Tasks beside the Base Task</source>
+            <translation>Tasks neben dem Basis-Task</translation>
+        </message>
+        <message>
+            <source>Sync Unit</source>
+            <translation>Sync Unit</translation>
+        </message>
+        <message>
+            <source>Slaves of one unit are exchanged in datagrams of their own</source>
+            <translation>Slaves einer Unit werden in eigenen Datagrammen ausgetauscht</translation>
+        </message>
+        <message>
+            <source>The task that exchanges the unit&apos;s process data</source>
+            <translation>Der Task, der die Prozessdaten der Unit austauscht</translation>
+        </message>
+        <message>
+            <source>Slaves</source>
+            <translation>Slaves</translation>
+        </message>
+        <message>
+            <source>Sync Units</source>
+            <translation>Sync Units</translation>
+        </message>
+        <message>
+            <source>task</source>
+            <translation>Task</translation>
+        </message>
+        <message>
+            <source>Unit</source>
+            <translation>Unit</translation>
+        </message>
+        <message>
+            <source>Base task</source>
+            <translation>Basis-Task</translation>
+        </message>
+    </context>
+    <context>
+        <name>ObjectPicker</name>
+        <message>
+            <source>Choose Object</source>
+            <translation>Objekt wählen</translation>
+        </message>
+        <message>
+            <source>Search objects</source>
+            <translation>Objekte suchen</translation>
+        </message>
+        <message>
+            <source>Index, name or type</source>
+            <translation>Index, Name oder Typ</translation>
+        </message>
+        <message>
+            <source>Object</source>
+            <translation>Objekt</translation>
+        </message>
+        <message>
+            <source>Name</source>
+            <translation>Name</translation>
+        </message>
+        <message>
+            <source>Type</source>
+            <translation>Typ</translation>
+        </message>
+        <message>
+            <source>Size</source>
+            <translation>Größe</translation>
+        </message>
+        <message>
+            <source>Objects of the device</source>
+            <translation>Objekte des Geräts</translation>
+        </message>
+        <message>
+            <source>&amp;Choose</source>
+            <translation>&amp;Wählen</translation>
+        </message>
+        <message>
+            <source>Choose</source>
+            <translation>Wählen</translation>
+        </message>
+    </context>
+    <context>
+        <name>PdoMappingEditor</name>
+        <message>
+            <source>Entries</source>
+            <translation>Einträge</translation>
+        </message>
+        <message>
+            <source>Entries of the selected PDO</source>
+            <translation>Einträge des gewählten PDO</translation>
+        </message>
+        <message>
+            <source>Selected Entry</source>
+            <translation>Gewählter Eintrag</translation>
+        </message>
+        <message>
+            <source>Choose Object…</source>
+            <translation>Objekt wählen …</translation>
+        </message>
+        <message>
+            <source>Choose an object of the device</source>
+            <translation>Ein Objekt des Geräts wählen</translation>
+        </message>
+        <message>
+            <source>PDO entry</source>
+            <translation>PDO-Eintrag</translation>
+        </message>
+        <message>
+            <source>Object</source>
+            <translation>Objekt</translation>
+        </message>
+        <message>
+            <source>Index and sub-index, hexadecimal: 0x6040:00; 0x0000:00 is padding</source>
+            <translation>Index und Subindex, hexadezimal: 0x6040:00; 0x0000:00 füllt auf</translation>
+        </message>
+        <message>
+            <source>&quot;%1&quot; is no object like 0x6040:00</source>
+            <translation>„%1“ ist kein Objekt wie 0x6040:00</translation>
+        </message>
+        <message>
+            <source>Bits</source>
+            <translation>Bits</translation>
+        </message>
+        <message>
+            <source>Length of the entry, 1 to 255 bits</source>
+            <translation>Länge des Eintrags, 1 bis 255 Bit</translation>
+        </message>
+        <message>
+            <source>No PDO is selected.</source>
+            <translation>Kein PDO ist gewählt.</translation>
+        </message>
+        <message>
+            <source>The device does not let this PDO be changed (Fixed in the ESI).</source>
+            <translation>Das Gerät lässt dieses PDO nicht ändern (Fixed in der ESI).</translation>
+        </message>
+        <message>
+            <source>The device takes no other mapping (CoE PdoConfig in its ESI).</source>
+            <translation>Das Gerät nimmt kein anderes Mapping (CoE PdoConfig in seiner ESI).</translation>
+        </message>
+    </context>
+    <context>
+        <name>RecentMenu</name>
+        <message>
+            <source>Open &amp;Recent</source>
+            <translation>&amp;Zuletzt geöffnet</translation>
+        </message>
+        <message>
+            <source>&amp;Pin This Project</source>
+            <translation>Dieses Projekt &amp;anheften</translation>
+        </message>
+        <message>
+            <source>&amp;Clear List</source>
+            <translation>Liste &amp;leeren</translation>
+        </message>
+        <message>
+            <source>Pinned projects stay</source>
+            <translation>Angeheftete Projekte bleiben</translation>
+        </message>
+    </context>
+    <context>
+        <name>RecordEditor</name>
+        <message>
+            <source>Selected</source>
+            <translation>Gewählt</translation>
+        </message>
+    </context>
+    <context>
+        <name>RecordForm</name>
+        <message>
+            <source>Change: %1</source>
+            <translation>Ändern: %1</translation>
+        </message>
+        <message>
+            <source>Add</source>
+            <translation>Neu</translation>
+        </message>
+        <message>
+            <source>Add: %1</source>
+            <translation>Hinzufügen: %1</translation>
+        </message>
+        <message>
+            <source>Remove</source>
+            <translation>Entfernen</translation>
+        </message>
+        <message>
+            <source>Remove: %1</source>
+            <translation>Entfernen: %1</translation>
+        </message>
+        <message>
+            <source>Move up: %1</source>
+            <translation>Nach oben: %1</translation>
+        </message>
+        <message>
+            <source>Move down: %1</source>
+            <translation>Nach unten: %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>RecoveryDialog</name>
+        <message>
+            <source>Recover Unsaved Work</source>
+            <translation>Ungesicherte Arbeit wiederherstellen</translation>
+        </message>
+        <message>
+            <source>A window ended before its edits were saved. They were kept; the files themselves are as they were last saved.</source>
+            <translation>Ein Fenster endete, bevor seine Änderungen gesichert waren. Sie wurden aufbewahrt; die Dateien selbst sind, wie sie zuletzt gesichert wurden.</translation>
+        </message>
+        <message>
+            <source>Unsaved work</source>
+            <translation>Ungesicherte Arbeit</translation>
+        </message>
+        <message>
+            <source>&amp;Recover</source>
+            <translation>&amp;Wiederherstellen</translation>
+        </message>
+        <message>
+            <source>&amp;Later</source>
+            <translation>&amp;Später</translation>
+        </message>
+        <message>
+            <source>&amp;Discard…</source>
+            <translation>&amp;Verwerfen …</translation>
+        </message>
+        <message>
+            <source>Recover</source>
+            <translation>Wiederherstellen</translation>
+        </message>
+        <message>
+            <source>Later</source>
+            <translation>Später</translation>
+        </message>
+        <message>
+            <source>Leaves it to the next start</source>
+            <translation>Überlässt es dem nächsten Start</translation>
+        </message>
+        <message>
+            <source>Discard</source>
+            <translation>Verwerfen</translation>
+        </message>
+        <message>
+            <source>Untitled</source>
+            <translation>Unbenannt</translation>
+        </message>
+        <message numerus="yes">
+            <source>kept %1, %n slave(s)</source>
+            <translation>
+                <numerusform>aufbewahrt %1, %n Slave</numerusform>
+                <numerusform>aufbewahrt %1, %n Slaves</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>, last edit: %1</source>
+            <translation>, letzte Änderung: %1</translation>
+        </message>
+        <message>
+            <source>Never saved</source>
+            <translation>Nie gesichert</translation>
+        </message>
+        <message>
+            <source>Discard this work for good?</source>
+            <translation>Diese Arbeit endgültig verwerfen?</translation>
+        </message>
+    </context>
+    <context>
+        <name>RunBar</name>
+        <message>
+            <source>Project and running machine</source>
+            <translation>Projekt und laufende Maschine</translation>
+        </message>
+        <message>
+            <source>Differences…</source>
+            <translation>Unterschiede …</translation>
+        </message>
+        <message>
+            <source>What the project says otherwise than the machine that runs</source>
+            <translation>Was das Projekt anders sagt als die Maschine, die läuft</translation>
+        </message>
+        <message>
+            <source>Apply</source>
+            <translation>Anwenden</translation>
+        </message>
+        <message>
+            <source>Restart…</source>
+            <translation>Neu starten …</translation>
+        </message>
+        <message>
+            <source>Takes the machine offline and starts it with the project</source>
+            <translation>Nimmt die Maschine offline und startet sie mit dem Projekt</translation>
+        </message>
+        <message>
+            <source>Revert</source>
+            <translation>Zurücksetzen</translation>
+        </message>
+        <message>
+            <source>Makes the project again what runs; Undo takes that back</source>
+            <translation>Macht das Projekt wieder zu dem, was läuft; Rückgängig nimmt das zurück</translation>
+        </message>
+        <message numerus="yes">
+            <source>The machine does not run what the project says: %n difference(s).</source>
+            <translation>
+                <numerusform>Die Maschine führt nicht aus, was das Projekt sagt: %n Unterschied.</numerusform>
+                <numerusform>Die Maschine führt nicht aus, was das Projekt sagt: %n Unterschiede.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Gives the parameters of the master synchronisation to the running machine</source>
+            <translation>Gibt der laufenden Maschine die Parameter der Master-Synchronisation</translation>
+        </message>
+        <message>
+            <source>Only parameters of the master synchronisation can be changed while the machine runs</source>
+            <translation>Nur Parameter der Master-Synchronisation lassen sich ändern, während die Maschine läuft</translation>
+        </message>
+    </context>
+    <context>
+        <name>SlaveSyncPage</name>
+        <message>
+            <source>Synchronisation</source>
+            <translation>Synchronisation</translation>
+        </message>
+        <message>
+            <source>Device Cycle</source>
+            <translation>Zyklus des Geräts</translation>
+        </message>
+        <message>
+            <source>CAN</source>
+            <translation>CAN</translation>
+        </message>
+        <message>
+            <source>Output Pins</source>
+            <translation>Ausgangspins</translation>
+        </message>
+        <message>
+            <source>Pin %1</source>
+            <translation>Pin %1</translation>
         </message>
     </context>
 </TS>

@@ -135,4 +135,100 @@
             </translation>
         </message>
     </context>
+    <context>
+        <name>FoundDialog</name>
+        <message numerus="yes">
+            <source>%n match(es)</source>
+            <translation>
+                <numerusform>%n matches</numerusform>
+                <numerusform>%n match</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n additional</source>
+            <translation>
+                <numerusform>%n additional</numerusform>
+                <numerusform>%n additional</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n missing</source>
+            <translation>
+                <numerusform>%n missing</numerusform>
+                <numerusform>%n missing</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n moved</source>
+            <translation>
+                <numerusform>%n moved</numerusform>
+                <numerusform>%n moved</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n wired otherwise</source>
+            <translation>
+                <numerusform>%n wired otherwise</numerusform>
+                <numerusform>%n wired otherwise</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n in another revision</source>
+            <translation>
+                <numerusform>%n in another revision</numerusform>
+                <numerusform>%n in another revision</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n other device(s)</source>
+            <translation>
+                <numerusform>%n other device</numerusform>
+                <numerusform>%n other devices</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n slave(s) of this bus are running. They were only looked at and nothing was written, so some of what they are may not be known.</source>
+            <translation>
+                <numerusform>%n slave of this bus is running. It was only looked at and nothing was written, so some of what it is may not be known.</numerusform>
+                <numerusform>%n slaves of this bus are running. They were only looked at and nothing was written, so some of what they are may not be known.</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>ImportCommands</name>
+        <message numerus="yes">
+            <source>A project was made of %1; exported again, %n command(s) would differ.</source>
+            <translation>
+                <numerusform>A project was made of %1; exported again, %n command would differ.</numerusform>
+                <numerusform>A project was made of %1; exported again, %n commands would differ.</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n new device(s) of %1 are in the catalogue.</source>
+            <translation>
+                <numerusform>%n new device of %1 is in the catalogue.</numerusform>
+                <numerusform>%n new devices of %1 are in the catalogue.</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>RecoveryDialog</name>
+        <message numerus="yes">
+            <source>kept %1, %n slave(s)</source>
+            <translation>
+                <numerusform>kept %1, %n slave</numerusform>
+                <numerusform>kept %1, %n slaves</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>RunBar</name>
+        <message numerus="yes">
+            <source>The machine does not run what the project says: %n difference(s).</source>
+            <translation>
+                <numerusform>The machine does not run what the project says: %n difference.</numerusform>
+                <numerusform>The machine does not run what the project says: %n differences.</numerusform>
+            </translation>
+        </message>
+    </context>
 </TS>

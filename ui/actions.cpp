@@ -33,7 +33,8 @@ QAction* Actions::add(const char* name, const QString& text, const char* icon, c
 
 Actions::Actions(QUndoStack& stack, QObject* parent) : QObject(parent) {
   create = add("actionNew", tr("&New"), "new", tr("New project"), QKeySequence::New);
-  open = add("actionOpen", tr("&Open…"), "open", tr("Open a project"), QKeySequence::Open);
+  open = add("actionOpen", tr("&Open…"), "open", tr("Open a project, an ENI, an ESI file, a capture or a scenario"),
+             QKeySequence::Open);
   save = add("actionSave", tr("&Save"), "save", tr("Save the project"), QKeySequence::Save);
   save_as = add("actionSaveAs", tr("Save &As…"), "save-as", tr("Save the project under another name"),
                 QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S));

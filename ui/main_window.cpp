@@ -12,13 +12,16 @@
 #include <QToolBar>
 #include <QToolButton>
 #include <QUrl>
+#include <QVBoxLayout>
 #include <QWhatsThis>
 #include <utility>
 
 #include "ui/actions.h"
 #include "ui/dialogs/about_dialog.h"
 #include "ui/dialogs/bus_commands.h"
+#include "ui/dialogs/difference_dialog.h"
 #include "ui/dialogs/file_commands.h"
+#include "ui/dialogs/recent_menu.h"
 #include "ui/dialogs/scan_progress.h"
 #include "ui/pages/device_editor.h"
 #include "ui/pages/welcome_page.h"
@@ -26,12 +29,20 @@
 #include "ui/panels/findings_panel.h"
 #include "ui/panels/live_strip.h"
 #include "ui/panels/messages_panel.h"
+#include "ui/panels/run_bar.h"
 #include "ui/panels/status_panel.h"
 #include "ui/session/workspace.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/named.h"
 
 namespace syncline::ui {
+namespace {
+
+constexpr int kLayout = 1;  // one more with every panel that comes or goes
+const QString kLayoutVersion = QStringLiteral("layout/version"), kGeometry = QStringLiteral("layout/geometry"),
+              kState = QStringLiteral("layout/state"), kSplitter = QStringLiteral("layout/splitter");
+
+}  // namespace
 
 MainWindow::MainWindow(Workspace& workspace, QWidget* parent) : QMainWindow(parent), workspace_(workspace) {
   setObjectName(QStringLiteral("mainWindow"));
@@ -70,9 +81,26 @@ void MainWindow::buildCentre() {
   splitter_->setChildrenCollapsible(false);
   splitter_->setStretchFactor(0, 3);
   splitter_->setStretchFactor(1, 2);
+  auto* working = new QWidget;
+  auto* layout = new QVBoxLayout(working);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  auto* bar = new RunBar(workspace_.runDifference());
+  layout->addWidget(bar);
+  layout->addWidget(splitter_, 1);
+  connect(bar, &RunBar::differencesWanted, this, &MainWindow::showDifferences);
+  connect(bar, &RunBar::restartWanted, this, [this] {
+    if (commitFields()) bus_->restart();
+  });
+  connect(bar, &RunBar::revertWanted, this, [this] {
+    editor_->revertFields();
+    workspace_.document().replace(tr("Revert to what runs"), workspace_.runDifference().running());
+  });
   centre_ = new QStackedWidget;
-  centre_->addWidget(new WelcomePage({actions_->demo, actions_->scan, actions_->open}));
-  centre_->addWidget(splitter_);
+  auto* welcome = new WelcomePage({actions_->demo, actions_->scan, actions_->open}, workspace_.memory());
+  connect(welcome, &WelcomePage::fileWanted, this, [this](const QString& file) { files_->openAny(file); });
+  centre_->addWidget(welcome);
+  centre_->addWidget(working);
   setCentralWidget(centre_);
 }
 
@@ -95,16 +123,23 @@ void MainWindow::buildDocks() {
   addDockWidget(Qt::BottomDockWidgetArea, findings_dock_);
   tabifyDockWidget(messages_dock_, findings_dock_);
   messages_dock_->raise();
-  connect(findings, &FindingsPanel::nodeActivated, explorer_, &ExplorerPanel::select);
+  connect(findings, &FindingsPanel::placeActivated, this, &MainWindow::goTo);
   connect(&workspace_.runFindings(), &RunFindings::findingsChanged, this, &MainWindow::showFindingCount);
   connect(explorer_, &ExplorerPanel::nodeSelected, editor_, &DeviceEditor::showNode);
   connect(explorer_, &ExplorerPanel::nodeSelected, strip_, &LiveStrip::setPickedSlave);
-  connect(messages, &MessagesPanel::nodeActivated, explorer_, &ExplorerPanel::select);
+  connect(messages, &MessagesPanel::placeActivated, this, &MainWindow::goTo);
+  connect(editor_, &DeviceEditor::nodeWanted, explorer_, &ExplorerPanel::select);
 }
 
 void MainWindow::buildMenus() {
   auto* file = menuBar()->addMenu(tr("&File"));
-  file->addActions({actions_->create, actions_->open, actions_->save, actions_->save_as});
+  file->addActions({actions_->create, actions_->open});
+  auto* recent = new RecentMenu(workspace_.memory(), workspace_.document(), this);
+  connect(recent, &RecentMenu::fileWanted, this, [this](const QString& path) {
+    if (commitFields()) files_->openAny(path);
+  });
+  file->addMenu(recent);
+  file->addActions({actions_->save, actions_->save_as});
   file->addSeparator();
   file->addAction(actions_->export_eni);
   file->addSeparator();
@@ -181,7 +216,9 @@ void MainWindow::connectActions() {
   on(actions_->save_as, [this] { files_->saveAs(); });
   on(actions_->export_eni, [this] { files_->exportEni(); });
   on(actions_->scan, [this] { bus_->scan(); });
-  on(actions_->demo, [this] { bus_->startDemo(); });
+  on(actions_->demo, [this] {
+    if (files_->mayDiscard()) bus_->startDemo();
+  });
   on(actions_->online, [this] { bus_->goOnline(); });
   auto& stack = workspace_.document().undoStack();
   connect(actions_->undo, &QAction::triggered, this, [this, &stack] {
@@ -228,7 +265,11 @@ bool MainWindow::commitFields() {
 void MainWindow::connectSession() {
   auto& document = workspace_.document();
   connect(&document, &ProjectDocument::modifiedChanged, this, &MainWindow::updateTitle);
-  connect(&document, &ProjectDocument::pathChanged, this, &MainWindow::updateTitle);
+  connect(&document, &ProjectDocument::pathChanged, this, [this] {
+    updateTitle();
+    if (const auto& path = workspace_.document().path(); !path.isEmpty()) workspace_.memory().remember(path);
+  });
+  connect(files_, &FileCommands::linkWanted, bus_, &BusCommands::scanLink);
   connect(&document, &ProjectDocument::projectChanged, this, [this](bool structural) {
     updateActions();
     if (structural && workspace_.live().phase() == LiveSession::Phase::kOffline) strip_->setRecord(nullptr);
@@ -247,10 +288,24 @@ void MainWindow::showFindingCount() {
   findings_dock_->setWindowTitle(count == 0 ? tr("Findings") : tr("Findings (%1)").arg(count));
 }
 
+void MainWindow::showDifferences() {
+  auto* dialog = new DifferenceDialog(workspace_, this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &DifferenceDialog::keyWanted, this, [this](const QString& key) { goTo(-1, key); });
+  dialog->open();
+}
+
+/// To the field, or where there is none to its slave.
+void MainWindow::goTo(int slave, const QString& key) {
+  if (key.isEmpty() || !editor_->showKey(key)) explorer_->select(slave);
+}
+
 void MainWindow::selectNode(int slave) { explorer_->select(slave); }
 
 void MainWindow::updateTitle() {
-  setWindowTitle(tr("%1[*] – Syncline").arg(workspace_.document().displayName()));
+  const auto& document = workspace_.document();
+  setWindowTitle(document.readOnly() ? tr("%1[*] (read-only) – Syncline").arg(document.displayName())
+                                     : tr("%1[*] – Syncline").arg(document.displayName()));
   setWindowModified(workspace_.document().isModified());
 }
 
@@ -305,7 +360,26 @@ void MainWindow::resetLayout() {
 void MainWindow::showEvent(QShowEvent* event) {
   QMainWindow::showEvent(event);
   // Docks take sizes only once the window has its own.
-  if (!std::exchange(laid_out_, true)) resetLayout();
+  if (std::exchange(laid_out_, true)) return;
+  resetLayout();
+  recallLayout();
+}
+
+/// Of this version only: after a change of panels the usual layout is better than half of an old one.
+void MainWindow::recallLayout() {
+  const auto& memory = workspace_.memory();
+  if (memory.value(kLayoutVersion).toInt() != kLayout) return;
+  restoreGeometry(memory.value(kGeometry).toByteArray());
+  restoreState(memory.value(kState).toByteArray(), kLayout);
+  splitter_->restoreState(memory.value(kSplitter).toByteArray());
+}
+
+void MainWindow::rememberLayout() {
+  auto& memory = workspace_.memory();
+  memory.setValue(kLayoutVersion, kLayout);
+  memory.setValue(kGeometry, saveGeometry());
+  memory.setValue(kState, saveState(kLayout));
+  memory.setValue(kSplitter, splitter_->saveState());
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
@@ -328,7 +402,7 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 
 void MainWindow::dropEvent(QDropEvent* event) {
   const auto file = event->mimeData()->urls().front().toLocalFile();
-  if (commitFields() && files_->mayDiscard()) files_->openFile(file);
+  if (commitFields()) files_->openAny(file);
 }
 
 }  // namespace syncline::ui

@@ -31,6 +31,8 @@ class MainWindow final : public QMainWindow {
   [[nodiscard]] DeviceEditor& editor() { return *editor_; }
   [[nodiscard]] LiveStrip& liveStrip() { return *strip_; }
   void selectNode(int slave);
+  /// For the next start, with the version of this layout.
+  void rememberLayout();
 
  protected:
   void showEvent(QShowEvent* event) override;
@@ -52,6 +54,9 @@ class MainWindow final : public QMainWindow {
   void updateActions();
   void updateTheme();
   void resetLayout();
+  void recallLayout();
+  void goTo(int slave, const QString& key);
+  void showDifferences();
 
   Workspace& workspace_;
   Actions* actions_;

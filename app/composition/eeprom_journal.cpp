@@ -6,11 +6,11 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cstdlib>
 #include <ctime>
 #include <filesystem>
 #include <string_view>
 
+#include "app/composition/state_folder.h"
 #include "support/whole_file.h"
 
 namespace syncline {
@@ -75,12 +75,7 @@ std::optional<EepromJournal> read_journal(const std::string& file) {
 
 }  // namespace
 
-std::string eeprom_journal_folder() {
-  const char* state = std::getenv("XDG_STATE_HOME");
-  if (state != nullptr && *state == '/') return std::string(state) + "/syncline/eeprom";
-  const char* home = std::getenv("HOME");
-  return std::string(home != nullptr && *home != '\0' ? home : "/var/tmp") + "/.local/state/syncline/eeprom";
-}
+std::string eeprom_journal_folder() { return state_folder("eeprom"); }
 
 Status keep_journal(const EepromJournal& journal) {
   std::error_code error;

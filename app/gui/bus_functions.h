@@ -12,9 +12,10 @@ namespace syncline {
 /// The window's way to buses: what it asks for by the text of a LINK.
 inline void connect_buses(ui::Environment& environment) {
   environment.open_master = [](const QString& link) { return open_master(link.toStdString()); };
-  environment.scan_bus = [](const QString& link, const std::atomic<bool>& cancelled,
+  environment.scan_bus = [](const QString& link, bool look_only, const std::atomic<bool>& cancelled,
                             const std::function<void(const Event&)>& tell) {
     ScanRequest request;
+    request.options.look_only = look_only;
     request.on_event = tell;
     request.cancel = &cancelled;
     return scan_bus(open_link(link.toStdString()), request);

@@ -13,6 +13,7 @@
 
 #include "app/composition/eeprom_journal.h"
 #include "app/composition/slave_eeprom.h"
+#include "app/composition/state_folder.h"
 #include "app/gui/bus_functions.h"
 #include "app/gui/screenshots.h"
 #include "link/pcap_link.h"
@@ -32,7 +33,7 @@ const QString kThemeSetting = QStringLiteral("theme"), kExpertSetting = QStringL
 
 struct Options {
   QString file, link, theme, screenshots, language;
-  bool demo = false;
+  bool demo = false, reset_settings = false;
   int exit_after_ms = 0;
 };
 
@@ -56,8 +57,14 @@ Options parse(const QCoreApplication& app) {
       QStringLiteral("DIR"));
   const QCommandLineOption exit_after(QStringLiteral("exit-after"), QStringLiteral("Close after SECONDS."),
                                       QStringLiteral("SECONDS"));
-  parser.addOptions({demo, link, theme, language, screenshots, exit_after});
-  parser.addPositionalArgument(QStringLiteral("file"), QStringLiteral("Project to open."), QStringLiteral("[file]"));
+  const QCommandLineOption reset(
+      QStringLiteral("reset-settings"),
+      QStringLiteral(
+          "Forget what the window remembers (layout, theme, expert settings, recent projects), then start."));
+  parser.addOptions({demo, link, theme, language, screenshots, exit_after, reset});
+  parser.addPositionalArgument(QStringLiteral("file"),
+                               QStringLiteral("Project, ENI, ESI, capture or scenario to open."),
+                               QStringLiteral("[file]"));
   parser.process(app);
   Options options;
   if (!parser.positionalArguments().isEmpty()) options.file = parser.positionalArguments().constFirst();
@@ -66,6 +73,7 @@ Options parse(const QCoreApplication& app) {
   options.screenshots = parser.value(screenshots);
   options.language = parser.value(language);
   options.demo = parser.isSet(demo);
+  options.reset_settings = parser.isSet(reset);
   options.exit_after_ms = static_cast<int>(parser.value(exit_after).toDouble() * 1000);
   return options;
 }
@@ -103,6 +111,7 @@ ui::Environment environment() {
   connect_buses(environment);
   environment.list_adapters = adapters;
   environment.eeprom_repairs = eeprom_repairs();
+  environment.recovery_folder = QString::fromStdString(state_folder("unsaved"));
   environment.version = QStringLiteral(SYNCLINE_VERSION);
   return environment;
 }
@@ -134,12 +143,13 @@ bool only_asks(int argc, char* argv[]) {
 }
 
 void begin(const Options& options, ui::MainWindow& window, ui::Workspace& workspace) {
-  if (!options.file.isEmpty()) window.files().openFile(options.file);
   if (!options.link.isEmpty()) workspace.setLink(options.link);
   window.bus().offerRepairs();
-  if (options.demo) {
+  window.files().offerRecovery([options, &window, &workspace] {
+    if (!options.file.isEmpty()) window.files().openAny(options.file);
+    if (!options.demo) return;
     window.bus().startDemo(options.link.isEmpty() ? workspace.environment().demo_link : options.link);
-  }
+  });
 }
 
 }  // namespace
@@ -160,10 +170,17 @@ int main(int argc, char* argv[]) {
   const auto options = parse(app);
   ui::installTranslation(options.language);
 
-  QSettings settings;
+  QSettings settings(QSettings::IniFormat, QSettings::UserScope, QApplication::organizationName(),
+                     QApplication::applicationName());
+  if (options.reset_settings) {
+    settings.clear();
+    settings.sync();
+  }
   ui::theme::apply(
       ui::theme::modeFromName(options.theme.isEmpty() ? settings.value(kThemeSetting).toString() : options.theme));
-  ui::Workspace workspace(environment());
+  auto surroundings = environment();
+  if (options.screenshots.isEmpty()) surroundings.settings_file = settings.fileName();
+  ui::Workspace workspace(std::move(surroundings));
   ui::MainWindow window(workspace);
   if (options.screenshots.isEmpty()) workspace.setExpert(settings.value(kExpertSetting).toBool());
   window.show();
@@ -185,6 +202,7 @@ int main(int argc, char* argv[]) {
   const int result = QApplication::exec();
   if (options.theme.isEmpty()) settings.setValue(kThemeSetting, ui::theme::modeName(ui::theme::current()));
   settings.setValue(kExpertSetting, workspace.expert());
+  window.rememberLayout();
   workspace.live().shutDown();
   return result;
 }

@@ -98,6 +98,13 @@ template <class Works>
   return setting;
 }
 
+/// The rows for those devices only that have a use for them.
+[[nodiscard]] inline std::vector<Setting> for_devices(std::vector<Setting> rows,
+                                                      bool (*applies)(const SlaveSettings&)) {
+  for (auto& row : rows) row.applies = applies;
+  return rows;
+}
+
 inline void append(std::vector<Setting>& table, std::vector<Setting> part) {
   table.insert(table.end(), std::make_move_iterator(part.begin()), std::make_move_iterator(part.end()));
 }

@@ -6,6 +6,7 @@
 #include "config/dotted_address.h"
 #include "settings/field.h"
 #include "settings/limits.h"
+#include "settings/predicates.h"
 #include "settings/startup_text.h"
 #include "settings/tables.h"
 
@@ -94,11 +95,14 @@ std::vector<Setting> eoe_rows() {
            .help = "Host name that the slave gets at start-up (EoE).",
            .eni = "Mailbox/EoE/InitCmds"},
           [](auto& slave) -> auto& { return slave.eoe.host_name; }),
-      slave_setting(
-          "aoe.net_id", kNetId,
-          {.label = "AMS Net ID", .help = "AMS Net ID of the slave (AoE).", .eni = "Mailbox/AoE/InitCmds"},
-          [](auto& slave) -> auto& { return slave.ams_net_id; }),
   };
+}
+
+std::vector<Setting> aoe_rows() {
+  return {slave_setting(
+      "aoe.net_id", kNetId,
+      {.label = "AMS Net ID", .help = "AMS Net ID of the slave (AoE).", .eni = "Mailbox/AoE/InitCmds"},
+      [](auto& slave) -> auto& { return slave.ams_net_id; })};
 }
 
 Status set_soe(SlaveSettings& slave, std::uint32_t number, std::string_view text) {
@@ -141,6 +145,7 @@ Setting soe_row() {
     return numbered(slave, project.slaves[slave].soe_startup.size());
   };
   row.extendable = true;
+  row.applies = has_soe;
   return row;
 }
 
@@ -174,11 +179,13 @@ Setting unit_row(const char* direction, const char* label, std::string SlaveSett
 }  // namespace
 
 std::vector<Setting> mailbox_rows() {
-  auto rows = size_rows();
-  append(rows, eoe_rows());
+  auto rows = for_devices(size_rows(), has_mailbox);
+  append(rows, for_devices(eoe_rows(), has_eoe));
+  append(rows, for_devices(aoe_rows(), has_aoe));
   rows.push_back(soe_row());
-  rows.push_back(unit_row("outputs", "Sync Unit of the outputs", &SlaveSettings::output_unit));
-  rows.push_back(unit_row("inputs", "Sync Unit of the inputs", &SlaveSettings::input_unit));
+  append(rows, for_devices({unit_row("outputs", "Sync Unit of the outputs", &SlaveSettings::output_unit),
+                            unit_row("inputs", "Sync Unit of the inputs", &SlaveSettings::input_unit)},
+                           has_process_data));
   return rows;
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 
+#include "config/project.h"
 #include "settings/setting_type.h"
 #include "support/types.h"
 
@@ -17,6 +18,16 @@ namespace syncline::settings {
 [[nodiscard]] bool keeps_step(Nanoseconds sync_period, Nanoseconds cycle, Nanoseconds rounding = 1);
 
 [[nodiscard]] bool is_position(std::size_t slaves, std::int64_t position);
+
+// What a device must have for a setting to mean something.
+[[nodiscard]] bool has_clock(const SlaveSettings& slave);  // distributed clocks in its description
+[[nodiscard]] bool has_mailbox(const SlaveSettings& slave);
+[[nodiscard]] bool has_coe(const SlaveSettings& slave);
+[[nodiscard]] bool has_soe(const SlaveSettings& slave);
+[[nodiscard]] bool has_eoe(const SlaveSettings& slave);
+[[nodiscard]] bool has_aoe(const SlaveSettings& slave);
+[[nodiscard]] bool is_gateway(const SlaveSettings& slave);        // a CAN gateway of a family that is known
+[[nodiscard]] bool has_process_data(const SlaveSettings& slave);  // of its own or of modules
 
 /// Whether our master can run with this bus cycle.
 [[nodiscard]] bool is_bus_cycle(Nanoseconds cycle);

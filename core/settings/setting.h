@@ -54,6 +54,8 @@ struct Setting {
   std::function<std::string(const Project&, const Place&, const Value&)> format{};
   /// Instead of what the type says of itself.
   std::string type_words{}, range_words{};
+  /// Of a slave: whether its device has a use for it; empty: every device has.
+  std::function<bool(const SlaveSettings&)> applies{};
   /// For keys with an item: those that exist. `slave` is 0 for keys of the master.
   std::function<std::vector<Place>(const Project&, std::size_t slave)> items{};
   /// A list that `write` may extend by one takes the number behind the last item.

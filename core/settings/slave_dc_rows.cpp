@@ -6,6 +6,7 @@
 #include "config/dc_times.h"
 #include "settings/field.h"
 #include "settings/limits.h"
+#include "settings/predicates.h"
 #include "settings/tables.h"
 
 namespace syncline::settings {
@@ -133,7 +134,7 @@ std::vector<Setting> slave_dc_rows() {
        .help = "Marks the slave as a possible reference clock in the ENI.",
        .eni = "Slave/DC/PotentialReferenceClock"},
       [](auto& slave) -> auto& { return slave.dc.potential_reference_clock; }));
-  return rows;
+  return for_devices(std::move(rows), has_clock);
 }
 
 }  // namespace syncline::settings

@@ -3,6 +3,7 @@
 
 #include "settings/field.h"
 #include "settings/limits.h"
+#include "settings/predicates.h"
 #include "settings/tables.h"
 
 namespace syncline::settings {
@@ -120,7 +121,7 @@ std::vector<Setting> timeout_rows() {
     };
   };
   constexpr auto kState = "InitCmd/Timeout", kMailbox = "Slave/Mailbox";
-  return {
+  std::vector<Setting> rows{
       timeout_row("preop", "INIT to PREOP", "INIT to PREOP or BOOT", kState, &TimeoutSettings::preop,
                   state(&StateTimeouts::preop)),
       timeout_row("safeop_op", "PREOP to SAFEOP to OP", "PREOP to SAFEOP and SAFEOP to OP", kState,
@@ -129,11 +130,17 @@ std::vector<Setting> timeout_rows() {
                   state(&StateTimeouts::back_to_init)),
       timeout_row("back_to_safeop", "Back to SAFEOP", "OP to SAFEOP", kState, &TimeoutSettings::back_to_safeop,
                   state(&StateTimeouts::back_to_safeop)),
-      timeout_row("mailbox_request", "Mailbox request", "the slave to take a mailbox request", kMailbox,
-                  &TimeoutSettings::mailbox_request, mailbox(&MailboxDescription::request_timeout_ms)),
-      timeout_row("mailbox_response", "Mailbox response", "the slave to answer a mailbox request", kMailbox,
-                  &TimeoutSettings::mailbox_response, mailbox(&MailboxDescription::response_timeout_ms)),
   };
+  append(rows,
+         for_devices(
+             {
+                 timeout_row("mailbox_request", "Mailbox request", "the slave to take a mailbox request", kMailbox,
+                             &TimeoutSettings::mailbox_request, mailbox(&MailboxDescription::request_timeout_ms)),
+                 timeout_row("mailbox_response", "Mailbox response", "the slave to answer a mailbox request", kMailbox,
+                             &TimeoutSettings::mailbox_response, mailbox(&MailboxDescription::response_timeout_ms)),
+             },
+             has_mailbox));
+  return rows;
 }
 
 }  // namespace

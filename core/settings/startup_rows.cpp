@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "settings/predicates.h"
 #include "settings/startup_text.h"
 #include "settings/tables.h"
 
@@ -48,6 +49,7 @@ std::vector<Setting> startup_rows() {
     return numbered(slave, project.slaves[slave].startup.size());
   };
   row.extendable = true;
+  row.applies = has_coe;
   return {row};
 }
 

@@ -6,6 +6,7 @@
 #include "families/families.h"
 #include "settings/field.h"
 #include "settings/limits.h"
+#include "settings/predicates.h"
 #include "settings/sync_settings.h"
 #include "settings/tables.h"
 
@@ -193,8 +194,8 @@ std::vector<Setting> gateway_rows() {
 }  // namespace
 
 std::vector<Setting> sync_rows() {
-  auto rows = device_rows();
-  append(rows, gateway_rows());
+  auto rows = for_devices(device_rows(), has_coe);
+  append(rows, for_devices(gateway_rows(), is_gateway));
   rows.push_back(pin_row());
   return rows;
 }

@@ -96,7 +96,7 @@ TEST(FindingsPanel, SaysThatThereIsNothing) {
   auto* table = test::find<QTableView>(panel, "findingsTable");
   EXPECT_TRUE(table->isVisible());
   EXPECT_FALSE(test::find<QLabel>(panel, "noFindings")->isVisible());
-  QSignalSpy activated(&panel, &FindingsPanel::nodeActivated);
+  QSignalSpy activated(&panel, &FindingsPanel::placeActivated);
   Q_EMIT table->activated(model.index(0, 2));
   ASSERT_EQ(activated.count(), 1);
   EXPECT_EQ(activated[0][0].toInt(), 2);

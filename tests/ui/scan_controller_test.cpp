@@ -27,7 +27,7 @@ TEST_F(ScanWithoutEsi, SlavesTellWhatTheyAre) {
   ui::ScanController scan(environment.scan_bus, environment.describe_slaves, {});
   std::optional<eni::BuiltProject> built;
   QObject::connect(&scan, &ui::ScanController::finished, &scan,
-                   [&built](const QString&, const eni::BuiltProject& found) { built = found; });
+                   [&built](const QString&, const ui::ScanOutcome& found) { built = found.built; });
   scan.start(environment.demo_link);
   ASSERT_TRUE(test::waitFor([&scan] { return !scan.isRunning(); }));
   ASSERT_TRUE(built);

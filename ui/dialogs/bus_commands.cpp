@@ -6,19 +6,16 @@
 #include "settings/settings_table.h"
 #include "ui/dialogs/cut_short_dialog.h"
 #include "ui/dialogs/error_dialog.h"
+#include "ui/dialogs/found_dialog.h"
 #include "ui/dialogs/link_chooser.h"
+#include "ui/dialogs/questions.h"
 #include "ui/session/workspace.h"
 
 namespace syncline::ui {
 
 BusCommands::BusCommands(Workspace& workspace, QWidget& window)
     : QObject(&window), workspace_(workspace), window_(window) {
-  connect(&workspace.scan(), &ScanController::finished, this, [this] {
-    if (!std::exchange(demo_, false)) return;
-    const SettingEdit monitor{&settings::row("master.dc.sync_window"), {}, true};
-    static_cast<void>(workspace_.document().set(tr("Monitor the sync window"), {monitor}));
-    goOnline();
-  });
+  connect(&workspace.scan(), &ScanController::finished, this, &BusCommands::onFound);
   connect(&workspace.scan(), &ScanController::failed, this, [this](const QString&, const Error& error) {
     demo_ = false;
     if (error.code != ErrorCode::kCancelled) showError(&window_, tr("The bus could not be scanned."), error);
@@ -34,8 +31,39 @@ void BusCommands::scan() {
 
 void BusCommands::scanLink(const QString& link) {
   if (link.isEmpty()) return;
+  if (!mayGoOffline(window_, workspace_, tr("A scan needs the bus for itself."))) {
+    demo_ = false;
+    return;
+  }
   workspace_.live().shutDown();
   workspace_.scan().start(link);
+}
+
+void BusCommands::onFound(const QString& link, const ScanOutcome& outcome) {
+  auto& document = workspace_.document();
+  if (!std::exchange(demo_, false)) {
+    if (!document.project().slaves.empty() || outcome.looked_only) return showFound(link, outcome);
+    return document.replace(tr("Scan"), outcome.built.project);
+  }
+  document.replace(tr("Scan"), outcome.built.project);
+  const SettingEdit monitor{&settings::row("master.dc.sync_window"), {}, true};
+  static_cast<void>(document.set(tr("Monitor the sync window"), {monitor}));
+  goOnline();
+}
+
+void BusCommands::showFound(const QString& link, const ScanOutcome& outcome) {
+  auto* dialog = new FoundDialog(workspace_.document().project(), outcome, link, &window_);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &FoundDialog::wanted, this, [this](const Project& project, const QStringList& lost) {
+    workspace_.document().replace(tr("Scan"), project);
+    for (const auto& key : lost) {
+      workspace_.report(Error{ErrorCode::kUnknownKey, key.toStdString(), "the other revision does not take it"},
+                        Severity::kWarning, tr("Scan"));
+    }
+  });
+  connect(dialog, &FoundDialog::touchWanted, this,
+          [this, link] { workspace_.scan().start(link, ScanController::Depth::kTouch); });
+  dialog->open();
 }
 
 void BusCommands::goOnline() {
@@ -54,6 +82,15 @@ void BusCommands::start() {
     workspace_.report(status.error(), Severity::kError, tr("Master"));
     showError(&window_, tr("The master could not go online."), status.error());
   }
+}
+
+void BusCommands::restart() {
+  if (!ask(window_, "restartQuestion", tr("Restart the machine with the project as it is now?"),
+           tr("All slaves go to INIT and come up again."), tr("Restart"))) {
+    return;
+  }
+  workspace_.live().shutDown();
+  start();
 }
 
 void BusCommands::goOffline() { workspace_.live().goOffline(); }

@@ -9,6 +9,7 @@ class QWidget;
 namespace syncline::ui {
 
 class Workspace;
+struct ScanOutcome;
 
 /// Scan, go online and offline, with the choice of the link where one is needed.
 class BusCommands final : public QObject {
@@ -19,18 +20,24 @@ class BusCommands final : public QObject {
 
   /// Asks for the link, then scans.
   void scan();
+  /// Asks before a running machine is taken offline. What is found goes into an empty project, or beside the present
+  /// one.
   void scanLink(const QString& link);
   /// Goes online; asks for the link when none was chosen.
   void goOnline();
   void goOffline();
+  /// Asks, then takes the machine offline and starts it with the project as it is now.
+  void restart();
   /// Offers to end EEPROM writes that a killed program has left half done; nothing happens when there are none.
   void offerRepairs();
-  /// Scans the demonstration machine, watches its sync window, and goes online.
+  /// Scans the demonstration machine in place of the project, watches its sync window, and goes online.
   void startDemo();
   void startDemo(const QString& link);
 
  private:
   void start();
+  void onFound(const QString& link, const ScanOutcome& outcome);
+  void showFound(const QString& link, const ScanOutcome& outcome);
 
   Workspace& workspace_;
   QWidget& window_;

@@ -6,41 +6,110 @@
 #include <QMessageBox>
 
 #include "ui/dialogs/error_dialog.h"
+#include "ui/dialogs/import_commands.h"
+#include "ui/dialogs/questions.h"
+#include "ui/dialogs/recovery_dialog.h"
 #include "ui/session/exporter.h"
+#include "ui/session/file_kind.h"
 #include "ui/session/workspace.h"
 
 namespace syncline::ui {
 
 FileCommands::FileCommands(Workspace& workspace, QWidget& window)
-    : QObject(&window), workspace_(workspace), window_(window) {}
+    : QObject(&window), workspace_(workspace), window_(window), imports_(new ImportCommands(workspace, window)) {}
 
 void FileCommands::create() {
-  if (!mayDiscard()) return;
+  if (!mayDiscard() || !mayGoOffline(window_, workspace_, tr("A new project begins without a machine."))) return;
   workspace_.live().shutDown();
   workspace_.document().reset();
 }
 
 void FileCommands::open() {
-  if (!mayDiscard()) return;
-  const auto path = QFileDialog::getOpenFileName(&window_, tr("Open Project"), {},
-                                                 tr("Syncline projects (*.syncline);;All files (*)"));
-  if (!path.isEmpty()) openFile(path);
+  const auto path = QFileDialog::getOpenFileName(
+      &window_, tr("Open"), {},
+      tr("All that can be opened (*.syncline *.xml *.esi *.eni *.pcap *.pcapng *.toml);;Syncline projects "
+         "(*.syncline);;All files (*)"));
+  if (!path.isEmpty()) openAny(path);
+}
+
+void FileCommands::openAny(const QString& path) {
+  const auto refuse = [&](const QString& why) {
+    showError(&window_, tr("%1 cannot be opened here.").arg(QFileInfo(path).fileName()),
+              Error{ErrorCode::kNotThatKindOfFile, path.toStdString(), why.toStdString()});
+  };
+  switch (fileKind(path)) {
+    case FileKind::kProject:
+    case FileKind::kUnreadable:  // says why
+      openFile(path);
+      return;
+    case FileKind::kEni:
+      return imports_->importEni(
+          path, [this] { return mayDiscard() && mayGoOffline(window_, workspace_, tr("Another project is opened.")); });
+    case FileKind::kEsi:
+      return imports_->addEsiFolder(path);
+    case FileKind::kCapture:
+      return Q_EMIT linkWanted(QStringLiteral("replay:") + path);
+    case FileKind::kScenario:
+      return Q_EMIT linkWanted(QStringLiteral("sim:") + path);
+    case FileKind::kController:
+      return refuse(tr("It is a log of the master synchronisation: a spreadsheet shows it."));
+    case FileKind::kOther:
+      return refuse(tr("It is neither a project, an ENI, an ESI, a capture nor a scenario."));
+  }
 }
 
 bool FileCommands::openFile(const QString& path) {
-  workspace_.live().shutDown();
-  if (auto status = workspace_.document().load(path); !status) {
-    workspace_.report(status.error(), Severity::kError, tr("Open"));
-    showError(&window_, tr("The project could not be opened."), status.error());
+  auto machine = ProjectDocument::read(path);
+  if (!machine) {
+    workspace_.report(machine.error(), Severity::kError, tr("Open"));
+    showError(&window_, tr("The project could not be opened."), machine.error());
     return false;
   }
+  if (!mayDiscard() || !mayOpenBeside(path)) return false;
+  if (!mayGoOffline(window_, workspace_, tr("Another project is opened."))) return false;
+  workspace_.live().shutDown();
+  workspace_.document().take(std::move(*machine), path);
   workspace_.inform(tr("Project"), tr("Opened %1").arg(path));
   return true;
 }
 
+/// Two windows do not write one file.
+bool FileCommands::mayOpenBeside(const QString& path) {
+  const auto holder = workspace_.document().holder(path);
+  if (holder.isEmpty()) return true;
+  return ask(window_, "lockQuestion", tr("Another window has %1 open.").arg(QFileInfo(path).fileName()),
+             tr("It is %1. Here it can be looked at and changed, and be saved under another name. If that window is "
+                "gone, delete %2.")
+                 .arg(holder, ProjectLock::fileOf(path)),
+             tr("Open Read-only"));
+}
+
+void FileCommands::offerRecovery(const std::function<void()>& then) {
+  auto lost = workspace_.autosave().lost();
+  if (lost.empty()) return then();
+  auto* dialog = new RecoveryDialog(workspace_.autosave(), std::move(lost), &window_);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &RecoveryDialog::wanted, this, &FileCommands::recover);
+  connect(dialog, &QDialog::finished, this, [this, then](int result) {
+    if (result == QDialog::Accepted) return;  // recover() follows
+    workspace_.autosave().leaveAll();
+    then();
+  });
+  dialog->open();
+}
+
+void FileCommands::recover(const LostWork& work) {
+  if (auto status = workspace_.autosave().recover(work); !status) {
+    workspace_.report(status.error(), Severity::kError, tr("Recover"));
+    return showError(&window_, tr("The unsaved work could not be read."), status.error());
+  }
+  workspace_.autosave().leaveAll();
+  workspace_.inform(tr("Project"), tr("Recovered %1; it is not saved yet").arg(workspace_.document().displayName()));
+}
+
 bool FileCommands::save() {
   const auto& path = workspace_.document().path();
-  return path.isEmpty() ? saveAs() : saveTo(path);
+  return path.isEmpty() || workspace_.document().readOnly() ? saveAs() : saveTo(path);
 }
 
 bool FileCommands::saveAs() {
@@ -85,6 +154,7 @@ bool FileCommands::mayDiscard() {
       &window_, tr("Syncline"), tr("Save the changes to %1?").arg(workspace_.document().displayName()),
       QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
   if (answer == QMessageBox::Save) return save();
+  if (answer == QMessageBox::Discard) workspace_.autosave().forget();
   return answer == QMessageBox::Discard;
 }
 

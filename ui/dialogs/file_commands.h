@@ -3,12 +3,15 @@
 
 #include <QObject>
 #include <QString>
+#include <functional>
 
 class QWidget;
 
 namespace syncline::ui {
 
+class ImportCommands;
 class Workspace;
+struct LostWork;
 
 /// New, open, save and export with their dialogs.
 class FileCommands final : public QObject {
@@ -19,8 +22,14 @@ class FileCommands final : public QObject {
 
   void create();
   void open();
-  /// Opens without asking for a name; errors are shown.
+  /// Opens without asking for a name; errors are shown. Reads first; then asks about unsaved changes, a running machine
+  /// and another window that has the file. False: project and machine are as they were.
   bool openFile(const QString& path);
+  /// Opens any file that means something here: a project, an ENI (as a project of it), an ESI file (its folder goes
+  /// into the catalogue), a capture or a scenario (scanned as a bus). Says why not where it does not.
+  void openAny(const QString& path);
+  /// Offers the unsaved work of windows that were killed; `then` follows when there is none or the user has decided.
+  void offerRecovery(const std::function<void()>& then);
   bool save();
   bool saveAs();
   void exportEni();
@@ -28,12 +37,19 @@ class FileCommands final : public QObject {
   /// Asks about unsaved changes; false = stay.
   bool mayDiscard();
 
+ Q_SIGNALS:
+  /// The file is a bus: scan it.
+  void linkWanted(const QString& link);
+
  private:
   bool saveTo(const QString& path);
+  bool mayOpenBeside(const QString& path);
+  void recover(const LostWork& work);
   [[nodiscard]] QString proposedName(const QString& suffix) const;
 
   Workspace& workspace_;
   QWidget& window_;
+  ImportCommands* imports_;
 };
 
 }  // namespace syncline::ui

@@ -48,6 +48,12 @@ std::vector<settings::Option> optionsOf(const Setting& setting, const Project& p
 
 }  // namespace
 
+void FieldBinder::bindAt(QWidget& field, const char* key, std::function<std::optional<settings::Place>()> place,
+                         std::function<void()> show) {
+  bind(field, key, std::move(show));
+  bound_.back().place = std::move(place);
+}
+
 FieldBinder::FieldBinder(Page& page) : QObject(&page), page_(page), where_([this] { return place(); }) {}
 
 settings::Place FieldBinder::place() const { return {.slave = static_cast<std::size_t>(std::max(page_.node(), 0))}; }

@@ -14,6 +14,7 @@
 
 class QButtonGroup;
 class QCheckBox;
+class QLabel;
 
 namespace syncline::ui {
 
@@ -67,6 +68,10 @@ class FieldBinder final : public QObject {
   /// Adds a field of another kind: words and bookkeeping from the row, the rest is the caller's.
   void bind(QWidget& field, const char* key, std::function<void()> show = {});
 
+  /// The same for another place than the page's; nothing while there is none.
+  void bindAt(QWidget& field, const char* key, std::function<std::optional<settings::Place>()> place,
+              std::function<void()> show);
+
   /// One undo step; empty, or why it was refused (the messages say it, too).
   QString set(const char* key, const settings::Value& value);
   [[nodiscard]] settings::Value value(const char* key) const;
@@ -82,6 +87,17 @@ class FieldBinder final : public QObject {
   bool commit();
   void revert();
 
+  /// The shown field of a setting; null: none is shown.
+  [[nodiscard]] QWidget* fieldOf(const settings::Setting& setting, const settings::Place& place) const;
+  /// What is found wrong with a setting.
+  struct Note {
+    std::string key;
+    QString text;
+    bool error = false;
+  };
+  /// Each note below the field that it is about.
+  void showNotes(const std::vector<Note>& notes);
+
   struct Bound {
     const settings::Setting* setting = nullptr;
     QWidget* widget = nullptr;
@@ -92,6 +108,7 @@ class FieldBinder final : public QObject {
     QWidget* row = nullptr;  // of the card
     Label label{};           // of an item
     bool marked = false;     // as a setting for experts; else its card or page says so
+    QLabel* note = nullptr;  // below it, made when there is something to say
   };
   [[nodiscard]] const std::vector<Bound>& bound() const { return bound_; }
 

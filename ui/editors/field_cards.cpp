@@ -6,12 +6,14 @@
 #include <algorithm>
 #include <set>
 
+#include "settings/settings_table.h"
 #include "ui/editors/choice_edit.h"
 #include "ui/editors/field_binder.h"
 #include "ui/editors/number_edit.h"
 #include "ui/editors/page.h"
 #include "ui/editors/text_edit.h"
 #include "ui/text/setting_text.h"
+#include "ui/theme/theme.h"
 #include "ui/widgets/card.h"
 
 namespace syncline::ui {
@@ -135,8 +137,11 @@ void FieldBinder::fillItems(const std::shared_ptr<Items>& items) {
 bool FieldBinder::shows(const Bound& bound, const settings::Place& place) const {
   const auto& project = page_.project();
   if (bound.setting->of_slave() && place.slave >= project.slaves.size()) return false;
+  const auto& setting = *bound.setting;
   if (bound.applies && !bound.applies(project.slaves[place.slave])) return false;
-  return !bound.setting->words.expert || page_.expert() || !isDefault(*bound.setting, project, place);
+  const bool of_use = !setting.applies || setting.applies(project.slaves[place.slave]);
+  if (of_use && (!setting.words.expert || page_.expert())) return true;
+  return !isDefault(setting, project, place);  // nothing works in secret
 }
 
 bool FieldBinder::wanted(int node) const {
@@ -156,6 +161,50 @@ bool FieldBinder::wanted(int node) const {
     if (bound.setting->items) return false;
     return shows(bound, {.slave = slave}) || (node == page_.node() && holdsFocus(*bound.widget));
   });
+}
+
+QWidget* FieldBinder::fieldOf(const Setting& setting, const settings::Place& place) const {
+  for (const auto& bound : bound_) {
+    if (bound.setting != &setting || bound.widget->isHidden()) continue;
+    if (bound.row != nullptr && (!bound.card->form()->isRowVisible(bound.row) || bound.card->isHidden())) continue;
+    const auto at = bound.place();
+    if (!at) continue;
+    // Parts of a record are told apart by what is selected; whose setting has no items by the slave alone.
+    if (setting.items ? *at == place : at->slave == place.slave || !setting.of_slave()) return bound.widget;
+  }
+  return nullptr;
+}
+
+void FieldBinder::showNotes(const std::vector<Note>& notes) {
+  for (auto& bound : bound_) {
+    if (bound.row == nullptr) continue;
+    const auto place = bound.place();
+    const auto key = place ? settings::key_of(*bound.setting, *place) : std::string();
+    const auto note = std::ranges::find(notes, key, &Note::key);
+    auto* form = bound.card->form();
+    if (note == notes.end() || !form->isRowVisible(bound.row)) {
+      if (bound.note != nullptr) form->setRowVisible(bound.note, false);
+      continue;
+    }
+    if (bound.note == nullptr) {
+      int row = 0;
+      QFormLayout::ItemRole role{};
+      form->getWidgetPosition(bound.row, &row, &role);
+      bound.note = new QLabel(bound.card);
+      bound.note->setObjectName(bound.widget->objectName() + QStringLiteral("Note"));
+      bound.note->setWordWrap(true);
+      bound.note->setTextFormat(Qt::PlainText);
+      bound.note->setTextInteractionFlags(Qt::TextSelectableByMouse);
+      form->insertRow(row + 1, bound.note);
+    }
+    const auto tone = note->error ? theme::Tone::kBad : theme::Tone::kWarning;
+    auto palette = bound.card->palette();
+    palette.setColor(QPalette::WindowText, theme::toneColor(palette, tone));
+    bound.note->setPalette(palette);
+    bound.note->setText(QStringLiteral("\u25B2 ") + note->text);
+    bound.note->setAccessibleName(tr("Finding: %1").arg(bound.widget->accessibleName()));
+    form->setRowVisible(bound.note, true);
+  }
 }
 
 void FieldBinder::showRows() {

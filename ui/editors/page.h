@@ -30,6 +30,8 @@ class Page : public QScrollArea {
   [[nodiscard]] virtual bool appliesTo(int slave) const = 0;
   /// Shows the project and the compiled configuration as they are now.
   virtual void refresh() = 0;
+  /// Selects what has to be selected for the field of a setting to be there: a record of a list, a PDO.
+  virtual void showPlace(const settings::Setting&, const settings::Place&) {}
   /// Shows the live values; only called while visible.
   virtual void showLive(const Snapshot& snapshot) = 0;
 

@@ -65,6 +65,8 @@ QVariant FindingModel::data(const QModelIndex& index, int role) const {
       return static_cast<int>(finding.level);
     case kSlaveRole:
       return finding.slave;
+    case kKeyRole:
+      return findingKey(finding);
     case kCodeRole:
       return QString::fromLatin1(finding_code_name(finding.code).data(),
                                  static_cast<qsizetype>(finding_code_name(finding.code).size()));

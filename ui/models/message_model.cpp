@@ -64,6 +64,8 @@ QVariant MessageModel::data(const QModelIndex& index, int role) const {
   switch (role) {
     case kSeverityRole:
       return static_cast<int>(row.severity);
+    case kKeyRole:
+      return message(index.row()).key;
     case kSlaveRole:
       return row.slave;
     case kFindingRole:

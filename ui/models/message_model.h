@@ -17,7 +17,7 @@ class MessageModel final : public QAbstractTableModel {
 
  public:
   enum Column { kTime, kSeverity, kSource, kText, kColumns };
-  enum Role { kSeverityRole = Qt::UserRole + 1, kSlaveRole, kFindingRole };
+  enum Role { kSeverityRole = Qt::UserRole + 1, kSlaveRole, kFindingRole, kKeyRole };
   static constexpr std::size_t kMaximum = 5000;
 
   explicit MessageModel(QObject* parent = nullptr);

@@ -7,17 +7,22 @@
 #include <QTabWidget>
 #include <QVBoxLayout>
 
+#include "settings/settings_table.h"
 #include "ui/editors/field_binder.h"
 #include "ui/pages/master_dc_expert_page.h"
 #include "ui/pages/master_dc_page.h"
 #include "ui/pages/master_general_page.h"
+#include "ui/pages/master_tasks_page.h"
 #include "ui/pages/process_data_page.h"
 #include "ui/pages/slave_data_page.h"
 #include "ui/pages/slave_dc_page.h"
 #include "ui/pages/slave_general_page.h"
 #include "ui/pages/slave_mailbox_page.h"
+#include "ui/pages/slave_startup_page.h"
+#include "ui/pages/slave_sync_page.h"
 #include "ui/pages/slave_timing_page.h"
 #include "ui/session/workspace.h"
+#include "ui/text/event_text.h"
 #include "ui/text/glossary.h"
 #include "ui/text/units.h"
 #include "ui/widgets/pill.h"
@@ -54,8 +59,9 @@ DeviceEditor::DeviceEditor(Workspace& workspace, QWidget* parent) : QWidget(pare
   tabs_->setDocumentMode(true);
   layout->addWidget(tabs_, 1);
   pages_ = {new MasterGeneralPage(workspace), new MasterDcPage(workspace),     new MasterDcExpertPage(workspace),
-            new SlaveGeneralPage(workspace),  new SlaveDcPage(workspace),      new ProcessDataPage(workspace),
-            new SlaveDataPage(workspace),     new SlaveMailboxPage(workspace), new SlaveTimingPage(workspace)};
+            new MasterTasksPage(workspace),   new SlaveGeneralPage(workspace), new SlaveDcPage(workspace),
+            new SlaveSyncPage(workspace),     new ProcessDataPage(workspace),  new SlaveDataPage(workspace),
+            new SlaveStartupPage(workspace),  new SlaveMailboxPage(workspace), new SlaveTimingPage(workspace)};
   for (auto* page : pages_) {
     page->setParent(this);
     page->hide();
@@ -88,6 +94,41 @@ void DeviceEditor::showNode(int slave) {
   chooseTabs();
   refresh();
   showLive();
+}
+
+bool DeviceEditor::showKey(const QString& key) {
+  const auto ref = settings::find(workspace_.document().project(), key.toStdString(), false);
+  if (!ref) return false;
+  const int node = ref->setting->of_slave() ? static_cast<int>(ref->place.slave) : -1;
+  if (node != slave_) Q_EMIT nodeWanted(node);
+  for (const bool expert : {workspace_.expert(), true}) {
+    workspace_.setExpert(expert);
+    for (auto* page : pages_) {
+      if (!page->appliesTo(node)) continue;
+      page->showPlace(*ref->setting, ref->place);
+      auto* field = page->fields().fieldOf(*ref->setting, ref->place);
+      if (field == nullptr) continue;
+      tabs_->setCurrentWidget(page);
+      page->ensureWidgetVisible(field, 50, 80);
+      field->setFocus(Qt::OtherFocusReason);
+      return true;
+    }
+  }
+  return false;
+}
+
+/// What the compiler finds wrong stands beside its field.
+void DeviceEditor::showNotes() {
+  std::vector<FieldBinder::Note> notes;
+  const auto& result = workspace_.configuration().result();
+  for (const auto& finding : result ? result->findings : std::vector<Finding>{}) {
+    if (finding.key.empty() || finding.severity == FindingSeverity::kInfo) continue;
+    notes.push_back({finding.key, messageOf(finding, workspace_.document().project()).text,
+                     finding.severity == FindingSeverity::kError});
+  }
+  for (auto* page : pages_) {
+    if (page->appliesTo(slave_)) page->fields().showNotes(notes);
+  }
 }
 
 bool DeviceEditor::commitFields() {
@@ -137,6 +178,7 @@ void DeviceEditor::refresh() {
   for (auto* page : pages_) {
     if (page->appliesTo(slave_)) page->refresh();
   }
+  showNotes();
 }
 
 void DeviceEditor::showLive() {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QList>
+#include <QString>
 #include <QWidget>
 
 class QLabel;
@@ -25,12 +26,21 @@ class DeviceEditor final : public QWidget {
   [[nodiscard]] QTabWidget* tabs() { return tabs_; }
   [[nodiscard]] const QList<Page*>& pages() const { return pages_; }
 
+  /// Goes to the field of a setting ("slave.3.alias"), on whatever page it is; shows expert settings for it. False:
+  /// there is no such field.
+  bool showKey(const QString& key);
+
   /// Takes what was typed into fields and not taken yet; false when one holds what cannot be a value.
   bool commitFields();
   void revertFields();
 
+ Q_SIGNALS:
+  /// Another node has to be shown for a field.
+  void nodeWanted(int slave);
+
  private:
   void refresh();
+  void showNotes();
   void showLive();
   void chooseTabs();
 

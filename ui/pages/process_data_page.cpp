@@ -12,6 +12,7 @@
 #include "ui/editors/field_binder.h"
 #include "ui/editors/text_edit.h"
 #include "ui/models/pdo_model.h"
+#include "ui/pages/pdo_mapping_editor.h"
 #include "ui/session/workspace.h"
 #include "ui/text/units.h"
 #include "ui/widgets/named.h"
@@ -85,25 +86,10 @@ QWidget* ProcessDataPage::buildDirection(PdoModel* model, QTableView*& view, QLa
 }
 
 QWidget* ProcessDataPage::buildEntries() {
-  auto* area = new QWidget;
-  auto* layout = new QVBoxLayout(area);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(4);
-  entries_title_ = heading(tr("Entries"));
-  layout->addWidget(entries_title_);
-  entries_ = new PdoEntryModel(this);
-  entries_view_ = named(new QTableView, "pdoEntries", tr("Entries of the selected PDO"));
-  setUpTable(*entries_view_);
-  entries_view_->setModel(entries_);
-  entries_view_->setColumnWidth(PdoEntryModel::kOffset, 56);
-  entries_view_->setColumnWidth(PdoEntryModel::kObject, 88);
-  entries_view_->setColumnWidth(PdoEntryModel::kType, 72);
-  entries_view_->setColumnWidth(PdoEntryModel::kLength, 64);
-  stretchColumn(*entries_view_, PdoEntryModel::kName);
-  layout->addWidget(entries_view_, 1);
-  layout->addWidget(buildName());
-  connect(entries_view_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this] { showName(); });
-  return area;
+  mapping_ = new PdoMappingEditor(*this);
+  mapping_->layout()->addWidget(buildName());
+  connect(mapping_, &PdoMappingEditor::rowChanged, this, &ProcessDataPage::showMapping);
+  return mapping_;
 }
 
 /// The name of the selected entry in the process image.
@@ -122,17 +108,19 @@ QWidget* ProcessDataPage::buildName() {
 }
 
 std::optional<settings::Place> ProcessDataPage::namedEntry() const {
-  const int row = entries_view_->currentIndex().row();
+  const int row = mapping_->row();
   if (node() < 0 || row < 0) return {};
-  const settings::Place place{static_cast<std::size_t>(node()), shown_pdo_, static_cast<std::uint32_t>(row)};
+  const settings::Place place{static_cast<std::size_t>(node()), mapping_->pdo(), static_cast<std::uint32_t>(row)};
   const auto places = settings::row("slave.N.variable.0xIIII.K").items(project(), place.slave);
   return std::ranges::find(places, place) != places.end() ? std::optional(place) : std::nullopt;
 }
 
-void ProcessDataPage::showName() {
+void ProcessDataPage::showMapping() {
+  mapping_->showEntries();
   name_->setEnabled(namedEntry().has_value());
   if (!name_->isEnabled()) name_->showValue({});
   fields().refresh();
+  mapping_->refreshButtons();
 }
 
 bool ProcessDataPage::appliesTo(int slave) const {
@@ -144,15 +132,27 @@ bool ProcessDataPage::appliesTo(int slave) const {
 
 void ProcessDataPage::showEntriesOf(PdoModel* model, int row) {
   const auto* pdo = model->pdo(row);
-  shown_pdo_ = pdo != nullptr ? pdo->index : std::uint16_t{0};
-  entries_->setEntries(pdo != nullptr ? pdo->entries : std::vector<PdoEntry>{});
-  entries_title_->setText(pdo == nullptr
-                              ? tr("Entries")
-                              : tr("Entries of %1 %2").arg(hexText(pdo->index, 4), QString::fromStdString(pdo->name)));
+  mapping_->showPdo(pdo != nullptr ? pdo->index : std::uint16_t{0},
+                    pdo == nullptr
+                        ? tr("Entries")
+                        : tr("Entries of %1 %2").arg(hexText(pdo->index, 4), QString::fromStdString(pdo->name)));
   auto* other = model == outputs_ ? inputs_view_ : outputs_view_;
   if (row >= 0) other->clearSelection();
-  entries_view_->setCurrentIndex(entries_->index(0, 0));
-  showName();
+  showMapping();
+}
+
+void ProcessDataPage::showPlace(const settings::Setting& setting, const settings::Place& place) {
+  const bool entry = setting.key == "slave.N.variable.0xIIII.K";
+  if (!entry && setting.key != "slave.N.pdo.map.0xIIII") return;
+  for (auto* model : {outputs_, inputs_}) {
+    for (int row = 0; row < model->rowCount(); ++row) {
+      if (model->pdo(row)->index != place.item) continue;
+      auto* view = model == outputs_ ? outputs_view_ : inputs_view_;
+      view->setCurrentIndex(model->index(row, 0));
+      showEntriesOf(model, row);
+      if (entry) mapping_->selectRow(static_cast<int>(place.sub));
+    }
+  }
 }
 
 void ProcessDataPage::refresh() {
@@ -166,7 +166,7 @@ void ProcessDataPage::refresh() {
   const bool outputs = outputs_->rowCount() > 0;
   outputs_view_->parentWidget()->setVisible(outputs);
   inputs_view_->parentWidget()->setVisible(inputs_->rowCount() > 0);
-  showName();
+  showMapping();
   if (shown_node_ == node()) return;
   shown_node_ = node();
   auto* view = outputs ? outputs_view_ : inputs_view_;

@@ -12,16 +12,17 @@ class QTableView;
 namespace syncline::ui {
 
 class PdoModel;
-class PdoEntryModel;
+class PdoMappingEditor;
 class TextEdit;
 
-/// PDO assignment of a slave by check boxes, both directions, and the entries of the selected PDO.
+/// PDO assignment of a slave by check boxes, both directions, and the mapping of the selected PDO.
 class ProcessDataPage final : public Page {
   Q_OBJECT
 
  public:
   explicit ProcessDataPage(Workspace& workspace);
   [[nodiscard]] bool appliesTo(int slave) const override;
+  void showPlace(const settings::Setting& setting, const settings::Place& place) override;
   void refresh() override;
   void showLive(const Snapshot&) override {}
 
@@ -31,15 +32,14 @@ class ProcessDataPage final : public Page {
   QWidget* buildEntries();
   QWidget* buildName();
   void showEntriesOf(PdoModel* model, int row);
-  void showName();
+  void showMapping();
   [[nodiscard]] std::optional<settings::Place> namedEntry() const;
 
   PdoModel *outputs_, *inputs_;
-  QTableView *outputs_view_, *inputs_view_, *entries_view_;
-  QLabel *outputs_size_, *inputs_size_, *entries_title_;
-  PdoEntryModel* entries_;
+  QTableView *outputs_view_, *inputs_view_;
+  QLabel *outputs_size_, *inputs_size_;
+  PdoMappingEditor* mapping_ = nullptr;
   TextEdit* name_ = nullptr;
-  std::uint16_t shown_pdo_ = 0;  // 0: none
   int shown_node_ = -2;
 };
 

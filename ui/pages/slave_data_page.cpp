@@ -49,10 +49,8 @@ SlaveDataPage::SlaveDataPage(Workspace& workspace) : Page(workspace, "slaveDataP
   fields().items(*columns->add(1, tr("Oversampling")), "slave.N.pdo.oversampling.0xIIII", pdoText);
   fields().chosen(*columns->add(1, tr("Sync Units")), {"slave.N.sync_unit.outputs", "slave.N.sync_unit.inputs"},
                   unitsOf, [this](const SlaveSettings& slave) {
-                    const bool any =
-                        !project().master.sync_units.empty() || !slave.output_unit.empty() || !slave.input_unit.empty();
-                    return any &&
-                           !(slave.device.rx_pdos.empty() && slave.device.tx_pdos.empty() && slave.modules.empty());
+                    return !project().master.sync_units.empty() || !slave.output_unit.empty() ||
+                           !slave.input_unit.empty();
                   });
   columns->addStretch();
   setWidget(columns);

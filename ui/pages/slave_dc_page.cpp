@@ -4,11 +4,9 @@
 #include <QLabel>
 
 #include "config/dc_times.h"
-#include "families/families.h"
 #include "protocol/dc_registers.h"
 #include "ui/editors/choice_edit.h"
 #include "ui/editors/field_binder.h"
-#include "ui/pages/sync_settings_editor.h"
 #include "ui/pages/sync_unit_editor.h"
 #include "ui/session/workspace.h"
 #include "ui/text/units.h"
@@ -36,14 +34,6 @@ SlaveDcPage::SlaveDcPage(Workspace& workspace) : Page(workspace, "slaveDcPage", 
   sync1_ = new SyncUnitEditor(1, *sync1, *this);
   buildRegisters(*columns->add(2, tr("Registers")));
   buildLive(*columns->add(2, tr("Live")));
-  sync_ = new SyncSettingsEditor(*columns->add(0, tr("Synchronisation")), *this);
-  const auto gateway = [](const SlaveSettings& slave) {
-    const auto* family = families::find(slave.device);
-    return family != nullptr && family->gateway;
-  };
-  fields().keys(*columns->add(1, tr("CAN")), {"slave.N.can.cycle_us", "slave.N.can.tx_delay_percent"}, gateway);
-  fields().items(*columns->add(2, tr("Output Pins")), "slave.N.output_pin.K",
-                 [](const Project&, const settings::Place& place) { return tr("Pin %1").arg(place.item); });
   columns->addStretch();
   setWidget(columns);
 }
@@ -92,7 +82,6 @@ void SlaveDcPage::refresh() {
   bus_cycle_->setText(cycleText(project.master.cycle_time));
   sync0_->showSlave(*slave, mode, project.master.cycle_time);
   sync1_->showSlave(*slave, mode, project.master.cycle_time);
-  sync_->showSlave(*slave);
   fields().refresh();
   refreshRegisters();
 }

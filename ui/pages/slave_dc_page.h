@@ -9,7 +9,6 @@ namespace syncline::ui {
 
 class Card;
 class Pill;
-class SyncSettingsEditor;
 class SyncUnitEditor;
 
 /// Distributed clocks of a slave: operation mode, Sync Unit Cycles and shifts, the registers that
@@ -31,7 +30,6 @@ class SlaveDcPage final : public Page {
 
   QLabel *description_, *assign_activate_, *bus_cycle_;
   SyncUnitEditor *sync0_, *sync1_;
-  SyncSettingsEditor* sync_;
   QLabel *register_activation_, *register_cycle0_, *register_cycle1_, *register_shift_;
   Pill* role_;
   QLabel *deviation_, *delay_, *missed_;

@@ -7,20 +7,15 @@
 namespace syncline::ui {
 
 SlaveMailboxPage::SlaveMailboxPage(Workspace& workspace) : Page(workspace, "slaveMailboxPage", tr("Mailbox")) {
-  const auto any = [](const SlaveSettings& slave) { return slave.device.mailbox.has_value(); };
-  const auto eoe = [](const SlaveSettings& slave) { return slave.device.mailbox && slave.device.mailbox->eoe; };
-  const auto aoe = [](const SlaveSettings& slave) { return slave.device.mailbox && slave.device.mailbox->aoe; };
   auto* columns = new CardColumns;
   fields().keys(*columns->add(0, tr("Ethernet (EoE)")),
                 {"slave.N.eoe.enabled", "slave.N.eoe.mac", "slave.N.eoe.ip", "slave.N.eoe.subnet",
-                 "slave.N.eoe.gateway", "slave.N.eoe.dns", "slave.N.eoe.host_name"},
-                eoe);
-  fields().keys(*columns->add(1, tr("ADS (AoE)")), {"slave.N.aoe.net_id"}, aoe);
+                 "slave.N.eoe.gateway", "slave.N.eoe.dns", "slave.N.eoe.host_name"});
+  fields().keys(*columns->add(1, tr("ADS (AoE)")), {"slave.N.aoe.net_id"});
   fields().keys(
       *columns->add(1, tr("Mailbox")),
       {"slave.N.mailbox.out_size", "slave.N.mailbox.in_size", "slave.N.mailbox.state_bit",
-       "slave.N.mailbox.poll_time_ms", "slave.N.timeout.mailbox_request_ms", "slave.N.timeout.mailbox_response_ms"},
-      any);
+       "slave.N.mailbox.poll_time_ms", "slave.N.timeout.mailbox_request_ms", "slave.N.timeout.mailbox_response_ms"});
   columns->addStretch();
   setWidget(columns);
 }

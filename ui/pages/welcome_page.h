@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QList>
+#include <QString>
 #include <QWidget>
 
 class QAction;
@@ -9,19 +10,28 @@ class QLabel;
 
 namespace syncline::ui {
 
-/// Stands in the centre while the project has no slaves: the ways to begin.
+class WindowMemory;
+
+/// Stands in the centre while the project has no slaves: the ways to begin, and the projects that were open lately.
 class WelcomePage final : public QWidget {
   Q_OBJECT
 
  public:
-  explicit WelcomePage(const QList<QAction*>& beginnings, QWidget* parent = nullptr);
+  WelcomePage(const QList<QAction*>& beginnings, WindowMemory& memory, QWidget* parent = nullptr);
+
+ Q_SIGNALS:
+  void fileWanted(const QString& path);
 
  protected:
   void changeEvent(QEvent* event) override;
 
  private:
   void drawMark();
+  void showRecent();
+  QWidget* makeRecent(int row, const QString& path, bool pinned);
 
+  WindowMemory& memory_;
+  QWidget* recent_ = nullptr;
   QLabel* mark_;
 };
 

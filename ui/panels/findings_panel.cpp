@@ -50,8 +50,9 @@ FindingsPanel::FindingsPanel(FindingModel& model, QWidget* parent) : QWidget(par
   table_->horizontalHeader()->setSectionResizeMode(FindingModel::kFinding, QHeaderView::Stretch);
   table_->horizontalHeader()->setSectionResizeMode(FindingModel::kAdvice, QHeaderView::Stretch);
   table_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  connect(table_, &QTableView::activated, this,
-          [this](const QModelIndex& index) { Q_EMIT nodeActivated(index.data(FindingModel::kSlaveRole).toInt()); });
+  connect(table_, &QTableView::activated, this, [this](const QModelIndex& index) {
+    Q_EMIT placeActivated(index.data(FindingModel::kSlaveRole).toInt(), index.data(FindingModel::kKeyRole).toString());
+  });
   nothing_ = new QLabel(
       tr("Nothing found. What the running bus shows to be wrong stands here, with its cause and what to do."));
   nothing_->setObjectName(QStringLiteral("noFindings"));

@@ -10,7 +10,7 @@ namespace syncline::ui {
 
 class FindingModel;
 
-/// What is wrong with the running bus, why, and what to do; activating a row goes to its slave.
+/// What is wrong with the running bus, why, and what to do; activating a row goes to its field, or else its slave.
 class FindingsPanel final : public QWidget {
   Q_OBJECT
 
@@ -19,7 +19,8 @@ class FindingsPanel final : public QWidget {
   [[nodiscard]] QSize sizeHint() const override { return {800, 128}; }
 
  Q_SIGNALS:
-  void nodeActivated(int slave);
+  /// `key`: of the setting that would mend it; may be empty.
+  void placeActivated(int slave, const QString& key);
 
  private:
   void showState();

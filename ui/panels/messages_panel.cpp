@@ -79,8 +79,9 @@ MessagesPanel::MessagesPanel(MessageModel& model, QWidget* parent) : QWidget(par
   table_->setColumnWidth(MessageModel::kSeverity, 92);
   table_->setColumnWidth(MessageModel::kSource, 150);
   stretchColumn(*table_, MessageModel::kText);
-  connect(table_, &QTableView::activated, this,
-          [this](const QModelIndex& index) { Q_EMIT nodeActivated(index.data(MessageModel::kSlaveRole).toInt()); });
+  connect(table_, &QTableView::activated, this, [this](const QModelIndex& index) {
+    Q_EMIT placeActivated(index.data(MessageModel::kSlaveRole).toInt(), index.data(MessageModel::kKeyRole).toString());
+  });
   layout->addWidget(table_, 1);
   connect(&model_, &QAbstractItemModel::rowsInserted, this, &MessagesPanel::updateCounts);
   connect(&model_, &QAbstractItemModel::rowsRemoved, this, &MessagesPanel::updateCounts);

@@ -24,7 +24,8 @@ class MessagesPanel final : public QWidget {
   [[nodiscard]] QSize sizeHint() const override { return {800, 128}; }
 
  Q_SIGNALS:
-  void nodeActivated(int slave);
+  /// `key`: of the setting that the line is about; may be empty.
+  void placeActivated(int slave, const QString& key);
 
  protected:
   void changeEvent(QEvent* event) override;

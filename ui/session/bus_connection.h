@@ -20,10 +20,11 @@ namespace syncline::ui {
 /// Makes a master on the bus behind a LINK text ("sim:FILE", "nic:NAME"). Called from the window's thread.
 using MasterOpener = std::function<Result<std::unique_ptr<BackgroundMaster>>(const QString& link)>;
 
-/// Scans the bus behind a LINK text. `tell` gets progress and warnings, in the calling thread; ends early when
-/// `cancelled`. Called from the scan's thread.
-using BusScanner = std::function<Result<BusScan>(const QString& link, const std::atomic<bool>& cancelled,
-                                                 const std::function<void(const Event&)>& tell)>;
+/// Scans the bus behind a LINK text; `look_only`: without writing anything to it. `tell` gets progress and warnings, in
+/// the calling thread; ends early when `cancelled`. Called from the scan's thread.
+using BusScanner =
+    std::function<Result<BusScan>(const QString& link, bool look_only, const std::atomic<bool>& cancelled,
+                                  const std::function<void(const Event&)>& tell)>;
 
 /// Completes the slaves of a scan of `link` that have no ESI with what they tell themselves; what could not be read is
 /// returned. Called from the scan's thread; ends early when `cancelled`.
@@ -48,6 +49,8 @@ struct Environment {
   QStringList esi_folders;           // where the device descriptions lie
   QString version;
   EepromRepairs eeprom_repairs{};  // none: nothing is offered
+  QString recovery_folder{};       // for unsaved work; "" = none is kept
+  QString settings_file{};         // for what the window remembers; "" = nothing
 };
 
 }  // namespace syncline::ui

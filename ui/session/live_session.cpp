@@ -72,6 +72,10 @@ void LiveSession::clearStatistics() {
   if (master_) send(ClearStatisticsCommand{});
 }
 
+void LiveSession::configureDcm(const DcmSettings& settings) {
+  if (master_) send(ConfigureDcmCommand{settings});
+}
+
 /// A master that has stopped listening is told like whatever else goes wrong with it.
 void LiveSession::send(MasterCommand command) {
   if (master_->channels().commands.push(std::move(command))) return;

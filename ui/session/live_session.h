@@ -38,6 +38,8 @@ class LiveSession final : public QObject {
   void shutDown();
   void requestState(AlState state);
   void clearStatistics();
+  /// Other parameters for the running master synchronisation; what it refuses comes as an event.
+  void configureDcm(const DcmSettings& settings);
 
   /// Runs `duration` of machine time at once and drains the channels; virtual clock only.
   void advance(Nanoseconds duration);

@@ -67,35 +67,48 @@ void ProjectDocument::replace(const QString& text, Project project) {
   }));
 }
 
-void ProjectDocument::reset() {
-  project_ = Project{};
-  machine_ = Machine{};
-  path_.clear();
+void ProjectDocument::reset() { take({}, {}); }
+
+Result<Machine> ProjectDocument::read(const QString& path) { return eni::load_machine(path.toStdString()); }
+
+void ProjectDocument::take(Machine machine, const QString& path, bool saved) {
+  machine_ = std::move(machine);
+  if (machine_.networks.empty()) machine_.networks.emplace_back();
+  project_ = machine_.networks.front();
+  path_ = path;
+  lock_.take(path);
   undo_.clear();
+  if (!saved) undo_.resetClean();
   Q_EMIT pathChanged();
   projectEdited(true);
 }
 
 Status ProjectDocument::load(const QString& path) {
-  auto loaded = eni::load_machine(path.toStdString());
+  auto loaded = read(path);
   if (!loaded) return tl::unexpected(loaded.error());
-  machine_ = std::move(*loaded);
-  project_ = machine_.networks.front();
-  path_ = path;
-  undo_.clear();
-  Q_EMIT pathChanged();
-  projectEdited(true);
+  take(std::move(*loaded), path);
   return {};
 }
 
 Status ProjectDocument::save(const QString& path) {
-  if (machine_.networks.empty()) machine_.networks.emplace_back();
-  machine_.networks.front() = project_;
-  if (auto status = eni::save_machine(machine_, path.toStdString()); !status) return status;
+  const auto holder = lock_.holder(path);
+  if (!holder.isEmpty()) {
+    return fail(ErrorCode::kFileNotWritable, path.toStdString(),
+                "another window has it open (" + holder.toStdString() + "): save under another name");
+  }
+  if (auto status = eni::save_machine(machine(), path.toStdString()); !status) return status;
   path_ = path;
+  lock_.take(path);
   undo_.setClean();
   Q_EMIT pathChanged();
   return {};
+}
+
+Machine ProjectDocument::machine() const {
+  auto machine = machine_;
+  if (machine.networks.empty()) machine.networks.emplace_back();
+  machine.networks.front() = project_;
+  return machine;
 }
 
 void ProjectDocument::projectEdited(bool structural) {

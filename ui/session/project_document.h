@@ -10,6 +10,7 @@
 #include "settings/setting.h"
 #include "support/result.h"
 #include "ui/commands/edit_project_command.h"
+#include "ui/session/project_lock.h"
 
 namespace syncline::ui {
 
@@ -43,8 +44,21 @@ class ProjectDocument final : public QObject, private ProjectHolder {
 
   /// Empty project, no file, no undo steps.
   void reset();
+  /// What a file holds, before anything else is touched.
+  [[nodiscard]] static Result<Machine> read(const QString& path);
+  /// `machine` in place of what is edited, without undo steps. `saved`: it is what the file holds; else it counts as
+  /// modified until it is saved.
+  void take(Machine machine, const QString& path, bool saved = true);
+  /// read() and take().
   Status load(const QString& path);
+  /// Fails without a trace when another window has the file open.
   Status save(const QString& path);
+  /// All networks of the file with the edited one.
+  [[nodiscard]] Machine machine() const;
+  /// Another window that has this file open, in words; empty: none.
+  [[nodiscard]] QString holder(const QString& path) const { return lock_.holder(path); }
+  /// Another window has the file open: it can only be saved under another name.
+  [[nodiscard]] bool readOnly() const { return !path_.isEmpty() && !lock_.held(); }
 
  Q_SIGNALS:
   /// Comes before projectChanged(true), for whoever holds what belongs to the slaves there were.
@@ -63,6 +77,7 @@ class ProjectDocument final : public QObject, private ProjectHolder {
   Machine machine_;
   QUndoStack undo_;
   QString path_;
+  ProjectLock lock_;
 };
 
 }  // namespace syncline::ui

@@ -19,14 +19,14 @@ ScanController::~ScanController() {
   if (worker_.joinable()) worker_.join();
 }
 
-void ScanController::start(const QString& link) {
+void ScanController::start(const QString& link, Depth depth) {
   if (running_) return;
   if (worker_.joinable()) worker_.join();
   running_ = true;
   cancelled_ = false;
   Q_EMIT started(link);
-  worker_ = std::thread([this, link] {
-    auto result = run(link);
+  worker_ = std::thread([this, link, depth] {
+    auto result = run(link, depth);
     QMetaObject::invokeMethod(
         this, [this, link, result = std::move(result)]() mutable { deliver(link, std::move(result)); },
         Qt::QueuedConnection);
@@ -35,8 +35,10 @@ void ScanController::start(const QString& link) {
 
 void ScanController::cancel() { cancelled_ = true; }
 
-Result<eni::BuiltProject> ScanController::run(const QString& link) {
-  const auto found = scanner_(link, cancelled_, [this](const Event& event) { tell(event); });
+Result<ScanOutcome> ScanController::run(const QString& link, Depth depth) {
+  const auto told = [this](const Event& event) { tell(event); };
+  auto found = scanner_(link, depth == Depth::kLookFirst, cancelled_, told);
+  if (found && found->look_only && found->running == 0 && !cancelled_) found = scanner_(link, false, cancelled_, told);
   if (!found) return tl::unexpected(found.error());
   if (cancelled_) return fail(ErrorCode::kCancelled);
   auto catalogue = eni::EsiCatalogue::open_default();  // reads only what changed since the last scan
@@ -46,14 +48,15 @@ Result<eni::BuiltProject> ScanController::run(const QString& link) {
   }
   auto built = eni::project_from_scan(*found, catalogue);
   built.warnings.insert(built.warnings.begin(), warnings.begin(), warnings.end());
-  // Slaves without an ESI tell what they are.
-  if (describe_) {
+  // Slaves without an ESI tell what they are, when they may be led to PREOP.
+  if (describe_ && !found->look_only) {
     const auto unread = describe_(built.project, link, cancelled_);
     if (!unread) return tl::unexpected(unread.error());
     built.warnings.insert(built.warnings.end(), unread->begin(), unread->end());
   }
   if (cancelled_) return fail(ErrorCode::kCancelled);
-  return built;
+  if (found->look_only) built.warnings.insert(built.warnings.end(), found->findings.begin(), found->findings.end());
+  return ScanOutcome{std::move(built), found->look_only, found->running};
 }
 
 /// In the scan's thread.
@@ -68,7 +71,7 @@ void ScanController::tell(const Event& event) {
   }
 }
 
-void ScanController::deliver(const QString& link, Result<eni::BuiltProject> result) {
+void ScanController::deliver(const QString& link, Result<ScanOutcome> result) {
   if (worker_.joinable()) worker_.join();
   running_ = false;
   if (cancelled_) {

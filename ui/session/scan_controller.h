@@ -16,6 +16,15 @@
 
 namespace syncline::ui {
 
+/// What a scan gave.
+struct ScanOutcome {
+  eni::BuiltProject built;
+  /// Nothing was written to the bus, because `running` slaves are beyond INIT: EEPROMs that belong to their PDI, clocks
+  /// and object dictionaries were not read.
+  bool looked_only = false;
+  std::size_t running = 0;
+};
+
 /// Scans a bus in the background on a link of its own and builds a project of what it finds.
 class ScanController final : public QObject {
   Q_OBJECT
@@ -25,8 +34,10 @@ class ScanController final : public QObject {
   ScanController(BusScanner scanner, SlaveDescriber describe, QStringList esi_folders, QObject* parent = nullptr);
   ~ScanController() override;
 
+  /// A running machine is only looked at, unless somebody has said that it may be touched.
+  enum class Depth { kLookFirst, kTouch };
   /// No-op while a scan runs.
-  void start(const QString& link);
+  void start(const QString& link, Depth depth = Depth::kLookFirst);
   /// Ends the scan within a cycle; failed() with kCancelled follows.
   void cancel();
   [[nodiscard]] bool isRunning() const { return running_; }
@@ -36,13 +47,13 @@ class ScanController final : public QObject {
   void progress(int done, int found);
   /// What a user has to know while the scan runs: a running machine is touched.
   void eventArrived(const syncline::Event& event);
-  void finished(const QString& link, const syncline::eni::BuiltProject& built);
+  void finished(const QString& link, const syncline::ui::ScanOutcome& outcome);
   void failed(const QString& link, const syncline::Error& error);
 
  private:
-  Result<eni::BuiltProject> run(const QString& link);
+  Result<ScanOutcome> run(const QString& link, Depth depth);
   void tell(const Event& event);
-  void deliver(const QString& link, Result<eni::BuiltProject> result);
+  void deliver(const QString& link, Result<ScanOutcome> result);
 
   BusScanner scanner_;
   SlaveDescriber describe_;

@@ -11,10 +11,13 @@ namespace syncline::ui {
 Workspace::Workspace(Environment environment, QObject* parent)
     : QObject(parent),
       environment_(std::move(environment)),
+      memory_(environment_.settings_file),
+      autosave_(document_, environment_.recovery_folder),
       configuration_(document_),
       scan_(environment_.scan_bus, environment_.describe_slaves, environment_.esi_folders),
       eeprom_repair_(environment_.eeprom_repairs),
       live_(environment_.open_master),
+      run_difference_(document_, configuration_, live_),
       run_findings_(live_) {
   network_.setProject(document_.project());
   connect(&document_, &ProjectDocument::projectChanged, this, [this] {
@@ -31,10 +34,12 @@ Workspace::Workspace(Environment environment, QObject* parent)
   });
   connect(&run_findings_, &RunFindings::findingsChanged, this,
           [this] { findings_.setFindings(run_findings_.findings()); });
+  connect(&autosave_, &Autosave::failed, this,
+          [this](const Error& error) { report(error, Severity::kWarning, tr("Unsaved work is not kept")); });
   connect(&scan_, &ScanController::eventArrived, this, [this](const Event& event) {
     if (auto message = messageOf(event, document_.project())) messages_.append(std::move(*message));
   });
-  connect(&scan_, &ScanController::finished, this, &Workspace::takeScan);
+  connect(&scan_, &ScanController::finished, this, &Workspace::tellOfScan);
   connect(&scan_, &ScanController::failed, this, [this](const QString&, const Error& error) {
     report(error, error.code == ErrorCode::kCancelled ? Severity::kInfo : Severity::kError, tr("Scan"));
   });
@@ -79,11 +84,11 @@ void Workspace::showFindings() {
   messages_.setFindings(std::move(lines));
 }
 
-void Workspace::takeScan(const QString& link, const eni::BuiltProject& built) {
+void Workspace::tellOfScan(const QString& link, const ScanOutcome& outcome) {
   setLink(link);
-  for (const auto& warning : built.warnings) report(warning, Severity::kWarning, tr("Scan"));
-  inform(tr("Scan"), tr("%n slave(s) found on %1", nullptr, static_cast<int>(built.project.slaves.size())).arg(link));
-  document_.replace(tr("Scan"), built.project);
+  for (const auto& warning : outcome.built.warnings) report(warning, Severity::kWarning, tr("Scan"));
+  const auto count = static_cast<int>(outcome.built.project.slaves.size());
+  inform(tr("Scan"), tr("%n slave(s) found on %1", nullptr, count).arg(link));
 }
 
 }  // namespace syncline::ui

@@ -6,13 +6,16 @@
 #include "ui/models/finding_model.h"
 #include "ui/models/message_model.h"
 #include "ui/models/network_model.h"
+#include "ui/session/autosave.h"
 #include "ui/session/bus_connection.h"
 #include "ui/session/configuration_monitor.h"
 #include "ui/session/eeprom_repair.h"
 #include "ui/session/live_session.h"
 #include "ui/session/project_document.h"
+#include "ui/session/run_difference.h"
 #include "ui/session/run_findings.h"
 #include "ui/session/scan_controller.h"
+#include "ui/session/window_memory.h"
 
 namespace syncline::ui {
 
@@ -26,10 +29,14 @@ class Workspace final : public QObject {
 
   [[nodiscard]] const Environment& environment() const { return environment_; }
   [[nodiscard]] ProjectDocument& document() { return document_; }
+  [[nodiscard]] Autosave& autosave() { return autosave_; }
   [[nodiscard]] ConfigurationMonitor& configuration() { return configuration_; }
   [[nodiscard]] ScanController& scan() { return scan_; }
   [[nodiscard]] EepromRepair& eepromRepair() { return eeprom_repair_; }
   [[nodiscard]] LiveSession& live() { return live_; }
+  /// What the project would do otherwise than what runs.
+  [[nodiscard]] RunDifference& runDifference() { return run_difference_; }
+  [[nodiscard]] WindowMemory& memory() { return memory_; }
   [[nodiscard]] RunFindings& runFindings() { return run_findings_; }
   [[nodiscard]] FindingModel& findings() { return findings_; }
   [[nodiscard]] MessageModel& messages() { return messages_; }
@@ -55,16 +62,19 @@ class Workspace final : public QObject {
 
  private:
   void showFindings();
-  void takeScan(const QString& link, const eni::BuiltProject& built);
+  void tellOfScan(const QString& link, const ScanOutcome& outcome);
 
   Environment environment_;
+  WindowMemory memory_;
   QString link_;
   bool expert_ = false;
   ProjectDocument document_;
+  Autosave autosave_;
   ConfigurationMonitor configuration_;
   ScanController scan_;
   EepromRepair eeprom_repair_;
   LiveSession live_;
+  RunDifference run_difference_;
   RunFindings run_findings_;
   FindingModel findings_;
   MessageModel messages_;

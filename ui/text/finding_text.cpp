@@ -66,6 +66,28 @@ QString findingText(const RunFinding& finding) {
   return fill(FindingWords::sentence(finding_words(finding.code).why), finding);
 }
 
+/// The settings that the findings' advice names; others are mended outside of the project.
+QString findingKey(const RunFinding& finding) {
+  const auto ofSlave = [&](const char* name) {
+    return finding.slave < 0 ? QString() : QStringLiteral("slave.%1.%2").arg(finding.slave).arg(QLatin1String(name));
+  };
+  switch (finding.code) {
+    case FindingCode::kNotMonitored:
+      return QStringLiteral("master.dc.sync_window");
+    case FindingCode::kMissedByLateFrames:  // send earlier
+      return QStringLiteral("master.dc.set_value_us");
+    case FindingCode::kSync0TooTight:
+    case FindingCode::kShiftTooShort:
+      return ofSlave("dc.sync0.shift_us");
+    case FindingCode::kInputShiftTooShort:
+      return ofSlave("sync.input_shift_us");
+    case FindingCode::kGatewayCycleExceeded:
+      return ofSlave("can.cycle_us");
+    default:
+      return {};
+  }
+}
+
 QString findingAdvice(const RunFinding& finding) {
   const auto mend = finding_words(finding.code).mend;
   return mend.empty() ? QString() : fill(FindingWords::sentence(mend), finding);

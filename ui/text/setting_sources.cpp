@@ -279,6 +279,23 @@ constexpr const char* kSettingSources[] = {
     QT_TRANSLATE_NOOP("Setting", "Variable"),
     QT_TRANSLATE_NOOP(
         "Setting", "Name of the variable for entry K of PDO 0xIIII in the process image; nothing for SLAVE.PDO.ENTRY."),
+    QT_TRANSLATE_NOOP("Setting", "Task"),
+    QT_TRANSLATE_NOOP("Setting",
+                      "A task beside the base task, whose frames are sent in every MULTIPLE-th cycle; K counts from 0, "
+                      "the number behind the last adds one."),
+    QT_TRANSLATE_NOOP("Setting", "Sync Unit"),
+    QT_TRANSLATE_NOOP("Setting",
+                      "Slaves that are exchanged together in datagrams of their own, in the base task or in TASK; K "
+                      "counts from 0, the number behind the last adds one."),
+    QT_TRANSLATE_NOOP("Setting", "Mapping"),
+    QT_TRANSLATE_NOOP("Setting", "What PDO 0xIIII carries. Only PDOs that are not fixed can be changed."),
+    QT_TRANSLATE_NOOP("Setting", "Start-up command"),
+    QT_TRANSLATE_NOOP(
+        "Setting",
+        "CoE object that is written at these transitions, K counts from 0; the number behind the last adds one."),
+    QT_TRANSLATE_NOOP("Setting", "SoE start-up command"),
+    QT_TRANSLATE_NOOP(
+        "Setting", "IDN that is written at these transitions, K counts from 0; the number behind the last adds one."),
     QT_TRANSLATE_NOOP("Setting", "auto"),
     QT_TRANSLATE_NOOP("Setting", "none"),
     QT_TRANSLATE_NOOP("Setting", "on"),

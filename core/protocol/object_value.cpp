@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/cli/object_value.h"
+#include "protocol/object_value.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -13,7 +13,7 @@
 #include "protocol/coe_data_type.h"
 #include "support/byte_order.h"
 
-namespace syncline::cli {
+namespace syncline {
 namespace {
 
 using coe::DataType;
@@ -169,4 +169,4 @@ Result<ObjectName> object_name(std::string_view text) {
   return name;
 }
 
-}  // namespace syncline::cli
+}  // namespace syncline

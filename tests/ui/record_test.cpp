@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: Apache-2.0
+// Lists of records: tasks, Sync Units, start-up commands, PDO entries.
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <QAbstractItemModelTester>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLabel>
+#include <QTabWidget>
+#include <QTableView>
+#include <QToolButton>
+
+#include "settings/settings_table.h"
+#include "support/ui_test_support.h"
+#include "ui/editors/object_picker.h"
+#include "ui/editors/page.h"
+#include "ui/editors/record_part.h"
+#include "ui/editors/text_edit.h"
+#include "ui/main_window.h"
+#include "ui/models/record_model.h"
+#include "ui/pages/device_editor.h"
+#include "ui/session/workspace.h"
+
+namespace syncline::ui {
+namespace {
+
+TEST(RecordModel, KeepsRowsThatStay) {
+  RecordModel model({QStringLiteral("a"), QStringLiteral("b")});
+  QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Warning);
+  const auto lines = [](std::initializer_list<const char*> words) {
+    RecordModel::Lines all;
+    for (const auto* word : words) all.push_back({QLatin1String(word), QStringLiteral("-")});
+    return all;
+  };
+  model.setLines(lines({"1", "2", "3"}));
+  const QPersistentModelIndex third = model.index(2, 0);
+  model.setLines(lines({"1", "x", "2", "3"}));
+  EXPECT_EQ(third.row(), 3);
+  EXPECT_EQ(third.data().toString(), QStringLiteral("3"));
+  model.setLines(lines({"3"}));
+  EXPECT_EQ(model.rowCount(), 1);
+  model.setLines({});
+  EXPECT_EQ(model.rowCount(), 0);
+}
+
+/// Whatever is added, removed or changed: the edits make the one list of the other, and names stay unique on the way.
+TEST(RecordEdits, MakeOneListOfAnother) {
+  EXPECT_TRUE(rc::check([] {
+    const auto list = [](const std::vector<int>& names) {
+      Records records;
+      for (const int name : names) {
+        auto record = "T" + std::to_string(name) + " x2";
+        if (std::ranges::find(records, record) == records.end()) records.push_back(std::move(record));
+      }
+      return records;
+    };
+    const auto before = list(*rc::gen::container<std::vector<int>>(rc::gen::inRange(0, 9)));
+    auto after = before;
+    const int what = *rc::gen::inRange(0, 3);
+    const auto place = before.empty() ? 0 : *rc::gen::inRange<std::ptrdiff_t>(0, static_cast<int>(before.size()));
+    if (what == 0 || before.empty()) {
+      after.push_back("New x3");
+    } else if (what == 1) {
+      after.erase(after.begin() + place);
+    } else {
+      after[static_cast<std::size_t>(place)] = "Changed x4";
+    }
+    Project project;
+    for (const auto& edit : itemEdits("master.task.K", 0, {}, before))
+      RC_ASSERT(settings::set_value(*edit.setting, project, edit.place, edit.value).has_value());
+    for (const auto& edit : itemEdits("master.task.K", 0, before, after))
+      RC_ASSERT(settings::set_value(*edit.setting, project, edit.place, edit.value).has_value());
+    Records is;
+    for (const auto& place_of : settings::row("master.task.K").items(project, 0))
+      is.push_back(settings::text_of(settings::row("master.task.K"), project, place_of));
+    RC_ASSERT(is == after);
+  }));
+}
+
+class Lists : public ::testing::Test {
+ protected:
+  Lists() : workspace_(test::virtualEnvironment()), window_(workspace_) {
+    auto machine = test::smallProject();
+    auto& device = machine.slaves[1].device;
+    device.mailbox.emplace().coe.emplace().pdo_config = true;
+    ObjectDescription object;
+    object.index = 0x6060;
+    object.name = "Modes of operation";
+    ObjectEntry entry;
+    entry.name = object.name;
+    entry.data_type = "SINT";
+    entry.bit_length = 8;
+    entry.writable = entry.rx_mappable = true;
+    entry.default_data = {8};
+    object.entries = {entry};
+    device.dictionary = {object};
+    workspace_.document().replace(QStringLiteral("load"), machine);
+    window_.show();
+    window_.activateWindow();
+    static_cast<void>(QTest::qWaitForWindowActive(&window_));
+  }
+  ~Lists() override { workspace_.document().undoStack().setClean(); }
+
+  const Project& project() { return workspace_.document().project(); }
+  int steps() { return workspace_.document().undoStack().index(); }
+  template <class Widget = QWidget>
+  Widget& field(const char* name) {
+    return *test::find<Widget>(window_, name);
+  }
+  void press(const char* name) {
+    auto& button = field<QToolButton>(name);
+    ASSERT_TRUE(button.isEnabled()) << name;
+    button.setFocus();
+    QTest::keyClick(&button, Qt::Key_Space);
+  }
+  void show(int node, const char* page) {
+    window_.selectNode(node);
+    auto* tabs = window_.editor().tabs();
+    for (int i = 0; i < tabs->count(); ++i) {
+      if (tabs->widget(i)->objectName() == QLatin1String(page)) tabs->setCurrentIndex(i);
+    }
+    ASSERT_EQ(tabs->currentWidget()->objectName(), QLatin1String(page));
+  }
+
+  Workspace workspace_;
+  MainWindow window_;
+};
+
+TEST_F(Lists, StartupCommandsAreMadeByKeyboard) {
+  show(1, "slaveStartupPage");
+  EXPECT_FALSE(field("coeObject").isEnabled()) << "there is none";
+  const int before = steps();
+  press("startupAdd");
+  ASSERT_EQ(project().slaves[1].startup.size(), 1U);
+  EXPECT_FALSE(project().slaves[1].startup[0].enabled) << "nothing is sent before the user says what";
+  test::type(field("coeObject"), QStringLiteral("6060:00"));
+  EXPECT_EQ(field<QComboBox>("coeType").currentText(), QStringLiteral("As described (SINT)"));
+  test::type(field("coeValue"), QStringLiteral("-3"));
+  test::type(field("coeComment"), QStringLiteral("velocity"));
+  auto& enabled = field<QCheckBox>("coeEnabled");
+  enabled.setFocus();
+  QTest::keyClick(&enabled, Qt::Key_Space);
+  press("coeTransitionsSO");
+  EXPECT_EQ(settings::text_of(settings::row("slave.N.startup.K"), project(), {.slave = 1}),
+            "PS,SO 0x6060:00=fd # velocity");
+  EXPECT_EQ(steps(), before + 6);
+  press("startupAdd");
+  EXPECT_EQ(field<QTableView>("startupTable").currentIndex().row(), 1);
+  press("startupUp");
+  EXPECT_EQ(project().slaves[1].startup[1].index, 0x6060);
+  EXPECT_EQ(field<QTableView>("startupTable").currentIndex().row(), 0);
+  press("startupRemove");
+  ASSERT_EQ(project().slaves[1].startup.size(), 1U);
+  EXPECT_EQ(project().slaves[1].startup[0].index, 0x6060);
+  EXPECT_EQ(steps(), before + 9);
+}
+
+TEST_F(Lists, WhatIsNoValueStaysAndIsMarked) {
+  show(1, "slaveStartupPage");
+  press("startupAdd");
+  const int before = steps();
+  auto& value = field<TextEdit>("coeValue");
+  test::type(value, QStringLiteral("soon"));
+  EXPECT_EQ(value.text(), QStringLiteral("soon"));
+  EXPECT_FALSE(value.accessibleDescription().isEmpty());
+  EXPECT_EQ(steps(), before);
+  press("coeTransitionsPS");
+  EXPECT_EQ(project().slaves[1].startup[0].transitions.size(), 1U) << "a command without transition is none";
+}
+
+TEST_F(Lists, AnObjectIsChosenFromTheDictionary) {
+  show(1, "slaveStartupPage");
+  press("startupAdd");
+  const int before = steps();
+  field<QAbstractButton>("coeChoose").click();
+  auto* picker = window_.findChild<ObjectPicker*>();
+  ASSERT_NE(picker, nullptr);
+  QTest::keyClicks(test::find<QWidget>(*picker, "objectWords"), QStringLiteral("modes sint"));
+  test::find<QAbstractButton>(*picker, "objectChoose")->click();
+  EXPECT_EQ(steps(), before + 1);
+  const auto& command = project().slaves[1].startup[0];
+  EXPECT_EQ(command.index, 0x6060);
+  EXPECT_EQ(command.data, std::vector<std::uint8_t>({8}));
+  EXPECT_EQ(command.comment, "Modes of operation");
+}
+
+TEST_F(Lists, UnitsFollowTheNameOfTheirTask) {
+  workspace_.setExpert(true);
+  show(-1, "masterTasksPage");
+  press("tasksAdd");
+  press("unitsAdd");
+  ASSERT_EQ(project().master.tasks.size(), 1U);
+  ASSERT_EQ(project().master.sync_units.size(), 1U);
+  auto& task = field<QComboBox>("unitTask");
+  task.setFocus();
+  QTest::keyClick(&task, Qt::Key_End);
+  EXPECT_EQ(project().master.sync_units[0].task, project().master.tasks[0].name);
+  const int before = steps();
+  test::type(field("taskName"), QStringLiteral("Slow"));
+  EXPECT_EQ(project().master.sync_units[0].task, "Slow");
+  EXPECT_EQ(steps(), before + 1);
+  ASSERT_TRUE(
+      workspace_.document().set(QStringLiteral("set"), {{&settings::row("slave.N.sync_unit.outputs"),
+                                                         {.slave = 1},
+                                                         settings::Value{project().master.sync_units[0].name}}}));
+  show(-1, "masterTasksPage");
+  test::type(field("unitName"), QStringLiteral("Infeed"));
+  EXPECT_EQ(project().slaves[1].output_unit, "Infeed");
+  press("tasksRemove");
+  EXPECT_EQ(project().master.sync_units[0].task, "");
+  press("unitsRemove");
+  EXPECT_EQ(project().slaves[1].output_unit, "");
+}
+
+TEST_F(Lists, AMappingIsEditedWhereTheDeviceLetsIt) {
+  show(1, "processDataPage");
+  EXPECT_TRUE(field("mappingObject").isVisible());
+  press("mappingAdd");
+  auto mapping = [&] {
+    return settings::text_of(settings::row("slave.N.pdo.map.0xIIII"), project(), {.slave = 1, .item = 0x1600});
+  };
+  EXPECT_EQ(mapping(), "0x6040:00:16,0x0000:00:8,0x0000:00:8,0x607a:00:32");
+  test::type(field("mappingObject"), QStringLiteral("0x6060:00"));
+  EXPECT_EQ(mapping(), "0x6040:00:16,0x6060:00:8,0x0000:00:8,0x607a:00:32");
+  EXPECT_EQ(project().slaves[1].changed_pdos.front().entries[1].name, "Modes of operation");
+  press("mappingDown");
+  EXPECT_EQ(mapping(), "0x6040:00:16,0x0000:00:8,0x6060:00:8,0x607a:00:32");
+  press("mappingRemove");
+  EXPECT_EQ(mapping(), "0x6040:00:16,0x0000:00:8,0x607a:00:32");
+  EXPECT_TRUE(project().slaves[1].changed_pdos.empty()) << "as the device has it";
+  show(2, "processDataPage");
+  EXPECT_FALSE(field("mappingObject").isVisible());
+  EXPECT_TRUE(field<QLabel>("mappingRefusal").isVisible());
+  EXPECT_FALSE(field("mappingAdd").isEnabled());
+}
+
+/// A device without distributed clocks in its ESI, which synchronises by its SyncManager.
+TEST_F(Lists, ADeviceWithoutClockHasItsSynchronisation) {
+  auto machine = project();
+  machine.slaves[1].device.dc.reset();
+  machine.slaves[1].dc = {};
+  workspace_.document().replace(QStringLiteral("load"), machine);
+  show(1, "slaveSyncPage");
+  EXPECT_TRUE(field("syncErrorLimit").isVisible());
+  EXPECT_TRUE(field("syncErrorLimit").isEnabled());
+  window_.selectNode(0);
+  auto* tabs = window_.editor().tabs();
+  for (int i = 0; i < tabs->count(); ++i) EXPECT_NE(tabs->widget(i)->objectName(), QStringLiteral("slaveSyncPage"));
+}
+
+}  // namespace
+}  // namespace syncline::ui

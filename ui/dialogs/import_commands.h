@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <functional>
+#include <thread>
+
+#include "support/result.h"
+
+class QWidget;
+
+namespace syncline::ui {
+
+class Workspace;
+
+/// What other tools' files become here: an ENI a project, ESI files devices of the catalogue.
+class ImportCommands final : public QObject {
+  Q_OBJECT
+
+ public:
+  ImportCommands(Workspace& workspace, QWidget& window);
+  ~ImportCommands() override;
+
+  /// A project of what the ENI lets be seen, in place of the present one when `may` says yes; asked only when the file
+  /// could be read.
+  void importEni(const QString& path, const std::function<bool()>& may);
+  /// Asks, then reads the folder of the file into the catalogue in the background.
+  void addEsiFolder(const QString& path);
+
+ private:
+  void onIndexed(const QString& folder, const Result<std::size_t>& devices);
+
+  Workspace& workspace_;
+  QWidget& window_;
+  std::thread worker_;
+};
+
+}  // namespace syncline::ui

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/dialogs/questions.h"
+
+#include <QCoreApplication>
+#include <QMessageBox>
+#include <QPushButton>
+
+#include "ui/session/workspace.h"
+
+namespace syncline::ui {
+
+bool ask(QWidget& window, const char* object_name, const QString& text, const QString& more, const QString& on) {
+  QMessageBox box(QMessageBox::Question, QCoreApplication::applicationName(), text, QMessageBox::Cancel, &window);
+  box.setObjectName(QLatin1String(object_name));
+  box.setInformativeText(more);
+  auto* go = box.addButton(on, QMessageBox::AcceptRole);
+  go->setObjectName(QStringLiteral("questionGo"));
+  box.setDefaultButton(QMessageBox::Cancel);
+  box.exec();
+  return box.clickedButton() == go;
+}
+
+bool mayGoOffline(QWidget& window, Workspace& workspace, const QString& why) {
+  if (workspace.live().phase() == LiveSession::Phase::kOffline) return true;
+  return ask(window, "offlineQuestion",
+             QCoreApplication::translate("Questions", "The machine is running. Take it offline?"),
+             why + QLatin1Char(' ') + QCoreApplication::translate("Questions", "All slaves go to INIT."),
+             QCoreApplication::translate("Questions", "Go Offline"));
+}
+
+}  // namespace syncline::ui

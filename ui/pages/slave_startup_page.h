@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+
+#include "ui/editors/page.h"
+#include "ui/editors/record_part.h"
+
+class QComboBox;
+
+namespace syncline::ui {
+
+class RecordEditor;
+
+/// The commands that a slave gets by its mailbox as it starts: objects of CoE, parameters of SoE.
+class SlaveStartupPage final : public Page {
+  Q_OBJECT
+
+ public:
+  explicit SlaveStartupPage(Workspace& workspace);
+  [[nodiscard]] bool appliesTo(int slave) const override;
+  void showPlace(const settings::Setting& setting, const settings::Place& place) override;
+  void refresh() override;
+  void showLive(const Snapshot&) override {}
+
+ private:
+  RecordList listOf(const char* key, const QString& item);
+  void addTypes();
+  void showTypes();
+  void chooseObject();
+  [[nodiscard]] const SlaveSettings* slave() const;
+  [[nodiscard]] std::uint16_t typeOf(const StartupCommand& command) const;
+  [[nodiscard]] std::optional<StartupCommand> selected() const;
+
+  RecordEditor *coe_, *soe_;
+  QComboBox* type_;
+  QWidget* choose_;
+  /// As what the user wants to see a value: slave, index and sub-index to a data type.
+  std::map<std::tuple<int, std::uint16_t, std::uint8_t>, std::uint16_t> wanted_types_;
+};
+
+}  // namespace syncline::ui

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QFrame>
+
+class QLabel;
+class QPushButton;
+
+namespace syncline::ui {
+
+class RunDifference;
+
+/// Stands above the pages while the project is not what the machine runs: what differs, and the ways to make them one.
+class RunBar final : public QFrame {
+  Q_OBJECT
+
+ public:
+  explicit RunBar(RunDifference& difference, QWidget* parent = nullptr);
+
+ Q_SIGNALS:
+  void differencesWanted();
+  void restartWanted();
+  void revertWanted();
+
+ protected:
+  void changeEvent(QEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  void refresh();
+  QPushButton* add(const char* object_name, const QString& text, const QString& tip);
+
+  RunDifference& difference_;
+  QLabel* text_;
+  QPushButton *show_, *apply_, *restart_, *revert_;
+};
+
+}  // namespace syncline::ui

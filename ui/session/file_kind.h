@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QString>
+
+namespace syncline::ui {
+
+/// What a file is, by its content.
+enum class FileKind : unsigned char {
+  kProject,
+  kEni,
+  kEsi,
+  kCapture,     // pcap, pcapng
+  kScenario,    // of the simulated bus
+  kController,  // log of the master synchronisation
+  kOther,       // XML of another kind, or anything
+  kUnreadable,
+};
+
+/// Reads the beginning.
+[[nodiscard]] FileKind fileKind(const QString& path);
+
+}  // namespace syncline::ui

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/session/run_difference.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "compare/compare_run_time.h"
+#include "ui/session/configuration_monitor.h"
+#include "ui/session/live_session.h"
+#include "ui/session/project_document.h"
+
+namespace syncline::ui {
+namespace {
+
+/// The parameters of the controller are the one thing that a master takes while it runs; its mode is not among them.
+bool onlyParameters(const Project& running, const Project& project) {
+  auto with = running;
+  with.master.dc.dcm = project.master.dc.dcm;
+  return with == project && running.master.dc.dcm.mode == project.master.dc.dcm.mode;
+}
+
+}  // namespace
+
+RunDifference::RunDifference(ProjectDocument& document, ConfigurationMonitor& configuration, LiveSession& live,
+                             QObject* parent)
+    : QObject(parent), document_(document), configuration_(configuration), live_(live) {
+  connect(&live_, &LiveSession::phaseChanged, this, &RunDifference::onPhase);
+  connect(&configuration_, &ConfigurationMonitor::compiled, this, &RunDifference::look);
+}
+
+void RunDifference::onPhase() {
+  if (live_.phase() == LiveSession::Phase::kStarting) {
+    running_ = document_.project();
+    running_config_ = live_.config();
+  }
+  look();
+}
+
+void RunDifference::look() {
+  const bool runs = live_.phase() == LiveSession::Phase::kStarting || live_.phase() == LiveSession::Phase::kOnline;
+  const auto& project = document_.project();
+  const bool before = std::exchange(differs_, false);
+  slaves_.clear();
+  applicable_ = false;
+  if (runs && !(project == running_)) {
+    const auto* config = configuration_.config();
+    auto network = config != nullptr ? compare_configs(running_config_, *config) : std::vector<ConfigDifference>{};
+    const auto run_time = compare_run_time(running_, project);
+    differs_ = config == nullptr || !network.empty() || !run_time.empty();
+    std::erase_if(network, [](const ConfigDifference& one) { return one.group != DifferenceGroup::kSlaves; });
+    slaves_ = std::move(network);
+    applicable_ = differs_ && onlyParameters(running_, project);
+  }
+  if (before || differs_) Q_EMIT changed();
+}
+
+std::vector<SettingDifference> RunDifference::settings() const {
+  return compare_settings(running_, document_.project());
+}
+
+void RunDifference::apply() {
+  const auto* config = configuration_.config();
+  if (!applicable_ || config == nullptr) return;
+  live_.configureDcm(document_.project().master.dc.dcm);
+  running_ = document_.project();
+  running_config_ = *config;
+  look();
+}
+
+}  // namespace syncline::ui

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QObject>
+#include <vector>
+
+#include "compare/compare_configs.h"
+#include "compare/compare_settings.h"
+#include "config/network_config.h"
+#include "config/project.h"
+
+namespace syncline::ui {
+
+class ConfigurationMonitor;
+class LiveSession;
+class ProjectDocument;
+
+/// What the project would do otherwise than the machine that runs: editing does not touch it. Names and comments do not
+/// count.
+class RunDifference final : public QObject {
+  Q_OBJECT
+
+ public:
+  RunDifference(ProjectDocument& document, ConfigurationMonitor& configuration, LiveSession& live,
+                QObject* parent = nullptr);
+
+  /// Something runs and the project is not that.
+  [[nodiscard]] bool differs() const { return differs_; }
+  /// As settings, for people: left runs, right is the project.
+  [[nodiscard]] std::vector<SettingDifference> settings() const;
+  /// Slaves that came, went or changed their places.
+  [[nodiscard]] const std::vector<ConfigDifference>& slaves() const { return slaves_; }
+  /// The project from which the machine was started, with what was applied since.
+  [[nodiscard]] const Project& running() const { return running_; }
+  /// All of it can be given to the machine while it runs.
+  [[nodiscard]] bool applicable() const { return applicable_; }
+  /// Gives it to the machine; nothing when not applicable().
+  void apply();
+
+ Q_SIGNALS:
+  void changed();
+
+ private:
+  void onPhase();
+  void look();
+
+  ProjectDocument& document_;
+  ConfigurationMonitor& configuration_;
+  LiveSession& live_;
+  Project running_;
+  NetworkConfig running_config_;
+  std::vector<ConfigDifference> slaves_;
+  bool differs_ = false, applicable_ = false;
+};
+
+}  // namespace syncline::ui
