@@ -142,7 +142,8 @@ void CyclicTaskRunner::fill_acyclic(std::span<Datagram* const> requests, Nanosec
   slaves_.add_to(acyclic_.front(), sync_.monitored() && !frames_.reads_deviation(), sync_.wants_readings());
   mailboxes_.add_to(acyclic_.front(), now);
   sm2_.begin(now);
-  mailbox_.add_to(acyclic_.front(), now);
+  auto* mailbox = mailbox_.next(now);
+  mailbox_asked_ = mailbox != nullptr && acyclic_.front().add(*mailbox);
   // What would not come back in time is left for the next cycle; one request a cycle goes in any case. Where nothing
   // comes back in time, it is the host that is slow, and not the number of bytes.
   constexpr Nanoseconds kPerByte = 80;
@@ -308,7 +309,8 @@ void CyclicTaskRunner::evaluate(CycleSample& sample) {
 void CyclicTaskRunner::take_mailboxes(CycleSample& sample) {
   mailbox_bits_.observe();
   mailboxes_.take_polls();
-  const auto answer = mailbox_.take(send_time_);
+  if (mailbox_asked_) mailbox_.take(send_time_);
+  const auto answer = mailbox_.answer();
   if (!answer) return;
   if (answer->emergency) slaves_.refresh_al_status();  // a slave that fell behind others that had fallen before
   sm2_.take(*answer, send_time_, sample);

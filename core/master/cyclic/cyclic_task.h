@@ -112,7 +112,7 @@ class CyclicTaskRunner final : public CyclePump, private SendStamp {
   Nanoseconds travel_ = 0;                  // a frame's way through the segment and back, without its length
   std::optional<Nanoseconds> first_stamp_;  // of that frame, from before it was sent
   Nanoseconds amendment_stamp_ = 0;
-  bool steering_ = false;
+  bool steering_ = false, mailbox_asked_ = false;
   Nanoseconds last_published_ = 0;
   Nanoseconds adjust_ = 0;
   std::optional<ExternalClockPlace> external_clock_;

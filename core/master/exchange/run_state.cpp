@@ -33,13 +33,15 @@ int rank(AlState state) {
 }  // namespace
 
 RunState::RunState(const NetworkConfig& config, MasterChannels& channels, SharedText adapter)
-    : mailbox_counters(config.slaves.size()),
-      mailbox_full(config.slaves.size()),
-      config_(config),
-      channels_(channels),
-      adapter_(std::move(adapter)) {
+    : mailboxes(config.slaves.size()), config_(config), channels_(channels), adapter_(std::move(adapter)) {
   for (const auto& slave : config.slaves) {
     groups_.push_back(slave.hot_connect ? SharedText(slave.hot_connect->group) : SharedText());
+  }
+  for (std::size_t slave = 0; slave < mailboxes.size(); ++slave) {
+    auto& mailbox = mailboxes[slave];
+    mailbox.port = mailbox_port(config.slaves[slave]);
+    mailbox.port.full = [&mailbox] { return mailbox.full; };
+    mailbox.on_emergency = [this, slave](const coe::Emergency& what, Nanoseconds now) { emergency(slave, what, now); };
   }
   snapshot.cycle_time = config.cycle_time();
   snapshot.slaves.resize(config.slaves.size());
@@ -79,17 +81,13 @@ bool RunState::hot_connect(std::size_t slave, events::HotConnect::What what, Nan
   return true;
 }
 
-MailboxPort RunState::port_of(std::size_t slave) const {
-  auto port = mailbox_port(config_.slaves[slave]);
-  port.full = [this, slave] { return mailbox_full[slave]; };
-  return port;
-}
-
 void RunState::set_al_status(std::size_t slave, std::uint16_t status, std::uint16_t code, Nanoseconds time) {
   auto& known = snapshot.slaves[slave];
   const auto old = std::exchange(known.al_status, status);
   const auto old_code = std::exchange(known.al_status_code, code);
   const auto position = static_cast<int>(slave);
+  const auto state = al_state_of(status);
+  if (state == AlState::kInit || state == AlState::kBoot) mailboxes[slave].restart();
   if (al_state_of(old) != al_state_of(status)) {
     event(time, position, events::StateChanged{al_state_of(old), al_state_of(status)});
   }
@@ -110,6 +108,7 @@ void RunState::set_present(std::size_t slave, bool present, Nanoseconds time) {
     // Whatever it was in, nobody knows what it is in now. What was counted stays: it is the evidence.
     known.al_status = known.al_status_code = 0;
     known.deviation_valid = false;
+    mailboxes[slave].restart();
   }
 }
 

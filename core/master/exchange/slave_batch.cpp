@@ -45,7 +45,17 @@ Status run_side_by_side(Bus& bus, std::span<SlaveWork* const> works) {
       hand_back(round[i], *asked[i]);
       asking[i]->take(back);
     }
+    // With bus cycles the exchange itself took one.
+    const auto patient = [](const SlaveWork* work) { return !work->over() && !work->in_a_hurry(); };
+    if (bus.cyclic() || !std::ranges::all_of(asking, patient)) continue;
+    if (auto status = bus.wait_a_little(); !status) return status;
   }
+}
+
+Status run_to_end(Bus& bus, SlaveWork& work) {
+  SlaveWork* const works[] = {&work};
+  if (auto status = run_side_by_side(bus, works); !status) return status;
+  return work.result();
 }
 
 }  // namespace syncline

@@ -19,8 +19,7 @@ Status HistoryCollector::after_cycle() {
 }
 
 Status HistoryCollector::read(std::size_t slave) {
-  MailboxClient mailbox(bus_, run_.port_of(slave), run_.mailbox_counters[slave],
-                        [&](const coe::Emergency& emergency) { run_.emergency(slave, emergency, bus_.clock().now()); });
+  MailboxClient mailbox(bus_, run_.mailboxes[slave]);
   const auto told = task_.mailboxes().told(slave);
   const auto history = read_diagnosis_history(mailbox, told);
   if (!history) {
