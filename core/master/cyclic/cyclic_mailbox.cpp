@@ -20,7 +20,7 @@ CyclicMailbox::CyclicMailbox(RunState& run) : run_(run) {
 
 bool CyclicMailbox::ready_for(std::size_t slave) const {
   const auto& mailbox = run_.mailboxes[slave];
-  if (!enabled_ || busy_ || mailbox.taken || mailbox.reserved || mailbox.port.send.length < kUploadRequestSize)
+  if (holds_ > 0 || busy_ || mailbox.taken || mailbox.reserved > 0 || mailbox.port.send.length < kUploadRequestSize)
     return false;
   const auto& status = run_.snapshot.slaves[slave];
   const auto state = al_state_of(status.al_status);

@@ -35,8 +35,9 @@ class CyclicMailbox {
   CyclicMailbox(const CyclicMailbox&) = delete;
   CyclicMailbox& operator=(const CyclicMailbox&) = delete;
 
-  /// Off while others use the mailboxes; what is under way is still finished.
-  void set_enabled(bool enabled) { enabled_ = enabled; }
+  /// Nothing is begun while somebody holds it (MailboxHold); what is under way is still finished.
+  void hold() { ++holds_; }
+  void release() { --holds_; }
   [[nodiscard]] bool idle() const { return !busy_; }
   /// Something may be begun with this slave: nothing is under way, and its mailbox works in its state.
   [[nodiscard]] bool ready_for(std::size_t slave) const;
@@ -63,7 +64,8 @@ class CyclicMailbox {
   FetchWork fetch_;
   std::vector<std::uint8_t> value_;
   Answer current_;
-  bool enabled_ = false, busy_ = false;
+  int holds_ = 0;
+  bool busy_ = false;
 };
 
 }  // namespace syncline

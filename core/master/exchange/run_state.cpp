@@ -81,13 +81,24 @@ bool RunState::hot_connect(std::size_t slave, events::HotConnect::What what, Nan
   return true;
 }
 
+/// Mailboxes count anew from INIT and BOOT on; in BOOT they stand elsewhere.
+void RunState::place_mailbox(std::size_t slave, AlState state) {
+  auto& mailbox = mailboxes[slave];
+  if (state == AlState::kInit || state == AlState::kBoot) mailbox.restart();
+  const auto& config = config_.slaves[slave].mailbox;
+  if (!config) return;
+  const bool boot = state == AlState::kBoot;
+  mailbox.port.send = boot ? config->bootstrap_send.value_or(config->send) : config->send;
+  mailbox.port.receive = boot ? config->bootstrap_receive.value_or(config->receive) : config->receive;
+}
+
 void RunState::set_al_status(std::size_t slave, std::uint16_t status, std::uint16_t code, Nanoseconds time) {
   auto& known = snapshot.slaves[slave];
   const auto old = std::exchange(known.al_status, status);
   const auto old_code = std::exchange(known.al_status_code, code);
   const auto position = static_cast<int>(slave);
   const auto state = al_state_of(status);
-  if (state == AlState::kInit || state == AlState::kBoot) mailboxes[slave].restart();
+  if (state != al_state_of(old)) place_mailbox(slave, state);
   if (al_state_of(old) != al_state_of(status)) {
     event(time, position, events::StateChanged{al_state_of(old), al_state_of(status)});
   }

@@ -55,6 +55,7 @@ class RunState {
 
  private:
   [[nodiscard]] bool told(const EventDetails& what) const;
+  void place_mailbox(std::size_t slave, AlState state);
 
   const NetworkConfig& config_;
   MasterChannels& channels_;

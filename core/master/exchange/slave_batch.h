@@ -23,6 +23,8 @@ class SlaveWork {
   [[nodiscard]] virtual Status result() const = 0;
   /// Its next datagram needs no pause before it; without bus cycles who polls a slave waits a little in between.
   [[nodiscard]] virtual bool in_a_hurry() const { return true; }
+  /// Host clock before which it surely has no datagram; 0: it may have one at any time.
+  [[nodiscard]] virtual Nanoseconds not_before() const { return 0; }
 };
 
 /// Does all works side by side: in each round one datagram of every work that has one, as many a frame
