@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <charconv>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -12,12 +14,14 @@
 #include "app/cli/findings_text.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/lateness.h"
+#include "app/cli/object_value.h"
 #include "app/cli/options.h"
 #include "app/cli/run_json.h"
 #include "app/cli/run_overrides.h"
 #include "app/cli/run_recording.h"
 #include "app/composition/open_link.h"
 #include "engine/run_network.h"
+#include "protocol/error_text.h"
 #include "sim/scenario/host_profile_file.h"
 #include "support/output_file.h"
 #include "support/whole_file.h"
@@ -31,7 +35,7 @@ namespace {
 struct Options {
   std::string file, network, link, duration = "10s", csv, dcm_log, capture, save_host, state = "OP";
   RecordOptions record;
-  std::vector<std::string> overrides;
+  std::vector<std::string> overrides, sdo_reads;
   bool json = false, lateness = false, every_event = false;
 };
 
@@ -104,6 +108,32 @@ class RunFiles {
   std::string text_;
 };
 
+/// SLAVE:INDEX:SUB of each.
+Result<std::vector<SlaveRequest>> requests_of(const Options& options, std::size_t slaves) {
+  std::vector<SlaveRequest> requests;
+  for (const auto& text : options.sdo_reads) {
+    const auto bad = [&](std::string why) { return fail(ErrorCode::kBadValue, "--sdo-read " + text, std::move(why)); };
+    const auto colon = text.find(':');
+    std::uint16_t slave = 0;
+    const auto* const end = text.data() + std::min(colon, text.size());
+    const auto [rest, failed] = std::from_chars(text.data(), end, slave);
+    if (colon == std::string::npos || failed != std::errc() || rest != end)
+      return bad("use SLAVE:INDEX:SUB, e.g. 1:0x1018:01");
+    if (slave >= slaves) return bad(fmt::format("the configuration has only {} slaves, counted from 0", slaves));
+    const auto object = object_name(text.substr(colon + 1));
+    if (!object) return tl::unexpected(object.error());
+    requests.emplace_back(requests::SdoRead{slave, {object->index, object->sub_index}});
+  }
+  return requests;
+}
+
+Json answer_json(const SlaveRequest& request, const SlaveAnswer& answer) {
+  Json json{{"slave", slave_of(request)}, {"subject", subject_of(request)}};
+  if (answer.error) json["error"] = describe(*answer.error);
+  if (!answer.error) json["bytes"] = value_text(kBytesType, answer.data);
+  return json;
+}
+
 /// What the run has shown of its host, for a scenario's `[host] profile`.
 Status save_host(const Options& options, const HostRecorder& host, const NetworkConfig& config) {
   if (host.cycles() == 0) {
@@ -156,6 +186,19 @@ void execute(Context& context, const Options& options) {
       lines.add(event);
     };
   }
+  auto requests = requests_of(options, compiled->config.slaves.size());
+  if (!requests) return context.fail_with(requests.error());
+  request.requests = std::move(*requests);
+  Json answers = Json::array();
+  request.on_answer = [&](const SlaveRequest& what, const SlaveAnswer& answer) {
+    if (answer.error) context.fail_with(*answer.error);
+    if (options.json) {
+      answers.push_back(answer_json(what, answer));
+    } else if (!answer.error) {
+      context.console.out << fmt::format("slave {}, {}: {}\n", slave_of(what), subject_of(what),
+                                         value_text(kBytesType, answer.data));
+    }
+  };
   LatenessReport lateness;
   HostRecorder host(compiled->config.cycle_time());
   request.on_snapshot = [&files, &lines, &lateness, &recording](const Snapshot& snapshot) {
@@ -184,6 +227,7 @@ void execute(Context& context, const Options& options) {
   if (options.json) {
     auto json = to_json(outcome->report);
     json["events"] = std::move(events);
+    if (!answers.empty()) json["answers"] = std::move(answers);
     if (options.lateness) json["lateness"] = lateness.json();
     context.print(std::move(json));
   } else {
@@ -217,6 +261,8 @@ void add_run_command(CLI::App& app, Context& context) {
       "master.dc.* that are not in the file; dcm. stands for master.dc.");
   command->add_option("--capture", options->capture, "Write every frame to this pcapng file");
   add_record_options(*command, options->record);
+  command->add_option("--sdo-read", options->sdo_reads,
+                      "SLAVE:INDEX:SUB, e.g. 1:0x1018:01: read this object while the bus runs, and print its bytes");
   command->add_flag("--lateness", options->lateness,
                     "Add how late the frames were sent, and the processor time of a cycle");
   command->add_flag("--every-event", options->every_event,

@@ -6,6 +6,7 @@
 #include "channels/command_queue.h"
 #include "channels/cyclic_application.h"
 #include "channels/event_queue.h"
+#include "channels/request_desk.h"
 #include "channels/sample_ring.h"
 #include "channels/snapshot_box.h"
 
@@ -15,6 +16,7 @@ namespace syncline {
 /// Everything crosses by value.
 struct MasterChannels {
   CommandQueue commands;
+  RequestDesk requests;  // on single slaves, beside the commands
   EventQueue events;
   SnapshotBox snapshot;
   SampleRing samples;

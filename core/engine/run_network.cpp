@@ -49,11 +49,14 @@ class Drain {
       recorder_.add(event);
       if (request_.on_event) request_.on_event(event);
       if (const auto* failure = event.as<events::Failure>(); failure && !error_) error_ = failure->error;
+      if (event.is<events::Online>()) ask();
     }
+    take_answers();
   }
   /// What happened before the end and is told only now; how the bus was left is no part of the run. The error when
   /// slaves were not left in INIT.
   std::optional<Error> rest() {
+    take_answers();
     const auto end = snapshot_.time;
     std::optional<Error> left_behind;
     for (const auto& event : channels_.events.drain()) {
@@ -67,9 +70,25 @@ class Drain {
   [[nodiscard]] bool failed() const { return error_ && !snapshot_.online; }
 
  private:
+  void ask() {
+    for (const auto& what : request_.requests) {
+      const auto id = channels_.requests.submit(what);
+      if (id) asked_.emplace_back(*id, &what);
+      if (!id && request_.on_answer) request_.on_answer(what, {.error = id.error()});
+    }
+  }
+  void take_answers() {
+    std::erase_if(asked_, [this](const auto& asked) {
+      const auto answer = channels_.requests.take(asked.first);
+      if (answer && request_.on_answer) request_.on_answer(*asked.second, *answer);
+      return answer.has_value();
+    });
+  }
+
   MasterChannels& channels_;
   const RunRequest& request_;
   CaptureWatch& capture_;
+  std::vector<std::pair<RequestId, const SlaveRequest*>> asked_;
   RunRecorder recorder_;
   std::vector<CycleSample> samples_;
   Snapshot snapshot_;

@@ -22,6 +22,8 @@ struct RunRequest {
   std::string capture;                      // pcapng file of every frame; "" for none. Costs time in each cycle
   std::function<void(const Error&)> on_capture_lost;  // writing it failed, the run goes on; once
   std::function<void(const Event&)> on_event;         // may be empty
+  std::vector<SlaveRequest> requests;                 // asked once the bring-up is over, all at once
+  std::function<void(const SlaveRequest&, const SlaveAnswer&)> on_answer;  // in the order in which they come
   std::function<void(std::span<const CycleSample>)> on_samples;
   std::function<void(const Snapshot&)> on_snapshot;  // a newer one, before the samples that came with it
 };

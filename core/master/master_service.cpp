@@ -4,6 +4,7 @@
 #include <exception>
 #include <utility>
 
+#include "master/cyclic/acyclic_requests.h"
 #include "master/operation.h"
 #include "support/real_time.h"
 
@@ -97,7 +98,8 @@ void MasterService::Impl::execute(const CompensateDelaysCommand& command) {
 
 void MasterService::Impl::run_cycle() {
   if (!operation->cyclic()) {
-    clock.sleep_until(clock.now() + kIdlePeriod);
+    const auto busy = operation->run_requests();
+    if (!busy.value_or(false)) clock.sleep_until(clock.now() + kIdlePeriod);
     return;
   }
   if (auto status = operation->run_cycle(); !status) {
@@ -124,7 +126,10 @@ bool MasterService::Impl::step() {
     channels.cancel = false;
     return true;
   }
-  if (!operation) return false;
+  if (!operation) {
+    refuse_requests(channels.requests, clock.now());
+    return false;
+  }
   run_cycle();
   return true;
 }

@@ -32,8 +32,9 @@ Operation::Operation(NetworkConfig config, FrameExchange& exchange, Clock& clock
       delays_(run_),
       esm_(bus_, run_, task_, sync_, delays_),
       recovery_(bus_, run_, task_, esm_),
-      history_(bus_, run_, task_, esm_) {
+      history_(bus_, run_, task_) {
   bus_.set_link_observer([this](bool up) { run_.note_link(up, clock_.now()); });
+  task_.acyclic().requests().set_positions([this](std::size_t slave) { return esm_.commands().position(slave); });
   bus_.set_interrupt([this] { return unasked_ && !run_.channels().commands.empty(); });
 }
 
@@ -121,6 +122,7 @@ Status Operation::run_cycle() {
   auto status = recovery_.after_cycle();
   if (status) status = history_.after_cycle();
   unasked_ = false;
+  (void)serve_state_request();
   if (status) return {};
   // What interrupts or stops such work is no reason to go offline: the cycles say whether the bus is alive.
   const bool ours = status.error().code == ErrorCode::kCancelled || status.error().code == ErrorCode::kNoResponse;
@@ -145,8 +147,43 @@ Status Operation::lead_to(AlState target) {
   return esm_.change_to(target);
 }
 
+Result<bool> Operation::run_requests() {
+  auto done = task_.acyclic().requests().run_round(bus_);
+  if (!done) return done;
+  return serve_state_request() || *done;
+}
+
+/// True when there was one. It takes cycles, as what the state machine does with all slaves.
+bool Operation::serve_state_request() {
+  auto& requests = task_.acyclic().requests();
+  auto* ticket = requests.state_request();
+  if (ticket == nullptr) return false;
+  const auto slave = slave_of(ticket->request);
+  const auto* change = std::get_if<requests::StateChange>(&ticket->request);
+  const auto status = change != nullptr ? esm_.lead(slave, change->state) : esm_.acknowledge(slave);
+  if (!status) ticket->error = status.error();
+  requests.answer(*ticket, clock_.now());
+  return true;
+}
+
+/// What is begun in an EEPROM is put back before the bus is left, files are told; nothing new is begun.
+void Operation::end_requests() {
+  constexpr Nanoseconds kPatience = 2 * kSecond;
+  auto& requests = task_.acyclic().requests();
+  constexpr BriefError kOffline{.code = ErrorCode::kCancelled, .why = "the bus goes offline"};
+  requests.cancel_all(kOffline, clock_.now());
+  const auto end = clock_.now() + kPatience;
+  while (requests.busy() && clock_.now() < end) {
+    const auto done = cyclic() ? task_.run_cycle({}).map([] { return true; }) : requests.run_round(bus_);
+    if (!done) break;
+    if (!*done && !bus_.wait_a_little()) break;
+  }
+  requests.end_all(kOffline, clock_.now());
+}
+
 void Operation::stop() {
   bus_.set_cancellable(false);
+  end_requests();
   if (cyclic()) {
     task_.tell_rest();
     // A slave that does not come down, or a link that is gone, must not keep us.

@@ -34,6 +34,8 @@ class Operation {
   /// One bus cycle; when there is something to do, also the recovery of slaves and the reading of their diagnosis
   /// histories, which take many cycles.
   Status run_cycle();
+  /// While there are no cycles: a datagram of a request on a slave, or its state. False when there was nothing to do.
+  Result<bool> run_requests();
   /// For those who look when the caller has got control back.
   void publish_latest() {
     if (cyclic()) task_.publish_latest();
@@ -54,6 +56,8 @@ class Operation {
   Status see_whether_reached(AlState target);
   bool await_link();
   Status note_learned_rate();
+  bool serve_state_request();
+  void end_requests();
   void tell_left_behind(const Error& why);
 
   NetworkConfig config_;

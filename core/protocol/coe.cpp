@@ -39,7 +39,7 @@ constexpr std::uint8_t command(std::uint8_t specifier, bool bit4 = false) {
 
 class Encoder {
  public:
-  explicit Encoder(Service service) : writer_(bytes_) {
+  Encoder(std::vector<std::uint8_t>& out, Service service) : writer_(out) {
     writer_.u16(static_cast<std::uint16_t>(static_cast<unsigned>(service) << 12));
   }
   Encoder& head(std::uint8_t command_byte, const ObjectAddress& object) {
@@ -52,7 +52,7 @@ class Encoder {
   }
   /// The initiate services with data: expedited where wanted and possible, else size and data.
   Encoder& transfer(std::uint8_t command_byte, const ObjectAddress& object, bool expedited, std::uint32_t complete_size,
-                    const std::vector<std::uint8_t>& data) {
+                    std::span<const std::uint8_t> data) {
     if (expedited && !data.empty() && data.size() <= kExpeditedMax) {
       const auto unused = static_cast<unsigned>(kExpeditedMax - data.size());
       head(static_cast<std::uint8_t>(command_byte | kSizeIndicated | kExpedited | (unused << 2)), object);
@@ -63,7 +63,7 @@ class Encoder {
     }
     return *this;
   }
-  Encoder& segment(bool toggle, bool last, const std::vector<std::uint8_t>& data) {
+  Encoder& segment(bool toggle, bool last, std::span<const std::uint8_t> data) {
     const auto unused = static_cast<unsigned>(data.size() < kMinSegment ? kMinSegment - data.size() : 0);
     writer_.u8(static_cast<std::uint8_t>((toggle ? kToggle : 0) | (unused << 1) | (last ? kLastSegment : 0)));
     writer_.bytes(data).zeros(unused);
@@ -77,18 +77,18 @@ class Encoder {
     writer_.u16(emergency.error_code).u8(emergency.error_register).bytes(emergency.data);
     return *this;
   }
-  [[nodiscard]] std::vector<std::uint8_t> take() { return std::move(bytes_); }
 
  private:
-  std::vector<std::uint8_t> bytes_;
   ByteWriter writer_;
 };
 
-tl::unexpected<Error> malformed(std::string detail) {
-  return fail(ErrorCode::kMalformedData, "CoE message", std::move(detail));
-}
+constexpr const char* kTooShort = "only {0} bytes";
 
-tl::unexpected<Error> too_short(std::size_t size) { return malformed(fmt::format("only {} bytes", size)); }
+tl::unexpected<BriefError> malformed(const char* why, std::int64_t number = 0) {
+  return tl::unexpected(BriefError{.code = ErrorCode::kMalformedData, .why = why, .a = number});
+}
+tl::unexpected<BriefError> too_short(std::size_t size) { return malformed(kTooShort, static_cast<std::int64_t>(size)); }
+tl::unexpected<Error> in_words(const BriefError& error) { return fail(error.about("CoE message")); }
 
 ObjectAddress read_object(ByteReader& reader) {
   ObjectAddress object;
@@ -100,7 +100,7 @@ ObjectAddress read_object(ByteReader& reader) {
 struct Transfer {
   bool expedited = false;
   std::uint32_t complete_size = 0;
-  std::vector<std::uint8_t> data;
+  std::span<const std::uint8_t> data;
 };
 
 Transfer read_transfer(ByteReader& reader, std::uint8_t command_byte) {
@@ -110,68 +110,56 @@ Transfer read_transfer(ByteReader& reader, std::uint8_t command_byte) {
     // Without the size bit the number of bytes is up to the object; all four are kept then.
     const auto unused = (command_byte & kSizeIndicated) != 0 ? (command_byte >> 2) & 0x03U : 0U;
     const auto bytes = reader.take(kExpeditedMax);
-    if (reader.ok()) transfer.data.assign(bytes.begin(), bytes.end() - static_cast<std::ptrdiff_t>(unused));
+    if (reader.ok()) transfer.data = bytes.first(kExpeditedMax - unused);
     transfer.complete_size = static_cast<std::uint32_t>(transfer.data.size());
     return transfer;
   }
   transfer.complete_size = reader.u32();
-  const auto bytes = reader.take(std::min<std::size_t>(reader.remaining(), transfer.complete_size));
-  transfer.data.assign(bytes.begin(), bytes.end());
+  transfer.data = reader.take(std::min<std::size_t>(reader.remaining(), transfer.complete_size));
   return transfer;
 }
 
-std::vector<std::uint8_t> read_segment(ByteReader& reader, std::uint8_t command_byte) {
+std::span<const std::uint8_t> read_segment(ByteReader& reader, std::uint8_t command_byte) {
   std::size_t length = reader.remaining();
   if (length <= kMinSegment) length = std::min(length, kMinSegment - ((command_byte >> 1) & 0x07U));
-  const auto bytes = reader.take(length);
-  return {bytes.begin(), bytes.end()};
+  return reader.take(length);
 }
 
-std::vector<std::uint8_t> encode_abort(const Abort& abort) {
-  // ETG.1000.6 carries an abort of either side in an SDO request.
-  return Encoder(Service::kSdoRequest).head(command(kAbort), abort.object).u32(abort.code).take();
-}
+std::vector<std::uint8_t> copy_of(std::span<const std::uint8_t> bytes) { return {bytes.begin(), bytes.end()}; }
 
 struct RequestEncoder {
-  std::vector<std::uint8_t> operator()(const DownloadRequest& r) const {
-    return Encoder(Service::kSdoRequest)
-        .transfer(command(kDownload, r.complete_access), r.object, r.expedited, r.complete_size, r.data)
-        .take();
+  std::vector<std::uint8_t>& out;
+
+  void operator()(const DownloadRequest& r) const {
+    append_download(out, r.object, r.complete_access, r.expedited, r.complete_size, r.data);
   }
-  std::vector<std::uint8_t> operator()(const DownloadSegmentRequest& r) const {
-    return Encoder(Service::kSdoRequest).segment(r.toggle, r.last, r.data).take();
-  }
-  std::vector<std::uint8_t> operator()(const UploadRequest& r) const {
-    return Encoder(Service::kSdoRequest).head(command(kUpload, r.complete_access), r.object).u32(0).take();
-  }
-  std::vector<std::uint8_t> operator()(const UploadSegmentRequest& r) const {
-    return Encoder(Service::kSdoRequest).command_only(command(kUploadSegment, r.toggle)).take();
-  }
-  std::vector<std::uint8_t> operator()(const Abort& r) const { return encode_abort(r); }
+  void operator()(const DownloadSegmentRequest& r) const { append_download_segment(out, r.toggle, r.last, r.data); }
+  void operator()(const UploadRequest& r) const { append(out, r); }
+  void operator()(const UploadSegmentRequest& r) const { append(out, r); }
+  void operator()(const Abort& r) const { append(out, r); }
 };
 
 struct ResponseEncoder {
-  std::vector<std::uint8_t> operator()(const DownloadResponse& r) const {
-    return Encoder(Service::kSdoResponse).head(command(kDownloadDone), r.object).u32(0).take();
+  std::vector<std::uint8_t>& out;
+
+  void operator()(const DownloadResponse& r) const {
+    Encoder(out, Service::kSdoResponse).head(command(kDownloadDone), r.object).u32(0);
   }
-  std::vector<std::uint8_t> operator()(const DownloadSegmentResponse& r) const {
-    return Encoder(Service::kSdoResponse).command_only(command(kDownloadSegmentDone, r.toggle)).take();
+  void operator()(const DownloadSegmentResponse& r) const {
+    Encoder(out, Service::kSdoResponse).command_only(command(kDownloadSegmentDone, r.toggle));
   }
-  std::vector<std::uint8_t> operator()(const UploadResponse& r) const {
-    return Encoder(Service::kSdoResponse)
-        .transfer(command(kUploadDone, r.complete_access), r.object, r.expedited, r.complete_size, r.data)
-        .take();
+  void operator()(const UploadResponse& r) const {
+    Encoder(out, Service::kSdoResponse)
+        .transfer(command(kUploadDone, r.complete_access), r.object, r.expedited, r.complete_size, r.data);
   }
-  std::vector<std::uint8_t> operator()(const UploadSegmentResponse& r) const {
-    return Encoder(Service::kSdoResponse).segment(r.toggle, r.last, r.data).take();
+  void operator()(const UploadSegmentResponse& r) const {
+    Encoder(out, Service::kSdoResponse).segment(r.toggle, r.last, r.data);
   }
-  std::vector<std::uint8_t> operator()(const Abort& r) const { return encode_abort(r); }
-  std::vector<std::uint8_t> operator()(const Emergency& r) const {
-    return Encoder(Service::kEmergency).emergency(r).take();
-  }
+  void operator()(const Abort& r) const { append(out, r); }
+  void operator()(const Emergency& r) const { Encoder(out, Service::kEmergency).emergency(r); }
 };
 
-Result<Abort> read_abort(ByteReader& reader, std::size_t size) {
+tl::expected<Abort, BriefError> read_abort(ByteReader& reader, std::size_t size) {
   Abort abort;
   abort.object = read_object(reader);
   abort.code = reader.u32();
@@ -179,25 +167,33 @@ Result<Abort> read_abort(ByteReader& reader, std::size_t size) {
   return abort;
 }
 
-Result<Response> read_emergency(ByteReader& reader, std::size_t size) {
-  Emergency emergency;
-  emergency.error_code = reader.u16();
-  emergency.error_register = reader.u8();
-  const auto data = reader.take(emergency.data.size());
+tl::expected<ResponseView, BriefError> view_abort(ByteReader& reader, std::size_t size) {
+  const auto abort = read_abort(reader, size);
+  if (!abort) return tl::unexpected(abort.error());
+  ResponseView view{.kind = ResponseView::Kind::kAbort, .object = abort->object};
+  view.abort_code = abort->code;
+  return view;
+}
+
+tl::expected<ResponseView, BriefError> view_emergency(ByteReader& reader, std::size_t size) {
+  ResponseView view{.kind = ResponseView::Kind::kEmergency};
+  view.emergency.error_code = reader.u16();
+  view.emergency.error_register = reader.u8();
+  const auto data = reader.take(view.emergency.data.size());
   if (!reader.ok()) return too_short(size);
-  std::copy(data.begin(), data.end(), emergency.data.begin());
-  return emergency;
+  std::ranges::copy(data, view.emergency.data.begin());
+  return view;
 }
 
 Result<Request> read_request(ByteReader& reader, std::uint8_t byte) {
   const bool bit4 = (byte & 0x10) != 0;
   switch (byte >> 5) {
     case kDownloadSegment:
-      return DownloadSegmentRequest{bit4, (byte & kLastSegment) != 0, read_segment(reader, byte)};
+      return DownloadSegmentRequest{bit4, (byte & kLastSegment) != 0, copy_of(read_segment(reader, byte))};
     case kDownload: {
       const auto object = read_object(reader);
-      auto transfer = read_transfer(reader, byte);
-      return DownloadRequest{object, bit4, transfer.expedited, transfer.complete_size, std::move(transfer.data)};
+      const auto transfer = read_transfer(reader, byte);
+      return DownloadRequest{object, bit4, transfer.expedited, transfer.complete_size, copy_of(transfer.data)};
     }
     case kUpload: {
       const auto object = read_object(reader);
@@ -206,72 +202,150 @@ Result<Request> read_request(ByteReader& reader, std::uint8_t byte) {
     case kUploadSegment:
       return UploadSegmentRequest{bit4};
     default:
-      return malformed(fmt::format("SDO command 0x{:02X} is not a request", byte));
+      return in_words(malformed("SDO command 0x{0:02X} is not a request", byte).value());
   }
 }
 
-Result<Response> read_response(ByteReader& reader, std::uint8_t byte) {
-  const bool bit4 = (byte & 0x10) != 0;
+tl::expected<ResponseView, BriefError> view_answer(ByteReader& reader, std::uint8_t byte) {
+  using Kind = ResponseView::Kind;
+  ResponseView view;
+  view.toggle = view.complete_access = (byte & 0x10) != 0;
   switch (byte >> 5) {
     case kUploadSegmentDone:
-      return UploadSegmentResponse{bit4, (byte & kLastSegment) != 0, read_segment(reader, byte)};
+      view.kind = Kind::kUploadSegment;
+      view.last = (byte & kLastSegment) != 0;
+      view.data = read_segment(reader, byte);
+      return view;
     case kDownloadSegmentDone:
-      return DownloadSegmentResponse{bit4};
+      view.kind = Kind::kDownloadSegment;
+      return view;
     case kUploadDone: {
-      const auto object = read_object(reader);
-      auto transfer = read_transfer(reader, byte);
-      return UploadResponse{object, bit4, transfer.expedited, transfer.complete_size, std::move(transfer.data)};
+      view.kind = Kind::kUpload;
+      view.object = read_object(reader);
+      const auto transfer = read_transfer(reader, byte);
+      view.expedited = transfer.expedited;
+      view.complete_size = transfer.complete_size;
+      view.data = transfer.data;
+      return view;
     }
     case kDownloadDone:
-      return DownloadResponse{read_object(reader)};
+      view.kind = Kind::kDownload;
+      view.object = read_object(reader);
+      return view;
     default:
-      return malformed(fmt::format("SDO command 0x{:02X} is not a response", byte));
+      return malformed("SDO command 0x{0:02X} is not a response", byte);
   }
+}
+
+Response to_response(const ResponseView& view) {
+  using Kind = ResponseView::Kind;
+  switch (view.kind) {
+    case Kind::kDownload:
+      return DownloadResponse{view.object};
+    case Kind::kDownloadSegment:
+      return DownloadSegmentResponse{view.toggle};
+    case Kind::kUpload:
+      return UploadResponse{view.object, view.complete_access, view.expedited, view.complete_size, copy_of(view.data)};
+    case Kind::kUploadSegment:
+      return UploadSegmentResponse{view.toggle, view.last, copy_of(view.data)};
+    case Kind::kEmergency:
+      return view.emergency;
+    case Kind::kAbort:
+      break;
+  }
+  return Abort{view.object, view.abort_code};
 }
 
 }  // namespace
 
-std::vector<std::uint8_t> encode(const Request& request) { return std::visit(RequestEncoder{}, request); }
-std::vector<std::uint8_t> encode(const Response& response) { return std::visit(ResponseEncoder{}, response); }
+void append_download(std::vector<std::uint8_t>& out, ObjectAddress object, bool complete_access, bool expedited,
+                     std::uint32_t complete_size, std::span<const std::uint8_t> data) {
+  Encoder(out, Service::kSdoRequest)
+      .transfer(command(kDownload, complete_access), object, expedited, complete_size, data);
+}
 
-Result<Service> service_of(std::span<const std::uint8_t> data) {
+void append_download_segment(std::vector<std::uint8_t>& out, bool toggle, bool last,
+                             std::span<const std::uint8_t> data) {
+  Encoder(out, Service::kSdoRequest).segment(toggle, last, data);
+}
+
+void append(std::vector<std::uint8_t>& out, const UploadRequest& request) {
+  Encoder(out, Service::kSdoRequest).head(command(kUpload, request.complete_access), request.object).u32(0);
+}
+
+void append(std::vector<std::uint8_t>& out, const UploadSegmentRequest& request) {
+  Encoder(out, Service::kSdoRequest).command_only(command(kUploadSegment, request.toggle));
+}
+
+void append(std::vector<std::uint8_t>& out, const Abort& abort) {
+  // ETG.1000.6 carries an abort of either side in an SDO request.
+  Encoder(out, Service::kSdoRequest).head(command(kAbort), abort.object).u32(abort.code);
+}
+
+std::vector<std::uint8_t> encode(const Request& request) {
+  std::vector<std::uint8_t> bytes;
+  std::visit(RequestEncoder{bytes}, request);
+  return bytes;
+}
+
+std::vector<std::uint8_t> encode(const Response& response) {
+  std::vector<std::uint8_t> bytes;
+  std::visit(ResponseEncoder{bytes}, response);
+  return bytes;
+}
+
+tl::expected<Service, BriefError> view_service(std::span<const std::uint8_t> data) {
   ByteReader reader(data);
   const auto service = reader.u16() >> 12;
   if (!reader.ok()) return too_short(data.size());
-  if (service < 1 || service > 8) return malformed(fmt::format("service {} does not exist", service));
+  if (service < 1 || service > 8) return malformed("service {0} does not exist", service);
   return static_cast<Service>(service);
+}
+
+Result<Service> service_of(std::span<const std::uint8_t> data) {
+  const auto service = view_service(data);
+  if (!service) return in_words(service.error());
+  return *service;
 }
 
 Result<Request> decode_request(std::span<const std::uint8_t> data) {
   const auto service = service_of(data);
   if (!service) return tl::unexpected(service.error());
-  if (*service != Service::kSdoRequest) return malformed("it is not an SDO request");
+  if (*service != Service::kSdoRequest) return in_words(malformed("it is not an SDO request").value());
   ByteReader reader(data);
   reader.skip(2);
   const auto byte = reader.u8();
-  if (!reader.ok()) return too_short(data.size());
-  if (byte >> 5 == kAbort) return read_abort(reader, data.size()).map([](const Abort& a) { return Request(a); });
+  if (!reader.ok()) return in_words(too_short(data.size()).value());
+  if (byte >> 5 == kAbort) {
+    const auto abort = read_abort(reader, data.size());
+    if (!abort) return in_words(abort.error());
+    return *abort;
+  }
   auto request = read_request(reader, byte);
-  if (request && !reader.ok()) return too_short(data.size());
+  if (request && !reader.ok()) return in_words(too_short(data.size()).value());
   return request;
 }
 
-Result<Response> decode_response(std::span<const std::uint8_t> data) {
-  const auto service = service_of(data);
+tl::expected<ResponseView, BriefError> view_response(std::span<const std::uint8_t> data) {
+  const auto service = view_service(data);
   if (!service) return tl::unexpected(service.error());
   ByteReader reader(data);
   reader.skip(2);
-  if (*service == Service::kEmergency) return read_emergency(reader, data.size());
+  if (*service == Service::kEmergency) return view_emergency(reader, data.size());
   const auto byte = reader.u8();
   if (!reader.ok()) return too_short(data.size());
   const bool sdo = *service == Service::kSdoResponse || *service == Service::kSdoRequest;
-  if (sdo && byte >> 5 == kAbort) {
-    return read_abort(reader, data.size()).map([](const Abort& a) { return Response(a); });
-  }
+  if (sdo && byte >> 5 == kAbort) return view_abort(reader, data.size());
   if (*service != Service::kSdoResponse) return malformed("it is not an SDO response");
-  auto response = read_response(reader, byte);
+  auto response = view_answer(reader, byte);
   if (response && !reader.ok()) return too_short(data.size());
   return response;
+}
+
+Result<Response> decode_response(std::span<const std::uint8_t> data) {
+  const auto view = view_response(data);
+  if (!view) return in_words(view.error());
+  return to_response(*view);
 }
 
 }  // namespace syncline::coe

@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "support/brief_error.h"
 #include "support/result.h"
 
 /// CANopen over EtherCAT (ETG.1000.6, 5.6): the bytes behind the mailbox header, both directions,
@@ -105,6 +106,31 @@ using Response =
 [[nodiscard]] std::vector<std::uint8_t> encode(const Response& response);
 [[nodiscard]] Result<Request> decode_request(std::span<const std::uint8_t> data);
 [[nodiscard]] Result<Response> decode_response(std::span<const std::uint8_t> data);
+/// The same behind what `out` holds; allocates only where `out` has no room.
+void append_download(std::vector<std::uint8_t>& out, ObjectAddress object, bool complete_access, bool expedited,
+                     std::uint32_t complete_size, std::span<const std::uint8_t> data);
+void append_download_segment(std::vector<std::uint8_t>& out, bool toggle, bool last,
+                             std::span<const std::uint8_t> data);
+void append(std::vector<std::uint8_t>& out, const UploadRequest& request);
+void append(std::vector<std::uint8_t>& out, const UploadSegmentRequest& request);
+void append(std::vector<std::uint8_t>& out, const Abort& abort);
+
+/// A response as it lies in the mailbox, for a client that must not allocate.
+struct ResponseView {
+  enum class Kind : std::uint8_t { kDownload, kDownloadSegment, kUpload, kUploadSegment, kAbort, kEmergency };
+  Kind kind = Kind::kAbort;
+  ObjectAddress object{};             // of kDownload, kUpload, kAbort
+  bool complete_access = false;       // kUpload
+  bool expedited = false;             // kUpload
+  bool toggle = false, last = false;  // of segments
+  std::uint32_t complete_size = 0;    // kUpload, bytes
+  std::uint32_t abort_code = 0;
+  std::span<const std::uint8_t> data{};  // kUpload, kUploadSegment
+  Emergency emergency{};
+};
+/// kMalformedData.
+[[nodiscard]] tl::expected<ResponseView, BriefError> view_response(std::span<const std::uint8_t> data);
+[[nodiscard]] tl::expected<Service, BriefError> view_service(std::span<const std::uint8_t> data);
 [[nodiscard]] Result<Service> service_of(std::span<const std::uint8_t> data);
 
 /// Data bytes that the first (normal) message and each following segment can carry in a mailbox of

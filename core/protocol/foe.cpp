@@ -8,76 +8,72 @@
 namespace syncline::foe {
 namespace {
 
-enum Opcode : std::uint8_t { kRead = 1, kWrite = 2, kData = 3, kAck = 4, kError = 5, kBusy = 6 };
-
 std::span<const std::uint8_t> bytes_of(const std::string& text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 
 /// Text without the zeros that some devices put behind it.
-std::string read_text(ByteReader& reader) {
-  const auto bytes = reader.take(reader.remaining());
+std::string text_of(std::span<const std::uint8_t> bytes) {
   std::string text(bytes.begin(), bytes.end());
   return text.substr(0, text.find('\0'));
 }
 
-struct Writer {
-  ByteWriter& out;
-
-  void head(Opcode opcode, std::uint32_t value) const { out.u8(opcode).u8(0).u32(value); }
-  void operator()(const ReadRequest& m) const {
-    head(kRead, m.password);
-    out.bytes(bytes_of(m.name));
+struct Viewer {
+  MessageView operator()(const ReadRequest& m) const { return {OpCode::kRead, m.password, bytes_of(m.name)}; }
+  MessageView operator()(const WriteRequest& m) const { return {OpCode::kWrite, m.password, bytes_of(m.name)}; }
+  MessageView operator()(const Data& m) const { return {OpCode::kData, m.packet_no, m.bytes}; }
+  MessageView operator()(const Ack& m) const { return {OpCode::kAck, m.packet_no, {}}; }
+  MessageView operator()(const FileError& m) const { return {OpCode::kError, m.code, bytes_of(m.text)}; }
+  MessageView operator()(const Busy& m) const {
+    return {OpCode::kBusy, m.done | std::uint32_t{m.entire} << 16, bytes_of(m.text)};
   }
-  void operator()(const WriteRequest& m) const {
-    head(kWrite, m.password);
-    out.bytes(bytes_of(m.name));
-  }
-  void operator()(const Data& m) const {
-    head(kData, m.packet_no);
-    out.bytes(m.bytes);
-  }
-  void operator()(const Ack& m) const { head(kAck, m.packet_no); }
-  void operator()(const FileError& m) const {
-    head(kError, m.code);
-    out.bytes(bytes_of(m.text));
-  }
-  void operator()(const Busy& m) const { out.u8(kBusy).u8(0).u16(m.done).u16(m.entire).bytes(bytes_of(m.text)); }
 };
 
 }  // namespace
 
+void append(std::vector<std::uint8_t>& out, const MessageView& message) {
+  ByteWriter(out).u8(static_cast<std::uint8_t>(message.code)).u8(0).u32(message.value).bytes(message.rest);
+}
+
 std::vector<std::uint8_t> encode(const Message& message) {
   std::vector<std::uint8_t> bytes;
-  ByteWriter out(bytes);
-  std::visit(Writer{out}, message);
+  append(bytes, std::visit(Viewer{}, message));
   return bytes;
 }
 
-Result<Message> decode(std::span<const std::uint8_t> data) {
+tl::expected<MessageView, BriefError> view(std::span<const std::uint8_t> data) {
+  const auto bad = [](const char* why, std::int64_t number) {
+    return tl::unexpected(BriefError{.code = ErrorCode::kMalformedData, .why = why, .a = number});
+  };
   ByteReader reader(data);
   const auto opcode = reader.u8();
   reader.skip(1);
   const auto value = reader.u32();
-  if (!reader.ok()) return fail(ErrorCode::kMalformedData, "FoE message", fmt::format("only {} bytes", data.size()));
-  switch (opcode) {
-    case kRead:
-      return ReadRequest{value, read_text(reader)};
-    case kWrite:
-      return WriteRequest{value, read_text(reader)};
-    case kData: {
-      const auto bytes = reader.take(reader.remaining());
-      return Data{value, {bytes.begin(), bytes.end()}};
-    }
-    case kAck:
+  if (!reader.ok()) return bad("only {0} bytes", static_cast<std::int64_t>(data.size()));
+  if (opcode < static_cast<unsigned>(OpCode::kRead) || opcode > static_cast<unsigned>(OpCode::kBusy))
+    return bad("opcode {0} does not exist", opcode);
+  return MessageView{static_cast<OpCode>(opcode), value, reader.take(reader.remaining())};
+}
+
+Result<Message> decode(std::span<const std::uint8_t> data) {
+  const auto message = view(data);
+  if (!message) return fail(message.error().about("FoE message"));
+  const auto& [code, value, rest] = *message;
+  switch (code) {
+    case OpCode::kRead:
+      return ReadRequest{value, text_of(rest)};
+    case OpCode::kWrite:
+      return WriteRequest{value, text_of(rest)};
+    case OpCode::kData:
+      return Data{value, {rest.begin(), rest.end()}};
+    case OpCode::kAck:
       return Ack{value};
-    case kError:
-      return FileError{value, read_text(reader)};
-    case kBusy:
-      return Busy{static_cast<std::uint16_t>(value), static_cast<std::uint16_t>(value >> 16), read_text(reader)};
-    default:
-      return fail(ErrorCode::kMalformedData, "FoE message", fmt::format("opcode {} does not exist", opcode));
+    case OpCode::kError:
+      return FileError{value, text_of(rest)};
+    case OpCode::kBusy:
+      break;
   }
+  return Busy{static_cast<std::uint16_t>(value), static_cast<std::uint16_t>(value >> 16), text_of(rest)};
 }
 
 std::string_view error_text(std::uint32_t code) {

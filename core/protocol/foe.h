@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "protocol/mailbox.h"
+#include "support/brief_error.h"
 #include "support/result.h"
 
 /// File access over EtherCAT (ETG.1000.6, 5.8): the bytes behind the mailbox header, both directions. A transfer
@@ -57,6 +58,19 @@ inline constexpr std::uint32_t kNotDefined = 0x8000, kNotFound = 0x8001, kAccess
 }  // namespace error
 
 [[nodiscard]] std::string_view error_text(std::uint32_t code);
+
+enum class OpCode : std::uint8_t { kRead = 1, kWrite = 2, kData = 3, kAck = 4, kError = 5, kBusy = 6 };
+
+/// A message as it lies in the mailbox, for a client that must not allocate.
+struct MessageView {
+  OpCode code = OpCode::kError;
+  std::uint32_t value = 0;             // password, packet number, error code; of kBusy: done, and entire from bit 16
+  std::span<const std::uint8_t> rest;  // name, bytes, or words
+};
+/// kMalformedData.
+[[nodiscard]] tl::expected<MessageView, BriefError> view(std::span<const std::uint8_t> data);
+/// Behind what `out` holds; allocates only where `out` has no room.
+void append(std::vector<std::uint8_t>& out, const MessageView& message);
 
 [[nodiscard]] std::vector<std::uint8_t> encode(const Message& message);
 /// kMalformedData.

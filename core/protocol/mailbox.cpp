@@ -11,6 +11,7 @@ namespace syncline {
 namespace {
 
 constexpr std::uint16_t kErrorService = 1;
+constexpr const char* kLies = "its header promises {0} bytes of data, {1} bytes came with the header";
 
 }  // namespace
 
@@ -40,12 +41,31 @@ Result<MailboxMessage> MailboxMessage::decode(std::span<const std::uint8_t> byte
   message.counter = (type >> 4) & 0x07;
   const auto data = reader.take(length);
   if (!reader.ok()) {
-    return fail(
-        ErrorCode::kMalformedData, "mailbox message",
-        fmt::format("its header promises {} bytes of data, {} bytes came with the header", length, bytes.size()));
+    return fail(ErrorCode::kMalformedData, "mailbox message", fmt::format(kLies, length, bytes.size()));
   }
   message.data.assign(data.begin(), data.end());
   return message;
+}
+
+tl::expected<MailboxMessageView, BriefError> view_mailbox_message(std::span<const std::uint8_t> bytes) {
+  ByteReader reader(bytes);
+  const auto length = reader.u16();
+  reader.skip(3);
+  const auto type = reader.u8();
+  const auto data = reader.take(length);
+  if (!reader.ok()) {
+    return tl::unexpected(BriefError{
+        .code = ErrorCode::kMalformedData, .why = kLies, .a = length, .b = static_cast<std::int64_t>(bytes.size())});
+  }
+  return MailboxMessageView{static_cast<MailboxType>(type & 0x0F), static_cast<std::uint8_t>((type >> 4) & 7U), data};
+}
+
+void append(std::vector<std::uint8_t>& out, const MailboxMessageView& message) {
+  ByteWriter(out)
+      .u16(static_cast<std::uint16_t>(message.data.size()))
+      .zeros(3)
+      .u8(static_cast<std::uint8_t>((static_cast<std::uint8_t>(message.type) & 0x0F) | ((message.counter & 0x07) << 4)))
+      .bytes(message.data);
 }
 
 std::vector<std::uint8_t> MailboxError::encode() const {

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "support/brief_error.h"
 #include "support/result.h"
 
 namespace syncline {
@@ -40,6 +41,17 @@ struct MailboxMessage {
   /// Fails when the length field lies about the bytes that are there.
   [[nodiscard]] static Result<MailboxMessage> decode(std::span<const std::uint8_t> bytes);
 };
+
+/// The same as it lies in the mailbox, for a client that must not allocate.
+struct MailboxMessageView {
+  MailboxType type = MailboxType::kCoe;
+  std::uint8_t counter = 0;
+  std::span<const std::uint8_t> data;
+};
+/// kMalformedData when the length field lies about the bytes that are there.
+[[nodiscard]] tl::expected<MailboxMessageView, BriefError> view_mailbox_message(std::span<const std::uint8_t> bytes);
+/// Header and data behind what `out` holds; allocates only where `out` has no room.
+void append(std::vector<std::uint8_t>& out, const MailboxMessageView& message);
 
 /// Reply of a slave that cannot take a message as it is: mailbox type 0 (ETG.1000.4, table 32).
 struct MailboxError {

@@ -135,10 +135,14 @@ Result<InformationResponse> read_entry(ByteReader& reader) {
 
 }  // namespace
 
+void append(std::vector<std::uint8_t>& out, const InformationRequest& request) {
+  ByteWriter writer(out);
+  std::visit(RequestWriter{writer}, request);
+}
+
 std::vector<std::uint8_t> encode(const InformationRequest& request) {
   std::vector<std::uint8_t> bytes;
-  ByteWriter out(bytes);
-  std::visit(RequestWriter{out}, request);
+  append(bytes, request);
   return bytes;
 }
 
@@ -159,21 +163,48 @@ std::vector<std::vector<std::uint8_t>> encode(const InformationResponse& respons
   return messages;
 }
 
-Result<InformationFragment> decode_information_fragment(std::span<const std::uint8_t> data) {
+tl::expected<InformationFragmentView, BriefError> view_information_fragment(std::span<const std::uint8_t> data) {
+  const auto bad = [](const char* why, std::int64_t number) {
+    return tl::unexpected(BriefError{.code = ErrorCode::kMalformedData, .why = why, .a = number});
+  };
   ByteReader reader(data);
   const auto service = reader.u16() >> 12;
   const auto opcode = reader.u8();
   reader.skip(1);
-  InformationFragment fragment;
+  InformationFragmentView fragment;
   fragment.fragments_left = reader.u16();
-  if (!reader.ok()) return malformed_information(fmt::format("only {} bytes", data.size()));
-  if (service != static_cast<unsigned>(Service::kSdoInformation))
-    return malformed_information(fmt::format("it is CoE service {}", service));
+  if (!reader.ok()) return bad("only {0} bytes", static_cast<std::int64_t>(data.size()));
+  if (service != static_cast<unsigned>(Service::kSdoInformation)) return bad("it is CoE service {0}", service);
   fragment.opcode = opcode & kOpcodeMask;
   fragment.incomplete = (opcode & kIncomplete) != 0;
-  const auto rest = reader.take(reader.remaining());
-  fragment.data.assign(rest.begin(), rest.end());
+  fragment.data = reader.take(reader.remaining());
   return fragment;
+}
+
+Result<InformationFragment> decode_information_fragment(std::span<const std::uint8_t> data) {
+  const auto view = view_information_fragment(data);
+  if (!view) return fail(view.error().about("SDO information"));
+  return InformationFragment{
+      view->opcode, view->fragments_left, view->incomplete, {view->data.begin(), view->data.end()}};
+}
+
+bool concerns(std::uint8_t opcode, std::span<const std::uint8_t> data, const InformationRequest& request) {
+  ByteReader reader(data);
+  const auto index = reader.u16();
+  const auto sub_index = reader.remaining() > 0 ? reader.u8() : std::uint8_t{0};
+  if (!reader.ok()) return true;  // whoever reads the answer says what is wrong with it
+  if (opcode == kObjectResponse) {
+    const auto* asked = std::get_if<ObjectDescriptionRequest>(&request);
+    return asked != nullptr && asked->index == index;
+  }
+  if (opcode != kEntryResponse) return true;
+  const auto* asked = std::get_if<EntryDescriptionRequest>(&request);
+  return asked != nullptr && asked->index == index && asked->sub_index == sub_index;
+}
+
+std::optional<std::uint32_t> information_abort_code(std::uint8_t opcode, std::span<const std::uint8_t> data) {
+  if (opcode != kError || data.size() < 4) return std::nullopt;
+  return load_le<std::uint32_t>(data);
 }
 
 Result<InformationRequest> decode_information_request(std::span<const std::uint8_t> data) {
@@ -222,9 +253,13 @@ Result<InformationResponse> decode_information_response(std::uint8_t opcode, std
   }
 }
 
-bool answers(std::uint8_t opcode, const InformationRequest& request) {
+std::uint8_t response_opcode(const InformationRequest& request) {
   constexpr std::uint8_t kResponses[] = {kListResponse, kObjectResponse, kEntryResponse};
-  return opcode == kError || opcode == kResponses[request.index()];
+  return kResponses[request.index()];
+}
+
+bool answers(std::uint8_t opcode, const InformationRequest& request) {
+  return opcode == kError || opcode == response_opcode(request);
 }
 
 }  // namespace syncline::coe

@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "support/brief_error.h"
 #include "support/result.h"
 
 /// SDO information services of CoE (ETG.1000.6, 5.6.3): a device tells which objects it has and what they are.
@@ -104,8 +105,18 @@ struct InformationFragment {
   bool operator==(const InformationFragment&) const = default;
 };
 
+/// The same as it lies in the mailbox, for a client that must not allocate.
+struct InformationFragmentView {
+  std::uint8_t opcode = 0;
+  std::uint16_t fragments_left = 0;
+  bool incomplete = false;
+  std::span<const std::uint8_t> data;
+};
+
 /// Bytes behind the mailbox header.
 [[nodiscard]] std::vector<std::uint8_t> encode(const InformationRequest& request);
+/// The same behind what `out` holds; allocates only where `out` has no room.
+void append(std::vector<std::uint8_t>& out, const InformationRequest& request);
 [[nodiscard]] Result<InformationRequest> decode_information_request(std::span<const std::uint8_t> data);
 
 /// The response in as many messages as a mailbox of `mailbox_size` bytes needs, each without mailbox header.
@@ -113,11 +124,21 @@ struct InformationFragment {
                                                             std::size_t mailbox_size);
 /// One message. kMalformedData.
 [[nodiscard]] Result<InformationFragment> decode_information_fragment(std::span<const std::uint8_t> data);
+[[nodiscard]] tl::expected<InformationFragmentView, BriefError> view_information_fragment(
+    std::span<const std::uint8_t> data);
 /// The data of all fragments in order, put together. kMalformedData.
 [[nodiscard]] Result<InformationResponse> decode_information_response(std::uint8_t opcode,
                                                                       std::span<const std::uint8_t> data);
 
 /// True when `opcode` is the answer to `request` or an error.
 [[nodiscard]] bool answers(std::uint8_t opcode, const InformationRequest& request);
+/// Of the answer to `request` that is no error.
+[[nodiscard]] std::uint8_t response_opcode(const InformationRequest& request);
+/// The data of all fragments of such an answer are about the object or entry that was asked for; of an error and of a
+/// list: always.
+[[nodiscard]] bool concerns(std::uint8_t opcode, std::span<const std::uint8_t> data, const InformationRequest& request);
+/// Of an error's data; nothing when the answer is none.
+[[nodiscard]] std::optional<std::uint32_t> information_abort_code(std::uint8_t opcode,
+                                                                  std::span<const std::uint8_t> data);
 
 }  // namespace syncline::coe

@@ -44,8 +44,9 @@ class Servo {
     EXPECT_TRUE(bus->write<std::uint16_t>(Command::kFpwr, kStation, reg::kAlControl, 0x02));
     EXPECT_TRUE(bus->wait(2 * kMillisecond));
     EXPECT_EQ(bus->read<std::uint16_t>(kStation, reg::kAlStatus, "servo").value(), 0x02);
-    mailbox.emplace(*bus, MailboxPort{"servo", kStation, {0x1000, 128}, {0x1080, 128}}, counter,
-                    [this](const coe::Emergency& emergency) { emergencies.push_back(emergency); });
+    shared.port = MailboxPort{"servo", kStation, {0x1000, 128}, {0x1080, 128}};
+    shared.on_emergency = [this](const coe::Emergency& emergency, Nanoseconds) { emergencies.push_back(emergency); };
+    mailbox.emplace(*bus, shared);
   }
   void set_sync_manager(unsigned number, const std::array<std::uint8_t, 4>& control) {
     std::vector<std::uint8_t> bytes{static_cast<std::uint8_t>(number == 0 ? 0x00 : 0x80), 0x10, 0x80, 0x00};
@@ -57,7 +58,7 @@ class Servo {
   std::unique_ptr<FaultLink> link;
   std::optional<FrameExchange> exchange;
   std::optional<Bus> bus;
-  std::uint8_t counter = 0;
+  SlaveMailbox shared;
   std::optional<MailboxClient> mailbox;
   std::vector<coe::Emergency> emergencies;
 };

@@ -5,16 +5,16 @@
 #include <optional>
 #include <vector>
 
-#include "master/exchange/frame_exchange.h"
-#include "master/exchange/mailbox_handshake.h"
 #include "master/exchange/run_state.h"
+#include "master/mailbox/fetch_work.h"
+#include "master/mailbox/sdo_work.h"
 #include "protocol/coe.h"
 
 namespace syncline {
 
-/// The slaves' mailboxes while the bus runs: fetches a message that nobody asked for, or uploads an object of at most
-/// 4 bytes; one slave at a time, one datagram a cycle in the acyclic frame. Tells emergencies by events. Allocates
-/// nothing in the cycle.
+/// The master's own work in the slaves' mailboxes while the bus runs: fetches a message that nobody asked for, or
+/// uploads an object of at most 4 bytes; one slave at a time. Tells emergencies by events. Allocates nothing in the
+/// cycle.
 class CyclicMailbox {
  public:
   struct Answer {
@@ -35,31 +35,37 @@ class CyclicMailbox {
   CyclicMailbox(const CyclicMailbox&) = delete;
   CyclicMailbox& operator=(const CyclicMailbox&) = delete;
 
-  /// Off while others use the mailboxes; what is under way is still finished.
-  void set_enabled(bool enabled) { enabled_ = enabled; }
+  /// Nothing is begun while somebody holds it (MailboxHold); what is under way is still finished.
+  void hold() { ++holds_; }
+  void release() { --holds_; }
   [[nodiscard]] bool idle() const { return !busy_; }
   /// Something may be begun with this slave: nothing is under way, and its mailbox works in its state.
   [[nodiscard]] bool ready_for(std::size_t slave) const;
 
-  void upload(std::size_t slave, coe::ObjectAddress object, Nanoseconds now);
-  void fetch(std::size_t slave, Nanoseconds now);
+  void upload(std::size_t slave, coe::ObjectAddress object);
+  void fetch(std::size_t slave);
 
-  void add_to(PendingFrame& frame, Nanoseconds now);
+  /// As of a SlaveWork, in each cycle.
+  Datagram* next(Nanoseconds now);
+  void take(Nanoseconds now);
   /// After the cycle: what has come to its end.
-  std::optional<Answer> take(Nanoseconds now);
+  std::optional<Answer> answer();
 
  private:
-  std::optional<Answer> finish(Nanoseconds now);
-  std::optional<Answer> take_message(Nanoseconds now);
-  [[nodiscard]] Answer over(Answer::Kind kind, std::uint32_t value = 0);
+  void begin(std::size_t slave, coe::ObjectAddress object);
+  [[nodiscard]] bool fetching() const { return current_.object.index == 0; }
+  [[nodiscard]] SlaveWork& work() { return fetching() ? static_cast<SlaveWork&>(fetch_) : sdo_; }
+  void judge();
+
+  static constexpr std::size_t kMostBytes = 4;
 
   RunState& run_;
-  std::vector<MailboxPort> ports_;  // per slave
-  std::vector<MailboxHandshake::Receipt> receipts_;
-  MailboxHandshake handshake_;
+  SdoWork sdo_;
+  FetchWork fetch_;
+  std::vector<std::uint8_t> value_;
   Answer current_;
-  bool enabled_ = false, busy_ = false;
-  bool asked_ = false;
+  int holds_ = 0;
+  bool busy_ = false;
 };
 
 }  // namespace syncline

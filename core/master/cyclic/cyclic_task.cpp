@@ -11,7 +11,6 @@ constexpr Nanoseconds kPublishPeriod = 1 * kMillisecond;
 /// Copying what many slaves are takes longer than their cycle: when nobody has looked, the next one can wait. On the
 /// virtual clock whoever looks does so between stretches of time, at whose end all is published in any case.
 constexpr Nanoseconds kUnreadPeriod = 10 * kMillisecond, kUnreadVirtualPeriod = 100 * kMillisecond;
-constexpr std::size_t kMostAcyclicFrames = 8;
 constexpr int kMostAmendments = 4;
 constexpr Nanoseconds kLatest = 95;  // % of the cycle: then its frames must be back
 constexpr std::size_t kFrameOverhead = kEthernetHeaderSize + kEtherCatHeaderSize;
@@ -29,18 +28,13 @@ CyclicTaskRunner::CyclicTaskRunner(FrameExchange& exchange, Clock& clock, RunSta
       sync_(sync),
       frames_(run.config()),
       slaves_(run),
-      mailbox_(run),
       mailbox_bits_(run, frames_),
-      mailboxes_(run, mailbox_, mailbox_bits_),
       sync_events_(run, sync),
-      sm2_(run, mailbox_, sync_events_),
-      evidence_(run),
-      inputs_(run),
+      acyclic_(run, mailbox_bits_, sync_events_),
       health_(run),
       reference_(run, sync, frames_),
       feed_(run.config().cycle_time()),
       without_(run.config().slaves.size()),
-      acyclic_(kMostAcyclicFrames),
       cycle_time_(run.config().cycle_time()),
       spin_(std::min(run.config().real_time.spin, cycle_time_ / 4), SpinBudget::tolerated(cycle_time_)),
       standstill_(clock) {
@@ -69,7 +63,7 @@ Status CyclicTaskRunner::run_cycle(std::span<Datagram* const> acyclic) {
   fill_acyclic(acyclic, send_time_);
   first_stamp_.reset();
   auto status = note_link(exchange_frames(deadline()));
-  adapt_acyclic_limit();
+  acyclic_.adapt(scheduled_, cycle_time_);
   note_sending(sample);
   exchange_.missing().expire(clock_.now());
   health_.observe_frames(exchange_.lost_frames() - lost_seen_, exchange_.missing().take_news(), send_time_, sample);
@@ -140,45 +134,9 @@ void CyclicTaskRunner::note_sending(CycleSample& sample) {
 }
 
 void CyclicTaskRunner::fill_acyclic(std::span<Datagram* const> requests, Nanoseconds now) {
-  for (auto& frame : acyclic_) frame.clear();
   // Short and regular readings first: a long mailbox datagram finds room in the next cycle.
-  slaves_.add_to(acyclic_.front(), sync_.monitored() && !frames_.reads_deviation(), sync_.wants_readings());
-  mailboxes_.add_to(acyclic_.front(), now);
-  sm2_.begin(now);
-  mailbox_.add_to(acyclic_.front(), now);
-  // What would not come back in time is left for the next cycle; one request a cycle goes in any case. Where nothing
-  // comes back in time, it is the host that is slow, and not the number of bytes.
-  constexpr Nanoseconds kPerByte = 80;
-  auto room = cycle_time_ * kLatest / 100 - travel_ - cyclic_wire_time() - acyclic_wire_time();
-  const bool limited = room > 0;
-  std::size_t frame = 0;
-  for (auto* request : requests) {
-    room -= static_cast<Nanoseconds>(kDatagramHeaderSize + request->data.size() + kWkcSize) * kPerByte;
-    if (limited && room < 0 && request != requests.front()) break;
-    while (frame < acyclic_limit_ && !acyclic_[frame].add(*request)) ++frame;
-    if (frame == acyclic_limit_) break;
-  }
-  // Whoever waits for an answer goes first, and evidence takes one datagram a cycle.
-  if (!inputs_.add_to(acyclic_.front())) evidence_.add_to(acyclic_.front());
-}
-
-/// A bus with many slaves has many requests, and how many frames a cycle can carry depends on the host,
-/// the wire and the length of the segment: found by trying.
-void CyclicTaskRunner::adapt_acyclic_limit() {
-  std::size_t sent = 0;
-  bool all_back = true;
-  Nanoseconds last = scheduled_;
-  for (const auto& frame : acyclic_) {
-    if (frame.empty()) continue;
-    ++sent;
-    all_back = all_back && frame.answered();
-    last = std::max(last, frame.arrival_time());
-  }
-  if (!all_back) {
-    acyclic_limit_ = std::max<std::size_t>(1, acyclic_limit_ / 2);
-  } else if (sent == acyclic_limit_ && last < scheduled_ + cycle_time_ / 2) {
-    acyclic_limit_ = std::min(acyclic_limit_ + 1, kMostAcyclicFrames);
-  }
+  slaves_.add_to(acyclic_.clear(), sync_.monitored() && !frames_.reads_deviation(), sync_.wants_readings());
+  acyclic_.fill(requests, {cycle_time_, cyclic_wire_time(), travel_}, now);
 }
 
 Nanoseconds CyclicTaskRunner::cyclic_wire_time() {
@@ -187,18 +145,10 @@ Nanoseconds CyclicTaskRunner::cyclic_wire_time() {
   return sum;
 }
 
-Nanoseconds CyclicTaskRunner::acyclic_wire_time() const {
-  Nanoseconds sum = 0;
-  for (const auto& frame : acyclic_) {
-    if (!frame.empty()) sum += wire_time_ns(frame.size() + kFrameOverhead);
-  }
-  return sum;
-}
-
 /// Four fifths of the cycle leave time for what follows; where the segment is so long that its frames need more, they
 /// get it.
 Nanoseconds CyclicTaskRunner::deadline() {
-  const auto needed = travel_ + cyclic_wire_time() + acyclic_wire_time() + cycle_time_ / 20;
+  const auto needed = travel_ + cyclic_wire_time() + acyclic_.wire_time() + cycle_time_ / 20;
   return scheduled_ + std::clamp(needed, cycle_time_ * 8 / 10, cycle_time_ * kLatest / 100);
 }
 
@@ -215,7 +165,7 @@ Status CyclicTaskRunner::exchange_frames(Nanoseconds deadline) {
     if (!sent) status = std::move(sent);
   };
   for (auto* frame : frames_.frames()) note(send(*frame));
-  for (auto& frame : acyclic_) {
+  for (auto& frame : acyclic_.frames()) {
     if (!frame.empty()) note(send(frame));
   }
   for (auto& frame : feed_.prepare()) note(send(frame));
@@ -260,11 +210,11 @@ void CyclicTaskRunner::after_sweep() {
   if (health_.judging()) expect_present();
 }
 
-void CyclicTaskRunner::expect_present() {
+void CyclicTaskRunner::expect_present(std::optional<std::size_t> leaving) {
   for (std::size_t i = 0; i < without_.size(); ++i) {
     const auto& slave = run_.snapshot.slaves[i];
     const auto state = al_state_of(slave.al_status);
-    without_[i] = !slave.present || (state != AlState::kSafeop && state != AlState::kOp);
+    without_[i] = i == leaving || !slave.present || (state != AlState::kSafeop && state != AlState::kOp);
   }
   const auto before = frames_.wkc_expected();
   frames_.expect_without(without_);
@@ -297,25 +247,16 @@ void CyclicTaskRunner::evaluate(CycleSample& sample) {
   const auto all = slaves_.take(send_time_, sample);
   slaves_.observe_silence((!up || (sample.flags & CycleSample::kFrameLost) != 0) && !reading.al_status, send_time_);
   if (slaves_.sweeps() != sweeps_seen_) after_sweep();
-  take_mailboxes(sample);
+  mailbox_bits_.observe();
+  // A slave that fell behind others that had fallen before says so itself.
+  if (acyclic_.take_mailboxes(send_time_, sample)) slaves_.refresh_al_status();
   adjust_ = sync_.observe_cycle(observation(reading), sample);
   reference_.watch(send_time_);
-  evidence_.take(send_time_);
   const bool all_back = std::ranges::all_of(frames_.frames(), &PendingFrame::answered);
-  inputs_.take(send_time_, all_back && sample.skipped_cycles == 0);
+  acyclic_.take_evidence(send_time_, all_back && sample.skipped_cycles == 0);
   sync_events_.observe(sample, all_back);
   const auto deviation = reading.deviation_ored ? reading.deviation_ored : all;
   sync_.observe_slaves(send_time_, deviation, sample);
-}
-
-void CyclicTaskRunner::take_mailboxes(CycleSample& sample) {
-  mailbox_bits_.observe();
-  mailboxes_.take_polls();
-  const auto answer = mailbox_.take(send_time_);
-  if (!answer) return;
-  if (answer->emergency) slaves_.refresh_al_status();  // a slave that fell behind others that had fallen before
-  sm2_.take(*answer, send_time_, sample);
-  mailboxes_.take(*answer, send_time_);
 }
 
 void CyclicTaskRunner::finish_sample(CycleSample& sample) {

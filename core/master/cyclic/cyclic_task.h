@@ -9,16 +9,12 @@
 #include "master/clocks/clock_amendment.h"
 #include "master/clocks/clock_feed.h"
 #include "master/clocks/sync_watch.h"
+#include "master/cyclic/acyclic_scheduler.h"
 #include "master/cyclic/bus_health.h"
 #include "master/cyclic/cyclic_frame_set.h"
-#include "master/cyclic/cyclic_mailbox.h"
-#include "master/cyclic/evidence_reader.h"
-#include "master/cyclic/input_watch.h"
 #include "master/cyclic/mailbox_bits.h"
-#include "master/cyclic/mailbox_watch.h"
 #include "master/cyclic/reference_clock.h"
 #include "master/cyclic/slave_watch.h"
-#include "master/cyclic/sm2_reader.h"
 #include "master/cyclic/spin_budget.h"
 #include "master/cyclic/standstill_cause.h"
 #include "master/cyclic/sync_event_watch.h"
@@ -41,15 +37,14 @@ class CyclicTaskRunner final : public CyclePump, private SendStamp {
   Status run_cycle(std::span<Datagram* const> acyclic) override;
 
   [[nodiscard]] SlaveWatch& slaves() { return slaves_; }
-  [[nodiscard]] CyclicMailbox& mailbox() { return mailbox_; }
-  [[nodiscard]] MailboxWatch& mailboxes() { return mailboxes_; }
-  [[nodiscard]] Sm2Reader& sm2() { return sm2_; }
+  [[nodiscard]] AcyclicScheduler& acyclic() { return acyclic_; }
   [[nodiscard]] BusHealth& health() { return health_; }
   [[nodiscard]] CyclicFrameSet& frames() { return frames_; }
   [[nodiscard]] ReferenceClock& reference() { return reference_; }
   [[nodiscard]] ClockFeed& feed() { return feed_; }
-  /// Expects the working counter of those slaves that are there and exchange process data. Tells a change.
-  void expect_present();
+  /// Expects the working counter of those slaves that are there and exchange process data, and are not about to stop
+  /// it. Tells a change.
+  void expect_present(std::optional<std::size_t> leaving = std::nullopt);
   [[nodiscard]] Nanoseconds next_cycle() const { return scheduled_; }
   /// No more cycles follow: what has not been told yet.
   void tell_rest();
@@ -62,18 +57,14 @@ class CyclicTaskRunner final : public CyclePump, private SendStamp {
   void stamp(Nanoseconds send_time) override;
   void note_sending(CycleSample& sample);
   void fill_acyclic(std::span<Datagram* const> requests, Nanoseconds now);
-  void adapt_acyclic_limit();
   Status exchange_frames(Nanoseconds deadline);
   Status note_link(Status status);
-  /// On the wire, of the cyclic frames, and of those that ride with them.
   [[nodiscard]] Nanoseconds cyclic_wire_time();
-  [[nodiscard]] Nanoseconds acyclic_wire_time() const;
   /// When the frames of this cycle count as lost.
   [[nodiscard]] Nanoseconds deadline();
   void learn_travel(const PendingFrame& frame);
   Status send(PendingFrame& frame);
   void evaluate(CycleSample& sample);
-  void take_mailboxes(CycleSample& sample);
   void after_sweep();
   Status amend_clock();
   [[nodiscard]] dc::DcmObservation observation(const CyclicFrameSet::Reading& reading) const;
@@ -86,13 +77,9 @@ class CyclicTaskRunner final : public CyclePump, private SendStamp {
   SyncWatch& sync_;
   CyclicFrameSet frames_;
   SlaveWatch slaves_;
-  CyclicMailbox mailbox_;
   MailboxBits mailbox_bits_;
-  MailboxWatch mailboxes_;
   SyncEventWatch sync_events_;
-  Sm2Reader sm2_;
-  EvidenceReader evidence_;
-  InputWatch inputs_;
+  AcyclicScheduler acyclic_;
   BusHealth health_;
   ReferenceClock reference_;
   ClockFeed feed_;
@@ -100,8 +87,6 @@ class CyclicTaskRunner final : public CyclePump, private SendStamp {
   std::uint64_t lost_seen_ = 0;  // lost frames that have been told
   std::uint64_t sweeps_seen_ = 0;
   std::vector<bool> without_;  // slaves that take no part in the process data
-  std::vector<PendingFrame> acyclic_;
-  std::size_t acyclic_limit_ = 1;  // frames a cycle, as many as come back in time
   std::vector<PendingFrame*> in_flight_;
   Nanoseconds cycle_time_;
   SpinBudget spin_;  // last part of each wait

@@ -28,28 +28,27 @@ bool EvidenceReader::worth_reading() const {
   return slave.present && (what_ != What::kSpeedCounter || slave.dc_enabled);
 }
 
-void EvidenceReader::next() {
+void EvidenceReader::move_on() {
   what_ = static_cast<What>((static_cast<std::uint8_t>(what_) + 1) % kKinds);
   if (what_ == What::kPorts) slave_ = (slave_ + 1) % totals_.size();
 }
 
-void EvidenceReader::add_to(PendingFrame& frame) {
-  asked_ = false;
-  if (totals_.empty()) return;
+Datagram* EvidenceReader::next(Nanoseconds /*now*/) {
+  if (totals_.empty()) return nullptr;
   // Whoever is not there costs no cycle, and nobody being there no hang.
-  for (std::size_t tried = 0; !worth_reading() && tried < kKinds * 16; ++tried) next();
-  if (!worth_reading()) return;
+  for (std::size_t tried = 0; !worth_reading() && tried < kKinds * 16; ++tried) move_on();
+  if (!worth_reading()) return nullptr;
   constexpr std::array<Place, kKinds> kPlaces{
       {{reg::kRxErrorCounter, 20}, {reg::kWatchdogCounterProcessData, 2}, {reg::kSpeedCounterDiff, 2}}};
   const auto place = kPlaces[static_cast<std::size_t>(what_)];
   bytes_.fill(0);
   datagram_ = {Command::kFprd, device_address(run_.config().slaves[slave_].station_address, place.address),
                std::span(bytes_).first(place.length)};
-  asked_ = frame.add(datagram_);
+  return &datagram_;
 }
 
 void EvidenceReader::take(Nanoseconds time) {
-  if (!std::exchange(asked_, false) || !datagram_.answered) return;  // lost, or no room: once more
+  if (!datagram_.answered) return;  // lost: once more
   if (datagram_.wkc > 0) {
     switch (what_) {
       case What::kPorts:
@@ -63,7 +62,7 @@ void EvidenceReader::take(Nanoseconds time) {
         break;
     }
   }
-  next();
+  move_on();
 }
 
 void EvidenceReader::take_ports(Nanoseconds time) {

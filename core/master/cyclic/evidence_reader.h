@@ -7,6 +7,7 @@
 
 #include "master/exchange/frame_exchange.h"
 #include "master/exchange/run_state.h"
+#include "master/exchange/slave_batch.h"
 #include "support/counter_total.h"
 
 namespace syncline {
@@ -15,14 +16,16 @@ namespace syncline {
 /// speed counter difference of one slave after the other, one datagram in each cycle that is left for
 /// it (see InputWatch), behind everything else that wants the acyclic frame. Fills SlaveEvidence and tells new errors
 /// by kPortErrors and kWatchdog. Allocates nothing; the cyclic thread.
-class EvidenceReader {
+class EvidenceReader final : public SlaveWork {
  public:
   explicit EvidenceReader(RunState& run);
   EvidenceReader(const EvidenceReader&) = delete;
   EvidenceReader& operator=(const EvidenceReader&) = delete;
 
-  void add_to(PendingFrame& frame);
-  void take(Nanoseconds time);
+  Datagram* next(Nanoseconds now) override;
+  void take(Nanoseconds time) override;
+  [[nodiscard]] bool over() const override { return false; }
+  [[nodiscard]] Status result() const override { return {}; }
 
  private:
   enum class What : std::uint8_t { kPorts, kWatchdogs, kSpeedCounter };
@@ -40,7 +43,7 @@ class EvidenceReader {
     }
   };
 
-  void next();
+  void move_on();
   [[nodiscard]] bool worth_reading() const;
   void take_ports(Nanoseconds time);
   void tell_port(std::size_t port, std::uint32_t damaged, std::uint32_t lost_links, Nanoseconds time);
@@ -53,7 +56,6 @@ class EvidenceReader {
   What what_ = What::kPorts;
   std::array<std::uint8_t, 20> bytes_{};
   Datagram datagram_;
-  bool asked_ = false;
 };
 
 }  // namespace syncline

@@ -41,7 +41,7 @@ MailboxBits::MailboxBits(RunState& run, const CyclicFrameSet& frames) : run_(run
 void MailboxBits::observe() {
   for (const auto& place : places_) {
     const auto byte = run_.snapshot.slaves[place.slave].present ? frames_.read_logical(place.byte) : std::nullopt;
-    run_.mailbox_full[place.slave] = byte ? std::optional((*byte & place.mask) != 0) : std::nullopt;
+    run_.mailboxes[place.slave].full = byte ? std::optional((*byte & place.mask) != 0) : std::nullopt;
   }
 }
 

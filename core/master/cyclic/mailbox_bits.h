@@ -20,7 +20,7 @@ struct LogicalBit {
 /// Where a slave's FMMU puts the state of its input mailbox (bits of the SyncManager's status), by its init commands.
 [[nodiscard]] std::optional<LogicalBit> mailbox_state_bit(const SlaveConfig& slave);
 
-/// Takes the mailbox states out of the cyclic frames, cycle by cycle, into RunState::mailbox_full.
+/// Takes the mailbox states out of the cyclic frames, cycle by cycle, into RunState::mailboxes.
 class MailboxBits {
  public:
   MailboxBits(RunState& run, const CyclicFrameSet& frames);

@@ -52,7 +52,7 @@ void MailboxWatch::add_to(PendingFrame& frame, Nanoseconds now) {
   if (watched_.empty()) return;
   add_polls(frame, now);
   schedule_history(now);
-  if (mailbox_.idle()) begin(now);
+  if (mailbox_.idle()) begin();
 }
 
 /// In turn, so that a full frame only delays them.
@@ -80,10 +80,10 @@ void MailboxWatch::schedule_history(Nanoseconds now) {
 }
 
 bool MailboxWatch::full(const Watched& slave) const {
-  return slave.poll_period > 0 ? slave.full : run_.mailbox_full[slave.slave].value_or(false);
+  return slave.poll_period > 0 ? slave.full : run_.mailboxes[slave.slave].full.value_or(false);
 }
 
-void MailboxWatch::begin(Nanoseconds now) {
+void MailboxWatch::begin() {
   for (std::size_t n = 0; n < watched_.size(); ++n) {
     const auto place = (next_ + n) % watched_.size();
     auto& watched = watched_[place];
@@ -92,10 +92,9 @@ void MailboxWatch::begin(Nanoseconds now) {
     next_ = (place + 1) % watched_.size();
     if (full(watched)) {
       watched.full = false;
-      mailbox_.fetch(watched.slave, now);
+      mailbox_.fetch(watched.slave);
     } else {
-      mailbox_.upload(watched.slave, {history::kIndex, watched.newest_due ? history::kNewest : history::kNewAvailable},
-                      now);
+      mailbox_.upload(watched.slave, {history::kIndex, watched.newest_due ? history::kNewest : history::kNewAvailable});
       watched.history_due = watched.newest_due = false;
     }
     return;

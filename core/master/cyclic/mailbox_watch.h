@@ -50,7 +50,7 @@ class MailboxWatch {
     std::uint8_t told = 0;
   };
   void add_polls(PendingFrame& frame, Nanoseconds now);
-  void begin(Nanoseconds now);
+  void begin();
   void schedule_history(Nanoseconds now);
   [[nodiscard]] bool full(const Watched& slave) const;
   [[nodiscard]] Watched* find(std::size_t slave);

@@ -112,7 +112,7 @@ void Sm2Reader::begin(Nanoseconds now) {
   const bool counting = state == AlState::kSafeop || state == AlState::kOp;
   if (!counting || counter.has == 0 || !mailbox_.ready_for(counter.slave)) return;
   choose(counter);
-  if ((counter.has & bit(counter.turn)) != 0) mailbox_.upload(counter.slave, object(counter), now);
+  if ((counter.has & bit(counter.turn)) != 0) mailbox_.upload(counter.slave, object(counter));
 }
 
 void Sm2Reader::take(const CyclicMailbox::Answer& answer, Nanoseconds now, CycleSample& sample) {

@@ -41,6 +41,7 @@ MailboxPort mailbox_port(const SlaveConfig& slave) {
 void MailboxHandshake::use(const MailboxPort& port, Receipt& receipt) {
   port_ = &port;
   receipt_ = &receipt;
+  response_timeout_ = port.response_timeout;
   step_ = Step::kOver;
   read_repeated_ = false;
   request_.reserve(port.send.length);
@@ -69,7 +70,7 @@ void MailboxHandshake::send(std::span<const std::uint8_t> message, bool answered
 }
 
 void MailboxHandshake::await(Nanoseconds now) {
-  end_ = now + port_->response_timeout;
+  end_ = now + response_timeout_;
   wants_answer_ = false;  // to nothing that could be sent anew
   await_further(now);
 }
@@ -180,7 +181,7 @@ void MailboxHandshake::take_write(Nanoseconds now) {
   }
   write_unanswered_ = false;
   if (!wants_answer_) return end_with(End::kSent);
-  if (!write_uncertain_) end_ = now + port_->response_timeout;
+  if (!write_uncertain_) end_ = now + response_timeout_;
   write_uncertain_ = datagram_.wkc == 0;
   rewrite_at_ = now + kRewriteAfter;
   look_at_ = now + kLookAnyway;

@@ -62,6 +62,8 @@ class MailboxHandshake {
   /// The last message that was sent, as a new one with this counter: a slave passes over one that it has counted
   /// already.
   void send_anew(std::uint8_t counter, Nanoseconds now);
+  /// Another patience with answers than the port's, until use() is called again.
+  void set_response_timeout(Nanoseconds timeout) { response_timeout_ = timeout; }
   /// Waits for another message, with new patience or (because the last one was not the answer) with what is left.
   void await(Nanoseconds now);
   void await_further(Nanoseconds now);
@@ -104,6 +106,7 @@ class MailboxHandshake {
   bool write_uncertain_ = false;           // the mailbox was full when the write was repeated
   bool read_repeated_ = false;             // the next message may be one that was seen already
   std::optional<Nanoseconds> repeat_due_;  // the slave has said that it repeats its answer: there by then, or never
+  Nanoseconds response_timeout_ = 0;
   Nanoseconds end_ = 0, rewrite_at_ = 0, look_at_ = 0, repeat_end_ = 0;
   std::vector<std::uint8_t> request_, bytes_;
   std::array<std::uint8_t, 2> status_{};

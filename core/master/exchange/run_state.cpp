@@ -33,13 +33,15 @@ int rank(AlState state) {
 }  // namespace
 
 RunState::RunState(const NetworkConfig& config, MasterChannels& channels, SharedText adapter)
-    : mailbox_counters(config.slaves.size()),
-      mailbox_full(config.slaves.size()),
-      config_(config),
-      channels_(channels),
-      adapter_(std::move(adapter)) {
+    : mailboxes(config.slaves.size()), config_(config), channels_(channels), adapter_(std::move(adapter)) {
   for (const auto& slave : config.slaves) {
     groups_.push_back(slave.hot_connect ? SharedText(slave.hot_connect->group) : SharedText());
+  }
+  for (std::size_t slave = 0; slave < mailboxes.size(); ++slave) {
+    auto& mailbox = mailboxes[slave];
+    mailbox.port = mailbox_port(config.slaves[slave]);
+    mailbox.port.full = [&mailbox] { return mailbox.full; };
+    mailbox.on_emergency = [this, slave](const coe::Emergency& what, Nanoseconds now) { emergency(slave, what, now); };
   }
   snapshot.cycle_time = config.cycle_time();
   snapshot.slaves.resize(config.slaves.size());
@@ -79,10 +81,15 @@ bool RunState::hot_connect(std::size_t slave, events::HotConnect::What what, Nan
   return true;
 }
 
-MailboxPort RunState::port_of(std::size_t slave) const {
-  auto port = mailbox_port(config_.slaves[slave]);
-  port.full = [this, slave] { return mailbox_full[slave]; };
-  return port;
+/// Mailboxes count anew from INIT and BOOT on; in BOOT they stand elsewhere.
+void RunState::place_mailbox(std::size_t slave, AlState state) {
+  auto& mailbox = mailboxes[slave];
+  if (state == AlState::kInit || state == AlState::kBoot) mailbox.restart();
+  const auto& config = config_.slaves[slave].mailbox;
+  if (!config) return;
+  const bool boot = state == AlState::kBoot;
+  mailbox.port.send = boot ? config->bootstrap_send.value_or(config->send) : config->send;
+  mailbox.port.receive = boot ? config->bootstrap_receive.value_or(config->receive) : config->receive;
 }
 
 void RunState::set_al_status(std::size_t slave, std::uint16_t status, std::uint16_t code, Nanoseconds time) {
@@ -90,6 +97,8 @@ void RunState::set_al_status(std::size_t slave, std::uint16_t status, std::uint1
   const auto old = std::exchange(known.al_status, status);
   const auto old_code = std::exchange(known.al_status_code, code);
   const auto position = static_cast<int>(slave);
+  const auto state = al_state_of(status);
+  if (state != al_state_of(old)) place_mailbox(slave, state);
   if (al_state_of(old) != al_state_of(status)) {
     event(time, position, events::StateChanged{al_state_of(old), al_state_of(status)});
   }
@@ -110,6 +119,7 @@ void RunState::set_present(std::size_t slave, bool present, Nanoseconds time) {
     // Whatever it was in, nobody knows what it is in now. What was counted stays: it is the evidence.
     known.al_status = known.al_status_code = 0;
     known.deviation_valid = false;
+    mailboxes[slave].restart();
   }
 }
 

@@ -8,7 +8,7 @@
 
 #include "channels/master_channels.h"
 #include "config/network_config.h"
-#include "master/exchange/mailbox_handshake.h"
+#include "master/exchange/slave_mailbox.h"
 #include "protocol/coe.h"
 
 namespace syncline {
@@ -19,14 +19,14 @@ class RunState {
  public:
   /// `adapter`: name of the link, for what is told of it.
   RunState(const NetworkConfig& config, MasterChannels& channels, SharedText adapter = {});
+  RunState(const RunState&) = delete;
+  RunState& operator=(const RunState&) = delete;
 
   [[nodiscard]] const NetworkConfig& config() const { return config_; }
   [[nodiscard]] MasterChannels& channels() { return channels_; }
 
   Snapshot snapshot;
-  std::vector<std::uint8_t> mailbox_counters;  // per slave, the last one used
-  /// Per slave, what the latest cyclic frames say about its mailbox; nothing where they do not say it.
-  std::vector<std::optional<bool>> mailbox_full;
+  std::vector<SlaveMailbox> mailboxes;  // per slave; each with its bit in the process image
 
   /// `slave` -1: the master, the bus. Notifications that the configuration switches off are left out.
   void event(Nanoseconds time, int slave, EventDetails what);
@@ -34,8 +34,6 @@ class RunState {
   void emergency(std::size_t slave, const coe::Emergency& emergency, Nanoseconds time);
   /// Tells of a slave that comes and goes as it likes; false when it is none.
   bool hot_connect(std::size_t slave, events::HotConnect::What what, Nanoseconds time);
-  /// The slave's mailbox with its bit in the process image.
-  [[nodiscard]] MailboxPort port_of(std::size_t slave) const;
   /// Takes over a reading of AL status and code; tells changes and new errors.
   void set_al_status(std::size_t slave, std::uint16_t status, std::uint16_t code, Nanoseconds time);
   /// A slave that does not answer is in no state that anybody knows: kNone.
@@ -57,6 +55,7 @@ class RunState {
 
  private:
   [[nodiscard]] bool told(const EventDetails& what) const;
+  void place_mailbox(std::size_t slave, AlState state);
 
   const NetworkConfig& config_;
   MasterChannels& channels_;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
+#include <span>
 #include <vector>
 
 #include "master/mailbox/mailbox_client.h"
@@ -10,8 +10,7 @@
 
 namespace syncline {
 
-/// CoE SDO client of one slave in blocking style: expedited, normal, segmented transfers and complete access.
-/// A slave that lies about lengths, toggles or ends is refused with kMailboxProtocol and gets an abort.
+/// SDO transfers with one slave for those who wait: SdoWork, run to its end.
 class CoeClient {
  public:
   /// Objects beyond this are refused before their data are fetched, bytes.
@@ -24,13 +23,6 @@ class CoeClient {
   Result<std::vector<std::uint8_t>> upload(coe::ObjectAddress object, bool complete_access = false);
 
  private:
-  template <class Expected>
-  Result<Expected> ask_for(const coe::Request& request, coe::ObjectAddress object);
-  Status download_segments(coe::ObjectAddress object, std::span<const std::uint8_t> rest);
-  Status upload_segments(coe::ObjectAddress object, std::uint32_t complete_size, std::vector<std::uint8_t>& data);
-  tl::unexpected<Error> refuse(coe::ObjectAddress object, std::uint32_t abort_code, std::string why);
-  [[nodiscard]] std::string subject(coe::ObjectAddress object) const;
-
   MailboxClient& mailbox_;
 };
 

@@ -8,12 +8,11 @@
 #include <vector>
 
 #include "master/mailbox/mailbox_client.h"
-#include "protocol/foe.h"
 
 namespace syncline {
 
-/// File access over EtherCAT with one slave in blocking style. The slave must be in a state in which it serves
-/// files (PREOP or above; BOOT for firmware, with the mailbox of that state).
+/// File access over EtherCAT with one slave for those who wait: FoeWork, run to its end. The slave must be in a state
+/// in which it serves files (PREOP or above; BOOT for firmware, with the mailbox of that state).
 class FoeClient {
  public:
   using Progress = std::function<void(std::size_t bytes)>;
@@ -28,11 +27,6 @@ class FoeClient {
   Status write(const std::string& name, std::span<const std::uint8_t> file, std::uint32_t password = 0);
 
  private:
-  Result<foe::Message> ask(const foe::Message& message, const std::string& subject);
-  Result<foe::Message> decode(const Result<std::vector<std::uint8_t>>& bytes, const std::string& subject) const;
-  Status send_packet(const foe::Message& packet, std::uint32_t packet_no, const std::string& subject);
-  Status end_transfer(std::uint32_t code, const std::string& subject, std::string why);
-
   MailboxClient& mailbox_;
   Progress progress_;
 };

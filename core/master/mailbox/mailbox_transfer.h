@@ -2,56 +2,74 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
+#include <vector>
 
-#include "master/exchange/mailbox_handshake.h"
+#include "master/exchange/slave_mailbox.h"
 #include "protocol/mailbox.h"
+#include "support/brief_error.h"
 
 namespace syncline {
 
-/// One message into a slave's mailbox and the next one out of it, cut into datagrams, so that many slaves can be
-/// served in the same frames. No single lost or late frame ends it (see MailboxHandshake); a slave that has lost its
-/// answer and cannot repeat it is asked anew, at most three times for a message.
+/// One request into a slave's mailbox and its answer out of it, cut into datagrams: the one place for what all
+/// protocols share. Counts the requests; hands emergencies on; passes over messages of other protocols, as many as a
+/// mailbox may hold; takes a mailbox error for an answer; asks a slave anew, at most three times, that has lost its
+/// answer and cannot repeat it. No single lost or late frame ends it (see MailboxHandshake). Allocates in use() alone.
 class MailboxTransfer {
  public:
-  /// `counter`: the slave's mailbox counter, which outlives the transfer.
-  MailboxTransfer(MailboxPort port, std::uint8_t& counter);
-  MailboxTransfer(MailboxTransfer&& other) noexcept;
-  MailboxTransfer& operator=(MailboxTransfer&&) = delete;
+  MailboxTransfer() = default;
+  explicit MailboxTransfer(SlaveMailbox& mailbox) { use(mailbox); }
 
-  /// Sends, then waits for a message. One that is longer than the mailbox fails with kMailboxProtocol.
-  void send(MailboxType type, std::span<const std::uint8_t> data, Nanoseconds now) { begin(type, data, now, true); }
+  void use(SlaveMailbox& mailbox);
+  /// For slaves or commands with a patience of their own; holds until use().
+  void set_response_timeout(Nanoseconds timeout) { handshake_.set_response_timeout(timeout); }
+
+  /// Sends, then waits for a message of the same protocol.
+  void ask(MailboxType type, std::span<const std::uint8_t> data, Nanoseconds now);
   /// Only sends: over when the slave's mailbox has it.
-  void send_only(MailboxType type, std::span<const std::uint8_t> data, Nanoseconds now) {
-    begin(type, data, now, false);
-  }
-  /// Waits for another message, with new patience or (because the last one was not the answer) with what is left.
-  void await(Nanoseconds now);
-  void await_further(Nanoseconds now);
+  void tell(MailboxType type, std::span<const std::uint8_t> data, Nanoseconds now);
+  /// Waits for a further part of the answer with new patience, or for the answer itself with what is left of it.
+  void receive(Nanoseconds now);
+  void receive_instead(Nanoseconds now);
+  /// Takes what lies in the mailbox, whatever it is.
+  void fetch(Nanoseconds now);
+  void give_up() { end_with({.code = ErrorCode::kMailboxTimeout}); }
 
   /// The datagram to send now; nullptr while it waits, and when it is over.
   Datagram* next(Nanoseconds now);
+  /// After it was sent; answered or not.
   void take(Nanoseconds now);
-  [[nodiscard]] bool over() const { return handshake_.over(); }
-  /// The message (nothing in it after send_only()); kMailboxTimeout, kMailboxProtocol.
-  [[nodiscard]] const Result<MailboxMessage>& result() const { return result_; }
+  [[nodiscard]] bool over() const { return over_; }
   /// The slave has a message or was asked for one again: no pause before the next datagram.
-  [[nodiscard]] bool in_a_hurry() const { return handshake_.in_a_hurry(); }
+  [[nodiscard]] bool in_a_hurry() const { return over_ || handshake_.in_a_hurry(); }
 
-  [[nodiscard]] const MailboxPort& port() const { return port_; }
-  void set_response_timeout(Nanoseconds timeout) { port_.response_timeout = timeout; }
+  /// kMailboxTimeout, kMailboxProtocol; nothing after success.
+  [[nodiscard]] const std::optional<BriefError>& failure() const { return failure_; }
+  /// Behind the mailbox header, until the next request. Empty after tell().
+  [[nodiscard]] std::span<const std::uint8_t> data() const { return data_; }
+  /// fetch() found the mailbox empty.
+  [[nodiscard]] bool empty() const { return empty_; }
+  /// Since the request an emergency has come.
+  [[nodiscard]] bool emergency() const { return emergency_; }
+  [[nodiscard]] const SlaveMailbox* mailbox() const { return mailbox_; }
 
  private:
-  void begin(MailboxType type, std::span<const std::uint8_t> data, Nanoseconds now, bool answered);
+  void send(MailboxType type, std::span<const std::uint8_t> data, Nanoseconds now, bool answered);
+  void begin();
   void note_end(Nanoseconds now);
+  void take_message(Nanoseconds now);
+  bool hand_on_emergency(const MailboxMessageView& message, Nanoseconds now);
+  void end_with(const BriefError& failure);
 
-  MailboxPort port_;
-  std::uint8_t& counter_;
-  MailboxHandshake::Receipt receipt_;
+  SlaveMailbox* mailbox_ = nullptr;
   MailboxHandshake handshake_;
-  bool noted_ = true;
-  int asked_anew_ = 0;
-  Result<MailboxMessage> result_;
+  std::vector<std::uint8_t> request_;
+  MailboxType type_ = MailboxType::kCoe;
+  bool over_ = true, fetching_ = false, empty_ = false, emergency_ = false;
+  int asked_anew_ = 0, unasked_ = 0;
+  std::optional<BriefError> failure_;
+  std::span<const std::uint8_t> data_;
 };
 
 }  // namespace syncline

@@ -10,8 +10,9 @@
 
 namespace syncline {
 
-/// Asks a slave which objects it has and what they are. Not every slave answers: kMailboxProtocol ("does not
-/// support this service") or kSdoAbort then. Slaves whose fragments never end or contradict are refused.
+/// SDO information for those who wait: SdoWork, run to its end. Asks a slave which objects it has and what they are.
+/// Not every slave answers: kMailboxProtocol ("does not support this service") or kSdoAbort then. Slaves whose
+/// fragments never end or contradict are refused.
 class SdoInfoClient {
  public:
   explicit SdoInfoClient(MailboxClient& mailbox) : mailbox_(mailbox) {}
@@ -21,9 +22,8 @@ class SdoInfoClient {
   Result<coe::EntryDescription> entry(std::uint16_t index, std::uint8_t sub_index, std::uint8_t value_info = 0);
 
  private:
-  Result<coe::InformationResponse> ask(const coe::InformationRequest& request, std::string subject);
   template <class Expected>
-  Result<Expected> ask_for(const coe::InformationRequest& request, const std::string& subject);
+  Result<Expected> ask_for(const coe::InformationRequest& request);
 
   MailboxClient& mailbox_;
 };

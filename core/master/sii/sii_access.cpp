@@ -11,8 +11,6 @@ namespace syncline {
 namespace {
 
 constexpr std::uint16_t kReadCommand = 0x0100;
-constexpr std::uint16_t kWriteCommand = 0x0201;  // with write enable in the same datagram
-constexpr std::uint16_t kReloadCommand = 0x0400;
 constexpr std::uint16_t kReadsEightBytes = 0x0040;
 constexpr std::uint16_t kCommandError = 0x2000;
 constexpr std::uint16_t kWriteEnableError = 0x4000;
@@ -27,7 +25,6 @@ constexpr int kSureReads = 3;  // before a shorter pause is tried
 constexpr Nanoseconds kTogether = 100 * kMicrosecond;
 constexpr Nanoseconds kBusyLimit = 300 * kMillisecond;
 constexpr int kTries = 4;
-constexpr int kWriteTries = 20;
 /// One command for everybody pays from here on.
 constexpr std::size_t kFewestForBroadcast = 3;
 
@@ -303,66 +300,6 @@ void SiiAccess::learn(const Job& job) {
   } else if (port.pace > kShortestPause) {
     port.pace -= (port.pace - port.too_early) / 16;
   }
-}
-
-/// Waits until the EEPROM is not busy; `window` then holds the registers. A busy EEPROM takes no command.
-Status SiiAccess::await_idle(std::size_t slave, std::span<std::uint8_t, kWindowBytes> window, std::uint32_t word,
-                             std::string_view what) {
-  const auto begin = bus_.clock().now();
-  for (;;) {
-    std::ranges::fill(window, std::uint8_t{0});
-    auto read = slaves_[slave].read(reg::kSiiControl, window);
-    if (auto status = bus_.transact(read); !status) return status;
-    if (read.wkc == 0) return fail(sii_error(word, fmt::format("no answer to {}", what)));
-    if ((load_le<std::uint16_t>(window) & kBusy) == 0) return {};
-    if (bus_.clock().now() - begin > kBusyLimit)
-      return fail(sii_error(word, fmt::format("the EEPROM stays busy at {}", what)));
-    if (auto status = bus_.wait(200 * kMicrosecond); !status) return status;
-  }
-}
-
-Status SiiAccess::command(std::size_t slave, std::span<std::uint8_t> bytes, std::string_view what) {
-  const auto word = load_le<std::uint32_t>(bytes.subspan(2));
-  if (auto status = bus_.check_cancel(); !status) return status;
-  // What the EEPROM has begun it ends; who left it in between would not know what it holds.
-  const NotCancellable to_the_end(bus_);
-  std::array<std::uint8_t, kWindowBytes> window{};
-  for (int attempt = 0; attempt < kWriteTries; ++attempt) {
-    // Another command, of a program that was killed, may still be in work.
-    if (auto status = await_idle(slave, window, word, what); !status) return status;
-    std::vector<std::uint8_t> request(bytes.begin(), bytes.end());
-    auto write = slaves_[slave].write(reg::kSiiControl, request);
-    if (auto status = bus_.transact(write); !status) return status;
-    if (write.wkc == 0)
-      return fail(ErrorCode::kSii, "slave", fmt::format("no answer to {} at word 0x{:04X}", what, word));
-    if (auto status = bus_.wait(200 * kMicrosecond); !status) return status;
-    if (auto status = await_idle(slave, window, word, what); !status) return status;
-    const auto control = load_le<std::uint16_t>(window);
-    if ((control & kWriteEnableError) != 0) return fail(sii_error(word, "the ESC does not enable writing"));
-    if ((control & kCommandError) == 0) return {};
-    // The EEPROM is still storing the word before; it acknowledges nothing meanwhile.
-    std::array<std::uint8_t, 2> zero{};
-    auto clear = slaves_[slave].write(reg::kSiiControl, zero);
-    if (auto status = bus_.transact(clear); !status) return status;
-    if (auto status = bus_.wait(2 * kMillisecond); !status) return status;
-  }
-  return fail(sii_error(word, fmt::format("the EEPROM acknowledges no {}", what)));
-}
-
-Status SiiAccess::write(std::size_t slave, std::uint32_t word, std::uint16_t value) {
-  ports_[slave].started.reset();
-  // Command, address and data in one datagram: the enable bit holds for its own frame only.
-  std::array<std::uint8_t, 8> bytes{};
-  store_command(bytes, kWriteCommand, word);
-  store_le(std::span(bytes).subspan(kStatusBytes), value);
-  return command(slave, bytes, "write command");
-}
-
-Status SiiAccess::reload(std::size_t slave) {
-  ports_[slave].started.reset();
-  std::array<std::uint8_t, kStatusBytes> bytes{};
-  store_command(bytes, kReloadCommand, 0);
-  return command(slave, bytes, "reload command");
 }
 
 }  // namespace syncline

@@ -20,9 +20,9 @@ struct SiiRequest {
   std::optional<Error> error;          // out: kSii with the word in its detail
 };
 
-/// The EEPROM interfaces (0x0500 to 0x050F) of many slaves at the same time: one datagram starts a read,
-/// one fetches status, address and data of a finished one, many of them a frame. The address that comes
-/// back tells which read the data belong to, so a lost or repeated frame cannot mix them up.
+/// Reads through the EEPROM interfaces (0x0500 to 0x050F) of many slaves at the same time (SiiWork writes one): one
+/// datagram starts a read, one fetches status, address and data of a finished one, many of them a frame. The address
+/// that comes back tells which read the data belong to, so a lost or repeated frame cannot mix them up.
 class SiiAccess {
  public:
   struct Options {
@@ -54,10 +54,6 @@ class SiiAccess {
   Status read(std::span<SiiRequest> requests, std::optional<std::uint32_t> next = std::nullopt);
   /// How long the slave's EEPROM takes for a read, as far as its reads have shown.
   [[nodiscard]] Nanoseconds pace(std::size_t slave) const { return ports_[slave].pace; }
-  /// Writes one word and waits until the EEPROM has stored it. kSii, bus errors.
-  Status write(std::size_t slave, std::uint32_t word, std::uint16_t value);
-  /// Lets the ESC load its configuration from the EEPROM again (alias, PDI configuration).
-  Status reload(std::size_t slave);
 
  private:
   struct Port {
@@ -82,9 +78,6 @@ class SiiAccess {
   void learn(const Job& job);
   Status clear_errors(std::vector<Job>& jobs);
   static constexpr std::size_t kWindowBytes = 14;  // from 0x0502, with the eight data bytes at 0x0508
-  Status command(std::size_t slave, std::span<std::uint8_t> bytes, std::string_view what);
-  Status await_idle(std::size_t slave, std::span<std::uint8_t, kWindowBytes> window, std::uint32_t word,
-                    std::string_view what);
 
   Bus& bus_;
   std::vector<SlaveAddress> slaves_;

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "master/sii/sii_access.h"
+#include "master/sii/sii_work.h"
 #include "protocol/sii.h"
 
 namespace syncline {
@@ -23,7 +24,7 @@ constexpr std::size_t kPiece = 8;
 class Eeprom {
  public:
   Eeprom(Bus& bus, const SlaveAddress& slave)
-      : bus_(bus), access_(bus, {slave}, {.take_ownership = true, .broadcast = false}) {}
+      : bus_(bus), slave_(slave), access_(bus, {slave}, {.take_ownership = true, .broadcast = false}) {}
 
   template <class Work>
   auto with(Work work) -> decltype(work()) {
@@ -44,21 +45,8 @@ class Eeprom {
     return {};
   }
 
-  Status write(std::uint32_t at, std::uint16_t value) {
-    if (auto status = access_.write(0, at, value); !status) return status;
-    const auto found = word(at);
-    if (!found) return tl::unexpected(found.error());
-    if (*found == value) return {};
-    return fail(ErrorCode::kSii, "slave",
-                fmt::format("word 0x{:04X} reads 0x{:04X} after 0x{:04X} was written", at, *found, value));
-  }
-  Result<std::uint16_t> word(std::uint32_t at) {
-    const auto piece = read_piece(2 * std::size_t{at});
-    if (!piece) return tl::unexpected(piece.error());
-    return load_le<std::uint16_t>(*piece);
-  }
-
   Bus& bus() { return bus_; }
+  [[nodiscard]] const SlaveAddress& slave() const { return slave_; }
 
  private:
   Result<std::array<std::uint8_t, kPiece>> read_piece(std::size_t byte) {
@@ -69,6 +57,7 @@ class Eeprom {
   }
 
   Bus& bus_;
+  SlaveAddress slave_;
   SiiAccess access_;
 };
 
@@ -77,72 +66,48 @@ std::size_t size_of(std::span<const std::uint8_t> header) {
   return size < kHeaderBytes || size > kLongestImage ? kUsualSize : size;
 }
 
-struct Change {
-  std::uint32_t word = 0;
-  std::uint16_t before = 0, after = 0;
+struct Differences {
+  std::size_t count = 0, first = 0, end = 0;  // words
 };
-
-/// Different words; those of the configuration area last.
-std::vector<Change> changes(std::span<const std::uint8_t> before, std::span<const std::uint8_t> after) {
-  std::vector<Change> list;
-  for (std::uint32_t word = 0; 2 * word + 1 < after.size(); ++word) {
-    const Change change{word, load_le<std::uint16_t>(before.subspan(2 * word)),
-                        load_le<std::uint16_t>(after.subspan(2 * word))};
-    if (change.before != change.after) list.push_back(change);
+Differences differences(std::span<const std::uint8_t> before, std::span<const std::uint8_t> after) {
+  Differences found;
+  for (std::size_t word = 0; 2 * word + 1 < after.size(); ++word) {
+    const auto at = 2 * word;
+    if (before[at] == after[at] && before[at + 1] == after[at + 1]) continue;
+    if (found.count++ == 0) found.first = word;
+    found.end = word + 1;
   }
-  std::stable_partition(list.begin(), list.end(),
-                        [](const Change& change) { return change.word >= kConfigurationWords; });
-  return list;
+  return found;
 }
 
-/// True when the word holds again what it held.
-bool put_back(Eeprom& eeprom, const Change& change) {
-  constexpr int kTries = 3;
-  for (int i = 0; i < kTries; ++i) {
-    if (eeprom.write(change.word, change.before)) return true;
-    if (const auto found = eeprom.word(change.word); found && *found == change.before) return true;
+/// To its end, also when the user wants an end or the bus fails: then it puts back first what it has written.
+Status run_write(Bus& bus, SiiWork& work) {
+  SlaveWork* const works[] = {&work};
+  if (const auto status = run_side_by_side(bus, works); !status) {
+    work.cancel();
+    const NotCancellable to_the_end(bus);
+    if (!run_side_by_side(bus, works)) work.give_up({.code = ErrorCode::kSii, .why = "writing ended early{2}"});
+    const bool by_user = status.error().code == ErrorCode::kCancelled;
+    if (!by_user && work.written() == 0) return status;
   }
-  return false;
-}
-
-Status write_changes(Eeprom& eeprom, std::span<const Change> list, const SiiProgress& progress) {
-  std::size_t done = 0;
-  Status status;
-  for (; done < list.size() && status; ++done) {
-    status = eeprom.write(list[done].word, list[done].after);
-    if (status && progress) progress(done + 1, list.size());
-  }
-  if (status) return {};
-  // Back to what it was, newest first; this must not be cancelled.
-  const NotCancellable to_the_end(eeprom.bus());
-  std::size_t left = 0;
-  while (done-- > 0) left += put_back(eeprom, list[done]) ? 0 : 1;
-  auto error = status.error();
-  if (error.code == ErrorCode::kCancelled && left == 0) return tl::unexpected(error);
-  const auto outcome = left == 0 ? std::string(kOldContentIsBack)
-                                 : fmt::format(
-                                       "{} words could not be put back; write the image again before power is "
-                                       "switched off",
-                                       left);
-  return fail(ErrorCode::kSii, "slave",
-              fmt::format("{}; {}", error.detail.empty() ? "writing ended early" : error.detail, outcome));
+  return work.result();
 }
 
 Result<SiiWriteReport> make_it(Eeprom& eeprom, std::span<const std::uint8_t> before,
                                std::span<const std::uint8_t> after, const SiiProgress& progress,
                                const SiiIntent& intent) {
-  const auto list = changes(before, after);
-  if (intent && !list.empty()) {
+  const auto [count, first, end] = differences(before, after);
+  if (count == 0) return SiiWriteReport{after.size() / 2, 0};
+  if (intent) {
     if (auto status = intent(before.first(after.size()), after); !status) return tl::unexpected(status.error());
   }
-  if (auto status = write_changes(eeprom, list, progress); !status) return tl::unexpected(status.error());
-  const NotCancellable to_the_end(eeprom.bus());  // it is written: only the proof is missing
-  std::vector<std::uint8_t> now;
-  if (auto status = eeprom.read(now, after.size(), {}, 0); !status) return tl::unexpected(status.error());
-  if (!std::equal(after.begin(), after.end(), now.begin())) {
-    return fail(ErrorCode::kSii, "slave", "the content changed again after every word had been verified");
-  }
-  return SiiWriteReport{after.size() / 2, list.size()};
+  std::vector<std::uint8_t> found;
+  SiiWork work;
+  if (progress) work.set_progress([&progress, all = count](std::size_t done) { progress(done, all); });
+  work.write(eeprom.slave(), static_cast<std::uint32_t>(first), after.subspan(2 * first, 2 * (end - first)), found,
+             true);
+  if (auto status = run_write(eeprom.bus(), work); !status) return tl::unexpected(status.error());
+  return SiiWriteReport{after.size() / 2, work.written()};
 }
 
 Status check(std::span<const std::uint8_t> image) {

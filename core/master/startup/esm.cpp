@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "master/cyclic/mailbox_hold.h"
 #include "master/scan/bus_scanner.h"
 #include "master/startup/sm2_counter_lookup.h"
 #include "protocol/registers.h"
@@ -73,7 +74,7 @@ Status Esm::reset() {
 void Esm::abandon() {
   bus_.set_pump(nullptr);
   bus_.exchange().missing().forget_all();
-  task_.mailbox().set_enabled(false);
+  task_.acyclic().requests().give_up_mailboxes();
   task_.health().set_joining(false);
   task_.health().set_judging(false);
   task_.frames().expect_without(std::vector<bool>(run_.config().slaves.size()));
@@ -88,7 +89,10 @@ void Esm::operate(AlState level) {
 
 Status Esm::change_to(AlState target) {
   run_.snapshot.requested = target;
-  if (auto status = quiet_mailboxes(); !status) return status;
+  const auto all = slaves_where([](AlState) { return true; });
+  MailboxHold hold(run_, task_.acyclic().mailbox(), all);
+  task_.acyclic().requests().cancel_files();
+  if (auto status = hold.settle(bus_); !status) return status;
   // An ended bring-up leaves slaves in states that nobody has looked at.
   if (bus_.cyclic()) {
     if (auto status = commands_.read_all(); !status) return status;
@@ -99,7 +103,6 @@ Status Esm::change_to(AlState target) {
     result = down_to(target);
   }
   if (result && is_above(target, run_.lowest_state())) result = up_to(target);
-  task_.mailbox().set_enabled(bus_.cyclic());
   return result;
 }
 
@@ -149,7 +152,7 @@ Status Esm::init_to_preop() {
   if (!status) return status;
   if (status = run_master_commands(Transition::kIP, false); !status) return status;
   if (status = commands_.read_all(); !status) return status;
-  return find_sm2_counters(bus_, run_, task_.sm2());
+  return find_sm2_counters(bus_, run_, task_.acyclic().sm2());
 }
 
 /// Index of the command that requests PREOP, or behind the last one, for every slave.
@@ -184,7 +187,8 @@ Status Esm::join(SlaveList slaves, AlState target) {
 }
 
 Status Esm::join_each(SlaveList slaves, AlState target) {
-  if (auto status = quiet_mailboxes(); !status) return status;
+  MailboxHold hold(run_, task_.acyclic().mailbox(), slaves);
+  if (auto settled = hold.settle(bus_); !settled) return settled;
   if (auto status = commands_.acknowledge(slaves); !status) return status;
   SlaveList anew;
   for (const auto slave : slaves) {
@@ -201,7 +205,6 @@ Status Esm::join_each(SlaveList slaves, AlState target) {
   }
   if (status) status = commands_.read_all();
   task_.slaves().refresh_al_status();
-  task_.mailbox().set_enabled(bus_.cyclic());
   return status;
 }
 
@@ -321,14 +324,6 @@ Status Esm::run_master_commands(Transition transition, bool before_slave) {
   for (const auto& command : run_.config().master.init_cmds) {
     if (!has_transition(command, transition) || command.before_slave != before_slave) continue;
     if (auto status = run_init_cmd(bus_, command, "master"); !status) return status;
-  }
-  return {};
-}
-
-Status Esm::quiet_mailboxes() {
-  task_.mailbox().set_enabled(false);
-  while (bus_.cyclic() && !task_.mailbox().idle()) {
-    if (auto status = bus_.wait_a_little(); !status) return status;
   }
   return {};
 }

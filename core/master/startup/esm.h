@@ -35,8 +35,11 @@ class Esm {
   /// or in INIT runs its init commands from the beginning and gets its clock set. Slaves that do not come
   /// all the way are told by events and stay where they are. Bus errors only.
   Status join(SlaveList slaves, AlState target);
-  /// The cyclic task begins nothing new with the mailboxes until CyclicMailbox::set_enabled(); what it has begun ends.
-  Status quiet_mailboxes();
+  /// Leads one slave to `target` while the others stay where they are, an error acknowledged first. kAlState with the
+  /// code of the step that it refuses, kConfiguration above the state of the bus, bus errors.
+  Status lead(std::size_t slave, AlState target);
+  /// kAlState when the slave keeps its error.
+  Status acknowledge(std::size_t slave);
   [[nodiscard]] SlaveCommands& commands() { return commands_; }
   /// State to which the bus as a whole was led; single slaves may be elsewhere.
   [[nodiscard]] AlState level() const { return level_; }
@@ -45,6 +48,10 @@ class Esm {
   void operate(AlState level);
   Status join_each(SlaveList slaves, AlState target);
   Status join_in_preop(SlaveList slaves);
+  [[nodiscard]] Status check_cyclic(std::size_t slave) const;
+  Status lead_alone(std::size_t slave, AlState target);
+  Status lead_down(std::size_t slave, AlState target);
+  [[nodiscard]] Status judge(std::size_t slave, AlState target) const;
   Status lift(const SlaveList& slaves, AlState from, Transition transition);
   Status up_to(AlState target);
   Status init_to_preop();

@@ -4,7 +4,6 @@
 #include "master/cyclic/cyclic_task.h"
 #include "master/exchange/bus.h"
 #include "master/exchange/run_state.h"
-#include "master/startup/esm.h"
 
 namespace syncline {
 
@@ -13,7 +12,7 @@ namespace syncline {
 /// as it has places, within MailboxWatch::kHistoryPeriod) are not told.
 class HistoryCollector {
  public:
-  HistoryCollector(Bus& bus, RunState& run, CyclicTaskRunner& task, Esm& esm);
+  HistoryCollector(Bus& bus, RunState& run, CyclicTaskRunner& task);
 
   /// After a bus cycle; does nothing as long as there is no news. Cycles go on while it reads. Bus errors;
   /// kCancelled when a command of the user came in between (then it is read the next time).
@@ -25,7 +24,6 @@ class HistoryCollector {
   Bus& bus_;
   RunState& run_;
   CyclicTaskRunner& task_;
-  Esm& esm_;
 };
 
 }  // namespace syncline

@@ -146,9 +146,7 @@ Nanoseconds init_cmd_pause(const Bus& bus) { return bus.cyclic() ? 0 : kMillisec
 
 Status run_init_cmd(Bus& bus, const InitCmd& command, const std::string& subject) {
   InitCmdWork work({&command}, {subject, init_cmd_pause(bus), std::nullopt, {}});
-  SlaveWork* const works[] = {&work};
-  if (auto status = run_side_by_side(bus, works); !status) return status;
-  return work.result();
+  return run_to_end(bus, work);
 }
 
 }  // namespace syncline

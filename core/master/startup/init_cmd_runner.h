@@ -35,7 +35,7 @@ class InitCmdWork final : public SlaveWork {
   Datagram* next(Nanoseconds now) override;
   void take(Nanoseconds now) override;
   [[nodiscard]] bool over() const override { return failed_ || index_ >= commands_.size(); }
-  [[nodiscard]] const Status& result() const override { return result_; }
+  [[nodiscard]] Status result() const override { return result_; }
 
  private:
   enum class Step : std::uint8_t { kBegin, kCommand, kStatusCode };

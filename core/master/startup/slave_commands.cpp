@@ -133,9 +133,7 @@ Status SlaveCommands::send_all(SlaveList& slaves, Messages messages) {
     auto list = messages(slave);
     (list.empty() ? idle : busy).push_back(slave);
     if (list.empty()) continue;
-    works.emplace_back(
-        run_.port_of(slave), std::move(list), run_.mailbox_counters[slave],
-        [this, slave](const coe::Emergency& emergency) { run_.emergency(slave, emergency, bus_.clock().now()); });
+    works.emplace_back(run_.mailboxes[slave], std::move(list));
   }
   auto status = finish(busy, pointers(works));
   slaves.clear();
@@ -149,7 +147,7 @@ Status SlaveCommands::finish(SlaveList& slaves, std::span<SlaveWork* const> work
   SlaveList good, failed;
   std::vector<Error> errors;
   for (std::size_t i = 0; i < works.size(); ++i) {
-    const auto& result = works[i]->result();
+    const auto result = works[i]->result();
     (result ? good : failed).push_back(slaves[i]);
     if (!result) errors.push_back(result.error());
   }

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "master/sii/sii_access.h"
+#include "protocol/mailbox.h"
 #include "protocol/registers.h"
 
 namespace syncline {
@@ -194,7 +195,8 @@ Status SlaveVisit::open_mailbox() {
   port.station_address = station_;
   port.send = {send.start, send.length};
   port.receive = {receive.start, receive.length};
-  mailbox_.emplace(bus_, std::move(port), counter_, on_emergency_);
+  mailbox_of_slave_.port = std::move(port);
+  mailbox_.emplace(bus_, mailbox_of_slave_);
   return mailbox_->collect();
 }
 

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -35,7 +36,11 @@ class SlaveVisit {
   Status open_mailbox();
   /// After open_mailbox().
   [[nodiscard]] MailboxClient& mailbox() { return *mailbox_; }
-  void set_emergency_handler(MailboxClient::EmergencyHandler handler) { on_emergency_ = std::move(handler); }
+  void set_emergency_handler(std::function<void(const coe::Emergency&)> handler) {
+    mailbox_of_slave_.on_emergency = [handler = std::move(handler)](const auto& emergency, Nanoseconds) {
+      if (handler) handler(emergency);
+    };
+  }
 
   /// Back to the state, SyncManagers and station address that look() saw.
   Status leave();
@@ -58,8 +63,7 @@ class SlaveVisit {
   std::uint16_t found_station_ = 0, station_ = 0;
   std::array<std::uint8_t, kMailboxManagers> found_managers_{};
   bool managers_changed_ = false;
-  std::uint8_t counter_ = 0;
-  MailboxClient::EmergencyHandler on_emergency_;
+  SlaveMailbox mailbox_of_slave_;
   std::optional<MailboxClient> mailbox_;
 };
 

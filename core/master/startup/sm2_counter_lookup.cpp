@@ -21,8 +21,7 @@ bool ends_the_bring_up(const Error& error) {
 
 /// 0 when the slave does not say.
 Result<std::uint8_t> ask(Bus& bus, RunState& run, std::size_t slave) {
-  MailboxClient mailbox(bus, run.port_of(slave), run.mailbox_counters[slave],
-                        [&](const coe::Emergency& emergency) { run.emergency(slave, emergency, bus.clock().now()); });
+  MailboxClient mailbox(bus, run.mailboxes[slave]);
   mailbox.set_response_timeout(kPatience);
   SdoInfoClient information(mailbox);
   std::string names[2];

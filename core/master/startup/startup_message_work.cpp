@@ -5,8 +5,6 @@
 
 #include <utility>
 
-#include "master/mailbox/mailbox_client.h"
-
 namespace syncline {
 namespace {
 
@@ -14,19 +12,16 @@ constexpr int kMostUnasked = 64;
 
 }  // namespace
 
-StartupMessageWork::StartupMessageWork(MailboxPort port, std::vector<StartupMessage> messages, std::uint8_t& counter,
-                                       EmergencyHandler on_emergency)
-    : transfer_(std::move(port), counter),
-      response_timeout_(transfer_.port().response_timeout),
-      messages_(std::move(messages)),
-      on_emergency_(std::move(on_emergency)) {}
+StartupMessageWork::StartupMessageWork(SlaveMailbox& mailbox, std::vector<StartupMessage> messages)
+    : transfer_(mailbox), response_timeout_(mailbox.port.response_timeout), messages_(std::move(messages)) {}
 
-std::string StartupMessageWork::subject() const { return fmt::format("{}, {}", transfer_.port().name, message().name); }
+std::string StartupMessageWork::subject() const {
+  return fmt::format("{}, {}", transfer_.mailbox()->port.name, message().name);
+}
 
-void StartupMessageWork::fail_with(Error error) {
+void StartupMessageWork::fail_with(const BriefError& error) {
   failed_ = true;
-  error.subject = subject();
-  result_ = fail(std::move(error));
+  result_ = fail(error.about(subject()));
 }
 
 void StartupMessageWork::begin(Nanoseconds now) {
@@ -34,9 +29,9 @@ void StartupMessageWork::begin(Nanoseconds now) {
   unasked_ = 0;
   transfer_.set_response_timeout(message().timeout_ms == 0 ? response_timeout_ : message().timeout_ms * kMillisecond);
   if (message().answered) {
-    transfer_.send(message().type, message().data, now);
+    transfer_.ask(message().type, message().data, now);
   } else {
-    transfer_.send_only(message().type, message().data, now);
+    transfer_.tell(message().type, message().data, now);
   }
 }
 
@@ -44,31 +39,33 @@ Datagram* StartupMessageWork::next(Nanoseconds now) {
   if (over()) return nullptr;
   if (!begun_) begin(now);
   auto* datagram = transfer_.next(now);
-  if (transfer_.over() && !transfer_.result()) fail_with(transfer_.result().error());  // no message can come of it
+  go_on(now);
   return datagram;
 }
 
 void StartupMessageWork::take(Nanoseconds now) {
   transfer_.take(now);
-  if (!transfer_.over()) return;
-  if (!transfer_.result()) return fail_with(transfer_.result().error());
-  if (!message().answered) return done();
-  take_message(*transfer_.result(), now);
+  go_on(now);
 }
 
-void StartupMessageWork::take_message(const MailboxMessage& received, Nanoseconds now) {
-  if (received.type == MailboxType::kError) return fail_with(mailbox_error(subject(), received));
-  if (const auto emergency = emergency_in(received); emergency && on_emergency_) on_emergency_(*emergency);
-  const auto answer =
-      received.type == message().type ? judge_startup_answer(received.type, received.data) : StartupAnswer{};
+void StartupMessageWork::go_on(Nanoseconds now) {
+  if (over() || !transfer_.over()) return;
+  if (transfer_.failure()) return fail_with(*transfer_.failure());
+  if (!message().answered) return done();
+  take_message(now);
+}
+
+void StartupMessageWork::take_message(Nanoseconds now) {
+  const auto answer = judge_startup_answer(message().type, transfer_.data());
   if (answer.is_answer) {
-    if (answer.refusal) return fail_with(Error{ErrorCode::kMailboxProtocol, {}, *answer.refusal});
-    return done();
+    if (!answer.refusal) return done();
+    failed_ = true;
+    result_ = fail(ErrorCode::kMailboxProtocol, subject(), *answer.refusal);
+    return;
   }
-  if (++unasked_ > kMostUnasked) {
-    return fail_with(Error{ErrorCode::kMailboxProtocol, {}, "messages without end, but no answer"});
-  }
-  transfer_.await_further(now);
+  if (++unasked_ > kMostUnasked)
+    return fail_with({.code = ErrorCode::kMailboxProtocol, .why = "messages without end, but no answer"});
+  transfer_.receive_instead(now);
 }
 
 void StartupMessageWork::done() {

@@ -35,7 +35,8 @@ class EvidenceReaderTest : public ::testing::Test {
   void cycle(bool lost = false) {
     now += kMillisecond;
     PendingFrame frame;
-    reader->add_to(frame);
+    auto* asked = reader->next(now);
+    if (asked != nullptr) frame.add(*asked);
     most_datagrams = std::max(most_datagrams, frame.datagrams().size());
     for (auto* datagram : frame.datagrams()) {
       const auto station = static_cast<std::uint16_t>(datagram->address & 0xFFFF);
@@ -46,7 +47,7 @@ class EvidenceReaderTest : public ::testing::Test {
       datagram->answered = !lost;
       datagram->wkc = lost ? 0 : 1;
     }
-    reader->take(now);
+    if (asked != nullptr) reader->take(now);
   }
   void sweep() {
     for (int i = 0; i < 5; ++i) cycle();

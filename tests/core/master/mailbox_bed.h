@@ -146,8 +146,9 @@ class MailboxBed {
     link = std::make_unique<FaultLink>(std::move(owned), clock, faults);
     exchange = std::make_unique<FrameExchange>(*link, clock);
     bus = std::make_unique<Bus>(*exchange, clock);
-    client = std::make_unique<MailboxClient>(*bus, slave->port(), counter,
-                                             [this](const coe::Emergency& e) { emergencies.push_back(e); });
+    mailbox.port = slave->port();
+    mailbox.on_emergency = [this](const coe::Emergency& e, Nanoseconds) { emergencies.push_back(e); };
+    client = std::make_unique<MailboxClient>(*bus, mailbox);
   }
   [[nodiscard]] Nanoseconds elapsed() const { return clock.now() - start; }
 
@@ -157,7 +158,7 @@ class MailboxBed {
   std::unique_ptr<FaultLink> link;
   std::unique_ptr<FrameExchange> exchange;
   std::unique_ptr<Bus> bus;
-  std::uint8_t counter = 0;
+  SlaveMailbox mailbox;
   std::vector<coe::Emergency> emergencies;
   std::unique_ptr<MailboxClient> client;
 };

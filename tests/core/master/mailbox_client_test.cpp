@@ -11,6 +11,7 @@
 #include "master/mailbox/coe_client.h"
 #include "master/mailbox/foe_client.h"
 #include "master/mailbox/sdo_info_client.h"
+#include "protocol/foe.h"
 #include "support/random.h"
 #include "tests/core/master/mailbox_bed.h"
 
@@ -207,11 +208,9 @@ TEST(MailboxClient, TheProcessImagesBitSavesThePolling) {
     full = true;
     return server(m);
   };
-  auto port = bed.slave->port();
-  port.full = [&]() -> std::optional<bool> { return full; };
-  std::uint8_t counter = 3;
-  MailboxClient client(*bed.bus, port, counter);
-  const auto read = CoeClient(client).upload({0x2000, 1});
+  bed.mailbox.port.full = [&]() -> std::optional<bool> { return full; };
+  bed.mailbox.counter = 3;
+  const auto read = CoeClient(*bed.client).upload({0x2000, 1});
   ASSERT_TRUE(read);
   EXPECT_EQ(*read, (Bytes{1, 2}));
 }

@@ -119,7 +119,7 @@ TEST_F(SlaveBatch, DownloadsObjectsOfEveryLengthToManySlavesAtOnce) {
   commands[1].index = 0x2000;
   commands[1].data.resize(300);
   for (std::size_t i = 0; i < 300; ++i) commands[1].data[i] = static_cast<std::uint8_t>(i);
-  std::vector<std::uint8_t> counters(3);
+  std::vector<SlaveMailbox> mailboxes(3);
   std::vector<CoeDownloadWork> works;
   std::vector<SlaveWork*> all;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -136,8 +136,8 @@ TEST_F(SlaveBatch, DownloadsObjectsOfEveryLengthToManySlavesAtOnce) {
   }
   works.reserve(3);
   for (std::size_t i = 0; i < 3; ++i) {
-    works.emplace_back(mailbox_port(slaves[i]), std::vector<const StartupCommand*>{&commands[0], &commands[1]},
-                       counters[i], CoeDownloadWork::EmergencyHandler{});
+    mailboxes[i].port = mailbox_port(slaves[i]);
+    works.emplace_back(mailboxes[i], std::vector<const StartupCommand*>{&commands[0], &commands[1]});
     all.push_back(&works.back());
   }
   ASSERT_TRUE(run_side_by_side(bus, all));

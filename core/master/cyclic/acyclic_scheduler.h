@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "master/cyclic/acyclic_requests.h"
+#include "master/cyclic/cyclic_mailbox.h"
+#include "master/cyclic/evidence_reader.h"
+#include "master/cyclic/input_watch.h"
+#include "master/cyclic/mailbox_watch.h"
+#include "master/cyclic/sm2_reader.h"
+#include "master/exchange/frame_exchange.h"
+#include "master/exchange/run_state.h"
+
+namespace syncline {
+
+/// Which acyclic datagrams ride with a bus cycle, in the order of their rank: short and regular readings of the slaves,
+/// a datagram of the requests from outside, one of the master's own work in the mailboxes, as many as there is room for
+/// of whoever holds the state machine up by waiting (Bus::transact()), and one of evidence. So requests never make a
+/// cycle longer than by one datagram, and none that would not come back within the cycle. Allocates nothing in the
+/// cycle.
+class AcyclicScheduler {
+ public:
+  AcyclicScheduler(RunState& run, const MailboxBits& bits, SyncEventWatch& events);
+
+  [[nodiscard]] AcyclicRequests& requests() { return requests_; }
+  [[nodiscard]] CyclicMailbox& mailbox() { return mailbox_; }
+  [[nodiscard]] MailboxWatch& mailboxes() { return mailboxes_; }
+  [[nodiscard]] Sm2Reader& sm2() { return sm2_; }
+
+  /// A cycle and what its own frames take of it.
+  struct Room {
+    Nanoseconds cycle_time = 0;
+    Nanoseconds cyclic_wire_time = 0;
+    Nanoseconds travel = 0;  // through the segment and back
+  };
+  /// The first frame, empty, for who comes first of all.
+  [[nodiscard]] PendingFrame& clear();
+  /// Behind what is in there.
+  void fill(std::span<Datagram* const> waiting, const Room& room, Nanoseconds now);
+  [[nodiscard]] std::span<PendingFrame> frames() { return frames_; }
+  /// Of all its frames.
+  [[nodiscard]] Nanoseconds wire_time() const;
+  /// After the frames are back, or not: how many the next cycle can carry.
+  void adapt(Nanoseconds scheduled, Nanoseconds cycle_time);
+
+  /// Takes over what came back of requests and mailboxes. True when a slave has sent an emergency.
+  bool take_mailboxes(Nanoseconds time, CycleSample& sample);
+  /// `read`: the cyclic frames have come back, so that the inputs were read.
+  void take_evidence(Nanoseconds time, bool read);
+
+ private:
+  bool add(Datagram& datagram);
+  void add_request(const Room& room, Nanoseconds now);
+  void add_waiting(std::span<Datagram* const> waiting, const Room& room);
+
+  AcyclicRequests requests_;
+  CyclicMailbox mailbox_;
+  MailboxWatch mailboxes_;
+  Sm2Reader sm2_;
+  EvidenceReader evidence_;
+  InputWatch inputs_;
+  std::vector<PendingFrame> frames_;
+  std::size_t limit_ = 1;  // frames a cycle, as many as come back in time
+  bool request_asked_ = false, mailbox_asked_ = false, evidence_asked_ = false;
+};
+
+}  // namespace syncline

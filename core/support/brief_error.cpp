@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "support/brief_error.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace syncline {
+
+Error BriefError::about(std::string subject) const {
+  Error error{code, std::move(subject), fmt::format(fmt::runtime(why), a, b, word)};
+  error.expected = expected;
+  error.received = received;
+  error.extra = extra;
+  return error;
+}
+
+}  // namespace syncline
