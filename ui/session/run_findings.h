@@ -21,7 +21,7 @@ class RunFindings final : public QObject {
  public:
   explicit RunFindings(LiveSession& live, QObject* parent = nullptr);
 
-  [[nodiscard]] const std::vector<RunFinding>& findings() const { return findings_; }
+  [[nodiscard]] const std::vector<Finding>& findings() const { return findings_; }
   /// Looks at once, for tests and for the end of a run.
   void refresh();
 
@@ -36,7 +36,7 @@ class RunFindings final : public QObject {
   std::optional<RunRecorder> recorder_;
   Snapshot last_;  // the window forgets it when it goes offline
   bool news_ = false;
-  std::vector<RunFinding> findings_;
+  std::vector<Finding> findings_;
 };
 
 }  // namespace syncline::ui

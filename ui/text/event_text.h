@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "channels/event.h"
-#include "compile/compile.h"
 #include "config/project.h"
+#include "findings/finding.h"
 #include "ui/text/message.h"
 
 namespace syncline::ui {
