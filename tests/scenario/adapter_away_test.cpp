@@ -51,7 +51,7 @@ TEST_F(AdapterAway, WhenItStaysAwayThatIsWhatIsWrong) {
   machine.run(9 * kSecond);
   EXPECT_THAT(link_events(), testing::ElementsAre(kDown));
   ASSERT_NE(finding(code::kAdapterAway), nullptr) << machine.said();
-  EXPECT_EQ(finding(code::kAdapterAway)->level, Severity::kError);
+  EXPECT_EQ(finding(code::kAdapterAway)->severity, Severity::kError);
   EXPECT_FALSE(machine.found(code::kSlaveAbsent)) << machine.said();
 }
 

@@ -111,7 +111,7 @@ TEST(RunDiagnosis, LostFramesWithErrorsAtAPortAreNoise) {
   report.history.lost_frames.note(kStart + 5 * kSecond, 3);
   report.history.slaves[2].port_errors[0].note(kStart + 5 * kSecond + 20 * kMillisecond, 3);
   EXPECT_THAT(codes(report), ElementsAre(code::kPortErrors, code::kFramesLostByNoise));
-  EXPECT_EQ(diagnose(report)[1].slave, 2);
+  EXPECT_EQ(diagnose(report)[1].place.slave, 2);
 }
 
 TEST(RunDiagnosis, LostFramesOfAStandingHostAreTheHosts) {
@@ -144,7 +144,7 @@ TEST(RunDiagnosis, NobodyIsNamedWhoIsWithinTheLimit) {
   report.dc.culprit = 2;
   report.slaves[2].deviation_ns = -300;
   ASSERT_THAT(codes(report), ElementsAre(code::kSlaveLeftWindow));
-  EXPECT_EQ(diagnose(report)[0].slave, 2);
+  EXPECT_EQ(diagnose(report)[0].place.slave, 2);
 }
 
 TEST(RunDiagnosis, OneClockIsNotAskedToBeMonitored) {
