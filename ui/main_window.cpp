@@ -284,7 +284,7 @@ void MainWindow::connectSession() {
 
 /// The tab says how much there is, so that nobody has to look whether there is any.
 void MainWindow::showFindingCount() {
-  const int count = workspace_.findings().count(FindingLevel::kWarning);
+  const int count = workspace_.findings().count(Severity::kWarning);
   findings_dock_->setWindowTitle(count == 0 ? tr("Findings") : tr("Findings (%1)").arg(count));
 }
 

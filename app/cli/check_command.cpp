@@ -7,7 +7,9 @@
 
 #include "app/cli/context.h"
 #include "app/cli/counted.h"
+#include "app/cli/findings_text.h"
 #include "app/cli/options.h"
+#include "check/check_network.h"
 #include "eni/check/eni_check.h"
 
 namespace syncline::cli {
@@ -18,14 +20,14 @@ struct Options {
   bool strict = false, rules = false, json = false;
 };
 
-CheckSeverity severity_of(const std::string& name) {
-  for (const auto severity : {CheckSeverity::kError, CheckSeverity::kWarning}) {
+Severity severity_of(const std::string& name) {
+  for (const auto severity : {Severity::kError, Severity::kWarning}) {
     if (name == severity_name(severity)) return severity;
   }
-  return CheckSeverity::kNote;
+  return Severity::kNote;
 }
 
-Json to_json(const CheckRule& rule) {
+Json to_json(const FindingWords& rule) {
   return {{"code", rule.code},
           {"severity", severity_name(rule.severity)},
           {"title", rule.title},
@@ -33,35 +35,40 @@ Json to_json(const CheckRule& rule) {
           {"mend", rule.mend}};
 }
 
-Json to_json(const eni::EniFinding& finding) {
-  const CheckRule& rule = *find_check_rule(finding.code);
+Json to_json(const eni::EniCheck& check, const Finding& finding) {
+  const FindingWords& rule = *find_finding_words(finding.code);
+  const Place& place = finding.place;
   return {{"code", finding.code},
           {"severity", severity_name(finding.severity)},
-          {"line", finding.line},
-          {"path", finding.path},
-          {"slave", finding.slave < 0 ? Json() : Json(finding.slave)},
-          {"slave_name", finding.slave < 0 ? Json() : Json(finding.slave_name)},
-          {"what", finding.what},
+          {"line", place.line},
+          {"path", place.path},
+          {"slave", place.slave < 0 ? Json() : Json(place.slave)},
+          {"slave_name", place.slave < 0 ? Json() : Json(check.slave_name(finding))},
+          {"what", facts_text(finding)},
           {"title", rule.title},
           {"why", rule.why},
-          {"mend", rule.mend}};
+          {"mend", rule.mend},
+          {"key", place.key.empty() ? Json() : Json(place.key)},
+          {"evidence", figures_json(finding)}};
 }
 
-std::size_t count(const std::vector<eni::EniFinding>& findings, CheckSeverity severity) {
-  return static_cast<std::size_t>(std::ranges::count(findings, severity, &eni::EniFinding::severity));
+std::size_t count(const std::vector<Finding>& findings, Severity severity) {
+  return static_cast<std::size_t>(std::ranges::count(findings, severity, &Finding::severity));
 }
 
 /// Why and how stand once a rule: a mistake in a hundred slaves is one mistake to understand.
-void print(std::ostream& out, const std::string& file, const std::vector<eni::EniFinding>& findings) {
+void print(std::ostream& out, const std::string& file, const eni::EniCheck& check) {
   std::set<std::string_view> explained;
-  for (const auto& finding : findings) {
-    const CheckRule& rule = *find_check_rule(finding.code);
-    const std::string line = finding.line > 0 ? fmt::format("{}:{}", file, finding.line) : file;
+  for (const auto& finding : check.findings) {
+    const FindingWords& rule = *find_finding_words(finding.code);
+    const Place& place = finding.place;
+    const std::string line = place.line > 0 ? fmt::format("{}:{}", file, place.line) : file;
     const std::string slave =
-        finding.slave < 0 ? "" : fmt::format(" slave {} ({}):", finding.slave, finding.slave_name);
-    out << fmt::format("{}: {}:{} {} [{}]\n", line, severity_name(finding.severity), slave, finding.what, finding.code);
+        place.slave < 0 ? "" : fmt::format(" slave {} ({}):", place.slave, check.slave_name(finding));
+    out << fmt::format("{}: {}:{} {} [{}]\n", line, severity_name(finding.severity), slave, facts_text(finding),
+                       finding.code);
     if (!explained.insert(finding.code).second) continue;
-    if (!finding.path.empty()) out << fmt::format("    at   {}\n", finding.path);
+    if (!place.path.empty()) out << fmt::format("    at   {}\n", place.path);
     out << fmt::format("    rule {}\n    why  {}\n    mend {}\n", rule.title, rule.why, rule.mend);
   }
 }
@@ -69,10 +76,10 @@ void print(std::ostream& out, const std::string& file, const std::vector<eni::En
 void print_rules(Context& context, bool json) {
   if (json) {
     Json rows = Json::array();
-    for (const CheckRule& rule : check_rules()) rows.push_back(to_json(rule));
+    for (const FindingWords& rule : check_rules()) rows.push_back(to_json(rule));
     return context.print({{"rules", rows}});
   }
-  for (const CheckRule& rule : check_rules()) {
+  for (const FindingWords& rule : check_rules()) {
     context.console.out << fmt::format("{:<12} {:<7} {}\n", rule.code, severity_name(rule.severity), rule.title);
   }
 }
@@ -86,23 +93,23 @@ void check(Context& context, const Options& options) {
   auto checked = eni::check_eni(options.file);
   if (!checked) return context.fail_with(checked.error());
   auto& findings = checked->findings;
-  const std::size_t errors = count(findings, CheckSeverity::kError);
-  const std::size_t warnings = count(findings, CheckSeverity::kWarning);
-  const std::size_t notes = count(findings, CheckSeverity::kNote);
+  const std::size_t errors = count(findings, Severity::kError);
+  const std::size_t warnings = count(findings, Severity::kWarning);
+  const std::size_t notes = count(findings, Severity::kNote);
   if (errors > 0 || (options.strict && warnings > 0)) context.exit_code = kAnswerIsNo;
   std::erase_if(findings, [&](const auto& finding) { return finding.severity < severity_of(options.severity); });
   if (options.json) {
     Json rows = Json::array();
-    for (const auto& finding : findings) rows.push_back(to_json(finding));
+    for (const auto& finding : findings) rows.push_back(to_json(*checked, finding));
     return context.print({{"file", options.file},
                           {"understood", checked->understood},
-                          {"slaves", checked->slaves},
+                          {"slaves", checked->slaves.size()},
                           {"errors", errors},
                           {"warnings", warnings},
                           {"notes", notes},
                           {"findings", rows}});
   }
-  print(context.console.out, options.file, findings);
+  print(context.console.out, options.file, *checked);
   if (!checked->understood) {
     context.console.out << options.file
                         << ": only the structure was checked; mend the errors above, then check again\n";

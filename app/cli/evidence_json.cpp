@@ -5,58 +5,11 @@
 
 #include <iterator>
 
+#include "app/cli/findings_text.h"
 #include "diagnosis/run_diagnosis.h"
 
 namespace syncline::cli {
 namespace {
-
-std::string_view level_text(FindingLevel level) {
-  switch (level) {
-    case FindingLevel::kNote:
-      return "note";
-    case FindingLevel::kWarning:
-      return "warning";
-    case FindingLevel::kError:
-      return "error";
-  }
-  return "note";
-}
-
-Json figure_json(const Figure& figure) {
-  using Unit = Figure::Unit;
-  switch (figure.unit) {
-    case Unit::kCount:
-    case Unit::kTimes:
-    case Unit::kNanoseconds:
-    case Unit::kSlave:
-      return figure.value;
-    case Unit::kMoment:
-      return static_cast<double>(figure.value / 1000) / 1000;
-    case Unit::kPpm:
-      return static_cast<double>(figure.value) / 1000;
-    case Unit::kPort:
-    case Unit::kHex16:
-    case Unit::kHex32:
-    case Unit::kAlStatus:
-    case Unit::kText:
-      return figure_text(figure);
-  }
-  return nullptr;
-}
-
-/// The name says the unit.
-std::string figure_key(const Figure& figure) {
-  switch (figure.unit) {
-    case Figure::Unit::kNanoseconds:
-      return std::string(figure.name) + "_ns";
-    case Figure::Unit::kMoment:
-      return std::string(figure.name) + "_ms";
-    case Figure::Unit::kPpm:
-      return std::string(figure.name) + "_ppm";
-    default:
-      return std::string(figure.name);
-  }
-}
 
 Json moment_json(const RunReport& report, Nanoseconds time) {
   if (time == 0) return nullptr;
@@ -105,15 +58,14 @@ Json misses_json(const RunReport::Slave& slave, Nanoseconds now) {
 Json findings_json(const RunReport& report) {
   Json rows = Json::array();
   for (const auto& finding : diagnose(report)) {
-    Json evidence = Json::object();
-    for (const auto& figure : finding.figures) evidence[figure_key(figure)] = figure_json(figure);
-    rows.push_back({{"code", finding_code_name(finding.code)},
-                    {"severity", level_text(finding.level)},
-                    {"slave", finding.slave < 0 ? Json(nullptr) : Json(finding.slave)},
+    rows.push_back({{"code", finding.code},
+                    {"severity", severity_name(finding.severity)},
+                    {"slave", finding.place.slave < 0 ? Json(nullptr) : Json(finding.place.slave)},
                     {"from_ms", moment_json(report, finding.from)},
                     {"to_ms", moment_json(report, finding.to)},
-                    {"evidence", std::move(evidence)},
-                    {"text", describe(finding)}});
+                    {"evidence", figures_json(finding)},
+                    {"text", describe(finding)},
+                    {"place", place_json(finding.place)}});
   }
   return rows;
 }
@@ -121,7 +73,7 @@ Json findings_json(const RunReport& report) {
 std::string findings_text(const RunReport& report) {
   std::string text;
   for (const auto& finding : diagnose(report)) {
-    fmt::format_to(std::back_inserter(text), "{}: {}\n", level_text(finding.level), describe(finding));
+    fmt::format_to(std::back_inserter(text), "{}: {}\n", severity_name(finding.severity), describe(finding));
   }
   return text;
 }

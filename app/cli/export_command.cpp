@@ -13,6 +13,8 @@
 #include "eni/format/eni_file.h"
 #include "eni/xml/xml_text.h"
 #include "exports/exports.h"
+#include "findings/sentence.h"
+#include "findings/words/recovered.h"
 #include "recover/recover_project.h"
 
 namespace syncline::cli {
@@ -41,11 +43,7 @@ std::string content(const Options& options, const NetworkConfig& config) {
 /// An ENI that is exported again keeps its commands, and with them the layout of its image.
 std::vector<Finding> about_layout(const Options& options, const LoadedConfig& loaded) {
   if (!loaded.is_eni || options.dialect.empty() || dialect_of(loaded.config) == chosen_dialect(options)) return {};
-  return {
-      {FindingSeverity::kWarning, -1, "",
-       fmt::format("{} is an ENI: its commands and the layout of its image stay as they are, only the spelling follows "
-                   "--dialect. \"project create --eni\" makes a project that can be laid out anew.",
-                   options.file)}};
+  return {make_finding<words::kRecovered>("eni-layout-kept", {}, fig::text<"file">(options.file))};
 }
 
 void export_file(Context& context, const Options& options) {

@@ -3,46 +3,87 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 namespace syncline::cli {
 namespace {
 
-std::string_view severity_name(FindingSeverity severity) {
-  switch (severity) {
-    case FindingSeverity::kInfo:
-      return "note";
-    case FindingSeverity::kWarning:
-      return "warning";
-    case FindingSeverity::kError:
-      return "error";
+Json figure_json(const Figure& figure) {
+  using Unit = Figure::Unit;
+  switch (figure.unit) {
+    case Unit::kCount:
+    case Unit::kTimes:
+    case Unit::kNanoseconds:
+    case Unit::kTime:
+    case Unit::kSlave:
+      return figure.value;
+    case Unit::kMoment:
+      return static_cast<double>(figure.value / 1000) / 1000;
+    case Unit::kPpm:
+      return static_cast<double>(figure.value) / 1000;
+    case Unit::kPort:
+    case Unit::kHex16:
+    case Unit::kHex32:
+    case Unit::kHex:
+    case Unit::kAlStatus:
+    case Unit::kAlCode:
+    case Unit::kText:
+    case Unit::kPhrase:
+    case Unit::kAside:
+      return figure_text(figure);
   }
-  return "note";
+  return nullptr;
 }
+
+/// The name says the unit.
+std::string figure_key(const Figure& figure) {
+  switch (figure.unit) {
+    case Figure::Unit::kNanoseconds:
+    case Figure::Unit::kTime:
+      return std::string(figure.name) + "_ns";
+    case Figure::Unit::kMoment:
+      return std::string(figure.name) + "_ms";
+    case Figure::Unit::kPpm:
+      return std::string(figure.name) + "_ppm";
+    default:
+      return std::string(figure.name);
+  }
+}
+
+Json text_or_null(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
 
 }  // namespace
 
-bool has_errors(const std::vector<Finding>& findings) {
-  return std::any_of(findings.begin(), findings.end(),
-                     [](const Finding& finding) { return finding.severity == FindingSeverity::kError; });
+Json figures_json(const Finding& finding) {
+  Json figures = Json::object();
+  for (const auto& figure : finding.figures) figures[figure_key(figure)] = figure_json(figure);
+  return figures;
+}
+
+Json place_json(const Place& place) {
+  return {{"slave", place.slave < 0 ? Json(nullptr) : Json(place.slave)},
+          {"key", text_or_null(place.key)},
+          {"line", place.line > 0 ? Json(place.line) : Json(nullptr)},
+          {"path", text_or_null(place.path)}};
 }
 
 Json to_json(const std::vector<Finding>& findings) {
   Json rows = Json::array();
   for (const auto& finding : findings) {
     rows.push_back({{"severity", severity_name(finding.severity)},
-                    {"slave", finding.slave},
-                    {"key", finding.key},
-                    {"text", finding.text}});
+                    {"slave", finding.place.slave},
+                    {"key", finding.place.key},
+                    {"text", describe(finding)},
+                    {"code", finding.code},
+                    {"place", place_json(finding.place)},
+                    {"evidence", figures_json(finding)}});
   }
   return rows;
 }
 
 void print(std::ostream& out, const std::vector<Finding>& findings) {
   for (const auto& finding : findings) {
-    const auto place = finding.slave < 0 ? std::string("master") : fmt::format("slave {}", finding.slave);
-    out << fmt::format("{}: {}: {}{}\n", severity_name(finding.severity), place, finding.text,
-                       finding.key.empty() ? "" : " [" + finding.key + "]");
+    const auto place = finding.place.slave < 0 ? std::string("master") : fmt::format("slave {}", finding.place.slave);
+    out << fmt::format("{}: {}: {}{}\n", severity_name(finding.severity), place, describe(finding),
+                       finding.place.key.empty() ? "" : " [" + finding.place.key + "]");
   }
 }
 

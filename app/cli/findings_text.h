@@ -5,12 +5,17 @@
 #include <vector>
 
 #include "app/cli/context.h"
-#include "compile/compile.h"
+#include "findings/finding.h"
 
 namespace syncline::cli {
 
-[[nodiscard]] bool has_errors(const std::vector<Finding>& findings);
+/// `code`, `severity`, `slave`, `key`, `text`, `place`, `evidence` of each (docs/json.md).
 [[nodiscard]] Json to_json(const std::vector<Finding>& findings);
+/// Where it belongs: `slave`, `key`, `line`, `path`; what its finder does not know is null.
+[[nodiscard]] Json place_json(const Place& place);
+/// The figures by name, whose end says the unit.
+[[nodiscard]] Json figures_json(const Finding& finding);
+/// One line a finding.
 void print(std::ostream& out, const std::vector<Finding>& findings);
 
 }  // namespace syncline::cli

@@ -20,18 +20,6 @@ namespace {
 
 constexpr std::uint64_t kMiB = 1ULL << 20;
 
-std::string_view level_name(FindingLevel level) {
-  switch (level) {
-    case FindingLevel::kNote:
-      return "note";
-    case FindingLevel::kWarning:
-      return "warning";
-    case FindingLevel::kError:
-      return "error";
-  }
-  return "note";
-}
-
 Result<RecordingAbout> about(const std::string& file, const std::string& link, const NetworkConfig& config) {
   auto result = about_run(config);
   result.program = std::string("synclinectl ") + SYNCLINE_VERSION;
@@ -113,8 +101,8 @@ void RunRecording::finish(const RunReport& report) {
   if (!recorder_) return;
   std::vector<RecordedFinding> findings;
   for (const auto& finding : diagnose(report)) {
-    findings.push_back({std::string(finding_code_name(finding.code)), std::string(level_name(finding.level)),
-                        finding.slave, describe(finding)});
+    findings.push_back({std::string(finding.code), std::string(severity_name(finding.severity)), finding.place.slave,
+                        describe(finding)});
   }
   const auto status = recorder_->finish("end of the run", findings);
   const bool told = [this] {

@@ -139,8 +139,8 @@ Step<void> describable(const DeviceDescription& device) {
 Step<NetworkConfig> compiled(const Project& project) {
   auto result = compile(project);
   if (!result) return failed(TryStep::kCompile, describe(result.error()));
-  const auto error = std::ranges::find(result->findings, FindingSeverity::kError, &Finding::severity);
-  if (error != result->findings.end()) return failed(TryStep::kCompile, error->text);
+  const auto error = std::ranges::find(result->findings, Severity::kError, &Finding::severity);
+  if (error != result->findings.end()) return failed(TryStep::kCompile, describe(*error));
   return std::move(result->config);
 }
 
@@ -148,9 +148,9 @@ Step<NetworkConfig> compiled(const Project& project) {
 Step<void> checked(const std::string& text) {
   const auto check = eni::check_eni_text(text, "exported.xml");
   if (!check) return failed(TryStep::kCheck, describe(check.error()));
-  const auto error = std::ranges::find(check->findings, CheckSeverity::kError, &eni::EniFinding::severity);
+  const auto error = std::ranges::find(check->findings, Severity::kError, &Finding::severity);
   if (error == check->findings.end()) return {};
-  return failed(TryStep::kCheck, fmt::format("{}: {} (line {})", error->code, error->what, error->line));
+  return failed(TryStep::kCheck, fmt::format("{}: {} (line {})", error->code, facts_text(*error), error->place.line));
 }
 
 /// The configuration as it stands in the exported file, which another master would get.

@@ -7,25 +7,11 @@
 
 namespace syncline {
 
-int ConfigPlace::slave() const {
-  switch (kind) {
-    case PlaceKind::kSlave:
-    case PlaceKind::kSlaveInitCmd:
-    case PlaceKind::kSyncManager:
-    case PlaceKind::kPdo:
-    case PlaceKind::kMailbox:
-    case PlaceKind::kCoeCmd:
-    case PlaceKind::kHotConnect:
-    case PlaceKind::kDc:
-      return static_cast<int>(first);
-    default:
-      return -1;
-  }
-}
+std::span<const FindingWords> check_rules() { return words::kEni; }
 
-std::vector<CheckFinding> check_network(const NetworkConfig& config) {
+std::vector<Finding> check_network(const NetworkConfig& config) {
   using namespace checker;
-  std::vector<CheckFinding> out;
+  std::vector<Finding> out;
   Findings findings(out);
   const NetworkView view(config);
   for (const auto rule :

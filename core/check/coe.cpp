@@ -46,13 +46,11 @@ class CoeCheck {
     }
     for (const auto& [index, list] : lists_) {
       if (list.entries.size() > list.count.value_or(0) && !list.bad_order) {
-        add("ENI-COE-04", list.last_cmd,
-            fmt::format("0x{:04x}: {} entries are written, the count stays {}", index, list.entries.size(),
-                        list.count.value_or(0)));
+        add("ENI-COE-04/count-stays", list.last_cmd, fig::hex<"object">(index),
+            fig::count<"entries">(list.entries.size()), fig::count<"count">(list.count.value_or(0)));
       } else if (!list.entries.empty() && list.entries.rbegin()->first < list.count.value_or(0) && !list.bad_order) {
-        add("ENI-COE-04", list.last_cmd,
-            fmt::format("0x{:04x}: the count is set to {}, entries are written up to {}", index, *list.count,
-                        list.entries.rbegin()->first));
+        add("ENI-COE-04/count-beyond", list.last_cmd, fig::hex<"object">(index), fig::count<"count">(*list.count),
+            fig::count<"last">(list.entries.rbegin()->first));
       } else {
         compare(index, list);
       }
@@ -60,8 +58,9 @@ class CoeCheck {
   }
 
  private:
-  void add(std::string_view code, std::size_t cmd, std::string what) {
-    findings_.add(code, {PlaceKind::kCoeCmd, slave_, cmd}, std::move(what));
+  template <FigureName... kNames>
+  void add(Sentence<kNames...> code, std::size_t cmd, Named<kNames>... figures) {
+    findings_.add<kNames...>(code, {PlaceKind::kCoeCmd, slave_, cmd}, std::move(figures)...);
   }
 
   static bool writes_list(const CoeInitCmd& cmd) {
@@ -76,21 +75,22 @@ class CoeCheck {
     const StartupCommand& command = cmd.command;
     const auto object = fmt::format("0x{:04x}:{}", command.index, command.sub_index);
     if (cmd.ccs != 1) {
-      add("ENI-COE-02", i, fmt::format("{}: Ccs is {}", object, cmd.ccs));
+      add("ENI-COE-02", i, fig::text<"object">(object), fig::count<"ccs">(cmd.ccs));
     }
     if (command.data.empty() && command.enabled) {
-      add("ENI-COE-05", i, fmt::format("{} has no Data", object));
+      add("ENI-COE-05", i, fig::text<"object">(object));
     }
     constexpr std::uint32_t kLeastMs = 20;
     if (command.enabled && command.timeout_ms != 0 && command.timeout_ms < kLeastMs) {
-      add("ENI-TIME-07", i, fmt::format("{} may take {} ms", object, command.timeout_ms));
+      add("ENI-TIME-07", i, fig::text<"object">(object), fig::count<"timeout">(command.timeout_ms));
     }
     if (command.complete_access && command.sub_index > 1) {
-      add("ENI-COE-06", i, fmt::format("{} is written by complete access", object));
+      add("ENI-COE-06", i, fig::text<"object">(object));
     }
     for (const Transition transition : {Transition::kII, Transition::kIB, Transition::kBI}) {
       if (has_transition(command, transition)) {
-        add("ENI-COE-07", i, fmt::format("{} is written on {}", object, transition_name(transition)));
+        add("ENI-COE-07", i, fig::text<"object">(object),
+            fig::text<"transition">(std::string(transition_name(transition))));
       }
     }
     if (command.index >= kInterpolation && (command.index - kInterpolation) % 0x800 == 0 && command.index < 0xA000 &&
@@ -115,9 +115,8 @@ class CoeCheck {
         std::ranges::any_of(view_.config.cyclic, [&](const CyclicTask& task) { return task.cycle_time == time; });
     const bool known = sync0 > 0 || view_.config.cyclic.front().cycle_time_given;
     if (known && !is_task && time != sync0) {
-      add("ENI-COE-08", i,
-          fmt::format("0x{:04x} is set to {} us, the cycle is {} us", command.index, time / kMicrosecond,
-                      (sync0 > 0 ? sync0 : view_.config.cycle_time()) / kMicrosecond));
+      add("ENI-COE-08", i, fig::hex<"object">(command.index), fig::time<"written">(time),
+          fig::time<"cycle">(sync0 > 0 ? sync0 : view_.config.cycle_time()));
     }
   }
 
@@ -141,9 +140,7 @@ class CoeCheck {
     } else {
       if (!list.open && !list.bad_order) {
         list.bad_order = true;
-        add("ENI-COE-04", i,
-            fmt::format("0x{:04x}:{} is written while the list is not emptied (:0 = 0)", command.index,
-                        command.sub_index));
+        add("ENI-COE-04", i, fig::hex<"object">(command.index), fig::count<"sub_index">(command.sub_index));
       }
       list.entries[command.sub_index] = number_of(command.data);
     }
@@ -169,9 +166,8 @@ class CoeCheck {
         manager == config_.sync_managers.end() ? std::vector<std::uint64_t>{}
                                                : std::vector<std::uint64_t>(manager->pdos.begin(), manager->pdos.end());
     if (list.count.value_or(0) != said.size() || written != said) {
-      add("ENI-COE-01", list.last_cmd,
-          fmt::format("0x{:04x} is set to {}, SM{} lists {}", index, words(written, 4), index - kFirstAssign,
-                      words(said, 4)));
+      add("ENI-COE-01", list.last_cmd, fig::hex<"object">(index), hex_list<"written">(written, 4),
+          fig::count<"manager">(index - kFirstAssign), hex_list<"listed">(said, 4));
     }
   }
 
@@ -184,16 +180,17 @@ class CoeCheck {
                      (entry.bit_length & 0xFFU));
     }
     if (written != said) {
-      add("ENI-COE-03", list.last_cmd,
-          fmt::format("0x{:04x} is set to {}, the PDO lists {}", index, words(written, 8), words(said, 8)));
+      add("ENI-COE-03", list.last_cmd, fig::hex<"object">(index), hex_list<"written">(written, 8),
+          hex_list<"listed">(said, 8));
     }
   }
 
-  static std::string words(const std::vector<std::uint64_t>& values, int digits) {
-    if (values.empty()) return "nothing";
+  template <FigureName kName>
+  static Named<kName> hex_list(const std::vector<std::uint64_t>& values, int digits) {
+    if (values.empty()) return fig::phrase<kName>("nothing");
     std::string out;
     for (const std::uint64_t value : values) out += fmt::format("{}0x{:0{}x}", out.empty() ? "" : ", ", value, digits);
-    return out;
+    return fig::text<kName>(std::move(out));
   }
 
   const NetworkView& view_;

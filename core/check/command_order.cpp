@@ -31,8 +31,9 @@ class OrderCheck {
   }
 
  private:
-  void add(std::string_view code, std::size_t cmd, std::string what) {
-    findings_.add(code, {PlaceKind::kSlaveInitCmd, slave_, cmd}, std::move(what));
+  template <FigureName... kNames>
+  void add(Sentence<kNames...> code, std::size_t cmd, Named<kNames>... figures) {
+    findings_.add<kNames...>(code, {PlaceKind::kSlaveInitCmd, slave_, cmd}, std::move(figures)...);
   }
 
   /// SyncManagers, FMMUs and SYNC0 are checked or used by the slave when it changes its state.
@@ -42,15 +43,15 @@ class OrderCheck {
     for (std::size_t i = *request + 1; i < config_.init_cmds.size(); ++i) {
       const InitCmd& cmd = config_.init_cmds[i];
       if (!has(cmd, transition) || !writes(cmd.command) || is_logical(cmd.command)) continue;
-      const std::string what = fmt::format("on {} it comes behind the request for {}", transition_name(transition),
-                                           al_state_name(target(transition)));
+      const auto on = fig::text<"transition">(std::string(transition_name(transition)));
+      const auto wanted = fig::text<"state">(std::string(al_state_name(target(transition))));
       if (in(cmd.ado, reg::kSyncManager, 0x80)) {
-        add("ENI-ORD-01", i, what);
+        add("ENI-ORD-01", i, on, wanted);
       } else if (in(cmd.ado, reg::kFmmu, 0x100)) {
-        add("ENI-ORD-02", i, what);
+        add("ENI-ORD-02", i, on, wanted);
       } else if (const auto assign = written_number(cmd, reg::kCyclicUnitControl, 2);
                  assign && AssignActivate{static_cast<std::uint16_t>(*assign)}.unit_on()) {
-        add("ENI-ORD-03", i, what);
+        add("ENI-ORD-03", i, on, wanted);
       }
     }
   }
@@ -63,11 +64,11 @@ class OrderCheck {
       if (!has(cmd, Transition::kIP)) continue;
       has_address = has_address || writes_register(cmd, reg::kStationAddress);
       if (is_fixed_address(cmd.command) && !has_address) {
-        add("ENI-ORD-04", i, fmt::format("{} comes before the station address is set (0x0010)", address_text(cmd)));
+        add("ENI-ORD-04", i, fig::text<"command">(address_text(cmd)));
         return;
       }
       if (const auto value = written_number(cmd, reg::kStationAddress, 2); value && *value != config_.station_address) {
-        add("ENI-ORD-07", i, fmt::format("it sets {}, PhysAddr is {}", *value, config_.station_address));
+        add("ENI-ORD-07", i, fig::count<"written">(*value), fig::count<"address">(config_.station_address));
       }
     }
   }
@@ -83,11 +84,11 @@ class OrderCheck {
         owner = (*value & 1) != 0 ? Owner::kSlave : Owner::kMaster;
       }
       if (writes_register(cmd, reg::kSiiControl) && owner != Owner::kMaster) {
-        add("ENI-ORD-05", i, "it reads the EEPROM, which does not belong to the master (0x0500 = 0) yet");
+        add("ENI-ORD-05", i);
         return;
       }
       if (request == i && owner == Owner::kMaster && config_.mailbox) {
-        add("ENI-ORD-06", i, "PREOP is requested while the EEPROM belongs to the master (0x0500 = 0)");
+        add("ENI-ORD-06", i);
       }
     }
   }
@@ -98,7 +99,7 @@ class OrderCheck {
     constexpr std::size_t kNone = static_cast<std::size_t>(-1);
     std::size_t asked = kNone;
     const auto unread = [&] {
-      if (asked != kNone) add("ENI-ORD-09", asked, "no command on IP reads 0x0508 before the next request");
+      if (asked != kNone) add("ENI-ORD-09", asked);
     };
     bool valid = false;  // an answer is there, perhaps read already
     for (std::size_t i = 0; i < config_.init_cmds.size(); ++i) {
@@ -109,8 +110,7 @@ class OrderCheck {
         valid = *control == kSiiRead && written_number(cmd, reg::kSiiAddress, 4).value_or(0) <= kLastWord;
         asked = valid ? i : kNone;
       } else if (!writes(cmd.command) && cmd.ado == reg::kSiiData) {
-        if (!valid && cmd.validate)
-          add("ENI-ORD-09", i, "it compares data of the EEPROM for which no valid command asks");
+        if (!valid && cmd.validate) add("ENI-ORD-09/unasked", i);
         asked = kNone;
       }
     }
@@ -136,8 +136,7 @@ void check_master(const NetworkView& view, Findings& findings) {
       return cmd.command == Command::kBwr && has(cmd, Transition::kIP) && writes_register(cmd, cleared_area.ado);
     });
     if (!cleared) {
-      findings.add("ENI-ORD-08", {PlaceKind::kMaster},
-                   fmt::format("no command of the master on IP clears the {}", cleared_area.what));
+      findings.add("ENI-ORD-08", {PlaceKind::kMaster}, fig::phrase<"registers">(cleared_area.what));
     }
   }
 }

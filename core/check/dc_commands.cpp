@@ -30,20 +30,17 @@ class DcCommandCheck {
     if (view_.drift_compensation) {
       check_drift_compensation(*view_.drift_compensation);
     } else if (!clocks_.empty()) {
-      findings_.add(
-          "ENI-DC-01", {PlaceKind::kDc, clocks_.front()},
-          fmt::format("{} slaves use distributed clocks, and no cyclic command distributes the time", clocks_.size()));
+      findings_.add("ENI-DC-01", {PlaceKind::kDc, clocks_.front()}, fig::count<"slaves">(clocks_.size()));
     }
     if (references_.size() > 1) {
-      findings_.add("ENI-DC-04", {PlaceKind::kDc, references_[1]},
-                    fmt::format("{} and {} are both the reference clock", view_.name(references_[0]),
-                                view_.name(references_[1])));
+      findings_.add("ENI-DC-04", {PlaceKind::kDc, references_[1]}, view_.slave<"first">(references_[0]),
+                    view_.slave<"second">(references_[1]));
     }
     for (const CyclicPlace& cyclic : view_.cyclic) {
       check_length(cyclic);
       check_steering(cyclic);
       if (is_sync_window(*cyclic.cmd) && clocks_.size() < 2) {
-        findings_.add("ENI-DC-06", cyclic.place(), fmt::format("{} slaves use distributed clocks", clocks_.size()));
+        findings_.add("ENI-DC-06", cyclic.place(), fig::count<"slaves">(clocks_.size()));
       }
     }
   }
@@ -61,29 +58,26 @@ class DcCommandCheck {
           return c.ado == reg::kReceiveTimePort0 && (c.command == Command::kNop || c.command == Command::kBwr);
         });
     if (!room) {
-      findings_.add("ENI-DC-02", armw.place(), fmt::format("no NOP to 0x0900 stands before {}", address_text(cmd)));
+      findings_.add("ENI-DC-02", armw.place(), fig::text<"command">(address_text(cmd)));
     }
     for (const AlState state : {AlState::kPreop, AlState::kSafeop, AlState::kOp}) {
       if (has(cmd, state)) continue;
-      findings_.add("ENI-DC-09", armw.place(),
-                    fmt::format("{} is not sent in {}", address_text(cmd), al_state_name(state)));
+      findings_.add("ENI-DC-09", armw.place(), fig::text<"command">(address_text(cmd)),
+                    fig::text<"state">(std::string(al_state_name(state))));
       break;
     }
     const auto addressee = view_.addressee(cmd.command, cmd.adp);
     if (!addressee) return;  // reported as addressing no slave
     if (references_.empty()) {
-      findings_.add("ENI-DC-03", armw.place(),
-                    fmt::format("{} takes the time of {}, and no slave is marked as reference clock", address_text(cmd),
-                                view_.name(*addressee)));
+      findings_.add("ENI-DC-03/none", armw.place(), fig::text<"command">(address_text(cmd)),
+                    view_.slave<"slave">(*addressee));
     } else if (std::ranges::find(references_, *addressee) == references_.end()) {
-      findings_.add("ENI-DC-03", armw.place(),
-                    fmt::format("{} takes the time of {}, the reference clock is {}", address_text(cmd),
-                                view_.name(*addressee), view_.name(references_.front())));
+      findings_.add("ENI-DC-03", armw.place(), fig::text<"command">(address_text(cmd)),
+                    view_.slave<"slave">(*addressee), view_.slave<"reference">(references_.front()));
     }
     for (const std::size_t slave : clocks_) {
       if (slave >= *addressee) break;
-      findings_.add("ENI-DC-07", {PlaceKind::kDc, slave},
-                    fmt::format("it stands before the reference clock, {}", view_.name(*addressee)));
+      findings_.add("ENI-DC-07", {PlaceKind::kDc, slave}, view_.slave<"reference">(*addressee));
     }
   }
 
@@ -92,10 +86,12 @@ class DcCommandCheck {
     if (is_logical(cmd.command) || cmd.command == Command::kNop) return;
     const bool time = cmd.ado == reg::kSystemTime && cmd.length() != 4 && cmd.length() != 8;
     const bool difference = cmd.ado == reg::kSystemTimeDifference && cmd.length() != 4;
-    if (time || difference) {
-      findings_.add(
-          "ENI-DC-08", cyclic.place(),
-          fmt::format("{} has {} bytes instead of 4{}", address_text(cmd), cmd.length(), time ? " or 8" : ""));
+    const auto place = cyclic.place();
+    if (time) {
+      findings_.add("ENI-DC-08", place, fig::text<"command">(address_text(cmd)), fig::count<"bytes">(cmd.length()));
+    } else if (difference) {
+      findings_.add("ENI-DC-08/difference", place, fig::text<"command">(address_text(cmd)),
+                    fig::count<"bytes">(cmd.length()));
     }
   }
 
@@ -106,15 +102,13 @@ class DcCommandCheck {
     const auto steered = view_.addressee(cmd.command, cmd.adp);
     const auto& armw = view_.drift_compensation;
     if (!armw) {
-      findings_.add("ENI-DC-05", cyclic.place(),
-                    fmt::format("{} steers a clock whose time nothing distributes", address_text(cmd)));
+      findings_.add("ENI-DC-05/nothing", cyclic.place(), fig::text<"command">(address_text(cmd)));
     } else if (steered && steered != view_.addressee(armw->cmd->command, armw->cmd->adp)) {
-      findings_.add("ENI-DC-05", cyclic.place(),
-                    fmt::format("{} steers {}, {} distributes the time of another", address_text(cmd),
-                                view_.name(*steered), address_text(*armw->cmd)));
+      findings_.add("ENI-DC-05", cyclic.place(), fig::text<"command">(address_text(cmd)),
+                    view_.slave<"slave">(*steered), fig::text<"distributor">(address_text(*armw->cmd)));
     } else if (std::tie(cyclic.task, cyclic.frame, cyclic.index) < std::tie(armw->task, armw->frame, armw->index)) {
-      findings_.add("ENI-DC-21", cyclic.place(),
-                    fmt::format("{} stands before {}", address_text(cmd), address_text(*armw->cmd)));
+      findings_.add("ENI-DC-21", cyclic.place(), fig::text<"command">(address_text(cmd)),
+                    fig::text<"distributor">(address_text(*armw->cmd)));
     }
   }
 

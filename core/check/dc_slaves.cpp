@@ -31,15 +31,15 @@ class DcSlaveCheck {
     if (activation_ && AssignActivate{activated()}.unit_on()) {
       check_activation(AssignActivate{activated()}, *activation_);
     } else if (config_.dc && config_.dc->cycle_time0 > 0 && !config_.init_cmds.empty()) {
-      add("ENI-DC-17", dc_place(),
-          fmt::format("CycleTime0 is {} ns, and no command on PS switches SYNC0 on", config_.dc->cycle_time0));
+      add("ENI-DC-17/off", dc_place(), fig::time<"cycle">(config_.dc->cycle_time0));
     }
     if (config_.dc) check_element(*config_.dc);
   }
 
  private:
-  void add(std::string_view code, const ConfigPlace& place, std::string what) {
-    findings_.add(code, place, std::move(what));
+  template <FigureName... kNames>
+  void add(Sentence<kNames...> code, const ConfigPlace& place, Named<kNames>... figures) {
+    findings_.add<kNames...>(code, place, std::move(figures)...);
   }
   [[nodiscard]] ConfigPlace dc_place() const { return {PlaceKind::kDc, slave_}; }
   [[nodiscard]] ConfigPlace place(const Written& written) const {
@@ -58,26 +58,23 @@ class DcSlaveCheck {
 
   void check_activation(const AssignActivate& assign, const Written& written) {
     if (assign.sync1() && !assign.sync0()) {
-      add("ENI-DC-12", place(written), fmt::format("0x{:04x} switches SYNC1 on without SYNC0", assign.value));
+      add("ENI-DC-12", place(written), fig::hex<"activation">(assign.value));
     }
     if (assign.sync0()) {
       if (!cycle0_ || cycle0_->value == 0) {
-        add("ENI-DC-10", place(written),
-            cycle0_ ? "SYNC0 is switched on with a cycle time of 0"
-                    : "SYNC0 is switched on, and nothing writes its cycle time (0x09A0)");
+        cycle0_ ? add("ENI-DC-10", place(written)) : add("ENI-DC-10/never", place(written));
       } else if (cycle0_->cmd > written.cmd) {
-        add("ENI-DC-13", place(written), "SYNC0 is switched on (0x0980) before its cycle time is set (0x09A0)");
+        add("ENI-DC-13", place(written));
       }
       if (!start_) {
-        add("ENI-DC-14", place(written), "SYNC0 is switched on, and nothing writes its start time (0x0990)");
+        add("ENI-DC-14", place(written));
       } else if (start_->cmd > written.cmd) {
-        add("ENI-DC-13", place(written), "SYNC0 is switched on (0x0980) before its start time is set (0x0990)");
+        add("ENI-DC-13/start", place(written));
       }
       check_switched_off(written);
     }
     if (!config_.dc) {
-      add("ENI-DC-17", {PlaceKind::kSlave, slave_},
-          fmt::format("an init command writes 0x{:04x} to 0x0980, and there is no DC element", assign.value));
+      add("ENI-DC-17", {PlaceKind::kSlave, slave_}, fig::hex<"activation">(assign.value));
     }
   }
 
@@ -88,46 +85,39 @@ class DcSlaveCheck {
       });
       if (off) return;
     }
-    add("ENI-DC-16", place(written), "no init command on SP or SI switches SYNC0 off again");
+    add("ENI-DC-16", place(written));
   }
 
   void check_element(const SlaveDcConfig& dc) {
     if (cycle0_ && static_cast<std::int64_t>(cycle0_->value) != dc.cycle_time0) {
-      add("ENI-DC-11", place(*cycle0_),
-          fmt::format("0x09A0 is set to {} ns, CycleTime0 says {} ns", cycle0_->value, dc.cycle_time0));
+      add("ENI-DC-11", place(*cycle0_), fig::time<"written">(cycle0_->value), fig::time<"said">(dc.cycle_time0));
     }
     // CycleTime1 is the distance of SYNC1 from SYNC0 and may be negative.
     if (cycle1_ && static_cast<std::int64_t>(cycle1_->value) != dc.cycle_time1 &&
         static_cast<std::int32_t>(cycle1_->value) != dc.cycle_time1) {
-      add("ENI-DC-11", place(*cycle1_),
-          fmt::format("0x09A4 is set to {} ns, CycleTime1 says {} ns", cycle1_->value, dc.cycle_time1));
+      add("ENI-DC-11/sync1", place(*cycle1_), fig::time<"written">(cycle1_->value), fig::time<"said">(dc.cycle_time1));
     }
     if (start_ && static_cast<std::int32_t>(start_->value) != dc.shift_time) {
-      add("ENI-DC-15", place(*start_),
-          fmt::format("0x0990 is set to {} ns, ShiftTime says {} ns", static_cast<std::int32_t>(start_->value),
-                      dc.shift_time));
+      add("ENI-DC-15", place(*start_), fig::time<"written">(static_cast<std::int32_t>(start_->value)),
+          fig::time<"said">(dc.shift_time));
     }
     if (dc.cycle_time1 != 0 && activation_ && AssignActivate{activated()}.sync0() &&
         !AssignActivate{activated()}.sync1()) {
-      add("ENI-DC-20", dc_place(),
-          fmt::format("CycleTime1 is {} ns, and 0x{:04x} does not switch SYNC1 on", dc.cycle_time1, activated()));
+      add("ENI-DC-20", dc_place(), fig::time<"time">(dc.cycle_time1), fig::hex<"activation">(activated()));
     }
     if (dc.cycle_time0 > 0) check_cycle(dc);
   }
 
   void check_cycle(const SlaveDcConfig& dc) {
     if (dc.shift_time >= dc.cycle_time0 || dc.shift_time <= -dc.cycle_time0) {
-      add("ENI-DC-19", dc_place(),
-          fmt::format("ShiftTime is {} ns, the SYNC0 cycle {} ns", dc.shift_time, dc.cycle_time0));
+      add("ENI-DC-19", dc_place(), fig::time<"shift">(dc.shift_time), fig::time<"cycle">(dc.cycle_time0));
     }
     const auto fits = [&](const CyclicTask& task) {
       return task.cycle_time > 0 && (dc.cycle_time0 % task.cycle_time == 0 || task.cycle_time % dc.cycle_time0 == 0);
     };
     const auto& tasks = view_.config.cyclic;
     if (!tasks.empty() && std::ranges::none_of(tasks, fits)) {
-      add("ENI-DC-18", dc_place(),
-          fmt::format("the SYNC0 cycle of {} ns and the task's cycle of {} ns are no multiples of each other",
-                      dc.cycle_time0, tasks.front().cycle_time));
+      add("ENI-DC-18", dc_place(), fig::time<"sync0">(dc.cycle_time0), fig::time<"cycle">(tasks.front().cycle_time));
     }
   }
 

@@ -22,20 +22,18 @@ void check_dialects(const NetworkView& view, Findings& findings) {
   const NetworkConfig& config = view.config;
   for (std::size_t t = 0; t < config.cyclic.size(); ++t) {
     if (!config.cyclic[t].cycle_time_given) {
-      findings.add("ENI-DIA-01", {PlaceKind::kTask, t}, "there is no CycleTime");
+      findings.add("ENI-DIA-01", {PlaceKind::kTask, t});
     }
   }
   if (config.image.command_data_offset != 0) {
-    findings.add("ENI-DIA-02", {PlaceKind::kImage},
-                 fmt::format("InputOffs and OutputOffs count datagram headers, the data stand {} bytes behind",
-                             config.image.command_data_offset));
+    findings.add("ENI-DIA-02", {PlaceKind::kImage}, fig::count<"bytes">(config.image.command_data_offset));
   }
   if (const auto& drift = view.drift_compensation; drift && drift->cmd->command == Command::kFrmw) {
-    findings.add("ENI-DIA-03", drift->place(), "the reference clock is addressed by its station address (FRMW)");
+    findings.add("ENI-DIA-03", drift->place());
   }
   for (std::size_t i = 0; i < config.slaves.size(); ++i) {
     if (!config.slaves[i].init_cmds.empty() && !checks_identity(config.slaves[i])) {
-      findings.add("ENI-DIA-04", {PlaceKind::kSlave, i}, "no init command compares vendor or product with the EEPROM");
+      findings.add("ENI-DIA-04", {PlaceKind::kSlave, i});
     }
   }
 }

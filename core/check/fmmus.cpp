@@ -38,28 +38,31 @@ class FmmuCheck {
         check(i, write);
       }
       for (const FmmuWrite& write : view_.registers[i].idle_fmmus) {
-        add("ENI-FMMU-01", i, write,
-            fmt::format("it maps {} bytes at 0x{:08x} and is not active", write.fmmu.length, write.fmmu.logical_start));
+        add("ENI-FMMU-01/idle", i, write, fig::count<"bytes">(write.fmmu.length),
+            fig::hex<"logical">(write.fmmu.logical_start, 8));
       }
     }
     check_shared();
   }
 
  private:
-  void add(std::string_view code, std::size_t slave, const FmmuWrite& write, const std::string& what) {
-    findings_.add(code, {PlaceKind::kSlaveInitCmd, slave, write.cmd}, fmt::format("FMMU {}: {}", write.number, what));
+  template <FigureName... kNames>
+  void add(Sentence<"fmmu", kNames...> code, std::size_t slave, const FmmuWrite& write, Named<kNames>... figures) {
+    findings_.add<"fmmu", kNames...>(code, {PlaceKind::kSlaveInitCmd, slave, write.cmd},
+                                     fig::count<"fmmu">(write.number), std::move(figures)...);
   }
 
   void check(std::size_t slave, const FmmuWrite& write) {
     const Fmmu& fmmu = write.fmmu;
     if (fmmu.bit_length() == 0 || (!fmmu.read && !fmmu.write) || logical_bytes(fmmu).end > std::uint64_t{1} << 32) {
-      return add("ENI-FMMU-01", slave, write,
-                 fmt::format("{} bytes from bit {} to bit {} at 0x{:08x}, {}", fmmu.length, fmmu.logical_start_bit,
-                             fmmu.logical_stop_bit, fmmu.logical_start,
-                             fmmu.read || fmmu.write ? "active" : "active for neither reading nor writing"));
+      return add(
+          "ENI-FMMU-01", slave, write, fig::count<"bytes">(fmmu.length),
+          fig::count<"first_bit">(fmmu.logical_start_bit), fig::count<"last_bit">(fmmu.logical_stop_bit),
+          fig::hex<"logical">(fmmu.logical_start, 8),
+          fig::phrase<"activity">(fmmu.read || fmmu.write ? "active" : "active for neither reading nor writing"));
     }
     if (write.reserved_bits) {
-      add("ENI-FMMU-01", slave, write, "bits are set that have to be 0");
+      add("ENI-FMMU-01/reserved", slave, write);
     }
     check_carried(slave, write);
     if (maps_process_data(fmmu)) {
@@ -69,17 +72,15 @@ class FmmuCheck {
 
   void check_carried(std::size_t slave, const FmmuWrite& write) {
     const Range bytes = logical_bytes(write.fmmu);
-    const auto report = [&](std::string_view code, const char* direction, const char* state) {
-      add(code, slave, write,
-          fmt::format("no cyclic command {} 0x{:08x} to 0x{:08x} in {}", direction, bytes.begin, bytes.end - 1, state));
-    };
+    const auto first = fig::hex<"first">(bytes.begin, 8);
+    const auto last = fig::hex<"last">(bytes.end - 1, 8);
     if (write.fmmu.read && !covered(bytes, inputs_op_)) {
-      report("ENI-FMMU-02", "reads", "OP");
+      add("ENI-FMMU-02", slave, write, first, last);
     } else if (write.fmmu.read && !covered(bytes, inputs_safeop_)) {
-      report("ENI-FMMU-03", "reads", "SAFEOP");
+      add("ENI-FMMU-03", slave, write, first, last);
     }
     if (write.fmmu.write && !covered(bytes, outputs_op_)) {
-      report("ENI-FMMU-02", "writes", "OP");
+      add("ENI-FMMU-02/outputs", slave, write, first, last);
     }
   }
 
@@ -94,24 +95,21 @@ class FmmuCheck {
     });
     if (touched == managers.end()) {
       if (is_described(slave, memory)) return;  // that the SyncManager is off is said where it is described
-      add("ENI-FMMU-04", slave, write,
-          fmt::format("memory 0x{:04x} to 0x{:04x} belongs to no SyncManager that is on", memory.begin,
-                      memory.end - 1));
+      add("ENI-FMMU-04", slave, write, fig::hex<"first">(memory.begin), fig::hex<"last">(memory.end - 1));
       return;
     }
     const SyncManager& manager = touched->manager;
     const Range buffer = with_neighbours(slave, manager);
     if (contradicts_itself(slave, *touched)) return;
     if (manager.is_mailbox() || manager.ecat_writes() != fmmu.write) {
-      add("ENI-FMMU-05", slave, write,
-          fmt::format("it {} SM{}, which is {}", fmmu.write ? "writes" : "reads", touched->number,
-                      manager.is_mailbox()    ? "a mailbox"
-                      : manager.ecat_writes() ? "for outputs"
-                                              : "for inputs"));
+      add("ENI-FMMU-05", slave, write, fig::phrase<"does">(fmmu.write ? "writes" : "reads"),
+          fig::count<"manager">(touched->number),
+          fig::phrase<"kind">(manager.is_mailbox()    ? "a mailbox"
+                              : manager.ecat_writes() ? "for outputs"
+                                                      : "for inputs"));
     } else if (memory != buffer) {
-      add("ENI-FMMU-06", slave, write,
-          fmt::format("it maps 0x{:04x} to 0x{:04x}, SM{} is 0x{:04x} to 0x{:04x}", memory.begin, memory.end - 1,
-                      touched->number, buffer.begin, buffer.end - 1));
+      add("ENI-FMMU-06", slave, write, fig::hex<"first">(memory.begin), fig::hex<"last">(memory.end - 1),
+          fig::count<"manager">(touched->number), fig::hex<"begin">(buffer.begin), fig::hex<"end">(buffer.end - 1));
     }
   }
 
@@ -176,9 +174,10 @@ class FmmuCheck {
       collect(ranges, mappings, inputs);
       for (const auto& [first, second] : overlaps(ranges)) {
         const Mapping& mapping = mappings[second];
-        add(inputs ? "ENI-FMMU-07" : "ENI-FMMU-08", mapping.slave, *mapping.write,
-            fmt::format("it {} bits that FMMU {} of {} {}, too", inputs ? "gives" : "takes",
-                        mappings[first].write->number, view_.name(mappings[first].slave), inputs ? "gives" : "takes"));
+        const auto number = fig::count<"number">(mappings[first].write->number);
+        const auto other = view_.slave<"other">(mappings[first].slave);
+        inputs ? add("ENI-FMMU-07", mapping.slave, *mapping.write, number, other)
+               : add("ENI-FMMU-08", mapping.slave, *mapping.write, number, other);
       }
     }
   }
@@ -202,9 +201,8 @@ void check_unmapped(const NetworkView& view, Findings& findings) {
                                            (fmmu.fmmu.physical_start_bit + fmmu.fmmu.bit_length() + 7) / 8});
       });
       if (!mapped) {
-        findings.add("ENI-FMMU-09", {PlaceKind::kSyncManager, i, m},
-                     fmt::format("SM{} carries {} bytes of process data that no FMMU maps", write->number,
-                                 write->manager.length));
+        findings.add("ENI-FMMU-09", {PlaceKind::kSyncManager, i, m}, fig::count<"manager">(write->number),
+                     fig::count<"bytes">(write->manager.length));
       }
     }
   }

@@ -22,8 +22,8 @@ void check_sizes(const NetworkView& view, Findings& findings) {
         bytes += compiler::kDatagramOverhead + std::max<std::uint64_t>(cmd.length(), cmd.data.size());
       }
       if (bytes > compiler::kMaxDatagramBytes) {
-        findings.add("ENI-FRM-01", {PlaceKind::kFrame, t, f},
-                     fmt::format("its datagrams take {} bytes, {} fit", bytes, compiler::kMaxDatagramBytes));
+        findings.add("ENI-FRM-01", {PlaceKind::kFrame, t, f}, fig::count<"bytes">(bytes),
+                     fig::count<"most">(compiler::kMaxDatagramBytes));
       }
     }
   }
@@ -32,17 +32,16 @@ void check_sizes(const NetworkView& view, Findings& findings) {
     for (std::size_t c = 0; c < commands.size(); ++c) {
       const auto length = std::max<std::size_t>(commands[c].length(), commands[c].data.size());
       if (length > kMaxData) {
-        findings.add("ENI-FRM-01", {PlaceKind::kSlaveInitCmd, i, c},
-                     fmt::format("it has {} bytes, {} fit", length, kMaxData));
+        findings.add("ENI-FRM-01/command", {PlaceKind::kSlaveInitCmd, i, c}, fig::count<"bytes">(length),
+                     fig::count<"most">(kMaxData));
       } else if (length == 0 && commands[c].command != Command::kNop) {
-        findings.add("ENI-FRM-02", {PlaceKind::kSlaveInitCmd, i, c},
-                     fmt::format("{} has no bytes", address_text(commands[c])));
+        findings.add("ENI-FRM-02", {PlaceKind::kSlaveInitCmd, i, c}, fig::text<"command">(address_text(commands[c])));
       }
     }
   }
   for (const CyclicPlace& cyclic : view.cyclic) {
     if (cyclic.cmd->length() == 0 && cyclic.cmd->command != Command::kNop) {
-      findings.add("ENI-FRM-02", cyclic.place(), fmt::format("{} has no bytes", address_text(*cyclic.cmd)));
+      findings.add("ENI-FRM-02", cyclic.place(), fig::text<"command">(address_text(*cyclic.cmd)));
     }
   }
 }
@@ -63,9 +62,8 @@ void check_twice(const NetworkView& view, bool inputs, Findings& findings) {
     // An LRW that meets an LRW carries both directions twice: once is enough to say so.
     const bool said = !inputs && one.cmd->command == Command::kLrw && other.cmd->command == Command::kLrw;
     if (together && !said) {
-      findings.add("ENI-FRM-04", other.place(),
-                   fmt::format("{} and {} carry the same {}", address_text(*one.cmd), address_text(*other.cmd),
-                               inputs ? "inputs" : "outputs"));
+      findings.add("ENI-FRM-04", other.place(), fig::text<"first">(address_text(*one.cmd)),
+                   fig::text<"second">(address_text(*other.cmd)), fig::phrase<"data">(inputs ? "inputs" : "outputs"));
     }
   }
 }
@@ -75,7 +73,7 @@ void check_status(const NetworkView& view, Findings& findings) {
     return cyclic.cmd->command == Command::kBrd && cyclic.cmd->ado == reg::kAlStatus;
   });
   if (!view.cyclic.empty() && !read) {
-    findings.add("ENI-FRM-03", {PlaceKind::kTask, 0}, "no cyclic BRD reads 0x0130");
+    findings.add("ENI-FRM-03", {PlaceKind::kTask, 0});
   }
 }
 
@@ -86,9 +84,9 @@ void check_copies(const NetworkView& view, Findings& findings) {
     for (const CopyInfo& copy : cyclic.cmd->copy_infos) {
       if (std::uint64_t{copy.source_bit} + copy.bit_size > inputs ||
           std::uint64_t{copy.destination_bit} + copy.bit_size > outputs) {
-        findings.add("ENI-IMG-11", cyclic.place(),
-                     fmt::format("{} bits are copied from input bit {} to output bit {}, the image has {} and {}",
-                                 copy.bit_size, copy.source_bit, copy.destination_bit, inputs, outputs));
+        findings.add("ENI-IMG-11", cyclic.place(), fig::count<"bits">(copy.bit_size),
+                     fig::count<"from">(copy.source_bit), fig::count<"to">(copy.destination_bit),
+                     fig::count<"inputs">(inputs), fig::count<"outputs">(outputs));
       }
     }
   }

@@ -14,16 +14,14 @@ void check_members(const NetworkView& view, std::size_t head, Findings& findings
   const HotConnectConfig& group = *slaves[head].hot_connect;
   const ConfigPlace place{PlaceKind::kHotConnect, head};
   if (head + group.member_count > slaves.size()) {
-    findings.add("ENI-HC-01", place,
-                 fmt::format("group \"{}\" has {} members, but only {} slaves are left from here", group.group,
-                             group.member_count, slaves.size() - head));
+    findings.add("ENI-HC-01", place, fig::text<"group">(group.group), fig::count<"members">(group.member_count),
+                 fig::count<"left">(slaves.size() - head));
     return;
   }
   for (std::size_t i = head + 1; i < head + group.member_count; ++i) {
     if (slaves[i].hot_connect) {
-      findings.add("ENI-HC-01", place,
-                   fmt::format("group \"{}\" has {} members, but {} begins a group of its own", group.group,
-                               group.member_count, view.name(i)));
+      findings.add("ENI-HC-01/other", place, fig::text<"group">(group.group), fig::count<"members">(group.member_count),
+                   view.slave<"slave">(i));
       return;
     }
   }
@@ -34,8 +32,7 @@ void check_identification(const NetworkView& view, std::size_t head, Findings& f
   const bool compares = std::ranges::any_of(
       group.identify_cmds, [](const InitCmd& cmd) { return cmd.validate && !cmd.validate->data.empty(); });
   if (!compares) {
-    findings.add("ENI-HC-02", {PlaceKind::kHotConnect, head},
-                 fmt::format("group \"{}\" has no IdentifyCmd that compares what it reads", group.group));
+    findings.add("ENI-HC-02", {PlaceKind::kHotConnect, head}, fig::text<"group">(group.group));
   }
 }
 
@@ -51,8 +48,8 @@ void check_hot_connect(const NetworkView& view, Findings& findings) {
     const auto alias = slaves[i].hot_connect->alias();
     if (!alias) continue;
     if (const auto [it, is_new] = aliases.emplace(*alias, i); !is_new) {
-      findings.add("ENI-HC-03", {PlaceKind::kHotConnect, i},
-                   fmt::format("alias {} identifies the group of {}, too", *alias, view.name(it->second)));
+      findings.add("ENI-HC-03", {PlaceKind::kHotConnect, i}, fig::count<"alias">(*alias),
+                   view.slave<"slave">(it->second));
     }
   }
 }

@@ -54,9 +54,9 @@ void check_identity(const NetworkView& view, std::size_t slave, Findings& findin
     for (std::size_t b = 0; b < expected.data.size() && b < (32U - part.shift) / 8; ++b) {
       const std::uint8_t mask = b < expected.mask.size() ? expected.mask[b] : expected.mask.empty() ? 0xFF : 0;
       if (((expected.data[b] ^ said >> (8 * b)) & mask) == 0) continue;
-      findings.add("ENI-REF-10", {PlaceKind::kSlaveInitCmd, slave, i},
-                   fmt::format("{} is 0x{:08x} in Info, the command expects the bytes {}", part.field->name,
-                               config.identity.*part.field->member, hex_text(expected.data)));
+      findings.add(
+          "ENI-REF-10", {PlaceKind::kSlaveInitCmd, slave, i}, fig::text<"field">(std::string(part.field->name)),
+          fig::hex<"said">(config.identity.*part.field->member, 8), fig::text<"expected">(hex_text(expected.data)));
       break;
     }
   }

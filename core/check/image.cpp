@@ -34,16 +34,16 @@ class VariableCheck {
       const Variable& variable = variables_[i];
       const auto* type = coe::find_data_type(variable.data_type);
       if (type != nullptr && type->bits != 0 && type->bits != variable.bit_size) {
-        add("ENI-IMG-07", i,
-            fmt::format("\"{}\" is a {} of {} bits, which has {}", variable.name, variable.data_type, variable.bit_size,
-                        type->bits));
+        add("ENI-IMG-07", i, fig::text<"variable">(variable.name), fig::text<"type">(variable.data_type),
+            fig::count<"bits">(variable.bit_size), fig::count<"has">(type->bits));
       }
     }
   }
 
  private:
-  void add(std::string_view code, std::size_t variable, std::string what) {
-    findings_.add(code, {kind_, variable}, std::move(what));
+  template <FigureName... kNames>
+  void add(Sentence<kNames...> code, std::size_t variable, Named<kNames>... figures) {
+    findings_.add<kNames...>(code, {kind_, variable}, std::move(figures)...);
   }
 
   void check_places() {
@@ -57,9 +57,8 @@ class VariableCheck {
       if (frame_image_ && bits.begin >= image_.end) {
         behind.take(i);
       } else {
-        add("ENI-IMG-01", i,
-            fmt::format("\"{}\" takes bits {} to {}, the image has {}", variables_[i].name, bits.begin,
-                        std::max<std::uint64_t>(bits.end, 1) - 1, image_.end));
+        add("ENI-IMG-01", i, fig::text<"variable">(variables_[i].name), fig::count<"first">(bits.begin),
+            fig::count<"last">(std::max<std::uint64_t>(bits.end, 1) - 1), fig::count<"image">(image_.end));
       }
     }
     Diagnosis shared;
@@ -67,12 +66,12 @@ class VariableCheck {
       if (is_diagnosis(second)) {
         shared.take(second);
       } else {
-        add("ENI-IMG-03", second,
-            fmt::format("\"{}\" shares bits with \"{}\"", variables_[second].name, variables_[first].name));
+        add("ENI-IMG-03", second, fig::text<"variable">(variables_[second].name),
+            fig::text<"other">(variables_[first].name));
       }
     }
-    report("ENI-IMG-02", behind, "lie behind the image");
-    report("ENI-IMG-12", shared, "share bits with others");
+    report("ENI-IMG-02", behind);
+    report("ENI-IMG-12", shared);
   }
 
   struct Diagnosis {
@@ -81,10 +80,10 @@ class VariableCheck {
       if (count++ == 0) first = variable;
     }
   };
-  void report(std::string_view code, const Diagnosis& found, const char* what) {
+  void report(Sentence<"count", "variable"> code, const Diagnosis& found) {
     if (found.count > 0) {
-      add(code, found.first,
-          fmt::format("{} variables, \"{}\" and others, {}", found.count, variables_[found.first].name, what));
+      add<"count", "variable">(code, found.first, fig::count<"count">(found.count),
+                               fig::text<"variable">(variables_[found.first].name));
     }
   }
   [[nodiscard]] bool is_diagnosis(std::size_t variable) const {
@@ -96,7 +95,7 @@ class VariableCheck {
     for (std::size_t i = 0; i < variables_.size(); ++i) {
       if (variables_[i].name.empty()) continue;
       if (!first.emplace(variables_[i].name, i).second) {
-        add("ENI-IMG-06", i, fmt::format("two variables have the name \"{}\"", variables_[i].name));
+        add("ENI-IMG-06", i, fig::text<"variable">(variables_[i].name));
       }
     }
   }
@@ -119,14 +118,14 @@ void check_slave_ranges(const NetworkView& view, std::optional<ImageRange> Slave
     if (!range) continue;
     ranges.push_back({bits_of(*range), i});
     if (!image.contains(bits_of(*range))) {
-      findings.add("ENI-IMG-04", {PlaceKind::kSlave, i},
-                   fmt::format("{} takes {} bits from bit {}, the image has {}", name, range->bit_length,
-                               range->bit_start, image.end));
+      findings.add("ENI-IMG-04", {PlaceKind::kSlave, i}, fig::text<"element">(name),
+                   fig::count<"bits">(range->bit_length), fig::count<"first">(range->bit_start),
+                   fig::count<"image">(image.end));
     }
   }
   for (const auto& [first, second] : overlaps(ranges)) {
-    findings.add("ENI-IMG-05", {PlaceKind::kSlave, ranges[second].owner},
-                 fmt::format("{} shares bits of the image with {}", name, view.name(ranges[first].owner)));
+    findings.add("ENI-IMG-05", {PlaceKind::kSlave, ranges[second].owner}, fig::text<"element">(name),
+                 view.slave<"slave">(ranges[first].owner));
   }
 }
 

@@ -26,15 +26,14 @@ void check_commands(const NetworkView& view, bool inputs, std::uint32_t size, Fi
     const Range bytes = image_bytes(view, cmd, inputs ? cmd.input_offset : cmd.output_offset);
     ranges.push_back({bytes, i});
     if (bytes.end > size) {
-      findings.add("ENI-IMG-08", view.cyclic[i].place(),
-                   fmt::format("its {} take bytes {} to {}, the image has {}", inputs ? "inputs" : "outputs",
-                               bytes.begin, bytes.end, size));
+      findings.add("ENI-IMG-08", view.cyclic[i].place(), fig::phrase<"data">(inputs ? "inputs" : "outputs"),
+                   fig::count<"first">(bytes.begin), fig::count<"last">(bytes.end), fig::count<"image">(size));
     }
   }
   for (const auto& [first, second] : overlaps(ranges)) {
     findings.add("ENI-IMG-09", view.cyclic[ranges[second].owner].place(),
-                 fmt::format("its {} share bytes of the image with {}", inputs ? "inputs" : "outputs",
-                             address_text(*view.cyclic[ranges[first].owner].cmd)));
+                 fig::phrase<"data">(inputs ? "inputs" : "outputs"),
+                 fig::text<"command">(address_text(*view.cyclic[ranges[first].owner].cmd)));
   }
 }
 
@@ -85,9 +84,8 @@ void check_direction(const NetworkView& view, bool inputs, Findings& findings) {
       }
     }
     if (first && *first != range->bit_start) {
-      findings.add("ENI-IMG-10", {PlaceKind::kSlave, i},
-                   fmt::format("{} starts at bit {}, the FMMUs and cyclic commands put the data at bit {}",
-                               inputs ? "Recv" : "Send", range->bit_start, *first));
+      findings.add("ENI-IMG-10", {PlaceKind::kSlave, i}, fig::text<"element">(inputs ? "Recv" : "Send"),
+                   fig::count<"said">(range->bit_start), fig::count<"computed">(*first));
     }
   }
 }

@@ -23,7 +23,7 @@ class MailboxCheck {
     if (mailbox_.status_bit_address) {
       check_status_bit(*mailbox_.status_bit_address);
     } else if (!mailbox_.poll_time_ms) {
-      add("ENI-MBX-05", "Recv has neither PollTime nor StatusBitAddr");
+      add("ENI-MBX-05");
     }
     check_memory();
   }
@@ -33,16 +33,16 @@ class MailboxCheck {
     const bool sends = check_channel(mailbox_.send, "Send");
     const bool receives = check_channel(mailbox_.receive, "Recv");
     if (sends && receives && range(mailbox_.send).overlaps(range(mailbox_.receive))) {
-      return add("ENI-MBX-02", fmt::format("Send (0x{:04x}, {} bytes) and Recv (0x{:04x}, {} bytes) share memory",
-                                           mailbox_.send.start, mailbox_.send.length, mailbox_.receive.start,
-                                           mailbox_.receive.length));
+      return add("ENI-MBX-02", fig::hex<"send">(mailbox_.send.start), fig::count<"send_bytes">(mailbox_.send.length),
+                 fig::hex<"receive">(mailbox_.receive.start), fig::count<"receive_bytes">(mailbox_.receive.length));
     }
     if (sends) check_manager(0, mailbox_.send, "Send");
     if (receives) check_manager(1, mailbox_.receive, "Recv");
   }
 
-  void add(std::string_view code, std::string what) {
-    findings_.add(code, {PlaceKind::kMailbox, slave_}, std::move(what));
+  template <FigureName... kNames>
+  void add(Sentence<kNames...> code, Named<kNames>... figures) {
+    findings_.add<kNames...>(code, {PlaceKind::kMailbox, slave_}, std::move(figures)...);
   }
   static Range range(const MailboxChannel& channel) {
     return {channel.start, std::uint64_t{channel.start} + channel.length};
@@ -52,7 +52,8 @@ class MailboxCheck {
     if (channel.length >= kSmallestCoeMailbox && channel.length <= kLargestDatagram && channel.start >= 0x0F00) {
       return true;
     }
-    add("ENI-MBX-01", fmt::format("{} has {} bytes at 0x{:04x}", name, channel.length, channel.start));
+    add("ENI-MBX-01", fig::text<"element">(name), fig::count<"bytes">(channel.length),
+        fig::hex<"start">(channel.start));
     return false;
   }
 
@@ -61,21 +62,20 @@ class MailboxCheck {
     const SyncManagerWrite* write = view_.registers[slave_].manager(number);
     if (write == nullptr) {
       if (!view_.config.slaves[slave_].init_cmds.empty()) {
-        add("ENI-MBX-03", fmt::format("no init command on IP enables SM{} for {}", number, name));
+        add("ENI-MBX-03", fig::count<"manager">(number), fig::text<"element">(name));
       }
       return;
     }
     const ConfigPlace place{PlaceKind::kSlaveInitCmd, slave_, write->cmd};
     const SyncManager& manager = write->manager;
     if (manager.start != channel.start || manager.length != channel.length) {
-      findings_.add("ENI-MBX-04", place,
-                    fmt::format("SM{} is set to {} bytes at 0x{:04x}, {} says {} bytes at 0x{:04x}", number,
-                                manager.length, manager.start, name, channel.length, channel.start));
+      findings_.add("ENI-MBX-04", place, fig::count<"manager">(number), fig::count<"bytes">(manager.length),
+                    fig::hex<"start">(manager.start), fig::text<"element">(name),
+                    fig::count<"said_bytes">(channel.length), fig::hex<"said_start">(channel.start));
     }
     if (!manager.is_mailbox() || manager.ecat_writes() != (number == 0)) {
-      findings_.add("ENI-MBX-09", place,
-                    fmt::format("the control byte 0x{:02x} does not make SM{} a mailbox for {}", manager.control,
-                                number, number == 0 ? "requests" : "answers"));
+      findings_.add("ENI-MBX-09", place, fig::hex<"control">(manager.control, 2), fig::count<"manager">(number),
+                    fig::phrase<"use">(number == 0 ? "requests" : "answers"));
     }
   }
 
@@ -84,10 +84,9 @@ class MailboxCheck {
     const bool coe_missing = !mailbox_.coe && !mailbox_.coe_commands.empty();
     const bool soe_missing = !mailbox_.soe && !mailbox_.soe_commands.empty();
     if (coe_missing || soe_missing) {
-      add("ENI-MBX-06",
-          fmt::format("there are {0} start-up commands, and no Protocol says {0}", coe_missing ? "CoE" : "SoE"));
+      add("ENI-MBX-06", fig::text<"protocol">(coe_missing ? "CoE" : "SoE"));
     } else if (!any) {
-      add("ENI-MBX-10", "no Protocol is named");
+      add("ENI-MBX-10");
     }
   }
 
@@ -104,11 +103,11 @@ class MailboxCheck {
              has(*cyclic.cmd, AlState::kPreop) && logical_bytes(*cyclic.cmd).contains({logical / 8, logical / 8 + 1});
     });
     if (bit >= master.mailbox_state_count.value_or(0)) {
-      add("ENI-MBX-07",
-          fmt::format("status bit {}, and MailboxStates counts {}", bit, master.mailbox_state_count.value_or(0)));
-    } else if (!mapped || !read) {
-      add("ENI-MBX-07", fmt::format("status bit {} is {}", bit,
-                                    mapped ? "not read by a cyclic command in PREOP" : "mapped by no FMMU on IP"));
+      add("ENI-MBX-07", fig::count<"bit">(bit), fig::count<"counted">(master.mailbox_state_count.value_or(0)));
+    } else if (!mapped) {
+      add("ENI-MBX-07/unmapped", fig::count<"bit">(bit));
+    } else if (!read) {
+      add("ENI-MBX-07/unread", fig::count<"bit">(bit));
     }
   }
 
@@ -128,9 +127,8 @@ void check_mailboxes(const NetworkView& view, Findings& findings) {
     MailboxCheck(view, i, findings).run();
     if (!mailbox->status_bit_address) continue;
     if (const auto [it, is_new] = bits.emplace(*mailbox->status_bit_address, i); !is_new) {
-      findings.add(
-          "ENI-MBX-08", {PlaceKind::kMailbox, i},
-          fmt::format("status bit {} belongs to {}, too", *mailbox->status_bit_address, view.name(it->second)));
+      findings.add("ENI-MBX-08", {PlaceKind::kMailbox, i}, fig::count<"bit">(*mailbox->status_bit_address),
+                   view.slave<"slave">(it->second));
     }
   }
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "check/network_view.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <map>
 
@@ -104,11 +102,6 @@ std::optional<std::size_t> NetworkView::addressee(Command command, std::uint16_t
   }
   const std::size_t position = static_cast<std::uint16_t>(0U - adp);
   return is_auto_increment(command) && position < config.slaves.size() ? std::optional(position) : std::nullopt;
-}
-
-std::string NetworkView::name(std::size_t slave) const {
-  return slave < config.slaves.size() ? fmt::format("slave {} ({})", slave, config.slaves[slave].name)
-                                      : fmt::format("slave {}", slave);
 }
 
 std::uint16_t NetworkView::assign_activate(std::size_t slave) const {

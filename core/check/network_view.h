@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "check/check_network.h"
+#include "findings/sentence.h"
+#include "findings/words/eni.h"
 #include "protocol/fmmu.h"
 #include "protocol/sync_manager.h"
 
@@ -62,7 +64,10 @@ class NetworkView {
   /// Slave that a command with one addressee goes to.
   [[nodiscard]] std::optional<std::size_t> addressee(Command command, std::uint16_t adp) const;
   /// "slave 3 (Drive)"
-  [[nodiscard]] std::string name(std::size_t slave) const;
+  template <FigureName kName>
+  [[nodiscard]] Named<kName> slave(std::size_t position) const {
+    return fig::slave<kName>(position, position < config.slaves.size() ? config.slaves[position].name : std::string());
+  }
   /// What the slave's command on PS writes to 0x0980, 0 = nothing.
   [[nodiscard]] std::uint16_t assign_activate(std::size_t slave) const;
 
@@ -70,15 +75,29 @@ class NetworkView {
   std::unordered_map<std::uint16_t, std::size_t> by_address_;
 };
 
+template <FigureName... kNames>
+using Sentence = std::type_identity_t<FindingSentence<words::kEni, kNames...>>;
+
 class Findings {
  public:
-  explicit Findings(std::vector<CheckFinding>& out) : out_(out) {}
-  void add(std::string_view code, const ConfigPlace& place, std::string what) {
-    out_.push_back({code, place, std::move(what)});
+  explicit Findings(std::vector<Finding>& out) : out_(out) {}
+
+  template <FigureName... kNames>
+  void add(Sentence<kNames...> code, const ConfigPlace& part, Named<kNames>... figures) {
+    Place place(part.slave());
+    place.part = part;
+    out_.push_back(make_finding<words::kEni, kNames...>(code, std::move(place), std::move(figures)...));
+  }
+  /// One that somebody else made.
+  void take(Finding finding, const ConfigPlace& part) {
+    finding.place.slave = part.slave();
+    finding.place.part = part;
+    finding.place.key = setting_at(find_finding_words(finding.code)->setting, part.slave());
+    out_.push_back(std::move(finding));
   }
 
  private:
-  std::vector<CheckFinding>& out_;
+  std::vector<Finding>& out_;
 };
 
 [[nodiscard]] bool has(const InitCmd& cmd, Transition transition);

@@ -30,12 +30,10 @@ class PdoCheck {
       check_attribute(p, assigned == manager_of_.end() ? std::nullopt : std::optional(assigned->second));
       check_excluded(p);
       if (pdo.pdo.mandatory && assigned == manager_of_.end()) {
-        findings_.add("ENI-PDO-04", {PlaceKind::kPdo, slave_, p},
-                      fmt::format("PDO 0x{:04x} is mandatory and assigned to no SyncManager", pdo.pdo.index));
+        findings_.add("ENI-PDO-04", {PlaceKind::kPdo, slave_, p}, fig::hex<"pdo">(pdo.pdo.index));
       }
       if (!seen_.insert(pdo.pdo.index).second) {
-        findings_.add("ENI-PDO-05", {PlaceKind::kPdo, slave_, p},
-                      fmt::format("PDO 0x{:04x} is described more than once", pdo.pdo.index));
+        findings_.add("ENI-PDO-05", {PlaceKind::kPdo, slave_, p}, fig::hex<"pdo">(pdo.pdo.index));
       }
     }
   }
@@ -45,8 +43,8 @@ class PdoCheck {
     const ConfiguredSyncManager& manager = config_.sync_managers[m];
     for (const std::uint16_t pdo : manager.pdos) {
       if (!described_.contains(pdo)) {
-        findings_.add("ENI-PDO-01", {PlaceKind::kSyncManager, slave_, m},
-                      fmt::format("SM{} carries PDO 0x{:04x}, which the slave does not describe", manager.number, pdo));
+        findings_.add("ENI-PDO-01", {PlaceKind::kSyncManager, slave_, m}, fig::count<"manager">(manager.number),
+                      fig::hex<"pdo">(pdo));
       }
     }
   }
@@ -54,12 +52,12 @@ class PdoCheck {
   void check_attribute(std::size_t p, std::optional<std::uint8_t> assigned) {
     const Pdo& pdo = config_.pdos[p].pdo;
     if (pdo.sync_manager == assigned) return;
-    const auto words = [](std::optional<std::uint8_t> manager) {
-      return manager ? fmt::format("SM{}", *manager) : std::string("no SyncManager");
-    };
-    findings_.add("ENI-PDO-02", {PlaceKind::kPdo, slave_, p},
-                  fmt::format("PDO 0x{:04x} says {}, the SyncManagers' lists say {}", pdo.index,
-                              words(pdo.sync_manager), words(assigned)));
+    findings_.add("ENI-PDO-02", {PlaceKind::kPdo, slave_, p}, fig::hex<"pdo">(pdo.index),
+                  manager<"said">(pdo.sync_manager), manager<"assigned">(assigned));
+  }
+  template <FigureName kName>
+  static Named<kName> manager(std::optional<std::uint8_t> number) {
+    return number ? fig::text<kName>(fmt::format("SM{}", *number)) : fig::phrase<kName>("no SyncManager");
   }
 
   void check_excluded(std::size_t p) {
@@ -69,8 +67,7 @@ class PdoCheck {
       // Both sides may exclude each other: one finding for the pair.
       if (other == pdo.index || !manager_of_.contains(other) || !pairs_.insert(pair_of(pdo.index, other)).second)
         continue;
-      findings_.add("ENI-PDO-03", {PlaceKind::kPdo, slave_, p},
-                    fmt::format("PDO 0x{:04x} excludes 0x{:04x}, and both are assigned", pdo.index, other));
+      findings_.add("ENI-PDO-03", {PlaceKind::kPdo, slave_, p}, fig::hex<"pdo">(pdo.index), fig::hex<"other">(other));
     }
   }
 

@@ -18,16 +18,14 @@ void check_addresses(const NetworkView& view, Findings& findings) {
     const ConfigPlace place{PlaceKind::kSlave, i};
     const std::uint16_t address = slaves[i].station_address;
     if (address == 0) {
-      findings.add("ENI-REF-04", place, "the station address is 0");
+      findings.add("ENI-REF-04", place);
     } else if (const auto first = view.with_address(address); first && *first != i) {
-      findings.add("ENI-REF-03", place,
-                   fmt::format("station address {} belongs to {}, too", address, view.name(*first)));
+      findings.add("ENI-REF-03", place, fig::count<"address">(address), view.slave<"slave">(*first));
     }
     const std::uint16_t expected = Position{static_cast<std::uint16_t>(i)}.auto_increment_address();
     if (slaves[i].auto_increment_address != expected) {
-      findings.add("ENI-REF-05", place,
-                   fmt::format("AutoIncAddr is {}, the place in the file makes it {}", slaves[i].auto_increment_address,
-                               expected));
+      findings.add("ENI-REF-05", place, fig::count<"said">(slaves[i].auto_increment_address),
+                   fig::count<"expected">(expected));
     }
   }
 }
@@ -38,8 +36,7 @@ void check_names(const NetworkView& view, Findings& findings) {
     const std::string& name = view.config.slaves[i].name;
     if (name.empty()) continue;
     if (const auto [it, is_new] = first.emplace(name, i); !is_new) {
-      findings.add("ENI-REF-06", {PlaceKind::kSlave, i},
-                   fmt::format("\"{}\" is the name of slave {}, too", name, it->second));
+      findings.add("ENI-REF-06", {PlaceKind::kSlave, i}, fig::text<"name">(name), fig::count<"slave">(it->second));
     }
   }
 }
@@ -53,22 +50,21 @@ void check_addressees(const NetworkView& view, Findings& findings) {
       const bool other_address = is_fixed_address(cmd.command) && cmd.adp != slaves[i].station_address;
       const bool other_place = is_auto_increment(cmd.command) && cmd.adp != slaves[i].auto_increment_address;
       if (is_broadcast(cmd.command)) {
-        findings.add("ENI-REF-07", {PlaceKind::kSlaveInitCmd, i, c},
-                     fmt::format("{} goes to all slaves", address_text(cmd)));
+        findings.add("ENI-REF-07/broadcast", {PlaceKind::kSlaveInitCmd, i, c}, fig::text<"command">(address_text(cmd)));
       }
-      if (other_address || other_place) {
-        findings.add("ENI-REF-07", {PlaceKind::kSlaveInitCmd, i, c},
-                     fmt::format("{} does not go to this slave ({} {})", address_text(cmd),
-                                 other_address ? "station address" : "auto-increment address",
-                                 other_address ? slaves[i].station_address : slaves[i].auto_increment_address));
+      if (other_address) {
+        findings.add("ENI-REF-07", {PlaceKind::kSlaveInitCmd, i, c}, fig::text<"command">(address_text(cmd)),
+                     fig::count<"address">(slaves[i].station_address));
+      } else if (other_place) {
+        findings.add("ENI-REF-07/place", {PlaceKind::kSlaveInitCmd, i, c}, fig::text<"command">(address_text(cmd)),
+                     fig::count<"address">(slaves[i].auto_increment_address));
       }
     }
   }
   for (const CyclicPlace& cyclic : view.cyclic) {
     const Command command = cyclic.cmd->command;
     if ((is_fixed_address(command) || is_auto_increment(command)) && !view.addressee(command, cyclic.cmd->adp)) {
-      findings.add("ENI-REF-08", cyclic.place(),
-                   fmt::format("{} addresses no slave of the file", address_text(*cyclic.cmd)));
+      findings.add("ENI-REF-08", cyclic.place(), fig::text<"command">(address_text(*cyclic.cmd)));
     }
   }
 }
@@ -87,18 +83,15 @@ void check_wiring(const NetworkView& view, Findings& findings) {
     if (!previous) continue;
     const ConfigPlace place{PlaceKind::kSlave, i};
     if (previous->position >= i && (previous->position >= slaves.size() || !entries[previous->position])) {
-      findings.add("ENI-REF-02", place,
-                   fmt::format("it hangs on {}, which does not stand before it", view.name(previous->position)));
+      findings.add("ENI-REF-02", place, view.slave<"slave">(previous->position));
       continue;
     }
     if (previous->position > i) {
-      findings.add("ENI-REF-11", place,
-                   fmt::format("it hangs on {}, which stands behind it", view.name(previous->position)));
+      findings.add("ENI-REF-11", place, view.slave<"slave">(previous->position));
     }
     if (i >= group_end && !used.emplace(previous->position, previous->port).second) {
-      findings.add("ENI-REF-09", place,
-                   fmt::format("port {} of {} carries another slave already", static_cast<char>('A' + previous->port),
-                               view.name(previous->position)));
+      findings.add("ENI-REF-09", place, fig::text<"port">(std::string(1, static_cast<char>('A' + previous->port))),
+                   view.slave<"slave">(previous->position));
     }
   }
 }

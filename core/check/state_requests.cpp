@@ -40,15 +40,15 @@ class StateCheck {
 
   void run() {
     if (config_.init_cmds.empty()) {
-      return findings_.add("ENI-STATE-05", {PlaceKind::kSlave, slave_}, "it has no InitCmds");
+      return findings_.add("ENI-STATE-05", {PlaceKind::kSlave, slave_});
     }
     for (const Transition transition : kTransitions) {
       if (const auto request = state_request(config_, transition)) {
         check_request(transition, *request);
       } else if (is_needed(transition)) {
         findings_.add("ENI-STATE-01", {PlaceKind::kSlave, slave_},
-                      fmt::format("no init command on {} requests {}", transition_name(transition),
-                                  al_state_name(target(transition))));
+                      fig::text<"transition">(std::string(transition_name(transition))),
+                      fig::text<"state">(std::string(al_state_name(target(transition)))));
       }
     }
   }
@@ -58,8 +58,9 @@ class StateCheck {
     const AlState requested = *requested_state(config_.init_cmds[request]);
     if (requested != target(transition)) {
       findings_.add("ENI-STATE-02", {PlaceKind::kSlaveInitCmd, slave_, request},
-                    fmt::format("on {} it requests {} instead of {}", transition_name(transition),
-                                al_state_name(requested), al_state_name(target(transition))));
+                    fig::text<"transition">(std::string(transition_name(transition))),
+                    fig::text<"requested">(std::string(al_state_name(requested))),
+                    fig::text<"wanted">(std::string(al_state_name(target(transition)))));
       return;
     }
     check_waits(transition, is_needed(transition));
@@ -74,8 +75,8 @@ class StateCheck {
     const auto unanswered = [&] {
       if (open == kNone || !must_wait) return;
       findings_.add("ENI-STATE-03", {PlaceKind::kSlaveInitCmd, slave_, open},
-                    fmt::format("no command on {} waits for {} behind this request", transition_name(transition),
-                                al_state_name(requested)));
+                    fig::text<"transition">(std::string(transition_name(transition))),
+                    fig::text<"state">(std::string(al_state_name(requested))));
     };
     for (std::size_t i = 0; i < config_.init_cmds.size(); ++i) {
       const InitCmd& cmd = config_.init_cmds[i];
@@ -88,14 +89,15 @@ class StateCheck {
       } else if (const auto awaited = awaited_state(cmd); awaited && any) {
         open = kNone;
         if (expects_error(cmd)) {
-          findings_.add("ENI-STATE-04", {PlaceKind::kSlaveInitCmd, slave_, i},
-                        fmt::format("on {} it waits for {} with the error bit (0x10) set", transition_name(transition),
-                                    al_state_name(*awaited)));
+          findings_.add("ENI-STATE-04/error-bit", {PlaceKind::kSlaveInitCmd, slave_, i},
+                        fig::text<"transition">(std::string(transition_name(transition))),
+                        fig::text<"state">(std::string(al_state_name(*awaited))));
         }
         if (*awaited == requested) continue;
         findings_.add("ENI-STATE-04", {PlaceKind::kSlaveInitCmd, slave_, i},
-                      fmt::format("on {} it waits for {}, requested is {}", transition_name(transition),
-                                  al_state_name(*awaited), al_state_name(requested)));
+                      fig::text<"transition">(std::string(transition_name(transition))),
+                      fig::text<"awaited">(std::string(al_state_name(*awaited))),
+                      fig::text<"requested">(std::string(al_state_name(requested))));
       }
     }
     unanswered();

@@ -39,8 +39,7 @@ class SyncManagerCheck {
       if (const SyncManagerWrite* write = registers_.manager(manager.number)) {
         check_write(m, manager, *write);
       } else if (manager.description.enable && assigned_bits(manager).value_or(0) > 0 && !config_.init_cmds.empty()) {
-        findings_.add("ENI-SM-01", {PlaceKind::kSyncManager, slave_, m},
-                      fmt::format("SM{} has PDOs, and no init command on IP, PS or SO enables it", manager.number));
+        findings_.add("ENI-SM-01", {PlaceKind::kSyncManager, slave_, m}, fig::count<"manager">(manager.number));
       }
     }
     check_memory();
@@ -68,9 +67,9 @@ class SyncManagerCheck {
     // A maximum of 0 is how tools write "no limit".
     if (bytes < description.min_size.value_or(0) ||
         (description.max_size.value_or(0) != 0 && bytes > *description.max_size)) {
-      findings_.add("ENI-SM-02", {PlaceKind::kSyncManager, slave_, m},
-                    fmt::format("the PDOs of SM{} have {} bytes, it takes {} to {}", manager.number, bytes,
-                                description.min_size.value_or(0), description.max_size.value_or(0)));
+      findings_.add("ENI-SM-02", {PlaceKind::kSyncManager, slave_, m}, fig::count<"manager">(manager.number),
+                    fig::count<"bytes">(bytes), fig::count<"least">(description.min_size.value_or(0)),
+                    fig::count<"most">(description.max_size.value_or(0)));
     }
   }
 
@@ -78,29 +77,25 @@ class SyncManagerCheck {
     const ConfigPlace place{PlaceKind::kSlaveInitCmd, slave_, write.cmd};
     const SyncManagerDescription& description = manager.description;
     if (write.manager.start != description.start_address) {
-      findings_.add("ENI-SM-03", place,
-                    fmt::format("SM{} is set to start at 0x{:04x}, its element says 0x{:04x}", manager.number,
-                                write.manager.start, description.start_address));
+      findings_.add("ENI-SM-03", place, fig::count<"manager">(manager.number), fig::hex<"start">(write.manager.start),
+                    fig::hex<"said">(description.start_address));
     }
     const bool process_data =
         description.type == SyncManagerType::kOutputs || description.type == SyncManagerType::kInputs;
     // Process data in one buffer (mailbox mode) are unusual, but several digital terminals have them.
     const bool wrong_mode = !process_data && !write.manager.is_mailbox();
     if (write.manager.ecat_writes() != is_output(description.type) || wrong_mode) {
-      findings_.add(
-          "ENI-SM-04", place,
-          fmt::format("the control byte 0x{:02x} of SM{} makes it {}, its Type says {}", write.manager.control,
-                      manager.number, kind(write.manager), type_name(description.type)));
+      findings_.add("ENI-SM-04", place, fig::hex<"control">(write.manager.control, 2),
+                    fig::count<"manager">(manager.number), fig::phrase<"kind">(kind(write.manager)),
+                    fig::text<"type">(type_name(description.type)));
     }
     const auto bits = assigned_bits(manager);
     if (process_data && bits && !manager.pdos.empty() && write.manager.length != (*bits + 7) / 8) {
-      findings_.add("ENI-SM-05", place,
-                    fmt::format("SM{} is set to {} bytes, its PDOs have {}", manager.number, write.manager.length,
-                                (*bits + 7) / 8));
+      findings_.add("ENI-SM-05", place, fig::count<"manager">(manager.number),
+                    fig::count<"bytes">(write.manager.length), fig::count<"expected">((*bits + 7) / 8));
     }
     if (process_data && !description.enable && !manager.pdos.empty()) {
-      findings_.add("ENI-SM-08", {PlaceKind::kSyncManager, slave_, m},
-                    fmt::format("Enable of SM{} is off, and an init command switches it on", manager.number));
+      findings_.add("ENI-SM-08", {PlaceKind::kSyncManager, slave_, m}, fig::count<"manager">(manager.number));
     }
   }
 
@@ -113,17 +108,18 @@ class SyncManagerCheck {
       plain.push_back({bytes, i});
       buffers.push_back({occupied(write.manager), i});
       if (write.manager.length == 0 || bytes.begin < kFirstDataAddress || occupied(write.manager).end > 0x10000) {
-        findings_.add("ENI-SM-06", {PlaceKind::kSlaveInitCmd, slave_, write.cmd},
-                      fmt::format("SM{} is on with {} bytes at 0x{:04x}", write.number, write.manager.length,
-                                  write.manager.start));
+        findings_.add("ENI-SM-06", {PlaceKind::kSlaveInitCmd, slave_, write.cmd}, fig::count<"manager">(write.number),
+                      fig::count<"bytes">(write.manager.length), fig::hex<"start">(write.manager.start));
       }
     }
     const auto found = overlaps(plain);
     for (const auto& [first, second] : found.empty() ? overlaps(buffers) : found) {
       const SyncManagerWrite& write = registers_.managers[second];
-      findings_.add("ENI-SM-07", {PlaceKind::kSlaveInitCmd, slave_, write.cmd},
-                    fmt::format("SM{} shares memory with SM{}{}", write.number, registers_.managers[first].number,
-                                found.empty() ? ", whose three buffers reach that far" : ""));
+      const ConfigPlace place{PlaceKind::kSlaveInitCmd, slave_, write.cmd};
+      const auto manager = fig::count<"manager">(write.number);
+      const auto other = fig::count<"other">(registers_.managers[first].number);
+      found.empty() ? findings_.add("ENI-SM-07/buffers", place, manager, other)
+                    : findings_.add("ENI-SM-07", place, manager, other);
     }
   }
 
@@ -140,8 +136,8 @@ class SyncManagerCheck {
     const std::uint64_t said = range ? range->bit_length : 0;
     // Byte-oriented slaves take whole bytes of the image.
     if (said != bits && said != (bits + 7) / 8 * 8) {
-      findings_.add("ENI-SM-09", {PlaceKind::kSlave, slave_},
-                    fmt::format("{} has {} bits, the assigned PDOs have {}", name, said, bits));
+      findings_.add("ENI-SM-09", {PlaceKind::kSlave, slave_}, fig::text<"element">(name), fig::count<"bits">(said),
+                    fig::count<"expected">(bits));
     }
   }
 

@@ -20,10 +20,9 @@ void check_timeouts(const NetworkView& view, Findings& findings) {
       const std::uint32_t timeout = commands[c].validate->timeout_ms;
       const ConfigPlace place{PlaceKind::kSlaveInitCmd, i, c};
       if (timeout == 0) {
-        findings.add("ENI-TIME-01", place,
-                     fmt::format("{} compares what it reads with a time-out of 0", address_text(commands[c])));
+        findings.add("ENI-TIME-01", place, fig::text<"command">(address_text(commands[c])));
       } else if (commands[c].ado == reg::kAlStatus && timeout < kShortestStateTimeout) {
-        findings.add("ENI-TIME-02", place, fmt::format("the change of state may take {} ms", timeout));
+        findings.add("ENI-TIME-02", place, fig::count<"timeout">(timeout));
       }
     }
   }
@@ -32,13 +31,13 @@ void check_timeouts(const NetworkView& view, Findings& findings) {
 void check_load(std::size_t t, const CyclicTask& task, Findings& findings) {
   Nanoseconds wire = 0;
   for (const auto& frame : task.frames) wire += compiler::wire_time(frame);
-  const auto what =
-      fmt::format("{} frames take {:.1f} us on the wire, the cycle is {:.1f} us", task.frames.size(),
-                  static_cast<double>(wire) / kMicrosecond, static_cast<double>(task.cycle_time) / kMicrosecond);
+  const auto frames = fig::count<"frames">(task.frames.size());
+  const auto taken = fig::time<"wire">(wire);
+  const auto cycle = fig::time<"cycle">(task.cycle_time);
   if (wire > task.cycle_time) {
-    findings.add("ENI-TIME-03", {PlaceKind::kTask, t}, what);
+    findings.add("ENI-TIME-03", {PlaceKind::kTask, t}, frames, taken, cycle);
   } else if (wire > task.cycle_time / 10 * 8) {
-    findings.add("ENI-TIME-04", {PlaceKind::kTask, t}, what);
+    findings.add("ENI-TIME-04", {PlaceKind::kTask, t}, frames, taken, cycle);
   }
 }
 
@@ -47,16 +46,14 @@ void check_cycles(const NetworkView& view, Findings& findings) {
   for (std::size_t t = 0; t < tasks.size(); ++t) {
     if (!tasks[t].cycle_time_given) continue;
     if (tasks[t].cycle_time < limits::kShortestCycle || tasks[t].cycle_time > limits::kLongestTaskCycle) {
-      findings.add("ENI-TIME-05", {PlaceKind::kTask, t},
-                   fmt::format("CycleTime is {} us", tasks[t].cycle_time / kMicrosecond));
+      findings.add("ENI-TIME-05", {PlaceKind::kTask, t}, fig::time<"cycle">(tasks[t].cycle_time));
       continue;
     }
     check_load(t, tasks[t], findings);
     const Nanoseconds base = tasks.front().cycle_time;
     if (tasks.front().cycle_time_given && base > 0 && tasks[t].cycle_time % base != 0) {
-      findings.add("ENI-TIME-06", {PlaceKind::kTask, t},
-                   fmt::format("its cycle of {} us is no multiple of the first task's {} us",
-                               tasks[t].cycle_time / kMicrosecond, base / kMicrosecond));
+      findings.add("ENI-TIME-06", {PlaceKind::kTask, t}, fig::time<"cycle">(tasks[t].cycle_time),
+                   fig::time<"first">(base));
     }
   }
 }

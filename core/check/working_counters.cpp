@@ -95,12 +95,12 @@ class CounterCheck {
     const std::size_t writers = cmd.command == Command::kLrd ? 0 : outputs_.slaves_in(bytes);
     const std::size_t computed = readers + (cmd.command == Command::kLrw ? 2 : 1) * writers;
     if (cmd.expected_wkc && *cmd.expected_wkc != computed) {
-      findings_.add("ENI-WKC-01", cyclic.place(),
-                    fmt::format("Cnt of {} is {}, the FMMUs make it {} ({} slaves read, {} written)", address_text(cmd),
-                                *cmd.expected_wkc, computed, readers, writers));
+      findings_.add("ENI-WKC-01", cyclic.place(), fig::text<"command">(address_text(cmd)),
+                    fig::count<"count">(*cmd.expected_wkc), fig::count<"computed">(computed),
+                    fig::count<"readers">(readers), fig::count<"writers">(writers));
     } else if (!cmd.expected_wkc && computed > 0 && !is_mailbox_state(bytes)) {
-      findings_.add("ENI-WKC-03", cyclic.place(),
-                    fmt::format("{} has no Cnt; the FMMUs make it {}", address_text(cmd), computed));
+      findings_.add("ENI-WKC-03", cyclic.place(), fig::text<"command">(address_text(cmd)),
+                    fig::count<"computed">(computed));
     }
   }
 
@@ -118,9 +118,8 @@ class CounterCheck {
     const std::size_t most = view_.config.slaves.size() * factor;
     if (!cmd.expected_wkc || !everywhere) return;
     if (*cmd.expected_wkc > most || *cmd.expected_wkc < fixed_ * factor) {
-      findings_.add("ENI-WKC-02", cyclic.place(),
-                    fmt::format("Cnt of {} is {}, the file has {} slaves", address_text(cmd), *cmd.expected_wkc,
-                                view_.config.slaves.size()));
+      findings_.add("ENI-WKC-02", cyclic.place(), fig::text<"command">(address_text(cmd)),
+                    fig::count<"count">(*cmd.expected_wkc), fig::count<"slaves">(view_.config.slaves.size()));
     }
   }
 
@@ -129,11 +128,11 @@ class CounterCheck {
     const bool both = command == Command::kAprw || command == Command::kFprw;
     const bool at_clock = command == Command::kArmw || command == Command::kFrmw;
     if (command == Command::kNop ? count != 0 : !at_clock && count != (both ? 3 : 1)) {
-      findings_.add("ENI-WKC-04", place,
-                    fmt::format("Cnt of {} is {}, one slave makes it {}", command_name(command), count,
-                                command == Command::kNop ? 0
-                                : both                   ? 3
-                                                         : 1));
+      findings_.add("ENI-WKC-04", place, fig::text<"command">(std::string(command_name(command))),
+                    fig::count<"count">(count),
+                    fig::count<"computed">(command == Command::kNop ? 0
+                                           : both                   ? 3
+                                                                    : 1));
     }
   }
 

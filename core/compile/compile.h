@@ -1,23 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "config/network_config.h"
 #include "config/project.h"
+#include "findings/finding.h"
 #include "support/result.h"
 
 namespace syncline {
-
-enum class FindingSeverity : std::uint8_t { kInfo, kWarning, kError };
-struct Finding {
-  FindingSeverity severity = FindingSeverity::kInfo;
-  int slave = -1;   // position, -1 = master
-  std::string key;  // settings key that it is about, as `synclinectl project keys` names it; "" = none
-  std::string text;
-  bool operator==(const Finding&) const = default;
-};
 
 /// How the field's tools differ in writing an ENI (docs/eni.md). EC-Engineer's way is the default.
 enum class EniDialect : std::uint8_t { kEcEngineer, kTwinCat };

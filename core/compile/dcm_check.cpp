@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "compile/dcm_check.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "compile/cyclic_frames.h"
 #include "config/external_clock.h"
+#include "findings/sentence.h"
+#include "findings/words/project_master.h"
 #include "protocol/dcm_error.h"
 #include "protocol/registers.h"
 #include "settings/dc_check.h"
@@ -14,6 +14,12 @@
 
 namespace syncline {
 namespace {
+
+template <FigureName... kNames>
+Finding problem(std::type_identity_t<FindingSentence<words::kProjectMaster, kNames...>> code, Place place,
+                Named<kNames>... figures) {
+  return make_finding<words::kProjectMaster, kNames...>(code, std::move(place), std::move(figures)...);
+}
 
 bool any_slave_uses_dc(const NetworkConfig& config) {
   return std::ranges::any_of(config.slaves, [](const SlaveConfig& slave) { return slave.dc.has_value(); });
@@ -30,11 +36,9 @@ void check_sync_periods(const NetworkConfig& config, std::vector<DcmProblem>& pr
     if (!slave.dc || slave.dc->assign_activate == 0 || slave.dc->cycle_time0 == 0) continue;
     const auto sync = slave.dc->cycle_time0;
     if (settings::keeps_step(sync, cycle, kRounding)) continue;
-    problems.push_back(
-        {fmt::format("slave.{}.dc.sync0.cycle_us", i),
-         fmt::format("{}: a SYNC0 cycle of {} ns is neither a multiple nor a divisor of the bus cycle of {} ns",
-                     slave.name, sync, cycle),
-         dc::kDcmErrorInvalidSyncPeriod});
+    problems.push_back({problem("sync-period-out-of-step", static_cast<int>(i), fig::text<"name">(slave.name),
+                                fig::time<"sync0">(sync), fig::time<"cycle">(cycle)),
+                        dc::kDcmErrorInvalidSyncPeriod});
   }
 }
 
@@ -42,9 +46,8 @@ void check_set_value(const NetworkConfig& config, Nanoseconds delay, std::vector
   const auto& set_value = config.dc.dcm.set_value;
   const auto least = least_set_value(config, delay);
   if (!set_value || *set_value >= least || *set_value <= 0) return;
-  problems.push_back({"master.dc.set_value_us",
-                      fmt::format("{} ns is outside {}..{} ns: the cyclic frames are still on their way at SYNC0",
-                                  *set_value, least, settings::set_values(config.cycle_time()).high),
+  problems.push_back({problem("set-value-too-small", -1, fig::time<"set_value">(*set_value), fig::time<"least">(least),
+                              fig::time<"most">(settings::set_values(config.cycle_time()).high)),
                       dc::kDcmErrorInvalidSetValue});
 }
 
@@ -74,8 +77,9 @@ std::vector<DcmProblem> dcm_problems(const NetworkConfig& config, Nanoseconds pr
   std::vector<DcmProblem> problems;
   const auto& dcm = config.dc.dcm;
   if (auto status = check_dcm_settings(dcm, config.cycle_time()); !status) {
-    problems.push_back({status.error().subject, status.error().detail,
-                        status.error().subject == "master.dc.set_value_us" ? dc::kDcmErrorInvalidSetValue : 0});
+    problems.push_back(
+        {problem("dcm-setting-invalid", {-1, status.error().subject}, fig::text<"reason">(status.error().detail)),
+         status.error().subject == "master.dc.set_value_us" ? dc::kDcmErrorInvalidSetValue : 0});
   }
   if (!config.dc.enabled || !any_slave_uses_dc(config)) return problems;
   check_sync_periods(config, problems);
@@ -83,17 +87,11 @@ std::vector<DcmProblem> dcm_problems(const NetworkConfig& config, Nanoseconds pr
   check_set_value(config, propagation_delay, problems);
   if (steers_reference_clock(dcm.mode) && !bus_shift_configured(config)) {
     problems.push_back(
-        {"master.dc.mode",
-         fmt::format("{} writes the reference clock in each cycle, but the cyclic frames have no command for "
-                     "it (APWR or FPWR of 0x0910); choose off, master-shift or master-shift-by-app",
-                     dcm_mode_name(dcm.mode)),
+        {problem("bus-shift-without-command", -1, fig::text<"mode">(std::string(dcm_mode_name(dcm.mode)))),
          dc::kDcmErrorInvalidData});
   }
   if (dcm.mode == DcmMode::kDcx && !find_external_clock(config)) {
-    problems.push_back({"master.dc.mode",
-                        "dcx follows an external clock, but no slave maps both time stamps of the external "
-                        "synchronisation (0x10F4:11 and :12) into its inputs",
-                        dc::kDcxErrorNoExternalClock});
+    problems.push_back({problem("external-clock-missing", -1), dc::kDcxErrorNoExternalClock});
   }
   return problems;
 }
@@ -102,7 +100,9 @@ Status check_dcm(const NetworkConfig& config) {
   if (!config.dc.enabled) return {};
   const auto problems = dcm_problems(config);
   if (problems.empty()) return {};
-  Error error{ErrorCode::kBadValue, problems.front().key, problems.front().detail};
+  const Finding& first = problems.front().finding;
+  Error error{ErrorCode::kBadValue, first.place.key, facts_text(first)};
+  if (error.detail.ends_with('.')) error.detail.pop_back();
   error.received = problems.front().code;
   return fail(std::move(error));
 }

@@ -2,18 +2,17 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "config/network_config.h"
+#include "findings/finding.h"
 #include "support/result.h"
 
 namespace syncline {
 
 /// What keeps the DCM of a configuration from working, known before anything is sent.
 struct DcmProblem {
-  std::string key;         // of the setting that cures it: "master.dc.set_value_us"
-  std::string detail;      // value and allowed range
+  Finding finding;         // with the setting that cures it, value and allowed range
   std::uint32_t code = 0;  // DCM error code; 0: a parameter is outside its range
 };
 

@@ -74,10 +74,9 @@ void check_contradictions(FindingList& findings, const SlavePlan& slave) {
       const bool same =
           startup[k].enabled && startup[k].index == command.index && startup[k].sub_index == command.sub_index;
       if (!same || startup[k].data == command.data || is_from_esi(startup[k], slave.device())) continue;
-      findings.error(
-          fmt::format("startup.{}", k),
-          fmt::format("It writes 0x{:04X}:{:02X}, and a setting writes another value there ({}). Remove one of them.",
-                      command.index, command.sub_index, command.comment));
+      findings.add_at(fmt::format("startup.{}", k), "startup-contradiction",
+                      fig::text<"object">(fmt::format("0x{:04X}:{:02X}", command.index, command.sub_index)),
+                      fig::text<"command">(command.comment));
     }
   }
 }
@@ -85,9 +84,7 @@ void check_contradictions(FindingList& findings, const SlavePlan& slave) {
 void check_minimum_cycle(FindingList& findings, const SlavePlan& slave) {
   const auto least = families::minimum_cycle(slave.device());
   if (!least || slave.cycle_time >= *least) return;
-  findings.warning("dc.sync0.cycle_us",
-                   fmt::format("Its data come every {}, {} is the shortest cycle that its object 0x1C32:05 names.",
-                               families::microseconds(slave.cycle_time), families::microseconds(*least)));
+  findings.add("cycle-below-minimum", fig::time<"cycle">(slave.cycle_time), fig::time<"least">(*least));
 }
 
 }  // namespace
@@ -95,17 +92,11 @@ void check_minimum_cycle(FindingList& findings, const SlavePlan& slave) {
 void find_family_problems(FindingList& findings, const SlavePlan& slave, const SlaveConfig& config) {
   for (const Problem& problem : families::problems(families::find(slave.device()), config, slave.cycle_time)) {
     const auto key = key_of(slave, config, problem);
-    if (problem.refused) {
-      findings.error(key, problem.text);
-    } else if (problem.topic == Problem::Topic::kErrorLimitOff) {
-      findings.info(key, problem.text);
-    } else {
-      findings.warning(key, problem.text);
-    }
+    findings.take(problem.finding, key);
   }
   check_minimum_cycle(findings, slave);
   if (const auto status = check_sync_settings(*slave.settings); !status) {
-    findings.error(status.error().subject, fmt::format("It cannot be set: {}.", status.error().detail));
+    findings.add_at(status.error().subject, "sync-setting-invalid", fig::text<"reason">(status.error().detail));
   }
   check_contradictions(findings, slave);
 }

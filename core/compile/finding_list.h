@@ -5,23 +5,39 @@
 #include <utility>
 #include <vector>
 
-#include "compile/compile.h"
+#include "findings/sentence.h"
+#include "findings/words/project.h"
 
 namespace syncline::compiler {
 
-/// Appends findings about one slave (or the master, position -1); `key` is the settings key without "master." or
-/// "slave.N.", "" where no setting cures it.
+/// Appends findings about one slave (or the master, position -1). Words and usual setting stand in words::kProject.
 class FindingList {
  public:
+  template <FigureName... kNames>
+  using Sentence = std::type_identity_t<FindingSentence<words::kProject, kNames...>>;
+
   FindingList(std::vector<Finding>& out, int slave) : out_(out), slave_(slave) {}
-  void error(const std::string& key, std::string text) { add(FindingSeverity::kError, key, std::move(text)); }
-  void warning(const std::string& key, std::string text) { add(FindingSeverity::kWarning, key, std::move(text)); }
-  void info(const std::string& key, std::string text) { add(FindingSeverity::kInfo, key, std::move(text)); }
+
+  template <FigureName... kNames>
+  void add(Sentence<kNames...> code, Named<kNames>... figures) {
+    out_.push_back(make_finding<words::kProject, kNames...>(code, slave_, std::move(figures)...));
+  }
+  /// `key`: the setting without "master." or "slave.N.".
+  template <FigureName... kNames>
+  void add_at(const std::string& key, Sentence<kNames...> code, Named<kNames>... figures) {
+    out_.push_back(make_finding<words::kProject, kNames...>(code, {slave_, full(key)}, std::move(figures)...));
+  }
+  /// One that somebody else made; "" keeps its setting.
+  void take(Finding finding, const std::string& key = {}) {
+    finding.place.slave = slave_;
+    if (!key.empty()) finding.place.key = full(key);
+    out_.push_back(std::move(finding));
+  }
 
  private:
-  void add(FindingSeverity severity, const std::string& key, std::string text) {
-    const std::string prefix = slave_ < 0 ? "master." : "slave." + std::to_string(slave_) + ".";
-    out_.push_back({severity, slave_, key.empty() ? "" : prefix + key, std::move(text)});
+  [[nodiscard]] std::string full(const std::string& key) const {
+    if (key.empty()) return {};
+    return (slave_ < 0 ? "master." : "slave." + std::to_string(slave_) + ".") + key;
   }
 
   std::vector<Finding>& out_;

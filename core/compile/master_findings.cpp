@@ -18,22 +18,16 @@ namespace {
 void check_cycle(FindingList& findings, const Project& project, const NetworkConfig& config) {
   const Nanoseconds cycle = project.master.cycle_time;
   if (cycle % kMicrosecond != 0) {
-    findings.warning("cycle_time_us",
-                     fmt::format("An ENI file holds whole microseconds: {} ns is rounded there. Masters that take the "
-                                 "cycle from the file run at another rate than the SYNC signals.",
-                                 cycle));
+    findings.add("cycle-not-whole-microseconds", fig::time<"cycle">(cycle));
   }
   Nanoseconds on_wire = 0;
   for (const auto& frame : config.cyclic.front().frames) {
     on_wire += wire_time(frame);
   }
   if (on_wire >= cycle) {
-    findings.error("cycle_time_us", fmt::format("The cyclic frames take {} us of wire time, the cycle is {} us.",
-                                                on_wire / kMicrosecond, cycle / kMicrosecond));
+    findings.add("cycle-too-short", fig::time<"wire">(on_wire), fig::time<"cycle">(cycle));
   } else if (on_wire * 10 >= cycle * 8) {
-    findings.warning("cycle_time_us",
-                     fmt::format("The cyclic frames take {} of {} us of wire time; mailbox traffic has little room.",
-                                 on_wire / kMicrosecond, cycle / kMicrosecond));
+    findings.add("cycle-nearly-full", fig::time<"wire">(on_wire), fig::time<"cycle">(cycle));
   }
 }
 
@@ -43,8 +37,7 @@ void check_reference_clock(FindingList& findings, const Project& project, const 
   if (!project.master.dc.enabled) {
     const bool wanted = std::ranges::any_of(slaves, [](const SlavePlan& s) { return !s.settings->dc.op_mode.empty(); });
     if (wanted) {
-      findings.info("dc.enabled",
-                    "Distributed clocks are off for the whole bus; the slaves' operation modes do not count.");
+      findings.add("dc-switched-off");
     }
     return;
   }
@@ -52,17 +45,11 @@ void check_reference_clock(FindingList& findings, const Project& project, const 
     return;
   }
   if (*chosen >= slaves.size()) {
-    findings.error("dc.reference_clock", fmt::format("There is no slave at position {}.", *chosen));
+    findings.add("reference-clock-missing", fig::count<"position">(*chosen));
   } else if (!slaves[*chosen].device().dc) {
-    findings.error("dc.reference_clock",
-                   fmt::format("{} has no distributed clock according to its ESI and cannot be the reference.",
-                               slaves[*chosen].settings->name));
+    findings.add("reference-clock-without-dc", fig::text<"name">(slaves[*chosen].settings->name));
   } else if (first != slaves.end() && first->position < *chosen) {
-    findings.warning(
-        "dc.reference_clock",
-        fmt::format("{} stands before the reference clock in the frame, so it gets the time one cycle late "
-                    "and stays off. Choose the first slave with DC.",
-                    first->settings->name));
+    findings.add("reference-clock-behind", fig::text<"name">(first->settings->name));
   }
 }
 
@@ -71,19 +58,15 @@ void check_dc_settings(FindingList& findings, const Project& project, const std:
   const DcMasterSettings& dc = project.master.dc;
   const auto dc_slaves = std::ranges::count_if(slaves, &SlavePlan::dc_commands);
   if (dc.enabled && dc.sync_window.enabled && dc_slaves < 2) {
-    findings.info("dc.sync_window", fmt::format("Sync window monitoring compares slaves with the reference clock; "
-                                                "{} slave(s) with DC leave nothing to compare.",
-                                                dc_slaves));
+    findings.add("nothing-to-compare", fig::count<"slaves">(dc_slaves));
   }
   constexpr std::string_view kMaster = "master.";
   for (const auto& problem : dcm_problems(config)) {
-    if (!problem.key.starts_with(kMaster)) continue;  // SYNC cycles are found at their slaves
-    findings.error(problem.key.substr(kMaster.size()), problem.detail + ".");
+    if (!problem.finding.place.key.starts_with(kMaster)) continue;  // SYNC cycles are found at their slaves
+    findings.take(problem.finding);
   }
   if (dc.enabled && dc_slaves > 0 && dc.dcm.mode == DcmMode::kOff) {
-    findings.warning("dc.mode",
-                     "Master and reference clock run at their own rates: the frame wanders through the "
-                     "cycle and meets SYNC0 now and then. Choose bus shift or master shift.");
+    findings.add("master-not-synchronised");
   }
 }
 
@@ -95,9 +78,7 @@ void check_busiest_cycle(FindingList& findings, const NetworkConfig& config) {
     for (const auto& frame : task.frames) on_wire += wire_time(frame);
   }
   if (const Nanoseconds cycle = config.cycle_time(); on_wire >= cycle) {
-    findings.error("cycle_time_us",
-                   fmt::format("When all tasks are due in one cycle their frames take {} of {} us of wire time.",
-                               on_wire / kMicrosecond, cycle / kMicrosecond));
+    findings.add("cycle-too-short/busiest", fig::time<"wire">(on_wire), fig::time<"cycle">(cycle));
   }
 }
 
@@ -105,10 +86,8 @@ void check_tasks(FindingList& findings, const MasterSettings& master) {
   for (std::size_t i = 0; i < master.sync_units.size(); ++i) {
     const SyncUnit& unit = master.sync_units[i];
     if (!unit.task.empty() && std::ranges::find(master.tasks, unit.task, &TaskSettings::name) == master.tasks.end()) {
-      findings.error(
-          fmt::format("sync_unit.{}", i),
-          fmt::format("Sync Unit \"{}\" is to run in task \"{}\", which does not exist; it stays in the base task.",
-                      unit.name, unit.task));
+      findings.add_at(fmt::format("sync_unit.{}", i), "sync-unit-without-task", fig::text<"unit">(unit.name),
+                      fig::text<"task">(unit.task));
     }
   }
 }
@@ -124,7 +103,7 @@ void check_logical_start(FindingList& findings, const MasterSettings& master, co
         const std::uint64_t begin = cmd.logical_address, end = begin + cmd.length();
         const std::uint64_t states = config.master.mailbox_state_start;
         if (begin < states + *config.master.mailbox_state_count / 8U + 1 && end > states) {
-          return findings.error("image.logical_start", "The process data lie over the mailbox states at 0x09000000.");
+          return findings.add("process-data-over-mailbox-states");
         }
       }
     }
@@ -136,7 +115,7 @@ void check_sync_units(std::vector<Finding>& out, const MasterSettings& master, c
     FindingList findings(out, slave.position);
     const auto check = [&](const std::string& name, const char* key) {
       if (name.empty() || sync_unit_number(master, name) != 0) return;
-      findings.error(key, fmt::format("There is no Sync Unit \"{}\"; the unnamed one is used.", name));
+      findings.add_at(key, "sync-unit-missing", fig::text<"unit">(name));
     };
     check(slave.settings->output_unit, "sync_unit.outputs");
     check(slave.settings->input_unit, "sync_unit.inputs");
@@ -149,10 +128,10 @@ void check_addresses(std::vector<Finding>& out, const std::vector<SlavePlan>& sl
     FindingList findings(out, slave.position);
     const std::uint16_t address = slave.settings->station_address;
     if (address == 0) {
-      findings.error("station_address", "Station address 0 is that of a slave without address.");
+      findings.add("station-address-zero");
     } else if (const auto [other, is_new] = used.emplace(address, &slave); !is_new) {
-      findings.error("station_address",
-                     fmt::format("Station address {} is that of {} too.", address, other->second->settings->name));
+      findings.add("station-address-twice", fig::count<"address">(address),
+                   fig::text<"name">(other->second->settings->name));
     }
   }
 }
@@ -169,16 +148,13 @@ void check_wiring(std::vector<Finding>& out, const std::vector<SlavePlan>& slave
       const bool explained = previous->position < slaves.size() && entries[previous->position];
       const bool swapped = explained && *entries[previous->position] != 0;
       if (!explained && previous->position >= slave.position) {
-        findings.error("previous", "No wiring puts a slave in front of the one that it hangs on here.");
+        findings.add("wiring-impossible");
       } else if (previous->port > 3 || (previous->port == 0 && !swapped)) {
-        findings.error("previous", "A slave hangs on port B, C or D of its predecessor.");
+        findings.add("wiring-port");
       }
     }
     if (entries[slave.position].value_or(0) != 0) {
-      findings.warning("previous",
-                       "Frames enter it by another port than A. Swap its cables IN and OUT: until then slaves "
-                       "behind it stand in front of it, an ENI file cannot tell what hangs on its port A, and "
-                       "other masters take its propagation delay wrong.");
+      findings.add("cables-swapped");
     }
   }
 }

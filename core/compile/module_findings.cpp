@@ -18,15 +18,13 @@ void check_plugged(FindingList& findings, const SlavePlan& slave, const std::vec
   for (const PluggedModule& plugged : settings.modules) {
     const ModuleDescription* module = settings.device.module(plugged.ident);
     if (plugged.slot >= places.size()) {
-      findings.error("",
-                     fmt::format("A module is plugged into place {}; the device has {}.", plugged.slot, places.size()));
+      findings.add("module-place-missing", fig::count<"place">(plugged.slot), fig::count<"places">(places.size()));
     } else if (module == nullptr || !accepts(*places[plugged.slot].slot, *module)) {
-      findings.error(key_of(plugged.slot),
-                     fmt::format("Module 0x{:08X} does not fit into place {}. Choose another, or none.", plugged.ident,
-                                 plugged.slot));
+      findings.add_at(key_of(plugged.slot), "module-does-not-fit", fig::hex32<"module">(plugged.ident),
+                      fig::count<"place">(plugged.slot));
     } else if (!module->dc_op_mode.empty() && module->dc_op_mode != settings.dc.op_mode) {
-      findings.warning("dc.op_mode", fmt::format("Module {} in place {} demands the operation mode {}.", module->type,
-                                                 plugged.slot, module->dc_op_mode));
+      findings.add("module-demands-mode", fig::text<"module">(module->type), fig::count<"place">(plugged.slot),
+                   fig::text<"mode">(module->dc_op_mode));
     }
   }
 }
@@ -34,8 +32,10 @@ void check_plugged(FindingList& findings, const SlavePlan& slave, const std::vec
 void check_empty(FindingList& findings, const SlavePlan& slave, const std::vector<SlotPlace>& places) {
   for (const SlotPlace& place : places) {
     if (place.demanded && !plugged_module(*slave.settings, place.number)) {
-      findings.error(key_of(place.number), fmt::format("Place {}{}{} must have a module.", place.number,
-                                                       place.slot->name.empty() ? "" : ", ", place.slot->name));
+      const auto number = fig::count<"place">(place.number);
+      const auto& name = place.slot->name;
+      name.empty() ? findings.add_at(key_of(place.number), "module-missing", number)
+                   : findings.add_at(key_of(place.number), "module-missing/named", number, fig::text<"name">(name));
     }
   }
 }
@@ -45,9 +45,8 @@ void check_collisions(FindingList& findings, const SlavePlan& slave) {
   std::map<std::uint16_t, int> uses;
   for (const auto& [direction, pdo] : slave.pdos) {
     if (++uses[pdo.index] == 2) {
-      findings.warning(
-          direction == PdoDirection::kRx ? "pdo.rx" : "pdo.tx",
-          fmt::format("Two modules bring PDO 0x{:04X}; the ESI's SlotPdoIncrement does not part them.", pdo.index));
+      findings.add_at(direction == PdoDirection::kRx ? "pdo.rx" : "pdo.tx", "module-pdos-collide",
+                      fig::hex16<"pdo">(pdo.index));
     }
   }
 }

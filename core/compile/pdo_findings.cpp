@@ -24,21 +24,20 @@ void check_chosen(FindingList& findings, const SlavePlan& slave, const Assignmen
     const std::uint16_t index = assignment.chosen[i];
     const auto pdo = std::ranges::find(pdos, index, &Pdo::index);
     if (pdo == pdos.end()) {
-      findings.error(assignment.key, fmt::format("The device has no PDO 0x{:04X} in this direction.", index));
+      findings.add_at(assignment.key, "pdo-missing", fig::hex16<"pdo">(index));
       continue;
     }
     if (std::ranges::count(assignment.chosen, index) > 1 &&
         std::ranges::find(assignment.chosen, index) - assignment.chosen.begin() == static_cast<std::ptrdiff_t>(i)) {
-      findings.error(assignment.key, fmt::format("PDO 0x{:04X} is assigned twice.", index));
+      findings.add_at(assignment.key, "pdo-twice", fig::hex16<"pdo">(index));
     }
     const bool carried = std::ranges::any_of(slave.channels, [&](const auto& c) { return contains(c.pdos, index); });
     if (!carried) {
-      findings.error(assignment.key, fmt::format("No SyncManager can carry PDO 0x{:04X}.", index));
+      findings.add_at(assignment.key, "pdo-without-sync-manager", fig::hex16<"pdo">(index));
     }
     for (const std::uint16_t excluded : pdo->exclude) {
       if (excluded != index && contains(assignment.chosen, excluded)) {
-        findings.error(assignment.key, fmt::format("PDO 0x{:04X} excludes 0x{:04X}; only one of them can be assigned.",
-                                                   index, excluded));
+        findings.add_at(assignment.key, "pdo-excluded", fig::hex16<"pdo">(index), fig::hex16<"other">(excluded));
       }
     }
   }
@@ -47,7 +46,7 @@ void check_chosen(FindingList& findings, const SlavePlan& slave, const Assignmen
 void check_mandatory(FindingList& findings, const SlavePlan& slave, const Assignment& assignment) {
   for (const Pdo& pdo : slave.device().pdos(assignment.direction)) {
     if (pdo.mandatory && !contains(assignment.chosen, pdo.index)) {
-      findings.warning(assignment.key, fmt::format("PDO 0x{:04X} is mandatory and not assigned.", pdo.index));
+      findings.add_at(assignment.key, "pdo-mandatory", fig::hex16<"pdo">(pdo.index));
     }
   }
 }
@@ -67,7 +66,7 @@ void check_assignable(FindingList& findings, const SlavePlan& slave, const Assig
   std::ranges::sort(fixed);
   std::ranges::sort(chosen);
   if (fixed != chosen) {
-    findings.warning(assignment.key, "The device cannot be told another PDO assignment than its ESI's default.");
+    findings.add_at(assignment.key, "pdo-assignment-fixed");
   }
 }
 
@@ -77,12 +76,12 @@ void check_sizes(FindingList& findings, const SlavePlan& slave) {
     const auto& description = channel.description;
     const std::uint32_t bytes = (channel.bit_length + 7) / 8;
     if (description.max_size && *description.max_size > 0 && bytes > *description.max_size) {
-      findings.error(key, fmt::format("{} bytes exceed the {} that SyncManager {} takes.", bytes, *description.max_size,
-                                      channel.number));
+      findings.add_at(key, "process-data-too-long", fig::count<"bytes">(bytes),
+                      fig::count<"most">(*description.max_size), fig::count<"manager">(channel.number));
     }
     if (description.min_size && bytes > 0 && bytes < *description.min_size) {
-      findings.error(key, fmt::format("SyncManager {} needs at least {} bytes, the PDOs have {}.", channel.number,
-                                      *description.min_size, bytes));
+      findings.add_at(key, "process-data-too-short", fig::count<"manager">(channel.number),
+                      fig::count<"least">(*description.min_size), fig::count<"bytes">(bytes));
     }
   }
 }
@@ -94,16 +93,16 @@ void check_counts(FindingList& findings, const SlavePlan& slave) {
   if (!mailbox || !mailbox->coe) return;
   for (const auto& [direction, pdo] : slave.pdos) {
     if (mailbox->coe->pdo_config && !pdo.fixed && pdo.entries.size() > kMost) {
-      findings.error(
-          fmt::format("pdo.map.0x{:04x}", pdo.index),
-          fmt::format("{} entries are mapped; the object 0x{:04X} takes {}.", pdo.entries.size(), pdo.index, kMost));
+      findings.add_at(fmt::format("pdo.map.0x{:04x}", pdo.index), "mapping-too-long",
+                      fig::count<"entries">(pdo.entries.size()), fig::hex16<"object">(pdo.index),
+                      fig::count<"most">(kMost));
     }
   }
   for (const auto& channel : slave.channels) {
     if (mailbox->coe->pdo_assign && channel.pdos.size() > kMost) {
-      findings.error(channel.is_output() ? "pdo.rx" : "pdo.tx",
-                     fmt::format("{} PDOs are assigned to SyncManager {}; its object takes {}.", channel.pdos.size(),
-                                 channel.number, kMost));
+      findings.add_at(channel.is_output() ? "pdo.rx" : "pdo.tx", "assignment-too-long",
+                      fig::count<"pdos">(channel.pdos.size()), fig::count<"manager">(channel.number),
+                      fig::count<"most">(kMost));
     }
   }
 }
@@ -116,11 +115,9 @@ void check_room(FindingList& findings, const SlavePlan& slave) {
     if (object == dictionary.end() || object->entries.empty()) continue;
     const std::size_t room = object->entries.back().sub_index;
     if (room > 0 && changed.entries.size() > room) {
-      findings.warning(
-          fmt::format("pdo.map.0x{:04x}", changed.index),
-          fmt::format("{} entries are mapped; the device's dictionary has room for {} in 0x{:04X}. Map fewer, or "
-                      "use another PDO for the rest.",
-                      changed.entries.size(), room, changed.index));
+      findings.add_at(fmt::format("pdo.map.0x{:04x}", changed.index), "mapping-without-room",
+                      fig::count<"entries">(changed.entries.size()), fig::count<"room">(room),
+                      fig::hex16<"object">(changed.index));
     }
   }
 }
@@ -129,9 +126,8 @@ void check_excluded_managers(FindingList& findings, const SlavePlan& slave) {
   for (const auto& [direction, pdo] : slave.pdos) {
     const auto& excluded = pdo.excluded_sync_managers;
     if (!pdo.sync_manager || std::ranges::find(excluded, *pdo.sync_manager) == excluded.end()) continue;
-    findings.error(
-        direction == PdoDirection::kRx ? "pdo.rx" : "pdo.tx",
-        fmt::format("PDO 0x{:04X} must not lie in SyncManager {} (ESI ExcludedSm).", pdo.index, *pdo.sync_manager));
+    findings.add_at(direction == PdoDirection::kRx ? "pdo.rx" : "pdo.tx", "pdo-sync-manager-excluded",
+                    fig::hex16<"pdo">(pdo.index), fig::count<"manager">(*pdo.sync_manager));
   }
 }
 
@@ -140,10 +136,11 @@ void check_oversampling(FindingList& findings, const SlavePlan& slave) {
     const Pdo* pdo = slave.find_pdo(wanted.pdo);
     const std::string key = fmt::format("pdo.oversampling.0x{:04x}", wanted.pdo);
     if (pdo == nullptr) {
-      findings.error(key, fmt::format("The device has no PDO 0x{:04X}.", wanted.pdo));
+      findings.add_at(key, "pdo-missing/direction-free", fig::hex16<"pdo">(wanted.pdo));
     } else if (wanted.factor < pdo->os_min.value_or(1) || wanted.factor > pdo->os_max.value_or(1000)) {
-      findings.error(key, fmt::format("PDO 0x{:04X} takes {} to {} samples a cycle, not {}.", wanted.pdo,
-                                      pdo->os_min.value_or(1), pdo->os_max.value_or(1000), wanted.factor));
+      findings.add_at(key, "oversampling-out-of-range", fig::hex16<"pdo">(wanted.pdo),
+                      fig::count<"least">(pdo->os_min.value_or(1)), fig::count<"most">(pdo->os_max.value_or(1000)),
+                      fig::count<"factor">(wanted.factor));
     }
   }
 }
@@ -163,9 +160,9 @@ void check_fixed_entries(FindingList& findings, const SlavePlan& slave) {
         return e.index == entry.index && e.sub_index == entry.sub_index && e.bit_length == entry.bit_length;
       });
       if (entry.fixed && !kept) {
-        findings.error(fmt::format("pdo.map.0x{:04x}", changed.index),
-                       fmt::format("0x{:04X}:{:02X} must stay in PDO 0x{:04X} (ESI Entry@Fixed).", entry.index,
-                                   entry.sub_index, changed.index));
+        findings.add_at(fmt::format("pdo.map.0x{:04x}", changed.index), "pdo-entry-fixed",
+                        fig::text<"object">(fmt::format("0x{:04X}:{:02X}", entry.index, entry.sub_index)),
+                        fig::hex16<"pdo">(changed.index));
       }
     }
   }
@@ -178,9 +175,9 @@ void check_changed(FindingList& findings, const SlavePlan& slave) {
     const Pdo* pdo = slave.find_pdo(changed.index);
     const std::string key = fmt::format("pdo.map.0x{:04x}", changed.index);
     if (pdo == nullptr) {
-      findings.error(key, fmt::format("The device has no PDO 0x{:04X}.", changed.index));
+      findings.add_at(key, "pdo-missing/direction-free", fig::hex16<"pdo">(changed.index));
     } else if (pdo->fixed || !configurable) {
-      findings.error(key, fmt::format("The mapping of PDO 0x{:04X} is fixed.", changed.index));
+      findings.add_at(key, "mapping-fixed", fig::hex16<"pdo">(changed.index));
     }
   }
 }

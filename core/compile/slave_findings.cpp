@@ -23,12 +23,12 @@ void check_memory(FindingList& findings, const SlavePlan& slave) {
   const auto fmmus = plan_fmmus(slave).size();
   const auto available = slave.device().fmmus.size();
   if (available > 0 && fmmus > available) {
-    findings.error("pdo.rx", fmt::format("The process data need {} FMMUs, the device has {}.", fmmus, available));
+    findings.add("fmmus-missing", fig::count<"fmmus">(fmmus), fig::count<"available">(available));
   }
   const std::uint32_t bytes =
       (std::max(slave.image_bits(PdoDirection::kRx), slave.image_bits(PdoDirection::kTx)) + 7) / 8;
   if (bytes > kMaxDatagramBytes - kDatagramOverhead) {
-    findings.error("pdo.rx", fmt::format("{} bytes of process data do not fit into one Ethernet frame.", bytes));
+    findings.add("process-data-too-long/frame", fig::count<"bytes">(bytes));
   }
 }
 
@@ -38,22 +38,17 @@ void check_hot_connect(FindingList& findings, const SlavePlan& slave) {
   const char* key = settings.hot_connect.empty() ? "optional" : "hot_connect";
   const char* who = settings.hot_connect.empty() ? "An optional slave" : "The first slave of a hot-connect group";
   if (settings.alias == 0 && !settings.check.device_id) {
-    findings.error("alias",
-                   fmt::format("{} is known by its alias; it has none. Write one to its EEPROM (synclinectl sii "
-                               "alias) and set it here, or set the device ID of its switches (check.device_id).",
-                               who));
+    findings.add("alias-missing", fig::phrase<"who">(who));
   }
   if (slave.position == 0) {
-    findings.error(key, fmt::format("{} cannot be the first slave of the bus: nobody could be in front of it.", who));
+    findings.add_at(key, "optional-first", fig::phrase<"who">(who));
   }
 }
 
 void check_device_id(FindingList& findings, const SlavePlan& slave) {
   const auto& device = slave.device();
   if (slave.settings->check.device_id && !device.identification_ado && !device.identification_reg134) {
-    findings.warning("check.device_id",
-                     "The ESI does not say that the device has an explicit device ID; it is asked by the "
-                     "request bit of AL control all the same.");
+    findings.add("device-id-unknown");
   }
 }
 
@@ -62,9 +57,9 @@ void check_eoe(FindingList& findings, const SlavePlan& slave) {
   const bool wanted = eoe.mac || !eoe.ip.empty() || !eoe.subnet.empty() || !eoe.gateway.empty() || !eoe.dns.empty() ||
                       !eoe.host_name.empty();
   const bool able = slave.device().mailbox && slave.device().mailbox->eoe;
-  if (wanted && !able) findings.warning("eoe.ip", "The device has no EoE; its addresses are not set.");
+  if (wanted && !able) findings.add("eoe-missing");
   if (!slave.settings->ams_net_id.empty() && !(slave.device().mailbox && slave.device().mailbox->aoe)) {
-    findings.warning("aoe.net_id", "The device has no AoE; its AMS Net ID is not written.");
+    findings.add("aoe-missing");
   }
 }
 
@@ -80,43 +75,32 @@ void check_watchdog(FindingList& findings, const SlavePlan& slave) {
   if (!triggered || count == 0) return;
   const Nanoseconds unit = (Nanoseconds{device.reg_0400 ? *device.reg_0400 : kUsualDivider} + 2) * 40;
   if (const Nanoseconds time = unit * count; time <= slave.cycle_time * 2) {
-    findings.error(
-        "watchdog.process_data",
-        fmt::format("The process data watchdog runs out after {} us, outputs come every {} us: one lost frame "
-                    "stops the slave. Raise watchdog.process_data, or 0 switches it off.",
-                    time / kMicrosecond, slave.cycle_time / kMicrosecond));
+    findings.add("watchdog-too-short", fig::time<"time">(time), fig::time<"cycle">(slave.cycle_time));
   }
 }
 
 void check_mailbox(FindingList& findings, const SlavePlan& slave) {
   constexpr std::uint16_t kMailboxHeader = 6;
   if (slave.device().mailbox && !slave.mailbox) {
-    findings.error("", "The ESI names mailbox protocols, but no pair of mailbox SyncManagers.");
+    findings.add("mailbox-without-sync-managers");
   } else if (slave.mailbox &&
              (slave.mailbox->out.length <= kMailboxHeader || slave.mailbox->in.length <= kMailboxHeader)) {
-    findings.error("", "The ESI gives the mailbox no usable size.");
+    findings.add("mailbox-without-size");
   }
 }
 
 void check_sync_units(FindingList& findings, const DcOpMode& mode, const DcTimes& times, Nanoseconds bus_cycle) {
   if (!times.exact) {
-    findings.warning("dc.sync0.factor",
-                     "The bus cycle is not divisible by the factor; the SYNC cycle is cut to whole "
-                     "nanoseconds and drifts against the frame.");
+    findings.add("sync-cycle-inexact");
   }
   const AssignActivate activate{mode.assign_activate};
   if (activate.sync0() && times.cycle_time0 <= 0) {
-    findings.error("dc.sync0.cycle_us",
-                   fmt::format("{} switches SYNC0 on, its cycle is {} ns.", mode.name, times.cycle_time0));
+    findings.add("sync0-cycle-impossible", fig::text<"mode">(mode.name), fig::time<"cycle">(times.cycle_time0));
   } else if (activate.sync0() && !settings::keeps_step(times.cycle_time0, bus_cycle)) {
-    findings.warning("dc.sync0.cycle_us",
-                     fmt::format("SYNC0 every {} ns and a frame every {} ns: neither is a multiple of the other.",
-                                 times.cycle_time0, bus_cycle));
+    findings.add("sync0-out-of-step", fig::time<"sync0">(times.cycle_time0), fig::time<"cycle">(bus_cycle));
   }
   if (times.cycle_time1 < 0) {
-    findings.error("dc.sync1.shift_us",
-                   fmt::format("SYNC1 would come {} ns before SYNC0; register 0x09A4 holds only a delay after it.",
-                               -times.cycle_time1));
+    findings.add("sync1-before-sync0", fig::time<"time">(-times.cycle_time1));
   }
 }
 
@@ -127,7 +111,7 @@ void check_dc(FindingList& findings, const SlavePlan& slave) {
   }
   const DcOpMode* mode = selected_op_mode(*slave.settings);
   if (mode == nullptr) {
-    findings.error("dc.op_mode", fmt::format("The ESI has no operation mode \"{}\".", user.op_mode));
+    findings.add("operation-mode-missing", fig::text<"mode">(user.op_mode));
   } else if (slave.dc_commands()) {
     check_sync_units(findings, *mode, dc_times(*mode, user, slave.cycle_time), slave.cycle_time);
   }
@@ -140,9 +124,7 @@ void check_interpolation_time(FindingList& findings, const SlavePlan& slave) {
   const auto& startup = slave.settings->startup;
   for (std::size_t k = 0; k < startup.size(); ++k) {
     if (startup[k].index == kInterpolationTimePeriod && is_from_esi(startup[k], slave.device())) {
-      findings.warning(
-          fmt::format("startup.{}", k),
-          fmt::format("Object 0x60C2 cannot express a cycle of {} ns; the ESI's value is kept.", slave.cycle_time));
+      findings.add_at(fmt::format("startup.{}", k), "interpolation-time-inexact", fig::time<"cycle">(slave.cycle_time));
     }
   }
 }
@@ -150,7 +132,7 @@ void check_interpolation_time(FindingList& findings, const SlavePlan& slave) {
 void check_topology(FindingList& findings, const SlavePlan& slave) {
   // What the others must be known for: master_findings.
   if (!slave.settings->previous && slave.position > 0) {
-    findings.warning("previous", "The wiring is unknown: propagation delays will be measured as if in a line.");
+    findings.add("wiring-unknown");
   }
 }
 

@@ -7,15 +7,15 @@
 
 namespace syncline {
 
-std::vector<RunFinding> diagnose(const RunReport& report) {
-  std::vector<RunFinding> findings;
+std::vector<Finding> diagnose(const RunReport& report) {
+  std::vector<Finding> findings;
   for (const auto rule : {diagnosis::find_link_outages, diagnosis::find_absent_slaves, diagnosis::find_states,
                           diagnosis::find_clocks, diagnosis::find_master_sync, diagnosis::find_missed_outputs,
                           diagnosis::find_tight_sync0, diagnosis::find_firmware, diagnosis::find_port_errors,
                           diagnosis::find_lost_frames, diagnosis::find_host, diagnosis::find_working_counters}) {
     rule(report, findings);
   }
-  std::ranges::stable_sort(findings, [](const RunFinding& x, const RunFinding& y) { return x.level > y.level; });
+  std::ranges::stable_sort(findings, [](const Finding& x, const Finding& y) { return x.severity > y.severity; });
   return findings;
 }
 

@@ -10,6 +10,6 @@
 namespace syncline {
 
 /// Most severe first, then by slave. A healthy run has none above a note.
-[[nodiscard]] std::vector<RunFinding> diagnose(const RunReport& report);
+[[nodiscard]] std::vector<Finding> diagnose(const RunReport& report);
 
 }  // namespace syncline

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "findings/sentence.h"
+#include "findings/words/eni_devices.h"
 #include "protocol/dc_registers.h"
 
 namespace syncline::families {
@@ -40,6 +42,14 @@ std::string nearest(const CycleLimits& limits, Nanoseconds cycle) {
   if (above <= most && below != most)
     text += fmt::format("{}{}", text.empty() ? "" : " or ", microseconds(std::max(above, least)));
   return text;
+}
+
+enum class CycleVerdict : std::uint8_t { kFits, kTooShort, kTooLong, kOffStep, kPartly };
+CycleVerdict cycle_verdict(const CycleLimits& limits, Nanoseconds cycle) {
+  if (limits.shortest > 0 && cycle < limits.shortest) return CycleVerdict::kTooShort;
+  if (limits.longest > 0 && cycle > limits.longest) return CycleVerdict::kTooLong;
+  if (cycle % limits.step != 0) return CycleVerdict::kOffStep;
+  return cycle % limits.full_step != 0 ? CycleVerdict::kPartly : CycleVerdict::kFits;
 }
 
 class SlaveProblems {
@@ -84,19 +94,45 @@ class SlaveProblems {
     return std::nullopt;
   }
 
-  void add(Topic topic, bool refused, std::string text, std::optional<std::size_t> command = {}, bool outputs = false) {
-    out_.push_back({topic, refused, outputs, command, std::move(text)});
+  /// What a finder knows besides the words.
+  struct About {
+    Topic topic{};
+    bool refused = false;
+    std::optional<std::size_t> command{};
+    bool outputs = false;
+  };
+  template <FigureName... kNames>
+  void add(const About& about, std::type_identity_t<FindingSentence<words::kEniDevices, kNames...>> code,
+           Named<kNames>... figures) {
+    out_.push_back({about.topic, about.refused, about.outputs, about.command,
+                    make_finding<words::kEniDevices, kNames...>(code, {}, std::move(figures)...)});
   }
+  [[nodiscard]] Named<"family"> family() const { return fig::text<"family">(std::string(family_->name)); }
+  [[nodiscard]] Named<"devices"> devices() const { return fig::phrase<"devices">(family_->devices); }
 
   void check_cycle() {
     if (!sync0_ || !family_->cycle || slave_.dc->cycle_time0 <= 0) return;
     const Nanoseconds cycle = slave_.dc->cycle_time0;
-    const auto judgement = judge_cycle(*family_, cycle);
-    if (judgement.reason.empty()) return;
-    const auto better = nearest(*family_->cycle, cycle);
-    const auto advice = better.empty() ? "" : fmt::format(" Next to it: {}.", better);
-    add(judgement.refused ? Topic::kCycleRefused : Topic::kCyclePartly, judgement.refused,
-        fmt::format("SYNC0 comes every {}: {}.{}", microseconds(cycle), judgement.reason, advice));
+    const CycleLimits& limits = *family_->cycle;
+    const auto better = nearest(limits, cycle);
+    const auto comes = fig::time<"cycle">(cycle);
+    const auto next = better.empty() ? fig::phrase<"nearest">("none") : fig::text<"nearest">(better);
+    switch (cycle_verdict(limits, cycle)) {
+      case CycleVerdict::kFits:
+        return;
+      case CycleVerdict::kTooShort:
+        return add({Topic::kCycleRefused, true}, "ENI-DEV-01/shortest", comes, fig::time<"limit">(limits.shortest),
+                   family(), devices(), next);
+      case CycleVerdict::kTooLong:
+        return add({Topic::kCycleRefused, true}, "ENI-DEV-01/longest", comes, fig::time<"limit">(limits.longest),
+                   family(), devices(), next);
+      case CycleVerdict::kOffStep:
+        return add({Topic::kCycleRefused, true}, "ENI-DEV-01", comes, family(), devices(),
+                   fig::time<"step">(limits.step), next);
+      case CycleVerdict::kPartly:
+        return add({Topic::kCyclePartly, false}, "ENI-DEV-02", comes, family(), devices(),
+                   fig::time<"step">(limits.full_step), fig::phrase<"otherwise">(limits.otherwise), next);
+    }
   }
 
   void check_objects() {
@@ -110,12 +146,8 @@ class SlaveProblems {
             std::ranges::count_if(configured.pdo.entries, [](const PdoEntry& entry) { return entry.index != 0; }));
       }
       if (objects <= most) continue;
-      add(Topic::kObjects, true,
-          fmt::format(
-              "{} objects are mapped in this direction, {} {} take {}. Unassign a PDO, or map fewer objects and "
-              "exchange the slow ones by SDO.",
-              objects, family_->name, family_->devices, most),
-          {}, direction == PdoDirection::kRx);
+      add({Topic::kObjects, true, {}, direction == PdoDirection::kRx}, "ENI-DEV-03", fig::count<"objects">(objects),
+          family(), devices(), fig::count<"most">(most));
     }
   }
 
@@ -123,16 +155,10 @@ class SlaveProblems {
     const auto limit = written(kSyncErrorLimit);
     if (!limit || !family_->error_limit) return;
     if (limit->value > family_->error_limit->largest) {
-      add(Topic::kErrorLimit, true,
-          fmt::format("The error limit 0x10F1:02 is set to {}, {} {} take 0 to {} and refuse the download.",
-                      limit->value, family_->name, family_->devices, family_->error_limit->largest),
-          limit->command);
+      add({Topic::kErrorLimit, true, limit->command}, "ENI-DEV-04", fig::count<"limit">(limit->value), family(),
+          devices(), fig::count<"most">(family_->error_limit->largest));
     } else if (limit->value == 0) {
-      add(Topic::kErrorLimitOff, false,
-          "The error limit 0x10F1:02 is 0: the slave never stops for missed SM events, the application has to watch "
-          "their "
-          "counter.",
-          limit->command);
+      add({Topic::kErrorLimitOff, false, limit->command}, "ENI-DEV-05");
     }
   }
 
@@ -140,30 +166,21 @@ class SlaveProblems {
     const bool outputs = index == kOutputSync;
     const SyncTypes& types = family_->sync_types;
     const auto type = written({index, 1});
-    const auto report = [&](bool refused, std::string text) {
-      add(Topic::kSyncType, refused, std::move(text), type ? std::optional(type->command) : std::nullopt, outputs);
+    const auto about = [&](bool refused) {
+      return About{Topic::kSyncType, refused, type ? std::optional(type->command) : std::nullopt, outputs};
     };
-    if (type && !types.writable) {
-      return report(
-          true, fmt::format("0x{:04X}:01 is read-only in {} {}: the download ends the start-up. The SYNC signals set "
-                            "the type; remove the command.",
-                            index, family_->name, family_->devices));
-    }
+    const auto object = fig::hex16<"object">(index);
+    if (type && !types.writable) return add(about(true), "ENI-DEV-07/read-only", object, family(), devices());
     if (type && std::ranges::find(taken, type->value) == taken.end()) {
-      return report(true, fmt::format("0x{:04X}:01 is set to {}, which {} {} do not have.", index, type->value,
-                                      family_->name, family_->devices));
+      return add(about(true), "ENI-DEV-07", object, fig::count<"type">(type->value), family(), devices());
     }
     const std::uint64_t value = type ? type->value : usual;
     const bool by_signal = value == kSync0Type || value == kSync1Type;
     if (type && by_signal && !sync0_) {
-      report(
-          !types.follow_dc,
-          fmt::format("0x{:04X}:01 asks for SYNC signals, and they are off. Select an operation mode with DC, or free "
-                      "run.",
-                      index));
+      types.follow_dc ? add(about(false), "ENI-DEV-08/off", object) : add(about(true), "ENI-DEV-07/off", object);
     } else if (sync0_ && !by_signal && !types.follow_dc) {
-      report(false, fmt::format("SYNC0 is on, and 0x{:04X}:01 = {} does not use it: {}. Set it to 2.", index, value,
-                                outputs ? "outputs count from their arrival" : "inputs are not those of SYNC0"));
+      add(about(false), "ENI-DEV-08", object, fig::count<"type">(value),
+          fig::phrase<"consequence">(outputs ? "outputs count from their arrival" : "inputs are not those of SYNC0"));
     }
   }
 
@@ -179,26 +196,20 @@ class SlaveProblems {
     const CanGateway& gateway = *family_->gateway;
     const auto can = written(gateway.can_cycle), told = written(gateway.told_cycle);
     if (told && static_cast<std::int64_t>(told->value) != bus_cycle_ && told->value != 0) {
-      add(Topic::kCanCycle, sync0_,
-          fmt::format("The gateway is told a bus cycle of {} (0x1C32:02), frames come every {}.",
-                      microseconds(static_cast<Nanoseconds>(told->value)), microseconds(bus_cycle_)),
-          told->command);
+      const auto given = fig::time<"told">(static_cast<Nanoseconds>(told->value));
+      const auto cycle = fig::time<"cycle">(bus_cycle_);
+      sync0_ ? add({Topic::kCanCycle, true, told->command}, "ENI-DEV-09/told", given, cycle)
+             : add({Topic::kCanCycle, false, told->command}, "ENI-DEV-10/told", given, cycle);
     }
     if (!can || can->value == 0) return;
     const auto cycle = static_cast<Nanoseconds>(std::min<std::uint64_t>(can->value, UINT32_MAX));
     const Nanoseconds bus = sync0_ && slave_.dc->cycle_time0 > 0 ? slave_.dc->cycle_time0 : bus_cycle_;
     if (bus > 0 && cycle % bus != 0) {
-      add(Topic::kCanCycle, true,
-          fmt::format("The CAN cycle of {} (0x{:04X}:{:02X}) is no multiple of the bus cycle of {}: the gateway "
-                      "refuses SAFEOP.",
-                      microseconds(cycle), gateway.can_cycle.index, gateway.can_cycle.sub_index, microseconds(bus)),
-          can->command);
+      add({Topic::kCanCycle, true, can->command}, "ENI-DEV-09", fig::time<"can">(cycle),
+          fig::text<"object">(fmt::format("0x{:04X}:{:02X}", gateway.can_cycle.index, gateway.can_cycle.sub_index)),
+          fig::time<"cycle">(bus));
     } else if (!sync0_ && cycle != bus && (!told || told->value == 0)) {
-      add(Topic::kCanCycle, false,
-          "Without SYNC0 the gateway knows its bus cycle from 0x1C32:02 only, which no start-up command writes: it "
-          "starts a CAN "
-          "cycle with each frame.",
-          can->command);
+      add({Topic::kCanCycle, false, can->command}, "ENI-DEV-10");
     }
   }
 
@@ -220,11 +231,8 @@ class SlaveProblems {
       if (!mode) continue;
       const auto need = std::ranges::find(needing, static_cast<std::int8_t>(mode->value), &ModeNeedsDc::mode);
       if (need == needing.end()) continue;
-      add(Topic::kModeNeedsDc, false,
-          fmt::format(
-              "0x{:04X} is set to {}, and SYNC0 is off. {}. Select an operation mode with DC, or a profile mode.",
-              index, need->mode, need->why),
-          mode->command);
+      add({Topic::kModeNeedsDc, false, mode->command}, "ENI-DEV-06", fig::hex16<"object">(index),
+          fig::number<"mode">(need->mode), fig::phrase<"reason">(need->why));
     }
   }
 
@@ -245,13 +253,17 @@ CycleJudgement judge_cycle(const Family& family, Nanoseconds sync0_cycle) {
   const auto of = [&](std::string_view what, Nanoseconds time) {
     return fmt::format(fmt::runtime(what), microseconds(time), family.name, family.devices);
   };
-  if (limits.shortest > 0 && sync0_cycle < limits.shortest)
-    return {true, of("{0} is the shortest cycle that {1} {2} take", limits.shortest)};
-  if (limits.longest > 0 && sync0_cycle > limits.longest)
-    return {true, of("{0} is the longest cycle that {1} {2} take", limits.longest)};
-  if (sync0_cycle % limits.step != 0) return {true, of("{1} {2} take multiples of {0}", limits.step)};
-  if (sync0_cycle % limits.full_step != 0) {
-    return {false, of("{1} {2} need multiples of {0}", limits.full_step) + "; " + std::string(limits.otherwise)};
+  switch (cycle_verdict(limits, sync0_cycle)) {
+    case CycleVerdict::kFits:
+      return {};
+    case CycleVerdict::kTooShort:
+      return {true, of("{0} is the shortest cycle that {1} {2} take", limits.shortest)};
+    case CycleVerdict::kTooLong:
+      return {true, of("{0} is the longest cycle that {1} {2} take", limits.longest)};
+    case CycleVerdict::kOffStep:
+      return {true, of("{1} {2} take multiples of {0}", limits.step)};
+    case CycleVerdict::kPartly:
+      return {false, of("{1} {2} need multiples of {0}", limits.full_step) + "; " + std::string(limits.otherwise)};
   }
   return {};
 }

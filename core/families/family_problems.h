@@ -8,6 +8,7 @@
 
 #include "config/network_config.h"
 #include "families/device_family.h"
+#include "findings/finding.h"
 
 namespace syncline::families {
 
@@ -27,7 +28,7 @@ struct Problem {
   bool refused = false;                      // the slave does not come to OP; otherwise it runs and does something else
   bool outputs = false;                      // kObjects, kSyncType: of which direction
   std::optional<std::size_t> coe_command{};  // index in SlaveConfig::mailbox->coe_commands, where one is the cause
-  std::string text;                          // one or two sentences for the user
+  Finding finding{};                         // of the codes ENI-DEV; its place is the finder's matter
 };
 
 /// Pure. `bus_cycle`: of the frame with the slave's process data, ns. Without a family (null) only modes are judged

@@ -2,120 +2,66 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "support/types.h"
+#include "findings/figure.h"
+#include "findings/place.h"
 
-/// What a run means, in findings: each with its cause, the figures that prove it and what to do.
+/// What is wrong, or worth knowing: in a file, a project, a difference, a run. Each with its place, the figures that
+/// prove it, why it matters and what to do.
 namespace syncline {
 
-enum class FindingCode : std::uint8_t {
-  // slaves that are not there
-  kSlaveAbsent,
-  kSlaveAbsentBehindCable,
-  kSlaveWasAbsent,
-  kAdapterAway,
-  kAdapterWasAway,
-  // AL states
-  kSlaveFell,
-  kSlaveFellByMisses,
-  kSlaveFellByLateFrames,
-  kSlaveFellByItself,
-  kSlaveBehind,
-  // clocks
-  kNotMonitored,
-  kNothingToMonitor,
-  kSlavesOutOfSync,
-  kSlaveLeftWindow,
-  kWindowLeft,
-  kSlaveClockOff,
-  kMasterNotLocked,
-  kMasterLostLock,
-  kDcmError,
-  kDriftTooHigh,
-  // outputs and SYNC0
-  kMissedByLostFrames,
-  kMissedByHost,
-  kMissedByLateFrames,
-  kMissedUnlocked,
-  kMissedUnexplained,
-  kSync0TooTight,
-  kShiftTooShort,
-  kInputShiftTooShort,
-  // firmware
-  kFirmwareHung,
-  kFirmwareSlow,
-  kInputsLate,
-  kGatewayCycleExceeded,
-  kMailboxSilent,
-  kOutputsWatchdog,
-  // the wire
-  kPortErrors,
-  kLinkLost,
-  kFramesLost,
-  kFramesLostByNoise,
-  kFramesLostByHost,
-  kFramesLostByCable,
-  kFramesLate,
-  // the host
-  kHostStalled,
-  kHostLate,
-  // process data
-  kWorkingCounter,
-  kWorkingCounterExplained,
-};
-/// One behind the last.
-inline constexpr std::size_t kFindingCodes = static_cast<std::size_t>(FindingCode::kWorkingCounterExplained) + 1;
+enum class Severity : std::uint8_t { kNote, kWarning, kError };
+[[nodiscard]] std::string_view severity_name(Severity severity);  // "note", "warning", "error"
 
-enum class FindingLevel : std::uint8_t { kNote, kWarning, kError };
-
-/// One figure of the evidence. The name is that of its placeholder in the finding's words and of its JSON field.
-struct Figure {
-  enum class Unit : std::uint8_t {
-    kCount,
-    kTimes,  // "once", "3 times"
-    kNanoseconds,
-    kMoment,  // kMoment: ns since the run began
-    kPpm,     // value in thousandths
-    kSlave,   // position; `other` is the last one of a range, or the same; -1 the host, -2 nobody
-    kPort,
-    kHex16,
-    kHex32,
-    kAlStatus,
-    kText,
-  };
-  std::string_view name;
-  Unit unit = Unit::kCount;
-  std::int64_t value = 0, other = 0;
-  std::string text{};  // kText; kCount, kTimes: "at least" when it is not empty
-  bool operator==(const Figure&) const = default;
-};
-
-struct RunFinding {
-  FindingCode code = FindingCode::kNotMonitored;
-  FindingLevel level = FindingLevel::kNote;
-  int slave = -1;                // the one it is about; -1: the master, the bus or all
-  Nanoseconds from = 0, to = 0;  // when, host clock; 0: the whole run
+struct Finding {
+  std::string_view code;  // stable name for programs: "ENI-DC-03", "frames-lost-by-noise"; has a row of words
+  Severity severity = Severity::kNote;
+  Place place{};
+  Nanoseconds from = 0, to = 0;  // when, host clock; 0: the whole run, or no run
   std::vector<Figure> figures{};
-  bool operator==(const RunFinding&) const = default;
+  std::string_view facts{};  // one of the row's sentences; "": its first
+  bool operator==(const Finding&) const = default;
 };
 
-/// Stable name for programs: "frames-lost-by-noise".
-[[nodiscard]] std::string_view finding_code_name(FindingCode code);
+[[nodiscard]] bool has_errors(std::span<const Finding> findings);
+/// "slave.N.dc.op_mode" of slave 3 is "slave.3.dc.op_mode"; "" where the key is one of a slave and there is none.
+[[nodiscard]] std::string setting_at(std::string_view key, int slave);
 
-/// English sentences with {placeholders}: what was seen with its cause, and what to do.
+/// The words of a code, in English with {placeholders}; translations and docs/check.md are made from them.
 struct FindingWords {
-  std::string_view why, mend;
-};
-[[nodiscard]] FindingWords finding_words(FindingCode code);
+  struct Facts {
+    std::string_view variant;  // "" = the usual one; a finder names another as "code/variant"
+    std::string_view text;
+  };
+  static constexpr std::size_t kMostFacts = 6;
 
-/// A figure in English and engineering units.
-[[nodiscard]] std::string figure_text(const Figure& figure);
+  std::string_view code;
+  Severity severity = Severity::kNote;  // what it usually is; a finder of runs weighs by size
+  std::string_view title;               // what is found, in a line
+  std::string_view why;                 // what goes wrong on the machine
+  std::string_view mend;                // what to do about it
+  std::string_view setting{};           // the setting that cures it: "slave.N.dc.op_mode", "master.cycle_time_us"
+  Facts facts[kMostFacts]{};            // what was seen, by variant
+};
+
+/// The row of a code; every finding's code has one.
+[[nodiscard]] const FindingWords* find_finding_words(std::string_view code);
+/// All rows, family by family: the ENI's rules in the order of docs/check.md first.
+[[nodiscard]] std::span<const FindingWords> all_finding_words();
+/// Words of ours that figures bring into the sentences: what units kPhrase, kAside and kAlCode say.
+[[nodiscard]] std::span<const std::string_view> finding_phrases();
+
+/// The finding's sentence with {placeholders}.
+[[nodiscard]] std::string_view facts_template(const Finding& finding);
 /// Fills a (possibly translated) template with the figures. Unknown placeholders stay.
-[[nodiscard]] std::string fill_finding_template(std::string_view text, const RunFinding& finding);
-/// English: what was seen, why, and what to do.
-[[nodiscard]] std::string describe(const RunFinding& finding);
+[[nodiscard]] std::string fill_finding_template(std::string_view text, const Finding& finding);
+/// English: what was seen, as it is set behind a place: "no cyclic BRD reads 0x0130".
+[[nodiscard]] std::string facts_text(const Finding& finding);
+/// English sentences: what was seen, why, and what to do.
+[[nodiscard]] std::string describe(const Finding& finding);
 
 }  // namespace syncline

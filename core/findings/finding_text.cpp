@@ -24,11 +24,38 @@ std::string duration(std::int64_t ns) {
 std::string slaves(const Figure& figure) {
   if (figure.value == -1) return "the host";
   if (figure.value < 0) return "nobody in the configuration";
-  if (figure.other <= figure.value) return fmt::format("slave {}", figure.value);
-  return fmt::format("slaves {} to {}", figure.value, figure.other);
+  if (figure.other > figure.value) return fmt::format("slaves {} to {}", figure.value, figure.other);
+  return figure.text.empty() ? fmt::format("slave {}", figure.value)
+                             : fmt::format("slave {} ({})", figure.value, figure.text);
+}
+
+std::string al_code(std::uint16_t code) {
+  return fmt::format("0x{:04X} ({})", code, al_status_code_text(code).meaning);
+}
+
+/// A whole number of thousandths without zeros at its end: "62.5".
+std::string shortest_decimal(std::int64_t whole, std::int64_t rest, int digits) {
+  auto text = fmt::format("{}.{:0{}}", whole, rest, digits);
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.ends_with('.')) text.pop_back();
+  return text;
 }
 
 }  // namespace
+
+std::string exact_time_text(Nanoseconds time) {
+  const auto size = time < 0 ? 0 - static_cast<std::uint64_t>(time) : static_cast<std::uint64_t>(time);
+  const auto sign = std::string(time < 0 ? "-" : "");
+  const auto in = [&](std::uint64_t unit, int digits, const char* name) {
+    return sign +
+           shortest_decimal(static_cast<std::int64_t>(size / unit), static_cast<std::int64_t>(size % unit), digits) +
+           name;
+  };
+  if (size < 1'000) return fmt::format("{} ns", time);
+  if (size < 1'000'000) return in(1'000, 3, " us");
+  if (size < 1'000'000'000) return in(1'000'000, 6, " ms");
+  return in(1'000'000'000, 9, " s");
+}
 
 std::string figure_text(const Figure& figure) {
   using Unit = Figure::Unit;
@@ -40,6 +67,8 @@ std::string figure_text(const Figure& figure) {
       return fmt::format("{}{} times", figure.text.empty() ? "" : "at least ", figure.value);
     case Unit::kNanoseconds:
       return duration(figure.value);
+    case Unit::kTime:
+      return exact_time_text(figure.value);
     case Unit::kMoment:
       return fmt::format("{:.3f} s", static_cast<double>(figure.value) / 1e9);
     case Unit::kPpm:
@@ -52,17 +81,52 @@ std::string figure_text(const Figure& figure) {
       return fmt::format("0x{:04X}", figure.value);
     case Unit::kHex32:
       return fmt::format("0x{:08X}", figure.value);
+    case Unit::kHex:
+      return fmt::format("0x{:0{}x}", figure.value, figure.other);
     case Unit::kAlStatus: {
       const auto status = static_cast<std::uint16_t>(figure.value);
       return std::string(al_state_name(al_state_of(status))) + ((status & kAlErrorFlag) != 0 ? "+ERR" : "");
     }
+    case Unit::kAlCode:
+      return al_code(static_cast<std::uint16_t>(figure.value));
+    case Unit::kAside:
+      return figure.text.empty() ? std::string() : ": " + figure.text;
     case Unit::kText:
+    case Unit::kPhrase:
       return figure.text;
   }
   return {};
 }
 
-std::string fill_finding_template(std::string_view text, const RunFinding& finding) {
+std::string_view severity_name(Severity severity) {
+  switch (severity) {
+    case Severity::kNote:
+      return "note";
+    case Severity::kWarning:
+      return "warning";
+    case Severity::kError:
+      return "error";
+  }
+  return "note";
+}
+
+bool has_errors(std::span<const Finding> findings) {
+  return std::ranges::find(findings, Severity::kError, &Finding::severity) != findings.end();
+}
+
+std::string setting_at(std::string_view key, int slave) {
+  constexpr std::string_view kSlave = "slave.N.";
+  if (!key.starts_with(kSlave)) return std::string(key);
+  return slave < 0 ? std::string() : fmt::format("slave.{}.{}", slave, key.substr(kSlave.size()));
+}
+
+std::string_view facts_template(const Finding& finding) {
+  if (!finding.facts.empty()) return finding.facts;
+  const FindingWords* words = find_finding_words(finding.code);
+  return words == nullptr ? std::string_view{} : words->facts[0].text;
+}
+
+std::string fill_finding_template(std::string_view text, const Finding& finding) {
   std::string out;
   while (!text.empty()) {
     const auto open = text.find('{');
@@ -74,16 +138,21 @@ std::string fill_finding_template(std::string_view text, const RunFinding& findi
     out += found == finding.figures.end() ? std::string(text.substr(open, close - open + 1)) : figure_text(*found);
     text.remove_prefix(close + 1);
   }
-  out += text;
-  if (!out.empty() && out.front() >= 'a' && out.front() <= 'z')
-    out.front() = static_cast<char>(out.front() - 'a' + 'A');
-  return out;
+  return out += text;
 }
 
-std::string describe(const RunFinding& finding) {
-  const auto words = finding_words(finding.code);
-  auto text = fill_finding_template(words.why, finding);
-  if (!words.mend.empty()) text += " " + fill_finding_template(words.mend, finding);
+std::string facts_text(const Finding& finding) { return fill_finding_template(facts_template(finding), finding); }
+
+std::string describe(const Finding& finding) {
+  const auto sentence = [&](std::string_view words) {
+    auto text = fill_finding_template(words, finding);
+    if (!text.empty() && text.front() >= 'a' && text.front() <= 'z')
+      text.front() = static_cast<char>(text.front() - 'a' + 'A');
+    return text;
+  };
+  auto text = sentence(facts_template(finding));
+  const FindingWords* words = find_finding_words(finding.code);
+  if (words != nullptr && !words->mend.empty()) text += " " + sentence(words->mend);
   return text;
 }
 

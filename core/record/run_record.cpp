@@ -70,9 +70,9 @@ std::string RunRecord::slave_name(std::size_t position) const {
   return position < config_.slaves.size() ? config_.slaves[position].name : fmt::format("{}", position);
 }
 
-std::vector<RunFinding> RunRecord::findings() const {
+std::vector<Finding> RunRecord::findings() const {
   const auto run = report();
-  return run.history.reached_op ? diagnose(run) : std::vector<RunFinding>{};
+  return run.history.reached_op ? diagnose(run) : std::vector<Finding>{};
 }
 
 }  // namespace syncline

@@ -51,7 +51,7 @@ class RunRecord {
   [[nodiscard]] std::uint64_t forgotten_events() const { return forgotten_events_; }
   [[nodiscard]] RunReport report() const { return recorder_.finish(snapshot_); }
   /// What the figures mean. Judged is what was in OP: on the way there everything is unfinished.
-  [[nodiscard]] std::vector<RunFinding> findings() const;
+  [[nodiscard]] std::vector<Finding> findings() const;
 
  private:
   NetworkConfig config_;

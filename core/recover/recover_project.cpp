@@ -68,13 +68,10 @@ void recover_master(Project& project, const NetworkConfig& config, FindingList& 
   master.recovery = config.recovery;
   master.real_time = config.real_time;
   if (config.dc.enabled) {
-    findings.info("dc.mode",
-                  "An ENI says of the clocks' settings only which commands are sent: limit and settle time of the "
-                  "sync window, set value, burst and controller have their defaults.");
+    findings.add("clock-settings-unknown");
   }
   if (!config.cyclic.empty() && !config.cyclic.front().cycle_time_given) {
-    findings.warning("cycle_time_us",
-                     fmt::format("The ENI has no cycle time; {} us is taken.", config.cycle_time() / kMicrosecond));
+    findings.add("cycle-time-unknown", fig::time<"cycle">(config.cycle_time()));
   }
 }
 
@@ -86,8 +83,7 @@ void report_copies(const NetworkConfig& config, FindingList& findings) {
     }
   }
   if (copies > 0) {
-    findings.warning("",
-                     fmt::format("{} slave-to-slave copies cannot be kept: a project has no place for them.", copies));
+    findings.add("copies-lost", fig::count<"copies">(copies));
   }
 }
 
@@ -112,7 +108,7 @@ RecoveredProject recover_project(const NetworkConfig& config, const DeviceLookup
   if (const auto compiled = compile(recovered.project, {recovered.dialect})) {
     recovered.differences = compare_networks(config, compiled->config);
   } else {
-    of_master.error("", "The project cannot be compiled: " + compiled.error().detail);
+    of_master.add("project-not-compiled", fig::text<"reason">(compiled.error().detail));
   }
   return recovered;
 }

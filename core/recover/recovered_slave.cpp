@@ -56,15 +56,11 @@ DeviceDescription choose_device(const SlaveConfig& slave, const DeviceLookup& de
                                 FindingList& findings) {
   const DeviceDescription* found = devices ? devices(slave.identity) : nullptr;
   if (found == nullptr) {
-    findings.info("", fmt::format("No ESI of {} is at hand: the device is described by what the ENI uses of it; other "
-                                  "PDOs, operation modes and objects are unknown.",
-                                  to_string(slave.identity)));
+    findings.add("esi-missing", fig::text<"identity">(to_string(slave.identity)));
     return recovered_device(slave, cycle);
   }
   if (const auto why = misfit(*found, slave); !why.empty()) {
-    findings.warning("",
-                     fmt::format("The ESI's {} was not taken, {}: the device is described by what the ENI uses of it.",
-                                 found->type, why));
+    findings.add("esi-not-taken", fig::text<"type">(found->type), fig::text<"reason">(why));
     return recovered_device(slave, cycle);
   }
   return *found;
@@ -155,9 +151,7 @@ void recover_mailbox(SlaveSettings& settings, const SlaveConfig& slave, EniDiale
   }
   settings.eoe.enabled = !mailbox.eoe_disabled;
   if (others > 0) {
-    findings.warning("", fmt::format("{} start-up command{} of EoE cannot be kept: a project has a place for the IP "
-                                     "parameters only.",
-                                     others, others == 1 ? "" : "s"));
+    findings.add("startup-lost/eoe", fig::count<"commands">(others));
   }
   for (const SoeInitCmd& cmd : mailbox.soe_commands) {
     settings.soe_startup.push_back(
@@ -167,8 +161,7 @@ void recover_mailbox(SlaveSettings& settings, const SlaveConfig& slave, EniDiale
       {mailbox.aoe_commands, "AoE"}, {mailbox.foe_commands, "FoE"}, {mailbox.voe_commands, "VoE"}};
   for (const auto& [commands, protocol] : messages) {
     if (commands.empty()) continue;
-    findings.warning("", fmt::format("{} start-up command{} of {} cannot be kept: a project has no place for them.",
-                                     commands.size(), commands.size() == 1 ? "" : "s", protocol));
+    findings.add("startup-lost", fig::count<"commands">(commands.size()), fig::text<"protocol">(protocol));
   }
 }
 
@@ -176,9 +169,8 @@ void recover_dc(SlaveSettings& settings, const SlaveConfig& slave, Nanoseconds c
   const auto choice = recovered_dc_settings(slave, settings.device, cycle);
   settings.dc = choice.settings;
   if (!choice.exact) {
-    findings.warning("dc.op_mode",
-                     fmt::format("No operation mode of {} has the AssignActivate 0x{:04X} of the ENI: DC is off.",
-                                 settings.device.type, dc_of(slave)->assign_activate));
+    findings.add("dc-not-recovered", fig::text<"type">(settings.device.type),
+                 fig::hex16<"activation">(dc_of(slave)->assign_activate));
   }
 }
 

@@ -45,10 +45,8 @@ void recover_tasks(Project& project, const NetworkConfig& config, compiler::Find
     const CyclicTask& task = config.cyclic[t];
     const Nanoseconds multiple = base > 0 ? task.cycle_time / base : 0;
     if (multiple < 1 || multiple > kMostCycles || multiple * base != task.cycle_time) {
-      findings.warning(
-          "", fmt::format("The cycle of task {}, {} us, is no multiple of {} us: its slaves were put into the base "
-                          "task.",
-                          t + 1, task.cycle_time / kMicrosecond, base / kMicrosecond));
+      findings.add("task-not-recovered", fig::count<"task">(t + 1), fig::time<"cycle">(task.cycle_time),
+                   fig::time<"first">(base));
       continue;
     }
     const auto name = name_of(task, t, project.master.tasks);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "eni/check/eni_check.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "check/check_network.h"
@@ -12,53 +10,45 @@
 #include "eni/format/eni_reader.h"
 #include "eni/xml/xml_reader.h"
 #include "eni/xml/xml_text.h"
+#include "findings/sentence.h"
+#include "findings/words/eni_structure.h"
 #include "protocol/error_text.h"
 
 namespace syncline::eni {
 namespace {
 
-EniFinding unreadable(const Error& error) {
-  EniFinding finding;
-  finding.code = "ENI-XML-01";
-  finding.line = error.line;
-  finding.what = describe(error);
-  return finding;
+Finding unreadable(const Error& error) {
+  Place place;
+  place.line = error.line;
+  return make_finding<words::kEniStructure, "error">("ENI-XML-01", std::move(place),
+                                                     fig::text<"error">(describe(error)));
 }
 
 /// What the reader refuses and the structure does not explain.
 void add_reader_error(EniCheck& check, const Error& error) {
   check.understood = false;
-  const bool explained = std::ranges::any_of(check.findings, [](const EniFinding& finding) {
-    return find_check_rule(finding.code)->severity == CheckSeverity::kError;
-  });
-  if (!explained) check.findings.push_back(unreadable(error));
+  if (!has_errors(check.findings)) check.findings.push_back(unreadable(error));
 }
 
 void add_semantic_findings(EniCheck& check, const NetworkConfig& config, const EniLocations& locations) {
-  for (CheckFinding& found : check_network(config)) {
-    EniLocation location = locations.locate(found.place);
-    EniFinding finding;
-    finding.code = found.code;
-    finding.line = location.line;
-    finding.path = std::move(location.path);
-    finding.slave = found.place.slave();
-    finding.what = std::move(found.what);
-    check.findings.push_back(std::move(finding));
+  for (Finding& found : check_network(config)) {
+    EniLocation location = locations.locate(found.place.part);
+    found.place.line = location.line;
+    found.place.path = std::move(location.path);
+    check.findings.push_back(std::move(found));
   }
 }
 
-/// Names, severities and the order by line.
-void finish(EniCheck& check, const NetworkConfig* config) {
-  for (EniFinding& finding : check.findings) {
-    finding.severity = find_check_rule(finding.code)->severity;
-    if (config != nullptr && finding.slave >= 0 && static_cast<std::size_t>(finding.slave) < config->slaves.size()) {
-      finding.slave_name = config->slaves[static_cast<std::size_t>(finding.slave)].name;
-    }
-  }
-  std::ranges::stable_sort(check.findings, {}, &EniFinding::line);
+void sort_by_line(EniCheck& check) {
+  std::ranges::stable_sort(check.findings, {}, [](const Finding& finding) { return finding.place.line; });
 }
 
 }  // namespace
+
+std::string EniCheck::slave_name(const Finding& finding) const {
+  const auto at = static_cast<std::size_t>(finding.place.slave);
+  return finding.place.slave >= 0 && at < slaves.size() ? slaves[at] : std::string();
+}
 
 Result<EniCheck> check_eni_text(std::string_view text, const std::string& file_name) {
   EniCheck check;
@@ -67,7 +57,6 @@ Result<EniCheck> check_eni_text(std::string_view text, const std::string& file_n
     if (document.error().code != ErrorCode::kXmlMalformed) return fail(document.error());
     check.understood = false;
     check.findings.push_back(unreadable(document.error()));
-    finish(check, nullptr);
     return check;
   }
   const tinyxml2::XMLElement& root = *(*document)->RootElement();
@@ -78,12 +67,12 @@ Result<EniCheck> check_eni_text(std::string_view text, const std::string& file_n
   }
   check.findings = check_structure(root);
   if (config) {
-    check.slaves = config->slaves.size();
+    for (const SlaveConfig& slave : config->slaves) check.slaves.push_back(slave.name);
     add_semantic_findings(check, *config, EniLocations(root));
   } else {
     add_reader_error(check, config.error());
   }
-  finish(check, config ? &*config : nullptr);
+  sort_by_line(check);
   return check;
 }
 

@@ -5,28 +5,18 @@
 #include <string_view>
 #include <vector>
 
-#include "check/check_rule.h"
+#include "findings/finding.h"
 #include "support/result.h"
 
 namespace syncline::eni {
 
-/// A finding in an ENI file. Why it matters and how to mend it stand in the rule (find_check_rule()).
-struct EniFinding {
-  std::string_view code;
-  CheckSeverity severity = CheckSeverity::kNote;
-  int line = 0;      // in the file, from 1; 0 = the file as a whole
-  std::string path;  // "/EtherCATConfig/Config/Slave[2]/InitCmds/InitCmd[5]"
-  int slave = -1;    // position, -1 = none
-  std::string slave_name;
-  std::string what;  // the facts, in words
-  bool operator==(const EniFinding&) const = default;
-};
-
 struct EniCheck {
-  std::vector<EniFinding> findings;  // by line
+  std::vector<Finding> findings;  // by line; their places have slave, line and path
   /// False when a value or the XML itself kept the file from being read: only its structure was checked then.
   bool understood = true;
-  std::size_t slaves = 0;
+  std::vector<std::string> slaves;  // names, as far as the file was understood
+  /// "" where the finding is about none, or the file was not understood.
+  [[nodiscard]] std::string slave_name(const Finding& finding) const;
 };
 
 /// Checks structure and meaning by the rules of check_rules(). An error only where there is no ENI to check:

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "eni/check/eni_structure.h"
 #include "eni/format/eni_end_cap.h"
@@ -10,6 +11,8 @@
 #include "eni/format/eni_reader.h"
 #include "eni/xml/xml_reader.h"
 #include "eni/xml/xml_text.h"
+#include "findings/sentence.h"
+#include "findings/words/recovered.h"
 
 namespace syncline::eni {
 namespace {
@@ -24,39 +27,52 @@ struct Count {
   int line = 0;
 };
 
-void count_left_out(const Element& parent, std::map<std::string, Count>& counts) {
+struct Part {
+  std::string name, parent;
+  auto operator<=>(const Part&) const = default;
+};
+
+void count_left_out(const Element& parent, std::map<Part, Count>& counts) {
   for (const auto* e = parent.FirstChildElement(); e != nullptr; e = e->NextSiblingElement()) {
     const std::string_view name = e->Name();
     if (std::ranges::find(kLeftOut, name) == std::end(kLeftOut)) {
       count_left_out(*e, counts);
       continue;
     }
-    Count& count = counts[fmt::format("<{}> in <{}>", name, parent.Name())];
+    Count& count = counts[{std::string(name), parent.Name()}];
     if (count.times++ == 0) count.line = e->GetLineNum();
   }
 }
 
 std::vector<Finding> unread_parts(const Element& root) {
   std::vector<Finding> out;
-  const auto add = [&](const std::string& what, int line) {
-    out.push_back({FindingSeverity::kWarning, -1, "", fmt::format("Line {} is not read: {}.", line, what)});
+  std::set<std::string> told;
+  const auto add = [&](std::string what, int line) {
+    Place place;
+    place.line = line;
+    out.push_back(make_finding<words::kRecovered, "line", "what">(
+        "eni-part-unread", std::move(place), fig::number<"line">(line), fig::text<"what">(std::move(what))));
   };
-  for (const EniFinding& finding : check_structure(root)) {
-    if (finding.code == "ENI-XML-04") add(finding.what, finding.line);
+  for (const Finding& finding : check_structure(root)) {
+    if (finding.code != "ENI-XML-04") continue;
+    told.insert(finding.figures[0].text + '\n' + finding.figures[1].text);
+    add(facts_text(finding), finding.place.line);
   }
-  std::map<std::string, Count> counts;
+  std::map<Part, Count> counts;
   count_left_out(root, counts);
-  for (const auto& [what, count] : counts) {
-    const bool told =
-        std::ranges::any_of(out, [&what = what](const Finding& f) { return f.text.find(what) != std::string::npos; });
-    if (told) continue;
+  for (const auto& [part, count] : counts) {
+    if (told.contains(part.name + '\n' + part.parent)) continue;
+    const auto what = fmt::format("<{}> in <{}>", part.name, part.parent);
     add(count.times > 1 ? fmt::format("{}, {} times", what, count.times) : what, count.line);
   }
   const Element* config = root.FirstChildElement("Config");
   const Element* slave = config != nullptr ? config->FirstChildElement("Slave") : nullptr;
   for (; slave != nullptr; slave = slave->NextSiblingElement("Slave")) {
-    if (is_end_cap(*slave))
-      add("a Slave without address, commands and data, as tools write end caps", slave->GetLineNum());
+    if (!is_end_cap(*slave)) continue;
+    Place place;
+    place.line = slave->GetLineNum();
+    out.push_back(make_finding<words::kRecovered, "line">("eni-part-unread/end-cap", std::move(place),
+                                                          fig::number<"line">(slave->GetLineNum())));
   }
   return out;
 }

@@ -12,6 +12,8 @@
 #include "eni/format/eni_end_cap.h"
 #include "eni/xml/xml_reader.h"
 #include "eni/xml/xml_text.h"
+#include "findings/sentence.h"
+#include "findings/words/eni_structure.h"
 
 namespace syncline::eni {
 namespace {
@@ -45,14 +47,17 @@ std::string path_text(const Step* step) {
   return path;
 }
 
+template <FigureName... kNames>
+using Sentence = std::type_identity_t<FindingSentence<words::kEniStructure, kNames...>>;
+
 class StructureCheck {
  public:
-  explicit StructureCheck(std::vector<EniFinding>& out) : out_(out) {}
+  explicit StructureCheck(std::vector<Finding>& out) : out_(out) {}
 
   void run(const Element& root) {
     const Step step{nullptr, &root, 0};
     if (std::string_view(root.Name()) != "EtherCATConfig") {
-      add("ENI-XML-09", step, fmt::format("the root element is {}", root.Name()));
+      add("ENI-XML-09", step, element(root.Name()));
     }
     const EniChild* config = eni_schema().child("Config");
     slave_child_ = config != nullptr && config->type != nullptr ? config->type->child("Slave") : nullptr;
@@ -61,17 +66,19 @@ class StructureCheck {
   }
 
  private:
-  void add(std::string_view code, const Step& step, std::string what, int line = 0) {
-    EniFinding finding;
-    finding.code = code;
-    finding.line = line ? line : step.element->GetLineNum();
-    finding.path = path_text(&step);
-    finding.what = std::move(what);
+  template <FigureName... kNames>
+  void add(Sentence<kNames...> code, const Step& step, Named<kNames>... figures) {
+    out_.push_back(make_finding<words::kEniStructure, kNames...>(code, place_of(step), std::move(figures)...));
+  }
+  static Place place_of(const Step& step) {
+    Place place;
+    place.line = step.element->GetLineNum();
+    place.path = path_text(&step);
     for (const Step* s = &step; s != nullptr; s = s->parent) {
       if (s->index != 0 && std::string_view(s->element->Name()) == "Slave")
-        finding.slave = static_cast<int>(s->index) - 1;
+        place.slave = static_cast<int>(s->index) - 1;
     }
-    out_.push_back(std::move(finding));
+    return place;
   }
 
   void check_type(const Step& step, const EniType& type) {
@@ -82,22 +89,19 @@ class StructureCheck {
     for (const auto* e = step.element->FirstChildElement(); e != nullptr; e = e->NextSiblingElement()) {
       const EniChild* child = type.child(e->Name());
       if (child == nullptr) {
-        unknown(step, fmt::format("<{}> in <{}>", e->Name(), step.element->Name()), *e);
+        unknown(step, e->Name(), false, *e);
         continue;
       }
       std::size_t& count = counts[static_cast<std::size_t>(child - type.children.data())];
       const Step inner{&step, e, child->at_most == 1 ? 0 : ++count};
       if (child->at_most == 1) ++count;
       if (child->at_most != 0 && count > child->at_most) {
-        add("ENI-XML-07", inner,
-            fmt::format("<{}> stands {} times in <{}>, allowed are {}", child->name, count, step.element->Name(),
-                        child->at_most));
+        add("ENI-XML-07", inner, element(child->name), fig::count<"count">(count), parent(step),
+            fig::count<"most">(child->at_most));
       }
       if (child->order < reached && !said) {
         said = true;
-        add("ENI-XML-03", inner,
-            fmt::format("<{}> stands behind elements of <{}> that it has to precede", child->name,
-                        step.element->Name()));
+        add("ENI-XML-03", inner, element(child->name), parent(step));
       }
       reached = std::max<int>(reached, child->order);
       check_child(inner, *child);
@@ -112,8 +116,10 @@ class StructureCheck {
     const std::string text = text_of(*step.element);
     const ValueVerdict verdict = check_value(child.value, text);
     if (verdict == ValueVerdict::kRight) return;
-    add(verdict == ValueVerdict::kWrong ? "ENI-XML-05" : "ENI-XML-06", step,
-        fmt::format("<{}> is \"{}\" instead of {}", child.name, shown(text), value_words(child.value)));
+    const auto value = fig::text<"value">(shown(text));
+    const auto wanted = fig::phrase<"wanted">(value_words(child.value));
+    verdict == ValueVerdict::kWrong ? add("ENI-XML-05", step, element(child.name), value, wanted)
+                                    : add("ENI-XML-06", step, element(child.name), value, wanted);
   }
 
   void check_counts(const Step& step, const EniType& type, const std::vector<std::size_t>& counts) {
@@ -123,18 +129,18 @@ class StructureCheck {
     };
     for (std::size_t i = 0; i < counts.size(); ++i) {
       if (counts[i] < type.children[i].at_least) {
-        add("ENI-XML-02", step, fmt::format("<{}> has no <{}>", step.element->Name(), type.children[i].name));
+        add("ENI-XML-02", step, parent(step), element(type.children[i].name));
       }
     }
     for (const EniChoice& choice : type.choices) {
+      const auto one_name = fig::text<"one">(choice.one);
+      const auto other_name = fig::text<"other">(choice.other);
       const bool one = there(choice.one);
       const bool other = there(choice.other);
       if (one && other) {
-        add("ENI-XML-08", step,
-            fmt::format("<{}> has both <{}> and <{}>", step.element->Name(), choice.one, choice.other));
+        add("ENI-XML-08", step, parent(step), one_name, other_name);
       } else if (choice.required && !one && !other) {
-        add("ENI-XML-02", step,
-            fmt::format("<{}> has neither <{}> nor <{}>", step.element->Name(), choice.one, choice.other));
+        add("ENI-XML-02/choice", step, parent(step), one_name, other_name);
       }
     }
   }
@@ -145,46 +151,66 @@ class StructureCheck {
       if (name.starts_with("xmlns") || name.starts_with("xsi:") || name.starts_with("xml:")) continue;
       const EniAttribute* known = type.attribute(name);
       if (known == nullptr) {
-        unknown(step, fmt::format("attribute {} of <{}>", name, step.element->Name()), *step.element);
+        unknown(step, a->Name(), true, *step.element);
       } else if (const auto verdict = check_value(known->value, a->Value()); verdict != ValueVerdict::kRight) {
-        add(verdict == ValueVerdict::kWrong ? "ENI-XML-05" : "ENI-XML-06", step,
-            fmt::format("attribute {} is \"{}\" instead of {}", name, shown(a->Value()), value_words(known->value)));
+        const auto value = fig::text<"value">(shown(a->Value()));
+        const auto wanted = fig::phrase<"wanted">(value_words(known->value));
+        verdict == ValueVerdict::kWrong ? add("ENI-XML-05/attribute", step, element(a->Name()), value, wanted)
+                                        : add("ENI-XML-06/attribute", step, element(a->Name()), value, wanted);
       }
     }
     for (const EniAttribute& attribute : type.attributes) {
       if (attribute.required && step.element->Attribute(attribute.name) == nullptr) {
-        add("ENI-XML-02", step, fmt::format("<{}> has no attribute {}", step.element->Name(), attribute.name));
+        add("ENI-XML-02/attribute", step, parent(step), fig::text<"attribute">(attribute.name));
       }
     }
   }
 
   /// Extensions come by the hundred: each kind is told once, where it comes first.
-  void unknown(const Step& step, const std::string& what, const Element& element) {
-    Unknown& entry = unknown_[what];
-    if (entry.count++ == 0) {
-      add("ENI-XML-04", step, what, element.GetLineNum());
-      entry.finding = out_.size() - 1;
-    }
+  void unknown(const Step& step, const char* name, bool attribute, const Element& found) {
+    Unknown& entry = unknown_[{name, step.element->Name(), attribute}];
+    if (entry.count++ > 0) return;
+    attribute ? add("ENI-XML-04/attribute", step, element(name), parent(step))
+              : add("ENI-XML-04", step, element(name), parent(step));
+    out_.back().place.line = found.GetLineNum();
+    entry.finding = out_.size() - 1;
   }
 
   void report_unknown() {
     for (const auto& [what, entry] : unknown_) {
-      if (entry.count > 1) out_[entry.finding].what = fmt::format("{}, {} times", what, entry.count);
+      if (entry.count < 2) continue;
+      Finding& first = out_[entry.finding];
+      const auto name = element(what.name);
+      const auto around = fig::text<"parent">(what.parent);
+      const auto count = fig::count<"count">(entry.count);
+      auto place = std::move(first.place);
+      first = what.attribute ? make_finding<words::kEniStructure, "element", "parent", "count">(
+                                   "ENI-XML-04/attribute-often", std::move(place), name, around, count)
+                             : make_finding<words::kEniStructure, "element", "parent", "count">(
+                                   "ENI-XML-04/often", std::move(place), name, around, count);
     }
   }
 
+  static Named<"element"> element(std::string name) { return fig::text<"element">(std::move(name)); }
+  static Named<"parent"> parent(const Step& step) { return fig::text<"parent">(step.element->Name()); }
+
+  struct Extension {
+    std::string name, parent;
+    bool attribute = false;
+    auto operator<=>(const Extension&) const = default;
+  };
   struct Unknown {
     std::size_t count = 0, finding = 0;
   };
-  std::vector<EniFinding>& out_;
+  std::vector<Finding>& out_;
   const EniChild* slave_child_ = nullptr;
-  std::map<std::string, Unknown> unknown_;
+  std::map<Extension, Unknown> unknown_;
 };
 
 std::int64_t number_in(const Element* element) { return element ? parse_number(text_of(*element)).value_or(-1) : -1; }
 
 /// Previous ports name station addresses of the file.
-void check_previous_ports(const Element& config, std::vector<EniFinding>& out) {
+void check_previous_ports(const Element& config, std::vector<Finding>& out) {
   std::unordered_set<std::int64_t> addresses;
   std::size_t count = 0;
   for (const auto* s = first_slave(config); s != nullptr; s = next_slave(*s), ++count) {
@@ -201,22 +227,19 @@ void check_previous_ports(const Element& config, std::vector<EniFinding>& out) {
       ++index;
       const Element* address = p->FirstChildElement("PhysAddr");
       if (address == nullptr || addresses.contains(number_in(address))) continue;
-      EniFinding finding;
-      finding.code = "ENI-REF-01";
-      finding.line = address->GetLineNum();
-      finding.path =
-          fmt::format("/{}/Config/Slave[{}]/PreviousPort[{}]", config.Parent()->Value(), position + 1, index);
-      finding.slave = static_cast<int>(position);
-      finding.what = fmt::format("no slave has the station address {}", shown(text_of(*address)));
-      out.push_back(std::move(finding));
+      Place place(static_cast<int>(position));
+      place.line = address->GetLineNum();
+      place.path = fmt::format("/{}/Config/Slave[{}]/PreviousPort[{}]", config.Parent()->Value(), position + 1, index);
+      out.push_back(make_finding<words::kEniStructure, "address">("ENI-REF-01", std::move(place),
+                                                                  fig::text<"address">(shown(text_of(*address)))));
     }
   }
 }
 
 }  // namespace
 
-std::vector<EniFinding> check_structure(const Element& root) {
-  std::vector<EniFinding> out;
+std::vector<Finding> check_structure(const Element& root) {
+  std::vector<Finding> out;
   StructureCheck(out).run(root);
   if (const Element* config = root.FirstChildElement("Config")) {
     check_previous_ports(*config, out);

@@ -5,12 +5,12 @@
 
 #include <vector>
 
-#include "eni/check/eni_check.h"
+#include "findings/finding.h"
 
 namespace syncline::eni {
 
 /// Findings of the families ENI-XML and ENI-REF-01: element order, counts and types against eni_schema(), and previous
 /// ports that lead nowhere, which a NetworkConfig cannot hold.
-[[nodiscard]] std::vector<EniFinding> check_structure(const tinyxml2::XMLElement& root);
+[[nodiscard]] std::vector<Finding> check_structure(const tinyxml2::XMLElement& root);
 
 }  // namespace syncline::eni

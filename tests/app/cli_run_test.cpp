@@ -184,7 +184,8 @@ TEST(CliRun, ParametersThatCannotWorkAreRefusedByName) {
     EXPECT_NE(run.code, cli::kDone) << setting;
     return run.err;
   };
-  EXPECT_THAT(refused("dcm.set_value_us=5"), testing::AllOf(HasSubstr("master.dc.set_value_us"), HasSubstr("5000 ns")));
+  EXPECT_THAT(refused("dcm.set_value_us=5"),
+              testing::AllOf(HasSubstr("master.dc.set_value_us"), HasSubstr("5 us is outside")));
   EXPECT_THAT(refused("dcm.gain_ppt=501"), testing::AllOf(HasSubstr("master.dc.gain_ppt"), HasSubstr("0..500")));
   EXPECT_THAT(refused("dcm.mode=dcx"), HasSubstr("0x10F4"));
   EXPECT_THAT(refused("dcm.reference_clock=77"), HasSubstr("position 77"));

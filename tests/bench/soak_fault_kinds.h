@@ -7,6 +7,7 @@
 #include "channels/event.h"
 #include "config/sim_config.h"
 #include "findings/finding.h"
+#include "findings/run_codes.h"
 
 namespace syncline::bench {
 
@@ -24,12 +25,12 @@ struct SoakFaultKind {
   AlState state = AlState::kNone;
   std::uint16_t code = 0;
   Nanoseconds period = kMillisecond;
-  bool while_down = false;              // before the machine is brought up, until it is down again
-  bool switched_on_anew = false;        // its victim, just before
-  bool harmless = false;                // nothing must be told
-  std::vector<EventKind> events{};      // any of them tells it,
-  std::vector<FindingCode> findings{};  // or any of these, of the victim where it names a slave
-  std::vector<FindingCode> also{};      // what it brings with it, of anybody
+  bool while_down = false;                   // before the machine is brought up, until it is down again
+  bool switched_on_anew = false;             // its victim, just before
+  bool harmless = false;                     // nothing must be told
+  std::vector<EventKind> events{};           // any of them tells it,
+  std::vector<std::string_view> findings{};  // or any of these, of the victim where it names a slave
+  std::vector<std::string_view> also{};      // what it brings with it, of anybody
 };
 
 /// Positions as in soak_faults: 0 terminal, 1 and 2 servos, 3 drive, 4 gateway, 5 terminal.

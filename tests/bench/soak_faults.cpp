@@ -179,13 +179,13 @@ class Soak {
       outcome.told |= its_kind && is_late_enough && is_bad(event) && (event.slave < 0 || concerns(event.slave));
     }
     for (const auto& finding : diagnose(report)) {
-      const auto words = fmt::format("{} {}: {}", finding_code_name(finding.code), finding.slave, describe(finding));
+      const auto words = fmt::format("{} {}: {}", finding.code, finding.place.slave, describe(finding));
       outcome.log += words + "\n";
       const bool its_kind = std::ranges::find(kind.findings, finding.code) != kind.findings.end();
       const bool follows = std::ranges::find(kind.also, finding.code) != kind.also.end();
-      outcome.told |= its_kind && (finding.slave < 0 || concerns(finding.slave));
-      const bool accuses = finding.level != FindingLevel::kNote;
-      if (accuses && !follows && !(its_kind && (finding.slave < 0 || concerns(finding.slave))))
+      outcome.told |= its_kind && (finding.place.slave < 0 || concerns(finding.place.slave));
+      const bool accuses = finding.severity != Severity::kNote;
+      if (accuses && !follows && !(its_kind && (finding.place.slave < 0 || concerns(finding.place.slave))))
         outcome.accused.push_back(words);
     }
     return outcome;

@@ -62,7 +62,7 @@ TEST(EniImport, OtherEoeCommandsAreNamed) {
   config.slaves[3].mailbox->eoe_commands = {{.transitions = {Transition::kPS}, .data = {4, 0, 0, 0, 1}}};
   const auto recovered = recover_project(config);
   const auto named = std::ranges::find_if(recovered.findings, [](const Finding& finding) {
-    return finding.slave == 3 && finding.text.find("EoE") != std::string::npos;
+    return finding.place.slave == 3 && describe(finding).find("EoE") != std::string::npos;
   });
   EXPECT_NE(named, recovered.findings.end());
 }
@@ -74,9 +74,9 @@ TEST(EniImport, WhatIsNotReadIsNamedOnceWithItsLine) {
   const auto imported = eni::import_eni_text(text, "other.xml");
   ASSERT_TRUE(imported);
   ASSERT_EQ(imported->unread.size(), 2U);
-  EXPECT_THAT(imported->unread[0].text, HasSubstr("<Colour> in <Info>"));
-  EXPECT_THAT(imported->unread[1].text, HasSubstr("end caps"));
-  EXPECT_THAT(imported->unread[0].text, HasSubstr("Line "));
+  EXPECT_THAT(describe(imported->unread[0]), HasSubstr("<Colour> in <Info>"));
+  EXPECT_THAT(describe(imported->unread[1]), HasSubstr("end caps"));
+  EXPECT_THAT(describe(imported->unread[0]), HasSubstr("Line "));
 }
 
 }  // namespace

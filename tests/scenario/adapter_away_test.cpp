@@ -12,8 +12,6 @@
 namespace syncline {
 namespace {
 
-using Code = FindingCode;
-
 constexpr auto kDown = kind_of<events::LinkDown>, kUp = kind_of<events::LinkUp>;
 
 class AdapterAway : public ::testing::Test {
@@ -28,8 +26,8 @@ class AdapterAway : public ::testing::Test {
     }
     return all;
   }
-  [[nodiscard]] const RunFinding* finding(Code code) const {
-    const auto found = std::ranges::find(machine.findings, code, &RunFinding::code);
+  [[nodiscard]] const Finding* finding(std::string_view code) const {
+    const auto found = std::ranges::find(machine.findings, code, &Finding::code);
     return found == machine.findings.end() ? nullptr : &*found;
   }
 };
@@ -39,11 +37,11 @@ TEST_F(AdapterAway, ForASecondIsToldAndTheBusComesBackToOp) {
   machine.run(20 * kSecond);
   EXPECT_EQ(machine.report.state, AlState::kOp) << machine.said();
   EXPECT_THAT(link_events(), testing::ElementsAre(kDown, kUp));
-  ASSERT_NE(finding(Code::kAdapterWasAway), nullptr) << machine.said();
-  EXPECT_THAT(describe(*finding(Code::kAdapterWasAway)), testing::HasSubstr("for 1 s"));
+  ASSERT_NE(finding(code::kAdapterWasAway), nullptr) << machine.said();
+  EXPECT_THAT(describe(*finding(code::kAdapterWasAway)), testing::HasSubstr("for 1 s"));
   // One cause, told once: no slave and no cable is accused of it.
-  for (const auto code : {Code::kSlaveWasAbsent, Code::kSlaveAbsent, Code::kSlaveAbsentBehindCable, Code::kFramesLost,
-                          Code::kOutputsWatchdog}) {
+  for (const auto code : {code::kSlaveWasAbsent, code::kSlaveAbsent, code::kSlaveAbsentBehindCable, code::kFramesLost,
+                          code::kOutputsWatchdog}) {
     EXPECT_FALSE(machine.found(code)) << machine.said();
   }
 }
@@ -52,9 +50,9 @@ TEST_F(AdapterAway, WhenItStaysAwayThatIsWhatIsWrong) {
   machine.adapter_away = {{6 * kSecond, 100 * kSecond}};
   machine.run(9 * kSecond);
   EXPECT_THAT(link_events(), testing::ElementsAre(kDown));
-  ASSERT_NE(finding(Code::kAdapterAway), nullptr) << machine.said();
-  EXPECT_EQ(finding(Code::kAdapterAway)->level, FindingLevel::kError);
-  EXPECT_FALSE(machine.found(Code::kSlaveAbsent)) << machine.said();
+  ASSERT_NE(finding(code::kAdapterAway), nullptr) << machine.said();
+  EXPECT_EQ(finding(code::kAdapterAway)->severity, Severity::kError);
+  EXPECT_FALSE(machine.found(code::kSlaveAbsent)) << machine.said();
 }
 
 TEST_F(AdapterAway, AgainAndAgainForAsLongAsItLikes) {
@@ -86,7 +84,7 @@ TEST(AdapterAwayProperty, AtAnyTimeOfTheBringUpTheBusReachesOpAndNobodyIsAccused
     RC_ASSERT(machine.report.dc.state == SyncState::kInSync);
     RC_ASSERT(machine.report.dcm.state == SyncState::kInSync);
     for (const auto& finding : machine.findings) {
-      RC_ASSERT(finding.level == FindingLevel::kNote || finding.code == Code::kAdapterWasAway);
+      RC_ASSERT(finding.severity == Severity::kNote || finding.code == code::kAdapterWasAway);
     }
   }));
 }
@@ -99,7 +97,7 @@ TEST(AdapterAwayProperty, DrivesThatFellForAMomentWithoutAdapterComeBack) {
     machine.adapter_away = {{6 * kSecond, 6 * kSecond + length * kMillisecond}};
     machine.run(12 * kSecond);
     EXPECT_EQ(machine.report.state, AlState::kOp) << length << " ms\n" << machine.said();
-    EXPECT_FALSE(machine.found(Code::kSlaveFellByMisses)) << machine.said();
+    EXPECT_FALSE(machine.found(code::kSlaveFellByMisses)) << machine.said();
   }
 }
 
@@ -113,7 +111,7 @@ TEST(AdapterAwayProperty, FramesOfAnOutageAccuseNotTheWayThroughTheCard) {
   machine.adapter_away = {{3'753'940'414, 4'047'105'312}};
   machine.run(14 * kSecond);
   EXPECT_GT(machine.report.late_frames, 0U) << "this one is to have one";
-  EXPECT_FALSE(machine.found(Code::kFramesLate)) << machine.said();
+  EXPECT_FALSE(machine.found(code::kFramesLate)) << machine.said();
 }
 
 TEST_F(AdapterAway, InTheMiddleOfABringUpThatIsToldAndBegunAgain) {
@@ -121,7 +119,7 @@ TEST_F(AdapterAway, InTheMiddleOfABringUpThatIsToldAndBegunAgain) {
   machine.run(12 * kSecond);
   EXPECT_EQ(machine.report.state, AlState::kOp) << machine.said();
   EXPECT_THAT(link_events(), testing::ElementsAre(kDown, kUp, kind_of<events::BringUpAgain>));
-  EXPECT_TRUE(machine.found(Code::kAdapterWasAway)) << machine.said();
+  EXPECT_TRUE(machine.found(code::kAdapterWasAway)) << machine.said();
 }
 
 TEST_F(AdapterAway, WhenTheBusIsSoughtItIsWaitedForToo) {

@@ -30,7 +30,7 @@ test::SimulatedNetwork machine(const Kind& kind) {
 bool is_refused(const Project& project) {
   const auto result = compile(project);
   return std::ranges::any_of(result->findings, [](const Finding& finding) {
-    return finding.slave == 1 && finding.severity == FindingSeverity::kError;
+    return finding.place.slave == 1 && finding.severity == Severity::kError;
   });
 }
 

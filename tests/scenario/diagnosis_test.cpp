@@ -10,8 +10,6 @@
 namespace syncline {
 namespace {
 
-using Code = FindingCode;
-
 /// A coupler-like terminal and two servo axes.
 class Diagnosis : public ::testing::Test {
  protected:
@@ -42,15 +40,15 @@ TEST_F(Diagnosis, KeepsTheMissedEventsThatMadeTheDrivesFall) {
     EXPECT_GE(missed.missed, 3U);
     EXPECT_GE(missed.integrator_highest, 9U);
     EXPECT_GT(missed.computed, 0U) << "the drive's own counter ended with OP";
-    EXPECT_TRUE(machine.found(Code::kSlaveFellByMisses, static_cast<int>(axis))) << machine.said();
+    EXPECT_TRUE(machine.found(code::kSlaveFellByMisses, static_cast<int>(axis))) << machine.said();
   }
 }
 
 TEST_F(Diagnosis, NamesLostFramesAsTheCauseOfMissedEvents) {
   for (int i = 0; i < 6; ++i) lose(5 * kSecond + i * 400 * kMillisecond, 2);
   machine.run(9 * kSecond);
-  for (const int axis : {1, 2}) EXPECT_TRUE(machine.found(Code::kMissedByLostFrames, axis)) << machine.said();
-  EXPECT_TRUE(machine.found(Code::kFramesLost)) << machine.said();
+  for (const int axis : {1, 2}) EXPECT_TRUE(machine.found(code::kMissedByLostFrames, axis)) << machine.said();
+  EXPECT_TRUE(machine.found(code::kFramesLost)) << machine.said();
   // Each fault takes a cyclic frame and an acyclic one.
   EXPECT_EQ(slave(1).sm2_missed->missed, 6U);
   EXPECT_EQ(slave(1).sm2_missed->by_cause[0], 6U);
@@ -74,14 +72,14 @@ TEST(DiagnosisOfOneDrive, SaysByHowMuchSync0ComesTooEarly) {
   auto& shift = machine.network.project.slaves[1].dc.sync0.shift;
   shift = -640 * kMicrosecond;
   machine.run(8 * kSecond);
-  ASSERT_TRUE(machine.found(Code::kShiftTooShort, 1)) << machine.said();
-  const auto found = std::ranges::find(machine.findings, Code::kShiftTooShort, &RunFinding::code);
+  ASSERT_TRUE(machine.found(code::kShiftTooShort, 1)) << machine.said();
+  const auto found = std::ranges::find(machine.findings, code::kShiftTooShort, &Finding::code);
   const auto more = std::ranges::find(found->figures, "more", &Figure::name)->value;
   *shift += more;
   test::DiagnosedRun mended;
   mended.network = machine.network;
   mended.run(8 * kSecond);
-  EXPECT_FALSE(mended.found(Code::kShiftTooShort)) << "what it advises is enough: " << mended.said();
+  EXPECT_FALSE(mended.found(code::kShiftTooShort)) << "what it advises is enough: " << mended.said();
 }
 
 TEST(DiagnosisOfAGateway, TellsCanCyclesThatAreSkipped) {
@@ -91,14 +89,14 @@ TEST(DiagnosisOfAGateway, TellsCanCyclesThatAreSkipped) {
   StartupCommand length{{Transition::kPS}, 0xF800, 7, {0x40, 0x77, 0x1B, 0x00}, false, false, true, 0, "1.8 ms"};
   machine.network.project.slaves[1].startup.push_back(length);
   machine.run(8 * kSecond);
-  EXPECT_TRUE(machine.found(Code::kGatewayCycleExceeded, 1)) << machine.said();
+  EXPECT_TRUE(machine.found(code::kGatewayCycleExceeded, 1)) << machine.said();
 }
 
 TEST_F(Diagnosis, TellsOfFirmwareThatHangs) {
   machine.fault(FaultKind::kStopApplication, 6 * kSecond, 2).until = 6800 * kMillisecond;
   machine.run(9 * kSecond);
-  EXPECT_TRUE(machine.found(Code::kFirmwareHung, 2)) << machine.said();
-  EXPECT_FALSE(machine.found(Code::kFirmwareHung, 1)) << machine.said();
+  EXPECT_TRUE(machine.found(code::kFirmwareHung, 2)) << machine.said();
+  EXPECT_FALSE(machine.found(code::kFirmwareHung, 1)) << machine.said();
   EXPECT_TRUE(std::ranges::any_of(machine.events, [](const Event& event) {
     return event.slave == 2 && test::with(&events::WatchdogExpired::which, events::WatchdogExpired::Which::kPdi)(event);
   }));
@@ -107,7 +105,7 @@ TEST_F(Diagnosis, TellsOfFirmwareThatHangs) {
 TEST_F(Diagnosis, LooksForTheCauseInTheSlaveWhenAllCyclesWereGood) {
   machine.fault(FaultKind::kSilentSync, 6 * kSecond, 1).until = 9 * kSecond;
   machine.run(10 * kSecond);
-  EXPECT_TRUE(machine.found(Code::kSlaveFellByItself, 1)) << machine.said();
+  EXPECT_TRUE(machine.found(code::kSlaveFellByItself, 1)) << machine.said();
 }
 
 TEST_F(Diagnosis, TellsOfFirmwareThatNeedsLongerThanItsCycle) {
@@ -115,26 +113,26 @@ TEST_F(Diagnosis, TellsOfFirmwareThatNeedsLongerThanItsCycle) {
   fault.until = 9 * kSecond;
   fault.value_ns = 1'500'000;
   machine.run(10 * kSecond);
-  EXPECT_TRUE(machine.found(Code::kFirmwareSlow, 1)) << machine.said();
-  EXPECT_FALSE(machine.found(Code::kFirmwareSlow, 2)) << machine.said();
-  EXPECT_FALSE(machine.found(Code::kFirmwareHung)) << machine.said();
+  EXPECT_TRUE(machine.found(code::kFirmwareSlow, 1)) << machine.said();
+  EXPECT_FALSE(machine.found(code::kFirmwareSlow, 2)) << machine.said();
+  EXPECT_FALSE(machine.found(code::kFirmwareHung)) << machine.said();
 }
 
 TEST_F(Diagnosis, NamesThePortWhereFramesWereDamagedFirst) {
   for (int i = 0; i < 8; ++i) machine.fault(FaultKind::kBitErrors, 5 * kSecond + i * 150 * kMillisecond, 1).count = 1;
   machine.run(9 * kSecond);
-  EXPECT_TRUE(machine.found(Code::kPortErrors, 1)) << machine.said();
-  EXPECT_FALSE(machine.found(Code::kPortErrors, 0)) << machine.said();
-  EXPECT_FALSE(machine.found(Code::kPortErrors, 2)) << machine.said();
-  EXPECT_TRUE(machine.found(Code::kFramesLostByNoise, 1)) << machine.said();
+  EXPECT_TRUE(machine.found(code::kPortErrors, 1)) << machine.said();
+  EXPECT_FALSE(machine.found(code::kPortErrors, 0)) << machine.said();
+  EXPECT_FALSE(machine.found(code::kPortErrors, 2)) << machine.said();
+  EXPECT_TRUE(machine.found(code::kFramesLostByNoise, 1)) << machine.said();
 }
 
 TEST_F(Diagnosis, BlamesTheHostThatStalls) {
   machine.fault(FaultKind::kHostStall, 8 * kSecond).value_ns = 35 * kMillisecond;
   machine.run(12 * kSecond);
-  EXPECT_TRUE(machine.found(Code::kHostStalled)) << machine.said();
-  EXPECT_FALSE(machine.found(Code::kFramesLost)) << machine.said();
-  EXPECT_TRUE(machine.found(Code::kSlaveFellByMisses, 1)) << machine.said();
+  EXPECT_TRUE(machine.found(code::kHostStalled)) << machine.said();
+  EXPECT_FALSE(machine.found(code::kFramesLost)) << machine.said();
+  EXPECT_TRUE(machine.found(code::kSlaveFellByMisses, 1)) << machine.said();
   EXPECT_GT(slave(1).sm2_missed->by_cause[1], 0U) << "cycles left out";
 }
 
@@ -160,7 +158,7 @@ TEST_F(Diagnosis, CountsTheMissesOfADriveThatFallsJustAfterOp) {
   again.fault(FaultKind::kHostStall, op->time - machine.report.history.begin + 40 * kMillisecond).value_ns =
       12 * kMillisecond;
   again.run(8 * kSecond);
-  EXPECT_TRUE(again.found(Code::kSlaveFellByMisses, 1)) << again.said();
+  EXPECT_TRUE(again.found(code::kSlaveFellByMisses, 1)) << again.said();
   EXPECT_GE(again.report.slaves[1].sm2_missed->by_cause[1], 3U) << "cycles left out";
 }
 
@@ -169,9 +167,9 @@ TEST_F(Diagnosis, AsksForMoreTimeBetweenFrameAndSync0) {
   machine.network.project.master.dc.dcm.mode = DcmMode::kMasterShift;
   machine.network.project.master.dc.dcm.set_value = 30 * kMicrosecond;
   machine.run(15 * kSecond);
-  EXPECT_TRUE(machine.found(Code::kHostLate)) << machine.said();
-  EXPECT_TRUE(machine.found(Code::kMissedByLateFrames, 0)) << machine.said();
-  EXPECT_TRUE(machine.found(Code::kShiftTooShort, 1) || machine.found(Code::kMissedByLateFrames, 1)) << machine.said();
+  EXPECT_TRUE(machine.found(code::kHostLate)) << machine.said();
+  EXPECT_TRUE(machine.found(code::kMissedByLateFrames, 0)) << machine.said();
+  EXPECT_TRUE(machine.found(code::kShiftTooShort, 1) || machine.found(code::kMissedByLateFrames, 1)) << machine.said();
 }
 
 }  // namespace

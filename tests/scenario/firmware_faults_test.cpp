@@ -77,7 +77,7 @@ TEST_P(FirmwareFaults, AreToldByNameOfTheSlave) {
           return wanted && e.slave == victim && e.time > 0 && e.time - machine.report.history.begin > 5 * kSecond;
         });
     const bool finding = std::ranges::any_of(
-        machine.findings, [&](const RunFinding& f) { return f.slave == victim && f.level != FindingLevel::kNote; });
+        machine.findings, [&](const Finding& f) { return f.place.slave == victim && f.severity != Severity::kNote; });
     if (event && finding) continue;
     ++silent;
     std::string events;
@@ -105,7 +105,7 @@ TEST(SlowFirmware, ATerminalWithoutMailboxIsNamedWithWhenItBeganAndEnded) {
     if (const auto* inputs = event.as<events::StaleInputs>()) told.emplace_back(event.slave, inputs->begun);
   }
   EXPECT_EQ(told, (std::vector<std::pair<int, bool>>{{1, true}, {1, false}})) << machine.said();
-  EXPECT_TRUE(machine.found(FindingCode::kInputsLate, 1)) << machine.said();
+  EXPECT_TRUE(machine.found(code::kInputsLate, 1)) << machine.said();
 }
 
 TEST(SlowFirmware, NobodyIsAccusedOfItWithoutIt) {
@@ -130,7 +130,7 @@ TEST(SlowFirmware, NobodyIsAccusedOfItWithoutIt) {
       EXPECT_FALSE(event.is<events::StaleInputs>()) << "seed " << seed << ", slave " << event.slave << "\n"
                                                     << machine.said();
     }
-    EXPECT_FALSE(machine.found(FindingCode::kInputsLate)) << seed;
+    EXPECT_FALSE(machine.found(code::kInputsLate)) << seed;
   }
 }
 
@@ -143,7 +143,7 @@ TEST(FirmwareFault, AMailboxThatWasSilentAnswersAgainAndIsToldAllTheSame) {
     fault.until = 36 * kSecond;
     fault.value_ns = 2500 * kMillisecond;
     machine.run(60 * kSecond);
-    EXPECT_TRUE(machine.found(FindingCode::kMailboxSilent, 1)) << machine.said();
+    EXPECT_TRUE(machine.found(code::kMailboxSilent, 1)) << machine.said();
     EXPECT_EQ(machine.report.slaves[1].evidence.mailbox_silences, 0U) << "it answers again";
   }
 }

@@ -19,8 +19,8 @@ namespace {
 std::size_t findings(const std::string& text) {
   const auto check = eni::check_eni_text(text, "file.xml");
   if (!check) return 1;
-  return static_cast<std::size_t>(std::ranges::count_if(
-      check->findings, [](const auto& finding) { return finding.severity != CheckSeverity::kNote; }));
+  return static_cast<std::size_t>(
+      std::ranges::count_if(check->findings, [](const auto& finding) { return finding.severity != Severity::kNote; }));
 }
 
 bool runs(const NetworkConfig& config, const std::string& bus) {

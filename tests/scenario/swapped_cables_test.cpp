@@ -35,7 +35,7 @@ TEST(SwappedCables, RunsInSyncAndSaysWhatToDo) {
     RC_ASSERT(machine.report.state == AlState::kOp);
     RC_LOG() << machine.said();
     RC_ASSERT(machine.report.deviation_max_ns.value_or(0) < 100);
-    for (const auto& finding : machine.findings) RC_ASSERT(finding.level != FindingLevel::kError);
+    for (const auto& finding : machine.findings) RC_ASSERT(finding.severity != Severity::kError);
     const auto swapped =
         std::ranges::count_if(machine.network.sim.slaves, [](const auto& slave) { return slave.entry_port != 0; });
     const auto told = std::ranges::count_if(machine.events, [](const Event& event) {

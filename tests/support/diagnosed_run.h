@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "diagnosis/run_diagnosis.h"
+#include "findings/run_codes.h"
 #include "master/master_service.h"
 #include "tests/support/simulated_network.h"
 #include "trace/run_report.h"
@@ -50,7 +51,7 @@ class DiagnosedRun {
   SimulatedNetwork network;
   JitterProfile jitter;
   RunReport report;
-  std::vector<RunFinding> findings;
+  std::vector<Finding> findings;
   std::vector<Event> events;
   std::map<std::size_t, std::uint32_t> shown_misses;  // the last that the samples said, by position
   std::vector<AwaySpan> adapter_away;
@@ -91,18 +92,17 @@ class DiagnosedRun {
     report = recorder.finish(snapshot);
     findings = diagnose(report);
   }
-  [[nodiscard]] bool found(FindingCode code, int slave = -1) const {
-    return std::ranges::any_of(findings,
-                               [&](const RunFinding& f) { return f.code == code && (slave < 0 || f.slave == slave); });
+  [[nodiscard]] bool found(std::string_view code, int slave = -1) const {
+    return std::ranges::any_of(
+        findings, [&](const Finding& f) { return f.code == code && (slave < 0 || f.place.slave == slave); });
   }
   [[nodiscard]] bool accuses() const {
-    return std::ranges::any_of(findings, [](const RunFinding& f) { return f.level != FindingLevel::kNote; });
+    return std::ranges::any_of(findings, [](const Finding& f) { return f.severity != Severity::kNote; });
   }
   /// All that is said, for a test's message.
   [[nodiscard]] std::string said() const {
     std::string text;
-    for (const auto& finding : findings)
-      text += std::string(finding_code_name(finding.code)) + ": " + describe(finding) + "\n";
+    for (const auto& finding : findings) text += std::string(finding.code) + ": " + describe(finding) + "\n";
     return text;
   }
 };

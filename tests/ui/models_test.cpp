@@ -88,7 +88,7 @@ Message message(Severity severity, const char* text) {
 TEST(MessageModel, KeepsFindingsOnTopAndNewestFirst) {
   MessageModel model;
   QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Warning);
-  model.append(message(Severity::kInfo, "first"));
+  model.append(message(Severity::kNote, "first"));
   model.setFindings({message(Severity::kWarning, "finding")});
   model.append(message(Severity::kError, "second"));
   ASSERT_EQ(model.rowCount(), 3);
@@ -104,7 +104,7 @@ TEST(MessageModel, KeepsFindingsOnTopAndNewestFirst) {
 
 TEST(MessageModel, IsCapped) {
   MessageModel model;
-  for (std::size_t i = 0; i < MessageModel::kMaximum + 10; ++i) model.append(message(Severity::kInfo, "line"));
+  for (std::size_t i = 0; i < MessageModel::kMaximum + 10; ++i) model.append(message(Severity::kNote, "line"));
   EXPECT_EQ(model.rowCount(), static_cast<int>(MessageModel::kMaximum));
 }
 
@@ -113,11 +113,11 @@ TEST(MessageFilter, ShowsSeverityAndText) {
   MessageFilter filter;
   filter.setSourceModel(&model);
   QAbstractItemModelTester tester(&filter, QAbstractItemModelTester::FailureReportingMode::Warning);
-  model.append(message(Severity::kInfo, "apple"));
+  model.append(message(Severity::kNote, "apple"));
   model.append(message(Severity::kError, "pear"));
-  filter.setShown(Severity::kInfo, false);
+  filter.setShown(Severity::kNote, false);
   EXPECT_EQ(filter.rowCount(), 1);
-  filter.setShown(Severity::kInfo, true);
+  filter.setShown(Severity::kNote, true);
   filter.setText(QStringLiteral("APP"));
   ASSERT_EQ(filter.rowCount(), 1);
   EXPECT_EQ(filter.index(0, MessageModel::kText).data().toString(), QStringLiteral("apple"));

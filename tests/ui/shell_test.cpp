@@ -255,9 +255,9 @@ TEST_F(Shell, WhatIsWrongStandsBelowItsField) {
   set("slave.N.station_address", settings::Value{std::int64_t{1002}}, 2);  // another one's
   const auto& findings = workspace_.configuration().current()->findings;
   const auto about =
-      std::ranges::find_if(findings, [](const Finding& f) { return f.key.ends_with("station_address"); });
+      std::ranges::find_if(findings, [](const Finding& f) { return f.place.key.ends_with("station_address"); });
   ASSERT_NE(about, findings.end());
-  ASSERT_TRUE(window_.editor().showKey(QString::fromStdString(about->key)));
+  ASSERT_TRUE(window_.editor().showKey(QString::fromStdString(about->place.key)));
   auto* note = test::find<QLabel>(window_, "slaveAddressNote");
   ASSERT_NE(note, nullptr);
   EXPECT_TRUE(note->isVisible());
@@ -268,10 +268,10 @@ TEST_F(Shell, WhatIsWrongStandsBelowItsField) {
 }
 
 TEST(FindingKeys, ExistInTheTable) {
-  for (std::size_t code = 0; code < kFindingCodes; ++code) {
-    RunFinding finding;
-    finding.code = static_cast<FindingCode>(code);
-    finding.slave = 1;
+  for (const FindingWords& words : all_finding_words()) {
+    Finding finding;
+    finding.code = words.code;
+    finding.place.slave = 1;
     const auto key = findingKey(finding);
     if (key.isEmpty()) continue;
     EXPECT_TRUE(settings::find(test::smallProject(), key.toStdString(), false).has_value()) << qPrintable(key);

@@ -9,13 +9,13 @@
 namespace syncline::ui {
 namespace {
 
-bool same(const RunFinding& x, const RunFinding& y) { return x.code == y.code && x.slave == y.slave; }
+bool same(const Finding& x, const Finding& y) { return x.code == y.code && x.place == y.place; }
 
 }  // namespace
 
 FindingModel::FindingModel(QObject* parent) : QAbstractTableModel(parent) {}
 
-void FindingModel::setFindings(const std::vector<RunFinding>& findings) {
+void FindingModel::setFindings(const std::vector<Finding>& findings) {
   for (int row = 0; row < static_cast<int>(findings.size()); ++row) put(row, findings[static_cast<std::size_t>(row)]);
   const int last = static_cast<int>(rows_.size()) - 1;
   if (last < static_cast<int>(findings.size())) return;
@@ -25,9 +25,9 @@ void FindingModel::setFindings(const std::vector<RunFinding>& findings) {
 }
 
 /// One that is there already moves to its place.
-void FindingModel::put(int row, const RunFinding& finding) {
+void FindingModel::put(int row, const Finding& finding) {
   const auto begin = rows_.begin() + row;
-  const auto found = std::find_if(begin, rows_.end(), [&](const RunFinding& old) { return same(old, finding); });
+  const auto found = std::find_if(begin, rows_.end(), [&](const Finding& old) { return same(old, finding); });
   if (found == rows_.end()) {
     beginInsertRows({}, row, row);
     rows_.insert(begin, finding);
@@ -46,9 +46,9 @@ void FindingModel::put(int row, const RunFinding& finding) {
   Q_EMIT dataChanged(index(row, 0), index(row, kColumns - 1));
 }
 
-int FindingModel::count(FindingLevel at_least) const {
+int FindingModel::count(Severity at_least) const {
   return static_cast<int>(
-      std::ranges::count_if(rows_, [at_least](const RunFinding& f) { return f.level >= at_least; }));
+      std::ranges::count_if(rows_, [at_least](const Finding& f) { return f.severity >= at_least; }));
 }
 
 int FindingModel::rowCount(const QModelIndex& parent) const {
@@ -62,14 +62,13 @@ QVariant FindingModel::data(const QModelIndex& index, int role) const {
   const auto& finding = rows_[static_cast<std::size_t>(index.row())];
   switch (role) {
     case kLevelRole:
-      return static_cast<int>(finding.level);
+      return static_cast<int>(finding.severity);
     case kSlaveRole:
-      return finding.slave;
+      return finding.place.slave;
     case kKeyRole:
       return findingKey(finding);
     case kCodeRole:
-      return QString::fromLatin1(finding_code_name(finding.code).data(),
-                                 static_cast<qsizetype>(finding_code_name(finding.code).size()));
+      return QString::fromLatin1(finding.code.data(), static_cast<qsizetype>(finding.code.size()));
     case Qt::ToolTipRole: {
       const auto advice = findingAdvice(finding);
       return advice.isEmpty() ? findingText(finding) : findingText(finding) + QStringLiteral("\n\n") + advice;
@@ -81,10 +80,10 @@ QVariant FindingModel::data(const QModelIndex& index, int role) const {
   }
   switch (index.column()) {
     case kSeverity:
-      if (finding.level == FindingLevel::kError) return tr("Error");
-      return finding.level == FindingLevel::kWarning ? tr("Warning") : tr("Note");
+      if (finding.severity == Severity::kError) return tr("Error");
+      return finding.severity == Severity::kWarning ? tr("Warning") : tr("Note");
     case kWhere:
-      return finding.slave < 0 ? masterWord() : slaveWord() + QStringLiteral(" %1").arg(finding.slave);
+      return finding.place.slave < 0 ? masterWord() : slaveWord() + QStringLiteral(" %1").arg(finding.place.slave);
     case kFinding:
       return findingText(finding);
     case kAdvice:

@@ -17,8 +17,8 @@ class FindingModel final : public QAbstractTableModel {
   enum Role { kLevelRole = Qt::UserRole + 1, kSlaveRole, kCodeRole, kKeyRole };
 
   explicit FindingModel(QObject* parent = nullptr);
-  void setFindings(const std::vector<RunFinding>& findings);
-  [[nodiscard]] int count(FindingLevel at_least) const;
+  void setFindings(const std::vector<Finding>& findings);
+  [[nodiscard]] int count(Severity at_least) const;
 
   [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
   [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
@@ -26,9 +26,9 @@ class FindingModel final : public QAbstractTableModel {
   [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
  private:
-  void put(int row, const RunFinding& finding);
+  void put(int row, const Finding& finding);
 
-  std::vector<RunFinding> rows_;
+  std::vector<Finding> rows_;
 };
 
 }  // namespace syncline::ui

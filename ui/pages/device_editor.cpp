@@ -122,8 +122,8 @@ void DeviceEditor::showNotes() {
   std::vector<FieldBinder::Note> notes;
   const auto& result = workspace_.configuration().result();
   for (const auto& finding : result ? result->findings : std::vector<Finding>{}) {
-    if (finding.key.empty() || finding.severity == FindingSeverity::kInfo) continue;
-    notes.push_back({finding.key, messageOf(finding, workspace_.document().project()).text,
+    if (finding.place.key.empty() || finding.severity == Severity::kNote) continue;
+    notes.push_back({finding.place.key, messageOf(finding, workspace_.document().project()).text,
                      finding.severity == FindingSeverity::kError});
   }
   for (auto* page : pages_) {

@@ -15,9 +15,9 @@
 namespace syncline::ui {
 namespace {
 
-theme::Tone toneOf(FindingLevel level) {
-  if (level == FindingLevel::kError) return theme::Tone::kBad;
-  return level == FindingLevel::kWarning ? theme::Tone::kWarning : theme::Tone::kNeutral;
+theme::Tone toneOf(Severity level) {
+  if (level == Severity::kError) return theme::Tone::kBad;
+  return level == Severity::kWarning ? theme::Tone::kWarning : theme::Tone::kNeutral;
 }
 
 /// Colours the severity; the word stands in the cell, colour only helps.
@@ -28,7 +28,7 @@ class LevelDelegate final : public QStyledItemDelegate {
  protected:
   void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
     QStyledItemDelegate::initStyleOption(option, index);
-    const auto level = static_cast<FindingLevel>(index.data(FindingModel::kLevelRole).toInt());
+    const auto level = static_cast<Severity>(index.data(FindingModel::kLevelRole).toInt());
     option->palette.setColor(QPalette::Text, theme::toneColor(option->palette, toneOf(level)));
   }
 };

@@ -55,7 +55,7 @@ MessagesPanel::MessagesPanel(MessageModel& model, QWidget* parent) : QWidget(par
   filter_->setSourceModel(&model);
   bar->addWidget(addSwitch(Severity::kError, "showErrors"));
   bar->addWidget(addSwitch(Severity::kWarning, "showWarnings"));
-  bar->addWidget(addSwitch(Severity::kInfo, "showInformation"));
+  bar->addWidget(addSwitch(Severity::kNote, "showInformation"));
   text_ = named(new QLineEdit, "messageFilter", tr("Filter messages"));
   text_->setPlaceholderText(tr("Filter"));
   text_->setClearButtonEnabled(true);
@@ -103,13 +103,13 @@ QToolButton* MessagesPanel::addSwitch(Severity severity, const char* object_name
 }
 
 void MessagesPanel::updateCounts() {
-  for (const auto severity : {Severity::kInfo, Severity::kWarning, Severity::kError}) {
+  for (const auto severity : {Severity::kNote, Severity::kWarning, Severity::kError}) {
     switches_[static_cast<int>(severity)]->setText(QString::number(model_.count(severity)));
   }
 }
 
 void MessagesPanel::drawIcons() {
-  for (const auto severity : {Severity::kInfo, Severity::kWarning, Severity::kError}) {
+  for (const auto severity : {Severity::kNote, Severity::kWarning, Severity::kError}) {
     switches_[static_cast<int>(severity)]->setIcon(
         theme::icon(iconOf(severity), palette(), theme::toneColor(palette(), toneOf(severity))));
   }

@@ -28,11 +28,7 @@ const Result<CompileResult>& ConfigurationMonitor::current() {
   return result_;
 }
 
-bool ConfigurationMonitor::hasErrors() const {
-  return !result_ || std::ranges::any_of(result_->findings, [](const Finding& finding) {
-    return finding.severity == FindingSeverity::kError;
-  });
-}
+bool ConfigurationMonitor::hasErrors() const { return !result_ || has_errors(result_->findings); }
 
 void ConfigurationMonitor::compileNow() {
   debounce_.stop();

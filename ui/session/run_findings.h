@@ -19,7 +19,7 @@ class RunFindings final : public QObject {
  public:
   explicit RunFindings(LiveSession& live, QObject* parent = nullptr);
 
-  [[nodiscard]] const std::vector<RunFinding>& findings() const { return findings_; }
+  [[nodiscard]] const std::vector<Finding>& findings() const { return findings_; }
   /// Looks at once, for tests and for the end of a run.
   void refresh();
 
@@ -30,7 +30,7 @@ class RunFindings final : public QObject {
   LiveSession& live_;
   QTimer timer_;
   bool news_ = false;
-  std::vector<RunFinding> findings_;
+  std::vector<Finding> findings_;
 };
 
 }  // namespace syncline::ui

@@ -41,7 +41,7 @@ Workspace::Workspace(Environment environment, QObject* parent)
   });
   connect(&scan_, &ScanController::finished, this, &Workspace::tellOfScan);
   connect(&scan_, &ScanController::failed, this, [this](const QString&, const Error& error) {
-    report(error, error.code == ErrorCode::kCancelled ? Severity::kInfo : Severity::kError, tr("Scan"));
+    report(error, error.code == ErrorCode::kCancelled ? Severity::kNote : Severity::kError, tr("Scan"));
   });
 }
 
@@ -59,8 +59,8 @@ void Workspace::setLink(const QString& link) {
 Status Workspace::goOnline() {
   const auto& compiled = configuration_.current();
   if (!compiled) return tl::unexpected(compiled.error());
-  const auto worst = std::ranges::find(compiled->findings, FindingSeverity::kError, &Finding::severity);
-  if (worst != compiled->findings.end()) return fail(ErrorCode::kConfiguration, worst->key, worst->text);
+  const auto worst = std::ranges::find(compiled->findings, Severity::kError, &Finding::severity);
+  if (worst != compiled->findings.end()) return fail(ErrorCode::kConfiguration, worst->place.key, describe(*worst));
   return live_.goOnline(link_, compiled->config);
 }
 
@@ -69,7 +69,7 @@ void Workspace::report(const Error& error, Severity severity, const QString& sou
 }
 
 void Workspace::inform(const QString& source, const QString& text) {
-  messages_.append({QDateTime::currentDateTime(), Severity::kInfo, source, text, -1, {}});
+  messages_.append({QDateTime::currentDateTime(), Severity::kNote, source, text, -1, {}});
 }
 
 void Workspace::showFindings() {

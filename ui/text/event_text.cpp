@@ -7,6 +7,7 @@
 
 #include "families/families.h"
 #include "ui/text/error_text.h"
+#include "ui/text/finding_text.h"
 #include "ui/text/glossary.h"
 #include "ui/text/units.h"
 
@@ -171,7 +172,7 @@ class EventWords {
 
  private:
   static Line line(Severity severity, const QString& text) { return Message{{}, severity, {}, text, -1, {}}; }
-  static Line info(const QString& text) { return line(Severity::kInfo, text); }
+  static Line info(const QString& text) { return line(Severity::kNote, text); }
   static Line warning(const QString& text) { return line(Severity::kWarning, text); }
   static Line error(const QString& text) { return line(Severity::kError, text); }
   static Line fastAgain() { return info(tr("The firmware is fast enough again")); }
@@ -272,24 +273,12 @@ EventWords::Line EventWords::operator()(const events::Emergency& e) const {
 
 EventWords::Line EventWords::operator()(const events::DiagnosisTold& e) const {
   using Type = DiagnosisMessage::Type;
-  const auto severity = e.type == Type::kInfo      ? Severity::kInfo
+  const auto severity = e.type == Type::kInfo      ? Severity::kNote
                         : e.type == Type::kWarning ? Severity::kWarning
                                                    : Severity::kError;
   return line(severity, tr("Diagnosis message %1, text %2, time stamp %3 ns")
                             .arg(hexText(e.code, 8), hexText(e.text_id, 4))
                             .arg(e.time_stamp));
-}
-
-Severity severityOf(FindingSeverity severity) {
-  switch (severity) {
-    case FindingSeverity::kError:
-      return Severity::kError;
-    case FindingSeverity::kWarning:
-      return Severity::kWarning;
-    case FindingSeverity::kInfo:
-      break;
-  }
-  return Severity::kInfo;
 }
 
 }  // namespace
@@ -316,12 +305,14 @@ std::optional<Message> messageOf(const Event& event, const Project& project) { r
 std::optional<Message> messageOf(const Event& event, const NetworkConfig& running) { return messageIn(event, running); }
 
 Message messageOf(const Finding& finding, const Project& project) {
+  const auto advice = findingAdvice(finding);
+  const auto text = findingText(finding);
   return {{},
-          severityOf(finding.severity),
-          nodeName(project, finding.slave),
-          QString::fromStdString(finding.text),
-          finding.slave,
-          QString::fromStdString(finding.key)};
+          finding.severity,
+          nodeName(project, finding.place.slave),
+          advice.isEmpty() ? text : text + QLatin1Char(' ') + advice,
+          finding.place.slave,
+          QString::fromStdString(finding.place.key)};
 }
 
 Message messageOf(const Error& error, Severity severity, const QString& source) {

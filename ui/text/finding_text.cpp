@@ -2,14 +2,18 @@
 #include "ui/text/finding_text.h"
 
 #include <QCoreApplication>
+#include <QLocale>
+#include <algorithm>
+#include <string>
 
+#include "protocol/al_state.h"
 #include "ui/text/units.h"
 
 namespace syncline::ui {
 namespace {
 
 /// Source text for lupdate's "Finding" context.
-class FindingWords {
+class Words {
   Q_DECLARE_TR_FUNCTIONS(Finding)
 
  public:
@@ -19,7 +23,7 @@ class FindingWords {
   }
 };
 
-QString FindingWords::of(const Figure& figure) {
+QString Words::of(const Figure& figure) {
   using In = Figure::Unit;
   switch (figure.unit) {
     case In::kCount: {
@@ -37,60 +41,73 @@ QString FindingWords::of(const Figure& figure) {
       return timeText(figure.value / kMillisecond * kMillisecond);
     case In::kPpm:
       return ppmText(static_cast<double>(figure.value) / 1e3);
-    case In::kSlave:
+    case In::kTime:
+      return QString::fromStdString(figure_text(figure)).replace(QLatin1Char('.'), QLocale().decimalPoint());
+    case In::kSlave: {
       if (figure.value == -1) return tr("the host");
       if (figure.value < 0) return tr("nobody in the configuration");
-      return figure.other > figure.value ? tr("slaves %1 to %2").arg(figure.value).arg(figure.other)
-                                         : tr("slave %1").arg(figure.value);
-    case In::kText:
+      if (figure.other > figure.value) return tr("slaves %1 to %2").arg(figure.value).arg(figure.other);
+      const auto slave = tr("slave %1").arg(figure.value);
+      return figure.text.empty() ? slave : QStringLiteral("%1 (%2)").arg(slave, QString::fromStdString(figure.text));
+    }
+    case In::kAlCode: {
+      const auto code = static_cast<std::uint16_t>(figure.value);
+      return QStringLiteral("%1 (%2)").arg(hexText(code, 4), sentence(al_status_code_text(code).meaning));
+    }
+    case In::kPhrase:
       return figure.text.empty() ? QString() : sentence(figure.text);
+    case In::kAside:
+      return figure.text.empty() ? QString() : QStringLiteral(": ") + sentence(figure.text);
     default:
       return QString::fromStdString(figure_text(figure));
   }
 }
 
-QString fill(QString text, const RunFinding& finding) {
-  for (const auto& figure : finding.figures) {
-    const auto name = QLatin1Char('{') +
-                      QString::fromUtf8(figure.name.data(), static_cast<qsizetype>(figure.name.size())) +
-                      QLatin1Char('}');
-    text.replace(name, FindingWords::of(figure));
+/// As fill_finding_template(), in the user's language.
+QString fill(const QString& text, const Finding& finding) {
+  QString out;
+  qsizetype from = 0;
+  for (qsizetype open = text.indexOf(QLatin1Char('{')); open >= 0; open = text.indexOf(QLatin1Char('{'), from)) {
+    const auto close = text.indexOf(QLatin1Char('}'), open);
+    if (close < 0) break;
+    const auto name = text.mid(open + 1, close - open - 1).toStdString();
+    const auto found = std::ranges::find(finding.figures, std::string_view(name), &Figure::name);
+    out += QStringView(text).mid(from, open - from);
+    out += found == finding.figures.end() ? text.mid(open, close - open + 1) : Words::of(*found);
+    from = close + 1;
   }
-  if (!text.isEmpty()) text[0] = text[0].toUpper();
-  return text;
+  out += QStringView(text).mid(from);
+  if (!out.isEmpty()) out[0] = out[0].toUpper();
+  return out;
 }
 
 }  // namespace
 
-QString findingText(const RunFinding& finding) {
-  return fill(FindingWords::sentence(finding_words(finding.code).why), finding);
+QString findingText(const Finding& finding) { return fill(Words::sentence(facts_template(finding)), finding); }
+
+QString findingAdvice(const Finding& finding) {
+  const FindingWords* words = find_finding_words(finding.code);
+  return words == nullptr || words->mend.empty() ? QString() : fill(Words::sentence(words->mend), finding);
 }
 
-/// The settings that the findings' advice names; others are mended outside of the project.
-QString findingKey(const RunFinding& finding) {
-  const auto ofSlave = [&](const char* name) {
-    return finding.slave < 0 ? QString() : QStringLiteral("slave.%1.%2").arg(finding.slave).arg(QLatin1String(name));
-  };
-  switch (finding.code) {
-    case FindingCode::kNotMonitored:
-      return QStringLiteral("master.dc.sync_window");
-    case FindingCode::kMissedByLateFrames:  // send earlier
-      return QStringLiteral("master.dc.set_value_us");
-    case FindingCode::kSync0TooTight:
-    case FindingCode::kShiftTooShort:
-      return ofSlave("dc.sync0.shift_us");
-    case FindingCode::kInputShiftTooShort:
-      return ofSlave("sync.input_shift_us");
-    case FindingCode::kGatewayCycleExceeded:
-      return ofSlave("can.cycle_us");
-    default:
-      return {};
+QString findingKey(const Finding& finding) {
+  if (!finding.place.key.empty()) return QString::fromStdString(finding.place.key);
+  const FindingWords* words = find_finding_words(finding.code);
+  return words == nullptr ? QString() : QString::fromStdString(setting_at(words->setting, finding.place.slave));
+}
+
+std::vector<std::string_view> translatableFindings() {
+  std::vector<std::string_view> texts;
+  for (const FindingWords& words : all_finding_words()) {
+    for (const auto text : {words.title, words.why, words.mend}) texts.push_back(text);
+    for (const auto& facts : words.facts) texts.push_back(facts.text);
   }
-}
-
-QString findingAdvice(const RunFinding& finding) {
-  const auto mend = finding_words(finding.code).mend;
-  return mend.empty() ? QString() : fill(FindingWords::sentence(mend), finding);
+  const auto phrases = finding_phrases();
+  texts.insert(texts.end(), phrases.begin(), phrases.end());
+  std::erase_if(texts, [](std::string_view text) { return text.empty(); });
+  std::ranges::sort(texts);
+  texts.erase(std::unique(texts.begin(), texts.end()), texts.end());
+  return texts;
 }
 
 }  // namespace syncline::ui

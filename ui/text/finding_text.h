@@ -2,21 +2,22 @@
 #pragma once
 
 #include <QString>
-#include <span>
+#include <string_view>
+#include <vector>
 
 #include "findings/finding.h"
 
 namespace syncline::ui {
 
 /// What was seen and why, in the user's language.
-[[nodiscard]] QString findingText(const RunFinding& finding);
+[[nodiscard]] QString findingText(const Finding& finding);
 /// What to do; empty where nothing is to be done.
-[[nodiscard]] QString findingAdvice(const RunFinding& finding);
+[[nodiscard]] QString findingAdvice(const Finding& finding);
 
 /// Key of the setting that would mend it, "slave.3.dc.sync0.shift_us"; empty where there is none.
-[[nodiscard]] QString findingKey(const RunFinding& finding);
+[[nodiscard]] QString findingKey(const Finding& finding);
 
-/// The sentences and phrases that translations know.
-[[nodiscard]] std::span<const char* const> translatableFindings();
+/// The sentences and phrases that every translation has to know (context "Finding" of translations/words).
+[[nodiscard]] std::vector<std::string_view> translatableFindings();
 
 }  // namespace syncline::ui

@@ -5,14 +5,16 @@
 #include <QMetaType>
 #include <QString>
 
+#include "findings/finding.h"
+
 namespace syncline::ui {
 
-enum class Severity : unsigned char { kInfo, kWarning, kError };
+using syncline::Severity;
 
 /// One line of the message window.
 struct Message {
   QDateTime time;
-  Severity severity = Severity::kInfo;
+  Severity severity = Severity::kNote;
   QString source;  // "Master", "Slave_1002", "Configuration", "Scan" ...
   QString text;
   int slave = -1;  // node to go to, -1 = master

@@ -24,9 +24,9 @@ class ClassContextTranslator final : public QTranslator {
   }
 };
 
-bool install(const QLocale& locale) {
+bool install(const QLocale& locale, const QString& file) {
   auto* translator = new ClassContextTranslator(QCoreApplication::instance());
-  if (!translator->load(locale, QStringLiteral("syncline"), QStringLiteral("_"), QStringLiteral(":/translations"))) {
+  if (!translator->load(locale, file, QStringLiteral("_"), QStringLiteral(":/translations"))) {
     delete translator;
     return false;
   }
@@ -39,8 +39,11 @@ bool installTranslation(const QString& language) {
   const auto locale = language.isEmpty() ? QLocale::system() : QLocale(language);
   if (!language.isEmpty()) QLocale::setDefault(locale);
   // English has a translation too: it holds the plural forms. What the other one lacks falls back to it.
-  const bool english = install(QLocale(QLocale::English));
-  return locale.language() == QLocale::English || locale.language() == QLocale::C ? english : install(locale);
+  const auto window = QStringLiteral("syncline");
+  const bool english = install(QLocale(QLocale::English), window);
+  if (locale.language() == QLocale::English || locale.language() == QLocale::C) return english;
+  install(locale, QStringLiteral("words"));  // of core/findings, whose source is English
+  return install(locale, window);
 }
 
 }  // namespace syncline::ui

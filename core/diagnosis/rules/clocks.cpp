@@ -11,28 +11,26 @@
 namespace syncline::diagnosis {
 namespace {
 
-using Code = FindingCode;
 using Unit = Figure::Unit;
 
 constexpr double kMaxDriftPpm = 600;  // beyond it no controller balances (EC-Master 0x981201CA)
 
-std::string obstacle(dc::SyncObstacle what) {
-  const auto text = dc::obstacle_text(what);
-  return text.empty() ? std::string{} : ": " + std::string(text);
+Figure obstacle_figure(dc::SyncObstacle what) {
+  return {"obstacle", Unit::kAside, 0, 0, std::string(dc::obstacle_text(what))};
 }
 
 void find_unmonitored(const RunReport& report, Findings& findings) {
   if (report.sync_window_enabled) {
     findings.push_back(
-        {Code::kNothingToMonitor, FindingLevel::kNote, -1, 0, 0, {count_figure("clocks", report.dc.followers)}});
+        {code::kNothingToMonitor, Severity::kNote, -1, 0, 0, {count_figure("clocks", report.dc.followers)}});
   } else {
-    findings.push_back({Code::kNotMonitored, FindingLevel::kNote});
+    findings.push_back({code::kNotMonitored, Severity::kNote});
   }
   for (const auto& slave : report.slaves) {
     const auto& off = report.history.slaves[slave.position].off;
     if (off.empty() || slave.position == report.dc.reference_clock) continue;
-    findings.push_back({Code::kSlaveClockOff,
-                        FindingLevel::kWarning,
+    findings.push_back({code::kSlaveClockOff,
+                        Severity::kWarning,
                         slave.position,
                         off.first(),
                         off.last(),
@@ -48,8 +46,8 @@ void find_out_of_sync(const RunReport& report, Findings& findings) {
                             ? &report.slaves[static_cast<std::size_t>(dc.culprit)]
                             : nullptr;
   if (culprit == nullptr) {
-    findings.push_back({Code::kSlavesOutOfSync,
-                        FindingLevel::kError,
+    findings.push_back({code::kSlavesOutOfSync,
+                        Severity::kError,
                         -1,
                         dc.since,
                         report.history.end,
@@ -57,8 +55,8 @@ void find_out_of_sync(const RunReport& report, Findings& findings) {
     return;
   }
   const auto deviation = std::abs(std::int64_t{culprit->deviation_ns.value_or(0)});
-  findings.push_back({Code::kSlaveLeftWindow,
-                      FindingLevel::kError,
+  findings.push_back({code::kSlaveLeftWindow,
+                      Severity::kError,
                       dc.culprit,
                       dc.since,
                       report.history.end,
@@ -89,12 +87,11 @@ void find_left_window(const RunReport& report, Findings& findings) {
   });
   if (losses.empty()) return;
   const auto& first = losses.front();
-  RunFinding finding{Code::kWindowLeft, FindingLevel::kWarning, first.slave, first.time,
-                     losses.back().back.value_or(0)};
+  Finding finding{code::kWindowLeft, Severity::kWarning, first.slave, first.time, losses.back().back.value_or(0)};
   finding.figures = {slave_figure(report, first.slave), time_figure("deviation", std::abs(first.size)),
                      time_figure("limit", report.dc.limit_ns), moment_figure(report, "since", first.time),
                      times_figure("count", losses.size())};
-  if (first.slave < 0) finding.figures.front() = text_figure("slave", "one of the slaves");
+  if (first.slave < 0) finding.figures.front() = phrase_figure("slave", "one of the slaves");
   findings.push_back(std::move(finding));
 }
 
@@ -115,31 +112,31 @@ void find_master_sync(const RunReport& report, Findings& findings) {
                        [&](const RunHistory::SyncLoss& loss) { return !without_adapter(report, loss); });
   const auto drift = Figure{"drift", Unit::kPpm, std::llround(dcm.drift_ppm * 1000)};
   if (std::abs(dcm.drift_ppm) > kMaxDriftPpm) {
-    findings.push_back({Code::kDriftTooHigh, FindingLevel::kError, -1, 0, 0, {drift}});
+    findings.push_back({code::kDriftTooHigh, Severity::kError, -1, 0, 0, {drift}});
   } else if (dcm.error_code != 0) {
-    findings.push_back({Code::kDcmError,
-                        FindingLevel::kError,
+    findings.push_back({code::kDcmError,
+                        Severity::kError,
                         -1,
                         0,
                         0,
                         {{"code", Unit::kHex32, dcm.error_code},
-                         text_figure("meaning", std::string(dc::dcm_error_text(dcm.error_code))),
+                         phrase_figure("meaning", dc::dcm_error_text(dcm.error_code)),
                          drift}});
   } else if (dcm.state != SyncState::kInSync && !dcm.control_off) {
-    findings.push_back({Code::kMasterNotLocked,
-                        FindingLevel::kError,
+    findings.push_back({code::kMasterNotLocked,
+                        Severity::kError,
                         -1,
                         0,
                         0,
-                        {time_figure("error", dcm.error_ns), text_figure("obstacle", obstacle(dcm.obstacle)), drift}});
+                        {time_figure("error", dcm.error_ns), obstacle_figure(dcm.obstacle), drift}});
   } else if (!losses.empty()) {
-    findings.push_back({Code::kMasterLostLock,
-                        FindingLevel::kWarning,
+    findings.push_back({code::kMasterLostLock,
+                        Severity::kWarning,
                         -1,
                         losses.front().time,
                         losses.back().back.value_or(0),
                         {times_figure("count", losses.size()), moment_figure(report, "since", losses.front().time),
-                         text_figure("obstacle", obstacle(losses.front().obstacle))}});
+                         obstacle_figure(losses.front().obstacle)}});
   }
 }
 

@@ -9,8 +9,6 @@
 namespace syncline::diagnosis {
 namespace {
 
-using Code = FindingCode;
-
 /// One request may be lost on its way.
 constexpr std::uint32_t kSilences = 5;
 
@@ -26,8 +24,8 @@ void find_exceeded(const RunReport& report, const RunReport::Slave& slave, Findi
       fmt::format("0x{:04X}:{:02X}", outputs ? families::kOutputSync : families::kInputSync, counters.cycle_exceeded);
   const auto* family = families::find(slave.identity);
   const bool gateway = family != nullptr && family->gateway;
-  findings.push_back({gateway ? Code::kGatewayCycleExceeded : Code::kFirmwareSlow,
-                      FindingLevel::kWarning,
+  findings.push_back({gateway ? code::kGatewayCycleExceeded : code::kFirmwareSlow,
+                      Severity::kWarning,
                       slave.position,
                       spells.first(),
                       spells.last(),
@@ -43,8 +41,8 @@ void find_late_inputs(const RunReport& report, const RunReport::Slave& slave, Fi
   const auto& late = history.late_inputs;
   const bool counted = slave.evidence.outputs.exceeded.total > 0 || slave.evidence.inputs.exceeded.total > 0;
   if (late.empty() || counted || !history.pdi_watchdog.empty()) return;
-  findings.push_back({Code::kInputsLate,
-                      FindingLevel::kWarning,
+  findings.push_back({code::kInputsLate,
+                      Severity::kWarning,
                       slave.position,
                       late.first(),
                       late.last(),
@@ -56,8 +54,8 @@ void find_watchdogs(const RunReport& report, const RunReport::Slave& slave, Find
   const auto& history = report.history.slaves[slave.position];
   if (!history.pdi_watchdog.empty()) {
     const auto& hung = history.pdi_watchdog;
-    findings.push_back({Code::kFirmwareHung,
-                        FindingLevel::kError,
+    findings.push_back({code::kFirmwareHung,
+                        Severity::kError,
                         slave.position,
                         hung.first(),
                         hung.last(),
@@ -71,8 +69,8 @@ void find_watchdogs(const RunReport& report, const RunReport::Slave& slave, Find
            history.absences.near(spell, kReadLater);
   });
   if (!outputs.empty() && report.history.reached_op && !was_cut_off) {
-    findings.push_back({Code::kOutputsWatchdog,
-                        FindingLevel::kWarning,
+    findings.push_back({code::kOutputsWatchdog,
+                        Severity::kWarning,
                         slave.position,
                         outputs.first(),
                         outputs.last(),
@@ -90,8 +88,8 @@ void find_firmware(const RunReport& report, Findings& findings) {
     find_late_inputs(report, slave, findings);
     const auto silences = report.history.slaves[slave.position].mailbox_silences;
     if (slave.present && silences >= kSilences) {
-      findings.push_back({Code::kMailboxSilent,
-                          FindingLevel::kWarning,
+      findings.push_back({code::kMailboxSilent,
+                          Severity::kWarning,
                           slave.position,
                           0,
                           0,

@@ -6,8 +6,6 @@
 namespace syncline::diagnosis {
 namespace {
 
-using Code = FindingCode;
-
 /// The least time that any slave with SYNC0 leaves a frame to be late.
 std::optional<Nanoseconds> least_margin(const RunReport& report) {
   std::optional<Nanoseconds> least;
@@ -25,8 +23,8 @@ void find_lateness(const RunReport& report, Findings& findings) {
   const bool unlocked = report.dc.enabled && report.dcm.mode != DcmMode::kOff && !report.dcm.control_off &&
                         report.dcm.state != SyncState::kInSync && p999 > report.cycle_time / 10;
   if (!too_late && !unlocked) return;
-  findings.push_back({Code::kHostLate,
-                      FindingLevel::kWarning,
+  findings.push_back({code::kHostLate,
+                      Severity::kWarning,
                       -1,
                       0,
                       0,
@@ -40,8 +38,8 @@ void find_lateness(const RunReport& report, Findings& findings) {
 void find_host(const RunReport& report, Findings& findings) {
   const auto& stalls = report.history.stalls;
   if (!stalls.empty() && report.history.reached_op) {
-    findings.push_back({Code::kHostStalled,
-                        FindingLevel::kWarning,
+    findings.push_back({code::kHostStalled,
+                        Severity::kWarning,
                         -1,
                         stalls.first(),
                         stalls.last(),

@@ -11,20 +11,18 @@
 namespace syncline::diagnosis {
 namespace {
 
-using Code = FindingCode;
-
-Code code_of(dc::MissCause cause, bool locked) {
+std::string_view code_of(dc::MissCause cause, bool locked) {
   switch (cause) {
     case dc::MissCause::kFrameLost:
-      return Code::kMissedByLostFrames;
+      return code::kMissedByLostFrames;
     case dc::MissCause::kCyclesLeftOut:
-      return Code::kMissedByHost;
+      return code::kMissedByHost;
     case dc::MissCause::kFrameLate:
-      return locked ? Code::kMissedByLateFrames : Code::kMissedUnlocked;
+      return locked ? code::kMissedByLateFrames : code::kMissedUnlocked;
     case dc::MissCause::kUnknown:
       break;
   }
-  return locked ? Code::kMissedUnexplained : Code::kMissedUnlocked;
+  return locked ? code::kMissedUnexplained : code::kMissedUnlocked;
 }
 
 /// The schedule, whatever the host made of single frames.
@@ -88,9 +86,9 @@ std::string_view miss_cause_words(dc::MissCause cause) {
 void find_missed_outputs(const RunReport& report, Findings& findings) {
   for (const auto& slave : report.slaves) {
     if (!slave.sm2_missed || !slave.sm2_missed->known || slave.sm2_missed->missed == 0) continue;
-    const auto told = [&](const RunFinding& f) {
-      return (f.code == Code::kSlaveFellByMisses || f.code == Code::kSlaveFellByLateFrames) &&
-             f.slave == slave.position;
+    const auto told = [&](const Finding& f) {
+      return (f.code == code::kSlaveFellByMisses || f.code == code::kSlaveFellByLateFrames) &&
+             f.place.slave == slave.position;
     };
     if (std::ranges::any_of(findings, told)) continue;  // with all its figures
     const auto& status = *slave.sm2_missed;
@@ -98,16 +96,16 @@ void find_missed_outputs(const RunReport& report, Findings& findings) {
     const bool by_absence = cause == dc::MissCause::kUnknown ||
                             (cause == dc::MissCause::kFrameLost && !lost_while_there(report, slave.position));
     if (by_absence && was_cut_off(report, slave, status.missed)) continue;
-    RunFinding finding{
+    Finding finding{
         code_of(cause, was_locked(report)),
-        FindingLevel::kWarning,
+        Severity::kWarning,
         slave.position,
         0,
         0,
         {slave_figure(report, slave.position), count_figure("missed", status.missed, status.at_least),
          count_figure("part", status.by_cause[static_cast<std::size_t>(cause)]),
          count_figure("integrator", status.integrator_highest),
-         status.limit > 0 ? count_figure("limit", status.limit) : text_figure("limit", "no limit"),
+         status.limit > 0 ? count_figure("limit", status.limit) : phrase_figure("limit", "no limit"),
          count_figure("computed", status.computed), text_figure("sub", fmt::format("{:02X}", status.sub_index))}};
     std::ranges::copy(lateness_figures(report, slave), std::back_inserter(finding.figures));
     findings.push_back(std::move(finding));

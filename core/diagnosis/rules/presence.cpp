@@ -6,8 +6,6 @@
 namespace syncline::diagnosis {
 namespace {
 
-using Code = FindingCode;
-
 bool is_absent(const RunReport& report, std::size_t slave) {
   return !report.slaves[slave].present && !report.slaves[slave].optional;
 }
@@ -17,15 +15,15 @@ Figure slaves_figure(std::size_t first, std::size_t last) {
 }
 
 /// Behind the one it is wired to; those that are absent with it are the same case.
-RunFinding absent(const RunReport& report, std::size_t first, std::size_t last) {
+Finding absent(const RunReport& report, std::size_t first, std::size_t last) {
   const auto& history = report.history.slaves[first];
   const auto since = history.absences.first() == 0 ? report.history.begin : history.absences.last();
-  RunFinding finding{Code::kSlaveAbsent, FindingLevel::kError, static_cast<int>(first), since, report.history.end};
+  Finding finding{code::kSlaveAbsent, Severity::kError, static_cast<int>(first), since, report.history.end};
   finding.figures = {slaves_figure(first, last),
                      moment_figure(report, "since", since),
                      {"near", Figure::Unit::kSlave, report.slaves[first].parent, report.slaves[first].parent}};
   if (history.cable) {
-    finding.code = Code::kSlaveAbsentBehindCable;
+    finding.code = code::kSlaveAbsentBehindCable;
     finding.figures.back().value = finding.figures.back().other = history.cable->near;
     finding.figures.push_back({"port", Figure::Unit::kPort, history.cable->port});
   }
@@ -46,8 +44,8 @@ void find_earlier(const RunReport& report, Findings& findings) {
     };
     while (last + 1 < report.slaves.size() && same(last + 1)) ++last;
     const auto& first = absences.list().front();
-    findings.push_back({Code::kSlaveWasAbsent,
-                        FindingLevel::kWarning,
+    findings.push_back({code::kSlaveWasAbsent,
+                        Severity::kWarning,
                         static_cast<int>(i),
                         first.from,
                         absences.last(),
@@ -63,12 +61,12 @@ void find_link_outages(const RunReport& report, Findings& findings) {
   const auto& outages = report.history.link_outages;
   if (outages.empty()) return;
   const auto& first = outages.list().front();
-  RunFinding finding{Code::kAdapterWasAway, FindingLevel::kWarning, -1, first.from, outages.last()};
+  Finding finding{code::kAdapterWasAway, Severity::kWarning, -1, first.from, outages.last()};
   finding.figures = {text_figure("adapter", report.history.link), moment_figure(report, "since", first.from),
                      time_figure("length", first.to - first.from), times_figure("count", outages.count())};
   if (report.history.link_down) {
-    finding.code = Code::kAdapterAway;
-    finding.level = FindingLevel::kError;
+    finding.code = code::kAdapterAway;
+    finding.severity = Severity::kError;
     finding.from = outages.last();
     finding.figures[1] = moment_figure(report, "since", outages.last());
   }

@@ -14,8 +14,8 @@ void find_working_counters(const RunReport& report, Findings& findings) {
   }
   if (other > 0) {
     findings.push_back(
-        {FindingCode::kWorkingCounter,
-         FindingLevel::kWarning,
+        {code::kWorkingCounter,
+         Severity::kWarning,
          -1,
          wrong.first(),
          wrong.last(),
@@ -23,8 +23,8 @@ void find_working_counters(const RunReport& report, Findings& findings) {
           count_figure("expected", report.history.counter_expected), moment_figure(report, "since", wrong.first())}});
   }
   if (explained > 0) {
-    findings.push_back({FindingCode::kWorkingCounterExplained,
-                        FindingLevel::kNote,
+    findings.push_back({code::kWorkingCounterExplained,
+                        Severity::kNote,
                         -1,
                         wrong.first(),
                         wrong.last(),

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "findings/finding.h"
+#include "findings/run_codes.h"
 #include "trace/run_report.h"
 
 /// The rules of the diagnosis, a family of causes a file. Each looks at the report alone and adds what it finds; what
@@ -15,7 +16,7 @@ inline constexpr Nanoseconds kTogether = 10 * kMillisecond;
 /// A counter that is read in turn tells of an error up to so much later.
 inline constexpr Nanoseconds kReadLater = kSecond;
 
-using Findings = std::vector<RunFinding>;
+using Findings = std::vector<Finding>;
 
 void find_link_outages(const RunReport& report, Findings& findings);
 void find_absent_slaves(const RunReport& report, Findings& findings);
@@ -39,7 +40,9 @@ void find_working_counters(const RunReport& report, Findings& findings);
 [[nodiscard]] Figure time_figure(std::string_view name, Nanoseconds length);
 /// A host time, told from the beginning of the run.
 [[nodiscard]] Figure moment_figure(const RunReport& report, std::string_view name, Nanoseconds time);
+/// Somebody's own text, and one of finding_phrases().
 [[nodiscard]] Figure text_figure(std::string_view name, std::string text);
+[[nodiscard]] Figure phrase_figure(std::string_view name, std::string_view text);
 
 /// How late one frame in a thousand is against its nominal place, or the latest of fewer frames; ns.
 [[nodiscard]] Nanoseconds usual_worst_lateness(const RunReport& report);

@@ -26,6 +26,10 @@ Figure moment_figure(const RunReport& report, std::string_view name, Nanoseconds
   return {name, Figure::Unit::kMoment, std::max<Nanoseconds>(0, time - report.history.begin)};
 }
 
+Figure phrase_figure(std::string_view name, std::string_view text) {
+  return {name, Figure::Unit::kPhrase, 0, 0, std::string(text)};
+}
+
 Figure text_figure(std::string_view name, std::string text) {
   return {name, Figure::Unit::kText, 0, 0, std::move(text)};
 }

@@ -12,7 +12,6 @@
 namespace syncline::diagnosis {
 namespace {
 
-using Code = FindingCode;
 using Unit = Figure::Unit;
 
 /// AL status codes by which slaves give up for missed SM2 events (ETG.1020, table 11).
@@ -51,36 +50,36 @@ bool clock_had_moved(const RunReport& report, int slave, Nanoseconds fall) {
   });
 }
 
-RunFinding fallen(const RunReport& report, const RunReport::Slave& slave) {
+Finding fallen(const RunReport& report, const RunReport::Slave& slave) {
   const auto& fall = report.history.slaves[slave.position].fall;
   const auto since = fall ? fall->time : report.history.begin;
   const auto text = al_status_code_text(slave.al_status_code);
-  RunFinding finding{Code::kSlaveFell, FindingLevel::kError, slave.position, since, report.history.end};
+  Finding finding{code::kSlaveFell, Severity::kError, slave.position, since, report.history.end};
   finding.figures = {slave_figure(report, slave.position),
                      {"state", Unit::kAlStatus, slave.al_status},
-                     text_figure("alcode", fmt::format("0x{:04X} ({})", slave.al_status_code, text.meaning)),
+                     {"alcode", Unit::kAlCode, slave.al_status_code},
                      text_figure("alarm", alarm_text(report, slave)),
                      moment_figure(report, "since", since),
-                     text_figure("check", std::string(text.check))};
+                     phrase_figure("check", text.check)};
   if (!is_about_outputs(slave.al_status_code) || !slave.sm2_missed || !slave.sm2_missed->known || !slave.sync0_margin)
     return finding;
   if (slave.sm2_missed->missed == 0) {
     const bool in_time = usual_worst_lateness(report) < *slave.sync0_margin;
     const bool by_itself =
         fall && in_time && cycles_were_good(report, fall->time) && !clock_had_moved(report, slave.position, fall->time);
-    if (by_itself) finding.code = Code::kSlaveFellByItself;
+    if (by_itself) finding.code = code::kSlaveFellByItself;
     finding.figures.push_back(time_figure("margin", *slave.sync0_margin));
     return finding;
   }
-  finding.code = Code::kSlaveFellByMisses;
+  finding.code = code::kSlaveFellByMisses;
   finding.figures.push_back(count_figure("missed", slave.sm2_missed->missed, slave.sm2_missed->at_least));
   finding.figures.push_back(count_figure("integrator", slave.sm2_missed->integrator_highest));
   finding.figures.push_back(count_figure("limit", slave.sm2_missed->limit));
   const auto cause = main_cause(*slave.sm2_missed);
-  finding.figures.push_back(text_figure("cause", std::string(miss_cause_words(cause))));
+  finding.figures.push_back(phrase_figure("cause", miss_cause_words(cause)));
   finding.figures.push_back(count_figure("part", slave.sm2_missed->by_cause[static_cast<std::size_t>(cause)]));
   // More time before SYNC0 helps where there is a SYNC0 that frames can be late for.
-  if (cause == dc::MissCause::kFrameLate && was_locked(report)) finding.code = Code::kSlaveFellByLateFrames;
+  if (cause == dc::MissCause::kFrameLate && was_locked(report)) finding.code = code::kSlaveFellByLateFrames;
   std::ranges::copy(lateness_figures(report, slave), std::back_inserter(finding.figures));
   return finding;
 }
@@ -97,8 +96,8 @@ void find_states(const RunReport& report, Findings& findings) {
     if ((slave.al_status & kAlErrorFlag) != 0) {
       findings.push_back(fallen(report, slave));
     } else if (al_state_of(slave.al_status) < highest) {
-      findings.push_back({Code::kSlaveBehind,
-                          FindingLevel::kWarning,
+      findings.push_back({code::kSlaveBehind,
+                          Severity::kWarning,
                           slave.position,
                           0,
                           0,

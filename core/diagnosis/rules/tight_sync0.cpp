@@ -8,16 +8,14 @@
 namespace syncline::diagnosis {
 namespace {
 
-using Code = FindingCode;
-
 void find_shift_too_short(const RunReport& report, const RunReport::Slave& slave, Findings& findings) {
   const auto& outputs = slave.evidence.outputs.shift_too_short;
   if (outputs.total > 0) {
     const auto margin = slave.sync0_margin.value_or(0);
     const Nanoseconds need = slave.evidence.calc_and_copy_ns;
     const auto more = advised(need - margin + usual_worst_lateness(report));
-    findings.push_back({Code::kShiftTooShort,
-                        FindingLevel::kWarning,
+    findings.push_back({code::kShiftTooShort,
+                        Severity::kWarning,
                         slave.position,
                         0,
                         outputs.time,
@@ -27,8 +25,8 @@ void find_shift_too_short(const RunReport& report, const RunReport::Slave& slave
   }
   const auto& inputs = slave.evidence.inputs.shift_too_short;
   if (inputs.total > 0) {
-    findings.push_back({Code::kInputShiftTooShort,
-                        FindingLevel::kWarning,
+    findings.push_back({code::kInputShiftTooShort,
+                        Severity::kWarning,
                         slave.position,
                         0,
                         inputs.time,
@@ -38,10 +36,10 @@ void find_shift_too_short(const RunReport& report, const RunReport::Slave& slave
 
 /// Another finding says that frames come too late for this slave's SYNC0, and by how much.
 bool is_told(const Findings& findings, const RunReport::Slave& slave) {
-  return std::ranges::any_of(findings, [&](const RunFinding& finding) {
-    return finding.slave == slave.position &&
-           (finding.code == Code::kSlaveFellByLateFrames || finding.code == Code::kMissedByLateFrames ||
-            finding.code == Code::kShiftTooShort);
+  return std::ranges::any_of(findings, [&](const Finding& finding) {
+    return finding.place.slave == slave.position &&
+           (finding.code == code::kSlaveFellByLateFrames || finding.code == code::kMissedByLateFrames ||
+            finding.code == code::kShiftTooShort);
   });
 }
 
@@ -55,7 +53,7 @@ void find_too_tight(const RunReport& report, const RunReport::Slave& slave, Find
   if (is_told(findings, slave)) return;
   if (lateness <= *slave.sync0_margin) return;
   findings.push_back(
-      {Code::kSync0TooTight, FindingLevel::kWarning, slave.position, 0, 0, {slave_figure(report, slave.position)}});
+      {code::kSync0TooTight, Severity::kWarning, slave.position, 0, 0, {slave_figure(report, slave.position)}});
   std::ranges::copy(lateness_figures(report, slave), std::back_inserter(findings.back().figures));
 }
 

@@ -9,7 +9,6 @@
 namespace syncline::diagnosis {
 namespace {
 
-using Code = FindingCode;
 using Unit = Figure::Unit;
 
 constexpr std::size_t kPorts = 4;
@@ -29,8 +28,8 @@ void find_damage(const RunReport& report, const RunReport::Slave& slave, std::si
   const auto& spells = report.history.slaves[slave.position].port_errors[port];
   if (spells.empty()) return;
   const auto& errors = slave.evidence.ports[port];
-  findings.push_back({Code::kPortErrors,
-                      FindingLevel::kWarning,
+  findings.push_back({code::kPortErrors,
+                      Severity::kWarning,
                       slave.position,
                       spells.first(),
                       spells.last(),
@@ -49,8 +48,8 @@ void find_lost_link(const RunReport& report, const RunReport::Slave& slave, std:
     return other.optional && other.parent == slave.position && other.parent_port == static_cast<int>(port);
   });
   if (pluggable || slave.optional) return;
-  findings.push_back({Code::kLinkLost,
-                      FindingLevel::kWarning,
+  findings.push_back({code::kLinkLost,
+                      Severity::kWarning,
                       slave.position,
                       spells.first(),
                       spells.last(),
@@ -88,10 +87,10 @@ struct Losses {
   }
 };
 
-RunFinding lost(const RunReport& report, Code code, FindingLevel level, int slave, const Losses& losses) {
+Finding lost(const RunReport& report, std::string_view code, Severity severity, int slave, const Losses& losses) {
   return {code,
-          level,
-          code == Code::kFramesLostByNoise ? slave : -1,
+          severity,
+          code == code::kFramesLostByNoise ? slave : -1,
           losses.first,
           losses.last,
           {count_figure("count", losses.count), count_figure("most", losses.most),
@@ -134,15 +133,13 @@ void find_lost_frames(const RunReport& report, Findings& findings) {
       by_slave.add(spell);
     }
   }
-  if (unexplained.count > 0)
-    findings.push_back(lost(report, Code::kFramesLost, FindingLevel::kWarning, -1, unexplained));
+  if (unexplained.count > 0) findings.push_back(lost(report, code::kFramesLost, Severity::kWarning, -1, unexplained));
   if (by_noise.count > 0) {
-    findings.push_back(lost(report, Code::kFramesLostByNoise, FindingLevel::kWarning, noisy.slave, by_noise));
+    findings.push_back(lost(report, code::kFramesLostByNoise, Severity::kWarning, noisy.slave, by_noise));
     findings.back().figures.push_back({"port", Unit::kPort, static_cast<std::int64_t>(noisy.port)});
   }
-  if (by_host.count > 0) findings.push_back(lost(report, Code::kFramesLostByHost, FindingLevel::kWarning, -1, by_host));
-  if (by_slave.count > 0)
-    findings.push_back(lost(report, Code::kFramesLostByCable, FindingLevel::kNote, gone, by_slave));
+  if (by_host.count > 0) findings.push_back(lost(report, code::kFramesLostByHost, Severity::kWarning, -1, by_host));
+  if (by_slave.count > 0) findings.push_back(lost(report, code::kFramesLostByCable, Severity::kNote, gone, by_slave));
   const auto& late = report.history.late_frames;
   // What lay in the card while it was away comes when it is back.
   const bool by_outage =
@@ -150,8 +147,8 @@ void find_lost_frames(const RunReport& report, Findings& findings) {
   if (!late.empty() && report.late_frames > 0 && !by_outage) {
     const bool host = std::ranges::all_of(
         late.list(), [&](const Spell& spell) { return report.history.stalls.near(spell, kTogether); });
-    findings.push_back({Code::kFramesLate,
-                        host ? FindingLevel::kNote : FindingLevel::kWarning,
+    findings.push_back({code::kFramesLate,
+                        host ? Severity::kNote : Severity::kWarning,
                         -1,
                         late.first(),
                         late.last(),

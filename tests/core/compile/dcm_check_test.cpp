@@ -43,7 +43,7 @@ TEST(DcmCheck, ASetValueBelowFrameTimeAndDelayIsRefusedWithTheLimit) {
   EXPECT_EQ(status.error().subject, "master.dc.set_value_us");
   EXPECT_EQ(status.error().received, 0x981201C9);
   EXPECT_THAT(status.error().detail,
-              HasSubstr(std::to_string(least - 1) + " ns is outside " + std::to_string(least) + "..999999 ns"));
+              HasSubstr(exact_time_text(least - 1) + " is outside " + exact_time_text(least) + "..999.999 us"));
   config.dc.dcm.set_value = least;
   EXPECT_TRUE(check_dcm(config));
   EXPECT_EQ(dcm_problems(config, 1).size(), 1U) << "the way to the last slave counts";
@@ -62,8 +62,8 @@ TEST(DcmCheck, ASyncCycleThatDoesNotFitTheBusCycleIsNamedWithItsSlave) {
   const auto problems = dcm_problems(config);
   ASSERT_EQ(problems.size(), 1U);
   EXPECT_EQ(problems[0].code, 0x981201C8);
-  EXPECT_THAT(problems[0].detail, HasSubstr(config.slaves[drive].name));
-  EXPECT_THAT(problems[0].detail, HasSubstr("1300000 ns"));
+  EXPECT_THAT(facts_text(problems[0].finding), HasSubstr(config.slaves[drive].name));
+  EXPECT_THAT(facts_text(problems[0].finding), HasSubstr("1.3 ms"));
 }
 
 TEST(DcmCheck, AnExternalClockNeedsABridge) {

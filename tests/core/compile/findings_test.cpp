@@ -19,10 +19,11 @@ std::vector<std::string> found(const Project& project) {
   std::vector<std::string> out;
   for (const auto& finding : result.findings) {
     const char* severities[] = {"info", "warning", "error"};
-    out.push_back(std::string(severities[static_cast<int>(finding.severity)]) + " " + finding.key);
-    EXPECT_FALSE(finding.text.empty());
-    if (!finding.key.empty()) {
-      EXPECT_TRUE(get_setting(project, finding.key)) << finding.key;
+    out.push_back(std::string(severities[static_cast<int>(finding.severity)]) + " " + finding.place.key);
+    EXPECT_FALSE(describe(finding).empty());
+    EXPECT_EQ(describe(finding).find('{'), std::string::npos) << describe(finding);
+    if (!finding.place.key.empty()) {
+      EXPECT_TRUE(get_setting(project, finding.place.key)) << finding.place.key;
     }
   }
   return out;

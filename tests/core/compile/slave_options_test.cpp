@@ -29,7 +29,7 @@ SlaveConfig servo_of(const Project& project) { return compile(project).value().c
 std::vector<std::string> keys_of(const Project& project) {
   std::vector<std::string> keys;
   const auto result = compile(project).value();
-  for (const auto& finding : result.findings) keys.push_back(finding.key);
+  for (const auto& finding : result.findings) keys.push_back(finding.place.key);
   return keys;
 }
 

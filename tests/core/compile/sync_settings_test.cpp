@@ -40,7 +40,7 @@ std::vector<std::string> errors(const Project& project) {
   std::vector<std::string> keys;
   const auto result = compile(project);
   for (const auto& finding : result->findings) {
-    if (finding.severity == FindingSeverity::kError) keys.push_back(finding.key);
+    if (finding.severity == Severity::kError) keys.push_back(finding.place.key);
   }
   return keys;
 }
@@ -133,7 +133,7 @@ TEST(SyncSettings, RefusedCyclesAreErrorsThatNameTheSlave) {
     std::vector<int> slaves;
     const auto result = compile(project);
     for (const auto& finding : result->findings) {
-      if (finding.severity == FindingSeverity::kError) slaves.push_back(finding.slave);
+      if (finding.severity == Severity::kError) slaves.push_back(finding.place.slave);
     }
     EXPECT_THAT(slaves, testing::Contains(1)) << us;
   }

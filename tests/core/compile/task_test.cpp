@@ -90,9 +90,9 @@ TEST(Tasks, WhatDoesNotExistIsSaid) {
   project.slaves[0].input_unit = "Nobody";
   const auto findings = compile(project).value().findings;
   ASSERT_EQ(findings.size(), 2U);
-  EXPECT_EQ(findings[0].key, "master.sync_unit.0");
-  EXPECT_THAT(findings[0].text, HasSubstr("\"Fast\""));
-  EXPECT_EQ(findings[1].key, "slave.0.sync_unit.inputs");
+  EXPECT_EQ(findings[0].place.key, "master.sync_unit.0");
+  EXPECT_THAT(describe(findings[0]), HasSubstr("\"Fast\""));
+  EXPECT_EQ(findings[1].place.key, "slave.0.sync_unit.inputs");
 }
 
 TEST(ProcessImageOptions, LogicalStartAlignmentAndPacking) {

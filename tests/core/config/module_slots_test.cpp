@@ -129,11 +129,11 @@ TEST(ModuleSlots, FindingsNameThePlace) {
   ASSERT_TRUE(plug_module(project.slaves[0], 1, std::nullopt));
   auto findings = compile(project).value().findings;
   ASSERT_EQ(findings.size(), 1U);
-  EXPECT_EQ(findings[0].key, "slave.0.module.1");
+  EXPECT_EQ(findings[0].place.key, "slave.0.module.1");
   project.slaves[0].modules.insert(project.slaves[0].modules.begin(), {1, 0x999});
   findings = compile(project).value().findings;
   ASSERT_EQ(findings.size(), 1U);
-  EXPECT_THAT(findings[0].text, HasSubstr("0x00000999"));
+  EXPECT_THAT(describe(findings[0]), HasSubstr("0x00000999"));
 }
 
 TEST(ModuleSlots, AKeyPlugsThem) {

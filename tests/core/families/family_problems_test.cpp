@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "families/families.h"
 
 namespace syncline::families {
@@ -55,9 +57,10 @@ TEST(FamilyProblems, CyclesThatTheDriveRefuses) {
       EXPECT_TRUE(found[0].refused && found[0].topic == Topic::kCycleRefused) << us;
     }
   }
-  EXPECT_THAT(problems(&sigma5(), slave(300 * kMicrosecond), kMillisecond)[0].text,
+  EXPECT_THAT(facts_text(problems(&sigma5(), slave(300 * kMicrosecond), kMillisecond)[0].finding),
               HasSubstr("Next to it: 250 us or 375 us."));
-  EXPECT_THAT(problems(&sigma5(), slave(5 * kMillisecond), kMillisecond)[0].text, HasSubstr("Next to it: 4000 us."));
+  EXPECT_THAT(facts_text(problems(&sigma5(), slave(5 * kMillisecond), kMillisecond)[0].finding),
+              HasSubstr("Next to it: 4000 us."));
   EXPECT_THAT(topics(&sigma5(), slave(0)), IsEmpty()) << "free run takes any";
 }
 
@@ -65,7 +68,7 @@ TEST(FamilyProblems, CyclesThatAreTakenWithLosses) {
   const auto found = problems(&copley(), slave(312'500), 312'500);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_FALSE(found[0].refused);
-  EXPECT_THAT(found[0].text, testing::AllOf(HasSubstr("250 us"), HasSubstr("current loop")));
+  EXPECT_THAT(facts_text(found[0].finding), testing::AllOf(HasSubstr("250 us"), HasSubstr("current loop")));
   EXPECT_THAT(topics(&copley(), slave(10 * kMillisecond)), IsEmpty());
   EXPECT_THAT(topics(&copley(), slave(300'000)), testing::ElementsAre(Topic::kCycleRefused));
 }
@@ -113,7 +116,7 @@ TEST(FamilyProblems, SyncTypes) {
   const auto found = problems(&copley(), unused, kMillisecond);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_FALSE(found[0].refused);
-  EXPECT_THAT(found[0].text, HasSubstr("inputs are not those of SYNC0"));
+  EXPECT_THAT(facts_text(found[0].finding), HasSubstr("inputs are not those of SYNC0"));
   auto odd = slave(kMillisecond);
   write_object(odd, 0x1C32, 1, {3, 0});
   EXPECT_TRUE(problems(&copley(), odd, kMillisecond).at(0).refused) << "SYNC1 is none of its types";
@@ -131,6 +134,19 @@ TEST(FamilyProblems, CanCycleOfAGateway) {
   write_object(fits, 0x1C32, 2, {0x40, 0x42, 0x0F, 0});  // 1 ms
   EXPECT_THAT(topics(&el6751(), fits), IsEmpty());
   EXPECT_THAT(topics(&el6751(), fits, 2 * kMillisecond), testing::ElementsAre(Topic::kCanCycle)) << "told wrongly";
+}
+
+/// What their tables bring into sentences has to be known to the translations.
+TEST(FamilyProblems, EachPhraseOfAFamilyIsAPhraseOfFindings) {
+  const auto phrases = finding_phrases();
+  const auto knows = [&](std::string_view text) { return std::ranges::find(phrases, text) != phrases.end(); };
+  for (const Family* family : all()) {
+    EXPECT_TRUE(knows(family->devices)) << family->devices;
+    if (family->cycle && !family->cycle->otherwise.empty()) {
+      EXPECT_TRUE(knows(family->cycle->otherwise)) << family->cycle->otherwise;
+    }
+    for (const auto& mode : family->modes_need_dc.list) EXPECT_TRUE(knows(mode.why)) << mode.why;
+  }
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <map>
 #include <sstream>
 
+#include "check/check_network.h"
 #include "eni/check/check_bed.h"
 #include "eni/check/rule_cases.h"
 #include "support/sample_folder.h"
@@ -62,7 +63,7 @@ TEST(EniCheck, EachRuleHasACaseAndTexts) {
   for (const RuleCase& rule : all_cases()) tested.insert(rule.code);
   for (const TextCase& rule : text_cases()) tested.insert(rule.code);
   std::set<std::string> rules;
-  for (const CheckRule& rule : check_rules()) {
+  for (const FindingWords& rule : check_rules()) {
     EXPECT_TRUE(rules.emplace(rule.code).second) << rule.code;
     EXPECT_FALSE(rule.title.empty() || rule.why.empty() || rule.mend.empty()) << rule.code;
   }
@@ -78,7 +79,7 @@ TEST(EniCheck, TheManualHasEachRuleWithItsTexts) {
     lines.insert(line);
   }
   EXPECT_EQ(rows, check_rules().size());
-  for (const CheckRule& rule : check_rules()) {
+  for (const FindingWords& rule : check_rules()) {
     const auto row = fmt::format("| {} | {} | {} | {} | {} |", rule.code, severity_name(rule.severity), rule.title,
                                  rule.why, rule.mend);
     EXPECT_TRUE(lines.contains(row)) << row;
@@ -91,18 +92,18 @@ TEST(EniCheck, AFindingNamesLinePathAndSlave) {
   const std::string text = eni::write_eni(config);
   const auto check = eni::check_eni_text(text, "test.xml");
   ASSERT_EQ(check->findings.size(), 1U);
-  const eni::EniFinding& finding = check->findings[0];
-  EXPECT_EQ(finding.slave, 4);
-  EXPECT_EQ(finding.slave_name, config.slaves[kLastDrive].name);
+  const Finding& finding = check->findings[0];
+  EXPECT_EQ(finding.place.slave, 4);
+  EXPECT_EQ(check->slave_name(finding), config.slaves[kLastDrive].name);
   const auto& commands = config.slaves[kLastDrive].init_cmds;
   const auto index = &command(config, kLastDrive, Transition::kPS, reg::sync_manager(2)) - commands.data() + 1;
-  EXPECT_EQ(finding.path, "/EtherCATConfig/Config/Slave[5]/InitCmds/InitCmd[" + std::to_string(index) + "]");
+  EXPECT_EQ(finding.place.path, "/EtherCATConfig/Config/Slave[5]/InitCmds/InitCmd[" + std::to_string(index) + "]");
   const auto lines = lines_of(text);
-  ASSERT_GT(lines.size(), static_cast<std::size_t>(finding.line));
-  EXPECT_THAT(lines[static_cast<std::size_t>(finding.line) - 1], HasSubstr("<InitCmd>"));
+  ASSERT_GT(lines.size(), static_cast<std::size_t>(finding.place.line));
+  EXPECT_THAT(lines[static_cast<std::size_t>(finding.place.line) - 1], HasSubstr("<InitCmd>"));
   // The command that begins on that line is the one with the wrong address.
   std::string command_text;
-  for (auto i = static_cast<std::size_t>(finding.line); lines[i].find("</InitCmd>") == std::string::npos; ++i) {
+  for (auto i = static_cast<std::size_t>(finding.place.line); lines[i].find("</InitCmd>") == std::string::npos; ++i) {
     command_text += lines[i];
   }
   EXPECT_THAT(command_text, HasSubstr("<Adp>1001</Adp>"));
@@ -118,10 +119,10 @@ TEST(EniCheck, LinesAndPathsAgree) {
     const auto lines = lines_of(text);
     const auto check = eni::check_eni_text(text, "test.xml");
     for (const auto& finding : check->findings) {
-      ASSERT_GT(finding.line, 0) << finding.code;
-      std::string element = finding.path.substr(finding.path.rfind('/') + 1);
+      ASSERT_GT(finding.place.line, 0) << finding.code;
+      std::string element = finding.place.path.substr(finding.place.path.rfind('/') + 1);
       element = element.substr(0, element.find('['));
-      EXPECT_THAT(lines[static_cast<std::size_t>(finding.line) - 1], HasSubstr("<" + element)) << finding.code;
+      EXPECT_THAT(lines[static_cast<std::size_t>(finding.place.line) - 1], HasSubstr("<" + element)) << finding.code;
     }
   }
 }
@@ -146,8 +147,8 @@ TEST(EniCheck, AnEndCapIsNoSlave) {
   command(bad, kLastDrive, Transition::kPS, reg::sync_manager(2)).adp = 1001;
   const auto check = eni::check_eni_text(replaced(eni::write_eni(bad), "<Slave>", cap + "<Slave>"), "cap.xml");
   ASSERT_EQ(check->findings.size(), 1U);
-  EXPECT_EQ(check->findings[0].slave, 4);
-  EXPECT_THAT(check->findings[0].path, HasSubstr("/Slave[6]/"));
+  EXPECT_EQ(check->findings[0].place.slave, 4);
+  EXPECT_THAT(check->findings[0].place.path, HasSubstr("/Slave[6]/"));
 }
 
 /// A file that its maker has signed is plain all the same: each FMMU that is damaged in it is told.
@@ -171,8 +172,8 @@ TEST(EniCheck, EachScrambledFmmuOfASignedFileIsTold) {
   const auto check = eni::check_eni_text(text, "signed.xml");
   for (const auto& finding : check->findings) {
     if (std::string_view(finding.code).starts_with("ENI-FMMU-0") &&
-        finding.path.find("/InitCmds/") != std::string::npos) {
-      places.insert(finding.path);
+        finding.place.path.find("/InitCmds/") != std::string::npos) {
+      places.insert(finding.place.path);
     }
   }
   EXPECT_EQ(places.size(), scrambled);
@@ -217,7 +218,7 @@ TEST(EniCheck, RealExportsAreWithoutErrorAndWarning) {
     const auto check = eni::check_eni((own_samples("eni") / name).string());
     ASSERT_TRUE(check) << name;
     for (const auto& finding : check->findings) {
-      EXPECT_EQ(finding.severity, CheckSeverity::kNote) << name << ':' << finding.line << ' ' << finding.what;
+      EXPECT_EQ(finding.severity, Severity::kNote) << name << ':' << finding.place.line << ' ' << facts_text(finding);
     }
   }
   const auto folder = sample_folder();
@@ -231,8 +232,8 @@ TEST(EniCheck, RealExportsAreWithoutErrorAndWarning) {
     if (!check) continue;
     ++checked;
     for (const auto& finding : check->findings) {
-      EXPECT_EQ(finding.severity, CheckSeverity::kNote)
-          << name << ':' << finding.line << ' ' << finding.code << ' ' << finding.what;
+      EXPECT_EQ(finding.severity, Severity::kNote)
+          << name << ':' << finding.place.line << ' ' << finding.code << ' ' << facts_text(finding);
     }
   }
   EXPECT_GE(checked, 7);
@@ -256,7 +257,7 @@ TEST(EniCheck, OddSamplesAreFoundOut) {
     ASSERT_TRUE(check) << name;
     for (const auto& finding : check->findings) {
       found.emplace(finding.code);
-      EXPECT_GT(finding.line, 0);
+      EXPECT_GT(finding.place.line, 0);
     }
     EXPECT_THAT(wanted, testing::Each(testing::Truly([&](const std::string& code) { return found.contains(code); })))
         << name;
@@ -268,7 +269,7 @@ TEST(EniCheck, GoldenExportsAreWithoutErrorAndWarning) {
     const auto check = eni::check_eni(test::source_dir() + "/tests/golden/" + name);
     ASSERT_TRUE(check);
     for (const auto& finding : check->findings) {
-      EXPECT_EQ(finding.severity, CheckSeverity::kNote) << name << ':' << finding.line << ' ' << finding.what;
+      EXPECT_EQ(finding.severity, Severity::kNote) << name << ':' << finding.place.line << ' ' << facts_text(finding);
     }
   }
 }

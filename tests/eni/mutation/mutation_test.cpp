@@ -24,7 +24,7 @@ std::multiset<std::string> findings_of(const std::string& text) {
   const auto check = eni::check_eni_text(text, "file.xml");
   if (!check) return {"not checked"};
   for (const auto& finding : check->findings) {
-    if (finding.severity != CheckSeverity::kNote) out.emplace(fmt::format("{} {}", finding.code, finding.what));
+    if (finding.severity != Severity::kNote) out.emplace(fmt::format("{} {}", finding.code, facts_text(finding)));
   }
   return out;
 }

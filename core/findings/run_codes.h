@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string_view>
+
+/// Codes of what a run shows (core/diagnosis); their words stand in words/run_slaves.h and words/run_bus.h.
+namespace syncline::code {
+
+inline constexpr std::string_view kSlaveAbsent = "slave-absent";
+inline constexpr std::string_view kSlaveAbsentBehindCable = "slave-absent-behind-cable";
+inline constexpr std::string_view kSlaveWasAbsent = "slave-was-absent";
+inline constexpr std::string_view kAdapterAway = "adapter-away";
+inline constexpr std::string_view kAdapterWasAway = "adapter-was-away";
+inline constexpr std::string_view kSlaveFell = "slave-fell";
+inline constexpr std::string_view kSlaveFellByMisses = "slave-fell-by-missed-events";
+inline constexpr std::string_view kSlaveFellByLateFrames = "slave-fell-by-late-frames";
+inline constexpr std::string_view kSlaveFellByItself = "slave-fell-by-itself";
+inline constexpr std::string_view kSlaveBehind = "slave-behind";
+inline constexpr std::string_view kNotMonitored = "not-monitored";
+inline constexpr std::string_view kNothingToMonitor = "nothing-to-monitor";
+inline constexpr std::string_view kSlavesOutOfSync = "slaves-out-of-sync";
+inline constexpr std::string_view kSlaveLeftWindow = "slave-out-of-sync";
+inline constexpr std::string_view kWindowLeft = "sync-window-left";
+inline constexpr std::string_view kSlaveClockOff = "slave-clock-off";
+inline constexpr std::string_view kMasterNotLocked = "master-not-locked";
+inline constexpr std::string_view kMasterLostLock = "master-lost-lock";
+inline constexpr std::string_view kDcmError = "dcm-error";
+inline constexpr std::string_view kDriftTooHigh = "drift-too-high";
+inline constexpr std::string_view kMissedByLostFrames = "missed-by-lost-frames";
+inline constexpr std::string_view kMissedByHost = "missed-by-host";
+inline constexpr std::string_view kMissedByLateFrames = "missed-by-late-frames";
+inline constexpr std::string_view kMissedUnlocked = "missed-unlocked";
+inline constexpr std::string_view kMissedUnexplained = "missed-unexplained";
+inline constexpr std::string_view kSync0TooTight = "sync0-too-tight";
+inline constexpr std::string_view kShiftTooShort = "shift-too-short";
+inline constexpr std::string_view kInputShiftTooShort = "input-shift-too-short";
+inline constexpr std::string_view kFirmwareHung = "firmware-hung";
+inline constexpr std::string_view kFirmwareSlow = "firmware-slow";
+inline constexpr std::string_view kInputsLate = "inputs-late";
+inline constexpr std::string_view kGatewayCycleExceeded = "gateway-cycle-exceeded";
+inline constexpr std::string_view kMailboxSilent = "mailbox-silent";
+inline constexpr std::string_view kOutputsWatchdog = "outputs-watchdog";
+inline constexpr std::string_view kPortErrors = "port-errors";
+inline constexpr std::string_view kLinkLost = "link-lost";
+inline constexpr std::string_view kFramesLost = "frames-lost";
+inline constexpr std::string_view kFramesLostByNoise = "frames-lost-by-noise";
+inline constexpr std::string_view kFramesLostByHost = "frames-lost-by-host";
+inline constexpr std::string_view kFramesLostByCable = "frames-lost-by-interruption";
+inline constexpr std::string_view kFramesLate = "frames-late";
+inline constexpr std::string_view kHostStalled = "host-stalled";
+inline constexpr std::string_view kHostLate = "host-late";
+inline constexpr std::string_view kWorkingCounter = "working-counter";
+inline constexpr std::string_view kWorkingCounterExplained = "working-counter-explained";
+
+}  // namespace syncline::code

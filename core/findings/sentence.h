@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+
+#include "findings/finding.h"
+
+/// Findings whose words are looked up while compiling: a code without words, a placeholder that no figure fills and a
+/// figure that no sentence shows do not compile.
+namespace syncline {
+
+template <std::size_t kSize>
+struct FigureName {
+  char text[kSize]{};
+  // NOLINTNEXTLINE(google-explicit-constructor): fig::count<"bytes">(4).
+  consteval FigureName(const char (&name)[kSize]) { std::copy_n(name, kSize, text); }
+  [[nodiscard]] constexpr std::string_view view() const { return {text, kSize - 1}; }
+};
+
+/// A figure that has its name in its type.
+template <FigureName kName>
+struct Named {
+  static constexpr auto kText = kName;  // lives as long as the program
+  Figure figure;
+};
+
+namespace fig {
+
+template <FigureName kName>
+[[nodiscard]] Named<kName> of(Figure::Unit unit, std::int64_t value, std::int64_t other = 0, std::string text = {}) {
+  return {{Named<kName>::kText.view(), unit, value, other, std::move(text)}};
+}
+template <FigureName kName>
+[[nodiscard]] Named<kName> count(std::uint64_t value) {
+  return of<kName>(Figure::Unit::kCount, static_cast<std::int64_t>(value));
+}
+template <FigureName kName>
+[[nodiscard]] Named<kName> number(std::int64_t value) {
+  return of<kName>(Figure::Unit::kCount, value);
+}
+template <FigureName kName>
+[[nodiscard]] Named<kName> time(Nanoseconds value) {
+  return of<kName>(Figure::Unit::kTime, value);
+}
+template <FigureName kName>
+[[nodiscard]] Named<kName> hex(std::uint64_t value, int digits = 4) {
+  return of<kName>(Figure::Unit::kHex, static_cast<std::int64_t>(value), digits);
+}
+template <FigureName kName>
+[[nodiscard]] Named<kName> hex16(std::uint64_t value) {
+  return of<kName>(Figure::Unit::kHex16, static_cast<std::int64_t>(value));
+}
+template <FigureName kName>
+[[nodiscard]] Named<kName> hex32(std::uint64_t value) {
+  return of<kName>(Figure::Unit::kHex32, static_cast<std::int64_t>(value));
+}
+/// Somebody's own text, which no language changes.
+template <FigureName kName>
+[[nodiscard]] Named<kName> text(std::string value) {
+  return of<kName>(Figure::Unit::kText, 0, 0, std::move(value));
+}
+/// A word of ours: one of finding_phrases().
+template <FigureName kName>
+[[nodiscard]] Named<kName> phrase(std::string_view value) {
+  return of<kName>(Figure::Unit::kPhrase, 0, 0, std::string(value));
+}
+/// "slave 3 (Drive)"
+template <FigureName kName>
+[[nodiscard]] Named<kName> slave(std::size_t position, std::string name = {}) {
+  const auto at = static_cast<std::int64_t>(position);
+  return of<kName>(Figure::Unit::kSlave, at, at, std::move(name));
+}
+
+}  // namespace fig
+
+/// The words for a finding with these figures, from a table: "ENI-DC-10", or "ENI-DC-10/zero" for a variant.
+template <const auto& kTable, FigureName... kNames>
+class FindingSentence {
+ public:
+  // NOLINTNEXTLINE(google-explicit-constructor): as with format strings.
+  consteval FindingSentence(const char* key) {
+    const std::string_view whole(key);
+    const auto slash = whole.find('/');
+    const auto variant = slash == std::string_view::npos ? std::string_view{} : whole.substr(slash + 1);
+    for (const FindingWords& row : kTable) {
+      if (row.code == whole.substr(0, slash)) words_ = &row;
+    }
+    if (words_ == nullptr) throw "no words for this code";
+    for (const auto& facts : words_->facts) {
+      if (facts.variant == variant && !facts.text.empty()) facts_ = facts.text;
+    }
+    if (facts_.empty()) throw "the code has no sentence of this variant";
+    check_names();
+  }
+  [[nodiscard]] const FindingWords& words() const { return *words_; }
+  [[nodiscard]] std::string_view facts() const { return facts_; }
+
+ private:
+  consteval void check_names() const {
+    for (const auto text : {facts_, words_->mend}) {
+      for (auto open = text.find('{'); open != std::string_view::npos; open = text.find('{', open + 1)) {
+        [[maybe_unused]] const auto name = text.substr(open + 1, text.find('}', open) - open - 1);
+        if (!((name == kNames.view()) || ...)) throw "a placeholder without a figure";
+      }
+    }
+    if (!(shows(kNames.view()) && ...)) throw "a figure that no sentence shows";
+  }
+  [[nodiscard, maybe_unused]] consteval bool shows(std::string_view name) const {
+    for (const auto text : {facts_, words_->mend}) {
+      for (auto at = text.find(name); at != std::string_view::npos; at = text.find(name, at + 1)) {
+        const auto end = at + name.size();
+        if (at > 0 && text[at - 1] == '{' && end < text.size() && text[end] == '}') return true;
+      }
+    }
+    return false;
+  }
+
+  const FindingWords* words_ = nullptr;
+  std::string_view facts_;
+};
+
+/// A finding of the row's usual severity. Its key is the row's setting, for the place's slave.
+template <const auto& kTable, FigureName... kNames>
+[[nodiscard]] Finding make_finding(std::type_identity_t<FindingSentence<kTable, kNames...>> sentence, Place place,
+                                   Named<kNames>... figures) {
+  Finding finding{sentence.words().code, sentence.words().severity, std::move(place)};
+  if (finding.place.key.empty()) finding.place.key = setting_at(sentence.words().setting, finding.place.slave);
+  finding.figures.reserve(sizeof...(figures));
+  (finding.figures.push_back(std::move(figures.figure)), ...);
+  finding.facts = sentence.facts();
+  return finding;
+}
+
+}  // namespace syncline

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+
+#include "findings/sentence.h"
+#include "findings/words/eni.h"
+#include "findings/words/run_bus.h"
+
+namespace syncline {
+namespace {
+
+TEST(FindingWords, EachCodeHasItsOwnRowWithTitleAndFacts) {
+  std::set<std::string_view> codes;
+  for (const FindingWords& row : all_finding_words()) {
+    EXPECT_TRUE(codes.insert(row.code).second) << row.code;
+    EXPECT_EQ(find_finding_words(row.code)->title, row.title);
+    EXPECT_FALSE(row.title.empty() || row.facts[0].text.empty()) << row.code;
+    EXPECT_TRUE(row.facts[0].variant.empty()) << row.code;
+    std::set<std::string_view> variants;
+    for (const auto& facts : row.facts) {
+      EXPECT_TRUE(facts.text.empty() || variants.insert(facts.variant).second) << row.code;
+    }
+  }
+  EXPECT_GT(codes.size(), 200U);
+  EXPECT_EQ(find_finding_words("no-such-code"), nullptr);
+}
+
+TEST(FindingWords, RulesOfTheEniSayWhyAndWhatToDo) {
+  for (const FindingWords& row : words::kEni) {
+    EXPECT_FALSE(row.why.empty() || row.mend.empty()) << row.code;
+  }
+}
+
+TEST(FindingWords, AFindingKeepsItsFigures) {
+  const auto finding =
+      make_finding<words::kEni>("ENI-DC-19", 3, fig::time<"shift">(1'250'000), fig::time<"cycle">(kMillisecond));
+  EXPECT_EQ(finding.code, "ENI-DC-19");
+  EXPECT_EQ(finding.severity, Severity::kWarning);
+  EXPECT_EQ(finding.place.slave, 3);
+  EXPECT_EQ(finding.place.key, "slave.3.dc.sync0.shift_us");
+  EXPECT_EQ(facts_text(finding), "ShiftTime is 1.25 ms, the SYNC0 cycle 1 ms");
+  EXPECT_EQ(finding.figures[0].value, 1'250'000);
+}
+
+TEST(FindingWords, TheFactsCanBeAVariant) {
+  EXPECT_EQ(facts_text(make_finding<words::kEni>("ENI-DC-10", 1)), "SYNC0 is switched on with a cycle time of 0");
+  EXPECT_EQ(facts_text(make_finding<words::kEni>("ENI-DC-10/never", 1)),
+            "SYNC0 is switched on, and nothing writes its cycle time (0x09A0)");
+}
+
+TEST(FindingWords, ASettingOfNoSlaveStaysAsItIs) {
+  EXPECT_EQ(setting_at("master.dc.mode", 3), "master.dc.mode");
+  EXPECT_EQ(setting_at("slave.N.alias", 3), "slave.3.alias");
+  EXPECT_EQ(setting_at("slave.N.alias", -1), "");
+}
+
+TEST(FigureText, TimesKeepAllDigits) {
+  EXPECT_EQ(exact_time_text(0), "0 ns");
+  EXPECT_EQ(exact_time_text(-999), "-999 ns");
+  EXPECT_EQ(exact_time_text(62'500), "62.5 us");
+  EXPECT_EQ(exact_time_text(125'001), "125.001 us");
+  EXPECT_EQ(exact_time_text(1'000'125), "1.000125 ms");
+  EXPECT_EQ(exact_time_text(-10'000'000), "-10 ms");
+  EXPECT_EQ(exact_time_text(2'000'000'000), "2 s");
+}
+
+TEST(FigureText, NamesASlaveWhereItsNameIsKnown) {
+  EXPECT_EQ(figure_text(fig::slave<"slave">(3, "Drive").figure), "slave 3 (Drive)");
+  EXPECT_EQ(figure_text(fig::slave<"slave">(3).figure), "slave 3");
+}
+
+}  // namespace
+}  // namespace syncline

@@ -1,0 +1,4324 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!-- SPDX-License-Identifier: Apache-2.0 -->
+<!DOCTYPE TS>
+<TS version="2.1" language="de" sourcelanguage="en">
+<context>
+    <name>Finding</name>
+    <message>
+        <source>"{name}" is the name of slave {slave}, too</source>
+        <translation>"{name}" ist auch der Name von Slave {slave}</translation>
+    </message>
+    <message>
+        <source>"{variable}" is a {type} of {bits} bits, which has {has}</source>
+        <translation>"{variable}" ist ein {type} von {bits} Bits, der {has} hat</translation>
+    </message>
+    <message>
+        <source>"{variable}" shares bits with "{other}"</source>
+        <translation>"{variable}" teilt sich Bits mit "{other}"</translation>
+    </message>
+    <message>
+        <source>"{variable}" takes bits {first} to {last}, the image has {image}</source>
+        <translation>"{variable}" belegt die Bits {first} bis {last}, das Abbild hat {image}</translation>
+    </message>
+    <message>
+        <source>0 is what all slaves have before they are set up, so commands reach any of them</source>
+        <translation>0 haben alle Slaves, bevor sie eingerichtet sind; Kommandos erreichen also irgendeinen von ihnen</translation>
+    </message>
+    <message>
+        <source>0, 1, true or false</source>
+        <translation>0, 1, true oder false</translation>
+    </message>
+    <message>
+        <source>0x0400, 0x0420 and the watchdog bit in the SM control byte</source>
+        <translation>0x0400, 0x0420 und das Watchdog-Bit im SM-Steuerbyte</translation>
+    </message>
+    <message>
+        <source>0x0990 is set to {written}, ShiftTime says {said}</source>
+        <translation>0x0990 wird auf {written} gesetzt, ShiftTime sagt {said}</translation>
+    </message>
+    <message>
+        <source>0x09A0 against the multiples that the device supports</source>
+        <translation>0x09A0 gegen die Vielfachen, die das Gerät unterstützt</translation>
+    </message>
+    <message>
+        <source>0x09A0 is set to {written}, CycleTime0 says {said}</source>
+        <translation>0x09A0 wird auf {written} gesetzt, CycleTime0 sagt {said}</translation>
+    </message>
+    <message>
+        <source>0x09A4 against the ESI's factor and shift</source>
+        <translation>0x09A4 gegen Faktor und Verschiebung der ESI</translation>
+    </message>
+    <message>
+        <source>0x09A4 is set to {written}, CycleTime1 says {said}</source>
+        <translation>0x09A4 wird auf {written} gesetzt, CycleTime1 sagt {said}</translation>
+    </message>
+    <message>
+        <source>0x1C32:01 against the DC activation 0x0980</source>
+        <translation>0x1C32:01 gegen die DC-Aktivierung 0x0980</translation>
+    </message>
+    <message>
+        <source>0xF050 against 0xF030</source>
+        <translation>0xF050 gegen 0xF030</translation>
+    </message>
+    <message>
+        <source>6 bytes of two hexadecimal digits each</source>
+        <translation>6 Bytes aus je zwei Hexadezimalziffern</translation>
+    </message>
+    <message>
+        <source>&lt;{element}&gt; in &lt;{parent}&gt;</source>
+        <translation>&lt;{element}&gt; in &lt;{parent}&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;{element}&gt; in &lt;{parent}&gt;, {count} times</source>
+        <translation>&lt;{element}&gt; in &lt;{parent}&gt;, {count}-mal</translation>
+    </message>
+    <message>
+        <source>&lt;{element}&gt; is "{value}" instead of {wanted}</source>
+        <translation>&lt;{element}&gt; ist "{value}" statt {wanted}</translation>
+    </message>
+    <message>
+        <source>&lt;{element}&gt; stands behind elements of &lt;{parent}&gt; that it has to precede</source>
+        <translation>&lt;{element}&gt; steht hinter Elementen von &lt;{parent}&gt;, vor denen es stehen muss</translation>
+    </message>
+    <message>
+        <source>&lt;{element}&gt; stands {count} times in &lt;{parent}&gt;, allowed are {most}</source>
+        <translation>&lt;{element}&gt; steht {count}-mal in &lt;{parent}&gt;, erlaubt sind {most}</translation>
+    </message>
+    <message>
+        <source>&lt;{parent}&gt; has both &lt;{one}&gt; and &lt;{other}&gt;</source>
+        <translation>&lt;{parent}&gt; hat sowohl &lt;{one}&gt; als auch &lt;{other}&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;{parent}&gt; has neither &lt;{one}&gt; nor &lt;{other}&gt;</source>
+        <translation>&lt;{parent}&gt; hat weder &lt;{one}&gt; noch &lt;{other}&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;{parent}&gt; has no &lt;{element}&gt;</source>
+        <translation>&lt;{parent}&gt; hat kein &lt;{element}&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;{parent}&gt; has no attribute {attribute}</source>
+        <translation>&lt;{parent}&gt; hat kein Attribut {attribute}</translation>
+    </message>
+    <message>
+        <source>A CAN cycle that does not fit the bus cycle</source>
+        <translation>Ein CAN-Zyklus, der nicht zum Buszyklus passt</translation>
+    </message>
+    <message>
+        <source>A PDO and the SyncManagers' lists contradict each other</source>
+        <translation>Ein PDO und die Listen der SyncManager widersprechen einander</translation>
+    </message>
+    <message>
+        <source>A PDO is assigned twice</source>
+        <translation>Ein PDO ist doppelt zugeordnet</translation>
+    </message>
+    <message>
+        <source>A PDO is described twice</source>
+        <translation>Ein PDO ist doppelt beschrieben</translation>
+    </message>
+    <message>
+        <source>A PDO lies in a SyncManager that it must not lie in</source>
+        <translation>Ein PDO liegt in einem SyncManager, in dem es nicht liegen darf</translation>
+    </message>
+    <message>
+        <source>A PDO that the device does not have</source>
+        <translation>Ein PDO, das das Gerät nicht hat</translation>
+    </message>
+    <message>
+        <source>A SYNC0 cycle does not fit the bus cycle; make it a multiple or a divisor.</source>
+        <translation>Ein SYNC0-Zyklus passt nicht zum Buszyklus; ihn zu einem Vielfachen oder Teiler machen.</translation>
+    </message>
+    <message>
+        <source>A SYNC0 cycle that the device does not take</source>
+        <translation>Ein SYNC0-Zyklus, den das Gerät nicht annimmt</translation>
+    </message>
+    <message>
+        <source>A SYNC0 cycle that the device takes with losses</source>
+        <translation>Ein SYNC0-Zyklus, den das Gerät mit Verlusten annimmt</translation>
+    </message>
+    <message>
+        <source>A SYNC1 time without SYNC1</source>
+        <translation>Eine SYNC1-Zeit ohne SYNC1</translation>
+    </message>
+    <message>
+        <source>A Sync Unit runs in a task that does not exist</source>
+        <translation>Eine Sync Unit läuft in einer Task, die es nicht gibt</translation>
+    </message>
+    <message>
+        <source>A Sync Unit that does not exist</source>
+        <translation>Eine Sync Unit, die es nicht gibt</translation>
+    </message>
+    <message>
+        <source>A SyncManager carries a PDO that the slave does not describe</source>
+        <translation>Ein SyncManager trägt ein PDO, das der Slave nicht beschreibt</translation>
+    </message>
+    <message>
+        <source>A SyncManager is set behind the request for the state that needs it</source>
+        <translation>Ein SyncManager wird hinter der Anforderung des Zustands gesetzt, der ihn braucht</translation>
+    </message>
+    <message>
+        <source>A SyncManager is set to another length than its PDOs have</source>
+        <translation>Ein SyncManager wird auf eine andere Länge gesetzt, als seine PDOs haben</translation>
+    </message>
+    <message>
+        <source>A SyncManager is set to another start than its element says</source>
+        <translation>Ein SyncManager wird auf einen anderen Anfang gesetzt, als sein Element sagt</translation>
+    </message>
+    <message>
+        <source>A SyncManager lies outside the memory for data</source>
+        <translation>Ein SyncManager liegt außerhalb des Datenspeichers</translation>
+    </message>
+    <message>
+        <source>A SyncManager needs more process data</source>
+        <translation>Ein SyncManager braucht mehr Prozessdaten</translation>
+    </message>
+    <message>
+        <source>A SyncManager that is not enabled is switched on</source>
+        <translation>Ein nicht freigegebener SyncManager wird eingeschaltet</translation>
+    </message>
+    <message>
+        <source>A buffer changes only when its last byte is read or written, so that data stay old</source>
+        <translation>Ein Puffer wechselt erst, wenn sein letztes Byte gelesen oder geschrieben wird, so dass Daten alt bleiben</translation>
+    </message>
+    <message>
+        <source>A check has a time-out of 0</source>
+        <translation>Eine Prüfung hat eine Zeitgrenze von 0</translation>
+    </message>
+    <message>
+        <source>A check waits for another state than the one requested</source>
+        <translation>Eine Prüfung wartet auf einen anderen Zustand als den angeforderten</translation>
+    </message>
+    <message>
+        <source>A clock that stepped, was not initialised or cannot follow; its loop values and its propagation delay stand in its distributed clocks.</source>
+        <translation>Eine Uhr, die gesprungen ist, nicht eingerichtet wurde oder nicht folgen kann; ihre Regelwerte und ihre Laufzeit stehen bei ihren Distributed Clocks.</translation>
+    </message>
+    <message>
+        <source>A clock that steps, or a reference clock that was exchanged; see the events of that moment.</source>
+        <translation>Eine Uhr, die springt, oder eine ausgetauschte Referenzuhr; siehe die Ereignisse dieses Moments.</translation>
+    </message>
+    <message>
+        <source>A command has either a register or a logical address, and either data or a length: readers choose differently</source>
+        <translation>Ein Kommando hat entweder ein Register oder eine logische Adresse, und entweder Daten oder eine Länge: Leser wählen verschieden</translation>
+    </message>
+    <message>
+        <source>A command has no bytes</source>
+        <translation>Ein Kommando hat keine Bytes</translation>
+    </message>
+    <message>
+        <source>A command requests another state than its transition leads to</source>
+        <translation>Ein Kommando fordert einen anderen Zustand an als den, zu dem sein Übergang führt</translation>
+    </message>
+    <message>
+        <source>A command specifier that is not 1</source>
+        <translation>Ein Command Specifier, der nicht 1 ist</translation>
+    </message>
+    <message>
+        <source>A command to a clock register has the wrong length</source>
+        <translation>Ein Kommando an ein Uhrenregister hat die falsche Länge</translation>
+    </message>
+    <message>
+        <source>A command's data lie outside the image</source>
+        <translation>Die Daten eines Kommandos liegen außerhalb des Abbilds</translation>
+    </message>
+    <message>
+        <source>A copy between slaves reaches outside the image</source>
+        <translation>Eine Kopie zwischen Slaves reicht über das Abbild hinaus</translation>
+    </message>
+    <message>
+        <source>A cyclic command addresses no slave of the file</source>
+        <translation>Ein zyklisches Kommando spricht keinen Slave der Datei an</translation>
+    </message>
+    <message>
+        <source>A cyclic synchronous mode without SYNC0</source>
+        <translation>Eine zyklisch synchrone Betriebsart ohne SYNC0</translation>
+    </message>
+    <message>
+        <source>A download has another size than its object</source>
+        <translation>Ein Download hat eine andere Größe als sein Objekt</translation>
+    </message>
+    <message>
+        <source>A drive interpolates over the wrong time: it moves in jerks, or refuses to</source>
+        <translation>Ein Antrieb interpoliert über die falsche Zeit: er bewegt sich ruckartig oder weigert sich</translation>
+    </message>
+    <message>
+        <source>A frame or datagram is too long for Ethernet</source>
+        <translation>Ein Frame oder Datagramm ist zu lang für Ethernet</translation>
+    </message>
+    <message>
+        <source>A gateway that does not know the bus cycle</source>
+        <translation>Ein Gateway, das den Buszyklus nicht kennt</translation>
+    </message>
+    <message>
+        <source>A gateway's fieldbus needs longer than a cycle</source>
+        <translation>Der Feldbus eines Gateways braucht länger als einen Zyklus</translation>
+    </message>
+    <message>
+        <source>A hot-connect group cannot be identified</source>
+        <translation>Eine Hot-Connect-Gruppe lässt sich nicht erkennen</translation>
+    </message>
+    <message>
+        <source>A hot-connect group does not have the members it says</source>
+        <translation>Eine Hot-Connect-Gruppe hat nicht die Mitglieder, die sie nennt</translation>
+    </message>
+    <message>
+        <source>A list can be changed only while its count is 0; slaves abort the write otherwise (0x06010000, 0x08000022)</source>
+        <translation>Eine Liste lässt sich nur ändern, solange ihre Anzahl 0 ist; sonst brechen Slaves das Schreiben ab (0x06010000, 0x08000022)</translation>
+    </message>
+    <message>
+        <source>A list is written in an order that slaves refuse</source>
+        <translation>Eine Liste wird in einer Reihenfolge geschrieben, die Slaves ablehnen</translation>
+    </message>
+    <message>
+        <source>A loose plug at the host, or somebody who switches the adapter off: a network manager, power saving, the reset of a USB adapter.</source>
+        <translation>Ein loser Stecker am Rechner, oder jemand, der die Karte abschaltet: eine Netzwerkverwaltung, das Stromsparen, der Neustart eines USB-Adapters.</translation>
+    </message>
+    <message>
+        <source>A loose plug or a weak supply; the lost links of the ports say which cable.</source>
+        <translation>Ein loser Stecker oder eine schwache Versorgung; die Link-Verluste der Ports sagen, welches Kabel.</translation>
+    </message>
+    <message>
+        <source>A loose plug, a bad cable, or a neighbour without power.</source>
+        <translation>Ein loser Stecker, ein schlechtes Kabel oder ein Nachbar ohne Versorgung.</translation>
+    </message>
+    <message>
+        <source>A mailbox SyncManager is set to other values than the mailbox says</source>
+        <translation>Ein Mailbox-SyncManager wird auf andere Werte gesetzt, als die Mailbox sagt</translation>
+    </message>
+    <message>
+        <source>A mailbox has an impossible size or place</source>
+        <translation>Eine Mailbox hat eine unmögliche Größe oder Lage</translation>
+    </message>
+    <message>
+        <source>A mailbox names no protocol</source>
+        <translation>Eine Mailbox nennt kein Protokoll</translation>
+    </message>
+    <message>
+        <source>A mailbox without SyncManagers</source>
+        <translation>Eine Mailbox ohne SyncManager</translation>
+    </message>
+    <message>
+        <source>A mailbox without usable size</source>
+        <translation>Eine Mailbox ohne brauchbare Größe</translation>
+    </message>
+    <message>
+        <source>A mandatory PDO is not assigned</source>
+        <translation>Ein Pflicht-PDO ist nicht zugeordnet</translation>
+    </message>
+    <message>
+        <source>A master that goes by the commands runs whatever device stands in that place</source>
+        <translation>Ein Master, der nach den Kommandos geht, betreibt jedes Gerät an dieser Stelle</translation>
+    </message>
+    <message>
+        <source>A master that goes by the file leaves it in INIT; only masters that make the commands themselves run it</source>
+        <translation>Ein Master, der nach der Datei geht, lässt ihn in INIT; nur Master, die die Kommandos selbst machen, betreiben ihn</translation>
+    </message>
+    <message>
+        <source>A module demands another operation mode</source>
+        <translation>Ein Modul verlangt eine andere Betriebsart</translation>
+    </message>
+    <message>
+        <source>A module does not fit into its place</source>
+        <translation>Ein Modul passt nicht auf seinen Platz</translation>
+    </message>
+    <message>
+        <source>A module is plugged into a place that is not there</source>
+        <translation>Ein Modul steckt auf einem Platz, den es nicht gibt</translation>
+    </message>
+    <message>
+        <source>A module is plugged into place {place}; the device has {places}.</source>
+        <translation>Ein Modul steckt auf Platz {place}; das Gerät hat {places}.</translation>
+    </message>
+    <message>
+        <source>A part of the ENI is not read</source>
+        <translation>Ein Teil der ENI wird nicht gelesen</translation>
+    </message>
+    <message>
+        <source>A place must have a module</source>
+        <translation>Ein Platz muss ein Modul haben</translation>
+    </message>
+    <message>
+        <source>A port has one cable: the master finds another wiring than the one told</source>
+        <translation>Ein Port hat ein Kabel: der Master findet eine andere Verdrahtung als die genannte</translation>
+    </message>
+    <message>
+        <source>A port lost its link</source>
+        <translation>Ein Port verlor seinen Link</translation>
+    </message>
+    <message>
+        <source>A previous port names a slave that is not in the file</source>
+        <translation>Ein Vorgängerport nennt einen Slave, der nicht in der Datei ist</translation>
+    </message>
+    <message>
+        <source>A process data watchdog expired</source>
+        <translation>Ein Prozessdaten-Watchdog lief ab</translation>
+    </message>
+    <message>
+        <source>A process-data command has no working counter</source>
+        <translation>Ein Prozessdatenkommando hat keinen Working Counter</translation>
+    </message>
+    <message>
+        <source>A required element or attribute is missing</source>
+        <translation>Ein Pflichtelement oder Pflichtattribut fehlt</translation>
+    </message>
+    <message>
+        <source>A setting of the master synchronisation is out of range</source>
+        <translation>Eine Einstellung der Master-Synchronisation liegt außerhalb ihres Bereichs</translation>
+    </message>
+    <message>
+        <source>A slave answers in a few to some hundred milliseconds; the command fails before</source>
+        <translation>Ein Slave antwortet in einigen bis einigen hundert Millisekunden; das Kommando scheitert vorher</translation>
+    </message>
+    <message>
+        <source>A slave did not answer for a while</source>
+        <translation>Ein Slave antwortete eine Weile nicht</translation>
+    </message>
+    <message>
+        <source>A slave does not answer</source>
+        <translation>Ein Slave antwortet nicht</translation>
+    </message>
+    <message>
+        <source>A slave does not answer behind a cable</source>
+        <translation>Ein Slave hinter einem Kabel antwortet nicht</translation>
+    </message>
+    <message>
+        <source>A slave does not renew its inputs in each cycle</source>
+        <translation>Ein Slave erneuert seine Eingänge nicht in jedem Zyklus</translation>
+    </message>
+    <message>
+        <source>A slave hangs on a port that leads nowhere</source>
+        <translation>Ein Slave hängt an einem Port, der nirgendwohin führt</translation>
+    </message>
+    <message>
+        <source>A slave hangs on itself or on one behind it</source>
+        <translation>Ein Slave hängt an sich selbst oder an einem hinter ihm</translation>
+    </message>
+    <message>
+        <source>A slave hangs on one that cannot stand in front of it</source>
+        <translation>Ein Slave hängt an einem, der nicht vor ihm stehen kann</translation>
+    </message>
+    <message>
+        <source>A slave hangs on one that only swapped cables put behind it</source>
+        <translation>Ein Slave hängt an einem, den nur vertauschte Kabel hinter ihn stellen</translation>
+    </message>
+    <message>
+        <source>A slave hangs on port B, C or D of its predecessor.</source>
+        <translation>Ein Slave hängt an Port B, C oder D seines Vorgängers.</translation>
+    </message>
+    <message>
+        <source>A slave has left OP after missed SM2 events</source>
+        <translation>Ein Slave hat OP nach verpassten SM2-Ereignissen verlassen</translation>
+    </message>
+    <message>
+        <source>A slave has left OP because frames came too late</source>
+        <translation>Ein Slave hat OP verlassen, weil Frames zu spät kamen</translation>
+    </message>
+    <message>
+        <source>A slave has left OP while the bus was in order</source>
+        <translation>Ein Slave hat OP verlassen, während der Bus in Ordnung war</translation>
+    </message>
+    <message>
+        <source>A slave has left OP with an error</source>
+        <translation>Ein Slave hat OP mit einem Fehler verlassen</translation>
+    </message>
+    <message>
+        <source>A slave has no init commands</source>
+        <translation>Ein Slave hat keine InitCmds</translation>
+    </message>
+    <message>
+        <source>A slave has the station address 0</source>
+        <translation>Ein Slave hat die Stationsadresse 0</translation>
+    </message>
+    <message>
+        <source>A slave in DC mode checks its SYNC signals on that way and refuses (AL status code 0x0030 or 0x002D)</source>
+        <translation>Ein Slave im DC-Betrieb prüft seine SYNC-Signale auf diesem Weg und lehnt ab (AL-Statuscode 0x0030 oder 0x002D)</translation>
+    </message>
+    <message>
+        <source>A slave is addressed by its station address before it has one</source>
+        <translation>Ein Slave wird mit seiner Stationsadresse angesprochen, bevor er eine hat</translation>
+    </message>
+    <message>
+        <source>A slave is given another station address than its PhysAddr</source>
+        <translation>Ein Slave bekommt eine andere Stationsadresse als seine PhysAddr</translation>
+    </message>
+    <message>
+        <source>A slave is known by an alias that it does not have</source>
+        <translation>Ein Slave wird an einem Alias erkannt, den er nicht hat</translation>
+    </message>
+    <message>
+        <source>A slave is not in sync</source>
+        <translation>Ein Slave ist nicht synchron</translation>
+    </message>
+    <message>
+        <source>A slave left OP, lost its link or did not serve its data.</source>
+        <translation>Ein Slave hat OP verlassen, seinen Link verloren oder seine Daten nicht bedient.</translation>
+    </message>
+    <message>
+        <source>A slave left the sync window for a while</source>
+        <translation>Ein Slave verließ eine Weile das Sync-Fenster</translation>
+    </message>
+    <message>
+        <source>A slave needs longer than its cycle</source>
+        <translation>Ein Slave braucht länger als seinen Zyklus</translation>
+    </message>
+    <message>
+        <source>A slave stays behind the others</source>
+        <translation>Ein Slave bleibt hinter den anderen zurück</translation>
+    </message>
+    <message>
+        <source>A slave with distributed clocks stands before the reference clock</source>
+        <translation>Ein Slave mit verteilter Uhr steht vor der Referenzuhr</translation>
+    </message>
+    <message>
+        <source>A slave's cables IN and OUT are swapped</source>
+        <translation>Die Kabel IN und OUT eines Slaves sind vertauscht</translation>
+    </message>
+    <message>
+        <source>A slave's clock was off</source>
+        <translation>Die Uhr eines Slaves lag daneben</translation>
+    </message>
+    <message>
+        <source>A slave's firmware stood still</source>
+        <translation>Die Firmware eines Slaves stand still</translation>
+    </message>
+    <message>
+        <source>A slave's mailbox does not answer</source>
+        <translation>Die Mailbox eines Slaves antwortet nicht</translation>
+    </message>
+    <message>
+        <source>A start-up command and a setting write different values</source>
+        <translation>Ein Startkommando und eine Einstellung schreiben verschiedene Werte</translation>
+    </message>
+    <message>
+        <source>A start-up command has hardly any time</source>
+        <translation>Ein Startkommando hat kaum Zeit</translation>
+    </message>
+    <message>
+        <source>A start-up command has no data</source>
+        <translation>Ein Startkommando ohne Daten</translation>
+    </message>
+    <message>
+        <source>A start-up command on a transition without mailbox</source>
+        <translation>Ein Startkommando auf einem Übergang ohne Mailbox</translation>
+    </message>
+    <message>
+        <source>A synchronisation setting that cannot be set</source>
+        <translation>Eine Synchronisationseinstellung, die sich nicht setzen lässt</translation>
+    </message>
+    <message>
+        <source>A synchronisation type that does not use the SYNC signals</source>
+        <translation>Eine Synchronisationsart, die die SYNC-Signale nicht benutzt</translation>
+    </message>
+    <message>
+        <source>A synchronisation type that the device does not take</source>
+        <translation>Eine Synchronisationsart, die das Gerät nicht annimmt</translation>
+    </message>
+    <message>
+        <source>A task without cycle time</source>
+        <translation>Eine Task ohne Zykluszeit</translation>
+    </message>
+    <message>
+        <source>A value has the wrong type or is out of range</source>
+        <translation>Ein Wert hat den falschen Typ oder liegt außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>A value is written in a form that the schema does not allow</source>
+        <translation>Ein Wert ist in einer Form geschrieben, die das Schema nicht erlaubt</translation>
+    </message>
+    <message>
+        <source>A value stands in a form that no reader understands, so that nothing behind it was checked by meaning</source>
+        <translation>Ein Wert steht in einer Form, die kein Leser versteht, so dass nichts dahinter nach seiner Bedeutung geprüft wurde</translation>
+    </message>
+    <message>
+        <source>A variable has another size than its type</source>
+        <translation>Eine Variable hat eine andere Größe als ihr Typ</translation>
+    </message>
+    <message>
+        <source>A variable lies outside the process image</source>
+        <translation>Eine Variable liegt außerhalb des Prozessabbilds</translation>
+    </message>
+    <message>
+        <source>Activate SYNC1 (0x0400), or set CycleTime1 to 0</source>
+        <translation>SYNC1 aktivieren (0x0400), oder CycleTime1 auf 0 setzen</translation>
+    </message>
+    <message>
+        <source>Add Cnt</source>
+        <translation>Cnt hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add NOP 0x0900 and ARMW 0x0910 to the cyclic commands</source>
+        <translation>NOP 0x0900 und ARMW 0x0910 zu den zyklischen Kommandos hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add PollTime, or StatusBitAddr with an FMMU for the status bit</source>
+        <translation>PollTime hinzufügen, oder StatusBitAddr mit einer FMMU für das Statusbit</translation>
+    </message>
+    <message>
+        <source>Add a BRD of 0x0130 with 2 bytes</source>
+        <translation>Ein BRD von 0x0130 mit 2 Bytes hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add a NOP with Ado 2304 and 4 bytes before the ARMW</source>
+        <translation>Vor dem ARMW ein NOP mit Ado 2304 und 4 Bytes hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add a read of 0x0130 with Validate behind the request</source>
+        <translation>Hinter der Anforderung ein Lesen von 0x0130 mit Validate ergänzen</translation>
+    </message>
+    <message>
+        <source>Add the AL control write (0x0120) on that transition</source>
+        <translation>Das Schreiben von AL Control (0x0120) auf diesem Übergang ergänzen</translation>
+    </message>
+    <message>
+        <source>Add the FMMU on PS, or take the PDOs out of the assignment</source>
+        <translation>Die FMMU auf PS hinzufügen, oder die PDOs aus der Zuordnung nehmen</translation>
+    </message>
+    <message>
+        <source>Add the Protocol, or remove the commands</source>
+        <translation>Das Protocol hinzufügen, oder die Kommandos entfernen</translation>
+    </message>
+    <message>
+        <source>Add the broadcast writes of 0x0010, 0x0600 and 0x0800 on IP to the master's init commands</source>
+        <translation>Die Broadcast-Schreibkommandos von 0x0010, 0x0600 und 0x0800 auf IP zu den InitCmds des Masters hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add the element, or export the file again with the tool that made it</source>
+        <translation>Das Element hinzufügen, oder die Datei mit ihrem Werkzeug neu exportieren</translation>
+    </message>
+    <message>
+        <source>Add the reads of vendor and product from the EEPROM with Validate on IP</source>
+        <translation>Auf IP das Lesen von Hersteller und Produkt aus dem EEPROM mit Validate hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add the state SAFEOP to the command</source>
+        <translation>Den Zustand SAFEOP zum Kommando hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add the write of 0 to 0x0980 on SP, OP, SI and OI</source>
+        <translation>Das Schreiben von 0 nach 0x0980 auf SP, OP, SI und OI hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add the write of 8 bytes at 0x0990 before 0x0980</source>
+        <translation>Vor 0x0980 das Schreiben von 8 Bytes bei 0x0990 hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add the write of its 8 bytes at 0x0800 + 8 n on PS</source>
+        <translation>Das Schreiben seiner 8 Bytes bei 0x0800 + 8 n auf PS hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add the write of its 8 bytes at 0x0800 or 0x0808 on IP</source>
+        <translation>Das Schreiben seiner 8 Bytes bei 0x0800 oder 0x0808 auf IP hinzufügen</translation>
+    </message>
+    <message>
+        <source>Addresses for a device without EoE</source>
+        <translation>Adressen für ein Gerät ohne EoE</translation>
+    </message>
+    <message>
+        <source>An AMS Net ID for a device without AoE</source>
+        <translation>Eine AMS Net ID für ein Gerät ohne AoE</translation>
+    </message>
+    <message>
+        <source>An ENI does not hold all settings of the clocks</source>
+        <translation>Eine ENI enthält nicht alle Einstellungen der Uhren</translation>
+    </message>
+    <message>
+        <source>An ENI file holds whole microseconds: {cycle} is rounded there. Masters that take the cycle from the file run at another rate than the SYNC signals.</source>
+        <translation>Eine ENI-Datei fasst ganze Mikrosekunden: {cycle} wird dort gerundet. Master, die den Zyklus aus der Datei nehmen, laufen in einem anderen Takt als die SYNC-Signale.</translation>
+    </message>
+    <message>
+        <source>An ENI keeps the layout of its image</source>
+        <translation>Eine ENI behält die Anordnung ihres Abbilds</translation>
+    </message>
+    <message>
+        <source>An ENI says of the clocks' settings only which commands are sent: limit and settle time of the sync window, set value, burst and controller have their defaults.</source>
+        <translation>Eine ENI sagt von den Einstellungen der Uhren nur, welche Kommandos gesendet werden: Grenze und Einschwingzeit des Sync-Fensters, Sollwert, Burst und Regler haben ihre Vorgaben.</translation>
+    </message>
+    <message>
+        <source>An FMMU does not map the whole buffer of a SyncManager</source>
+        <translation>Eine FMMU bildet nicht den ganzen Puffer eines SyncManagers ab</translation>
+    </message>
+    <message>
+        <source>An FMMU has contradictory values</source>
+        <translation>Eine FMMU hat widersprüchliche Werte</translation>
+    </message>
+    <message>
+        <source>An FMMU is set behind the request for the state that needs it</source>
+        <translation>Eine FMMU wird hinter der Anforderung des Zustands gesetzt, der sie braucht</translation>
+    </message>
+    <message>
+        <source>An FMMU maps a SyncManager in the wrong direction</source>
+        <translation>Eine FMMU bildet einen SyncManager in der falschen Richtung ab</translation>
+    </message>
+    <message>
+        <source>An FMMU maps memory that no SyncManager guards</source>
+        <translation>Eine FMMU bildet Speicher ab, den kein SyncManager bewacht</translation>
+    </message>
+    <message>
+        <source>An element or attribute that ETG.2100 does not know</source>
+        <translation>Ein Element oder Attribut, das ETG.2100 nicht kennt</translation>
+    </message>
+    <message>
+        <source>An element stands more often than allowed</source>
+        <translation>Ein Element steht öfter als erlaubt</translation>
+    </message>
+    <message>
+        <source>An entry that the ESI fixes is not mapped</source>
+        <translation>Ein Eintrag, den die ESI festlegt, ist nicht gemappt</translation>
+    </message>
+    <message>
+        <source>An error limit beyond the device's range</source>
+        <translation>Eine Fehlergrenze außerhalb des Bereichs des Geräts</translation>
+    </message>
+    <message>
+        <source>An impossible cycle time</source>
+        <translation>Eine unmögliche Zykluszeit</translation>
+    </message>
+    <message>
+        <source>An init command goes to another slave</source>
+        <translation>Ein InitCmd geht an einen anderen Slave</translation>
+    </message>
+    <message>
+        <source>An optional slave</source>
+        <translation>Ein wahlweiser Slave</translation>
+    </message>
+    <message>
+        <source>Another slave is set up with the settings of this one</source>
+        <translation>Ein anderer Slave wird mit den Einstellungen dieses Slaves eingerichtet</translation>
+    </message>
+    <message>
+        <source>AoE, EoE, CoE, SoE, FoE or VoE</source>
+        <translation>AoE, EoE, CoE, SoE, FoE oder VoE</translation>
+    </message>
+    <message>
+        <source>Assign fewer or more PDOs</source>
+        <translation>Weniger oder mehr PDOs zuordnen</translation>
+    </message>
+    <message>
+        <source>Assign the PDO</source>
+        <translation>Das PDO zuordnen</translation>
+    </message>
+    <message>
+        <source>AssignActivate against the ESI, and that it is written in PREOP</source>
+        <translation>AssignActivate gegen die ESI, und ob es in PREOP geschrieben wird</translation>
+    </message>
+    <message>
+        <source>AutoIncAddr is {said}, the place in the file makes it {expected}</source>
+        <translation>AutoIncAddr ist {said}, nach dem Platz in der Datei ist sie {expected}</translation>
+    </message>
+    <message>
+        <source>B, C or D</source>
+        <translation>B, C oder D</translation>
+    </message>
+    <message>
+        <source>Both answer the commands to that address: working counters are 2 and data are mixed</source>
+        <translation>Beide antworten auf Kommandos an diese Adresse: Working Counter sind 2, und Daten vermischen sich</translation>
+    </message>
+    <message>
+        <source>Both slaves get the same outputs, which is rarely meant</source>
+        <translation>Beide Slaves bekommen dieselben Ausgänge, was selten gemeint ist</translation>
+    </message>
+    <message>
+        <source>Check the cycle time and the host's timer frequency.</source>
+        <translation>Zykluszeit und Timerfrequenz des Rechners prüfen.</translation>
+    </message>
+    <message>
+        <source>Check the plug at the host, and that the adapter is switched on (ip link set ... up); the bus comes back with it.</source>
+        <translation>Den Stecker am Rechner prüfen und ob die Karte eingeschaltet ist (ip link set ... up); der Bus kommt mit ihr zurück.</translation>
+    </message>
+    <message>
+        <source>Check the power of the first one and the cable that leads to it.</source>
+        <translation>Die Versorgung des ersten und das Kabel zu ihm prüfen.</translation>
+    </message>
+    <message>
+        <source>Check the power of the first one, and the cable and plugs between the two.</source>
+        <translation>Die Versorgung des ersten prüfen, und Kabel und Stecker zwischen beiden.</translation>
+    </message>
+    <message>
+        <source>Check {check}.</source>
+        <translation>Zu prüfen: {check}.</translation>
+    </message>
+    <message>
+        <source>Choose a cycle that all devices take (synclinectl project cycle-times)</source>
+        <translation>Einen Zyklus wählen, den alle Geräte annehmen (synclinectl project cycle-times)</translation>
+    </message>
+    <message>
+        <source>Choose a multiple of its full step</source>
+        <translation>Ein Vielfaches seiner vollen Schrittweite wählen</translation>
+    </message>
+    <message>
+        <source>Choose another, or none.</source>
+        <translation>Ein anderes wählen, oder keins.</translation>
+    </message>
+    <message>
+        <source>Choose bus shift or master shift.</source>
+        <translation>Bus-Shift oder Master-Shift wählen.</translation>
+    </message>
+    <message>
+        <source>Choose the first slave with DC.</source>
+        <translation>Den ersten Slave mit DC wählen.</translation>
+    </message>
+    <message>
+        <source>Clocks drift apart before SYNC signals start, and slaves miss their first pulses</source>
+        <translation>Uhren laufen auseinander, bevor SYNC-Signale beginnen, und Slaves verpassen ihre ersten Pulse</translation>
+    </message>
+    <message>
+        <source>Cnt of {command} is {count}, one slave makes it {computed}</source>
+        <translation>Cnt von {command} ist {count}, ein Slave ergibt {computed}</translation>
+    </message>
+    <message>
+        <source>Cnt of {command} is {count}, the FMMUs make it {computed} ({readers} slaves read, {writers} written)</source>
+        <translation>Cnt von {command} ist {count}, nach den FMMUs ist er {computed} ({readers} Slaves gelesen, {writers} geschrieben)</translation>
+    </message>
+    <message>
+        <source>Cnt of {command} is {count}, the file has {slaves} slaves</source>
+        <translation>Cnt von {command} ist {count}, die Datei hat {slaves} Slaves</translation>
+    </message>
+    <message>
+        <source>Commands to a position reach another slave than the one described</source>
+        <translation>Kommandos an eine Position erreichen einen anderen Slave als den beschriebenen</translation>
+    </message>
+    <message>
+        <source>Complete access starts at sub-index 0 or 1; slaves abort it</source>
+        <translation>Complete Access beginnt bei Subindex 0 oder 1; Slaves brechen ihn ab</translation>
+    </message>
+    <message>
+        <source>Complete access to a sub-index other than 0 or 1</source>
+        <translation>Complete Access auf einen anderen Subindex als 0 oder 1</translation>
+    </message>
+    <message>
+        <source>Correct Adp, or remove the command</source>
+        <translation>Adp berichtigen, oder das Kommando entfernen</translation>
+    </message>
+    <message>
+        <source>Correct BitOffs or BitSize, or ByteSize of the image</source>
+        <translation>BitOffs oder BitSize berichtigen, oder ByteSize des Abbilds</translation>
+    </message>
+    <message>
+        <source>Correct BitOffs or BitSize, unless one is a part of the other</source>
+        <translation>BitOffs oder BitSize berichtigen, wenn nicht die eine ein Teil der anderen ist</translation>
+    </message>
+    <message>
+        <source>Correct BitSize or DataType</source>
+        <translation>BitSize oder DataType berichtigen</translation>
+    </message>
+    <message>
+        <source>Correct BitStart or BitLength, or ByteSize of the image</source>
+        <translation>BitStart oder BitLength berichtigen, oder ByteSize des Abbilds</translation>
+    </message>
+    <message>
+        <source>Correct BitStart, or the offsets of the command</source>
+        <translation>BitStart oder die Offsets des Kommandos berichtigen</translation>
+    </message>
+    <message>
+        <source>Correct CycleTime</source>
+        <translation>CycleTime berichtigen</translation>
+    </message>
+    <message>
+        <source>Correct InputOffs or OutputOffs, or ByteSize of the image</source>
+        <translation>InputOffs oder OutputOffs berichtigen, oder ByteSize des Abbilds</translation>
+    </message>
+    <message>
+        <source>Correct Port or PhysAddr of one PreviousPort</source>
+        <translation>Port oder PhysAddr eines PreviousPort berichtigen</translation>
+    </message>
+    <message>
+        <source>Correct Validate, or VendorId, ProductCode, RevisionNo and SerialNo of Info</source>
+        <translation>Validate berichtigen, oder VendorId, ProductCode, RevisionNo und SerialNo von Info</translation>
+    </message>
+    <message>
+        <source>Correct length, start bit, stop bit, type and activation in the 16 bytes</source>
+        <translation>Länge, Startbit, Stoppbit, Art und Aktivierung in den 16 Bytes berichtigen</translation>
+    </message>
+    <message>
+        <source>Correct start and length; data memory begins at 0x1000, digital outputs at 0x0F00</source>
+        <translation>Anfang und Länge berichtigen; Datenspeicher beginnt bei 0x1000, digitale Ausgänge bei 0x0F00</translation>
+    </message>
+    <message>
+        <source>Correct start or length of one</source>
+        <translation>Anfang oder Länge des einen berichtigen</translation>
+    </message>
+    <message>
+        <source>Correct the PhysAddr of PreviousPort, or the order of the slaves</source>
+        <translation>Die PhysAddr von PreviousPort oder die Reihenfolge der Slaves berichtigen</translation>
+    </message>
+    <message>
+        <source>Correct the data of Validate</source>
+        <translation>Die Daten von Validate berichtigen</translation>
+    </message>
+    <message>
+        <source>Correct the data of the AL control write</source>
+        <translation>Die Daten des Schreibens von AL Control berichtigen</translation>
+    </message>
+    <message>
+        <source>Correct the data of the command, or Start and Length</source>
+        <translation>Die Daten des Kommandos oder Start und Length berichtigen</translation>
+    </message>
+    <message>
+        <source>Correct the data of the command, or StartAddress</source>
+        <translation>Die Daten des Kommandos oder StartAddress berichtigen</translation>
+    </message>
+    <message>
+        <source>Correct the data of the write to 0x0010</source>
+        <translation>Die Daten des Schreibens nach 0x0010 berichtigen</translation>
+    </message>
+    <message>
+        <source>Correct the offsets of CopyInfo</source>
+        <translation>Die Offsets von CopyInfo berichtigen</translation>
+    </message>
+    <message>
+        <source>CycleTime is in microseconds; masters run some 31 us to 10 s</source>
+        <translation>CycleTime ist in Mikrosekunden; Master laufen mit etwa 31 us bis 10 s</translation>
+    </message>
+    <message>
+        <source>CycleTime is {cycle}</source>
+        <translation>CycleTime ist {cycle}</translation>
+    </message>
+    <message>
+        <source>CycleTime0 is {cycle}, and no command on PS switches SYNC0 on</source>
+        <translation>CycleTime0 ist {cycle}, und kein Kommando auf PS schaltet SYNC0 ein</translation>
+    </message>
+    <message>
+        <source>CycleTime1 is {time}, and {activation} does not switch SYNC1 on</source>
+        <translation>CycleTime1 ist {time}, und {activation} schaltet SYNC1 nicht ein</translation>
+    </message>
+    <message>
+        <source>Cyclic synchronous position mode is executed with SYNC0 only</source>
+        <translation>Zyklisch synchrone Lage (CSP) wird nur mit SYNC0 ausgeführt</translation>
+    </message>
+    <message>
+        <source>Cyclic synchronous position mode needs SYNC0: without it targets come at no fixed distance from the servo period</source>
+        <translation>Zyklisch synchron Lage (CSP) braucht SYNC0: ohne es kommen Sollwerte in keinem festen Abstand zur Servoperiode</translation>
+    </message>
+    <message>
+        <source>Cyclic synchronous position mode without SYNC0 gets its targets at no fixed distance from the servo period, and moves badly</source>
+        <translation>Zyklisch synchrone Lage (CSP) bekommt ohne SYNC0 ihre Sollwerte in keinem festen Abstand zur Servoperiode und bewegt sich schlecht</translation>
+    </message>
+    <message>
+        <source>Cyclic synchronous torque mode is executed with SYNC0 only</source>
+        <translation>Zyklisch synchrones Drehmoment (CST) wird nur mit SYNC0 ausgeführt</translation>
+    </message>
+    <message>
+        <source>Cyclic synchronous torque mode needs SYNC0: without it targets come at no fixed distance from the servo period</source>
+        <translation>Zyklisch synchron Drehmoment (CST) braucht SYNC0: ohne es kommen Sollwerte in keinem festen Abstand zur Servoperiode</translation>
+    </message>
+    <message>
+        <source>Cyclic synchronous torque mode without SYNC0 gets its targets at no fixed distance from the servo period, and moves badly</source>
+        <translation>Zyklisch synchrones Drehmoment (CST) bekommt ohne SYNC0 seine Sollwerte in keinem festen Abstand zur Servoperiode und bewegt sich schlecht</translation>
+    </message>
+    <message>
+        <source>Cyclic synchronous velocity mode is executed with SYNC0 only</source>
+        <translation>Zyklisch synchrone Geschwindigkeit (CSV) wird nur mit SYNC0 ausgeführt</translation>
+    </message>
+    <message>
+        <source>Cyclic synchronous velocity mode needs SYNC0: without it targets come at no fixed distance from the servo period</source>
+        <translation>Zyklisch synchron Geschwindigkeit (CSV) braucht SYNC0: ohne es kommen Sollwerte in keinem festen Abstand zur Servoperiode</translation>
+    </message>
+    <message>
+        <source>Cyclic synchronous velocity mode without SYNC0 gets its targets at no fixed distance from the servo period, and moves badly</source>
+        <translation>Zyklisch synchrone Geschwindigkeit (CSV) bekommt ohne SYNC0 ihre Sollwerte in keinem festen Abstand zur Servoperiode und bewegt sich schlecht</translation>
+    </message>
+    <message>
+        <source>DC sync IO error</source>
+        <translation>DC-Sync-Ein-/Ausgabefehler</translation>
+    </message>
+    <message>
+        <source>DC sync timeout</source>
+        <translation>DC-Sync-Zeitüberschreitung</translation>
+    </message>
+    <message>
+        <source>Describe the PDO, or take it out of the SyncManager's list</source>
+        <translation>Das PDO beschreiben, oder es aus der Liste des SyncManagers nehmen</translation>
+    </message>
+    <message>
+        <source>Distributed clocks are off for the whole bus</source>
+        <translation>Verteilte Uhren sind für den ganzen Bus aus</translation>
+    </message>
+    <message>
+        <source>Distributed clocks are off for the whole bus; the slaves' operation modes do not count.</source>
+        <translation>Verteilte Uhren sind für den ganzen Bus aus; die Betriebsarten der Slaves zählen nicht.</translation>
+    </message>
+    <message>
+        <source>EC-Master and others find variables by name: they find the first</source>
+        <translation>EC-Master und andere finden Variablen nach dem Namen: sie finden die erste</translation>
+    </message>
+    <message>
+        <source>EC-Master used to refuse such files, and cannot measure delays again while it runs</source>
+        <translation>EC-Master lehnte solche Dateien früher ab und kann Laufzeiten im Betrieb nicht neu messen</translation>
+    </message>
+    <message>
+        <source>EEPROM error</source>
+        <translation>EEPROM-Fehler</translation>
+    </message>
+    <message>
+        <source>EEPROM no access</source>
+        <translation>kein Zugriff auf das EEPROM</translation>
+    </message>
+    <message>
+        <source>ETG.2100 demands it; strict readers refuse the file, others take a default that need not fit</source>
+        <translation>ETG.2100 verlangt es; strenge Leser lehnen die Datei ab, andere nehmen eine Vorgabe, die nicht passen muss</translation>
+    </message>
+    <message>
+        <source>Each clock runs at its own speed: SYNC signals drift apart by some 10 us a second</source>
+        <translation>Jede Uhr läuft mit eigener Geschwindigkeit: SYNC-Signale laufen um etwa 10 us je Sekunde auseinander</translation>
+    </message>
+    <message>
+        <source>Elements stand in another order than ETG.2100's</source>
+        <translation>Elemente stehen in einer anderen Reihenfolge als in ETG.2100</translation>
+    </message>
+    <message>
+        <source>Elements that exclude each other</source>
+        <translation>Elemente, die einander ausschließen</translation>
+    </message>
+    <message>
+        <source>Enable of SM{manager} is off, and an init command switches it on</source>
+        <translation>Enable von SM{manager} ist aus, und ein InitCmd schaltet ihn ein</translation>
+    </message>
+    <message>
+        <source>Enable the SyncManager, or correct the physical address</source>
+        <translation>Den SyncManager einschalten, oder die physikalische Adresse berichtigen</translation>
+    </message>
+    <message>
+        <source>Every later command to PhysAddr reaches nobody</source>
+        <translation>Jedes spätere Kommando an PhysAddr erreicht niemanden</translation>
+    </message>
+    <message>
+        <source>Every tool known writes ARMW; readers that look for it alone see no distributed clocks</source>
+        <translation>Alle bekannten Werkzeuge schreiben ARMW; Leser, die nur danach suchen, sehen keine verteilten Uhren</translation>
+    </message>
+    <message>
+        <source>Every type is a sequence: readers that follow the schema refuse the file or skip what comes too late</source>
+        <translation>Jeder Typ ist eine Folge: Leser, die sich an das Schema halten, lehnen die Datei ab oder überspringen, was zu spät kommt</translation>
+    </message>
+    <message>
+        <source>Export the file again with init commands</source>
+        <translation>Die Datei mit InitCmds neu exportieren</translation>
+    </message>
+    <message>
+        <source>Export the file without signature</source>
+        <translation>Die Datei ohne Signatur exportieren</translation>
+    </message>
+    <message>
+        <source>FMMU {fmmu}: bits are set that have to be 0</source>
+        <translation>FMMU {fmmu}: es sind Bits gesetzt, die 0 sein müssen</translation>
+    </message>
+    <message>
+        <source>FMMU {fmmu}: it gives bits that FMMU {number} of {other} gives, too</source>
+        <translation>FMMU {fmmu}: sie liefert Bits, die auch FMMU {number} von {other} liefert</translation>
+    </message>
+    <message>
+        <source>FMMU {fmmu}: it maps {bytes} bytes at {logical} and is not active</source>
+        <translation>FMMU {fmmu}: sie bildet {bytes} Bytes bei {logical} ab und ist nicht aktiv</translation>
+    </message>
+    <message>
+        <source>FMMU {fmmu}: it maps {first} to {last}, SM{manager} is {begin} to {end}</source>
+        <translation>FMMU {fmmu}: sie bildet {first} bis {last} ab, SM{manager} ist {begin} bis {end}</translation>
+    </message>
+    <message>
+        <source>FMMU {fmmu}: it takes bits that FMMU {number} of {other} takes, too</source>
+        <translation>FMMU {fmmu}: sie nimmt Bits, die auch FMMU {number} von {other} nimmt</translation>
+    </message>
+    <message>
+        <source>FMMU {fmmu}: it {does} SM{manager}, which is {kind}</source>
+        <translation>FMMU {fmmu}: sie {does} SM{manager}, der {kind} ist</translation>
+    </message>
+    <message>
+        <source>FMMU {fmmu}: memory {first} to {last} belongs to no SyncManager that is on</source>
+        <translation>FMMU {fmmu}: der Speicher {first} bis {last} gehört zu keinem eingeschalteten SyncManager</translation>
+    </message>
+    <message>
+        <source>FMMU {fmmu}: no cyclic command reads {first} to {last} in OP</source>
+        <translation>FMMU {fmmu}: kein zyklisches Kommando liest {first} bis {last} in OP</translation>
+    </message>
+    <message>
+        <source>FMMU {fmmu}: no cyclic command reads {first} to {last} in SAFEOP</source>
+        <translation>FMMU {fmmu}: kein zyklisches Kommando liest {first} bis {last} in SAFEOP</translation>
+    </message>
+    <message>
+        <source>FMMU {fmmu}: no cyclic command writes {first} to {last} in OP</source>
+        <translation>FMMU {fmmu}: kein zyklisches Kommando schreibt {first} bis {last} in OP</translation>
+    </message>
+    <message>
+        <source>FMMU {fmmu}: {bytes} bytes from bit {first_bit} to bit {last_bit} at {logical}, {activity}</source>
+        <translation>FMMU {fmmu}: {bytes} Bytes von Bit {first_bit} bis Bit {last_bit} bei {logical}, {activity}</translation>
+    </message>
+    <message>
+        <source>FMMUs (0x0600)</source>
+        <translation>FMMUs (0x0600)</translation>
+    </message>
+    <message>
+        <source>Find out what held the host.</source>
+        <translation>Herausfinden, was den Rechner aufhielt.</translation>
+    </message>
+    <message>
+        <source>Find out what held the host; its SYNC0 is not the reason.</source>
+        <translation>Herausfinden, was den Rechner aufhielt; SYNC0 ist nicht der Grund.</translation>
+    </message>
+    <message>
+        <source>Find out where the frames are lost; its SYNC0 is not the reason.</source>
+        <translation>Herausfinden, wo die Frames verloren gehen; SYNC0 ist nicht der Grund.</translation>
+    </message>
+    <message>
+        <source>Frames and SYNC0 wander through each other: now and then a set value is missed or used twice</source>
+        <translation>Frames und SYNC0 wandern durcheinander: hin und wieder wird ein Sollwert verpasst oder doppelt benutzt</translation>
+    </message>
+    <message>
+        <source>Frames are damaged on a cable</source>
+        <translation>Frames werden auf einem Kabel beschädigt</translation>
+    </message>
+    <message>
+        <source>Frames are lost by noise</source>
+        <translation>Frames gehen durch Störungen verloren</translation>
+    </message>
+    <message>
+        <source>Frames are lost by the host</source>
+        <translation>Frames gehen durch den Host verloren</translation>
+    </message>
+    <message>
+        <source>Frames come back after their cycle</source>
+        <translation>Frames kommen nach ihrem Zyklus zurück</translation>
+    </message>
+    <message>
+        <source>Frames come close to SYNC0</source>
+        <translation>Frames kommen knapp vor SYNC0</translation>
+    </message>
+    <message>
+        <source>Frames do not come back</source>
+        <translation>Frames kommen nicht zurück</translation>
+    </message>
+    <message>
+        <source>Frames enter it by another port than A. Swap its cables IN and OUT: until then slaves behind it stand in front of it, an ENI file cannot tell what hangs on its port A, and other masters take its propagation delay wrong.</source>
+        <translation>Frames treten durch einen anderen Port als A ein. Seine Kabel IN und OUT tauschen: bis dahin stehen Slaves hinter ihm vor ihm, eine ENI-Datei kann nicht sagen, was an seinem Port A hängt, und andere Master berechnen seine Laufzeit falsch.</translation>
+    </message>
+    <message>
+        <source>Frames pass the slaves in the order of the file: so it can be only where frames enter that one by another port than A</source>
+        <translation>Frames durchlaufen die Slaves in der Reihenfolge der Datei: so kann es nur sein, wo Frames in jenen durch einen anderen Port als A eintreten</translation>
+    </message>
+    <message>
+        <source>Frames pass the slaves in the order of the file: the wiring told cannot exist</source>
+        <translation>Frames durchlaufen die Slaves in der Reihenfolge der Datei: die genannte Verdrahtung kann es nicht geben</translation>
+    </message>
+    <message>
+        <source>Frames were lost by an interruption</source>
+        <translation>Frames gingen durch eine Unterbrechung verloren</translation>
+    </message>
+    <message>
+        <source>Give Adp the slave's PhysAddr (FPxx) or AutoIncAddr (APxx)</source>
+        <translation>Adp die PhysAddr (FPxx) oder AutoIncAddr (APxx) des Slaves geben</translation>
+    </message>
+    <message>
+        <source>Give PreviousPort the PhysAddr of the slave in front</source>
+        <translation>PreviousPort die PhysAddr des Slaves davor geben</translation>
+    </message>
+    <message>
+        <source>Give Validate a Timeout in ms</source>
+        <translation>Validate einen Timeout in ms geben</translation>
+    </message>
+    <message>
+        <source>Give each command bytes of its own</source>
+        <translation>Jedem Kommando eigene Bytes geben</translation>
+    </message>
+    <message>
+        <source>Give each head an alias of its own, in the file and in the device</source>
+        <translation>Jedem Kopf einen eigenen Alias geben, in der Datei und im Gerät</translation>
+    </message>
+    <message>
+        <source>Give each mailbox a StatusBitAddr of its own</source>
+        <translation>Jeder Mailbox eine eigene StatusBitAddr geben</translation>
+    </message>
+    <message>
+        <source>Give each slave a PhysAddr of its own</source>
+        <translation>Jedem Slave eine eigene PhysAddr geben</translation>
+    </message>
+    <message>
+        <source>Give each slave a name of its own</source>
+        <translation>Jedem Slave einen eigenen Namen geben</translation>
+    </message>
+    <message>
+        <source>Give each slave bits of its own</source>
+        <translation>Jedem Slave eigene Bits geben</translation>
+    </message>
+    <message>
+        <source>Give each variable a name of its own</source>
+        <translation>Jeder Variablen einen eigenen Namen geben</translation>
+    </message>
+    <message>
+        <source>Give it Data or DataLength</source>
+        <translation>Ihm Data oder DataLength geben</translation>
+    </message>
+    <message>
+        <source>Give it a longer cycle, or fewer objects and functions in each.</source>
+        <translation>Einen längeren Zyklus geben, oder weniger Objekte und Funktionen in jedem.</translation>
+    </message>
+    <message>
+        <source>Give it an address from 1 on; tools start at 1001</source>
+        <translation>Ihm eine Adresse ab 1 geben; Werkzeuge beginnen bei 1001</translation>
+    </message>
+    <message>
+        <source>Give it data, or disable it</source>
+        <translation>Ihm Daten geben oder es abschalten</translation>
+    </message>
+    <message>
+        <source>Give it the Adp of the ARMW, or remove it</source>
+        <translation>Ihm Adp des ARMW geben, oder es entfernen</translation>
+    </message>
+    <message>
+        <source>Give the FMMU start and length of the SyncManager</source>
+        <translation>Der FMMU Anfang und Länge des SyncManagers geben</translation>
+    </message>
+    <message>
+        <source>Give the head an IdentifyCmd with Validate (alias 0x0012 or the device's ID)</source>
+        <translation>Dem Kopf ein IdentifyCmd mit Validate geben (Alias 0x0012 oder die ID des Geräts)</translation>
+    </message>
+    <message>
+        <source>Give the master a processor of its own and real-time priority, or increase the set value.</source>
+        <translation>Dem Master einen eigenen Prozessor und Echtzeitpriorität geben, oder den Sollwert erhöhen.</translation>
+    </message>
+    <message>
+        <source>Give the slave a DC element and the write of 0x0980, or neither</source>
+        <translation>Dem Slave ein Element DC und das Schreiben von 0x0980 geben, oder keins von beiden</translation>
+    </message>
+    <message>
+        <source>Give them logical addresses that do not meet, or states that exclude each other</source>
+        <translation>Ihnen logische Adressen geben, die sich nicht treffen, oder Zustände, die einander ausschließen</translation>
+    </message>
+    <message>
+        <source>Host and reference clock drift apart by more than 600 ppm; look at the host's timer or choose another reference clock.</source>
+        <translation>Host und Referenzuhr laufen um mehr als 600 ppm auseinander; nach dem Timer des Hosts sehen oder eine andere Referenzuhr wählen.</translation>
+    </message>
+    <message>
+        <source>How the mailbox is polled is not said</source>
+        <translation>Wie die Mailbox abgefragt wird, ist nicht gesagt</translation>
+    </message>
+    <message>
+        <source>INIT, PREOP, SAFEOP or OP</source>
+        <translation>INIT, PREOP, SAFEOP oder OP</translation>
+    </message>
+    <message>
+        <source>Image offsets in the way of TwinCAT</source>
+        <translation>Offsets des Abbilds nach der Art von TwinCAT</translation>
+    </message>
+    <message>
+        <source>In INIT and BOOT there is no CoE: the command fails and the transition with it</source>
+        <translation>In INIT und BOOT gibt es kein CoE: das Kommando scheitert und mit ihm der Übergang</translation>
+    </message>
+    <message>
+        <source>In SAFEOP inputs are valid already; the application sees zeros until OP</source>
+        <translation>In SAFEOP sind Eingänge schon gültig; die Anwendung sieht bis OP Nullen</translation>
+    </message>
+    <message>
+        <source>Increase the set value by {more} or more, or make the host less late.</source>
+        <translation>Den Sollwert um {more} oder mehr erhöhen, oder den Rechner pünktlicher machen.</translation>
+    </message>
+    <message>
+        <source>Increase the set value by {more} or more.</source>
+        <translation>Den Sollwert um {more} oder mehr erhöhen.</translation>
+    </message>
+    <message>
+        <source>InputOffs and OutputOffs count datagram headers, the data stand {bytes} bytes behind</source>
+        <translation>InputOffs und OutputOffs zählen Datagrammköpfe mit, die Daten stehen {bytes} Bytes dahinter</translation>
+    </message>
+    <message>
+        <source>InputOffs counts datagram headers, the data stand 10 bytes behind; EC-Engineer writes the offsets of the data</source>
+        <translation>InputOffs zählt Datagrammköpfe mit, die Daten stehen 10 Bytes dahinter; EC-Engineer schreibt die Offsets der Daten</translation>
+    </message>
+    <message>
+        <source>Inputs are latched too late</source>
+        <translation>Eingänge werden zu spät übernommen</translation>
+    </message>
+    <message>
+        <source>Inputs are not read in SAFEOP</source>
+        <translation>Eingänge werden in SAFEOP nicht gelesen</translation>
+    </message>
+    <message>
+        <source>Inputs overwrite each other, or both slaves get the same outputs</source>
+        <translation>Eingänge überschreiben einander, oder beide Slaves bekommen dieselben Ausgänge</translation>
+    </message>
+    <message>
+        <source>Integers are signed decimals (xs:int), booleans 0, 1, true or false: strict readers refuse 0x..., #x..., numbers above 2147483647 and blanks between bytes</source>
+        <translation>Ganze Zahlen sind Dezimalzahlen mit Vorzeichen (xs:int), Wahrheitswerte 0, 1, true oder false: strenge Leser lehnen 0x..., #x..., Zahlen über 2147483647 und Leerzeichen zwischen Bytes ab</translation>
+    </message>
+    <message>
+        <source>Interpolated position mode 1 needs SYNC0; only its mode 2 works without</source>
+        <translation>Die Betriebsart Interpolated Position 1 braucht SYNC0; nur ihre Art 2 geht ohne</translation>
+    </message>
+    <message>
+        <source>It cannot be sent</source>
+        <translation>Es kann nicht gesendet werden</translation>
+    </message>
+    <message>
+        <source>It cannot be set: {reason}.</source>
+        <translation>Sie lässt sich nicht setzen: {reason}.</translation>
+    </message>
+    <message>
+        <source>It fails unless the first answer fits; other masters take 0 for a default of their own</source>
+        <translation>Sie scheitert, wenn nicht schon die erste Antwort passt; andere Master nehmen 0 als ihre eigene Vorgabe</translation>
+    </message>
+    <message>
+        <source>It had no outputs for longer than its watchdog time.</source>
+        <translation>Er hatte länger als seine Watchdog-Zeit keine Ausgänge.</translation>
+    </message>
+    <message>
+        <source>It has no effect</source>
+        <translation>Sie hat keine Wirkung</translation>
+    </message>
+    <message>
+        <source>It is open which of the two mappings counts</source>
+        <translation>Es ist offen, welches der beiden Mappings gilt</translation>
+    </message>
+    <message>
+        <source>It maps nothing, and the slave's data never move</source>
+        <translation>Sie bildet nichts ab, und die Daten des Slaves bewegen sich nie</translation>
+    </message>
+    <message>
+        <source>It protects registers or nothing, and the slave refuses it</source>
+        <translation>Er schützt Register oder nichts, und der Slave lehnt ihn ab</translation>
+    </message>
+    <message>
+        <source>It starts its CAN cycles with other frames than meant</source>
+        <translation>Es beginnt seine CAN-Zyklen mit anderen Frames als gemeint</translation>
+    </message>
+    <message>
+        <source>It writes {object}, and a setting writes another value there ({command}).</source>
+        <translation>Es schreibt {object}, und eine Einstellung schreibt dort einen anderen Wert ({command}).</translation>
+    </message>
+    <message>
+        <source>Its clock stepped or lost its reference; switch sync-window monitoring on to be told at once.</source>
+        <translation>Die Uhr ist gesprungen oder hat ihre Referenz verloren; Sync-Window-Überwachung einschalten, um es sofort zu erfahren.</translation>
+    </message>
+    <message>
+        <source>Its data come every {cycle}, {least} is the shortest cycle that its object 0x1C32:05 names.</source>
+        <translation>Seine Daten kommen alle {cycle}, {least} ist der kürzeste Zyklus, den sein Objekt 0x1C32:05 nennt.</translation>
+    </message>
+    <message>
+        <source>Its firmware is busy or stopped; the counters that it keeps in objects are as old as that.</source>
+        <translation>Seine Firmware ist beschäftigt oder steht; die Zähler in seinen Objekten sind so alt wie das.</translation>
+    </message>
+    <message>
+        <source>Its firmware takes longer than the cycle: look for what else it has to do, give it a longer cycle, or fewer objects.</source>
+        <translation>Seine Firmware braucht länger als den Zyklus: nach dem suchen, was sie sonst zu tun hat, einen längeren Zyklus geben oder weniger Objekte.</translation>
+    </message>
+    <message>
+        <source>Its outputs and inputs stood still meanwhile. Look for what stops it: an interrupt storm, a debugger, a crash.</source>
+        <translation>Ausgänge und Eingänge standen währenddessen still. Suchen, was sie anhält: ein Interrupt-Sturm, ein Debugger, ein Absturz.</translation>
+    </message>
+    <message>
+        <source>Its outputs come nominally {margin} before SYNC0, and it needs {need} for them; look at its firmware's load, or at frames that are damaged in front of it.</source>
+        <translation>Die Ausgänge kommen nominell {margin} vor SYNC0, und er braucht {need} für sie; die Last seiner Firmware ansehen, oder Frames, die vor ihm beschädigt werden.</translation>
+    </message>
+    <message>
+        <source>Its working counter stays 0 in each cycle</source>
+        <translation>Sein Working Counter bleibt in jedem Zyklus 0</translation>
+    </message>
+    <message>
+        <source>Keep one of the two</source>
+        <translation>Eins von beiden behalten</translation>
+    </message>
+    <message>
+        <source>Latch them earlier: a smaller input shift time.</source>
+        <translation>Früher einlesen: eine kleinere Input Shift Time.</translation>
+    </message>
+    <message>
+        <source>Leave ReferenceClock on at the slave that the ARMW addresses</source>
+        <translation>ReferenceClock nur bei dem Slave lassen, den das ARMW anspricht</translation>
+    </message>
+    <message>
+        <source>Lengthen the cycle, or exchange less</source>
+        <translation>Den Zyklus verlängern, oder weniger austauschen</translation>
+    </message>
+    <message>
+        <source>Let 0x09A0 have CycleTime0 and CycleTime1</source>
+        <translation>0x09A0 dieselben Werte wie CycleTime0 und CycleTime1 geben</translation>
+    </message>
+    <message>
+        <source>Let Adp of the ARMW and ReferenceClock name the same slave</source>
+        <translation>Adp des ARMW und ReferenceClock denselben Slave nennen lassen</translation>
+    </message>
+    <message>
+        <source>Let Enable and the command say the same</source>
+        <translation>Enable und Kommando dasselbe sagen lassen</translation>
+    </message>
+    <message>
+        <source>Let a command cover the FMMU's logical addresses, or correct the FMMU</source>
+        <translation>Ein Kommando die logischen Adressen der FMMU abdecken lassen, oder die FMMU berichtigen</translation>
+    </message>
+    <message>
+        <source>Let a read of 0x0508 follow each request to 0x0502 (0x0100 and the address of the word)</source>
+        <translation>Auf jede Anforderung an 0x0502 (0x0100 und die Adresse des Worts) ein Lesen von 0x0508 folgen lassen</translation>
+    </message>
+    <message>
+        <source>Let its SYNC0 come {more} later: a shift of {shift}.</source>
+        <translation>SYNC0 um {more} später legen: eine Verschiebung von {shift}.</translation>
+    </message>
+    <message>
+        <source>Let the attribute Sm name the SyncManager whose list has the PDO, or leave it out</source>
+        <translation>Das Attribut Sm den SyncManager nennen lassen, dessen Liste das PDO hat, oder es weglassen</translation>
+    </message>
+    <message>
+        <source>Let the command have PREOP, SAFEOP and OP</source>
+        <translation>Dem Kommando PREOP, SAFEOP und OP geben</translation>
+    </message>
+    <message>
+        <source>Let the data of 0x0990 be ShiftTime</source>
+        <translation>Die Daten von 0x0990 gleich ShiftTime setzen</translation>
+    </message>
+    <message>
+        <source>Line {line} is not read: a Slave without address, commands and data, as tools write end caps.</source>
+        <translation>Zeile {line} wird nicht gelesen: ein Slave ohne Adresse, Kommandos und Daten, wie Werkzeuge Endkappen schreiben.</translation>
+    </message>
+    <message>
+        <source>Line {line} is not read: {what}.</source>
+        <translation>Zeile {line} wird nicht gelesen: {what}.</translation>
+    </message>
+    <message>
+        <source>Look at the deviations of the single slaves.</source>
+        <translation>Die Abweichungen der einzelnen Slaves ansehen.</translation>
+    </message>
+    <message>
+        <source>Look for a busy host or a clock that stepped; if neither is there, choose the other shift mode.</source>
+        <translation>Nach einem beschäftigten Rechner oder einer gesprungenen Uhr suchen; ist beides nicht da, die andere Art der Synchronisation wählen.</translation>
+    </message>
+    <message>
+        <source>Look for what held it: another process of higher priority, power management, the virtual machine's host.</source>
+        <translation>Suchen, was ihn aufhielt: ein anderer Prozess mit höherer Priorität, Energiesparen, der Wirt der virtuellen Maschine.</translation>
+    </message>
+    <message>
+        <source>MBoxOut, MBoxIn, Outputs or Inputs</source>
+        <translation>MBoxOut, MBoxIn, Outputs oder Inputs</translation>
+    </message>
+    <message>
+        <source>Mailbox, delays of the slaves and jitter of the master do not fit beside them</source>
+        <translation>Mailbox, Laufzeiten der Slaves und Jitter des Masters passen nicht daneben</translation>
+    </message>
+    <message>
+        <source>MailboxStates must count the bit, an FMMU on IP map it and a command read it from PREOP on</source>
+        <translation>MailboxStates muss das Bit zählen, eine FMMU auf IP es abbilden und ein Kommando es ab PREOP lesen</translation>
+    </message>
+    <message>
+        <source>Make the CAN cycle a multiple of the bus cycle</source>
+        <translation>Den CAN-Zyklus zu einem Vielfachen des Buszyklus machen</translation>
+    </message>
+    <message>
+        <source>Make the first slave with distributed clocks the reference clock</source>
+        <translation>Den ersten Slave mit verteilter Uhr zur Referenzuhr machen</translation>
+    </message>
+    <message>
+        <source>Map fewer objects and exchange the slow ones by SDO</source>
+        <translation>Weniger Objekte mappen und die langsamen per SDO austauschen</translation>
+    </message>
+    <message>
+        <source>Map fewer, or use another PDO for the rest.</source>
+        <translation>Weniger mappen, oder für den Rest ein anderes PDO verwenden.</translation>
+    </message>
+    <message>
+        <source>Master and reference clock run at their own rates</source>
+        <translation>Master und Referenzuhr laufen in eigenem Takt</translation>
+    </message>
+    <message>
+        <source>Master and reference clock run at their own rates: the frame wanders through the cycle and meets SYNC0 now and then.</source>
+        <translation>Master und Referenzuhr laufen in eigenem Takt: der Frame wandert durch den Zyklus und trifft hin und wieder SYNC0.</translation>
+    </message>
+    <message>
+        <source>Master and slaves follow different clocks</source>
+        <translation>Master und Slaves folgen verschiedenen Uhren</translation>
+    </message>
+    <message>
+        <source>Masters do not use the mailbox at all</source>
+        <translation>Master benutzen die Mailbox überhaupt nicht</translation>
+    </message>
+    <message>
+        <source>Masters find the write of bus shift behind the ARMW: before it they steer by the time of the cycle before, or take it for something else</source>
+        <translation>Master suchen das Schreiben des Bus-Shifts hinter dem ARMW: davor stellen sie nach der Zeit des Zyklus zuvor oder halten es für etwas anderes</translation>
+    </message>
+    <message>
+        <source>Masters of other makers ignore it, so whatever it sets is lost there</source>
+        <translation>Master anderer Hersteller übergehen es, so dass dort verloren ist, was es einstellt</translation>
+    </message>
+    <message>
+        <source>Masters run slower tasks in every n-th cycle of the first one</source>
+        <translation>Master führen langsamere Tasks in jedem n-ten Zyklus der ersten aus</translation>
+    </message>
+    <message>
+        <source>Masters skip them, or give up when the slave refuses the protocol</source>
+        <translation>Master überspringen sie, oder geben auf, wenn der Slave das Protokoll ablehnt</translation>
+    </message>
+    <message>
+        <source>Masters take the shift from the one or from the other</source>
+        <translation>Master nehmen die Verschiebung vom einen oder vom anderen</translation>
+    </message>
+    <message>
+        <source>Masters that go by the element set the slave up in another way than those that go by the commands</source>
+        <translation>Master, die nach dem Element gehen, richten den Slave anders ein als solche, die nach den Kommandos gehen</translation>
+    </message>
+    <message>
+        <source>Mend the lock first.</source>
+        <translation>Zuerst das Einrasten in Ordnung bringen.</translation>
+    </message>
+    <message>
+        <source>Mend the value at the line named, then check again</source>
+        <translation>Den Wert in der genannten Zeile berichtigen, dann neu prüfen</translation>
+    </message>
+    <message>
+        <source>Mend what is found about that port.</source>
+        <translation>Beheben, was zu diesem Port gefunden ist.</translation>
+    </message>
+    <message>
+        <source>Messages do not fit, into the mailbox or into a frame, and every object access fails</source>
+        <translation>Nachrichten passen nicht, in die Mailbox oder in einen Frame, und jeder Objektzugriff scheitert</translation>
+    </message>
+    <message>
+        <source>Module {module} does not fit into place {place}.</source>
+        <translation>Modul {module} passt nicht auf Platz {place}.</translation>
+    </message>
+    <message>
+        <source>Module {module} in place {place} demands the operation mode {mode}.</source>
+        <translation>Modul {module} auf Platz {place} verlangt die Betriebsart {mode}.</translation>
+    </message>
+    <message>
+        <source>More PDOs are assigned than an object takes</source>
+        <translation>Es sind mehr PDOs zugeordnet, als ein Objekt annimmt</translation>
+    </message>
+    <message>
+        <source>More entries are mapped than an object takes</source>
+        <translation>Es sind mehr Einträge gemappt, als ein Objekt annimmt</translation>
+    </message>
+    <message>
+        <source>More entries are mapped than the device has room for</source>
+        <translation>Es sind mehr Einträge gemappt, als das Gerät Platz hat</translation>
+    </message>
+    <message>
+        <source>More objects are mapped than the device takes</source>
+        <translation>Es sind mehr Objekte gemappt, als das Gerät annimmt</translation>
+    </message>
+    <message>
+        <source>More than one reference clock</source>
+        <translation>Mehr als eine Referenzuhr</translation>
+    </message>
+    <message>
+        <source>Move commands to another frame; 1498 bytes of datagrams fit into one, 12 of each are its own</source>
+        <translation>Kommandos in einen anderen Frame legen; 1498 Bytes Datagramme passen in einen, je 12 davon sind ihre eigenen</translation>
+    </message>
+    <message>
+        <source>Move it to IP, PS or SO</source>
+        <translation>Es nach IP, PS oder SO legen</translation>
+    </message>
+    <message>
+        <source>Move one of them to logical addresses of its own</source>
+        <translation>Eine davon auf eigene logische Adressen legen</translation>
+    </message>
+    <message>
+        <source>Move one of them to logical addresses of its own, unless both shall do the same</source>
+        <translation>Eine davon auf eigene logische Adressen legen, wenn nicht beide dasselbe tun sollen</translation>
+    </message>
+    <message>
+        <source>Move the command before the AL control write</source>
+        <translation>Das Kommando vor das Schreiben von AL Control setzen</translation>
+    </message>
+    <message>
+        <source>Move the element to its place</source>
+        <translation>Das Element an seinen Platz setzen</translation>
+    </message>
+    <message>
+        <source>Move the write of 0x0980 before the AL control write</source>
+        <translation>Das Schreiben von 0x0980 vor das Schreiben von AL Control setzen</translation>
+    </message>
+    <message>
+        <source>Name the protocols that the device has</source>
+        <translation>Die Protokolle nennen, die das Gerät hat</translation>
+    </message>
+    <message>
+        <source>No ESI of the device is at hand</source>
+        <translation>Keine ESI des Geräts ist zur Hand</translation>
+    </message>
+    <message>
+        <source>No ESI of {identity} is at hand: the device is described by what the ENI uses of it; other PDOs, operation modes and objects are unknown.</source>
+        <translation>Keine ESI von {identity} ist zur Hand: das Gerät wird durch das beschrieben, was die ENI von ihm benutzt; andere PDOs, Betriebsarten und Objekte sind unbekannt.</translation>
+    </message>
+    <message>
+        <source>No SyncManager can carry PDO {pdo}.</source>
+        <translation>Kein SyncManager kann das PDO {pdo} tragen.</translation>
+    </message>
+    <message>
+        <source>No SyncManager can carry a PDO</source>
+        <translation>Kein SyncManager kann ein PDO tragen</translation>
+    </message>
+    <message>
+        <source>No answer from {slaves} from {since} on, for {length} ({count} in all).</source>
+        <translation>Keine Antwort von {slaves} ab {since}, {length} lang ({count} insgesamt).</translation>
+    </message>
+    <message>
+        <source>No answer from {slaves} since {since}: nothing comes back over the cable at {near} port {port}.</source>
+        <translation>Keine Antwort von {slaves} seit {since}: über das Kabel an {near} Port {port} kommt nichts zurück.</translation>
+    </message>
+    <message>
+        <source>No answer from {slaves} since {since}; {near} is the last that answers.</source>
+        <translation>Keine Antwort von {slaves} seit {since}; {near} ist der letzte, der antwortet.</translation>
+    </message>
+    <message>
+        <source>No command enables a SyncManager that has PDOs</source>
+        <translation>Kein Kommando schaltet einen SyncManager ein, der PDOs hat</translation>
+    </message>
+    <message>
+        <source>No command enables a mailbox SyncManager</source>
+        <translation>Kein Kommando schaltet einen Mailbox-SyncManager ein</translation>
+    </message>
+    <message>
+        <source>No command requests a state on the way to OP</source>
+        <translation>Kein Kommando fordert einen Zustand auf dem Weg nach OP an</translation>
+    </message>
+    <message>
+        <source>No cyclic command carries what an FMMU maps in OP</source>
+        <translation>Kein zyklisches Kommando trägt, was eine FMMU in OP abbildet</translation>
+    </message>
+    <message>
+        <source>No external clock was found; look at the bridge device and at the network on its other side.</source>
+        <translation>Keine externe Uhr gefunden; nach dem Brückengerät und dem Netz auf seiner anderen Seite sehen.</translation>
+    </message>
+    <message>
+        <source>No master can send them in time</source>
+        <translation>Kein Master kann sie rechtzeitig senden</translation>
+    </message>
+    <message>
+        <source>No operation mode fits the ENI's clocks</source>
+        <translation>Keine Betriebsart passt zu den Uhren der ENI</translation>
+    </message>
+    <message>
+        <source>No operation mode of {type} has the AssignActivate {activation} of the ENI: DC is off.</source>
+        <translation>Keine Betriebsart von {type} hat das AssignActivate {activation} der ENI: DC ist aus.</translation>
+    </message>
+    <message>
+        <source>No slave brings the time of an external clock</source>
+        <translation>Kein Slave bringt die Zeit einer externen Uhr</translation>
+    </message>
+    <message>
+        <source>No slave follows the reference clock ({clocks} with a system time behind it), so there is no deviation to watch.</source>
+        <translation>Kein Slave folgt der Referenzuhr ({clocks} mit Systemzeit hinter ihr), also gibt es keine Abweichung zu überwachen.</translation>
+    </message>
+    <message>
+        <source>No start time is written</source>
+        <translation>Es wird keine Startzeit geschrieben</translation>
+    </message>
+    <message>
+        <source>No wiring puts a slave in front of the one that it hangs on here.</source>
+        <translation>Keine Verdrahtung stellt einen Slave vor den, an dem er hier hängt.</translation>
+    </message>
+    <message>
+        <source>Nobody watches the slaves' deviation</source>
+        <translation>Niemand überwacht die Abweichung der Slaves</translation>
+    </message>
+    <message>
+        <source>Noise on that cable, a bad plug or a bad shield: change the cable, keep it away from motor cables.</source>
+        <translation>Störungen auf diesem Kabel, ein schlechter Stecker oder Schirm: Kabel tauschen, von Motorleitungen fernhalten.</translation>
+    </message>
+    <message>
+        <source>Nothing is written, or the slave aborts for a wrong length (0x06070010)</source>
+        <translation>Es wird nichts geschrieben, oder der Slave bricht wegen falscher Länge ab (0x06070010)</translation>
+    </message>
+    <message>
+        <source>Nothing waits for the state requested</source>
+        <translation>Nichts wartet auf den angeforderten Zustand</translation>
+    </message>
+    <message>
+        <source>Nothing, unless the application uses them</source>
+        <translation>Nichts, solange die Anwendung sie nicht benutzt</translation>
+    </message>
+    <message>
+        <source>Nothing, unless the application uses them with another master</source>
+        <translation>Nichts, solange die Anwendung sie nicht mit einem anderen Master benutzt</translation>
+    </message>
+    <message>
+        <source>Nothing, unless the file has to carry the setting to another maker's master</source>
+        <translation>Nichts, wenn nicht die Datei die Einstellung zum Master eines anderen Herstellers tragen soll</translation>
+    </message>
+    <message>
+        <source>Nothing: readers should go by BitStart and BitOffs</source>
+        <translation>Nichts: Leser sollten nach BitStart und BitOffs gehen</translation>
+    </message>
+    <message>
+        <source>Object 0x60C2 cannot express a cycle of {cycle}; the ESI's value is kept.</source>
+        <translation>Objekt 0x60C2 kann einen Zyklus von {cycle} nicht ausdrücken; der Wert der ESI bleibt.</translation>
+    </message>
+    <message>
+        <source>Old station addresses, FMMUs or SyncManagers answer beside the new ones until a slave is switched off</source>
+        <translation>Alte Stationsadressen, FMMUs oder SyncManager antworten neben den neuen, bis ein Slave ausgeschaltet wird</translation>
+    </message>
+    <message>
+        <source>One overwrites the other's data; a buffered SyncManager takes three times its length</source>
+        <translation>Einer überschreibt die Daten des anderen; ein gepufferter SyncManager belegt das Dreifache seiner Länge</translation>
+    </message>
+    <message>
+        <source>Only masters of the maker who signed the file take it</source>
+        <translation>Nur Master des Herstellers, der die Datei signiert hat, nehmen sie an</translation>
+    </message>
+    <message>
+        <source>Only one clock can lead; masters take the first or the last</source>
+        <translation>Nur eine Uhr kann führen; Master nehmen die erste oder die letzte</translation>
+    </message>
+    <message>
+        <source>Outputs come too late for SYNC0</source>
+        <translation>Ausgänge kommen zu spät für SYNC0</translation>
+    </message>
+    <message>
+        <source>PDO {pdo} excludes {other}, and both are assigned</source>
+        <translation>PDO {pdo} schließt {other} aus, und beide sind zugeordnet</translation>
+    </message>
+    <message>
+        <source>PDO {pdo} excludes {other}; only one of them can be assigned.</source>
+        <translation>PDO {pdo} schließt {other} aus; nur eins davon kann zugeordnet werden.</translation>
+    </message>
+    <message>
+        <source>PDO {pdo} is assigned twice.</source>
+        <translation>PDO {pdo} ist doppelt zugeordnet.</translation>
+    </message>
+    <message>
+        <source>PDO {pdo} is described more than once</source>
+        <translation>PDO {pdo} ist mehr als einmal beschrieben</translation>
+    </message>
+    <message>
+        <source>PDO {pdo} is mandatory and assigned to no SyncManager</source>
+        <translation>PDO {pdo} ist Pflicht und keinem SyncManager zugeordnet</translation>
+    </message>
+    <message>
+        <source>PDO {pdo} is mandatory and not assigned.</source>
+        <translation>PDO {pdo} ist Pflicht und nicht zugeordnet.</translation>
+    </message>
+    <message>
+        <source>PDO {pdo} must not lie in SyncManager {manager} (ESI ExcludedSm).</source>
+        <translation>PDO {pdo} darf nicht in SyncManager {manager} liegen (ESI ExcludedSm).</translation>
+    </message>
+    <message>
+        <source>PDO {pdo} says {said}, the SyncManagers' lists say {assigned}</source>
+        <translation>PDO {pdo} sagt {said}, die Listen der SyncManager sagen {assigned}</translation>
+    </message>
+    <message>
+        <source>PDO {pdo} takes {least} to {most} samples a cycle, not {factor}.</source>
+        <translation>PDO {pdo} nimmt {least} bis {most} Abtastungen je Zyklus, nicht {factor}.</translation>
+    </message>
+    <message>
+        <source>PDOs that exclude each other are both assigned</source>
+        <translation>PDOs, die einander ausschließen, sind beide zugeordnet</translation>
+    </message>
+    <message>
+        <source>PLL error</source>
+        <translation>PLL-Fehler</translation>
+    </message>
+    <message>
+        <source>PREOP is requested while the EEPROM belongs to the master (0x0500 = 0)</source>
+        <translation>PREOP wird angefordert, während das EEPROM dem Master gehört (0x0500 = 0)</translation>
+    </message>
+    <message>
+        <source>PREOP is requested while the master has the EEPROM</source>
+        <translation>PREOP wird angefordert, während der Master das EEPROM hat</translation>
+    </message>
+    <message>
+        <source>Place {place} must have a module.</source>
+        <translation>Platz {place} muss ein Modul haben.</translation>
+    </message>
+    <message>
+        <source>Place {place}, {name}, must have a module.</source>
+        <translation>Platz {place}, {name}, muss ein Modul haben.</translation>
+    </message>
+    <message>
+        <source>Process data and mailbox states share logical addresses</source>
+        <translation>Prozessdaten und Mailbox-Zustände teilen sich logische Adressen</translation>
+    </message>
+    <message>
+        <source>Process data that no FMMU maps</source>
+        <translation>Prozessdaten, die keine FMMU abbildet</translation>
+    </message>
+    <message>
+        <source>Programs that look a slave or its variables up by name find the first one</source>
+        <translation>Programme, die einen Slave oder seine Variablen nach Namen suchen, finden den ersten</translation>
+    </message>
+    <message>
+        <source>Pulses come one cycle later than meant, since the shift counts modulo the cycle</source>
+        <translation>Pulse kommen einen Zyklus später als gemeint, da die Verschiebung modulo Zyklus zählt</translation>
+    </message>
+    <message>
+        <source>Put the APWR of 0x0910 behind the ARMW</source>
+        <translation>Das APWR von 0x0910 hinter das ARMW setzen</translation>
+    </message>
+    <message>
+        <source>Raise watchdog.process_data, or 0 switches it off.</source>
+        <translation>watchdog.process_data erhöhen, oder mit 0 abschalten.</translation>
+    </message>
+    <message>
+        <source>Readers disagree on other values: 1 is the download that all tools write</source>
+        <translation>Bei anderen Werten sind sich Leser nicht einig: 1 ist der Download, den alle Werkzeuge schreiben</translation>
+    </message>
+    <message>
+        <source>Readers refuse the file, or take the value for 0</source>
+        <translation>Leser lehnen die Datei ab, oder nehmen den Wert als 0</translation>
+    </message>
+    <message>
+        <source>Readers take the first or the last, and not all the same one</source>
+        <translation>Leser nehmen das erste oder das letzte, und nicht alle dasselbe</translation>
+    </message>
+    <message>
+        <source>Readers that go by Enable leave the data out, those that go by the commands do not</source>
+        <translation>Leser, die nach Enable gehen, lassen die Daten weg, solche, die nach den Kommandos gehen, nicht</translation>
+    </message>
+    <message>
+        <source>Readers use the one or the other and come to different process images</source>
+        <translation>Leser benutzen das eine oder das andere und kommen zu verschiedenen Prozessabbildern</translation>
+    </message>
+    <message>
+        <source>Recv has neither PollTime nor StatusBitAddr</source>
+        <translation>Recv hat weder PollTime noch StatusBitAddr</translation>
+    </message>
+    <message>
+        <source>Remove all but one</source>
+        <translation>Alle bis auf eins entfernen</translation>
+    </message>
+    <message>
+        <source>Remove one of the descriptions</source>
+        <translation>Eine der Beschreibungen entfernen</translation>
+    </message>
+    <message>
+        <source>Remove one of them.</source>
+        <translation>Eins davon entfernen.</translation>
+    </message>
+    <message>
+        <source>Remove the BRD of 0x092C</source>
+        <translation>Das BRD von 0x092C entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the command, or write a type that it supports</source>
+        <translation>Das Kommando entfernen, oder eine Art schreiben, die es unterstützt</translation>
+    </message>
+    <message>
+        <source>Request the state again and watch its AL status.</source>
+        <translation>Den Zustand erneut anfordern und den AL-Status beobachten.</translation>
+    </message>
+    <message>
+        <source>Requests and answers overwrite each other</source>
+        <translation>Anfragen und Antworten überschreiben einander</translation>
+    </message>
+    <message>
+        <source>SII does not match the firmware</source>
+        <translation>SII passt nicht zur Firmware</translation>
+    </message>
+    <message>
+        <source>SM0 and SM1 against SII words 0x14 to 0x17</source>
+        <translation>SM0 und SM1 gegen die SII-Wörter 0x14 bis 0x17</translation>
+    </message>
+    <message>
+        <source>SM2 events were missed because frames came too late</source>
+        <translation>SM2-Ereignisse fehlten, weil Frames zu spät kamen</translation>
+    </message>
+    <message>
+        <source>SM2 events were missed because frames were lost</source>
+        <translation>SM2-Ereignisse fehlten, weil Frames verloren gingen</translation>
+    </message>
+    <message>
+        <source>SM2 events were missed because the host left cycles out</source>
+        <translation>SM2-Ereignisse fehlten, weil der Host Zyklen ausließ</translation>
+    </message>
+    <message>
+        <source>SM2 events were missed in good cycles</source>
+        <translation>SM2-Ereignisse fehlten in guten Zyklen</translation>
+    </message>
+    <message>
+        <source>SM2 events were missed while the master was not locked</source>
+        <translation>SM2-Ereignisse fehlten, während der Master nicht eingerastet war</translation>
+    </message>
+    <message>
+        <source>SM{manager} carries PDO {pdo}, which the slave does not describe</source>
+        <translation>SM{manager} trägt das PDO {pdo}, das der Slave nicht beschreibt</translation>
+    </message>
+    <message>
+        <source>SM{manager} carries {bytes} bytes of process data that no FMMU maps</source>
+        <translation>SM{manager} trägt {bytes} Bytes Prozessdaten, die keine FMMU abbildet</translation>
+    </message>
+    <message>
+        <source>SM{manager} has PDOs, and no init command on IP, PS or SO enables it</source>
+        <translation>SM{manager} hat PDOs, und kein InitCmd auf IP, PS oder SO schaltet ihn ein</translation>
+    </message>
+    <message>
+        <source>SM{manager} is on with {bytes} bytes at {start}</source>
+        <translation>SM{manager} ist mit {bytes} Bytes bei {start} eingeschaltet</translation>
+    </message>
+    <message>
+        <source>SM{manager} is set to start at {start}, its element says {said}</source>
+        <translation>SM{manager} wird auf den Anfang {start} gesetzt, sein Element sagt {said}</translation>
+    </message>
+    <message>
+        <source>SM{manager} is set to {bytes} bytes at {start}, {element} says {said_bytes} bytes at {said_start}</source>
+        <translation>SM{manager} wird auf {bytes} Bytes bei {start} gesetzt, {element} sagt {said_bytes} Bytes bei {said_start}</translation>
+    </message>
+    <message>
+        <source>SM{manager} is set to {bytes} bytes, its PDOs have {expected}</source>
+        <translation>SM{manager} wird auf {bytes} Bytes gesetzt, seine PDOs haben {expected}</translation>
+    </message>
+    <message>
+        <source>SM{manager} shares memory with SM{other}</source>
+        <translation>SM{manager} teilt sich Speicher mit SM{other}</translation>
+    </message>
+    <message>
+        <source>SM{manager} shares memory with SM{other}, whose three buffers reach that far</source>
+        <translation>SM{manager} teilt sich Speicher mit SM{other}, dessen drei Puffer so weit reichen</translation>
+    </message>
+    <message>
+        <source>SYNC signals and cyclic frames; several sync errors came together</source>
+        <translation>SYNC-Signale und zyklische Frames; mehrere Synchronisationsfehler kamen zusammen</translation>
+    </message>
+    <message>
+        <source>SYNC signals go on when the slave has left OP, and the next start finds a running unit</source>
+        <translation>SYNC-Signale laufen weiter, wenn der Slave OP verlassen hat, und der nächste Start findet eine laufende Einheit</translation>
+    </message>
+    <message>
+        <source>SYNC0 and frames do not keep step</source>
+        <translation>SYNC0 und Frames halten nicht Schritt</translation>
+    </message>
+    <message>
+        <source>SYNC0 comes before the frames</source>
+        <translation>SYNC0 kommt vor den Frames</translation>
+    </message>
+    <message>
+        <source>SYNC0 comes every {cycle}: {family} {devices} need multiples of {step}; {otherwise}. Next to it: {nearest}.</source>
+        <translation>SYNC0 kommt alle {cycle}: {family} {devices} brauchen Vielfache von {step}; {otherwise}. Am nächsten: {nearest}.</translation>
+    </message>
+    <message>
+        <source>SYNC0 comes every {cycle}: {family} {devices} take multiples of {step}. Next to it: {nearest}.</source>
+        <translation>SYNC0 kommt alle {cycle}: {family} {devices} nehmen Vielfache von {step}. Am nächsten: {nearest}.</translation>
+    </message>
+    <message>
+        <source>SYNC0 comes every {cycle}: {limit} is the longest cycle that {family} {devices} take. Next to it: {nearest}.</source>
+        <translation>SYNC0 kommt alle {cycle}: {limit} ist der längste Zyklus, den {family} {devices} annehmen. Am nächsten: {nearest}.</translation>
+    </message>
+    <message>
+        <source>SYNC0 comes every {cycle}: {limit} is the shortest cycle that {family} {devices} take. Next to it: {nearest}.</source>
+        <translation>SYNC0 kommt alle {cycle}: {limit} ist der kürzeste Zyklus, den {family} {devices} annehmen. Am nächsten: {nearest}.</translation>
+    </message>
+    <message>
+        <source>SYNC0 comes, and the slave works without it</source>
+        <translation>SYNC0 kommt, und der Slave arbeitet ohne es</translation>
+    </message>
+    <message>
+        <source>SYNC0 does not come with the frames</source>
+        <translation>SYNC0 kommt nicht mit den Frames</translation>
+    </message>
+    <message>
+        <source>SYNC0 every {sync0} and a frame every {cycle}: neither is a multiple of the other.</source>
+        <translation>SYNC0 alle {sync0} und ein Frame alle {cycle}: keins ist ein Vielfaches des anderen.</translation>
+    </message>
+    <message>
+        <source>SYNC0 is never switched off</source>
+        <translation>SYNC0 wird nie ausgeschaltet</translation>
+    </message>
+    <message>
+        <source>SYNC0 is on, and {object}:01 = {type} does not use it: {consequence}. Set it to 2.</source>
+        <translation>SYNC0 ist an, und {object}:01 = {type} benutzt es nicht: {consequence}. Es auf 2 setzen.</translation>
+    </message>
+    <message>
+        <source>SYNC0 is started behind the request for SAFEOP</source>
+        <translation>SYNC0 wird hinter der Anforderung von SAFEOP gestartet</translation>
+    </message>
+    <message>
+        <source>SYNC0 is switched on (0x0980) before its cycle time is set (0x09A0)</source>
+        <translation>SYNC0 wird eingeschaltet (0x0980), bevor seine Zykluszeit gesetzt ist (0x09A0)</translation>
+    </message>
+    <message>
+        <source>SYNC0 is switched on (0x0980) before its start time is set (0x0990)</source>
+        <translation>SYNC0 wird eingeschaltet (0x0980), bevor seine Startzeit gesetzt ist (0x0990)</translation>
+    </message>
+    <message>
+        <source>SYNC0 is switched on before its times are set</source>
+        <translation>SYNC0 wird eingeschaltet, bevor seine Zeiten gesetzt sind</translation>
+    </message>
+    <message>
+        <source>SYNC0 is switched on with a cycle time of 0</source>
+        <translation>SYNC0 wird mit einer Zykluszeit von 0 eingeschaltet</translation>
+    </message>
+    <message>
+        <source>SYNC0 is switched on without a cycle</source>
+        <translation>SYNC0 wird ohne Zyklus eingeschaltet</translation>
+    </message>
+    <message>
+        <source>SYNC0 is switched on without a cycle time</source>
+        <translation>SYNC0 wird ohne Zykluszeit eingeschaltet</translation>
+    </message>
+    <message>
+        <source>SYNC0 is switched on, and nothing writes its cycle time (0x09A0)</source>
+        <translation>SYNC0 wird eingeschaltet, und nichts schreibt seine Zykluszeit (0x09A0)</translation>
+    </message>
+    <message>
+        <source>SYNC0 is switched on, and nothing writes its start time (0x0990)</source>
+        <translation>SYNC0 wird eingeschaltet, und nichts schreibt seine Startzeit (0x0990)</translation>
+    </message>
+    <message>
+        <source>SYNC1 cannot come before SYNC0</source>
+        <translation>SYNC1 kann nicht vor SYNC0 kommen</translation>
+    </message>
+    <message>
+        <source>SYNC1 is derived from SYNC0 and never comes</source>
+        <translation>SYNC1 wird von SYNC0 abgeleitet und kommt nie</translation>
+    </message>
+    <message>
+        <source>SYNC1 is switched on without SYNC0</source>
+        <translation>SYNC1 wird ohne SYNC0 eingeschaltet</translation>
+    </message>
+    <message>
+        <source>SYNC1 would come {time} before SYNC0; register 0x09A4 holds only a delay after it.</source>
+        <translation>SYNC1 käme {time} vor SYNC0; Register 0x09A4 fasst nur eine Verzögerung danach.</translation>
+    </message>
+    <message>
+        <source>See what else happened then: a clock that stepped, cycles left out, a reference clock that was lost.</source>
+        <translation>Sehen, was dann noch geschah: eine gesprungene Uhr, ausgelassene Zyklen, eine verlorene Referenzuhr.</translation>
+    </message>
+    <message>
+        <source>Send ({send}, {send_bytes} bytes) and Recv ({receive}, {receive_bytes} bytes) share memory</source>
+        <translation>Send ({send}, {send_bytes} Bytes) und Recv ({receive}, {receive_bytes} Bytes) teilen sich Speicher</translation>
+    </message>
+    <message>
+        <source>Send or Recv has another size than the assigned PDOs</source>
+        <translation>Send oder Recv hat eine andere Größe als die zugeordneten PDOs</translation>
+    </message>
+    <message>
+        <source>Send or Recv is not where the frames put the data</source>
+        <translation>Send oder Recv liegt nicht dort, wohin die Frames die Daten legen</translation>
+    </message>
+    <message>
+        <source>Set 0x0010 first, or address the slave by its position</source>
+        <translation>Erst 0x0010 setzen, oder den Slave über seine Position ansprechen</translation>
+    </message>
+    <message>
+        <source>Set 0x60C2 to the cycle in which set values come</source>
+        <translation>0x60C2 auf den Zyklus setzen, in dem Sollwerte kommen</translation>
+    </message>
+    <message>
+        <source>Set BitLength to the bits of the PDOs</source>
+        <translation>BitLength auf die Bits der PDOs setzen</translation>
+    </message>
+    <message>
+        <source>Set Cnt to 1, or 3 where it reads and writes</source>
+        <translation>Cnt auf 1 setzen, oder auf 3, wo gelesen und geschrieben wird</translation>
+    </message>
+    <message>
+        <source>Set Cnt to reading slaves, plus writing slaves (twice with LRW)</source>
+        <translation>Cnt auf lesende Slaves plus schreibende Slaves setzen (doppelt bei LRW)</translation>
+    </message>
+    <message>
+        <source>Set Cnt to the number of slaves</source>
+        <translation>Cnt auf die Zahl der Slaves setzen</translation>
+    </message>
+    <message>
+        <source>Set GroupMemberCnt to the number of slaves from the head of the group on</source>
+        <translation>GroupMemberCnt auf die Zahl der Slaves ab dem Kopf der Gruppe setzen</translation>
+    </message>
+    <message>
+        <source>Set SubIndex to 0, or CompleteAccess off</source>
+        <translation>SubIndex auf 0 setzen oder CompleteAccess ausschalten</translation>
+    </message>
+    <message>
+        <source>Set mode and direction in the control byte by the Type: outputs 0x64 or 0x24, inputs 0x20 or 0x00</source>
+        <translation>Art und Richtung im Steuerbyte nach dem Type setzen: Ausgänge 0x64 oder 0x24, Eingänge 0x20 oder 0x00</translation>
+    </message>
+    <message>
+        <source>Set the cycle in the master, or add CycleTime in microseconds</source>
+        <translation>Den Zyklus im Master setzen, oder CycleTime in Mikrosekunden hinzufügen</translation>
+    </message>
+    <message>
+        <source>Set the length to the bytes of the assigned PDOs</source>
+        <translation>Die Länge auf die Bytes der zugeordneten PDOs setzen</translation>
+    </message>
+    <message>
+        <source>ShiftTime is {shift}, the SYNC0 cycle {cycle}</source>
+        <translation>ShiftTime ist {shift}, der SYNC0-Zyklus {cycle}</translation>
+    </message>
+    <message>
+        <source>Slave-to-slave copies cannot be kept</source>
+        <translation>Kopien von Slave zu Slave lassen sich nicht behalten</translation>
+    </message>
+    <message>
+        <source>Slaves do not answer it, and its working counter stays 0</source>
+        <translation>Slaves antworten ihm nicht, und sein Working Counter bleibt 0</translation>
+    </message>
+    <message>
+        <source>Slaves may need 100 ms and more, and the start fails now and then</source>
+        <translation>Slaves brauchen womöglich 100 ms und mehr, und der Anlauf scheitert hin und wieder</translation>
+    </message>
+    <message>
+        <source>Slaves use distributed clocks, and nothing distributes the time</source>
+        <translation>Slaves benutzen verteilte Uhren, und nichts verteilt die Zeit</translation>
+    </message>
+    <message>
+        <source>So the cause is in the slave: its application needed longer than the cycle, or than the time between its outputs and SYNC0. Give it a longer cycle or more time before SYNC0, or look for what slows its firmware.</source>
+        <translation>Also liegt die Ursache im Slave: seine Anwendung brauchte länger als den Zyklus oder als die Zeit zwischen Ausgängen und SYNC0. Längeren Zyklus oder mehr Zeit vor SYNC0 geben, oder suchen, was seine Firmware aufhält.</translation>
+    </message>
+    <message>
+        <source>Start-up commands cannot be kept</source>
+        <translation>Startkommandos lassen sich nicht behalten</translation>
+    </message>
+    <message>
+        <source>Start-up commands of EoE cannot be kept ({commands}): a project has a place for the IP parameters only.</source>
+        <translation>Startkommandos von EoE lassen sich nicht behalten ({commands}): ein Projekt hat nur Platz für die IP-Parameter.</translation>
+    </message>
+    <message>
+        <source>Start-up commands of a protocol that the mailbox does not name</source>
+        <translation>Startkommandos eines Protokolls, das die Mailbox nicht nennt</translation>
+    </message>
+    <message>
+        <source>Start-up commands of {protocol} cannot be kept ({commands}): a project has no place for them.</source>
+        <translation>Startkommandos von {protocol} lassen sich nicht behalten ({commands}): ein Projekt hat keinen Platz dafür.</translation>
+    </message>
+    <message>
+        <source>Station address 0 is that of a slave without address.</source>
+        <translation>Stationsadresse 0 ist die eines Slaves ohne Adresse.</translation>
+    </message>
+    <message>
+        <source>Station address {address} is that of {name} too.</source>
+        <translation>Stationsadresse {address} ist auch die von {name}.</translation>
+    </message>
+    <message>
+        <source>Swap its cables IN and OUT, or correct PhysAddr of PreviousPort</source>
+        <translation>Seine Kabel IN und OUT tauschen, oder PhysAddr von PreviousPort berichtigen</translation>
+    </message>
+    <message>
+        <source>Switch SYNC0 on, or start in a profile mode (0x6060)</source>
+        <translation>SYNC0 einschalten, oder in einer Profil-Betriebsart beginnen (0x6060)</translation>
+    </message>
+    <message>
+        <source>Switch sync-window monitoring on to prove that they are in sync.</source>
+        <translation>Sync-Window-Überwachung einschalten, um zu beweisen, dass sie synchron sind.</translation>
+    </message>
+    <message>
+        <source>Sync Unit "{unit}" is to run in task "{task}", which does not exist; it stays in the base task.</source>
+        <translation>Sync Unit "{unit}" soll in der Task "{task}" laufen, die es nicht gibt; sie bleibt in der Basis-Task.</translation>
+    </message>
+    <message>
+        <source>Sync window monitoring compares slaves with the reference clock; {slaves} slave(s) with DC leave nothing to compare.</source>
+        <translation>Die Überwachung des Sync-Fensters vergleicht Slaves mit der Referenzuhr; {slaves} Slave(s) mit DC lassen nichts zu vergleichen.</translation>
+    </message>
+    <message>
+        <source>SyncManager watchdog</source>
+        <translation>SyncManager-Watchdog</translation>
+    </message>
+    <message>
+        <source>SyncManager {manager} needs at least {least} bytes, the PDOs have {bytes}.</source>
+        <translation>SyncManager {manager} braucht mindestens {least} Bytes, die PDOs haben {bytes}.</translation>
+    </message>
+    <message>
+        <source>SyncManagers (0x0800)</source>
+        <translation>die SyncManager (0x0800)</translation>
+    </message>
+    <message>
+        <source>Take one of them out of the assignment</source>
+        <translation>Eins davon aus der Zuordnung nehmen</translation>
+    </message>
+    <message>
+        <source>The CAN cycle of {can} ({object}) is no multiple of the bus cycle of {cycle}: the gateway refuses SAFEOP.</source>
+        <translation>Der CAN-Zyklus von {can} ({object}) ist kein Vielfaches des Buszyklus von {cycle}: das Gateway lehnt SAFEOP ab.</translation>
+    </message>
+    <message>
+        <source>The DC element and the commands contradict each other</source>
+        <translation>Das Element DC und die Kommandos widersprechen einander</translation>
+    </message>
+    <message>
+        <source>The EEPROM is asked and not read, or read and not asked</source>
+        <translation>Das EEPROM wird gefragt und nicht gelesen, oder gelesen und nicht gefragt</translation>
+    </message>
+    <message>
+        <source>The EEPROM is read before it belongs to the master</source>
+        <translation>Das EEPROM wird gelesen, bevor es dem Master gehört</translation>
+    </message>
+    <message>
+        <source>The ENI has no cycle time</source>
+        <translation>Die ENI hat keine Zykluszeit</translation>
+    </message>
+    <message>
+        <source>The ENI has no cycle time; {cycle} is taken.</source>
+        <translation>Die ENI hat keine Zykluszeit; {cycle} wird genommen.</translation>
+    </message>
+    <message>
+        <source>The ESC refuses the access: the working counter stays too low</source>
+        <translation>Der ESC lehnt den Zugriff ab: der Working Counter bleibt zu klein</translation>
+    </message>
+    <message>
+        <source>The ESC refuses the read while the slave's controller has the EEPROM</source>
+        <translation>Der ESC lehnt das Lesen ab, solange der Controller des Slaves das EEPROM hat</translation>
+    </message>
+    <message>
+        <source>The ESC takes the time over only when all its bytes are accessed</source>
+        <translation>Der ESC übernimmt die Zeit nur, wenn alle ihre Bytes zugegriffen werden</translation>
+    </message>
+    <message>
+        <source>The ESI does not fit what the ENI uses</source>
+        <translation>Die ESI passt nicht zu dem, was die ENI benutzt</translation>
+    </message>
+    <message>
+        <source>The ESI does not say that the device has an explicit device ID; it is asked by the request bit of AL control all the same.</source>
+        <translation>Die ESI sagt nicht, dass das Gerät eine explizite Geräte-ID hat; es wird trotzdem mit dem Anforderungsbit von AL Control gefragt.</translation>
+    </message>
+    <message>
+        <source>The ESI gives the mailbox no usable size.</source>
+        <translation>Die ESI gibt der Mailbox keine brauchbare Größe.</translation>
+    </message>
+    <message>
+        <source>The ESI has no operation mode "{mode}".</source>
+        <translation>Die ESI hat keine Betriebsart "{mode}".</translation>
+    </message>
+    <message>
+        <source>The ESI has no such operation mode</source>
+        <translation>Die ESI hat keine solche Betriebsart</translation>
+    </message>
+    <message>
+        <source>The ESI knows of no explicit device ID</source>
+        <translation>Die ESI kennt keine explizite Geräte-ID</translation>
+    </message>
+    <message>
+        <source>The ESI names mailbox protocols, but no pair of mailbox SyncManagers.</source>
+        <translation>Die ESI nennt Mailbox-Protokolle, aber kein Paar von Mailbox-SyncManagern.</translation>
+    </message>
+    <message>
+        <source>The ESI's {type} was not taken, {reason}: the device is described by what the ENI uses of it.</source>
+        <translation>{type} der ESI wurde nicht genommen, {reason}: das Gerät wird durch das beschrieben, was die ENI von ihm benutzt.</translation>
+    </message>
+    <message>
+        <source>The NOP to 0x0900 is missing before the drift compensation</source>
+        <translation>Vor dem Driftausgleich fehlt das NOP auf 0x0900</translation>
+    </message>
+    <message>
+        <source>The PDO assignment of the device cannot be changed</source>
+        <translation>Die PDO-Zuordnung des Geräts lässt sich nicht ändern</translation>
+    </message>
+    <message>
+        <source>The PDO assignment written is another than the SyncManager lists</source>
+        <translation>Die geschriebene PDO-Zuordnung ist eine andere als die Liste des SyncManagers</translation>
+    </message>
+    <message>
+        <source>The PDOs do not fit between MinSize and MaxSize</source>
+        <translation>Die PDOs passen nicht zwischen MinSize und MaxSize</translation>
+    </message>
+    <message>
+        <source>The SYNC cycle is no whole number of nanoseconds</source>
+        <translation>Der SYNC-Zyklus ist keine ganze Zahl von Nanosekunden</translation>
+    </message>
+    <message>
+        <source>The SYNC0 cycle does not fit the cycle of the frames</source>
+        <translation>Der SYNC0-Zyklus passt nicht zum Zyklus der Frames</translation>
+    </message>
+    <message>
+        <source>The application reads or writes memory that is not there</source>
+        <translation>Die Anwendung liest oder schreibt Speicher, den es nicht gibt</translation>
+    </message>
+    <message>
+        <source>The application reads the data of another slave</source>
+        <translation>Die Anwendung liest die Daten eines anderen Slaves</translation>
+    </message>
+    <message>
+        <source>The application reads too many bits or too few</source>
+        <translation>Die Anwendung liest zu viele oder zu wenige Bits</translation>
+    </message>
+    <message>
+        <source>The auto-increment address is not that of the slave's place</source>
+        <translation>Die Auto-Increment-Adresse ist nicht die des Platzes des Slaves</translation>
+    </message>
+    <message>
+        <source>The bus cycle is not divisible by the factor; the SYNC cycle is cut to whole nanoseconds and drifts against the frame.</source>
+        <translation>Der Buszyklus ist nicht durch den Faktor teilbar; der SYNC-Zyklus wird auf ganze Nanosekunden gekürzt und läuft dem Frame davon.</translation>
+    </message>
+    <message>
+        <source>The bus shift has no effect, or disturbs a clock that follows another</source>
+        <translation>Der Bus-Shift wirkt nicht oder stört eine Uhr, die einer anderen folgt</translation>
+    </message>
+    <message>
+        <source>The cause is that of the missed events: {cause}.</source>
+        <translation>Die Ursache ist die der fehlenden Ereignisse: {cause}.</translation>
+    </message>
+    <message>
+        <source>The clocks drift too fast</source>
+        <translation>Die Uhren laufen zu schnell auseinander</translation>
+    </message>
+    <message>
+        <source>The command fails though the slave has answered</source>
+        <translation>Das Kommando scheitert, obwohl der Slave geantwortet hat</translation>
+    </message>
+    <message>
+        <source>The command reaches nobody, and the transition fails</source>
+        <translation>Das Kommando erreicht niemanden, und der Übergang scheitert</translation>
+    </message>
+    <message>
+        <source>The configuration does not hold what this mode needs.</source>
+        <translation>Die Konfiguration enthält nicht, was diese Betriebsart braucht.</translation>
+    </message>
+    <message>
+        <source>The control byte contradicts the type of the SyncManager</source>
+        <translation>Das Steuerbyte widerspricht der Art des SyncManagers</translation>
+    </message>
+    <message>
+        <source>The control byte does not make a mailbox of SyncManager 0 or 1</source>
+        <translation>Das Steuerbyte macht aus SyncManager 0 oder 1 keine Mailbox</translation>
+    </message>
+    <message>
+        <source>The control error left its limit; look at the host's jitter, lost frames and the reference clock.</source>
+        <translation>Der Regelfehler verließ seine Grenze; nach Jitter des Hosts, verlorenen Frames und der Referenzuhr sehen.</translation>
+    </message>
+    <message>
+        <source>The cycle is shorter than the device says it can</source>
+        <translation>Der Zyklus ist kürzer, als das Gerät zu können angibt</translation>
+    </message>
+    <message>
+        <source>The cycle of a task is no multiple of the first one's</source>
+        <translation>Der Zyklus einer Task ist kein Vielfaches von dem der ersten</translation>
+    </message>
+    <message>
+        <source>The cycle of a task is no multiple of the first task's</source>
+        <translation>Der Zyklus einer Task ist kein Vielfaches des Zyklus der ersten Task</translation>
+    </message>
+    <message>
+        <source>The cycle of task {task}, {cycle}, is no multiple of {first}: its slaves were put into the base task.</source>
+        <translation>Der Zyklus von Task {task}, {cycle}, ist kein Vielfaches von {first}: ihre Slaves kamen in die Basis-Task.</translation>
+    </message>
+    <message>
+        <source>The cycle time is no whole number of microseconds</source>
+        <translation>Die Zykluszeit ist keine ganze Zahl von Mikrosekunden</translation>
+    </message>
+    <message>
+        <source>The cycle time written is another than the DC element says</source>
+        <translation>Die geschriebene Zykluszeit ist eine andere als die des Elements DC</translation>
+    </message>
+    <message>
+        <source>The cycles do not come with the configured cycle time.</source>
+        <translation>Die Zyklen kommen nicht mit der eingestellten Zykluszeit.</translation>
+    </message>
+    <message>
+        <source>The cyclic frames take {wire} of wire time, the cycle is {cycle}.</source>
+        <translation>Die zyklischen Frames brauchen {wire} Leitungszeit, der Zyklus ist {cycle}.</translation>
+    </message>
+    <message>
+        <source>The cyclic frames take {wire} of {cycle} of wire time; mailbox traffic has little room.</source>
+        <translation>Die zyklischen Frames belegen {wire} von {cycle} Leitungszeit; für die Mailbox bleibt wenig Platz.</translation>
+    </message>
+    <message>
+        <source>The cyclic thread runs on another processor than it is bound to.</source>
+        <translation>Der zyklische Thread läuft auf einem anderen Prozessor als dem, an den er gebunden ist.</translation>
+    </message>
+    <message>
+        <source>The data are not consistent, and the slave never sees them</source>
+        <translation>Die Daten sind nicht konsistent, und der Slave sieht sie nie</translation>
+    </message>
+    <message>
+        <source>The data of one overwrite those of the other</source>
+        <translation>Die Daten des einen überschreiben die des anderen</translation>
+    </message>
+    <message>
+        <source>The device cannot be told another PDO assignment than its ESI's default.</source>
+        <translation>Dem Gerät lässt sich keine andere PDO-Zuordnung als die Vorgabe seiner ESI mitteilen.</translation>
+    </message>
+    <message>
+        <source>The device does not take so many samples a cycle</source>
+        <translation>Das Gerät nimmt nicht so viele Abtastungen je Zyklus</translation>
+    </message>
+    <message>
+        <source>The device has no AoE; its AMS Net ID is not written.</source>
+        <translation>Das Gerät hat kein AoE; seine AMS Net ID wird nicht geschrieben.</translation>
+    </message>
+    <message>
+        <source>The device has no EoE; its addresses are not set.</source>
+        <translation>Das Gerät hat kein EoE; seine Adressen werden nicht gesetzt.</translation>
+    </message>
+    <message>
+        <source>The device has no PDO {pdo} in this direction.</source>
+        <translation>Das Gerät hat in dieser Richtung kein PDO {pdo}.</translation>
+    </message>
+    <message>
+        <source>The device has no PDO {pdo}.</source>
+        <translation>Das Gerät hat kein PDO {pdo}.</translation>
+    </message>
+    <message>
+        <source>The device's reaction to missed SM events is switched off</source>
+        <translation>Die Reaktion des Geräts auf verpasste SM-Ereignisse ist abgeschaltet</translation>
+    </message>
+    <message>
+        <source>The drive does not execute the mode, or moves badly</source>
+        <translation>Der Antrieb führt die Betriebsart nicht aus oder bewegt sich schlecht</translation>
+    </message>
+    <message>
+        <source>The error limit 0x10F1:02 is 0: the slave never stops for missed SM events, the application has to watch their counter.</source>
+        <translation>Die Fehlergrenze 0x10F1:02 ist 0: der Slave hält wegen verpasster SM-Ereignisse nie an, die Anwendung muss auf ihren Zähler achten.</translation>
+    </message>
+    <message>
+        <source>The error limit 0x10F1:02 is set to {limit}, {family} {devices} take 0 to {most} and refuse the download.</source>
+        <translation>Die Fehlergrenze 0x10F1:02 wird auf {limit} gesetzt, {family} {devices} nehmen 0 bis {most} und lehnen den Download ab.</translation>
+    </message>
+    <message>
+        <source>The file cannot be taken in</source>
+        <translation>Die Datei lässt sich nicht aufnehmen</translation>
+    </message>
+    <message>
+        <source>The firmware of {slave} was silent at {since}: its PDI watchdog expired {count} (0x0443).</source>
+        <translation>Die Firmware von {slave} schwieg bei {since}: ihr PDI-Watchdog lief {count} ab (0x0443).</translation>
+    </message>
+    <message>
+        <source>The first frames of the new state find no data, and working counters are too low</source>
+        <translation>Die ersten Frames des neuen Zustands finden keine Daten, und Working Counter sind zu klein</translation>
+    </message>
+    <message>
+        <source>The first slave of a hot-connect group</source>
+        <translation>Der erste Slave einer Hot-Connect-Gruppe</translation>
+    </message>
+    <message>
+        <source>The first slave of the bus cannot be optional</source>
+        <translation>Der erste Slave des Busses kann nicht wahlweise sein</translation>
+    </message>
+    <message>
+        <source>The frame passes it before it carries the time of this cycle, so that it is given the last one, or 0, and stays off</source>
+        <translation>Der Frame kommt an ihm vorbei, bevor er die Zeit dieses Zyklus trägt, so dass er die des letzten oder 0 bekommt und daneben bleibt</translation>
+    </message>
+    <message>
+        <source>The frames cannot steer the reference clock</source>
+        <translation>Die Frames können die Referenzuhr nicht stellen</translation>
+    </message>
+    <message>
+        <source>The frames do not fit into the cycle</source>
+        <translation>Die Frames passen nicht in den Zyklus</translation>
+    </message>
+    <message>
+        <source>The frames fill most of the cycle</source>
+        <translation>Die Frames füllen den größten Teil des Zyklus</translation>
+    </message>
+    <message>
+        <source>The frames reach {slave} nominally {margin} before its SYNC0, and one in a thousand is {lateness} late.</source>
+        <translation>Die Frames erreichen {slave} nominell {margin} vor SYNC0, und einer von tausend kommt {lateness} zu spät.</translation>
+    </message>
+    <message>
+        <source>The frames take longer on the wire than the cycle</source>
+        <translation>Die Frames brauchen auf der Leitung länger als den Zyklus</translation>
+    </message>
+    <message>
+        <source>The frames take over 80 % of the cycle</source>
+        <translation>Die Frames belegen über 80 % des Zyklus</translation>
+    </message>
+    <message>
+        <source>The gateway is told a bus cycle of {told} (0x1C32:02), frames come every {cycle}.</source>
+        <translation>Dem Gateway wird ein Buszyklus von {told} gesagt (0x1C32:02), Frames kommen alle {cycle}.</translation>
+    </message>
+    <message>
+        <source>The gateway refuses SAFEOP (AL status code 0x0026 or 0x0035)</source>
+        <translation>Das Gateway lehnt SAFEOP ab (AL-Statuscode 0x0026 oder 0x0035)</translation>
+    </message>
+    <message>
+        <source>The host sends late</source>
+        <translation>Der Host sendet zu spät</translation>
+    </message>
+    <message>
+        <source>The host sends late: half of the frames by {p50}, one in a hundred by {p99}, one in a thousand by {p999}, at most {largest}; the frames may be {margin} late.</source>
+        <translation>Der Rechner sendet spät: die Hälfte der Frames um {p50}, einer von hundert um {p99}, einer von tausend um {p999}, höchstens {largest}; um {margin} dürfen sie es sein.</translation>
+    </message>
+    <message>
+        <source>The host stood still</source>
+        <translation>Der Host stand still</translation>
+    </message>
+    <message>
+        <source>The host stood still {times}, for up to {longest}, first at {since}: {count} cycles were left out.</source>
+        <translation>Der Rechner stand {times} still, bis zu {longest} lang, zuerst bei {since}: {count} Zyklen wurden ausgelassen.</translation>
+    </message>
+    <message>
+        <source>The host's clock and the reference clock drift by {drift}; no controller balances more than 600 ppm.</source>
+        <translation>Die Uhr des Rechners und die Referenzuhr laufen um {drift} auseinander; mehr als 600 ppm gleicht kein Regler aus.</translation>
+    </message>
+    <message>
+        <source>The host's cycle has stopped.</source>
+        <translation>Der Zyklus des Hosts steht.</translation>
+    </message>
+    <message>
+        <source>The host's timer cannot be adjusted as far as the controller demands.</source>
+        <translation>Der Timer des Hosts lässt sich nicht so weit stellen, wie der Regler verlangt.</translation>
+    </message>
+    <message>
+        <source>The identity of a slave is not checked</source>
+        <translation>Die Identität eines Slaves wird nicht geprüft</translation>
+    </message>
+    <message>
+        <source>The identity that a command expects is not the one of Info</source>
+        <translation>Die Identität, die ein Kommando erwartet, ist nicht die von Info</translation>
+    </message>
+    <message>
+        <source>The interpolation time cannot be the cycle</source>
+        <translation>Die Interpolationszeit kann nicht der Zyklus sein</translation>
+    </message>
+    <message>
+        <source>The interpolation time is not the cycle</source>
+        <translation>Die Interpolationszeit ist nicht der Zyklus</translation>
+    </message>
+    <message>
+        <source>The link cannot put its send time into the frames.</source>
+        <translation>Der Link kann seine Sendezeit nicht in die Frames eintragen.</translation>
+    </message>
+    <message>
+        <source>The mailboxes of a slave share memory</source>
+        <translation>Die Mailboxen eines Slaves teilen sich Speicher</translation>
+    </message>
+    <message>
+        <source>The mapping of PDO {pdo} is fixed.</source>
+        <translation>Das Mapping von PDO {pdo} ist fest.</translation>
+    </message>
+    <message>
+        <source>The mapping of a PDO cannot be changed</source>
+        <translation>Das Mapping eines PDOs lässt sich nicht ändern</translation>
+    </message>
+    <message>
+        <source>The mapping written is another than the PDO lists</source>
+        <translation>Das geschriebene Mapping ist ein anderes als das des PDOs</translation>
+    </message>
+    <message>
+        <source>The master cannot check the wiring, and takes every line for a wrong one or none</source>
+        <translation>Der Master kann die Verdrahtung nicht prüfen und hält jede Linie für falsch oder keine</translation>
+    </message>
+    <message>
+        <source>The master copies from or to memory that is not there</source>
+        <translation>Der Master kopiert aus oder in Speicher, den es nicht gibt</translation>
+    </message>
+    <message>
+        <source>The master copies too little or too much between image and slave</source>
+        <translation>Der Master kopiert zu wenig oder zu viel zwischen Abbild und Slave</translation>
+    </message>
+    <message>
+        <source>The master does not clear what an earlier run left</source>
+        <translation>Der Master räumt nicht auf, was ein früherer Lauf hinterließ</translation>
+    </message>
+    <message>
+        <source>The master does not notice when slaves fall out and uses old inputs</source>
+        <translation>Der Master merkt nicht, wenn Slaves ausfallen, und benutzt alte Eingänge</translation>
+    </message>
+    <message>
+        <source>The master has no command to put the start time into, and SYNC0 may start in the past, which is never</source>
+        <translation>Der Master hat kein Kommando für die Startzeit, und SYNC0 soll womöglich in der Vergangenheit beginnen, also nie</translation>
+    </message>
+    <message>
+        <source>The master has to ask for it apart, and learns of errors later</source>
+        <translation>Der Master muss eigens danach fragen und erfährt von Fehlern später</translation>
+    </message>
+    <message>
+        <source>The master has to guess how often to look for answers and emergencies</source>
+        <translation>Der Master muss raten, wie oft er nach Antworten und Emergencies sehen soll</translation>
+    </message>
+    <message>
+        <source>The master is not in sync</source>
+        <translation>Der Master ist nicht synchron</translation>
+    </message>
+    <message>
+        <source>The master is not in sync with the reference clock (schedule error {error}){obstacle}.</source>
+        <translation>Der Master ist nicht synchron mit der Referenzuhr (Fehler des Zeitplans {error}){obstacle}.</translation>
+    </message>
+    <message>
+        <source>The master looks into the wrong mailbox</source>
+        <translation>Der Master sieht in die falsche Mailbox</translation>
+    </message>
+    <message>
+        <source>The master never sees that the mailbox is full, and answers are lost</source>
+        <translation>Der Master sieht nie, dass die Mailbox voll ist, und Antworten gehen verloren</translation>
+    </message>
+    <message>
+        <source>The master synchronisation failed.</source>
+        <translation>Die Master-Synchronisation ist gescheitert.</translation>
+    </message>
+    <message>
+        <source>The master synchronisation is not running; bring the bus to PREOP first.</source>
+        <translation>Die Master-Synchronisation läuft nicht; den Bus erst nach PREOP bringen.</translation>
+    </message>
+    <message>
+        <source>The master synchronisation reports an error</source>
+        <translation>Die Master-Synchronisation meldet einen Fehler</translation>
+    </message>
+    <message>
+        <source>The master synchronisation reports {code}: {meaning}</source>
+        <translation>Die Master-Synchronisation meldet {code}: {meaning}</translation>
+    </message>
+    <message>
+        <source>The master takes one group for the other</source>
+        <translation>Der Master verwechselt die Gruppen</translation>
+    </message>
+    <message>
+        <source>The master takes slaves of the fixed line for members, or misses some</source>
+        <translation>Der Master hält Slaves der festen Linie für Mitglieder, oder vermisst einige</translation>
+    </message>
+    <message>
+        <source>The master takes the answer of every cycle for a missing slave</source>
+        <translation>Der Master hält die Antwort jedes Zyklus für einen fehlenden Slave</translation>
+    </message>
+    <message>
+        <source>The master takes the data of every cycle for invalid</source>
+        <translation>Der Master hält die Daten jedes Zyklus für ungültig</translation>
+    </message>
+    <message>
+        <source>The master was out of sync for a while</source>
+        <translation>Der Master war eine Weile nicht synchron</translation>
+    </message>
+    <message>
+        <source>The master was out of sync with the reference clock {count}, first at {since}{obstacle}; it found back.</source>
+        <translation>Der Master war {count} nicht synchron mit der Referenzuhr, zuerst bei {since}{obstacle}; er fand zurück.</translation>
+    </message>
+    <message>
+        <source>The master writes its messages beside the mailbox, and the slave refuses PREOP</source>
+        <translation>Der Master schreibt seine Nachrichten neben die Mailbox, und der Slave lehnt PREOP ab</translation>
+    </message>
+    <message>
+        <source>The network adapter is away</source>
+        <translation>Der Netzwerkadapter ist weg</translation>
+    </message>
+    <message>
+        <source>The network adapter was away for a while</source>
+        <translation>Der Netzwerkadapter war eine Weile weg</translation>
+    </message>
+    <message>
+        <source>The network adapter {adapter} is down, gone or without carrier since {since}.</source>
+        <translation>Die Netzwerkkarte {adapter} ist seit {since} abgeschaltet, fort oder ohne Verbindung.</translation>
+    </message>
+    <message>
+        <source>The network adapter {adapter} was down, gone or without carrier from {since} on, for {length} ({count} in all); the bus came back with it.</source>
+        <translation>Die Netzwerkkarte {adapter} war ab {since} für {length} abgeschaltet, fort oder ohne Verbindung ({count} insgesamt); der Bus kam mit ihr zurück.</translation>
+    </message>
+    <message>
+        <source>The next commands reach the slave before it is ready</source>
+        <translation>Die nächsten Kommandos erreichen den Slave, bevor er bereit ist</translation>
+    </message>
+    <message>
+        <source>The process data do not fit</source>
+        <translation>Die Prozessdaten passen nicht</translation>
+    </message>
+    <message>
+        <source>The process data lie over the mailbox states at 0x09000000.</source>
+        <translation>Die Prozessdaten liegen über den Mailbox-Zuständen bei 0x09000000.</translation>
+    </message>
+    <message>
+        <source>The process data need more FMMUs than the device has</source>
+        <translation>Die Prozessdaten brauchen mehr FMMUs, als das Gerät hat</translation>
+    </message>
+    <message>
+        <source>The process data need {fmmus} FMMUs, the device has {available}.</source>
+        <translation>Die Prozessdaten brauchen {fmmus} FMMUs, das Gerät hat {available}.</translation>
+    </message>
+    <message>
+        <source>The process data of a slave lie outside the image</source>
+        <translation>Die Prozessdaten eines Slaves liegen außerhalb des Abbilds</translation>
+    </message>
+    <message>
+        <source>The process data watchdog is shorter than two cycles</source>
+        <translation>Der Prozessdaten-Watchdog ist kürzer als zwei Zyklen</translation>
+    </message>
+    <message>
+        <source>The process data watchdog of {slave} expired {count} (0x0442), last at {last}.</source>
+        <translation>Der Prozessdaten-Watchdog von {slave} lief {count} ab (0x0442), zuletzt bei {last}.</translation>
+    </message>
+    <message>
+        <source>The process data watchdog runs out after {time}, outputs come every {cycle}: one lost frame stops the slave.</source>
+        <translation>Der Prozessdaten-Watchdog läuft nach {time} ab, Ausgänge kommen alle {cycle}: ein verlorener Frame hält den Slave an.</translation>
+    </message>
+    <message>
+        <source>The project cannot be compiled: {reason}</source>
+        <translation>Das Projekt lässt sich nicht übersetzen: {reason}</translation>
+    </message>
+    <message>
+        <source>The recovered project cannot be compiled</source>
+        <translation>Das wiederhergestellte Projekt lässt sich nicht übersetzen</translation>
+    </message>
+    <message>
+        <source>The reference clock has no distributed clock</source>
+        <translation>Die Referenzuhr hat keine verteilte Uhr</translation>
+    </message>
+    <message>
+        <source>The reference clock is no slave of the bus</source>
+        <translation>Die Referenzuhr ist kein Slave des Busses</translation>
+    </message>
+    <message>
+        <source>The reference clock is steered before its time is read</source>
+        <translation>Die Referenzuhr wird gestellt, bevor ihre Zeit gelesen ist</translation>
+    </message>
+    <message>
+        <source>The root element is not EtherCATConfig</source>
+        <translation>Das Wurzelelement ist nicht EtherCATConfig</translation>
+    </message>
+    <message>
+        <source>The second overwrites the data of the first; buffers change twice a cycle</source>
+        <translation>Das zweite überschreibt die Daten des ersten; Puffer wechseln zweimal je Zyklus</translation>
+    </message>
+    <message>
+        <source>The set value is too small: at SYNC0 the frame is still on its way; raise it above frame time plus propagation delay, below the cycle.</source>
+        <translation>Der Sollwert ist zu klein: bei SYNC0 ist der Frame noch unterwegs; ihn über Framezeit plus Laufzeit heben, unter den Zyklus.</translation>
+    </message>
+    <message>
+        <source>The shift is longer than the cycle</source>
+        <translation>Die Verschiebung ist länger als der Zyklus</translation>
+    </message>
+    <message>
+        <source>The signals start at once with old values</source>
+        <translation>Die Signale beginnen sofort mit alten Werten</translation>
+    </message>
+    <message>
+        <source>The size of the data and the variables in them are unknown</source>
+        <translation>Die Größe der Daten und die Variablen darin sind unbekannt</translation>
+    </message>
+    <message>
+        <source>The slave aborts it (0x06070010, 0x06070012 or 0x06070013) and the transition fails</source>
+        <translation>Der Slave bricht ihn ab (0x06070010, 0x06070012 oder 0x06070013), und der Übergang scheitert</translation>
+    </message>
+    <message>
+        <source>The slave cannot read its own settings and may refuse PREOP (AL status code 0x0051)</source>
+        <translation>Der Slave kann seine eigenen Einstellungen nicht lesen und lehnt PREOP womöglich ab (AL-Statuscode 0x0051)</translation>
+    </message>
+    <message>
+        <source>The slave checks it while it changes its state and refuses</source>
+        <translation>Der Slave prüft ihn beim Zustandswechsel und lehnt ab</translation>
+    </message>
+    <message>
+        <source>The slave comes to OP, and a part of it is not synchronised</source>
+        <translation>Der Slave kommt nach OP, und ein Teil von ihm ist nicht synchronisiert</translation>
+    </message>
+    <message>
+        <source>The slave exchanges other data than the master expects, or refuses SAFEOP (AL status code 0x001D or 0x001E)</source>
+        <translation>Der Slave tauscht andere Daten aus, als der Master erwartet, oder lehnt SAFEOP ab (AL-Statuscode 0x001D oder 0x001E)</translation>
+    </message>
+    <message>
+        <source>The slave farther down the line overwrites the data of the other</source>
+        <translation>Der Slave weiter hinten in der Linie überschreibt die Daten des anderen</translation>
+    </message>
+    <message>
+        <source>The slave gets one pulse and no more, and refuses SAFEOP or OP (AL status code 0x002D or 0x0035)</source>
+        <translation>Der Slave bekommt einen einzigen Puls und lehnt SAFEOP oder OP ab (AL-Statuscode 0x002D oder 0x0035)</translation>
+    </message>
+    <message>
+        <source>The slave goes elsewhere, or refuses the request (AL status code 0x0011)</source>
+        <translation>Der Slave geht anderswohin oder lehnt die Anforderung ab (AL-Statuscode 0x0011)</translation>
+    </message>
+    <message>
+        <source>The slave goes on with old outputs, however many are missed</source>
+        <translation>Der Slave fährt mit alten Ausgängen fort, wie viele auch fehlen</translation>
+    </message>
+    <message>
+        <source>The slave may refuse to go to SAFEOP without it</source>
+        <translation>Der Slave geht ohne es womöglich nicht nach SAFEOP</translation>
+    </message>
+    <message>
+        <source>The slave refuses PREOP with AL status code 0x0016</source>
+        <translation>Der Slave lehnt PREOP mit AL-Statuscode 0x0016 ab</translation>
+    </message>
+    <message>
+        <source>The slave refuses SAFEOP (AL status code 0x001D or 0x001E)</source>
+        <translation>Der Slave lehnt SAFEOP ab (AL-Statuscode 0x001D oder 0x001E)</translation>
+    </message>
+    <message>
+        <source>The slave refuses SAFEOP (AL status code 0x001D or 0x001E), as it has no process data</source>
+        <translation>Der Slave lehnt SAFEOP ab (AL-Statuscode 0x001D oder 0x001E), da er keine Prozessdaten hat</translation>
+    </message>
+    <message>
+        <source>The slave refuses SAFEOP (AL status code 0x0035, 0x0036 or 0x002E)</source>
+        <translation>Der Slave lehnt SAFEOP ab (AL-Statuscode 0x0035, 0x0036 oder 0x002E)</translation>
+    </message>
+    <message>
+        <source>The slave refuses SAFEOP with an invalid SyncManager configuration, or overwrites its memory</source>
+        <translation>Der Slave lehnt SAFEOP wegen ungültiger SyncManager-Konfiguration ab oder überschreibt seinen Speicher</translation>
+    </message>
+    <message>
+        <source>The slave refuses the SyncManager, or data flow in the wrong direction</source>
+        <translation>Der Slave lehnt den SyncManager ab, oder Daten fließen in die falsche Richtung</translation>
+    </message>
+    <message>
+        <source>The slave refuses the SyncManager, or data land where it does not look for them</source>
+        <translation>Der Slave lehnt den SyncManager ab, oder Daten landen, wo er sie nicht sucht</translation>
+    </message>
+    <message>
+        <source>The slave refuses the assignment (AL status code 0x0024 or 0x0025)</source>
+        <translation>Der Slave lehnt die Zuordnung ab (AL-Statuscode 0x0024 oder 0x0025)</translation>
+    </message>
+    <message>
+        <source>The slave refuses the assignment or the mapping</source>
+        <translation>Der Slave lehnt die Zuordnung oder das Mapping ab</translation>
+    </message>
+    <message>
+        <source>The slave refuses the download to 0x10F1:02, which ends the start-up</source>
+        <translation>Der Slave lehnt den Download nach 0x10F1:02 ab, was den Anlauf beendet</translation>
+    </message>
+    <message>
+        <source>The slave refuses the download to 0x1C32:01 or 0x1C33:01, or SAFEOP</source>
+        <translation>Der Slave lehnt den Download nach 0x1C32:01 oder 0x1C33:01 ab, oder SAFEOP</translation>
+    </message>
+    <message>
+        <source>The slave runs with the one, the master plans with the other</source>
+        <translation>Der Slave läuft mit der einen, der Master plant mit der anderen</translation>
+    </message>
+    <message>
+        <source>The slave stays where it is and the bus never reaches OP</source>
+        <translation>Der Slave bleibt, wo er ist, und der Bus kommt nie nach OP</translation>
+    </message>
+    <message>
+        <source>The slave that Info describes fails the check: the bus does not leave INIT</source>
+        <translation>Der Slave, den Info beschreibt, besteht die Prüfung nicht: der Bus verlässt INIT nicht</translation>
+    </message>
+    <message>
+        <source>The slave's data never move: outputs stay 0 and its watchdog expires, inputs stay old</source>
+        <translation>Die Daten des Slaves bewegen sich nie: Ausgänge bleiben 0 und sein Watchdog läuft ab, Eingänge bleiben alt</translation>
+    </message>
+    <message>
+        <source>The slaves are not in sync</source>
+        <translation>Die Slaves sind nicht synchron</translation>
+    </message>
+    <message>
+        <source>The slaves are not in sync within {limit} since {since}.</source>
+        <translation>Die Slaves sind seit {since} nicht innerhalb von {limit} synchron.</translation>
+    </message>
+    <message>
+        <source>The slaves are not in sync: {slave} is {deviation} off its reference clock, the limit is {limit}.</source>
+        <translation>Die Slaves sind nicht synchron: {slave} weicht um {deviation} von der Referenzuhr ab, die Grenze ist {limit}.</translation>
+    </message>
+    <message>
+        <source>The slaves' deviation is not monitored.</source>
+        <translation>Die Abweichung der Slaves wird nicht überwacht.</translation>
+    </message>
+    <message>
+        <source>The start-time command carries another shift than the DC element</source>
+        <translation>Das Startzeit-Kommando trägt eine andere Verschiebung als das Element DC</translation>
+    </message>
+    <message>
+        <source>The state of the slaves is not read cyclically</source>
+        <translation>Der Zustand der Slaves wird nicht zyklisch gelesen</translation>
+    </message>
+    <message>
+        <source>The status bit of a mailbox is not wired up</source>
+        <translation>Das Statusbit einer Mailbox ist nicht verdrahtet</translation>
+    </message>
+    <message>
+        <source>The sync window has nothing to compare</source>
+        <translation>Das Sync-Fenster hat nichts zu vergleichen</translation>
+    </message>
+    <message>
+        <source>The sync window is monitored with fewer than two clocks</source>
+        <translation>Das Sync-Fenster wird mit weniger als zwei Uhren überwacht</translation>
+    </message>
+    <message>
+        <source>The time distributed is not that of the reference clock</source>
+        <translation>Die verteilte Zeit ist nicht die der Referenzuhr</translation>
+    </message>
+    <message>
+        <source>The time is distributed by FRMW</source>
+        <translation>Die Zeit wird mit FRMW verteilt</translation>
+    </message>
+    <message>
+        <source>The time is not distributed in all states from PREOP on</source>
+        <translation>Die Zeit wird nicht in allen Zuständen ab PREOP verteilt</translation>
+    </message>
+    <message>
+        <source>The time-out of a change of state is very short</source>
+        <translation>Die Zeitgrenze eines Zustandswechsels ist sehr kurz</translation>
+    </message>
+    <message>
+        <source>The transition ends in a time-out though the slave is right</source>
+        <translation>Der Übergang endet mit Zeitüberschreitung, obwohl der Slave richtig ist</translation>
+    </message>
+    <message>
+        <source>The way through the network card takes too long now and then: interrupt moderation, a switch, or a busy host.</source>
+        <translation>Der Weg durch die Netzwerkkarte dauert hin und wieder zu lange: Interrupt-Moderation, ein Switch oder ein beschäftigter Rechner.</translation>
+    </message>
+    <message>
+        <source>The wiring is unknown: propagation delays will be measured as if in a line.</source>
+        <translation>Die Verdrahtung ist unbekannt: Laufzeiten werden wie in einer Linie gemessen.</translation>
+    </message>
+    <message>
+        <source>The wiring of a slave is unknown</source>
+        <translation>Die Verdrahtung eines Slaves ist unbekannt</translation>
+    </message>
+    <message>
+        <source>The working counter of a broadcast does not fit the number of slaves</source>
+        <translation>Der Working Counter eines Broadcasts passt nicht zur Zahl der Slaves</translation>
+    </message>
+    <message>
+        <source>The working counter of a command to one slave is impossible</source>
+        <translation>Der Working Counter eines Kommandos an einen Slave ist unmöglich</translation>
+    </message>
+    <message>
+        <source>The working counter of a process-data command does not fit the FMMUs</source>
+        <translation>Der Working Counter eines Prozessdatenkommandos passt nicht zu den FMMUs</translation>
+    </message>
+    <message>
+        <source>The write that steers the reference clock does not reach it</source>
+        <translation>Das Schreiben, das die Referenzuhr stellt, erreicht sie nicht</translation>
+    </message>
+    <message>
+        <source>There is no Sync Unit "{unit}"; the unnamed one is used.</source>
+        <translation>Es gibt keine Sync Unit "{unit}"; die namenlose wird verwendet.</translation>
+    </message>
+    <message>
+        <source>There is no deviation to watch</source>
+        <translation>Es gibt keine Abweichung zu überwachen</translation>
+    </message>
+    <message>
+        <source>There is no slave at position {position}.</source>
+        <translation>An Position {position} gibt es keinen Slave.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory.</source>
+        <translation>Es ist nicht genug Speicher da.</translation>
+    </message>
+    <message>
+        <source>There is nothing to compare: EC-Master leaves the monitoring out</source>
+        <translation>Es gibt nichts zu vergleichen: EC-Master lässt die Überwachung weg</translation>
+    </message>
+    <message>
+        <source>They are lost between the host and the first slave, or in the network card and its driver.</source>
+        <translation>Sie gehen zwischen Rechner und erstem Slave verloren, oder in der Netzwerkkarte und ihrem Treiber.</translation>
+    </message>
+    <message>
+        <source>They are part of the assignment and never exchanged</source>
+        <translation>Sie gehören zur Zuordnung und werden nie ausgetauscht</translation>
+    </message>
+    <message>
+        <source>TwinCAT gives several names to the state bits of its frames and slaves; other masters do not fill them</source>
+        <translation>TwinCAT gibt den Zustandsbits seiner Frames und Slaves mehrere Namen; andere Master füllen sie nicht</translation>
+    </message>
+    <message>
+        <source>TwinCAT takes the cycle from its own task; EC-Master and others use a default</source>
+        <translation>TwinCAT nimmt den Zyklus von seiner eigenen Task; EC-Master und andere nehmen eine Vorgabe</translation>
+    </message>
+    <message>
+        <source>TwinCAT writes the variables of its own diagnosis so; other masters have nothing there</source>
+        <translation>TwinCAT schreibt die Variablen seiner eigenen Diagnose so; andere Master haben dort nichts</translation>
+    </message>
+    <message>
+        <source>Two FMMUs give the same input bits</source>
+        <translation>Zwei FMMUs liefern dieselben Eingangsbits</translation>
+    </message>
+    <message>
+        <source>Two FMMUs take the same output bits</source>
+        <translation>Zwei FMMUs nehmen dieselben Ausgangsbits</translation>
+    </message>
+    <message>
+        <source>Two SyncManagers share memory</source>
+        <translation>Zwei SyncManager teilen sich Speicher</translation>
+    </message>
+    <message>
+        <source>Two commands carry the same process data</source>
+        <translation>Zwei Kommandos tragen dieselben Prozessdaten</translation>
+    </message>
+    <message>
+        <source>Two commands share bytes of the image</source>
+        <translation>Zwei Kommandos teilen sich Bytes des Abbilds</translation>
+    </message>
+    <message>
+        <source>Two hot-connect groups have the same identification</source>
+        <translation>Zwei Hot-Connect-Gruppen haben dieselbe Kennung</translation>
+    </message>
+    <message>
+        <source>Two mailboxes share a status bit</source>
+        <translation>Zwei Mailboxen teilen sich ein Statusbit</translation>
+    </message>
+    <message>
+        <source>Two modules bring PDO {pdo}; the ESI's SlotPdoIncrement does not part them.</source>
+        <translation>Zwei Module bringen das PDO {pdo} mit; SlotPdoIncrement der ESI trennt sie nicht.</translation>
+    </message>
+    <message>
+        <source>Two modules bring the same PDO</source>
+        <translation>Zwei Module bringen dasselbe PDO mit</translation>
+    </message>
+    <message>
+        <source>Two slaves hang on one port</source>
+        <translation>Zwei Slaves hängen an einem Port</translation>
+    </message>
+    <message>
+        <source>Two slaves have the same name</source>
+        <translation>Zwei Slaves haben denselben Namen</translation>
+    </message>
+    <message>
+        <source>Two slaves have the same station address</source>
+        <translation>Zwei Slaves haben dieselbe Stationsadresse</translation>
+    </message>
+    <message>
+        <source>Two slaves share bits of the image</source>
+        <translation>Zwei Slaves teilen sich Bits des Abbilds</translation>
+    </message>
+    <message>
+        <source>Two variables have the same name</source>
+        <translation>Zwei Variablen haben denselben Namen</translation>
+    </message>
+    <message>
+        <source>Two variables share bits</source>
+        <translation>Zwei Variablen teilen sich Bits</translation>
+    </message>
+    <message>
+        <source>Use 0x0700 to activate both</source>
+        <translation>Mit 0x0700 beide aktivieren</translation>
+    </message>
+    <message>
+        <source>Use 0x26 for requests (SM0) and 0x22 for answers (SM1)</source>
+        <translation>0x26 für Anfragen (SM0) und 0x22 für Antworten (SM1) verwenden</translation>
+    </message>
+    <message>
+        <source>Use 4 or 8 bytes for 0x0910, 4 for 0x092C</source>
+        <translation>4 oder 8 Bytes für 0x0910, 4 für 0x092C verwenden</translation>
+    </message>
+    <message>
+        <source>Use ARMW with the auto-increment address of the reference clock</source>
+        <translation>ARMW mit der Auto-Increment-Adresse der Referenzuhr verwenden</translation>
+    </message>
+    <message>
+        <source>Use a longer bus cycle or a larger sync multiplier, or let its fieldbus carry less.</source>
+        <translation>Einen längeren Buszyklus oder einen größeren Sync Multiplier nehmen, oder seinen Feldbus weniger übertragen lassen.</translation>
+    </message>
+    <message>
+        <source>Use a multiple</source>
+        <translation>Ein Vielfaches verwenden</translation>
+    </message>
+    <message>
+        <source>Use a multiple or a whole fraction of the cycle</source>
+        <translation>Ein Vielfaches oder einen ganzen Bruchteil des Zyklus verwenden</translation>
+    </message>
+    <message>
+        <source>Use a shift within the cycle</source>
+        <translation>Eine Verschiebung innerhalb des Zyklus verwenden</translation>
+    </message>
+    <message>
+        <source>Use start and length of the ESI (16 to 1486 bytes in data memory)</source>
+        <translation>Anfang und Länge der ESI verwenden (16 bis 1486 Bytes im Datenspeicher)</translation>
+    </message>
+    <message>
+        <source>Use the time-outs of the ESI (3000 ms to PREOP, 10000 ms to SAFEOP and OP, 200 ms back to SAFEOP)</source>
+        <translation>Die Zeitgrenzen der ESI verwenden (3000 ms nach PREOP, 10000 ms nach SAFEOP und OP, 200 ms zurück nach SAFEOP)</translation>
+    </message>
+    <message>
+        <source>Variables lie behind the image</source>
+        <translation>Variablen liegen hinter dem Abbild</translation>
+    </message>
+    <message>
+        <source>Variables lie in other bytes than the process image says</source>
+        <translation>Variablen liegen in anderen Bytes, als das Prozessabbild sagt</translation>
+    </message>
+    <message>
+        <source>Variables of the diagnosis share bits</source>
+        <translation>Variablen der Diagnose teilen sich Bits</translation>
+    </message>
+    <message>
+        <source>Watch the counter in 0x1C32, or set a limit in 0x10F1:02</source>
+        <translation>Den Zähler in 0x1C32 beobachten, oder in 0x10F1:02 eine Grenze setzen</translation>
+    </message>
+    <message>
+        <source>What is compared is another word, or nothing</source>
+        <translation>Verglichen wird ein anderes Wort, oder nichts</translation>
+    </message>
+    <message>
+        <source>When all tasks are due in one cycle their frames take {wire} of {cycle} of wire time.</source>
+        <translation>Wenn alle Tasks in einem Zyklus fällig sind, brauchen ihre Frames {wire} von {cycle} Leitungszeit.</translation>
+    </message>
+    <message>
+        <source>Without SYNC0 the gateway knows its bus cycle from 0x1C32:02 only, which no start-up command writes: it starts a CAN cycle with each frame.</source>
+        <translation>Ohne SYNC0 kennt das Gateway seinen Buszyklus nur aus 0x1C32:02, das kein Startkommando schreibt: es beginnt mit jedem Frame einen CAN-Zyklus.</translation>
+    </message>
+    <message>
+        <source>Without a value to compare, the master cannot know which group has been plugged in</source>
+        <translation>Ohne Vergleichswert kann der Master nicht wissen, welche Gruppe eingesteckt wurde</translation>
+    </message>
+    <message>
+        <source>Working counters are wrong</source>
+        <translation>Working Counter sind falsch</translation>
+    </message>
+    <message>
+        <source>Working counters are wrong for a known reason</source>
+        <translation>Working Counter sind aus bekanntem Grund falsch</translation>
+    </message>
+    <message>
+        <source>Write 0 to 0x0500 first</source>
+        <translation>Erst 0 nach 0x0500 schreiben</translation>
+    </message>
+    <message>
+        <source>Write 0 to sub-index 0, then the entries, then their count</source>
+        <translation>Erst 0 in den Subindex 0 schreiben, dann die Einträge, dann ihre Anzahl</translation>
+    </message>
+    <message>
+        <source>Write 0, 65535, 65534 and so on in the order of the slaves</source>
+        <translation>0, 65535, 65534 und so weiter in der Reihenfolge der Slaves schreiben</translation>
+    </message>
+    <message>
+        <source>Write 0, the master's own time, or at least 20 ms</source>
+        <translation>0 schreiben, die eigene Zeit des Masters, oder mindestens 20 ms</translation>
+    </message>
+    <message>
+        <source>Write 0x09A0 and 0x0990 before 0x0980</source>
+        <translation>0x09A0 und 0x0990 vor 0x0980 schreiben</translation>
+    </message>
+    <message>
+        <source>Write 1 to 0x0500 before the request</source>
+        <translation>Vor der Anforderung 1 nach 0x0500 schreiben</translation>
+    </message>
+    <message>
+        <source>Write 2 to 0x1C32:01 and 0x1C33:01, or switch SYNC0 off</source>
+        <translation>2 nach 0x1C32:01 und 0x1C33:01 schreiben, oder SYNC0 ausschalten</translation>
+    </message>
+    <message>
+        <source>Write Ccs 1</source>
+        <translation>Ccs 1 schreiben</translation>
+    </message>
+    <message>
+        <source>Write a value of the type named</source>
+        <translation>Einen Wert des genannten Typs schreiben</translation>
+    </message>
+    <message>
+        <source>Write a value within the range</source>
+        <translation>Einen Wert im Bereich schreiben</translation>
+    </message>
+    <message>
+        <source>Write as many bytes as the object has</source>
+        <translation>So viele Bytes schreiben, wie das Objekt hat</translation>
+    </message>
+    <message>
+        <source>Write it as the schema does; numbers from 0x80000000 on as negative ones</source>
+        <translation>Ihn schreiben wie das Schema; Zahlen ab 0x80000000 als negative</translation>
+    </message>
+    <message>
+        <source>Write one to its EEPROM (synclinectl sii alias) and set it here, or set the device ID of its switches (check.device_id).</source>
+        <translation>Einen in sein EEPROM schreiben (synclinectl sii alias) und hier einstellen, oder die Geräte-ID seiner Schalter einstellen (check.device_id).</translation>
+    </message>
+    <message>
+        <source>Write outputs and read inputs: correct type or physical address</source>
+        <translation>Ausgänge schreiben und Eingänge lesen: Art oder physikalische Adresse berichtigen</translation>
+    </message>
+    <message>
+        <source>Write the PDOs of the SyncManager's list to 0x1C1n, in its order</source>
+        <translation>Die PDOs der Liste des SyncManagers in ihrer Reihenfolge nach 0x1C1n schreiben</translation>
+    </message>
+    <message>
+        <source>Write the bus cycle to 0x1C32:02 on PS</source>
+        <translation>Den Buszyklus auf PS nach 0x1C32:02 schreiben</translation>
+    </message>
+    <message>
+        <source>Write the cycle time to 0x09A0 on PS</source>
+        <translation>Die Zykluszeit auf PS nach 0x09A0 schreiben</translation>
+    </message>
+    <message>
+        <source>Write the entries of the PDO, in its order, or correct the PDO</source>
+        <translation>Die Einträge des PDOs in ihrer Reihenfolge schreiben, oder das PDO berichtigen</translation>
+    </message>
+    <message>
+        <source>Writing the one changes the other</source>
+        <translation>Wer die eine schreibt, ändert die andere</translation>
+    </message>
+    <message>
+        <source>a buffer for inputs</source>
+        <translation>einem Puffer für Eingänge</translation>
+    </message>
+    <message>
+        <source>a buffer for outputs</source>
+        <translation>einem Puffer für Ausgänge</translation>
+    </message>
+    <message>
+        <source>a decimal number from -2147483648 to 2147483647</source>
+        <translation>eine Dezimalzahl von -2147483648 bis 2147483647</translation>
+    </message>
+    <message>
+        <source>a decimal number from 0 to 255</source>
+        <translation>eine Dezimalzahl von 0 bis 255</translation>
+    </message>
+    <message>
+        <source>a decimal number from 0 to 65535</source>
+        <translation>eine Dezimalzahl von 0 bis 65535</translation>
+    </message>
+    <message>
+        <source>a decimal number of 32 bits, negative from 2147483648 on</source>
+        <translation>eine Dezimalzahl von 32 Bits, negativ ab 2147483648</translation>
+    </message>
+    <message>
+        <source>a decimal number, or a hexadecimal one as #x1a00</source>
+        <translation>eine Dezimalzahl, oder eine hexadezimale wie #x1a00</translation>
+    </message>
+    <message>
+        <source>a frame was sent later than the set value allows</source>
+        <translation>ein Frame wurde später gesendet, als der Sollwert erlaubt</translation>
+    </message>
+    <message>
+        <source>a mailbox</source>
+        <translation>eine Mailbox</translation>
+    </message>
+    <message>
+        <source>a mailbox for answers</source>
+        <translation>einer Mailbox für Antworten</translation>
+    </message>
+    <message>
+        <source>a mailbox for requests</source>
+        <translation>einer Mailbox für Anfragen</translation>
+    </message>
+    <message>
+        <source>a transition on which SoE is allowed: PS, SO, SP, OP or OS</source>
+        <translation>ein Übergang, auf dem SoE erlaubt ist: PS, SO, SP, OP oder OS</translation>
+    </message>
+    <message>
+        <source>a transition such as IP or PS</source>
+        <translation>ein Übergang wie IP oder PS</translation>
+    </message>
+    <message>
+        <source>active</source>
+        <translation>aktiv</translation>
+    </message>
+    <message>
+        <source>active for neither reading nor writing</source>
+        <translation>weder zum Lesen noch zum Schreiben aktiv</translation>
+    </message>
+    <message>
+        <source>address, length and control byte of SM0 and SM1 and that both are enabled</source>
+        <translation>Adresse, Länge und Steuerbyte von SM0 und SM1, und ob beide eingeschaltet sind</translation>
+    </message>
+    <message>
+        <source>alias {alias} identifies the group of {slave}, too</source>
+        <translation>Alias {alias} kennzeichnet auch die Gruppe von {slave}</translation>
+    </message>
+    <message>
+        <source>an init command writes {activation} to 0x0980, and there is no DC element</source>
+        <translation>ein InitCmd schreibt {activation} nach 0x0980, und es gibt kein Element DC</translation>
+    </message>
+    <message>
+        <source>answers</source>
+        <translation>Antworten</translation>
+    </message>
+    <message>
+        <source>application controller available</source>
+        <translation>Applikations-Controller verfügbar</translation>
+    </message>
+    <message>
+        <source>attribute {element} is "{value}" instead of {wanted}</source>
+        <translation>Attribut {element} ist "{value}" statt {wanted}</translation>
+    </message>
+    <message>
+        <source>attribute {element} of &lt;{parent}&gt;</source>
+        <translation>Attribut {element} von &lt;{parent}&gt;</translation>
+    </message>
+    <message>
+        <source>attribute {element} of &lt;{parent}&gt;, {count} times</source>
+        <translation>Attribut {element} von &lt;{parent}&gt;, {count}-mal</translation>
+    </message>
+    <message>
+        <source>background watchdog</source>
+        <translation>Hintergrund-Watchdog</translation>
+    </message>
+    <message>
+        <source>bootstrap not supported</source>
+        <translation>BOOT nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>bytes of two hexadecimal digits each</source>
+        <translation>Bytes aus je zwei Hexadezimalziffern</translation>
+    </message>
+    <message>
+        <source>content and wiring of the EEPROM</source>
+        <translation>Inhalt und Verdrahtung des EEPROMs</translation>
+    </message>
+    <message>
+        <source>cycle time too small (older slaves: invalid input FMMU)</source>
+        <translation>Zykluszeit zu klein (ältere Slaves: ungültige Eingangs-FMMU)</translation>
+    </message>
+    <message>
+        <source>cycles were left out, the host came too late</source>
+        <translation>Zyklen wurden ausgelassen, der Host kam zu spät</translation>
+    </message>
+    <message>
+        <source>cyclic frames and the device's inputs before OP is requested</source>
+        <translation>zyklische Frames und die Eingänge des Geräts, bevor OP angefordert wird</translation>
+    </message>
+    <message>
+        <source>dcx follows an external clock, but no slave maps both time stamps of the external synchronisation (0x10F4:11 and :12) into its inputs.</source>
+        <translation>dcx folgt einer externen Uhr, aber kein Slave mappt beide Zeitstempel der externen Synchronisation (0x10F4:11 und :12) in seine Eingänge.</translation>
+    </message>
+    <message>
+        <source>detected modules differ from the configured ones</source>
+        <translation>erkannte Module weichen von den konfigurierten ab</translation>
+    </message>
+    <message>
+        <source>device identification value updated</source>
+        <translation>Wert der Geräteidentifikation geändert</translation>
+    </message>
+    <message>
+        <source>drives</source>
+        <translation>Antriebe</translation>
+    </message>
+    <message>
+        <source>external hardware not ready</source>
+        <translation>externe Hardware nicht bereit</translation>
+    </message>
+    <message>
+        <source>fatal sync error</source>
+        <translation>schwerer Synchronisationsfehler</translation>
+    </message>
+    <message>
+        <source>firmware update not successful</source>
+        <translation>Firmware-Aktualisierung nicht gelungen</translation>
+    </message>
+    <message>
+        <source>for inputs</source>
+        <translation>für Eingänge</translation>
+    </message>
+    <message>
+        <source>for outputs</source>
+        <translation>für Ausgänge</translation>
+    </message>
+    <message>
+        <source>frame or cycle</source>
+        <translation>frame oder cycle</translation>
+    </message>
+    <message>
+        <source>frames came behind the SYNC0 they were meant for</source>
+        <translation>Frames kamen hinter dem SYNC0, für das sie bestimmt waren</translation>
+    </message>
+    <message>
+        <source>frames were lost</source>
+        <translation>Frames gingen verloren</translation>
+    </message>
+    <message>
+        <source>free run needs three buffer mode</source>
+        <translation>Freilauf braucht den Drei-Puffer-Betrieb</translation>
+    </message>
+    <message>
+        <source>free run not supported</source>
+        <translation>Freilauf nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>gateways</source>
+        <translation>Gateways</translation>
+    </message>
+    <message>
+        <source>go to INIT first</source>
+        <translation>erst nach INIT gehen</translation>
+    </message>
+    <message>
+        <source>go to PREOP first</source>
+        <translation>erst nach PREOP gehen</translation>
+    </message>
+    <message>
+        <source>go to SAFEOP first</source>
+        <translation>erst nach SAFEOP gehen</translation>
+    </message>
+    <message>
+        <source>group "{group}" has no IdentifyCmd that compares what it reads</source>
+        <translation>Gruppe "{group}" hat kein IdentifyCmd, das vergleicht, was es liest</translation>
+    </message>
+    <message>
+        <source>group "{group}" has {members} members, but only {left} slaves are left from here</source>
+        <translation>Gruppe "{group}" hat {members} Mitglieder, aber ab hier sind nur {left} Slaves übrig</translation>
+    </message>
+    <message>
+        <source>group "{group}" has {members} members, but {slave} begins a group of its own</source>
+        <translation>Gruppe "{group}" hat {members} Mitglieder, aber {slave} beginnt eine eigene Gruppe</translation>
+    </message>
+    <message>
+        <source>inconsistent settings</source>
+        <translation>widersprüchliche Einstellungen</translation>
+    </message>
+    <message>
+        <source>inputs</source>
+        <translation>Eingänge</translation>
+    </message>
+    <message>
+        <source>inputs are not those of SYNC0</source>
+        <translation>Eingänge sind nicht die von SYNC0</translation>
+    </message>
+    <message>
+        <source>invalid DC SYNC configuration</source>
+        <translation>ungültige DC-SYNC-Konfiguration</translation>
+    </message>
+    <message>
+        <source>invalid DC latch configuration</source>
+        <translation>ungültige DC-Latch-Konfiguration</translation>
+    </message>
+    <message>
+        <source>invalid SYNC cycle time</source>
+        <translation>ungültige SYNC-Zykluszeit</translation>
+    </message>
+    <message>
+        <source>invalid SYNC0 cycle time</source>
+        <translation>ungültige SYNC0-Zykluszeit</translation>
+    </message>
+    <message>
+        <source>invalid SYNC1 cycle time</source>
+        <translation>ungültige SYNC1-Zykluszeit</translation>
+    </message>
+    <message>
+        <source>invalid SyncManager configuration</source>
+        <translation>ungültige SyncManager-Konfiguration</translation>
+    </message>
+    <message>
+        <source>invalid SyncManager types</source>
+        <translation>ungültige SyncManager-Arten</translation>
+    </message>
+    <message>
+        <source>invalid device setup</source>
+        <translation>ungültiger Geräteaufbau</translation>
+    </message>
+    <message>
+        <source>invalid input configuration</source>
+        <translation>ungültige Eingangskonfiguration</translation>
+    </message>
+    <message>
+        <source>invalid input mapping</source>
+        <translation>ungültiges Eingangs-Mapping</translation>
+    </message>
+    <message>
+        <source>invalid mailbox configuration in BOOT</source>
+        <translation>ungültige Mailbox-Konfiguration in BOOT</translation>
+    </message>
+    <message>
+        <source>invalid mailbox configuration in PREOP</source>
+        <translation>ungültige Mailbox-Konfiguration in PREOP</translation>
+    </message>
+    <message>
+        <source>invalid output configuration</source>
+        <translation>ungültige Ausgangskonfiguration</translation>
+    </message>
+    <message>
+        <source>invalid output mapping</source>
+        <translation>ungültiges Ausgangs-Mapping</translation>
+    </message>
+    <message>
+        <source>invalid requested state change</source>
+        <translation>ungültiger Zustandswechsel angefordert</translation>
+    </message>
+    <message>
+        <source>invalid revision</source>
+        <translation>ungültige Revision</translation>
+    </message>
+    <message>
+        <source>invalid watchdog configuration</source>
+        <translation>ungültige Watchdog-Konfiguration</translation>
+    </message>
+    <message>
+        <source>it compares data of the EEPROM for which no valid command asks</source>
+        <translation>es vergleicht Daten des EEPROMs, nach denen kein gültiges Kommando fragt</translation>
+    </message>
+    <message>
+        <source>it hangs on {slave}, which does not stand before it</source>
+        <translation>er hängt an {slave}, der nicht vor ihm steht</translation>
+    </message>
+    <message>
+        <source>it hangs on {slave}, which stands behind it</source>
+        <translation>er hängt an {slave}, der hinter ihm steht</translation>
+    </message>
+    <message>
+        <source>it has no InitCmds</source>
+        <translation>er hat keine InitCmds</translation>
+    </message>
+    <message>
+        <source>it has {bytes} bytes, {most} fit</source>
+        <translation>es hat {bytes} Bytes, {most} passen</translation>
+    </message>
+    <message>
+        <source>it reads the EEPROM, which does not belong to the master (0x0500 = 0) yet</source>
+        <translation>es liest das EEPROM, das dem Master noch nicht gehört (0x0500 = 0)</translation>
+    </message>
+    <message>
+        <source>it sets {written}, PhysAddr is {address}</source>
+        <translation>es setzt {written}, PhysAddr ist {address}</translation>
+    </message>
+    <message>
+        <source>it stands before the reference clock, {reference}</source>
+        <translation>er steht vor der Referenzuhr, {reference}</translation>
+    </message>
+    <message>
+        <source>its cycle of {cycle} is no multiple of the first task's {first}</source>
+        <translation>ihr Zyklus von {cycle} ist kein Vielfaches des Zyklus der ersten Task von {first}</translation>
+    </message>
+    <message>
+        <source>its datagrams take {bytes} bytes, {most} fit</source>
+        <translation>seine Datagramme belegen {bytes} Bytes, {most} passen</translation>
+    </message>
+    <message>
+        <source>its {data} share bytes of the image with {command}</source>
+        <translation>seine {data} teilen sich Bytes des Abbilds mit {command}</translation>
+    </message>
+    <message>
+        <source>its {data} take bytes {first} to {last}, the image has {image}</source>
+        <translation>seine {data} belegen die Bytes {first} bis {last}, das Abbild hat {image}</translation>
+    </message>
+    <message>
+        <source>jitter and drift of the reference clock; wait until DC has settled before OP</source>
+        <translation>Jitter und Drift der Referenzuhr; vor OP warten, bis DC eingeschwungen ist</translation>
+    </message>
+    <message>
+        <source>late or missing frames around SYNC0: host jitter, the shift, and that the master is locked to DC</source>
+        <translation>späte oder fehlende Frames um SYNC0: Jitter des Hosts, die Verschiebung, und ob der Master auf DC eingerastet ist</translation>
+    </message>
+    <message>
+        <source>length and control byte of SM2 and SM3 against the assigned PDOs</source>
+        <translation>Länge und Steuerbyte von SM2 und SM3 gegen die zugeordneten PDOs</translation>
+    </message>
+    <message>
+        <source>licence error</source>
+        <translation>Lizenzfehler</translation>
+    </message>
+    <message>
+        <source>mailbox AoE error</source>
+        <translation>Mailbox-Fehler bei AoE</translation>
+    </message>
+    <message>
+        <source>mailbox CoE error</source>
+        <translation>Mailbox-Fehler bei CoE</translation>
+    </message>
+    <message>
+        <source>mailbox EoE error</source>
+        <translation>Mailbox-Fehler bei EoE</translation>
+    </message>
+    <message>
+        <source>mailbox FoE error</source>
+        <translation>Mailbox-Fehler bei FoE</translation>
+    </message>
+    <message>
+        <source>mailbox SoE error</source>
+        <translation>Mailbox-Fehler bei SoE</translation>
+    </message>
+    <message>
+        <source>mailbox VoE error</source>
+        <translation>Mailbox-Fehler bei VoE</translation>
+    </message>
+    <message>
+        <source>modules and options of the device</source>
+        <translation>Module und Optionen des Geräts</translation>
+    </message>
+    <message>
+        <source>no NOP to 0x0900 stands before {command}</source>
+        <translation>vor {command} steht kein NOP auf 0x0900</translation>
+    </message>
+    <message>
+        <source>no Protocol is named</source>
+        <translation>kein Protocol ist genannt</translation>
+    </message>
+    <message>
+        <source>no SyncManager</source>
+        <translation>kein SyncManager</translation>
+    </message>
+    <message>
+        <source>no command of the master on IP clears the {registers}</source>
+        <translation>kein Kommando des Masters auf IP löscht {registers}</translation>
+    </message>
+    <message>
+        <source>no command on IP reads 0x0508 before the next request</source>
+        <translation>kein Kommando auf IP liest 0x0508 vor der nächsten Anforderung</translation>
+    </message>
+    <message>
+        <source>no command on {transition} waits for {state} behind this request</source>
+        <translation>kein Kommando auf {transition} wartet hinter dieser Anforderung auf {state}</translation>
+    </message>
+    <message>
+        <source>no cyclic BRD reads 0x0130</source>
+        <translation>kein zyklisches BRD liest 0x0130</translation>
+    </message>
+    <message>
+        <source>no error</source>
+        <translation>kein Fehler</translation>
+    </message>
+    <message>
+        <source>no init command compares vendor or product with the EEPROM</source>
+        <translation>kein InitCmd vergleicht Hersteller oder Produkt mit dem EEPROM</translation>
+    </message>
+    <message>
+        <source>no init command on IP enables SM{manager} for {element}</source>
+        <translation>kein InitCmd auf IP schaltet SM{manager} für {element} ein</translation>
+    </message>
+    <message>
+        <source>no init command on SP or SI switches SYNC0 off again</source>
+        <translation>kein InitCmd auf SP oder SI schaltet SYNC0 wieder aus</translation>
+    </message>
+    <message>
+        <source>no init command on {transition} requests {state}</source>
+        <translation>kein InitCmd auf {transition} fordert {state} an</translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation>keiner Grenze</translation>
+    </message>
+    <message>
+        <source>no memory</source>
+        <translation>kein Speicher</translation>
+    </message>
+    <message>
+        <source>no reference clock leads</source>
+        <translation>keine Referenzuhr führt</translation>
+    </message>
+    <message>
+        <source>no slave has the station address {address}</source>
+        <translation>kein Slave hat die Stationsadresse {address}</translation>
+    </message>
+    <message>
+        <source>no sync signal</source>
+        <translation>kein SYNC-Signal</translation>
+    </message>
+    <message>
+        <source>no valid firmware</source>
+        <translation>keine gültige Firmware</translation>
+    </message>
+    <message>
+        <source>no valid inputs and outputs</source>
+        <translation>keine gültigen Ein- und Ausgänge</translation>
+    </message>
+    <message>
+        <source>no valid inputs available</source>
+        <translation>keine gültigen Eingänge verfügbar</translation>
+    </message>
+    <message>
+        <source>no valid outputs</source>
+        <translation>keine gültigen Ausgänge</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keiner</translation>
+    </message>
+    <message>
+        <source>not seen by the master; look at its firmware and at frames that are damaged in front of it</source>
+        <translation>vom Master nicht gesehen; seine Firmware ansehen, und Frames, die vor ihm beschädigt werden</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>on {transition} it comes behind the request for {state}</source>
+        <translation>auf {transition} kommt es hinter der Anforderung von {state}</translation>
+    </message>
+    <message>
+        <source>on {transition} it requests {requested} instead of {wanted}</source>
+        <translation>auf {transition} fordert es {requested} statt {wanted} an</translation>
+    </message>
+    <message>
+        <source>on {transition} it waits for {awaited}, requested is {requested}</source>
+        <translation>auf {transition} wartet es auf {awaited}, angefordert ist {requested}</translation>
+    </message>
+    <message>
+        <source>on {transition} it waits for {state} with the error bit (0x10) set</source>
+        <translation>auf {transition} wartet es auf {state} mit gesetztem Fehlerbit (0x10)</translation>
+    </message>
+    <message>
+        <source>one of the slaves</source>
+        <translation>einer der Slaves</translation>
+    </message>
+    <message>
+        <source>only Sigma-X drives take it</source>
+        <translation>nur Sigma-X-Antriebe nehmen es</translation>
+    </message>
+    <message>
+        <source>only the current loop is synchronised then, the position loop is not</source>
+        <translation>nur der Stromregler ist dann synchronisiert, der Lageregler nicht</translation>
+    </message>
+    <message>
+        <source>order and types of the SyncManagers against 0x1C00</source>
+        <translation>Reihenfolge und Arten der SyncManager gegen 0x1C00</translation>
+    </message>
+    <message>
+        <source>outputs</source>
+        <translation>Ausgänge</translation>
+    </message>
+    <message>
+        <source>outputs count from their arrival</source>
+        <translation>Ausgänge zählen ab ihrer Ankunft</translation>
+    </message>
+    <message>
+        <source>port {port} of {slave} carries another slave already</source>
+        <translation>Port {port} von {slave} trägt schon einen anderen Slave</translation>
+    </message>
+    <message>
+        <source>power the slave off and on</source>
+        <translation>den Slave aus- und einschalten</translation>
+    </message>
+    <message>
+        <source>reads</source>
+        <translation>liest</translation>
+    </message>
+    <message>
+        <source>requests</source>
+        <translation>Anfragen</translation>
+    </message>
+    <message>
+        <source>settling behind an interruption</source>
+        <translation>Einschwingen nach einer Unterbrechung</translation>
+    </message>
+    <message>
+        <source>slave needs INIT</source>
+        <translation>Slave braucht INIT</translation>
+    </message>
+    <message>
+        <source>slave needs PREOP</source>
+        <translation>Slave braucht PREOP</translation>
+    </message>
+    <message>
+        <source>slave needs SAFEOP</source>
+        <translation>Slave braucht SAFEOP</translation>
+    </message>
+    <message>
+        <source>slave needs cold start</source>
+        <translation>Slave braucht einen Kaltstart</translation>
+    </message>
+    <message>
+        <source>slave restarted locally</source>
+        <translation>Slave hat selbst neu gestartet</translation>
+    </message>
+    <message>
+        <source>start time 0x0990 (must lie ahead), cycle 0x09A0, activation 0x0981</source>
+        <translation>Startzeit 0x0990 (muss in der Zukunft liegen), Zyklus 0x09A0, Aktivierung 0x0981</translation>
+    </message>
+    <message>
+        <source>station address {address} belongs to {slave}, too</source>
+        <translation>Stationsadresse {address} gehört auch zu {slave}</translation>
+    </message>
+    <message>
+        <source>station addresses (0x0010)</source>
+        <translation>Stationsadressen (0x0010)</translation>
+    </message>
+    <message>
+        <source>status bit {bit} belongs to {slave}, too</source>
+        <translation>Statusbit {bit} gehört auch zu {slave}</translation>
+    </message>
+    <message>
+        <source>status bit {bit} is mapped by no FMMU on IP</source>
+        <translation>Statusbit {bit} wird von keiner FMMU auf IP abgebildet</translation>
+    </message>
+    <message>
+        <source>status bit {bit} is not read by a cyclic command in PREOP</source>
+        <translation>Statusbit {bit} wird von keinem zyklischen Kommando in PREOP gelesen</translation>
+    </message>
+    <message>
+        <source>status bit {bit}, and MailboxStates counts {counted}</source>
+        <translation>Statusbit {bit}, und MailboxStates zählt {counted}</translation>
+    </message>
+    <message>
+        <source>supply and attached hardware of the device</source>
+        <translation>Versorgung und angeschlossene Hardware des Geräts</translation>
+    </message>
+    <message>
+        <source>supply voltage too high</source>
+        <translation>Versorgungsspannung zu hoch</translation>
+    </message>
+    <message>
+        <source>supply voltage too low</source>
+        <translation>Versorgungsspannung zu niedrig</translation>
+    </message>
+    <message>
+        <source>synchronization error</source>
+        <translation>Synchronisationsfehler</translation>
+    </message>
+    <message>
+        <source>synchronization not supported</source>
+        <translation>Synchronisation nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>temperature too high</source>
+        <translation>Temperatur zu hoch</translation>
+    </message>
+    <message>
+        <source>temperature too low</source>
+        <translation>Temperatur zu niedrig</translation>
+    </message>
+    <message>
+        <source>text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>that DC is on or SM synchronous mode is chosen (0x1C32:01)</source>
+        <translation>ob DC an ist oder die SM-synchrone Art gewählt ist (0x1C32:01)</translation>
+    </message>
+    <message>
+        <source>that SYNC pulses and frames come in time</source>
+        <translation>ob SYNC-Pulse und Frames rechtzeitig kommen</translation>
+    </message>
+    <message>
+        <source>that cyclic frames run with the right working counter before OP is requested</source>
+        <translation>ob zyklische Frames mit richtigem Working Counter laufen, bevor OP angefordert wird</translation>
+    </message>
+    <message>
+        <source>that operation mode, PDOs and DC settings fit together</source>
+        <translation>ob Betriebsart, PDOs und DC-Einstellungen zusammenpassen</translation>
+    </message>
+    <message>
+        <source>that the EEPROM is given to the PDI before PREOP (0x0500)</source>
+        <translation>ob das EEPROM vor PREOP dem PDI übergeben wird (0x0500)</translation>
+    </message>
+    <message>
+        <source>that the PDOs in 0x1C12 add up to the length of SM2</source>
+        <translation>ob die PDOs in 0x1C12 zusammen die Länge von SM2 ergeben</translation>
+    </message>
+    <message>
+        <source>that the PDOs in 0x1C13 add up to the length of SM3</source>
+        <translation>ob die PDOs in 0x1C13 zusammen die Länge von SM3 ergeben</translation>
+    </message>
+    <message>
+        <source>that the cycle is a multiple the device supports (e.g. 125 or 250 us)</source>
+        <translation>ob der Zyklus ein Vielfaches ist, das das Gerät unterstützt (etwa 125 oder 250 us)</translation>
+    </message>
+    <message>
+        <source>the CoE start-up commands</source>
+        <translation>die CoE-Startkommandos</translation>
+    </message>
+    <message>
+        <source>the PDOs of SM{manager} have {bytes} bytes, it takes {least} to {most}</source>
+        <translation>die PDOs von SM{manager} haben {bytes} Bytes, er nimmt {least} bis {most}</translation>
+    </message>
+    <message>
+        <source>the SYNC0 cycle of {sync0} and the task's cycle of {cycle} are no multiples of each other</source>
+        <translation>der SYNC0-Zyklus von {sync0} und der Zyklus der Task von {cycle} sind keine Vielfachen voneinander</translation>
+    </message>
+    <message>
+        <source>the SoE start-up commands</source>
+        <translation>die SoE-Startkommandos</translation>
+    </message>
+    <message>
+        <source>the ambient temperature</source>
+        <translation>die Umgebungstemperatur</translation>
+    </message>
+    <message>
+        <source>the change of state may take {timeout} ms</source>
+        <translation>der Zustandswechsel darf {timeout} ms dauern</translation>
+    </message>
+    <message>
+        <source>the control byte {control} does not make SM{manager} a mailbox for {use}</source>
+        <translation>das Steuerbyte {control} macht SM{manager} nicht zu einer Mailbox für {use}</translation>
+    </message>
+    <message>
+        <source>the control byte {control} of SM{manager} makes it {kind}, its Type says {type}</source>
+        <translation>das Steuerbyte {control} von SM{manager} macht ihn zu {kind}, sein Type sagt {type}</translation>
+    </message>
+    <message>
+        <source>the control bytes of SM2 and SM3</source>
+        <translation>die Steuerbytes von SM2 und SM3</translation>
+    </message>
+    <message>
+        <source>the controller reports an error</source>
+        <translation>der Regler meldet einen Fehler</translation>
+    </message>
+    <message>
+        <source>the device's AoE service</source>
+        <translation>der AoE-Dienst des Geräts</translation>
+    </message>
+    <message>
+        <source>the device's EoE settings (IP address)</source>
+        <translation>die EoE-Einstellungen des Geräts (IP-Adresse)</translation>
+    </message>
+    <message>
+        <source>the file transfer</source>
+        <translation>die Dateiübertragung</translation>
+    </message>
+    <message>
+        <source>the firmware file, then repeat the update</source>
+        <translation>die Firmware-Datei, dann die Aktualisierung wiederholen</translation>
+    </message>
+    <message>
+        <source>the firmware; load it in BOOT</source>
+        <translation>die Firmware; sie in BOOT laden</translation>
+    </message>
+    <message>
+        <source>the host left cycles out</source>
+        <translation>der Rechner ließ Zyklen aus</translation>
+    </message>
+    <message>
+        <source>the identification value, then restart the slave</source>
+        <translation>der Identifikationswert, dann den Slave neu starten</translation>
+    </message>
+    <message>
+        <source>the load of the slave's processor; a longer cycle helps</source>
+        <translation>die Last des Prozessors im Slave; ein längerer Zyklus hilft</translation>
+    </message>
+    <message>
+        <source>the reference clock has stepped</source>
+        <translation>die Referenzuhr ist gesprungen</translation>
+    </message>
+    <message>
+        <source>the reference clock is addressed by its station address (FRMW)</source>
+        <translation>die Referenzuhr wird mit ihrer Stationsadresse angesprochen (FRMW)</translation>
+    </message>
+    <message>
+        <source>the reference clock's time does not come</source>
+        <translation>die Zeit der Referenzuhr kommt nicht</translation>
+    </message>
+    <message>
+        <source>the root element is {element}</source>
+        <translation>das Wurzelelement ist {element}</translation>
+    </message>
+    <message>
+        <source>the schedule is not within its limit</source>
+        <translation>der Fahrplan ist nicht innerhalb seiner Grenze</translation>
+    </message>
+    <message>
+        <source>the smallest cycle in 0x1C32:05</source>
+        <translation>der kleinste Zyklus in 0x1C32:05</translation>
+    </message>
+    <message>
+        <source>the station address is 0</source>
+        <translation>die Stationsadresse ist 0</translation>
+    </message>
+    <message>
+        <source>the supply</source>
+        <translation>die Versorgung</translation>
+    </message>
+    <message>
+        <source>the value written to AL control 0x0120</source>
+        <translation>der nach AL Control 0x0120 geschriebene Wert</translation>
+    </message>
+    <message>
+        <source>the vendor protocol</source>
+        <translation>das Protokoll des Herstellers</translation>
+    </message>
+    <message>
+        <source>the vendor's diagnosis, object 0x10F3 and the device's display</source>
+        <translation>die Diagnose des Herstellers, Objekt 0x10F3 und die Anzeige des Geräts</translation>
+    </message>
+    <message>
+        <source>the vendor's licence for this function</source>
+        <translation>die Lizenz des Herstellers für diese Funktion</translation>
+    </message>
+    <message>
+        <source>the vendor's manual</source>
+        <translation>das Handbuch des Herstellers</translation>
+    </message>
+    <message>
+        <source>there are {protocol} start-up commands, and no Protocol says {protocol}</source>
+        <translation>es gibt {protocol}-Startkommandos, und kein Protocol sagt {protocol}</translation>
+    </message>
+    <message>
+        <source>there is no CycleTime</source>
+        <translation>es gibt keine CycleTime</translation>
+    </message>
+    <message>
+        <source>two variables have the name "{variable}"</source>
+        <translation>zwei Variablen haben den Namen "{variable}"</translation>
+    </message>
+    <message>
+        <source>unknown code</source>
+        <translation>unbekannter Code</translation>
+    </message>
+    <message>
+        <source>unknown requested state</source>
+        <translation>unbekannter Zustand angefordert</translation>
+    </message>
+    <message>
+        <source>unspecified error</source>
+        <translation>nicht näher bestimmter Fehler</translation>
+    </message>
+    <message>
+        <source>up to 4 of the letters Y, K and B</source>
+        <translation>bis zu 4 der Buchstaben Y, K und B</translation>
+    </message>
+    <message>
+        <source>vendor specific code</source>
+        <translation>herstellerspezifischer Code</translation>
+    </message>
+    <message>
+        <source>ventilation and ambient temperature</source>
+        <translation>Lüftung und Umgebungstemperatur</translation>
+    </message>
+    <message>
+        <source>what the device needs for valid inputs (supply, encoder)</source>
+        <translation>was das Gerät für gültige Eingänge braucht (Versorgung, Geber)</translation>
+    </message>
+    <message>
+        <source>whether PDOs and SyncManager lengths exceed what the slave can hold</source>
+        <translation>ob PDOs und SyncManager-Längen mehr sind, als der Slave fasst</translation>
+    </message>
+    <message>
+        <source>whether a state was skipped, e.g. INIT to SAFEOP</source>
+        <translation>ob ein Zustand übersprungen wurde, etwa INIT nach SAFEOP</translation>
+    </message>
+    <message>
+        <source>whether every object in the RxPDOs can be mapped</source>
+        <translation>ob sich jedes Objekt in den RxPDOs mappen lässt</translation>
+    </message>
+    <message>
+        <source>whether every object in the TxPDOs can be mapped</source>
+        <translation>ob sich jedes Objekt in den TxPDOs mappen lässt</translation>
+    </message>
+    <message>
+        <source>whether the EEPROM belongs to this firmware; rewrite one of them</source>
+        <translation>ob das EEPROM zu dieser Firmware gehört; eins davon neu schreiben</translation>
+    </message>
+    <message>
+        <source>whether the ESI revision fits the device's hardware and firmware</source>
+        <translation>ob die ESI-Revision zu Hardware und Firmware des Geräts passt</translation>
+    </message>
+    <message>
+        <source>whether this device has a BOOT state</source>
+        <translation>ob dieses Gerät einen Zustand BOOT hat</translation>
+    </message>
+    <message>
+        <source>who owns the latch units (AssignActivate bits 4 and 5)</source>
+        <translation>wem die Latch-Einheiten gehören (AssignActivate Bits 4 und 5)</translation>
+    </message>
+    <message>
+        <source>why SYNC0 or SYNC1 stopped; clear 0x0981 before a new start</source>
+        <translation>warum SYNC0 oder SYNC1 ausblieb; vor einem neuen Start 0x0981 löschen</translation>
+    </message>
+    <message>
+        <source>why outputs stopped for longer than the watchdog 0x0420 (loop, working counter)</source>
+        <translation>warum Ausgänge länger ausblieben als der Watchdog 0x0420 (Schleife, Working Counter)</translation>
+    </message>
+    <message>
+        <source>why the device restarted (supply, watchdog, operator)</source>
+        <translation>warum das Gerät neu gestartet hat (Versorgung, Watchdog, Bediener)</translation>
+    </message>
+    <message>
+        <source>writes</source>
+        <translation>schreibt</translation>
+    </message>
+    <message>
+        <source>{activation} switches SYNC1 on without SYNC0</source>
+        <translation>{activation} schaltet SYNC1 ohne SYNC0 ein</translation>
+    </message>
+    <message>
+        <source>{bits} bits are copied from input bit {from} to output bit {to}, the image has {inputs} and {outputs}</source>
+        <translation>{bits} Bits werden von Eingangsbit {from} nach Ausgangsbit {to} kopiert, das Abbild hat {inputs} und {outputs}</translation>
+    </message>
+    <message>
+        <source>{bytes} bytes exceed the {most} that SyncManager {manager} takes.</source>
+        <translation>{bytes} Bytes sind mehr als die {most}, die SyncManager {manager} annimmt.</translation>
+    </message>
+    <message>
+        <source>{bytes} bytes of process data do not fit into one Ethernet frame.</source>
+        <translation>{bytes} Bytes Prozessdaten passen nicht in einen Ethernet-Frame.</translation>
+    </message>
+    <message>
+        <source>{command} addresses no slave of the file</source>
+        <translation>{command} spricht keinen Slave der Datei an</translation>
+    </message>
+    <message>
+        <source>{command} comes before the station address is set (0x0010)</source>
+        <translation>{command} kommt, bevor die Stationsadresse gesetzt ist (0x0010)</translation>
+    </message>
+    <message>
+        <source>{command} compares what it reads with a time-out of 0</source>
+        <translation>{command} vergleicht, was es liest, mit einer Zeitgrenze von 0</translation>
+    </message>
+    <message>
+        <source>{command} does not go to this slave (auto-increment address {address})</source>
+        <translation>{command} geht nicht an diesen Slave (Auto-Increment-Adresse {address})</translation>
+    </message>
+    <message>
+        <source>{command} does not go to this slave (station address {address})</source>
+        <translation>{command} geht nicht an diesen Slave (Stationsadresse {address})</translation>
+    </message>
+    <message>
+        <source>{command} goes to all slaves</source>
+        <translation>{command} geht an alle Slaves</translation>
+    </message>
+    <message>
+        <source>{command} has no Cnt; the FMMUs make it {computed}</source>
+        <translation>{command} hat kein Cnt; nach den FMMUs ist es {computed}</translation>
+    </message>
+    <message>
+        <source>{command} has no bytes</source>
+        <translation>{command} hat keine Bytes</translation>
+    </message>
+    <message>
+        <source>{command} has {bytes} bytes instead of 4</source>
+        <translation>{command} hat {bytes} Bytes statt 4</translation>
+    </message>
+    <message>
+        <source>{command} has {bytes} bytes instead of 4 or 8</source>
+        <translation>{command} hat {bytes} Bytes statt 4 oder 8</translation>
+    </message>
+    <message>
+        <source>{command} is not sent in {state}</source>
+        <translation>{command} wird in {state} nicht gesendet</translation>
+    </message>
+    <message>
+        <source>{command} stands before {distributor}</source>
+        <translation>{command} steht vor {distributor}</translation>
+    </message>
+    <message>
+        <source>{command} steers a clock whose time nothing distributes</source>
+        <translation>{command} stellt eine Uhr, deren Zeit nichts verteilt</translation>
+    </message>
+    <message>
+        <source>{command} steers {slave}, {distributor} distributes the time of another</source>
+        <translation>{command} stellt {slave}, {distributor} verteilt die Zeit eines anderen</translation>
+    </message>
+    <message>
+        <source>{command} takes the time of {slave}, and no slave is marked as reference clock</source>
+        <translation>{command} nimmt die Zeit von {slave}, und kein Slave ist als Referenzuhr gekennzeichnet</translation>
+    </message>
+    <message>
+        <source>{command} takes the time of {slave}, the reference clock is {reference}</source>
+        <translation>{command} nimmt die Zeit von {slave}, die Referenzuhr ist {reference}</translation>
+    </message>
+    <message>
+        <source>{copies} slave-to-slave copies cannot be kept: a project has no place for them.</source>
+        <translation>{copies} Kopien von Slave zu Slave lassen sich nicht behalten: ein Projekt hat keinen Platz dafür.</translation>
+    </message>
+    <message>
+        <source>{count} cycles had a wrong working counter ({received} instead of {expected} last), from {since} on.</source>
+        <translation>{count} Zyklen hatten einen falschen Working Counter (zuletzt {received} statt {expected}), ab {since}.</translation>
+    </message>
+    <message>
+        <source>{count} cycles had a wrong working counter, from {since} on: that is what the others see of {slave}.</source>
+        <translation>{count} Zyklen hatten einen falschen Working Counter, ab {since}: das ist, was man von {slave} sonst sieht.</translation>
+    </message>
+    <message>
+        <source>{count} frames came back after their cycle, by up to {largest}.</source>
+        <translation>{count} Frames kamen nach ihrem Zyklus zurück, um bis zu {largest}.</translation>
+    </message>
+    <message>
+        <source>{count} frames did not come back (up to {most} close together, first at {since}), and no slave counted an error at its ports.</source>
+        <translation>{count} Frames kamen nicht zurück (bis zu {most} nah beieinander, zuerst bei {since}), und kein Slave zählte einen Fehler an seinen Ports.</translation>
+    </message>
+    <message>
+        <source>{count} frames did not come back (up to {most} close together, first at {since}); they were damaged on their way, first at {slave} port {port}.</source>
+        <translation>{count} Frames kamen nicht zurück (bis zu {most} nah beieinander, zuerst bei {since}); sie wurden unterwegs beschädigt, zuerst an {slave} Port {port}.</translation>
+    </message>
+    <message>
+        <source>{count} frames did not come back in time while the host stood still.</source>
+        <translation>{count} Frames kamen nicht rechtzeitig zurück, während der Rechner stillstand.</translation>
+    </message>
+    <message>
+        <source>{count} frames reached {slave} damaged at port {port} (0x{register}), from {since} on; the cable comes from {behind}.</source>
+        <translation>{count} Frames erreichten {slave} beschädigt an Port {port} (0x{register}), ab {since}; das Kabel kommt von {behind}.</translation>
+    </message>
+    <message>
+        <source>{count} frames were lost when {slave} went away or came back.</source>
+        <translation>{count} Frames gingen verloren, als {slave} ging oder wiederkam.</translation>
+    </message>
+    <message>
+        <source>{count} variables, "{variable}" and others, lie behind the image</source>
+        <translation>{count} Variablen, "{variable}" und andere, liegen hinter dem Abbild</translation>
+    </message>
+    <message>
+        <source>{count} variables, "{variable}" and others, share bits with others</source>
+        <translation>{count} Variablen, "{variable}" und andere, teilen sich Bits mit anderen</translation>
+    </message>
+    <message>
+        <source>{element} has {bits} bits, the assigned PDOs have {expected}</source>
+        <translation>{element} hat {bits} Bits, die zugeordneten PDOs haben {expected}</translation>
+    </message>
+    <message>
+        <source>{element} has {bytes} bytes at {start}</source>
+        <translation>{element} hat {bytes} Bytes bei {start}</translation>
+    </message>
+    <message>
+        <source>{element} shares bits of the image with {slave}</source>
+        <translation>{element} teilt sich Bits des Abbilds mit {slave}</translation>
+    </message>
+    <message>
+        <source>{element} starts at bit {said}, the FMMUs and cyclic commands put the data at bit {computed}</source>
+        <translation>{element} beginnt bei Bit {said}, FMMUs und zyklische Kommandos legen die Daten nach Bit {computed}</translation>
+    </message>
+    <message>
+        <source>{element} takes {bits} bits from bit {first}, the image has {image}</source>
+        <translation>{element} belegt {bits} Bits ab Bit {first}, das Abbild hat {image}</translation>
+    </message>
+    <message>
+        <source>{entries} entries are mapped; the device's dictionary has room for {room} in {object}.</source>
+        <translation>{entries} Einträge sind gemappt; das Objektverzeichnis des Geräts hat in {object} Platz für {room}.</translation>
+    </message>
+    <message>
+        <source>{entries} entries are mapped; the object {object} takes {most}.</source>
+        <translation>{entries} Einträge sind gemappt; das Objekt {object} nimmt {most}.</translation>
+    </message>
+    <message>
+        <source>{error}</source>
+        <translation>{error}</translation>
+    </message>
+    <message>
+        <source>{field} is {said} in Info, the command expects the bytes {expected}</source>
+        <translation>{field} ist in Info {said}, das Kommando erwartet die Bytes {expected}</translation>
+    </message>
+    <message>
+        <source>{file} is an ENI: its commands and the layout of its image stay as they are, only the spelling follows --dialect. "project create --eni" makes a project that can be laid out anew.</source>
+        <translation>{file} ist eine ENI: ihre Kommandos und die Anordnung ihres Abbilds bleiben, nur die Schreibweise folgt --dialect. "project create --eni" macht ein Projekt, das neu angeordnet werden kann.</translation>
+    </message>
+    <message>
+        <source>{first} and {second} are both the reference clock</source>
+        <translation>{first} und {second} sind beide die Referenzuhr</translation>
+    </message>
+    <message>
+        <source>{first} and {second} carry the same {data}</source>
+        <translation>{first} und {second} tragen dieselben {data}</translation>
+    </message>
+    <message>
+        <source>{frames} frames take {wire} on the wire, the cycle is {cycle}</source>
+        <translation>{frames} Frames brauchen auf der Leitung {wire}, der Zyklus ist {cycle}</translation>
+    </message>
+    <message>
+        <source>{mode} switches SYNC0 on, its cycle is {cycle}.</source>
+        <translation>{mode} schaltet SYNC0 ein, sein Zyklus ist {cycle}.</translation>
+    </message>
+    <message>
+        <source>{mode} writes the reference clock in each cycle, but the cyclic frames have no command for it (APWR or FPWR of 0x0910); choose off, master-shift or master-shift-by-app.</source>
+        <translation>{mode} schreibt die Referenzuhr in jedem Zyklus, aber die zyklischen Frames haben kein Kommando dafür (APWR oder FPWR von 0x0910); off, master-shift oder master-shift-by-app wählen.</translation>
+    </message>
+    <message>
+        <source>{name} has no distributed clock according to its ESI and cannot be the reference.</source>
+        <translation>{name} hat nach seiner ESI keine verteilte Uhr und kann nicht die Referenz sein.</translation>
+    </message>
+    <message>
+        <source>{name} stands before the reference clock in the frame, so it gets the time one cycle late and stays off.</source>
+        <translation>{name} steht im Frame vor der Referenzuhr, bekommt die Zeit also einen Zyklus zu spät und bleibt daneben.</translation>
+    </message>
+    <message>
+        <source>{name}: a SYNC0 cycle of {sync0} is neither a multiple nor a divisor of the bus cycle of {cycle}.</source>
+        <translation>{name}: ein SYNC0-Zyklus von {sync0} ist weder ein Vielfaches noch ein Teiler des Buszyklus von {cycle}.</translation>
+    </message>
+    <message>
+        <source>{objects} objects are mapped in this direction, {family} {devices} take {most}. Unassign a PDO, or map fewer objects and exchange the slow ones by SDO.</source>
+        <translation>In dieser Richtung sind {objects} Objekte gemappt, {family} {devices} nehmen {most}. Ein PDO wegnehmen, oder weniger Objekte mappen und die langsamen per SDO austauschen.</translation>
+    </message>
+    <message>
+        <source>{object} has no Data</source>
+        <translation>{object} hat keine Data</translation>
+    </message>
+    <message>
+        <source>{object} has no sub-index {sub_index}</source>
+        <translation>{object} hat keinen Subindex {sub_index}</translation>
+    </message>
+    <message>
+        <source>{object} is set to {mode}, and SYNC0 is off. {reason}. Select an operation mode with DC, or a profile mode.</source>
+        <translation>{object} wird auf {mode} gesetzt, und SYNC0 ist aus. {reason}. Eine Betriebsart mit DC oder eine Profil-Betriebsart wählen.</translation>
+    </message>
+    <message>
+        <source>{object} is set to {written}, SM{manager} lists {listed}</source>
+        <translation>{object} wird auf {written} gesetzt, SM{manager} führt {listed} auf</translation>
+    </message>
+    <message>
+        <source>{object} is set to {written}, the PDO lists {listed}</source>
+        <translation>{object} wird auf {written} gesetzt, das PDO führt {listed} auf</translation>
+    </message>
+    <message>
+        <source>{object} is set to {written}, the cycle is {cycle}</source>
+        <translation>{object} wird auf {written} gesetzt, der Zyklus ist {cycle}</translation>
+    </message>
+    <message>
+        <source>{object} is written by complete access</source>
+        <translation>{object} wird mit Complete Access geschrieben</translation>
+    </message>
+    <message>
+        <source>{object} is written on {transition}</source>
+        <translation>{object} wird auf {transition} geschrieben</translation>
+    </message>
+    <message>
+        <source>{object} may take {timeout} ms</source>
+        <translation>{object} darf {timeout} ms dauern</translation>
+    </message>
+    <message>
+        <source>{object} must stay in PDO {pdo} (ESI Entry@Fixed).</source>
+        <translation>{object} muss im PDO {pdo} bleiben (ESI Entry@Fixed).</translation>
+    </message>
+    <message>
+        <source>{object}: Ccs is {ccs}</source>
+        <translation>{object}: Ccs ist {ccs}</translation>
+    </message>
+    <message>
+        <source>{object}: the count is set to {count}, entries are written up to {last}</source>
+        <translation>{object}: die Anzahl wird auf {count} gesetzt, Einträge werden bis {last} geschrieben</translation>
+    </message>
+    <message>
+        <source>{object}: {entries} entries are written, the count stays {count}</source>
+        <translation>{object}: {entries} Einträge werden geschrieben, die Anzahl bleibt {count}</translation>
+    </message>
+    <message>
+        <source>{object}:01 asks for SYNC signals, and they are off. Select an operation mode with DC, or free run.</source>
+        <translation>{object}:01 verlangt SYNC-Signale, und sie sind aus. Eine Betriebsart mit DC oder Freilauf wählen.</translation>
+    </message>
+    <message>
+        <source>{object}:01 is read-only in {family} {devices}: the download ends the start-up. The SYNC signals set the type; remove the command.</source>
+        <translation>{object}:01 ist bei {family} {devices} nur lesbar: der Download beendet den Anlauf. Die SYNC-Signale setzen die Art; das Kommando entfernen.</translation>
+    </message>
+    <message>
+        <source>{object}:01 is set to {type}, which {family} {devices} do not have.</source>
+        <translation>{object}:01 wird auf {type} gesetzt, was {family} {devices} nicht haben.</translation>
+    </message>
+    <message>
+        <source>{object}:{sub_index} is written while the list is not emptied (:0 = 0)</source>
+        <translation>{object}:{sub_index} wird geschrieben, während die Liste nicht geleert ist (:0 = 0)</translation>
+    </message>
+    <message>
+        <source>{object}:{sub_index} is written with {written} bytes, it has {bytes}</source>
+        <translation>{object}:{sub_index} wird mit {written} Bytes geschrieben, es hat {bytes}</translation>
+    </message>
+    <message>
+        <source>{pdos} PDOs are assigned to SyncManager {manager}; its object takes {most}.</source>
+        <translation>{pdos} PDOs sind SyncManager {manager} zugeordnet; sein Objekt nimmt {most}.</translation>
+    </message>
+    <message>
+        <source>{reason}.</source>
+        <translation>{reason}.</translation>
+    </message>
+    <message>
+        <source>{set_value} is outside {least}..{most}: the cyclic frames are still on their way at SYNC0.</source>
+        <translation>{set_value} liegt außerhalb von {least}..{most}: die zyklischen Frames sind bei SYNC0 noch unterwegs.</translation>
+    </message>
+    <message>
+        <source>{slaves} slaves use distributed clocks</source>
+        <translation>{slaves} Slaves benutzen verteilte Uhren</translation>
+    </message>
+    <message>
+        <source>{slaves} slaves use distributed clocks, and no cyclic command distributes the time</source>
+        <translation>{slaves} Slaves benutzen verteilte Uhren, und kein zyklisches Kommando verteilt die Zeit</translation>
+    </message>
+    <message>
+        <source>{slave} counts {missed} missed SM2 events (0x1C32:{sub}), and for {part} of them the master saw good cycles.</source>
+        <translation>{slave} zählt {missed} fehlende SM2-Ereignisse (0x1C32:{sub}), und bei {part} davon sah der Master gute Zyklen.</translation>
+    </message>
+    <message>
+        <source>{slave} does not renew its inputs in every cycle, as it did before: from {since} on, {count} (0x0805 + 8 n of its input SyncManager names the same buffer again).</source>
+        <translation>{slave} erneuert seine Eingänge nicht mehr in jedem Zyklus wie zuvor: ab {since}, {count} (0x0805 + 8 n seines Eingangs-SyncManagers nennt wieder denselben Puffer).</translation>
+    </message>
+    <message>
+        <source>{slave} fell to {state} with AL status code {alcode}{alarm} at {since}, and the master saw nothing but good cycles before: no frame lost or late, none left out, outputs nominally there {margin} before each SYNC0.</source>
+        <translation>{slave} fiel bei {since} nach {state} mit AL-Statuscode {alcode}{alarm}, und der Master sah vorher nur gute Zyklen: kein Frame verloren oder verspätet, keiner ausgelassen, Ausgänge nominell {margin} vor jedem SYNC0.</translation>
+    </message>
+    <message>
+        <source>{slave} fell to {state} with AL status code {alcode}{alarm} at {since}: it missed {missed} SM2 events, its error counter reached {integrator} of {limit}.</source>
+        <translation>{slave} fiel bei {since} nach {state} mit AL-Statuscode {alcode}{alarm}: {missed} SM2-Ereignisse fehlten, der Fehlerzähler erreichte {integrator} von {limit}.</translation>
+    </message>
+    <message>
+        <source>{slave} fell to {state} with AL status code {alcode}{alarm} at {since}: it missed {missed} SM2 events, {part} of them because frames came behind the SYNC0 they were meant for. Nominally they are there {margin} before it, but one in a thousand is {lateness} late.</source>
+        <translation>{slave} fiel bei {since} nach {state} mit AL-Statuscode {alcode}{alarm}: {missed} SM2-Ereignisse fehlten, davon {part}, weil Frames nach dem SYNC0 kamen, für das sie gedacht waren. Nominell sind sie {margin} davor da, doch einer von tausend kommt {lateness} zu spät.</translation>
+    </message>
+    <message>
+        <source>{slave} got its outputs too late for SYNC0 {count} (0x1C32:0D shift too short), and used those of the cycle before: they come {margin} before SYNC0, and it needs {need}.</source>
+        <translation>{slave} bekam seine Ausgänge {count} zu spät für SYNC0 (0x1C32:0D Shift too short) und nahm die des Zyklus davor: sie kommen {margin} vor SYNC0, und er braucht {need}.</translation>
+    </message>
+    <message>
+        <source>{slave} had its inputs too late {count} (0x1C33:0D shift too short).</source>
+        <translation>{slave} hatte seine Eingänge {count} zu spät (0x1C33:0D Shift too short).</translation>
+    </message>
+    <message>
+        <source>{slave} is in {state} with AL status code {alcode}{alarm}, since {since}.</source>
+        <translation>{slave} ist in {state} mit AL-Statuscode {alcode}{alarm}, seit {since}.</translation>
+    </message>
+    <message>
+        <source>{slave} left the sync window at {since} ({deviation}, limit {limit}) and came back; {count} in all.</source>
+        <translation>{slave} verließ bei {since} das Sync-Window ({deviation}, Grenze {limit}) und kam zurück; {count} insgesamt.</translation>
+    </message>
+    <message>
+        <source>{slave} left {count} mailbox requests in a row without an answer.</source>
+        <translation>{slave} ließ {count} Mailbox-Anfragen hintereinander ohne Antwort.</translation>
+    </message>
+    <message>
+        <source>{slave} lost its link at port {port} {count} (0x{register}), last at {last}.</source>
+        <translation>{slave} verlor an Port {port} {count} den Link (0x{register}), zuletzt bei {last}.</translation>
+    </message>
+    <message>
+        <source>{slave} missed {missed} SM2 events, and the master was not locked to the reference clock all the time: frames slid through its SYNC0.</source>
+        <translation>{slave} fehlten {missed} SM2-Ereignisse, und der Master war nicht die ganze Zeit auf die Referenzuhr eingerastet: Frames glitten durch SYNC0.</translation>
+    </message>
+    <message>
+        <source>{slave} missed {missed} SM2 events, {part} of them because frames came behind the SYNC0 they were meant for: nominally they are there {margin} before it, but one in a thousand is {lateness} late.</source>
+        <translation>{slave} fehlten {missed} SM2-Ereignisse, {part} davon, weil Frames hinter dem SYNC0 kamen, für das sie bestimmt waren: nominell sind sie {margin} davor da, aber einer von tausend kommt {lateness} zu spät.</translation>
+    </message>
+    <message>
+        <source>{slave} missed {missed} SM2 events, {part} of them because frames were lost; its error counter reached {integrator} of {limit}.</source>
+        <translation>{slave} fehlten {missed} SM2-Ereignisse, {part} davon, weil Frames verloren gingen; der Fehlerzähler erreichte {integrator} von {limit}.</translation>
+    </message>
+    <message>
+        <source>{slave} missed {missed} SM2 events, {part} of them because the host left cycles out; its error counter reached {integrator} of {limit}.</source>
+        <translation>{slave} fehlten {missed} SM2-Ereignisse, {part} davon, weil der Rechner Zyklen ausließ; der Fehlerzähler erreichte {integrator} von {limit}.</translation>
+    </message>
+    <message>
+        <source>{slave} needed longer than its cycle {count} ({object} cycle exceeded), last at {last}.</source>
+        <translation>{slave} brauchte {count} länger als den Zyklus ({object} Cycle exceeded), zuletzt bei {last}.</translation>
+    </message>
+    <message>
+        <source>{slave} skipped {count} cycles because the one before was not over ({object} cycle exceeded): its fieldbus needs longer than a cycle.</source>
+        <translation>{slave} ließ {count} Zyklen aus, weil der davor nicht zu Ende war ({object} Cycle exceeded): sein Feldbus braucht länger als einen Zyklus.</translation>
+    </message>
+    <message>
+        <source>{slave} stays in {state} while others went further.</source>
+        <translation>{slave} bleibt in {state}, während andere weiter sind.</translation>
+    </message>
+    <message>
+        <source>{slave} was {deviation} off its reference clock at {since}, and nobody monitors it.</source>
+        <translation>{slave} wich bei {since} um {deviation} von der Referenzuhr ab, und niemand überwacht das.</translation>
+    </message>
+    <message>
+        <source>{who} cannot be the first slave of the bus: nobody could be in front of it.</source>
+        <translation>{who} kann nicht der erste Slave des Busses sein: niemand könnte vor ihm stehen.</translation>
+    </message>
+    <message>
+        <source>{who} is known by its alias; it has none.</source>
+        <translation>{who} wird am Alias erkannt; er hat keinen.</translation>
+    </message>
+</context>
+</TS>
