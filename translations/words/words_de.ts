@@ -2405,6 +2405,30 @@
         <translation>Der Rechner sendet spät: die Hälfte der Frames um {p50}, einer von hundert um {p99}, einer von tausend um {p999}, höchstens {largest}; um {margin} dürfen sie es sein.</translation>
     </message>
     <message>
+        <source>Other threads held the host</source>
+        <translation>Andere Threads hielten den Rechner auf</translation>
+    </message>
+    <message>
+        <source>Give the master real-time priority above what else runs on this host, or a processor of its own.</source>
+        <translation>Dem Master eine Echtzeitpriorität über allem anderen auf diesem Rechner geben, oder einen Prozessor für sich allein.</translation>
+    </message>
+    <message>
+        <source>The host stood still {times}, for up to {longest}, first at {since}: {count} cycles were left out. Of {held} that the master came too late, it was ready for {waited}, and other threads had its processor.</source>
+        <translation>Der Rechner stand {times} still, bis zu {longest} lang, zuerst bei {since}: {count} Zyklen wurden ausgelassen. Von {held}, die der Master zu spät kam, war er {waited} lang bereit, und andere Threads hatten seinen Prozessor.</translation>
+    </message>
+    <message>
+        <source>The host's timer came late</source>
+        <translation>Der Zeitgeber des Rechners kam zu spät</translation>
+    </message>
+    <message>
+        <source>Look below the operating system: the host of a virtual machine, firmware (system management interrupts), power states, drivers that hold interrupts off. Run the master on a machine of its own.</source>
+        <translation>Unter dem Betriebssystem suchen: der Wirt einer virtuellen Maschine, Firmware (System Management Interrupts), Energiezustände, Treiber, die Interrupts sperren. Den Master auf einer eigenen Maschine betreiben.</translation>
+    </message>
+    <message>
+        <source>The host stood still {times}, for up to {longest}, first at {since}: {count} cycles were left out. The master came {held} too late, of which other threads had its processor for {waited} only: its timer came late.</source>
+        <translation>Der Rechner stand {times} still, bis zu {longest} lang, zuerst bei {since}: {count} Zyklen wurden ausgelassen. Der Master kam {held} zu spät, und nur {waited} davon hatten andere Threads seinen Prozessor: sein Zeitgeber kam zu spät.</translation>
+    </message>
+    <message>
         <source>The host stood still</source>
         <translation>Der Host stand still</translation>
     </message>

@@ -33,19 +33,28 @@ void find_lateness(const RunReport& report, Findings& findings) {
                        time_figure("margin", margin.value_or(report.cycle_time))}});
 }
 
+/// Who held the host, where its kernel tells how long the cyclic thread waited for others.
+Finding stalled(const RunReport& report) {
+  const auto& stalls = report.history.stalls;
+  Finding finding{code::kHostStalled,
+                  Severity::kWarning,
+                  -1,
+                  stalls.first(),
+                  stalls.last(),
+                  {times_figure("times", stalls.list().size()), count_figure("count", stalls.count()),
+                   time_figure("longest", stalls.largest()), moment_figure(report, "since", stalls.first())}};
+  const auto waited = report.host.held_by_others;
+  if (!waited || report.host.held == 0) return finding;
+  finding.code = 2 * *waited >= report.host.held ? code::kHostStalledByOthers : code::kHostTimerLate;
+  finding.figures.push_back(time_figure("held", report.host.held));
+  finding.figures.push_back(time_figure("waited", *waited));
+  return finding;
+}
+
 }  // namespace
 
 void find_host(const RunReport& report, Findings& findings) {
-  const auto& stalls = report.history.stalls;
-  if (!stalls.empty() && report.history.reached_op) {
-    findings.push_back({code::kHostStalled,
-                        Severity::kWarning,
-                        -1,
-                        stalls.first(),
-                        stalls.last(),
-                        {times_figure("times", stalls.list().size()), count_figure("count", stalls.count()),
-                         time_figure("longest", stalls.largest()), moment_figure(report, "since", stalls.first())}});
-  }
+  if (!report.history.stalls.empty() && report.history.reached_op) findings.push_back(stalled(report));
   find_lateness(report, findings);
 }
 

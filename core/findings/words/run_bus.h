@@ -157,6 +157,28 @@ inline constexpr FindingWords kRunBus[] = {
      "Look for what held it: another process of higher priority, power management, the virtual machine's host.",
      "",
      {{"", "The host stood still {times}, for up to {longest}, first at {since}: {count} cycles were left out."}}},
+    {"host-stalled-by-others",
+     Severity::kWarning,
+     "Other threads held the host",
+     "",
+     "Give the master real-time priority above what else runs on this host, or a processor of its own.",
+     "",
+     {{"",
+       "The host stood still {times}, for up to {longest}, first at {since}: {count} cycles were left out. Of {held} "
+       "that "
+       "the master came too late, it was ready for {waited}, and other threads had its processor."}}},
+    {"host-timer-late",
+     Severity::kWarning,
+     "The host's timer came late",
+     "",
+     "Look below the operating system: the host of a virtual machine, firmware (system management interrupts), power "
+     "states, "
+     "drivers that hold interrupts off. Run the master on a machine of its own.",
+     "",
+     {{"",
+       "The host stood still {times}, for up to {longest}, first at {since}: {count} cycles were left out. The master "
+       "came "
+       "{held} too late, of which other threads had its processor for {waited} only: its timer came late."}}},
     {"host-late",
      Severity::kWarning,
      "The host sends late",

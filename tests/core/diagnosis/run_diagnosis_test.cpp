@@ -121,6 +121,19 @@ TEST(RunDiagnosis, LostFramesOfAStandingHostAreTheHosts) {
   EXPECT_THAT(codes(report), ElementsAre(code::kFramesLostByHost, code::kHostStalled));
 }
 
+TEST(RunDiagnosis, TellsWhoHeldTheHostWhereItsKernelCounts) {
+  auto report = healthy();
+  report.history.stalls.note(kStart + 5 * kSecond, 3, 4 * kMillisecond);
+  report.host.held = 4 * kMillisecond;
+  EXPECT_THAT(codes(report), ElementsAre(code::kHostStalled));
+  report.host.held_by_others = 3 * kMillisecond;
+  EXPECT_THAT(codes(report), ElementsAre(code::kHostStalledByOthers));
+  EXPECT_THAT(describe(diagnose(report)[0]), HasSubstr("Of 4.000 ms"));
+  report.host.held_by_others = 30 * kMicrosecond;
+  EXPECT_THAT(codes(report), ElementsAre(code::kHostTimerLate));
+  EXPECT_THAT(describe(diagnose(report)[0]), HasSubstr("its timer came late"));
+}
+
 TEST(RunDiagnosis, SaysHowMuchMoreTimeLateFramesNeed) {
   auto report = healthy();
   report.slaves[1].sync0_margin = 30 * kMicrosecond;
