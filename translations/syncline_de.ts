@@ -4032,6 +4032,10 @@ Einstellung %2</translation>
             <source>As described (%1)</source>
             <translation>Wie beschrieben (%1)</translation>
         </message>
+        <message>
+            <source>None: the slave starts with what it has.</source>
+            <translation>Keine: der Slave startet mit dem, was er hat.</translation>
+        </message>
     </context>
     <context>
         <name>DifferenceDialog</name>
@@ -4391,6 +4395,14 @@ Einstellung %2</translation>
         <message>
             <source>Base task</source>
             <translation>Basis-Task</translation>
+        </message>
+        <message>
+            <source>None: all process data are exchanged in each bus cycle.</source>
+            <translation>Keine: alle Prozessdaten werden in jedem Buszyklus ausgetauscht.</translation>
+        </message>
+        <message>
+            <source>None: the slaves share their datagrams. A unit is given to a slave on its page Data Options.</source>
+            <translation>Keine: die Slaves teilen sich ihre Datagramme. Eine Unit bekommt ein Slave auf seiner Seite Datenoptionen.</translation>
         </message>
     </context>
     <context>

@@ -385,6 +385,7 @@ void MainWindow::rememberLayout() {
 void MainWindow::closeEvent(QCloseEvent* event) {
   editor_->commitFields();
   if (!files_->mayDiscard()) return event->ignore();
+  workspace_.autosave().forget();
   workspace_.scan().cancel();
   workspace_.live().shutDown();
   event->accept();

@@ -8,9 +8,13 @@
 #include <QTabWidget>
 #include <QTextStream>
 
+#include "settings/settings_table.h"
 #include "ui/dialogs/about_dialog.h"
 #include "ui/dialogs/bus_commands.h"
+#include "ui/dialogs/difference_dialog.h"
+#include "ui/dialogs/found_dialog.h"
 #include "ui/dialogs/link_chooser.h"
+#include "ui/dialogs/recovery_dialog.h"
 #include "ui/main_window.h"
 #include "ui/pages/device_editor.h"
 #include "ui/panels/live_strip.h"
@@ -74,6 +78,40 @@ void takePages(Camera& camera, ui::MainWindow& window, ui::Workspace& workspace,
   }
 }
 
+/// A machine that is one slave short, one too many and one in another revision.
+ui::ScanOutcome otherBus(const Project& project) {
+  ui::ScanOutcome outcome;
+  outcome.built.project = project;
+  auto& slaves = outcome.built.project.slaves;
+  if (slaves.size() < 4) return outcome;
+  slaves[3].device.identity.revision_no += 0x10000;
+  slaves.erase(slaves.begin() + 2);
+  slaves.push_back(slaves[1]);
+  return outcome;
+}
+
+/// What asks and compares, with the bar above the pages.
+void takeQuestions(Camera& camera, ui::MainWindow& window, ui::Workspace& workspace, const QString& theme) {
+  ui::FoundDialog found(workspace.document().project(), otherBus(workspace.document().project()), workspace.link(),
+                        &window);
+  found.show();
+  camera.take(found, theme + QStringLiteral("-scan-result"));
+  const ui::KeptWork work{QStringLiteral("/home/user/press.syncline"), QDateTime::currentDateTime(),
+                          QStringLiteral("SYNC0"), 9};
+  ui::RecoveryDialog recovery(workspace.autosave(), {{{}, work}}, &window);
+  recovery.show();
+  camera.take(recovery, theme + QStringLiteral("-recovery"));
+  const ui::SettingEdit cycle{&settings::row("master.cycle_time_us"), {}, settings::Value{2 * kMillisecond}};
+  const ui::SettingEdit gain{&settings::row("master.dc.gain_ppt"), {}, settings::Value{std::int64_t{5}}};
+  static_cast<void>(workspace.document().set({}, {cycle, gain}));
+  static_cast<void>(workspace.configuration().current());
+  camera.take(window, theme + QStringLiteral("-run-bar"));
+  ui::DifferenceDialog difference(workspace, &window);
+  difference.show();
+  camera.take(difference, theme + QStringLiteral("-differences"));
+  workspace.document().undoStack().undo();
+}
+
 void takeDialogs(Camera& camera, ui::MainWindow& window, ui::Workspace& workspace, const QString& theme) {
   ui::AboutDialog about(workspace.environment().version, &window);
   about.show();
@@ -106,6 +144,7 @@ bool renderScreenshots(ui::MainWindow& window, ui::Workspace& workspace, const Q
     takePages(camera, window, workspace, ui::theme::modeName(mode) + QStringLiteral("-expert"));
     workspace.setExpert(false);
     takeDialogs(camera, window, workspace, ui::theme::modeName(mode));
+    takeQuestions(camera, window, workspace, ui::theme::modeName(mode));
   }
   workspace.live().shutDown();
   if (!in_sync) err << "the demonstration machine did not get in sync\n";

@@ -23,7 +23,7 @@ BusCommands::BusCommands(Workspace& workspace, QWidget& window)
 }
 
 void BusCommands::scan() {
-  auto* chooser = new LinkChooser(workspace_.environment(), workspace_.link(), tr("Scan"), &window_);
+  auto* chooser = new LinkChooser(workspace_.environment(), workspace_.usualLink(), tr("Scan"), &window_);
   chooser->setAttribute(Qt::WA_DeleteOnClose);
   connect(chooser, &QDialog::accepted, this, [this, chooser] { scanLink(chooser->link()); });
   chooser->open();
@@ -68,7 +68,7 @@ void BusCommands::showFound(const QString& link, const ScanOutcome& outcome) {
 
 void BusCommands::goOnline() {
   if (!workspace_.link().isEmpty()) return start();
-  auto* chooser = new LinkChooser(workspace_.environment(), {}, tr("Go Online"), &window_);
+  auto* chooser = new LinkChooser(workspace_.environment(), workspace_.usualLink(), tr("Go Online"), &window_);
   chooser->setAttribute(Qt::WA_DeleteOnClose);
   connect(chooser, &QDialog::accepted, this, [this, chooser] {
     workspace_.setLink(chooser->link());

@@ -154,7 +154,6 @@ bool FileCommands::mayDiscard() {
       &window_, tr("Syncline"), tr("Save the changes to %1?").arg(workspace_.document().displayName()),
       QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
   if (answer == QMessageBox::Save) return save();
-  if (answer == QMessageBox::Discard) workspace_.autosave().forget();
   return answer == QMessageBox::Discard;
 }
 

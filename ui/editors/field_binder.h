@@ -111,6 +111,8 @@ class FieldBinder final : public QObject {
     QLabel* note = nullptr;  // below it, made when there is something to say
   };
   [[nodiscard]] const std::vector<Bound>& bound() const { return bound_; }
+  /// Those that have fields here, once each; also of lists that nobody has filled yet.
+  [[nodiscard]] std::vector<const settings::Setting*> settings() const;
 
  private:
   using Where = std::function<std::optional<settings::Place>()>;

@@ -163,6 +163,16 @@ bool FieldBinder::wanted(int node) const {
   });
 }
 
+std::vector<const Setting*> FieldBinder::settings() const {
+  std::vector<const Setting*> all;
+  const auto add = [&all](const Setting* setting) {
+    if (std::ranges::find(all, setting) == all.end()) all.push_back(setting);
+  };
+  for (const auto& bound : bound_) add(bound.setting);
+  for (const auto& items : items_) add(&settings::row(items->key));
+  return all;
+}
+
 QWidget* FieldBinder::fieldOf(const Setting& setting, const settings::Place& place) const {
   for (const auto& bound : bound_) {
     if (bound.setting != &setting || bound.widget->isHidden()) continue;

@@ -58,6 +58,12 @@ RecordEditor::RecordEditor(Page& page, const char* name, const QString& title, R
       table_->setColumnWidth(i, width);
     }
   }
+  nothing_ = new QLabel(list.nothing);
+  nothing_->setWordWrap(true);
+  nothing_->setAlignment(Qt::AlignCenter);
+  nothing_->setEnabled(false);
+  auto* inside = new QVBoxLayout(table_->viewport());
+  inside->addWidget(nothing_);
   form_ = new RecordForm(page, std::move(list), std::move(parts), [this] { return row(); });
   auto* layout = new QBoxLayout(beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom, this);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -100,6 +106,7 @@ void RecordEditor::showRecords() {
     lines.push_back(std::move(line));
   }
   showing_ = true;
+  nothing_->setVisible(lines.empty());
   model_->setLines(lines);
   if (row() < 0 && !lines.empty()) table_->setCurrentIndex(model_->index(0, 0));
   showing_ = false;

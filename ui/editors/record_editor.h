@@ -5,6 +5,7 @@
 
 #include "ui/editors/record_part.h"
 
+class QLabel;
 class QTableView;
 
 namespace syncline::ui {
@@ -40,6 +41,7 @@ class RecordEditor final : public QWidget {
   QTableView* table_;
   RecordForm* form_;
   Card* card_;
+  QLabel* nothing_;
   bool showing_ = false;  // rows come and go because the project says so
 };
 

@@ -42,6 +42,7 @@ struct RecordPart {
 struct RecordList {
   const char* key = "";  // its row says what it is; a field's What's This shows it
   QString item;          // "task", for undo steps and buttons
+  QString nothing{};     // stands in the empty table
   bool ordered = false;  // the order means something: records can be moved
   std::function<Records()> read;
   /// What makes `after` of `before`, in one undo step.

@@ -123,6 +123,7 @@ MasterTasksPage::MasterTasksPage(Workspace& workspace) : Page(workspace, "master
 
 RecordList MasterTasksPage::tasks() {
   RecordList list{.key = kTask, .item = tr("task"), .read = {}, .edits = {}, .fresh = {}, .place = {}};
+  list.nothing = tr("None: all process data are exchanged in each bus cycle.");
   list.read = [this] {
     Records records;
     for (const auto& task : project().master.tasks)
@@ -142,6 +143,7 @@ RecordList MasterTasksPage::tasks() {
 
 RecordList MasterTasksPage::units() {
   RecordList list{.key = kUnit, .item = tr("Sync Unit"), .read = {}, .edits = {}, .fresh = {}, .place = {}};
+  list.nothing = tr("None: the slaves share their datagrams. A unit is given to a slave on its page Data Options.");
   list.read = [this] {
     Records records;
     for (const auto& unit : project().master.sync_units)

@@ -30,8 +30,10 @@ constexpr const char *kFreshCoe = "PS 0x2000:00=00 off", *kFreshSoe = "PS 0:S-0-
 
 SlaveStartupPage::SlaveStartupPage(Workspace& workspace) : Page(workspace, "slaveStartupPage", tr("Start-up")) {
   auto coe = listOf(kCoe, tr("start-up command"));
+  coe.nothing = tr("None: the slave starts with what it has.");
   coe.fresh = [](const Records&) { return std::string(kFreshCoe); };
   auto soe = listOf(kSoe, tr("SoE start-up command"));
+  soe.nothing = coe.nothing;
   soe.fresh = [](const Records&) { return std::string(kFreshSoe); };
   coe_ = new RecordEditor(*this, "startup", tr("Objects (CoE)"), std::move(coe),
                           coeParts([this](const StartupCommand& command) { return typeOf(command); }), true);

@@ -219,6 +219,8 @@ std::vector<RecordPart> coeParts(const ValueType& type) {
        .text = kCoe.text(objectText),
        .put = kCoe.put(setObject)},
       valuePart(type),
+      commentPart(kCoe, "coeComment"),
+      timeoutPart(kCoe, "coeTimeout"),
       toggle(kCoe, "coeComplete", Words::tr("Complete access"),
              Words::tr("The value is the whole object, from sub-index 0 or 1 on (ENI InitCmd@CompleteAccess)"), -1,
              &StartupCommand::complete_access),
@@ -226,9 +228,7 @@ std::vector<RecordPart> coeParts(const ValueType& type) {
              Words::tr("The device needs the command as it is (ENI InitCmd@Fixed)"), -1, &StartupCommand::fixed),
       toggle(kCoe, "coeAdapt", Words::tr("Adapt automatically"),
              Words::tr("The value follows another setting, such as the cycle time (ESI InitCmd@AdaptAutomatically)"),
-             -1, &StartupCommand::adapt_automatically),
-      timeoutPart(kCoe, "coeTimeout"),
-      commentPart(kCoe, "coeComment")};
+             -1, &StartupCommand::adapt_automatically)};
 }
 
 std::vector<RecordPart> soeParts() {
@@ -254,10 +254,10 @@ std::vector<RecordPart> soeParts() {
            .text = kSoe.text(
                [](const SoeCommand& command) { return QString::fromStdString(value_text(kBytesType, command.data)); }),
            .put = kSoe.put(setBytes)},
-          toggle(kSoe, "soeFixed", Words::tr("Fixed"),
-                 Words::tr("The device needs the command as it is (ENI InitCmd@Fixed)"), -1, &SoeCommand::fixed),
+          commentPart(kSoe, "soeComment"),
           timeoutPart(kSoe, "soeTimeout"),
-          commentPart(kSoe, "soeComment")};
+          toggle(kSoe, "soeFixed", Words::tr("Fixed"),
+                 Words::tr("The device needs the command as it is (ENI InitCmd@Fixed)"), -1, &SoeCommand::fixed)};
 }
 
 }  // namespace syncline::ui

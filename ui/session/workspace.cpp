@@ -7,6 +7,13 @@
 #include "ui/text/event_text.h"
 
 namespace syncline::ui {
+namespace {
+
+const QString kLastLink = QStringLiteral("link");
+
+}  // namespace
+
+QString Workspace::usualLink() const { return link_.isEmpty() ? memory_.value(kLastLink).toString() : link_; }
 
 Workspace::Workspace(Environment environment, QObject* parent)
     : QObject(parent),
@@ -53,6 +60,7 @@ void Workspace::setExpert(bool expert) {
 void Workspace::setLink(const QString& link) {
   if (link_ == link) return;
   link_ = link;
+  memory_.setValue(kLastLink, link);
   Q_EMIT linkChanged();
 }
 

@@ -45,6 +45,8 @@ class Workspace final : public QObject {
   /// LINK that scan and online use; empty until one was chosen.
   [[nodiscard]] const QString& link() const { return link_; }
   void setLink(const QString& link);
+  /// What to propose: the link, or that of the last time.
+  [[nodiscard]] QString usualLink() const;
 
   /// Whether settings that few machines need are shown.
   [[nodiscard]] bool expert() const { return expert_; }
