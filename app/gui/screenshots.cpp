@@ -87,6 +87,8 @@ ui::ScanOutcome otherBus(const Project& project) {
   slaves[3].device.identity.revision_no += 0x10000;
   slaves.erase(slaves.begin() + 2);
   slaves.push_back(slaves[1]);
+  for (std::size_t i = 1; i < slaves.size(); ++i)
+    slaves[i].previous = PreviousPort{static_cast<std::uint16_t>(i - 1), 1};
   return outcome;
 }
 

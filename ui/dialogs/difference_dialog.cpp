@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 
 #include "settings/settings_table.h"
+#include "ui/editors/number_text.h"
 #include "ui/models/difference_model.h"
 #include "ui/session/workspace.h"
 #include "ui/text/glossary.h"
@@ -17,8 +18,12 @@
 namespace syncline::ui {
 namespace {
 
-QString side(const std::string& text) {
-  return text.empty() ? QStringLiteral("\u2013") : settingWord(text);  // "auto", "on" and the like have words
+/// "auto", "on" and the like have words, numbers their unit.
+QString side(const settings::Setting& setting, const std::string& text) {
+  if (text.empty()) return QStringLiteral("\u2013");
+  const auto* number = std::get_if<settings::Number>(&setting.type);
+  const auto unit = number != nullptr && text != setting.unset ? unitText(*number) : QString();
+  return unit.isEmpty() ? settingWord(text) : QStringLiteral("%1 %2").arg(QString::fromStdString(text), unit);
 }
 
 std::vector<DifferenceModel::Line> linesOf(const RunDifference& difference, const Project& project) {
@@ -32,8 +37,8 @@ std::vector<DifferenceModel::Line> linesOf(const RunDifference& difference, cons
   }
   for (const auto& one : difference.settings()) {
     const int slave = one.setting->of_slave() ? static_cast<int>(one.place.slave) : -1;
-    lines.push_back({nodeName(project, slave), settingLabel(*one.setting), side(one.left), side(one.right),
-                     QString::fromStdString(settings::key_of(*one.setting, one.place))});
+    lines.push_back({nodeName(project, slave), settingLabel(*one.setting), side(*one.setting, one.left),
+                     side(*one.setting, one.right), QString::fromStdString(settings::key_of(*one.setting, one.place))});
   }
   return lines;
 }

@@ -65,7 +65,7 @@ FoundDialog::FoundDialog(const Project& ours, ScanOutcome outcome, const QString
     : QDialog(parent), ours_(ours), outcome_(std::move(outcome)) {
   setObjectName(QStringLiteral("foundDialog"));
   setWindowTitle(tr("Scan Result"));
-  resize(860, 460);
+  resize(980, 460);
   model_ = new FoundModel(ours_, outcome_.built.project, this);
   auto* layout = new QVBoxLayout(this);
   layout->setSpacing(10);

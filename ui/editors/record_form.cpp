@@ -20,6 +20,7 @@ namespace syncline::ui {
 namespace {
 
 constexpr int kSetColumns = 5;
+constexpr const char* kWord = "word";
 const QString kOn = QStringLiteral("on");
 
 }  // namespace
@@ -96,6 +97,7 @@ QWidget* RecordForm::makeSet(const RecordPart& part) {
     auto* button = new QToolButton;
     button->setObjectName(QLatin1String(part.object_name) + word);
     button->setText(word);
+    button->setProperty(kWord, word);
     button->setAccessibleName(text);
     button->setToolTip(text);
     button->setCheckable(true);
@@ -113,7 +115,11 @@ QWidget* RecordForm::makeSet(const RecordPart& part) {
   }
   bind(*area, part, [buttons](const QString& text) {
     const auto words = text.split(u',');
-    for (auto* button : buttons) button->setChecked(words.contains(button->text()));
+    for (auto* button : buttons) {
+      const auto word = button->property(kWord).toString();
+      button->setChecked(words.contains(word));
+      button->setText(button->isChecked() ? QStringLiteral("\u2713 ") + word : word);  // no theme hides that
+    }
   });
   return area;
 }
