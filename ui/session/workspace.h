@@ -55,6 +55,7 @@ class Workspace final : public QObject {
 
  private:
   void showFindings();
+  void showRunFindings();
   void takeScan(const QString& link, const eni::BuiltProject& built);
 
   Environment environment_;

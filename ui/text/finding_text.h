@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QString>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -13,6 +14,9 @@ namespace syncline::ui {
 [[nodiscard]] QString findingText(const Finding& finding);
 /// What to do; empty where nothing is to be done.
 [[nodiscard]] QString findingAdvice(const Finding& finding);
+
+/// "Slaves 3 to 17, 19"
+[[nodiscard]] QString slavesText(std::span<const int> positions);
 
 /// The sentences and phrases that every translation has to know (context "Finding" of translations/words).
 [[nodiscard]] std::vector<std::string_view> translatableFindings();
