@@ -2681,6 +2681,18 @@ Einstellung %2</translation>
     <context>
     <name>Finding</name>
     <message>
+        <source>Slaves %1</source>
+        <translation>Slaves %1</translation>
+    </message>
+    <message>
+        <source>each of slaves %1</source>
+        <translation>jeweils Slave %1</translation>
+    </message>
+    <message>
+        <source> to </source>
+        <translation> bis </translation>
+    </message>
+    <message>
         <source>at least %1</source>
         <translation>mindestens %1</translation>
     </message>

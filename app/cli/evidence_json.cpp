@@ -7,6 +7,7 @@
 
 #include "app/cli/findings_text.h"
 #include "diagnosis/run_diagnosis.h"
+#include "findings/fold.h"
 
 namespace syncline::cli {
 namespace {
@@ -72,7 +73,7 @@ Json findings_json(const RunReport& report) {
 
 std::string findings_text(const RunReport& report) {
   std::string text;
-  for (const auto& finding : diagnose(report)) {
+  for (const auto& [finding, slaves] : folded(diagnose(report))) {
     fmt::format_to(std::back_inserter(text), "{}: {}\n", severity_name(finding.severity), describe(finding));
   }
   return text;

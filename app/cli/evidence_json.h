@@ -10,7 +10,7 @@ namespace syncline::cli {
 [[nodiscard]] Json findings_json(const RunReport& report);
 /// What was read of a slave besides its clock: ports, watchdogs, 0x1C32 and 0x1C33, each with its age.
 [[nodiscard]] Json evidence_json(const RunReport::Slave& slave, Nanoseconds now);
-/// One line a finding, most severe first.
+/// One line a finding, most severe first; what many slaves have alike is one line.
 [[nodiscard]] std::string findings_text(const RunReport& report);
 
 }  // namespace syncline::cli

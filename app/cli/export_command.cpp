@@ -13,8 +13,8 @@
 #include "eni/format/eni_file.h"
 #include "eni/xml/xml_text.h"
 #include "exports/exports.h"
+#include "findings/recovered_words.h"
 #include "findings/sentence.h"
-#include "findings/words/recovered.h"
 #include "recover/recover_project.h"
 
 namespace syncline::cli {

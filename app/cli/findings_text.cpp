@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "findings/fold.h"
+
 namespace syncline::cli {
 namespace {
 
@@ -23,6 +25,7 @@ Json figure_json(const Figure& figure) {
     case Unit::kHex16:
     case Unit::kHex32:
     case Unit::kHex:
+    case Unit::kSlaves:
     case Unit::kAlStatus:
     case Unit::kAlCode:
     case Unit::kText:
@@ -80,10 +83,16 @@ Json to_json(const std::vector<Finding>& findings) {
 }
 
 void print(std::ostream& out, const std::vector<Finding>& findings) {
-  for (const auto& finding : findings) {
-    const auto place = finding.place.slave < 0 ? std::string("master") : fmt::format("slave {}", finding.place.slave);
-    out << fmt::format("{}: {}: {}{}\n", severity_name(finding.severity), place, describe(finding),
-                       finding.place.key.empty() ? "" : " [" + finding.place.key + "]");
+  for (const auto& [finding, slaves] : folded(findings)) {
+    const auto& place = finding.place;
+    const auto where = place.slave < 0     ? std::string("master")
+                       : slaves.size() > 1 ? "slaves " + ranges_text(slaves)
+                                           : fmt::format("slave {}", place.slave);
+    auto key = place.key;
+    const auto own = fmt::format("slave.{}.", place.slave);
+    if (slaves.size() > 1 && key.starts_with(own)) key = "slave.N." + key.substr(own.size());
+    out << fmt::format("{}: {}: {}{}\n", severity_name(finding.severity), where, describe(finding),
+                       key.empty() ? "" : " [" + key + "]");
   }
 }
 

@@ -15,7 +15,7 @@ namespace syncline::cli {
 [[nodiscard]] Json place_json(const Place& place);
 /// The figures by name, whose end says the unit.
 [[nodiscard]] Json figures_json(const Finding& finding);
-/// One line a finding.
+/// One line a finding; what many slaves have alike is one line.
 void print(std::ostream& out, const std::vector<Finding>& findings);
 
 }  // namespace syncline::cli

@@ -117,7 +117,9 @@ void print_json(Context& context, const Options& options, const ImageReport& rep
                  {"bandwidth", report.bandwidth},
                  {"frames", frames},
                  {"slaves", slaves},
-                 {"movable", movable}});
+                 {"movable", movable},
+                 {"travel_time_us", us(report.travel_time)},
+                 {"busiest_cycle_us", us(report.busiest_cycle)}});
 }
 
 void print_text(Context& context, const ImageReport& report) {
@@ -127,6 +129,9 @@ void print_text(Context& context, const ImageReport& report) {
                      counted(report.output_bytes, "byte"), counted(report.input_bytes, "byte"), report.frames_per_cycle,
                      one ? "frame" : "frames", us(report.cycle), one ? "takes" : "take", us(report.wire_time),
                      report.bandwidth * 100);
+  out << fmt::format("on its way through {} a frame needs about {:g} us: the last one is back after {:g} us{}\n",
+                     counted(report.slaves.size(), "slave"), us(report.travel_time), us(report.busiest_cycle),
+                     report.busiest_cycle > report.cycle ? ", which is longer than the cycle" : "");
   for (std::size_t i = 0; i < report.frames.size(); ++i) {
     const auto& frame = report.frames[i];
     out << fmt::format("frame {}: every {:g} us, {}, {} ({} of process data), {:g} us\n", i, us(frame.cycle),

@@ -113,17 +113,9 @@ Refusal refusal(const Demand& demand, Nanoseconds bus_cycle) {
   return {};
 }
 
-Nanoseconds wire_time_of(const NetworkConfig& config) {
-  Nanoseconds sum = 0;
-  for (const auto& task : config.cyclic) {
-    for (const auto& frame : task.frames) sum += compiler::wire_time(frame);
-  }
-  return sum;
-}
-
 class Help {
  public:
-  Help(const Project& project, const NetworkConfig& config) : project_(project), wire_time_(wire_time_of(config)) {
+  Help(const Project& project, const NetworkConfig& config) : project_(project), need_(cycle_need(config, true)) {
     const auto tasks = compiler::unit_tasks(project.master);
     for (std::size_t i = 0; i < project.slaves.size(); ++i) demands_.push_back(demand_of(project, i, tasks));
   }
@@ -194,9 +186,16 @@ class Help {
       candidate.refusals.push_back(
           {-1, {}, fmt::format("the bus cycle is {} to {}", microseconds(kShortest), microseconds(kLongest))});
     }
-    if (wire_time_ >= cycle) {
+    if (need_.wire >= cycle) {
       candidate.refusals.push_back(
-          {-1, {}, fmt::format("the cyclic frames take {} of wire time", microseconds(wire_time_))});
+          {-1, {}, fmt::format("the cyclic frames take {} of wire time", microseconds(need_.wire))});
+    } else if (need_.all() > cycle) {
+      candidate.refusals.push_back(
+          {-1,
+           {},
+           fmt::format("the cyclic frames take {} of wire time and about {} through the slaves",
+                       microseconds(need_.wire), microseconds(need_.travel)),
+           true});
     }
     for (const Demand& demand : demands_) {
       auto refused = refusal(demand, cycle);
@@ -207,7 +206,7 @@ class Help {
   }
 
   const Project& project_;
-  Nanoseconds wire_time_;
+  CycleNeed need_;
   std::vector<Demand> demands_;
   CycleTimeHelp help_;
 };

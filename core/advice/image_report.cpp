@@ -59,7 +59,7 @@ class Reporter {
     for (std::size_t t = 0; t < config_.cyclic.size(); ++t) {
       const CyclicTask& task = config_.cyclic[t];
       for (const CyclicFrame& frame : task.frames) {
-        FrameLoad load{t, task.cycle_time, frame.commands.size(), 0, 0, compiler::wire_time(frame)};
+        FrameLoad load{t, task.cycle_time, frame.commands.size(), 0, 0, syncline::wire_time(frame)};
         load.bytes = std::max(payload(frame), kMinimumPayload) + kHeaderAndFcs;
         for (const auto& cmd : frame.commands) load.process_data_bytes += is_process_data(cmd) ? cmd.length() : 0U;
         report_.frames_per_cycle += 1.0 / multiple(task);
@@ -162,7 +162,11 @@ class Reporter {
 }  // namespace
 
 ImageReport image_report(const Project& project, const NetworkConfig& config) {
-  return Reporter(project, config).build();
+  auto report = Reporter(project, config).build();
+  const auto need = cycle_need(config, true);
+  report.travel_time = need.travel;
+  report.busiest_cycle = need.all();
+  return report;
 }
 
 }  // namespace syncline

@@ -52,6 +52,8 @@ struct ImageReport {
   double frames_per_cycle = 0;         // average; a slower task counts by its share
   Nanoseconds wire_time = 0;           // of all frames, average of a bus cycle
   Nanoseconds busiest_wire_time = 0;   // in a cycle in which all tasks are due
+  Nanoseconds travel_time = 0;         // through all slaves, estimated: until a frame is back
+  Nanoseconds busiest_cycle = 0;       // until the last frame of such a cycle is back
   double bandwidth = 0;                // wire_time of the cycle, 0..1
   std::vector<SlaveLoad> slaves;       // the costliest first; equal ones in bus order
   std::vector<MovableObject> movable;  // the largest saving first

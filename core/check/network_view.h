@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "check/check_network.h"
+#include "findings/eni_words.h"
 #include "findings/sentence.h"
-#include "findings/words/eni.h"
 #include "protocol/fmmu.h"
 #include "protocol/sync_manager.h"
 

@@ -28,16 +28,22 @@ void check_timeouts(const NetworkView& view, Findings& findings) {
   }
 }
 
-void check_load(std::size_t t, const CyclicTask& task, Findings& findings) {
+void check_load(const NetworkView& view, std::size_t t, Findings& findings) {
+  const CyclicTask& task = view.config.cyclic[t];
+  const ConfigPlace place{PlaceKind::kTask, t};
   Nanoseconds wire = 0;
-  for (const auto& frame : task.frames) wire += compiler::wire_time(frame);
+  for (const auto& frame : task.frames) wire += wire_time(frame);
+  const std::size_t slaves = view.config.slaves.size();
+  const auto travel = wire > 0 ? static_cast<Nanoseconds>(slaves) * kTravelPerSlave : 0;
   const auto frames = fig::count<"frames">(task.frames.size());
   const auto taken = fig::time<"wire">(wire);
   const auto cycle = fig::time<"cycle">(task.cycle_time);
   if (wire > task.cycle_time) {
-    findings.add("ENI-TIME-03", {PlaceKind::kTask, t}, frames, taken, cycle);
+    findings.add("ENI-TIME-03", place, frames, taken, cycle);
+  } else if (wire + travel > task.cycle_time) {
+    findings.add("ENI-TIME-08", place, frames, taken, fig::time<"travel">(travel), fig::count<"slaves">(slaves), cycle);
   } else if (wire > task.cycle_time / 10 * 8) {
-    findings.add("ENI-TIME-04", {PlaceKind::kTask, t}, frames, taken, cycle);
+    findings.add("ENI-TIME-04", place, frames, taken, cycle);
   }
 }
 
@@ -49,7 +55,7 @@ void check_cycles(const NetworkView& view, Findings& findings) {
       findings.add("ENI-TIME-05", {PlaceKind::kTask, t}, fig::time<"cycle">(tasks[t].cycle_time));
       continue;
     }
-    check_load(t, tasks[t], findings);
+    check_load(view, t, findings);
     const Nanoseconds base = tasks.front().cycle_time;
     if (tasks.front().cycle_time_given && base > 0 && tasks[t].cycle_time % base != 0) {
       findings.add("ENI-TIME-06", {PlaceKind::kTask, t}, fig::time<"cycle">(tasks[t].cycle_time),

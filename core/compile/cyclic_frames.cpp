@@ -221,15 +221,4 @@ CyclicLayout cyclic_frames(const ImageLayout& image, const CyclicOptions& option
   return layout;
 }
 
-Nanoseconds wire_time(const CyclicFrame& frame) {
-  constexpr std::uint32_t kMinimumPayload = 46;
-  constexpr std::uint32_t kAroundPayload = 8 + 14 + 4 + 12;  // preamble, Ethernet header, FCS, gap
-  constexpr Nanoseconds kByteTime = 80;
-  std::uint32_t payload = 2;
-  for (const auto& cmd : frame.commands) {
-    payload += size_on_wire(cmd);
-  }
-  return (std::max(payload, kMinimumPayload) + kAroundPayload) * kByteTime;
-}
-
 }  // namespace syncline::compiler

@@ -7,6 +7,7 @@
 
 #include "compile/compile.h"
 #include "compile/process_image.h"
+#include "config/frame_time.h"
 #include "config/network_config.h"
 
 namespace syncline::compiler {
@@ -47,8 +48,5 @@ struct CyclicLayout {
 ///   headers in the frame, the data 10 bytes behind.
 /// A frame that would exceed Ethernet's maximum is split between commands.
 [[nodiscard]] CyclicLayout cyclic_frames(const ImageLayout& image, const CyclicOptions& options);
-
-/// Time on a 100 Mbit/s wire of one frame with these commands: preamble, header, padding, FCS and gap included.
-[[nodiscard]] Nanoseconds wire_time(const CyclicFrame& frame);
 
 }  // namespace syncline::compiler

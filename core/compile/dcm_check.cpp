@@ -5,8 +5,8 @@
 
 #include "compile/cyclic_frames.h"
 #include "config/external_clock.h"
+#include "findings/project_master_words.h"
 #include "findings/sentence.h"
-#include "findings/words/project_master.h"
 #include "protocol/dcm_error.h"
 #include "protocol/registers.h"
 #include "settings/dc_check.h"
@@ -68,7 +68,7 @@ bool bus_shift_configured(const NetworkConfig& config) {
 Nanoseconds least_set_value(const NetworkConfig& config, Nanoseconds propagation_delay) {
   Nanoseconds wire = propagation_delay;
   if (!config.cyclic.empty()) {
-    for (const auto& frame : config.cyclic.front().frames) wire += compiler::wire_time(frame);
+    for (const auto& frame : config.cyclic.front().frames) wire += wire_time(frame);
   }
   return wire;
 }

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "findings/project_words.h"
 #include "findings/sentence.h"
-#include "findings/words/project.h"
 
 namespace syncline::compiler {
 
@@ -21,6 +21,11 @@ class FindingList {
   template <FigureName... kNames>
   void add(Sentence<kNames...> code, Named<kNames>... figures) {
     out_.push_back(make_finding<words::kProject, kNames...>(code, slave_, std::move(figures)...));
+  }
+  template <FigureName... kNames>
+  void add_as(Severity severity, Sentence<kNames...> code, Named<kNames>... figures) {
+    add<kNames...>(code, std::move(figures)...);
+    out_.back().severity = severity;
   }
   /// `key`: the setting without "master." or "slave.N.".
   template <FigureName... kNames>

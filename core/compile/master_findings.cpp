@@ -16,18 +16,22 @@ namespace syncline::compiler {
 namespace {
 
 void check_cycle(FindingList& findings, const Project& project, const NetworkConfig& config) {
+  const std::size_t slaves = config.slaves.size();
   const Nanoseconds cycle = project.master.cycle_time;
   if (cycle % kMicrosecond != 0) {
     findings.add("cycle-not-whole-microseconds", fig::time<"cycle">(cycle));
   }
-  Nanoseconds on_wire = 0;
-  for (const auto& frame : config.cyclic.front().frames) {
-    on_wire += wire_time(frame);
-  }
-  if (on_wire >= cycle) {
-    findings.add("cycle-too-short", fig::time<"wire">(on_wire), fig::time<"cycle">(cycle));
-  } else if (on_wire * 10 >= cycle * 8) {
-    findings.add("cycle-nearly-full", fig::time<"wire">(on_wire), fig::time<"cycle">(cycle));
+  const auto need = cycle_need(config);
+  const auto wire = fig::time<"wire">(need.wire);
+  const auto length = fig::time<"cycle">(cycle);
+  if (need.wire >= cycle) {
+    findings.add("cycle-too-short", wire, length);
+  } else if (need.all() > cycle) {
+    // What slaves need is an estimate, and stops nobody.
+    findings.add_as(Severity::kWarning, "cycle-too-short/travel", wire, length, fig::time<"needed">(need.all()),
+                    fig::time<"travel">(need.travel), fig::count<"slaves">(slaves));
+  } else if (need.wire * 10 >= cycle * 8) {
+    findings.add("cycle-nearly-full", wire, length);
   }
 }
 
@@ -73,10 +77,7 @@ void check_dc_settings(FindingList& findings, const Project& project, const std:
 /// Frames of the slower tasks are sent together with those of the base task when their cycle comes.
 void check_busiest_cycle(FindingList& findings, const NetworkConfig& config) {
   if (config.cyclic.size() < 2) return;
-  Nanoseconds on_wire = 0;
-  for (const auto& task : config.cyclic) {
-    for (const auto& frame : task.frames) on_wire += wire_time(frame);
-  }
+  const Nanoseconds on_wire = cycle_need(config, true).wire;
   if (const Nanoseconds cycle = config.cycle_time(); on_wire >= cycle) {
     findings.add("cycle-too-short/busiest", fig::time<"wire">(on_wire), fig::time<"cycle">(cycle));
   }

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
+#include "findings/eni_devices_words.h"
 #include "findings/sentence.h"
-#include "findings/words/eni_devices.h"
 #include "protocol/dc_registers.h"
 
 namespace syncline::families {

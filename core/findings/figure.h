@@ -19,6 +19,7 @@ struct Figure {
     kMoment,       // kMoment: ns since the run began
     kPpm,          // value in thousandths
     kSlave,        // position; `other` is the last one of a range, or the same; -1 the host, -2 nobody; `text` its name
+    kSlaves,       // each of several: `text` are their positions, "3 to 17, 19"
     kPort,
     kHex16,
     kHex32,
@@ -32,7 +33,7 @@ struct Figure {
   std::string_view name;
   Unit unit = Unit::kCount;
   std::int64_t value = 0, other = 0;
-  std::string text{};  // kText, kPhrase, kAside, kSlave; kCount, kTimes: "at least" when it is not empty
+  std::string text{};  // kText, kPhrase, kAside, kSlave, kSlaves; kCount, kTimes: "at least" when it is not empty
   bool operator==(const Figure&) const = default;
 };
 

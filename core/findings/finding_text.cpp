@@ -75,6 +75,8 @@ std::string figure_text(const Figure& figure) {
       return fmt::format("{:.1f} ppm", static_cast<double>(figure.value) / 1e3);
     case Unit::kSlave:
       return slaves(figure);
+    case Unit::kSlaves:
+      return "each of slaves " + figure.text;
     case Unit::kPort:
       return std::string(1, static_cast<char>('A' + (figure.value & 3)));
     case Unit::kHex16:

@@ -2,11 +2,11 @@
 #include <algorithm>
 #include <vector>
 
+#include "findings/eni_words.h"
 #include "findings/finding.h"
-#include "findings/words/eni.h"
-#include "findings/words/project.h"
-#include "findings/words/run_bus.h"
-#include "findings/words/run_slaves.h"
+#include "findings/project_words.h"
+#include "findings/run_bus_words.h"
+#include "findings/run_slaves_words.h"
 
 namespace syncline {
 namespace {

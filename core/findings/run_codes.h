@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-/// Codes of what a run shows (core/diagnosis); their words stand in words/run_slaves.h and words/run_bus.h.
+/// Codes of what a run shows (core/diagnosis); their words stand in run_slaves_words.h and run_bus_words.h.
 namespace syncline::code {
 
 inline constexpr std::string_view kSlaveAbsent = "slave-absent";

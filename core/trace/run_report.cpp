@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "config/frame_time.h"
 #include "protocol/dc_registers.h"
 
 namespace syncline {
@@ -11,6 +12,8 @@ namespace syncline {
 RunRecorder::RunRecorder(const NetworkConfig& config)
     : sync_window_enabled_(config.dc.sync_window.enabled), readings_(config.slaves.size()), history_(config) {
   for (std::size_t i = 0; i < config.slaves.size(); ++i) configured_.push_back(configured(config, i));
+  wire_time_ = cycle_need(config).wire;
+  if (wire_time_ > 0) first_wire_time_ = wire_time(config.cyclic.front().frames.front());
 }
 
 RunReport::Slave RunRecorder::configured(const NetworkConfig& config, std::size_t position) {
@@ -34,6 +37,8 @@ void RunRecorder::add(std::span<const CycleSample> samples) {
   history_.add(samples);
   for (const auto& sample : samples) {
     lateness_.add(sample.wake_lateness_ns);
+    if (sample.round_trip_ns > 0)
+      round_trip_ = std::min(round_trip_.value_or(sample.round_trip_ns), Nanoseconds{sample.round_trip_ns});
     note_settled(sample);
     if (sample.master_state == static_cast<std::uint8_t>(AlState::kOp))
       lateness_histogram_.add(sample.wake_lateness_ns);
@@ -74,6 +79,9 @@ RunReport RunRecorder::finish(const Snapshot& snapshot) const {
   report.state = snapshot.state;
   report.time = snapshot.time;
   report.cycle_time = snapshot.cycle_time;
+  report.wire_time = wire_time_;
+  report.first_wire_time = first_wire_time_;
+  report.round_trip = round_trip_;
   report.cycles = snapshot.cycles;
   report.wkc_errors = snapshot.wkc_errors;
   report.lost_frames = snapshot.lost_frames;

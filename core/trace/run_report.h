@@ -44,6 +44,8 @@ struct RunReport {
   AlState state = AlState::kNone;  // of the master, see Snapshot::state
   Nanoseconds time = 0;            // host clock, at the end
   Nanoseconds cycle_time = 0;
+  Nanoseconds wire_time = 0, first_wire_time = 0;  // of the base task's frames, and of the first of them
+  std::optional<Nanoseconds> round_trip;  // of the first frame, the shortest; nothing when none came back in time
   std::uint64_t cycles = 0, wkc_errors = 0;
   std::uint64_t lost_frames = 0, late_frames = 0, overruns = 0, skipped_cycles = 0;
   std::vector<Slave> slaves;
@@ -76,6 +78,8 @@ class RunRecorder {
 
   std::vector<RunReport::Slave> configured_;  // what the configuration says of each slave
   bool sync_window_enabled_;
+  Nanoseconds wire_time_ = 0, first_wire_time_ = 0;
+  std::optional<Nanoseconds> round_trip_;
   std::vector<SlaveReadings> readings_;
   Statistics lateness_;
   Histogram lateness_histogram_;

@@ -10,8 +10,8 @@
 #include "eni/format/eni_reader.h"
 #include "eni/xml/xml_reader.h"
 #include "eni/xml/xml_text.h"
+#include "findings/eni_structure_words.h"
 #include "findings/sentence.h"
-#include "findings/words/eni_structure.h"
 #include "protocol/error_text.h"
 
 namespace syncline::eni {

@@ -11,8 +11,8 @@
 #include "eni/format/eni_reader.h"
 #include "eni/xml/xml_reader.h"
 #include "eni/xml/xml_text.h"
+#include "findings/recovered_words.h"
 #include "findings/sentence.h"
-#include "findings/words/recovered.h"
 
 namespace syncline::eni {
 namespace {

@@ -12,8 +12,8 @@
 #include "eni/format/eni_end_cap.h"
 #include "eni/xml/xml_reader.h"
 #include "eni/xml/xml_text.h"
+#include "findings/eni_structure_words.h"
 #include "findings/sentence.h"
-#include "findings/words/eni_structure.h"
 
 namespace syncline::eni {
 namespace {

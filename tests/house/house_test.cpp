@@ -26,7 +26,7 @@ struct Room {
   Names may;
 };
 
-const Names kValues{"core/support", "core/protocol", "core/config"};
+const Names kValues{"core/support", "core/protocol", "core/findings", "core/config"};
 
 Names with(Names names, const Names& more) {
   names.insert(more.begin(), more.end());

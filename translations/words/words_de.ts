@@ -241,6 +241,10 @@
         <translation>Ein Antrieb interpoliert über die falsche Zeit: er bewegt sich ruckartig oder weigert sich</translation>
     </message>
     <message>
+        <source>A frame is back only when it has passed all slaves, each of which takes about 1 us: it meets the next cycle</source>
+        <translation>Ein Frame ist erst zurück, wenn er alle Slaves durchlaufen hat, von denen jeder etwa 1 us braucht: er trifft den nächsten Zyklus</translation>
+    </message>
+    <message>
         <source>A frame or datagram is too long for Ethernet</source>
         <translation>Ein Frame oder Datagramm ist zu lang für Ethernet</translation>
     </message>
@@ -577,6 +581,10 @@
         <translation>Das Protocol hinzufügen, oder die Kommandos entfernen</translation>
     </message>
     <message>
+        <source>Add the Sync Unit, or choose another.</source>
+        <translation>Die Sync Unit hinzufügen, oder eine andere wählen.</translation>
+    </message>
+    <message>
         <source>Add the broadcast writes of 0x0010, 0x0600 and 0x0800 on IP to the master's init commands</source>
         <translation>Die Broadcast-Schreibkommandos von 0x0010, 0x0600 und 0x0800 auf IP zu den InitCmds des Masters hinzufügen</translation>
     </message>
@@ -585,12 +593,20 @@
         <translation>Das Element hinzufügen, oder die Datei mit ihrem Werkzeug neu exportieren</translation>
     </message>
     <message>
+        <source>Add the folder of its ESI to the catalogue, then import again.</source>
+        <translation>Den Ordner seiner ESI zum Katalog hinzufügen, dann neu importieren.</translation>
+    </message>
+    <message>
         <source>Add the reads of vendor and product from the EEPROM with Validate on IP</source>
         <translation>Auf IP das Lesen von Hersteller und Produkt aus dem EEPROM mit Validate hinzufügen</translation>
     </message>
     <message>
         <source>Add the state SAFEOP to the command</source>
         <translation>Den Zustand SAFEOP zum Kommando hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add the task, or choose another for the Sync Unit.</source>
+        <translation>Die Task hinzufügen, oder der Sync Unit eine andere geben.</translation>
     </message>
     <message>
         <source>Add the write of 0 to 0x0980 on SP, OP, SI and OI</source>
@@ -689,8 +705,32 @@
         <translation>AoE, EoE, CoE, SoE, FoE oder VoE</translation>
     </message>
     <message>
+        <source>Assign fewer PDOs, or do without the mailbox state bit.</source>
+        <translation>Weniger PDOs zuordnen, oder auf das Mailbox-Zustandsbit verzichten.</translation>
+    </message>
+    <message>
+        <source>Assign fewer PDOs, or map fewer objects.</source>
+        <translation>Weniger PDOs zuordnen, oder weniger Objekte mappen.</translation>
+    </message>
+    <message>
+        <source>Assign fewer PDOs.</source>
+        <translation>Weniger PDOs zuordnen.</translation>
+    </message>
+    <message>
         <source>Assign fewer or more PDOs</source>
         <translation>Weniger oder mehr PDOs zuordnen</translation>
+    </message>
+    <message>
+        <source>Assign it once.</source>
+        <translation>Es einmal zuordnen.</translation>
+    </message>
+    <message>
+        <source>Assign it.</source>
+        <translation>Es zuordnen.</translation>
+    </message>
+    <message>
+        <source>Assign more PDOs.</source>
+        <translation>Mehr PDOs zuordnen.</translation>
     </message>
     <message>
         <source>Assign the PDO</source>
@@ -733,16 +773,80 @@
         <translation>Die Versorgung des ersten prüfen, und Kabel und Stecker zwischen beiden.</translation>
     </message>
     <message>
+        <source>Check them in the project.</source>
+        <translation>Sie im Projekt prüfen.</translation>
+    </message>
+    <message>
         <source>Check {check}.</source>
         <translation>Zu prüfen: {check}.</translation>
+    </message>
+    <message>
+        <source>Choose a cycle of up to 255 times a power of ten.</source>
+        <translation>Einen Zyklus bis zum 255-fachen einer Zehnerpotenz wählen.</translation>
+    </message>
+    <message>
+        <source>Choose a cycle of whole microseconds.</source>
+        <translation>Einen Zyklus in ganzen Mikrosekunden wählen.</translation>
     </message>
     <message>
         <source>Choose a cycle that all devices take (synclinectl project cycle-times)</source>
         <translation>Einen Zyklus wählen, den alle Geräte annehmen (synclinectl project cycle-times)</translation>
     </message>
     <message>
+        <source>Choose a factor of that range.</source>
+        <translation>Einen Faktor aus diesem Bereich wählen.</translation>
+    </message>
+    <message>
+        <source>Choose a factor that divides the bus cycle.</source>
+        <translation>Einen Faktor wählen, der den Buszyklus teilt.</translation>
+    </message>
+    <message>
+        <source>Choose a larger set value.</source>
+        <translation>Einen größeren Sollwert wählen.</translation>
+    </message>
+    <message>
+        <source>Choose a longer cycle, or exchange less.</source>
+        <translation>Einen längeren Zyklus wählen, oder weniger austauschen.</translation>
+    </message>
+    <message>
+        <source>Choose a longer cycle, or let slow slaves run in a task of their own with a longer one.</source>
+        <translation>Einen längeren Zyklus wählen, oder langsame Slaves in einer eigenen Task mit längerem Zyklus laufen lassen.</translation>
+    </message>
+    <message>
+        <source>Choose a longer cycle.</source>
+        <translation>Einen längeren Zyklus wählen.</translation>
+    </message>
+    <message>
+        <source>Choose a lower address, or leave the choice open.</source>
+        <translation>Eine niedrigere Adresse wählen, oder die Wahl offen lassen.</translation>
+    </message>
+    <message>
         <source>Choose a multiple of its full step</source>
         <translation>Ein Vielfaches seiner vollen Schrittweite wählen</translation>
+    </message>
+    <message>
+        <source>Choose a multiple of the first task's cycle.</source>
+        <translation>Ein Vielfaches des Zyklus der ersten Task wählen.</translation>
+    </message>
+    <message>
+        <source>Choose a multiple or a whole fraction of the bus cycle.</source>
+        <translation>Ein Vielfaches oder einen ganzen Bruchteil des Buszyklus wählen.</translation>
+    </message>
+    <message>
+        <source>Choose a slave that stands before it in the frame.</source>
+        <translation>Einen Slave wählen, der im Frame vor ihm steht.</translation>
+    </message>
+    <message>
+        <source>Choose a slave with a distributed clock, or leave the choice open.</source>
+        <translation>Einen Slave mit verteilter Uhr wählen, oder die Wahl offen lassen.</translation>
+    </message>
+    <message>
+        <source>Choose a value that the device takes.</source>
+        <translation>Einen Wert wählen, den das Gerät annimmt.</translation>
+    </message>
+    <message>
+        <source>Choose a value within the range.</source>
+        <translation>Einen Wert innerhalb des Bereichs wählen.</translation>
     </message>
     <message>
         <source>Choose another, or none.</source>
@@ -753,8 +857,32 @@
         <translation>Bus-Shift oder Master-Shift wählen.</translation>
     </message>
     <message>
+        <source>Choose one of the ESI's operation modes.</source>
+        <translation>Eine der Betriebsarten der ESI wählen.</translation>
+    </message>
+    <message>
+        <source>Choose one of these ports.</source>
+        <translation>Einen dieser Ports wählen.</translation>
+    </message>
+    <message>
+        <source>Choose that operation mode.</source>
+        <translation>Diese Betriebsart wählen.</translation>
+    </message>
+    <message>
         <source>Choose the first slave with DC.</source>
         <translation>Den ersten Slave mit DC wählen.</translation>
+    </message>
+    <message>
+        <source>Choose the operation mode by hand.</source>
+        <translation>Die Betriebsart von Hand wählen.</translation>
+    </message>
+    <message>
+        <source>Clear the AMS Net ID.</source>
+        <translation>Die AMS Net ID leeren.</translation>
+    </message>
+    <message>
+        <source>Clear the addresses.</source>
+        <translation>Die Adressen leeren.</translation>
     </message>
     <message>
         <source>Clocks drift apart before SYNC signals start, and slaves miss their first pulses</source>
@@ -1089,6 +1217,10 @@
         <translation>Frames treten durch einen anderen Port als A ein. Seine Kabel IN und OUT tauschen: bis dahin stehen Slaves hinter ihm vor ihm, eine ENI-Datei kann nicht sagen, was an seinem Port A hängt, und andere Master berechnen seine Laufzeit falsch.</translation>
     </message>
     <message>
+        <source>Frames meet those of the next cycle, requests to slaves find no room, and slaves do not reach OP or fall from it</source>
+        <translation>Frames treffen die des nächsten Zyklus, Anfragen an Slaves finden keinen Platz, und Slaves erreichen OP nicht oder fallen daraus</translation>
+    </message>
+    <message>
         <source>Frames pass the slaves in the order of the file: so it can be only where frames enter that one by another port than A</source>
         <translation>Frames durchlaufen die Slaves in der Reihenfolge der Datei: so kann es nur sein, wo Frames in jenen durch einen anderen Port als A eintreten</translation>
     </message>
@@ -1133,6 +1265,10 @@
         <translation>Jedem Slave einen eigenen Namen geben</translation>
     </message>
     <message>
+        <source>Give each slave an address of its own.</source>
+        <translation>Jedem Slave eine eigene Adresse geben.</translation>
+    </message>
+    <message>
         <source>Give each slave bits of its own</source>
         <translation>Jedem Slave eigene Bits geben</translation>
     </message>
@@ -1147,6 +1283,10 @@
     <message>
         <source>Give it a longer cycle, or fewer objects and functions in each.</source>
         <translation>Einen längeren Zyklus geben, oder weniger Objekte und Funktionen in jedem.</translation>
+    </message>
+    <message>
+        <source>Give it an address from 1 on.</source>
+        <translation>Ihm eine Adresse ab 1 geben.</translation>
     </message>
     <message>
         <source>Give it an address from 1 on; tools start at 1001</source>
@@ -1195,6 +1335,10 @@
     <message>
         <source>Image offsets in the way of TwinCAT</source>
         <translation>Offsets des Abbilds nach der Art von TwinCAT</translation>
+    </message>
+    <message>
+        <source>Import with the ESI of the device's revision.</source>
+        <translation>Mit der ESI der Revision des Geräts importieren.</translation>
     </message>
     <message>
         <source>In INIT and BOOT there is no CoE: the command fails and the transition with it</source>
@@ -1313,12 +1457,24 @@
         <translation>Eins von beiden behalten</translation>
     </message>
     <message>
+        <source>Keep the ESI's mapping.</source>
+        <translation>Das Mapping der ESI behalten.</translation>
+    </message>
+    <message>
+        <source>Keep the default assignment.</source>
+        <translation>Die Standardzuordnung behalten.</translation>
+    </message>
+    <message>
         <source>Latch them earlier: a smaller input shift time.</source>
         <translation>Früher einlesen: eine kleinere Input Shift Time.</translation>
     </message>
     <message>
         <source>Leave ReferenceClock on at the slave that the ARMW addresses</source>
         <translation>ReferenceClock nur bei dem Slave lassen, den das ARMW anspricht</translation>
+    </message>
+    <message>
+        <source>Lengthen the cycle, exchange less, or let slow slaves run in a task of their own</source>
+        <translation>Den Zyklus verlängern, weniger austauschen, oder langsame Slaves in einer eigenen Task laufen lassen</translation>
     </message>
     <message>
         <source>Lengthen the cycle, or exchange less</source>
@@ -1337,6 +1493,10 @@
         <translation>Enable und Kommando dasselbe sagen lassen</translation>
     </message>
     <message>
+        <source>Let SYNC1 come at SYNC0 or after it.</source>
+        <translation>SYNC1 bei SYNC0 oder danach kommen lassen.</translation>
+    </message>
+    <message>
         <source>Let a command cover the FMMU's logical addresses, or correct the FMMU</source>
         <translation>Ein Kommando die logischen Adressen der FMMU abdecken lassen, oder die FMMU berichtigen</translation>
     </message>
@@ -1345,8 +1505,16 @@
         <translation>Auf jede Anforderung an 0x0502 (0x0100 und die Adresse des Worts) ein Lesen von 0x0508 folgen lassen</translation>
     </message>
     <message>
+        <source>Let a slave that is always there come first.</source>
+        <translation>Einen Slave nach vorn stellen, der immer da ist.</translation>
+    </message>
+    <message>
         <source>Let its SYNC0 come {more} later: a shift of {shift}.</source>
         <translation>SYNC0 um {more} später legen: eine Verschiebung von {shift}.</translation>
+    </message>
+    <message>
+        <source>Let the application copy the data.</source>
+        <translation>Die Anwendung die Daten kopieren lassen.</translation>
     </message>
     <message>
         <source>Let the attribute Sm name the SyncManager whose list has the PDO, or leave it out</source>
@@ -1401,12 +1569,24 @@
         <translation>Den ersten Slave mit verteilter Uhr zur Referenzuhr machen</translation>
     </message>
     <message>
+        <source>Map both time stamps, or choose another mode.</source>
+        <translation>Beide Zeitstempel mappen, oder eine andere Art wählen.</translation>
+    </message>
+    <message>
+        <source>Map fewer entries.</source>
+        <translation>Weniger Einträge mappen.</translation>
+    </message>
+    <message>
         <source>Map fewer objects and exchange the slow ones by SDO</source>
         <translation>Weniger Objekte mappen und die langsamen per SDO austauschen</translation>
     </message>
     <message>
         <source>Map fewer, or use another PDO for the rest.</source>
         <translation>Weniger mappen, oder für den Rest ein anderes PDO verwenden.</translation>
+    </message>
+    <message>
+        <source>Map it again.</source>
+        <translation>Ihn wieder mappen.</translation>
     </message>
     <message>
         <source>Master and reference clock run at their own rates</source>
@@ -1629,6 +1809,10 @@
         <translation>Nichts, wenn nicht die Datei die Einstellung zum Master eines anderen Herstellers tragen soll</translation>
     </message>
     <message>
+        <source>Nothing, unless your master needs it.</source>
+        <translation>Nichts, wenn nicht Ihr Master es braucht.</translation>
+    </message>
+    <message>
         <source>Nothing: readers should go by BitStart and BitOffs</source>
         <translation>Nichts: Leser sollten nach BitStart und BitOffs gehen</translation>
     </message>
@@ -1717,6 +1901,10 @@
         <translation>Platz {place}, {name}, muss ein Modul haben.</translation>
     </message>
     <message>
+        <source>Plug a module in.</source>
+        <translation>Ein Modul einstecken.</translation>
+    </message>
+    <message>
         <source>Process data and mailbox states share logical addresses</source>
         <translation>Prozessdaten und Mailbox-Zustände teilen sich logische Adressen</translation>
     </message>
@@ -1783,6 +1971,10 @@
     <message>
         <source>Remove the command, or write a type that it supports</source>
         <translation>Das Kommando entfernen, oder eine Art schreiben, die es unterstützt</translation>
+    </message>
+    <message>
+        <source>Remove what is set for it.</source>
+        <translation>Entfernen, was dafür eingestellt ist.</translation>
     </message>
     <message>
         <source>Request the state again and watch its AL status.</source>
@@ -1961,6 +2153,14 @@
         <translation>SYNC1 käme {time} vor SYNC0; Register 0x09A4 fasst nur eine Verzögerung danach.</translation>
     </message>
     <message>
+        <source>Say which slave and port it hangs on.</source>
+        <translation>Angeben, an welchem Slave und Port er hängt.</translation>
+    </message>
+    <message>
+        <source>See in the device's manual whether it has one.</source>
+        <translation>Im Handbuch des Geräts nachsehen, ob es eine hat.</translation>
+    </message>
+    <message>
         <source>See what else happened then: a clock that stepped, cycles left out, a reference clock that was lost.</source>
         <translation>Sehen, was dann noch geschah: eine gesprungene Uhr, ausgelassene Zyklen, eine verlorene Referenzuhr.</translation>
     </message>
@@ -1975,6 +2175,10 @@
     <message>
         <source>Send or Recv is not where the frames put the data</source>
         <translation>Send oder Recv liegt nicht dort, wohin die Frames die Daten legen</translation>
+    </message>
+    <message>
+        <source>Send them by the application where the slave needs them.</source>
+        <translation>Sie von der Anwendung senden, wo der Slave sie braucht.</translation>
     </message>
     <message>
         <source>Set 0x0010 first, or address the slave by its position</source>
@@ -2009,6 +2213,10 @@
         <translation>SubIndex auf 0 setzen oder CompleteAccess ausschalten</translation>
     </message>
     <message>
+        <source>Set a cycle or a factor.</source>
+        <translation>Einen Zyklus oder einen Faktor einstellen.</translation>
+    </message>
+    <message>
         <source>Set mode and direction in the control byte by the Type: outputs 0x64 or 0x24, inputs 0x20 or 0x00</source>
         <translation>Art und Richtung im Steuerbyte nach dem Type setzen: Ausgänge 0x64 oder 0x24, Eingänge 0x20 oder 0x00</translation>
     </message>
@@ -2019,6 +2227,10 @@
     <message>
         <source>Set the length to the bytes of the assigned PDOs</source>
         <translation>Die Länge auf die Bytes der zugeordneten PDOs setzen</translation>
+    </message>
+    <message>
+        <source>Set the machine's cycle time.</source>
+        <translation>Die Zykluszeit der Maschine einstellen.</translation>
     </message>
     <message>
         <source>ShiftTime is {shift}, the SYNC0 cycle {cycle}</source>
@@ -2077,8 +2289,16 @@
         <translation>SYNC0 einschalten, oder in einer Profil-Betriebsart beginnen (0x6060)</translation>
     </message>
     <message>
+        <source>Switch distributed clocks on, or clear the operation modes.</source>
+        <translation>Verteilte Uhren einschalten, oder die Betriebsarten leeren.</translation>
+    </message>
+    <message>
         <source>Switch sync-window monitoring on to prove that they are in sync.</source>
         <translation>Sync-Window-Überwachung einschalten, um zu beweisen, dass sie synchron sind.</translation>
+    </message>
+    <message>
+        <source>Switch the monitoring off, or give more slaves an operation mode with DC.</source>
+        <translation>Die Überwachung ausschalten, oder mehr Slaves eine Betriebsart mit DC geben.</translation>
     </message>
     <message>
         <source>Sync Unit "{unit}" is to run in task "{task}", which does not exist; it stays in the base task.</source>
@@ -2101,8 +2321,32 @@
         <translation>die SyncManager (0x0800)</translation>
     </message>
     <message>
+        <source>Take another ESI or revision of the device.</source>
+        <translation>Eine andere ESI oder Revision des Geräts nehmen.</translation>
+    </message>
+    <message>
+        <source>Take it out of the assignment, or use another PDO.</source>
+        <translation>Es aus der Zuordnung nehmen, oder ein anderes PDO verwenden.</translation>
+    </message>
+    <message>
+        <source>Take it out of the assignment.</source>
+        <translation>Es aus der Zuordnung nehmen.</translation>
+    </message>
+    <message>
+        <source>Take one of the modules out, or another revision of the ESI.</source>
+        <translation>Eins der Module herausnehmen, oder eine andere Revision der ESI nehmen.</translation>
+    </message>
+    <message>
         <source>Take one of them out of the assignment</source>
         <translation>Eins davon aus der Zuordnung nehmen</translation>
+    </message>
+    <message>
+        <source>Take one of them out of the assignment.</source>
+        <translation>Eins davon aus der Zuordnung nehmen.</translation>
+    </message>
+    <message>
+        <source>Take the module out.</source>
+        <translation>Das Modul herausnehmen.</translation>
     </message>
     <message>
         <source>The CAN cycle of {can} ({object}) is no multiple of the bus cycle of {cycle}: the gateway refuses SAFEOP.</source>
@@ -2269,6 +2513,10 @@
         <translation>Der Zyklus von Task {task}, {cycle}, ist kein Vielfaches von {first}: ihre Slaves kamen in die Basis-Task.</translation>
     </message>
     <message>
+        <source>The cycle of {cycle} is too short: until its frames are back it takes {needed}, {wire} on the wire and {travel} on their way through {slaves} slaves. {late} frames came back too late.</source>
+        <translation>Der Zyklus von {cycle} ist zu kurz: bis seine Frames zurück sind, vergehen {needed}, {wire} auf der Leitung und {travel} auf dem Weg durch {slaves} Slaves. {late} Frames kamen zu spät zurück.</translation>
+    </message>
+    <message>
         <source>The cycle time is no whole number of microseconds</source>
         <translation>Die Zykluszeit ist keine ganze Zahl von Mikrosekunden</translation>
     </message>
@@ -2279,6 +2527,10 @@
     <message>
         <source>The cycles do not come with the configured cycle time.</source>
         <translation>Die Zyklen kommen nicht mit der eingestellten Zykluszeit.</translation>
+    </message>
+    <message>
+        <source>The cyclic frames need about {needed} of a cycle of {cycle}: {wire} on the wire and {travel} on their way through {slaves} slaves.</source>
+        <translation>Die zyklischen Frames brauchen etwa {needed} eines Zyklus von {cycle}: {wire} auf der Leitung und {travel} auf dem Weg durch {slaves} Slaves.</translation>
     </message>
     <message>
         <source>The cyclic frames take {wire} of wire time, the cycle is {cycle}.</source>
@@ -2363,6 +2615,10 @@
     <message>
         <source>The frame passes it before it carries the time of this cycle, so that it is given the last one, or 0, and stays off</source>
         <translation>Der Frame kommt an ihm vorbei, bevor er die Zeit dieses Zyklus trägt, so dass er die des letzten oder 0 bekommt und daneben bleibt</translation>
+    </message>
+    <message>
+        <source>The frames and their way through the slaves take longer than the cycle</source>
+        <translation>Die Frames und ihr Weg durch die Slaves brauchen länger als den Zyklus</translation>
     </message>
     <message>
         <source>The frames cannot steer the reference clock</source>
@@ -4139,6 +4395,10 @@
     <message>
         <source>{first} and {second} carry the same {data}</source>
         <translation>{first} und {second} tragen dieselben {data}</translation>
+    </message>
+    <message>
+        <source>{frames} frames take {wire} on the wire and about {travel} through {slaves} slaves, the cycle is {cycle}</source>
+        <translation>{frames} Frames brauchen auf der Leitung {wire} und durch {slaves} Slaves etwa {travel}, der Zyklus ist {cycle}</translation>
     </message>
     <message>
         <source>{frames} frames take {wire} on the wire, the cycle is {cycle}</source>

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "findings/fold.h"
 #include "ui/text/event_text.h"
+#include "ui/text/finding_text.h"
 
 namespace syncline::ui {
 namespace {
@@ -39,8 +41,7 @@ Workspace::Workspace(Environment environment, QObject* parent)
   connect(&live_, &LiveSession::eventArrived, this, [this](const Event& event) {
     if (auto message = messageOf(event, live_.record()->config())) messages_.append(std::move(*message));
   });
-  connect(&run_findings_, &RunFindings::findingsChanged, this,
-          [this] { findings_.setFindings(run_findings_.findings()); });
+  connect(&run_findings_, &RunFindings::findingsChanged, this, [this] { showRunFindings(); });
   connect(&autosave_, &Autosave::failed, this,
           [this](const Error& error) { report(error, Severity::kWarning, tr("Unsaved work is not kept")); });
   connect(&scan_, &ScanController::eventArrived, this, [this](const Event& event) {
@@ -80,11 +81,21 @@ void Workspace::inform(const QString& source, const QString& text) {
   messages_.append({QDateTime::currentDateTime(), Severity::kNote, source, text, -1, {}});
 }
 
+/// What many slaves have alike is one row, at the first of them.
+void Workspace::showRunFindings() {
+  std::vector<Finding> rows;
+  for (auto& [finding, slaves] : folded(run_findings_.findings())) rows.push_back(std::move(finding));
+  findings_.setFindings(rows);
+}
+
 void Workspace::showFindings() {
   std::vector<Message> lines;
   const auto& result = configuration_.result();
   if (result) {
-    for (const auto& finding : result->findings) lines.push_back(messageOf(finding, document_.project()));
+    for (const auto& [finding, slaves] : folded(result->findings)) {
+      lines.push_back(messageOf(finding, document_.project()));
+      if (slaves.size() > 1) lines.back().source = slavesText(slaves);
+    }
   } else if (!document_.project().slaves.empty()) {
     lines.push_back(messageOf(result.error(), Severity::kError, tr("Configuration")));
   }

@@ -65,6 +65,7 @@ class Workspace final : public QObject {
  private:
   void showFindings();
   void tellOfScan(const QString& link, const ScanOutcome& outcome);
+  void showRunFindings();
 
   Environment environment_;
   WindowMemory memory_;

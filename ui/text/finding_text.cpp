@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <string>
 
+#include "findings/fold.h"
 #include "protocol/al_state.h"
 #include "ui/text/units.h"
 
@@ -18,6 +19,10 @@ class Words {
 
  public:
   static QString of(const Figure& figure);
+  static QString ranges(const std::string& text) {
+    return QString::fromStdString(text).replace(QStringLiteral(" to "), tr(" to "));
+  }
+  static QString slaves(const std::string& text) { return tr("Slaves %1").arg(ranges(text)); }
   static QString sentence(std::string_view text) {
     return QCoreApplication::translate("Finding", std::string(text).c_str());
   }
@@ -50,6 +55,8 @@ QString Words::of(const Figure& figure) {
       const auto slave = tr("slave %1").arg(figure.value);
       return figure.text.empty() ? slave : QStringLiteral("%1 (%2)").arg(slave, QString::fromStdString(figure.text));
     }
+    case In::kSlaves:
+      return tr("each of slaves %1").arg(ranges(figure.text));
     case In::kAlCode: {
       const auto code = static_cast<std::uint16_t>(figure.value);
       return QStringLiteral("%1 (%2)").arg(hexText(code, 4), sentence(al_status_code_text(code).meaning));
@@ -95,6 +102,8 @@ QString findingKey(const Finding& finding) {
   const FindingWords* words = find_finding_words(finding.code);
   return words == nullptr ? QString() : QString::fromStdString(setting_at(words->setting, finding.place.slave));
 }
+
+QString slavesText(std::span<const int> positions) { return Words::slaves(ranges_text(positions)); }
 
 std::vector<std::string_view> translatableFindings() {
   std::vector<std::string_view> texts;

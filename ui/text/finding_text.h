@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QString>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -16,6 +17,9 @@ namespace syncline::ui {
 
 /// Key of the setting that would mend it, "slave.3.dc.sync0.shift_us"; empty where there is none.
 [[nodiscard]] QString findingKey(const Finding& finding);
+
+/// "Slaves 3 to 17, 19"
+[[nodiscard]] QString slavesText(std::span<const int> positions);
 
 /// The sentences and phrases that every translation has to know (context "Finding" of translations/words).
 [[nodiscard]] std::vector<std::string_view> translatableFindings();

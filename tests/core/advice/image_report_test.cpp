@@ -19,12 +19,18 @@ TEST(ImageReport, FramesAndBandwidth) {
   const auto& frame = config.cyclic[0].frames[0];
   EXPECT_EQ(result.frames[0].datagrams, frame.commands.size());
   EXPECT_EQ(result.frames[0].process_data_bytes, 16U);
-  EXPECT_EQ(result.wire_time, compiler::wire_time(frame));
+  EXPECT_EQ(result.wire_time, wire_time(frame));
   // Preamble, frame and gap: what the wire time is made of.
   EXPECT_EQ(result.frames[0].wire_time, (result.frames[0].bytes + 20) * 80);
   EXPECT_DOUBLE_EQ(result.bandwidth, static_cast<double>(result.wire_time) / 1e6);
   EXPECT_EQ(result.output_bytes, 12U);
   EXPECT_EQ(result.input_bytes, 16U);
+}
+
+TEST(ImageReport, TheLastFrameIsBackWhenItHasPassedAllSlaves) {
+  const auto result = report(sample::project({sample::servo(), sample::servo(), sample::servo()}));
+  EXPECT_EQ(result.travel_time, 3 * kMicrosecond);
+  EXPECT_EQ(result.busiest_cycle, result.busiest_wire_time + 3 * kMicrosecond);
 }
 
 TEST(ImageReport, ASlowTaskCountsByItsShare) {

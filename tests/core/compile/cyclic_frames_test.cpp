@@ -163,9 +163,9 @@ TEST(WireTime, CountsWhatATapMeasures) {
   CyclicFrame frame;
   frame.commands.emplace_back();
   frame.commands[0].data_length = 2;
-  EXPECT_EQ(compiler::wire_time(frame), 6'720);
+  EXPECT_EQ(wire_time(frame), 6'720);
   frame.commands[0].data_length = 1486;
-  EXPECT_EQ(compiler::wire_time(frame), 123'040);
+  EXPECT_EQ(wire_time(frame), 123'040);
 }
 
 /// "LRW 0x10000000 8 wkc 3" of the process-data commands.

@@ -2,7 +2,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "compile/compile.h"
+#include "config/frame_time.h"
 #include "settings/settings_keys.h"
 #include "tests/support/sample_devices.h"
 
@@ -203,6 +206,26 @@ TEST(Compile, EqualNamesOfVariablesAreTold) {
   const auto config = compile(project)->config;
   EXPECT_EQ(config.image.inputs[0].name, "Slave_1002 [SI1002].Channel 1.Input");
   EXPECT_EQ(config.image.inputs[1].name, "Slave_1002 [SI1002].Channel 1.Input (2)");
+}
+
+/// 1 us a slave is an estimate: it warns, and stops nobody.
+TEST(Findings, TheWayThroughTheSlavesCountsInTheCycle) {
+  Project project = sample::small_machine();
+  project.master.cycle_time = 100 * kMicrosecond;
+  const auto frames = cycle_need(compile(project)->config).wire;
+  while (static_cast<Nanoseconds>(project.slaves.size()) * kMicrosecond + frames <= project.master.cycle_time) {
+    auto slave = project.slaves[1];
+    slave.name = "Input " + std::to_string(project.slaves.size());
+    slave.station_address = static_cast<std::uint16_t>(2000 + project.slaves.size());
+    slave.previous = PreviousPort{static_cast<std::uint16_t>(project.slaves.size() - 1), 1};
+    project.slaves.push_back(std::move(slave));
+  }
+  const auto result = compile(project).value();
+  const auto too_short = std::ranges::find(result.findings, "cycle-too-short", &Finding::code);
+  ASSERT_NE(too_short, result.findings.end());
+  EXPECT_EQ(too_short->severity, Severity::kWarning);
+  EXPECT_EQ(too_short->place.key, "master.cycle_time_us");
+  EXPECT_THAT(describe(*too_short), testing::HasSubstr("on their way through"));
 }
 
 }  // namespace

@@ -307,5 +307,52 @@ TEST(RunDiagnosis, EveryPlaceholderIsFilled) {
   filled();
 }
 
+/// 333 us on the wire and 570 us through the slaves: what slaves are asked for has no room beside it.
+RunReport crowded() {
+  auto report = healthy();
+  report.wire_time = 333'280;
+  report.first_wire_time = 123'040;
+  report.round_trip = 123'040 + 570'000;
+  report.cycles = 5000;
+  report.late_frames = 100;
+  report.history.late_frames.note(kStart + kSecond, 100, 500);
+  report.slaves[1].al_status = report.slaves[2].al_status = static_cast<std::uint16_t>(AlState::kSafeop);
+  return report;
+}
+
+TEST(RunDiagnosis, ACycleThatIsTooShortIsToldInPlaceOfWhatItCauses) {
+  const auto findings = diagnose(crowded());
+  ASSERT_FALSE(findings.empty());
+  EXPECT_EQ(findings[0].code, "cycle-too-short");
+  EXPECT_EQ(findings[0].severity, Severity::kError);
+  EXPECT_EQ(findings[0].place.key, "master.cycle_time_us");
+  EXPECT_THAT(describe(findings[0]), HasSubstr("it takes 903.3 us, 333.28 us on the wire and 570 us on their way"));
+  const auto all = codes(crowded());
+  EXPECT_THAT(all, Not(testing::Contains(code::kSlaveBehind)));
+  EXPECT_THAT(all, Not(testing::Contains(code::kFramesLate)));
+}
+
+TEST(RunDiagnosis, ALongerCycleIsNotAccused) {
+  auto report = crowded();
+  report.cycle_time = 2 * kMillisecond;
+  EXPECT_THAT(codes(report), Not(testing::Contains("cycle-too-short")));
+  report = crowded();
+  report.late_frames = 0;
+  report.slaves = healthy().slaves;
+  EXPECT_THAT(codes(report), Not(testing::Contains("cycle-too-short"))) << "nobody suffers";
+}
+
+TEST(RunDiagnosis, ACycleInWhichNoFrameComesBackIsTooShort) {
+  auto report = crowded();
+  report.round_trip.reset();
+  report.cycle_time = 500 * kMicrosecond;
+  report.late_frames = 10'000;
+  report.history.late_frames.note(kStart + 2 * kSecond, 9'900, 298'000);
+  for (auto& slave : report.slaves) slave.present = false;
+  for (auto& slave : report.history.slaves) slave.absences.note(kStart, 1);
+  EXPECT_EQ(codes(report).front(), "cycle-too-short");
+  EXPECT_THAT(codes(report), Not(testing::Contains(code::kSlaveAbsent)));
+}
+
 }  // namespace
 }  // namespace syncline

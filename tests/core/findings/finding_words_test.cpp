@@ -1,13 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <set>
+#include <span>
 #include <string>
+#include <vector>
 
+#include "findings/eni_words.h"
+#include "findings/fold.h"
+#include "findings/project_words.h"
+#include "findings/run_bus_words.h"
+#include "findings/run_codes.h"
+#include "findings/run_slaves_words.h"
 #include "findings/sentence.h"
-#include "findings/words/eni.h"
-#include "findings/words/run_bus.h"
+#include "tests/support/source_dir.h"
 
 namespace syncline {
 namespace {
@@ -31,6 +40,31 @@ TEST(FindingWords, EachCodeHasItsOwnRowWithTitleAndFacts) {
 TEST(FindingWords, RulesOfTheEniSayWhyAndWhatToDo) {
   for (const FindingWords& row : words::kEni) {
     EXPECT_FALSE(row.why.empty() || row.mend.empty()) << row.code;
+  }
+}
+
+std::set<std::string> lines_of(const std::string& page) {
+  std::ifstream in(test::source_dir() + "/docs/" + page);
+  std::set<std::string> lines;
+  for (std::string line; std::getline(in, line);) lines.insert(line);
+  return lines;
+}
+
+TEST(FindingWords, TheManualHasEachFindingAboutAProject) {
+  const auto lines = lines_of("check.md");
+  for (const FindingWords& row : words::kProject) {
+    const auto line = fmt::format("| {} | {} | {} | {} |", row.code, severity_name(row.severity), row.title, row.mend);
+    EXPECT_TRUE(lines.contains(line)) << line;
+  }
+}
+
+TEST(FindingWords, TheManualHasEachFindingOfARun) {
+  std::string all;
+  for (const auto& line : lines_of("diagnosis.md")) all += line.substr(0, line.find('|', 1)) + "\n";
+  for (const auto& table :
+       {std::span<const FindingWords>(words::kRunSlaves), std::span<const FindingWords>(words::kRunBus)}) {
+    for (const FindingWords& row : table)
+      EXPECT_NE(all.find(fmt::format("`{}`", row.code)), std::string::npos) << row.code;
   }
 }
 
@@ -70,6 +104,34 @@ TEST(FigureText, TimesKeepAllDigits) {
 TEST(FigureText, NamesASlaveWhereItsNameIsKnown) {
   EXPECT_EQ(figure_text(fig::slave<"slave">(3, "Drive").figure), "slave 3 (Drive)");
   EXPECT_EQ(figure_text(fig::slave<"slave">(3).figure), "slave 3");
+}
+
+Finding behind(int slave, std::uint16_t state) {
+  Finding finding{code::kSlaveBehind, Severity::kWarning, slave};
+  finding.figures = {{"slave", Figure::Unit::kSlave, slave, slave}, {"state", Figure::Unit::kAlStatus, state}};
+  return finding;
+}
+
+TEST(FoldedFindings, WhatManySlavesHaveAlikeIsOneLineWithTheirRanges) {
+  std::vector<Finding> findings;
+  for (int slave = 3; slave < 1000; ++slave) {
+    if (slave != 18) findings.push_back(behind(slave, 4));
+  }
+  findings.push_back(behind(18, 2));
+  findings.push_back({"not-monitored"});
+  const auto all = folded(findings);
+  ASSERT_EQ(all.size(), 3U);
+  EXPECT_EQ(all[0].slaves.size(), 996U);
+  EXPECT_EQ(describe(all[0].finding),
+            "Each of slaves 3 to 17, 19 to 999 stays in SAFEOP while others went further. Request the state again and "
+            "watch its AL status.");
+  EXPECT_EQ(all[1].slaves, std::vector<int>{18});
+  EXPECT_TRUE(all[2].slaves.empty());
+}
+
+TEST(FoldedFindings, TwoStayTwo) {
+  const std::vector<Finding> findings{behind(1, 4), behind(2, 4)};
+  EXPECT_EQ(folded(findings).size(), 2U);
 }
 
 }  // namespace

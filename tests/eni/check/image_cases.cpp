@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "config/frame_time.h"
 #include "eni/check/check_bed.h"
 #include "eni/check/rule_cases.h"
 
@@ -41,6 +42,13 @@ std::vector<RuleCase> frame_cases() {
       {"ENI-TIME-04",
        [](NetworkConfig& c) {
          lengthen_frame(c, 1000);
+         c.cyclic[0].cycle_time = 100 * kMicrosecond;
+       }},
+      // 98 us on the wire, and 1 us in each of the slaves.
+      {"ENI-TIME-08",
+       [](NetworkConfig& c) {
+         lengthen_frame(c,
+                        static_cast<std::uint16_t>((98 * kMicrosecond - wire_time(c.cyclic[0].frames[0])) / 80 - 12));
          c.cyclic[0].cycle_time = 100 * kMicrosecond;
        }},
       {"ENI-TIME-05", [](NetworkConfig& c) { c.cyclic[0].cycle_time = 20 * kMicrosecond; }},

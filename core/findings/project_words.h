@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "findings/words/joined.h"
-#include "findings/words/project_data.h"
-#include "findings/words/project_master.h"
-#include "findings/words/project_slaves.h"
-#include "findings/words/recovered.h"
+#include "findings/joined_words.h"
+#include "findings/project_data_words.h"
+#include "findings/project_master_words.h"
+#include "findings/project_slaves_words.h"
+#include "findings/recovered_words.h"
 
 namespace syncline::words {
 

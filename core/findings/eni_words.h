@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "findings/words/eni_commands.h"
-#include "findings/words/eni_cyclic.h"
-#include "findings/words/eni_devices.h"
-#include "findings/words/eni_image.h"
-#include "findings/words/eni_slaves.h"
-#include "findings/words/eni_structure.h"
-#include "findings/words/joined.h"
+#include "findings/eni_commands_words.h"
+#include "findings/eni_cyclic_words.h"
+#include "findings/eni_devices_words.h"
+#include "findings/eni_image_words.h"
+#include "findings/eni_slaves_words.h"
+#include "findings/eni_structure_words.h"
+#include "findings/joined_words.h"
 
 namespace syncline::words {
 

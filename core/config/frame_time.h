@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "config/network_config.h"
+
+/// How long a bus cycle's frames are under way.
+namespace syncline {
+
+/// Time on a 100 Mbit/s wire of one frame with these commands: preamble, header, padding, FCS and gap included.
+[[nodiscard]] Nanoseconds wire_time(const CyclicFrame& frame);
+
+/// There and back through one slave before anybody has measured it: two PHYs, processing unit and forwarding of an ESC
+/// take 0.6 to 1.2 us at MII ports and about 0.3 us at E-bus (ESC data sheet I, 9.1.2 and the PHYs' own data sheets).
+inline constexpr Nanoseconds kTravelPerSlave = kMicrosecond;
+
+struct CycleNeed {
+  Nanoseconds wire = 0;    // of all frames, one behind the other
+  Nanoseconds travel = 0;  // through all slaves; an estimate
+  [[nodiscard]] Nanoseconds all() const { return wire + travel; }
+};
+/// Of a cycle in which only the base task is due, or all tasks.
+[[nodiscard]] CycleNeed cycle_need(const NetworkConfig& config, bool all_tasks = false);
+
+}  // namespace syncline

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "config/frame_time.h"
+
+#include <gtest/gtest.h>
+
+namespace syncline {
+namespace {
+
+CyclicFrame frame_of(std::uint16_t bytes) {
+  CyclicCmd cmd;
+  cmd.command = Command::kLrw;
+  cmd.data_length = bytes;
+  CyclicFrame frame;
+  frame.commands = {cmd};
+  return frame;
+}
+
+TEST(FrameTime, ACycleNeedsItsFramesAndTheWayThroughAllSlaves) {
+  NetworkConfig config;
+  config.slaves.resize(1000);
+  config.cyclic.resize(2);
+  config.cyclic[0].frames = {frame_of(1486), frame_of(4)};
+  config.cyclic[1].frames = {frame_of(100)};
+  const auto base = cycle_need(config);
+  EXPECT_EQ(base.wire, 123'040 + 6'720);
+  EXPECT_EQ(base.travel, 1'000'000);
+  EXPECT_EQ(base.all(), base.wire + base.travel);
+  EXPECT_EQ(cycle_need(config, true).wire, base.wire + wire_time(frame_of(100)));
+}
+
+TEST(FrameTime, WithoutFramesNothingIsUnderWay) {
+  NetworkConfig config;
+  config.slaves.resize(3);
+  EXPECT_EQ(cycle_need(config).all(), 0);
+}
+
+}  // namespace
+}  // namespace syncline
