@@ -124,7 +124,7 @@ void DeviceEditor::showNotes() {
   for (const auto& finding : result ? result->findings : std::vector<Finding>{}) {
     if (finding.place.key.empty() || finding.severity == Severity::kNote) continue;
     notes.push_back({finding.place.key, messageOf(finding, workspace_.document().project()).text,
-                     finding.severity == FindingSeverity::kError});
+                     finding.severity == Severity::kError});
   }
   for (auto* page : pages_) {
     if (page->appliesTo(slave_)) page->fields().showNotes(notes);

@@ -187,7 +187,9 @@ std::vector<SettingEdit> MasterTasksPage::unitEdits(const Records& before, const
   for (std::size_t i = 0; name && i < slaves.size(); ++i) {
     const auto follow = [&](const std::string& unit, const char* key) {
       if (fromStd(unit) != name->first) return;
-      edits.push_back({&settings::row(key), {.slave = i}, settings::Value{name->second.toStdString()}});
+      SettingEdit edit{&settings::row(key), {.slave = i}, {}};
+      edit.value.emplace<std::string>(name->second.toStdString());
+      edits.push_back(std::move(edit));
     };
     follow(slaves[i].output_unit, "slave.N.sync_unit.outputs");
     follow(slaves[i].input_unit, "slave.N.sync_unit.inputs");

@@ -31,7 +31,7 @@ RunDifference::RunDifference(ProjectDocument& document, ConfigurationMonitor& co
 void RunDifference::onPhase() {
   if (live_.phase() == LiveSession::Phase::kStarting) {
     running_ = document_.project();
-    running_config_ = live_.config();
+    running_config_ = live_.record()->config();
   }
   look();
 }

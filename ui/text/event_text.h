@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "channels/event.h"
+#include "config/network_config.h"
 #include "config/project.h"
 #include "findings/finding.h"
 #include "ui/text/message.h"
@@ -12,6 +13,8 @@ namespace syncline::ui {
 
 /// The line of the message window for an event of the master; empty for those that only report progress.
 [[nodiscard]] std::optional<Message> messageOf(const Event& event, const Project& project);
+/// The same of a bus that runs: its slaves have the names of its configuration, whatever is edited meanwhile.
+[[nodiscard]] std::optional<Message> messageOf(const Event& event, const NetworkConfig& running);
 [[nodiscard]] Message messageOf(const Finding& finding, const Project& project);
 [[nodiscard]] Message messageOf(const Error& error, Severity severity, const QString& source);
 /// DC-epoch time (host clock of the event) as a date, local time zone.
