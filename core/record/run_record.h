@@ -38,6 +38,10 @@ class RunRecord {
   void add(std::span<const CycleSample> samples);
   void add(const Snapshot& snapshot);
   void add(const Event& event);
+  /// Out of a recording, see SampleStore::restore().
+  void restore(Signal signal, std::size_t slave, std::span<const Nanoseconds> times, std::span<const float> values) {
+    samples_.restore(signal, slave, times, values, samples_.last_time());
+  }
 
   [[nodiscard]] const NetworkConfig& config() const { return config_; }
   [[nodiscard]] const RunLimits& limits() const { return limits_; }

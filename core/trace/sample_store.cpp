@@ -2,6 +2,7 @@
 #include "trace/sample_store.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace syncline {
@@ -171,6 +172,21 @@ void SampleStore::append_slaves(const CycleSample& sample) {
       }
     }
   }
+}
+
+void SampleStore::restore(Signal signal, std::size_t slave, std::span<const Nanoseconds> times,
+                          std::span<const float> values, Nanoseconds until) {
+  if (info(signal).form != Form::kHeld) return;
+  auto& held = of_held_.at(place(signal, slave));
+  held.clear();
+  for (std::size_t i = 0; i < std::min(times.size(), values.size()); ++i) {
+    if (std::isnan(values[i])) {
+      held.lose(times[i]);
+    } else {
+      held.hear(times[i], values[i]);
+    }
+  }
+  if (!values.empty() && !std::isnan(values.back())) held.hear(until, values.back());
 }
 
 void SampleStore::append(const Snapshot& snapshot) {

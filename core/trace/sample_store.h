@@ -32,6 +32,11 @@ class SampleStore {
   /// Counts and states; the samples that came before it first.
   void append(const Snapshot& snapshot);
 
+  /// What a recording holds of a held signal, in place of what is there: its changes, not-a-number where nothing is
+  /// known from then on, and until when the last one holds.
+  void restore(Signal signal, std::size_t slave, std::span<const Nanoseconds> times, std::span<const float> values,
+               Nanoseconds until);
+
   /// Of a signal that is drawn (not SignalInfo::Form::kCell), of the bus or of one slave.
   [[nodiscard]] const MinMaxSeries& series(Signal signal) const;
   [[nodiscard]] const MinMaxSeries& series(Signal signal, std::size_t slave) const;

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <map>
 #include <regex>
 #include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -77,8 +77,9 @@ std::vector<std::string> sources(const std::string& folder) {
 }
 
 std::string text_of(const std::string& file) {
-  std::ifstream in(fs::path(test::source_dir()) / file);
-  return {std::istreambuf_iterator<char>(in), {}};
+  std::ostringstream text;
+  text << std::ifstream(fs::path(test::source_dir()) / file).rdbuf();
+  return text.str();
 }
 
 struct Include {

@@ -7,13 +7,16 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <bit>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <thread>
 
 #include "record/recorder.h"
 #include "record/recording_reader.h"
+#include "record/replay_run.h"
 #include "support/whole_file.h"
 #include "tests/core/record/made_samples.h"
 #include "trace/csv.h"
@@ -168,6 +171,48 @@ TEST_F(RecordingFile, HoldsTheRunAsItWas) {
   }
   EXPECT_EQ(low, static_cast<double>(extent->min));
   EXPECT_EQ(high, static_cast<double>(extent->max));
+}
+
+/// Replayed, each series of the store has the samples that it had while the run went on, bit for bit.
+TEST_F(RecordingFile, ReplaysWhatWasDrawn) {
+  NetworkConfig config;
+  config.slaves.resize(3);
+  RunRecord live(config);
+  auto recorder = start();
+  test::MadeSamples made(11);
+  for (int i = 0; i < 150; ++i) {
+    const auto samples = made.next(100);
+    auto now = snapshot(samples.back().send_time, static_cast<std::uint32_t>(i / 9));
+    now.slaves[0].present = i % 40 < 30;  // it comes and goes
+    now.slaves[0].absent_since = now.time - kMillisecond;
+    recorder->add(samples);
+    recorder->add(now);
+    live.add(samples);
+    live.add(now);
+  }
+  ASSERT_TRUE(recorder->finish());
+  auto reader = RecordingReader::open(path());
+  ASSERT_TRUE(reader);
+  const auto replayed = replay_run(*reader, config);
+  ASSERT_TRUE(replayed) << replayed.error().detail;
+  const auto points = [](const MinMaxSeries& series) {
+    std::vector<std::pair<Nanoseconds, std::uint32_t>> all;
+    series.for_each(INT64_MIN, INT64_MAX, [&all](Nanoseconds time, float value) {
+      all.emplace_back(time, std::isnan(value) ? 0xFFFF'FFFFU : std::bit_cast<std::uint32_t>(value));
+    });
+    return all;
+  };
+  for (const auto& signal : signals()) {
+    if (signal.form == SignalInfo::Form::kCell) continue;
+    const bool of_slaves = signal.scope == SignalInfo::Scope::kSlave;
+    for (std::size_t slave = 0; slave < (of_slaves ? 3U : 1U); ++slave) {
+      const auto was = points(live.samples().series(signal.id, slave));
+      const auto is = points(replayed->record->samples().series(signal.id, slave));
+      EXPECT_TRUE(was == is) << signal.key << " of " << slave << ": " << was.size() << " and " << is.size();
+    }
+  }
+  config.slaves.resize(2);
+  EXPECT_FALSE(replay_run(*reader, config));
 }
 
 TEST_F(RecordingFile, TheSameRunGivesTheSameFile) {
