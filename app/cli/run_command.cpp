@@ -121,7 +121,7 @@ Result<std::vector<SlaveRequest>> requests_of(const Options& options, std::size_
       return bad("use SLAVE:INDEX:SUB, e.g. 1:0x1018:01");
     if (slave >= slaves) return bad(fmt::format("the configuration has only {} slaves, counted from 0", slaves));
     const auto object = object_name(text.substr(colon + 1));
-    if (!object) return tl::unexpected(object.error());
+    if (!object) return bad(object.error().detail);
     requests.emplace_back(requests::SdoRead{slave, {object->index, object->sub_index}});
   }
   return requests;

@@ -28,6 +28,28 @@ std::string export_demo(const TemporaryFolder& folder, const std::string& shift)
   return eni;
 }
 
+TEST(CliRun, ReadsObjectsWhileTheBusRuns) {
+  const TemporaryFolder folder;
+  const auto file = export_demo(folder, "bus");
+  const std::vector<std::string> run{"run", file, "--link", demo(), "--for", "5s", "--json"};
+  const auto with = [&](const std::string& object) {
+    auto arguments = run;
+    arguments.insert(arguments.end(), {"--sdo-read", object});
+    return cli_run(arguments);
+  };
+  const auto read = with("3:0x1018:01");
+  ASSERT_EQ(read.code, cli::kDone) << read.err;
+  ASSERT_EQ(read.json()["answers"].size(), 1U);
+  EXPECT_EQ(read.json()["answers"][0]["subject"], "object 0x1018:01");
+  EXPECT_EQ(read.json()["answers"][0]["bytes"], "17 5c 00 00");
+  EXPECT_EQ(read.json()["cycles"], cli_run(run).json()["cycles"]);
+  const auto missing = with("3:0x5FFF:01");
+  EXPECT_NE(missing.code, cli::kDone);
+  EXPECT_NE(missing.err.find("does not exist"), std::string::npos) << missing.err;
+  for (const std::string bad : {"3", "x:0x1018:01", "99:0x1018:01", "3:nothing"})
+    EXPECT_NE(with(bad).err.find("--sdo-read"), std::string::npos) << bad;
+}
+
 class CliRunMode : public testing::TestWithParam<std::string> {};
 
 TEST_P(CliRunMode, DemonstrationMachineReachesOpInSync) {
