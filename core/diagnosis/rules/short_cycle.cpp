@@ -12,8 +12,7 @@ namespace {
 /// to do something else than exchange data.
 constexpr Nanoseconds kShare = 90;         // percent
 constexpr Nanoseconds kRequest = 84 * 80;  // a frame of the smallest size
-constexpr std::string_view kConsequences[] = {code::kSlaveBehind, code::kFramesLate, code::kHostLate, code::kFramesLost,
-                                              code::kFramesLostByCable};
+constexpr std::string_view kConsequences[] = {code::kSlaveBehind, code::kFramesLate, code::kHostLate};
 
 bool somebody_is_behind(const RunReport& report) {
   AlState highest = AlState::kNone;
@@ -33,7 +32,8 @@ Nanoseconds needed(const RunReport& report) {
 
 /// Nobody was ever heard because every frame came too late.
 bool is_unheard(const RunReport& report, const Finding& finding) {
-  return finding.code == code::kSlaveAbsent && finding.place.slave == 0 && !report.round_trip;
+  const bool absent = finding.code == code::kSlaveAbsent || finding.code == code::kSlaveAbsentBehindCable;
+  return absent && finding.place.slave == 0 && !report.round_trip;
 }
 
 }  // namespace
