@@ -27,7 +27,9 @@ bool somebody_is_behind(const RunReport& report) {
 Nanoseconds needed(const RunReport& report) {
   if (report.round_trip) return report.wire_time + *report.round_trip - report.first_wire_time;
   const auto& late = report.history.late_frames;
-  return late.count() < report.cycles ? 0 : std::max(report.wire_time, report.cycle_time * 95 / 100 + late.largest());
+  return report.late_frames * 2 < report.cycles
+             ? 0
+             : std::max(report.wire_time, report.cycle_time * 95 / 100 + late.largest());
 }
 
 /// Nobody was ever heard because every frame came too late.
