@@ -37,7 +37,8 @@ void RunRecorder::add(std::span<const CycleSample> samples) {
   history_.add(samples);
   for (const auto& sample : samples) {
     lateness_.add(sample.wake_lateness_ns);
-    if (sample.round_trip_ns > 0)
+    // Before SAFEOP the frame is shorter than the configured one.
+    if (sample.round_trip_ns > 0 && sample.master_state >= static_cast<std::uint8_t>(AlState::kSafeop))
       round_trip_ = std::min(round_trip_.value_or(sample.round_trip_ns), Nanoseconds{sample.round_trip_ns});
     note_settled(sample);
     if (sample.master_state == static_cast<std::uint8_t>(AlState::kOp))

@@ -12,8 +12,7 @@ namespace {
 /// to do something else than exchange data.
 constexpr Nanoseconds kShare = 90;         // percent
 constexpr Nanoseconds kRequest = 84 * 80;  // a frame of the smallest size
-constexpr std::string_view kConsequences[] = {code::kSlaveBehind, code::kFramesLate, code::kHostLate, code::kFramesLost,
-                                              code::kFramesLostByCable};
+constexpr std::string_view kConsequences[] = {code::kSlaveBehind, code::kFramesLate, code::kHostLate};
 
 bool somebody_is_behind(const RunReport& report) {
   AlState highest = AlState::kNone;
@@ -28,12 +27,15 @@ bool somebody_is_behind(const RunReport& report) {
 Nanoseconds needed(const RunReport& report) {
   if (report.round_trip) return report.wire_time + *report.round_trip - report.first_wire_time;
   const auto& late = report.history.late_frames;
-  return late.count() < report.cycles ? 0 : std::max(report.wire_time, report.cycle_time * 95 / 100 + late.largest());
+  return report.late_frames * 2 < report.cycles
+             ? 0
+             : std::max(report.wire_time, report.cycle_time * 95 / 100 + late.largest());
 }
 
 /// Nobody was ever heard because every frame came too late.
 bool is_unheard(const RunReport& report, const Finding& finding) {
-  return finding.code == code::kSlaveAbsent && finding.place.slave == 0 && !report.round_trip;
+  const bool absent = finding.code == code::kSlaveAbsent || finding.code == code::kSlaveAbsentBehindCable;
+  return absent && finding.place.slave == 0 && !report.round_trip;
 }
 
 }  // namespace
