@@ -19,13 +19,14 @@
 #include "ui/widgets/card.h"
 #include "ui/widgets/named.h"
 #include "ui/widgets/tables.h"
+#include "ui/widgets/value_label.h"
 
 namespace syncline::ui {
 namespace {
 
 constexpr const char* kMapping = "slave.N.pdo.map.0xIIII";
 constexpr const char* kPadding = "0x0000:00:8";
-constexpr int kLowestTable = 110;
+constexpr int kLowestTable = 110, kLeastTitle = 60;
 
 // "0x6040:00:16"
 QString objectOf(const std::string& entry) { return QString::fromStdString(entry.substr(0, entry.rfind(':'))); }
@@ -64,7 +65,8 @@ PdoMappingEditor::PdoMappingEditor(Page& page) : page_(page) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(4);
-  title_ = new QLabel(tr("Entries"));
+  title_ = new ValueLabel(tr("Entries"), this);
+  title_->setMinimumWidth(kLeastTitle);  // PDOs have long names
   auto font = title_->font();
   font.setWeight(QFont::DemiBold);
   title_->setFont(font);

@@ -49,7 +49,6 @@ ProcessDataPage::ProcessDataPage(Workspace& workspace) : Page(workspace, "proces
   lists->addWidget(buildDirection(inputs_, inputs_view_, inputs_size_, "inputPdos", tr("Inputs (TxPDO)")), 1);
   layout->addLayout(lists, 1);
   layout->addWidget(buildEntries(), 1);
-  content->setMinimumHeight(260);
   setWidget(content);
 }
 

@@ -90,7 +90,7 @@ RecordPart transitionPart(const Codec<Command>& codec, const char* name) {
           .label = Words::tr("Transitions"),
           .tip = Words::tr("State changes at which the command is sent (ENI InitCmd/Transition)"),
           .kind = Kind::kSet,
-          .width = 84,
+          .width = 78,
           .text = codec.text([](const Command& command) {
             return QString::fromStdString(settings::format_transitions(command.transitions));
           }),
@@ -149,7 +149,7 @@ RecordPart valuePart(const ValueType& type) {
   return {.object_name = "coeValue",
           .label = Words::tr("Value"),
           .tip = Words::tr("Decimal, or hexadecimal with 0x; bytes in the order of the wire (ENI InitCmd/Data)"),
-          .width = 110,
+          .width = 84,
           .text = kCoe.text([type](const StartupCommand& command) {
             return QString::fromStdString(value_text(type(command), command.data));
           }),
@@ -209,7 +209,7 @@ std::uint16_t usualType(const DeviceDescription& device, const StartupCommand& c
 
 std::vector<RecordPart> coeParts(const ValueType& type) {
   return {
-      toggle(kCoe, "coeEnabled", Words::tr("Enabled"), Words::tr("Off: the command is kept, but not sent"), 66,
+      toggle(kCoe, "coeEnabled", Words::tr("Enabled"), Words::tr("Off: the command is kept, but not sent"), 58,
              &StartupCommand::enabled),
       transitionPart(kCoe, "coeTransitions"),
       {.object_name = "coeObject",
@@ -232,7 +232,7 @@ std::vector<RecordPart> coeParts(const ValueType& type) {
 }
 
 std::vector<RecordPart> soeParts() {
-  return {toggle(kSoe, "soeEnabled", Words::tr("Enabled"), Words::tr("Off: the command is kept, but not sent"), 66,
+  return {toggle(kSoe, "soeEnabled", Words::tr("Enabled"), Words::tr("Off: the command is kept, but not sent"), 58,
                  &SoeCommand::enabled),
           transitionPart(kSoe, "soeTransitions"),
           {.object_name = "soeDrive",
@@ -250,7 +250,7 @@ std::vector<RecordPart> soeParts() {
           {.object_name = "soeValue",
            .label = Words::tr("Value"),
            .tip = Words::tr("Bytes in hexadecimal, in the order of the wire (ENI InitCmd/Data)"),
-           .width = 110,
+           .width = 84,
            .text = kSoe.text(
                [](const SoeCommand& command) { return QString::fromStdString(value_text(kBytesType, command.data)); }),
            .put = kSoe.put(setBytes)},
