@@ -127,7 +127,7 @@ bool MasterService::Impl::step() {
     return true;
   }
   if (!operation) {
-    refuse_requests(channels.requests, clock.now());
+    refuse_requests(channels, clock.now());
     return false;
   }
   run_cycle();

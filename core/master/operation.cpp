@@ -170,7 +170,7 @@ bool Operation::serve_state_request() {
 void Operation::end_requests() {
   constexpr Nanoseconds kPatience = 2 * kSecond;
   auto& requests = task_.acyclic().requests();
-  constexpr BriefError kOffline{.code = ErrorCode::kCancelled, .why = "the bus goes offline"};
+  constexpr BriefError kOffline{.code = ErrorCode::kCancelled, .why = "the bus goes offline{2}"};
   requests.cancel_all(kOffline, clock_.now());
   const auto end = clock_.now() + kPatience;
   while (requests.busy() && clock_.now() < end) {

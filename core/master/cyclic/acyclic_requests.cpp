@@ -2,11 +2,12 @@
 #include "master/cyclic/acyclic_requests.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace syncline {
 namespace {
 
-constexpr BriefError kGone{.code = ErrorCode::kNoResponse, .why = "the slave does not answer"};
+constexpr BriefError kGone{.code = ErrorCode::kNoResponse, .why = "the slave does not answer{2}"};
 
 bool is_file(const SlaveRequest& request) {
   return std::holds_alternative<requests::FileRead>(request) || std::holds_alternative<requests::FileWrite>(request);
@@ -14,10 +15,13 @@ bool is_file(const SlaveRequest& request) {
 
 }  // namespace
 
-void refuse_requests(RequestDesk& desk, Nanoseconds now) {
-  while (auto* ticket = desk.pop()) {
+void refuse_requests(MasterChannels& channels, Nanoseconds now) {
+  // In this order: a command that was sent in front of a request is seen with it.
+  while (!channels.requests.empty() && channels.commands.empty()) {
+    auto* ticket = channels.requests.pop();
+    if (ticket == nullptr) return;
     ticket->failure = BriefError{.code = ErrorCode::kConfiguration, .why = "the bus is offline; go online first"};
-    desk.answer(*ticket, now);
+    channels.requests.answer(*ticket, now);
   }
 }
 
@@ -77,7 +81,10 @@ std::optional<BriefError> AcyclicRequests::mailbox_refusal(const RequestTicket& 
 
 void AcyclicRequests::set_taken(const RequestTicket& ticket, bool taken) {
   const auto slave = slave_of(ticket.request);
-  if (place_of(ticket.request) == RequestPlace::kMailbox) run_.mailboxes[slave].taken = taken;
+  if (place_of(ticket.request) == RequestPlace::kMailbox) {
+    run_.mailboxes[slave].taken = taken;
+    run_.mailboxes[slave].own_last = false;
+  }
   if (place_of(ticket.request) == RequestPlace::kEeprom) eeprom_taken_[slave] = taken;
 }
 
@@ -89,15 +96,19 @@ SlaveAddress AcyclicRequests::address_of(std::size_t slave) const {
 /// False when its turn has not come.
 bool AcyclicRequests::begin(RequestTicket& ticket, Nanoseconds now) {
   const auto place = place_of(ticket.request);
-  if (place == RequestPlace::kState) return false;
+  const auto slave = slave_of(ticket.request);
+  auto& mailbox = run_.mailboxes[slave];
+  // Whom the state machine leads just now gets his mailbox, or has it in another place.
+  if (place == RequestPlace::kState || (place == RequestPlace::kMailbox && mailbox.reserved > 0)) return false;
   if (const auto why = refusal(ticket)) {
     ticket.failure = why;
     desk_.answer(ticket, now);
     return true;
   }
-  const auto slave = slave_of(ticket.request);
-  const auto& mailbox = run_.mailboxes[slave];
-  if (place == RequestPlace::kMailbox && (mailbox.taken || mailbox.reserved > 0)) return false;
+  if (place == RequestPlace::kMailbox && mailbox.taken) {
+    mailbox.wanted = any_wanted_ = true;
+    return false;
+  }
   if (place == RequestPlace::kEeprom && eeprom_taken_[slave]) return false;
   auto* slot = free_slot();
   if (slot == nullptr) return false;
@@ -107,6 +118,9 @@ bool AcyclicRequests::begin(RequestTicket& ticket, Nanoseconds now) {
 }
 
 void AcyclicRequests::begin_ready(Nanoseconds now) {
+  if (std::exchange(any_wanted_, false)) {
+    for (auto& mailbox : run_.mailboxes) mailbox.wanted = false;
+  }
   for (std::size_t i = 0; i < waiting_.size();) {
     if (begin(*waiting_[i], now)) {
       remove(i);

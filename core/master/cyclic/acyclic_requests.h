@@ -77,12 +77,12 @@ class AcyclicRequests {
   std::vector<bool> eeprom_taken_;       // per slave
   std::vector<SharedText> names_;
   std::function<std::uint16_t(std::size_t)> positions_;
-  bool by_position_ = false;
+  bool by_position_ = false, any_wanted_ = false;
   std::size_t turn_ = 0;
   RequestSlot* asked_ = nullptr;
 };
 
-/// Ends all requests that wait while no configuration runs.
-void refuse_requests(RequestDesk& desk, Nanoseconds now);
+/// Ends all requests that wait while no configuration runs, and none was sent before them.
+void refuse_requests(MasterChannels& channels, Nanoseconds now);
 
 }  // namespace syncline

@@ -22,6 +22,7 @@ bool CyclicMailbox::ready_for(std::size_t slave) const {
   const auto& mailbox = run_.mailboxes[slave];
   if (holds_ > 0 || busy_ || mailbox.taken || mailbox.reserved > 0 || mailbox.port.send.length < kUploadRequestSize)
     return false;
+  if (mailbox.wanted && mailbox.own_last) return false;  // by turns, however long each takes
   const auto& status = run_.snapshot.slaves[slave];
   const auto state = al_state_of(status.al_status);
   return status.present && (state == AlState::kPreop || state == AlState::kSafeop || state == AlState::kOp);
@@ -31,7 +32,8 @@ void CyclicMailbox::begin(std::size_t slave, coe::ObjectAddress object) {
   current_ = {};
   current_.slave = static_cast<std::uint16_t>(slave);
   current_.object = object;
-  run_.mailboxes[slave].taken = busy_ = true;
+  auto& mailbox = run_.mailboxes[slave];
+  mailbox.taken = mailbox.own_last = busy_ = true;
 }
 
 void CyclicMailbox::upload(std::size_t slave, coe::ObjectAddress object) {

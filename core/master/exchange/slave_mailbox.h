@@ -21,8 +21,10 @@ struct SlaveMailbox {
   MailboxHandshake::Receipt receipt{};
   /// Called in the thread that talks to the slave; may be empty.
   std::function<void(const coe::Emergency&, Nanoseconds now)> on_emergency{};
-  bool taken = false;  // work of the running bus is under way in it
-  int reserved = 0;    // so many want it for themselves: nothing new is begun
+  bool taken = false;     // work of the running bus is under way in it
+  bool wanted = false;    // a request from outside waits for it
+  bool own_last = false;  // the work before was the master's own: a request comes next
+  int reserved = 0;       // so many want it for themselves: nothing new is begun
 
   /// The slave has left the states with a mailbox: it begins to count anew.
   void restart() { receipt = {}; }
