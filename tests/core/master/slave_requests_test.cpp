@@ -453,7 +453,7 @@ TEST(CyclesWithRequests, AreThoseWithout) {
     EXPECT_EQ(with.skipped_cycles, 0);
     EXPECT_EQ(with.wkc_received, without.wkc_received);
     EXPECT_EQ(with.wake_lateness_ns, without.wake_lateness_ns);
-    EXPECT_EQ(with.flags & CycleSample::kDcInSync, without.flags & CycleSample::kDcInSync);
+    EXPECT_EQ(with.slaves_sync, without.slaves_sync);
     largest_quiet = std::max(largest_quiet, std::abs(without.slave_deviation_ns));
     largest_busy = std::max(largest_busy, std::abs(with.slave_deviation_ns));
   }
