@@ -15,7 +15,7 @@
 namespace syncline::cli {
 namespace {
 
-struct Options {
+struct CheckOptions {
   std::string file, severity = "note";
   bool strict = false, rules = false, json = false;
 };
@@ -27,7 +27,7 @@ Severity severity_of(const std::string& name) {
   return Severity::kNote;
 }
 
-Json to_json(const FindingWords& rule) {
+Json rule_json(const FindingWords& rule) {
   return {{"code", rule.code},
           {"severity", severity_name(rule.severity)},
           {"title", rule.title},
@@ -35,7 +35,7 @@ Json to_json(const FindingWords& rule) {
           {"mend", rule.mend}};
 }
 
-Json to_json(const eni::EniCheck& check, const Finding& finding) {
+Json checked_json(const eni::EniCheck& check, const Finding& finding) {
   const FindingWords& rule = *find_finding_words(finding.code);
   const Place& place = finding.place;
   return {{"code", finding.code},
@@ -57,7 +57,7 @@ std::size_t count(const std::vector<Finding>& findings, Severity severity) {
 }
 
 /// Why and how stand once a rule: a mistake in a hundred slaves is one mistake to understand.
-void print(std::ostream& out, const std::string& file, const eni::EniCheck& check) {
+void print_check(std::ostream& out, const std::string& file, const eni::EniCheck& check) {
   std::set<std::string_view> explained;
   for (const auto& finding : check.findings) {
     const FindingWords& rule = *find_finding_words(finding.code);
@@ -76,7 +76,7 @@ void print(std::ostream& out, const std::string& file, const eni::EniCheck& chec
 void print_rules(Context& context, bool json) {
   if (json) {
     Json rows = Json::array();
-    for (const FindingWords& rule : check_rules()) rows.push_back(to_json(rule));
+    for (const FindingWords& rule : check_rules()) rows.push_back(rule_json(rule));
     return context.print({{"rules", rows}});
   }
   for (const FindingWords& rule : check_rules()) {
@@ -84,7 +84,7 @@ void print_rules(Context& context, bool json) {
   }
 }
 
-void check(Context& context, const Options& options) {
+void check(Context& context, const CheckOptions& options) {
   if (options.rules) return print_rules(context, options.json);
   if (options.file.empty()) {
     return context.fail_with(
@@ -100,7 +100,7 @@ void check(Context& context, const Options& options) {
   std::erase_if(findings, [&](const auto& finding) { return finding.severity < severity_of(options.severity); });
   if (options.json) {
     Json rows = Json::array();
-    for (const auto& finding : findings) rows.push_back(to_json(*checked, finding));
+    for (const auto& finding : findings) rows.push_back(checked_json(*checked, finding));
     return context.print({{"file", options.file},
                           {"understood", checked->understood},
                           {"slaves", checked->slaves.size()},
@@ -109,7 +109,7 @@ void check(Context& context, const Options& options) {
                           {"notes", notes},
                           {"findings", rows}});
   }
-  print(context.console.out, options.file, *checked);
+  print_check(context.console.out, options.file, *checked);
   if (!checked->understood) {
     context.console.out << options.file
                         << ": only the structure was checked; mend the errors above, then check again\n";
@@ -123,7 +123,7 @@ void check(Context& context, const Options& options) {
 void add_check_command(CLI::App& app, Context& context) {
   auto* command =
       app.add_subcommand("check", "Check an ENI file: structure, references, commands, clocks, process image");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CheckOptions>();
   command->add_option("file", options->file, "ENI file");
   command->add_option("--severity", options->severity, "Lowest severity shown: note, warning or error")
       ->check(CLI::IsMember({"note", "warning", "error"}));

@@ -5,6 +5,7 @@
 
 #include "app/cli/context.h"
 #include "app/cli/counted.h"
+#include "app/cli/difference_json.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/options.h"
 #include "app/composition/load_config.h"
@@ -18,14 +19,14 @@
 namespace syncline::cli {
 namespace {
 
-struct Options {
+struct CompareOptions {
   std::string left, right;
   bool details = false, look_only = false, json = false;
 };
 
 Json position(const std::optional<std::size_t>& slave) { return slave ? Json(*slave) : Json(); }
 
-Json to_json(const std::vector<ConfigDifference>& differences) {
+Json config_differences_json(const std::vector<ConfigDifference>& differences) {
   Json rows = Json::array();
   for (const auto& d : differences) {
     rows.push_back({{"where", place_text(d)},
@@ -40,16 +41,8 @@ Json to_json(const std::vector<ConfigDifference>& differences) {
   return rows;
 }
 
-Json to_json(const std::vector<NetworkDifference>& differences) {
-  Json rows = Json::array();
-  for (const auto& d : differences) {
-    rows.push_back({{"where", d.where}, {"field", d.field}, {"left", d.left}, {"right", d.right}});
-  }
-  return rows;
-}
-
 /// One line a difference, below a heading for each slave.
-void print(std::ostream& out, const std::vector<ConfigDifference>& differences) {
+void print_differences(std::ostream& out, const std::vector<ConfigDifference>& differences) {
   std::string place;
   for (const auto& difference : differences) {
     if (place_text(difference) != place) {
@@ -72,7 +65,7 @@ struct Compared {
   std::vector<Error> scan_findings;
 };
 
-Result<Compared> compare_any(const Options& options) {
+Result<Compared> compare_any(const CompareOptions& options) {
   const auto left = load_config(options.left);
   if (!left) return tl::unexpected(left.error());
   Compared out;
@@ -96,17 +89,19 @@ Result<Compared> compare_any(const Options& options) {
   return out;
 }
 
-void compare(Context& context, const Options& options) {
+void compare(Context& context, const CompareOptions& options) {
   const auto compared = compare_any(options);
   if (!compared) return context.fail_with(compared.error());
   if (!compared->differences.empty()) context.exit_code = kAnswerIsNo;
   for (const Error& finding : compared->scan_findings) context.warn(finding);
   if (options.json) {
-    Json report{{"left", options.left}, {"right", options.right}, {"differences", to_json(compared->differences)}};
-    if (options.details) report["details"] = to_json(compared->details);
+    Json report{{"left", options.left},
+                {"right", options.right},
+                {"differences", config_differences_json(compared->differences)}};
+    if (options.details) report["details"] = differences_json(compared->details);
     return context.print(report);
   }
-  print(context.console.out, compared->differences);
+  print_differences(context.console.out, compared->differences);
   if (options.details) {
     context.console.out << "commands\n";
     for (const auto& difference : compared->details) context.console.out << "  " << describe(difference) << '\n';
@@ -119,7 +114,7 @@ void compare(Context& context, const Options& options) {
 void add_compare_command(CLI::App& app, Context& context) {
   auto* command =
       app.add_subcommand("compare", "Compare the meaning of two ENI files or projects, or of one with a bus");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CompareOptions>();
   command->add_option("left", options->left, "Project or ENI file")->required();
   command->add_option("right", options->right, "Project or ENI file, or the LINK of a bus")->required();
   command->add_flag("--details", options->details, "Also every command that differs, with its bytes");

@@ -19,7 +19,7 @@
 namespace syncline::cli {
 namespace {
 
-struct Options {
+struct DcOptions {
   std::string link, file, network;
   bool json = false, look_only = false;
   std::size_t rounds = 20;
@@ -36,7 +36,7 @@ struct Segment {
   }
 };
 
-Result<Segment> open_segment(const Options& options, const InterruptGuard& interrupt) {
+Result<Segment> open_segment(const DcOptions& options, const InterruptGuard& interrupt) {
   Segment segment;
   if (!options.file.empty()) {
     auto compiled = load_config(options.file, {}, options.network);
@@ -140,7 +140,7 @@ void print_status(Context& context, const Segment& segment, const std::vector<Cl
   if (json) context.print({{"slaves", rows}});
 }
 
-void show_status(Context& context, const Options& options) {
+void show_status(Context& context, const DcOptions& options) {
   const InterruptGuard interrupt;
   auto segment = open_segment(options, interrupt);
   if (!segment) return context.fail_with(segment.error());
@@ -197,7 +197,7 @@ void print_delays(Context& context, const Segment& segment, const DelaySurvey& s
                                             survey.rounds));
 }
 
-void show_delays(Context& context, const Options& options) {
+void show_delays(Context& context, const DcOptions& options) {
   const InterruptGuard interrupt;
   auto segment = open_segment(options, interrupt);
   if (!segment) return context.fail_with(segment.error());
@@ -208,7 +208,7 @@ void show_delays(Context& context, const Options& options) {
   print_delays(context, *segment, *survey, options.json);
 }
 
-void add_common(CLI::App& command, Options& options) {
+void add_common(CLI::App& command, DcOptions& options) {
   command.add_option("link", options.link, "LINK")->required();
   command.add_option("--project,--eni", options.file, "Project or ENI file: names, and what should be");
   command.add_option("--network", options.network, "Network of a project that holds several: name or number");
@@ -220,12 +220,12 @@ void add_common(CLI::App& command, Options& options) {
 void add_dc_command(CLI::App& app, Context& context) {
   auto* command = app.add_subcommand("dc", "Look at the distributed clocks of a bus");
   command->require_subcommand(1);
-  auto status_options = std::make_shared<Options>();
+  auto status_options = std::make_shared<DcOptions>();
   auto* status = command->add_subcommand("status", "Show the clocks and SYNC units as they are; changes nothing");
   add_common(*status, *status_options);
   status->callback([&context, status_options] { show_status(context, *status_options); });
 
-  auto delay_options = std::make_shared<Options>();
+  auto delay_options = std::make_shared<DcOptions>();
   auto* delays = command->add_subcommand("delays", "Measure the propagation delays: ports, receive times, delays");
   add_common(*delays, *delay_options);
   delays->add_option("--rounds", delay_options->rounds, "Latches whose medians count")

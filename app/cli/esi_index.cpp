@@ -38,7 +38,8 @@ Json duplicate_json(const eni::DuplicateDevice& duplicate) {
   return {{"identity", to_string(duplicate.identity)}, {"conflict", duplicate.conflict}, {"entries", entries}};
 }
 
-void print(Context& context, const eni::EsiCatalogue& catalogue, const std::vector<eni::DuplicateDevice>& duplicates) {
+void print_index(Context& context, const eni::EsiCatalogue& catalogue,
+                 const std::vector<eni::DuplicateDevice>& duplicates) {
   auto& out = context.console.out;
   std::size_t harmless = 0;
   for (const auto& duplicate : duplicates) {
@@ -54,7 +55,7 @@ void print(Context& context, const eni::EsiCatalogue& catalogue, const std::vect
                      harmless);
 }
 
-Json to_json(const eni::EsiCatalogue& catalogue, const std::vector<eni::DuplicateDevice>& duplicates, Json folders) {
+Json index_json(const eni::EsiCatalogue& catalogue, const std::vector<eni::DuplicateDevice>& duplicates, Json folders) {
   Json doubles = Json::array(), warnings = Json::array();
   for (const auto& duplicate : duplicates) doubles.push_back(duplicate_json(duplicate));
   for (const auto& w : catalogue.warnings()) {
@@ -107,8 +108,8 @@ void index(Context& context, const IndexOptions& options) {
   const auto duplicates = catalogue.duplicates([&] { return !guard.interrupted(); });
   if (!duplicates) return context.fail_with(duplicates.error());
   if (guard.interrupted()) context.exit_code = kAnswerIsNo;
-  if (options.json) return context.print(to_json(catalogue, *duplicates, std::move(folders)));
-  print(context, catalogue, *duplicates);
+  if (options.json) return context.print(index_json(catalogue, *duplicates, std::move(folders)));
+  print_index(context, catalogue, *duplicates);
 }
 
 }  // namespace

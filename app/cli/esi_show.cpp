@@ -98,7 +98,8 @@ void print_pdos(std::ostream& out, std::string_view title, const std::vector<Pdo
   }
 }
 
-void print(std::ostream& out, const Json& json, const eni::CatalogueEntry& entry, const DeviceDescription& device) {
+void print_device(std::ostream& out, const Json& json, const eni::CatalogueEntry& entry,
+                  const DeviceDescription& device) {
   out << entry_line(entry) << '\n'
       << fmt::format("vendor   {}\ngroup    {}\nfile     {}:{}\n", entry.vendor_name,
                      entry.group_name.empty() ? entry.group_type : entry.group_name, entry.file, entry.line);
@@ -125,7 +126,7 @@ void show(Context& context, const ShowOptions& options) {
   if (!device) return context.fail_with(device.error());
   const auto json = device_json(*entry, **device);
   if (options.json) return context.print(json);
-  print(context.console.out, json, *entry, **device);
+  print_device(context.console.out, json, *entry, **device);
 }
 
 }  // namespace

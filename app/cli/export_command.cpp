@@ -20,16 +20,16 @@
 namespace syncline::cli {
 namespace {
 
-struct Options {
+struct ExportOptions {
   std::string file, network, output, dialect, format = "eni";
   bool json = false;
 };
 
-EniDialect chosen_dialect(const Options& options) {
+EniDialect chosen_dialect(const ExportOptions& options) {
   return options.dialect == "twincat" ? EniDialect::kTwinCat : EniDialect::kEcEngineer;
 }
 
-std::string content(const Options& options, const NetworkConfig& config) {
+std::string content(const ExportOptions& options, const NetworkConfig& config) {
   if (options.format == "c-header") {
     return exports::c_header(config, std::filesystem::path(options.output).stem().string());
   }
@@ -41,12 +41,12 @@ std::string content(const Options& options, const NetworkConfig& config) {
 }
 
 /// An ENI that is exported again keeps its commands, and with them the layout of its image.
-std::vector<Finding> about_layout(const Options& options, const LoadedConfig& loaded) {
+std::vector<Finding> about_layout(const ExportOptions& options, const LoadedConfig& loaded) {
   if (!loaded.is_eni || options.dialect.empty() || dialect_of(loaded.config) == chosen_dialect(options)) return {};
   return {make_finding<words::kRecovered>("eni-layout-kept", {}, fig::text<"file">(options.file))};
 }
 
-void export_file(Context& context, const Options& options) {
+void export_file(Context& context, const ExportOptions& options) {
   auto loaded = load_any_config(options.file, {chosen_dialect(options)}, options.network);
   if (!loaded) return context.fail_with(loaded.error());
   for (auto& finding : about_layout(options, *loaded)) loaded->findings.push_back(std::move(finding));
@@ -77,7 +77,7 @@ void export_file(Context& context, const Options& options) {
 void add_export_command(CLI::App& app, Context& context) {
   auto* command =
       app.add_subcommand("export", "Write the ENI file of a project or of an ENI, or tables, a C header, a drawing");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ExportOptions>();
   command->add_option("file", options->file, "Project or ENI file")->required();
   command->add_option("-o,--output", options->output, "File to write")->required();
   command

@@ -11,14 +11,14 @@
 namespace syncline::cli {
 namespace {
 
-struct Options {
+struct FoeOptions {
   SlaveOnLink slave;
   std::string name, file;
   std::uint32_t password = 0;
   bool json = false, boot = false;
 };
 
-void report(Context& context, const Options& options, std::size_t bytes, bool written) {
+void report(Context& context, const FoeOptions& options, std::size_t bytes, bool written) {
   if (options.json) {
     return context.print({{"position", options.slave.position},
                           {"name", options.name},
@@ -30,7 +30,7 @@ void report(Context& context, const Options& options, std::size_t bytes, bool wr
                                      options.name, written ? "written from" : "read into", options.file);
 }
 
-void read_file(Context& context, const Options& options) {
+void read_file(Context& context, const FoeOptions& options) {
   with_mailbox(
       context, options.slave,
       [&](SlaveVisit& visit) -> Status {
@@ -43,7 +43,7 @@ void read_file(Context& context, const Options& options) {
       options.boot);
 }
 
-void write_file(Context& context, const Options& options) {
+void write_file(Context& context, const FoeOptions& options) {
   const auto bytes = read_whole_file(options.file);
   if (!bytes) return context.fail_with(bytes.error());
   with_mailbox(
@@ -58,8 +58,8 @@ void write_file(Context& context, const Options& options) {
 }
 
 void add(CLI::App& foe, Context& context, const char* name, const char* description,
-         void (*work)(Context&, const Options&)) {
-  auto options = std::make_shared<Options>();
+         void (*work)(Context&, const FoeOptions&)) {
+  auto options = std::make_shared<FoeOptions>();
   auto* command = foe.add_subcommand(name, description);
   add_slave_options(*command, options->slave, options->json);
   command->add_option("name", options->name, "Name of the file in the slave")->required();

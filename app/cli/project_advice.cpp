@@ -17,14 +17,14 @@ namespace {
 
 constexpr std::size_t kRows = 20;  // of lists in the text form; JSON has all
 
-struct Options {
+struct ProjectAdviceOptions {
   std::string file, network;
   bool json = false;
 };
 
 double us(Nanoseconds time) { return static_cast<double>(time) / 1e3; }
 
-Json to_json(const CycleCandidate& candidate) {
+Json candidate_json(const CycleCandidate& candidate) {
   Json refusals = Json::array();
   for (const auto& refusal : candidate.refusals) {
     refusals.push_back(
@@ -35,14 +35,14 @@ Json to_json(const CycleCandidate& candidate) {
 
 Json optional_us(const std::optional<Nanoseconds>& time) { return time ? Json(us(*time)) : Json(nullptr); }
 
-void print_json(Context& context, const Options& options, const CycleTimeHelp& help) {
+void print_json(Context& context, const ProjectAdviceOptions& options, const CycleTimeHelp& help) {
   Json candidates = Json::array();
-  for (const auto& candidate : help.candidates) candidates.push_back(to_json(candidate));
+  for (const auto& candidate : help.candidates) candidates.push_back(candidate_json(candidate));
   context.print({{"file", options.file},
                  {"step_us", us(help.step)},
                  {"shortest_us", optional_us(help.shortest)},
                  {"longest_us", optional_us(help.longest)},
-                 {"current", to_json(help.current)},
+                 {"current", candidate_json(help.current)},
                  {"candidates", candidates}});
 }
 
@@ -69,7 +69,7 @@ void print_text(Context& context, const CycleTimeHelp& help) {
   }
 }
 
-void cycle_times(Context& context, const Options& options) {
+void cycle_times(Context& context, const ProjectAdviceOptions& options) {
   const auto project = load_any_project(options.file, options.network);
   if (!project) return context.fail_with(project.error());
   const auto help = cycle_time_help(*project);
@@ -78,7 +78,7 @@ void cycle_times(Context& context, const Options& options) {
   options.json ? print_json(context, options, *help) : print_text(context, *help);
 }
 
-void print_json(Context& context, const Options& options, const ImageReport& report) {
+void print_json(Context& context, const ProjectAdviceOptions& options, const ImageReport& report) {
   Json frames = Json::array(), slaves = Json::array(), movable = Json::array();
   for (const auto& frame : report.frames) {
     frames.push_back({{"task", frame.task},
@@ -154,7 +154,7 @@ void print_text(Context& context, const ImageReport& report) {
   }
 }
 
-void report(Context& context, const Options& options) {
+void report(Context& context, const ProjectAdviceOptions& options) {
   const auto project = load_any_project(options.file, options.network);
   if (!project) return context.fail_with(project.error());
   const auto compiled = compile(*project);
@@ -164,9 +164,9 @@ void report(Context& context, const Options& options) {
 }
 
 void add(CLI::App& project, Context& context, const char* name, const char* help,
-         void (*action)(Context&, const Options&)) {
+         void (*action)(Context&, const ProjectAdviceOptions&)) {
   auto* command = project.add_subcommand(name, help);
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ProjectAdviceOptions>();
   command->add_option("file", options->file, "Project or ENI file")->required();
   command->add_option("--network", options->network, "Network of a file that holds several: name or number");
   command->add_flag("--json", options->json, "Print JSON");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/project_create.h"
+#include "app/cli/difference_json.h"
 
 #include <algorithm>
 
@@ -36,14 +37,6 @@ Result<Project> recover(Context& context, const CreateOptions& options, const en
     }
   }
   return recovered.project;
-}
-
-Json differences_json(const std::vector<NetworkDifference>& differences) {
-  Json rows = Json::array();
-  for (const auto& d : differences) {
-    rows.push_back({{"where", d.where}, {"field", d.field}, {"left", d.left}, {"right", d.right}});
-  }
-  return rows;
 }
 
 void report(Context& context, const CreateOptions& options, std::size_t slaves, const RecoveredProject& recovered) {

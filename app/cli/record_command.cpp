@@ -14,7 +14,7 @@
 namespace syncline::cli {
 namespace {
 
-struct Options {
+struct RecordingOptions {
   std::string file, out, document;
   bool json = false;
 };
@@ -23,7 +23,7 @@ double seconds(Nanoseconds time) { return static_cast<double>(time) / 1e9; }
 
 Json slave_or_null(int slave) { return slave < 0 ? Json(nullptr) : Json(slave); }
 
-Json to_json(const RecordingInfo& info) {
+Json recording_json(const RecordingInfo& info) {
   Json slaves = Json::array(), documents = Json::array(), events = Json::array(), findings = Json::array(),
        notes = Json::array();
   for (const auto& slave : info.about.slaves) slaves.push_back(slave.name);
@@ -65,7 +65,7 @@ std::string end_text(const RecordingInfo& info) {
                      seconds(info.end - info.begin));
 }
 
-std::string to_text(const RecordingInfo& info) {
+std::string recording_text(const RecordingInfo& info) {
   const auto& about = info.about;
   auto text =
       fmt::format("{} on {}\n{} cycles of {:g} us in {:.3f} s, {} missing\n{}\nend: {}\n", about.program, about.link,
@@ -81,13 +81,13 @@ std::string to_text(const RecordingInfo& info) {
   return text;
 }
 
-void show_info(Context& context, const Options& options) {
+void show_info(Context& context, const RecordingOptions& options) {
   auto reader = RecordingReader::open(options.file);
   if (!reader) return context.fail_with(reader.error());
   const auto info = reader->info();
   if (!info) return context.fail_with(info.error());
-  if (options.json) return context.print(to_json(*info));
-  context.console.out << to_text(*info);
+  if (options.json) return context.print(recording_json(*info));
+  context.console.out << recording_text(*info);
 }
 
 /// As a run writes it, byte for byte.
@@ -106,7 +106,7 @@ Status write_csv(RecordingReader& reader, const std::string& path) {
   return status ? file->finish() : status;
 }
 
-Status write_document(RecordingReader& reader, const Options& options) {
+Status write_document(RecordingReader& reader, const RecordingOptions& options) {
   const auto info = reader.info();
   if (!info) return tl::unexpected(info.error());
   for (const auto& document : info->about.documents) {
@@ -119,14 +119,14 @@ Status write_document(RecordingReader& reader, const Options& options) {
   return fail(ErrorCode::kBadValue, "--document", "the recording holds a \"project\" and a \"configuration\"");
 }
 
-void export_to(Context& context, const Options& options) {
+void export_to(Context& context, const RecordingOptions& options) {
   auto reader = RecordingReader::open(options.file);
   if (!reader) return context.fail_with(reader.error());
   const auto status = options.document.empty() ? write_csv(*reader, options.out) : write_document(*reader, options);
   if (!status) context.fail_with(status.error());
 }
 
-void verify(Context& context, const Options& options) {
+void verify(Context& context, const RecordingOptions& options) {
   auto reader = RecordingReader::open(options.file);
   const auto blocks = reader ? reader->verify() : Result<std::uint64_t>(tl::unexpected(reader.error()));
   if (!blocks) {
@@ -149,7 +149,7 @@ void verify(Context& context, const Options& options) {
 void add_record_command(CLI::App& app, Context& context) {
   auto* group = app.add_subcommand("record", "Look at a recording that run --record has written");
   group->require_subcommand(1);
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RecordingOptions>();
   auto* show = group->add_subcommand("info", "What was run, how long, what happened and what it means");
   auto* copy = group->add_subcommand("export", "Write the samples as run --csv does, or what was run");
   auto* check = group->add_subcommand("verify", "Read everything and check it; exit code 1 when it is damaged");

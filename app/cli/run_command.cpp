@@ -32,7 +32,7 @@
 namespace syncline::cli {
 namespace {
 
-struct Options {
+struct RunOptions {
   std::string file, network, link, duration = "10s", csv, dcm_log, capture, save_host, state = "OP";
   RecordOptions record;
   std::vector<std::string> overrides, sdo_reads;
@@ -109,7 +109,7 @@ class RunFiles {
 };
 
 /// SLAVE:INDEX:SUB of each.
-Result<std::vector<SlaveRequest>> requests_of(const Options& options, std::size_t slaves) {
+Result<std::vector<SlaveRequest>> requests_of(const RunOptions& options, std::size_t slaves) {
   std::vector<SlaveRequest> requests;
   for (const auto& text : options.sdo_reads) {
     const auto bad = [&](std::string why) { return fail(ErrorCode::kBadValue, "--sdo-read " + text, std::move(why)); };
@@ -135,7 +135,7 @@ Json answer_json(const SlaveRequest& request, const SlaveAnswer& answer) {
 }
 
 /// What the run has shown of its host, for a scenario's `[host] profile`.
-Status save_host(const Options& options, const HostRecorder& host, const NetworkConfig& config) {
+Status save_host(const RunOptions& options, const HostRecorder& host, const NetworkConfig& config) {
   if (host.cycles() == 0) {
     return fail(Error{
         ErrorCode::kFileNotWritable, {}, "the bus was not in OP, so there is nothing to save", options.save_host});
@@ -145,7 +145,7 @@ Status save_host(const Options& options, const HostRecorder& host, const Network
   return write_whole_file(options.save_host, sim::host_profile_text(host.profile(), about));
 }
 
-void execute(Context& context, const Options& options) {
+void execute(Context& context, const RunOptions& options) {
   const auto duration = parse_duration(options.duration);
   if (!duration) return context.fail_with(duration.error());
   const auto target = al_state_from_name(options.state);
@@ -247,7 +247,7 @@ void execute(Context& context, const Options& options) {
 void add_run_command(CLI::App& app, Context& context) {
   auto* command =
       app.add_subcommand("run", "Bring a bus to OP with a project or an ENI and report how well it is in sync");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RunOptions>();
   command->add_option("file", options->file, "Project or ENI file")->required();
   command->add_option("--network", options->network, "Network of a project that holds several: name or number");
   command->add_option("--link", options->link, "LINK")->required();

@@ -54,7 +54,7 @@ Json known(bool unknown, Value value) {
   return unknown ? Json() : Json(std::move(value));
 }
 
-Json to_json(const ScannedSlave& slave) {
+Json scanned_json(const ScannedSlave& slave) {
   const auto& unknown = slave.unknown;
   Json row{{"position", slave.position},
            {"name", name_of(slave)},
@@ -129,7 +129,7 @@ void print_table(std::ostream& out, const BusScan& scan) {
   out << fmt::format("{}{}\n", counted(scan.slaves.size(), "slave"), scan.look_only ? ", looked at only" : "");
 }
 
-struct Options {
+struct ScanOptions {
   std::string link, capture;
   EsiFolders esi;
   bool look_only = false, json = false;
@@ -147,7 +147,7 @@ void print_matches(std::ostream& out, const BusScan& scan, const eni::EsiCatalog
   }
 }
 
-void scan(Context& context, const Options& options) {
+void scan(Context& context, const ScanOptions& options) {
   const InterruptGuard interrupt;
   ScanRequest request;
   request.options.look_only = options.look_only;
@@ -177,7 +177,7 @@ void scan(Context& context, const Options& options) {
   }
   Json rows = Json::array(), findings = Json::array();
   for (const auto& slave : found->slaves) {
-    rows.push_back(to_json(slave));
+    rows.push_back(scanned_json(slave));
     if (catalogue) rows.back()["esi"] = match_json(catalogue->match(slave.identity));
   }
   for (const auto& finding : found->findings) findings.push_back(describe(finding));
@@ -192,7 +192,7 @@ void scan(Context& context, const Options& options) {
 
 void add_scan_command(CLI::App& app, Context& context) {
   auto* command = app.add_subcommand("scan", "List the slaves on a bus");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ScanOptions>();
   command->add_option("link", options->link, "LINK")->required();
   command->add_flag("--look-only", options->look_only,
                     "Change nothing: no station addresses, no EEPROM taken from its PDI, no latching of times");

@@ -12,7 +12,7 @@
 namespace syncline::cli {
 namespace {
 
-struct Options {
+struct SdoOptions {
   SlaveOnLink slave;
   std::string object, value, type;
   bool complete = false, json = false;
@@ -35,7 +35,7 @@ Json entry_json(const coe::EntryDescription& entry) {
           {"name", entry.name}};
 }
 
-void print_dictionary(Context& context, const Options& options, const std::vector<DictionaryObject>& objects) {
+void print_dictionary(Context& context, const SdoOptions& options, const std::vector<DictionaryObject>& objects) {
   if (options.json) {
     Json list = Json::array();
     for (const auto& object : objects) {
@@ -56,7 +56,7 @@ void print_dictionary(Context& context, const Options& options, const std::vecto
   }
 }
 
-Status list_objects(Context& context, const Options& options, SlaveVisit& visit) {
+Status list_objects(Context& context, const SdoOptions& options, SlaveVisit& visit) {
   ObjectDictionaryReader reader(visit.mailbox());
   const auto objects = reader.read();
   if (!objects) return tl::unexpected(objects.error());
@@ -65,7 +65,7 @@ Status list_objects(Context& context, const Options& options, SlaveVisit& visit)
 }
 
 /// As the user says, else as the device says, else bytes. Not every slave describes its objects.
-Result<std::uint16_t> type_of(const Options& options, coe::ObjectAddress object, SlaveVisit& visit) {
+Result<std::uint16_t> type_of(const SdoOptions& options, coe::ObjectAddress object, SlaveVisit& visit) {
   if (!options.type.empty()) return data_type_code(options.type);
   if (options.complete) return kBytesType;
   const auto entry = SdoInfoClient(visit.mailbox()).entry(object.index, object.sub_index);
@@ -77,7 +77,7 @@ Result<std::uint16_t> type_of(const Options& options, coe::ObjectAddress object,
   return kBytesType;
 }
 
-void print_value(Context& context, const Options& options, coe::ObjectAddress object, std::uint16_t type,
+void print_value(Context& context, const SdoOptions& options, coe::ObjectAddress object, std::uint16_t type,
                  std::span<const std::uint8_t> bytes, bool written) {
   const auto text = value_text(type, bytes);
   if (options.json) {
@@ -95,7 +95,7 @@ void print_value(Context& context, const Options& options, coe::ObjectAddress ob
                                      written ? " written" : "");
 }
 
-Status read_object(Context& context, const Options& options, coe::ObjectAddress object, SlaveVisit& visit) {
+Status read_object(Context& context, const SdoOptions& options, coe::ObjectAddress object, SlaveVisit& visit) {
   const auto type = type_of(options, object, visit);
   if (!type) return tl::unexpected(type.error());
   const auto bytes = CoeClient(visit.mailbox()).upload(object, options.complete);
@@ -104,7 +104,7 @@ Status read_object(Context& context, const Options& options, coe::ObjectAddress 
   return {};
 }
 
-Status write_object(Context& context, const Options& options, coe::ObjectAddress object, SlaveVisit& visit) {
+Status write_object(Context& context, const SdoOptions& options, coe::ObjectAddress object, SlaveVisit& visit) {
   const auto type = type_of(options, object, visit);
   if (!type) return tl::unexpected(type.error());
   const auto bytes = value_bytes(*type, options.value);
@@ -114,10 +114,10 @@ Status write_object(Context& context, const Options& options, coe::ObjectAddress
   return {};
 }
 
-using ObjectWork = Status (*)(Context&, const Options&, coe::ObjectAddress, SlaveVisit&);
+using ObjectWork = Status (*)(Context&, const SdoOptions&, coe::ObjectAddress, SlaveVisit&);
 
 /// What the user typed is checked before the slave is touched.
-void with_object(Context& context, const Options& options, ObjectWork work) {
+void with_object(Context& context, const SdoOptions& options, ObjectWork work) {
   const auto name = object_name(options.object);
   if (!name) return context.fail_with(name.error());
   if (options.complete && name->sub_index > 1) {
@@ -131,13 +131,13 @@ void with_object(Context& context, const Options& options, ObjectWork work) {
   });
 }
 
-CLI::App* add(CLI::App& sdo, const std::shared_ptr<Options>& options, const char* name, const char* description) {
+CLI::App* add(CLI::App& sdo, const std::shared_ptr<SdoOptions>& options, const char* name, const char* description) {
   auto* command = sdo.add_subcommand(name, description);
   add_slave_options(*command, options->slave, options->json);
   return command;
 }
 
-void add_object_options(CLI::App& command, Options& options) {
+void add_object_options(CLI::App& command, SdoOptions& options) {
   command.add_option("object", options.object, "INDEX[:SUB] in hexadecimal, 0x1018:01")->required();
   command.add_flag("--complete", options.complete, "Complete access: the whole object from this sub-index (0 or 1) on");
   command.add_option("--type", options.type,
@@ -150,19 +150,19 @@ void add_sdo_command(CLI::App& app, Context& context) {
   auto* sdo = app.add_subcommand("sdo", "List, read or write the CoE objects of a slave");
   sdo->require_subcommand(1);
 
-  auto listing = std::make_shared<Options>();
+  auto listing = std::make_shared<SdoOptions>();
   add(*sdo, listing, "list", "All objects and entries in the slave's own words (SDO information)")
       ->callback([&context, listing] {
         with_mailbox(context, listing->slave,
                      [&](SlaveVisit& visit) { return list_objects(context, *listing, visit); });
       });
 
-  auto reading = std::make_shared<Options>();
+  auto reading = std::make_shared<SdoOptions>();
   auto* read = add(*sdo, reading, "read", "Read an object");
   add_object_options(*read, *reading);
   read->callback([&context, reading] { with_object(context, *reading, read_object); });
 
-  auto writing = std::make_shared<Options>();
+  auto writing = std::make_shared<SdoOptions>();
   auto* write = add(*sdo, writing, "write", "Write an object");
   add_object_options(*write, *writing);
   write->add_option("value", writing->value, "Number, text, or bytes in hexadecimal, as the type asks for")->required();

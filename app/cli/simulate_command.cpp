@@ -15,7 +15,7 @@
 namespace syncline::cli {
 namespace {
 
-struct Options {
+struct SimulateOptions {
   std::string scenario, adapter, duration;
   std::uint64_t seed = 0;
   unsigned network = 0;
@@ -95,7 +95,7 @@ Json summary_json(const SimulateReport& report) {
           {"states", states}};
 }
 
-void simulate(Context& context, const Options& options) {
+void simulate(Context& context, const SimulateOptions& options) {
   SimulateRequest request;
   request.adapter = options.adapter;
   request.spin = static_cast<Nanoseconds>(options.spin_us * 1'000);
@@ -130,7 +130,7 @@ void simulate(Context& context, const Options& options) {
 void add_simulate_command(CLI::App& app, Context& context) {
   auto* command = app.add_subcommand(
       "simulate", "Be a bus: answer EtherCAT frames of any master on a network adapter with a simulated segment");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SimulateOptions>();
   command->add_option("scenario", options->scenario, "Scenario file (TOML)")->required();
   command->add_option("--nic", options->adapter, "Network adapter, e.g. one end of a veth pair")->required();
   command->add_option("--for", options->duration, "How long, e.g. 20s; without it until Ctrl-C");

@@ -13,7 +13,7 @@
 namespace syncline::cli {
 namespace {
 
-struct Options {
+struct SlavesOptions {
   SlaveOnLink slave;
   std::string state;
   bool json = false;
@@ -31,7 +31,7 @@ std::string_view type_text(DiagnosisMessage::Type type) {
   return "unknown";
 }
 
-void print_history(Context& context, const Options& options, const DiagnosisHistory& history) {
+void print_history(Context& context, const SlavesOptions& options, const DiagnosisHistory& history) {
   if (options.json) {
     Json messages = Json::array();
     for (const auto& [sub_index, message] : history.messages) {
@@ -62,7 +62,7 @@ void print_history(Context& context, const Options& options, const DiagnosisHist
   if (history.unreadable > 0) out << fmt::format("{} messages cannot be read\n", history.unreadable);
 }
 
-void show_history(Context& context, const Options& options) {
+void show_history(Context& context, const SlavesOptions& options) {
   with_mailbox(context, options.slave, [&](SlaveVisit& visit) -> Status {
     const auto history = read_diagnosis_history(visit.mailbox());
     if (!history) return tl::unexpected(history.error());
@@ -71,7 +71,7 @@ void show_history(Context& context, const Options& options) {
   });
 }
 
-void change_state(Context& context, const Options& options) {
+void change_state(Context& context, const SlavesOptions& options) {
   const auto target = al_state_from_name(options.state);
   if (!target || *target == AlState::kNone) {
     return context.fail_with({ErrorCode::kBadValue, "STATE", "one of INIT, PREOP, BOOT, SAFEOP, OP"});
@@ -97,12 +97,12 @@ void change_state(Context& context, const Options& options) {
 }  // namespace
 
 void add_slave_commands(CLI::App& app, Context& context) {
-  auto reading = std::make_shared<Options>();
+  auto reading = std::make_shared<SlavesOptions>();
   auto* history = app.add_subcommand("history", "Show the diagnosis history of a slave (0x10F3)");
   add_slave_options(*history, reading->slave, reading->json);
   history->callback([&context, reading] { show_history(context, *reading); });
 
-  auto leading = std::make_shared<Options>();
+  auto leading = std::make_shared<SlavesOptions>();
   auto* state = app.add_subcommand("state", "Lead a slave to a state and leave it there");
   add_slave_options(*state, leading->slave, leading->json);
   state->add_option("state", leading->state, "INIT, PREOP, BOOT, SAFEOP or OP")->required();

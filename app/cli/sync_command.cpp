@@ -11,7 +11,7 @@
 namespace syncline::cli {
 namespace {
 
-struct Options {
+struct SyncOptions {
   SlaveOnLink slave;
   bool json = false;
 };
@@ -81,7 +81,7 @@ void print_text(Context& context, const SlaveVisit& visit, const std::vector<Syn
   }
 }
 
-Json to_json(const FamilyStatus& family) {
+Json family_json(const FamilyStatus& family) {
   if (family.family == nullptr) return nullptr;
   Json bits = Json::array();
   for (const auto& line : family.lines) {
@@ -94,7 +94,7 @@ Json to_json(const FamilyStatus& family) {
           {"node_states", family.node_states}};
 }
 
-void print_json(Context& context, const Options& options, const SlaveVisit& visit,
+void print_json(Context& context, const SyncOptions& options, const SlaveVisit& visit,
                 const std::vector<SyncParameters>& objects, const FamilyStatus& family) {
   Json list = Json::array();
   for (const auto& object : objects) {
@@ -113,10 +113,10 @@ void print_json(Context& context, const Options& options, const SlaveVisit& visi
   context.print({{"position", options.slave.position},
                  {"state", al_state_name(visit.found())},
                  {"objects", list},
-                 {"family", to_json(family)}});
+                 {"family", family_json(family)}});
 }
 
-void show(Context& context, const Options& options) {
+void show(Context& context, const SyncOptions& options) {
   with_mailbox(context, options.slave, [&](SlaveVisit& visit) -> Status {
     const auto objects = read_sync_objects(visit.mailbox());
     if (!objects) return tl::unexpected(objects.error());
@@ -136,7 +136,7 @@ void show(Context& context, const Options& options) {
 }  // namespace
 
 void add_sync_command(CLI::App& app, Context& context) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SyncOptions>();
   auto* command =
       app.add_subcommand("sync", "Show how a slave is synchronised, and what it has missed (0x1C32, 0x1C33)");
   add_slave_options(*command, options->slave, options->json);

@@ -11,7 +11,6 @@
 namespace syncline {
 namespace {
 
-constexpr Nanoseconds kIdlePeriod = 1 * kMillisecond;
 constexpr MacAddress kBroadcastMac{0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF};
 
 }  // namespace

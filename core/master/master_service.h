@@ -10,6 +10,9 @@
 
 namespace syncline {
 
+/// While no frames are to be sent.
+inline constexpr Nanoseconds kIdlePeriod = 1 * kMillisecond;
+
 /// The background core: executes commands from the channels on a link and a clock. Whoever calls
 /// step() is its thread: MasterThread on the real clock, the caller itself on the virtual clock
 /// (then everything is deterministic and nothing sleeps).

@@ -8,12 +8,6 @@
 #include "support/stop_signals.h"
 
 namespace syncline {
-namespace {
-
-constexpr Nanoseconds kIdlePeriod = 1 * kMillisecond;
-
-}  // namespace
-
 struct MasterThread::Impl {
   explicit Impl(MasterService& own_service) : service(own_service) {
     const StopSignalsBlocked deaf;  // whoever started the thread hears them

@@ -9,6 +9,10 @@ namespace syncline {
 
 /// Application-layer state (ETG.1000.6, table 9): low nibble of 0x0120 and 0x0130.
 enum class AlState : std::uint8_t { kNone = 0, kInit = 1, kPreop = 2, kBoot = 3, kSafeop = 4, kOp = 8 };
+/// In the order of their values: BOOT stands between PREOP and SAFEOP.
+[[nodiscard]] constexpr bool is_above(AlState state, AlState target) {
+  return static_cast<int>(state) > static_cast<int>(target);
+}
 
 inline constexpr std::uint16_t kAlErrorFlag = 0x0010;  // status: error indication, control: acknowledge
 

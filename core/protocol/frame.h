@@ -14,6 +14,8 @@ namespace syncline {
 
 inline constexpr std::size_t kEthernetHeaderSize = 14;
 inline constexpr std::size_t kEtherCatHeaderSize = 2;
+/// What a frame has before its first datagram.
+inline constexpr std::size_t kFrameOverhead = kEthernetHeaderSize + kEtherCatHeaderSize;
 inline constexpr std::size_t kDatagramHeaderSize = 10;
 inline constexpr std::size_t kWkcSize = 2;
 inline constexpr std::size_t kMaxEthernetFrame = 1514;  // without FCS

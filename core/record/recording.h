@@ -17,10 +17,10 @@ struct RecordedDocument {
   bool operator==(const RecordedDocument&) const = default;
 };
 
-struct RecordedSlave {
+struct RecordingSlave {
   std::string name;
   std::uint32_t vendor_id = 0, product_code = 0, revision_no = 0;
-  bool operator==(const RecordedSlave&) const = default;
+  bool operator==(const RecordingSlave&) const = default;
 };
 
 /// About the run as a whole.
@@ -29,7 +29,7 @@ struct RecordingAbout {
   std::string link;     // LINK text
   std::string begun;    // "2026-03-01T12:00:00Z", wall clock; "" when that would not be the same in every run
   std::vector<RecordedDocument> documents;
-  std::vector<RecordedSlave> slaves;
+  std::vector<RecordingSlave> slaves;
   RunLimits limits;
   std::uint16_t speed_counter_start = 0x1000;  // register 0x0930
 };

@@ -26,7 +26,7 @@ namespace {
 
 constexpr const char* kMapping = "slave.N.pdo.map.0xIIII";
 constexpr const char* kPadding = "0x0000:00:8";
-constexpr int kLowestTable = 110, kLeastTitle = 60;
+constexpr int kLowestMapping = 110, kLeastTitle = 60;
 
 // "0x6040:00:16"
 QString objectOf(const std::string& entry) { return QString::fromStdString(entry.substr(0, entry.rfind(':'))); }
@@ -79,7 +79,7 @@ PdoMappingEditor::PdoMappingEditor(Page& page) : page_(page) {
   view_ = named(new QTableView, "pdoEntries", tr("Entries of the selected PDO"));
   setUpTable(*view_);
   view_->setModel(model_);
-  view_->setMinimumHeight(kLowestTable);
+  view_->setMinimumHeight(kLowestMapping);
   view_->setColumnWidth(PdoEntryModel::kOffset, 56);
   view_->setColumnWidth(PdoEntryModel::kObject, 88);
   view_->setColumnWidth(PdoEntryModel::kType, 72);

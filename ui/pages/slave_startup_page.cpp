@@ -20,7 +20,7 @@
 namespace syncline::ui {
 namespace {
 
-constexpr const char *kCoe = "slave.N.startup.K", *kSoe = "slave.N.soe.K";
+constexpr const char *kCoeKey = "slave.N.startup.K", *kSoeKey = "slave.N.soe.K";
 constexpr int kAsDictionary = -1;
 
 /// What Add appends sends nothing before the user says what.
@@ -29,10 +29,10 @@ constexpr const char *kFreshCoe = "PS 0x2000:00=00 off", *kFreshSoe = "PS 0:S-0-
 }  // namespace
 
 SlaveStartupPage::SlaveStartupPage(Workspace& workspace) : Page(workspace, "slaveStartupPage", tr("Start-up")) {
-  auto coe = listOf(kCoe, tr("start-up command"));
+  auto coe = listOf(kCoeKey, tr("start-up command"));
   coe.nothing = tr("None: the slave starts with what it has.");
   coe.fresh = [](const Records&) { return std::string(kFreshCoe); };
-  auto soe = listOf(kSoe, tr("SoE start-up command"));
+  auto soe = listOf(kSoeKey, tr("SoE start-up command"));
   soe.nothing = coe.nothing;
   soe.fresh = [](const Records&) { return std::string(kFreshSoe); };
   coe_ = new RecordEditor(*this, "startup", tr("Objects (CoE)"), std::move(coe),
@@ -151,8 +151,8 @@ bool SlaveStartupPage::appliesTo(int position) const {
 }
 
 void SlaveStartupPage::showPlace(const settings::Setting& setting, const settings::Place& place) {
-  if (setting.key == kCoe) coe_->select(static_cast<int>(place.item));
-  if (setting.key == kSoe) soe_->select(static_cast<int>(place.item));
+  if (setting.key == kCoeKey) coe_->select(static_cast<int>(place.item));
+  if (setting.key == kSoeKey) soe_->select(static_cast<int>(place.item));
 }
 
 void SlaveStartupPage::refresh() {

@@ -131,7 +131,7 @@ RecordPart commentPart(const Codec<Command>& codec, const char* name) {
           })};
 }
 
-QString objectText(const StartupCommand& command) {
+QString startupObjectText(const StartupCommand& command) {
   return QStringLiteral("%1:%2").arg(hexText(command.index, 4), hexText(command.sub_index, 2).mid(2));
 }
 
@@ -216,7 +216,7 @@ std::vector<RecordPart> coeParts(const ValueType& type) {
        .label = Words::tr("Object"),
        .tip = Words::tr("Index and sub-index, hexadecimal: 0x6060:00 (ENI InitCmd/Index and SubIndex)"),
        .width = 90,
-       .text = kCoe.text(objectText),
+       .text = kCoe.text(startupObjectText),
        .put = kCoe.put(setObject)},
       valuePart(type),
       commentPart(kCoe, "coeComment"),

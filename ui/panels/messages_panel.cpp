@@ -18,7 +18,7 @@
 namespace syncline::ui {
 namespace {
 
-theme::Tone toneOf(Severity severity) {
+theme::Tone messageTone(Severity severity) {
   if (severity == Severity::kError) return theme::Tone::kBad;
   return severity == Severity::kWarning ? theme::Tone::kWarning : theme::Tone::kNeutral;
 }
@@ -37,7 +37,7 @@ class SeverityDelegate final : public QStyledItemDelegate {
   void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
     QStyledItemDelegate::initStyleOption(option, index);
     const auto severity = static_cast<Severity>(index.data(MessageModel::kSeverityRole).toInt());
-    const auto color = theme::toneColor(option->palette, toneOf(severity));
+    const auto color = theme::toneColor(option->palette, messageTone(severity));
     option->palette.setColor(QPalette::Text, color);
   }
 };
@@ -111,7 +111,7 @@ void MessagesPanel::updateCounts() {
 void MessagesPanel::drawIcons() {
   for (const auto severity : {Severity::kNote, Severity::kWarning, Severity::kError}) {
     switches_[static_cast<int>(severity)]->setIcon(
-        theme::icon(iconOf(severity), palette(), theme::toneColor(palette(), toneOf(severity))));
+        theme::icon(iconOf(severity), palette(), theme::toneColor(palette(), messageTone(severity))));
   }
   clear_->setIcon(theme::icon(QStringLiteral("clear"), palette()));
 }

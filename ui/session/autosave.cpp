@@ -17,7 +17,7 @@ namespace {
 constexpr std::chrono::milliseconds kDelay{1000};
 
 /// Stale when its process is gone, however young, and never by age.
-std::unique_ptr<QLockFile> lockOf(const QString& file) {
+std::unique_ptr<QLockFile> recoveryLock(const QString& file) {
   auto lock = std::make_unique<QLockFile>(file + QStringLiteral(".lock"));
   lock->setStaleLockTime(0);
   return lock;
@@ -60,7 +60,7 @@ void Autosave::forget() {
 bool Autosave::lockOwn() {
   if (own_) return true;
   if (!QDir().mkpath(folder_)) return false;
-  auto lock = lockOf(file_);
+  auto lock = recoveryLock(file_);
   if (!lock->tryLock(0)) return false;
   own_ = std::move(lock);
   return true;
@@ -97,7 +97,7 @@ std::vector<LostWork> Autosave::lost() {
   for (const auto& entry : files) {
     const auto file = entry.absoluteFilePath();
     if (entry.fileName() == QFileInfo(file_).fileName()) continue;
-    auto lock = lockOf(file);
+    auto lock = recoveryLock(file);
     if (!found_.contains(file)) {
       if (!lock->tryLock(0)) continue;  // its window is open, or another one offers it
       found_[file] = std::move(lock);

@@ -14,7 +14,7 @@ namespace syncline::ui {
 namespace {
 
 /// Source text for lupdate's "Finding" context.
-class Words {
+class FindingSentences {
   Q_DECLARE_TR_FUNCTIONS(Finding)
 
  public:
@@ -28,7 +28,7 @@ class Words {
   }
 };
 
-QString Words::of(const Figure& figure) {
+QString FindingSentences::of(const Figure& figure) {
   using In = Figure::Unit;
   switch (figure.unit) {
     case In::kCount: {
@@ -80,7 +80,7 @@ QString fill(const QString& text, const Finding& finding) {
     const auto name = text.mid(open + 1, close - open - 1).toStdString();
     const auto found = std::ranges::find(finding.figures, std::string_view(name), &Figure::name);
     out += QStringView(text).mid(from, open - from);
-    out += found == finding.figures.end() ? text.mid(open, close - open + 1) : Words::of(*found);
+    out += found == finding.figures.end() ? text.mid(open, close - open + 1) : FindingSentences::of(*found);
     from = close + 1;
   }
   out += QStringView(text).mid(from);
@@ -90,11 +90,13 @@ QString fill(const QString& text, const Finding& finding) {
 
 }  // namespace
 
-QString findingText(const Finding& finding) { return fill(Words::sentence(facts_template(finding)), finding); }
+QString findingText(const Finding& finding) {
+  return fill(FindingSentences::sentence(facts_template(finding)), finding);
+}
 
 QString findingAdvice(const Finding& finding) {
   const FindingWords* words = find_finding_words(finding.code);
-  return words == nullptr || words->mend.empty() ? QString() : fill(Words::sentence(words->mend), finding);
+  return words == nullptr || words->mend.empty() ? QString() : fill(FindingSentences::sentence(words->mend), finding);
 }
 
 QString findingKey(const Finding& finding) {
@@ -103,7 +105,7 @@ QString findingKey(const Finding& finding) {
   return words == nullptr ? QString() : QString::fromStdString(setting_at(words->setting, finding.place.slave));
 }
 
-QString slavesText(std::span<const int> positions) { return Words::slaves(ranges_text(positions)); }
+QString slavesText(std::span<const int> positions) { return FindingSentences::slaves(ranges_text(positions)); }
 
 std::vector<std::string_view> translatableFindings() {
   std::vector<std::string_view> texts;

@@ -6,7 +6,7 @@
 namespace syncline::ui {
 namespace {
 
-constexpr int kPadding = 8;
+constexpr int kPillPadding = 8;
 constexpr int kMark = 8;
 constexpr int kPillGap = 6;
 
@@ -45,7 +45,7 @@ void Pill::setState(theme::Tone tone, const QString& text) {
 
 QSize Pill::sizeHint() const {
   const auto metrics = fontMetrics();
-  return {metrics.horizontalAdvance(text_) + 2 * kPadding + kMark + kPillGap, metrics.height() + 6};
+  return {metrics.horizontalAdvance(text_) + 2 * kPillPadding + kMark + kPillGap, metrics.height() + 6};
 }
 
 void Pill::paintEvent(QPaintEvent*) {
@@ -58,10 +58,10 @@ void Pill::paintEvent(QPaintEvent*) {
   painter.drawRoundedRect(area, area.height() / 2, area.height() / 2);
   painter.setPen(QPen(color, tone_ == theme::Tone::kNeutral ? 1.5 : 0.01));
   painter.setBrush(color);
-  drawMark(painter, QRectF(kPadding, area.center().y() - kMark / 2.0, kMark, kMark), tone_);
+  drawMark(painter, QRectF(kPillPadding, area.center().y() - kMark / 2.0, kMark, kMark), tone_);
   painter.setPen(color);
-  painter.drawText(area.adjusted(kPadding + kMark + kPillGap, 0, -kPadding, 0), Qt::AlignVCenter | Qt::AlignLeft,
-                   text_);
+  painter.drawText(area.adjusted(kPillPadding + kMark + kPillGap, 0, -kPillPadding, 0),
+                   Qt::AlignVCenter | Qt::AlignLeft, text_);
 }
 
 }  // namespace syncline::ui

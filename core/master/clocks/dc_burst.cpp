@@ -11,7 +11,7 @@
 namespace syncline {
 namespace {
 
-constexpr Nanoseconds kReplyTimeout = 10 * kMillisecond;
+constexpr Nanoseconds kBurstReplyTimeout = 10 * kMillisecond;
 /// So many at a time stay in the buffers of any network card.
 constexpr std::uint32_t kMostInFlight = 32;
 /// Wire-ored, and of one frame: several in a row are meant, because noise is near to nothing now and then.
@@ -22,7 +22,7 @@ constexpr std::uint32_t kMinimum = 600;
 /// The filters of a steered reference clock average over 2^12 messages.
 constexpr std::uint32_t kSteeredMinimum = 4096;
 /// Quartzes far apart need more frames than planned; as many again, then it is the cyclic frames' turn.
-constexpr std::uint32_t kPatience = 2;
+constexpr std::uint32_t kBurstPatience = 2;
 constexpr int kLastAttempts = 4;
 
 }  // namespace
@@ -69,7 +69,7 @@ Status DcBurst::exchange_bulk(std::uint32_t frames) {
     if (auto status = bus_.exchange().send(slot.frame, this); !status) return status;
     in_flight[sent] = &slot.frame;
   }
-  const auto deadline = bus_.clock().now() + kReplyTimeout;
+  const auto deadline = bus_.clock().now() + kBurstReplyTimeout;
   if (auto status = bus_.exchange().collect(std::span(in_flight).first(sent), deadline); !status) return status;
   for (std::size_t i = 0; i < sent; ++i) take(slots_[i]);
   deviation_.reset();
@@ -97,7 +97,7 @@ bool DcBurst::settled(std::uint32_t minimum) {
 
 Result<DcBurst::Outcome> DcBurst::run() {
   const auto minimum = plan_.steer ? kSteeredMinimum : kMinimum;
-  const auto total = plan_.ends_early ? std::uint64_t{plan_.total} * kPatience : plan_.total;
+  const auto total = plan_.ends_early ? std::uint64_t{plan_.total} * kBurstPatience : plan_.total;
   const auto most = static_cast<std::uint32_t>(slots_.size());
   auto next = bus_.clock().now();
   while (outcome_.frames < total) {

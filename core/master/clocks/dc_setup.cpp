@@ -14,7 +14,7 @@
 namespace syncline {
 namespace {
 
-constexpr Nanoseconds kReplyTimeout = 10 * kMillisecond;
+constexpr Nanoseconds kSetupReplyTimeout = 10 * kMillisecond;
 
 }  // namespace
 
@@ -113,7 +113,7 @@ Result<bool> DcSetup::latch_round(DelayLatch& latch) {
   (void)frame_.add(trigger);
   if (auto status = bus_.exchange().send(frame_); !status) return tl::unexpected(status.error());
   PendingFrame* frames[] = {&frame_};
-  if (auto status = bus_.exchange().collect(frames, frame_.send_time() + kReplyTimeout); !status) {
+  if (auto status = bus_.exchange().collect(frames, frame_.send_time() + kSetupReplyTimeout); !status) {
     return tl::unexpected(status.error());
   }
   if (!trigger.answered) return false;

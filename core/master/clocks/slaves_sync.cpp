@@ -11,10 +11,10 @@ constexpr Nanoseconds kCulpritPatience = 100 * kMillisecond;
 /// Rounds of readings because of an or-ed value that hovers about the limit come no closer than this.
 constexpr Nanoseconds kRoundPeriod = 100 * kMillisecond;
 /// Readings in turn may be lost with their frames several times before nobody knows any more.
-constexpr Nanoseconds kLeastStale = 500 * kMillisecond;
+constexpr Nanoseconds kLeastStaleReading = 500 * kMillisecond;
 constexpr int kStaleRounds = 4;
 
-double milliseconds(Nanoseconds time) { return static_cast<double>(time) / static_cast<double>(kMillisecond); }
+double in_ms(Nanoseconds time) { return static_cast<double>(time) / static_cast<double>(kMillisecond); }
 
 SyncState state_of(dc::SyncVerdict::State state) {
   switch (state) {
@@ -47,8 +47,8 @@ void SlavesSync::start(const DcNetwork& network, Nanoseconds first_cycle, bool s
   dc.reference_clock = network.reference_clock;
   dc.monitored = config.dc.sync_window.enabled && network.synchronised_count() >= 2;
   const auto round = static_cast<Nanoseconds>(network.synchronised_count()) * config.cycle_time();
-  verdict_ =
-      dc::SyncVerdict(config.dc.sync_window, dc.monitored, std::max(kLeastStale, kStaleRounds * round), first_cycle);
+  verdict_ = dc::SyncVerdict(config.dc.sync_window, dc.monitored, std::max(kLeastStaleReading, kStaleRounds * round),
+                             first_cycle);
   dc.limit_ns = verdict_.limit_ns();
   dc.state = state_of(verdict_.state());
   dc.since = first_cycle;
@@ -155,7 +155,7 @@ void SlavesSync::report(Nanoseconds time, CycleSample& sample) {
   if (evidence.worst >= 0) dc.deviation_ns = evidence.worst_ns;
   dc.newest_age_ns = evidence.newest > 0 ? time - evidence.newest : -1;
   dc.oldest_age_ns = evidence.followers > 0 ? time - evidence.oldest : -1;
-  if (const auto settled = verdict_.settled_after()) dc.settled_after_ms = milliseconds(*settled);
+  if (const auto settled = verdict_.settled_after()) dc.settled_after_ms = in_ms(*settled);
   sample.slaves_sync = dc.state;
   const auto position = static_cast<std::size_t>(sample.slave_position);
   if (sample.slave_position >= 0 && readings_[position].follows) sample.flags |= CycleSample::kSlaveFollows;

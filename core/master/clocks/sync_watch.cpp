@@ -8,6 +8,7 @@
 #include "channels/sync_standing.h"
 #include "compile/dcm_check.h"
 #include "dc/plans.h"
+#include "master/exchange/narrow.h"
 #include "settings/dc_check.h"
 
 namespace syncline {
@@ -20,10 +21,6 @@ constexpr int kStaleCycles = 10;
 constexpr double kMaxDriftPpm = 1'000;
 
 double milliseconds(Nanoseconds time) { return static_cast<double>(time) / static_cast<double>(kMillisecond); }
-
-std::int32_t to_32(Nanoseconds value) {
-  return static_cast<std::int32_t>(std::clamp<Nanoseconds>(value, INT32_MIN, INT32_MAX));
-}
 
 }  // namespace
 

@@ -8,8 +8,6 @@ namespace syncline {
 namespace {
 
 constexpr std::size_t kMostFrames = 8;
-constexpr Nanoseconds kLatest = 95;  // % of the cycle: then its frames must be back
-constexpr std::size_t kFrameOverhead = kEthernetHeaderSize + kEtherCatHeaderSize;
 
 std::size_t size_of(const Datagram& datagram) { return kDatagramHeaderSize + datagram.data.size() + kWkcSize; }
 

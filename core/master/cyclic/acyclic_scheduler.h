@@ -16,6 +16,9 @@
 
 namespace syncline {
 
+/// Percent of the cycle: then its frames must be back.
+inline constexpr Nanoseconds kLatest = 95;
+
 /// Which acyclic datagrams ride with a bus cycle, in the order of their rank: short and regular readings of the slaves,
 /// a datagram of the requests from outside, one of the master's own work in the mailboxes, as many as there is room for
 /// of whoever holds the state machine up by waiting (Bus::transact()), and one of evidence. So requests never make a

@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "master/cyclic/bus_health.h"
 
+#include "master/exchange/narrow.h"
+
 #include <algorithm>
 #include <utility>
 
 namespace syncline {
-namespace {
-
-std::uint16_t to_16(std::uint64_t count) {
-  return static_cast<std::uint16_t>(std::min<std::uint64_t>(count, UINT16_MAX));
-}
-
-}  // namespace
-
 void BusHealth::observe_wkc(std::uint16_t expected, std::uint16_t received, Nanoseconds time, CycleSample& sample) {
   sample.wkc_expected = expected;
   sample.wkc_received = received;

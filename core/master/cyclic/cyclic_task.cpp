@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "master/cyclic/cyclic_task.h"
 
+#include "master/exchange/narrow.h"
+
 #include <algorithm>
 
 namespace syncline {
@@ -12,12 +14,6 @@ constexpr Nanoseconds kPublishPeriod = 1 * kMillisecond;
 /// virtual clock whoever looks does so between stretches of time, at whose end all is published in any case.
 constexpr Nanoseconds kUnreadPeriod = 10 * kMillisecond, kUnreadVirtualPeriod = 100 * kMillisecond;
 constexpr int kMostAmendments = 4;
-constexpr Nanoseconds kLatest = 95;  // % of the cycle: then its frames must be back
-constexpr std::size_t kFrameOverhead = kEthernetHeaderSize + kEtherCatHeaderSize;
-
-std::int32_t to_32(Nanoseconds value) {
-  return static_cast<std::int32_t>(std::clamp<Nanoseconds>(value, INT32_MIN, INT32_MAX));
-}
 
 }  // namespace
 

@@ -14,7 +14,7 @@ constexpr std::size_t kPorts = 4;
 // Offsets from 0x0300.
 constexpr std::size_t kForwarded = 0x08, kProcessingUnit = 0x0C, kPdi = 0x0D, kLostLinks = 0x10;
 
-struct Place {
+struct EvidencePlace {
   std::uint16_t address;
   std::uint16_t length;
 };
@@ -38,7 +38,7 @@ Datagram* EvidenceReader::next(Nanoseconds /*now*/) {
   // Whoever is not there costs no cycle, and nobody being there no hang.
   for (std::size_t tried = 0; !worth_reading() && tried < kKinds * 16; ++tried) move_on();
   if (!worth_reading()) return nullptr;
-  constexpr std::array<Place, kKinds> kPlaces{
+  constexpr std::array<EvidencePlace, kKinds> kPlaces{
       {{reg::kRxErrorCounter, 20}, {reg::kWatchdogCounterProcessData, 2}, {reg::kSpeedCounterDiff, 2}}};
   const auto place = kPlaces[static_cast<std::size_t>(what_)];
   bytes_.fill(0);

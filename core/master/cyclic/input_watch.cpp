@@ -16,7 +16,7 @@ constexpr unsigned kBufferShift = 4;
 constexpr std::uint8_t kNoBuffer = 3;  // none was written yet
 constexpr std::uint8_t kWindow = 16;   // readings that are judged
 constexpr std::uint32_t kWindowMask = (1U << kWindow) - 1;
-constexpr std::uint8_t kLearning = 32;
+constexpr std::uint8_t kInputLearning = 32;
 constexpr int kFew = 1, kMany = 6;
 /// What lasts shorter is an interrupt, or firmware that hangs until its watchdog (100 ms) tells.
 constexpr Nanoseconds kLasts = 400 * kMillisecond;
@@ -105,9 +105,9 @@ void InputWatch::take(Nanoseconds send_time, bool read) {
 
 void InputWatch::note(Slave& slave, bool stale, Nanoseconds time) {
   slave.stale = slave.stale << 1U | (stale ? 1U : 0U);
-  slave.readings = static_cast<std::uint8_t>(std::min<int>(slave.readings + 1, kLearning));
+  slave.readings = static_cast<std::uint8_t>(std::min<int>(slave.readings + 1, kInputLearning));
   if (slave.regular) return judge(slave, time);
-  if (slave.readings < kLearning) return;
+  if (slave.readings < kInputLearning) return;
   slave.regular = std::popcount(slave.stale) <= kFew;
 }
 

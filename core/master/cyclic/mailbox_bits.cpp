@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "master/exchange/mailbox_handshake.h"
 #include "protocol/fmmu.h"
 #include "protocol/registers.h"
 #include "protocol/sync_manager.h"
@@ -10,7 +11,6 @@
 namespace syncline {
 namespace {
 
-constexpr std::uint16_t kSm1Status = reg::kSyncManager + SyncManager::kSize + 5;
 constexpr std::uint16_t kFmmuEnd = reg::fmmu(16);
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "master/exchange/mailbox_handshake.h"
 #include "protocol/diagnosis_message.h"
 #include "protocol/registers.h"
 #include "protocol/sync_manager.h"
@@ -11,7 +12,6 @@ namespace syncline {
 namespace {
 
 namespace history = diagnosis_history;
-constexpr std::uint16_t kSm1Status = reg::kSyncManager + SyncManager::kSize + 5;
 /// Where a configuration has neither a bit nor a PollTime.
 constexpr std::uint32_t kPollTimeMs = 50;
 constexpr std::size_t kPollsPerCycle = 16;

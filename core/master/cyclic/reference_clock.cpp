@@ -14,10 +14,10 @@ using What = events::ReferenceClockChanged::What;
 
 using Leader = CyclicFrameSet::Leader;
 
-constexpr int kReadings = 16;
-constexpr std::int64_t kNear = 50;  // ns: what the others do not notice
+constexpr int kLeadReadings = 16;
+constexpr std::int64_t kLeadNear = 50;  // ns: what the others do not notice
 /// A clock that is not near by then steps the others when it leads again; they bear it.
-constexpr Nanoseconds kPatience = 10 * kSecond;
+constexpr Nanoseconds kLeadPatience = 10 * kSecond;
 
 }  // namespace
 
@@ -117,7 +117,7 @@ void ReferenceClock::watch(Nanoseconds time) {
   if (!home_ || !leader_ || leader_ == home_) return;
   if (!can_lead(*home_)) return approach_.reset();
   if (!approach_) approach_ = Approach{time, time};
-  if (!is_near() && time - approach_->begin < kPatience) return;
+  if (!is_near() && time - approach_->begin < kLeadPatience) return;
   hand_over(*home_);
   sync_.leader_moved(*home_);
   run_.event(time, *home_, events::ReferenceClockChanged{What::kPresent});
@@ -130,10 +130,10 @@ bool ReferenceClock::is_near() {
   if (!status.deviation_valid || status.deviation_time <= approach_->last_reading) return false;
   approach_->last_reading = status.deviation_time;
   approach_->sum += status.deviation_ns;
-  if (++approach_->readings < kReadings) return false;
+  if (++approach_->readings < kLeadReadings) return false;
   const auto sum = approach_->sum;
   approach_->sum = approach_->readings = 0;
-  return std::abs(sum) <= kNear * kReadings;
+  return std::abs(sum) <= kLeadNear * kLeadReadings;
 }
 
 }  // namespace syncline

@@ -8,7 +8,7 @@ namespace syncline {
 namespace {
 
 /// Wake-ups that are judged together. The first ones sooner, so that a long spin does not last.
-constexpr std::uint32_t kWindow = 500, kFirstWindow = 100;
+constexpr std::uint32_t kSpinWindow = 500, kFirstWindow = 100;
 /// Reading the clock and the way from there to the frame.
 constexpr Nanoseconds kReserve = 1 * kMicrosecond;
 constexpr unsigned kPerOctave = 8, kBits = 3;
@@ -34,7 +34,7 @@ void SpinBudget::observe(Nanoseconds wake_late) {
   ++wakes_;
   spent_ += std::max<Nanoseconds>(0, amount_ - wake_late);
   ++bins_[std::min(bin_of(wake_late), kBins - 1)];
-  if (++counted_ >= (p99_ == 0 ? kFirstWindow : kWindow)) adapt();
+  if (++counted_ >= (p99_ == 0 ? kFirstWindow : kSpinWindow)) adapt();
 }
 
 Nanoseconds SpinBudget::quantile(double share) const {

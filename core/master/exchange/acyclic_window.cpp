@@ -10,11 +10,10 @@ namespace {
 /// Patience with a frame beyond the wire's own time. A host without real-time set-up sleeps for several
 /// milliseconds now and then; a frame that is only late must not be repeated more often than needed.
 constexpr Nanoseconds kReplyTimeout = 10 * kMillisecond;
-constexpr int kTries = 5;  // 10, 20, 40, 80, 160 ms
+constexpr int kWindowTries = 5;  // 10, 20, 40, 80, 160 ms
 constexpr std::size_t kNarrowest = 2;
 /// What waits in the host's buffers is looked at before a frame counts as lost, strange frames not for ever.
 constexpr int kLateFrames = 64;
-constexpr std::size_t kFrameOverhead = kEthernetHeaderSize + kEtherCatHeaderSize;
 
 }  // namespace
 
@@ -106,7 +105,7 @@ Status AcyclicWindow::repeat_lost() {
                      }).out;
     slot.frame.clear();
     if (end == again.begin()) continue;
-    if (++slot.losses == kTries) return fail(ErrorCode::kNoResponse, exchange_.link().describe().name);
+    if (++slot.losses == kWindowTries) return fail(ErrorCode::kNoResponse, exchange_.link().describe().name);
     for (auto it = again.begin(); it != end; ++it) (void)slot.frame.add(**it);
     if (auto status = send(slot); !status) return status;
   }

@@ -7,8 +7,8 @@ namespace syncline {
 namespace {
 
 /// With bus cycles: no answer for so long, and for so many cycles, is no burst of lost frames any more.
-constexpr Nanoseconds kPatience = 100 * kMillisecond;
-constexpr int kTries = 5;
+constexpr Nanoseconds kBusPatience = 100 * kMillisecond;
+constexpr int kBusTries = 5;
 constexpr Nanoseconds kLinkPause = 20 * kMillisecond;
 
 }  // namespace
@@ -63,8 +63,8 @@ Status Bus::await_link(std::span<Datagram> datagrams, Status status) {
 Status Bus::ride_with_cycles(std::span<Datagram> datagrams) {
   open_.clear();
   for (auto& datagram : datagrams) open_.push_back(&datagram);
-  int tries_left = kTries;
-  auto patience_ends = clock_.now() + kPatience;
+  int tries_left = kBusTries;
+  auto patience_ends = clock_.now() + kBusPatience;
   while (!open_.empty()) {
     if (auto status = check_cancel(); !status) return status;
     const auto before = open_.size();
@@ -73,8 +73,8 @@ Status Bus::ride_with_cycles(std::span<Datagram> datagrams) {
       return datagram->answered || (datagram->times_sent > 0 && !may_repeat(*datagram));
     });
     if (open_.size() < before) {
-      tries_left = kTries;
-      patience_ends = clock_.now() + kPatience;
+      tries_left = kBusTries;
+      patience_ends = clock_.now() + kBusPatience;
     } else if (--tries_left <= 0 && clock_.now() >= patience_ends) {
       return fail(ErrorCode::kNoResponse, exchange_.link().describe().name);
     }

@@ -11,7 +11,6 @@
 namespace syncline {
 namespace {
 
-constexpr std::uint16_t kSm1Status = reg::kSyncManager + SyncManager::kSize + 5;
 constexpr std::uint16_t kSm1Activate = kSm1Status + 1;
 constexpr std::uint8_t kRepeat = 0x02;  // request in "activate", acknowledge in "PDI control"
 /// A request whose fate is unknown is written again when nothing has come for so long.

@@ -8,7 +8,7 @@ namespace syncline {
 namespace {
 
 /// Nothing comes back at all: longer than most stalls of a host or a switch, short enough to be told in time.
-constexpr Nanoseconds kPatience = 20 * kMillisecond;
+constexpr Nanoseconds kMissingPatience = 20 * kMillisecond;
 
 bool same_frame(const MissingFrames::Frame& frame, const DatagramHeader& header) {
   if (frame.command != header.command || frame.length != header.length) return false;
@@ -59,7 +59,7 @@ void MissingFrames::forget(std::uint8_t index) {
 void MissingFrames::expire(Nanoseconds now) {
   if (missing_ == 0) return;
   for (auto& slot : slots_) {
-    if (slot.state == State::kMissing && now - slot.frame.deadline > kPatience) lose(slot);
+    if (slot.state == State::kMissing && now - slot.frame.deadline > kMissingPatience) lose(slot);
   }
 }
 

@@ -6,7 +6,7 @@
 namespace syncline {
 namespace {
 
-constexpr int kTries = 3;  // a slave that is there may miss a damaged frame
+constexpr int kRegisterTries = 3;  // a slave that is there may miss a damaged frame
 
 }  // namespace
 
@@ -46,7 +46,7 @@ Datagram* RegisterWork::next(Nanoseconds /*now*/) {
 void RegisterWork::take(Nanoseconds /*now*/) {
   if (over() || !datagram_.answered) return;  // the frame was lost: once more
   if (datagram_.wkc == 0) {
-    if (++silences_ == kTries)
+    if (++silences_ == kRegisterTries)
       failure_ = BriefError{.code = ErrorCode::kNoResponse, .why = "nothing answers at this address"};
     return;
   }

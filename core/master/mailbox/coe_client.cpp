@@ -19,4 +19,14 @@ Result<std::vector<std::uint8_t>> CoeClient::upload(coe::ObjectAddress object, b
   return data;
 }
 
+Result<std::optional<std::uint32_t>> CoeClient::upload_number(coe::ObjectAddress object) {
+  const auto bytes = upload(object);
+  if (!bytes && bytes.error().code == ErrorCode::kSdoAbort) return std::optional<std::uint32_t>{};
+  if (!bytes) return tl::unexpected(bytes.error());
+  if (bytes->empty() || bytes->size() > 4) return std::optional<std::uint32_t>{};
+  std::uint32_t value = 0;
+  for (std::size_t i = bytes->size(); i-- > 0;) value = value << 8 | (*bytes)[i];
+  return std::optional(value);
+}
+
 }  // namespace syncline

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -21,6 +22,9 @@ class CoeClient {
   /// kSdoAbort with the abort code, kMailboxTimeout, kMailboxProtocol. Complete access begins at sub-index 0 or 1.
   Status download(coe::ObjectAddress object, std::span<const std::uint8_t> data, bool complete_access = false);
   Result<std::vector<std::uint8_t>> upload(coe::ObjectAddress object, bool complete_access = false);
+
+  /// A number of up to four bytes; nothing when the slave does not have the entry, or when it is none.
+  Result<std::optional<std::uint32_t>> upload_number(coe::ObjectAddress object);
 
  private:
   MailboxClient& mailbox_;

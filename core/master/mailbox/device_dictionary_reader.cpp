@@ -33,9 +33,10 @@ ObjectEntry entry_of(const coe::EntryDescription& from) {
   return entry;
 }
 
-class Reader {
+class DictionaryReader {
  public:
-  Reader(MailboxClient& mailbox, const DeviceDescription& known) : mailbox_(mailbox), known_(known), coe_(mailbox) {}
+  DictionaryReader(MailboxClient& mailbox, const DeviceDescription& known)
+      : mailbox_(mailbox), known_(known), coe_(mailbox) {}
 
   Result<DeviceDictionary> run() {
     const bool describes = known_.mailbox && known_.mailbox->coe && known_.mailbox->coe->sdo_info;
@@ -140,7 +141,7 @@ class Reader {
 }  // namespace
 
 Result<DeviceDictionary> read_device_dictionary(MailboxClient& mailbox, const DeviceDescription& known) {
-  return Reader(mailbox, known).run();
+  return DictionaryReader(mailbox, known).run();
 }
 
 }  // namespace syncline

@@ -14,10 +14,6 @@ constexpr Nanoseconds kBusyPause = 20 * kMillisecond;
 constexpr Nanoseconds kBusyPatience = 60 * kSecond;
 constexpr int kMostDuplicates = 64;
 
-BriefError protocol_error(const char* why, std::int64_t a = 0, std::int64_t b = 0) {
-  return {.code = ErrorCode::kMailboxProtocol, .why = why, .a = a, .b = b};
-}
-
 std::span<const std::uint8_t> bytes_of(std::string_view text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }

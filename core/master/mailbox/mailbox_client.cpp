@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "master/mailbox/mailbox_client.h"
 
+#include "master/exchange/mailbox_handshake.h"
 #include "master/mailbox/fetch_work.h"
+#include "master/mailbox/mailbox_transfer.h"
 #include "protocol/registers.h"
 #include "protocol/sync_manager.h"
 
 namespace syncline {
 namespace {
 
-constexpr std::uint16_t kSm1Status = reg::kSyncManager + SyncManager::kSize + 5;
 /// More than a mailbox queue of any slave.
-constexpr int kMostUnasked = 64;
 
 }  // namespace
 

@@ -9,10 +9,6 @@ namespace syncline {
 namespace {
 
 constexpr int kMostAnew = 3;  // for one message
-/// More than a mailbox queue of any slave; a slave that talks without end is not listened to for ever.
-constexpr int kMostUnasked = 64;
-
-BriefError protocol_error(const char* why) { return {.code = ErrorCode::kMailboxProtocol, .why = why}; }
 
 BriefError mailbox_error(std::span<const std::uint8_t> data) {
   if (data.size() < 4 || load_le<std::uint16_t>(data) != 1)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <concepts>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -11,6 +13,16 @@
 #include "support/brief_error.h"
 
 namespace syncline {
+
+/// Messages that nobody asked for before a request is given up: more than the mailbox queue of any slave; one that
+/// talks without end is not listened to for ever.
+inline constexpr int kMostUnasked = 64;
+
+/// What a slave says is against the protocol; {0} and {1} of `why` are the numbers.
+[[nodiscard]] inline BriefError protocol_error(const char* why, std::integral auto... numbers) {
+  const std::array<std::int64_t, 2> values{static_cast<std::int64_t>(numbers)...};
+  return {.code = ErrorCode::kMailboxProtocol, .why = why, .a = values[0], .b = values[1]};
+}
 
 /// One request into a slave's mailbox and its answer out of it, cut into datagrams: the one place for what all
 /// protocols share. Counts the requests; hands emergencies on; passes over messages of other protocols, as many as a

@@ -16,13 +16,6 @@ constexpr std::uint32_t kToggleError = 0x05030000, kGeneralError = 0x08000000, k
 /// Stale answers in front of the one that was asked for.
 constexpr int kMostStale = 16;
 
-BriefError protocol_error(const char* why, std::size_t a = 0, std::size_t b = 0) {
-  return {.code = ErrorCode::kMailboxProtocol,
-          .why = why,
-          .a = static_cast<std::int64_t>(a),
-          .b = static_cast<std::int64_t>(b)};
-}
-
 BriefError aborted(std::uint32_t code) { return {.code = ErrorCode::kSdoAbort, .received = code}; }
 
 }  // namespace

@@ -49,17 +49,6 @@ bool not_told(const Error& error) {
   return error.code == ErrorCode::kSdoAbort || error.code == ErrorCode::kMailboxProtocol;
 }
 
-/// Nothing when the slave does not have the entry.
-Result<std::optional<std::uint32_t>> read_value(CoeClient& client, coe::ObjectAddress object) {
-  const auto bytes = client.upload(object);
-  if (!bytes && bytes.error().code == ErrorCode::kSdoAbort) return std::optional<std::uint32_t>{};
-  if (!bytes) return tl::unexpected(bytes.error());
-  if (bytes->empty() || bytes->size() > 4) return std::optional<std::uint32_t>{};
-  std::array<std::uint8_t, 4> wide{};
-  std::ranges::copy(*bytes, wide.begin());
-  return std::optional(load_le<std::uint32_t>(wide));
-}
-
 /// Asks for names until the slave shows that it has no SDO information.
 class NameReader {
  public:
@@ -117,7 +106,7 @@ Result<Identity> read_identity(CoeClient client) {
   Identity identity;
   std::uint8_t sub_index = 0;
   for (auto* value : {&identity.vendor_id, &identity.product_code, &identity.revision_no}) {
-    const auto read = read_value(client, {0x1018, ++sub_index});
+    const auto read = client.upload_number({0x1018, ++sub_index});
     if (!read) return tl::unexpected(read.error());
     *value = read->value_or(0);
   }
@@ -128,7 +117,7 @@ Result<Identity> read_identity(CoeClient client) {
 Result<std::optional<SyncParameters>> read_object(MailboxClient& mailbox, NameReader& names, std::uint16_t index,
                                                   const Identity& identity) {
   CoeClient client(mailbox);
-  const auto count = read_value(client, {index, 0});
+  const auto count = client.upload_number({index, 0});
   if (!count) return tl::unexpected(count.error());
   if (!*count) return std::optional<SyncParameters>{};
   SyncParameters parameters;
@@ -140,7 +129,7 @@ Result<std::optional<SyncParameters>> read_object(MailboxClient& mailbox, NameRe
     parameters.name = index == kSyncManager2Parameter ? "SM output parameter" : "SM input parameter";
   for (const auto& known : kKnown) {
     if (known.sub_index > **count) break;
-    const auto value = read_value(client, {index, known.sub_index});
+    const auto value = client.upload_number({index, known.sub_index});
     if (!value) return tl::unexpected(value.error());
     if (!*value) continue;
     const auto entry_name = names.entry(index, known.sub_index);

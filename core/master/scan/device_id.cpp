@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint8_t kIdentByAlStatus = 0x08, kIdentByMemory = 0x10;  // General.flags
 constexpr std::uint16_t kIdRequest = 0x0020, kIdLoaded = 0x0020;        // AL control, AL status
-constexpr Nanoseconds kPatience = 200 * kMillisecond;
+constexpr Nanoseconds kIdPatience = 200 * kMillisecond;
 
 Status read_from_memory(Bus& bus, std::span<const SlaveAddress> addresses, std::vector<ScannedSlave>& slaves) {
   std::vector<std::array<std::uint8_t, 2>> bytes(slaves.size());
@@ -43,7 +43,7 @@ Status write_request(Bus& bus, std::span<const SlaveAddress> addresses, std::spa
 
 Status poll(Bus& bus, std::span<const SlaveAddress> addresses, std::vector<std::size_t> open,
             std::vector<ScannedSlave>& slaves) {
-  const auto end = bus.clock().now() + kPatience;
+  const auto end = bus.clock().now() + kIdPatience;
   while (!open.empty() && bus.clock().now() < end) {
     if (auto status = bus.wait_a_little(); !status) return status;
     std::vector<std::array<std::uint8_t, 6>> bytes(open.size());

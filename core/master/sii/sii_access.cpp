@@ -5,17 +5,11 @@
 
 #include <algorithm>
 
+#include "master/sii/sii_layout.h"
 #include "protocol/registers.h"
 
 namespace syncline {
 namespace {
-
-constexpr std::uint16_t kReadCommand = 0x0100;
-constexpr std::uint16_t kReadsEightBytes = 0x0040;
-constexpr std::uint16_t kCommandError = 0x2000;
-constexpr std::uint16_t kWriteEnableError = 0x4000;
-constexpr std::uint16_t kBusy = 0x8000;
-constexpr std::size_t kStatusBytes = 6;  // 0x0502 control and status, 0x0504 address
 
 /// An I2C EEPROM at 150 kHz gives eight bytes in 0.7 ms; a slave whose PDI emulates it may need far longer.
 constexpr Nanoseconds kFirstPause = 1 * kMillisecond;
@@ -23,8 +17,7 @@ constexpr Nanoseconds kShortestPause = 20 * kMicrosecond;
 constexpr int kSureReads = 3;  // before a shorter pause is tried
 /// Looks that are so close to each other go into one frame.
 constexpr Nanoseconds kTogether = 100 * kMicrosecond;
-constexpr Nanoseconds kBusyLimit = 300 * kMillisecond;
-constexpr int kTries = 4;
+constexpr int kSiiTries = 4;
 /// One command for everybody pays from here on.
 constexpr std::size_t kFewestForBroadcast = 3;
 
@@ -73,8 +66,8 @@ void SiiAccess::set_found(std::size_t slave, std::span<const std::uint8_t, kLook
   const auto control = load_le<std::uint16_t>(bytes.subspan(2));
   auto& port = ports_[slave];
   port.pdi = ((bytes[0] | bytes[1]) & 0x01) != 0;
-  port.old_error = (control & (kCommandError | kWriteEnableError)) != 0;
-  port.eight_bytes = (control & kReadsEightBytes) != 0;
+  port.old_error = (control & (kSiiCommandError | kSiiWriteEnableError)) != 0;
+  port.eight_bytes = (control & kSiiReadsEightBytes) != 0;
   port.looked_at = true;
 }
 
@@ -151,7 +144,7 @@ Status SiiAccess::probe(const Job& job) {
     std::array<std::uint8_t, 2> control{};
     auto read = slaves_[job.request->slave].read(reg::kSiiControl, control);
     if (auto status = bus_.transact(read); !status) return status;
-    if (read.wkc == 0 || (load_le<std::uint16_t>(control) & kBusy) == 0 || pace > kBusyLimit) break;
+    if (read.wkc == 0 || (load_le<std::uint16_t>(control) & kSiiBusy) == 0 || pace > kSiiBusyLimit) break;
     too_early = pace;
   }
   probed_ = true;
@@ -182,16 +175,16 @@ Status SiiAccess::start(std::vector<Job>& jobs) {
   const bool same = std::ranges::all_of(to_start, [&](const auto* job) { return job->word() == to_start[0]->word(); });
   std::vector<Datagram> writes;
   if (options_.broadcast && same && to_start.size() == jobs.size() && jobs.size() >= kFewestForBroadcast) {
-    store_command(to_start[0]->window, kReadCommand, to_start[0]->word());
+    store_command(to_start[0]->window, kSiiReadCommand, to_start[0]->word());
     writes.push_back(
-        {Command::kBwr, device_address(0, reg::kSiiControl), std::span(to_start[0]->window).first(kStatusBytes)});
+        {Command::kBwr, device_address(0, reg::kSiiControl), std::span(to_start[0]->window).first(kSiiStatusBytes)});
     // Whatever the others were doing, they do this now.
     for (auto& port : ports_) port.started.reset();
   } else {
     for (auto* job : to_start) {
-      store_command(job->window, kReadCommand, job->word());
+      store_command(job->window, kSiiReadCommand, job->word());
       writes.push_back(
-          slaves_[job->request->slave].write(reg::kSiiControl, std::span(job->window).first(kStatusBytes)));
+          slaves_[job->request->slave].write(reg::kSiiControl, std::span(job->window).first(kSiiStatusBytes)));
     }
   }
   if (auto status = bus_.transact(writes); !status) return status;
@@ -223,17 +216,17 @@ Status SiiAccess::fetch(std::vector<Job>& jobs, std::optional<std::uint32_t> nex
   }
   // The next read begins behind the last answer. A slave that is still busy ignores it (write access is
   // blocked), and a slave that takes it too early shows the wrong address and is asked again.
-  std::array<std::uint8_t, kStatusBytes> ahead{};
+  std::array<std::uint8_t, kSiiStatusBytes> ahead{};
   const bool look_ahead = next && asked.size() == jobs.size() && may_look_ahead(jobs);
   if (look_ahead) {
-    store_command(ahead, kReadCommand, *next);
+    store_command(ahead, kSiiReadCommand, *next);
     datagrams.push_back({Command::kBwr, device_address(0, reg::kSiiControl), ahead});
   }
   if (auto status = bus_.transact(datagrams); !status) return status;
   for (std::size_t i = 0; i < asked.size(); ++i) {
     auto& job = *asked[i];
     if (datagrams[i].wkc == 0) {
-      if (++job.silences == kTries) job.give_up("no answer");
+      if (++job.silences == kSiiTries) job.give_up("no answer");
       job.next_look = bus_.clock().now() + kFirstPause;
       continue;
     }
@@ -253,24 +246,24 @@ bool SiiAccess::take(Job& job, bool looked_ahead) {
   auto& port = ports_[job.request->slave];
   const auto control = load_le<std::uint16_t>(job.window);
   const auto address = load_le<std::uint32_t>(std::span(job.window).subspan(2));
-  if ((control & kBusy) != 0) {
+  if ((control & kSiiBusy) != 0) {
     const auto now = bus_.clock().now();
     job.busy_for = now - job.start_time;
     job.next_look = now + std::max(*job.busy_for / 4, kShortestPause);
-    if (*job.busy_for > kBusyLimit) job.give_up("the EEPROM stays busy");
+    if (*job.busy_for > kSiiBusyLimit) job.give_up("the EEPROM stays busy");
     return false;
   }
-  if ((control & kCommandError) != 0) {
+  if ((control & kSiiCommandError) != 0) {
     job.started = false;
     job.failed_command = true;
-    if (++job.errors == kTries) job.give_up("the EEPROM acknowledges no read command");
+    if (++job.errors == kSiiTries) job.give_up("the EEPROM acknowledges no read command");
     return false;
   }
   if (port.reads_address_back && address != job.word()) {
     job.started = false;
     // Once may be a frame that was repeated, or a look ahead that came too early. An ESC that never shows
     // the address is believed without; one that has done so is not.
-    if (++job.mismatches < (looked_ahead || port.showed_address ? 2 * kTries : kTries)) return false;
+    if (++job.mismatches < (looked_ahead || port.showed_address ? 2 * kSiiTries : kSiiTries)) return false;
     if (port.showed_address) {
       job.give_up("it reads other words than it is asked for");
     } else {
@@ -279,9 +272,9 @@ bool SiiAccess::take(Job& job, bool looked_ahead) {
     return false;
   }
   port.showed_address = port.showed_address || (address != 0 && address == job.word());
-  port.eight_bytes = (control & kReadsEightBytes) != 0;
+  port.eight_bytes = (control & kSiiReadsEightBytes) != 0;
   const std::size_t count = std::min<std::size_t>(port.eight_bytes ? 8 : 4, 8 - job.got);
-  std::copy_n(job.window.begin() + kStatusBytes, count,
+  std::copy_n(job.window.begin() + kSiiStatusBytes, count,
               job.request->data.begin() + static_cast<std::ptrdiff_t>(job.got));
   job.got += count;
   job.started = false;

@@ -6,17 +6,14 @@
 #include <algorithm>
 #include <map>
 
+#include "master/sii/sii_layout.h"
 #include "protocol/sii.h"
 #include "support/byte_order.h"
 
 namespace syncline {
 namespace {
 
-constexpr std::size_t kHeaderBytes = 2 * sii::kCategoriesWord;
-constexpr std::size_t kSizeByte = 2 * 0x3E;
-constexpr std::size_t kPiece = 8;
-constexpr std::size_t kLongestImage = 128 * 1024;  // 1 Mbit, the largest EEPROM in use
-constexpr std::size_t kUnknownSize = 16 * 1024;    // where the size word says less than the header
+constexpr std::size_t kUnknownSize = 16 * 1024;  // where the size word says less than the header
 constexpr std::size_t kMostCategories = 1024;
 /// Read on trust behind what is surely needed, so that many slaves of a kind have something to do.
 constexpr std::size_t kAhead = 512;
@@ -38,20 +35,20 @@ bool may_share(std::span<const std::uint8_t> own) {
 }  // namespace
 
 SiiKind::SiiKind(std::vector<std::size_t> who, std::span<const std::uint8_t> own)
-    : members(std::move(who)), readers(members), bytes_(own.begin(), own.end()), category_(kHeaderBytes) {}
+    : members(std::move(who)), readers(members), bytes_(own.begin(), own.end()), category_(kSiiHeaderBytes) {}
 
 std::size_t SiiKind::word(std::size_t byte) const { return load_le<std::uint16_t>(std::span(bytes_).subspan(byte)); }
 
 std::size_t SiiKind::limit() const {
-  if (bytes_.size() < kSizeByte + 2) return kUnknownSize;
-  const auto size = (word(kSizeByte) + 1) * 128;
-  return size <= kHeaderBytes ? kUnknownSize : std::min(size, kLongestImage);
+  if (bytes_.size() < kSiiSizeByte + 2) return kUnknownSize;
+  const auto size = (word(kSiiSizeByte) + 1) * 128;
+  return size <= kSiiHeaderBytes ? kUnknownSize : std::min(size, kLongestSiiImage);
 }
 
 std::size_t SiiKind::pieces_wanted() const {
-  const auto surely = std::max(category_ + 4, bytes_.size() + kPiece);
+  const auto surely = std::max(category_ + 4, bytes_.size() + kSiiPiece);
   const auto end = std::min(limit(), std::max(surely, bytes_.size() + kAhead));
-  return (std::max(end, surely) - bytes_.size() + kPiece - 1) / kPiece;
+  return (std::max(end, surely) - bytes_.size() + kSiiPiece - 1) / kSiiPiece;
 }
 
 void SiiKind::append(std::span<const std::uint8_t> piece) {

@@ -3,23 +3,17 @@
 
 #include <algorithm>
 
+#include "master/sii/sii_layout.h"
 #include "protocol/registers.h"
 #include "support/byte_order.h"
 
 namespace syncline {
 namespace {
 
-constexpr std::uint16_t kReadCommand = 0x0100;
 constexpr std::uint16_t kWriteCommand = 0x0201;  // with write enable in the same datagram
-constexpr std::uint16_t kReadsEightBytes = 0x0040;
-constexpr std::uint16_t kCommandError = 0x2000;
-constexpr std::uint16_t kWriteEnableError = 0x4000;
-constexpr std::uint16_t kBusy = 0x8000;
-constexpr std::size_t kStatusBytes = 6;  // 0x0502 control and status, 0x0504 address
 
 constexpr Nanoseconds kPause = 200 * kMicrosecond;
 constexpr Nanoseconds kAfterError = 2 * kMillisecond;  // the EEPROM is still storing the word before
-constexpr Nanoseconds kBusyLimit = 300 * kMillisecond;
 constexpr int kReadTries = 4, kWriteTries = 20, kSilences = 4;
 
 }  // namespace
@@ -79,10 +73,10 @@ Datagram* SiiPort::tell(std::uint16_t register_address, std::uint32_t value, std
 Datagram* SiiPort::command() {
   const std::span all(bytes_);
   const bool write = job_ == Job::kWrite;
-  store_le(all, write ? kWriteCommand : kReadCommand);
+  store_le(all, write ? kWriteCommand : kSiiReadCommand);
   store_le(all.subspan(2), word());
-  store_le(all.subspan(kStatusBytes), value_);
-  datagram_ = slave_.write(reg::kSiiControl, all.first(write ? kStatusBytes + 2 : kStatusBytes));
+  store_le(all.subspan(kSiiStatusBytes), value_);
+  datagram_ = slave_.write(reg::kSiiControl, all.first(write ? kSiiStatusBytes + 2 : kSiiStatusBytes));
   return &datagram_;
 }
 
@@ -155,33 +149,33 @@ void SiiPort::take(Nanoseconds now) {
 void SiiPort::take_look() {
   const auto control = load_le<std::uint16_t>(std::span(bytes_).subspan(2));
   pdi_ = ((bytes_[0] | bytes_[1]) & 0x01) != 0;
-  old_error_ = (control & (kCommandError | kWriteEnableError)) != 0;
+  old_error_ = (control & (kSiiCommandError | kSiiWriteEnableError)) != 0;
   step_ = pdi_ ? Step::kForce : old_error_ ? Step::kClearOld : Step::kOver;
 }
 
 /// A busy EEPROM takes no command; it may be another's, of a program that was killed.
 void SiiPort::take_idle(Nanoseconds now) {
-  if ((load_le<std::uint16_t>(bytes_) & kBusy) == 0) {
+  if ((load_le<std::uint16_t>(bytes_) & kSiiBusy) == 0) {
     step_ = Step::kCommand;
     return;
   }
   if (busy_since_ == 0) busy_since_ = now;
-  if (now - busy_since_ > kBusyLimit) return fail_with("the EEPROM stays busy at word 0x{0:04X}{2}");
+  if (now - busy_since_ > kSiiBusyLimit) return fail_with("the EEPROM stays busy at word 0x{0:04X}{2}");
   not_before_ = now + kPause;
 }
 
 void SiiPort::take_fetch(Nanoseconds now) {
   const auto control = load_le<std::uint16_t>(bytes_);
-  if ((control & kBusy) != 0) {
+  if ((control & kSiiBusy) != 0) {
     if (busy_since_ == 0) busy_since_ = now;
-    if (now - busy_since_ > kBusyLimit) return fail_with("the EEPROM stays busy at word 0x{0:04X}{2}");
+    if (now - busy_since_ > kSiiBusyLimit) return fail_with("the EEPROM stays busy at word 0x{0:04X}{2}");
     not_before_ = now + kPause;
     return;
   }
   const bool write = job_ == Job::kWrite;
-  if (write && (control & kWriteEnableError) != 0)
+  if (write && (control & kSiiWriteEnableError) != 0)
     return fail_with("the ESC does not enable writing at word 0x{0:04X}{2}");
-  if ((control & kCommandError) != 0) {
+  if ((control & kSiiCommandError) != 0) {
     step_ = Step::kClear;
     if (++errors_ == (write ? kWriteTries : kReadTries))
       fail_with(write ? "the EEPROM acknowledges no write command at word 0x{0:04X}{2}"
@@ -202,9 +196,9 @@ void SiiPort::take_data(std::uint32_t address, Nanoseconds /*now*/) {
     if (++mismatches_ == kReadTries) reads_address_back_ = false;
     return;
   }
-  const bool eight = (load_le<std::uint16_t>(bytes_) & kReadsEightBytes) != 0;
+  const bool eight = (load_le<std::uint16_t>(bytes_) & kSiiReadsEightBytes) != 0;
   const std::size_t count = std::min<std::size_t>(eight ? 8 : 4, kPiece - got_);
-  std::copy_n(bytes_.begin() + kStatusBytes, count, piece_.begin() + static_cast<std::ptrdiff_t>(got_));
+  std::copy_n(bytes_.begin() + kSiiStatusBytes, count, piece_.begin() + static_cast<std::ptrdiff_t>(got_));
   got_ += count;
   step_ = got_ == kPiece ? Step::kOver : Step::kIdle;
 }

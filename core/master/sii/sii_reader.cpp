@@ -14,9 +14,9 @@ constexpr std::uint32_t kWordsPerPiece = 4;
 /// Each piece of a shared EEPROM is read from so many slaves.
 constexpr std::size_t kWitnesses = 2;
 
-class Reader {
+class SiiImageReader {
  public:
-  Reader(SiiAccess& access, const SiiReadOptions& options, const std::function<void(std::size_t)>& progress)
+  SiiImageReader(SiiAccess& access, const SiiReadOptions& options, const std::function<void(std::size_t)>& progress)
       : access_(access), options_(options), progress_(progress), contents_(access.size()), own_(access.size()) {}
 
   Status run() {
@@ -182,7 +182,7 @@ class Reader {
 
 Result<std::vector<SiiContent>> read_sii(SiiAccess& access, const SiiReadOptions& options,
                                          const std::function<void(std::size_t)>& progress) {
-  Reader reader(access, options, progress);
+  SiiImageReader reader(access, options, progress);
   auto status = access.open();
   if (status) status = reader.run();
   // An EEPROM that was taken from its PDI goes back even when the reading ended early.

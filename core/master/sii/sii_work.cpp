@@ -5,13 +5,13 @@
 #include <array>
 #include <string_view>
 
+#include "master/sii/sii_layout.h"
 #include "protocol/sii.h"
 #include "support/byte_order.h"
 
 namespace syncline {
 namespace {
 
-constexpr std::uint32_t kConfigurationWords = 8;
 constexpr std::size_t kChecksummed = 14;  // bytes, the checksum behind them
 constexpr int kUndoTries = 3;
 constexpr std::string_view kPutBack = "; the old content was put back";
@@ -49,8 +49,9 @@ void SiiWork::write(const SlaveAddress& slave, std::uint32_t word, std::span<con
   before_ = &before;
   before.clear();
   // What the checksum covers is read with it.
-  before_word_ = next_word_ = word < kConfigurationWords ? 0 : word;
-  const auto end = std::max<std::size_t>(word + data.size() / 2, word < kConfigurationWords ? kConfigurationWords : 0);
+  before_word_ = next_word_ = word < kSiiConfigurationWords ? 0 : word;
+  const auto end =
+      std::max<std::size_t>(word + data.size() / 2, word < kSiiConfigurationWords ? kSiiConfigurationWords : 0);
   bytes_ = 2 * (end - before_word_);
 }
 
@@ -181,7 +182,7 @@ void SiiWork::close(Step step) {
 /// Words in the order of writing: those of the configuration area last.
 std::uint32_t SiiWork::place(std::size_t n) const {
   const auto count = data_.size() / 2;
-  const auto area = word_ < kConfigurationWords ? std::min<std::size_t>(kConfigurationWords - word_, count) : 0;
+  const auto area = word_ < kSiiConfigurationWords ? std::min<std::size_t>(kSiiConfigurationWords - word_, count) : 0;
   const auto at = n < count - area ? n + area : n - (count - area);
   return word_ + static_cast<std::uint32_t>(at);
 }
@@ -195,8 +196,8 @@ std::uint16_t SiiWork::found(std::uint32_t word) const {
 }
 
 bool SiiWork::checksum_holds() {
-  if (word_ >= kConfigurationWords || any_checksum_) return true;
-  std::array<std::uint8_t, 2 * kConfigurationWords> area{};
+  if (word_ >= kSiiConfigurationWords || any_checksum_) return true;
+  std::array<std::uint8_t, 2 * kSiiConfigurationWords> area{};
   std::copy_n(before_->begin(), area.size(), area.begin());
   const auto at = 2 * std::size_t{word_};
   std::copy_n(data_.begin(), std::min(data_.size(), area.size() - at), area.begin() + static_cast<std::ptrdiff_t>(at));

@@ -6,19 +6,15 @@
 #include <algorithm>
 
 #include "master/sii/sii_access.h"
+#include "master/sii/sii_layout.h"
 #include "master/sii/sii_work.h"
 #include "protocol/sii.h"
 
 namespace syncline {
 namespace {
 
-constexpr std::size_t kHeaderBytes = 2 * sii::kCategoriesWord;
-constexpr std::size_t kSizeByte = 2 * 0x3E;
-constexpr std::size_t kLongestImage = 128 * 1024;
 constexpr std::size_t kUsualSize = 2048;
-constexpr std::uint32_t kConfigurationWords = 8;
 constexpr std::size_t kAliasByte = 8, kChecksumByte = 14;
-constexpr std::size_t kPiece = 8;
 
 /// One slave's EEPROM while it is in our hands.
 class Eeprom {
@@ -49,7 +45,7 @@ class Eeprom {
   [[nodiscard]] const SlaveAddress& slave() const { return slave_; }
 
  private:
-  Result<std::array<std::uint8_t, kPiece>> read_piece(std::size_t byte) {
+  Result<std::array<std::uint8_t, kSiiPiece>> read_piece(std::size_t byte) {
     SiiRequest request{0, static_cast<std::uint32_t>(byte / 2), {}, {}};
     if (auto status = access_.read(std::span(&request, 1)); !status) return tl::unexpected(status.error());
     if (request.error) return tl::unexpected(*request.error);
@@ -62,8 +58,8 @@ class Eeprom {
 };
 
 std::size_t size_of(std::span<const std::uint8_t> header) {
-  const auto size = (load_le<std::uint16_t>(header.subspan(kSizeByte)) + std::size_t{1}) * 128;
-  return size < kHeaderBytes || size > kLongestImage ? kUsualSize : size;
+  const auto size = (load_le<std::uint16_t>(header.subspan(kSiiSizeByte)) + std::size_t{1}) * 128;
+  return size < kSiiHeaderBytes || size > kLongestSiiImage ? kUsualSize : size;
 }
 
 struct Differences {
@@ -113,7 +109,8 @@ Result<SiiWriteReport> make_it(Eeprom& eeprom, std::span<const std::uint8_t> bef
 Status check(std::span<const std::uint8_t> image) {
   const auto bad = [](std::string why) { return fail(ErrorCode::kBadValue, "SII image", std::move(why)); };
   if (image.size() % 2 != 0) return bad("it has an odd number of bytes");
-  if (image.size() < kHeaderBytes) return bad(fmt::format("it is shorter than the header of {} bytes", kHeaderBytes));
+  if (image.size() < kSiiHeaderBytes)
+    return bad(fmt::format("it is shorter than the header of {} bytes", kSiiHeaderBytes));
   const auto right = sii::checksum(image.first(14));
   if (right != image[kChecksumByte]) {
     return bad(fmt::format("its checksum is 0x{:02X} where 0x{:02X} is right", image[kChecksumByte], right));
@@ -128,7 +125,7 @@ Result<std::vector<std::uint8_t>> read_eeprom(Bus& bus, const SlaveAddress& slav
   Eeprom eeprom(bus, slave);
   return eeprom.with([&]() -> Result<std::vector<std::uint8_t>> {
     std::vector<std::uint8_t> bytes;
-    const auto header = bytes_wanted > 0 ? std::size_t{0} : kHeaderBytes;
+    const auto header = bytes_wanted > 0 ? std::size_t{0} : kSiiHeaderBytes;
     if (auto status = eeprom.read(bytes, header, {}, 0); !status) return tl::unexpected(status.error());
     const auto size = bytes_wanted > 0 ? bytes_wanted : size_of(bytes);
     if (auto status = eeprom.read(bytes, size, progress, size / 2); !status) return tl::unexpected(status.error());
@@ -143,7 +140,7 @@ Result<SiiWriteReport> write_eeprom(Bus& bus, const SlaveAddress& slave, std::sp
   Eeprom eeprom(bus, slave);
   return eeprom.with([&]() -> Result<SiiWriteReport> {
     std::vector<std::uint8_t> before;
-    if (auto status = eeprom.read(before, kHeaderBytes, {}, 0); !status) return tl::unexpected(status.error());
+    if (auto status = eeprom.read(before, kSiiHeaderBytes, {}, 0); !status) return tl::unexpected(status.error());
     const auto room = std::max(size_of(before), size_of(image));
     if (image.size() > room) {
       return fail(ErrorCode::kBadValue, "SII image",
@@ -169,7 +166,7 @@ Result<SiiWriteReport> write_alias(Bus& bus, const SlaveAddress& slave, std::uin
   Eeprom eeprom(bus, slave);
   return eeprom.with([&]() -> Result<SiiWriteReport> {
     std::vector<std::uint8_t> before;
-    if (auto status = eeprom.read(before, 2 * kConfigurationWords, {}, 0); !status)
+    if (auto status = eeprom.read(before, 2 * kSiiConfigurationWords, {}, 0); !status)
       return tl::unexpected(status.error());
     auto after = before;
     store_le(std::span(after).subspan(kAliasByte), alias);

@@ -16,8 +16,6 @@ constexpr int kCyclesBeforeOp = 10;  // valid outputs before OP is requested
 
 constexpr unsigned kMostRestarts = 3;  // of SYNC signals that came too late
 
-bool is_above(AlState state, AlState target) { return static_cast<int>(state) > static_cast<int>(target); }
-
 }  // namespace
 
 Esm::Esm(Bus& bus, RunState& run, CyclicTaskRunner& task, SyncWatch& sync, DelayCompensation& delays)

@@ -5,12 +5,6 @@
 #include "master/startup/esm.h"
 
 namespace syncline {
-namespace {
-
-bool is_above(AlState state, AlState target) { return static_cast<int>(state) > static_cast<int>(target); }
-
-}  // namespace
-
 Status Esm::judge(std::size_t slave, AlState target) const {
   const auto& known = run_.snapshot.slaves[slave];
   if (known.present && known.al_status == static_cast<std::uint16_t>(target)) return {};

@@ -12,7 +12,7 @@ namespace syncline {
 namespace {
 
 /// A device without the service answers at once; one that says nothing must not hold the bring-up.
-constexpr Nanoseconds kPatience = 200 * kMillisecond;
+constexpr Nanoseconds kLookupPatience = 200 * kMillisecond;
 
 bool ends_the_bring_up(const Error& error) {
   return error.code == ErrorCode::kCancelled || error.code == ErrorCode::kNoResponse ||
@@ -22,7 +22,7 @@ bool ends_the_bring_up(const Error& error) {
 /// 0 when the slave does not say.
 Result<std::uint8_t> ask(Bus& bus, RunState& run, std::size_t slave) {
   MailboxClient mailbox(bus, run.mailboxes[slave]);
-  mailbox.set_response_timeout(kPatience);
+  mailbox.set_response_timeout(kLookupPatience);
   SdoInfoClient information(mailbox);
   std::string names[2];
   const std::uint8_t places[] = {kSm2MissedSubIndex, kSm2MissedSubIndexOldLayout};

@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "master/startup/startup_message_work.h"
 
+#include "master/mailbox/mailbox_transfer.h"
+
 #include <fmt/format.h>
 
 #include <utility>
 
 namespace syncline {
-namespace {
-
-constexpr int kMostUnasked = 64;
-
-}  // namespace
-
 StartupMessageWork::StartupMessageWork(SlaveMailbox& mailbox, std::vector<StartupMessage> messages)
     : transfer_(mailbox), response_timeout_(mailbox.port.response_timeout), messages_(std::move(messages)) {}
 

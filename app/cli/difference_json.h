@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "app/cli/json.h"
+#include "compare/network_compare.h"
+
+namespace syncline::cli {
+
+/// Rows of `where`, `field`, `left`, `right` (docs/json.md).
+[[nodiscard]] Json differences_json(const std::vector<NetworkDifference>& differences);
+
+}  // namespace syncline::cli
