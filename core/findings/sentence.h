@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -86,40 +87,43 @@ class FindingSentence {
     const std::string_view whole(key);
     const auto slash = whole.find('/');
     const auto variant = slash == std::string_view::npos ? std::string_view{} : whole.substr(slash + 1);
-    for (const FindingWords& row : kTable) {
-      if (row.code == whole.substr(0, slash)) words_ = &row;
+    for (std::size_t i = 0; i < std::size(kTable); ++i) {
+      if (kTable[i].code == whole.substr(0, slash)) row_ = i;
     }
-    if (words_ == nullptr) throw "no words for this code";
-    for (const auto& facts : words_->facts) {
-      if (facts.variant == variant && !facts.text.empty()) facts_ = facts.text;
+    if (row_ == std::size(kTable)) throw "no words for this code";
+    for (std::size_t i = 0; i < FindingWords::kMostFacts; ++i) {
+      if (kTable[row_].facts[i].variant == variant && !kTable[row_].facts[i].text.empty())
+        facts_ = kTable[row_].facts[i].text;
     }
     if (facts_.empty()) throw "the code has no sentence of this variant";
-    check_names();
+    check_names(facts_);
+    check_names(kTable[row_].mend);
+    if (!(shows(kNames.view()) && ...)) throw "a figure that no sentence shows";
   }
-  [[nodiscard]] const FindingWords& words() const { return *words_; }
+  [[nodiscard]] const FindingWords& words() const { return kTable[row_]; }
   [[nodiscard]] std::string_view facts() const { return facts_; }
 
  private:
-  consteval void check_names() const {
-    for (const auto text : {facts_, words_->mend}) {
-      for (auto open = text.find('{'); open != std::string_view::npos; open = text.find('{', open + 1)) {
-        [[maybe_unused]] const auto name = text.substr(open + 1, text.find('}', open) - open - 1);
-        if (!((name == kNames.view()) || ...)) throw "a placeholder without a figure";
-      }
+  static consteval void check_names(std::string_view text) {
+    for (auto open = text.find('{'); open != std::string_view::npos; open = text.find('{', open + 1)) {
+      [[maybe_unused]] const auto name = text.substr(open + 1, text.find('}', open) - open - 1);
+      if (!((name == kNames.view()) || ...)) throw "a placeholder without a figure";
     }
-    if (!(shows(kNames.view()) && ...)) throw "a figure that no sentence shows";
   }
-  [[nodiscard, maybe_unused]] consteval bool shows(std::string_view name) const {
-    for (const auto text : {facts_, words_->mend}) {
-      for (auto at = text.find(name); at != std::string_view::npos; at = text.find(name, at + 1)) {
-        const auto end = at + name.size();
-        if (at > 0 && text[at - 1] == '{' && end < text.size() && text[end] == '}') return true;
-      }
+  static consteval bool shows_in(std::string_view text, std::string_view name) {
+    for (auto at = text.find(name); at != std::string_view::npos; at = text.find(name, at + 1)) {
+      const auto end = at + name.size();
+      if (at > 0 && text[at - 1] == '{' && end < text.size() && text[end] == '}') return true;
     }
     return false;
   }
+  [[nodiscard, maybe_unused]] consteval bool shows(std::string_view name) const {
+    return shows_in(facts_, name) || shows_in(kTable[row_].mend, name);
+  }
 
-  const FindingWords* words_ = nullptr;
+  // Not pointers: GCC's undefined-behaviour sanitizer takes comparisons of them out of what is constant (GCC bug
+  // 71962).
+  std::size_t row_ = std::size(kTable);
   std::string_view facts_;
 };
 
