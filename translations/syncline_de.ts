@@ -40,10 +40,6 @@
             <translation>&amp;Öffnen …</translation>
         </message>
         <message>
-            <source>Open a project</source>
-            <translation>Projekt öffnen</translation>
-        </message>
-        <message>
             <source>&amp;Save</source>
             <translation>&amp;Speichern</translation>
         </message>
@@ -843,14 +839,6 @@
     <context>
         <name>FileCommands</name>
         <message>
-            <source>Open Project</source>
-            <translation>Projekt öffnen</translation>
-        </message>
-        <message>
-            <source>Syncline projects (*.syncline);;All files (*)</source>
-            <translation>Syncline-Projekte (*.syncline);;Alle Dateien (*)</translation>
-        </message>
-        <message>
             <source>Open</source>
             <translation>Öffnen</translation>
         </message>
@@ -1615,10 +1603,6 @@
             <translation>Bus</translation>
         </message>
         <message>
-            <source>Name</source>
-            <translation>Name</translation>
-        </message>
-        <message>
             <source>Current state</source>
             <translation>Aktueller Zustand</translation>
         </message>
@@ -1918,10 +1902,6 @@ Einstellung %2</translation>
             <translation>Einträge</translation>
         </message>
         <message>
-            <source>Entries of the selected PDO</source>
-            <translation>Einträge des gewählten PDOs</translation>
-        </message>
-        <message>
             <source>Entries of %1 %2</source>
             <translation>Einträge von %1 %2</translation>
         </message>
@@ -1973,10 +1953,6 @@ Einstellung %2</translation>
     </context>
     <context>
         <name>SlaveDcPage</name>
-        <message>
-            <source>Synchronisation</source>
-            <translation>Synchronisation</translation>
-        </message>
         <message>
             <source>Distributed Clocks</source>
             <translation>Distributed Clocks</translation>
@@ -2155,10 +2131,6 @@ Einstellung %2</translation>
         <message>
             <source>Time-outs</source>
             <translation>Zeitgrenzen</translation>
-        </message>
-        <message>
-            <source>Name</source>
-            <translation>Name</translation>
         </message>
         <message>
             <source>Type</source>
@@ -2500,10 +2472,6 @@ Einstellung %2</translation>
             <translation>bis %1</translation>
         </message>
         <message>
-            <source>Type</source>
-            <translation>Art</translation>
-        </message>
-        <message>
             <source>As device (%1)</source>
             <translation>Wie das Gerät (%1)</translation>
         </message>
@@ -2540,10 +2508,6 @@ Einstellung %2</translation>
         <message>
             <source>Cycle of %1</source>
             <translation>Zyklus von %1</translation>
-        </message>
-        <message>
-            <source>Cycle</source>
-            <translation>Zyklus</translation>
         </message>
         <message>
             <source>Shift of %1</source>

@@ -34,16 +34,9 @@
 #include "ui/session/workspace.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/named.h"
+#include "ui/window_layout.h"
 
 namespace syncline::ui {
-namespace {
-
-constexpr int kLayout = 1;  // one more with every panel that comes or goes
-const QString kLayoutVersion = QStringLiteral("layout/version"), kGeometry = QStringLiteral("layout/geometry"),
-              kState = QStringLiteral("layout/state"), kSplitter = QStringLiteral("layout/splitter");
-
-}  // namespace
-
 MainWindow::MainWindow(Workspace& workspace, QWidget* parent) : QMainWindow(parent), workspace_(workspace) {
   setObjectName(QStringLiteral("mainWindow"));
   setWindowIcon(QIcon(QStringLiteral(":/icons/syncline.svg")));
@@ -123,6 +116,8 @@ void MainWindow::buildDocks() {
   addDockWidget(Qt::BottomDockWidgetArea, findings_dock_);
   tabifyDockWidget(messages_dock_, findings_dock_);
   messages_dock_->raise();
+  layout_ = std::make_unique<WindowLayout>(
+      *this, workspace_.memory(), WindowLayout::Parts{explorer_dock_, {messages_dock_, findings_dock_}, splitter_});
   connect(findings, &FindingsPanel::placeActivated, this, &MainWindow::goTo);
   connect(&workspace_.runFindings(), &RunFindings::findingsChanged, this, &MainWindow::showFindingCount);
   connect(explorer_, &ExplorerPanel::nodeSelected, editor_, &DeviceEditor::showNode);
@@ -247,7 +242,7 @@ void MainWindow::connectActions() {
   connect(&workspace_, &Workspace::expertChanged, actions_->expert,
           [this] { actions_->expert->setChecked(workspace_.expert()); });
   actions_->expert->setChecked(workspace_.expert());
-  connect(actions_->reset_layout, &QAction::triggered, this, &MainWindow::resetLayout);
+  connect(actions_->reset_layout, &QAction::triggered, this, [this] { layout_->reset(); });
   connect(actions_->about, &QAction::triggered, this, [this] {
     auto* dialog = new AboutDialog(workspace_.environment().version, this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -340,46 +335,12 @@ void MainWindow::updateTheme() {
   QMetaObject::invokeMethod(strip_, &LiveStrip::applyTheme, Qt::QueuedConnection);
 }
 
-void MainWindow::resetLayout() {
-  explorer_dock_->setFloating(false);
-  messages_dock_->setFloating(false);
-  findings_dock_->setFloating(false);
-  explorer_dock_->show();
-  messages_dock_->show();
-  findings_dock_->show();
-  addDockWidget(Qt::LeftDockWidgetArea, explorer_dock_);
-  addDockWidget(Qt::BottomDockWidgetArea, messages_dock_);
-  addDockWidget(Qt::BottomDockWidgetArea, findings_dock_);
-  tabifyDockWidget(messages_dock_, findings_dock_);
-  messages_dock_->raise();
-  resizeDocks({explorer_dock_}, {250}, Qt::Horizontal);
-  resizeDocks({messages_dock_}, {128}, Qt::Vertical);
-  splitter_->setSizes({385, 215});
-}
-
 void MainWindow::showEvent(QShowEvent* event) {
   QMainWindow::showEvent(event);
   // Docks take sizes only once the window has its own.
   if (std::exchange(laid_out_, true)) return;
-  resetLayout();
-  recallLayout();
-}
-
-/// Of this version only: after a change of panels the usual layout is better than half of an old one.
-void MainWindow::recallLayout() {
-  const auto& memory = workspace_.memory();
-  if (memory.value(kLayoutVersion).toInt() != kLayout) return;
-  restoreGeometry(memory.value(kGeometry).toByteArray());
-  restoreState(memory.value(kState).toByteArray(), kLayout);
-  splitter_->restoreState(memory.value(kSplitter).toByteArray());
-}
-
-void MainWindow::rememberLayout() {
-  auto& memory = workspace_.memory();
-  memory.setValue(kLayoutVersion, kLayout);
-  memory.setValue(kGeometry, saveGeometry());
-  memory.setValue(kState, saveState(kLayout));
-  memory.setValue(kSplitter, splitter_->saveState());
+  layout_->reset();
+  layout_->recall();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

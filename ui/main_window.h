@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QMainWindow>
+#include <memory>
 
 class QDockWidget;
 class QSplitter;
@@ -16,6 +17,7 @@ class DeviceEditor;
 class ExplorerPanel;
 class FileCommands;
 class LiveStrip;
+class WindowLayout;
 class Workspace;
 
 /// The window: layout, actions, and who is connected to whom. The work is done in session and dialogs.
@@ -31,8 +33,7 @@ class MainWindow final : public QMainWindow {
   [[nodiscard]] DeviceEditor& editor() { return *editor_; }
   [[nodiscard]] LiveStrip& liveStrip() { return *strip_; }
   void selectNode(int slave);
-  /// For the next start, with the version of this layout.
-  void rememberLayout();
+  [[nodiscard]] WindowLayout& panels() { return *layout_; }
 
  protected:
   void showEvent(QShowEvent* event) override;
@@ -53,8 +54,6 @@ class MainWindow final : public QMainWindow {
   void showFindingCount();
   void updateActions();
   void updateTheme();
-  void resetLayout();
-  void recallLayout();
   void goTo(int slave, const QString& key);
   void showDifferences();
 
@@ -69,6 +68,7 @@ class MainWindow final : public QMainWindow {
   ExplorerPanel* explorer_ = nullptr;
   QDockWidget *explorer_dock_ = nullptr, *messages_dock_ = nullptr, *findings_dock_ = nullptr;
   QToolButton* state_button_ = nullptr;
+  std::unique_ptr<WindowLayout> layout_;
   bool laid_out_ = false;
 };
 

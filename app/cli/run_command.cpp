@@ -14,7 +14,6 @@
 #include "app/cli/findings_text.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/lateness.h"
-#include "app/cli/object_value.h"
 #include "app/cli/options.h"
 #include "app/cli/run_json.h"
 #include "app/cli/run_overrides.h"
@@ -22,6 +21,7 @@
 #include "app/composition/open_link.h"
 #include "engine/run_network.h"
 #include "protocol/error_text.h"
+#include "protocol/object_value.h"
 #include "sim/scenario/host_profile_file.h"
 #include "support/output_file.h"
 #include "support/whole_file.h"
@@ -158,12 +158,18 @@ void execute(Context& context, const RunOptions& options) {
     return;
   }
 
+  auto requests = requests_of(options, compiled->config.slaves.size());
+  if (!requests) return context.fail_with(requests.error());
+  auto opened = open_link(options.link);
+  if (!opened) return context.fail_with(opened.error());
+
   RunFiles files(context, compiled->config);
   // The manual's name for a log that is on without another name.
   const bool log_is_on = options.dcm_log.empty() && compiled->config.dc.dcm.log;
   if (auto status = files.open(options.csv, log_is_on ? "dcmlog0.0.csv" : options.dcm_log); !status)
     return context.fail_with(status.error());
-  const auto started = RunRecording::start(context, options.record, options.file, options.link, compiled->config);
+  const auto started = RunRecording::start(context, options.record, options.file, options.link, compiled->config,
+                                           opened->clock->is_virtual());
   if (!started) return context.fail_with(started.error());
   auto& recording = **started;
   RunRequest request;
@@ -186,8 +192,6 @@ void execute(Context& context, const RunOptions& options) {
       lines.add(event);
     };
   }
-  auto requests = requests_of(options, compiled->config.slaves.size());
-  if (!requests) return context.fail_with(requests.error());
   request.requests = std::move(*requests);
   Json answers = Json::array();
   request.on_answer = [&](const SlaveRequest& what, const SlaveAnswer& answer) {
@@ -216,7 +220,7 @@ void execute(Context& context, const RunOptions& options) {
 
   const InterruptGuard guard;
   request.stop = &guard.interrupted();
-  const auto outcome = run_network(compiled->config, open_link(options.link), request);
+  const auto outcome = run_network(compiled->config, std::move(opened), request);
   lines.tell_all();
   if (!outcome) return context.fail_with(outcome.error());
   files.finish();

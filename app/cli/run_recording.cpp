@@ -47,7 +47,7 @@ void add_record_options(CLI::App& command, RecordOptions& options) {
 
 Result<std::unique_ptr<RunRecording>> RunRecording::start(Context& context, const RecordOptions& options,
                                                           const std::string& file, const std::string& link,
-                                                          const NetworkConfig& config) {
+                                                          const NetworkConfig& config, bool virtual_time) {
   std::unique_ptr<RunRecording> recording(new RunRecording(context));
   if (options.file.empty()) return recording;
   Recorder::Options bounds;
@@ -56,6 +56,7 @@ Result<std::unique_ptr<RunRecording>> RunRecording::start(Context& context, cons
     if (!longest) return tl::unexpected(longest.error());
     bounds.longest = *longest;
   }
+  bounds.by_clock = !virtual_time;
   bounds.most_bytes = options.most_mib * kMiB;
   bounds.keep_free_bytes = options.keep_free_mib * kMiB;
   const auto what = about(file, link, config);

@@ -3,11 +3,11 @@
 
 #include <memory>
 
-#include "app/cli/object_value.h"
 #include "app/cli/options.h"
 #include "app/cli/visit_options.h"
 #include "master/mailbox/coe_client.h"
 #include "master/mailbox/object_dictionary_reader.h"
+#include "protocol/object_value.h"
 
 namespace syncline::cli {
 namespace {

@@ -4,11 +4,11 @@
 #include <memory>
 
 #include "app/cli/interrupt.h"
-#include "app/cli/object_value.h"
 #include "app/cli/options.h"
 #include "app/cli/visit_options.h"
 #include "app/composition/open_link.h"
 #include "master/mailbox/diagnosis_history_reader.h"
+#include "protocol/object_value.h"
 
 namespace syncline::cli {
 namespace {

@@ -24,6 +24,7 @@
 #include "ui/session/workspace.h"
 #include "ui/text/translations.h"
 #include "ui/theme/theme.h"
+#include "ui/window_layout.h"
 
 namespace {
 
@@ -202,7 +203,7 @@ int main(int argc, char* argv[]) {
   const int result = QApplication::exec();
   if (options.theme.isEmpty()) settings.setValue(kThemeSetting, ui::theme::modeName(ui::theme::current()));
   settings.setValue(kExpertSetting, workspace.expert());
-  window.rememberLayout();
+  window.panels().remember();
   workspace.live().shutDown();
   return result;
 }

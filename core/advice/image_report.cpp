@@ -5,11 +5,11 @@
 #include <cmath>
 
 #include "compile/cyclic_frames.h"
+#include "protocol/frame.h"
 
 namespace syncline {
 namespace {
 
-constexpr Nanoseconds kByteTime = 80;  // 100 Mbit/s
 constexpr std::uint32_t kMinimumPayload = 46, kHeaderAndFcs = 18, kEtherCatHeader = 2;
 
 std::uint32_t payload(const CyclicFrame& frame) {
@@ -98,7 +98,7 @@ class Reporter {
     if (slave.send) load.output_bytes = bytes_of(slave.send->bit_length);
     if (slave.receive) load.input_bytes = bytes_of(slave.receive->bit_length);
     const auto cost = [&](const std::optional<ImageRange>& range, bool output, std::uint32_t bytes) {
-      load.wire_time += range ? bytes * kByteTime / carrier(*range, output).multiple : 0;
+      load.wire_time += range ? bytes * kWireByteTime / carrier(*range, output).multiple : 0;
     };
     if (shares_addresses(slave)) {
       load.bytes = std::max(load.output_bytes, load.input_bytes);
@@ -148,7 +148,7 @@ class Reporter {
         object.saved_bytes = saved_bytes(slave, pdo, entry.bit_length);
         const std::uint32_t less =
             std::max(full, kMinimumPayload) - std::max(full - object.saved_bytes, kMinimumPayload);
-        object.saved_wire_time = less * kByteTime / at.multiple;
+        object.saved_wire_time = less * kWireByteTime / at.multiple;
         report_.movable.push_back(std::move(object));
       }
     }

@@ -116,14 +116,14 @@ std::optional<PreviousPort> wiring_of(const Project& ours, const Project& found,
   return PreviousPort{static_cast<std::uint16_t>(place - 1), 1};  // what it hung on is gone: behind the one in front
 }
 
-/// Of two slaves with one address the one that came from the bus gets another.
+/// Of two slaves with one address the one that came from the bus gets another: the next that is free, 0 being none.
 void make_addresses_unique(Project& project, const std::vector<Source>& sources) {
   std::set<std::uint16_t> used;
   for (const bool own : {true, false}) {
     for (std::size_t i = 0; i < sources.size(); ++i) {
       if (sources[i].ours.has_value() != own) continue;
       auto& address = project.slaves[i].station_address;
-      while (!used.insert(address).second) address = static_cast<std::uint16_t>(*used.rbegin() + 1);
+      while (address == 0 || !used.insert(address).second) ++address;
     }
   }
 }

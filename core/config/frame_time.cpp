@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "config/frame_time.h"
 
-#include <algorithm>
+#include "protocol/frame.h"
 
 namespace syncline {
 
 Nanoseconds wire_time(const CyclicFrame& frame) {
-  constexpr std::uint32_t kDatagramOverhead = 12;
-  constexpr std::uint32_t kMinimumPayload = 46;
-  constexpr std::uint32_t kAroundPayload = 8 + 14 + 4 + 12;  // preamble, Ethernet header, FCS, gap
-  constexpr Nanoseconds kByteTime = 80;
-  std::uint32_t payload = 2;
-  for (const auto& cmd : frame.commands) payload += kDatagramOverhead + cmd.length();
-  return (std::max(payload, kMinimumPayload) + kAroundPayload) * kByteTime;
+  std::size_t bytes = kFrameOverhead;
+  for (const auto& cmd : frame.commands) bytes += kDatagramHeaderSize + cmd.length() + kWkcSize;
+  return wire_time_ns(bytes);
 }
 
 CycleNeed cycle_need(const NetworkConfig& config, bool all_tasks) {

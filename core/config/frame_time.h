@@ -13,6 +13,9 @@ namespace syncline {
 /// take 0.6 to 1.2 us at MII ports and about 0.3 us at E-bus (ESC data sheet I, 9.1.2 and the PHYs' own data sheets).
 inline constexpr Nanoseconds kTravelPerSlave = kMicrosecond;
 
+/// When the frames of a cycle must be back, from its begin; what comes later counts as lost or late.
+[[nodiscard]] constexpr Nanoseconds latest_return(Nanoseconds cycle_time) { return cycle_time * 95 / 100; }
+
 struct CycleNeed {
   Nanoseconds wire = 0;    // of all frames, one behind the other
   Nanoseconds travel = 0;  // through all slaves; an estimate

@@ -108,11 +108,14 @@ class FrameReader {
   bool last_seen_ = false;
 };
 
+/// A byte on a 100 Mbit/s wire, ns.
+inline constexpr std::int64_t kWireByteTime = 80;
+
 /// Wire time of a frame of `frame_bytes` (Ethernet header to last payload byte, no FCS) at
 /// 100 Mbit/s with preamble, FCS and inter-frame gap, ns.
 [[nodiscard]] constexpr std::int64_t wire_time_ns(std::size_t frame_bytes) {
   const std::size_t padded = frame_bytes < kMinEthernetFrame ? kMinEthernetFrame : frame_bytes;
-  return static_cast<std::int64_t>((8 + padded + 4 + 12) * 80);
+  return static_cast<std::int64_t>(8 + padded + 4 + 12) * kWireByteTime;
 }
 
 }  // namespace syncline

@@ -80,8 +80,9 @@ void Recorder::run() {
   for (;;) {
     const bool came = news_.wait_for(lock, std::chrono::nanoseconds(options_.commit_every),
                                      [this] { return ending_ || !ready_.empty(); });
-    // What has waited for so long is written also where the run stands still.
-    if (!open_.empty() && (ending_ || !came)) cut();
+    // What has waited for so long is written also where the run stands still; on virtual time this would make files of
+    // the same run differ by how busy the host is.
+    if (!open_.empty() && (ending_ || (!came && options_.by_clock))) cut();
     if (ready_.empty() && ending_) return;
     while (!ready_.empty()) {
       const auto batch = std::move(ready_.front());

@@ -25,7 +25,8 @@ class Recorder {
     Nanoseconds longest = 0;                       // of the run; 0: until the end
     std::uint64_t keep_free_bytes = 256ULL << 20;  // of the disk: others need it, too
     bool wait_for_disk = true;                     // false: what the disk is too slow for is lost, and counted
-    Nanoseconds commit_every = kSecond;            // of the run's time, and of the clock's
+    Nanoseconds commit_every = kSecond;            // of the run's time
+    bool by_clock = true;  // commits also when nothing has come for so long; not on virtual time
   };
   /// It ends before the run does.
   struct Stop {

@@ -4,39 +4,12 @@
 
 #include <fstream>
 
-#include "app/cli/object_value.h"
 #include "tests/app/cli_runner.h"
 
 namespace syncline::test {
 namespace {
 
-using testing::ElementsAre;
 using testing::HasSubstr;
-
-TEST(ObjectValue, NumbersKeepTheirRange) {
-  EXPECT_THAT(cli::value_bytes(0x0003, "-2").value(), ElementsAre(0xFE, 0xFF));
-  EXPECT_THAT(cli::value_bytes(0x0003, "0xFFFE").value(), ElementsAre(0xFE, 0xFF));
-  EXPECT_THAT(cli::value_bytes(0x0003, "-32768").value(), ElementsAre(0x00, 0x80));
-  EXPECT_FALSE(cli::value_bytes(0x0003, "32768"));
-  EXPECT_FALSE(cli::value_bytes(0x0003, "-32769"));
-  EXPECT_FALSE(cli::value_bytes(0x0006, "-1"));
-  EXPECT_FALSE(cli::value_bytes(0x0006, "12x"));
-  EXPECT_FALSE(cli::value_bytes(0x0005, "256"));
-  EXPECT_EQ(cli::value_text(0x001B, cli::value_bytes(0x001B, "18446744073709551615").value()), "18446744073709551615");
-  EXPECT_EQ(cli::value_text(0x0015, cli::value_bytes(0x0015, "-9223372036854775808").value()), "-9223372036854775808");
-  EXPECT_EQ(cli::value_text(0x0008, cli::value_bytes(0x0008, "1.5").value()), "1.5");
-  EXPECT_THAT(cli::value_bytes(cli::kBytesType, "0x12 ab").value(), ElementsAre(0x12, 0xAB));
-  EXPECT_FALSE(cli::value_bytes(cli::kBytesType, "123"));
-  EXPECT_EQ(cli::value_text(0x0006, std::vector<std::uint8_t>{1, 2, 3}), "01 02 03");  // is no UINT
-}
-
-TEST(ObjectValue, ObjectsAreNamedInHexadecimal) {
-  EXPECT_EQ(cli::object_name("0x1018:0A").value().sub_index, 10);
-  EXPECT_EQ(cli::object_name("1018").value().index, 0x1018);
-  EXPECT_FALSE(cli::object_name("0x10180:1"));
-  EXPECT_FALSE(cli::object_name("1018:"));
-  EXPECT_FALSE(cli::object_name("name"));
-}
 
 /// A slave of the demo machine that has objects, by asking each.
 std::string slave_with_objects() {

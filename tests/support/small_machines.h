@@ -13,6 +13,15 @@ inline void add_two_axes(SimulatedNetwork& network) {
   network.add(servo(), "servo-y");
 }
 
+/// The same in bus shift with the sync window watched: servos with polled mailboxes and counters of missed events.
+inline SimulatedNetwork two_axes() {
+  SimulatedNetwork network;
+  add_two_axes(network);
+  network.project.master.dc.sync_window.enabled = true;
+  network.project.master.dc.dcm.mode = DcmMode::kBusShift;
+  return network;
+}
+
 /// Quartzes of +-45 ppm, clocks that were switched on at different times, cables of different lengths.
 inline void give_random_clocks(SimulatedNetwork& network, Random& random) {
   for (auto& slave : network.sim.slaves) {

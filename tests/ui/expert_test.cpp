@@ -8,6 +8,7 @@
 #include <QTabWidget>
 #include <QTranslator>
 
+#include "support/project_window.h"
 #include "support/ui_test_support.h"
 #include "ui/editors/field_binder.h"
 #include "ui/editors/number_edit.h"
@@ -22,60 +23,40 @@
 namespace syncline::ui {
 namespace {
 
-class ExpertSettings : public ::testing::Test {
+class ExpertSettings : public test::ProjectWindow {
  protected:
-  ExpertSettings() : workspace_(test::virtualEnvironment()), window_(workspace_) {
-    workspace_.document().replace(QStringLiteral("load"), test::smallProject());
-    window_.show();
-  }
-  ~ExpertSettings() override { workspace_.document().undoStack().setClean(); }
+  ExpertSettings() : ProjectWindow(test::smallProject()) {}
 
   QAction& action() { return *window_.findChild<QAction*>(QStringLiteral("actionExpert")); }
-  const Project& project() { return workspace_.document().project(); }
-  bool show(int node, const char* page) {
-    window_.selectNode(node);
-    auto* tabs = window_.editor().tabs();
-    for (int i = 0; i < tabs->count(); ++i) {
-      if (tabs->widget(i)->objectName() == QLatin1String(page)) tabs->setCurrentIndex(i);
-    }
-    return tabs->currentWidget()->objectName() == QLatin1String(page);
-  }
-  template <class Widget = QWidget>
-  Widget& field(const char* name) {
-    return *test::find<Widget>(window_, name);
-  }
   void set(const char* key, const settings::Value& value) {
     ASSERT_TRUE(workspace_.document().set(QStringLiteral("set"), {{&settings::row(key), {.slave = 1}, value}}));
   }
-
-  Workspace workspace_;
-  MainWindow window_;
 };
 
 TEST_F(ExpertSettings, AreShownWithTheSwitchOnly) {
   EXPECT_FALSE(action().isChecked());
-  EXPECT_FALSE(show(-1, "masterDcExpertPage"));
-  ASSERT_TRUE(show(-1, "masterGeneralPage"));
+  EXPECT_FALSE(has(-1, "masterDcExpertPage"));
+  ASSERT_TRUE(has(-1, "masterGeneralPage"));
   EXPECT_FALSE(field("masterRealTimeCpu").isVisible());
-  EXPECT_FALSE(show(1, "slaveTimingPage"));
+  EXPECT_FALSE(has(1, "slaveTimingPage"));
   action().trigger();
   EXPECT_TRUE(workspace_.expert());
-  EXPECT_TRUE(show(-1, "masterDcExpertPage"));
-  ASSERT_TRUE(show(-1, "masterGeneralPage"));
+  EXPECT_TRUE(has(-1, "masterDcExpertPage"));
+  ASSERT_TRUE(has(-1, "masterGeneralPage"));
   EXPECT_TRUE(field("masterRealTimeCpu").isVisible());
-  EXPECT_TRUE(show(1, "slaveTimingPage"));
+  EXPECT_TRUE(has(1, "slaveTimingPage"));
   action().trigger();
-  EXPECT_FALSE(show(1, "slaveTimingPage"));
-  EXPECT_FALSE(show(-1, "masterDcExpertPage"));
+  EXPECT_FALSE(has(1, "slaveTimingPage"));
+  EXPECT_FALSE(has(-1, "masterDcExpertPage"));
 }
 
 TEST_F(ExpertSettings, CarryAMark) {
   action().trigger();
-  ASSERT_TRUE(show(-1, "masterGeneralPage"));
+  ASSERT_TRUE(has(-1, "masterGeneralPage"));
   auto* card = qobject_cast<Card*>(field("masterRealTimeCpu").parentWidget());
   ASSERT_NE(card, nullptr);
   EXPECT_TRUE(card->title().contains(QStringLiteral("(Expert)"))) << qPrintable(card->title());
-  ASSERT_TRUE(show(1, "slaveGeneralPage"));
+  ASSERT_TRUE(has(1, "slaveGeneralPage"));
   auto& rule = field("slaveCheckRevisionRule");
   auto* caption = qobject_cast<QLabel*>(qobject_cast<Card*>(rule.parentWidget())->form()->labelForField(&rule));
   ASSERT_NE(caption, nullptr);
@@ -86,11 +67,11 @@ TEST_F(ExpertSettings, CarryAMark) {
 TEST_F(ExpertSettings, StayWhenTheyDifferFromTheDefault) {
   set("slave.N.watchdog.divider", std::int64_t{1000});
   set("master.real_time.cpu", std::int64_t{2});
-  ASSERT_TRUE(show(1, "slaveTimingPage"));
+  ASSERT_TRUE(has(1, "slaveTimingPage"));
   EXPECT_TRUE(field("slaveWatchdogDivider").isVisible());
   EXPECT_FALSE(field("slaveWatchdogPdi").isVisible());
-  EXPECT_FALSE(show(2, "slaveTimingPage")) << "another slave";
-  ASSERT_TRUE(show(-1, "masterGeneralPage"));
+  EXPECT_FALSE(has(2, "slaveTimingPage")) << "another slave";
+  ASSERT_TRUE(has(-1, "masterGeneralPage"));
   EXPECT_TRUE(field("masterRealTimeCpu").isVisible());
   EXPECT_FALSE(field("masterRealTimeSpinUs").isVisible());
   workspace_.document().undoStack().undo();
@@ -101,7 +82,7 @@ TEST_F(ExpertSettings, AFieldStaysUnderTheCursorThatPassesItsDefault) {
   set("slave.N.watchdog.divider", std::int64_t{1000});
   window_.activateWindow();
   ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
-  ASSERT_TRUE(show(1, "slaveTimingPage"));
+  ASSERT_TRUE(has(1, "slaveTimingPage"));
   auto& divider = field<NumberEdit>("slaveWatchdogDivider");
   divider.setFocus();
   QTest::keyClick(&divider, Qt::Key_A, Qt::ControlModifier);
@@ -114,7 +95,7 @@ TEST_F(ExpertSettings, AFieldStaysUnderTheCursorThatPassesItsDefault) {
 /// Tab goes down one column and then the next, also to fields that were made later.
 TEST_F(ExpertSettings, TabFollowsTheColumns) {
   action().trigger();
-  ASSERT_TRUE(show(-1, "masterGeneralPage"));
+  ASSERT_TRUE(has(-1, "masterGeneralPage"));
   const auto after = [&](const char* name) {
     auto* next = field(name).nextInFocusChain();
     while (!(next->focusPolicy() & Qt::TabFocus) || !next->isVisible() ||
@@ -193,7 +174,7 @@ TEST(GermanPages, NothingIsClipped) {
 /// An unset number says so, and typing what stands for it is a decision.
 TEST_F(ExpertSettings, WhatAutoStandsForCanBeSet) {
   action().trigger();
-  ASSERT_TRUE(show(-1, "masterDcExpertPage"));
+  ASSERT_TRUE(has(-1, "masterDcExpertPage"));
   auto& delay = field<NumberEdit>("masterDcDelayDifferenceNs");
   auto* line = delay.findChild<QLineEdit*>();
   ASSERT_NE(line, nullptr);
@@ -210,7 +191,7 @@ TEST_F(ExpertSettings, WhatAutoStandsForCanBeSet) {
 
 TEST_F(ExpertSettings, AnAddressThatIsNoneStaysMarked) {
   action().trigger();
-  ASSERT_TRUE(show(-1, "masterGeneralPage"));
+  ASSERT_TRUE(has(-1, "masterGeneralPage"));
   auto& address = field<TextEdit>("masterDestinationMac");
   EXPECT_EQ(address.text(), QStringLiteral("ff:ff:ff:ff:ff:ff"));
   test::type(address, QStringLiteral("01:02"));

@@ -16,6 +16,7 @@
 #include <set>
 
 #include "eni/project/project_file.h"
+#include "support/project_window.h"
 #include "support/ui_test_support.h"
 #include "ui/editors/choice_edit.h"
 #include "ui/editors/field_binder.h"
@@ -92,34 +93,11 @@ Project projectOfFamilies() {
   return project;
 }
 
-class Fields : public ::testing::Test {
+class Fields : public test::ProjectWindow {
  protected:
-  Fields() : workspace_(test::virtualEnvironment()), window_(workspace_) {
-    workspace_.document().replace(QStringLiteral("load"), editableProject());
-    workspace_.document().undoStack().setClean();
-    window_.show();
-    window_.activateWindow();
-    static_cast<void>(QTest::qWaitForWindowActive(&window_));
-  }
-  ~Fields() override { workspace_.document().undoStack().setClean(); }
+  Fields() : ProjectWindow(editableProject()) {}
 
-  const Project& project() { return workspace_.document().project(); }
   QUndoStack& steps() { return workspace_.document().undoStack(); }
-  template <class Widget = QWidget>
-  Widget& field(const char* name) {
-    return *test::find<Widget>(window_, name);
-  }
-  void show(int node, const char* page) {
-    window_.selectNode(node);
-    auto* tabs = window_.editor().tabs();
-    for (int i = 0; i < tabs->count(); ++i) {
-      if (tabs->widget(i)->objectName() == QLatin1String(page)) tabs->setCurrentIndex(i);
-    }
-    ASSERT_EQ(tabs->currentWidget()->objectName(), QLatin1String(page));
-  }
-
-  Workspace workspace_;
-  MainWindow window_;
 };
 
 TEST_F(Fields, AShorterCycleLeavesTheSetValueToTheMaster) {

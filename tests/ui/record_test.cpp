@@ -12,6 +12,7 @@
 #include <QToolButton>
 
 #include "settings/settings_table.h"
+#include "support/project_window.h"
 #include "support/ui_test_support.h"
 #include "ui/editors/object_picker.h"
 #include "ui/editors/page.h"
@@ -78,53 +79,36 @@ TEST(RecordEdits, MakeOneListOfAnother) {
   }));
 }
 
-class Lists : public ::testing::Test {
- protected:
-  Lists() : workspace_(test::virtualEnvironment()), window_(workspace_) {
-    auto machine = test::smallProject();
-    auto& device = machine.slaves[1].device;
-    device.mailbox.emplace().coe.emplace().pdo_config = true;
-    ObjectDescription object;
-    object.index = 0x6060;
-    object.name = "Modes of operation";
-    ObjectEntry entry;
-    entry.name = object.name;
-    entry.data_type = "SINT";
-    entry.bit_length = 8;
-    entry.writable = entry.rx_mappable = true;
-    entry.default_data = {8};
-    object.entries = {entry};
-    device.dictionary = {object};
-    workspace_.document().replace(QStringLiteral("load"), machine);
-    window_.show();
-    window_.activateWindow();
-    static_cast<void>(QTest::qWaitForWindowActive(&window_));
-  }
-  ~Lists() override { workspace_.document().undoStack().setClean(); }
+/// A drive whose start-up list and PDOs can be edited.
+Project machineWithLists() {
+  auto machine = test::smallProject();
+  auto& device = machine.slaves[1].device;
+  device.mailbox.emplace().coe.emplace().pdo_config = true;
+  ObjectDescription object;
+  object.index = 0x6060;
+  object.name = "Modes of operation";
+  ObjectEntry entry;
+  entry.name = object.name;
+  entry.data_type = "SINT";
+  entry.bit_length = 8;
+  entry.writable = entry.rx_mappable = true;
+  entry.default_data = {8};
+  object.entries = {entry};
+  device.dictionary = {object};
+  return machine;
+}
 
-  const Project& project() { return workspace_.document().project(); }
+class Lists : public test::ProjectWindow {
+ protected:
+  Lists() : ProjectWindow(machineWithLists()) {}
+
   int steps() { return workspace_.document().undoStack().index(); }
-  template <class Widget = QWidget>
-  Widget& field(const char* name) {
-    return *test::find<Widget>(window_, name);
-  }
   void press(const char* name) {
     auto& button = field<QToolButton>(name);
     ASSERT_TRUE(button.isEnabled()) << name;
     button.setFocus();
     QTest::keyClick(&button, Qt::Key_Space);
   }
-  void show(int node, const char* page) {
-    window_.selectNode(node);
-    auto* tabs = window_.editor().tabs();
-    for (int i = 0; i < tabs->count(); ++i) {
-      if (tabs->widget(i)->objectName() == QLatin1String(page)) tabs->setCurrentIndex(i);
-    }
-    ASSERT_EQ(tabs->currentWidget()->objectName(), QLatin1String(page));
-  }
-
-  Workspace workspace_;
-  MainWindow window_;
 };
 
 TEST_F(Lists, StartupCommandsAreMadeByKeyboard) {

@@ -31,6 +31,7 @@
 #include "ui/session/file_kind.h"
 #include "ui/session/workspace.h"
 #include "ui/text/finding_text.h"
+#include "ui/window_layout.h"
 
 namespace syncline::ui {
 namespace {
@@ -95,7 +96,7 @@ TEST(WindowMemory, KeepsTheLayoutOfItsVersion) {
     window.show();
     window.resize(1100, 700);
     window.findChild<QWidget*>(QStringLiteral("messagesDock"))->hide();
-    window.rememberLayout();
+    window.panels().remember();
   }
   {
     Workspace workspace(environment);

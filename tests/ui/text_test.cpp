@@ -61,10 +61,12 @@ TEST(Translations, GermanReachesTheClasses) {
 TEST(ErrorText, EveryTemplateIsKnownToTheTranslations) {
   std::set<std::string> known;
   for (const char* text : translatableErrors()) known.insert(text);
-  for (int code = 0; code <= static_cast<int>(ErrorCode::kCancelled); ++code) {
+  for (int code = 0; code <= static_cast<int>(ErrorCode::kCatalogue); ++code) {
     const std::string text(error_template(static_cast<ErrorCode>(code)));
     EXPECT_TRUE(known.contains(text)) << text;
   }
+  EXPECT_EQ(error_template(static_cast<ErrorCode>(static_cast<int>(ErrorCode::kCatalogue) + 1)), "{subject}{because}.")
+      << "there are codes behind the last one that is looked at here";
 }
 
 TEST(SyncText, ShowsTheVerdictAndNothingElse) {

@@ -63,6 +63,18 @@ constexpr const char* kErrorSources[] = {
                       "the host's jitter and the clock's drift."),
     QT_TRANSLATE_NOOP("Error", "{subject} took too long{because}."),
     QT_TRANSLATE_NOOP("Error", "Cancelled."),
+    QT_TRANSLATE_NOOP("Error",
+                      "{subject} is missing{because}; check its power and the cable to it, or take it out of the "
+                      "configuration."),
+    QT_TRANSLATE_NOOP("Error",
+                      "There is a device that is not in the configuration: {subject}{because}; scan again or take it "
+                      "off the bus."),
+    QT_TRANSLATE_NOOP("Error",
+                      "{subject} and {detail} have changed places; swap their cables, or their positions in the "
+                      "configuration."),
+    QT_TRANSLATE_NOOP("Error", "Wiring of {subject}: {detail}."),
+    QT_TRANSLATE_NOOP("Error", "Identification of {subject}: {detail}."),
+    QT_TRANSLATE_NOOP("Error", "Not read from {subject}: {detail}."),
     QT_TRANSLATE_NOOP("Error", "{subject}{because}."),
     QT_TRANSLATE_NOOP("Error", "{subject}: the slave ended the file transfer with {foe}{because}."),
     QT_TRANSLATE_NOOP("Error", "{where}: the file is beyond what is read{because}."),

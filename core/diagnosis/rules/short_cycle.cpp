@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
+#include "config/frame_time.h"
 #include "diagnosis/rules/rules.h"
 #include "findings/project_master_words.h"
 #include "findings/sentence.h"
+#include "protocol/frame.h"
 
 namespace syncline::diagnosis {
 namespace {
 
 /// The master waits for its frames until 95 % of the cycle are over, and needs 5 % and room for one request beside them
 /// to do something else than exchange data.
-constexpr Nanoseconds kShare = 90;         // percent
-constexpr Nanoseconds kRequest = 84 * 80;  // a frame of the smallest size
+constexpr Nanoseconds kShare = 90;  // percent
+constexpr Nanoseconds kRequest = wire_time_ns(kMinEthernetFrame);
 constexpr std::string_view kConsequences[] = {code::kSlaveBehind, code::kFramesLate, code::kHostLate};
 
 bool somebody_is_behind(const RunReport& report) {
@@ -29,7 +31,7 @@ Nanoseconds needed(const RunReport& report) {
   const auto& late = report.history.late_frames;
   return report.late_frames * 2 < report.cycles
              ? 0
-             : std::max(report.wire_time, report.cycle_time * 95 / 100 + late.largest());
+             : std::max(report.wire_time, latest_return(report.cycle_time) + late.largest());
 }
 
 /// Nobody was ever heard because every frame came too late.

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "config/frame_time.h"
+
 namespace syncline {
 namespace {
 
@@ -50,7 +52,7 @@ void AcyclicScheduler::add_request(const Room& room, Nanoseconds now) {
   auto* datagram = requests_.next(now);
   if (datagram == nullptr) return;
   const auto needed = wire_time_ns(size_of(*datagram) + kFrameOverhead);
-  const auto left = room.cycle_time * kLatest / 100 - room.cyclic_wire_time;
+  const auto left = latest_return(room.cycle_time) - room.cyclic_wire_time;
   if (needed > left) {
     requests_.refuse_asked({.code = ErrorCode::kNotSupported,
                             .why =
@@ -66,12 +68,11 @@ void AcyclicScheduler::add_request(const Room& room, Nanoseconds now) {
 /// What would not come back in time is left for the next cycle; one request a cycle goes in any case. Where nothing
 /// comes back in time, it is the host that is slow, and not the number of bytes.
 void AcyclicScheduler::add_waiting(std::span<Datagram* const> waiting, const Room& room) {
-  constexpr Nanoseconds kPerByte = 80;
-  auto left = room.cycle_time * kLatest / 100 - room.travel - room.cyclic_wire_time - wire_time();
+  auto left = latest_return(room.cycle_time) - room.travel - room.cyclic_wire_time - wire_time();
   const bool limited = left > 0;
   std::size_t frame = 0;
   for (auto* request : waiting) {
-    left -= static_cast<Nanoseconds>(size_of(*request)) * kPerByte;
+    left -= static_cast<Nanoseconds>(size_of(*request)) * kWireByteTime;
     if (limited && left < 0 && request != waiting.front()) break;
     while (frame < limit_ && !frames_[frame].add(*request)) ++frame;
     if (frame == limit_) break;

@@ -16,14 +16,11 @@
 
 namespace syncline {
 
-/// Percent of the cycle: then its frames must be back.
-inline constexpr Nanoseconds kLatest = 95;
-
 /// Which acyclic datagrams ride with a bus cycle, in the order of their rank: short and regular readings of the slaves,
 /// a datagram of the requests from outside, one of the master's own work in the mailboxes, as many as there is room for
 /// of whoever holds the state machine up by waiting (Bus::transact()), and one of evidence. So requests never make a
-/// cycle longer than by one datagram, and none that would not come back within the cycle. Allocates nothing in the
-/// cycle.
+/// cycle longer than by one datagram, and none goes whose bytes the rest of the cycle has no room for. Allocates
+/// nothing in the cycle.
 class AcyclicScheduler {
  public:
   AcyclicScheduler(RunState& run, const MailboxBits& bits, SyncEventWatch& events);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "master/cyclic/cyclic_task.h"
 
+#include "config/frame_time.h"
 #include "master/exchange/narrow.h"
 
 #include <algorithm>
@@ -145,7 +146,7 @@ Nanoseconds CyclicTaskRunner::cyclic_wire_time() {
 /// get it.
 Nanoseconds CyclicTaskRunner::deadline() {
   const auto needed = travel_ + cyclic_wire_time() + acyclic_.wire_time() + cycle_time_ / 20;
-  return scheduled_ + std::clamp(needed, cycle_time_ * 8 / 10, cycle_time_ * kLatest / 100);
+  return scheduled_ + std::clamp(needed, cycle_time_ * 8 / 10, latest_return(cycle_time_));
 }
 
 /// The shortest counts, and is forgotten slowly: what else a frame waits for is the host's.

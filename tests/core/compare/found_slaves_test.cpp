@@ -119,6 +119,20 @@ TEST(FoundSlaves, AnotherRevisionKeepsWhatItTakes) {
 
 /// Whatever is ticked: nothing taken is the project, all taken is the bus in order and wiring, and every result can be
 /// wired and addressed.
+TEST(FoundSlaves, ASlaveThatComesInGetsAFreeAddressWhateverTheOthersHave) {
+  auto ours = line({1});
+  ours.slaves[0].station_address = 0xFFFF;
+  auto found = line({1, 9, 9});
+  found.slaves[1].station_address = 0xFFFF;
+  found.slaves[2].station_address = 1;
+  const auto lines = compare_found(ours, found);
+  const auto taken = take_over(ours, found, lines, std::vector<bool>(lines.size(), true)).project;
+  ASSERT_EQ(taken.slaves.size(), 3U);
+  EXPECT_EQ(taken.slaves[0].station_address, 0xFFFF);
+  EXPECT_EQ(taken.slaves[1].station_address, 1);
+  EXPECT_EQ(taken.slaves[2].station_address, 2);
+}
+
 TEST(FoundSlaves, AnyChoiceGivesAWholeProject) {
   EXPECT_TRUE(rc::check([] {
     const auto machine = [] {

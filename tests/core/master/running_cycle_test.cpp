@@ -8,20 +8,10 @@
 #include "cycle_hooks.h"
 #include "master/master_service.h"
 #include "tests/support/simulated_network.h"
+#include "tests/support/small_machines.h"
 
 namespace syncline {
 namespace {
-
-/// Distributed clocks, servos with polled mailboxes and counters of missed events, a terminal without mailbox.
-test::SimulatedNetwork small_machine() {
-  test::SimulatedNetwork network;
-  network.add(test::io8());
-  network.add(test::servo(), "servo-y");
-  network.add(test::servo(), "servo-y");
-  network.project.master.dc.sync_window.enabled = true;
-  network.project.master.dc.dcm.mode = DcmMode::kBusShift;
-  return network;
-}
 
 /// On the channels, a cycle a step; what the onlooker does between the steps is not counted.
 class RunningCycle : public ::testing::Test {
@@ -66,7 +56,7 @@ class RunningCycle : public ::testing::Test {
 };
 
 TEST_F(RunningCycle, NeitherAllocatesNorLocks) {
-  go_online(small_machine());
+  go_online(test::two_axes());
   count_for(3 * kSecond);
   EXPECT_EQ(counts.allocations, 0U);
   EXPECT_EQ(counts.locks, 0U);
@@ -75,7 +65,7 @@ TEST_F(RunningCycle, NeitherAllocatesNorLocks) {
 }
 
 TEST_F(RunningCycle, NeitherAllocatesNorLocksWhenItHasBadNews) {
-  auto network = small_machine();
+  auto network = test::two_axes();
   const auto fault = [&](FaultKind kind, int slave, Nanoseconds at, std::uint32_t count) {
     network.sim.faults.push_back({.kind = kind, .slave = slave, .at = at, .count = count});
   };
@@ -94,7 +84,7 @@ TEST_F(RunningCycle, NeitherAllocatesNorLocksWhenItHasBadNews) {
 
 /// A slave that is gone, told by its cable, its presence, its state and the working counter.
 TEST_F(RunningCycle, NeitherAllocatesNorLocksWhenASlaveGoes) {
-  auto network = small_machine();
+  auto network = test::two_axes();
   network.project.master.recovery.automatic = false;
   network.sim.faults.push_back({.kind = FaultKind::kSlaveOff, .slave = 2, .at = 6 * kSecond, .until = 100 * kSecond});
   go_online(network);

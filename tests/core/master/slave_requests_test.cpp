@@ -14,6 +14,7 @@
 #include "support/byte_order.h"
 #include "support/random.h"
 #include "tests/support/simulated_network.h"
+#include "tests/support/small_machines.h"
 
 namespace syncline {
 namespace {
@@ -23,20 +24,10 @@ using namespace requests;
 
 constexpr std::uint16_t kServo = 1, kOther = 2;
 
-test::SimulatedNetwork two_axes() {
-  test::SimulatedNetwork network;
-  network.add(test::io8());
-  network.add(test::servo(), "servo-y");
-  network.add(test::servo(), "servo-y");
-  network.project.master.dc.sync_window.enabled = true;
-  network.project.master.dc.dcm.mode = DcmMode::kBusShift;
-  return network;
-}
-
 /// Requests on the slaves of a simulated machine in any state.
 class SlaveRequests : public ::testing::Test {
  protected:
-  void go_online(AlState state, const test::SimulatedNetwork& network = two_axes()) {
+  void go_online(AlState state, const test::SimulatedNetwork& network = test::two_axes()) {
     service = std::make_unique<MasterService>(network.link(clock), clock);
     service->channels().commands.push(GoOnlineCommand{network.compiled(), state});
     service->run_for(5 * kSecond);
@@ -76,14 +67,14 @@ class SlaveRequests : public ::testing::Test {
 };
 
 TEST_F(SlaveRequests, OfflineTheySayWhatToDo) {
-  service = std::make_unique<MasterService>(two_axes().link(clock), clock);
+  service = std::make_unique<MasterService>(test::two_axes().link(clock), clock);
   const auto answer = ask(RegisterRead{0, 0x0130, 2});
   ASSERT_TRUE(answer.error);
   EXPECT_NE(answer.error->detail.find("go online"), std::string::npos);
 }
 
 TEST_F(SlaveRequests, RegistersAndEepromInInit) {
-  const auto network = two_axes();
+  const auto network = test::two_axes();
   go_online(AlState::kInit, network);
   const auto station = ask(RegisterRead{kServo, reg::kAlStatus, 2});
   EXPECT_EQ(station.data, (Bytes{1, 0})) << told(station);
@@ -105,7 +96,7 @@ TEST_F(SlaveRequests, RegistersAndEepromInInit) {
 
 TEST_F(SlaveRequests, ObjectsInPreopAndOp) {
   for (const auto state : {AlState::kPreop, AlState::kOp}) {
-    const auto network = two_axes();
+    const auto network = test::two_axes();
     go_online(state, network);
     const auto vendor = ask(SdoRead{kServo, {0x1018, 1}});
     ASSERT_EQ(vendor.data.size(), 4U) << told(vendor);
@@ -213,7 +204,7 @@ TEST_F(SlaveRequests, OneSlaveIsLedToAnotherStateAndBack) {
 }
 
 TEST_F(SlaveRequests, AnErrorIsAcknowledged) {
-  auto network = two_axes();
+  auto network = test::two_axes();
   network.project.master.recovery.automatic = false;
   network.project.master.recovery.error_tries = 0;
   go_online(AlState::kOp, network);
@@ -228,7 +219,7 @@ TEST_F(SlaveRequests, AnErrorIsAcknowledged) {
 }
 
 TEST_F(SlaveRequests, ASlaveThatSaysNothingIsGivenUpAndKeepsNobodyElse) {
-  auto network = two_axes();
+  auto network = test::two_axes();
   network.sim.faults.push_back(
       {.kind = FaultKind::kMailboxSilence, .slave = kServo, .at = 6 * kSecond, .until = 60 * kSecond});
   go_online(AlState::kOp, network);
@@ -244,7 +235,7 @@ TEST_F(SlaveRequests, ASlaveThatSaysNothingIsGivenUpAndKeepsNobodyElse) {
 }
 
 TEST_F(SlaveRequests, ASlowSlaveGetsItsTime) {
-  auto network = two_axes();
+  auto network = test::two_axes();
   network.sim.faults.push_back({.kind = FaultKind::kSlowMailbox,
                                 .slave = kServo,
                                 .at = 6 * kSecond,
@@ -302,7 +293,7 @@ TEST_F(SlaveRequests, OurOwnReadingsGoOnMeanwhile) {
 }
 
 TEST_F(SlaveRequests, ASlaveThatIsGoneIsNamedAtOnce) {
-  auto network = two_axes();
+  auto network = test::two_axes();
   network.sim.faults.push_back(
       {.kind = FaultKind::kSlaveOff, .slave = kOther, .at = 6 * kSecond, .until = 60 * kSecond});
   go_online(AlState::kOp, network);
@@ -330,7 +321,7 @@ TEST_F(SlaveRequests, GoingOfflineAnswersThemAll) {
 }
 
 TEST_F(SlaveRequests, ARequestDuringTheBringUpWaitsForTheMailbox) {
-  const auto network = two_axes();
+  const auto network = test::two_axes();
   service = std::make_unique<MasterService>(network.link(clock), clock);
   service->channels().commands.push(GoOnlineCommand{network.compiled(), AlState::kOp});
   const auto early = desk().submit(SdoRead{kServo, {0x1018, 1}});
@@ -343,7 +334,7 @@ TEST_F(SlaveRequests, ARequestDuringTheBringUpWaitsForTheMailbox) {
 
 /// Whatever is asked by whomever, in whatever order and state of affairs, each gets the answer to his own question.
 TEST_F(SlaveRequests, InAnyInterleavingEachGetsHisOwnAnswer) {
-  const auto network = two_axes();
+  const auto network = test::two_axes();
   go_online(AlState::kOp, network);
   const auto expected = [&](const SlaveRequest& request) -> Bytes {
     if (const auto* sdo = std::get_if<SdoRead>(&request)) {
@@ -412,9 +403,9 @@ struct Cycles {
 /// Four seconds in OP, with requests all the time or without any.
 Cycles cycles(bool asking) {
   VirtualClock clock;
-  MasterService service(two_axes().link(clock), clock);
+  MasterService service(test::two_axes().link(clock), clock);
   auto& channels = service.channels();
-  channels.commands.push(GoOnlineCommand{two_axes().compiled(), AlState::kOp});
+  channels.commands.push(GoOnlineCommand{test::two_axes().compiled(), AlState::kOp});
   service.run_for(5 * kSecond);
   Cycles result;
   std::vector<CycleSample> before;
@@ -462,7 +453,7 @@ TEST(CyclesWithRequests, AreThoseWithout) {
 
 TEST(RunningCycleWithRequests, NeitherAllocatesNorLocks) {
   VirtualClock clock;
-  const auto network = two_axes();
+  const auto network = test::two_axes();
   MasterService service(std::make_unique<test::UncountedLink>(network.link(clock)), clock);
   service.channels().commands.push(GoOnlineCommand{network.compiled(), AlState::kOp});
   service.run_for(5 * kSecond);

@@ -19,6 +19,7 @@
 #include "record/replay_run.h"
 #include "support/whole_file.h"
 #include "tests/core/record/made_samples.h"
+#include "tests/support/temporary_folder.h"
 #include "trace/csv.h"
 
 namespace syncline {
@@ -62,13 +63,7 @@ std::string csv(std::span<const CycleSample> samples) {
 
 class RecordingFile : public testing::Test {
  protected:
-  RecordingFile() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "syncline-record-XXXXXX").string();
-    folder_ = ::mkdtemp(pattern.data());
-  }
-  ~RecordingFile() override { std::filesystem::remove_all(folder_); }
-
-  [[nodiscard]] std::string path(const std::string& name = "run.slrec") const { return (folder_ / name).string(); }
+  [[nodiscard]] std::string path(const std::string& name = "run.slrec") const { return folder_.file(name); }
   std::unique_ptr<Recorder> start(const Recorder::Options& options = {}, const std::string& name = "run.slrec") {
     auto recorder = Recorder::start(path(name), machine(), options, [this](const Recorder::Stop& stop) {
       stop_ = stop;
@@ -79,7 +74,7 @@ class RecordingFile : public testing::Test {
   }
   /// A recording of some seconds.
   void make(const std::string& name = "run.slrec") {
-    auto recorder = start({}, name);
+    auto recorder = start({.by_clock = false}, name);
     test::MadeSamples made(1);
     for (int i = 0; i < 40; ++i) {
       samples_ = made.next(100);
@@ -98,7 +93,7 @@ class RecordingFile : public testing::Test {
     return text;
   }
 
-  std::filesystem::path folder_;
+  test::TemporaryFolder folder_;
   std::vector<CycleSample> samples_;
   Recorder::Stop stop_;
   int stops_ = 0;
@@ -345,7 +340,7 @@ TEST_F(RecordingFile, KilledAtAnyMomentItIsWhole) {
 
 TEST_F(RecordingFile, WhatIsNoneIsRefusedWithItsReason) {
   EXPECT_EQ(RecordingReader::open(path("none")).error().code, ErrorCode::kFileNotFound);
-  EXPECT_EQ(RecordingReader::open(folder_.string()).error().code, ErrorCode::kNotThatKindOfFile);
+  EXPECT_EQ(RecordingReader::open(folder_.path().string()).error().code, ErrorCode::kNotThatKindOfFile);
   ASSERT_TRUE(write_whole_file(path("text"), "cycle,send_time_ns\n1,2\n"));
   EXPECT_EQ(RecordingReader::open(path("text")).error().code, ErrorCode::kNotThatKindOfFile);
   ASSERT_TRUE(write_whole_file(path("empty"), ""));
