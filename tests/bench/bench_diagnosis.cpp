@@ -134,7 +134,7 @@ void evidence(RatioReport& report) {
   std::size_t bytes = 0, cycles = 0;
   const double reading = median_ns([&] {
     frame.clear();
-    reader.add_to(frame);
+    if (auto* datagram = reader.next(0)) frame.add(*datagram);
     bytes += frame.size();
     ++cycles;
     for (auto* datagram : frame.datagrams()) {

@@ -14,6 +14,7 @@
 #include "eni/catalogue/esi_catalogue.h"
 #include "eni/xml/xml_text.h"
 #include "protocol/error_text.h"
+#include "sqlite/sqlite_database.h"
 #include "tests/support/sample_folder.h"
 
 namespace syncline::bench {
@@ -122,7 +123,7 @@ eni::EsiCards cards_of(std::uint32_t file) {
 }
 
 Status fill(eni::CatalogueStore& store) {
-  auto transaction = eni::SqlTransaction::begin(store.database());
+  auto transaction = SqlTransaction::begin(store.database());
   if (!transaction) return tl::unexpected(transaction.error());
   for (std::uint32_t file = 0; file < kFiles; ++file) {
     const auto id = store.put(fmt::format("/esi/{:04}.xml", file), {}, cards_of(file));

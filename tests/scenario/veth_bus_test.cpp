@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <thread>
 
 #include "app/composition/load_scenario.h"
@@ -132,9 +133,12 @@ TEST_F(VethBus, AnAdapterThatGoesAwayIsWaitedFor) {
   ASSERT_EQ(set("down"), 0);
   EXPECT_FALSE(scan_bus(open_link(kMasterLink)));
   ASSERT_EQ(set("up"), 0);
+  // The kernel tells the other end of the new carrier when it comes to it; until then opening fails at once.
   std::size_t found = 0;
-  for (int tries = 0; found == 0 && tries < 50; ++tries) {
+  const auto patience = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+  while (found == 0 && std::chrono::steady_clock::now() < patience) {
     if (const auto scan = scan_bus(open_link(kMasterLink))) found = scan->slaves.size();
+    std::this_thread::yield();
   }
   EXPECT_EQ(found, 9U);
   EXPECT_TRUE(bus.finish());
