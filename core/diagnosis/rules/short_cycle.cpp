@@ -55,7 +55,8 @@ void find_short_cycle(const RunReport& report, Findings& findings) {
       fig::time<"wire">(report.wire_time),
       Named<"travel">{time_figure("travel", std::max<Nanoseconds>(time - report.wire_time, 0))},
       fig::count<"slaves">(report.slaves.size()), fig::count<"late">(report.late_frames)));
-  std::ranges::rotate(findings, findings.end() - 1);  // before what it may be the cause of
+  // Before what it may be the cause of. Not std::ranges::rotate: clang 14 cannot compile what libstdc++ 12 makes of it.
+  std::rotate(findings.begin(), findings.end() - 1, findings.end());
 }
 
 }  // namespace syncline::diagnosis
