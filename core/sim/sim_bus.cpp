@@ -210,6 +210,8 @@ SimBus::Returned SimBus::Impl::execute(std::span<std::uint8_t> frame, Nanosecond
   if (kind != PassingFrame::Kind::kEtherCat) return execute_foreign(kind == PassingFrame::Kind::kMalformed, send_time);
 
   auto way = line_faults.next_frame(path.passages);
+  const auto length = wire_time_ns(frame.size()) - 12 * 80;  // without the gap behind the frame
+  const bool at_once = passing.shape() != nullptr && std::min(way.end, way.damaged) == path.passages.size();
   bool mark_source = false;
   touched.clear();
   for (const auto& stop : stops) {
@@ -219,13 +221,13 @@ SimBus::Returned SimBus::Impl::execute(std::span<std::uint8_t> frame, Nanosecond
     if (passing.is_for_single_slaves() && esc.is_untouched_by(passing)) continue;
     const auto time = send_time + stop.offset;
     stop.device->advance_to(time);
+    if (at_once && !stop.device->sees_frames() && esc.pass_at_once(passing, time, time + length)) continue;
     if (!esc.process(passing, time)) way.end = stop.passage;
     if (esc.touched() || stop.device->sees_frames()) touched.push_back(&stop);
   }
   if (passing.takes_port_times()) note_port_times(way, send_time);
   if (way.damaged < way.end) count_errors(way);
   passing.leave();
-  const auto length = wire_time_ns(frame.size()) - 12 * 80;  // without the gap behind the frame
   const bool lost = path.swallowed || way.end < path.passages.size() || way.damaged < path.passages.size();
   const auto return_time = send_time + static_cast<Nanoseconds>(path.return_ns + 0.5) + length;
   end_frame(way, send_time, length);

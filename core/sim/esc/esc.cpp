@@ -43,6 +43,18 @@ void Esc::advance_others(Nanoseconds time) {
   quiet_until_ = std::min({ports_.due(), sii_.due(), pdi_watchdog_.deadline(), watchdog_.deadline()});
 }
 
+/// What becomes effective at the end of the frame.
+void Esc::take_up(const FramePlan& plan, const std::uint8_t* frame) {
+  if (plan.time_size != 0) {
+    dc_.start_of_frame(frame_time_);
+    time_size_ = plan.time_size;
+    time_received_ = time_in(plan, frame);
+  }
+  sm_written_ |= plan.written;
+  sm_read_ |= plan.read;
+  touched_ = touched_ || plan.time_size != 0 || (plan.written | plan.read) != 0;
+}
+
 bool Esc::has_address(std::uint16_t address) const {
   const bool alias_on = (memory_.u8(reg::kDlControlAlias) & 0x01) != 0;
   return address == memory_.u16(reg::kStationAddress) || (alias_on && address == memory_.u16(reg::kStationAlias));
@@ -57,7 +69,7 @@ bool Esc::mark_circulating(std::span<PassingDatagram> datagrams) {
   return true;
 }
 
-void Esc::note_addresses() {
+[[gnu::noinline]] void Esc::note_addresses() {
   addresses_generation_ = generation_;
   station_ = memory_.u16(reg::kStationAddress);
   alias_ = (memory_.u8(reg::kDlControlAlias) & 0x01) != 0 ? memory_.u16(reg::kStationAlias) : PassingFrame::kNoStation;
@@ -80,7 +92,8 @@ bool Esc::is_untouched_by(const PassingFrame& frame) {
   frame.add_event(static_cast<std::uint16_t>(memory_.u16(reg::kEcatEventRequest) & memory_.u16(reg::kEcatEventMask)));
   touched_ = reset_.begun() || ports_.changed();
   if (const auto* plan = plan_for(frame)) {
-    follow(*plan, frame.bytes());
+    follow(*plan, frame.bytes().data());
+    take_up(*plan, frame.bytes().data());
     frame.pass(plan->wkc);
   } else {
     execute_all(frame);
@@ -210,7 +223,6 @@ bool Esc::write_memory(Command command, std::uint16_t address, std::span<const s
          (memory_.rights(static_cast<std::uint32_t>(address + closed)) & EscMemory::kWrite) == 0)
     ++closed;
   if (closed == data.size()) return false;
-  if (time_size_ != 0) shadow_time();
   if (address >= EscMemory::kRegisterEnd) {  // RAM has no shadow
     std::copy(data.begin(), data.end(), memory_.at(address, data.size()).begin());
   } else {
@@ -334,18 +346,20 @@ void Esc::take_over(const Write& write, std::span<const std::uint8_t> bytes) {
   latch_unit_ = latch_ports_ = false;
 }
 
-void Esc::end_transfers(Nanoseconds time) {
+void Esc::restart_watchdog(Nanoseconds time) {
+  watchdog_.trigger(time);
+  quiet_until_ = std::min(quiet_until_, watchdog_.deadline());
+  idle_until_ = std::min(idle_until_, quiet_until_);
+}
+
+[[gnu::noinline]] void Esc::end_transfers(Nanoseconds time) {
   if (!any_pending_) sm_read_ &= minded_ | mailboxes_;  // of the others nobody is told, and nothing changes
   for (auto touched = sm_written_ | sm_read_; touched != 0; touched &= touched - 1) {
     const auto i = static_cast<unsigned>(std::countr_zero(touched));
     const auto bit = 1U << i;
     if ((sm_written_ & bit) != 0) {
       if (sync_managers_[i].is_mailbox()) set_mailbox_full(i, true);
-      if ((sync_managers_[i].control & SyncManager::kControlWatchdog) != 0) {
-        watchdog_.trigger(time);
-        quiet_until_ = std::min(quiet_until_, watchdog_.deadline());
-        idle_until_ = std::min(idle_until_, quiet_until_);
-      }
+      if ((sync_managers_[i].control & SyncManager::kControlWatchdog) != 0) restart_watchdog(time);
       if ((renewed_by_transfer_.by & bit) != 0) renew(renewed_by_transfer_.renewed, 1);
       if ((minded_ & bit) != 0) {
         raise_buffer_event(i);

@@ -67,6 +67,9 @@ class Esc {
   [[nodiscard]] bool is_untouched_by(const PassingFrame& frame);
   /// The frame passes the processing unit: executes every datagram in place. False: it is destroyed there.
   [[nodiscard]] bool process(PassingFrame& frame, Nanoseconds time);
+  /// Both of process() and frame_end(), for a frame with a shape that no slave sees damaged: possible where nothing is
+  /// due before `end` and nothing unusual is under way. False: it has done nothing.
+  [[nodiscard]] bool pass_at_once(PassingFrame& frame, Nanoseconds begin, Nanoseconds end);
   /// The last byte has passed with a good FCS.
   void frame_end(Nanoseconds time);
   /// The FCS was bad: nothing of what the frame wrote becomes effective, except in RAM.
@@ -236,15 +239,20 @@ class Esc {
   [[nodiscard]] bool any_have(std::uint8_t right, std::uint16_t address, std::size_t length) const;
   [[nodiscard]] bool plan_logical(FramePlan& plan, const PassingDatagram& datagram, std::size_t number,
                                   std::size_t offset) const;
-  void follow(const FramePlan& plan, std::span<std::uint8_t> frame);
-  /// `memory`: the ESC's, from its beginning.
+  void follow(const FramePlan& plan, std::uint8_t* frame);
+  /// `memory`: the ESC's, from the step's address on.
   void follow(const FramePlan::Step& step, std::uint8_t* memory, std::uint8_t* data);
+  void tell_events(std::uint8_t told);
+  /// What frames do to it depends on more than its settings, or they do more than its plans say.
+  [[nodiscard]] bool has_something_under_way() const {
+    return maps_stale_ || any_pending_ || reset_.begun() || ports_.changed() || protection_.lifted() ||
+           ports_.port0_automatically_closed();
+  }
+  void follow_at_once(const FramePlan& plan, PassingFrame& frame, Nanoseconds begin, Nanoseconds end);
+  void take_up(const FramePlan& plan, const std::uint8_t* frame);
+  [[nodiscard]] static std::uint64_t time_in(const FramePlan& plan, const std::uint8_t* frame);
+  void restart_watchdog(Nanoseconds time);
   void execute_all(PassingFrame& frame);
-  /// Of a plan whose datagram brings the system time: becomes effective at the end of the frame.
-  void take_time(const std::uint8_t* data, std::uint8_t length);
-  /// As if it had been written by a datagram that was executed: another one follows.
-  void shadow_time();
-
   Options options_;
   EscMemory memory_;
   EscPorts ports_;

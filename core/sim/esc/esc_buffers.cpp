@@ -97,7 +97,7 @@ void Esc::note_buffer_access(std::uint32_t address, std::size_t length, bool wri
   }
 }
 
-void Esc::open_buffer(std::uint32_t address, std::size_t length) {
+[[gnu::noinline]] void Esc::open_buffer(std::uint32_t address, std::size_t length) {
   for (unsigned i = 0; any_pending_ && i < sync_managers_.size(); ++i) {
     if (pending_[i].empty()) continue;
     const auto start = sync_managers_[i].start;
