@@ -30,10 +30,11 @@ void Esc::frame_at_port(unsigned port, Nanoseconds time, bool first) {
 }
 
 void Esc::advance_others(Nanoseconds time) {
+  if (time >= ports_.due()) settings_changed();
   ports_.advance_to(time);
   if (sii_.advance_to(time)) {
     load_configuration();
-    ++generation_;  // of the alias
+    settings_changed();  // the alias
   }
   if (pdi_watchdog_.advance_to(time)) raise_event(kEventDlStatus);
   if (watchdog_.advance_to(time)) {
@@ -41,18 +42,6 @@ void Esc::advance_others(Nanoseconds time) {
     if (listener_ != nullptr) listener_->process_data_watchdog_expired(time);
   }
   quiet_until_ = std::min({ports_.due(), sii_.due(), pdi_watchdog_.deadline(), watchdog_.deadline()});
-}
-
-/// What becomes effective at the end of the frame.
-void Esc::take_up(const FramePlan& plan, const std::uint8_t* frame) {
-  if (plan.time_size != 0) {
-    dc_.start_of_frame(frame_time_);
-    time_size_ = plan.time_size;
-    time_received_ = time_in(plan, frame);
-  }
-  sm_written_ |= plan.written;
-  sm_read_ |= plan.read;
-  touched_ = touched_ || plan.time_size != 0 || (plan.written | plan.read) != 0;
 }
 
 bool Esc::has_address(std::uint16_t address) const {
@@ -73,12 +62,6 @@ bool Esc::mark_circulating(std::span<PassingDatagram> datagrams) {
   addresses_generation_ = generation_;
   station_ = memory_.u16(reg::kStationAddress);
   alias_ = (memory_.u8(reg::kDlControlAlias) & 0x01) != 0 ? memory_.u16(reg::kStationAlias) : PassingFrame::kNoStation;
-}
-
-bool Esc::is_untouched_by(const PassingFrame& frame) {
-  if (reset_.begun() || ports_.port0_automatically_closed()) return false;
-  if ((memory_.u16(reg::kEcatEventRequest) & memory_.u16(reg::kEcatEventMask)) != 0) return false;
-  return !is_called_by(frame);
 }
 
 // Every slave and frame goes through this and frame_end(): calls inside would cost a fifth of all the time of a
@@ -319,7 +302,7 @@ void Esc::take_over(const Write& write, std::span<const std::uint8_t> bytes) {
   // The system time comes in every cycle, and changes nothing that plans or waiting depend on.
   if (!std::ranges::all_of(writes_, is_time)) {
     wake_up();
-    ++generation_;
+    settings_changed();
   }
   std::size_t position = 0;
   bool reset_written = false, sii_command = false;

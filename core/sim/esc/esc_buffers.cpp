@@ -24,7 +24,7 @@ void put_bit(std::span<std::uint8_t> bytes, std::size_t bit, bool value) {
 
 void Esc::reload_maps() {
   maps_stale_ = false;
-  ++generation_;
+  settings_changed();
   read_mappings_.clear();
   write_mappings_.clear();
   for (unsigned i = 0; i < options_.fmmu_count; ++i) {

@@ -37,9 +37,20 @@ std::uint8_t status_events(const PassingDatagram& datagram) {
   short_or({from, length}, {to, length});
 }
 
+/// Two words that may overlap; `from` and `to` do not.
+template <std::unsigned_integral Word>
+void copy_two(const std::uint8_t* from, std::uint8_t* to, std::size_t length) {
+  const auto last = length - sizeof(Word);
+  const auto a = load_le<Word>({from, sizeof(Word)}), b = load_le<Word>({from + last, sizeof(Word)});
+  store_le<Word>({to, sizeof(Word)}, a);
+  store_le<Word>({to + last, sizeof(Word)}, b);
+}
+
 void copy_process_data(const std::uint8_t* from, std::uint8_t* to, std::size_t length) {
-  if (length == sizeof(std::uint32_t)) {
-    std::memcpy(to, from, sizeof(std::uint32_t));
+  if (length >= 4 && length <= 8) {
+    copy_two<std::uint32_t>(from, to, length);
+  } else if (length > 8 && length <= 16) {
+    copy_two<std::uint64_t>(from, to, length);
   } else {
     copy_any(from, to, length);
   }
@@ -106,16 +117,6 @@ void Esc::tell_events(std::uint8_t told) {
 }
 
 /// What process() and frame_end() do one after the other: nobody else sees what happens in between.
-bool Esc::pass_at_once(PassingFrame& frame, Nanoseconds begin, Nanoseconds end) {
-  const auto& shape = *frame.shape();
-  const auto& plan = plans_[shape.place];
-  const bool known = plan.shape == shape.id && plan.generation == generation_ && !plan.executed;
-  if (!known || end >= idle_until_ || has_something_under_way() || is_called_by(frame)) [[unlikely]]
-    return false;
-  follow_at_once(plan, frame, begin, end);
-  return true;
-}
-
 [[gnu::flatten]] void Esc::follow_at_once(const FramePlan& plan, PassingFrame& frame, Nanoseconds begin,
                                           Nanoseconds end) {
   frame_time_ = begin;
@@ -145,6 +146,18 @@ std::uint64_t Esc::time_in(const FramePlan& plan, const std::uint8_t* frame) {
   const auto* const data = frame + plan.time_offset;
   return plan.time_size == kWideTime ? load_le<std::uint64_t>({data, kWideTime})
                                      : load_le<std::uint32_t>({data, kNarrowTime});
+}
+
+/// What becomes effective at the end of the frame.
+void Esc::take_up(const FramePlan& plan, const std::uint8_t* frame) {
+  if (plan.time_size != 0) {
+    dc_.start_of_frame(frame_time_);
+    time_size_ = plan.time_size;
+    time_received_ = time_in(plan, frame);
+  }
+  sm_written_ |= plan.written;
+  sm_read_ |= plan.read;
+  touched_ = touched_ || plan.time_size != 0 || (plan.written | plan.read) != 0;
 }
 
 // ---- once ---------------------------------------------------------------------------------------
