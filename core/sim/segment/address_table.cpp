@@ -50,8 +50,7 @@ const std::vector<std::uint16_t>& AddressTable::called_by(const PassingFrame& fr
     }
   }
   std::ranges::sort(called_);
-  const auto twice = std::ranges::unique(called_);
-  called_.erase(twice.begin(), twice.end());
+  called_.erase(std::unique(called_.begin(), called_.end()), called_.end());
   return called_;
 }
 
