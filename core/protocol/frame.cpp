@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::size_t kFirstDatagram = kEthernetHeaderSize + kEtherCatHeaderSize;
 constexpr std::size_t kLengthFieldOffset = 6;  // inside the datagram header
+constexpr std::size_t kIrqOffset = 8;
 constexpr std::uint16_t kLengthMask = 0x07FF;
 constexpr std::uint16_t kCirculatingBit = 0x4000;
 constexpr std::uint16_t kMoreBit = 0x8000;
@@ -28,33 +29,33 @@ std::uint16_t length_field(const DatagramHeader& header) {
                                     (header.more ? kMoreBit : 0));
 }
 
-DatagramHeader read_header(std::span<const std::uint8_t> bytes) {
-  ByteReader reader(bytes);
+DatagramHeader read_header(std::span<const std::uint8_t, kDatagramHeaderSize> bytes) {
   DatagramHeader header;
-  header.command = static_cast<Command>(reader.u8());
-  header.index = reader.u8();
-  header.address = reader.u32();
-  const auto field = reader.u16();
+  header.command = static_cast<Command>(bytes[0]);
+  header.index = bytes[1];
+  header.address = load_le<std::uint32_t>(bytes.subspan<2, 4>());
+  const auto field = load_le<std::uint16_t>(bytes.subspan<kLengthFieldOffset, 2>());
   header.length = field & kLengthMask;
   header.circulating = (field & kCirculatingBit) != 0;
   header.more = (field & kMoreBit) != 0;
-  header.irq = reader.u16();
+  header.irq = load_le<std::uint16_t>(bytes.subspan<kIrqOffset, 2>());
   return header;
 }
 
-void write_header(std::span<std::uint8_t> bytes, const DatagramHeader& header) {
+void write_header(std::span<std::uint8_t, kDatagramHeaderSize> bytes, const DatagramHeader& header) {
   bytes[0] = static_cast<std::uint8_t>(header.command);
   bytes[1] = header.index;
-  store_le(bytes.subspan(2), header.address);
-  store_le(bytes.subspan(kLengthFieldOffset), length_field(header));
-  store_le(bytes.subspan(8), header.irq);
+  store_le(bytes.subspan<2, 4>(), header.address);
+  store_le(bytes.subspan<kLengthFieldOffset, 2>(), length_field(header));
+  store_le(bytes.subspan<kIrqOffset, 2>(), header.irq);
 }
 
 }  // namespace
 
 void DatagramView::store_header() {
-  header.length = load_le<std::uint16_t>(header_bytes.subspan(kLengthFieldOffset)) & kLengthMask;
-  write_header(header_bytes, header);
+  const auto bytes = header_bytes.first<kDatagramHeaderSize>();
+  header.length = load_le<std::uint16_t>(bytes.subspan<kLengthFieldOffset, 2>()) & kLengthMask;
+  write_header(bytes, header);
 }
 
 FrameBuilder::FrameBuilder() {
@@ -93,7 +94,7 @@ std::optional<std::span<std::uint8_t>> FrameBuilder::add_zeros(Command command, 
   header.index = index;
   header.address = address;
   header.length = length;
-  write_header(all.subspan(size_, kDatagramHeaderSize), header);
+  write_header(all.subspan(size_).first<kDatagramHeaderSize>(), header);
   const auto data = all.subspan(size_ + kDatagramHeaderSize, length);
   std::fill_n(all.begin() + static_cast<std::ptrdiff_t>(size_ + kDatagramHeaderSize), length + kWkcSize,
               std::uint8_t{0});
@@ -148,26 +149,28 @@ FrameReader::FrameReader(std::span<std::uint8_t> frame, LengthField length_field
 }
 
 std::optional<DatagramView> FrameReader::next() {
-  if (!is_ethercat_ || malformed_) return std::nullopt;
-  const std::size_t left = body_.size() - position_;
+  if (!is_ethercat_ || malformed_) [[unlikely]]
+    return std::nullopt;
+  const auto left = body_.subspan(position_);
   // Bytes behind the last datagram are padding: some masters round the frame's length field up.
-  if (last_seen_ || (left == 0 && position_ == 0)) return std::nullopt;
-  if (left < kDatagramHeaderSize + kWkcSize) {
+  if (last_seen_ || (left.empty() && position_ == 0)) return std::nullopt;
+  constexpr auto kAround = kDatagramHeaderSize + kWkcSize;
+  if (left.size() < kAround) [[unlikely]] {
     malformed_ = true;
     return std::nullopt;
   }
-  DatagramView view;
-  view.header_bytes = body_.subspan(position_, kDatagramHeaderSize);
-  view.header = read_header(view.header_bytes);
-  if (left < kDatagramHeaderSize + view.header.length + kWkcSize) {
+  const auto header = read_header(left.first<kDatagramHeaderSize>());
+  if (left.size() < kAround + header.length) [[unlikely]] {
     malformed_ = true;
     return std::nullopt;
   }
-  view.data = body_.subspan(position_ + kDatagramHeaderSize, view.header.length);
-  view.wkc_bytes = body_.subspan(position_ + kDatagramHeaderSize + view.header.length, kWkcSize);
-  position_ += kDatagramHeaderSize + view.header.length + kWkcSize;
-  last_seen_ = !view.header.more;
-  return view;
+  position_ += kAround + header.length;
+  last_seen_ = !header.more;
+  auto* const begin = left.data();
+  return DatagramView{header,
+                      {begin, kDatagramHeaderSize},
+                      {begin + kDatagramHeaderSize, header.length},
+                      {begin + kDatagramHeaderSize + header.length, kWkcSize}};
 }
 
 }  // namespace syncline

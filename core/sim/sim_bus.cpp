@@ -14,6 +14,7 @@
 #include "sim/esc/passing_frame.h"
 #include "sim/faults/fault_schedule.h"
 #include "sim/faults/line_faults.h"
+#include "sim/segment/address_table.h"
 #include "sim/segment/segment.h"
 
 namespace syncline::sim {
@@ -24,19 +25,6 @@ struct Node {
   std::unique_ptr<Esc> esc;
   std::unique_ptr<Device> device;
 };
-
-/// What the slave's EEPROM holds when it leaves the factory.
-std::vector<std::uint8_t> factory_sii(const SimSlaveConfig& config) {
-  if (config.sii_image.empty()) return sii::encode(sii_from_device(config.device, config.alias, config.serial_no));
-  auto image = config.sii_image;
-  constexpr std::size_t kAlias = 8, kChecksum = 14;
-  if (image.size() > kChecksum && config.alias != load_le<std::uint16_t>(std::span(image).subspan(kAlias))) {
-    const bool checked = sii::checksum(std::span(image).first(kChecksum)) == image[kChecksum];
-    store_le<std::uint16_t>(std::span(image).subspan(kAlias, 2), config.alias);
-    if (checked) image[kChecksum] = sii::checksum(std::span(image).first(kChecksum));
-  }
-  return image;
-}
 
 Node power_up(const SimSlaveConfig& config, std::vector<std::uint8_t> sii, Nanoseconds time, std::uint64_t seed,
               SimBus::Work work) {
@@ -75,6 +63,7 @@ struct SimBus::Impl final : FaultTarget {
   SimConfig config;
   Work work;
   Wiring wiring;
+  std::uint64_t setting_changes = 1;  // of all ESCs
   std::vector<Node> nodes;
   std::vector<SlaveLink> links;
   SegmentPath path;
@@ -85,6 +74,8 @@ struct SimBus::Impl final : FaultTarget {
   Nanoseconds now = 0;
   Nanoseconds wire_free = INT64_MIN;  // a frame of somebody else is on its way to the first slave until then
   PassingFrame passing;
+  AddressTable addresses;
+  bool source_marked = false;        // as far as the same settings say: an ESC on the way marks the source address
   std::vector<const Stop*> touched;  // those at which the passing frame left something; the others it was not for
 
   Impl(SimConfig c, Nanoseconds start, Work how)
@@ -99,7 +90,7 @@ struct SimBus::Impl final : FaultTarget {
       auto& slave = config.slaves[i];
       slave.oscillator.changes = rate_changes(config, i, start);
       if (config.bus.latch_noise_ns > 0) slave.dc.latch_noise_ns = config.bus.latch_noise_ns;
-      nodes.push_back(power_up(config.slaves[i], factory_sii(config.slaves[i]), start, seed_of(i), work));
+      nodes.push_back(switch_on(i, factory_sii(config.slaves[i]), start));
     }
     rewire();
     true_delay.resize(nodes.size());
@@ -110,8 +101,13 @@ struct SimBus::Impl final : FaultTarget {
   }
 
   [[nodiscard]] std::uint64_t seed_of(std::size_t i) const { return config.seed * 0x9E37'79B9'7F4A'7C15U + i; }
+  Node switch_on(std::size_t i, std::vector<std::uint8_t> sii, Nanoseconds time) {
+    auto node = power_up(config.slaves[i], std::move(sii), time, seed_of(i), work);
+    node.esc->count_changes_in(setting_changes);
+    return node;
+  }
   void restart(std::size_t i, Nanoseconds time) {
-    nodes[i] = power_up(config.slaves[i], nodes[i].esc->sii_content(), time, seed_of(i), work);
+    nodes[i] = switch_on(i, nodes[i].esc->sii_content(), time);
     schedule->started_anew(i);
   }
 
@@ -146,6 +142,7 @@ struct SimBus::Impl final : FaultTarget {
       const auto& node = nodes[passage.slave];
       if (passage.processed) stops.push_back({p, passage.slave, passage.offset, node.esc.get(), node.device.get()});
     }
+    addresses.forget();
   }
 
   // ---- what faults do ----
@@ -192,6 +189,9 @@ struct SimBus::Impl final : FaultTarget {
   Returned execute(std::span<std::uint8_t> frame, Nanoseconds send_time);
   Returned execute_foreign(bool malformed, Nanoseconds send_time);
   using Reach = LineFaults::Reach;
+  void note_addresses();
+  bool meet(const Stop& stop, Nanoseconds time);
+  void pass_slaves(Reach& way, Nanoseconds send_time, Nanoseconds length);
   void note_port_times(const Reach& way, Nanoseconds send_time);
   void count_errors(const Reach& way);
   void end_frame(const Reach& reach, Nanoseconds send_time, Nanoseconds length);
@@ -210,28 +210,64 @@ SimBus::Returned SimBus::Impl::execute(std::span<std::uint8_t> frame, Nanosecond
   if (kind != PassingFrame::Kind::kEtherCat) return execute_foreign(kind == PassingFrame::Kind::kMalformed, send_time);
 
   auto way = line_faults.next_frame(path.passages);
-  bool mark_source = false;
-  touched.clear();
-  for (const auto& stop : stops) {
-    if (stop.passage >= way.end) break;
-    auto& esc = *stop.esc;
-    mark_source = mark_source || esc.ports().destroys_foreign_frames();
-    if (passing.is_for_single_slaves() && esc.is_untouched_by(passing)) continue;
-    const auto time = send_time + stop.offset;
-    stop.device->advance_to(time);
-    if (!esc.process(passing, time)) way.end = stop.passage;
-    if (esc.touched() || stop.device->sees_frames()) touched.push_back(&stop);
-  }
+  const auto length = wire_time_ns(frame.size()) - 12 * 80;  // without the gap behind the frame
+  if (!addresses.holds(setting_changes)) note_addresses();
+  const bool mark_source = source_marked;
+  pass_slaves(way, send_time, length);
   if (passing.takes_port_times()) note_port_times(way, send_time);
   if (way.damaged < way.end) count_errors(way);
   passing.leave();
-  const auto length = wire_time_ns(frame.size()) - 12 * 80;  // without the gap behind the frame
   const bool lost = path.swallowed || way.end < path.passages.size() || way.damaged < path.passages.size();
   const auto return_time = send_time + static_cast<Nanoseconds>(path.return_ns + 0.5) + length;
   end_frame(way, send_time, length);
   if (lost) return {true, 0};
   if (mark_source) frame[6] = static_cast<std::uint8_t>(frame[6] | 0x02);  // locally administered
   return {false, return_time};
+}
+
+void SimBus::Impl::note_addresses() {
+  addresses.begin(setting_changes);
+  source_marked = false;
+  for (const auto& stop : stops) {
+    addresses.add(*stop.esc);
+    source_marked = source_marked || stop.esc->ports().destroys_foreign_frames();
+  }
+}
+
+/// The frame comes to a slave. False: it is destroyed there.
+bool SimBus::Impl::meet(const Stop& stop, Nanoseconds time) {
+  const bool passed = stop.esc->process(passing, time);
+  if (stop.esc->touched() || stop.device->sees_frames()) touched.push_back(&stop);
+  return passed;
+}
+
+/// Through the slaves up to the end of its way, which may come earlier than was thought.
+void SimBus::Impl::pass_slaves(Reach& way, Nanoseconds send_time, Nanoseconds length) {
+  touched.clear();
+  const auto& called = addresses.called_by(passing);
+  if (passing.is_for_single_slaves()) {
+    for (const auto place : called) {
+      const auto& stop = stops[place];
+      if (stop.passage >= way.end) return;
+      const auto time = send_time + stop.offset;
+      stop.device->advance_to(time);
+      if (!meet(stop, time)) way.end = stop.passage;
+    }
+    return;
+  }
+  const bool at_once = passing.shape() != nullptr && std::min(way.end, way.damaged) == path.passages.size();
+  auto next = called.begin();
+  for (std::size_t i = 0; i < stops.size(); ++i) {
+    const auto& stop = stops[i];
+    if (stop.passage >= way.end) return;
+    const auto time = send_time + stop.offset;
+    stop.device->advance_to(time);
+    const bool is_called = next != called.end() && *next == i;
+    if (is_called) ++next;
+    if (at_once && !is_called && !stop.device->sees_frames() && stop.esc->pass_at_once(passing, time, time + length))
+      continue;
+    if (!meet(stop, time)) way.end = stop.passage;
+  }
 }
 
 /// What the ESCs at the frame's way keep of when it came to their ports.

@@ -146,6 +146,7 @@ void DelayCompensation::take_corrections() {
     correction.written = load_le<std::uint32_t>(correction.bytes);
     correction.datagram.answered = false;
     run_.snapshot.slaves[slaves_[i]].propagation_delay_ns = correction.written;
+    run_.note_slave_change();
   }
 }
 

@@ -43,6 +43,7 @@ void SlavesSync::start(const DcNetwork& network, Nanoseconds first_cycle, bool s
   returned_.assign(config.slaves.size(), 0);
   out_since_.reset();
   round_since_.reset();
+  known_.reset();
   auto& dc = run_.snapshot.dc;
   dc.reference_clock = network.reference_clock;
   dc.monitored = config.dc.sync_window.enabled && network.synchronised_count() >= 2;
@@ -76,8 +77,23 @@ void SlavesSync::observe(Nanoseconds time, bool led, bool distributed, const std
 }
 
 void SlavesSync::take_readings(Nanoseconds time, bool distributed) {
+  if (known_ != Known{run_.slave_changes(), run_.snapshot.dc.reference_clock}) look_who_follows(time);
+  if (!distributed) return;
+  for (const std::size_t i : run_.deviations_read) {
+    const auto& slave = run_.snapshot.slaves[i];
+    if (!slave.deviation_valid || slave.deviation_time != time) continue;
+    auto& reading = readings_[i];
+    reading.read = true;
+    reading.time = time;
+    reading.deviation_ns = slave.deviation_ns;
+    tell_return(i, time);
+  }
+}
+
+void SlavesSync::look_who_follows(Nanoseconds time) {
   auto& snapshot = run_.snapshot;
   const auto leader = snapshot.dc.reference_clock;
+  bool all_stay = true;
   followers_ = 0;
   for (std::size_t i = 0; i < readings_.size(); ++i) {
     auto& slave = snapshot.slaves[i];
@@ -88,12 +104,10 @@ void SlavesSync::take_readings(Nanoseconds time, bool distributed) {
     if (follows != reading.follows) reading = {follows, false, time, 0};
     slave.follows = follows;
     followers_ += follows ? 1 : 0;
-    if (!distributed || !slave.deviation_valid || slave.deviation_time != time) continue;
-    reading.read = true;
-    reading.time = time;
-    reading.deviation_ns = slave.deviation_ns;
-    tell_return(i, time);
+    all_stay = all_stay && stays;
   }
+  known_.reset();  // who comes back is looked at until he is
+  if (all_stay) known_ = {run_.slave_changes(), leader};
 }
 
 bool SlavesSync::follows_again(std::size_t slave, Nanoseconds time) {

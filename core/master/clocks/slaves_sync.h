@@ -29,6 +29,7 @@ class SlavesSync {
 
  private:
   void take_readings(Nanoseconds time, bool distributed);
+  void look_who_follows(Nanoseconds time);
   /// Whether a slave behind the reference clock follows, with what became of it while it was away.
   [[nodiscard]] bool follows_again(std::size_t slave, Nanoseconds time);
   void tell_return(std::size_t slave, Nanoseconds time);
@@ -47,6 +48,12 @@ class SlavesSync {
   std::vector<std::uint8_t> lost_;      // 1: were away and have not caught up
   std::vector<std::uint8_t> returned_;  // 1: have, and it is not told yet that they are in sync
   std::size_t followers_ = 0;
+  struct Known {
+    std::uint64_t changes = 0;
+    int leader = -1;
+    bool operator==(const Known&) const = default;
+  };
+  std::optional<Known> known_;  // who follows stays as it is as long as this does
   bool steered_ = false;
   std::uint32_t ored_ns_ = 0;
   std::optional<Nanoseconds> out_since_;  // out of sync, and not told yet

@@ -35,6 +35,7 @@ SlaveWatch::SlaveWatch(RunState& run)
           1, static_cast<std::size_t>(kRound / std::max<Nanoseconds>(1, run.config().cycle_time())))),
       next_al_(al_.size()) {
   turns_.resize(al_.size() / cycles_per_round_ + 1);
+  run_.deviations_read.reserve(deviations_.size());
   for (std::size_t i = 0; i < al_.size(); ++i) {
     al_[i].datagram = {Command::kFprd, device_address(run.config().slaves[i].station_address, reg::kAlStatus),
                        al_[i].bytes};
@@ -153,6 +154,7 @@ std::optional<OredDeviation> SlaveWatch::take(Nanoseconds time, CycleSample& sam
 
 /// The sample shows the last one.
 void SlaveWatch::take_deviations(Nanoseconds time, CycleSample& sample) {
+  run_.deviations_read.clear();
   for (std::size_t i = 0; i < asked_deviations_; ++i) {
     const auto& reading = deviations_[i];
     if (!reading.datagram.done()) continue;
@@ -162,6 +164,7 @@ void SlaveWatch::take_deviations(Nanoseconds time, CycleSample& sample) {
     slave.deviation_ns = deviation;
     slave.deviation_valid = true;
     slave.deviation_time = time;
+    run_.deviations_read.push_back(reading.slave);
     sample.slave_position = static_cast<std::int16_t>(reading.slave);
     sample.slave_deviation_ns = deviation;
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "master/cyclic/sync_event_watch.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "protocol/dc_registers.h"
@@ -34,6 +35,7 @@ SyncEventWatch::SyncEventWatch(RunState& run, const SyncWatch& sync)
 
 SyncEventWatch::Slave* SyncEventWatch::find(std::size_t position) {
   if (position >= place_.size() || place_[position] == kNone) return nullptr;
+  settle_all();
   auto& slave = slaves_[place_[position]];
   settle(slave);
   return &slave;
@@ -69,21 +71,55 @@ void SyncEventWatch::observe(CycleSample& sample, bool outputs_back) {
   if (!sync_.active()) return;
   const bool known = (sample.flags & CycleSample::kReferenceValid) != 0;
   const auto passed = known ? sample.reference_time : sync_.reference_time_at(sample.send_time);
-  const bool regular = outputs_back && sample.skipped_cycles == 0;
+  const Outputs outputs{sample.send_time, passed, outputs_back, sample.skipped_cycles};
+  if (!outputs.regular() || !pass_together(passed)) observe_each(outputs);
+  if (sample.sm2_position < 0) tell(sample);
+}
+
+/// Closed form of looking at one slave after the other.
+bool SyncEventWatch::pass_together(Nanoseconds passed) {
+  if (!together_ || together_->changes != run_.slave_changes()) return false;
+  if (passed < together_->begin || passed >= together_->end) return false;
+  together_->begin += together_->period;
+  together_->end += together_->period;
+  ++together_->cycles;
+  return true;
+}
+
+void SyncEventWatch::settle_all() {
+  if (!together_) return;
+  for (auto& slave : slaves_) {
+    *slave.next += together_->cycles * together_->period;
+    slave.regular += together_->cycles;
+  }
+  together_.reset();
+}
+
+void SyncEventWatch::observe_each(const Outputs& outputs) {
+  settle_all();
+  bool all_regular = !slaves_.empty();
+  Together together{INT64_MIN, INT64_MAX, slaves_.empty() ? 0 : slaves_.front().period, run_.slave_changes(), 0};
   for (auto& slave : slaves_) {
     const auto delay = static_cast<Nanoseconds>(run_.snapshot.slaves[slave.position].propagation_delay_ns);
-    if (regular && slave.next && observe_regular(slave, passed + delay)) continue;
+    const auto came = outputs.passed + delay;
+    if (outputs.regular() && slave.next && observe_regular(slave, came)) {
+      all_regular = all_regular && slave.period == together.period;
+      together.begin = std::max(together.begin, *slave.next - delay);
+      together.end = std::min(together.end, *slave.next - delay + slave.period);
+      continue;
+    }
+    all_regular = false;
     settle(slave);
-    follow_state(slave, sample.send_time);
+    follow_state(slave, outputs.send_time);
     if (!slave.in_op_since) continue;
-    end_settling(slave, sample.send_time);
-    slave.account->observe({passed + delay, outputs_back, sample.skipped_cycles});
-    confirm(slave, sample.send_time);
+    end_settling(slave, outputs.send_time);
+    slave.account->observe({came, outputs.back, outputs.skipped});
+    confirm(slave, outputs.send_time);
     if (slave.before) continue;
     publish(slave);
     if (!slave.at_limit_since) slave.next = slave.account->regular_until();
   }
-  if (sample.sm2_position < 0) tell(sample);
+  if (all_regular) together_ = together;
 }
 
 bool SyncEventWatch::observe_regular(Slave& slave, Nanoseconds time) const {

@@ -37,6 +37,23 @@ class SyncEventWatch {
     std::optional<Nanoseconds> next{};  // begin of the period in which the next outputs are to come
     std::int64_t regular = 0;
   };
+  /// Those of one cycle.
+  struct Outputs {
+    Nanoseconds send_time = 0, passed = 0;  // the master, by the host's clock; the reference clock, by its own
+    bool back = false;
+    std::uint32_t skipped = 0;  // cycles before
+    [[nodiscard]] bool regular() const { return back && skipped == 0; }
+  };
+  /// All slaves' cycles are regular, and will be as long as outputs pass the reference clock in time.
+  struct Together {
+    Nanoseconds begin = 0, end = 0;  // of the time in which the next ones must do so
+    Nanoseconds period = 0;
+    std::uint64_t changes = 0;  // RunState::slave_changes()
+    std::int64_t cycles = 0;    // since then; not yet counted in the slaves
+  };
+  [[nodiscard]] bool pass_together(Nanoseconds passed);
+  void settle_all();
+  void observe_each(const Outputs& outputs);
   [[nodiscard]] Slave* find(std::size_t position);
   void follow_state(Slave& slave, Nanoseconds time);
   static void confirm(Slave& slave, Nanoseconds time);
@@ -52,6 +69,7 @@ class SyncEventWatch {
   RunState& run_;
   const SyncWatch& sync_;
   std::vector<Slave> slaves_;
+  std::optional<Together> together_;
   bool news_ = false;               // a count has changed that may not have been told
   std::vector<std::size_t> place_;  // in slaves_, by position; npos: it has no SYNC0
 };

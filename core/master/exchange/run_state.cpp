@@ -98,6 +98,7 @@ void RunState::set_al_status(std::size_t slave, std::uint16_t status, std::uint1
   const auto old_code = std::exchange(known.al_status_code, code);
   const auto position = static_cast<int>(slave);
   const auto state = al_state_of(status);
+  if (status != old) note_slave_change();
   if (state != al_state_of(old)) place_mailbox(slave, state);
   if (al_state_of(old) != al_state_of(status)) {
     event(time, position, events::StateChanged{al_state_of(old), al_state_of(status)});
@@ -110,6 +111,7 @@ void RunState::set_al_status(std::size_t slave, std::uint16_t status, std::uint1
 void RunState::set_present(std::size_t slave, bool present, Nanoseconds time) {
   auto& known = snapshot.slaves[slave];
   if (std::exchange(known.present, present) == present) return;
+  note_slave_change();
   using What = events::HotConnect::What;
   const bool told = hot_connect(slave, present ? What::kConnected : What::kDisconnected, time);
   if (!told && present) event(time, static_cast<int>(slave), events::SlaveFound{});

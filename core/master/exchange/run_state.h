@@ -26,7 +26,12 @@ class RunState {
   [[nodiscard]] MasterChannels& channels() { return channels_; }
 
   Snapshot snapshot;
-  std::vector<SlaveMailbox> mailboxes;  // per slave; each with its bit in the process image
+  /// Another number after each change of who answers, in which state it is, and of its clock's settings: what is made
+  /// of all slaves in each cycle stays what it is until then. Whoever changes them in the snapshot by himself tells it.
+  [[nodiscard]] std::uint64_t slave_changes() const { return slave_changes_; }
+  void note_slave_change() { ++slave_changes_; }
+  std::vector<std::uint16_t> deviations_read;  // the slaves whose deviation came with the latest cycle
+  std::vector<SlaveMailbox> mailboxes;         // per slave; each with its bit in the process image
 
   /// `slave` -1: the master, the bus. Notifications that the configuration switches off are left out.
   void event(Nanoseconds time, int slave, EventDetails what);
@@ -63,6 +68,7 @@ class RunState {
   std::vector<SharedText> groups_;  // per slave, of the heads of hot-connect groups
   std::optional<Nanoseconds> link_away_since_;
   unsigned link_outages_ = 0;
+  std::uint64_t slave_changes_ = 0;
 };
 
 }  // namespace syncline

@@ -57,6 +57,7 @@ void ClockSteps::note(const DcNetwork& network) {
     }
     if (slave.dc_enabled) watched.push_back(static_cast<std::uint16_t>(i));
   }
+  run_.note_slave_change();
   task_.slaves().set_dc_slaves(std::move(watched));
   for (const auto& finding : network.findings) {
     run_.event(bus_.clock().now(), finding.position, events::DelayFinding{finding.warning, finding.value_ns});

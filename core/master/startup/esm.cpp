@@ -65,6 +65,7 @@ Status Esm::reset() {
     slave.al_status = slave.present ? init : 0;
     slave.al_status_code = 0;
   }
+  run_.note_slave_change();
   run_.update_master_state(bus_.clock().now());
   return {};
 }

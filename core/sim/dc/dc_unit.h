@@ -55,6 +55,13 @@ class DcUnit {
 
   /// A frame starts at the processing unit: the system time that reads in this frame show.
   void start_of_frame(Nanoseconds time);
+  /// The same and count_unminded(), of signals that nobody minds.
+  std::uint64_t start_of_counted_frame(Nanoseconds time) {
+    const auto clock = clock_.read(time);
+    local_at_start_of_frame_ = clock.sample;
+    const auto signals = generator_.skip_to((now_ == time ? clock.exact : clock_.exact(now_)) + offset() + 1);
+    return signals + std::exchange(unasked_, 0);
+  }
   /// Copies what a read of this frame shows into the register file: before anybody looks at these registers or writes a
   /// part of them.
   void refresh_registers();

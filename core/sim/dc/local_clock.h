@@ -41,6 +41,16 @@ class LocalClock {
   [[nodiscard]] std::uint64_t exact(Nanoseconds time) const {
     return whole(raw_ - correction_ + static_cast<Fixed>(time - time_) * (raw_rate_ - correction_rate_));
   }
+  /// Both, for little more than one of them.
+  struct Reading {
+    std::uint64_t sample = 0, exact = 0;
+  };
+  [[nodiscard]] Reading read(Nanoseconds time) const {
+    const auto passed = static_cast<Fixed>(time - time_);
+    const auto raw = raw_ + passed * raw_rate_, correction = correction_ + passed * correction_rate_;
+    const auto shown = whole(raw);
+    return {shown - shown % kTick - whole(correction + kOne / 2), whole(raw - correction)};
+  }
   /// First true time from `from` on at which exact() reaches `local`: `from` when that is past, kNever when true time
   /// ends before.
   [[nodiscard]] Nanoseconds time_of(std::uint64_t local, Nanoseconds from) const;

@@ -104,7 +104,10 @@ void Device::run_until(Nanoseconds time) {
   esc_.advance_to(time);
   now_ = std::max(now_, time);
   if (state_ == AlState::kOp && !stopped_) stay_in_op(time);
-  if (state_ == AlState::kOp && !stopped_ && rests()) rest();
+  if (state_ == AlState::kOp && !stopped_) {
+    if (!minds_inputs_read()) esc_.leave_transfers_unminded(process_data_.buffered_inputs());
+    if (rests()) rest();
+  }
   esc_.stay_idle_until(idle_until());
 }
 

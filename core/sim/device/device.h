@@ -94,6 +94,9 @@ class Device : public Esc::Listener {
   /// the dictionary, and only that the same inputs are written again: with each SYNC0, or without one with new outputs.
   [[nodiscard]] virtual bool rests() { return false; }
 
+  /// on_inputs_read() does something.
+  [[nodiscard]] virtual bool minds_inputs_read() const { return false; }
+
   /// `code`: AL status code; `error_code`: of the emergency that goes with it.
   void drop_to_safeop(std::uint16_t code, std::uint16_t error_code = kCommunicationError);
   /// Tells the master: emergency and an entry in the diagnosis history. `text_id` of the ESI's DiagMessages.

@@ -100,6 +100,8 @@ void ProcessData::map() {
     if (channel.direction == PdoDirection::kTx) offer_inputs(channel.manager);
   }
   inputs_ = 0;
+  buffered_inputs_ = buffered_managers();
+  for (const unsigned number : sync_managers(PdoDirection::kRx)) buffered_inputs_ &= ~(1U << number % kManagers);
   for (const unsigned number : sync_managers(PdoDirection::kTx)) {
     if (number < kManagers && esc_.has_sync_manager(number)) inputs_ |= 1U << number;
   }

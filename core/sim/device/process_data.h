@@ -36,6 +36,8 @@ class ProcessData {
   [[nodiscard]] bool inputs_map(std::uint16_t index);
   /// Bit per SyncManager: those of buffered process data.
   [[nodiscard]] std::uint32_t buffered_managers() const;
+  /// Of these, those of inputs.
+  [[nodiscard]] std::uint32_t buffered_inputs() const { return buffered_inputs_; }
   /// The same of those that renew_inputs() writes.
   [[nodiscard]] std::uint32_t input_managers() const { return inputs_; }
   /// The master has written outputs: into the dictionary with them, when they are `valid`. Process data in one buffer
@@ -101,7 +103,7 @@ class ProcessData {
   std::vector<unsigned> numbers_[2];
   bool shared_ = false;  // an output is an input, too
   bool inputs_stay_ = false;
-  std::uint32_t inputs_ = 0;  // bit per SyncManager
+  std::uint32_t inputs_ = 0, buffered_inputs_ = 0;  // bit per SyncManager
   std::uint32_t outputs_taken_ = 0;
   std::uint32_t generation_ = 0;  // of the ESC's settings then
 };

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "config/device_description.h"
+#include "config/sim_config.h"
 #include "protocol/sii.h"
 
 namespace syncline::sim {
@@ -15,5 +16,8 @@ namespace syncline::sim {
 
 /// EEPROM content that a vendor's tool would make from an ESI device (ETG.2010).
 [[nodiscard]] sii::Image sii_from_device(const DeviceDescription& device, std::uint16_t alias, std::uint32_t serial_no);
+
+/// What a simulated slave's EEPROM holds when it leaves the factory: the scenario's own image, or such a content.
+[[nodiscard]] std::vector<std::uint8_t> factory_sii(const SimSlaveConfig& config);
 
 }  // namespace syncline::sim

@@ -23,6 +23,7 @@ class CanGateway final : public Device {
  protected:
   void on_outputs(Nanoseconds time) override;
   void on_inputs_read(Nanoseconds time) override;
+  [[nodiscard]] bool minds_inputs_read() const override { return true; }
   void on_sync0(Nanoseconds time) override;
   void on_sync1(Nanoseconds time) override;
   void on_state(AlState state) override;

@@ -30,10 +30,11 @@ void Esc::frame_at_port(unsigned port, Nanoseconds time, bool first) {
 }
 
 void Esc::advance_others(Nanoseconds time) {
+  if (time >= ports_.due()) settings_changed();
   ports_.advance_to(time);
   if (sii_.advance_to(time)) {
     load_configuration();
-    ++generation_;  // of the alias
+    settings_changed();  // the alias
   }
   if (pdi_watchdog_.advance_to(time)) raise_event(kEventDlStatus);
   if (watchdog_.advance_to(time)) {
@@ -57,16 +58,10 @@ bool Esc::mark_circulating(std::span<PassingDatagram> datagrams) {
   return true;
 }
 
-void Esc::note_addresses() {
+[[gnu::noinline]] void Esc::note_addresses() {
   addresses_generation_ = generation_;
   station_ = memory_.u16(reg::kStationAddress);
   alias_ = (memory_.u8(reg::kDlControlAlias) & 0x01) != 0 ? memory_.u16(reg::kStationAlias) : PassingFrame::kNoStation;
-}
-
-bool Esc::is_untouched_by(const PassingFrame& frame) {
-  if (reset_.begun() || ports_.port0_automatically_closed()) return false;
-  if ((memory_.u16(reg::kEcatEventRequest) & memory_.u16(reg::kEcatEventMask)) != 0) return false;
-  return !is_called_by(frame);
 }
 
 // Every slave and frame goes through this and frame_end(): calls inside would cost a fifth of all the time of a
@@ -80,7 +75,8 @@ bool Esc::is_untouched_by(const PassingFrame& frame) {
   frame.add_event(static_cast<std::uint16_t>(memory_.u16(reg::kEcatEventRequest) & memory_.u16(reg::kEcatEventMask)));
   touched_ = reset_.begun() || ports_.changed();
   if (const auto* plan = plan_for(frame)) {
-    follow(*plan, frame.bytes());
+    follow(*plan, frame.bytes().data());
+    take_up(*plan, frame.bytes().data());
     frame.pass(plan->wkc);
   } else {
     execute_all(frame);
@@ -210,7 +206,6 @@ bool Esc::write_memory(Command command, std::uint16_t address, std::span<const s
          (memory_.rights(static_cast<std::uint32_t>(address + closed)) & EscMemory::kWrite) == 0)
     ++closed;
   if (closed == data.size()) return false;
-  if (time_size_ != 0) shadow_time();
   if (address >= EscMemory::kRegisterEnd) {  // RAM has no shadow
     std::copy(data.begin(), data.end(), memory_.at(address, data.size()).begin());
   } else {
@@ -307,7 +302,7 @@ void Esc::take_over(const Write& write, std::span<const std::uint8_t> bytes) {
   // The system time comes in every cycle, and changes nothing that plans or waiting depend on.
   if (!std::ranges::all_of(writes_, is_time)) {
     wake_up();
-    ++generation_;
+    settings_changed();
   }
   std::size_t position = 0;
   bool reset_written = false, sii_command = false;
@@ -334,18 +329,20 @@ void Esc::take_over(const Write& write, std::span<const std::uint8_t> bytes) {
   latch_unit_ = latch_ports_ = false;
 }
 
-void Esc::end_transfers(Nanoseconds time) {
+void Esc::restart_watchdog(Nanoseconds time) {
+  watchdog_.trigger(time);
+  quiet_until_ = std::min(quiet_until_, watchdog_.deadline());
+  idle_until_ = std::min(idle_until_, quiet_until_);
+}
+
+[[gnu::noinline]] void Esc::end_transfers(Nanoseconds time) {
   if (!any_pending_) sm_read_ &= minded_ | mailboxes_;  // of the others nobody is told, and nothing changes
   for (auto touched = sm_written_ | sm_read_; touched != 0; touched &= touched - 1) {
     const auto i = static_cast<unsigned>(std::countr_zero(touched));
     const auto bit = 1U << i;
     if ((sm_written_ & bit) != 0) {
       if (sync_managers_[i].is_mailbox()) set_mailbox_full(i, true);
-      if ((sync_managers_[i].control & SyncManager::kControlWatchdog) != 0) {
-        watchdog_.trigger(time);
-        quiet_until_ = std::min(quiet_until_, watchdog_.deadline());
-        idle_until_ = std::min(idle_until_, quiet_until_);
-      }
+      if ((sync_managers_[i].control & SyncManager::kControlWatchdog) != 0) restart_watchdog(time);
       if ((renewed_by_transfer_.by & bit) != 0) renew(renewed_by_transfer_.renewed, 1);
       if ((minded_ & bit) != 0) {
         raise_buffer_event(i);

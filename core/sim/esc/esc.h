@@ -63,10 +63,40 @@ class Esc {
   // ---- the frame's way ----
   /// Of a frame that takes port times. `first`: here begins its way through the slave.
   void frame_at_port(unsigned port, Nanoseconds time, bool first);
-  /// Nothing of this frame for single slaves is for this one, nor does it leave a trace in it.
-  [[nodiscard]] bool is_untouched_by(const PassingFrame& frame);
+  /// Which datagrams for single slaves are for this one, until its settings change: as PassingFrame::is_for() takes
+  /// them.
+  struct Address {
+    std::uint32_t station = 0, alias = 0;
+  };
+  [[nodiscard]] Address address() {
+    if (addresses_generation_ != generation_) note_addresses();
+    return {station_, alias_};
+  }
+  /// As long as its settings stay, no frame is its matter that is not for it.
+  [[nodiscard]] bool is_indifferent() const {
+    return memory_.u16(reg::kEcatEventMask) == 0 && !reset_.begun() && !ports_.port0_automatically_closed();
+  }
+  /// Every frame is: it carries the ESC's events, ends its reset sequence or shows that it circulates.
+  [[nodiscard]] bool looks_at_all_frames() const {
+    return reset_.begun() || ports_.port0_automatically_closed() ||
+           (memory_.u16(reg::kEcatEventRequest) & memory_.u16(reg::kEcatEventMask)) != 0;
+  }
+  /// Counts the changes of the settings there, too, where those of many ESCs come together.
+  void count_changes_in(std::uint64_t& changes) { changes_ = &changes; }
   /// The frame passes the processing unit: executes every datagram in place. False: it is destroyed there.
   [[nodiscard]] bool process(PassingFrame& frame, Nanoseconds time);
+  /// Both of process() and frame_end(), for a frame with a shape that no slave sees damaged: possible where nothing is
+  /// due before `end` and nothing unusual is under way. None of its datagrams for single slaves is for this one. False:
+  /// it has done nothing.
+  [[nodiscard]] bool pass_at_once(PassingFrame& frame, Nanoseconds begin, Nanoseconds end) {
+    const auto& shape = *frame.shape();
+    const auto& plan = plans_[shape.place];
+    const bool known = plan.shape == shape.id && plan.generation == generation_ && !plan.executed;
+    if (!known || end >= idle_until_ || has_something_under_way()) [[unlikely]]
+      return false;
+    follow_at_once(plan, frame, begin, end);
+    return true;
+  }
   /// The last byte has passed with a good FCS.
   void frame_end(Nanoseconds time);
   /// The FCS was bad: nothing of what the frame wrote becomes effective, except in RAM.
@@ -99,7 +129,7 @@ class Esc {
   /// At each transfer in SyncManager `by` that nobody minds the device writes the same inputs again into `renewed`.
   void renew_at_transfers(unsigned by, std::uint32_t renewed);
   /// The frames come from elsewhere: what an ESC does with them by its position is another thing.
-  void forget_plans() { ++generation_; }
+  void forget_plans() { settings_changed(); }
   /// Another one after each change of the settings.
   [[nodiscard]] std::uint32_t generation() const { return generation_; }
 
@@ -191,6 +221,10 @@ class Esc {
     return frame.is_for(station_, alias_);
   }
   void note_addresses();
+  void settings_changed() {
+    ++generation_;
+    ++*changes_;
+  }
   bool read_memory(std::uint16_t address, std::span<std::uint8_t> out, bool or_into);
   /// Registers, and RAM that is no SyncManager's matter.
   bool read_registers(std::uint16_t address, std::span<std::uint8_t> out, bool or_into);
@@ -236,15 +270,20 @@ class Esc {
   [[nodiscard]] bool any_have(std::uint8_t right, std::uint16_t address, std::size_t length) const;
   [[nodiscard]] bool plan_logical(FramePlan& plan, const PassingDatagram& datagram, std::size_t number,
                                   std::size_t offset) const;
-  void follow(const FramePlan& plan, std::span<std::uint8_t> frame);
-  /// `memory`: the ESC's, from its beginning.
+  void follow(const FramePlan& plan, std::uint8_t* frame);
+  /// `memory`: the ESC's, from the step's address on.
   void follow(const FramePlan::Step& step, std::uint8_t* memory, std::uint8_t* data);
+  void tell_events(std::uint8_t told);
+  /// What frames do to it depends on more than its settings, or they do more than its plans say.
+  [[nodiscard]] bool has_something_under_way() const {
+    return maps_stale_ || any_pending_ || reset_.begun() || ports_.changed() || protection_.lifted() ||
+           ports_.port0_automatically_closed();
+  }
+  void follow_at_once(const FramePlan& plan, PassingFrame& frame, Nanoseconds begin, Nanoseconds end);
+  void take_up(const FramePlan& plan, const std::uint8_t* frame);
+  [[nodiscard]] static std::uint64_t time_in(const FramePlan& plan, const std::uint8_t* frame);
+  void restart_watchdog(Nanoseconds time);
   void execute_all(PassingFrame& frame);
-  /// Of a plan whose datagram brings the system time: becomes effective at the end of the frame.
-  void take_time(const std::uint8_t* data, std::uint8_t length);
-  /// As if it had been written by a datagram that was executed: another one follows.
-  void shadow_time();
-
   Options options_;
   EscMemory memory_;
   EscPorts ports_;
@@ -276,6 +315,7 @@ class Esc {
   std::uint32_t buffers_begin_ = 0;            // where the first SyncManager's memory begins
   std::array<FramePlan, FramePlan::kPlaces> plans_{};
   std::uint32_t generation_ = 1;                                      // of the settings that plans are made by
+  std::uint64_t own_changes_ = 0, *changes_ = &own_changes_;          // of the same; here or of a whole bus
   std::uint32_t addresses_generation_ = 0, station_ = 0, alias_ = 0;  // the addresses of that generation
   Nanoseconds idle_until_ = INT64_MIN;
   bool sync_silent_ = false, prompt_ = false;

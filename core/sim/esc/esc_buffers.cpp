@@ -24,7 +24,7 @@ void put_bit(std::span<std::uint8_t> bytes, std::size_t bit, bool value) {
 
 void Esc::reload_maps() {
   maps_stale_ = false;
-  ++generation_;
+  settings_changed();
   read_mappings_.clear();
   write_mappings_.clear();
   for (unsigned i = 0; i < options_.fmmu_count; ++i) {
@@ -97,7 +97,7 @@ void Esc::note_buffer_access(std::uint32_t address, std::size_t length, bool wri
   }
 }
 
-void Esc::open_buffer(std::uint32_t address, std::size_t length) {
+[[gnu::noinline]] void Esc::open_buffer(std::uint32_t address, std::size_t length) {
   for (unsigned i = 0; any_pending_ && i < sync_managers_.size(); ++i) {
     if (pending_[i].empty()) continue;
     const auto start = sync_managers_[i].start;

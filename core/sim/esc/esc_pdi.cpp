@@ -164,7 +164,7 @@ void Esc::renew_at_transfers(unsigned by, std::uint32_t renewed) {
   if ((minded_ >> by & 1U) == 0) renewed_by_transfer_ = {1U << by, renewed};
 }
 
-void Esc::count_renewals() {
+[[gnu::noinline]] void Esc::count_renewals() {
   if (const auto signals = dc_.count_unminded(); signals > 0) renew(renewed_by_signal_, signals);
 }
 

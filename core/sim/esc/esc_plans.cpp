@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <bit>
+#include <concepts>
 #include <cstring>
 #include <utility>
 
@@ -28,6 +30,33 @@ std::uint8_t status_events(const PassingDatagram& datagram) {
   return static_cast<std::uint8_t>((dl ? kTellsDlStatus : 0) | (al ? kTellsAlStatus : 0));
 }
 
+/// Apart from the loop over the steps, whose usual ones they would make slower.
+[[gnu::noinline]] void copy_any(const std::uint8_t* from, std::uint8_t* to, std::size_t length) {
+  short_copy({from, length}, {to, length});
+}
+[[gnu::noinline]] void or_any(const std::uint8_t* from, std::uint8_t* to, std::size_t length) {
+  short_or({from, length}, {to, length});
+}
+
+/// Two words that may overlap; `from` and `to` do not.
+template <std::unsigned_integral Word>
+void copy_two(const std::uint8_t* from, std::uint8_t* to, std::size_t length) {
+  const auto last = length - sizeof(Word);
+  const auto a = load_le<Word>({from, sizeof(Word)}), b = load_le<Word>({from + last, sizeof(Word)});
+  store_le<Word>({to, sizeof(Word)}, a);
+  store_le<Word>({to + last, sizeof(Word)}, b);
+}
+
+void copy_process_data(const std::uint8_t* from, std::uint8_t* to, std::size_t length) {
+  if (length >= 4 && length <= 8) {
+    copy_two<std::uint32_t>(from, to, length);
+  } else if (length > 8 && length <= 16) {
+    copy_two<std::uint64_t>(from, to, length);
+  } else {
+    copy_any(from, to, length);
+  }
+}
+
 }  // namespace
 
 // ---- in each frame ------------------------------------------------------------------------------
@@ -44,69 +73,92 @@ const FramePlan* Esc::plan_for(PassingFrame& frame) {
   return plan.executed ? nullptr : &plan;
 }
 
-void Esc::follow(const FramePlan& plan, std::span<std::uint8_t> frame) {
-  auto* const begin = frame.data();
+void Esc::follow(const FramePlan& plan, std::uint8_t* frame) {
   auto* const memory = memory_.at(0, EscMemory::kSize).data();
   const auto* const end = plan.steps.data() + plan.count;
-  for (const auto* step = plan.steps.data(); step != end; ++step) follow(*step, memory, begin + step->offset);
+  for (const auto* step = plan.steps.data(); step != end; ++step)
+    follow(*step, memory + step->address, frame + step->offset);
+  sm_begun_ &= ~(plan.written | plan.read);
+  for (auto read = plan.read; read != 0; read &= read - 1) buffers_.read(static_cast<unsigned>(std::countr_zero(read)));
 }
 
 void Esc::follow(const FramePlan::Step& step, std::uint8_t* memory, std::uint8_t* data) {
-  const std::span in_frame(data, step.length);
-  const std::span in_memory(memory + step.address, step.length);
   switch (step.what) {
+    case Do::kOrWord:
+      store_le<std::uint16_t>({data, 2}, static_cast<std::uint16_t>(load_le<std::uint16_t>({data, 2}) |
+                                                                    load_le<std::uint16_t>({memory, 2})));
+      return tell_events(step.detail);
     case Do::kOrRegister:
-      short_or(in_memory, in_frame);
-      if ((step.detail & kTellsDlStatus) != 0) clear_event(kEventDlStatus);
-      if ((step.detail & kTellsAlStatus) != 0) clear_event(kEventAlStatus);
-      return;
+      or_any(memory, data, step.length);
+      return tell_events(step.detail);
     case Do::kOrDifference:
-      store_le(in_frame, load_le<std::uint32_t>(in_frame) | dc_.shown_difference());
+      store_le<std::uint32_t>({data, 4}, load_le<std::uint32_t>({data, 4}) | dc_.shown_difference());
       return;
-    case Do::kTakeTime:
-      return take_time(data, static_cast<std::uint8_t>(step.length));
     case Do::kTakeOutputs:
-      short_copy(in_frame, in_memory);
-      touched_ = true;
-      return end_transfer(step.detail, true);
+      return copy_process_data(data, memory, step.length);
     case Do::kGiveInputs:
-      if (any_pending_) open_buffer(step.address, step.length);
-      short_copy(in_memory, in_frame);
-      touched_ = true;
-      return end_transfer(step.detail, false);
+      if (any_pending_) [[unlikely]]
+        open_buffer(step.address, step.length);
+      return copy_process_data(memory, data, step.length);
     case Do::kGiveRegister:
-      short_copy(in_memory, in_frame);
-      return;
+      return copy_process_data(memory, data, step.length);
     case Do::kGiveBit: {
       const auto place = step.detail & 7U;
-      const auto bit = memory_.u8(step.address) >> (step.detail >> kMemoryBit) & 1U;
-      data[0] = static_cast<std::uint8_t>((data[0] & ~(1U << place)) | bit << place);
+      const auto bit = *memory >> (step.detail >> kMemoryBit) & 1U;
+      *data = static_cast<std::uint8_t>((*data & ~(1U << place)) | bit << place);
       return;
     }
   }
   __builtin_unreachable();  // in every step of every frame
 }
 
-void Esc::take_time(const std::uint8_t* data, std::uint8_t length) {
-  touched_ = true;
-  dc_.start_of_frame(frame_time_);
-  if (time_size_ != 0) shadow_time();
-  if (!writes_.empty()) {  // in the order in which they came
-    writes_.push_back({reg::kSystemTime, length});
-    std::memcpy(shadow_.data() + shadow_size_, data, length);
-    shadow_size_ += length;
-    return;
-  }
-  time_size_ = length;
-  time_received_ =
-      length == kWideTime ? load_le<std::uint64_t>({data, kWideTime}) : load_le<std::uint32_t>({data, kNarrowTime});
+void Esc::tell_events(std::uint8_t told) {
+  if ((told & kTellsDlStatus) != 0) clear_event(kEventDlStatus);
+  if ((told & kTellsAlStatus) != 0) clear_event(kEventAlStatus);
 }
 
-void Esc::shadow_time() {
-  const auto bytes = le_bytes(time_received_);
-  writes_.push_back({reg::kSystemTime, time_size_});
-  std::copy_n(bytes.begin(), time_size_, shadow_.begin() + static_cast<std::ptrdiff_t>(shadow_size_));
-  shadow_size_ += std::exchange(time_size_, std::uint8_t{0});
+/// What process() and frame_end() do one after the other: nobody else sees what happens in between.
+[[gnu::flatten]] void Esc::follow_at_once(const FramePlan& plan, PassingFrame& frame, Nanoseconds begin,
+                                          Nanoseconds end) {
+  frame_time_ = begin;
+  frame.add_event(static_cast<std::uint16_t>(memory_.u16(reg::kEcatEventRequest) & memory_.u16(reg::kEcatEventMask)));
+  if (plan.time_size != 0 && renewed_by_signal_ != 0) {
+    renew(renewed_by_signal_, dc_.start_of_counted_frame(begin));
+  } else {
+    if (renewed_by_signal_ != 0) count_renewals();
+    if (plan.time_size != 0) dc_.start_of_frame(begin);
+  }
+  auto* const bytes = frame.bytes().data();
+  follow(plan, bytes);
+  frame.pass(plan.wkc);
+  dc_.pass_quietly(end);
+  if (plan.time_size != 0) dc_.system_time_received(plan.time_size, time_in(plan, bytes), end);
+  if (((plan.written | plan.read) & minded_) != 0) {
+    sm_written_ = plan.written;
+    sm_read_ = plan.read;
+    end_transfers(end);
+  } else {
+    if (plan.restarts_watchdog) restart_watchdog(end);
+    if ((renewed_by_transfer_.by & plan.written) != 0) renew(renewed_by_transfer_.renewed, 1);
+  }
+}
+
+std::uint64_t Esc::time_in(const FramePlan& plan, const std::uint8_t* frame) {
+  const auto* const data = frame + plan.time_offset;
+  return plan.time_size == kWideTime ? load_le<std::uint64_t>({data, kWideTime})
+                                     : load_le<std::uint32_t>({data, kNarrowTime});
+}
+
+/// What becomes effective at the end of the frame.
+void Esc::take_up(const FramePlan& plan, const std::uint8_t* frame) {
+  if (plan.time_size != 0) {
+    dc_.start_of_frame(frame_time_);
+    time_size_ = plan.time_size;
+    time_received_ = time_in(plan, frame);
+  }
+  sm_written_ |= plan.written;
+  sm_read_ |= plan.read;
+  touched_ = touched_ || plan.time_size != 0 || (plan.written | plan.read) != 0;
 }
 
 // ---- once ---------------------------------------------------------------------------------------
@@ -120,6 +172,15 @@ void Esc::make_plan(FramePlan& plan, PassingFrame& frame) const {
     if (!plan_datagram(plan, datagrams[i], i, offset)) return;
   }
   plan.executed = false;
+  const auto steps = std::span(plan.steps).first(plan.count);
+  for (const auto& step : steps) {
+    if (step.what == Do::kTakeOutputs) {
+      plan.written |= 1U << step.detail;
+      const bool watched = (sync_managers_[step.detail].control & SyncManager::kControlWatchdog) != 0;
+      plan.restarts_watchdog = plan.restarts_watchdog || watched;
+    }
+    if (step.what == Do::kGiveInputs) plan.read |= 1U << step.detail;
+  }
 }
 
 /// False: somebody must look at it each time.
@@ -164,8 +225,9 @@ bool Esc::plan_reading(FramePlan& plan, const PassingDatagram& datagram, std::si
   if (!any_have(EscMemory::kRead, datagram.ado, length)) return true;  // not in this ESC
   if (!is_readable(datagram.ado, length)) return false;
   plan.wkc[number] = 1;
-  return plan.add({difference ? Do::kOrDifference : Do::kOrRegister, status_events(datagram),
-                   static_cast<std::uint16_t>(offset), datagram.ado, static_cast<std::uint16_t>(length)});
+  const auto what = length == sizeof(std::uint16_t) ? Do::kOrWord : Do::kOrRegister;
+  return plan.add({difference ? Do::kOrDifference : what, status_events(datagram), static_cast<std::uint16_t>(offset),
+                   datagram.ado, static_cast<std::uint16_t>(length)});
 }
 
 bool Esc::any_have(std::uint8_t right, std::uint16_t address, std::size_t length) const {
@@ -182,9 +244,12 @@ bool Esc::plan_time(FramePlan& plan, const PassingDatagram& datagram, std::size_
   if (!any_have(EscMemory::kWrite, reg::kSystemTime, length)) return true;  // there is no clock
   const bool wide = length == kWideTime && memory_.all_have(EscMemory::kWrite, reg::kSystemTime, kWideTime);
   const auto taken = wide ? kWideTime : kNarrowTime;
+  // A second one would have to be kept until the end of the frame, too.
+  if (plan.time_size != 0 || !memory_.all_have(EscMemory::kWrite, reg::kSystemTime, taken)) return false;
   plan.wkc[number] = 1;
-  return memory_.all_have(EscMemory::kWrite, reg::kSystemTime, taken) &&
-         plan.add({Do::kTakeTime, 0, static_cast<std::uint16_t>(offset), reg::kSystemTime, taken});
+  plan.time_size = taken;
+  plan.time_offset = static_cast<std::uint16_t>(offset);
+  return true;
 }
 
 bool Esc::plan_logical(FramePlan& plan, const PassingDatagram& datagram, std::size_t number, std::size_t offset) const {

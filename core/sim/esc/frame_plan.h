@@ -19,8 +19,8 @@ struct FramePlan {
 
   enum class Do : std::uint8_t {
     kOrRegister,    // its bits are added to those of the datagram
+    kOrWord,        // the same with one of 16 bit, the usual one
     kOrDifference,  // those of 0x092C
-    kTakeTime,      // the system time is received
     kTakeOutputs,   // into the whole buffer of a SyncManager
     kGiveInputs,    // from one
     kGiveRegister,  // bytes into process data
@@ -34,11 +34,16 @@ struct FramePlan {
     std::uint16_t length = 0;
   };
 
-  std::uint64_t shape = 0;       // PassingFrame::Shape::id
-  std::uint32_t generation = 0;  // of the ESC's settings, from 1 on
-  bool executed = true;          // no plan: somebody must look at it each time
-  std::uint8_t count = 0;        // of the steps
-  Counters wkc{};                // what the working counters grow by
+  std::uint64_t shape = 0;         // PassingFrame::Shape::id
+  std::uint32_t generation = 0;    // of the ESC's settings, from 1 on
+  bool executed = true;            // no plan: somebody must look at it each time
+  bool restarts_watchdog = false;  // by the outputs that it takes
+  std::uint8_t time_size = 0;      // bytes of the system time that is received; 0: none
+  std::uint16_t time_offset = 0;   // where it is in the frame
+  std::uint8_t count = 0;          // of the steps
+  std::uint32_t written = 0;       // bit per SyncManager: its whole buffer
+  std::uint32_t read = 0;          // the same
+  Counters wkc{};                  // what the working counters grow by
   std::array<Step, kMostSteps> steps{};
 
   /// False: there is no room for it.

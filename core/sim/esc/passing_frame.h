@@ -48,6 +48,8 @@ class PassingFrame {
   [[nodiscard]] bool is_for(std::uint32_t station, std::uint32_t other) const {
     return !stations_.empty() && (is_wanted(station) || is_wanted(other));
   }
+  /// The station addresses that datagrams for single slaves are for.
+  [[nodiscard]] const std::vector<std::uint16_t>& stations() const { return stations_; }
   /// An ESC has followed its plan: it counts with `wkc`, and positions move on.
   void pass(const FramePlan::Counters& wkc) {
     for (std::size_t i = 0; i < wkc.size(); ++i) counters_[i] = static_cast<std::uint16_t>(counters_[i] + wkc[i]);

@@ -32,6 +32,8 @@ class WriteProtection {
     const bool protects = address < kProtectedEnd && !covers(kMemoryEnable);
     return !protects || !on(kRegisterProtection) || registers_enabled_;
   }
+  /// The frame before has enabled something that is protected otherwise.
+  [[nodiscard]] bool lifted() const { return registers_enabled_ || memory_enabled_; }
   /// Something is protected.
   [[nodiscard]] bool any() const { return on(kMemoryProtection) || on(kRegisterProtection); }
 

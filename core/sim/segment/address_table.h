@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "sim/esc/esc.h"
+#include "sim/esc/passing_frame.h"
+
+namespace syncline::sim {
+
+/// Which of a segment's slaves a datagram for single slaves is for: found by its address instead of by asking each of
+/// them in every frame. It holds as long as no ESC's settings change (Esc::count_changes_in()).
+class AddressTable {
+ public:
+  AddressTable() : places_(PassingFrame::kNoStation, kNobody) {}
+
+  /// All anew; `changes`: the count of changes now.
+  void begin(std::uint64_t changes);
+  /// The next slave on the frames' way.
+  void add(Esc& esc);
+  [[nodiscard]] bool holds(std::uint64_t changes) const { return changes_ == changes; }
+  void forget() { changes_ = 0; }
+  /// Slaves, by their places on the way and in its order, for whom a datagram for single slaves is; of a frame with
+  /// nothing else in it also those that look at every frame.
+  [[nodiscard]] const std::vector<std::uint16_t>& called_by(const PassingFrame& frame);
+
+ private:
+  static constexpr std::uint16_t kNobody = 0xFFFF;
+  void place(std::uint32_t station, std::uint16_t slave);
+
+  struct Slave {
+    const Esc* esc = nullptr;
+    Esc::Address address;
+  };
+  std::uint64_t changes_ = 0;
+  std::vector<Slave> slaves_;
+  std::vector<std::uint16_t> places_;    // by station address
+  std::vector<std::uint16_t> watchful_;  // those that may look at every frame
+  bool shared_ = false;                  // several have the same address
+  std::vector<std::uint16_t> called_;
+};
+
+}  // namespace syncline::sim
