@@ -5033,6 +5033,10 @@ Einstellung %2</translation>
             <translation>%1 bei %2</translation>
         </message>
         <message>
+            <source>filtered: %1</source>
+            <translation>gefiltert: %1</translation>
+        </message>
+        <message>
             <source>no limit is set</source>
             <translation>keine Grenze gesetzt</translation>
         </message>

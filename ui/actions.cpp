@@ -92,7 +92,7 @@ Actions::Actions(QUndoStack& stack, QObject* parent) : QObject(parent) {
   }
   toggle_theme = add("actionToggleTheme", tr("Light/Dark"), "theme", tr("Switch between light and dark"));
   reset_layout = add("actionResetLayout", tr("&Reset Layout"), "", tr("Put all panels back in their places"));
-  overview = add("actionOverview", tr("&Overview"), "state",
+  overview = add("actionOverview", tr("&Overview"), "overview",
                  tr("Whether the machine is in sync, since when, and what happened first"), QKeySequence(Qt::Key_F7));
   overview->setCheckable(true);
   expert = add("actionExpert", tr("&Expert Settings"), "", tr("Show the settings that few machines need"),

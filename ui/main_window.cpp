@@ -330,8 +330,18 @@ void MainWindow::showRun() {
 /// The page of the node that is selected, or whether the machine is in sync; of a recording there are no pages.
 void MainWindow::showOverview(bool overview) {
   overview = overview || workspace_.recording().isOpen();
-  upper_->setCurrentWidget(overview ? static_cast<QWidget*>(overview_) : editor_);
   actions_->overview->setChecked(overview);
+  if (overview == (upper_->currentWidget() == overview_)) return;
+  // The overview needs less room than the pages; what it leaves is the plots'. The pages find theirs as they left it.
+  const auto sizes = splitter_->sizes();
+  if (overview) splitter_->setProperty("pageSizes", splitter_->saveState());
+  upper_->setCurrentWidget(overview ? static_cast<QWidget*>(overview_) : editor_);
+  if (overview) {
+    const int height = overview_->sizeHint().height();
+    splitter_->setSizes({height, sizes.front() + sizes.back() - height});
+  } else {
+    splitter_->restoreState(splitter_->property("pageSizes").toByteArray());
+  }
 }
 
 /// An event of the run: in the plots, in the messages, in the findings.

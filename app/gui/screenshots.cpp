@@ -120,6 +120,7 @@ void takeQuestions(Camera& camera, ui::MainWindow& window, ui::Workspace& worksp
 }
 
 void takeOverview(Camera& camera, ui::MainWindow& window, const QString& theme) {
+  window.selectNode(-1);
   window.findChild<QAction*>(QStringLiteral("actionOverview"))->trigger();
   window.findChild<ui::OverviewPanel*>()->refresh();
   window.findChild<ui::LiveStrip*>()->refresh();

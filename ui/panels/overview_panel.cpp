@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "ui/panels/figure_card.h"
 #include "ui/text/glossary.h"
@@ -43,6 +44,18 @@ void addFigures(FigureCard& card) {
   card.addFigure(OverviewPanel::tr("p99.99"),
                  OverviewPanel::tr("Of 10,000 cycles one is larger; magnitude, since it was armed"));
   card.addFigure(OverviewPanel::tr("max"), OverviewPanel::tr("Largest magnitude of all cycles since it was armed"));
+}
+
+/// The verdict bears single cycles over the limit for a while (dc/dcm/sync_judge.h): what the controller has made of
+/// them is what comes near it.
+std::optional<double> filteredMargin(const RunRecord& record) {
+  const auto limit = record.limits().dcm_error_ns;
+  const auto& overview = record.overview();
+  if (limit <= 0 || !overview.armed) return std::nullopt;
+  const auto extent = record.samples().series(Signal::kDcmErrorFiltered).extent(*overview.armed, overview.end + 1);
+  if (!extent) return std::nullopt;
+  const auto largest = std::max(std::abs(static_cast<double>(extent->min)), std::abs(static_cast<double>(extent->max)));
+  return 1 - largest / static_cast<double>(limit);
 }
 
 Nanoseconds wholeNs(double value) { return static_cast<Nanoseconds>(std::llround(value)); }
@@ -154,14 +167,17 @@ void OverviewPanel::showFigure(FigureCard& card, const OverviewFigure& figure, s
                                             .arg(text(static_cast<double>(figure.largest->value)),
                                                  momentText(figure.largest->time, *record_))
                                       : noText());
-  const auto margin = figure.margin(limit);
+  const bool filtered = signal == Signal::kDcmError;
+  const auto margin = filtered ? filteredMargin(*record_) : figure.margin(limit);
   if (limit <= 0) return card.setNote(theme::Tone::kNeutral, tr("no limit is set"));
   if (!margin) return card.setNote(theme::Tone::kNeutral, tr("limit \u00B1%1").arg(timeText(limit)));
+  const auto note = [&](theme::Tone tone, const QString& words) {
+    card.setNote(tone, filtered ? tr("filtered: %1").arg(words) : words);
+  };
   const auto percent = QLocale().toString(std::floor(std::abs(*margin) * 100), 'f', 0);
-  if (*margin < 0)
-    return card.setNote(theme::Tone::kBad, tr("%1 % over the limit \u00B1%2").arg(percent, timeText(limit)));
-  card.setNote(*margin < kThinMargin ? theme::Tone::kWarning : theme::Tone::kGood,
-               tr("%1 % margin to \u00B1%2").arg(percent, timeText(limit)));
+  if (*margin < 0) return note(theme::Tone::kBad, tr("%1 % over the limit \u00B1%2").arg(percent, timeText(limit)));
+  note(*margin < kThinMargin ? theme::Tone::kWarning : theme::Tone::kGood,
+       tr("%1 % margin to \u00B1%2").arg(percent, timeText(limit)));
 }
 
 void OverviewPanel::showMissed() {
