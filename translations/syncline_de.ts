@@ -168,8 +168,40 @@
             <translation>Die Einstellungen zeigen, die wenige Maschinen brauchen</translation>
         </message>
         <message>
-            <source>Open a project, an ENI, an ESI file, a capture or a scenario</source>
-            <translation>Ein Projekt, eine ENI, eine ESI-Datei, eine Aufzeichnung oder ein Szenario öffnen</translation>
+            <source>Open a project, an ENI, an ESI file, a recording, a capture or a scenario</source>
+            <translation>Ein Projekt, eine ENI, eine ESI-Datei, eine Aufzeichnung, einen Mitschnitt oder ein Szenario öffnen</translation>
+        </message>
+        <message>
+            <source>&amp;Close Recording</source>
+            <translation>Aufzeichnung s&amp;chließen</translation>
+        </message>
+        <message>
+            <source>Show the project and its machine again in place of the recording</source>
+            <translation>Wieder das Projekt und seine Maschine statt der Aufzeichnung zeigen</translation>
+        </message>
+        <message>
+            <source>&amp;Record…</source>
+            <translation>A&amp;ufzeichnen …</translation>
+        </message>
+        <message>
+            <source>Record the running machine to a file, from now on</source>
+            <translation>Die laufende Maschine von jetzt an in eine Datei aufzeichnen</translation>
+        </message>
+        <message>
+            <source>Save the &amp;Last…</source>
+            <translation>Das &amp;Letzte sichern …</translation>
+        </message>
+        <message>
+            <source>Save the last stretch, which is still in memory, as a recording</source>
+            <translation>Den letzten Abschnitt, der noch im Speicher ist, als Aufzeichnung sichern</translation>
+        </message>
+        <message>
+            <source>&amp;Overview</source>
+            <translation>Ü&amp;bersicht</translation>
+        </message>
+        <message>
+            <source>Whether the machine is in sync, since when, and what happened first</source>
+            <translation>Ob die Maschine synchron ist, seit wann, und was zuerst geschah</translation>
         </message>
     </context>
     <context>
@@ -907,10 +939,6 @@
             <translation>Ein neues Projekt beginnt ohne Maschine.</translation>
         </message>
         <message>
-            <source>All that can be opened (*.syncline *.xml *.esi *.eni *.pcap *.pcapng *.toml);;Syncline projects (*.syncline);;All files (*)</source>
-            <translation>Alles, was sich öffnen lässt (*.syncline *.xml *.esi *.eni *.pcap *.pcapng *.toml);;Syncline-Projekte (*.syncline);;Alle Dateien (*)</translation>
-        </message>
-        <message>
             <source>%1 cannot be opened here.</source>
             <translation>%1 lässt sich hier nicht öffnen.</translation>
         </message>
@@ -921,10 +949,6 @@
         <message>
             <source>It is a log of the master synchronisation: a spreadsheet shows it.</source>
             <translation>Es ist ein Protokoll der Master-Synchronisation: eine Tabellenkalkulation zeigt es.</translation>
-        </message>
-        <message>
-            <source>It is neither a project, an ENI, an ESI, a capture nor a scenario.</source>
-            <translation>Es ist weder ein Projekt noch eine ENI, eine ESI, eine Aufzeichnung oder ein Szenario.</translation>
         </message>
         <message>
             <source>Another window has %1 open.</source>
@@ -949,6 +973,14 @@
         <message>
             <source>Recovered %1; it is not saved yet</source>
             <translation>%1 wiederhergestellt; noch nicht gesichert</translation>
+        </message>
+        <message>
+            <source>All that can be opened (*.syncline *.xml *.esi *.eni *.slrec *.pcap *.pcapng *.toml);;Syncline projects (*.syncline);;Recordings (*.slrec);;All files (*)</source>
+            <translation>Alles, was sich öffnen lässt (*.syncline *.xml *.esi *.eni *.slrec *.pcap *.pcapng *.toml);;Syncline-Projekte (*.syncline);;Aufzeichnungen (*.slrec);;Alle Dateien (*)</translation>
+        </message>
+        <message>
+            <source>It is neither a project, an ENI, an ESI, a recording, a capture nor a scenario.</source>
+            <translation>Es ist weder ein Projekt noch eine ENI, eine ESI, eine Aufzeichnung, ein Mitschnitt oder ein Szenario.</translation>
         </message>
     </context>
     <context>
@@ -1285,6 +1317,18 @@
             <source>B−A %1</source>
             <translation>B−A %1</translation>
         </message>
+        <message>
+            <source>A recording has no newest sample to follow</source>
+            <translation>Eine Aufzeichnung hat keinen neuesten Wert, dem zu folgen wäre</translation>
+        </message>
+        <message>
+            <source>A recording stands still</source>
+            <translation>Eine Aufzeichnung steht still</translation>
+        </message>
+        <message>
+            <source>Recording</source>
+            <translation>Aufzeichnung</translation>
+        </message>
     </context>
     <context>
         <name>MainWindow</name>
@@ -1363,6 +1407,22 @@
         <message>
             <source>%1[*] (read-only) – Syncline</source>
             <translation>%1[*] (nur lesend) – Syncline</translation>
+        </message>
+        <message>
+            <source>Recording %1 – Syncline</source>
+            <translation>Aufzeichnung %1 – Syncline</translation>
+        </message>
+        <message>
+            <source>Stop &amp;Recording</source>
+            <translation>A&amp;ufzeichnung beenden</translation>
+        </message>
+        <message>
+            <source>&amp;Record…</source>
+            <translation>A&amp;ufzeichnen …</translation>
+        </message>
+        <message>
+            <source>A recording is shown, and nothing runs: close it first (File, Close Recording)</source>
+            <translation>Eine Aufzeichnung wird gezeigt, und nichts läuft: Schließen Sie sie zuerst (Datei, Aufzeichnung schließen)</translation>
         </message>
     </context>
     <context>
@@ -2424,6 +2484,26 @@ Einstellung %2</translation>
         <message>
             <source>  Dropped %1</source>
             <translation>  Verworfen %1</translation>
+        </message>
+        <message>
+            <source>Recording</source>
+            <translation>Aufzeichnung</translation>
+        </message>
+        <message>
+            <source>Recording %1</source>
+            <translation>Aufzeichnung %1</translation>
+        </message>
+        <message>
+            <source>%1
+%2 written, %3 left on the disk</source>
+            <translation>%1
+%2 geschrieben, %3 frei auf dem Datenträger</translation>
+        </message>
+        <message>
+            <source>
+%1 cycles are missing in it: the disk was too slow</source>
+            <translation>
+%1 Zyklen fehlen darin: Der Datenträger war zu langsam</translation>
         </message>
     </context>
     <context>
@@ -4677,6 +4757,434 @@ Einstellung %2</translation>
         <message>
             <source>Pin %1</source>
             <translation>Pin %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>Overview</name>
+        <message>
+            <source>An event without words</source>
+            <translation>Ein Ereignis ohne Worte</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n SM2 event(s) missed</source>
+            <translation>
+                <numerusform>%n SM2-Ereignis verpasst</numerusform>
+                <numerusform>%n SM2-Ereignisse verpasst</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source> (%1 times)</source>
+            <translation> (%1-mal)</translation>
+        </message>
+        <message>
+            <source>for %1</source>
+            <translation>seit %1</translation>
+        </message>
+        <message>
+            <source>, never lost</source>
+            <translation>, nie verloren</translation>
+        </message>
+        <message numerus="yes">
+            <source>, last lost %1 ago, %n time(s)</source>
+            <translation>
+                <numerusform>, zuletzt vor %1 verloren, %n-mal</numerusform>
+                <numerusform>, zuletzt vor %1 verloren, %n-mal</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Not armed yet: the machine has to be in OP, and in sync where that is watched.</source>
+            <translation>Noch nicht scharf: Die Maschine muss in OP sein und synchron, wo das überwacht wird.</translation>
+        </message>
+        <message>
+            <source>&lt;b&gt;No fault&lt;/b&gt; since %1 (for %2).</source>
+            <translation>&lt;b&gt;Keine Störung&lt;/b&gt; ab %1 (seit %2).</translation>
+        </message>
+        <message>
+            <source>&lt;b&gt;First: %1&lt;/b&gt; at %2.</source>
+            <translation>&lt;b&gt;Zuerst: %1&lt;/b&gt; bei %2.</translation>
+        </message>
+        <message>
+            <source>%1 later %2</source>
+            <translation>%1 später %2</translation>
+        </message>
+        <message>
+            <source> Then %1</source>
+            <translation> Dann %1</translation>
+        </message>
+        <message>
+            <source>; %1 more</source>
+            <translation>; %1 weitere</translation>
+        </message>
+        <message>
+            <source> It is episode %1 since %2.</source>
+            <translation> Es ist die %1. Störung ab %2.</translation>
+        </message>
+        <message>
+            <source>%1 s</source>
+            <translation>%1 s</translation>
+        </message>
+    </context>
+    <context>
+        <name>Recorded</name>
+        <message>
+            <source>Master</source>
+            <translation>Master</translation>
+        </message>
+        <message>
+            <source>cut short; whole up to its last second</source>
+            <translation>abgebrochen; ganz bis zur letzten Sekunde</translation>
+        </message>
+        <message>
+            <source>up to the end of the run</source>
+            <translation>bis zum Ende des Laufs</translation>
+        </message>
+        <message>
+            <source>stopped by the user</source>
+            <translation>vom Benutzer beendet</translation>
+        </message>
+        <message>
+            <source>the last stretch out of memory</source>
+            <translation>der letzte Abschnitt aus dem Speicher</translation>
+        </message>
+        <message>
+            <source>Note</source>
+            <translation>Notiz</translation>
+        </message>
+        <message>
+            <source>%1 s</source>
+            <translation>%1 s</translation>
+        </message>
+        <message>
+            <source>%1 min %2 s</source>
+            <translation>%1 min %2 s</translation>
+        </message>
+        <message>
+            <source>%1 h %2 min</source>
+            <translation>%1 h %2 min</translation>
+        </message>
+        <message>
+            <source>a machine</source>
+            <translation>eine Maschine</translation>
+        </message>
+        <message>
+            <source>%1 on %2, %3, %4 in %5 cycles of %6, %7</source>
+            <translation>%1 an %2, %3, %4 in %5 Zyklen von %6, %7</translation>
+        </message>
+        <message>
+            <source>; %1 cycles are missing in it</source>
+            <translation>; %1 Zyklen fehlen darin</translation>
+        </message>
+        <message>
+            <source>; the plots show the last %1 of them</source>
+            <translation>; die Diagramme zeigen die letzten %1 davon</translation>
+        </message>
+    </context>
+    <context>
+        <name>FigureCard</name>
+        <message>
+            <source>Margin: %1</source>
+            <translation>Reserve: %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>OverviewPanel</name>
+        <message>
+            <source>mean</source>
+            <translation>Mittel</translation>
+        </message>
+        <message>
+            <source>Since it was armed</source>
+            <translation>Seit dem Scharfstellen</translation>
+        </message>
+        <message>
+            <source>rms</source>
+            <translation>Effektivwert</translation>
+        </message>
+        <message>
+            <source>Root mean square about zero, since it was armed</source>
+            <translation>Quadratischer Mittelwert um null, seit dem Scharfstellen</translation>
+        </message>
+        <message>
+            <source>p99.99</source>
+            <translation>p99,99</translation>
+        </message>
+        <message>
+            <source>Of 10,000 cycles one is larger; magnitude, since it was armed</source>
+            <translation>Von 10.000 Zyklen ist einer größer; Betrag, seit dem Scharfstellen</translation>
+        </message>
+        <message>
+            <source>max</source>
+            <translation>Maximum</translation>
+        </message>
+        <message>
+            <source>Largest magnitude of all cycles since it was armed</source>
+            <translation>Größter Betrag aller Zyklen seit dem Scharfstellen</translation>
+        </message>
+        <message>
+            <source>Slaves in sync</source>
+            <translation>Slaves synchron</translation>
+        </message>
+        <message>
+            <source>Master in sync</source>
+            <translation>Master synchron</translation>
+        </message>
+        <message>
+            <source>Slaves: since when</source>
+            <translation>Slaves: seit wann</translation>
+        </message>
+        <message>
+            <source>Master: since when</source>
+            <translation>Master: seit wann</translation>
+        </message>
+        <message>
+            <source>First fault</source>
+            <translation>Erste Störung</translation>
+        </message>
+        <message>
+            <source>DC deviation</source>
+            <translation>DC-Abweichung</translation>
+        </message>
+        <message>
+            <source>Register 0x092C of the slaves that follow the reference clock: the largest</source>
+            <translation>Register 0x092C der Slaves, die der Referenzuhr folgen: der größte Wert</translation>
+        </message>
+        <message>
+            <source>SM2 events missed</source>
+            <translation>Verpasste SM2-Ereignisse</translation>
+        </message>
+        <message>
+            <source>Object 0x1C32:0B or 0x1C32:0C of the slaves that have one, since it was armed</source>
+            <translation>Objekt 0x1C32:0B oder 0x1C32:0C der Slaves, die eines haben, seit dem Scharfstellen</translation>
+        </message>
+        <message>
+            <source>DCM error</source>
+            <translation>DCM-Fehler</translation>
+        </message>
+        <message>
+            <source>Time of the frame at the reference clock minus its wanted time in the cycle</source>
+            <translation>Zeit des Frames an der Referenzuhr minus seine gewünschte Zeit im Zyklus</translation>
+        </message>
+        <message>
+            <source>Re-arm</source>
+            <translation>Neu scharfstellen</translation>
+        </message>
+        <message>
+            <source>Begin figures and faults anew</source>
+            <translation>Zahlen und Störungen neu beginnen</translation>
+        </message>
+        <message>
+            <source>Overview</source>
+            <translation>Übersicht</translation>
+        </message>
+        <message>
+            <source>worst</source>
+            <translation>Schlimmster</translation>
+        </message>
+        <message>
+            <source>The slave that has missed most</source>
+            <translation>Der Slave, der am meisten verpasst hat</translation>
+        </message>
+        <message>
+            <source>last</source>
+            <translation>Zuletzt</translation>
+        </message>
+        <message>
+            <source>When one was missed last</source>
+            <translation>Wann zuletzt eines verpasst wurde</translation>
+        </message>
+        <message>
+            <source>counted</source>
+            <translation>Gezählt</translation>
+        </message>
+        <message>
+            <source>For how long figures and faults have been counted</source>
+            <translation>Wie lange Zahlen und Störungen schon gezählt werden</translation>
+        </message>
+        <message>
+            <source>In sync?</source>
+            <translation>Synchron?</translation>
+        </message>
+        <message>
+            <source>The verdicts on slaves and master</source>
+            <translation>Die Urteile über Slaves und Master</translation>
+        </message>
+        <message>
+            <source>Mean, rms, quantile, maximum, missed events and faults begin anew now</source>
+            <translation>Mittel, Effektivwert, Quantil, Maximum, verpasste Ereignisse und Störungen beginnen jetzt neu</translation>
+        </message>
+        <message>
+            <source>Slaves</source>
+            <translation>Slaves</translation>
+        </message>
+        <message>
+            <source>Master</source>
+            <translation>Master</translation>
+        </message>
+        <message>
+            <source>Offline</source>
+            <translation>Offline</translation>
+        </message>
+        <message>
+            <source>At the end: %1</source>
+            <translation>Am Ende: %1</translation>
+        </message>
+        <message>
+            <source>%1 at %2</source>
+            <translation>%1 bei %2</translation>
+        </message>
+        <message>
+            <source>filtered: %1</source>
+            <translation>gefiltert: %1</translation>
+        </message>
+        <message>
+            <source>no limit is set</source>
+            <translation>keine Grenze gesetzt</translation>
+        </message>
+        <message>
+            <source>limit ±%1</source>
+            <translation>Grenze ±%1</translation>
+        </message>
+        <message>
+            <source>%1 % over the limit ±%2</source>
+            <translation>%1 % über der Grenze ±%2</translation>
+        </message>
+        <message>
+            <source>%1 % margin to ±%2</source>
+            <translation>%1 % Reserve bis ±%2</translation>
+        </message>
+        <message>
+            <source>no slave has this counter</source>
+            <translation>kein Slave hat diesen Zähler</translation>
+        </message>
+        <message>
+            <source>none</source>
+            <translation>keine</translation>
+        </message>
+        <message>
+            <source>outputs came too late</source>
+            <translation>Ausgänge kamen zu spät</translation>
+        </message>
+        <message>
+            <source>A recording stays as it is</source>
+            <translation>Eine Aufzeichnung bleibt, wie sie ist</translation>
+        </message>
+        <message>
+            <source>Nothing has run yet: go online.</source>
+            <translation>Noch ist nichts gelaufen: Gehen Sie online.</translation>
+        </message>
+    </context>
+    <context>
+        <name>RecordingBar</name>
+        <message>
+            <source>Recording that is shown</source>
+            <translation>Aufzeichnung, die gezeigt wird</translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>Schließen</translation>
+        </message>
+        <message>
+            <source>Close the recording</source>
+            <translation>Die Aufzeichnung schließen</translation>
+        </message>
+        <message>
+            <source>Shows the project and its machine again</source>
+            <translation>Zeigt wieder das Projekt und seine Maschine</translation>
+        </message>
+        <message>
+            <source>&lt;b&gt;Recording %1&lt;/b&gt; – %2. Nothing here is live.</source>
+            <translation>&lt;b&gt;Aufzeichnung %1&lt;/b&gt; – %2. Nichts hier läuft.</translation>
+        </message>
+    </context>
+    <context>
+        <name>RecordingCommands</name>
+        <message>
+            <source>Reading %1…</source>
+            <translation>Lese %1 …</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>Abbrechen</translation>
+        </message>
+        <message>
+            <source>Open Recording</source>
+            <translation>Aufzeichnung öffnen</translation>
+        </message>
+        <message>
+            <source>A recording is shown in its place.</source>
+            <translation>Eine Aufzeichnung wird stattdessen gezeigt.</translation>
+        </message>
+        <message>
+            <source>Open</source>
+            <translation>Öffnen</translation>
+        </message>
+        <message>
+            <source>The recording %1 could not be opened.</source>
+            <translation>Die Aufzeichnung %1 konnte nicht geöffnet werden.</translation>
+        </message>
+        <message>
+            <source>Recordings (*.slrec)</source>
+            <translation>Aufzeichnungen (*.slrec)</translation>
+        </message>
+        <message>
+            <source>Recording</source>
+            <translation>Aufzeichnung</translation>
+        </message>
+        <message>
+            <source>Record</source>
+            <translation>Aufzeichnen</translation>
+        </message>
+        <message>
+            <source>The recording could not be started.</source>
+            <translation>Die Aufzeichnung konnte nicht begonnen werden.</translation>
+        </message>
+        <message>
+            <source>Recording to %1</source>
+            <translation>Aufgezeichnet wird nach %1</translation>
+        </message>
+        <message>
+            <source>The recording %1 has ended: %2</source>
+            <translation>Die Aufzeichnung %1 ist zu Ende: %2</translation>
+        </message>
+        <message>
+            <source>Recorded to %1</source>
+            <translation>Aufgezeichnet nach %1</translation>
+        </message>
+        <message>
+            <source>Save the &amp;Last…</source>
+            <translation>Das &amp;Letzte sichern …</translation>
+        </message>
+        <message>
+            <source>Save the &amp;Last %1…</source>
+            <translation>Die &amp;letzten %1 sichern …</translation>
+        </message>
+        <message>
+            <source>All that is in memory: %1</source>
+            <translation>Alles, was im Speicher ist: %1</translation>
+        </message>
+        <message>
+            <source>The last %1</source>
+            <translation>Die letzten %1</translation>
+        </message>
+        <message>
+            <source>Save the Last</source>
+            <translation>Das Letzte sichern</translation>
+        </message>
+        <message>
+            <source>The memory holds every cycle of the last %1 at most. Save:</source>
+            <translation>Der Speicher hält jeden Zyklus der letzten %1 höchstens. Sichern:</translation>
+        </message>
+        <message>
+            <source>Nothing could be saved.</source>
+            <translation>Es konnte nichts gesichert werden.</translation>
+        </message>
+        <message>
+            <source>The last stretch could not be saved.</source>
+            <translation>Der letzte Abschnitt konnte nicht gesichert werden.</translation>
+        </message>
+        <message>
+            <source>Saved to %1</source>
+            <translation>Gesichert nach %1</translation>
         </message>
     </context>
 </TS>

@@ -33,13 +33,15 @@ QAction* Actions::add(const char* name, const QString& text, const char* icon, c
 
 Actions::Actions(QUndoStack& stack, QObject* parent) : QObject(parent) {
   create = add("actionNew", tr("&New"), "new", tr("New project"), QKeySequence::New);
-  open = add("actionOpen", tr("&Open…"), "open", tr("Open a project, an ENI, an ESI file, a capture or a scenario"),
-             QKeySequence::Open);
+  open = add("actionOpen", tr("&Open…"), "open",
+             tr("Open a project, an ENI, an ESI file, a recording, a capture or a scenario"), QKeySequence::Open);
   save = add("actionSave", tr("&Save"), "save", tr("Save the project"), QKeySequence::Save);
   save_as = add("actionSaveAs", tr("Save &As…"), "save-as", tr("Save the project under another name"),
                 QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S));
   export_eni = add("actionExport", tr("&Export ENI…"), "export", tr("Write the network information file (ETG.2100)"),
                    QKeySequence(Qt::CTRL | Qt::Key_E));
+  close_recording = add("actionCloseRecording", tr("&Close Recording"), "",
+                        tr("Show the project and its machine again in place of the recording"));
   quit = add("actionQuit", tr("&Quit"), "", tr("Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q));
   undo = add("actionUndo", tr("&Undo"), "undo", tr("Take the last edit back"), QKeySequence::Undo);
   redo = add("actionRedo", tr("&Redo"), "redo", tr("Do again what was taken back"),
@@ -59,6 +61,12 @@ Actions::Actions(QUndoStack& stack, QObject* parent) : QObject(parent) {
       add("actionOnline", tr("Go &Online"), "online", tr("Run the configuration on the bus"), QKeySequence(Qt::Key_F5));
   offline = add("actionOffline", tr("Go O&ffline"), "offline", tr("Bring the bus to INIT and stop"),
                 QKeySequence(Qt::SHIFT | Qt::Key_F5));
+  record = add("actionRecord", tr("&Record…"), "record", tr("Record the running machine to a file, from now on"),
+               QKeySequence(Qt::CTRL | Qt::Key_R));
+  record->setCheckable(true);
+  save_recent = add("actionSaveRecent", tr("Save the &Last…"), "",
+                    tr("Save the last stretch, which is still in memory, as a recording"),
+                    QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_R));
   clear_statistics = add("actionClearStatistics", tr("&Clear Statistics"), "clear", tr("Start counting anew"));
   for (const auto state : {AlState::kInit, AlState::kPreop, AlState::kSafeop, AlState::kOp}) {
     const auto name = stateName(state);
@@ -84,6 +92,9 @@ Actions::Actions(QUndoStack& stack, QObject* parent) : QObject(parent) {
   }
   toggle_theme = add("actionToggleTheme", tr("Light/Dark"), "theme", tr("Switch between light and dark"));
   reset_layout = add("actionResetLayout", tr("&Reset Layout"), "", tr("Put all panels back in their places"));
+  overview = add("actionOverview", tr("&Overview"), "overview",
+                 tr("Whether the machine is in sync, since when, and what happened first"), QKeySequence(Qt::Key_F7));
+  overview->setCheckable(true);
   expert = add("actionExpert", tr("&Expert Settings"), "", tr("Show the settings that few machines need"),
                QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_X));
   expert->setCheckable(true);

@@ -19,12 +19,12 @@ class Actions final : public QObject {
   /// Draws the icons in the colours of the palette.
   void drawIcons(const QPalette& palette);
 
-  QAction *create, *open, *save, *save_as, *export_eni, *quit;
+  QAction *create, *open, *save, *save_as, *export_eni, *close_recording, *quit;
   QAction *undo, *redo;
-  QAction *demo, *scan, *online, *offline, *clear_statistics;
+  QAction *demo, *scan, *online, *offline, *clear_statistics, *record, *save_recent;
   QList<QAction*> states;  // INIT, PREOP, SAFEOP, OP; data() is the AlState
   QList<QAction*> themes;  // system, light, dark; data() is the theme::Mode
-  QAction *toggle_theme, *about, *reset_layout, *expert;
+  QAction *toggle_theme, *about, *reset_layout, *expert, *overview;
 
  private:
   QAction* add(const char* name, const QString& text, const char* icon, const QString& tool_tip,

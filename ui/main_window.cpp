@@ -22,6 +22,7 @@
 #include "ui/dialogs/difference_dialog.h"
 #include "ui/dialogs/file_commands.h"
 #include "ui/dialogs/recent_menu.h"
+#include "ui/dialogs/recording_commands.h"
 #include "ui/dialogs/scan_progress.h"
 #include "ui/pages/device_editor.h"
 #include "ui/pages/welcome_page.h"
@@ -29,6 +30,8 @@
 #include "ui/panels/findings_panel.h"
 #include "ui/panels/live_strip.h"
 #include "ui/panels/messages_panel.h"
+#include "ui/panels/overview_panel.h"
+#include "ui/panels/recording_bar.h"
 #include "ui/panels/run_bar.h"
 #include "ui/panels/status_panel.h"
 #include "ui/session/workspace.h"
@@ -45,6 +48,7 @@ MainWindow::MainWindow(Workspace& workspace, QWidget* parent) : QMainWindow(pare
   actions_ = new Actions(workspace.document().undoStack(), this);
   files_ = new FileCommands(workspace, *this);
   bus_ = new BusCommands(workspace, *this);
+  recordings_ = new RecordingCommands(workspace, *this);
   new ScanProgress(workspace.scan(), this);
   buildCentre();
   buildDocks();
@@ -69,7 +73,14 @@ void MainWindow::buildCentre() {
   strip_->setMinimumSize(600, 160);
   splitter_ = new QSplitter(Qt::Vertical);
   splitter_->setObjectName(QStringLiteral("centreSplitter"));
-  splitter_->addWidget(editor_);
+  overview_ = new OverviewPanel;
+  connect(overview_, &OverviewPanel::momentWanted, this, &MainWindow::goToMoment);
+  connect(overview_, &OverviewPanel::armWanted, &workspace_.live(), &LiveSession::arm);
+  connect(strip_, &LiveStrip::eventClicked, this, &MainWindow::goToMoment);
+  upper_ = new QStackedWidget;
+  upper_->addWidget(editor_);
+  upper_->addWidget(overview_);
+  splitter_->addWidget(upper_);
   splitter_->addWidget(strip_);
   splitter_->setChildrenCollapsible(false);
   splitter_->setStretchFactor(0, 3);
@@ -79,6 +90,7 @@ void MainWindow::buildCentre() {
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
   auto* bar = new RunBar(workspace_.runDifference());
+  layout->addWidget(new RecordingBar(workspace_.recording()));
   layout->addWidget(bar);
   layout->addWidget(splitter_, 1);
   connect(bar, &RunBar::differencesWanted, this, &MainWindow::showDifferences);
@@ -106,12 +118,14 @@ void MainWindow::buildDocks() {
   addDockWidget(Qt::LeftDockWidgetArea, explorer_dock_);
   messages_dock_ = new QDockWidget(tr("Messages"));
   messages_dock_->setObjectName(QStringLiteral("messagesDock"));
-  auto* messages = new MessagesPanel(workspace_.messages());
+  auto* messages = messages_ = new MessagesPanel(workspace_.messages());
   messages_dock_->setWidget(messages);
+  connect(messages, &MessagesPanel::momentActivated, strip_, &LiveStrip::goTo);
   addDockWidget(Qt::BottomDockWidgetArea, messages_dock_);
   findings_dock_ = new QDockWidget(tr("Findings"));
   findings_dock_->setObjectName(QStringLiteral("findingsDock"));
-  auto* findings = new FindingsPanel(workspace_.findings());
+  auto* findings = findings_ = new FindingsPanel(workspace_.findings());
+  connect(findings, &FindingsPanel::momentActivated, strip_, &LiveStrip::goTo);
   findings_dock_->setWidget(findings);
   addDockWidget(Qt::BottomDockWidgetArea, findings_dock_);
   tabifyDockWidget(messages_dock_, findings_dock_);
@@ -122,6 +136,7 @@ void MainWindow::buildDocks() {
   connect(&workspace_.runFindings(), &RunFindings::findingsChanged, this, &MainWindow::showFindingCount);
   connect(explorer_, &ExplorerPanel::nodeSelected, editor_, &DeviceEditor::showNode);
   connect(explorer_, &ExplorerPanel::nodeSelected, strip_, &LiveStrip::setPickedSlave);
+  connect(explorer_, &ExplorerPanel::nodeSelected, this, [this] { showOverview(false); });
   connect(messages, &MessagesPanel::placeActivated, this, &MainWindow::goTo);
   connect(editor_, &DeviceEditor::nodeWanted, explorer_, &ExplorerPanel::select);
 }
@@ -134,6 +149,7 @@ void MainWindow::buildMenus() {
     if (commitFields()) files_->openAny(path);
   });
   file->addMenu(recent);
+  file->addAction(actions_->close_recording);
   file->addActions({actions_->save, actions_->save_as});
   file->addSeparator();
   file->addAction(actions_->export_eni);
@@ -148,12 +164,15 @@ void MainWindow::buildMenus() {
   auto* states = network->addMenu(tr("&Request State"));
   states->addActions(actions_->states);
   network->addSeparator();
+  network->addActions({actions_->record, actions_->save_recent});
+  network->addSeparator();
   network->addAction(actions_->clear_statistics);
+  connect(network, &QMenu::aboutToShow, this, &MainWindow::updateRecordingActions);
   auto* view = menuBar()->addMenu(tr("&View"));
   view->addActions({explorer_dock_->toggleViewAction(), messages_dock_->toggleViewAction(),
                     findings_dock_->toggleViewAction(), actions_->reset_layout});
   view->addSeparator();
-  view->addAction(actions_->expert);
+  view->addActions({actions_->overview, actions_->expert});
   view->addSeparator();
   view->addActions(actions_->themes);
   auto* help = menuBar()->addMenu(tr("&Help"));
@@ -175,7 +194,7 @@ void MainWindow::buildToolBar() {
   bar->addSeparator();
   bar->addActions({actions_->scan, actions_->export_eni});
   bar->addSeparator();
-  bar->addActions({actions_->online, actions_->offline});
+  bar->addActions({actions_->online, actions_->offline, actions_->record, actions_->overview});
   state_button_ = named(new QToolButton, "requestState", tr("Request a state for all slaves"));
   state_button_->setText(tr("Request State"));
   state_button_->setToolTip(tr("Request a state for all slaves (register 0x0120)"));
@@ -225,6 +244,13 @@ void MainWindow::connectActions() {
   connect(actions_->quit, &QAction::triggered, this, &QWidget::close);
   connect(actions_->offline, &QAction::triggered, bus_, &BusCommands::goOffline);
   connect(actions_->clear_statistics, &QAction::triggered, &workspace_.live(), &LiveSession::clearStatistics);
+  connect(actions_->overview, &QAction::triggered, this, &MainWindow::showOverview);
+  connect(actions_->close_recording, &QAction::triggered, &workspace_.recording(), &OpenedRecording::close);
+  connect(actions_->record, &QAction::triggered, this, [this] {
+    recordings_->toggle();
+    updateRecordingActions();
+  });
+  connect(actions_->save_recent, &QAction::triggered, recordings_, &RecordingCommands::saveLast);
   for (auto* action : actions_->states) {
     connect(action, &QAction::triggered, this,
             [this, action] { workspace_.live().requestState(static_cast<AlState>(action->data().toInt())); });
@@ -265,16 +291,64 @@ void MainWindow::connectSession() {
     if (const auto& path = workspace_.document().path(); !path.isEmpty()) workspace_.memory().remember(path);
   });
   connect(files_, &FileCommands::linkWanted, bus_, &BusCommands::scanLink);
+  connect(files_, &FileCommands::recordingWanted, recordings_, &RecordingCommands::open);
   connect(&document, &ProjectDocument::projectChanged, this, [this](bool structural) {
     updateActions();
-    if (structural && workspace_.live().phase() == LiveSession::Phase::kOffline) strip_->setRecord(nullptr);
+    if (structural && workspace_.live().phase() == LiveSession::Phase::kOffline && !workspace_.recording().isOpen()) {
+      strip_->setRecord(nullptr);
+      overview_->setRecord(nullptr, false);
+    }
   });
   auto& live = workspace_.live();
   connect(&live, &LiveSession::phaseChanged, this, &MainWindow::updateActions);
-  connect(&live, &LiveSession::recordChanged, this, [this] { strip_->setRecord(workspace_.live().record()); });
+  connect(&live, &LiveSession::phaseChanged, overview_, [this] {
+    const auto phase = workspace_.live().phase();
+    overview_->setLive(phase == LiveSession::Phase::kOnline || phase == LiveSession::Phase::kStarting);
+    if (phase == LiveSession::Phase::kOnline) showOverview(true);
+  });
+  connect(&live, &LiveSession::recordChanged, this, &MainWindow::showRun);
+  connect(&workspace_.recording(), &OpenedRecording::changed, this, [this] {
+    showRun();
+    updateActions();
+    updateTitle();
+    showFindingCount();
+  });
+  connect(&workspace_.disk(), &DiskRecording::changed, this, &MainWindow::updateRecordingActions);
   connect(&workspace_.scan(), &ScanController::started, this, &MainWindow::updateActions);
   connect(&workspace_.scan(), &ScanController::finished, this, &MainWindow::updateActions);
   connect(&workspace_.scan(), &ScanController::failed, this, &MainWindow::updateActions);
+}
+
+/// Plots and figures of what is shown: the run, or the recording in its place.
+void MainWindow::showRun() {
+  const bool recorded = workspace_.recording().isOpen();
+  strip_->setRecord(workspace_.shownRecord(), recorded);
+  overview_->setRecord(workspace_.shownRecord(), recorded);
+  if (recorded) showOverview(true);
+}
+
+/// The page of the node that is selected, or whether the machine is in sync; of a recording there are no pages.
+void MainWindow::showOverview(bool overview) {
+  overview = overview || workspace_.recording().isOpen();
+  actions_->overview->setChecked(overview);
+  if (overview == (upper_->currentWidget() == overview_)) return;
+  // The overview needs less room than the pages; what it leaves is the plots'. The pages find theirs as they left it.
+  const auto sizes = splitter_->sizes();
+  if (overview) splitter_->setProperty("pageSizes", splitter_->saveState());
+  upper_->setCurrentWidget(overview ? static_cast<QWidget*>(overview_) : editor_);
+  if (overview) {
+    const int height = overview_->sizeHint().height();
+    splitter_->setSizes({height, sizes.front() + sizes.back() - height});
+  } else {
+    splitter_->restoreState(splitter_->property("pageSizes").toByteArray());
+  }
+}
+
+/// An event of the run: in the plots, in the messages, in the findings.
+void MainWindow::goToMoment(qint64 moment) {
+  strip_->goTo(moment);
+  messages_->selectMoment(moment);
+  findings_->selectMoment(moment);
 }
 
 /// The tab says how much there is, so that nobody has to look whether there is any.
@@ -293,25 +367,35 @@ void MainWindow::showDifferences() {
 /// To the field, or where there is none to its slave.
 void MainWindow::goTo(int slave, const QString& key) {
   if (key.isEmpty() || !editor_->showKey(key)) explorer_->select(slave);
+  showOverview(false);
 }
 
-void MainWindow::selectNode(int slave) { explorer_->select(slave); }
+void MainWindow::selectNode(int slave) {
+  explorer_->select(slave);
+  showOverview(false);
+}
 
 void MainWindow::updateTitle() {
   const auto& document = workspace_.document();
+  if (workspace_.recording().isOpen()) {
+    setWindowTitle(tr("Recording %1 – Syncline").arg(QFileInfo(workspace_.recording().path()).fileName()));
+    return setWindowModified(false);
+  }
   setWindowTitle(document.readOnly() ? tr("%1[*] (read-only) – Syncline").arg(document.displayName())
                                      : tr("%1[*] – Syncline").arg(document.displayName()));
   setWindowModified(workspace_.document().isModified());
 }
 
 void MainWindow::updateActions() {
-  const bool some = !workspace_.document().project().slaves.empty();
-  const bool busy = workspace_.scan().isRunning();
+  const bool recorded = workspace_.recording().isOpen();
+  const bool some = !workspace_.document().project().slaves.empty() && !recorded;
+  const bool busy = workspace_.scan().isRunning() || recorded;
   const auto phase = workspace_.live().phase();
   const bool offline = phase == LiveSession::Phase::kOffline;
-  centre_->setCurrentIndex(some ? 1 : 0);
+  centre_->setCurrentIndex(some || recorded ? 1 : 0);
+  explorer_dock_->setEnabled(!recorded);
   actions_->create->setEnabled(!busy);
-  actions_->open->setEnabled(!busy);
+  actions_->open->setEnabled(!workspace_.scan().isRunning());
   actions_->save->setEnabled(some);
   actions_->save_as->setEnabled(some);
   actions_->export_eni->setEnabled(some);
@@ -322,6 +406,29 @@ void MainWindow::updateActions() {
   actions_->clear_statistics->setEnabled(phase == LiveSession::Phase::kOnline);
   for (auto* action : actions_->states) action->setEnabled(phase == LiveSession::Phase::kOnline);
   state_button_->setEnabled(phase == LiveSession::Phase::kOnline);
+  updateRecordingActions();
+}
+
+/// Those that a recording switches off say why.
+void MainWindow::updateRecordingActions() {
+  const bool shown = workspace_.recording().isOpen();
+  const auto& disk = workspace_.disk();
+  actions_->close_recording->setEnabled(shown);
+  actions_->record->setText(disk.isRecording() ? tr("Stop &Recording") : tr("&Record…"));
+  actions_->record->setChecked(disk.isRecording());
+  actions_->record->setEnabled(workspace_.live().phase() == LiveSession::Phase::kOnline || disk.isRecording());
+  actions_->save_recent->setText(recordings_->saveLastText());
+  actions_->save_recent->setEnabled(disk.remembered() > 0 && !shown);
+  for (auto* action : {actions_->create, actions_->scan, actions_->demo, actions_->online, actions_->offline,
+                       actions_->record, actions_->save_recent, actions_->clear_statistics}) {
+    if (shown && action->property("usualTip").isNull()) {
+      action->setProperty("usualTip", action->toolTip());
+      action->setToolTip(tr("A recording is shown, and nothing runs: close it first (File, Close Recording)"));
+    } else if (!shown && !action->property("usualTip").isNull()) {
+      action->setToolTip(action->property("usualTip").toString());
+      action->setProperty("usualTip", QVariant());
+    }
+  }
 }
 
 void MainWindow::updateTheme() {
@@ -349,6 +456,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   workspace_.autosave().forget();
   workspace_.scan().cancel();
   workspace_.live().shutDown();
+  workspace_.disk().finish();
   event->accept();
 }
 

@@ -17,6 +17,10 @@ class DeviceEditor;
 class ExplorerPanel;
 class FileCommands;
 class LiveStrip;
+class FindingsPanel;
+class MessagesPanel;
+class OverviewPanel;
+class RecordingCommands;
 class WindowLayout;
 class Workspace;
 
@@ -30,6 +34,7 @@ class MainWindow final : public QMainWindow {
 
   [[nodiscard]] FileCommands& files() { return *files_; }
   [[nodiscard]] BusCommands& bus() { return *bus_; }
+  [[nodiscard]] RecordingCommands& recordings() { return *recordings_; }
   [[nodiscard]] DeviceEditor& editor() { return *editor_; }
   [[nodiscard]] LiveStrip& liveStrip() { return *strip_; }
   void selectNode(int slave);
@@ -53,6 +58,10 @@ class MainWindow final : public QMainWindow {
   void updateTitle();
   void showFindingCount();
   void updateActions();
+  void updateRecordingActions();
+  void showRun();
+  void showOverview(bool overview);
+  void goToMoment(qint64 moment);
   void updateTheme();
   void goTo(int slave, const QString& key);
   void showDifferences();
@@ -61,9 +70,14 @@ class MainWindow final : public QMainWindow {
   Actions* actions_;
   FileCommands* files_;
   BusCommands* bus_;
+  RecordingCommands* recordings_;
   QStackedWidget* centre_ = nullptr;
   QSplitter* splitter_ = nullptr;
+  QStackedWidget* upper_ = nullptr;  // editor or overview
   DeviceEditor* editor_ = nullptr;
+  OverviewPanel* overview_ = nullptr;
+  MessagesPanel* messages_ = nullptr;
+  FindingsPanel* findings_ = nullptr;
   LiveStrip* strip_ = nullptr;
   ExplorerPanel* explorer_ = nullptr;
   QDockWidget *explorer_dock_ = nullptr, *messages_dock_ = nullptr, *findings_dock_ = nullptr;

@@ -8,9 +8,8 @@
 #include <vector>
 
 #include "app/cli/duration.h"
-#include "app/cli/event_name.h"
-#include "app/cli/event_text.h"
 #include "app/cli/options.h"
+#include "app/cli/recorded_event.h"
 #include "diagnosis/run_diagnosis.h"
 #include "eni/format/eni_file.h"
 #include "support/whole_file.h"
@@ -83,8 +82,7 @@ void RunRecording::add(const Snapshot& snapshot) {
 
 void RunRecording::add(const Event& event) {
   if (!recorder_) return;
-  if (auto words = event_words(event); !words.empty())
-    recorder_->add(RecordedEvent{event.time, event.slave, std::string(event_name(event)), std::move(words)});
+  if (auto recorded = recorded_event(event)) recorder_->add(std::move(*recorded));
 }
 
 void RunRecording::tell() {
@@ -100,12 +98,7 @@ void RunRecording::tell() {
 
 void RunRecording::finish(const RunReport& report) {
   if (!recorder_) return;
-  std::vector<RecordedFinding> findings;
-  for (const auto& finding : diagnose(report)) {
-    findings.push_back({std::string(finding.code), std::string(severity_name(finding.severity)), finding.place.slave,
-                        describe(finding)});
-  }
-  const auto status = recorder_->finish("end of the run", findings);
+  const auto status = recorder_->finish("end of the run", recorded(diagnose(report)));
   const bool told = [this] {
     const std::lock_guard lock(mutex_);
     return !stop_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "app/cli/recorded_event.h"
 #include "app/composition/open_link.h"
 #include "app/composition/open_master.h"
 #include "engine/describe_slaves.h"
@@ -24,6 +25,7 @@ inline void connect_buses(ui::Environment& environment) {
     return describe_slaves(
         project, [&] { return open_link(link.toStdString()); }, &cancelled);
   };
+  environment.record_event = cli::recorded_event;
   environment.demo_link = QString::fromStdString(demo_link(true));
   environment.esi_folders = {QString::fromStdString(resource_folder()) + QStringLiteral("/esi")};
 }

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/gui/screenshots.h"
 
+#include <QAction>
 #include <QApplication>
 #include <QDir>
 #include <QElapsedTimer>
 #include <QPixmap>
 #include <QTabWidget>
+#include <QTemporaryDir>
 #include <QTextStream>
+#include <functional>
 
 #include "settings/settings_table.h"
 #include "ui/dialogs/about_dialog.h"
@@ -14,10 +17,12 @@
 #include "ui/dialogs/difference_dialog.h"
 #include "ui/dialogs/found_dialog.h"
 #include "ui/dialogs/link_chooser.h"
+#include "ui/dialogs/recording_commands.h"
 #include "ui/dialogs/recovery_dialog.h"
 #include "ui/main_window.h"
 #include "ui/pages/device_editor.h"
 #include "ui/panels/live_strip.h"
+#include "ui/panels/overview_panel.h"
 #include "ui/session/workspace.h"
 #include "ui/theme/theme.h"
 
@@ -114,6 +119,40 @@ void takeQuestions(Camera& camera, ui::MainWindow& window, ui::Workspace& worksp
   workspace.document().undoStack().undo();
 }
 
+void takeOverview(Camera& camera, ui::MainWindow& window, const QString& theme) {
+  window.selectNode(-1);
+  window.findChild<QAction*>(QStringLiteral("actionOverview"))->trigger();
+  window.findChild<ui::OverviewPanel*>()->refresh();
+  window.findChild<ui::LiveStrip*>()->refresh();
+  camera.take(window, theme + QStringLiteral("-overview"));
+}
+
+bool waitUntil(const std::function<bool()>& done) {
+  QElapsedTimer waiting;
+  waiting.start();
+  while (!done() && waiting.elapsed() < kScanTimeoutMs) QApplication::processEvents(QEventLoop::WaitForMoreEvents, 50);
+  return done();
+}
+
+/// The last seconds of the machine out of memory, opened again.
+void takeRecording(Camera& camera, ui::MainWindow& window, ui::Workspace& workspace) {
+  const QTemporaryDir folder;
+  const auto path = folder.filePath(QStringLiteral("machine.slrec"));
+  bool saved = false;
+  QObject::connect(&workspace.disk(), &ui::DiskRecording::saved, &window, [&saved] { saved = true; });
+  if (!workspace.disk().saveLast(8 * kSecond, path) || !waitUntil([&saved] { return saved; })) return;
+  workspace.live().shutDown();
+  window.recordings().open(path);
+  if (!waitUntil([&workspace] { return workspace.recording().isOpen(); })) return;
+  for (const auto mode : {ui::theme::Mode::kLight, ui::theme::Mode::kDark}) {
+    ui::theme::apply(mode);
+    QApplication::processEvents();
+    window.findChild<ui::LiveStrip*>()->refresh();
+    camera.take(window, ui::theme::modeName(mode) + QStringLiteral("-recording"));
+  }
+  workspace.recording().close();
+}
+
 void takeDialogs(Camera& camera, ui::MainWindow& window, ui::Workspace& workspace, const QString& theme) {
   ui::AboutDialog about(workspace.environment().version, &window);
   about.show();
@@ -141,6 +180,7 @@ bool renderScreenshots(ui::MainWindow& window, ui::Workspace& workspace, const Q
   for (const auto mode : {ui::theme::Mode::kLight, ui::theme::Mode::kDark}) {
     ui::theme::apply(mode);
     QApplication::processEvents();
+    takeOverview(camera, window, ui::theme::modeName(mode));
     takePages(camera, window, workspace, ui::theme::modeName(mode));
     workspace.setExpert(true);
     takePages(camera, window, workspace, ui::theme::modeName(mode) + QStringLiteral("-expert"));
@@ -148,6 +188,7 @@ bool renderScreenshots(ui::MainWindow& window, ui::Workspace& workspace, const Q
     takeDialogs(camera, window, workspace, ui::theme::modeName(mode));
     takeQuestions(camera, window, workspace, ui::theme::modeName(mode));
   }
+  takeRecording(camera, window, workspace);
   workspace.live().shutDown();
   if (!in_sync) err << "the demonstration machine did not get in sync\n";
   if (camera.failures() > 0) err << camera.failures() << " pictures could not be written to " << folder << '\n';

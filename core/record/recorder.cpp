@@ -59,6 +59,11 @@ void Recorder::add(RecordedNote note) {
   if (!stopped_ && !finished_) open_.notes.push_back(std::move(note));
 }
 
+void Recorder::tell(std::vector<RecordedFinding> findings) {
+  const std::lock_guard lock(mutex_);
+  if (!stopped_ && !finished_) open_.findings = std::move(findings);
+}
+
 std::uint64_t Recorder::lost_samples() const {
   const std::lock_guard lock(mutex_);
   return lost_;
@@ -109,11 +114,16 @@ std::optional<Recorder::Stop> Recorder::bound_reached() const {
   if (options_.longest > 0 && writer_.duration() >= options_.longest) {
     return Stop{fmt::format("it has its length of {} s", static_cast<double>(options_.longest) / 1e9), {}};
   }
+  std::error_code error;
+  if (!std::filesystem::exists(writer_.path(), error)) {
+    return failed({.code = ErrorCode::kFileNotWritable,
+                   .detail = "the file is gone: it, or its folder, was deleted or moved while it was recorded",
+                   .file = writer_.path()});
+  }
   const auto bytes = writer_.bytes();
   if (options_.most_bytes > 0 && bytes >= options_.most_bytes) {
     return Stop{fmt::format("it has its size of {:.1f} MiB", static_cast<double>(options_.most_bytes) / kMiB), {}};
   }
-  std::error_code error;
   const auto folder = std::filesystem::absolute(writer_.path(), error).parent_path();
   const auto space = std::filesystem::space(folder, error);
   if (error || space.available >= options_.keep_free_bytes) return std::nullopt;

@@ -47,6 +47,8 @@ class Recorder {
   void add(const Snapshot& snapshot);
   void add(RecordedEvent event);
   void add(RecordedNote note);
+  /// What the run means by now; a recording that is cut short keeps the last that were told.
+  void tell(std::vector<RecordedFinding> findings);
   /// The rest is on the disk, with why the recording ended and what the run means. The first error of all.
   Status finish(const std::string& why = "end of the run", std::span<const RecordedFinding> findings = {});
 

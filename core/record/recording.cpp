@@ -2,6 +2,7 @@
 #include "record/recording.h"
 
 #include "dc/plans.h"
+#include "record/typed_values.h"
 
 namespace syncline {
 
@@ -14,6 +15,15 @@ RecordingAbout about_run(const NetworkConfig& config) {
     about.slaves.push_back({slave.name, id.vendor_id, id.product_code, id.revision_no});
   }
   return about;
+}
+
+std::vector<RecordedFinding> recorded(std::span<const Finding> findings) {
+  std::vector<RecordedFinding> result;
+  for (const auto& finding : findings) {
+    result.push_back({std::string(finding.code), std::string(severity_name(finding.severity)), finding.place.slave,
+                      describe(finding), encode_finding(finding)});
+  }
+  return result;
 }
 
 }  // namespace syncline

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,7 @@ struct RecordedEvent {
   int slave = -1;        // -1: the master or the bus
   std::string kind;      // as docs/json.md lists them
   std::string text;
+  std::string details{};  // what happened as encode_event() writes it; "": only the words are known
   bool operator==(const RecordedEvent&) const = default;
 };
 
@@ -48,8 +50,10 @@ struct RecordedFinding {
   std::string code, level;
   int slave = -1;
   std::string text;
+  std::string details{};  // as encode_finding() writes it; "": only the words are known
   bool operator==(const RecordedFinding&) const = default;
 };
+[[nodiscard]] std::vector<RecordedFinding> recorded(std::span<const Finding> findings);
 
 struct RecordedNote {
   Nanoseconds time = 0;

@@ -89,14 +89,22 @@ Status RecordingReader::read_told(RecordingInfo& info) {
   const auto slave_of = [](const SqlStatement& row, int column) {
     return row.is_null(column) ? -1 : static_cast<int>(row.integer(column));
   };
-  auto status = each("SELECT time_ns, slave, kind, text FROM event ORDER BY id", [&](const SqlStatement& row) {
-    info.events.push_back({row.integer(0), slave_of(row, 1), std::string(row.text(2)), std::string(row.text(3))});
-  });
+  const auto version = recording_version(database_);
+  if (!version) return read_error(database_, version.error());
+  const bool detailed = *version >= kFirstWithDetails;
+  auto status = each(detailed ? "SELECT time_ns, slave, kind, text, details FROM event ORDER BY id"
+                              : "SELECT time_ns, slave, kind, text, NULL FROM event ORDER BY id",
+                     [&](const SqlStatement& row) {
+                       info.events.push_back({row.integer(0), slave_of(row, 1), std::string(row.text(2)),
+                                              std::string(row.text(3)), std::string(row.blob(4))});
+                     });
   if (!status) return status;
-  status = each("SELECT code, level, slave, text FROM finding ORDER BY id", [&](const SqlStatement& row) {
-    info.findings.push_back(
-        {std::string(row.text(0)), std::string(row.text(1)), slave_of(row, 2), std::string(row.text(3))});
-  });
+  status = each(detailed ? "SELECT code, level, slave, text, details FROM finding ORDER BY id"
+                         : "SELECT code, level, slave, text, NULL FROM finding ORDER BY id",
+                [&](const SqlStatement& row) {
+                  info.findings.push_back({std::string(row.text(0)), std::string(row.text(1)), slave_of(row, 2),
+                                           std::string(row.text(3)), std::string(row.blob(4))});
+                });
   if (!status) return status;
   return each("SELECT time_ns, text FROM note ORDER BY id", [&](const SqlStatement& row) {
     info.notes.push_back({row.integer(0), std::string(row.text(1))});
@@ -237,6 +245,25 @@ Result<RecordingReader::Points> RecordingReader::points(Signal signal, int slave
     result.values.insert(result.values.end(), values.begin(), values.end());
     return {};
   });
+  if (!status) return tl::unexpected(status.error());
+  return result;
+}
+
+Result<std::map<std::int64_t, RecordingReader::Points>> RecordingReader::all_points() {
+  std::map<std::int64_t, Points> result;
+  std::vector<Nanoseconds> times;
+  std::vector<float> values;
+  auto status = each(
+      "SELECT id, count, times, cells FROM data WHERE codec = 0 ORDER BY id", [&](const SqlStatement& row) -> Status {
+        const auto count = static_cast<std::size_t>(std::max<std::int64_t>(row.integer(1), 0));
+        if (!decode_times(row.blob(2), count, times) || !decode_floats(row.blob(3), count, values)) {
+          return damaged_recording(database_, fmt::format("block {} cannot be read", row.integer(0) / kSeriesPerBlock));
+        }
+        auto& points = result[row.integer(0) % kSeriesPerBlock];
+        points.times.insert(points.times.end(), times.begin(), times.end());
+        points.values.insert(points.values.end(), values.begin(), values.end());
+        return {};
+      });
   if (!status) return tl::unexpected(status.error());
   return result;
 }

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -50,6 +51,8 @@ class RecordingReader {
     std::vector<float> values;
   };
   [[nodiscard]] Result<Points> points(Signal signal, int slave = -1);
+  /// Those of all signals and slaves at once, by series_number(): in one pass, whatever their number.
+  [[nodiscard]] Result<std::map<std::int64_t, Points>> all_points();
   /// Reads everything: the database's own check, all samples, each sum against its samples. The first thing that is
   /// wrong; the number of blocks that were read.
   [[nodiscard]] Result<std::uint64_t> verify();

@@ -26,8 +26,10 @@ CREATE TABLE block(number INTEGER PRIMARY KEY, first_cycle INTEGER NOT NULL, las
   begin_ns INTEGER NOT NULL, end_ns INTEGER NOT NULL, columns INTEGER NOT NULL);
 CREATE TABLE summary(id INTEGER PRIMARY KEY, count INTEGER NOT NULL, min REAL, max REAL, last REAL);
 CREATE TABLE data(id INTEGER PRIMARY KEY, codec INTEGER NOT NULL, count INTEGER NOT NULL, times BLOB, cells BLOB, levels BLOB);
-CREATE TABLE event(id INTEGER PRIMARY KEY, time_ns INTEGER NOT NULL, slave INTEGER, kind TEXT NOT NULL, text TEXT NOT NULL);
-CREATE TABLE finding(id INTEGER PRIMARY KEY, code TEXT NOT NULL, level TEXT NOT NULL, slave INTEGER, text TEXT NOT NULL);
+CREATE TABLE event(id INTEGER PRIMARY KEY, time_ns INTEGER NOT NULL, slave INTEGER, kind TEXT NOT NULL, text TEXT NOT NULL,
+  details BLOB);
+CREATE TABLE finding(id INTEGER PRIMARY KEY, code TEXT NOT NULL, level TEXT NOT NULL, slave INTEGER, text TEXT NOT NULL,
+  details BLOB);
 CREATE TABLE note(id INTEGER PRIMARY KEY, time_ns INTEGER NOT NULL, text TEXT NOT NULL);
 COMMIT;
 )";
@@ -103,6 +105,8 @@ Result<SqlDatabase> create_recording(const std::string& path) {
   return database;
 }
 
+Result<std::int64_t> recording_version(SqlDatabase& database) { return pragma(database, "PRAGMA user_version"); }
+
 Result<SqlDatabase> open_recording(const std::string& path) {
   if (auto status = look_at(path); !status) return tl::unexpected(status.error());
   auto database = SqlDatabase::open_to_read(path);
@@ -116,7 +120,7 @@ Result<SqlDatabase> open_recording(const std::string& path) {
                       .detail = "a recording; this database belongs to another program",
                       .file = path});
   }
-  const auto version = pragma(*database, "PRAGMA user_version");
+  const auto version = recording_version(*database);
   if (!version) return read_error(*database, version.error());
   if (*version < 1 || *version > kRecordingVersion) {
     return fail(Error{.code = ErrorCode::kNotThatKindOfFile,

@@ -11,7 +11,8 @@
 namespace syncline {
 
 inline constexpr std::int64_t kRecordingId = 0x53594E52;  // "SYNR", SQLite's application_id
-inline constexpr std::int64_t kRecordingVersion = 1;      // user_version
+inline constexpr std::int64_t kRecordingVersion = 2;      // user_version
+inline constexpr std::int64_t kFirstWithDetails = 2;      // of events and findings
 /// Rows of `summary` and `data`: block * kSeriesPerBlock + series.
 inline constexpr std::int64_t kSeriesPerBlock = 1 << 20;
 inline constexpr std::int64_t kMostBlockCycles = 1 << 16;
@@ -27,6 +28,8 @@ inline constexpr std::size_t kLevelCycles = 256;
 [[nodiscard]] Result<SqlDatabase> create_recording(const std::string& path);
 /// To be read. kFileNotFound, kNotThatKindOfFile: no recording, or one of a newer version; kFileNotReadable: damaged.
 [[nodiscard]] Result<SqlDatabase> open_recording(const std::string& path);
+/// Of one that was opened: user_version.
+[[nodiscard]] Result<std::int64_t> recording_version(SqlDatabase& database);
 
 /// What SQLite says, as an error of reading or of writing this file.
 [[nodiscard]] tl::unexpected<Error> read_error(const SqlDatabase& database, const Error& error);

@@ -131,11 +131,20 @@ Status RecordingWriter::write(const RecordingBatch& batch) {
     rest = rest.subspan(count);
   }
   // What snapshots without samples tell waits for the next block.
-  if (status && !batch.samples.empty()) status = put_held(blocks_ - 1);
-  auto event = database_.prepare("INSERT INTO event(time_ns, slave, kind, text) VALUES(?, ?, ?, ?)");
+  if (status && !batch.samples.empty()) status = put_held(blocks_ - 1, batch.samples.front().send_time);
+  if (status) status = put_told(batch);
+  if (status) status = transaction->commit();
+  if (!status) return write_error(database_, status.error());
+  return {};
+}
+
+Status RecordingWriter::put_told(const RecordingBatch& batch) {
+  Status status;
+  auto event = database_.prepare("INSERT INTO event(time_ns, slave, kind, text, details) VALUES(?, ?, ?, ?, ?)");
   for (const auto& e : batch.events) {
     if (!status || !event) break;
     event->bind(0, e.time).bind(2, e.kind).bind(3, e.text);
+    e.details.empty() ? event->bind_null(4) : event->bind_blob(4, e.details);
     status = (e.slave >= 0 ? event->bind(1, std::int64_t{e.slave}) : event->bind_null(1)).run();
   }
   auto note = database_.prepare("INSERT INTO note(time_ns, text) VALUES(?, ?)");
@@ -145,9 +154,21 @@ Status RecordingWriter::write(const RecordingBatch& batch) {
   for (const auto* statement : {&event, &note}) {
     if (status && !*statement) status = tl::unexpected(statement->error());
   }
-  if (status) status = transaction->commit();
-  if (!status) return write_error(database_, status.error());
-  return {};
+  return status && batch.findings ? put_findings(*batch.findings) : status;
+}
+
+/// In place of those that are there.
+Status RecordingWriter::put_findings(std::span<const RecordedFinding> findings) {
+  auto status = database_.execute("DELETE FROM finding");
+  auto row = database_.prepare("INSERT INTO finding(code, level, slave, text, details) VALUES(?, ?, ?, ?, ?)");
+  if (!row) return tl::unexpected(row.error());
+  for (const auto& finding : findings) {
+    if (!status) break;
+    row->bind(0, finding.code).bind(1, finding.level).bind(3, finding.text);
+    finding.details.empty() ? row->bind_null(4) : row->bind_blob(4, finding.details);
+    status = (finding.slave >= 0 ? row->bind(2, std::int64_t{finding.slave}) : row->bind_null(2)).run();
+  }
+  return status;
 }
 
 /// In the order in which they were taken.
@@ -220,7 +241,9 @@ Status RecordingWriter::put_sums(std::span<const CycleSample> samples) {
   return {};
 }
 
-Status RecordingWriter::put_held(std::int64_t block) {
+Status RecordingWriter::put_held(std::int64_t block, Nanoseconds begin) {
+  const auto& store = watched_ != nullptr ? *watched_ : store_;
+  const auto until = watched_ != nullptr ? last_ + 1 : std::numeric_limits<Nanoseconds>::max();
   auto row = database_.prepare("INSERT INTO data(id, codec, count, times, cells) VALUES(?, 0, ?, ?, ?)");
   if (!row) return tl::unexpected(row.error());
   std::vector<Nanoseconds> times;
@@ -230,20 +253,28 @@ Status RecordingWriter::put_held(std::int64_t block) {
     // What single cycles tell stands in the columns.
     if (signal.form == Form::kCell || signal.form == Form::kCycles || (!of_slaves && signal.of_bus == nullptr))
       continue;
-    for (std::size_t slave = 0; slave < (of_slaves ? store_.slave_count() : 1); ++slave) {
+    for (std::size_t slave = 0; slave < (of_slaves ? store.slave_count() : 1); ++slave) {
       const auto number = series_number(signal.id, of_slaves ? static_cast<int>(slave) : -1);
-      const auto& series = store_.series(signal.id, slave);
+      const auto& series = store.series(signal.id, slave);
       const auto [seen, fresh] = written_.try_emplace(number, std::numeric_limits<Nanoseconds>::min());
       if (series.empty() || (!fresh && seen->second == series.last_time())) continue;
       times.clear();
       values.clear();
-      series.for_each(seen->second + (fresh ? 0 : 1), std::numeric_limits<Nanoseconds>::max(),
-                      [&](Nanoseconds time, float value) {
-                        times.push_back(time);
-                        values.push_back(value);
-                      });
-      seen->second = series.last_time();
+      auto from = seen->second + (fresh ? 0 : 1);
+      if (fresh && watched_ != nullptr) {
+        // What holds when the recording begins was read before.
+        if (const auto holds = series.held_at(begin)) {
+          times.push_back(holds->time);
+          values.push_back(holds->value);
+        }
+        from = begin + 1;
+      }
+      series.for_each(from, until, [&](Nanoseconds time, float value) {
+        times.push_back(time);
+        values.push_back(value);
+      });
       if (times.empty()) continue;
+      seen->second = times.back();
       if (auto status = put_series(number, signal.id, of_slaves ? static_cast<int>(slave) : -1); !status) return status;
       if (auto status = put_summary(block, number, values); !status) return status;
       const auto time_bytes = encode_times(times);
@@ -284,14 +315,7 @@ Status RecordingWriter::put_summary(std::int64_t block, std::int64_t series, con
 Status RecordingWriter::finish(const std::string& why, std::span<const RecordedFinding> findings) {
   auto transaction = SqlTransaction::begin(database_);
   if (!transaction) return write_error(database_, transaction.error());
-  auto row = database_.prepare("INSERT INTO finding(code, level, slave, text) VALUES(?, ?, ?, ?)");
-  Status status;
-  if (!row) status = tl::unexpected(row.error());
-  for (const auto& finding : findings) {
-    if (!status) break;
-    row->bind(0, finding.code).bind(1, finding.level).bind(3, finding.text);
-    status = (finding.slave >= 0 ? row->bind(2, std::int64_t{finding.slave}) : row->bind_null(2)).run();
-  }
+  auto status = put_findings(findings);
   if (status) status = put_meta("ended", why);
   if (status) status = transaction->commit();
   // Without its log it is one file, which can be read where nothing can be written.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -24,7 +25,10 @@ struct RecordingBatch {
   std::vector<Taken> snapshots;
   std::vector<RecordedEvent> events;
   std::vector<RecordedNote> notes;
-  [[nodiscard]] bool empty() const { return samples.empty() && snapshots.empty() && events.empty() && notes.empty(); }
+  std::optional<std::vector<RecordedFinding>> findings{};  // what the run means by now, in place of what it meant
+  [[nodiscard]] bool empty() const {
+    return samples.empty() && snapshots.empty() && events.empty() && notes.empty() && !findings;
+  }
 };
 
 /// Writes a recording, in the calling thread. Everything is whole up to the last commit, whatever kills the program.
@@ -35,6 +39,9 @@ class RecordingWriter {
 
   /// One commit: a block for each stretch of samples, and what came with it.
   [[nodiscard]] Status write(const RecordingBatch& batch);
+  /// Counts and states of slaves, and totals, are those of a run that was watched; it outlives the next write(). From
+  /// then on snapshots are not looked at.
+  void take_held_from(const SampleStore& watched) { watched_ = &watched; }
   /// The last commit: why it ended, and what the run means. The file is then one file, to be read anywhere.
   [[nodiscard]] Status finish(const std::string& why, std::span<const RecordedFinding> findings);
 
@@ -48,18 +55,21 @@ class RecordingWriter {
   Status begin(const RecordingAbout& about);
   Status put_signals();
   Status put_meta(std::string_view key, std::string_view value);
+  Status put_told(const RecordingBatch& batch);
+  Status put_findings(std::span<const RecordedFinding> findings);
   void store(const RecordingBatch& batch);
   Status put_block(std::span<const CycleSample> samples);
   /// How many have values.
   Result<std::int64_t> put_columns(std::span<const CycleSample> samples);
   Status put_sums(std::span<const CycleSample> samples);
   /// What slaves and counts have shown since the block before.
-  Status put_held(std::int64_t block);
+  Status put_held(std::int64_t block, Nanoseconds begin);
   Status put_series(std::int64_t series, Signal signal, int slave);
   Status put_summary(std::int64_t block, std::int64_t series, const std::vector<float>& values);
 
   SqlDatabase database_;
-  SampleStore store_;                            // the same that draws: gaps and ages are decided once
+  SampleStore store_;  // the same that draws: gaps and ages are decided once
+  const SampleStore* watched_ = nullptr;
   std::map<std::int64_t, Nanoseconds> written_;  // by series, time of the newest sample
   std::set<std::int64_t> known_series_;
   std::int64_t blocks_ = 0;

@@ -3,42 +3,95 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
+
+#include "record/typed_values.h"
 
 namespace syncline {
 namespace {
 
 /// Counts and states, which no sample tells.
 Status restore_held(RecordingReader& reader, RunRecord& record) {
+  const auto all = reader.all_points();
+  if (!all) return tl::unexpected(all.error());
   for (const auto& signal : signals()) {
     const bool of_slaves = signal.scope == SignalInfo::Scope::kSlave;
     if (signal.form != SignalInfo::Form::kHeld || (!of_slaves && signal.of_bus == nullptr)) continue;
     const auto count = of_slaves ? static_cast<int>(record.config().slaves.size()) : 1;
     for (int slave = 0; slave < count; ++slave) {
-      const auto points = reader.points(signal.id, of_slaves ? slave : -1);
-      if (!points) return tl::unexpected(points.error());
-      record.restore(signal.id, static_cast<std::size_t>(slave), points->times, points->values);
+      const auto points = all->find(series_number(signal.id, of_slaves ? slave : -1));
+      if (points != all->end()) {
+        record.restore(signal.id, static_cast<std::size_t>(slave), points->second.times, points->second.values);
+      } else if (of_slaves) {
+        record.restore(signal.id, static_cast<std::size_t>(slave), {}, {});
+      }
     }
   }
   return {};
 }
 
+/// Those that are there as values, in their order.
+std::vector<Event> events_of(const RecordingInfo& info, bool& only_words) {
+  std::vector<Event> events;
+  const auto slaves = static_cast<int>(info.about.slaves.size());
+  for (const auto& recorded : info.events) {
+    auto what = decode_event(recorded.details);
+    if (what && recorded.slave < slaves) {
+      events.push_back({recorded.time, recorded.slave, std::move(*what)});
+    } else {
+      only_words = true;
+    }
+  }
+  return events;
+}
+
+std::vector<Finding> findings_of(const RecordingInfo& info, bool& only_words) {
+  std::vector<Finding> findings;
+  for (const auto& recorded : info.findings) {
+    if (auto finding = decode_finding(recorded.details)) {
+      findings.push_back(std::move(*finding));
+    } else {
+      only_words = true;
+    }
+  }
+  return findings;
+}
+
+RunRecord made_for(NetworkConfig config, const RecordingInfo& info, std::size_t capacity) {
+  if (capacity == 0)
+    capacity = static_cast<std::size_t>(std::min<std::uint64_t>(info.cycles, ReplayOptions::kMostCycles));
+  return {std::move(config), std::max<std::size_t>(capacity, 1), info.about.limits, info.about.speed_counter_start};
+}
+
 }  // namespace
 
-Result<ReplayedRun> replay_run(RecordingReader& reader, NetworkConfig config, std::size_t cycle_capacity) {
+Result<ReplayedRun> replay_run(RecordingReader& reader, NetworkConfig config, const ReplayOptions& options) {
   auto info = reader.info();
   if (!info) return tl::unexpected(info.error());
   if (info->about.slaves.size() != config.slaves.size()) {
     return fail(ErrorCode::kBadValue, "configuration",
                 fmt::format("it has {} slaves, the recording has {}", config.slaves.size(), info->about.slaves.size()));
   }
-  ReplayedRun run{std::make_unique<RunRecord>(std::move(config), cycle_capacity), std::move(*info)};
-  auto status = reader.samples([&run](std::span<const CycleSample> samples) {
-    run.record->add(samples);
-    return true;
+  ReplayedRun run{std::make_unique<RunRecord>(made_for(std::move(config), *info, options.cycle_capacity)),
+                  std::move(*info)};
+  auto& record = *run.record;
+  const auto events = events_of(run.info, run.only_words);
+  auto next = events.begin();
+  std::uint64_t done = 0;
+  bool cancelled = false;
+  auto status = reader.samples([&](std::span<const CycleSample> samples) {
+    record.add(samples);
+    for (; next != events.end() && next->time <= samples.back().send_time; ++next) record.add(*next);
+    done += samples.size();
+    cancelled = options.progress && !options.progress(done, run.info.cycles);
+    return !cancelled;
   });
-  if (status) status = restore_held(reader, *run.record);
+  if (cancelled) return fail(ErrorCode::kCancelled);
+  for (; next != events.end(); ++next) record.add(*next);
+  if (status) status = restore_held(reader, record);
   if (!status) return tl::unexpected(status.error());
+  record.restore(findings_of(run.info, run.only_words));
   return run;
 }
 

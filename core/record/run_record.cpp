@@ -17,13 +17,19 @@ namespace {
 constexpr Nanoseconds kHistory = 620 * kSecond;
 constexpr std::size_t kLeastCycles = 1U << 16, kMostCycles = 1U << 21;
 
-SampleStore::Layout layout_of(const NetworkConfig& config, std::size_t cycle_capacity) {
+std::uint16_t counter_start(const NetworkConfig& config) {
+  const auto cycle_time = std::max<Nanoseconds>(config.cycle_time(), 1);
+  return config.dc.loop.speed_counter_start.value_or(dc::speed_counter_start(cycle_time));
+}
+
+SampleStore::Layout layout_of(const NetworkConfig& config, std::size_t cycle_capacity, const RunLimits& limits,
+                              std::uint16_t speed_counter_start) {
   SampleStore::Layout layout;
   layout.slaves = config.slaves.size();
-  layout.cycle_time = std::max<Nanoseconds>(config.cycle_time(), 1);
+  layout.cycle_time = std::max<Nanoseconds>(limits.cycle_time, 1);
   const auto suitable = std::clamp(static_cast<std::size_t>(kHistory / layout.cycle_time), kLeastCycles, kMostCycles);
   layout.cycle_capacity = cycle_capacity > 0 ? cycle_capacity : suitable;
-  layout.speed_counter_start = config.dc.loop.speed_counter_start.value_or(dc::speed_counter_start(layout.cycle_time));
+  layout.speed_counter_start = speed_counter_start;
   return layout;
 }
 
@@ -39,15 +45,21 @@ RunLimits limits_of(const NetworkConfig& config) {
   return limits;
 }
 
-RunRecord::RunRecord(NetworkConfig config, std::size_t cycle_capacity)
+RunRecord::RunRecord(const NetworkConfig& config, std::size_t cycle_capacity)
+    : RunRecord(NetworkConfig(config), cycle_capacity, limits_of(config), counter_start(config)) {}
+
+RunRecord::RunRecord(NetworkConfig config, std::size_t cycle_capacity, const RunLimits& limits,
+                     std::uint16_t speed_counter_start)
     : config_(std::move(config)),
-      limits_(limits_of(config_)),
-      samples_(layout_of(config_, cycle_capacity)),
-      recorder_(config_) {}
+      limits_(limits),
+      samples_(layout_of(config_, cycle_capacity, limits_, speed_counter_start)),
+      recorder_(config_),
+      overview_(config_.slaves.size()) {}
 
 void RunRecord::add(std::span<const CycleSample> samples) {
   samples_.append(samples);
   recorder_.add(samples);
+  overview_.add(samples);
 }
 
 void RunRecord::add(const Snapshot& snapshot) {
@@ -59,6 +71,7 @@ void RunRecord::add(const Snapshot& snapshot) {
 
 void RunRecord::add(const Event& event) {
   recorder_.add(event);
+  overview_.add(event);
   if (events_.size() == kMostEvents) {
     events_.pop_front();
     ++forgotten_events_;
@@ -71,6 +84,7 @@ std::string RunRecord::slave_name(std::size_t position) const {
 }
 
 std::vector<Finding> RunRecord::findings() const {
+  if (restored_findings_) return *restored_findings_;
   const auto run = report();
   return run.history.reached_op ? diagnose(run) : std::vector<Finding>{};
 }

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "findings/finding.h"
 #include "trace/run_report.h"
 #include "trace/sample_store.h"
+#include "trace/sync_overview.h"
 
 namespace syncline {
 
@@ -32,7 +34,10 @@ class RunRecord {
   static constexpr std::size_t kMostEvents = 1U << 16;
 
   /// `cycle_capacity` cycles of samples are kept; 0: as many as suit the cycle time.
-  explicit RunRecord(NetworkConfig config, std::size_t cycle_capacity = 0);
+  explicit RunRecord(const NetworkConfig& config, std::size_t cycle_capacity = 0);
+  /// The same with the limits of a recording, which its configuration does not hold.
+  RunRecord(NetworkConfig config, std::size_t cycle_capacity, const RunLimits& limits,
+            std::uint16_t speed_counter_start);
 
   /// Everything that is drained; the samples before the snapshot that came with them.
   void add(std::span<const CycleSample> samples);
@@ -42,6 +47,9 @@ class RunRecord {
   void restore(Signal signal, std::size_t slave, std::span<const Nanoseconds> times, std::span<const float> values) {
     samples_.restore(signal, slave, times, values, samples_.last_time());
   }
+  void restore(std::vector<Finding> findings) { restored_findings_ = std::move(findings); }
+  /// Figures and faults of the overview begin anew.
+  void arm() { overview_.arm(); }
 
   [[nodiscard]] const NetworkConfig& config() const { return config_; }
   [[nodiscard]] const RunLimits& limits() const { return limits_; }
@@ -54,7 +62,9 @@ class RunRecord {
   [[nodiscard]] const std::deque<Event>& events() const { return events_; }
   [[nodiscard]] std::uint64_t forgotten_events() const { return forgotten_events_; }
   [[nodiscard]] RunReport report() const { return recorder_.finish(snapshot_); }
-  /// What the figures mean. Judged is what was in OP: on the way there everything is unfinished.
+  [[nodiscard]] const SyncOverview& overview() const { return overview_.overview(); }
+  /// What the figures mean. Judged is what was in OP: on the way there everything is unfinished. Of a recording: what
+  /// was found while it ran.
   [[nodiscard]] std::vector<Finding> findings() const;
 
  private:
@@ -62,6 +72,8 @@ class RunRecord {
   RunLimits limits_;
   SampleStore samples_;
   RunRecorder recorder_;
+  OverviewRecorder overview_;
+  std::optional<std::vector<Finding>> restored_findings_;
   Snapshot snapshot_;
   std::deque<Event> events_;
   std::uint64_t forgotten_events_ = 0;

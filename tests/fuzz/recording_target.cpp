@@ -6,6 +6,8 @@
 #include "fuzz/sandbox.h"
 #include "record/recorder.h"
 #include "record/recording_reader.h"
+#include "record/replay_run.h"
+#include "record/typed_values.h"
 #include "tests/core/record/made_samples.h"
 
 namespace syncline::fuzz {
@@ -25,6 +27,12 @@ void run_recording(std::span<const std::uint8_t> bytes) {
   });
   (void)reader->overview(Signal::kDcmError);
   (void)reader->points(Signal::kSm2Missed, 2);
+  if (info) {
+    NetworkConfig config;
+    config.slaves.resize(info->about.slaves.size());
+    const auto run = replay_run(*reader, config, {.cycle_capacity = 1});
+    if (whole && run) promise(run->info.cycles == cycles);
+  }
   if (whole) promise(info && read && cycles == info->cycles);
 }
 
@@ -37,7 +45,8 @@ std::vector<Bytes> recordings() {
     if (!recorder) return {};
     test::MadeSamples made(1);
     for (int i = 0; i < 20; ++i) (*recorder)->add(made.next(100));
-    (*recorder)->add(RecordedEvent{1, 2, "frames_lost", "one"});
+    (*recorder)->add(RecordedEvent{1, 2, "frames_lost", "one", encode_event(events::FramesLost{1})});
+    (*recorder)->tell(recorded(std::vector<Finding>{Finding{all_finding_words().front().code}}));
   }
   return {bytes_of_text(sandbox.text("run.slrec"))};
 }

@@ -36,6 +36,7 @@ void BusCommands::scanLink(const QString& link) {
     return;
   }
   workspace_.live().shutDown();
+  workspace_.recording().close();
   workspace_.scan().start(link);
 }
 

@@ -27,8 +27,8 @@ void FileCommands::create() {
 void FileCommands::open() {
   const auto path = QFileDialog::getOpenFileName(
       &window_, tr("Open"), {},
-      tr("All that can be opened (*.syncline *.xml *.esi *.eni *.pcap *.pcapng *.toml);;Syncline projects "
-         "(*.syncline);;All files (*)"));
+      tr("All that can be opened (*.syncline *.xml *.esi *.eni *.slrec *.pcap *.pcapng *.toml);;Syncline projects "
+         "(*.syncline);;Recordings (*.slrec);;All files (*)"));
   if (!path.isEmpty()) openAny(path);
 }
 
@@ -47,6 +47,8 @@ void FileCommands::openAny(const QString& path) {
           path, [this] { return mayDiscard() && mayGoOffline(window_, workspace_, tr("Another project is opened.")); });
     case FileKind::kEsi:
       return imports_->addEsiFolder(path);
+    case FileKind::kRecording:
+      return Q_EMIT recordingWanted(path);
     case FileKind::kCapture:
       return Q_EMIT linkWanted(QStringLiteral("replay:") + path);
     case FileKind::kScenario:
@@ -54,7 +56,7 @@ void FileCommands::openAny(const QString& path) {
     case FileKind::kController:
       return refuse(tr("It is a log of the master synchronisation: a spreadsheet shows it."));
     case FileKind::kOther:
-      return refuse(tr("It is neither a project, an ENI, an ESI, a capture nor a scenario."));
+      return refuse(tr("It is neither a project, an ENI, an ESI, a recording, a capture nor a scenario."));
   }
 }
 
@@ -68,6 +70,7 @@ bool FileCommands::openFile(const QString& path) {
   if (!mayDiscard() || !mayOpenBeside(path)) return false;
   if (!mayGoOffline(window_, workspace_, tr("Another project is opened."))) return false;
   workspace_.live().shutDown();
+  workspace_.recording().close();
   workspace_.document().take(std::move(*machine), path);
   workspace_.inform(tr("Project"), tr("Opened %1").arg(path));
   return true;

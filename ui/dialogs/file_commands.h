@@ -26,7 +26,8 @@ class FileCommands final : public QObject {
   /// and another window that has the file. False: project and machine are as they were.
   bool openFile(const QString& path);
   /// Opens any file that means something here: a project, an ENI (as a project of it), an ESI file (its folder goes
-  /// into the catalogue), a capture or a scenario (scanned as a bus). Says why not where it does not.
+  /// into the catalogue), a recording (shown), a capture or a scenario (scanned as a bus). Says why not where it does
+  /// not.
   void openAny(const QString& path);
   /// Offers the unsaved work of windows that were killed; `then` follows when there is none or the user has decided.
   void offerRecovery(const std::function<void()>& then);
@@ -40,6 +41,7 @@ class FileCommands final : public QObject {
  Q_SIGNALS:
   /// The file is a bus: scan it.
   void linkWanted(const QString& link);
+  void recordingWanted(const QString& path);
 
  private:
   bool saveTo(const QString& path);

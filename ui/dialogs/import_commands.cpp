@@ -54,6 +54,7 @@ void ImportCommands::importEni(const QString& path, const std::function<bool()>&
     static_cast<void>(catalogue.add_folder(folder.toStdString()));
   auto recovered = recover_project(*config, lookupIn(catalogue));
   workspace_.live().shutDown();
+  workspace_.recording().close();
   workspace_.document().take(Machine{{}, {std::move(recovered.project)}}, {}, false);
   for (const auto& finding : recovered.findings)
     workspace_.messages().append(messageOf(finding, workspace_.document().project()));

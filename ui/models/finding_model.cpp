@@ -65,6 +65,10 @@ QVariant FindingModel::data(const QModelIndex& index, int role) const {
       return static_cast<int>(finding.severity);
     case kSlaveRole:
       return finding.place.slave;
+    case kFromRole:
+      return static_cast<qint64>(finding.from);
+    case kToRole:
+      return static_cast<qint64>(finding.to);
     case kKeyRole:
       return findingKey(finding);
     case kCodeRole:

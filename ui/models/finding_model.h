@@ -14,7 +14,7 @@ class FindingModel final : public QAbstractTableModel {
 
  public:
   enum Column { kSeverity, kWhere, kFinding, kAdvice, kColumns };
-  enum Role { kLevelRole = Qt::UserRole + 1, kSlaveRole, kCodeRole, kKeyRole };
+  enum Role { kLevelRole = Qt::UserRole + 1, kSlaveRole, kCodeRole, kKeyRole, kFromRole, kToRole };
 
   explicit FindingModel(QObject* parent = nullptr);
   void setFindings(const std::vector<Finding>& findings);

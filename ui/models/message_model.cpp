@@ -3,12 +3,18 @@
 
 #include <QLocale>
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 namespace syncline::ui {
 
 MessageModel::MessageModel(QObject* parent) : QAbstractTableModel(parent) {}
 
 void MessageModel::append(Message message) {
+  if (own_) {
+    own_->push_front(message);
+    if (own_->size() > kMaximum) own_->pop_back();
+  }
   const int row = static_cast<int>(findings_.size());
   beginInsertRows({}, row, row);
   log_.push_front(std::move(message));
@@ -30,6 +36,30 @@ void MessageModel::setFindings(std::vector<Message> findings) {
   if (findings.empty()) return;
   beginInsertRows({}, 0, static_cast<int>(findings.size()) - 1);
   findings_ = std::move(findings);
+  endInsertRows();
+}
+
+void MessageModel::showOther(std::vector<Message> log) {
+  if (!own_) own_ = log_;
+  clearLog();
+  const auto count = std::min(log.size(), kMaximum);
+  if (count == 0) return;
+  const int first = static_cast<int>(findings_.size());
+  beginInsertRows({}, first, first + static_cast<int>(count) - 1);
+  log_.assign(std::make_move_iterator(log.rbegin()),
+              std::make_move_iterator(log.rbegin() + static_cast<std::ptrdiff_t>(count)));
+  endInsertRows();
+}
+
+void MessageModel::showOwn() {
+  if (!own_) return;
+  auto own = std::move(*own_);
+  own_.reset();
+  clearLog();
+  if (own.empty()) return;
+  const int first = static_cast<int>(findings_.size());
+  beginInsertRows({}, first, first + static_cast<int>(own.size()) - 1);
+  log_ = std::move(own);
   endInsertRows();
 }
 
@@ -68,6 +98,8 @@ QVariant MessageModel::data(const QModelIndex& index, int role) const {
       return message(index.row()).key;
     case kSlaveRole:
       return row.slave;
+    case kMomentRole:
+      return row.moment;
     case kFindingRole:
       return finding;
     case Qt::ToolTipRole:

@@ -4,6 +4,7 @@
 #include <QAbstractTableModel>
 #include <QSortFilterProxyModel>
 #include <deque>
+#include <optional>
 #include <vector>
 
 #include "ui/text/message.h"
@@ -17,13 +18,16 @@ class MessageModel final : public QAbstractTableModel {
 
  public:
   enum Column { kTime, kSeverity, kSource, kText, kColumns };
-  enum Role { kSeverityRole = Qt::UserRole + 1, kSlaveRole, kFindingRole, kKeyRole };
+  enum Role { kSeverityRole = Qt::UserRole + 1, kSlaveRole, kFindingRole, kKeyRole, kMomentRole };
   static constexpr std::size_t kMaximum = 5000;
 
   explicit MessageModel(QObject* parent = nullptr);
 
   void append(Message message);
   void setFindings(std::vector<Message> findings);
+  /// Shows this log, newest last, in place of the own one, which goes on behind it; until showOwn().
+  void showOther(std::vector<Message> log);
+  void showOwn();
   /// Empties the log; findings stay as long as they are true.
   void clearLog();
   [[nodiscard]] int count(Severity severity) const;
@@ -38,6 +42,7 @@ class MessageModel final : public QAbstractTableModel {
 
   std::vector<Message> findings_;
   std::deque<Message> log_;
+  std::optional<std::deque<Message>> own_;  // while another one is shown
 };
 
 /// Shows the chosen severities and the rows that contain a text.

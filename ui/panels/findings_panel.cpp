@@ -6,6 +6,7 @@
 #include <QStyledItemDelegate>
 #include <QTableView>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "ui/models/finding_model.h"
 #include "ui/theme/theme.h"
@@ -51,6 +52,7 @@ FindingsPanel::FindingsPanel(FindingModel& model, QWidget* parent) : QWidget(par
   table_->horizontalHeader()->setSectionResizeMode(FindingModel::kAdvice, QHeaderView::Stretch);
   table_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   connect(table_, &QTableView::activated, this, [this](const QModelIndex& index) {
+    if (const auto from = index.data(FindingModel::kFromRole).toLongLong(); from != 0) Q_EMIT momentActivated(from);
     Q_EMIT placeActivated(index.data(FindingModel::kSlaveRole).toInt(), index.data(FindingModel::kKeyRole).toString());
   });
   nothing_ = new QLabel(
@@ -64,6 +66,16 @@ FindingsPanel::FindingsPanel(FindingModel& model, QWidget* parent) : QWidget(par
   connect(&model_, &QAbstractItemModel::rowsInserted, this, &FindingsPanel::showState);
   connect(&model_, &QAbstractItemModel::rowsRemoved, this, &FindingsPanel::showState);
   showState();
+}
+
+void FindingsPanel::selectMoment(qint64 moment) {
+  for (int row = 0; row < model_.rowCount(); ++row) {
+    const auto index = model_.index(row, 0);
+    const auto from = index.data(FindingModel::kFromRole).toLongLong();
+    if (from == 0 || moment < from || moment > std::max(from, index.data(FindingModel::kToRole).toLongLong())) continue;
+    return table_->selectRow(row);
+  }
+  table_->clearSelection();
 }
 
 void FindingsPanel::showState() {

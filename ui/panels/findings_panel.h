@@ -16,11 +16,15 @@ class FindingsPanel final : public QWidget {
 
  public:
   explicit FindingsPanel(FindingModel& model, QWidget* parent = nullptr);
+  /// Selects what was found of a moment of the run, if anything was.
+  void selectMoment(qint64 moment);
   [[nodiscard]] QSize sizeHint() const override { return {800, 128}; }
 
  Q_SIGNALS:
   /// `key`: of the setting that would mend it; may be empty.
   void placeActivated(int slave, const QString& key);
+  /// What was found began at this moment of the run (host clock, ns).
+  void momentActivated(qint64 moment);
 
  private:
   void showState();

@@ -35,6 +35,8 @@ LiveStrip::LiveStrip(QWidget* parent) : QWidget(parent), toolbar_(new LiveStripT
   for (auto* panel : panels_) {
     row->addWidget(panel, 1);
     connect(panel->plot(), &TracePlot::menuRequested, this, &LiveStrip::openMenu);
+    connect(panel->plot(), &TracePlot::eventClicked, this, &LiveStrip::eventClicked);
+    panel->plot()->marks().setMarks(&marks_);
   }
   auto* empty = named(new QLabel(tr("No data: go online")), "liveEmptyLabel", tr("Live plots"));
   empty->setAlignment(Qt::AlignCenter);
@@ -69,16 +71,52 @@ LiveStrip::LiveStrip(QWidget* parent) : QWidget(parent), toolbar_(new LiveStripT
 
 LiveStrip::~LiveStrip() = default;
 
-void LiveStrip::setRecord(const RunRecord* record) {
+void LiveStrip::setRecord(const RunRecord* record, bool recorded) {
   record_ = record;
+  marks_.clear();
+  marked_ = 0;
   for (auto* panel : panels_) panel->setSource(record_);
   cursors_.clear();
   view_.reset();
+  view_.setFollowable(!recorded);
+  if (recorded && hasSamples()) {
+    view_.setBounds(record_->samples().first_time(), record_->samples().last_time());
+    view_.showAll();
+    for (auto* panel : panels_) panel->refreshText(true);
+  }
   showState();
 }
 
 void LiveStrip::setPickedSlave(int position) {
   for (auto* panel : panels_) panel->setPickedSlave(position);
+}
+
+void LiveStrip::goTo(Nanoseconds time) {
+  if (!hasSamples()) return;
+  view_.goTo(time);
+  cursors_.set(CursorSet::kA, time);
+}
+
+/// Events that came since it looked last. What they say in words stands in the messages.
+void LiveStrip::collectMarks() {
+  if (record_ == nullptr) return;
+  const auto& told = record_->events();
+  const auto all = record_->forgotten_events() + told.size();
+  if (all == marked_) return;
+  const auto fresh = std::min<std::uint64_t>(all - marked_, told.size());
+  for (auto event = told.end() - static_cast<std::ptrdiff_t>(fresh); event != told.end(); ++event) {
+    const bool fault = is_fault(*event);
+    const bool good = event->is<events::SlavesInSync>() || event->is<events::MasterInSync>() ||
+                      event->is<events::SlaveFound>() || event->is<events::LinkUp>();
+    if (!fault && !good) continue;
+    const EventMark mark{event->time, fault};
+    marks_.insert(std::ranges::upper_bound(marks_, mark.time, {}, &EventMark::time), mark);
+  }
+  if (marks_.size() > RunRecord::kMostEvents) {
+    marks_.erase(marks_.begin(), marks_.end() - static_cast<std::ptrdiff_t>(RunRecord::kMostEvents));
+  }
+  marked_ = all;
+  for (auto* panel : panels_) panel->plot()->markDirty();
 }
 
 void LiveStrip::refresh() {
@@ -96,6 +134,7 @@ void LiveStrip::tick() {
     showState();
   }
   ++ticks_;
+  collectMarks();
   for (auto* panel : panels_) panel->plot()->refresh();
 }
 

@@ -5,7 +5,9 @@
 #include <QTimer>
 #include <QWidget>
 #include <array>
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include "record/run_record.h"
 #include "ui/plots/trace_panel.h"
@@ -26,11 +28,14 @@ class LiveStrip : public QWidget {
   ~LiveStrip() override;
 
   /// What is drawn; null: nothing. It must outlive the strip or be replaced.
-  void setRecord(const RunRecord* record);
+  /// Of a recording all is shown at first, and nothing is followed.
+  void setRecord(const RunRecord* record, bool recorded = false);
   /// Colours from the palette that is set now; palette changes call it by themselves.
   void applyTheme();
   /// The slave that the deviation and SM2 plots draw in any case; -1 = only the worst.
   void setPickedSlave(int position);
+  /// Puts a moment into the middle of the plots, with cursor A on it.
+  void goTo(Nanoseconds time);
 
   /// One redraw, as the tick does; for tests and pictures.
   void refresh();
@@ -44,6 +49,10 @@ class LiveStrip : public QWidget {
   /// The three plots with a caption, in light colours whatever the theme is.
   [[nodiscard]] QImage picture(double scale);
 
+ Q_SIGNALS:
+  /// The mark of an event was clicked.
+  void eventClicked(syncline::Nanoseconds time);
+
  protected:
   void showEvent(QShowEvent* event) override;
   void hideEvent(QHideEvent* event) override;
@@ -53,6 +62,7 @@ class LiveStrip : public QWidget {
  private:
   void tick();
   void showState();
+  void collectMarks();
   [[nodiscard]] bool hasSamples() const { return record_ != nullptr && !record_->samples().empty(); }
   void openMenu(const QPoint& global, Nanoseconds time);
   void exportCsv();
@@ -69,6 +79,8 @@ class LiveStrip : public QWidget {
   std::array<TracePanel*, 3> panels_{};
   QTimer tick_;
   unsigned ticks_ = 0;
+  std::vector<EventMark> marks_;  // of the record's events, by time
+  std::uint64_t marked_ = 0;      // events that were looked at
   bool text_wanted_ = false;
 };
 

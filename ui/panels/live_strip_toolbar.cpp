@@ -76,10 +76,16 @@ void LiveStripToolbar::showState() {
   for (const auto& length : lengths_) length.button->setChecked(view_->span() == length.span);
   live_->setChecked(view_->mode() == Mode::kLive);
   freeze_->setChecked(view_->mode() == Mode::kFrozen);
+  const bool follows = view_->isFollowable();
+  for (auto* button : {live_, freeze_}) button->setEnabled(follows);
+  live_->setToolTip(follows ? tr("Follow the newest sample (End)") : tr("A recording has no newest sample to follow"));
+  freeze_->setToolTip(follows ? tr("Stop the picture, not the acquisition (Space)") : tr("A recording stands still"));
   measure_->setChecked(cursors_->any());
   QString text;
   auto tone = theme::Tone::kNeutral;
-  if (view_->mode() != Mode::kLive) {
+  if (!follows) {
+    text = tr("Recording");
+  } else if (view_->mode() != Mode::kLive) {
     const auto behind =
         timeText(std::max<Nanoseconds>(view_->behind(), 0) / (100 * kMillisecond) * (100 * kMillisecond));
     text = (view_->mode() == Mode::kFrozen ? tr("Frozen, %1 behind") : tr("History, %1 behind")).arg(behind);

@@ -9,6 +9,7 @@
 #include <QTableView>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <cstdlib>
 
 #include "ui/models/message_model.h"
 #include "ui/theme/theme.h"
@@ -80,6 +81,8 @@ MessagesPanel::MessagesPanel(MessageModel& model, QWidget* parent) : QWidget(par
   table_->setColumnWidth(MessageModel::kSource, 150);
   stretchColumn(*table_, MessageModel::kText);
   connect(table_, &QTableView::activated, this, [this](const QModelIndex& index) {
+    if (const auto moment = index.data(MessageModel::kMomentRole).toLongLong(); moment != 0)
+      Q_EMIT momentActivated(moment);
     Q_EMIT placeActivated(index.data(MessageModel::kSlaveRole).toInt(), index.data(MessageModel::kKeyRole).toString());
   });
   layout->addWidget(table_, 1);
@@ -87,6 +90,20 @@ MessagesPanel::MessagesPanel(MessageModel& model, QWidget* parent) : QWidget(par
   connect(&model_, &QAbstractItemModel::rowsRemoved, this, &MessagesPanel::updateCounts);
   drawIcons();
   updateCounts();
+}
+
+void MessagesPanel::selectMoment(qint64 moment) {
+  int best = -1;
+  qint64 distance = 0;
+  for (int row = 0; row < filter_->rowCount(); ++row) {
+    const auto at = filter_->index(row, 0).data(MessageModel::kMomentRole).toLongLong();
+    if (at == 0 || (best >= 0 && std::llabs(at - moment) >= distance)) continue;
+    best = row;
+    distance = std::llabs(at - moment);
+  }
+  if (best < 0) return;
+  table_->selectRow(best);
+  table_->scrollTo(filter_->index(best, 0), QAbstractItemView::PositionAtCenter);
 }
 
 QToolButton* MessagesPanel::addSwitch(Severity severity, const char* object_name) {

@@ -21,11 +21,15 @@ class MessagesPanel final : public QWidget {
  public:
   explicit MessagesPanel(MessageModel& model, QWidget* parent = nullptr);
 
+  /// Selects the line of the event nearest to a moment of the run.
+  void selectMoment(qint64 moment);
   [[nodiscard]] QSize sizeHint() const override { return {800, 128}; }
 
  Q_SIGNALS:
   /// `key`: of the setting that the line is about; may be empty.
   void placeActivated(int slave, const QString& key);
+  /// The line is about this moment of the run (host clock, ns).
+  void momentActivated(qint64 moment);
 
  protected:
   void changeEvent(QEvent* event) override;

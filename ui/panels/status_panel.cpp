@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/status_panel.h"
 
+#include <QFileInfo>
 #include <QLabel>
+#include <QLocale>
 #include <QStatusBar>
+#include <QStorageInfo>
 #include <algorithm>
 
 #include "ui/session/workspace.h"
 #include "ui/text/glossary.h"
 #include "ui/text/link_text.h"
+#include "ui/text/recorded_text.h"
 #include "ui/text/sync_text.h"
 #include "ui/text/units.h"
 #include "ui/widgets/named.h"
@@ -16,7 +20,8 @@
 namespace syncline::ui {
 namespace {
 
-StateText phaseText(const LiveSession& live) {
+StateText phaseText(const LiveSession& live, bool recorded) {
+  if (recorded) return {theme::Tone::kBusy, StatusPanel::tr("Recording")};
   switch (live.phase()) {
     case LiveSession::Phase::kOffline:
       return {theme::Tone::kNeutral, StatusPanel::tr("Offline")};
@@ -38,6 +43,7 @@ StatusPanel::StatusPanel(Workspace& workspace, QStatusBar& bar) : QObject(&bar),
   phase_ = addState(bar, "statusPhase", tr("Connection"), tr("Whether the master runs, and the link carries frames"));
   link_ = addField(bar, "statusLink", tr("Link"), tr("What the bus is connected through"));
   slaves_ = addField(bar, "statusSlaves", tr("Slaves"), tr("Slaves in the master's state, of all configured"));
+  recording_ = addState(bar, "statusRecording", tr("Recording"), {});
   auto* gap = new QLabel;
   bar.addWidget(gap, 1);
   dc_ = addState(bar, "statusDc", tr("Slaves in sync"),
@@ -51,6 +57,8 @@ StatusPanel::StatusPanel(Workspace& workspace, QStatusBar& bar) : QObject(&bar),
                         "for; samples the display could not take"));
   connect(&workspace.live(), &LiveSession::snapshotChanged, this, &StatusPanel::refresh);
   connect(&workspace.live(), &LiveSession::phaseChanged, this, &StatusPanel::refresh);
+  connect(&workspace.recording(), &OpenedRecording::changed, this, &StatusPanel::refresh);
+  connect(&workspace.disk(), &DiskRecording::changed, this, &StatusPanel::refresh);
   connect(&workspace, &Workspace::linkChanged, this, &StatusPanel::refresh);
   connect(&workspace.document(), &ProjectDocument::projectChanged, this, &StatusPanel::refresh);
   refresh();
@@ -78,7 +86,7 @@ void StatusPanel::refresh() {
   const auto& live = workspace_.live();
   const auto& snapshot = live.snapshot();
   const auto& project = workspace_.document().project();
-  const auto phase = phaseText(live);
+  const auto phase = phaseText(live, workspace_.recording().isOpen());
   phase_->setState(phase.tone, phase.text);
   const auto link = workspace_.link();
   link_->setText(link.isEmpty() ? tr("No link chosen") : linkName(link, workspace_.environment().demo_link));
@@ -105,6 +113,27 @@ void StatusPanel::refresh() {
           .arg(countText(snapshot.lost_frames), countText(snapshot.late_frames), countText(snapshot.skipped_cycles));
   if (dropped > 0) losses += tr("  Dropped %1").arg(countText(dropped));
   losses_->setText(losses);
+  showRecording();
+}
+
+/// While a file is written: for how long, its size, and what the disk has left.
+void StatusPanel::showRecording() {
+  const auto& disk = workspace_.disk();
+  recording_->setVisible(disk.isRecording());
+  if (!disk.isRecording()) return;
+  recording_->setState(disk.lostSamples() > 0 ? theme::Tone::kWarning : theme::Tone::kBusy,
+                       tr("Recording %1").arg(spanText(disk.duration())));
+  // The disk is asked once a second.
+  const auto second = disk.duration() / kSecond;
+  if (second == shown_second_ && !recording_->toolTip().isEmpty()) return;
+  shown_second_ = second;
+  const QLocale locale;
+  auto tip = tr("%1\n%2 written, %3 left on the disk")
+                 .arg(disk.path(), locale.formattedDataSize(disk.bytes()),
+                      locale.formattedDataSize(QStorageInfo(QFileInfo(disk.path()).path()).bytesAvailable()));
+  if (disk.lostSamples() > 0)
+    tip += tr("\n%1 cycles are missing in it: the disk was too slow").arg(countText(disk.lostSamples()));
+  recording_->setToolTip(tip);
 }
 
 }  // namespace syncline::ui

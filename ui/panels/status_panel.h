@@ -22,10 +22,12 @@ class StatusPanel final : public QObject {
   QLabel* addField(QStatusBar& bar, const char* object_name, const QString& accessible, const QString& tool_tip);
   Pill* addState(QStatusBar& bar, const char* object_name, const QString& accessible, const QString& tool_tip);
   void refresh();
+  void showRecording();
 
   Workspace& workspace_;
+  qint64 shown_second_ = -1;
   QLabel *link_, *slaves_, *drift_, *cycle_, *losses_;
-  Pill *phase_, *dc_, *dcm_;
+  Pill *phase_, *dc_, *dcm_, *recording_;
 };
 
 }  // namespace syncline::ui

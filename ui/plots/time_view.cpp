@@ -41,13 +41,23 @@ void TimeView::showAll() {
   moveTo(last_);
 }
 
-void TimeView::goLive() {
-  end_ = last_;
-  setMode(Mode::kLive);
+void TimeView::setFollowable(bool followable) {
+  followable_ = followable;
+  setMode(followable ? Mode::kLive : Mode::kHistory);
   Q_EMIT changed();
 }
 
-void TimeView::freeze() { setMode(Mode::kFrozen); }
+void TimeView::goLive() {
+  end_ = last_;
+  setMode(followable_ ? Mode::kLive : Mode::kHistory);
+  Q_EMIT changed();
+}
+
+void TimeView::freeze() {
+  if (followable_) setMode(Mode::kFrozen);
+}
+
+void TimeView::goTo(Nanoseconds time) { moveTo(time + span_ / 2); }
 
 void TimeView::goToStart() { moveTo(first_ + span_); }
 

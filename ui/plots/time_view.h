@@ -17,7 +17,7 @@ class TimeView final : public QObject {
   enum class Mode { kLive, kHistory, kFrozen };
   Q_ENUM(Mode)
   static constexpr Nanoseconds kMinSpan = 10 * kMicrosecond;
-  static constexpr Nanoseconds kMaxSpan = 3600 * kSecond;
+  static constexpr Nanoseconds kMaxSpan = 7 * 24 * 3600 * kSecond;
 
   using QObject::QObject;
 
@@ -25,6 +25,9 @@ class TimeView final : public QObject {
   void setBounds(Nanoseconds first, Nanoseconds last);
   /// Following again from an empty store; the span stays.
   void reset();
+  /// Whether there is a now: a recording has none, and nothing of it is followed or frozen.
+  void setFollowable(bool followable);
+  [[nodiscard]] bool isFollowable() const { return followable_; }
 
   [[nodiscard]] Mode mode() const { return mode_; }
   [[nodiscard]] Nanoseconds begin() const { return end_ - span_; }
@@ -44,6 +47,8 @@ class TimeView final : public QObject {
   void goLive();
   void freeze();
   void goToStart();
+  /// Puts it in the middle; leaves following.
+  void goTo(Nanoseconds time);
 
  Q_SIGNALS:
   void changed();
@@ -54,6 +59,7 @@ class TimeView final : public QObject {
   void moveTo(Nanoseconds end);
 
   Mode mode_ = Mode::kLive;
+  bool followable_ = true;
   Nanoseconds span_ = 10 * kSecond;
   Nanoseconds end_ = 0, first_ = 0, last_ = 0;
 };

@@ -49,6 +49,9 @@ TracePanel::TracePanel(const QString& title, const TracePlot::Options& options, 
 
 void TracePanel::setSource(const RunRecord* source) {
   source_ = source;
+  const auto* samples = source == nullptr ? nullptr : &source->samples();
+  plot_->gaps().setSeries(samples == nullptr ? nullptr : &samples->series(Signal::kRoundTrip),
+                          samples == nullptr ? 0 : samples->longest_gap(Signal::kRoundTrip));
   attach();
   colorItems();
   plot_->fitValues();

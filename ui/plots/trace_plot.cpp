@@ -55,6 +55,8 @@ TracePlot::TracePlot(const Options& options, TimeView* view, CursorSet* cursors,
       lines_(new QwtPlotGrid),
       band_(new LimitBandItem),
       cursor_item_(new CursorItem(cursors)),
+      gaps_(new GapItem),
+      marks_(new EventMarksItem),
       time_draw_(new UnitScaleDraw),
       value_draw_(new UnitScaleDraw),
       range_(options.minimum_span, options.with_zero) {
@@ -86,7 +88,8 @@ TracePlot::TracePlot(const Options& options, TimeView* view, CursorSet* cursors,
   axisWidget(QwtPlot::yLeft)->setMinBorderDist(kBorder, kBorder);
   axisWidget(QwtPlot::xBottom)->setMinBorderDist(kBorder, 2 * kBorder);
   for (QwtPlotItem* item :
-       {static_cast<QwtPlotItem*>(lines_), static_cast<QwtPlotItem*>(band_), static_cast<QwtPlotItem*>(cursor_item_)}) {
+       {static_cast<QwtPlotItem*>(lines_), static_cast<QwtPlotItem*>(band_), static_cast<QwtPlotItem*>(cursor_item_),
+        static_cast<QwtPlotItem*>(gaps_), static_cast<QwtPlotItem*>(marks_)}) {
     item->attach(this);
   }
   connect(view_, &TimeView::changed, this, &TracePlot::markDirty);
@@ -119,6 +122,8 @@ void TracePlot::applyTheme() {
   band_->setColors(plot_colors::limitFill(palette()), plot_colors::limitLine(palette()),
                    palette().color(QPalette::Base));
   cursor_item_->setColors(plot_colors::cursor(palette()), palette().color(QPalette::Base));
+  gaps_->setColor(plot_colors::grid(palette()));
+  marks_->setColors(theme::toneColor(palette(), theme::Tone::kBad), theme::toneColor(palette(), theme::Tone::kGood));
   auto axis_palette = palette();
   axis_palette.setColor(QPalette::WindowText, plot_colors::envelope(palette()));
   axis_palette.setColor(QPalette::Text, theme::mutedText(palette()));
@@ -165,6 +170,8 @@ void TracePlot::prepare() {
   // The pointer stays where it is on the screen while the data pass below it.
   if (pointer_x_) cursors_->setPointer(timeAt(*pointer_x_));
   cursor_item_->prepare(grid_);
+  gaps_->prepare(grid_);
+  marks_->prepare(grid_);
   if (const double limit = band_->limit(); limit > 0 && low <= high) {
     if (limit <= kLimitWithin * std::max(std::abs(low), std::abs(high))) {
       low = std::min(low, -limit);
@@ -268,6 +275,7 @@ bool TracePlot::mouseEvent(QEvent* event) {
       drag(static_cast<QMouseEvent*>(event)->position().x());
       return false;
     case QEvent::MouseButtonRelease:
+      release(static_cast<QMouseEvent*>(event)->position().x());
       drag_ = Drag::kNone;
       canvas()->setCursor(Qt::CrossCursor);
       return false;
@@ -303,7 +311,7 @@ void TracePlot::wheel(const QWheelEvent& event) {
 
 void TracePlot::grab(double x) {
   drag_ = Drag::kPan;
-  drag_x_ = x;
+  drag_x_ = grab_x_ = x;
   const auto reach =
       static_cast<Nanoseconds>(kGrabDistance * static_cast<double>(grid_.width) * canvas()->devicePixelRatioF());
   for (const auto which : {CursorSet::kA, CursorSet::kB}) {
@@ -312,6 +320,14 @@ void TracePlot::grab(double x) {
       drag_ = which == CursorSet::kA ? Drag::kCursorA : Drag::kCursorB;
   }
   canvas()->setCursor(drag_ == Drag::kPan ? Qt::ClosedHandCursor : Qt::SplitHCursor);
+}
+
+/// A click that moved nothing goes to the event below it.
+void TracePlot::release(double x) {
+  if (drag_ != Drag::kPan || x != grab_x_) return;
+  const auto reach =
+      static_cast<Nanoseconds>(kGrabDistance * static_cast<double>(grid_.width) * canvas()->devicePixelRatioF());
+  if (const auto mark = marks_->nearest(timeAt(x), reach)) Q_EMIT eventClicked(mark->time);
 }
 
 void TracePlot::drag(double x) {

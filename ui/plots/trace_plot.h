@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "ui/plots/cursor_item.h"
+#include "ui/plots/event_marks_item.h"
+#include "ui/plots/gap_item.h"
 #include "ui/plots/limit_band_item.h"
 #include "ui/plots/series_item.h"
 #include "ui/plots/slow_range.h"
@@ -42,6 +44,9 @@ class TracePlot final : public QwtPlot {
   SeriesItem* addItem(const QString& title, SeriesItem::Shape shape);
   void setLimit(double limit, const QString& label);
   void applyTheme();
+  /// What hatches the outages, and what marks the events.
+  [[nodiscard]] GapItem& gaps() { return *gaps_; }
+  [[nodiscard]] EventMarksItem& marks() { return *marks_; }
 
   void markDirty() { dirty_ = true; }
   /// Redraws when dirty and on screen; true when it did.
@@ -61,6 +66,8 @@ class TracePlot final : public QwtPlot {
 
  Q_SIGNALS:
   void menuRequested(const QPoint& global, syncline::Nanoseconds time);
+  /// The mark of an event was clicked.
+  void eventClicked(syncline::Nanoseconds time);
 
  protected:
   void drawCanvas(QPainter* painter) override;
@@ -78,6 +85,7 @@ class TracePlot final : public QwtPlot {
   void wheel(const QWheelEvent& event);
   void drag(double x);
   void grab(double x);
+  void release(double x);
 
   Options options_;
   TimeView* view_;
@@ -85,6 +93,8 @@ class TracePlot final : public QwtPlot {
   QwtPlotGrid* lines_;
   LimitBandItem* band_;
   CursorItem* cursor_item_;
+  GapItem* gaps_;
+  EventMarksItem* marks_;
   UnitScaleDraw *time_draw_, *value_draw_;
   std::vector<SeriesItem*> items_;
   SlowRange range_;
@@ -92,7 +102,7 @@ class TracePlot final : public QwtPlot {
   bool dirty_ = true;
   std::uint64_t paints_ = 0;
   enum class Drag { kNone, kPan, kCursorA, kCursorB } drag_ = Drag::kNone;
-  double drag_x_ = 0;
+  double drag_x_ = 0, grab_x_ = 0;
   std::optional<double> pointer_x_;
 };
 

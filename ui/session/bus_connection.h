@@ -6,12 +6,14 @@
 #include <atomic>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "channels/background_master.h"
 #include "channels/event.h"
 #include "channels/values/bus_scan.h"
 #include "config/project.h"
+#include "record/recording.h"
 #include "support/result.h"
 #include "ui/session/eeprom_repair.h"
 
@@ -51,6 +53,8 @@ struct Environment {
   EepromRepairs eeprom_repairs{};  // none: nothing is offered
   QString recovery_folder{};       // for unsaved work; "" = none is kept
   QString settings_file{};         // for what the window remembers; "" = nothing
+  /// An event as recordings hold it; none: recordings hold no events.
+  std::function<std::optional<RecordedEvent>(const Event&)> record_event{};
 };
 
 }  // namespace syncline::ui

@@ -34,6 +34,8 @@ FileKind fileKind(const QString& path) {
   if (!file.open(QIODevice::ReadOnly)) return FileKind::kUnreadable;
   const auto begin = file.read(kBeginning);
   if (isCapture(begin)) return FileKind::kCapture;
+  if (begin.startsWith("SQLite format 3") || path.endsWith(QStringLiteral(".slrec"), Qt::CaseInsensitive))
+    return FileKind::kRecording;
   const auto root = rootElement(begin);
   if (root == QStringLiteral("SynclineProject")) return FileKind::kProject;
   if (root == QStringLiteral("EtherCATConfig")) return FileKind::kEni;

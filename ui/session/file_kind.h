@@ -11,6 +11,7 @@ enum class FileKind : unsigned char {
   kEni,
   kEsi,
   kCapture,     // pcap, pcapng
+  kRecording,   // of a run, or a database of another program: it is said which
   kScenario,    // of the simulated bus
   kController,  // log of the master synchronisation
   kOther,       // XML of another kind, or anything

@@ -72,6 +72,10 @@ void LiveSession::clearStatistics() {
   if (master_) send(ClearStatisticsCommand{});
 }
 
+void LiveSession::arm() {
+  if (record_) record_->arm();
+}
+
 void LiveSession::configureDcm(const DcmSettings& settings) {
   if (master_) send(ConfigureDcmCommand{settings});
 }

@@ -38,6 +38,8 @@ class LiveSession final : public QObject {
   void shutDown();
   void requestState(AlState state);
   void clearStatistics();
+  /// Figures and faults of the overview begin anew.
+  void arm();
   /// Other parameters for the running master synchronisation; what it refuses comes as an event.
   void configureDcm(const DcmSettings& settings);
 

@@ -7,6 +7,7 @@
 #include "findings/fold.h"
 #include "ui/text/event_text.h"
 #include "ui/text/finding_text.h"
+#include "ui/text/recorded_text.h"
 
 namespace syncline::ui {
 namespace {
@@ -27,7 +28,8 @@ Workspace::Workspace(Environment environment, QObject* parent)
       eeprom_repair_(environment_.eeprom_repairs),
       live_(environment_.open_master),
       run_difference_(document_, configuration_, live_),
-      run_findings_(live_) {
+      run_findings_(live_),
+      disk_(live_, run_findings_, run_difference_, environment_) {
   network_.setProject(document_.project());
   connect(&document_, &ProjectDocument::projectChanged, this, [this] {
     network_.setProject(document_.project());
@@ -42,6 +44,7 @@ Workspace::Workspace(Environment environment, QObject* parent)
     if (auto message = messageOf(event, live_.record()->config())) messages_.append(std::move(*message));
   });
   connect(&run_findings_, &RunFindings::findingsChanged, this, [this] { showRunFindings(); });
+  connect(&recording_, &OpenedRecording::changed, this, &Workspace::showRecording);
   connect(&autosave_, &Autosave::failed, this,
           [this](const Error& error) { report(error, Severity::kWarning, tr("Unsaved work is not kept")); });
   connect(&scan_, &ScanController::eventArrived, this, [this](const Event& event) {
@@ -65,7 +68,23 @@ void Workspace::setLink(const QString& link) {
   Q_EMIT linkChanged();
 }
 
+const RunRecord* Workspace::shownRecord() const {
+  return recording_.isOpen() ? recording_.run().record.get() : live_.record();
+}
+
+/// Its events and findings in place of those of the run, which come back when it is closed.
+void Workspace::showRecording() {
+  if (recording_.isOpen()) {
+    messages_.showOther(messagesOf(recording_.run()));
+  } else {
+    messages_.showOwn();
+  }
+  showRunFindings();
+}
+
 Status Workspace::goOnline() {
+  if (recording_.isOpen())
+    return fail(ErrorCode::kNotSupported, "online", "a recording is shown: close it first (File, Close Recording)");
   const auto& compiled = configuration_.current();
   if (!compiled) return tl::unexpected(compiled.error());
   const auto worst = std::ranges::find(compiled->findings, Severity::kError, &Finding::severity);
@@ -84,7 +103,8 @@ void Workspace::inform(const QString& source, const QString& text) {
 /// What many slaves have alike is one row, at the first of them.
 void Workspace::showRunFindings() {
   std::vector<Finding> rows;
-  for (auto& [finding, slaves] : folded(run_findings_.findings())) rows.push_back(std::move(finding));
+  const auto found = recording_.isOpen() ? recording_.run().record->findings() : run_findings_.findings();
+  for (auto& [finding, slaves] : folded(found)) rows.push_back(std::move(finding));
   findings_.setFindings(rows);
 }
 

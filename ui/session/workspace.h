@@ -9,8 +9,10 @@
 #include "ui/session/autosave.h"
 #include "ui/session/bus_connection.h"
 #include "ui/session/configuration_monitor.h"
+#include "ui/session/disk_recording.h"
 #include "ui/session/eeprom_repair.h"
 #include "ui/session/live_session.h"
+#include "ui/session/opened_recording.h"
 #include "ui/session/project_document.h"
 #include "ui/session/run_difference.h"
 #include "ui/session/run_findings.h"
@@ -38,6 +40,12 @@ class Workspace final : public QObject {
   [[nodiscard]] RunDifference& runDifference() { return run_difference_; }
   [[nodiscard]] WindowMemory& memory() { return memory_; }
   [[nodiscard]] RunFindings& runFindings() { return run_findings_; }
+  /// What is kept of the running machine on disk.
+  [[nodiscard]] DiskRecording& disk() { return disk_; }
+  /// A recording that is shown in place of the live run, while nothing runs.
+  [[nodiscard]] OpenedRecording& recording() { return recording_; }
+  /// What plots and figures show: the recording that is open, else the run; null before the first.
+  [[nodiscard]] const RunRecord* shownRecord() const;
   [[nodiscard]] FindingModel& findings() { return findings_; }
   [[nodiscard]] MessageModel& messages() { return messages_; }
   [[nodiscard]] NetworkModel& network() { return network_; }
@@ -52,7 +60,8 @@ class Workspace final : public QObject {
   [[nodiscard]] bool expert() const { return expert_; }
   void setExpert(bool expert);
 
-  /// Compiles and starts; a configuration with errors is refused (the messages name them).
+  /// Compiles and starts; a configuration with errors is refused (the messages name them), and while a recording is
+  /// shown, too.
   Status goOnline();
   /// A line in the message window.
   void report(const Error& error, Severity severity, const QString& source);
@@ -66,6 +75,7 @@ class Workspace final : public QObject {
   void showFindings();
   void tellOfScan(const QString& link, const ScanOutcome& outcome);
   void showRunFindings();
+  void showRecording();
 
   Environment environment_;
   WindowMemory memory_;
@@ -79,6 +89,8 @@ class Workspace final : public QObject {
   LiveSession live_;
   RunDifference run_difference_;
   RunFindings run_findings_;
+  DiskRecording disk_;
+  OpenedRecording recording_;
   FindingModel findings_;
   MessageModel messages_;
   NetworkModel network_;

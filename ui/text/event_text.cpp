@@ -294,6 +294,7 @@ std::optional<Message> messageIn(const Event& event, const Network& network) {
   auto message = std::visit(EventWords(event.slave), event.what);
   if (!message) return std::nullopt;
   message->time = dateTimeOf(event.time);
+  message->moment = event.time;
   message->slave = event.slave;
   message->source = nodeName(network, event.slave);
   return message;

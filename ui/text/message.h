@@ -17,8 +17,9 @@ struct Message {
   Severity severity = Severity::kNote;
   QString source;  // "Master", "Slave_1002", "Configuration", "Scan" ...
   QString text;
-  int slave = -1;  // node to go to, -1 = master
-  QString key;     // settings key of a finding
+  int slave = -1;     // node to go to, -1 = master
+  QString key;        // settings key of a finding
+  qint64 moment = 0;  // host clock, ns: of an event of a run; 0: none
 };
 
 }  // namespace syncline::ui

@@ -17,6 +17,7 @@
 #include "record/recorder.h"
 #include "record/recording_reader.h"
 #include "record/replay_run.h"
+#include "record/typed_values.h"
 #include "support/whole_file.h"
 #include "tests/core/record/made_samples.h"
 #include "tests/support/temporary_folder.h"
@@ -208,6 +209,137 @@ TEST_F(RecordingFile, ReplaysWhatWasDrawn) {
   }
   config.slaves.resize(2);
   EXPECT_FALSE(replay_run(*reader, config));
+}
+
+/// Events, figures, faults and findings are those that the run had.
+TEST_F(RecordingFile, ReplaysWhatWasToldAndFound) {
+  NetworkConfig config;
+  config.slaves.resize(3);
+  RunRecord live(config);
+  auto recorder = start();
+  test::MadeSamples made(5);
+  std::vector<Finding> findings;
+  for (int i = 0; i < 80; ++i) {
+    const auto samples = made.next(100);
+    const auto now = snapshot(samples.back().send_time, 0);
+    recorder->add(samples);
+    recorder->add(now);
+    live.add(samples);
+    live.add(now);
+    if (i % 9 != 0) continue;
+    const Event event{samples[50].send_time, i % 3,
+                      i % 2 == 0 ? EventDetails(events::SlaveLost{}) : EventDetails(events::WkcError{9, 6, 2})};
+    recorder->add(RecordedEvent{event.time, event.slave, "kind", "words", encode_event(event.what)});
+    live.add(event);
+    findings = {Finding{all_finding_words()[static_cast<std::size_t>(i)].code, Severity::kWarning, Place(1)}};
+    findings.front().figures = {{"count", Figure::Unit::kCount, i}};
+    recorder->tell(recorded(findings));
+  }
+  recorder->add(RecordedEvent{1, -1, "kind", "of which only the words are known"});
+  ASSERT_TRUE(recorder->finish("end of the run", recorded(findings)));
+  auto reader = RecordingReader::open(path());
+  ASSERT_TRUE(reader);
+  const auto replayed = replay_run(*reader, config);
+  ASSERT_TRUE(replayed) << replayed.error().detail;
+  EXPECT_TRUE(replayed->only_words);
+  ASSERT_EQ(replayed->record->events().size(), live.events().size());
+  for (std::size_t i = 0; i < live.events().size(); ++i) {
+    const auto &was = live.events()[i], &is = replayed->record->events()[i];
+    EXPECT_EQ(is.time, was.time);
+    EXPECT_EQ(is.slave, was.slave);
+    EXPECT_EQ(encode_event(is.what), encode_event(was.what));
+  }
+  EXPECT_EQ(replayed->record->findings(), findings);
+  const auto &was = live.overview(), &is = replayed->record->overview();
+  ASSERT_TRUE(was.armed);
+  EXPECT_EQ(is.armed, was.armed);
+  EXPECT_EQ(is.deviation.statistics.mean(), was.deviation.statistics.mean());
+  EXPECT_EQ(is.deviation.statistics.rms(), was.deviation.statistics.rms());
+  EXPECT_EQ(is.dcm_error.magnitudes.percentile(0.9999), was.dcm_error.magnitudes.percentile(0.9999));
+  EXPECT_EQ(is.dcm_error.largest->time, was.dcm_error.largest->time);
+  EXPECT_EQ(is.missed.count, was.missed.count);
+  EXPECT_EQ(is.slaves.last_lost, was.slaves.last_lost);
+  EXPECT_EQ(is.master.since, was.master.since);
+  ASSERT_EQ(is.faults.episodes().size(), was.faults.episodes().size());
+  for (std::size_t i = 0; i < was.faults.episodes().size(); ++i) {
+    EXPECT_EQ(is.faults.episodes()[i].begin, was.faults.episodes()[i].begin);
+    EXPECT_EQ(is.faults.episodes()[i].faults.size(), was.faults.episodes()[i].faults.size());
+  }
+}
+
+TEST_F(RecordingFile, AReplaySaysHowFarItIsAndCanBeCancelled) {
+  make();
+  auto reader = RecordingReader::open(path());
+  NetworkConfig config;
+  config.slaves.resize(3);
+  std::vector<std::uint64_t> seen;
+  const auto stopped = replay_run(*reader, config, {.progress = [&](std::uint64_t done, std::uint64_t all) {
+    EXPECT_EQ(all, 4000U);
+    seen.push_back(done);
+    return seen.size() < 2;
+  }});
+  ASSERT_FALSE(stopped);
+  EXPECT_EQ(stopped.error().code, ErrorCode::kCancelled);
+  EXPECT_EQ(seen.size(), 2U);
+}
+
+/// What the program before this one has written lacks the values beside the words.
+TEST_F(RecordingFile, ReadsTheVersionBefore) {
+  auto recorder = start({.by_clock = false});
+  test::MadeSamples made(1);
+  recorder->add(made.next(500));
+  recorder->add(RecordedEvent{5, 1, "state", "slave 1: OP", encode_event(events::SlaveLost{})});
+  ASSERT_TRUE(recorder->finish("end", std::vector<RecordedFinding>{{"frames-lost", "warning", -1, "noise"}}));
+  ASSERT_TRUE(SqlDatabase::open(path())->execute(
+      "ALTER TABLE event DROP COLUMN details; ALTER TABLE finding DROP COLUMN details; PRAGMA user_version = 1"));
+  auto reader = RecordingReader::open(path());
+  ASSERT_TRUE(reader) << reader.error().detail;
+  const auto info = reader->info();
+  ASSERT_TRUE(info) << info.error().detail;
+  EXPECT_EQ(info->events, (std::vector<RecordedEvent>{{5, 1, "state", "slave 1: OP"}}));
+  EXPECT_EQ(info->findings.size(), 1U);
+  NetworkConfig config;
+  config.slaves.resize(3);
+  const auto replayed = replay_run(*reader, config);
+  ASSERT_TRUE(replayed);
+  EXPECT_TRUE(replayed->only_words);
+  EXPECT_TRUE(reader->verify());
+}
+
+/// Where the file is taken away, the recording says so instead of writing to nowhere.
+TEST_F(RecordingFile, EndsWhenTheFileIsGone) {
+  std::filesystem::create_directory(path("folder"));
+  auto recorder = start({.by_clock = false}, "folder/run.slrec");
+  test::MadeSamples made(3);
+  recorder->add(made.next(2000));
+  std::filesystem::remove_all(path("folder"));
+  for (int i = 0; i < 5; ++i) recorder->add(made.next(2000));
+  const auto status = recorder->finish();
+  EXPECT_FALSE(status);
+  EXPECT_EQ(stops_, 1);
+  ASSERT_TRUE(stop_.error);
+  EXPECT_EQ(stop_.error->code, ErrorCode::kFileNotWritable);
+}
+
+/// Killed, it has what was found up to the last commit.
+TEST_F(RecordingFile, FindingsAreCommittedWhileTheRunGoesOn) {
+  auto recorder = start({.commit_every = 20 * kMillisecond});
+  test::MadeSamples made(3);
+  const std::vector<Finding> findings{Finding{all_finding_words().front().code, Severity::kError, Place(2)}};
+  recorder->tell({{"old", "note", -1, "what it meant before"}});
+  recorder->add(made.next(100));
+  recorder->tell(recorded(findings));
+  recorder->add(made.next(100));
+  for (int i = 0; i < 500; ++i) {
+    auto reader = RecordingReader::open(path());
+    const auto info = reader ? reader->info() : Result<RecordingInfo>(tl::unexpected(reader.error()));
+    if (info && info->findings == recorded(findings)) break;
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  auto reader = RecordingReader::open(path());
+  ASSERT_TRUE(reader);
+  EXPECT_EQ(reader->info()->findings, recorded(findings));
+  EXPECT_FALSE(reader->info()->ended);
 }
 
 TEST_F(RecordingFile, TheSameRunGivesTheSameFile) {

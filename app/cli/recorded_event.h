@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "channels/event.h"
+#include "record/recording.h"
+
+namespace syncline::cli {
+
+/// As recordings hold it, in English; nothing for events that only programs care about.
+[[nodiscard]] std::optional<RecordedEvent> recorded_event(const Event& event);
+
+}  // namespace syncline::cli

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "record/recent_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include "record/recording_writer.h"
+
+namespace syncline {
+namespace {
+
+constexpr std::size_t kChunkCycles = 4096;
+constexpr std::uint64_t kBytesOfCycle = 100;       // in a file, and some
+constexpr std::uint64_t kLeaveFree = 64ULL << 20;  // of the disk
+constexpr std::size_t kHeldCapacity = 1;           // of cycles, of which there are none
+
+Status has_room(const std::string& path, std::size_t cycles) {
+  std::error_code error;
+  const auto folder = std::filesystem::absolute(path, error).parent_path();
+  const auto space = std::filesystem::space(folder, error);
+  if (error || space.available >= cycles * kBytesOfCycle + kLeaveFree) return {};
+  return fail(Error{.code = ErrorCode::kFileNotWritable,
+                    .detail = fmt::format("it needs about {} MiB, and the disk has {} MiB left",
+                                          (cycles * kBytesOfCycle + kLeaveFree) >> 20, space.available >> 20),
+                    .file = path});
+}
+
+Status write_all(RecordingWriter& writer, const RecentRun& run) {
+  auto event = run.events.begin();
+  for (const auto& chunk : run.samples) {
+    const auto begin = std::ranges::lower_bound(*chunk, run.from, {}, &CycleSample::send_time);
+    RecordingBatch batch;
+    batch.samples.assign(begin, chunk->end());
+    if (batch.samples.empty()) continue;
+    const auto until = batch.samples.back().send_time;
+    for (; event != run.events.end() && event->time <= until; ++event) batch.events.push_back(*event);
+    if (auto status = writer.write(batch); !status) return status;
+  }
+  RecordingBatch rest;
+  for (; event != run.events.end(); ++event) rest.events.push_back(*event);
+  if (!rest.empty()) {
+    if (auto status = writer.write(rest); !status) return status;
+  }
+  return writer.finish("the last stretch out of memory", run.findings);
+}
+
+}  // namespace
+
+RecentSamples::RecentSamples(std::size_t budget)
+    : most_chunks_(std::max<std::size_t>(budget / (kChunkCycles * sizeof(CycleSample)), 1)) {}
+
+void RecentSamples::add(std::span<const CycleSample> samples) {
+  while (!samples.empty()) {
+    if (open_.capacity() < kChunkCycles) open_.reserve(kChunkCycles);
+    const auto count = std::min(samples.size(), kChunkCycles - open_.size());
+    open_.insert(open_.end(), samples.begin(), samples.begin() + static_cast<std::ptrdiff_t>(count));
+    samples = samples.subspan(count);
+    if (open_.size() < kChunkCycles) return;
+    chunks_.push_back(std::make_shared<const std::vector<CycleSample>>(std::exchange(open_, {})));
+    if (chunks_.size() > most_chunks_) chunks_.pop_front();
+  }
+}
+
+void RecentSamples::clear() {
+  chunks_.clear();
+  open_.clear();
+}
+
+Nanoseconds RecentSamples::begin() const {
+  if (!chunks_.empty()) return chunks_.front()->front().send_time;
+  return open_.empty() ? 0 : open_.front().send_time;
+}
+
+Nanoseconds RecentSamples::span() const {
+  if (empty()) return 0;
+  return (open_.empty() ? chunks_.back()->back() : open_.back()).send_time - begin();
+}
+
+Nanoseconds RecentSamples::reach(Nanoseconds cycle_time) const {
+  return static_cast<Nanoseconds>(most_chunks_ * kChunkCycles) * cycle_time;
+}
+
+std::vector<RecentSamples::Chunk> RecentSamples::since(Nanoseconds from) const {
+  std::vector<Chunk> result;
+  for (const auto& chunk : chunks_) {
+    if (chunk->back().send_time >= from) result.push_back(chunk);
+  }
+  if (!open_.empty()) result.push_back(std::make_shared<const std::vector<CycleSample>>(open_));
+  return result;
+}
+
+std::unique_ptr<SampleStore> held_copy(const RunRecord& record) {
+  const auto& from = record.samples();
+  auto copy = std::make_unique<SampleStore>(
+      SampleStore::Layout{from.slave_count(), record.limits().cycle_time, kHeldCapacity, 0});
+  std::vector<Nanoseconds> times;
+  std::vector<float> values;
+  for (const auto& signal : signals()) {
+    if (signal.form != SignalInfo::Form::kHeld) continue;
+    const auto count = signal.scope == SignalInfo::Scope::kSlave ? from.slave_count() : 1;
+    for (std::size_t slave = 0; slave < count; ++slave) {
+      times.clear();
+      values.clear();
+      from.series(signal.id, slave).for_each(INT64_MIN, INT64_MAX, [&](Nanoseconds time, float value) {
+        times.push_back(time);
+        values.push_back(value);
+      });
+      if (!times.empty()) copy->restore(signal.id, slave, times, values, from.heard(signal.id, slave));
+    }
+  }
+  return copy;
+}
+
+Status save_recent(const std::string& path, const RecentRun& run) {
+  std::size_t cycles = 0;
+  for (const auto& chunk : run.samples) cycles += chunk->size();
+  if (auto status = has_room(path, cycles); !status) return status;
+  auto writer = RecordingWriter::create(path, run.about);
+  if (!writer) return tl::unexpected(writer.error());
+  writer->take_held_from(*run.held);
+  auto status = write_all(*writer, run);
+  if (status) return {};
+  // Half of it is none: what was there is still in memory.
+  for (const char* const beside : {"", "-wal", "-shm"}) {
+    std::error_code error;
+    std::filesystem::remove(path + beside, error);
+  }
+  return status;
+}
+
+}  // namespace syncline

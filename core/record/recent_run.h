@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "record/recording.h"
+#include "record/run_record.h"
+
+/// The last stretch of a run, every cycle of it, in memory: what was not recorded can be kept afterwards.
+namespace syncline {
+
+/// A ring of samples within a budget. For one thread; what since() gives is for any.
+class RecentSamples {
+ public:
+  using Chunk = std::shared_ptr<const std::vector<CycleSample>>;
+
+  /// Bytes; one chunk of cycles at least is kept.
+  explicit RecentSamples(std::size_t budget);
+  void add(std::span<const CycleSample> samples);
+  void clear();
+
+  [[nodiscard]] bool empty() const { return chunks_.empty() && open_.empty(); }
+  /// Host clock, of the oldest sample; 0 without any.
+  [[nodiscard]] Nanoseconds begin() const;
+  /// From the oldest to the newest.
+  [[nodiscard]] Nanoseconds span() const;
+  /// How long a stretch the budget holds.
+  [[nodiscard]] Nanoseconds reach(Nanoseconds cycle_time) const;
+  /// All that may have samples from `from` on, without copying those that are full.
+  [[nodiscard]] std::vector<Chunk> since(Nanoseconds from) const;
+
+ private:
+  std::size_t most_chunks_;
+  std::deque<Chunk> chunks_;
+  std::vector<CycleSample> open_;
+};
+
+/// What save_recent() writes: taken where the run lives, written in any thread.
+struct RecentRun {
+  RecordingAbout about;
+  Nanoseconds from = 0;  // host clock
+  std::vector<RecentSamples::Chunk> samples;
+  std::unique_ptr<SampleStore> held;  // see held_copy()
+  std::vector<RecordedEvent> events;  // from then on
+  std::vector<RecordedFinding> findings;
+};
+
+/// Counts and states of a run, and nothing else of it.
+[[nodiscard]] std::unique_ptr<SampleStore> held_copy(const RunRecord& record);
+
+/// A recording of it, in the calling thread. kFileNotWritable, also when there is a file of this name or the disk has
+/// no room for it; then there is none.
+[[nodiscard]] Status save_recent(const std::string& path, const RecentRun& run);
+
+}  // namespace syncline

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "trace/sync_overview.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "trace/signals.h"
+
+namespace syncline {
+namespace {
+
+void follow(SyncLamp& lamp, SyncState state, Nanoseconds time) {
+  if (lamp.since != 0 && lamp.state == state) return;
+  const bool lost = lamp.state == SyncState::kInSync &&
+                    (state == SyncState::kOutOfSync || state == SyncState::kUnknown || state == SyncState::kBusy);
+  if (lost) {
+    lamp.last_lost = time;
+    ++lamp.times_lost;
+  }
+  lamp.state = state;
+  lamp.since = time;
+}
+
+bool is_ready(SyncState state) { return !is_watched(state) || state == SyncState::kInSync; }
+
+bool is_run_in_op(const CycleSample& sample) { return static_cast<AlState>(sample.master_state) == AlState::kOp; }
+
+void note(OverviewFigure& figure, const CycleSample& sample, Signal signal, bool counts) {
+  const auto number = info(signal).of_cycle(sample);
+  if (!number) return;
+  const auto value = std::get<std::int64_t>(*number);
+  figure.now = {sample.send_time, value};
+  if (!counts) return;
+  const auto magnitude = std::abs(value);
+  figure.statistics.add(static_cast<double>(value));
+  figure.magnitudes.add(magnitude);
+  if (!figure.largest || magnitude > std::abs(figure.largest->value)) figure.largest = figure.now;
+}
+
+void begin_anew(OverviewFigure& figure) {
+  figure.statistics.clear();
+  figure.magnitudes.clear();
+  figure.largest.reset();
+}
+
+}  // namespace
+
+std::optional<double> OverviewFigure::margin(std::int64_t limit) const {
+  if (limit <= 0 || !largest) return std::nullopt;
+  return 1 - static_cast<double>(std::abs(largest->value)) / static_cast<double>(limit);
+}
+
+OverviewRecorder::OverviewRecorder(std::size_t slaves) : counters_(slaves) { overview_.missed.by_slave.resize(slaves); }
+
+void OverviewRecorder::add(std::span<const CycleSample> samples) {
+  for (const auto& sample : samples) add(sample);
+}
+
+void OverviewRecorder::add(const CycleSample& sample) {
+  if (!any_) overview_.begin = sample.send_time;
+  any_ = true;
+  overview_.end = sample.send_time;
+  follow(overview_.slaves, sample.slaves_sync, sample.send_time);
+  follow(overview_.master, sample.master_sync, sample.send_time);
+  if (!overview_.armed && is_run_in_op(sample) && is_ready(sample.slaves_sync) && is_ready(sample.master_sync)) {
+    arm_at(sample.send_time);
+  }
+  const bool counts = overview_.armed && is_run_in_op(sample);
+  note(overview_.deviation, sample, Signal::kDeviation, counts);
+  note(overview_.dcm_error, sample, Signal::kDcmError, counts);
+  add_missed(sample);
+}
+
+void OverviewRecorder::add_missed(const CycleSample& sample) {
+  if (sample.sm2_position < 0 || static_cast<std::size_t>(sample.sm2_position) >= counters_.size()) return;
+  const auto slave = static_cast<std::size_t>(sample.sm2_position);
+  auto& missed = overview_.missed;
+  missed.known = true;
+  const auto before = counters_[slave];
+  const auto now = sample.slave_sm2_missed;
+  counters_[slave] = now;
+  if (!before || !overview_.armed || now == *before) return;
+  const std::uint64_t more = now > *before ? now - *before : now;  // it was cleared: what it shows came since
+  if (more == 0) return;
+  missed.count += more;
+  missed.by_slave[slave] += more;
+  missed.last = sample.send_time;
+  overview_.faults.add_missed(sample.send_time, sample.sm2_position, more);
+}
+
+/// Before it is armed all is bring-up.
+void OverviewRecorder::add(const Event& event) {
+  if (overview_.armed) overview_.faults.add(event);
+}
+
+void OverviewRecorder::arm() {
+  if (any_) arm_at(overview_.end);
+}
+
+void OverviewRecorder::arm_at(Nanoseconds time) {
+  overview_.armed = time;
+  begin_anew(overview_.deviation);
+  begin_anew(overview_.dcm_error);
+  auto& missed = overview_.missed;
+  missed.count = 0;
+  missed.last.reset();
+  std::ranges::fill(missed.by_slave, 0);
+  overview_.faults.clear(time);
+}
+
+}  // namespace syncline

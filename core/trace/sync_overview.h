@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "channels/cycle_sample.h"
+#include "trace/fault_log.h"
+#include "trace/histogram.h"
+#include "trace/statistics.h"
+
+/// Whether the machine is in sync, since when, with how much margin, and what happened first: what one page shows of a
+/// run. Made of samples and events alone, so that a recording gives the same.
+namespace syncline {
+
+/// One of the two verdicts over time.
+struct SyncLamp {
+  SyncState state = SyncState::kNotReady;
+  Nanoseconds since = 0;                 // host clock: the state is the same since then
+  std::optional<Nanoseconds> last_lost;  // when it was left last: in sync before, and then not
+  std::uint64_t times_lost = 0;
+};
+
+/// A signal of every cycle as numbers; now at any time, the others since it was armed.
+struct OverviewFigure {
+  struct Reading {
+    Nanoseconds time = 0;  // host clock
+    std::int64_t value = 0;
+  };
+  std::optional<Reading> now;  // the latest valid one: whoever shows it looks at its age
+  Statistics statistics;       // signed where the signal is
+  Histogram magnitudes;
+  std::optional<Reading> largest;  // magnitude
+
+  /// Part of the limit that the largest magnitude has left, negative when it was exceeded; nothing without both.
+  [[nodiscard]] std::optional<double> margin(std::int64_t limit) const;
+};
+
+struct SyncOverview {
+  std::optional<Nanoseconds> armed;  // host clock; nothing: the machine has not been ready yet
+  Nanoseconds begin = 0, end = 0;    // of the samples
+  SyncLamp slaves, master;
+  OverviewFigure deviation;  // ns, largest of the slaves that follow the reference clock, a magnitude
+  OverviewFigure dcm_error;  // ns, signed
+  struct Missed {
+    std::uint64_t count = 0;  // SM2 events of all slaves since it was armed
+    std::optional<Nanoseconds> last;
+    std::vector<std::uint64_t> by_slave;
+    bool known = false;  // some slave has such a counter
+  } missed;
+  FaultLog faults;
+};
+
+/// Fills one; feed it everything that is drained, samples first. Bring-up is no part of the figures: they begin in OP,
+/// once whatever is watched is in sync.
+class OverviewRecorder {
+ public:
+  explicit OverviewRecorder(std::size_t slaves);
+  void add(std::span<const CycleSample> samples);
+  void add(const Event& event);
+  /// Figures and faults begin anew at the newest sample.
+  void arm();
+  [[nodiscard]] const SyncOverview& overview() const { return overview_; }
+
+ private:
+  void add(const CycleSample& sample);
+  void add_missed(const CycleSample& sample);
+  void arm_at(Nanoseconds time);
+
+  SyncOverview overview_;
+  std::vector<std::optional<std::uint32_t>> counters_;  // of missed SM2 events, as read last
+  bool any_ = false;
+};
+
+}  // namespace syncline

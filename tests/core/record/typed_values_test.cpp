@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "record/typed_values.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <set>
+#include <string>
+
+namespace syncline {
+namespace {
+
+TEST(TypedValues, EachKindOfEventComesBack) {
+  const std::vector<EventDetails> all = {
+      events::StateChanged{AlState::kSafeop, AlState::kOp},
+      events::AlStatusError{0x14, 0x1A},
+      events::HotConnect{events::HotConnect::What::kConnected, SharedText("tool changer")},
+      events::MasterOutOfSync{-12'345'678'901, dc::SyncObstacle::kLateFrames},
+      events::WkcError{6, 3, 1ULL << 40},
+      events::FramesLate{3, 12'345, 2},
+      events::LinkUp{SharedText("eth1"), 5 * kSecond},
+      events::Emergency{0xA12, 1, {1, 2, 3, 4, 255}, {0x539, 2, 3, 4}},
+      events::CableChanged{2, -1, true},
+      events::Failure{Error{ErrorCode::kSdoAbort, "slave 3", "no", "file", 7, -1, 0x06020000, 9}},
+      events::EventsLost{UINT64_MAX / 4},
+  };
+  for (const auto& what : all) {
+    const auto bytes = encode_event(what);
+    const auto back = decode_event(bytes);
+    ASSERT_TRUE(back);
+    EXPECT_EQ(back->index(), what.index());
+    EXPECT_EQ(encode_event(*back), bytes);
+  }
+  const auto failure = decode_event(encode_event(all[9]));
+  EXPECT_EQ(std::get<events::Failure>(*failure).error, std::get<events::Failure>(all[9]).error);
+  EXPECT_EQ(std::get<events::HotConnect>(*decode_event(encode_event(all[2]))).group.str(), "tool changer");
+}
+
+template <std::size_t index = 0>
+void each_kind_has_a_number_of_its_own(std::set<std::string>& seen) {
+  if constexpr (index < std::variant_size_v<EventDetails>) {
+    const EventDetails what = std::variant_alternative_t<index, EventDetails>{};
+    const auto bytes = encode_event(what);
+    EXPECT_TRUE(seen.insert(bytes.substr(0, 1)).second) << index;
+    const auto back = decode_event(bytes);
+    ASSERT_TRUE(back) << index;
+    EXPECT_EQ(back->index(), index);
+    each_kind_has_a_number_of_its_own<index + 1>(seen);
+  }
+}
+
+TEST(TypedValues, NoTwoKindsOfEventsShareANumber) {
+  std::set<std::string> seen;
+  each_kind_has_a_number_of_its_own(seen);
+}
+
+/// What an earlier program did not write yet stays as it is; what a later one has added is passed over.
+TEST(TypedValues, ShorterAndLongerOnesAreRead) {
+  const auto bytes = encode_event(events::WkcError{6, 3, 9});
+  const auto shorter = decode_event(std::string_view(bytes).substr(0, bytes.size() - 1));
+  ASSERT_TRUE(shorter);
+  EXPECT_EQ(std::get<events::WkcError>(*shorter).count, 1U);
+  const auto longer = decode_event(bytes + "new");
+  ASSERT_TRUE(longer);
+  EXPECT_EQ(std::get<events::WkcError>(*longer).count, 9U);
+}
+
+TEST(TypedValues, WhatIsNoneIsNothing) {
+  EXPECT_FALSE(decode_event(""));
+  EXPECT_FALSE(decode_event("\x7e"));                                              // no kind has this number
+  EXPECT_FALSE(decode_event(std::string("\x0a\x7e", 2)));                          // a state beyond the last
+  EXPECT_FALSE(decode_event(std::string("\x36\x7e", 2)));                          // a text longer than the bytes
+  EXPECT_FALSE(decode_event("\xff\xff\xff\xff\xff\xff\xff\xff\xff\xff\xff\xff"));  // no number ends
+  EXPECT_TRUE(rc::check([](const std::string& bytes) {
+    (void)decode_event(bytes);
+    (void)decode_finding(bytes);
+  }));
+}
+
+TEST(TypedValues, FindingsComeBackWithTheirWords) {
+  const auto words = all_finding_words();
+  for (const auto& row : words) {
+    Finding finding{row.code, Severity::kWarning, Place(3, "slave.3.dc.op_mode")};
+    finding.from = 5;
+    finding.to = 1LL << 60;
+    finding.figures = {{"count", Figure::Unit::kTimes, 3, 0, "at least"}, {"name", Figure::Unit::kText, 0, 0, "Servo"}};
+    finding.place.file = "run.xml";
+    finding.place.part = {PlaceKind::kSlaveInitCmd, 3, 4};
+    for (const auto& facts : row.facts) {
+      finding.facts = facts.text;
+      const auto back = decode_finding(encode_finding(finding));
+      ASSERT_TRUE(back) << row.code;
+      EXPECT_EQ(*back, finding);
+      EXPECT_EQ(describe(*back), describe(finding));
+    }
+  }
+}
+
+TEST(TypedValues, AFindingOfANewerProgramIsNone) {
+  EXPECT_FALSE(decode_finding(encode_finding(Finding{"no-such-code"})));
+  Finding finding{all_finding_words().front().code};
+  finding.facts = "A sentence that this program does not have.";
+  EXPECT_FALSE(decode_finding(encode_finding(finding)));
+}
+
+}  // namespace
+}  // namespace syncline

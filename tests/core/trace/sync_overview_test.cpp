@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "trace/sync_overview.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace syncline {
+namespace {
+
+constexpr Nanoseconds kStart = 830'000'000 * kSecond;
+Nanoseconds at(std::int64_t ms) { return kStart + ms * kMillisecond; }
+
+CycleSample sample(std::int64_t ms, SyncState state, std::uint32_t deviation = 10, std::int32_t error = 5) {
+  CycleSample s;
+  s.cycle = static_cast<std::uint64_t>(ms);
+  s.send_time = at(ms);
+  s.flags = CycleSample::kFollowersRead | CycleSample::kDcmActive | CycleSample::kReferenceValid;
+  s.master_state = static_cast<std::uint8_t>(AlState::kOp);
+  s.slaves_sync = s.master_sync = state;
+  s.deviation_ns = deviation;
+  s.dcm_error_ns = error;
+  return s;
+}
+void feed(OverviewRecorder& recorder, const CycleSample& one) { recorder.add(std::span(&one, 1)); }
+
+TEST(SyncOverview, BringUpIsNoPartOfTheFigures) {
+  OverviewRecorder recorder(2);
+  for (int ms = 0; ms < 100; ++ms) feed(recorder, sample(ms, SyncState::kBusy, 90'000, -70'000));
+  EXPECT_FALSE(recorder.overview().armed);
+  EXPECT_EQ(recorder.overview().deviation.statistics.count(), 0U);
+  EXPECT_EQ(recorder.overview().deviation.now->value, 90'000) << "it is shown all the same";
+  for (int ms = 100; ms < 200; ++ms) feed(recorder, sample(ms, SyncState::kInSync, 20, ms % 2 == 0 ? 40 : -40));
+  const auto& overview = recorder.overview();
+  EXPECT_EQ(overview.armed, at(100));
+  EXPECT_EQ(overview.deviation.statistics.count(), 100U);
+  EXPECT_EQ(overview.deviation.statistics.mean(), 20);
+  EXPECT_NEAR(overview.dcm_error.statistics.mean(), 0, 1e-9);
+  EXPECT_EQ(overview.dcm_error.statistics.rms(), 40);
+  EXPECT_EQ(overview.dcm_error.magnitudes.percentile(0.9999), 40);
+}
+
+TEST(SyncOverview, ALampSaysSinceWhenAndWhenItWasLost) {
+  OverviewRecorder recorder(1);
+  for (int ms = 0; ms < 10; ++ms) feed(recorder, sample(ms, SyncState::kBusy));
+  for (int ms = 10; ms < 20; ++ms) feed(recorder, sample(ms, SyncState::kInSync));
+  EXPECT_EQ(recorder.overview().slaves.since, at(10));
+  EXPECT_FALSE(recorder.overview().slaves.last_lost) << "to get in sync is no loss";
+  for (int ms = 20; ms < 30; ++ms) feed(recorder, sample(ms, SyncState::kOutOfSync));
+  for (int ms = 30; ms < 40; ++ms) feed(recorder, sample(ms, SyncState::kInSync));
+  const auto& lamp = recorder.overview().slaves;
+  EXPECT_EQ(lamp.state, SyncState::kInSync);
+  EXPECT_EQ(lamp.since, at(30));
+  EXPECT_EQ(lamp.last_lost, at(20));
+  EXPECT_EQ(lamp.times_lost, 1U);
+}
+
+TEST(SyncOverview, TheMarginIsWhatTheLargestHasLeft) {
+  OverviewRecorder recorder(1);
+  feed(recorder, sample(0, SyncState::kInSync, 100, -300));
+  feed(recorder, sample(1, SyncState::kInSync, 50, 100));
+  const auto& overview = recorder.overview();
+  EXPECT_DOUBLE_EQ(*overview.deviation.margin(400), 0.75);
+  EXPECT_DOUBLE_EQ(*overview.dcm_error.margin(200), -0.5);
+  EXPECT_EQ(overview.dcm_error.largest->value, -300);
+  EXPECT_EQ(overview.dcm_error.largest->time, at(0));
+  EXPECT_FALSE(overview.deviation.margin(0)) << "without a limit there is none";
+}
+
+TEST(SyncOverview, MissedEventsAreCountedFromWhenItWasArmed) {
+  OverviewRecorder recorder(2);
+  auto read = [&](std::int64_t ms, SyncState state, std::uint32_t total) {
+    auto s = sample(ms, state);
+    s.sm2_position = 1;
+    s.slave_sm2_missed = total;
+    feed(recorder, s);
+  };
+  read(0, SyncState::kBusy, 100);
+  read(1, SyncState::kBusy, 140);
+  read(2, SyncState::kInSync, 140);
+  EXPECT_EQ(recorder.overview().missed.count, 0U);
+  read(3, SyncState::kInSync, 143);
+  read(4, SyncState::kInSync, 2);  // somebody cleared it
+  EXPECT_EQ(recorder.overview().missed.count, 5U);
+  EXPECT_EQ(recorder.overview().missed.by_slave[1], 5U);
+  EXPECT_EQ(recorder.overview().missed.last, at(4));
+  ASSERT_EQ(recorder.overview().faults.episodes().size(), 1U);
+  EXPECT_EQ(recorder.overview().faults.episodes().front().faults.front().count, 5U);
+  recorder.arm();
+  EXPECT_EQ(recorder.overview().missed.count, 0U);
+  EXPECT_TRUE(recorder.overview().faults.episodes().empty());
+}
+
+/// However they arrive, the first is the first; what is like it is one row.
+TEST(FaultLog, SaysWhatCameFirstAndWhatFollowed) {
+  FaultLog log;
+  log.add({at(12), -1, events::WkcError{6, 3, 1}});
+  log.add({at(10), 2, events::SlaveLost{}});
+  log.add({at(14), -1, events::SlavesOutOfSync{900, 1}});
+  log.add({at(500), -1, events::WkcError{6, 3, 9}});
+  log.add({at(700), 2, events::SlaveFound{}});  // good news
+  log.add_missed(at(13), 1, 3);
+  ASSERT_EQ(log.episodes().size(), 1U);
+  const auto& episode = log.episodes().front();
+  ASSERT_EQ(episode.faults.size(), 4U);
+  EXPECT_TRUE(episode.faults[0].event->is<events::SlaveLost>());
+  EXPECT_EQ(episode.faults[1].count, 2U);
+  EXPECT_EQ(episode.faults[1].last, at(500));
+  EXPECT_FALSE(episode.faults[2].event);
+  EXPECT_EQ(episode.begin, at(10));
+  EXPECT_EQ(episode.end, at(500));
+}
+
+TEST(FaultLog, WhatComesAfterAQuietTimeIsAnotherEpisode) {
+  FaultLog log;
+  for (std::int64_t i = 0; i < 100; ++i) log.add({at(i * 3000), -1, events::FramesLost{1}});
+  EXPECT_EQ(log.count(), 100U);
+  EXPECT_EQ(log.episodes().size(), FaultLog::kMostEpisodes);
+  EXPECT_EQ(log.episodes().back().begin, at(99 * 3000));
+}
+
+}  // namespace
+}  // namespace syncline

@@ -1,0 +1,366 @@
+// SPDX-License-Identifier: Apache-2.0
+// Recordings in the window: made there, opened there, and the overview of either.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <qwt_scale_map.h>
+#include <QAction>
+#include <QDialog>
+#include <QDir>
+#include <QFile>
+#include <QImage>
+#include <QLabel>
+#include <QPainter>
+#include <QPushButton>
+#include <QTemporaryDir>
+
+#include <QUndoStack>
+#include <cmath>
+#include <memory>
+
+#include "record/typed_values.h"
+#include "support/ui_test_support.h"
+#include "ui/dialogs/bus_commands.h"
+#include "ui/dialogs/file_commands.h"
+#include "ui/main_window.h"
+#include "ui/models/message_model.h"
+#include "ui/panels/figure_card.h"
+#include "ui/panels/live_strip.h"
+#include "ui/panels/overview_panel.h"
+#include "ui/plots/gap_item.h"
+#include "ui/session/file_kind.h"
+#include "ui/session/workspace.h"
+#include "ui/widgets/pill.h"
+
+namespace syncline::ui {
+namespace {
+
+using test::waitFor;
+
+class RecordingWindow : public testing::Test {
+ protected:
+  RecordingWindow() : workspace_(test::virtualEnvironment()), window_(workspace_) {
+    workspace_.live().setAutoAdvance(false);
+    window_.show();
+  }
+  ~RecordingWindow() override {
+    workspace_.document().undoStack().setClean();
+    workspace_.live().shutDown();
+  }
+  void goOnline() {
+    window_.bus().startDemo();
+    ASSERT_TRUE(waitFor([&] { return workspace_.live().phase() != LiveSession::Phase::kOffline; }));
+    advance(8);
+    ASSERT_EQ(workspace_.live().phase(), LiveSession::Phase::kOnline);
+  }
+  void advance(int seconds) {
+    for (int i = 0; i < seconds * 10; ++i) workspace_.live().advance(100 * kMillisecond);
+    workspace_.runFindings().refresh();
+  }
+  void goOffline() {
+    workspace_.live().goOffline();
+    ASSERT_TRUE(waitFor([&] { return workspace_.live().phase() == LiveSession::Phase::kOffline; }));
+  }
+  QString path(const char* name) { return folder_.filePath(QLatin1String(name)); }
+  /// Seconds of the machine in a file; the run has ended then.
+  void record(const char* name) {
+    goOnline();
+    ASSERT_TRUE(workspace_.disk().start(path(name)));
+    advance(4);
+    goOffline();
+    ASSERT_TRUE(waitFor([&] { return ended_ > 0; }));
+  }
+  void open(const char* name) {
+    window_.files().openAny(path(name));
+    ASSERT_TRUE(waitFor([&] { return !workspace_.recording().isReading(); }));
+  }
+  void SetUp() override {
+    QObject::connect(&workspace_.disk(), &DiskRecording::ended, &window_,
+                     [this](const QString&, const QString&, const std::optional<Error>& error) {
+                       ++ended_;
+                       error_ = error;
+                     });
+  }
+  QAction* action(const char* name) { return window_.findChild<QAction*>(QLatin1String(name)); }
+  QString text(const char* name) { return window_.findChild<QLabel*>(QLatin1String(name))->text(); }
+
+  QTemporaryDir folder_;
+  Workspace workspace_;
+  MainWindow window_;
+  int ended_ = 0;
+  std::optional<Error> error_;
+};
+
+std::vector<std::pair<Nanoseconds, float>> points(const MinMaxSeries& series, Nanoseconds from) {
+  std::vector<std::pair<Nanoseconds, float>> all;
+  series.for_each(from, INT64_MAX, [&all](Nanoseconds time, float value) {
+    all.emplace_back(time, std::isnan(value) ? -1e30F : value);
+  });
+  return all;
+}
+
+TEST_F(RecordingWindow, WhatWasRecordedIsShownAsItWas) {
+  record("run.slrec");
+  EXPECT_FALSE(error_);
+  const auto* live = workspace_.live().record();
+  open("run.slrec");
+  ASSERT_TRUE(workspace_.recording().isOpen());
+  const auto& replay = *workspace_.shownRecord();
+  EXPECT_EQ(window_.liveStrip().store(), &replay.samples());
+  // The same samples from where the recording begins on,
+  const auto begin = replay.samples().first_time();
+  for (const auto signal : {Signal::kDeviation, Signal::kDcmError, Signal::kDcmErrorFiltered, Signal::kRoundTrip}) {
+    EXPECT_EQ(points(replay.samples().series(signal), begin), points(live->samples().series(signal), begin));
+  }
+  // the same limits, findings and events.
+  EXPECT_EQ(replay.limits(), live->limits());
+  EXPECT_EQ(replay.findings(), live->findings());
+  std::vector<std::string> was, is;
+  for (const auto& event : live->events()) {
+    if (event.time >= begin) was.push_back(encode_event(event.what));
+  }
+  for (const auto& event : replay.events()) is.push_back(encode_event(event.what));
+  EXPECT_EQ(is, was);
+  EXPECT_FALSE(workspace_.recording().run().only_words);
+  EXPECT_EQ(replay.config().slaves.size(), live->config().slaves.size());
+  EXPECT_EQ(replay.slave_name(1), live->slave_name(1));
+}
+
+TEST_F(RecordingWindow, TheWindowSaysThatItIsARecordingAndOfWhat) {
+  record("run.slrec");
+  const auto own = workspace_.messages().rowCount();
+  open("run.slrec");
+  const auto bar = text("recordingBarText");
+  EXPECT_THAT(bar.toStdString(), testing::AllOf(testing::HasSubstr("run.slrec"), testing::HasSubstr("sim:"),
+                                                testing::HasSubstr("up to the end of the run")));
+  EXPECT_TRUE(window_.findChild<QWidget*>(QStringLiteral("recordingBar"))->isVisible());
+  EXPECT_TRUE(window_.windowTitle().startsWith(QStringLiteral("Recording run.slrec")));
+  for (const char* const name : {"actionOnline", "actionScan", "actionRecord", "actionClearStatistics"}) {
+    EXPECT_FALSE(action(name)->isEnabled()) << name;
+    EXPECT_TRUE(action(name)->toolTip().contains(QStringLiteral("recording"))) << name;
+  }
+  EXPECT_FALSE(workspace_.goOnline());
+  EXPECT_EQ(window_.liveStrip().timeView()->mode(), TimeView::Mode::kHistory) << "it has no now";
+  EXPECT_TRUE(window_.findChild<OverviewPanel*>()->isVisible());
+  ASSERT_FALSE(workspace_.recording().run().info.events.empty());
+  EXPECT_LT(workspace_.messages().rowCount(), own) << "the log is that of the recording, which began later";
+
+  action("actionCloseRecording")->trigger();
+  EXPECT_FALSE(workspace_.recording().isOpen());
+  EXPECT_EQ(workspace_.messages().rowCount(), own) << "nothing of before is lost";
+  EXPECT_TRUE(action("actionOnline")->isEnabled());
+  EXPECT_FALSE(action("actionOnline")->toolTip().contains(QStringLiteral("recording")));
+  EXPECT_EQ(window_.liveStrip().store(), &workspace_.live().record()->samples());
+}
+
+/// Truncated, foreign, of the future, no file at all: explained, and everything stays as it is.
+TEST_F(RecordingWindow, WhatCannotBeReadLeavesEverythingAsItWas) {
+  record("run.slrec");
+  QFile whole(path("run.slrec"));
+  ASSERT_TRUE(whole.open(QIODevice::ReadOnly));
+  auto bytes = whole.readAll();
+  const auto put = [&](const char* name, const QByteArray& content) {
+    QFile file(path(name));
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(content);
+  };
+  put("cut.slrec", bytes.left(bytes.size() / 3));
+  put("text.slrec", "these are words");
+  put("empty.slrec", "");
+  auto future = bytes;
+  future[63] = 99;  // user_version, the last byte of four
+  put("future.slrec", future);
+  auto foreign = bytes;
+  foreign[68] = 0;  // application_id
+  put("foreign.slrec", foreign);
+  const auto* before = workspace_.shownRecord();
+  for (const char* const name : {"cut.slrec", "text.slrec", "empty.slrec", "future.slrec", "foreign.slrec"}) {
+    const auto errors = workspace_.messages().count(Severity::kError);
+    open(name);
+    EXPECT_FALSE(workspace_.recording().isOpen()) << name;
+    EXPECT_EQ(workspace_.shownRecord(), before) << name;
+    EXPECT_EQ(workspace_.messages().count(Severity::kError), errors + 1) << name;
+    const auto why =
+        workspace_.messages().index(0, MessageModel::kText).data(Qt::DisplayRole).toString().toStdString() +
+        workspace_.messages().index(1, MessageModel::kText).data(Qt::DisplayRole).toString().toStdString();
+    if (std::string_view(name) == "future.slrec") {
+      EXPECT_THAT(why, testing::HasSubstr("version 99"));
+    }
+    for (auto* box : window_.findChildren<QDialog*>()) box->close();
+  }
+  EXPECT_EQ(fileKind(path("foreign.slrec")), FileKind::kRecording) << "so that it is said whose it is";
+}
+
+TEST_F(RecordingWindow, TheLastStretchComesOutOfMemory) {
+  goOnline();
+  advance(5);
+  EXPECT_GE(workspace_.disk().remembered(), 5 * kSecond);
+  EXPECT_GT(workspace_.disk().memoryReach(), 60 * kSecond);
+  bool saved = false;
+  std::optional<Error> failed;
+  QObject::connect(&workspace_.disk(), &DiskRecording::saved, &window_,
+                   [&](const QString&, const std::optional<Error>& error) {
+                     saved = true;
+                     failed = error;
+                   });
+  const auto last = workspace_.live().record()->samples().last_time();
+  ASSERT_TRUE(workspace_.disk().saveLast(3 * kSecond, path("last.slrec")));
+  ASSERT_TRUE(waitFor([&] { return saved; }));
+  ASSERT_FALSE(failed) << failed->detail;
+  goOffline();
+  open("last.slrec");
+  ASSERT_TRUE(workspace_.recording().isOpen());
+  const auto& replay = workspace_.shownRecord()->samples();
+  EXPECT_EQ(replay.last_time(), last);
+  EXPECT_NEAR(static_cast<double>(replay.last_time() - replay.first_time()), 3e9, 1e7);
+  EXPECT_TRUE(replay.value(Signal::kAlState, 1, last)) << "states that had not changed for long are there, too";
+}
+
+TEST_F(RecordingWindow, AnEndedRecordingSaysWhy) {
+  goOnline();
+  ASSERT_TRUE(QDir(folder_.path()).mkdir(QStringLiteral("gone")));
+  ASSERT_TRUE(workspace_.disk().start(path("gone/run.slrec")));
+  EXPECT_TRUE(window_.findChild<Pill*>(QStringLiteral("statusRecording"))->isVisible());
+  advance(2);
+  ASSERT_TRUE(QDir(path("gone")).removeRecursively());
+  for (int i = 0; i < 20 && ended_ == 0; ++i) {
+    advance(2);
+    QTest::qWait(5);
+  }
+  ASSERT_TRUE(waitFor([&] { return ended_ > 0; }));
+  ASSERT_TRUE(error_);
+  EXPECT_EQ(error_->code, ErrorCode::kFileNotWritable);
+  EXPECT_EQ(workspace_.live().phase(), LiveSession::Phase::kOnline) << "the machine goes on";
+  EXPECT_FALSE(window_.findChild<Pill*>(QStringLiteral("statusRecording"))->isVisible());
+  EXPECT_GT(workspace_.messages().count(Severity::kError), 0);
+  const auto refused = workspace_.disk().start(path("no/such/folder.slrec"));
+  EXPECT_FALSE(refused);
+  EXPECT_FALSE(workspace_.disk().isRecording());
+}
+
+TEST_F(RecordingWindow, TheOverviewIsSeenFirstAndSaysWhetherItIsInSync) {
+  goOnline();
+  advance(6);
+  auto* panel = window_.findChild<OverviewPanel*>();
+  ASSERT_TRUE(panel->isVisible());
+  panel->refresh();
+  EXPECT_EQ(window_.findChild<Pill*>(QStringLiteral("overviewSlaves"))->text(), QStringLiteral("In sync"));
+  EXPECT_THAT(text("overviewSlavesText").toStdString(), testing::HasSubstr("never lost"));
+  EXPECT_THAT(text("overviewFault").toStdString(), testing::HasSubstr("No fault"));
+  const auto* deviation = window_.findChild<FigureCard*>(QStringLiteral("overviewDeviation"));
+  EXPECT_THAT(deviation->mainText().toStdString(), testing::HasSubstr("ns"));
+  EXPECT_THAT(deviation->noteText().toStdString(), testing::HasSubstr("margin"));
+  EXPECT_THAT(deviation->figureText(2).toStdString(), testing::HasSubstr("ns"));
+  const auto armed = workspace_.live().record()->overview().armed;
+  ASSERT_TRUE(armed);
+  window_.findChild<QPushButton*>(QStringLiteral("overviewArm"))->click();
+  EXPECT_GT(workspace_.live().record()->overview().armed, armed);
+  window_.selectNode(1);
+  EXPECT_FALSE(panel->isVisible()) << "a node that is chosen shows its pages";
+  action("actionOverview")->trigger();
+  EXPECT_TRUE(panel->isVisible());
+  goOffline();
+  panel->refresh();
+  EXPECT_THAT(window_.findChild<Pill*>(QStringLiteral("overviewSlaves"))->text().toStdString(),
+              testing::HasSubstr("At the end"));
+  EXPECT_EQ(deviation->mainText(), QStringLiteral("\u2013")) << "what has ended is not now";
+}
+
+CycleSample cycle(std::uint64_t i, bool lost) {
+  CycleSample s;
+  s.cycle = i;
+  s.send_time = 830'000'000 * kSecond + static_cast<Nanoseconds>(i) * kMillisecond;
+  s.master_state = 8;
+  s.slaves_sync = s.master_sync = lost ? SyncState::kUnknown : SyncState::kInSync;
+  s.flags = lost ? CycleSample::kFrameLost : CycleSample::kFollowersRead;
+  s.round_trip_ns = 30'000;
+  s.deviation_ns = 40;
+  return s;
+}
+
+/// What came first is said first, and its link leads to the plots.
+TEST(Overview, SaysWhatCameFirstAndLeadsThere) {
+  NetworkConfig config;
+  config.slaves.resize(2);
+  config.slaves[1].name = "Servo";
+  RunRecord record(config);
+  std::vector<CycleSample> samples;
+  for (std::uint64_t i = 0; i < 4000; ++i) samples.push_back(cycle(i, i >= 2000 && i < 2200));
+  record.add(samples);
+  const auto fault = samples[2000].send_time;
+  record.add(Event{fault + 3 * kMillisecond, -1, events::WkcError{6, 3, 1}});
+  record.add(Event{fault, 1, events::SlaveLost{}});
+  OverviewPanel panel;
+  panel.setRecord(&record, false);
+  panel.setLive(true);
+  auto* label = panel.findChild<QLabel*>(QStringLiteral("overviewFault"));
+  const auto text = label->text().toStdString();
+  const auto first = text.find("Servo"), second = text.find("Working counter 3 instead of 6");
+  ASSERT_NE(first, std::string::npos) << text;
+  ASSERT_NE(second, std::string::npos) << text;
+  EXPECT_LT(first, second);
+  EXPECT_THAT(text, testing::HasSubstr("2.000 s"));
+  qint64 wanted = 0;
+  QObject::connect(&panel, &OverviewPanel::momentWanted, &panel, [&](qint64 moment) { wanted = moment; });
+  Q_EMIT label->linkActivated(QString::number(fault));
+  EXPECT_EQ(wanted, fault);
+  LiveStrip strip;
+  strip.resize(1200, 300);
+  strip.setRecord(&record);
+  strip.show();
+  strip.refresh();
+  strip.goTo(wanted);
+  EXPECT_LE(strip.timeView()->begin(), fault);
+  EXPECT_GE(strip.timeView()->end(), fault);
+  EXPECT_EQ(strip.cursors()->at(CursorSet::kA), fault);
+  strip.refresh();
+  const auto mark = strip.panels()[0]->plot()->marks().nearest(fault + kMillisecond / 4, kMillisecond);
+  ASSERT_TRUE(mark);
+  EXPECT_EQ(mark->time, fault);
+  EXPECT_TRUE(mark->fault);
+}
+
+/// An outage is hatched from its first lost frame to its last, and nothing else is.
+TEST(Overview, OutagesAreHatched) {
+  NetworkConfig config;
+  config.slaves.resize(1);
+  RunRecord record(config);
+  std::vector<CycleSample> samples;
+  for (std::uint64_t i = 0; i < 4000; ++i) samples.push_back(cycle(i, (i >= 2000 && i < 2200) || i == 3000));
+  record.add(samples);
+  GapItem item;
+  item.setSeries(&record.samples().series(Signal::kRoundTrip), record.samples().longest_gap(Signal::kRoundTrip));
+  for (const int columns : {100, 1000, 8000}) {
+    const auto grid = ColumnGrid::of(samples[1000].send_time, samples.back().send_time, columns);
+    item.prepare(grid);
+    ASSERT_EQ(item.stretches().size(), 1U) << columns;
+    const auto& stretch = item.stretches().front();
+    const auto tolerance =
+        std::max<double>(1.5, static_cast<double>(2 * kMillisecond) / static_cast<double>(grid.width));
+    EXPECT_NEAR(stretch.begin, grid.column_of(samples[2000].send_time), tolerance) << columns;
+    EXPECT_NEAR(stretch.end, grid.column_of(samples[2200].send_time), tolerance) << columns;
+  }
+  QImage image(400, 100, QImage::Format_RGB32);
+  image.fill(Qt::white);
+  QPainter painter(&image);
+  QwtScaleMap x, y;
+  x.setPaintInterval(0, 400);
+  const auto grid = ColumnGrid::of(samples[1000].send_time, samples.back().send_time, 400);
+  item.prepare(grid);
+  item.setColor(Qt::black);
+  item.draw(&painter, x, y, QRectF(0, 0, 400, 100));
+  painter.end();
+  const auto dark = [&](int column) {
+    int count = 0;
+    for (int row = 0; row < 100; ++row) count += image.pixel(column, row) == qRgb(0, 0, 0) ? 1 : 0;
+    return count;
+  };
+  const int middle = static_cast<int>(grid.column_of(samples[2100].send_time));
+  EXPECT_GT(dark(middle), 5);
+  EXPECT_LT(dark(middle), 50);
+  EXPECT_EQ(dark(middle - 40), 0);
+  EXPECT_EQ(dark(middle + 40), 0);
+}
+
+}  // namespace
+}  // namespace syncline::ui

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/dialogs/recording_commands.h"
+
+#include <QDateTime>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QInputDialog>
+#include <QProgressDialog>
+#include <algorithm>
+
+#include "ui/dialogs/error_dialog.h"
+#include "ui/dialogs/questions.h"
+#include "ui/session/workspace.h"
+#include "ui/text/recorded_text.h"
+
+namespace syncline::ui {
+
+RecordingCommands::RecordingCommands(Workspace& workspace, QWidget& window)
+    : QObject(&window), workspace_(workspace), window_(window) {
+  auto& recording = workspace.recording();
+  connect(&recording, &OpenedRecording::progress, this, [this](int permille) {
+    if (progress_) progress_->setValue(permille);
+  });
+  connect(&recording, &OpenedRecording::finished, this, &RecordingCommands::onRead);
+  connect(&recording, &OpenedRecording::failed, this, &RecordingCommands::onFailed);
+  connect(&workspace.disk(), &DiskRecording::ended, this, &RecordingCommands::onEnded);
+  connect(&workspace.disk(), &DiskRecording::saved, this, &RecordingCommands::onSaved);
+}
+
+void RecordingCommands::open(const QString& path) {
+  if (workspace_.recording().isReading()) return;
+  progress_ = new QProgressDialog(tr("Reading %1…").arg(QFileInfo(path).fileName()), tr("Cancel"), 0, 1000, &window_);
+  progress_->setObjectName(QStringLiteral("recordingProgress"));
+  progress_->setWindowTitle(tr("Open Recording"));
+  progress_->setAccessibleName(tr("Open Recording"));
+  progress_->setWindowModality(Qt::WindowModal);
+  progress_->setAutoClose(false);
+  progress_->setAutoReset(false);
+  progress_->setMinimumDuration(300);
+  connect(progress_, &QProgressDialog::canceled, &workspace_.recording(), &OpenedRecording::cancel);
+  workspace_.recording().read(path);
+}
+
+void RecordingCommands::onRead(const QString& path) {
+  if (progress_) progress_->deleteLater();
+  if (!mayGoOffline(window_, workspace_, tr("A recording is shown in its place.")))
+    return workspace_.recording().drop();
+  workspace_.live().shutDown();
+  workspace_.memory().remember(path);
+  workspace_.recording().show();
+}
+
+void RecordingCommands::onFailed(const QString& path, const Error& error) {
+  if (progress_) progress_->deleteLater();
+  if (error.code == ErrorCode::kCancelled) return;
+  workspace_.report(error, Severity::kError, tr("Open"));
+  showError(&window_, tr("The recording %1 could not be opened.").arg(QFileInfo(path).fileName()), error);
+}
+
+QString RecordingCommands::askFile(const QString& title) const {
+  const QFileInfo project(workspace_.document().path());
+  const auto name = QStringLiteral("%1-%2.slrec")
+                        .arg(project.fileName().isEmpty() ? QStringLiteral("machine") : project.completeBaseName(),
+                             QDateTime::currentDateTime().toString(QStringLiteral("yyyyMMdd-HHmmss")));
+  const auto folder = project.fileName().isEmpty() ? QString() : project.path() + u'/';
+  auto path = QFileDialog::getSaveFileName(&window_, title, folder + name, tr("Recordings (*.slrec)"), nullptr,
+                                           QFileDialog::DontConfirmOverwrite);
+  if (!path.isEmpty() && QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".slrec");
+  return path;
+}
+
+void RecordingCommands::tell(const QString& title, const Error& error) {
+  workspace_.report(error, Severity::kError, tr("Recording"));
+  showError(&window_, title, error);
+}
+
+void RecordingCommands::toggle() {
+  auto& disk = workspace_.disk();
+  if (disk.isRecording()) return disk.stop();
+  const auto path = askFile(tr("Record"));
+  if (path.isEmpty()) return;
+  if (auto status = disk.start(path); !status) return tell(tr("The recording could not be started."), status.error());
+  workspace_.inform(tr("Recording"), tr("Recording to %1").arg(path));
+}
+
+/// Never a box out of the running machine: a message says it, and the status bar.
+void RecordingCommands::onEnded(const QString& path, const QString& why, const std::optional<Error>& error) {
+  if (error) {
+    workspace_.report(*error, Severity::kError, tr("Recording"));
+  } else if (!why.isEmpty()) {
+    workspace_.inform(tr("Recording"), tr("The recording %1 has ended: %2").arg(path, why));
+  } else {
+    workspace_.inform(tr("Recording"), tr("Recorded to %1").arg(path));
+  }
+}
+
+QString RecordingCommands::saveLastText() const {
+  const auto remembered = workspace_.disk().remembered();
+  return remembered == 0 ? tr("Save the &Last…") : tr("Save the &Last %1…").arg(spanText(remembered));
+}
+
+void RecordingCommands::saveLast() {
+  auto& disk = workspace_.disk();
+  const auto remembered = disk.remembered();
+  QStringList choices{tr("All that is in memory: %1").arg(spanText(remembered))};
+  std::vector<Nanoseconds> spans{remembered};
+  for (const auto span : {10 * kSecond, 60 * kSecond, 600 * kSecond}) {
+    if (span >= remembered) continue;
+    choices << tr("The last %1").arg(spanText(span));
+    spans.push_back(span);
+  }
+  bool wanted = false;
+  const auto choice = QInputDialog::getItem(
+      &window_, tr("Save the Last"),
+      tr("The memory holds every cycle of the last %1 at most. Save:").arg(spanText(disk.memoryReach())), choices, 0,
+      false, &wanted);
+  if (!wanted) return;
+  const auto span = spans[static_cast<std::size_t>(std::max<qsizetype>(choices.indexOf(choice), 0))];
+  const auto path = askFile(tr("Save the Last"));
+  if (path.isEmpty()) return;
+  if (auto status = disk.saveLast(span, path); !status) tell(tr("Nothing could be saved."), status.error());
+}
+
+void RecordingCommands::onSaved(const QString& path, const std::optional<Error>& error) {
+  if (error) return tell(tr("The last stretch could not be saved."), *error);
+  workspace_.inform(tr("Recording"), tr("Saved to %1").arg(path));
+}
+
+}  // namespace syncline::ui

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QObject>
+#include <QPointer>
+#include <QString>
+#include <optional>
+
+#include "support/result.h"
+
+class QProgressDialog;
+class QWidget;
+
+namespace syncline::ui {
+
+class Workspace;
+
+/// Opening, making and saving recordings, with their dialogs.
+class RecordingCommands final : public QObject {
+  Q_OBJECT
+
+ public:
+  RecordingCommands(Workspace& workspace, QWidget& window);
+
+  /// Reads it with progress and Cancel; then asks about a machine that runs. Errors are shown; then all is as it was.
+  void open(const QString& path);
+  /// Begins to record to a file that the user names, or ends it.
+  void toggle();
+  /// Asks how much, and where to.
+  void saveLast();
+  /// "Save the last 4 min 10 s…"
+  [[nodiscard]] QString saveLastText() const;
+
+ private:
+  void onRead(const QString& path);
+  void onFailed(const QString& path, const Error& error);
+  void onEnded(const QString& path, const QString& why, const std::optional<Error>& error);
+  void onSaved(const QString& path, const std::optional<Error>& error);
+  [[nodiscard]] QString askFile(const QString& title) const;
+  void tell(const QString& title, const Error& error);
+
+  Workspace& workspace_;
+  QWidget& window_;
+  QPointer<QProgressDialog> progress_;
+};
+
+}  // namespace syncline::ui

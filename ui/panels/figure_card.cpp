@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/figure_card.h"
+
+#include <QEvent>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QVBoxLayout>
+
+namespace syncline::ui {
+namespace {
+
+void setColor(QLabel& label, const QColor& color) {
+  auto palette = label.palette();
+  palette.setColor(QPalette::WindowText, color);
+  label.setPalette(palette);
+}
+
+/// What says nothing takes no room.
+void setTextOf(QLabel& label, const QString& text) {
+  if (label.text() != text) label.setText(text);
+  if (label.isHidden() != text.isEmpty()) label.setVisible(!text.isEmpty());
+}
+
+}  // namespace
+
+FigureCard::FigureCard(const char* name, const QString& title, const QString& tool_tip, QWidget* parent)
+    : QFrame(parent), title_(new QLabel(title)), main_(new QLabel), note_(new QLabel), grid_(new QGridLayout) {
+  setObjectName(QLatin1String(name));
+  setAccessibleName(title);
+  setToolTip(tool_tip);
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+  auto bold = font();
+  bold.setWeight(QFont::DemiBold);
+  title_->setFont(bold);
+  auto big = font();
+  big.setPointSizeF(big.pointSizeF() * 1.7);
+  big.setWeight(QFont::DemiBold);
+  main_->setFont(big);
+  main_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  main_->setAccessibleName(title);
+  note_->setWordWrap(true);
+  note_->setAccessibleName(tr("Margin: %1").arg(title));
+  for (auto* label : {title_, main_, note_}) {
+    // The cards share the width; a long figure must not push the others away.
+    label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  }
+  grid_->setHorizontalSpacing(8);
+  grid_->setVerticalSpacing(0);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(10, 6, 10, 6);
+  layout->setSpacing(2);
+  layout->addWidget(title_);
+  layout->addWidget(main_);
+  layout->addWidget(note_);
+  layout->addLayout(grid_);
+  layout->addStretch(1);
+  for (auto* label : {main_, note_}) label->hide();
+}
+
+std::size_t FigureCard::addFigure(const QString& label, const QString& tool_tip) {
+  const int row = static_cast<int>(figures_.size());
+  auto* name = new QLabel(label);
+  auto* value = new QLabel;
+  for (auto* part : {name, value}) part->setToolTip(tool_tip);
+  value->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  value->setAccessibleName(label + QStringLiteral(", ") + title_->text());
+  value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  grid_->addWidget(name, row, 0);
+  grid_->addWidget(value, row, 1);
+  grid_->setColumnStretch(1, 1);
+  labels_.push_back(name);
+  figures_.push_back(value);
+  colorText();
+  return figures_.size() - 1;
+}
+
+void FigureCard::setMain(const QString& text) { setTextOf(*main_, text); }
+
+void FigureCard::setNote(theme::Tone tone, const QString& text) {
+  setTextOf(*note_, text);
+  if (tone == tone_) return;
+  tone_ = tone;
+  colorText();
+}
+
+void FigureCard::setFigure(std::size_t number, const QString& text) { setTextOf(*figures_.at(number), text); }
+
+QString FigureCard::mainText() const { return main_->text(); }
+QString FigureCard::noteText() const { return note_->text(); }
+QString FigureCard::figureText(std::size_t number) const { return figures_.at(number)->text(); }
+
+void FigureCard::colorText() {
+  for (auto* label : labels_) setColor(*label, theme::mutedText(palette()));
+  setColor(*note_, theme::toneColor(palette(), tone_));
+}
+
+void FigureCard::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(theme::outline(palette()));
+  painter.setBrush(palette().color(QPalette::Base));
+  painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 6, 6);
+}
+
+void FigureCard::changeEvent(QEvent* event) {
+  QFrame::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) colorText();
+}
+
+}  // namespace syncline::ui

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/overview_panel.h"
+
+#include <QFrame>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "ui/panels/figure_card.h"
+#include "ui/text/glossary.h"
+#include "ui/text/overview_text.h"
+#include "ui/text/recorded_text.h"
+#include "ui/text/units.h"
+#include "ui/widgets/named.h"
+#include "ui/widgets/pill.h"
+
+namespace syncline::ui {
+namespace {
+
+constexpr int kOverviewTickMs = 200;  // faster cannot be read
+constexpr double kThinMargin = 0.25;
+enum : std::size_t { kMean, kRms, kQuantile, kMax };
+enum : std::size_t { kWorst, kLast, kSince };
+
+/// An outline in the colour of what it tells, on its quiet fill.
+class Banner final : public QFrame {
+ public:
+  void setTone(theme::Tone tone) {
+    auto colors = palette();
+    colors.setColor(QPalette::Window, theme::toneFill(colors, tone));
+    setPalette(colors);
+    setAutoFillBackground(true);
+  }
+};
+
+void addFigures(FigureCard& card) {
+  card.addFigure(OverviewPanel::tr("mean"), OverviewPanel::tr("Since it was armed"));
+  card.addFigure(OverviewPanel::tr("rms"), OverviewPanel::tr("Root mean square about zero, since it was armed"));
+  card.addFigure(OverviewPanel::tr("p99.99"),
+                 OverviewPanel::tr("Of 10,000 cycles one is larger; magnitude, since it was armed"));
+  card.addFigure(OverviewPanel::tr("max"), OverviewPanel::tr("Largest magnitude of all cycles since it was armed"));
+}
+
+/// The verdict bears single cycles over the limit for a while (dc/dcm/sync_judge.h): what the controller has made of
+/// them is what comes near it.
+std::optional<double> filteredMargin(const RunRecord& record) {
+  const auto limit = record.limits().dcm_error_ns;
+  const auto& overview = record.overview();
+  if (limit <= 0 || !overview.armed) return std::nullopt;
+  const auto extent = record.samples().series(Signal::kDcmErrorFiltered).extent(*overview.armed, overview.end + 1);
+  if (!extent) return std::nullopt;
+  const auto largest = std::max(std::abs(static_cast<double>(extent->min)), std::abs(static_cast<double>(extent->max)));
+  return 1 - largest / static_cast<double>(limit);
+}
+
+Nanoseconds wholeNs(double value) { return static_cast<Nanoseconds>(std::llround(value)); }
+
+}  // namespace
+
+OverviewPanel::OverviewPanel(QWidget* parent)
+    : QWidget(parent),
+      slaves_(named(new Pill, "overviewSlaves", tr("Slaves in sync"))),
+      master_(named(new Pill, "overviewMaster", tr("Master in sync"))),
+      slaves_text_(named(new QLabel, "overviewSlavesText", tr("Slaves: since when"))),
+      master_text_(named(new QLabel, "overviewMasterText", tr("Master: since when"))),
+      fault_(named(new QLabel, "overviewFault", tr("First fault"))),
+      banner_(named(new Banner, "overviewBanner", tr("First fault"))),
+      deviation_(new FigureCard("overviewDeviation", tr("DC deviation"),
+                                tr("Register 0x092C of the slaves that follow the reference clock: the largest"))),
+      missed_(new FigureCard("overviewMissed", tr("SM2 events missed"),
+                             tr("Object 0x1C32:0B or 0x1C32:0C of the slaves that have one, since it was armed"))),
+      dcm_(new FigureCard("overviewDcm", tr("DCM error"),
+                          tr("Time of the frame at the reference clock minus its wanted time in the cycle"))),
+      arm_(named(new QPushButton(tr("Re-arm")), "overviewArm", tr("Begin figures and faults anew"))) {
+  setObjectName(QStringLiteral("overviewPanel"));
+  setAccessibleName(tr("Overview"));
+  addFigures(*deviation_);
+  addFigures(*dcm_);
+  missed_->addFigure(tr("worst"), tr("The slave that has missed most"));
+  missed_->addFigure(tr("last"), tr("When one was missed last"));
+  missed_->addFigure(tr("counted"), tr("For how long figures and faults have been counted"));
+  auto* verdict = new FigureCard("overviewVerdict", tr("In sync?"), tr("The verdicts on slaves and master"));
+  buildVerdict(*verdict);
+  auto* cards = new QHBoxLayout;
+  cards->setSpacing(8);
+  for (auto* card : {verdict, deviation_, missed_, dcm_}) cards->addWidget(card, 1);
+  fault_->setWordWrap(true);
+  fault_->setTextInteractionFlags(Qt::TextBrowserInteraction);
+  connect(fault_, &QLabel::linkActivated, this,
+          [this](const QString& link) { Q_EMIT momentWanted(link.toLongLong()); });
+  arm_->setAutoDefault(false);
+  arm_->setToolTip(tr("Mean, rms, quantile, maximum, missed events and faults begin anew now"));
+  connect(arm_, &QPushButton::clicked, this, &OverviewPanel::armWanted);
+  auto* row = new QHBoxLayout(banner_);
+  row->setContentsMargins(10, 5, 8, 5);
+  row->addWidget(fault_, 1);
+  row->addWidget(arm_);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(8, 8, 8, 4);
+  layout->setSpacing(6);
+  layout->addWidget(banner_);
+  layout->addLayout(cards, 1);
+  tick_.setInterval(kOverviewTickMs);
+  connect(&tick_, &QTimer::timeout, this, &OverviewPanel::refresh);
+  refresh();
+}
+
+void OverviewPanel::buildVerdict(QWidget& card) {
+  auto* layout = qobject_cast<QVBoxLayout*>(card.layout());
+  int place = 1;
+  const auto add = [&](const QString& name, Pill* pill, QLabel* text) {
+    auto* row = new QHBoxLayout;
+    row->addWidget(new QLabel(name));
+    row->addWidget(pill);
+    row->addStretch(1);
+    text->setWordWrap(true);
+    text->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    layout->insertLayout(place++, row);
+    layout->insertWidget(place++, text);
+  };
+  add(tr("Slaves"), slaves_, slaves_text_);
+  add(tr("Master"), master_, master_text_);
+}
+
+void OverviewPanel::setRecord(const RunRecord* record, bool recorded) {
+  record_ = record;
+  recorded_ = recorded;
+  refresh();
+}
+
+void OverviewPanel::setLive(bool live) {
+  live_ = live;
+  refresh();
+}
+
+void OverviewPanel::showLamp(Pill& pill, QLabel& text, const SyncLamp& lamp) {
+  const bool any = record_ != nullptr && !record_->samples().empty();
+  if (!any) {
+    pill.setState(theme::Tone::kNeutral, live_ ? syncStateText(SyncState::kNotReady) : tr("Offline"));
+    return text.clear();
+  }
+  const auto state = syncStateText(lamp.state);
+  // What has ended says nothing about now.
+  pill.setState(live_ || recorded_ ? lampTone(lamp.state) : theme::Tone::kNeutral,
+                live_ ? state : tr("At the end: %1").arg(state));
+  text.setText(lampText(lamp, record_->overview()));
+}
+
+void OverviewPanel::showFigure(FigureCard& card, const OverviewFigure& figure, std::int64_t limit, Signal signal,
+                               bool is_signed) {
+  const auto text = [is_signed](double value) {
+    return is_signed ? signedTimeText(wholeNs(value)) : timeText(wholeNs(value));
+  };
+  const auto last = record_->samples().last_time();
+  const bool fresh = live_ && figure.now && last - figure.now->time <= record_->samples().longest_gap(signal);
+  card.setMain(fresh ? text(static_cast<double>(figure.now->value)) : noText());
+  const bool any = figure.statistics.count() > 0;
+  card.setFigure(kMean, any ? text(figure.statistics.mean()) : noText());
+  card.setFigure(kRms, any ? timeText(wholeNs(figure.statistics.rms())) : noText());
+  card.setFigure(kQuantile, any ? timeText(figure.magnitudes.percentile(0.9999)) : noText());
+  card.setFigure(kMax, figure.largest ? tr("%1 at %2")
+                                            .arg(text(static_cast<double>(figure.largest->value)),
+                                                 momentText(figure.largest->time, *record_))
+                                      : noText());
+  const bool filtered = signal == Signal::kDcmError;
+  const auto margin = filtered ? filteredMargin(*record_) : figure.margin(limit);
+  if (limit <= 0) return card.setNote(theme::Tone::kNeutral, tr("no limit is set"));
+  if (!margin) return card.setNote(theme::Tone::kNeutral, tr("limit \u00B1%1").arg(timeText(limit)));
+  const auto note = [&](theme::Tone tone, const QString& words) {
+    card.setNote(tone, filtered ? tr("filtered: %1").arg(words) : words);
+  };
+  const auto percent = QLocale().toString(std::floor(std::abs(*margin) * 100), 'f', 0);
+  if (*margin < 0) return note(theme::Tone::kBad, tr("%1 % over the limit \u00B1%2").arg(percent, timeText(limit)));
+  note(*margin < kThinMargin ? theme::Tone::kWarning : theme::Tone::kGood,
+       tr("%1 % margin to \u00B1%2").arg(percent, timeText(limit)));
+}
+
+void OverviewPanel::showMissed() {
+  const auto& overview = record_->overview();
+  const auto& missed = overview.missed;
+  if (!missed.known) {
+    missed_->setMain(noText());
+    missed_->setNote(theme::Tone::kNeutral, tr("no slave has this counter"));
+  } else {
+    missed_->setMain(countText(missed.count));
+    missed_->setNote(missed.count == 0 ? theme::Tone::kGood : theme::Tone::kWarning,
+                     missed.count == 0 ? tr("none") : tr("outputs came too late"));
+  }
+  const auto worst = std::ranges::max_element(missed.by_slave);
+  missed_->setFigure(kWorst, missed.count == 0 ? noText()
+                                               : QString::fromStdString(record_->slave_name(
+                                                     static_cast<std::size_t>(worst - missed.by_slave.begin()))) +
+                                                     QStringLiteral(" ") + countText(*worst));
+  missed_->setFigure(kLast, missed.last ? momentText(*missed.last, *record_) : noText());
+  missed_->setFigure(kSince, overview.armed ? spanText(overview.end - *overview.armed) : noText());
+}
+
+void OverviewPanel::showFaults() {
+  const auto& overview = record_->overview();
+  const bool any = !overview.faults.episodes().empty();
+  static_cast<Banner*>(banner_)->setTone(!overview.armed ? theme::Tone::kNeutral
+                                         : any           ? theme::Tone::kBad
+                                                         : theme::Tone::kGood);
+  const auto text = firstFaultText(*record_);
+  if (fault_->text() != text) fault_->setText(text);
+}
+
+void OverviewPanel::refresh() {
+  const bool any = record_ != nullptr && !record_->samples().empty();
+  arm_->setEnabled(any && !recorded_);
+  if (recorded_) arm_->setToolTip(tr("A recording stays as it is"));
+  static const SyncLamp kDark;
+  showLamp(*slaves_, *slaves_text_, any ? record_->overview().slaves : kDark);
+  showLamp(*master_, *master_text_, any ? record_->overview().master : kDark);
+  if (any) {
+    showFigure(*deviation_, record_->overview().deviation, record_->limits().deviation_ns, Signal::kDeviation, false);
+    showFigure(*dcm_, record_->overview().dcm_error, record_->limits().dcm_error_ns, Signal::kDcmError, true);
+    showMissed();
+    return showFaults();
+  }
+  for (auto* card : {deviation_, missed_, dcm_}) {
+    card->setMain(noText());
+    card->setNote(theme::Tone::kNeutral, {});
+    for (std::size_t i = 0; i < (card == missed_ ? kSince + 1 : kMax + 1); ++i) card->setFigure(i, noText());
+  }
+  static_cast<Banner*>(banner_)->setTone(theme::Tone::kNeutral);
+  fault_->setText(tr("Nothing has run yet: go online."));
+}
+
+void OverviewPanel::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  refresh();
+  tick_.start();
+}
+
+void OverviewPanel::hideEvent(QHideEvent* event) {
+  QWidget::hideEvent(event);
+  tick_.stop();
+}
+
+}  // namespace syncline::ui

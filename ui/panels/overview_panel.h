@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QTimer>
+#include <QWidget>
+
+#include "record/run_record.h"
+#include "ui/theme/theme.h"
+
+class QFrame;
+class QLabel;
+class QPushButton;
+
+namespace syncline::ui {
+
+class FigureCard;
+class Pill;
+
+/// Whether the machine is in sync, since when, with how much margin, and what happened first: the page above the plots
+/// while something runs, or a recording is shown. What the numbers are is decided in core/trace/sync_overview.h.
+class OverviewPanel final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit OverviewPanel(QWidget* parent = nullptr);
+  /// Null: nothing. It must outlive the panel or be replaced.
+  void setRecord(const RunRecord* record, bool recorded);
+  /// Something runs: what the lamps say goes on.
+  void setLive(bool live);
+  /// At once, as the tick does a few times a second.
+  void refresh();
+
+ Q_SIGNALS:
+  /// A moment of the run (host clock, ns) was clicked.
+  void momentWanted(qint64 moment);
+  void armWanted();
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
+
+ private:
+  void buildVerdict(QWidget& card);
+  void showLamp(Pill& pill, QLabel& text, const SyncLamp& lamp);
+  void showFigure(FigureCard& card, const OverviewFigure& figure, std::int64_t limit, Signal signal, bool is_signed);
+  void showMissed();
+  void showFaults();
+
+  const RunRecord* record_ = nullptr;
+  bool recorded_ = false, live_ = false;
+  Pill *slaves_, *master_;
+  QLabel *slaves_text_, *master_text_, *fault_;
+  QFrame* banner_;
+  FigureCard *deviation_, *missed_, *dcm_;
+  QPushButton* arm_;
+  QTimer tick_;
+};
+
+}  // namespace syncline::ui

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <qwt_plot_item.h>
+
+#include <QColor>
+#include <optional>
+#include <vector>
+
+#include "ui/plots/series_item.h"
+
+namespace syncline::ui {
+
+/// An event on the time axis.
+struct EventMark {
+  Nanoseconds time = 0;  // host clock
+  bool fault = true;     // else a return to order
+  bool operator==(const EventMark&) const = default;
+};
+
+/// Marks events at the foot of a plot: a triangle that points up for a fault, one that points down for a return to
+/// order. Those that fall into one place are one, and a fault among them counts.
+class EventMarksItem final : public QwtPlotItem {
+ public:
+  EventMarksItem();
+  /// By time; they must outlive the item or be replaced.
+  void setMarks(const std::vector<EventMark>* marks) { marks_ = marks; }
+  void setColors(const QColor& fault, const QColor& good);
+  void prepare(const ColumnGrid& grid) { grid_ = grid; }
+  /// The one nearest to a time, no further from it than `reach`.
+  [[nodiscard]] std::optional<EventMark> nearest(Nanoseconds time, Nanoseconds reach) const;
+  void draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y, const QRectF& canvas) const override;
+
+ private:
+  const std::vector<EventMark>* marks_ = nullptr;
+  QColor fault_ = Qt::red, good_ = Qt::darkGreen;
+  ColumnGrid grid_;
+};
+
+}  // namespace syncline::ui

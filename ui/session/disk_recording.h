@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <memory>
+#include <optional>
+#include <thread>
+
+#include "record/recent_run.h"
+#include "record/recorder.h"
+#include "support/result.h"
+#include "ui/session/bus_connection.h"
+
+namespace syncline::ui {
+
+class LiveSession;
+class RunDifference;
+class RunFindings;
+
+/// The running machine to a file: from now on until it is stopped, or the last stretch out of memory, where every cycle
+/// is kept for as long as the budget reaches. Threads of their own write.
+class DiskRecording final : public QObject {
+  Q_OBJECT
+
+ public:
+  static constexpr std::size_t kMemoryBudget = std::size_t{256} << 20;  // bytes
+
+  DiskRecording(LiveSession& live, const RunFindings& findings, const RunDifference& running,
+                const Environment& environment, QObject* parent = nullptr);
+  ~DiskRecording() override;
+
+  /// From now on; kFileNotWritable, also when there is a file of this name or nothing runs.
+  Status start(const QString& path);
+  /// The rest is written meanwhile; ended() follows.
+  void stop();
+  /// Stops and waits for the disk: for closing the window.
+  void finish();
+  [[nodiscard]] bool isRecording() const { return recorder_ != nullptr; }
+  [[nodiscard]] const QString& path() const { return path_; }
+  /// Of the run, in the file.
+  [[nodiscard]] Nanoseconds duration() const;
+  [[nodiscard]] qint64 bytes() const;
+  [[nodiscard]] std::uint64_t lostSamples() const { return recorder_ ? recorder_->lost_samples() : 0; }
+
+  /// How far back the memory reaches, and how far the budget lets it.
+  [[nodiscard]] Nanoseconds remembered() const { return recent_.span(); }
+  [[nodiscard]] Nanoseconds memoryReach() const;
+  /// Writes the last `duration` to a new file; saved() follows. kFileNotWritable where nothing is remembered, or while
+  /// another stretch is being written.
+  Status saveLast(Nanoseconds duration, const QString& path);
+
+ Q_SIGNALS:
+  void changed();
+  /// `error`: why it ended before it was told to, or what could not be written.
+  void ended(const QString& path, const QString& why, const std::optional<syncline::Error>& error);
+  /// `error`: why there is no such file.
+  void saved(const QString& path, const std::optional<syncline::Error>& error);
+
+ private:
+  [[nodiscard]] Result<RecordingAbout> about() const;
+  void connectRun();
+  void onStopped(const Recorder::Stop& stop);
+  void onFinished(const QString& path, const Status& status);
+  void wait();
+
+  LiveSession& live_;
+  const RunFindings& findings_;
+  const RunDifference& running_;
+  const Environment& environment_;
+  RecentSamples recent_;
+  QString path_;
+  Nanoseconds begun_ = 0;
+  std::optional<Recorder::Stop> stop_;  // why it ended by itself
+  std::unique_ptr<Recorder> recorder_;
+  std::thread finisher_, saver_;
+  bool saving_ = false;
+};
+
+}  // namespace syncline::ui

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/session/opened_recording.h"
+
+#include <QMetaObject>
+#include <algorithm>
+#include <utility>
+
+#include "eni/format/eni_file.h"
+
+namespace syncline::ui {
+namespace {
+
+/// What was run; where the recording has no configuration that can be read, at least its slaves with their names.
+NetworkConfig configurationOf(const RecordingAbout& about) {
+  for (const auto& document : about.documents) {
+    if (document.kind != "configuration") continue;
+    auto config = eni::parse_eni(document.body, document.name);
+    if (config && config->slaves.size() == about.slaves.size()) return std::move(*config);
+  }
+  NetworkConfig config;
+  for (const auto& slave : about.slaves) {
+    auto& configured = config.slaves.emplace_back();
+    configured.name = slave.name;
+    configured.identity = {slave.vendor_id, slave.product_code, slave.revision_no, 0};
+  }
+  return config;
+}
+
+}  // namespace
+
+OpenedRecording::OpenedRecording(QObject* parent) : QObject(parent) {}
+
+OpenedRecording::~OpenedRecording() {
+  cancel();
+  if (worker_.joinable()) worker_.join();
+}
+
+void OpenedRecording::read(const QString& path) {
+  if (reading_) return;
+  if (worker_.joinable()) worker_.join();
+  reading_ = true;
+  cancelled_ = false;
+  Q_EMIT started(path);
+  worker_ = std::thread([this, path] {
+    auto outcome = std::make_shared<Outcome>(load(path));
+    QMetaObject::invokeMethod(
+        this, [this, path, outcome] { deliver(path, std::move(*outcome)); }, Qt::QueuedConnection);
+  });
+}
+
+void OpenedRecording::cancel() { cancelled_ = true; }
+
+/// In the reader's thread.
+OpenedRecording::Outcome OpenedRecording::load(const QString& path) {
+  auto reader = RecordingReader::open(path.toStdString());
+  if (!reader) return tl::unexpected(reader.error());
+  const auto info = reader->info();
+  if (!info) return tl::unexpected(info.error());
+  if (info->cycles == 0) {
+    return fail(Error{.code = ErrorCode::kFileNotReadable,
+                      .detail = "it holds no cycles: it was cut short before its first second",
+                      .file = path.toStdString()});
+  }
+  int told = -1;
+  ReplayOptions options;
+  options.progress = [this, &told](std::uint64_t done, std::uint64_t all) {
+    const int now = static_cast<int>(done * 1000 / std::max<std::uint64_t>(all, 1));
+    if (now != std::exchange(told, now)) {
+      QMetaObject::invokeMethod(
+          this, [this, now] { Q_EMIT progress(now); }, Qt::QueuedConnection);
+    }
+    return !cancelled_;
+  };
+  return replay_run(*reader, configurationOf(info->about), options);
+}
+
+void OpenedRecording::deliver(const QString& path, Outcome outcome) {
+  if (worker_.joinable()) worker_.join();
+  reading_ = false;
+  if (cancelled_) {
+    Q_EMIT failed(path, Error{ErrorCode::kCancelled});
+  } else if (outcome) {
+    next_ = std::make_unique<ReplayedRun>(std::move(*outcome));
+    next_path_ = path;
+    Q_EMIT finished(path);
+  } else {
+    Q_EMIT failed(path, outcome.error());
+  }
+}
+
+void OpenedRecording::show() {
+  if (next_ == nullptr) return;
+  const auto before = std::exchange(shown_, std::move(next_));
+  path_ = next_path_;
+  Q_EMIT changed();
+}
+
+void OpenedRecording::drop() { next_.reset(); }
+
+void OpenedRecording::close() {
+  if (shown_ == nullptr) return;
+  const auto before = std::exchange(shown_, nullptr);
+  path_.clear();
+  Q_EMIT changed();
+}
+
+}  // namespace syncline::ui

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <atomic>
+#include <memory>
+#include <thread>
+
+#include "record/replay_run.h"
+#include "support/result.h"
+
+namespace syncline::ui {
+
+/// A recording that the window shows in place of the live run, read in a thread of its own. Until it is read whole,
+/// what was shown before stays.
+class OpenedRecording final : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit OpenedRecording(QObject* parent = nullptr);
+  ~OpenedRecording() override;
+
+  /// No-op while one is being read.
+  void read(const QString& path);
+  /// Ends the reading within a block; failed() with kCancelled follows.
+  void cancel();
+  /// What was read last and waits: it is shown from now on.
+  void show();
+  /// It is not wanted after all.
+  void drop();
+  void close();
+
+  [[nodiscard]] bool isReading() const { return reading_; }
+  [[nodiscard]] bool isOpen() const { return shown_ != nullptr; }
+  /// Of the one that is shown.
+  [[nodiscard]] const ReplayedRun& run() const { return *shown_; }
+  [[nodiscard]] const QString& path() const { return path_; }
+
+ Q_SIGNALS:
+  void started(const QString& path);
+  void progress(int permille);
+  /// It is whole: show() or drop() it.
+  void finished(const QString& path);
+  void failed(const QString& path, const syncline::Error& error);
+  /// Another one is shown, or none: the one before is gone when this returns.
+  void changed();
+
+ private:
+  using Outcome = Result<ReplayedRun>;
+  Outcome load(const QString& path);
+  void deliver(const QString& path, Outcome outcome);
+
+  std::thread worker_;
+  std::atomic<bool> cancelled_{false};
+  bool reading_ = false;
+  QString path_, next_path_;
+  std::unique_ptr<ReplayedRun> shown_, next_;
+};
+
+}  // namespace syncline::ui

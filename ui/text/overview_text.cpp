@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/text/overview_text.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QStringList>
+#include <algorithm>
+
+#include "ui/text/event_text.h"
+#include "ui/text/glossary.h"
+#include "ui/text/recorded_text.h"
+#include "ui/text/units.h"
+
+namespace syncline::ui {
+namespace {
+
+constexpr std::size_t kMostFollowers = 5;
+
+/// Source text for lupdate's "Overview" context.
+class Overview {
+  Q_DECLARE_TR_FUNCTIONS(Overview)
+
+ public:
+  static QString fault(const Fault& fault, const RunRecord& record) {
+    QString text;
+    if (fault.event) {
+      const auto message = messageOf(*fault.event, record.config());
+      text = message ? message->text : tr("An event without words");
+    } else {
+      text = tr("%n SM2 event(s) missed", nullptr, static_cast<int>(std::min<std::uint64_t>(fault.count, INT32_MAX)));
+    }
+    if (fault.event && fault.count > 1) text += tr(" (%1 times)").arg(countText(fault.count));
+    return nodeName(record.config(), fault.slave) + QStringLiteral(": ") + text;
+  }
+
+  static QString lamp(const SyncLamp& lamp, const SyncOverview& overview) {
+    if (lamp.since == 0) return {};
+    const auto since = tr("for %1").arg(spanText(overview.end - lamp.since));
+    if (!is_watched(lamp.state)) return since;
+    if (!lamp.last_lost) return since + tr(", never lost");
+    return since + tr(", last lost %1 ago, %n time(s)", nullptr,
+                      static_cast<int>(std::min<std::uint64_t>(lamp.times_lost, INT32_MAX)))
+                       .arg(spanText(overview.end - *lamp.last_lost));
+  }
+
+  static QString link(Nanoseconds time, const QString& text) {
+    return QStringLiteral("<a href=\"%1\">%2</a>").arg(time).arg(text.toHtmlEscaped());
+  }
+
+  static QString firstFault(const RunRecord& record) {
+    const auto& overview = record.overview();
+    if (!overview.armed) return tr("Not armed yet: the machine has to be in OP, and in sync where that is watched.");
+    const auto& log = overview.faults;
+    const auto since = momentText(*overview.armed, record);
+    if (log.episodes().empty()) {
+      return tr("<b>No fault</b> since %1 (for %2).").arg(since, spanText(overview.end - *overview.armed));
+    }
+    const auto& episode = log.episodes().back();
+    const auto& first = episode.faults.front();
+    auto text =
+        tr("<b>First: %1</b> at %2.").arg(link(first.first, fault(first, record)), momentText(first.first, record));
+    QStringList followers;
+    for (std::size_t i = 1; i < std::min(episode.faults.size(), kMostFollowers + 1); ++i) {
+      const auto& next = episode.faults[i];
+      followers << tr("%1 later %2").arg(timeText(next.first - first.first), link(next.first, fault(next, record)));
+    }
+    if (!followers.isEmpty()) text += tr(" Then %1").arg(followers.join(QStringLiteral("; ")));
+    const auto rest = episode.faults.size() - 1 - static_cast<std::size_t>(followers.size()) + episode.left_out;
+    if (rest > 0) text += tr("; %1 more").arg(countText(rest));
+    if (!followers.isEmpty()) text += QLatin1Char('.');
+    if (log.count() > 1) text += tr(" It is episode %1 since %2.").arg(countText(log.count()), since);
+    return text;
+  }
+
+  static QString moment(Nanoseconds time, const RunRecord& record) {
+    const auto since = static_cast<double>(time - record.overview().begin) / 1e9;
+    return tr("%1 s").arg(QLocale().toString(since, 'f', 3));
+  }
+};
+
+}  // namespace
+
+QString faultText(const Fault& fault, const RunRecord& record) { return Overview::fault(fault, record); }
+QString lampText(const SyncLamp& lamp, const SyncOverview& overview) { return Overview::lamp(lamp, overview); }
+QString firstFaultText(const RunRecord& record) { return Overview::firstFault(record); }
+QString momentText(Nanoseconds time, const RunRecord& record) { return Overview::moment(time, record); }
+
+theme::Tone lampTone(SyncState state) {
+  switch (state) {
+    case SyncState::kInSync:
+      return theme::Tone::kGood;
+    case SyncState::kOutOfSync:
+      return theme::Tone::kBad;
+    case SyncState::kBusy:
+      return theme::Tone::kBusy;
+    case SyncState::kUnknown:
+      return theme::Tone::kWarning;
+    case SyncState::kNotMonitored:
+    case SyncState::kNotReady:
+      break;
+  }
+  return theme::Tone::kNeutral;
+}
+
+}  // namespace syncline::ui

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QString>
+#include <vector>
+
+#include "record/replay_run.h"
+#include "ui/text/message.h"
+
+namespace syncline::ui {
+
+/// What a recording holds of messages, oldest first: events as the run told them; where only their words are known,
+/// those; findings of which only the words are known; notes.
+[[nodiscard]] std::vector<Message> messagesOf(const ReplayedRun& run);
+
+/// Of what and when, how long, and how it ended: "machine.syncline on sim:demo, 2026-03-01 12:00:00, 10 min 0 s ...".
+[[nodiscard]] QString recordingText(const ReplayedRun& run);
+
+/// "12 s", "4 min 10 s", "2 h 5 min".
+[[nodiscard]] QString spanText(Nanoseconds span);
+
+}  // namespace syncline::ui
