@@ -3,7 +3,7 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
     <context>
-        <name>AboutDialog</name>
+    <name>AboutDialog</name>
         <message>
             <source>About Syncline</source>
             <translation>Über Syncline</translation>
@@ -16,9 +16,9 @@
             <source>EtherCAT is a registered trademark and patented technology, licensed by Beckhoff Automation GmbH, Germany.</source>
             <translation>EtherCAT ist eine eingetragene Marke und patentierte Technologie, lizenziert durch die Beckhoff Automation GmbH, Deutschland.</translation>
         </message>
-    </context>
-    <context>
-        <name>Actions</name>
+</context>
+<context>
+    <name>Actions</name>
         <message>
             <source>Take the last edit back</source>
             <translation>Die letzte Änderung zurücknehmen</translation>
@@ -203,9 +203,9 @@
             <source>Whether the machine is in sync, since when, and what happened first</source>
             <translation>Ob die Maschine synchron ist, seit wann, und was zuerst geschah</translation>
         </message>
-    </context>
-    <context>
-        <name>BusCommands</name>
+</context>
+<context>
+    <name>BusCommands</name>
         <message>
             <source>EEPROM</source>
             <translation>EEPROM</translation>
@@ -250,9 +250,9 @@
             <source>Restart</source>
             <translation>Neu starten</translation>
         </message>
-    </context>
-    <context>
-        <name>CutShortDialog</name>
+</context>
+<context>
+    <name>CutShortDialog</name>
         <message>
             <source>EEPROM write was cut short</source>
             <translation>Schreiben des EEPROMs wurde unterbrochen</translation>
@@ -320,9 +320,9 @@
                 <numerusform>%n weitere folgen.</numerusform>
             </translation>
         </message>
-    </context>
-    <context>
-        <name>DcmPanel</name>
+</context>
+<context>
+    <name>DcmPanel</name>
         <message>
             <source>DCM error</source>
             <translation>DCM-Fehler</translation>
@@ -351,9 +351,9 @@
             <source>DCM is off</source>
             <translation>DCM ist aus</translation>
         </message>
-    </context>
-    <context>
-        <name>DeviationPanel</name>
+</context>
+<context>
+    <name>DeviationPanel</name>
         <message>
             <source>DC deviation</source>
             <translation>DC-Abweichung</translation>
@@ -378,9 +378,9 @@
             <source>peak %1</source>
             <translation>Spitze %1</translation>
         </message>
-    </context>
-    <context>
-        <name>DeviceEditor</name>
+</context>
+<context>
+    <name>DeviceEditor</name>
         <message>
             <source>Device editor</source>
             <translation>Geräteeditor</translation>
@@ -408,9 +408,9 @@
             <source>Offline</source>
             <translation>Offline</translation>
         </message>
-    </context>
-    <context>
-        <name>Error</name>
+</context>
+<context>
+    <name>Error</name>
         <message>
             <source>The file {file} does not exist; check its name and folder.</source>
             <translation>Die Datei {file} gibt es nicht; Namen und Ordner prüfen.</translation>
@@ -591,9 +591,9 @@
             <source>{subject}{because}.</source>
             <translation>{subject}{because}.</translation>
         </message>
-    </context>
-    <context>
-        <name>Events</name>
+</context>
+<context>
+    <name>Events</name>
         <message>
             <source>Not known whether the slaves are in sync: nobody leads them</source>
             <translation>Nicht bekannt, ob die Slaves synchron sind: niemand führt sie</translation>
@@ -860,16 +860,16 @@
             <source>Not known whether the slaves are in sync: nothing was read for %1</source>
             <translation>Nicht bekannt, ob die Slaves synchron sind: seit %1 wurde nichts gelesen</translation>
         </message>
-    </context>
-    <context>
-        <name>ExplorerPanel</name>
+</context>
+<context>
+    <name>ExplorerPanel</name>
         <message>
             <source>Project explorer</source>
             <translation>Projektbaum</translation>
         </message>
-    </context>
-    <context>
-        <name>FileCommands</name>
+</context>
+<context>
+    <name>FileCommands</name>
         <message>
             <source>Open</source>
             <translation>Öffnen</translation>
@@ -982,9 +982,9 @@
             <source>It is neither a project, an ENI, an ESI, a recording, a capture nor a scenario.</source>
             <translation>Es ist weder ein Projekt noch eine ENI, eine ESI, eine Aufzeichnung, ein Mitschnitt oder ein Szenario.</translation>
         </message>
-    </context>
-    <context>
-        <name>Glossary</name>
+</context>
+<context>
+    <name>Glossary</name>
         <message>
             <source>Master</source>
             <translation>Master</translation>
@@ -1085,9 +1085,9 @@
             <source>settling</source>
             <translation>schwingt ein</translation>
         </message>
-    </context>
-    <context>
-        <name>Link</name>
+</context>
+<context>
+    <name>Link</name>
         <message>
             <source>Demonstration machine (simulated)</source>
             <translation>Vorführmaschine (simuliert)</translation>
@@ -1100,9 +1100,9 @@
             <source>Simulated: %1</source>
             <translation>Simuliert: %1</translation>
         </message>
-    </context>
-    <context>
-        <name>LinkChooser</name>
+</context>
+<context>
+    <name>LinkChooser</name>
         <message>
             <source>Choose the Bus</source>
             <translation>Bus wählen</translation>
@@ -1155,9 +1155,9 @@
             <source>Scenarios (*.toml)</source>
             <translation>Szenarien (*.toml)</translation>
         </message>
-    </context>
-    <context>
-        <name>LiveStrip</name>
+</context>
+<context>
+    <name>LiveStrip</name>
         <message>
             <source>Live plots</source>
             <translation>Live-Diagramme</translation>
@@ -1230,9 +1230,9 @@
             <source>Copy picture</source>
             <translation>Bild kopieren</translation>
         </message>
-    </context>
-    <context>
-        <name>LiveStripToolbar</name>
+</context>
+<context>
+    <name>LiveStripToolbar</name>
         <message>
             <source>1 s</source>
             <translation>1 s</translation>
@@ -1329,9 +1329,9 @@
             <source>Recording</source>
             <translation>Aufzeichnung</translation>
         </message>
-    </context>
-    <context>
-        <name>MainWindow</name>
+</context>
+<context>
+    <name>MainWindow</name>
         <message>
             <source>A field holds what cannot be a value: mend it, or press Esc in it.</source>
             <translation>In einem Feld steht, was kein Wert sein kann: berichtigen oder darin Esc drücken.</translation>
@@ -1424,9 +1424,9 @@
             <source>A recording is shown, and nothing runs: close it first (File, Close Recording)</source>
             <translation>Eine Aufzeichnung wird gezeigt, und nichts läuft: Schließen Sie sie zuerst (Datei, Aufzeichnung schließen)</translation>
         </message>
-    </context>
-    <context>
-        <name>MasterDcPage</name>
+</context>
+<context>
+    <name>MasterDcPage</name>
         <message>
             <source>Distributed Clocks</source>
             <translation>Distributed Clocks</translation>
@@ -1599,9 +1599,9 @@
             <source>%1 ago</source>
             <translation>vor %1</translation>
         </message>
-    </context>
-    <context>
-        <name>MasterGeneralPage</name>
+</context>
+<context>
+    <name>MasterGeneralPage</name>
         <message>
             <source>Recovery</source>
             <translation>Wiederanlauf</translation>
@@ -1762,9 +1762,9 @@
             <source>Real Time</source>
             <translation>Echtzeit</translation>
         </message>
-    </context>
-    <context>
-        <name>MessageModel</name>
+</context>
+<context>
+    <name>MessageModel</name>
         <message>
             <source>%1
 Setting %2</source>
@@ -1803,9 +1803,9 @@ Einstellung %2</translation>
             <source>Message</source>
             <translation>Meldung</translation>
         </message>
-    </context>
-    <context>
-        <name>MessagesPanel</name>
+</context>
+<context>
+    <name>MessagesPanel</name>
         <message>
             <source>Filter messages</source>
             <translation>Meldungen filtern</translation>
@@ -1838,9 +1838,9 @@ Einstellung %2</translation>
             <source>Show errors</source>
             <translation>Fehler zeigen</translation>
         </message>
-    </context>
-    <context>
-        <name>NetworkModel</name>
+</context>
+<context>
+    <name>NetworkModel</name>
         <message>
             <source>Node</source>
             <translation>Knoten</translation>
@@ -1869,16 +1869,16 @@ Einstellung %2</translation>
             <source>Offline</source>
             <translation>Offline</translation>
         </message>
-    </context>
-    <context>
-        <name>Page</name>
+</context>
+<context>
+    <name>Page</name>
         <message>
             <source>Project</source>
             <translation>Projekt</translation>
         </message>
-    </context>
-    <context>
-        <name>PdoEntryModel</name>
+</context>
+<context>
+    <name>PdoEntryModel</name>
         <message>
             <source>(padding)</source>
             <translation>(Füllbits)</translation>
@@ -1903,9 +1903,9 @@ Einstellung %2</translation>
             <source>Size</source>
             <translation>Größe</translation>
         </message>
-    </context>
-    <context>
-        <name>PdoModel</name>
+</context>
+<context>
+    <name>PdoModel</name>
         <message>
             <source>The device needs this PDO (Mandatory in the ESI)</source>
             <translation>Das Gerät braucht dieses PDO (Mandatory in der ESI)</translation>
@@ -1938,9 +1938,9 @@ Einstellung %2</translation>
             <source>Size</source>
             <translation>Größe</translation>
         </message>
-    </context>
-    <context>
-        <name>ProcessDataPage</name>
+</context>
+<context>
+    <name>ProcessDataPage</name>
         <message>
             <source>Process Data</source>
             <translation>Prozessdaten</translation>
@@ -1973,23 +1973,23 @@ Einstellung %2</translation>
             <source>As slave, PDO and entry</source>
             <translation>Wie Slave, PDO und Eintrag</translation>
         </message>
-    </context>
-    <context>
-        <name>ProjectDocument</name>
+</context>
+<context>
+    <name>ProjectDocument</name>
         <message>
             <source>Untitled</source>
             <translation>Unbenannt</translation>
         </message>
-    </context>
-    <context>
-        <name>QObject</name>
+</context>
+<context>
+    <name>QObject</name>
         <message>
             <source>Syncline</source>
             <translation>Syncline</translation>
         </message>
-    </context>
-    <context>
-        <name>ScanProgress</name>
+</context>
+<context>
+    <name>ScanProgress</name>
         <message>
             <source>Scan</source>
             <translation>Scannen</translation>
@@ -2010,9 +2010,9 @@ Einstellung %2</translation>
             <source>Cancelling…</source>
             <translation>Wird abgebrochen …</translation>
         </message>
-    </context>
-    <context>
-        <name>SlaveDcPage</name>
+</context>
+<context>
+    <name>SlaveDcPage</name>
         <message>
             <source>Distributed Clocks</source>
             <translation>Distributed Clocks</translation>
@@ -2165,9 +2165,9 @@ Einstellung %2</translation>
             <source>Pin %1</source>
             <translation>Pin %1</translation>
         </message>
-    </context>
-    <context>
-        <name>SlaveGeneralPage</name>
+</context>
+<context>
+    <name>SlaveGeneralPage</name>
         <message>
             <source>General</source>
             <translation>Allgemein</translation>
@@ -2332,9 +2332,9 @@ Einstellung %2</translation>
             <source>Slave and port in front of this one</source>
             <translation>Slave und Port vor diesem</translation>
         </message>
-    </context>
-    <context>
-        <name>Sm2Panel</name>
+</context>
+<context>
+    <name>Sm2Panel</name>
         <message>
             <source>SM2 events missed</source>
             <translation>Verpasste SM2-Ereignisse</translation>
@@ -2359,9 +2359,9 @@ Einstellung %2</translation>
             <source>%1: %2/s</source>
             <translation>%1: %2/s</translation>
         </message>
-    </context>
-    <context>
-        <name>StatusPanel</name>
+</context>
+<context>
+    <name>StatusPanel</name>
         <message>
             <source>Offline</source>
             <translation>Offline</translation>
@@ -2505,9 +2505,9 @@ Einstellung %2</translation>
             <translation>
 %1 Zyklen fehlen darin: Der Datenträger war zu langsam</translation>
         </message>
-    </context>
-    <context>
-        <name>Sync</name>
+</context>
+<context>
+    <name>Sync</name>
         <message>
             <source>Offline</source>
             <translation>Offline</translation>
@@ -2520,9 +2520,9 @@ Einstellung %2</translation>
             <source>%1: %2</source>
             <translation>%1: %2</translation>
         </message>
-    </context>
-    <context>
-        <name>SyncSettingsEditor</name>
+</context>
+<context>
+    <name>SyncSettingsEditor</name>
         <message>
             <source>Device family</source>
             <translation>Gerätefamilie</translation>
@@ -2574,9 +2574,9 @@ Einstellung %2</translation>
                 <numerusform>%1 (%n verpasste in Folge)</numerusform>
             </translation>
         </message>
-    </context>
-    <context>
-        <name>SyncUnitEditor</name>
+</context>
+<context>
+    <name>SyncUnitEditor</name>
         <message>
             <source>Sync Unit Cycle of %1</source>
             <translation>Sync Unit Cycle von %1</translation>
@@ -2617,9 +2617,9 @@ Einstellung %2</translation>
             <source>Change Sync Unit Cycle of SYNC%1</source>
             <translation>Sync Unit Cycle von SYNC%1 ändern</translation>
         </message>
-    </context>
-    <context>
-        <name>TracePanel</name>
+</context>
+<context>
+    <name>TracePanel</name>
         <message>
             <source>Legend: %1</source>
             <translation>Legende: %1</translation>
@@ -2640,9 +2640,9 @@ Einstellung %2</translation>
             <source>   min %1   max %2   mean %3</source>
             <translation>   Min %1   Max %2   Mittel %3</translation>
         </message>
-    </context>
-    <context>
-        <name>TracePlot</name>
+</context>
+<context>
+    <name>TracePlot</name>
         <message>
             <source>Time before now</source>
             <translation>Zeit vor jetzt</translation>
@@ -2651,9 +2651,9 @@ Einstellung %2</translation>
             <source>Time since start</source>
             <translation>Zeit seit Beginn</translation>
         </message>
-    </context>
-    <context>
-        <name>Units</name>
+</context>
+<context>
+    <name>Units</name>
         <message numerus="yes">
             <source>%n Byte(s)</source>
             <translation>
@@ -2668,9 +2668,9 @@ Einstellung %2</translation>
                 <numerusform>%n Bit</numerusform>
             </translation>
         </message>
-    </context>
-    <context>
-        <name>WelcomePage</name>
+</context>
+<context>
+    <name>WelcomePage</name>
         <message>
             <source>Welcome</source>
             <translation>Willkommen</translation>
@@ -2699,9 +2699,9 @@ Einstellung %2</translation>
             <source>Keep it in the list</source>
             <translation>In der Liste behalten</translation>
         </message>
-    </context>
-    <context>
-        <name>Workspace</name>
+</context>
+<context>
+    <name>Workspace</name>
         <message>
             <source>Scan</source>
             <translation>Scannen</translation>
@@ -2721,8 +2721,8 @@ Einstellung %2</translation>
             <source>Unsaved work is not kept</source>
             <translation>Ungesicherte Arbeit wird nicht aufbewahrt</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>Finding</name>
     <message>
         <source>Slaves %1</source>
@@ -2766,7 +2766,7 @@ Einstellung %2</translation>
     </message>
 </context>
 <context>
-        <name>FindingModel</name>
+    <name>FindingModel</name>
         <message>
             <source>Error</source>
             <translation>Fehler</translation>
@@ -2795,9 +2795,9 @@ Einstellung %2</translation>
             <source>What to do</source>
             <translation>Was zu tun ist</translation>
         </message>
-    </context>
-    <context>
-        <name>FindingsPanel</name>
+</context>
+<context>
+    <name>FindingsPanel</name>
         <message>
             <source>Findings about the running bus</source>
             <translation>Befunde zum laufenden Bus</translation>
@@ -2806,9 +2806,9 @@ Einstellung %2</translation>
             <source>Nothing found. What the running bus shows to be wrong stands here, with its cause and what to do.</source>
             <translation>Nichts gefunden. Was am laufenden Bus nicht stimmt, steht hier, mit Ursache und Abhilfe.</translation>
         </message>
-    </context>
-    <context>
-        <name>Setting</name>
+</context>
+<context>
+    <name>Setting</name>
         <message>
             <source>Name</source>
             <translation>Name</translation>
@@ -3777,9 +3777,9 @@ Einstellung %2</translation>
             <source>IDN that is written at these transitions, K counts from 0; the number behind the last adds one.</source>
             <translation>IDN, die bei diesen Übergängen geschrieben wird, K zählt ab 0; die Nummer hinter der letzten fügt eine hinzu.</translation>
         </message>
-    </context>
-    <context>
-        <name>FieldBinder</name>
+</context>
+<context>
+    <name>FieldBinder</name>
         <message>
             <source>Change: %1</source>
             <translation>Ändern: %1</translation>
@@ -3792,23 +3792,23 @@ Einstellung %2</translation>
             <source>Finding: %1</source>
             <translation>Befund: %1</translation>
         </message>
-    </context>
-    <context>
-        <name>NumberEdit</name>
+</context>
+<context>
+    <name>NumberEdit</name>
         <message>
             <source>&quot;%1&quot; is no such number: %2</source>
             <translation>„%1“ ist keine solche Zahl: %2</translation>
         </message>
-    </context>
-    <context>
-        <name>PresetEdit</name>
+</context>
+<context>
+    <name>PresetEdit</name>
         <message>
             <source>&quot;%1&quot; is no such number: %2 %3</source>
             <translation>„%1“ ist keine solche Zahl: %2 %3</translation>
         </message>
-    </context>
-    <context>
-        <name>MasterDcExpertPage</name>
+</context>
+<context>
+    <name>MasterDcExpertPage</name>
         <message>
             <source>Distributed Clocks (Expert)</source>
             <translation>Distributed Clocks (Experte)</translation>
@@ -3833,9 +3833,9 @@ Einstellung %2</translation>
             <source>Messages of the Clocks</source>
             <translation>Meldungen der Uhren</translation>
         </message>
-    </context>
-    <context>
-        <name>SlaveTimingPage</name>
+</context>
+<context>
+    <name>SlaveTimingPage</name>
         <message>
             <source>Watchdogs (Expert)</source>
             <translation>Watchdogs (Experte)</translation>
@@ -3848,9 +3848,9 @@ Einstellung %2</translation>
             <source>Time-outs of State Changes</source>
             <translation>Zeitgrenzen der Zustandswechsel</translation>
         </message>
-    </context>
-    <context>
-        <name>SlaveMailboxPage</name>
+</context>
+<context>
+    <name>SlaveMailboxPage</name>
         <message>
             <source>Mailbox</source>
             <translation>Mailbox</translation>
@@ -3863,9 +3863,9 @@ Einstellung %2</translation>
             <source>ADS (AoE)</source>
             <translation>ADS (AoE)</translation>
         </message>
-    </context>
-    <context>
-        <name>SlaveDataPage</name>
+</context>
+<context>
+    <name>SlaveDataPage</name>
         <message>
             <source>Data Options</source>
             <translation>Datenoptionen</translation>
@@ -3882,9 +3882,9 @@ Einstellung %2</translation>
             <source>Sync Units</source>
             <translation>Sync Units</translation>
         </message>
-    </context>
-    <context>
-        <name>Questions</name>
+</context>
+<context>
+    <name>Questions</name>
         <message>
             <source>The machine is running. Take it offline?</source>
             <translation>Die Maschine läuft. Offline nehmen?</translation>
@@ -3897,9 +3897,9 @@ Einstellung %2</translation>
             <source>Go Offline</source>
             <translation>Offline gehen</translation>
         </message>
-    </context>
-    <context>
-        <name>SlaveStartupPage</name>
+</context>
+<context>
+    <name>SlaveStartupPage</name>
         <message>
             <source>INIT to PREOP</source>
             <translation>INIT nach PREOP</translation>
@@ -4092,9 +4092,9 @@ Einstellung %2</translation>
             <source>None: the slave starts with what it has.</source>
             <translation>Keine: der Slave startet mit dem, was er hat.</translation>
         </message>
-    </context>
-    <context>
-        <name>DifferenceDialog</name>
+</context>
+<context>
+    <name>DifferenceDialog</name>
         <message>
             <source>Project and Running Machine</source>
             <translation>Projekt und laufende Maschine</translation>
@@ -4115,9 +4115,9 @@ Einstellung %2</translation>
             <source>Differences between project and running machine</source>
             <translation>Unterschiede zwischen Projekt und laufender Maschine</translation>
         </message>
-    </context>
-    <context>
-        <name>DifferenceModel</name>
+</context>
+<context>
+    <name>DifferenceModel</name>
         <message>
             <source>Where</source>
             <translation>Wo</translation>
@@ -4126,9 +4126,9 @@ Einstellung %2</translation>
             <source>What</source>
             <translation>Was</translation>
         </message>
-    </context>
-    <context>
-        <name>FoundDialog</name>
+</context>
+<context>
+    <name>FoundDialog</name>
         <message numerus="yes">
             <source>%n match(es)</source>
             <translation>
@@ -4261,9 +4261,9 @@ Einstellung %2</translation>
             <source>Replace</source>
             <translation>Ersetzen</translation>
         </message>
-    </context>
-    <context>
-        <name>FoundModel</name>
+</context>
+<context>
+    <name>FoundModel</name>
         <message>
             <source>Matches</source>
             <translation>Stimmt überein</translation>
@@ -4340,9 +4340,9 @@ Einstellung %2</translation>
             <source>Difference</source>
             <translation>Unterschied</translation>
         </message>
-    </context>
-    <context>
-        <name>ImportCommands</name>
+</context>
+<context>
+    <name>ImportCommands</name>
         <message>
             <source>Open</source>
             <translation>Öffnen</translation>
@@ -4389,9 +4389,9 @@ Einstellung %2</translation>
                 <numerusform>%n neue Geräte aus %1 sind im Katalog.</numerusform>
             </translation>
         </message>
-    </context>
-    <context>
-        <name>MasterTasksPage</name>
+</context>
+<context>
+    <name>MasterTasksPage</name>
         <message>
             <source>Tasks (Expert)</source>
             <translation>Tasks (Experte)</translation>
@@ -4460,9 +4460,9 @@ Einstellung %2</translation>
             <source>None: the slaves share their datagrams. A unit is given to a slave on its page Data Options.</source>
             <translation>Keine: die Slaves teilen sich ihre Datagramme. Eine Unit bekommt ein Slave auf seiner Seite Datenoptionen.</translation>
         </message>
-    </context>
-    <context>
-        <name>ObjectPicker</name>
+</context>
+<context>
+    <name>ObjectPicker</name>
         <message>
             <source>Choose Object</source>
             <translation>Objekt wählen</translation>
@@ -4503,9 +4503,9 @@ Einstellung %2</translation>
             <source>Choose</source>
             <translation>Wählen</translation>
         </message>
-    </context>
-    <context>
-        <name>PdoMappingEditor</name>
+</context>
+<context>
+    <name>PdoMappingEditor</name>
         <message>
             <source>Entries</source>
             <translation>Einträge</translation>
@@ -4562,9 +4562,9 @@ Einstellung %2</translation>
             <source>The device takes no other mapping (CoE PdoConfig in its ESI).</source>
             <translation>Das Gerät nimmt kein anderes Mapping (CoE PdoConfig in seiner ESI).</translation>
         </message>
-    </context>
-    <context>
-        <name>RecentMenu</name>
+</context>
+<context>
+    <name>RecentMenu</name>
         <message>
             <source>Open &amp;Recent</source>
             <translation>&amp;Zuletzt geöffnet</translation>
@@ -4581,16 +4581,16 @@ Einstellung %2</translation>
             <source>Pinned projects stay</source>
             <translation>Angeheftete Projekte bleiben</translation>
         </message>
-    </context>
-    <context>
-        <name>RecordEditor</name>
+</context>
+<context>
+    <name>RecordEditor</name>
         <message>
             <source>Selected</source>
             <translation>Gewählt</translation>
         </message>
-    </context>
-    <context>
-        <name>RecordForm</name>
+</context>
+<context>
+    <name>RecordForm</name>
         <message>
             <source>Change: %1</source>
             <translation>Ändern: %1</translation>
@@ -4619,9 +4619,9 @@ Einstellung %2</translation>
             <source>Move down: %1</source>
             <translation>Nach unten: %1</translation>
         </message>
-    </context>
-    <context>
-        <name>RecoveryDialog</name>
+</context>
+<context>
+    <name>RecoveryDialog</name>
         <message>
             <source>Recover Unsaved Work</source>
             <translation>Ungesicherte Arbeit wiederherstellen</translation>
@@ -4685,9 +4685,9 @@ Einstellung %2</translation>
             <source>Discard this work for good?</source>
             <translation>Diese Arbeit endgültig verwerfen?</translation>
         </message>
-    </context>
-    <context>
-        <name>RunBar</name>
+</context>
+<context>
+    <name>RunBar</name>
         <message>
             <source>Project and running machine</source>
             <translation>Projekt und laufende Maschine</translation>
@@ -4735,9 +4735,9 @@ Einstellung %2</translation>
             <source>Only parameters of the master synchronisation can be changed while the machine runs</source>
             <translation>Nur Parameter der Master-Synchronisation lassen sich ändern, während die Maschine läuft</translation>
         </message>
-    </context>
-    <context>
-        <name>SlaveSyncPage</name>
+</context>
+<context>
+    <name>SlaveSyncPage</name>
         <message>
             <source>Synchronisation</source>
             <translation>Synchronisation</translation>
@@ -4758,9 +4758,9 @@ Einstellung %2</translation>
             <source>Pin %1</source>
             <translation>Pin %1</translation>
         </message>
-    </context>
-    <context>
-        <name>Overview</name>
+</context>
+<context>
+    <name>Overview</name>
         <message>
             <source>An event without words</source>
             <translation>Ein Ereignis ohne Worte</translation>
@@ -4823,9 +4823,9 @@ Einstellung %2</translation>
             <source>%1 s</source>
             <translation>%1 s</translation>
         </message>
-    </context>
-    <context>
-        <name>Recorded</name>
+</context>
+<context>
+    <name>Recorded</name>
         <message>
             <source>Master</source>
             <translation>Master</translation>
@@ -4878,16 +4878,16 @@ Einstellung %2</translation>
             <source>; the plots show the last %1 of them</source>
             <translation>; die Diagramme zeigen die letzten %1 davon</translation>
         </message>
-    </context>
-    <context>
-        <name>FigureCard</name>
+</context>
+<context>
+    <name>FigureCard</name>
         <message>
             <source>Margin: %1</source>
             <translation>Reserve: %1</translation>
         </message>
-    </context>
-    <context>
-        <name>OverviewPanel</name>
+</context>
+<context>
+    <name>OverviewPanel</name>
         <message>
             <source>mean</source>
             <translation>Mittel</translation>
@@ -5072,9 +5072,9 @@ Einstellung %2</translation>
             <source>Nothing has run yet: go online.</source>
             <translation>Noch ist nichts gelaufen: Gehen Sie online.</translation>
         </message>
-    </context>
-    <context>
-        <name>RecordingBar</name>
+</context>
+<context>
+    <name>RecordingBar</name>
         <message>
             <source>Recording that is shown</source>
             <translation>Aufzeichnung, die gezeigt wird</translation>
@@ -5095,9 +5095,9 @@ Einstellung %2</translation>
             <source>&lt;b&gt;Recording %1&lt;/b&gt; – %2. Nothing here is live.</source>
             <translation>&lt;b&gt;Aufzeichnung %1&lt;/b&gt; – %2. Nichts hier läuft.</translation>
         </message>
-    </context>
-    <context>
-        <name>RecordingCommands</name>
+</context>
+<context>
+    <name>RecordingCommands</name>
         <message>
             <source>Reading %1…</source>
             <translation>Lese %1 …</translation>
@@ -5186,5 +5186,913 @@ Einstellung %2</translation>
             <source>Saved to %1</source>
             <translation>Gesichert nach %1</translation>
         </message>
-    </context>
+</context>
+<context>
+    <name>Dictionary</name>
+        <message>
+            <source>write in %1</source>
+            <translation>schreiben in %1</translation>
+        </message>
+        <message>
+            <source>text of at most %1</source>
+            <translation>Text von höchstens %1</translation>
+        </message>
+        <message>
+            <source>%1 to %2</source>
+            <translation>%1 bis %2</translation>
+        </message>
+</context>
+<context>
+    <name>DictionaryReader</name>
+        <message>
+            <source>The slave does not tell its objects.</source>
+            <translation>Der Slave nennt seine Objekte nicht.</translation>
+        </message>
+</context>
+<context>
+    <name>ObjectModel</name>
+        <message>
+            <source>Ticked entries are watched</source>
+            <translation>Angehakte Einträge werden beobachtet</translation>
+        </message>
+        <message>
+            <source>Object</source>
+            <translation>Objekt</translation>
+        </message>
+        <message>
+            <source>Name</source>
+            <translation>Name</translation>
+        </message>
+        <message>
+            <source>Type</source>
+            <translation>Typ</translation>
+        </message>
+        <message>
+            <source>Access</source>
+            <translation>Zugriff</translation>
+        </message>
+        <message>
+            <source>Unit</source>
+            <translation>Einheit</translation>
+        </message>
+        <message>
+            <source>Value</source>
+            <translation>Wert</translation>
+        </message>
+        <message>
+            <source>Hex</source>
+            <translation>Hex</translation>
+        </message>
+        <message>
+            <source>%1, read from the slave</source>
+            <translation>%1, aus dem Slave gelesen</translation>
+        </message>
+        <message>
+            <source>Not read yet</source>
+            <translation>Noch nicht gelesen</translation>
+        </message>
+        <message>
+            <source>%1, the default of the ESI: not read yet</source>
+            <translation>%1, der Vorgabewert der ESI: noch nicht gelesen</translation>
+        </message>
+</context>
+<context>
+    <name>ObjectWriteBar</name>
+        <message>
+            <source>New value</source>
+            <translation>Neuer Wert</translation>
+        </message>
+        <message>
+            <source>Values with names</source>
+            <translation>Werte mit Namen</translation>
+        </message>
+        <message>
+            <source>&amp;Write</source>
+            <translation>&amp;Schreiben</translation>
+        </message>
+        <message>
+            <source>Write the value</source>
+            <translation>Den Wert schreiben</translation>
+        </message>
+        <message>
+            <source>Not possible; %1</source>
+            <translation>Nicht möglich; %1</translation>
+        </message>
+</context>
+<context>
+    <name>OnlinePage</name>
+        <message>
+            <source>Offline. Go online (F5), in whatever state, to ask the slave itself.</source>
+            <translation>Offline. Gehen Sie online (F5), in welchem Zustand auch immer, um den Slave selbst zu fragen.</translation>
+        </message>
+        <message>
+            <source>The bus is going offline.</source>
+            <translation>Der Bus geht offline.</translation>
+        </message>
+        <message>
+            <source>The machine was started without this slave: restart it with the project as it is now.</source>
+            <translation>Die Maschine wurde ohne diesen Slave gestartet: Starten Sie sie mit dem jetzigen Projekt neu.</translation>
+        </message>
+        <message>
+            <source>The bus is starting.</source>
+            <translation>Der Bus startet.</translation>
+        </message>
+        <message>
+            <source>The slave does not answer: check its power and the cable in front of it.</source>
+            <translation>Der Slave antwortet nicht: Prüfen Sie seine Versorgung und das Kabel davor.</translation>
+        </message>
+        <message>
+            <source>%1 is in %2. %3</source>
+            <translation>%1 ist in %2. %3</translation>
+        </message>
+</context>
+<context>
+    <name>SlaveObjectsPage</name>
+        <message>
+            <source>Objects</source>
+            <translation>Objekte</translation>
+        </message>
+        <message>
+            <source>Where the objects are described</source>
+            <translation>Wo die Objekte beschrieben sind</translation>
+        </message>
+        <message>
+            <source>From the ESI</source>
+            <translation>Aus der ESI</translation>
+        </message>
+        <message>
+            <source>From the slave: all</source>
+            <translation>Aus dem Slave: alle</translation>
+        </message>
+        <message>
+            <source>From the slave: RxPDO</source>
+            <translation>Aus dem Slave: RxPDO</translation>
+        </message>
+        <message>
+            <source>From the slave: TxPDO</source>
+            <translation>Aus dem Slave: TxPDO</translation>
+        </message>
+        <message>
+            <source>From the slave: to be stored</source>
+            <translation>Aus dem Slave: zu sichernde</translation>
+        </message>
+        <message>
+            <source>From the slave: start-up</source>
+            <translation>Aus dem Slave: Hochlauf</translation>
+        </message>
+        <message>
+            <source>The slave tells its objects by SDO information (ETG.1000.6, 5.6.3)</source>
+            <translation>Der Slave nennt seine Objekte durch SDO-Information (ETG.1000.6, 5.6.3)</translation>
+        </message>
+        <message>
+            <source>Search objects</source>
+            <translation>Objekte suchen</translation>
+        </message>
+        <message>
+            <source>Index, name or value</source>
+            <translation>Index, Name oder Wert</translation>
+        </message>
+        <message>
+            <source>Watched only</source>
+            <translation>Nur beobachtete</translation>
+        </message>
+        <message>
+            <source>Show watched entries only</source>
+            <translation>Nur beobachtete Einträge zeigen</translation>
+        </message>
+        <message>
+            <source>Objects of the slave</source>
+            <translation>Objekte des Slaves</translation>
+        </message>
+        <message>
+            <source>Copy</source>
+            <translation>Kopieren</translation>
+        </message>
+        <message>
+            <source>&amp;Read</source>
+            <translation>&amp;Lesen</translation>
+        </message>
+        <message>
+            <source>Read the selected objects</source>
+            <translation>Die gewählten Objekte lesen</translation>
+        </message>
+        <message>
+            <source>Read &amp;All Shown</source>
+            <translation>&amp;Alle gezeigten lesen</translation>
+        </message>
+        <message>
+            <source>Read all entries that are shown</source>
+            <translation>Alle gezeigten Einträge lesen</translation>
+        </message>
+        <message>
+            <source>How often watched entries are read</source>
+            <translation>Wie oft beobachtete Einträge gelesen werden</translation>
+        </message>
+        <message>
+            <source>Watched: on demand</source>
+            <translation>Beobachtete: auf Anforderung</translation>
+        </message>
+        <message>
+            <source>Watched: every %1 s</source>
+            <translation>Beobachtete: alle %1 s</translation>
+        </message>
+        <message>
+            <source>What became of the last request</source>
+            <translation>Was aus der letzten Anfrage wurde</translation>
+        </message>
+        <message>
+            <source>Stop</source>
+            <translation>Stopp</translation>
+        </message>
+        <message>
+            <source>Stop reading</source>
+            <translation>Das Lesen beenden</translation>
+        </message>
+        <message>
+            <source>&amp;CSV…</source>
+            <translation>&amp;CSV …</translation>
+        </message>
+        <message>
+            <source>Export the shown objects as comma separated values</source>
+            <translation>Die gezeigten Objekte als kommagetrennte Werte exportieren</translation>
+        </message>
+        <message>
+            <source>%1 of %2 objects</source>
+            <translation>%1 von %2 Objekten</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n object(s)</source>
+            <translation>
+                <numerusform>%n Objekt</numerusform>
+                <numerusform>%n Objekte</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>This slave does not speak CoE: it has no objects. Its registers and EEPROM can be read all the same.</source>
+            <translation>Dieser Slave spricht kein CoE: Er hat keine Objekte. Seine Register und sein EEPROM lassen sich trotzdem lesen.</translation>
+        </message>
+        <message>
+            <source>Objects can be read from PREOP on: lead the slave there first.</source>
+            <translation>Objekte lassen sich ab PREOP lesen: Führen Sie den Slave zuerst dorthin.</translation>
+        </message>
+        <message>
+            <source>The ESI describes no objects: choose &quot;From the slave&quot; when online.</source>
+            <translation>Die ESI beschreibt keine Objekte: Wählen Sie online „Aus dem Slave“.</translation>
+        </message>
+        <message>
+            <source>This slave does not speak CoE: it has no objects.</source>
+            <translation>Dieser Slave spricht kein CoE: Er hat keine Objekte.</translation>
+        </message>
+        <message>
+            <source>The slave is asked for its objects.</source>
+            <translation>Der Slave wird nach seinen Objekten gefragt.</translation>
+        </message>
+        <message>
+            <source>Choose an entry to write a value.</source>
+            <translation>Wählen Sie einen Eintrag, um einen Wert zu schreiben.</translation>
+        </message>
+        <message>
+            <source>%1 cannot be written.</source>
+            <translation>%1 kann nicht geschrieben werden.</translation>
+        </message>
+        <message>
+            <source>Nothing that can be read is selected.</source>
+            <translation>Nichts Lesbares ist gewählt.</translation>
+        </message>
+        <message>
+            <source>%1 of %2 entries</source>
+            <translation>%1 von %2 Einträgen</translation>
+        </message>
+        <message>
+            <source>The slave acts upon the new value at once.</source>
+            <translation>Der Slave richtet sich sofort nach dem neuen Wert.</translation>
+        </message>
+        <message>
+            <source>The object is in the process data: the master writes it in each cycle and will overwrite this.</source>
+            <translation>Das Objekt gehört zu den Prozessdaten: Der Master schreibt es in jedem Zyklus und wird dies überschreiben.</translation>
+        </message>
+        <message>
+            <source>Write %1 to %2?</source>
+            <translation>%1 in %2 schreiben?</translation>
+        </message>
+        <message>
+            <source>Write</source>
+            <translation>Schreiben</translation>
+        </message>
+        <message>
+            <source>%1 is written.</source>
+            <translation>%1 ist geschrieben.</translation>
+        </message>
+        <message>
+            <source>Written, but not to be read back: %1</source>
+            <translation>Geschrieben, lässt sich aber nicht zurücklesen: %1</translation>
+        </message>
+        <message>
+            <source>%1 is %2 now.</source>
+            <translation>%1 ist jetzt %2.</translation>
+        </message>
+        <message>
+            <source>Written, but the slave has made %1 of it.</source>
+            <translation>Geschrieben, doch der Slave hat daraus %1 gemacht.</translation>
+        </message>
+        <message>
+            <source>Stopped.</source>
+            <translation>Beendet.</translation>
+        </message>
+        <message>
+            <source>Export Objects</source>
+            <translation>Objekte exportieren</translation>
+        </message>
+        <message>
+            <source>Comma-separated values (*.csv)</source>
+            <translation>Kommagetrennte Werte (*.csv)</translation>
+        </message>
+        <message>
+            <source>The objects could not be exported.</source>
+            <translation>Die Objekte konnten nicht exportiert werden.</translation>
+        </message>
+</context>
+<context>
+    <name>SlaveRequests</name>
+        <message>
+            <source>Cancelled.</source>
+            <translation>Abgebrochen.</translation>
+        </message>
+        <message>
+            <source>The bus is offline: go online first (F5).</source>
+            <translation>Der Bus ist offline: Gehen Sie zuerst online (F5).</translation>
+        </message>
+</context>
+<context>
+    <name>SlaveStateBar</name>
+        <message>
+            <source>AL status of the slave</source>
+            <translation>AL-Status des Slaves</translation>
+        </message>
+        <message>
+            <source>Acknowledge Error</source>
+            <translation>Fehler quittieren</translation>
+        </message>
+        <message>
+            <source>Acknowledge the error</source>
+            <translation>Den Fehler quittieren</translation>
+        </message>
+        <message>
+            <source>Writes the error acknowledge bit (0x0120 bit 4); the slave stays in its state</source>
+            <translation>Schreibt das Quittierbit (0x0120 Bit 4); der Slave bleibt in seinem Zustand</translation>
+        </message>
+        <message>
+            <source>Request %1 of this slave</source>
+            <translation>%1 von diesem Slave anfordern</translation>
+        </message>
+        <message>
+            <source>Leads this slave alone to %1, with its init commands (register 0x0120)</source>
+            <translation>Führt nur diesen Slave nach %1, mit seinen Init-Kommandos (Register 0x0120)</translation>
+        </message>
+        <message>
+            <source>The machine was started without this slave.</source>
+            <translation>Die Maschine wurde ohne diesen Slave gestartet.</translation>
+        </message>
+        <message>
+            <source>No answer (register 0x0130)</source>
+            <translation>Keine Antwort (Register 0x0130)</translation>
+        </message>
+        <message>
+            <source>AL status %1: %2</source>
+            <translation>AL-Status %1: %2</translation>
+        </message>
+</context>
+<context>
+    <name>SlaveStateCommands</name>
+        <message>
+            <source>Go online first (F5).</source>
+            <translation>Gehen Sie zuerst online (F5).</translation>
+        </message>
+        <message>
+            <source>The machine was started without this slave.</source>
+            <translation>Die Maschine wurde ohne diesen Slave gestartet.</translation>
+        </message>
+        <message>
+            <source>The slave does not answer.</source>
+            <translation>Der Slave antwortet nicht.</translation>
+        </message>
+        <message>
+            <source>The whole bus is in INIT: request PREOP or more for all first.</source>
+            <translation>Der ganze Bus ist in INIT: Fordern Sie zuerst PREOP oder mehr für alle an.</translation>
+        </message>
+        <message>
+            <source>Its outputs stop and its inputs are no longer valid. The other slaves go on, and the master expects the working counter without it.</source>
+            <translation>Seine Ausgänge stehen still, seine Eingänge gelten nicht mehr. Die anderen Slaves laufen weiter, und der Master erwartet den Working Counter ohne ihn.</translation>
+        </message>
+        <message>
+            <source>It stays where you lead it: automatic recovery brings back only slaves that were lost or fell by themselves. A request of a state for the whole bus takes it along again.</source>
+            <translation>Er bleibt, wohin Sie ihn führen: Die automatische Wiederherstellung holt nur Slaves zurück, die verloren gingen oder von selbst fielen. Eine Zustandsanforderung für den ganzen Bus nimmt ihn wieder mit.</translation>
+        </message>
+        <message>
+            <source>The machine runs. Take %1 to %2?</source>
+            <translation>Die Maschine läuft. %1 nach %2 führen?</translation>
+        </message>
+        <message>
+            <source>Take to %1</source>
+            <translation>Nach %1 führen</translation>
+        </message>
+        <message>
+            <source>%1 is requested.</source>
+            <translation>%1 ist angefordert.</translation>
+        </message>
+        <message>
+            <source>It is in %1.</source>
+            <translation>Er ist in %1.</translation>
+        </message>
+        <message>
+            <source>The error is acknowledged; now request the state that it shall have.</source>
+            <translation>Der Fehler ist quittiert; fordern Sie nun den Zustand an, den er haben soll.</translation>
+        </message>
+        <message>
+            <source>Acknowledge Error</source>
+            <translation>Fehler quittieren</translation>
+        </message>
+</context>
+<context>
+    <name>Counters</name>
+        <message>
+            <source>at least %1</source>
+            <translation>mindestens %1</translation>
+        </message>
+        <message>
+            <source> (+%1 in 10 s)</source>
+            <translation> (+%1 in 10 s)</translation>
+        </message>
+</context>
+<context>
+    <name>EepromLines</name>
+        <message>
+            <source>Checksum of the configuration</source>
+            <translation>Prüfsumme der Konfiguration</translation>
+        </message>
+        <message>
+            <source>right</source>
+            <translation>richtig</translation>
+        </message>
+        <message>
+            <source>WRONG: the ESC does not load it</source>
+            <translation>FALSCH: Der ESC lädt sie nicht</translation>
+        </message>
+        <message>
+            <source>Alias</source>
+            <translation>Alias</translation>
+        </message>
+        <message>
+            <source>Vendor</source>
+            <translation>Hersteller</translation>
+        </message>
+        <message>
+            <source>Product code</source>
+            <translation>Produktcode</translation>
+        </message>
+        <message>
+            <source>Revision</source>
+            <translation>Revision</translation>
+        </message>
+        <message>
+            <source>Serial number</source>
+            <translation>Seriennummer</translation>
+        </message>
+        <message>
+            <source>Size</source>
+            <translation>Größe</translation>
+        </message>
+        <message>
+            <source>PDI control</source>
+            <translation>PDI-Steuerung</translation>
+        </message>
+        <message>
+            <source>PDI configuration</source>
+            <translation>PDI-Konfiguration</translation>
+        </message>
+        <message>
+            <source>Pulse length of SYNC signals</source>
+            <translation>Pulslänge der SYNC-Signale</translation>
+        </message>
+        <message>
+            <source>Mailbox to the slave (SM0)</source>
+            <translation>Mailbox zum Slave (SM0)</translation>
+        </message>
+        <message>
+            <source>Mailbox from the slave (SM1)</source>
+            <translation>Mailbox vom Slave (SM1)</translation>
+        </message>
+        <message>
+            <source>In BOOT to the slave</source>
+            <translation>In BOOT zum Slave</translation>
+        </message>
+        <message>
+            <source>In BOOT from the slave</source>
+            <translation>In BOOT vom Slave</translation>
+        </message>
+        <message>
+            <source>Mailbox protocols</source>
+            <translation>Mailbox-Protokolle</translation>
+        </message>
+        <message>
+            <source>Name</source>
+            <translation>Name</translation>
+        </message>
+        <message>
+            <source>Order number</source>
+            <translation>Bestellnummer</translation>
+        </message>
+        <message>
+            <source>Group</source>
+            <translation>Gruppe</translation>
+        </message>
+        <message>
+            <source>E-bus current</source>
+            <translation>E-Bus-Strom</translation>
+        </message>
+        <message>
+            <source>%1, control %2</source>
+            <translation>%1, Control %2</translation>
+        </message>
+        <message>
+            <source>Distributed clocks: %1</source>
+            <translation>Verteilte Uhren: %1</translation>
+        </message>
+        <message>
+            <source>AssignActivate %1, SYNC0 %2, shift %3</source>
+            <translation>AssignActivate %1, SYNC0 %2, Shift %3</translation>
+        </message>
+        <message>
+            <source>Outputs</source>
+            <translation>Ausgänge</translation>
+        </message>
+        <message>
+            <source>Inputs</source>
+            <translation>Eingänge</translation>
+        </message>
+        <message>
+            <source>Mailbox state</source>
+            <translation>Mailbox-Status</translation>
+        </message>
+        <message>
+            <source>Category %1</source>
+            <translation>Kategorie %1</translation>
+        </message>
+</context>
+<context>
+    <name>RegisterModel</name>
+        <message>
+            <source>Address</source>
+            <translation>Adresse</translation>
+        </message>
+        <message>
+            <source>Register</source>
+            <translation>Register</translation>
+        </message>
+        <message>
+            <source>Value</source>
+            <translation>Wert</translation>
+        </message>
+        <message>
+            <source>Hex</source>
+            <translation>Hex</translation>
+        </message>
+        <message>
+            <source>Age</source>
+            <translation>Alter</translation>
+        </message>
+        <message>
+            <source>%1 s</source>
+            <translation>%1 s</translation>
+        </message>
+</context>
+<context>
+    <name>SlaveCountersPage</name>
+        <message>
+            <source>Error Counters</source>
+            <translation>Fehlerzähler</translation>
+        </message>
+        <message>
+            <source>Port</source>
+            <translation>Port</translation>
+        </message>
+        <message>
+            <source>Invalid frames</source>
+            <translation>Ungültige Frames</translation>
+        </message>
+        <message>
+            <source>Receive errors</source>
+            <translation>Empfangsfehler</translation>
+        </message>
+        <message>
+            <source>Forwarded errors</source>
+            <translation>Weitergeleitete Fehler</translation>
+        </message>
+        <message>
+            <source>Lost links</source>
+            <translation>Linkverluste</translation>
+        </message>
+        <message>
+            <source>Counter</source>
+            <translation>Zähler</translation>
+        </message>
+        <message>
+            <source>Total</source>
+            <translation>Summe</translation>
+        </message>
+        <message>
+            <source>Register</source>
+            <translation>Register</translation>
+        </message>
+        <message>
+            <source>Read</source>
+            <translation>Gelesen</translation>
+        </message>
+        <message>
+            <source>Error counters of the ports</source>
+            <translation>Fehlerzähler der Ports</translation>
+        </message>
+        <message>
+            <source>Other counters</source>
+            <translation>Weitere Zähler</translation>
+        </message>
+        <message>
+            <source>Counts since going online, or since the statistics were cleared. Invalid frames at a port: the fault is on the cable or the plug at this port. Forwarded errors alone: it is further in front.</source>
+            <translation>Zählt ab dem Onlinegehen oder dem Löschen der Statistik. Ungültige Frames an einem Port: Der Fehler liegt am Kabel oder Stecker dieses Ports. Nur weitergeleitete Fehler: Er liegt weiter vorn.</translation>
+        </message>
+        <message>
+            <source>not yet</source>
+            <translation>noch nicht</translation>
+        </message>
+        <message>
+            <source>%1 s ago</source>
+            <translation>vor %1 s</translation>
+        </message>
+        <message>
+            <source>Read: %1 (registers 0x0300 to 0x0313)</source>
+            <translation>Gelesen: %1 (Register 0x0300 bis 0x0313)</translation>
+        </message>
+        <message>
+            <source>Port %1 (%2)</source>
+            <translation>Port %1 (%2)</translation>
+        </message>
+        <message>
+            <source>Processing unit errors</source>
+            <translation>Fehler der Processing Unit</translation>
+        </message>
+        <message>
+            <source>PDI errors</source>
+            <translation>PDI-Fehler</translation>
+        </message>
+        <message>
+            <source>Process data watchdog expired</source>
+            <translation>Prozessdaten-Watchdog abgelaufen</translation>
+        </message>
+        <message>
+            <source>PDI watchdog expired</source>
+            <translation>PDI-Watchdog abgelaufen</translation>
+        </message>
+</context>
+<context>
+    <name>SlaveEepromPage</name>
+        <message>
+            <source>EEPROM</source>
+            <translation>EEPROM</translation>
+        </message>
+        <message>
+            <source>Part</source>
+            <translation>Teil</translation>
+        </message>
+        <message>
+            <source>Value</source>
+            <translation>Wert</translation>
+        </message>
+        <message>
+            <source>What the EEPROM says</source>
+            <translation>Was das EEPROM sagt</translation>
+        </message>
+        <message>
+            <source>Bytes of the EEPROM</source>
+            <translation>Bytes des EEPROM</translation>
+        </message>
+        <message>
+            <source>Not read yet</source>
+            <translation>Noch nicht gelesen</translation>
+        </message>
+        <message>
+            <source>What became of the last request</source>
+            <translation>Was aus der letzten Anfrage wurde</translation>
+        </message>
+        <message>
+            <source>&amp;Read</source>
+            <translation>&amp;Lesen</translation>
+        </message>
+        <message>
+            <source>Read the whole EEPROM</source>
+            <translation>Das ganze EEPROM lesen</translation>
+        </message>
+        <message>
+            <source>&amp;Save…</source>
+            <translation>&amp;Sichern …</translation>
+        </message>
+        <message>
+            <source>Copy the EEPROM into a file</source>
+            <translation>Das EEPROM in eine Datei kopieren</translation>
+        </message>
+        <message>
+            <source>New alias</source>
+            <translation>Neuer Alias</translation>
+        </message>
+        <message>
+            <source>&amp;Write Alias…</source>
+            <translation>Alias sch&amp;reiben …</translation>
+        </message>
+        <message>
+            <source>Write the alias into the EEPROM</source>
+            <translation>Den Alias in das EEPROM schreiben</translation>
+        </message>
+        <message>
+            <source>Write &amp;Image…</source>
+            <translation>&amp;Abbild schreiben …</translation>
+        </message>
+        <message>
+            <source>Write a file into the EEPROM</source>
+            <translation>Eine Datei in das EEPROM schreiben</translation>
+        </message>
+        <message>
+            <source>Alias</source>
+            <translation>Alias</translation>
+        </message>
+        <message>
+            <source>%1 of %2</source>
+            <translation>%1 von %2</translation>
+        </message>
+        <message>
+            <source>Save EEPROM</source>
+            <translation>EEPROM sichern</translation>
+        </message>
+        <message>
+            <source>EEPROM images (*.bin)</source>
+            <translation>EEPROM-Abbilder (*.bin)</translation>
+        </message>
+        <message>
+            <source>The EEPROM could not be saved.</source>
+            <translation>Das EEPROM konnte nicht gesichert werden.</translation>
+        </message>
+        <message>
+            <source>Write alias %1 into the EEPROM of %2?</source>
+            <translation>Alias %1 in das EEPROM von %2 schreiben?</translation>
+        </message>
+        <message>
+            <source>It is written with its checksum and read back; the machine goes on. The slave takes it at its next power-on: until then 0x0012 shows the old one.</source>
+            <translation>Er wird mit seiner Prüfsumme geschrieben und zurückgelesen; die Maschine läuft weiter. Der Slave übernimmt ihn beim nächsten Einschalten: Bis dahin zeigt 0x0012 den alten.</translation>
+        </message>
+        <message>
+            <source>Write</source>
+            <translation>Schreiben</translation>
+        </message>
+        <message>
+            <source>Alias %1 is in the EEPROM and read back. The slave takes it at its next power-on.</source>
+            <translation>Alias %1 steht im EEPROM und ist zurückgelesen. Der Slave übernimmt ihn beim nächsten Einschalten.</translation>
+        </message>
+        <message>
+            <source>Write EEPROM Image</source>
+            <translation>EEPROM-Abbild schreiben</translation>
+        </message>
+        <message>
+            <source>EEPROM images (*.bin);;All files (*)</source>
+            <translation>EEPROM-Abbilder (*.bin);;Alle Dateien (*)</translation>
+        </message>
+        <message>
+            <source>The image could not be read.</source>
+            <translation>Das Abbild konnte nicht gelesen werden.</translation>
+        </message>
+        <message>
+            <source>The image does not fit: it has %1, the EEPROM %2.</source>
+            <translation>Das Abbild passt nicht: Es hat %1, das EEPROM %2.</translation>
+        </message>
+        <message>
+            <source>Words that differ are written and read back; when one fails, all are put back. A wrong image can leave a slave that no longer comes up.</source>
+            <translation>Abweichende Wörter werden geschrieben und zurückgelesen; misslingt eines, werden alle zurückgesetzt. Nach einem falschen Abbild kommt der Slave womöglich nicht mehr hoch.</translation>
+        </message>
+        <message>
+            <source>The image is of another device (%1, product %2).</source>
+            <translation>Das Abbild gehört zu einem anderen Gerät (%1, Produkt %2).</translation>
+        </message>
+        <message>
+            <source>Write this image into the EEPROM of %1?</source>
+            <translation>Dieses Abbild in das EEPROM von %1 schreiben?</translation>
+        </message>
+        <message>
+            <source>The image is in the EEPROM and read back. The slave takes it at its next power-on.</source>
+            <translation>Das Abbild steht im EEPROM und ist zurückgelesen. Der Slave übernimmt es beim nächsten Einschalten.</translation>
+        </message>
+        <message>
+            <source>The EEPROM is being written.</source>
+            <translation>Das EEPROM wird geschrieben.</translation>
+        </message>
+</context>
+<context>
+    <name>SlaveRegistersPage</name>
+        <message>
+            <source>Registers</source>
+            <translation>Register</translation>
+        </message>
+        <message>
+            <source>Registers of the slave</source>
+            <translation>Register des Slaves</translation>
+        </message>
+        <message>
+            <source>What became of the last request</source>
+            <translation>Was aus der letzten Anfrage wurde</translation>
+        </message>
+        <message>
+            <source>Which registers are shown and read</source>
+            <translation>Welche Register gezeigt und gelesen werden</translation>
+        </message>
+        <message>
+            <source>All registers</source>
+            <translation>Alle Register</translation>
+        </message>
+        <message>
+            <source>Search registers</source>
+            <translation>Register suchen</translation>
+        </message>
+        <message>
+            <source>Address or name</source>
+            <translation>Adresse oder Name</translation>
+        </message>
+        <message>
+            <source>&amp;Read Shown</source>
+            <translation>Gezeigte &amp;lesen</translation>
+        </message>
+        <message>
+            <source>Read the registers that are shown</source>
+            <translation>Die gezeigten Register lesen</translation>
+        </message>
+        <message>
+            <source>Read &amp;One</source>
+            <translation>&amp;Eines lesen</translation>
+        </message>
+        <message>
+            <source>Read the selected register</source>
+            <translation>Das gewählte Register lesen</translation>
+        </message>
+        <message>
+            <source>How often the shown registers are read</source>
+            <translation>Wie oft die gezeigten Register gelesen werden</translation>
+        </message>
+        <message>
+            <source>On demand</source>
+            <translation>Auf Anforderung</translation>
+        </message>
+        <message>
+            <source>Every %1 s</source>
+            <translation>Alle %1 s</translation>
+        </message>
+        <message>
+            <source>New value, decimal or with 0x</source>
+            <translation>Neuer Wert, dezimal oder mit 0x</translation>
+        </message>
+        <message>
+            <source>&amp;Write…</source>
+            <translation>&amp;Schreiben …</translation>
+        </message>
+        <message>
+            <source>Write the register</source>
+            <translation>Das Register schreiben</translation>
+        </message>
+        <message>
+            <source>Choose a register to write it.</source>
+            <translation>Wählen Sie ein Register, um es zu schreiben.</translation>
+        </message>
+        <message>
+            <source>No register is shown that could be read along: choose one and read it alone.</source>
+            <translation>Kein gezeigtes Register lässt sich mitlesen: Wählen Sie eines und lesen Sie es einzeln.</translation>
+        </message>
+        <message>
+            <source>Choose a register first.</source>
+            <translation>Wählen Sie zuerst ein Register.</translation>
+        </message>
+        <message>
+            <source>not in this ESC</source>
+            <translation>nicht in diesem ESC</translation>
+        </message>
+        <message>
+            <source>Write %1 to register %2?</source>
+            <translation>%1 in Register %2 schreiben?</translation>
+        </message>
+        <message>
+            <source>The master has set this slave up and counts on its registers. A wrong value can stop the slave or the bus behind it, and nothing but going online anew puts it back.</source>
+            <translation>Der Master hat diesen Slave eingerichtet und verlässt sich auf dessen Register. Ein falscher Wert kann den Slave oder den Bus dahinter anhalten, und erst ein neues Onlinegehen stellt ihn zurück.</translation>
+        </message>
+        <message>
+            <source>Write</source>
+            <translation>Schreiben</translation>
+        </message>
+        <message>
+            <source>%1 is written.</source>
+            <translation>%1 ist geschrieben.</translation>
+        </message>
+</context>
 </TS>

@@ -231,4 +231,14 @@
             </translation>
         </message>
     </context>
+    <context>
+        <name>SlaveObjectsPage</name>
+        <message numerus="yes">
+            <source>%n object(s)</source>
+            <translation>
+                <numerusform>%n object</numerusform>
+                <numerusform>%n objects</numerusform>
+            </translation>
+        </message>
+    </context>
 </TS>

@@ -4,6 +4,7 @@
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QFileInfo>
+#include <QMenu>
 #include <QMenuBar>
 #include <QMimeData>
 #include <QSplitter>
@@ -24,6 +25,7 @@
 #include "ui/dialogs/recent_menu.h"
 #include "ui/dialogs/recording_commands.h"
 #include "ui/dialogs/scan_progress.h"
+#include "ui/dialogs/slave_state_commands.h"
 #include "ui/pages/device_editor.h"
 #include "ui/pages/welcome_page.h"
 #include "ui/panels/explorer_panel.h"
@@ -35,6 +37,7 @@
 #include "ui/panels/run_bar.h"
 #include "ui/panels/status_panel.h"
 #include "ui/session/workspace.h"
+#include "ui/text/glossary.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/named.h"
 #include "ui/window_layout.h"
@@ -139,6 +142,20 @@ void MainWindow::buildDocks() {
   connect(explorer_, &ExplorerPanel::nodeSelected, this, [this] { showOverview(false); });
   connect(messages, &MessagesPanel::placeActivated, this, &MainWindow::goTo);
   connect(editor_, &DeviceEditor::nodeWanted, explorer_, &ExplorerPanel::select);
+  explorer_->setContextMenuPolicy(Qt::CustomContextMenu);
+  connect(explorer_, &QWidget::customContextMenuRequested, this, &MainWindow::openSlaveMenu);
+}
+
+/// Of the selected slave: a right click has selected it.
+void MainWindow::openSlaveMenu(const QPoint& at) {
+  const int slave = editor_->node();
+  if (slave < 0) return;
+  auto* menu = new QMenu(this);
+  menu->setObjectName(QStringLiteral("slaveMenu"));
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  menu->addSection(nodeName(workspace_.document().project(), slave));
+  editor_->states().addTo(*menu, slave);
+  menu->popup(explorer_->mapToGlobal(at));
 }
 
 void MainWindow::buildMenus() {

@@ -65,6 +65,7 @@ class MainWindow final : public QMainWindow {
   void updateTheme();
   void goTo(int slave, const QString& key);
   void showDifferences();
+  void openSlaveMenu(const QPoint& at);
 
   Workspace& workspace_;
   Actions* actions_;

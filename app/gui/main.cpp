@@ -94,6 +94,18 @@ ui::EepromRepairs eeprom_repairs() {
         finish_eeprom({write.link.toStdString(), static_cast<std::uint16_t>(write.position), &cancel}, undo);
     return report ? Status{} : Status(tl::unexpected(report.error()));
   };
+  repairs.keep = [](const QString& link, int position, const std::vector<std::uint8_t>& before,
+                    const std::vector<std::uint8_t>& after) -> Status {
+    const auto slave = static_cast<std::uint16_t>(position);
+    if (find_journal(link.toStdString(), slave)) {
+      return fail(ErrorCode::kSii, "slave " + std::to_string(position),
+                  "a write of it was cut short; go offline and end that first");
+    }
+    return keep_journal({link.toStdString(), slave, {}, before, after});
+  };
+  repairs.drop = [](const QString& link, int position) {
+    drop_journal(link.toStdString(), static_cast<std::uint16_t>(position));
+  };
   return repairs;
 }
 

@@ -8,19 +8,25 @@
 #include <QVBoxLayout>
 
 #include "settings/settings_table.h"
+#include "ui/dialogs/slave_state_commands.h"
 #include "ui/editors/field_binder.h"
 #include "ui/pages/master_dc_expert_page.h"
 #include "ui/pages/master_dc_page.h"
 #include "ui/pages/master_general_page.h"
 #include "ui/pages/master_tasks_page.h"
 #include "ui/pages/process_data_page.h"
+#include "ui/pages/slave_counters_page.h"
 #include "ui/pages/slave_data_page.h"
 #include "ui/pages/slave_dc_page.h"
+#include "ui/pages/slave_eeprom_page.h"
 #include "ui/pages/slave_general_page.h"
 #include "ui/pages/slave_mailbox_page.h"
+#include "ui/pages/slave_objects_page.h"
+#include "ui/pages/slave_registers_page.h"
 #include "ui/pages/slave_startup_page.h"
 #include "ui/pages/slave_sync_page.h"
 #include "ui/pages/slave_timing_page.h"
+#include "ui/panels/slave_state_bar.h"
 #include "ui/session/workspace.h"
 #include "ui/text/event_text.h"
 #include "ui/text/glossary.h"
@@ -53,15 +59,20 @@ DeviceEditor::DeviceEditor(Workspace& workspace, QWidget* parent) : QWidget(pare
   header->addWidget(subtitle_, 1);
   header->addWidget(state_);
   layout->addLayout(header);
+  commands_ = new SlaveStateCommands(workspace, *this, this);
+  state_bar_ = new SlaveStateBar(workspace, *commands_);
+  layout->addWidget(state_bar_);
   tabs_ = new QTabWidget;
   tabs_->setObjectName(QStringLiteral("deviceTabs"));
   tabs_->setAccessibleName(tr("Pages of the selected node"));
   tabs_->setDocumentMode(true);
   layout->addWidget(tabs_, 1);
-  pages_ = {new MasterGeneralPage(workspace), new MasterDcPage(workspace),     new MasterDcExpertPage(workspace),
-            new MasterTasksPage(workspace),   new SlaveGeneralPage(workspace), new SlaveDcPage(workspace),
-            new SlaveSyncPage(workspace),     new ProcessDataPage(workspace),  new SlaveDataPage(workspace),
-            new SlaveStartupPage(workspace),  new SlaveMailboxPage(workspace), new SlaveTimingPage(workspace)};
+  pages_ = {new MasterGeneralPage(workspace), new MasterDcPage(workspace),       new MasterDcExpertPage(workspace),
+            new MasterTasksPage(workspace),   new SlaveGeneralPage(workspace),   new SlaveDcPage(workspace),
+            new SlaveSyncPage(workspace),     new ProcessDataPage(workspace),    new SlaveDataPage(workspace),
+            new SlaveStartupPage(workspace),  new SlaveMailboxPage(workspace),   new SlaveTimingPage(workspace),
+            new SlaveObjectsPage(workspace),  new SlaveRegistersPage(workspace), new SlaveEepromPage(workspace),
+            new SlaveCountersPage(workspace)};
   for (auto* page : pages_) {
     page->setParent(this);
     page->hide();
@@ -93,6 +104,7 @@ void DeviceEditor::showNode(int slave) {
   }
   chooseTabs();
   refresh();
+  state_bar_->setSlave(slave);
   showLive();
 }
 
@@ -197,6 +209,7 @@ void DeviceEditor::showLive() {
   } else {
     state_->setState(theme::Tone::kNeutral, tr("Offline"));
   }
+  state_bar_->showLive();
   if (auto* page = static_cast<Page*>(tabs_->currentWidget())) page->showLive(snapshot);
 }
 

@@ -12,6 +12,8 @@ namespace syncline::ui {
 
 class Page;
 class Pill;
+class SlaveStateBar;
+class SlaveStateCommands;
 class Workspace;
 
 /// The centre of the window: the tabs of the selected node.
@@ -20,6 +22,9 @@ class DeviceEditor final : public QWidget {
 
  public:
   explicit DeviceEditor(Workspace& workspace, QWidget* parent = nullptr);
+
+  /// Of any slave, for menus.
+  [[nodiscard]] SlaveStateCommands& states() { return *commands_; }
 
   void showNode(int slave);
   [[nodiscard]] int node() const { return slave_; }
@@ -47,6 +52,8 @@ class DeviceEditor final : public QWidget {
   Workspace& workspace_;
   QLabel *title_, *subtitle_;
   Pill* state_;
+  SlaveStateCommands* commands_;
+  SlaveStateBar* state_bar_;
   QTabWidget* tabs_;
   QList<Page*> pages_;
   int slave_ = -1;

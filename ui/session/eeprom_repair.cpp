@@ -29,6 +29,15 @@ void EepromRepair::start(const CutShortWrite& write, bool undo) {
   });
 }
 
+Status EepromRepair::keep(const QString& link, int position, const std::vector<std::uint8_t>& before,
+                          const std::vector<std::uint8_t>& after) const {
+  return repairs_.keep ? repairs_.keep(link, position, before, after) : Status();
+}
+
+void EepromRepair::drop(const QString& link, int position) const {
+  if (repairs_.drop) repairs_.drop(link, position);
+}
+
 void EepromRepair::deliver(const Status& status) {
   if (worker_.joinable()) worker_.join();
   running_ = false;

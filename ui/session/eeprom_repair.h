@@ -4,6 +4,7 @@
 #include <QObject>
 #include <QString>
 #include <atomic>
+#include <cstdint>
 #include <functional>
 #include <thread>
 #include <vector>
@@ -25,6 +26,13 @@ struct EepromRepairs {
   /// Finishes it, or with `undo` puts back what was there; called from another thread, seconds long. `cancel` ends it
   /// with kCancelled.
   std::function<Status(const CutShortWrite&, bool undo, const std::atomic<bool>& cancel)> end;
+  /// Before the first word is written: what the EEPROM holds from word 0 on and shall hold, alike in length. None:
+  /// nothing is kept of it.
+  std::function<Status(const QString& link, int position, const std::vector<std::uint8_t>& before,
+                       const std::vector<std::uint8_t>& after)>
+      keep{};
+  /// The write has ended, or all is put back.
+  std::function<void(const QString& link, int position)> drop{};
 };
 
 /// Ends cut-short writes in the background, one at a time.
@@ -40,6 +48,10 @@ class EepromRepair final : public QObject {
   /// No-op while one runs; finished() or failed() follows.
   void start(const CutShortWrite& write, bool undo);
   void cancel() { cancelled_ = true; }
+  /// Around a write through the running bus, see EepromRepairs.
+  [[nodiscard]] Status keep(const QString& link, int position, const std::vector<std::uint8_t>& before,
+                            const std::vector<std::uint8_t>& after) const;
+  void drop(const QString& link, int position) const;
   [[nodiscard]] bool isRunning() const { return running_; }
 
  Q_SIGNALS:

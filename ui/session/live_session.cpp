@@ -23,6 +23,8 @@ bool LiveSession::isVirtual() const { return master_ && master_->is_virtual(); }
 
 std::uint64_t LiveSession::droppedSamples() const { return master_ ? master_->channels().samples.overruns() : 0; }
 
+RequestDesk* LiveSession::requests() const { return master_ ? &master_->channels().requests : nullptr; }
+
 Status LiveSession::goOnline(const QString& link, NetworkConfig config) {
   if (phase_ != Phase::kOffline) shutDown();
   auto master = opener_(link);
@@ -111,6 +113,7 @@ void LiveSession::drain() {
     handle(event);
     if (!master_) return;  // the event ended the session
   }
+  Q_EMIT drained();
 }
 
 void LiveSession::handle(const Event& event) {

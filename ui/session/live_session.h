@@ -55,6 +55,8 @@ class LiveSession final : public QObject {
   /// The run that goes on, or was the last one; null before the first.
   [[nodiscard]] const RunRecord* record() const { return record_.get(); }
   [[nodiscard]] std::uint64_t droppedSamples() const;
+  /// Where requests on single slaves go in; null when offline. Use SlaveRequests.
+  [[nodiscard]] RequestDesk* requests() const;
 
  Q_SIGNALS:
   void phaseChanged();
@@ -63,6 +65,8 @@ class LiveSession final : public QObject {
   void snapshotChanged();
   void samplesArrived(const std::vector<syncline::CycleSample>& samples);
   void eventArrived(const syncline::Event& event);
+  /// All channels have been looked at, whether there was something or not.
+  void drained();
 
  private:
   void send(MasterCommand command);

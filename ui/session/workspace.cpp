@@ -27,6 +27,8 @@ Workspace::Workspace(Environment environment, QObject* parent)
       scan_(environment_.scan_bus, environment_.describe_slaves, environment_.esi_folders),
       eeprom_repair_(environment_.eeprom_repairs),
       live_(environment_.open_master),
+      requests_(live_),
+      watched_(document_, memory_),
       run_difference_(document_, configuration_, live_),
       run_findings_(live_),
       disk_(live_, run_findings_, run_difference_, environment_) {

@@ -17,6 +17,8 @@
 #include "ui/session/run_difference.h"
 #include "ui/session/run_findings.h"
 #include "ui/session/scan_controller.h"
+#include "ui/session/slave_requests.h"
+#include "ui/session/watch_list.h"
 #include "ui/session/window_memory.h"
 
 namespace syncline::ui {
@@ -36,6 +38,8 @@ class Workspace final : public QObject {
   [[nodiscard]] ScanController& scan() { return scan_; }
   [[nodiscard]] EepromRepair& eepromRepair() { return eeprom_repair_; }
   [[nodiscard]] LiveSession& live() { return live_; }
+  [[nodiscard]] SlaveRequests& requests() { return requests_; }
+  [[nodiscard]] WatchList& watched() { return watched_; }
   /// What the project would do otherwise than what runs.
   [[nodiscard]] RunDifference& runDifference() { return run_difference_; }
   [[nodiscard]] WindowMemory& memory() { return memory_; }
@@ -87,6 +91,8 @@ class Workspace final : public QObject {
   ScanController scan_;
   EepromRepair eeprom_repair_;
   LiveSession live_;
+  SlaveRequests requests_;
+  WatchList watched_;
   RunDifference run_difference_;
   RunFindings run_findings_;
   DiskRecording disk_;

@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/pages/slave_eeprom_page.h"
+
+#include <QFileDialog>
+#include <QFontDatabase>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPlainTextEdit>
+#include <QPointer>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QSplitter>
+#include <QTableView>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <utility>
+
+#include "support/byte_order.h"
+#include "support/whole_file.h"
+#include "ui/dialogs/error_dialog.h"
+#include "ui/dialogs/questions.h"
+#include "ui/models/eeprom_lines.h"
+#include "ui/session/workspace.h"
+#include "ui/text/error_text.h"
+#include "ui/text/glossary.h"
+#include "ui/text/units.h"
+#include "ui/theme/theme.h"
+#include "ui/widgets/named.h"
+#include "ui/widgets/tables.h"
+#include "ui/widgets/value_label.h"
+
+namespace syncline::ui {
+namespace {
+
+constexpr std::uint32_t kPieceWords = 64;
+constexpr std::size_t kSizeWord = 0x3E, kAliasWord = 4, kChecksumWord = 7, kConfigurationBytes = 16;
+constexpr std::size_t kLargest = 64U << 10;  // bytes
+
+}  // namespace
+
+SlaveEepromPage::SlaveEepromPage(Workspace& workspace) : OnlinePage(workspace, "slaveEepromPage", tr("EEPROM")) {
+  auto* content = new QWidget;
+  auto* layout = new QVBoxLayout(content);
+  layout->setContentsMargins(12, 12, 12, 12);
+  layout->setSpacing(6);
+  layout->addWidget(hint());
+  layout->addWidget(buildButtons());
+  auto* parts = new QSplitter(Qt::Horizontal);
+  parts->setChildrenCollapsible(false);
+  lines_ = new RecordModel({tr("Part"), tr("Value")}, this);
+  auto* table = named(new QTableView, "eepromTable", tr("What the EEPROM says"));
+  setUpTable(*table);
+  table->setModel(lines_);
+  table->setColumnWidth(0, 190);
+  stretchColumn(*table, 1);
+  hex_ = named(new QPlainTextEdit, "eepromHex", tr("Bytes of the EEPROM"));
+  hex_->setReadOnly(true);
+  hex_->setTabChangesFocus(true);
+  hex_->setLineWrapMode(QPlainTextEdit::NoWrap);
+  hex_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+  hex_->setPlaceholderText(tr("Not read yet"));
+  parts->addWidget(table);
+  parts->addWidget(hex_);
+  layout->addWidget(parts, 1);
+  status_ = new ValueLabel;
+  status_->setObjectName(QStringLiteral("eepromStatus"));
+  status_->setAccessibleName(tr("What became of the last request"));
+  layout->addWidget(status_);
+  setWidget(content);
+}
+
+QWidget* SlaveEepromPage::buildButtons() {
+  auto* area = new QWidget;
+  auto* layout = new QHBoxLayout(area);
+  layout->setContentsMargins(0, 0, 0, 0);
+  read_ = named(new QPushButton(tr("&Read")), "eepromRead", tr("Read the whole EEPROM"));
+  save_ = named(new QPushButton(tr("&Save…")), "eepromSave", tr("Copy the EEPROM into a file"));
+  alias_ = named(new QSpinBox, "eepromAlias", tr("New alias"));
+  alias_->setRange(0, 0xFFFF);
+  alias_->setFocusPolicy(Qt::StrongFocus);
+  alias_write_ = named(new QPushButton(tr("&Write Alias…")), "eepromWriteAlias", tr("Write the alias into the EEPROM"));
+  load_ = named(new QPushButton(tr("Write &Image…")), "eepromLoad", tr("Write a file into the EEPROM"));
+  layout->addWidget(read_);
+  layout->addWidget(save_);
+  layout->addStretch(1);
+  auto* caption = new QLabel(tr("Alias"));
+  caption->setBuddy(alias_);
+  layout->addWidget(caption);
+  layout->addWidget(alias_);
+  layout->addWidget(alias_write_);
+  layout->addWidget(load_);
+  connect(read_, &QPushButton::clicked, this, &SlaveEepromPage::read);
+  connect(save_, &QPushButton::clicked, this, &SlaveEepromPage::save);
+  connect(alias_write_, &QPushButton::clicked, this, &SlaveEepromPage::writeAlias);
+  connect(load_, &QPushButton::clicked, this, &SlaveEepromPage::load);
+  return area;
+}
+
+void SlaveEepromPage::slaveChanged() {
+  image_.clear();
+  reading_.clear();
+  pieces_ = pieces_done_ = 0;
+  alias_->setValue(settings()->alias);
+  showImage();
+  say({});
+  projectChanged();
+}
+
+void SlaveEepromPage::projectChanged() { load_->setVisible(expert()); }
+
+void SlaveEepromPage::tick(const Snapshot&, const QString& obstacle) {
+  possible_ = obstacle.isEmpty();
+  enable();
+}
+
+void SlaveEepromPage::enable() {
+  const bool idle = possible_ && pieces_ == 0 && !writing_;
+  read_->setEnabled(idle);
+  save_->setEnabled(!image_.empty());
+  for (QWidget* one : {static_cast<QWidget*>(alias_write_), static_cast<QWidget*>(load_)})
+    one->setEnabled(idle && !image_.empty());
+}
+
+// ---- reading ------------------------------------------------------------------------------------
+
+void SlaveEepromPage::read() {
+  if (!possible_ || pieces_ > 0) return;
+  reading_.clear();
+  pieces_ = 1;
+  pieces_done_ = 0;
+  enable();
+  readPiece(0);
+}
+
+void SlaveEepromPage::readPiece(std::uint32_t word) {
+  const auto slave = running();
+  if (!slave) return;
+  post(
+      requests::EepromRead{slave->position, word, kPieceWords},
+      [this, word](const RequestOutcome& outcome) { takePiece(word, outcome); }, RequestUrgency::kBackground);
+}
+
+/// The first piece says how large it is.
+void SlaveEepromPage::takePiece(std::uint32_t word, const RequestOutcome& outcome) {
+  if (pieces_ == 0) return;
+  if (!outcome.ok()) {
+    workspace().requests().drop(*this);
+    pieces_ = 0;
+    enable();
+    return say(outcome.why, true);
+  }
+  const auto& piece = outcome.answer.data;
+  if (word == 0) {
+    const auto kilobits = load_le<std::uint16_t>(std::span(piece).subspan(2 * kSizeWord)) + 1U;
+    const auto bytes = std::clamp<std::size_t>(std::size_t{kilobits} * 128, 2 * kPieceWords, kLargest);
+    reading_.assign(bytes, 0xFF);
+    pieces_ = static_cast<std::uint32_t>((bytes / 2 + kPieceWords - 1) / kPieceWords);
+    for (std::uint32_t next = 1; next < pieces_; ++next) readPiece(next * kPieceWords);
+  }
+  const auto room = reading_.size() - std::min(reading_.size(), std::size_t{2} * word);
+  std::copy_n(piece.begin(), std::min(room, piece.size()), reading_.begin() + static_cast<std::ptrdiff_t>(2 * word));
+  ++pieces_done_;
+  say(tr("%1 of %2")
+          .arg(bitsText(8 * 2 * kPieceWords * pieces_done_),
+               bitsText(static_cast<std::uint32_t>(8 * reading_.size()))));
+  if (pieces_done_ < pieces_) return;
+  pieces_ = 0;
+  image_ = std::exchange(reading_, {});
+  say({});
+  showImage();
+}
+
+void SlaveEepromPage::showImage() {
+  hex_->setPlainText(hexView(image_));
+  RecordModel::Lines lines;
+  if (!image_.empty()) {
+    if (const auto decoded = sii::decode(image_)) {
+      lines = eepromLines(*decoded);
+      alias_->setValue(decoded->alias);
+    } else {
+      say(errorText(decoded.error()), true);
+    }
+  }
+  lines_->setLines(lines);
+  enable();
+}
+
+void SlaveEepromPage::save() {
+  const auto name = QString::fromStdString(settings()->name) + QStringLiteral(".bin");
+  const auto path = QFileDialog::getSaveFileName(this, tr("Save EEPROM"), name, tr("EEPROM images (*.bin)"));
+  if (path.isEmpty()) return;
+  if (auto status = write_whole_file(path.toStdString(), image_); !status)
+    showError(window(), tr("The EEPROM could not be saved."), status.error());
+}
+
+// ---- writing ------------------------------------------------------------------------------------
+
+void SlaveEepromPage::writeAlias() {
+  const auto alias = static_cast<std::uint16_t>(alias_->value());
+  if (image_.size() < kConfigurationBytes) return;
+  const auto question = tr("Write alias %1 into the EEPROM of %2?").arg(alias).arg(nodeName(project(), node()));
+  if (!ask(*window(), "eepromQuestion", question,
+           tr("It is written with its checksum and read back; the machine goes on. The slave takes it at its next "
+              "power-on: until then 0x0012 shows the old one."),
+           tr("Write"))) {
+    return;
+  }
+  std::vector<std::uint8_t> bytes(image_.begin(), image_.begin() + kConfigurationBytes);
+  bytes[2 * kAliasWord] = static_cast<std::uint8_t>(alias);
+  bytes[2 * kAliasWord + 1] = static_cast<std::uint8_t>(alias >> 8);
+  bytes[2 * kChecksumWord] = sii::checksum(std::span(bytes).first(2 * kChecksumWord));
+  bytes[2 * kChecksumWord + 1] = 0;
+  write(std::move(bytes),
+        tr("Alias %1 is in the EEPROM and read back. The slave takes it at its next power-on.").arg(alias));
+}
+
+void SlaveEepromPage::load() {
+  const auto path =
+      QFileDialog::getOpenFileName(this, tr("Write EEPROM Image"), {}, tr("EEPROM images (*.bin);;All files (*)"));
+  if (path.isEmpty()) return;
+  const auto bytes = read_whole_file(path.toStdString());
+  if (!bytes) return showError(window(), tr("The image could not be read."), bytes.error());
+  writeImage({bytes->begin(), bytes->end()});
+}
+
+void SlaveEepromPage::writeImage(std::vector<std::uint8_t> image) {
+  if (image.empty() || image.size() % 2 != 0 || image.size() > image_.size()) {
+    return say(tr("The image does not fit: it has %1, the EEPROM %2.")
+                   .arg(bitsText(static_cast<std::uint32_t>(8 * image.size())),
+                        bitsText(static_cast<std::uint32_t>(8 * image_.size()))),
+               true);
+  }
+  const auto decoded = sii::decode(image);
+  if (!decoded) return say(errorText(decoded.error()), true);
+  const auto& identity = settings()->device.identity;
+  auto more =
+      tr("Words that differ are written and read back; when one fails, all are put back. A wrong image can leave "
+         "a slave that no longer comes up.");
+  if (decoded->vendor_id != identity.vendor_id || decoded->product_code != identity.product_code) {
+    more.prepend(tr("The image is of another device (%1, product %2).")
+                     .arg(hexText(decoded->vendor_id, 8), hexText(decoded->product_code, 8)) +
+                 u' ');
+  }
+  const auto question = tr("Write this image into the EEPROM of %1?").arg(nodeName(project(), node()));
+  if (!ask(*window(), "eepromQuestion", question, more, tr("Write"))) return;
+  write(std::move(image), tr("The image is in the EEPROM and read back. The slave takes it at its next power-on."));
+}
+
+/// What a killed program leaves half written is ended at the next start: the journal says how. Whoever looks at another
+/// slave meanwhile does not end it.
+void SlaveEepromPage::write(std::vector<std::uint8_t> bytes, const QString& done) {
+  const auto slave = running();
+  if (!slave || writing_) return;
+  Write begun{node(), slave->position, workspace().live().link(), {}, done};
+  begun.before.assign(image_.begin(), image_.begin() + static_cast<std::ptrdiff_t>(bytes.size()));
+  auto& repair = workspace().eepromRepair();
+  if (const auto kept = repair.keep(begun.link, begun.position, begun.before, bytes); !kept)
+    return say(errorText(kept.error()), true);
+  writing_ = true;
+  enable();
+  say(tr("The EEPROM is being written."));
+  workspace().requests().post(requests::EepromWrite{begun.position, 0, std::move(bytes)}, repair,
+                              [page = QPointer(this), begun](const RequestOutcome& outcome) {
+                                if (page) page->settle(begun, outcome);
+                              });
+}
+
+/// The journal goes when all is written, and when what was there is there again.
+void SlaveEepromPage::settle(const Write& begun, const RequestOutcome& outcome) {
+  const auto why = outcome.ok() ? QString() : outcome.why;
+  if (outcome.state == RequestState::kGone) return tellEnd(begun, why);
+  const auto words = static_cast<std::uint32_t>(begun.before.size() / 2);
+  workspace().requests().post(requests::EepromRead{begun.position, 0, words}, workspace().eepromRepair(),
+                              [page = QPointer(this), begun, why](const RequestOutcome& now) {
+                                if (page) page->verify(begun, why, now);
+                              });
+}
+
+void SlaveEepromPage::verify(const Write& begun, const QString& why, const RequestOutcome& now) {
+  if (now.ok() && (why.isEmpty() || now.answer.data == begun.before))
+    workspace().eepromRepair().drop(begun.link, begun.position);
+  if (now.ok() && node() == begun.node && now.answer.data.size() <= image_.size()) {
+    std::ranges::copy(now.answer.data, image_.begin());
+    showImage();
+  }
+  tellEnd(begun, why.isEmpty() && !now.ok() ? now.why : why);
+}
+
+/// `why`: it went wrong.
+void SlaveEepromPage::tellEnd(const Write& begun, const QString& why) {
+  writing_ = false;
+  const auto& text = why.isEmpty() ? begun.done : why;
+  workspace().inform(nodeName(project(), begun.node), text);
+  if (node() == begun.node) say(text, !why.isEmpty());
+  enable();
+}
+
+void SlaveEepromPage::say(const QString& text, bool bad) {
+  status_->setText(text);
+  auto colors = palette();
+  if (bad) colors.setColor(QPalette::WindowText, theme::toneColor(colors, theme::Tone::kBad));
+  status_->setPalette(colors);
+}
+
+}  // namespace syncline::ui

@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/pages/slave_objects_page.h"
+
+#include <QAction>
+#include <QCheckBox>
+#include <QClipboard>
+#include <QComboBox>
+#include <QFileDialog>
+#include <QGuiApplication>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTreeView>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <utility>
+
+#include "support/whole_file.h"
+#include "ui/dialogs/error_dialog.h"
+#include "ui/models/object_filter.h"
+#include "ui/models/object_model.h"
+#include "ui/pages/object_write_bar.h"
+#include "ui/session/dictionary_reader.h"
+#include "ui/session/watch_list.h"
+#include "ui/session/workspace.h"
+#include "ui/theme/theme.h"
+#include "ui/widgets/named.h"
+#include "ui/widgets/value_label.h"
+
+namespace syncline::ui {
+namespace {
+
+constexpr int kFromEsi = -1;
+constexpr int kNoPoll = 0;
+
+}  // namespace
+
+SlaveObjectsPage::SlaveObjectsPage(Workspace& workspace) : OnlinePage(workspace, "slaveObjectsPage", tr("Objects")) {
+  reader_ = new DictionaryReader(workspace.requests(), this);
+  model_ = new ObjectModel(this);
+  filter_ = new ObjectFilter(this);
+  filter_->setSourceModel(model_);
+  auto* content = new QWidget;
+  auto* layout = new QVBoxLayout(content);
+  layout->setContentsMargins(12, 12, 12, 12);
+  layout->setSpacing(6);
+  layout->addWidget(hint());
+  layout->addWidget(buildChoice());
+  layout->addWidget(buildTree(), 1);
+  write_ = new ObjectWriteBar;
+  layout->addWidget(write_);
+  layout->addWidget(buildButtons());
+  setWidget(content);
+  connectReader();
+  connect(&workspace.live(), &LiveSession::recordChanged, this, [this] {
+    online_.clear();
+    if (settings() != nullptr) slaveChanged();
+  });
+  connect(model_, &ObjectModel::watchedChanged, this, &SlaveObjectsPage::keepWatched);
+  connect(write_, &ObjectWriteBar::writeWanted, this, &SlaveObjectsPage::write);
+  showWork();
+}
+
+QWidget* SlaveObjectsPage::buildChoice() {
+  auto* area = new QWidget;
+  auto* layout = new QHBoxLayout(area);
+  layout->setContentsMargins(0, 0, 0, 0);
+  source_ = named(new QComboBox, "objectSource", tr("Where the objects are described"));
+  source_->addItem(tr("From the ESI"), kFromEsi);
+  using List = coe::ObjectListType;
+  const std::pair<QString, List> lists[] = {{tr("From the slave: all"), List::kAll},
+                                            {tr("From the slave: RxPDO"), List::kRxPdo},
+                                            {tr("From the slave: TxPDO"), List::kTxPdo},
+                                            {tr("From the slave: to be stored"), List::kStored},
+                                            {tr("From the slave: start-up"), List::kStartup}};
+  for (const auto& [text, list] : lists) source_->addItem(text, static_cast<int>(list));
+  source_->setToolTip(tr("The slave tells its objects by SDO information (ETG.1000.6, 5.6.3)"));
+  words_ = named(new QLineEdit, "objectSearch", tr("Search objects"));
+  words_->setPlaceholderText(tr("Index, name or value"));
+  words_->setClearButtonEnabled(true);
+  watched_only_ = named(new QCheckBox(tr("Watched only")), "objectWatchedOnly", tr("Show watched entries only"));
+  layout->addWidget(source_);
+  layout->addWidget(words_, 1);
+  layout->addWidget(watched_only_);
+  connect(source_, &QComboBox::activated, this, &SlaveObjectsPage::showDictionary);
+  connect(words_, &QLineEdit::textChanged, this, [this](const QString& text) {
+    filter_->setWords(text);
+    if (!text.isEmpty()) tree_->expandAll();
+  });
+  connect(watched_only_, &QCheckBox::toggled, this, [this](bool only) {
+    filter_->setWatchedOnly(only);
+    if (only) tree_->expandAll();
+  });
+  return area;
+}
+
+QTreeView* SlaveObjectsPage::buildTree() {
+  tree_ = named(new QTreeView, "objectTree", tr("Objects of the slave"));
+  tree_->setModel(filter_);
+  tree_->setUniformRowHeights(true);
+  tree_->setAlternatingRowColors(true);
+  tree_->setSelectionMode(QAbstractItemView::ExtendedSelection);
+  tree_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  tree_->setMinimumHeight(120);
+  const std::pair<ObjectModel::Column, int> widths[] = {{ObjectModel::kObject, 116}, {ObjectModel::kName, 190},
+                                                        {ObjectModel::kType, 76},    {ObjectModel::kAccess, 84},
+                                                        {ObjectModel::kUnit, 52},    {ObjectModel::kValue, 130}};
+  for (const auto& [column, width] : widths) tree_->setColumnWidth(column, width);
+  tree_->header()->setStretchLastSection(true);
+  tree_->header()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  connect(tree_->selectionModel(), &QItemSelectionModel::currentChanged, this, &SlaveObjectsPage::showSelected);
+  connect(tree_, &QTreeView::activated, this, &SlaveObjectsPage::readSelected);
+  auto* copying = new QAction(tr("Copy"), tree_);
+  copying->setObjectName(QStringLiteral("objectCopy"));
+  copying->setShortcut(QKeySequence::Copy);
+  copying->setShortcutContext(Qt::WidgetShortcut);
+  tree_->addAction(copying);
+  tree_->setContextMenuPolicy(Qt::ActionsContextMenu);
+  connect(copying, &QAction::triggered, this, &SlaveObjectsPage::copy);
+  return tree_;
+}
+
+QWidget* SlaveObjectsPage::buildButtons() {
+  auto* area = new QWidget;
+  auto* layout = new QHBoxLayout(area);
+  layout->setContentsMargins(0, 0, 0, 0);
+  read_ = named(new QPushButton(tr("&Read")), "objectRead", tr("Read the selected objects"));
+  read_shown_ = named(new QPushButton(tr("Read &All Shown")), "objectReadShown", tr("Read all entries that are shown"));
+  poll_ = named(new QComboBox, "objectPoll", tr("How often watched entries are read"));
+  poll_->addItem(tr("Watched: on demand"), kNoPoll);
+  for (const int ms : {100, 500, 1000, 5000}) {
+    poll_->addItem(tr("Watched: every %1 s").arg(QLocale().toString(ms / 1000.0)), ms);
+  }
+  status_ = new ValueLabel;
+  status_->setObjectName(QStringLiteral("objectStatus"));
+  status_->setMinimumWidth(60);
+  status_->setAccessibleName(tr("What became of the last request"));
+  stop_ = named(new QPushButton(tr("Stop")), "objectStop", tr("Stop reading"));
+  export_ =
+      named(new QPushButton(tr("&CSV…")), "objectExport", tr("Export the shown objects as comma separated values"));
+  for (auto* control : {read_, read_shown_}) layout->addWidget(control);
+  layout->addWidget(poll_);
+  layout->addWidget(status_, 1);
+  layout->addWidget(stop_);
+  layout->addWidget(export_);
+  connect(read_, &QPushButton::clicked, this, &SlaveObjectsPage::readSelected);
+  connect(read_shown_, &QPushButton::clicked, this, &SlaveObjectsPage::readShown);
+  connect(stop_, &QPushButton::clicked, this, &SlaveObjectsPage::stop);
+  connect(export_, &QPushButton::clicked, this, &SlaveObjectsPage::exportCsv);
+  return area;
+}
+
+void SlaveObjectsPage::connectReader() {
+  connect(reader_, &DictionaryReader::listed, this, [this](const std::vector<std::uint16_t>& indices) {
+    Dictionary bare;
+    for (const auto index : indices) bare.push_back({.index = index});
+    model_->setDictionary(std::move(bare));
+  });
+  connect(reader_, &DictionaryReader::objectRead, this, [this](DictionaryObject object) {
+    completeFromEsi(object, esi_);
+    model_->setObject(std::move(object));
+  });
+  connect(reader_, &DictionaryReader::progressed, this,
+          [this](int done, int of) { say(tr("%1 of %2 objects").arg(done).arg(of)); });
+  connect(reader_, &DictionaryReader::finished, this, [this] {
+    online_[{settings()->station_address, reading_list_}] = model_->dictionary();
+    say(tr("%n object(s)", nullptr, static_cast<int>(model_->dictionary().size())));
+    showWork();
+  });
+  connect(reader_, &DictionaryReader::failed, this, [this](const QString& why) {
+    say(why, true);
+    showWork();
+  });
+}
+
+// ---- what is shown ------------------------------------------------------------------------------
+
+QString SlaveObjectsPage::ownObstacle(const RunningSlave& slave) const {
+  if (!slave.config->mailbox || !slave.config->mailbox->coe) {
+    return tr("This slave does not speak CoE: it has no objects. Its registers and EEPROM can be read all the same.");
+  }
+  const auto state = slave.state();
+  if (state == AlState::kPreop || state == AlState::kSafeop || state == AlState::kOp) return {};
+  return tr("Objects can be read from PREOP on: lead the slave there first.");
+}
+
+void SlaveObjectsPage::slaveChanged() {
+  reader_->cancel();
+  batch_ = batch_done_ = 0;
+  polling_ = 0;
+  model_->clearValues();
+  model_->setWatched(workspace().watched().of(settings()->station_address));
+  // What it has told in this run is better than the ESI.
+  constexpr int kAll = static_cast<int>(coe::ObjectListType::kAll);
+  const bool told = online_.contains({settings()->station_address, kAll});
+  source_->setCurrentIndex(told ? source_->findData(kAll) : 0);
+  poll_->setCurrentIndex(0);
+  say({});
+  esi_ = dictionaryOf(*settings());
+  showDictionary();
+}
+
+void SlaveObjectsPage::projectChanged() {
+  auto esi = dictionaryOf(*settings());
+  const bool same = esi == esi_ && !model_->dictionary().empty();
+  esi_ = std::move(esi);
+  if (!same && source_->currentData().toInt() == kFromEsi) showDictionary();
+}
+
+void SlaveObjectsPage::showDictionary() {
+  const int list = source_->currentData().toInt();
+  reader_->cancel();
+  if (list == kFromEsi) {
+    model_->setDictionary(esi_);
+    const bool coe = settings()->device.mailbox && settings()->device.mailbox->coe;
+    say(!esi_.empty() ? QString()
+        : coe         ? tr("The ESI describes no objects: choose \"From the slave\" when online.")
+                      : tr("This slave does not speak CoE: it has no objects."));
+  } else if (const auto known = online_.find({settings()->station_address, list}); known != online_.end()) {
+    model_->setDictionary(known->second);
+  } else {
+    readDictionary();
+  }
+  if (!words_->text().isEmpty() || watched_only_->isChecked()) tree_->expandAll();
+  showWork();
+  showSelected();
+}
+
+void SlaveObjectsPage::readDictionary() {
+  const auto slave = running();
+  if (const auto why = obstacle(); !why.isEmpty() || !slave) {
+    source_->setCurrentIndex(0);
+    showDictionary();
+    return say(why, true);
+  }
+  reading_list_ = source_->currentData().toInt();
+  say(tr("The slave is asked for its objects."));
+  reader_->start(slave->position, static_cast<coe::ObjectListType>(reading_list_));
+}
+
+const DictionaryEntry* SlaveObjectsPage::entryOf(coe::ObjectAddress object) const {
+  return model_->entry(model_->find(object));
+}
+
+void SlaveObjectsPage::showSelected() {
+  const auto current = filter_->mapToSource(tree_->currentIndex()).siblingAtColumn(0);
+  const auto* entry = model_->entry(current);
+  const auto object = model_->address(current);
+  if (entry == nullptr) return write_->setEntry({}, nullptr, {}, tr("Choose an entry to write a value."));
+  const auto name = QStringLiteral("%1 %2").arg(objectText(object), entry->name);
+  if (!entry->writable()) return write_->setEntry({}, nullptr, {}, tr("%1 cannot be written.").arg(name));
+  write_->setEntry(object, entry, model_->value(object), {});
+}
+
+void SlaveObjectsPage::tick(const Snapshot& snapshot, const QString& obstacle) {
+  possible_ = obstacle.isEmpty();
+  write_->setPossible(possible_);
+  const int period = poll_->currentData().toInt();
+  if (possible_ && period != kNoPoll && polling_ == 0 && snapshot.time - polled_ >= period * kMillisecond) {
+    polled_ = snapshot.time;
+    readWatched();
+  }
+  showWork();
+}
+
+void SlaveObjectsPage::showWork() {
+  const bool busy = reader_->isRunning() || batch_ > 0;
+  read_->setEnabled(possible_);
+  read_shown_->setEnabled(possible_ && batch_ == 0);
+  poll_->setEnabled(possible_);
+  stop_->setVisible(busy);
+  export_->setEnabled(!model_->dictionary().empty());
+}
+
+void SlaveObjectsPage::say(const QString& text, bool bad) {
+  status_->setText(text);
+  auto colors = palette();
+  if (bad) colors.setColor(QPalette::WindowText, theme::toneColor(colors, theme::Tone::kBad));
+  status_->setPalette(colors);
+}
+
+}  // namespace syncline::ui

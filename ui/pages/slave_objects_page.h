@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <utility>
+
+#include "ui/models/dictionary.h"
+#include "ui/pages/online_page.h"
+
+class QCheckBox;
+class QComboBox;
+class QLineEdit;
+class QPushButton;
+class QTreeView;
+
+namespace syncline::ui {
+
+class DictionaryReader;
+class ObjectFilter;
+class ObjectModel;
+class ObjectWriteBar;
+class ValueLabel;
+
+/// The object dictionary of a slave: offline as its ESI describes it, online as it tells itself, with values that are
+/// read, watched and written while the machine runs.
+class SlaveObjectsPage final : public OnlinePage {
+  Q_OBJECT
+
+ public:
+  explicit SlaveObjectsPage(Workspace& workspace);
+
+  [[nodiscard]] ObjectModel& model() { return *model_; }
+
+ protected:
+  void slaveChanged() override;
+  void projectChanged() override;
+  void tick(const Snapshot& snapshot, const QString& obstacle) override;
+  [[nodiscard]] QString ownObstacle(const RunningSlave& slave) const override;
+
+ private:
+  QWidget* buildChoice();
+  QWidget* buildButtons();
+  QTreeView* buildTree();
+  void connectReader();
+
+  void showDictionary();
+  void readDictionary();
+  void showSelected();
+  void readSelected();
+  void readShown();
+  void readWatched();
+  void read(const std::vector<coe::ObjectAddress>& objects);
+  void readOne(coe::ObjectAddress object, SlaveRequests::Done then = {});
+  void write(coe::ObjectAddress object, const std::vector<std::uint8_t>& bytes);
+  void readBack(coe::ObjectAddress object, const std::vector<std::uint8_t>& written);
+  void stop();
+  void keepWatched();
+  void exportCsv();
+  void copy();
+  void say(const QString& text, bool bad = false);
+  void showWork();
+  [[nodiscard]] std::vector<coe::ObjectAddress> readable(const QModelIndex& parent) const;
+  [[nodiscard]] const DictionaryEntry* entryOf(coe::ObjectAddress object) const;
+  [[nodiscard]] bool mappedOutput(coe::ObjectAddress object) const;
+
+  DictionaryReader* reader_;
+  ObjectModel* model_;
+  ObjectFilter* filter_;
+  QComboBox *source_, *poll_;
+  QLineEdit* words_;
+  QCheckBox* watched_only_;
+  QPushButton *read_, *read_shown_, *stop_, *export_;
+  QTreeView* tree_;
+  ObjectWriteBar* write_;
+  ValueLabel* status_;
+  Dictionary esi_;
+  std::map<std::pair<std::uint16_t, int>, Dictionary> online_;  // of this run, by station address and kind of list
+  int reading_list_ = 0, batch_ = 0, batch_done_ = 0;
+  std::size_t polling_ = 0;
+  Nanoseconds polled_ = 0;
+  bool possible_ = false;
+};
+
+}  // namespace syncline::ui

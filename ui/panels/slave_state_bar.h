@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QHash>
+#include <QWidget>
+
+#include "protocol/al_state.h"
+
+class QPushButton;
+
+namespace syncline::ui {
+
+class SlaveStateCommands;
+class ValueLabel;
+class Workspace;
+
+/// Below the title of a slave while the bus runs: its AL status and status code in words, a button for each state, and
+/// the acknowledging of its error.
+class SlaveStateBar final : public QWidget {
+  Q_OBJECT
+
+ public:
+  SlaveStateBar(Workspace& workspace, SlaveStateCommands& commands, QWidget* parent = nullptr);
+  /// -1: none.
+  void setSlave(int slave);
+  void showLive();
+
+ private:
+  [[nodiscard]] QString status() const;
+
+  Workspace& workspace_;
+  SlaveStateCommands& commands_;
+  ValueLabel* text_;
+  QHash<int, QPushButton*> states_;
+  QPushButton* acknowledge_;
+  int slave_ = -1;
+  QString answer_;
+  bool bad_ = false;
+  std::uint16_t answered_at_ = 0;  // AL status when the answer came
+};
+
+}  // namespace syncline::ui
