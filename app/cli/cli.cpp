@@ -9,7 +9,7 @@
 #include "app/cli/context.h"
 #include "app/cli/options.h"
 #include "app/composition/eeprom_journal.h"
-#include "protocol/error_text.h"
+#include "findings/error_text.h"
 
 namespace syncline::cli {
 namespace {
@@ -88,6 +88,8 @@ void Context::note_error(const std::string& words) {
 }
 
 void Context::warn(const Error& error) { console.err << "warning: " << describe(error) << '\n'; }
+
+void Context::warn(const Finding& finding) { console.err << "warning: " << describe(finding) << '\n'; }
 
 void Context::finish() {
   if (json) {

@@ -30,7 +30,8 @@ Json config_differences_json(const std::vector<ConfigDifference>& differences) {
   Json rows = Json::array();
   for (const auto& d : differences) {
     rows.push_back({{"where", place_text(d)},
-                    {"field", d.what},
+                    {"field", facts_text(d.what)},
+                    {"code", d.what.code},
                     {"left", d.left},
                     {"right", d.right},
                     {"group", group_name(d.group)},
@@ -62,7 +63,7 @@ bool is_link(const std::string& text) {
 struct Compared {
   std::vector<ConfigDifference> differences;
   std::vector<NetworkDifference> details;
-  std::vector<Error> scan_findings;
+  std::vector<Finding> scan_findings;
 };
 
 Result<Compared> compare_any(const CompareOptions& options) {
@@ -93,7 +94,7 @@ void compare(Context& context, const CompareOptions& options) {
   const auto compared = compare_any(options);
   if (!compared) return context.fail_with(compared.error());
   if (!compared->differences.empty()) context.exit_code = kAnswerIsNo;
-  for (const Error& finding : compared->scan_findings) context.warn(finding);
+  for (const Finding& finding : compared->scan_findings) context.warn(finding);
   if (options.json) {
     Json report{{"left", options.left},
                 {"right", options.right},

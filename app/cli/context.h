@@ -14,6 +14,10 @@ namespace CLI {
 class App;  // whoever adds options to it includes app/cli/options.h
 }
 
+namespace syncline {
+struct Finding;
+}
+
 namespace syncline::cli {
 
 /// What a sub-command needs and leaves behind.
@@ -30,6 +34,7 @@ class Context {
   void fail_with_words(const std::string& words, int code);
   void note_error(const std::string& words);
   void warn(const Error& error);
+  void warn(const Finding& finding);
   /// The command's JSON object; printed when the command is over, with its error if there was one.
   void print(Json json_object) { result_ = std::move(json_object); }
   /// Prints what is left to print; exit code 3 when the output could not be written.

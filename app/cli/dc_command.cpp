@@ -9,7 +9,7 @@
 #include "app/cli/options.h"
 #include "app/composition/load_config.h"
 #include "app/composition/open_link.h"
-#include "dc/delay_text.h"
+#include "channels/event_finding.h"
 #include "engine/open_bus.h"
 #include "master/clocks/clock_survey.h"
 #include "master/clocks/dc_setup.h"
@@ -186,9 +186,9 @@ void print_delays(Context& context, const Segment& segment, const DelaySurvey& s
   }
   Json findings = Json::array();
   for (const auto& finding : survey.result.findings) {
-    const auto words = delay_warning_text(finding.warning, finding.value_ns);
+    const auto words = facts_text(delay_finding(finding.position, finding.warning, finding.value_ns));
     findings.push_back({{"position", finding.position}, {"text", words}});
-    if (!json) context.console.err << fmt::format("warning: slave {}: {}\n", finding.position, words);
+    if (!json) context.console.err << fmt::format("warning: {}\n", words);
   }
   if (json) return context.print({{"rounds", survey.rounds}, {"slaves", rows}, {"findings", findings}});
   context.console.out << (survey.rounds == 0

@@ -8,7 +8,7 @@
 #include "app/cli/options.h"
 #include "app/composition/open_link.h"
 #include "eni/xml/xml_text.h"
-#include "protocol/error_text.h"
+#include "findings/error_text.h"
 
 namespace syncline::cli {
 namespace {

@@ -5,7 +5,7 @@
 #include "app/cli/esi_folders.h"
 #include "app/cli/identity_text.h"
 #include "app/cli/options.h"
-#include "protocol/error_text.h"
+#include "findings/error_text.h"
 
 namespace syncline::cli {
 namespace {

@@ -5,7 +5,7 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/options.h"
 #include "app/composition/try_esi.h"
-#include "protocol/error_text.h"
+#include "findings/error_text.h"
 
 namespace syncline::cli {
 namespace {

@@ -14,6 +14,7 @@
 #include "eni/format/eni_file.h"
 #include "eni/project/project_builder.h"
 #include "eni/project/project_file.h"
+#include "findings/error_text.h"
 #include "recover/recover_project.h"
 #include "settings/settings_keys.h"
 
@@ -70,7 +71,7 @@ Result<Project> build(Context& context, const CreateOptions& options, RecoveredP
       const auto unread = describe_slaves(
           built.project, [&] { return open_link(options.scan); }, request.cancel);
       if (!unread) return tl::unexpected(unread.error());
-      built.warnings.insert(built.warnings.end(), unread->begin(), unread->end());
+      for (const Error& error : *unread) built.warnings.push_back(finding_of(error));
       if (interrupt.interrupted()) return fail(ErrorCode::kCancelled);
     }
     for (const auto& warning : built.warnings) context.warn(warning);

@@ -20,7 +20,7 @@
 #include "app/cli/run_recording.h"
 #include "app/composition/open_link.h"
 #include "engine/run_network.h"
-#include "protocol/error_text.h"
+#include "findings/error_text.h"
 #include "protocol/object_value.h"
 #include "sim/scenario/host_profile_file.h"
 #include "support/output_file.h"

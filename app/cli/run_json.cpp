@@ -8,7 +8,7 @@
 
 #include "app/cli/evidence_json.h"
 #include "channels/sync_standing.h"
-#include "dc/obstacle_text.h"
+#include "channels/values/sync_obstacle_text.h"
 #include "protocol/dcm_error.h"
 
 namespace syncline::cli {

@@ -14,8 +14,8 @@
 #include "config/device_description.h"
 #include "engine/scan_bus.h"
 #include "eni/xml/xml_text.h"
+#include "findings/error_text.h"
 #include "protocol/al_state.h"
-#include "protocol/error_text.h"
 
 namespace syncline::cli {
 namespace {

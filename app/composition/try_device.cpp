@@ -14,8 +14,8 @@
 #include "engine/background_master.h"
 #include "eni/check/eni_check.h"
 #include "eni/format/eni_file.h"
+#include "findings/error_text.h"
 #include "link/simulated_link.h"
-#include "protocol/error_text.h"
 #include "sim/sim_bus.h"
 #include "support/clock.h"
 

@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "eni/esi/esi_reader.h"
-#include "protocol/error_text.h"
+#include "findings/error_text.h"
 
 namespace syncline {
 namespace {

@@ -16,8 +16,7 @@
 
 namespace syncline {
 
-/// One struct a kind. A new one gets its words in app/cli/event_text.cpp and ui/text/event_text.cpp, which do not
-/// compile without.
+/// One struct a kind. A new one gets its words in core/channels/event_finding.cpp, which does not compile without.
 using EventDetails =
     std::variant<events::ScanProgress, events::ScanTouchesRunning,  //
                  events::Online, events::Offline, events::StateChanged, events::AlStatusError, events::SlaveLost,

@@ -88,20 +88,22 @@ void report(const std::vector<InitCmd>& left, const std::vector<InitCmd>& right,
                               : difference.left + difference.right;
     if (const auto place = command.find(" 0:"); place != std::string::npos) command.erase(place + 1, 2);
     if (paired) {
-      out.add(group, fmt::format("init command {}: {}", command, difference.field),
-              difference.left.empty() ? "none" : difference.left, difference.right.empty() ? "none" : difference.right);
+      out.add(
+          group,
+          what("difference-init-command-field", fig::text<"command">(command), fig::phrase<"field">(difference.field)),
+          difference.left.empty() ? "none" : difference.left, difference.right.empty() ? "none" : difference.right);
     } else {
-      out.add(group, "init command", difference.field == "missing" ? command : "",
+      out.add(group, "difference-init-command", difference.field == "missing" ? command : "",
               difference.field == "missing" ? "" : command);
     }
   }
 }
 
 void compare_time_outs(const StateTimeouts& left, const StateTimeouts& right, DifferenceList& out) {
-  out.number(Group::kCommands, "time-out to PREOP", left.preop, right.preop, " ms");
-  out.number(Group::kCommands, "time-out to SAFEOP and OP", left.safeop_op, right.safeop_op, " ms");
-  out.number(Group::kCommands, "time-out back to INIT", left.back_to_init, right.back_to_init, " ms");
-  out.number(Group::kCommands, "time-out back to SAFEOP", left.back_to_safeop, right.back_to_safeop, " ms");
+  out.number(Group::kCommands, "difference-time-out-to-preop", left.preop, right.preop, " ms");
+  out.number(Group::kCommands, "difference-time-out-to-safeop-and-op", left.safeop_op, right.safeop_op, " ms");
+  out.number(Group::kCommands, "difference-time-out-back-to-init", left.back_to_init, right.back_to_init, " ms");
+  out.number(Group::kCommands, "difference-time-out-back-to-safeop", left.back_to_safeop, right.back_to_safeop, " ms");
 }
 
 }  // namespace
@@ -122,7 +124,7 @@ void compare_commands(const SlaveConfig& left, const SlaveConfig& right, Differe
     if (one == other) continue;
     report(one, other, group, out);
     // What the words above do not tell apart.
-    if (!out.has(group)) out.add(group, "init commands", "", "");
+    if (!out.has(group)) out.add(group, "difference-init-commands", "", "");
   }
 }
 

@@ -46,7 +46,7 @@ class Comparison {
       // Additions stand where they stand in the right configuration.
       if (r < right_.slaves.size() && !pairing_.left_of[r]) {
         DifferenceList(out_, std::nullopt, r, right_.slaves[r].name)
-            .add(DifferenceGroup::kSlaves, "added", "", to_string(right_.slaves[r].identity));
+            .add(DifferenceGroup::kSlaves, "difference-added", "", to_string(right_.slaves[r].identity));
         ++r;
       } else if (l < left_.slaves.size()) {
         compare_left(l++);
@@ -63,14 +63,14 @@ class Comparison {
     const SlaveConfig& left = left_.slaves[l];
     if (!pairing_.right_of[l]) {
       DifferenceList(out_, l, std::nullopt, left.name)
-          .add(DifferenceGroup::kSlaves, "removed", to_string(left.identity), "");
+          .add(DifferenceGroup::kSlaves, "difference-removed", to_string(left.identity), "");
       return;
     }
     const std::size_t r = *pairing_.right_of[l];
     const SlaveConfig& right = right_.slaves[r];
     DifferenceList out(out_, l, r, left.name);
     if (pairing_.moved[l]) {
-      out.add(DifferenceGroup::kSlaves, "place", fmt::format("{}", l), fmt::format("{}", r));
+      out.add(DifferenceGroup::kSlaves, "difference-place", fmt::format("{}", l), fmt::format("{}", r));
     }
     if (left == right && l == r && !wiring_differs(left, right)) return;
     compare_identity(left, right, l == r, out);
@@ -86,14 +86,14 @@ class Comparison {
     const auto product = [](const Identity& id) {
       return fmt::format("0x{:08x}:0x{:08x}", id.vendor_id, id.product_code);
     };
-    out.field(DifferenceGroup::kSlaves, "device", product(left.identity), product(right.identity));
-    out.field(DifferenceGroup::kSlaves, "revision", fmt::format("0x{:08x}", left.identity.revision_no),
+    out.field(DifferenceGroup::kSlaves, "difference-device", product(left.identity), product(right.identity));
+    out.field(DifferenceGroup::kSlaves, "difference-revision", fmt::format("0x{:08x}", left.identity.revision_no),
               fmt::format("0x{:08x}", right.identity.revision_no));
-    out.number(DifferenceGroup::kSlaves, "serial number", left.identity.serial_no, right.identity.serial_no);
+    out.number(DifferenceGroup::kSlaves, "difference-serial-number", left.identity.serial_no, right.identity.serial_no);
     // With another place the address follows from it.
     if (!same_place) return;
-    out.number(DifferenceGroup::kSlaves, "station address", left.station_address, right.station_address);
-    out.number(DifferenceGroup::kSlaves, "auto-increment address", left.auto_increment_address,
+    out.number(DifferenceGroup::kSlaves, "difference-station-address", left.station_address, right.station_address);
+    out.number(DifferenceGroup::kSlaves, "difference-auto-increment-address", left.auto_increment_address,
                right.auto_increment_address);
   }
 
@@ -109,21 +109,24 @@ class Comparison {
 
   void compare_wiring(const SlaveConfig& left, const SlaveConfig& right, DifferenceList& out) const {
     if (wiring_differs(left, right)) {
-      out.add(DifferenceGroup::kWiring, "hangs on", previous_text(left_.slaves, left),
+      out.add(DifferenceGroup::kWiring, "difference-hangs-on", previous_text(left_.slaves, left),
               previous_text(right_.slaves, right));
     }
-    out.number(DifferenceGroup::kWiring, "alias", left.alias, right.alias);
+    out.number(DifferenceGroup::kWiring, "difference-alias", left.alias, right.alias);
     if (!(left.hot_connect == right.hot_connect)) {
       const std::string one = group_text(left.hot_connect);
       const std::string other = group_text(right.hot_connect);
-      out.add(DifferenceGroup::kWiring, one == other ? "identification of the hot-connect group" : "hot-connect group",
+      out.add(DifferenceGroup::kWiring,
+              one == other ? comparison::what("difference-hot-connect-identification")
+                           : comparison::what("difference-hot-connect-group"),
               one, other);
     }
     if (!(left.identification == right.identification)) {
       const auto words = [](const std::optional<Identification>& id) {
         return id ? fmt::format("{} in 0x{:04x}", id->value, id->ado) : std::string("none");
       };
-      out.add(DifferenceGroup::kWiring, "identification", words(left.identification), words(right.identification));
+      out.add(DifferenceGroup::kWiring, "difference-identification", words(left.identification),
+              words(right.identification));
     }
   }
 
@@ -174,13 +177,11 @@ std::string place_text(const ConfigDifference& difference) {
 }
 
 std::string describe(const ConfigDifference& difference) {
-  const std::string place = place_text(difference);
-  if (difference.left.empty() && difference.right.empty()) return fmt::format("{}: {}", place, difference.what);
-  if (difference.left.empty())
-    return fmt::format("{}: {} only in the second: {}", place, difference.what, difference.right);
-  if (difference.right.empty())
-    return fmt::format("{}: {} only in the first: {}", place, difference.what, difference.left);
-  return fmt::format("{}: {} {} -> {}", place, difference.what, difference.left, difference.right);
+  const std::string place = place_text(difference), what = facts_text(difference.what);
+  if (difference.left.empty() && difference.right.empty()) return fmt::format("{}: {}", place, what);
+  if (difference.left.empty()) return fmt::format("{}: {} only in the second: {}", place, what, difference.right);
+  if (difference.right.empty()) return fmt::format("{}: {} only in the first: {}", place, what, difference.left);
+  return fmt::format("{}: {} {} -> {}", place, what, difference.left, difference.right);
 }
 
 std::vector<ConfigDifference> compare_configs(const NetworkConfig& left, const NetworkConfig& right) {
@@ -191,12 +192,16 @@ std::vector<ConfigDifference> compare_configs(const NetworkConfig& left, const N
 
 namespace syncline::comparison {
 
-void DifferenceList::number(DifferenceGroup group, const char* what, std::int64_t left, std::int64_t right,
-                            const char* unit) {
+void DifferenceList::add(DifferenceGroup group, Finding what, std::string left, std::string right) {
+  if (const auto slave = left_ ? left_ : right_) what.place.slave = static_cast<int>(*slave);
+  out_.push_back({group, left_, right_, name_, std::move(what), std::move(left), std::move(right)});
+}
+
+void DifferenceList::number(DifferenceGroup group, What what, std::int64_t left, std::int64_t right, const char* unit) {
   if (left != right) add(group, what, fmt::format("{}{}", left, unit), fmt::format("{}{}", right, unit));
 }
 
-void DifferenceList::time(DifferenceGroup group, const char* what, std::int64_t left_ns, std::int64_t right_ns) {
+void DifferenceList::time(DifferenceGroup group, What what, std::int64_t left_ns, std::int64_t right_ns) {
   if (left_ns != right_ns) add(group, what, time_text(left_ns), time_text(right_ns));
 }
 

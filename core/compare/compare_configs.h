@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "config/network_config.h"
+#include "findings/finding.h"
 
 namespace syncline {
 
@@ -30,7 +31,7 @@ struct ConfigDifference {
   DifferenceGroup group = DifferenceGroup::kMaster;
   std::optional<std::size_t> left_slave, right_slave;  // positions; none = the network
   std::string slave_name;
-  std::string what;         // "SYNC0 cycle"
+  Finding what;             // a row of core/findings/difference_words.h: "SYNC0 cycle"
   std::string left, right;  // "1 ms"; "" = there is none
   bool operator==(const ConfigDifference&) const = default;
 };

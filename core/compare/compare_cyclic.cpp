@@ -106,7 +106,13 @@ class Lines {
   const SlavePairing* pairing_;
 };
 
-void compare_task(const std::string& name, const std::vector<Line>& left, const std::vector<Line>& right,
+/// Of a task by its number from 1, 0 where there is one only.
+Finding command_of(std::size_t task, const std::string& command) {
+  return task == 0 ? what("difference-cyclic-command", fig::text<"command">(command))
+                   : what("difference-cyclic-command/task", fig::count<"task">(task), fig::text<"command">(command));
+}
+
+void compare_task(std::size_t task, const std::vector<Line>& left, const std::vector<Line>& right,
                   DifferenceList& out) {
   if (left == right) return;
   std::map<std::string, const Line*> others;
@@ -117,16 +123,22 @@ void compare_task(const std::string& name, const std::vector<Line>& left, const 
     ours.emplace(line.what, &line);
     const auto other = others.find(line.what);
     if (other == others.end()) {
-      out.add(line.group, name + line.what, line.value, "");
+      out.add(line.group, command_of(task, line.what), line.value, "");
       continue;
     }
     order.push_back(other->second);
-    if (other->second->value != line.value) out.add(line.group, name + line.what, line.value, other->second->value);
+    if (other->second->value != line.value)
+      out.add(line.group, command_of(task, line.what), line.value, other->second->value);
   }
   for (const Line& line : right) {
-    if (!ours.contains(line.what)) out.add(line.group, name + line.what, "", line.value);
+    if (!ours.contains(line.what)) out.add(line.group, command_of(task, line.what), "", line.value);
   }
-  if (!std::ranges::is_sorted(order)) out.add(Group::kCyclic, name + "commands come in another order", "", "");
+  if (!std::ranges::is_sorted(order)) {
+    out.add(
+        Group::kCyclic,
+        task == 0 ? what("difference-cyclic-order") : what("difference-cyclic-order/task", fig::count<"task">(task)),
+        "", "");
+  }
 }
 
 std::string frame_sizes(const CyclicTask& task) {
@@ -140,25 +152,29 @@ std::string frame_sizes(const CyclicTask& task) {
 void compare_cyclic(const NetworkConfig& left, const NetworkConfig& right, const SlavePairing& pairing,
                     DifferenceList& out) {
   if (left.cyclic.size() != right.cyclic.size()) {
-    out.number(Group::kCyclic, "cyclic tasks", static_cast<std::int64_t>(left.cyclic.size()),
+    out.number(Group::kCyclic, "difference-cyclic-tasks", static_cast<std::int64_t>(left.cyclic.size()),
                static_cast<std::int64_t>(right.cyclic.size()));
   }
   for (std::size_t t = 0; t < std::min(left.cyclic.size(), right.cyclic.size()); ++t) {
     const CyclicTask& l = left.cyclic[t];
     const CyclicTask& r = right.cyclic[t];
-    const std::string name = left.cyclic.size() > 1 ? fmt::format("task {}: ", t + 1) : "";
+    const std::size_t task = left.cyclic.size() > 1 ? t + 1 : 0;
     if (l.cycle_time != r.cycle_time) {
-      out.add(Group::kCyclic, name + "cycle time", time_text(l.cycle_time), time_text(r.cycle_time));
+      out.add(Group::kCyclic,
+              task == 0 ? what("difference-cycle-time") : what("difference-cycle-time/task", fig::count<"task">(task)),
+              time_text(l.cycle_time), time_text(r.cycle_time));
     }
     if (l.frames == r.frames && left.slaves.size() == right.slaves.size()) continue;
     const auto one = Lines(left, nullptr).of(l);
     const auto other = Lines(right, &pairing).of(r);
-    compare_task(name, one, other, out);
+    compare_task(task, one, other, out);
     const bool same_split = std::ranges::equal(
         l.frames, r.frames, {}, [](const CyclicFrame& f) { return f.commands.size(); },
         [](const CyclicFrame& f) { return f.commands.size(); });
     if (one.size() == other.size() && !same_split) {
-      out.add(Group::kCyclic, name + "split into frames", frame_sizes(l), frame_sizes(r));
+      out.add(Group::kCyclic,
+              task == 0 ? what("difference-frames") : what("difference-frames/task", fig::count<"task">(task)),
+              frame_sizes(l), frame_sizes(r));
     }
   }
 }
@@ -166,26 +182,29 @@ void compare_cyclic(const NetworkConfig& left, const NetworkConfig& right, const
 void compare_master(const NetworkConfig& left, const NetworkConfig& right, DifferenceList& out) {
   const MasterConfig& l = left.master;
   const MasterConfig& r = right.master;
-  out.field(Group::kMaster, "destination address", hex_text(l.destination_mac), hex_text(r.destination_mac));
-  out.field(Group::kMaster, "source address", hex_text(l.source_mac), hex_text(r.source_mac));
-  out.number(Group::kMaster, "EtherType", l.ether_type, r.ether_type);
-  out.number(Group::kMaster, "mailbox state bits", l.mailbox_state_count.value_or(0),
+  out.field(Group::kMaster, "difference-destination-address", hex_text(l.destination_mac), hex_text(r.destination_mac));
+  out.field(Group::kMaster, "difference-source-address", hex_text(l.source_mac), hex_text(r.source_mac));
+  out.number(Group::kMaster, "difference-ethertype", l.ether_type, r.ether_type);
+  out.number(Group::kMaster, "difference-mailbox-state-bits", l.mailbox_state_count.value_or(0),
              r.mailbox_state_count.value_or(0));
-  out.number(Group::kMaster, "logical address of the mailbox state bits", l.mailbox_state_start, r.mailbox_state_start);
-  out.flag(Group::kMaster, "Ethernet over EtherCAT", l.eoe, r.eoe);
+  out.number(Group::kMaster, "difference-logical-address-of-the-mailbox-state-bits", l.mailbox_state_start,
+             r.mailbox_state_start);
+  out.flag(Group::kMaster, "difference-ethernet-over-ethercat", l.eoe, r.eoe);
   if (l.eoe && r.eoe && !(l.eoe_settings == r.eoe_settings)) {
     const auto words = [](const EoeSwitchSettings& eoe) {
       return fmt::format("{} ports, {} frames, {} addresses", eoe.max_ports, eoe.max_frames, eoe.max_macs);
     };
-    out.add(Group::kMaster, "EoE switch", words(l.eoe_settings), words(r.eoe_settings));
+    out.add(Group::kMaster, "difference-eoe-switch", words(l.eoe_settings), words(r.eoe_settings));
   }
   if (l.init_cmds == r.init_cmds) return;
   SlaveConfig one, other;
   one.init_cmds = l.init_cmds;
   other.init_cmds = r.init_cmds;
   for (const NetworkDifference& difference : compare_slaves(one, other, "")) {
-    out.add(Group::kMaster, fmt::format("master{} {}", difference.where, difference.field), difference.left,
-            difference.right);
+    out.add(Group::kMaster,
+            what("difference-master-command", fig::text<"command">(difference.where),
+                 fig::phrase<"field">(difference.field)),
+            difference.left, difference.right);
   }
 }
 
@@ -208,17 +227,16 @@ void compare_image(const NetworkConfig& left, const NetworkConfig& right, const 
       ++state_bits;
     }
   }
-  if (outputs > 0)
-    out.add(Group::kImage, fmt::format("outputs of {} slaves begin elsewhere in the image", outputs), "", "");
-  if (inputs > 0)
-    out.add(Group::kImage, fmt::format("inputs of {} slaves begin elsewhere in the image", inputs), "", "");
+  if (outputs > 0) out.add(Group::kImage, what("difference-data-moved/outputs", fig::count<"slaves">(outputs)), "", "");
+  if (inputs > 0) out.add(Group::kImage, what("difference-data-moved", fig::count<"slaves">(inputs)), "", "");
   if (state_bits > 0) {
-    out.add(Group::kImage, fmt::format("mailbox states of {} slaves have other bits", state_bits), "", "");
+    out.add(Group::kImage, what("difference-data-moved/mailbox-states", fig::count<"slaves">(state_bits)), "", "");
   }
   // Other commands in the frames need another image.
   if (out.has(Group::kCyclic) || out.has(Group::kClocks)) return;
-  out.number(Group::kImage, "size of the inputs", left.image.input_bytes, right.image.input_bytes, " bytes");
-  out.number(Group::kImage, "size of the outputs", left.image.output_bytes, right.image.output_bytes, " bytes");
+  out.number(Group::kImage, "difference-size-of-the-inputs", left.image.input_bytes, right.image.input_bytes, " bytes");
+  out.number(Group::kImage, "difference-size-of-the-outputs", left.image.output_bytes, right.image.output_bytes,
+             " bytes");
 }
 
 }  // namespace syncline::comparison

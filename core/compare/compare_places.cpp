@@ -28,22 +28,25 @@ struct Placed {
 /// Differences of the same kind: a few are named, many counted.
 class Moves {
  public:
-  explicit Moves(const char* things) : things_(things) {}
-  void add(std::string what, std::int64_t left, std::int64_t right) {
+  /// What is said of many.
+  using Counted = FindingSentence<words::kDifferences, FigureName("count")>;
+  explicit Moves(Counted counted) : counted_(counted) {}
+  void add(Finding what, std::int64_t left, std::int64_t right) {
     if (++count_ <= kTold) named_.push_back({std::move(what), fmt::format("{}", left), fmt::format("{}", right)});
   }
   void report(DifferenceList& out) const {
-    if (count_ > kTold) return out.add(Group::kImage, fmt::format("{} {} lie elsewhere", count_, things_), "", "");
-    for (const auto& [what, left, right] : named_) out.add(Group::kImage, what, left, right);
+    if (count_ > kTold) return out.add(Group::kImage, what(counted_, fig::count<"count">(count_)), "", "");
+    for (const auto& move : named_) out.add(Group::kImage, move.what, move.left, move.right);
   }
 
  private:
-  struct Named {
-    std::string what, left, right;
+  struct Told {
+    Finding what;
+    std::string left, right;
   };
-  const char* things_;
+  Counted counted_;
   std::size_t count_ = 0;
-  std::vector<Named> named_;
+  std::vector<Told> named_;
 };
 
 std::int64_t start(const std::optional<ImageRange>& range) { return range ? range->bit_start : 0; }
@@ -82,16 +85,16 @@ std::int64_t common_move(const std::vector<std::int64_t>& moves) {
 }
 
 struct Move {
-  std::string what;
+  Finding what;
   std::int64_t left = 0, right = 0;
 };
 
 /// Those that do not move as most do.
-void report_moves(const std::vector<Move>& moves, bool may_shift, const char* things, DifferenceList& out) {
+void report_moves(const std::vector<Move>& moves, bool may_shift, Moves::Counted counted, DifferenceList& out) {
   std::vector<std::int64_t> by;
   for (const Move& move : moves) by.push_back(move.right - move.left);
   const std::int64_t common = may_shift ? common_move(by) : 0;
-  Moves told(things);
+  Moves told(counted);
   for (const Move& move : moves) {
     if (move.right - move.left != common) told.add(move.what, move.left, move.right - common);
   }
@@ -107,13 +110,13 @@ void compare_fmmus(const NetworkConfig& left, const NetworkConfig& right, const 
     const auto other = fmmus(right.slaves[*pairing.right_of[i]], right.master.mailbox_state_start);
     // Another number of FMMUs is told with the commands.
     for (std::size_t f = 0; f < one.size() && one.size() == other.size(); ++f) {
-      moves.push_back({fmt::format("logical bit of {} of slave {} ({}), against its data in the image", one[f].what, i,
-                                   left.slaves[i].name),
-                       one[f].at, other[f].at});
+      moves.push_back(
+          {what("difference-fmmu", fig::text<"fmmu">(one[f].what), fig::slave<"slave">(i, left.slaves[i].name)),
+           one[f].at, other[f].at});
     }
   }
   // The address of the commands is told where a whole layout lies elsewhere.
-  report_moves(moves, out.has(Group::kCyclic) || out.has(Group::kMaster), "FMMUs", out);
+  report_moves(moves, out.has(Group::kCyclic) || out.has(Group::kMaster), "difference-moved/fmmus", out);
 }
 
 /// Slaves' data in the image, to say whose a bit is.
@@ -161,13 +164,13 @@ void compare_variables(const NetworkConfig& left, const NetworkConfig& right, co
   const auto& ours = inputs ? left.image.inputs : left.image.outputs;
   const auto& theirs = inputs ? right.image.inputs : right.image.outputs;
   if (ours == theirs && left.slaves.size() == right.slaves.size()) return;
-  const char* things = inputs ? "variables of the inputs" : "variables of the outputs";
   const bool same_slaves = left.slaves.size() == right.slaves.size();
   if (same_slaves && !out.has(Group::kCyclic)) {
-    out.number(Group::kImage, things, static_cast<std::int64_t>(ours.size()), static_cast<std::int64_t>(theirs.size()));
+    out.number(Group::kImage, inputs ? What("difference-variables") : What("difference-variables/outputs"),
+               static_cast<std::int64_t>(ours.size()), static_cast<std::int64_t>(theirs.size()));
   }
   const Owners left_owners(left, inputs), right_owners(right, inputs);
-  Moves moved(things);
+  Moves moved(inputs ? Moves::Counted("difference-moved") : Moves::Counted("difference-moved/outputs"));
   for (const auto& [one, other] : paired(ours, theirs)) {
     const auto owner = left_owners.of(one->bit_offset);
     const auto new_owner = right_owners.of(other->bit_offset);
@@ -176,10 +179,11 @@ void compare_variables(const NetworkConfig& left, const NetworkConfig& right, co
         owner && new_owner
             ? pairing.right_of[owner->first] == std::optional(new_owner->first) && owner->second == new_owner->second
             : !owner && !new_owner && (!same_slaves || one->bit_offset == other->bit_offset);
-    if (!same_place) moved.add(fmt::format("bit of variable \"{}\"", one->name), one->bit_offset, other->bit_offset);
+    if (!same_place)
+      moved.add(what("difference-variable", fig::text<"variable">(one->name)), one->bit_offset, other->bit_offset);
     if (one->bit_size != other->bit_size) {
-      out.add(Group::kImage, fmt::format("bits of variable \"{}\"", one->name), fmt::format("{}", one->bit_size),
-              fmt::format("{}", other->bit_size));
+      out.add(Group::kImage, what("difference-variable/bits", fig::text<"variable">(one->name)),
+              fmt::format("{}", one->bit_size), fmt::format("{}", other->bit_size));
     }
   }
   moved.report(out);
@@ -200,15 +204,17 @@ void compare_offsets(const NetworkConfig& left, const NetworkConfig& right, Diff
     const auto other = flat(right.cyclic[t]);
     if (one.size() != other.size()) return;
     for (std::size_t c = 0; c < one.size(); ++c) {
-      const std::string what = fmt::format("of {} in the image", address_text(*one[c]));
-      inputs.push_back({"inputs " + what, std::int64_t{one[c]->input_offset} + left.image.command_data_offset,
+      const auto command = address_text(*one[c]);
+      inputs.push_back({what("difference-command-data", fig::text<"command">(command)),
+                        std::int64_t{one[c]->input_offset} + left.image.command_data_offset,
                         std::int64_t{other[c]->input_offset} + right.image.command_data_offset});
-      outputs.push_back({"outputs " + what, std::int64_t{one[c]->output_offset} + left.image.command_data_offset,
+      outputs.push_back({what("difference-command-data/outputs", fig::text<"command">(command)),
+                         std::int64_t{one[c]->output_offset} + left.image.command_data_offset,
                          std::int64_t{other[c]->output_offset} + right.image.command_data_offset});
     }
   }
-  report_moves(inputs, false, "commands' inputs", out);
-  report_moves(outputs, false, "commands' outputs", out);
+  report_moves(inputs, false, "difference-moved/command-inputs", out);
+  report_moves(outputs, false, "difference-moved/command-outputs", out);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "compare/difference_list.h"
 #include "settings/settings_keys.h"
 
 namespace syncline {
@@ -33,7 +34,8 @@ std::vector<ConfigDifference> compare_run_time(const Project& left, const Projec
     if (!is_run_time(key) || other == others.end() || other->second == value) continue;
     ConfigDifference difference;
     difference.group = DifferenceGroup::kRunTime;
-    difference.what = key;
+    difference.what = comparison::what("difference-setting", fig::text<"setting">(key));
+    difference.what.place.key = key;
     difference.left = value.empty() ? "default" : value;
     difference.right = other->second.empty() ? "default" : other->second;
     out.push_back(std::move(difference));

@@ -47,19 +47,23 @@ std::string sizes(const SyncManagerDescription& manager) {
 }
 
 void compare_manager(const ConfiguredSyncManager& left, const ConfiguredSyncManager& right, DifferenceList& out) {
-  const auto field = [&](const char* what, const std::string& one, const std::string& other) {
-    if (one != other) out.add(Group::kProcessData, fmt::format("SM{} {}", left.number, what), one, other);
+  const auto field = [&](FindingSentence<words::kDifferences, FigureName("sm")> sentence, const std::string& one,
+                         const std::string& other) {
+    if (one != other) out.add(Group::kProcessData, what(sentence, fig::count<"sm">(left.number)), one, other);
   };
   const SyncManagerDescription& l = left.description;
   const SyncManagerDescription& r = right.description;
-  field("PDOs", pdo_list(left.pdos), pdo_list(right.pdos));
-  field("type", fmt::format("{}", static_cast<int>(l.type)), fmt::format("{}", static_cast<int>(r.type)));
-  field("start", fmt::format("0x{:04x}", l.start_address), fmt::format("0x{:04x}", r.start_address));
-  field("control byte", fmt::format("0x{:02x}", l.control_byte), fmt::format("0x{:02x}", r.control_byte));
-  field("enabled", l.enable ? "yes" : "no", r.enable ? "yes" : "no");
-  field("only in OP", l.op_only ? "yes" : "no", r.op_only ? "yes" : "no");
-  field("sizes", sizes(l), sizes(r));
-  field("watchdog", optional_number(left.watchdog), optional_number(right.watchdog));
+  field("difference-sm/pdos", pdo_list(left.pdos), pdo_list(right.pdos));
+  field("difference-sm-settings/type", fmt::format("{}", static_cast<int>(l.type)),
+        fmt::format("{}", static_cast<int>(r.type)));
+  field("difference-sm-settings/start", fmt::format("0x{:04x}", l.start_address),
+        fmt::format("0x{:04x}", r.start_address));
+  field("difference-sm-settings/control", fmt::format("0x{:02x}", l.control_byte),
+        fmt::format("0x{:02x}", r.control_byte));
+  field("difference-sm-settings", l.enable ? "yes" : "no", r.enable ? "yes" : "no");
+  field("difference-sm-settings/op-only", l.op_only ? "yes" : "no", r.op_only ? "yes" : "no");
+  field("difference-sm/sizes", sizes(l), sizes(r));
+  field("difference-sm-settings/watchdog", optional_number(left.watchdog), optional_number(right.watchdog));
 }
 
 std::string bits(const std::optional<ImageRange>& range) {
@@ -142,24 +146,25 @@ void compare_startup(const SlaveConfig& left, const SlaveConfig& right, Differen
     auto& counterparts = open[line.what];
     if (counterparts.empty()) {
       same_set = false;
-      out.add(Group::kStartup, fmt::format("start-up command {}", line.what), line.value, "");
+      out.add(Group::kStartup, what("difference-start-up-command", fig::text<"command">(line.what)), line.value, "");
       continue;
     }
     const StartupLine* other = counterparts.back();
     counterparts.pop_back();
     order.push_back(other);
     if (other->value != line.value) {
-      out.add(Group::kStartup, fmt::format("start-up command {}", line.what), line.value, other->value);
+      out.add(Group::kStartup, what("difference-start-up-command", fig::text<"command">(line.what)), line.value,
+              other->value);
     }
   }
   for (const StartupLine& line : r) {
     const auto& rest = open[line.what];
     if (std::ranges::find(rest, &line) == rest.end()) continue;
     same_set = false;
-    out.add(Group::kStartup, fmt::format("start-up command {}", line.what), "", line.value);
+    out.add(Group::kStartup, what("difference-start-up-command", fig::text<"command">(line.what)), "", line.value);
   }
   if (same_set && !std::ranges::is_sorted(order)) {
-    out.add(Group::kStartup, "start-up commands come in another order", "", "");
+    out.add(Group::kStartup, "difference-start-up-commands-come-in-another-order", "", "");
   }
 }
 
@@ -175,7 +180,8 @@ void compare_process_data(const SlaveConfig& left, const SlaveConfig& right, Dif
     if (l && r) {
       compare_manager(*l, *r, out);
     } else if (l || r) {
-      out.add(Group::kProcessData, fmt::format("SM{}", number), l ? pdo_list(l->pdos) : "", r ? pdo_list(r->pdos) : "");
+      out.add(Group::kProcessData, what("difference-sm", fig::count<"sm">(number)), l ? pdo_list(l->pdos) : "",
+              r ? pdo_list(r->pdos) : "");
     }
   }
   for (const std::uint16_t pdo : assigned) {
@@ -183,50 +189,54 @@ void compare_process_data(const SlaveConfig& left, const SlaveConfig& right, Dif
     const std::string other = mapping(right, pdo);
     // One that is described on one side only is told with the assignment.
     if (one == other || one == kNotDescribed || other == kNotDescribed) continue;
-    out.add(Group::kProcessData, fmt::format("PDO 0x{:04x}", pdo), one, other);
+    out.add(Group::kProcessData, what("difference-pdo", fig::hex<"pdo">(pdo)), one, other);
   }
   if (!out.has(Group::kProcessData)) {
-    out.field(Group::kProcessData, "outputs", bits(left.send), bits(right.send));
-    out.field(Group::kProcessData, "inputs", bits(left.receive), bits(right.receive));
+    out.field(Group::kProcessData, "difference-outputs", bits(left.send), bits(right.send));
+    out.field(Group::kProcessData, "difference-inputs", bits(left.receive), bits(right.receive));
   }
 }
 
 void compare_mailbox(const SlaveConfig& left, const SlaveConfig& right, DifferenceList& out) {
   if (left.mailbox.has_value() != right.mailbox.has_value()) {
-    return out.flag(Group::kMailbox, "mailbox", left.mailbox.has_value(), right.mailbox.has_value());
+    return out.flag(Group::kMailbox, "difference-mailbox", left.mailbox.has_value(), right.mailbox.has_value());
   }
   if (!left.mailbox) return;
   const MailboxConfig& l = *left.mailbox;
   const MailboxConfig& r = *right.mailbox;
-  out.field(Group::kMailbox, "mailbox for requests", channel(l.send), channel(r.send));
-  out.field(Group::kMailbox, "mailbox for answers", channel(l.receive), channel(r.receive));
-  out.field(Group::kMailbox, "bootstrap mailbox for requests", channel(l.bootstrap_send), channel(r.bootstrap_send));
-  out.field(Group::kMailbox, "bootstrap mailbox for answers", channel(l.bootstrap_receive),
+  out.field(Group::kMailbox, "difference-mailbox-for-requests", channel(l.send), channel(r.send));
+  out.field(Group::kMailbox, "difference-mailbox-for-answers", channel(l.receive), channel(r.receive));
+  out.field(Group::kMailbox, "difference-bootstrap-mailbox-for-requests", channel(l.bootstrap_send),
+            channel(r.bootstrap_send));
+  out.field(Group::kMailbox, "difference-bootstrap-mailbox-for-answers", channel(l.bootstrap_receive),
             channel(r.bootstrap_receive));
-  out.field(Group::kMailbox, "mailbox protocols", protocols(l), protocols(r));
-  out.flag(Group::kMailbox, "data link layer of the mailbox", l.data_link_layer, r.data_link_layer);
+  out.field(Group::kMailbox, "difference-mailbox-protocols", protocols(l), protocols(r));
+  out.flag(Group::kMailbox, "difference-data-link-layer-of-the-mailbox", l.data_link_layer, r.data_link_layer);
   // Which bit it is follows from the slaves before it.
-  out.flag(Group::kMailbox, "mailbox state bit", l.status_bit_address.has_value(), r.status_bit_address.has_value());
-  out.field(Group::kMailbox, "mailbox poll time", optional_number(l.poll_time_ms), optional_number(r.poll_time_ms));
-  out.field(Group::kMailbox, "AoE address", l.aoe_net_id, r.aoe_net_id);
-  out.flag(Group::kMailbox, "EoE switched off", l.eoe_disabled, r.eoe_disabled);
+  out.flag(Group::kMailbox, "difference-mailbox-state-bit", l.status_bit_address.has_value(),
+           r.status_bit_address.has_value());
+  out.field(Group::kMailbox, "difference-mailbox-poll-time", optional_number(l.poll_time_ms),
+            optional_number(r.poll_time_ms));
+  out.field(Group::kMailbox, "difference-aoe-address", l.aoe_net_id, r.aoe_net_id);
+  out.flag(Group::kMailbox, "difference-eoe-switched-off", l.eoe_disabled, r.eoe_disabled);
   compare_startup(left, right, out);
 }
 
 void compare_clocks(const SlaveConfig& left, const SlaveConfig& right, DifferenceList& out) {
   if (left.dc.has_value() != right.dc.has_value()) {
-    return out.flag(Group::kClocks, "distributed clocks", left.dc.has_value(), right.dc.has_value());
+    return out.flag(Group::kClocks, "difference-distributed-clocks", left.dc.has_value(), right.dc.has_value());
   }
   if (!left.dc) return;
   const SlaveDcConfig& l = *left.dc;
   const SlaveDcConfig& r = *right.dc;
-  out.flag(Group::kClocks, "reference clock", l.reference_clock, r.reference_clock);
-  out.flag(Group::kClocks, "possible reference clock", l.potential_reference_clock, r.potential_reference_clock);
-  out.field(Group::kClocks, "activation (0x0980)", fmt::format("0x{:04x}", l.assign_activate),
+  out.flag(Group::kClocks, "difference-reference-clock", l.reference_clock, r.reference_clock);
+  out.flag(Group::kClocks, "difference-possible-reference-clock", l.potential_reference_clock,
+           r.potential_reference_clock);
+  out.field(Group::kClocks, "difference-activation", fmt::format("0x{:04x}", l.assign_activate),
             fmt::format("0x{:04x}", r.assign_activate));
-  out.time(Group::kClocks, "SYNC0 cycle", l.cycle_time0, r.cycle_time0);
-  out.time(Group::kClocks, "SYNC1 behind SYNC0", l.cycle_time1, r.cycle_time1);
-  out.time(Group::kClocks, "SYNC0 shift", l.shift_time, r.shift_time);
+  out.time(Group::kClocks, "difference-sync0-cycle", l.cycle_time0, r.cycle_time0);
+  out.time(Group::kClocks, "difference-sync1-behind-sync0", l.cycle_time1, r.cycle_time1);
+  out.time(Group::kClocks, "difference-sync0-shift", l.shift_time, r.shift_time);
 }
 
 }  // namespace syncline::comparison

@@ -6,8 +6,19 @@
 
 #include "compare/compare_configs.h"
 #include "compare/slave_pairing.h"
+#include "findings/difference_words.h"
+#include "findings/sentence.h"
 
 namespace syncline::comparison {
+
+/// What differs, by its code; one without words does not compile.
+using What = FindingSentence<words::kDifferences>;
+/// What differs, with figures in it.
+template <FigureName... kNames>
+[[nodiscard]] Finding what(std::type_identity_t<FindingSentence<words::kDifferences, kNames...>> sentence,
+                           Named<kNames>... figures) {
+  return make_finding<words::kDifferences>(sentence, {}, std::move(figures)...);
+}
 
 /// Collects the differences of one pair of slaves, or of the network.
 class DifferenceList {
@@ -17,15 +28,16 @@ class DifferenceList {
                  std::string name)
       : out_(out), first_(out.size()), left_(left), right_(right), name_(std::move(name)) {}
 
-  void add(DifferenceGroup group, std::string what, std::string left, std::string right) {
-    out_.push_back({group, left_, right_, name_, std::move(what), std::move(left), std::move(right)});
+  void add(DifferenceGroup group, Finding what, std::string left, std::string right);
+  void add(DifferenceGroup group, What what, std::string left, std::string right) {
+    add(group, make_finding<words::kDifferences>(what, {}), std::move(left), std::move(right));
   }
-  void field(DifferenceGroup group, const char* what, const std::string& left, const std::string& right) {
+  void field(DifferenceGroup group, What what, const std::string& left, const std::string& right) {
     if (left != right) add(group, what, left, right);
   }
-  void number(DifferenceGroup group, const char* what, std::int64_t left, std::int64_t right, const char* unit = "");
-  void time(DifferenceGroup group, const char* what, std::int64_t left_ns, std::int64_t right_ns);
-  void flag(DifferenceGroup group, const char* what, bool left, bool right) {
+  void number(DifferenceGroup group, What what, std::int64_t left, std::int64_t right, const char* unit = "");
+  void time(DifferenceGroup group, What what, std::int64_t left_ns, std::int64_t right_ns);
+  void flag(DifferenceGroup group, What what, bool left, bool right) {
     field(group, what, left ? "yes" : "no", right ? "yes" : "no");
   }
   /// True when this pair has a difference of the group already.

@@ -13,7 +13,7 @@ namespace syncline {
 
 struct ComparedBus {
   std::vector<ConfigDifference> differences;  // left = configuration, right = bus
-  std::vector<Error> findings;                // of the scan: what could not be read
+  std::vector<Finding> findings;              // of the scan: what could not be read
   std::size_t running = 0;                    // slaves in SAFEOP or OP, whose registers were compared, too
 };
 

@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "engine/open_bus.h"
+#include "findings/scan_words.h"
+#include "findings/sentence.h"
 
 namespace syncline {
 namespace {
@@ -25,17 +27,17 @@ void mark_unknown(BusScan& scan, const ReplayNotes& notes, const std::string& fi
   }
   // Of wiring that nobody recorded nothing can be wrong.
   const bool no_ports = std::ranges::any_of(notes.slaves, [](const auto& note) { return !note.ports; });
-  if (no_ports) std::erase_if(scan.findings, [](const Error& finding) { return finding.code == ErrorCode::kWiring; });
+  if (no_ports)
+    std::erase_if(scan.findings, [](const Finding& finding) { return finding.code.starts_with("scan-wiring-"); });
   if (notes.cut_frames > 0) {
-    scan.findings.push_back(
-        {ErrorCode::kScanScope, file,
-         fmt::format("{} of its {} frames, which were captured in part only; capture whole frames (tcpdump -s 0)",
-                     notes.cut_frames, notes.frames)});
+    scan.findings.push_back(make_finding<words::kScan>("scan-frames-cut", {}, fig::text<"file">(file),
+                                                       fig::count<"cut">(notes.cut_frames),
+                                                       fig::count<"frames">(notes.frames)));
   }
   if (notes.broken_off) {
-    scan.findings.push_back({ErrorCode::kScanScope, file,
-                             fmt::format("what came after frame {}: the file breaks off there ({})", notes.frames,
-                                         notes.broken_off->detail)});
+    scan.findings.push_back(make_finding<words::kScan>("scan-capture-broken-off", {}, fig::text<"file">(file),
+                                                       fig::count<"frames">(notes.frames),
+                                                       fig::text<"reason">(notes.broken_off->detail)));
   }
 }
 

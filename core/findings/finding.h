@@ -59,6 +59,8 @@ struct FindingWords {
 [[nodiscard]] std::string_view facts_template(const Finding& finding);
 /// Fills a (possibly translated) template with the figures. Unknown placeholders stay.
 [[nodiscard]] std::string fill_finding_template(std::string_view text, const Finding& finding);
+/// True when a template begins with somebody's own text (a file, a key), which keeps its first letter as it is.
+[[nodiscard]] bool begins_with_own_text(std::string_view text, const Finding& finding);
 /// English: what was seen, as it is set behind a place: "no cyclic BRD reads 0x0130".
 [[nodiscard]] std::string facts_text(const Finding& finding);
 /// English sentences: what was seen, why, and what to do.

@@ -4,7 +4,9 @@
 
 #include "findings/finding.h"
 #include "protocol/al_state.h"
+#include "protocol/coe_abort_code.h"
 #include "protocol/dcm_error.h"
+#include "protocol/foe.h"
 
 namespace syncline {
 namespace {
@@ -87,7 +89,29 @@ constexpr std::string_view kPhrases[] = {
     "cycles were left out, the host came too late",
     "a frame was sent later than the set value allows",
     "settling behind an interruption",
+    // fields of commands, in differences
+    "data",
+    "before slave",
+    "own cycle",
+    "own frame",
+    "working counter",
+    "retries",
+    "time-out",
+    "expected bytes",
+    "expected mask",
+    "comparison",
+    "check time-out",
+    "missing",
+    "additional",
+    // in events
+    "master",
+    "unknown",
+    "info",
+    "warning",
+    "error",
 };
+
+constexpr std::uint32_t kLastFoeError = 0x8010;
 
 }  // namespace
 
@@ -105,6 +129,8 @@ std::span<const std::string_view> finding_phrases() {
     for (std::uint32_t code = dc::kDcmErrorUnspecific; code <= dc::kDcmErrorInvalidData; ++code) {
       add(dc::dcm_error_text(code));
     }
+    for (const auto text : coe::abort_code_texts()) add(text);
+    for (std::uint32_t code = foe::error::kNotDefined; code <= kLastFoeError; ++code) add(foe::error_text(code));
     return phrases;
   }();
   return all;

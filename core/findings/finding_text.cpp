@@ -33,6 +33,11 @@ std::string al_code(std::uint16_t code) {
   return fmt::format("0x{:04X} ({})", code, al_status_code_text(code).meaning);
 }
 
+const Figure* figure_named(const Finding& finding, std::string_view name) {
+  const auto found = std::ranges::find(finding.figures, name, &Figure::name);
+  return found == finding.figures.end() ? nullptr : &*found;
+}
+
 /// A whole number of thousandths without zeros at its end: "62.5".
 std::string shortest_decimal(std::int64_t whole, std::int64_t rest, int digits) {
   auto text = fmt::format("{}.{:0{}}", whole, rest, digits);
@@ -136,11 +141,17 @@ std::string fill_finding_template(std::string_view text, const Finding& finding)
     if (open == std::string_view::npos || close == std::string_view::npos) break;
     out += text.substr(0, open);
     const auto name = text.substr(open + 1, close - open - 1);
-    const auto found = std::ranges::find(finding.figures, name, &Figure::name);
-    out += found == finding.figures.end() ? std::string(text.substr(open, close - open + 1)) : figure_text(*found);
+    const Figure* found = figure_named(finding, name);
+    out += found == nullptr ? std::string(text.substr(open, close - open + 1)) : figure_text(*found);
     text.remove_prefix(close + 1);
   }
   return out += text;
+}
+
+bool begins_with_own_text(std::string_view text, const Finding& finding) {
+  if (!text.starts_with('{')) return false;
+  const Figure* first = figure_named(finding, text.substr(1, text.find('}') - 1));
+  return first != nullptr && first->unit == Figure::Unit::kText;
 }
 
 std::string facts_text(const Finding& finding) { return fill_finding_template(facts_template(finding), finding); }
@@ -148,7 +159,7 @@ std::string facts_text(const Finding& finding) { return fill_finding_template(fa
 std::string describe(const Finding& finding) {
   const auto sentence = [&](std::string_view words) {
     auto text = fill_finding_template(words, finding);
-    if (!text.empty() && text.front() >= 'a' && text.front() <= 'z')
+    if (!text.empty() && !begins_with_own_text(words, finding) && text.front() >= 'a' && text.front() <= 'z')
       text.front() = static_cast<char>(text.front() - 'a' + 'A');
     return text;
   };

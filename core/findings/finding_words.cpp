@@ -2,22 +2,29 @@
 #include <algorithm>
 #include <vector>
 
+#include "findings/difference_words.h"
 #include "findings/eni_words.h"
+#include "findings/error_words.h"
+#include "findings/event_words.h"
 #include "findings/finding.h"
 #include "findings/project_words.h"
 #include "findings/run_bus_words.h"
 #include "findings/run_slaves_words.h"
+#include "findings/scan_words.h"
 
 namespace syncline {
 namespace {
 
 constexpr auto kRun = words::joined(words::kRunSlaves, words::kRunBus);
+constexpr auto kTold = words::joined(words::kScan, words::kDifferences, words::kFileErrors, words::kBusErrors);
 
 const std::vector<FindingWords>& all() {
   static const std::vector<FindingWords> rows = [] {
     std::vector<FindingWords> joined(words::kEni.begin(), words::kEni.end());
     joined.insert(joined.end(), words::kProject.begin(), words::kProject.end());
     joined.insert(joined.end(), kRun.begin(), kRun.end());
+    joined.insert(joined.end(), words::kEvents.begin(), words::kEvents.end());
+    joined.insert(joined.end(), kTold.begin(), kTold.end());
     return joined;
   }();
   return rows;

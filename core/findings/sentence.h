@@ -59,6 +59,20 @@ template <FigureName kName>
 [[nodiscard]] Named<kName> hex32(std::uint64_t value) {
   return of<kName>(Figure::Unit::kHex32, static_cast<std::int64_t>(value));
 }
+/// Measured: four digits.
+template <FigureName kName>
+[[nodiscard]] Named<kName> measured(Nanoseconds value) {
+  return of<kName>(Figure::Unit::kNanoseconds, value);
+}
+/// "once", "3 times"
+template <FigureName kName>
+[[nodiscard]] Named<kName> times(std::uint64_t value) {
+  return of<kName>(Figure::Unit::kTimes, static_cast<std::int64_t>(value));
+}
+template <FigureName kName>
+[[nodiscard]] Named<kName> port(std::uint64_t value) {
+  return of<kName>(Figure::Unit::kPort, static_cast<std::int64_t>(value));
+}
 /// Somebody's own text, which no language changes.
 template <FigureName kName>
 [[nodiscard]] Named<kName> text(std::string value) {
@@ -68,6 +82,11 @@ template <FigureName kName>
 template <FigureName kName>
 [[nodiscard]] Named<kName> phrase(std::string_view value) {
   return of<kName>(Figure::Unit::kPhrase, 0, 0, std::string(value));
+}
+/// ": a word of ours", or nothing.
+template <FigureName kName>
+[[nodiscard]] Named<kName> aside(std::string_view value) {
+  return of<kName>(Figure::Unit::kAside, 0, 0, std::string(value));
 }
 /// "slave 3 (Drive)"
 template <FigureName kName>

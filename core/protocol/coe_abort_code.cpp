@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "protocol/coe_abort_code.h"
+
 #include <algorithm>
 #include <array>
 
@@ -51,11 +53,19 @@ constexpr auto kCodes = std::to_array<Row>({
     {0x08000024, "no data available"},
 });
 
+constexpr std::string_view kUnknownCode = "unknown abort code";
+
 }  // namespace
+
+std::vector<std::string_view> abort_code_texts() {
+  std::vector<std::string_view> texts{kUnknownCode};
+  for (const Row& row : kCodes) texts.push_back(row.text);
+  return texts;
+}
 
 std::string_view abort_code_text(std::uint32_t code) {
   const auto row = std::find_if(kCodes.begin(), kCodes.end(), [code](const Row& r) { return r.code == code; });
-  return row != kCodes.end() ? row->text : std::string_view("unknown abort code");
+  return row != kCodes.end() ? row->text : kUnknownCode;
 }
 
 }  // namespace syncline::coe

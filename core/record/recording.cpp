@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "record/recording.h"
 
-#include "dc/plans.h"
+#include "dc/clock_registers.h"
 #include "record/typed_values.h"
 
 namespace syncline {

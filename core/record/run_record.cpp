@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "dc/plans.h"
+#include "dc/clock_registers.h"
 #include "diagnosis/run_diagnosis.h"
 #include "protocol/dc_registers.h"
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <variant>
 
-#include "dc/plans.h"
+#include "dc/clock_registers.h"
 #include "protocol/dc_registers.h"
 
 namespace syncline {

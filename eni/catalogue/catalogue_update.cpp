@@ -11,7 +11,7 @@
 #include "eni/catalogue/content_hash.h"
 #include "eni/catalogue/esi_cards.h"
 #include "eni/xml/xml_text.h"
-#include "protocol/error_text.h"
+#include "findings/error_text.h"
 
 namespace syncline::eni {
 namespace {

@@ -10,7 +10,7 @@
 #include "eni/catalogue/revision_rule.h"
 #include "eni/xml/xml_reader.h"
 #include "eni/xml/xml_text.h"
-#include "protocol/error_text.h"
+#include "findings/error_text.h"
 
 namespace syncline::eni {
 namespace {

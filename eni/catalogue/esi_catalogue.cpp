@@ -11,7 +11,7 @@
 #include "eni/catalogue/catalogue_store.h"
 #include "eni/catalogue/catalogue_update.h"
 #include "eni/xml/xml_text.h"
-#include "protocol/error_text.h"
+#include "findings/error_text.h"
 
 namespace syncline::eni {
 

@@ -11,8 +11,8 @@
 #include "eni/xml/xml_reader.h"
 #include "eni/xml/xml_text.h"
 #include "findings/eni_structure_words.h"
+#include "findings/error_text.h"
 #include "findings/sentence.h"
-#include "protocol/error_text.h"
 
 namespace syncline::eni {
 namespace {

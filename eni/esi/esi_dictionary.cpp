@@ -6,7 +6,7 @@
 
 #include "eni/esi/esi_device.h"
 #include "eni/xml/xml_text.h"
-#include "protocol/error_text.h"
+#include "findings/error_text.h"
 #include "support/byte_order.h"
 
 /// The ESI describes objects by data types that name further data types; what a configurator needs is a list of

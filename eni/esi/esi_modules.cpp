@@ -6,7 +6,7 @@
 #include "eni/esi/esi_device.h"
 #include "eni/esi/esi_words.h"
 #include "eni/xml/xml_text.h"
-#include "protocol/error_text.h"
+#include "findings/error_text.h"
 
 /// Slots and Modules of modular devices.
 namespace syncline::eni {

@@ -4,7 +4,7 @@
 #include "eni/esi/esi_device.h"
 #include "eni/esi/esi_side_files.h"
 #include "eni/xml/xml_text.h"
-#include "protocol/error_text.h"
+#include "findings/error_text.h"
 
 namespace syncline::eni {
 namespace {

@@ -11,7 +11,7 @@
 #include "eni/xml/text_encoding.h"
 #include "eni/xml/xml_reader.h"
 #include "eni/xml/xml_text.h"
-#include "protocol/error_text.h"
+#include "findings/error_text.h"
 
 namespace syncline::eni {
 namespace {

@@ -6,13 +6,21 @@
 #include "config/device_from_sii.h"
 #include "eni/project/line_wiring.h"
 #include "eni/xml/xml_text.h"
-#include "protocol/error_text.h"
+#include "findings/error_text.h"
+#include "findings/scan_words.h"
+#include "findings/sentence.h"
 
 namespace syncline::eni {
 namespace {
 
-std::string slave_text(const ScannedSlave& slave) {
-  return fmt::format("slave {} ({})", slave.position, to_string(slave.identity));
+/// About a slave and its identity.
+template <FigureName... kNames>
+Finding finding_at(
+    std::type_identity_t<FindingSentence<words::kScan, FigureName("slave"), FigureName("identity"), kNames...>>
+        sentence,
+    const ScannedSlave& slave, Named<kNames>... figures) {
+  return make_finding<words::kScan>(sentence, Place(slave.position), fig::slave<"slave">(slave.position),
+                                    fig::text<"identity">(to_string(slave.identity)), std::move(figures)...);
 }
 
 /// Strings of an EEPROM are whatever somebody burnt into it; the project file must be able to carry them.
@@ -50,33 +58,30 @@ DeviceDescription device_without_esi(const ScannedSlave& slave) {
   return device;
 }
 
-DeviceDescription device_of(const ScannedSlave& slave, const EsiCatalogue& catalogue, std::vector<Error>& warnings) {
+DeviceDescription device_of(const ScannedSlave& slave, const EsiCatalogue& catalogue, std::vector<Finding>& warnings) {
   const auto match = catalogue.device_for(slave.identity);
   if (match) {
     if (match->kind != MatchKind::kExact) {
-      warnings.push_back(Error{.code = ErrorCode::kIdentification,
-                               .subject = slave_text(slave),
-                               .detail = fmt::format("{} ({})", match->words, match->device->source)});
+      warnings.push_back(finding_at("scan-other-revision", slave, fig::text<"match">(std::string(match->words)),
+                                    fig::text<"file">(match->device->source)));
     }
     return *match->device;
   }
   if (match.error().code == ErrorCode::kUnknownDevice) {
-    warnings.push_back(Error{.code = ErrorCode::kMissingEsi, .subject = slave_text(slave), .detail = "that you use"});
+    warnings.push_back(finding_at("scan-no-esi", slave));
   } else {
-    warnings.push_back(match.error());  // there is one, and it cannot be read
+    warnings.push_back(finding_of(match.error()));  // there is one, and it cannot be read
   }
-  if (slave.sii_error) warnings.push_back(*slave.sii_error);
+  if (slave.sii_error) warnings.push_back(finding_of(*slave.sii_error));
   return device_without_esi(slave);
 }
 
 /// The ESI says what the type can do, the scan what this one does.
-void follow_hardware(SlaveSettings& slave, const ScannedSlave& scanned, std::vector<Error>& warnings) {
+void follow_hardware(SlaveSettings& slave, const ScannedSlave& scanned, std::vector<Finding>& warnings) {
   const bool has_clock = scanned.dc == DcCapability::kSystemTime32 || scanned.dc == DcCapability::kSystemTime64;
   if (has_clock || slave.dc.op_mode.empty()) return;
   slave.dc.op_mode.clear();
-  warnings.push_back(Error{.code = ErrorCode::kDcSetup,
-                           .subject = slave_text(scanned),
-                           .detail = "its ESI has operation modes, the slave has no system time register 0x0910"});
+  warnings.push_back(finding_at("scan-no-clock", scanned));
 }
 
 }  // namespace

@@ -7,13 +7,14 @@
 #include "channels/values/bus_scan.h"
 #include "config/project.h"
 #include "eni/catalogue/esi_catalogue.h"
+#include "findings/finding.h"
 #include "support/result.h"
 
 namespace syncline::eni {
 
 struct BuiltProject {
   Project project;
-  std::vector<Error> warnings;  // kMissingEsi: configured from the SII; other revision taken ...
+  std::vector<Finding> warnings;  // of the scan; configured from the SII; other revision taken ...
 };
 
 /// Project of a scanned bus: the catalogue's device for each identity, else what the SII says.

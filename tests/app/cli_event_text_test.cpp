@@ -12,6 +12,10 @@ namespace {
 TEST(EventText, EveryKindHasANameAndAllButProgressHaveWords) {
   for (const auto& event : test::one_of_each()) {
     EXPECT_FALSE(event_name(event).empty()) << event.what.index();
+    const auto json = event_json(event, 0);
+    EXPECT_EQ(json.is_null() || json["code"].get<std::string>().starts_with("event-") || event.is<events::Failure>(),
+              true)
+        << event.what.index();
     const bool silent = event.is<events::ScanProgress>() || event.is<events::MasterStopped>();
     EXPECT_EQ(event_words(event).empty(), silent) << event.what.index();
   }
@@ -30,9 +34,9 @@ TEST(EventText, SaysWhatAProgramMayHaveLearnedToRead) {
       {{0, 3, events::SlavesInSync{12}}, "slave 3 in sync again, deviation 12 ns"},
       {{0, -1, events::SlavesInSync{12}}, "slaves in sync, deviation 12 ns"},
       {{0, 4, events::SlavesOutOfSync{5000, 2}},
-       "slaves OUT OF SYNC, deviation 5000 ns at slave 4 (2 slaves are over the limit)"},
+       "slaves OUT OF SYNC, deviation 5 us at slave 4 (2 slaves are over the limit)"},
       {{0, -1, events::SlavesOutOfSync{5000, 3}},
-       "slaves OUT OF SYNC, deviation 5000 ns: all 3 at once and to the same side, the reference clock has stepped"},
+       "slaves OUT OF SYNC, deviation 5 us: all 3 at once and to the same side, the reference clock has stepped"},
       {{0, -1, events::SlavesSyncUnknown{40 * kMillisecond}},
        "slaves: not known whether in sync, nothing was read for 40 ms"},
       {{0, -1, events::MasterInSync{-7}}, "master in sync, error -7 ns"},
@@ -41,11 +45,10 @@ TEST(EventText, SaysWhatAProgramMayHaveLearnedToRead) {
       {{0, -1, events::WkcExpected{12, 9}}, "working counter expected now 9 (all slaves: 12)"},
       {{0, -1, events::FramesLost{1}}, "1 frame lost"},
       {{0, -1, events::FramesLate{3, 1'500'000, 2}},
-       "3 frames back late, up to 1500 us after the deadline (2 of them told as lost before)"},
+       "3 frames back late, up to 1.5 ms after the deadline (2 of them told as lost before)"},
       {{0, -1, events::CyclesLeftOut{2, 3'100'000}}, "2 cycles left out, the host sent nothing for up to 3.1 ms"},
-      {{0, 2, events::PortErrors{1, 3, 1}}, "slave 2 port B: 3 damaged frames, link lost 1 times"},
-      {{0, 2, events::WatchdogExpired{Which::kPdi, 1}},
-       "slave 2: PDI watchdog expired (1 times): its firmware is silent"},
+      {{0, 2, events::PortErrors{1, 3, 1}}, "slave 2 port B: 3 damaged frames, link lost once"},
+      {{0, 2, events::WatchdogExpired{Which::kPdi, 1}}, "slave 2: PDI watchdog expired (once): its firmware is silent"},
       {{0, 2, events::LongCycles{true, 5}},
        "slave 2: 5 of its cycles took longer than the cycle time: its firmware is slow"},
       {{0, 2, events::StaleInputs{true, 9, 16}},
@@ -58,7 +61,7 @@ TEST(EventText, SaysWhatAProgramMayHaveLearnedToRead) {
       {{0, 7, events::UnknownSlave{{2, 0x44C2C52, 0x120000, 0}}},
        "unknown device at position 7: 0x00000002:0x044c2c52:0x00120000"},
       {{0, -1, events::LinkUp{SharedText("nic:eth0"), 1'200 * kMillisecond}},
-       "network adapter nic:eth0 is up again after 1200 ms"},
+       "network adapter nic:eth0 is up again after 1.2 s"},
       {{0, 6, events::HotConnect{events::HotConnect::What::kConnected, SharedText("tool")}},
        "slave 6: connected (hot-connect group \"tool\")"},
       {{0, -1, events::EventsLost{9}}, "9 events were lost"},

@@ -4,7 +4,7 @@
 #include "bench/ratio_report.h"
 #include "compile/incremental.h"
 #include "eni/esi/esi_reader.h"
-#include "protocol/error_text.h"
+#include "findings/error_text.h"
 #include "settings/settings_keys.h"
 #include "tests/support/source_dir.h"
 

@@ -11,7 +11,7 @@
 #include "eni/check/eni_check.h"
 #include "eni/format/eni_file.h"
 #include "eni/project/line_wiring.h"
-#include "protocol/error_text.h"
+#include "findings/error_text.h"
 #include "tests/support/sample_devices.h"
 
 namespace syncline::bench {

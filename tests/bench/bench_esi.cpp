@@ -13,7 +13,7 @@
 #include "eni/catalogue/catalogue_update.h"
 #include "eni/catalogue/esi_catalogue.h"
 #include "eni/xml/xml_text.h"
-#include "protocol/error_text.h"
+#include "findings/error_text.h"
 #include "sqlite/sqlite_database.h"
 #include "tests/support/sample_folder.h"
 

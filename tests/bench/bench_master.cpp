@@ -6,8 +6,8 @@
 #include <string>
 
 #include "bench/ratio_report.h"
+#include "findings/error_text.h"
 #include "master/master_service.h"
-#include "protocol/error_text.h"
 #include "tests/support/simulated_network.h"
 
 /// What the master costs: time to OP for long buses, bytes on the wire in a cycle.

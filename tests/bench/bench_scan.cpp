@@ -7,10 +7,10 @@
 
 #include "bench/ratio_report.h"
 #include "bench/sequential_scan.h"
+#include "findings/error_text.h"
 #include "link/bus_responder.h"
 #include "link/pcap_link.h"
 #include "master/scan/bus_scanner.h"
-#include "protocol/error_text.h"
 #include "support/net_namespace.h"
 #include "support/scan_bed.h"
 

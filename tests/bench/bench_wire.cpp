@@ -12,7 +12,7 @@
 #include "app/composition/load_scenario.h"
 #include "app/composition/open_link.h"
 #include "engine/simulate_bus.h"
-#include "protocol/error_text.h"
+#include "findings/error_text.h"
 #include "protocol/frame.h"
 #include "protocol/registers.h"
 #include "support/real_time.h"

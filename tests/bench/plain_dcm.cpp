@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dc/plans.h"
+#include "dc/clock_registers.h"
 
 namespace syncline::bench {
 namespace {

@@ -5,7 +5,7 @@
 #include "compile/compile.h"
 #include "eni/format/eni_file.h"
 #include "eni/schema_check.h"
-#include "protocol/error_text.h"
+#include "findings/error_text.h"
 #include "support/sample_folder.h"
 #include "tests/support/sample_devices.h"
 

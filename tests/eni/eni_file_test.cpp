@@ -10,7 +10,7 @@
 
 #include "compare/network_compare.h"
 #include "compile/compile.h"
-#include "protocol/error_text.h"
+#include "findings/error_text.h"
 #include "support/sample_folder.h"
 #include "tests/support/sample_devices.h"
 

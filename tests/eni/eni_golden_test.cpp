@@ -9,7 +9,7 @@
 #include "config/command_text.h"
 #include "eni/catalogue/esi_catalogue.h"
 #include "eni/format/eni_file.h"
-#include "protocol/error_text.h"
+#include "findings/error_text.h"
 #include "support/byte_order.h"
 #include "support/sample_folder.h"
 #include "tests/support/sample_devices.h"

@@ -14,7 +14,7 @@
 #include "eni/catalogue/esi_catalogue.h"
 #include "eni/esi/esi_reader.h"
 #include "eni/format/eni_file.h"
-#include "protocol/error_text.h"
+#include "findings/error_text.h"
 #include "recover/recover_project.h"
 #include "support/sample_folder.h"
 

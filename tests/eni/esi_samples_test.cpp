@@ -14,8 +14,8 @@
 #include "eni/esi/esi_writer.h"
 #include "eni/project/project_builder.h"
 #include "eni/xml/xml_text.h"
+#include "findings/error_text.h"
 #include "protocol/dc_registers.h"
-#include "protocol/error_text.h"
 #include "support/sample_folder.h"
 #include "tests/support/source_dir.h"
 

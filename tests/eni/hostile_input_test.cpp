@@ -18,7 +18,7 @@
 #include "eni/xml/xml_reader.h"
 #include "eni/xml/xml_text.h"
 #include "eni/xml/xml_writer.h"
-#include "protocol/error_text.h"
+#include "findings/error_text.h"
 #include "support/utf8.h"
 #include "tests/support/sample_devices.h"
 

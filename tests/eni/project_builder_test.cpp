@@ -14,6 +14,7 @@
 namespace syncline::eni {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -122,10 +123,10 @@ TEST_F(ProjectBuilder, ScanWarnsOfOtherRevisionsAndMissingClocks) {
   scan.slaves = {scanned(0, 1, 0x20, DcCapability::kNone), scanned(1, 3, 1, DcCapability::kReceiveTimesOnly)};
   const auto built = project_from_scan(scan, catalogue_);
   ASSERT_THAT(built.warnings, SizeIs(2));
-  EXPECT_EQ(built.warnings[0].code, ErrorCode::kIdentification);
-  EXPECT_THAT(built.warnings[0].subject, HasSubstr("slave 0"));
-  EXPECT_THAT(built.warnings[0].detail, HasSubstr("0x00000010"));
-  EXPECT_EQ(built.warnings[1].code, ErrorCode::kDcSetup);
+  EXPECT_EQ(built.warnings[0].code, "scan-other-revision");
+  EXPECT_THAT(describe(built.warnings[0]), AllOf(HasSubstr("Slave 0"), HasSubstr("0x00000010")));
+  EXPECT_EQ(built.warnings[1].code, "scan-no-clock");
+  EXPECT_EQ(built.warnings[1].place.key, "slave.1.dc.op_mode");
   EXPECT_EQ(built.project.slaves[1].dc.op_mode, "");
 }
 
@@ -154,8 +155,8 @@ TEST_F(ProjectBuilder, DeviceWithoutEsiComesFromItsEeprom) {
   EXPECT_FALSE(coe->complete_access) << "entry by entry works with every slave";
   EXPECT_EQ(built.project.slaves[1].device.identity, (Identity{0x5EC, 8, 1, 0}));
   ASSERT_THAT(built.warnings, SizeIs(3));
-  EXPECT_EQ(built.warnings[0].code, ErrorCode::kMissingEsi);
-  EXPECT_EQ(built.warnings[2].code, ErrorCode::kSii);
+  EXPECT_EQ(built.warnings[0].code, "scan-no-esi");
+  EXPECT_EQ(built.warnings[2].code, "eeprom-unusable");
 }
 
 PreviousPort wired(const std::vector<SlaveSettings>& slaves, std::size_t i) {

@@ -11,7 +11,7 @@
 #include "eni/esi/esi_reader.h"
 #include "eni/esi/esi_writer.h"
 #include "eni/xml/xml_text.h"
-#include "protocol/error_text.h"
+#include "findings/error_text.h"
 #include "support/random_project.h"
 #include "tests/support/sample_devices.h"
 

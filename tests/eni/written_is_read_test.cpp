@@ -10,7 +10,7 @@
 #include "eni/project/project_builder.h"
 #include "eni/project/project_file.h"
 #include "eni/xml/xml_text.h"
-#include "protocol/error_text.h"
+#include "findings/error_text.h"
 #include "support/sample_folder.h"
 #include "tests/support/source_dir.h"
 

@@ -10,7 +10,7 @@
 #include "engine/scan_bus.h"
 #include "eni/catalogue/esi_catalogue.h"
 #include "eni/project/project_builder.h"
-#include "protocol/error_text.h"
+#include "findings/error_text.h"
 #include "tests/support/source_dir.h"
 
 namespace syncline {

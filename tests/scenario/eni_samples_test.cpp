@@ -11,7 +11,7 @@
 #include "compare/network_compare.h"
 #include "engine/run_network.h"
 #include "eni/format/eni_file.h"
-#include "protocol/error_text.h"
+#include "findings/error_text.h"
 #include "support/sample_folder.h"
 
 namespace syncline {

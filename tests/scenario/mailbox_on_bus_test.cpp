@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "app/composition/load_scenario.h"
+#include "findings/error_text.h"
 #include "link/fault_link.h"
 #include "link/simulated_link.h"
 #include "master/exchange/frame_exchange.h"
@@ -14,7 +15,6 @@
 #include "master/mailbox/foe_client.h"
 #include "master/mailbox/mailbox_client.h"
 #include "master/mailbox/sdo_info_client.h"
-#include "protocol/error_text.h"
 #include "protocol/registers.h"
 #include "sim/sim_bus.h"
 #include "tests/support/source_dir.h"

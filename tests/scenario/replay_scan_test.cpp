@@ -11,7 +11,7 @@
 #include "engine/scan_bus.h"
 #include "eni/catalogue/esi_catalogue.h"
 #include "eni/project/project_builder.h"
-#include "protocol/error_text.h"
+#include "findings/error_text.h"
 #include "support/sample_folder.h"
 #include "tests/support/source_dir.h"
 

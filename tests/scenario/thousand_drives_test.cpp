@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include "findings/error_text.h"
 #include "master/master_service.h"
-#include "protocol/error_text.h"
 #include "tests/support/simulated_network.h"
 
 /// Long buses with a project's defaults.

@@ -16,7 +16,7 @@
 #include "engine/simulate_bus.h"
 #include "eni/catalogue/esi_catalogue.h"
 #include "eni/project/project_builder.h"
-#include "protocol/error_text.h"
+#include "findings/error_text.h"
 #include "protocol/frame.h"
 #include "protocol/registers.h"
 #include "support/net_namespace.h"

@@ -41,7 +41,24 @@ std::vector<std::string> placeholders(const QString& text) {
 
 /// What is the same in both languages: names of ETG, and sentences of nothing but figures.
 bool isTheSameInAll(std::string_view text) {
-  constexpr std::string_view kSame[] = {"{error}", "{reason}.", "<{element}> in <{parent}>", "FMMUs (0x0600)", "Text"};
+  constexpr std::string_view kSame[] = {"{error}",
+                                        "{reason}.",
+                                        "{text}",
+                                        "{subject}: {from} -> {to}",
+                                        "{slave} ({identity}): {match} ({file}).",
+                                        "Alias",
+                                        "EtherType",
+                                        "Ethernet over EtherCAT",
+                                        "Mailbox",
+                                        "Revision",
+                                        "SM{sm}",
+                                        "SM{sm} PDOs",
+                                        "PDO {pdo}",
+                                        "{command}",
+                                        "{setting}",
+                                        "<{element}> in <{parent}>",
+                                        "FMMUs (0x0600)",
+                                        "Text"};
   return std::ranges::find(kSame, text) != std::end(kSame);
 }
 

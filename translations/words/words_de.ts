@@ -61,6 +61,26 @@
         <translation>0xF050 gegen 0xF030</translation>
     </message>
     <message>
+        <source>1 cycle left out, the host sent nothing for up to {standstill}</source>
+        <translation>1 Zyklus ausgelassen, der Host sendete bis zu {standstill} lang nichts</translation>
+    </message>
+    <message>
+        <source>1 event was lost</source>
+        <translation>1 Ereignis ging verloren</translation>
+    </message>
+    <message>
+        <source>1 frame back late, {late} after the deadline</source>
+        <translation>1 Frame kam zu spät zurück, {late} nach der Frist</translation>
+    </message>
+    <message>
+        <source>1 frame back late, {late} after the deadline (told as lost before)</source>
+        <translation>1 Frame kam zu spät zurück, {late} nach der Frist (er war als verloren gemeldet)</translation>
+    </message>
+    <message>
+        <source>1 frame lost</source>
+        <translation>1 Frame verloren</translation>
+    </message>
+    <message>
         <source>6 bytes of two hexadecimal digits each</source>
         <translation>6 Bytes aus je zwei Hexadezimalziffern</translation>
     </message>
@@ -103,6 +123,10 @@
     <message>
         <source>A CAN cycle that does not fit the bus cycle</source>
         <translation>Ein CAN-Zyklus, der nicht zum Buszyklus passt</translation>
+    </message>
+    <message>
+        <source>A PDI watchdog expired</source>
+        <translation>Ein PDI-Watchdog lief ab</translation>
     </message>
     <message>
         <source>A PDO and the SyncManagers' lists contradict each other</source>
@@ -177,8 +201,24 @@
         <translation>Ein nicht freigegebener SyncManager wird eingeschaltet</translation>
     </message>
     <message>
+        <source>A SyncManager's PDOs or sizes</source>
+        <translation>PDOs oder Größen eines SyncManagers</translation>
+    </message>
+    <message>
+        <source>A SyncManager's settings</source>
+        <translation>Einstellungen eines SyncManagers</translation>
+    </message>
+    <message>
         <source>A buffer changes only when its last byte is read or written, so that data stay old</source>
         <translation>Ein Puffer wechselt erst, wenn sein letztes Byte gelesen oder geschrieben wird, so dass Daten alt bleiben</translation>
+    </message>
+    <message>
+        <source>A cable is healed</source>
+        <translation>Ein Kabel ist wieder heil</translation>
+    </message>
+    <message>
+        <source>A capture breaks off</source>
+        <translation>Eine Aufzeichnung bricht ab</translation>
     </message>
     <message>
         <source>A check has a time-out of 0</source>
@@ -221,8 +261,16 @@
         <translation>Die Daten eines Kommandos liegen außerhalb des Abbilds</translation>
     </message>
     <message>
+        <source>A configuration does not work out</source>
+        <translation>Eine Konfiguration geht nicht auf</translation>
+    </message>
+    <message>
         <source>A copy between slaves reaches outside the image</source>
         <translation>Eine Kopie zwischen Slaves reicht über das Abbild hinaus</translation>
+    </message>
+    <message>
+        <source>A cyclic command</source>
+        <translation>Ein zyklisches Kommando</translation>
     </message>
     <message>
         <source>A cyclic command addresses no slave of the file</source>
@@ -233,12 +281,56 @@
         <translation>Eine zyklisch synchrone Betriebsart ohne SYNC0</translation>
     </message>
     <message>
+        <source>A device ID was not requested</source>
+        <translation>Eine Gerätekennung wurde nicht angefordert</translation>
+    </message>
+    <message>
+        <source>A device is not in the configuration</source>
+        <translation>Ein Gerät steht nicht in der Konfiguration</translation>
+    </message>
+    <message>
+        <source>A device is not known</source>
+        <translation>Ein Gerät ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>A device on the bus is not in the configuration</source>
+        <translation>Ein Gerät am Bus steht nicht in der Konfiguration</translation>
+    </message>
+    <message>
         <source>A download has another size than its object</source>
         <translation>Ein Download hat eine andere Größe als sein Objekt</translation>
     </message>
     <message>
         <source>A drive interpolates over the wrong time: it moves in jerks, or refuses to</source>
         <translation>Ein Antrieb interpoliert über die falsche Zeit: er bewegt sich ruckartig oder weigert sich</translation>
+    </message>
+    <message>
+        <source>A field of an init command</source>
+        <translation>Ein Feld eines Init-Kommandos</translation>
+    </message>
+    <message>
+        <source>A file cannot be read</source>
+        <translation>Eine Datei kann nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>A file cannot be written</source>
+        <translation>Eine Datei kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>A file does not exist</source>
+        <translation>Eine Datei gibt es nicht</translation>
+    </message>
+    <message>
+        <source>A file is beyond what is read</source>
+        <translation>Eine Datei ist größer, als gelesen wird</translation>
+    </message>
+    <message>
+        <source>A file is not well-formed TOML</source>
+        <translation>Eine Datei ist kein wohlgeformtes TOML</translation>
+    </message>
+    <message>
+        <source>A file is not well-formed XML</source>
+        <translation>Eine Datei ist kein wohlgeformtes XML</translation>
     </message>
     <message>
         <source>A frame is back only when it has passed all slaves, each of which takes about 1 us: it meets the next cycle</source>
@@ -257,12 +349,24 @@
         <translation>Der Feldbus eines Gateways braucht länger als einen Zyklus</translation>
     </message>
     <message>
+        <source>A hot-connect group came or went</source>
+        <translation>Eine Hot-Connect-Gruppe kam oder ging</translation>
+    </message>
+    <message>
         <source>A hot-connect group cannot be identified</source>
         <translation>Eine Hot-Connect-Gruppe lässt sich nicht erkennen</translation>
     </message>
     <message>
         <source>A hot-connect group does not have the members it says</source>
         <translation>Eine Hot-Connect-Gruppe hat nicht die Mitglieder, die sie nennt</translation>
+    </message>
+    <message>
+        <source>A key of a scenario cannot be used</source>
+        <translation>Ein Schlüssel eines Szenarios ist nicht verwendbar</translation>
+    </message>
+    <message>
+        <source>A link is down</source>
+        <translation>Ein Link ist nicht verbunden</translation>
     </message>
     <message>
         <source>A list can be changed only while its count is 0; slaves abort the write otherwise (0x06010000, 0x08000022)</source>
@@ -287,6 +391,14 @@
     <message>
         <source>A mailbox SyncManager is set to other values than the mailbox says</source>
         <translation>Ein Mailbox-SyncManager wird auf andere Werte gesetzt, als die Mailbox sagt</translation>
+    </message>
+    <message>
+        <source>A mailbox answered something else</source>
+        <translation>Eine Mailbox antwortete etwas anderes</translation>
+    </message>
+    <message>
+        <source>A mailbox did not answer in time</source>
+        <translation>Eine Mailbox antwortete nicht rechtzeitig</translation>
     </message>
     <message>
         <source>A mailbox has an impossible size or place</source>
@@ -365,16 +477,44 @@
         <translation>Ein Pflichtelement oder Pflichtattribut fehlt</translation>
     </message>
     <message>
+        <source>A scan touches a machine that runs</source>
+        <translation>Eine Suche berührt eine Maschine, die läuft</translation>
+    </message>
+    <message>
         <source>A setting of the master synchronisation is out of range</source>
         <translation>Eine Einstellung der Master-Synchronisation liegt außerhalb ihres Bereichs</translation>
+    </message>
+    <message>
+        <source>A setting that no ENI carries</source>
+        <translation>Eine Einstellung, die keine ENI trägt</translation>
+    </message>
+    <message>
+        <source>A slave aborted an SDO transfer</source>
+        <translation>Ein Slave brach eine SDO-Übertragung ab</translation>
+    </message>
+    <message>
+        <source>A slave answers again</source>
+        <translation>Ein Slave antwortet wieder</translation>
     </message>
     <message>
         <source>A slave answers in a few to some hundred milliseconds; the command fails before</source>
         <translation>Ein Slave antwortet in einigen bis einigen hundert Millisekunden; das Kommando scheitert vorher</translation>
     </message>
     <message>
+        <source>A slave could not be led up again</source>
+        <translation>Ein Slave ließ sich nicht wieder hochführen</translation>
+    </message>
+    <message>
         <source>A slave did not answer for a while</source>
         <translation>Ein Slave antwortete eine Weile nicht</translation>
+    </message>
+    <message>
+        <source>A slave did not process a datagram</source>
+        <translation>Ein Slave hat ein Datagramm nicht bearbeitet</translation>
+    </message>
+    <message>
+        <source>A slave did not reach a state in time</source>
+        <translation>Ein Slave erreichte einen Zustand nicht rechtzeitig</translation>
     </message>
     <message>
         <source>A slave does not answer</source>
@@ -387,6 +527,10 @@
     <message>
         <source>A slave does not renew its inputs in each cycle</source>
         <translation>Ein Slave erneuert seine Eingänge nicht in jedem Zyklus</translation>
+    </message>
+    <message>
+        <source>A slave ended a file transfer</source>
+        <translation>Ein Slave beendete eine Dateiübertragung</translation>
     </message>
     <message>
         <source>A slave hangs on a port that leads nowhere</source>
@@ -407,6 +551,10 @@
     <message>
         <source>A slave hangs on port B, C or D of its predecessor.</source>
         <translation>Ein Slave hängt an Port B, C oder D seines Vorgängers.</translation>
+    </message>
+    <message>
+        <source>A slave has a new diagnosis message</source>
+        <translation>Ein Slave hat eine neue Diagnosemeldung</translation>
     </message>
     <message>
         <source>A slave has left OP after missed SM2 events</source>
@@ -441,6 +589,10 @@
         <translation>Ein Slave wird mit seiner Stationsadresse angesprochen, bevor er eine hat</translation>
     </message>
     <message>
+        <source>A slave is another device than configured</source>
+        <translation>Ein Slave ist ein anderes Gerät als konfiguriert</translation>
+    </message>
+    <message>
         <source>A slave is given another station address than its PhysAddr</source>
         <translation>Ein Slave bekommt eine andere Stationsadresse als seine PhysAddr</translation>
     </message>
@@ -449,8 +601,20 @@
         <translation>Ein Slave wird an einem Alias erkannt, den er nicht hat</translation>
     </message>
     <message>
+        <source>A slave is led up again</source>
+        <translation>Ein Slave wird wieder hochgeführt</translation>
+    </message>
+    <message>
         <source>A slave is not in sync</source>
         <translation>Ein Slave ist nicht synchron</translation>
+    </message>
+    <message>
+        <source>A slave is not led up any more</source>
+        <translation>Ein Slave wird nicht mehr hochgeführt</translation>
+    </message>
+    <message>
+        <source>A slave lacks the clock that its ESI has</source>
+        <translation>Einem Slave fehlt die Uhr, die seine ESI hat</translation>
     </message>
     <message>
         <source>A slave left OP, lost its link or did not serve its data.</source>
@@ -463,6 +627,22 @@
     <message>
         <source>A slave needs longer than its cycle</source>
         <translation>Ein Slave braucht länger als seinen Zyklus</translation>
+    </message>
+    <message>
+        <source>A slave of the configuration is missing</source>
+        <translation>Ein Slave der Konfiguration fehlt</translation>
+    </message>
+    <message>
+        <source>A slave refused a state</source>
+        <translation>Ein Slave verweigerte einen Zustand</translation>
+    </message>
+    <message>
+        <source>A slave refused a state or left one by itself</source>
+        <translation>Ein Slave verweigerte einen Zustand oder verließ einen von selbst</translation>
+    </message>
+    <message>
+        <source>A slave sent an emergency</source>
+        <translation>Ein Slave sandte eine Emergency</translation>
     </message>
     <message>
         <source>A slave stays behind the others</source>
@@ -481,12 +661,24 @@
         <translation>Die Uhr eines Slaves lag daneben</translation>
     </message>
     <message>
+        <source>A slave's firmware is fast enough again</source>
+        <translation>Die Firmware eines Slaves ist wieder schnell genug</translation>
+    </message>
+    <message>
+        <source>A slave's firmware is slow</source>
+        <translation>Die Firmware eines Slaves ist langsam</translation>
+    </message>
+    <message>
         <source>A slave's firmware stood still</source>
         <translation>Die Firmware eines Slaves stand still</translation>
     </message>
     <message>
         <source>A slave's mailbox does not answer</source>
         <translation>Die Mailbox eines Slaves antwortet nicht</translation>
+    </message>
+    <message>
+        <source>A start-up command</source>
+        <translation>Ein Startkommando</translation>
     </message>
     <message>
         <source>A start-up command and a setting write different values</source>
@@ -521,6 +713,10 @@
         <translation>Eine Task ohne Zykluszeit</translation>
     </message>
     <message>
+        <source>A value cannot be used</source>
+        <translation>Ein Wert ist nicht verwendbar</translation>
+    </message>
+    <message>
         <source>A value has the wrong type or is out of range</source>
         <translation>Ein Wert hat den falschen Typ oder liegt außerhalb des Bereichs</translation>
     </message>
@@ -533,6 +729,10 @@
         <translation>Ein Wert steht in einer Form, die kein Leser versteht, so dass nichts dahinter nach seiner Bedeutung geprüft wurde</translation>
     </message>
     <message>
+        <source>A variable</source>
+        <translation>Eine Variable</translation>
+    </message>
+    <message>
         <source>A variable has another size than its type</source>
         <translation>Eine Variable hat eine andere Größe als ihr Typ</translation>
     </message>
@@ -541,8 +741,16 @@
         <translation>Eine Variable liegt außerhalb des Prozessabbilds</translation>
     </message>
     <message>
+        <source>A working counter is not what is expected</source>
+        <translation>Ein Working Counter ist nicht der erwartete</translation>
+    </message>
+    <message>
         <source>Activate SYNC1 (0x0400), or set CycleTime1 to 0</source>
         <translation>SYNC1 aktivieren (0x0400), oder CycleTime1 auf 0 setzen</translation>
+    </message>
+    <message>
+        <source>Activation (0x0980)</source>
+        <translation>Aktivierung (0x0980)</translation>
     </message>
     <message>
         <source>Add Cnt</source>
@@ -625,12 +833,28 @@
         <translation>Das Schreiben seiner 8 Bytes bei 0x0800 oder 0x0808 auf IP hinzufügen</translation>
     </message>
     <message>
+        <source>Added</source>
+        <translation>Hinzugekommen</translation>
+    </message>
+    <message>
         <source>Addresses for a device without EoE</source>
         <translation>Adressen für ein Gerät ohne EoE</translation>
     </message>
     <message>
+        <source>Alias</source>
+        <translation>Alias</translation>
+    </message>
+    <message>
         <source>An AMS Net ID for a device without AoE</source>
         <translation>Eine AMS Net ID für ein Gerät ohne AoE</translation>
+    </message>
+    <message>
+        <source>An EEPROM (SII) cannot be used</source>
+        <translation>Ein EEPROM (SII) ist nicht verwendbar</translation>
+    </message>
+    <message>
+        <source>An EEPROM's checksum is wrong</source>
+        <translation>Die Prüfsumme eines EEPROMs ist falsch</translation>
     </message>
     <message>
         <source>An ENI does not hold all settings of the clocks</source>
@@ -647,6 +871,10 @@
     <message>
         <source>An ENI says of the clocks' settings only which commands are sent: limit and settle time of the sync window, set value, burst and controller have their defaults.</source>
         <translation>Eine ENI sagt von den Einstellungen der Uhren nur, welche Kommandos gesendet werden: Grenze und Einschwingzeit des Sync-Fensters, Sollwert, Burst und Regler haben ihre Vorgaben.</translation>
+    </message>
+    <message>
+        <source>An FMMU</source>
+        <translation>Eine FMMU</translation>
     </message>
     <message>
         <source>An FMMU does not map the whole buffer of a SyncManager</source>
@@ -669,12 +897,20 @@
         <translation>Eine FMMU bildet Speicher ab, den kein SyncManager bewacht</translation>
     </message>
     <message>
+        <source>An element is missing</source>
+        <translation>Ein Element fehlt</translation>
+    </message>
+    <message>
         <source>An element or attribute that ETG.2100 does not know</source>
         <translation>Ein Element oder Attribut, das ETG.2100 nicht kennt</translation>
     </message>
     <message>
         <source>An element stands more often than allowed</source>
         <translation>Ein Element steht öfter als erlaubt</translation>
+    </message>
+    <message>
+        <source>An element's value cannot be used</source>
+        <translation>Der Wert eines Elements ist nicht verwendbar</translation>
     </message>
     <message>
         <source>An entry that the ESI fixes is not mapped</source>
@@ -693,12 +929,28 @@
         <translation>Ein InitCmd geht an einen anderen Slave</translation>
     </message>
     <message>
+        <source>An init command of the master</source>
+        <translation>Ein Init-Kommando des Masters</translation>
+    </message>
+    <message>
         <source>An optional slave</source>
         <translation>Ein wahlweiser Slave</translation>
     </message>
     <message>
+        <source>Another clock leads</source>
+        <translation>Eine andere Uhr führt</translation>
+    </message>
+    <message>
         <source>Another slave is set up with the settings of this one</source>
         <translation>Ein anderer Slave wird mit den Einstellungen dieses Slaves eingerichtet</translation>
+    </message>
+    <message>
+        <source>Another working counter is expected</source>
+        <translation>Ein anderer Working Counter wird erwartet</translation>
+    </message>
+    <message>
+        <source>AoE address</source>
+        <translation>AoE-Adresse</translation>
     </message>
     <message>
         <source>AoE, EoE, CoE, SoE, FoE or VoE</source>
@@ -741,12 +993,28 @@
         <translation>AssignActivate gegen die ESI, und ob es in PREOP geschrieben wird</translation>
     </message>
     <message>
+        <source>Auto-increment address</source>
+        <translation>Auto-Increment-Adresse</translation>
+    </message>
+    <message>
         <source>AutoIncAddr is {said}, the place in the file makes it {expected}</source>
         <translation>AutoIncAddr ist {said}, nach dem Platz in der Datei ist sie {expected}</translation>
     </message>
     <message>
         <source>B, C or D</source>
         <translation>B, C oder D</translation>
+    </message>
+    <message>
+        <source>Best effort instead of real time</source>
+        <translation>So gut es geht statt Echtzeit</translation>
+    </message>
+    <message>
+        <source>Bootstrap mailbox for answers</source>
+        <translation>Bootstrap-Mailbox für Antworten</translation>
+    </message>
+    <message>
+        <source>Bootstrap mailbox for requests</source>
+        <translation>Bootstrap-Mailbox für Anfragen</translation>
     </message>
     <message>
         <source>Both answer the commands to that address: working counters are 2 and data are mixed</source>
@@ -757,8 +1025,44 @@
         <translation>Beide Slaves bekommen dieselben Ausgänge, was selten gemeint ist</translation>
     </message>
     <message>
+        <source>Cancelled</source>
+        <translation>Abgebrochen</translation>
+    </message>
+    <message>
+        <source>Cancelled.</source>
+        <translation>Abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Capture whole frames (tcpdump -s 0).</source>
+        <translation>Ganze Frames aufzeichnen (tcpdump -s 0).</translation>
+    </message>
+    <message>
+        <source>Check its name and folder.</source>
+        <translation>Namen und Ordner prüfen.</translation>
+    </message>
+    <message>
+        <source>Check its power and the cable to it, or take it out of the configuration.</source>
+        <translation>Versorgung und Kabel dorthin prüfen, oder ihn aus der Konfiguration nehmen.</translation>
+    </message>
+    <message>
+        <source>Check power, cabling and the working counter of the slaves before it.</source>
+        <translation>Versorgung, Verkabelung und Working Counter der Slaves davor prüfen.</translation>
+    </message>
+    <message>
+        <source>Check the cable and that the interface is up.</source>
+        <translation>Das Kabel prüfen und ob die Schnittstelle aktiv ist.</translation>
+    </message>
+    <message>
         <source>Check the cycle time and the host's timer frequency.</source>
         <translation>Zykluszeit und Timerfrequenz des Rechners prüfen.</translation>
+    </message>
+    <message>
+        <source>Check the folder's permissions and free space.</source>
+        <translation>Rechte des Ordners und freien Platz prüfen.</translation>
+    </message>
+    <message>
+        <source>Check the host's jitter and the clock's drift.</source>
+        <translation>Jitter des Hosts und Drift der Uhr prüfen.</translation>
     </message>
     <message>
         <source>Check the plug at the host, and that the adapter is switched on (ip link set ... up); the bus comes back with it.</source>
@@ -901,8 +1205,16 @@
         <translation>Cnt von {command} ist {count}, die Datei hat {slaves} Slaves</translation>
     </message>
     <message>
+        <source>Commands come in another order</source>
+        <translation>Die Kommandos kommen in anderer Reihenfolge</translation>
+    </message>
+    <message>
         <source>Commands to a position reach another slave than the one described</source>
         <translation>Kommandos an eine Position erreichen einen anderen Slave als den beschriebenen</translation>
+    </message>
+    <message>
+        <source>Compare the wiring with the configuration.</source>
+        <translation>Die Verdrahtung mit der Konfiguration vergleichen.</translation>
     </message>
     <message>
         <source>Complete access starts at sub-index 0 or 1; slaves abort it</source>
@@ -993,6 +1305,10 @@
         <translation>Die Offsets von CopyInfo berichtigen</translation>
     </message>
     <message>
+        <source>Cycle time</source>
+        <translation>Zykluszeit</translation>
+    </message>
+    <message>
         <source>CycleTime is in microseconds; masters run some 31 us to 10 s</source>
         <translation>CycleTime ist in Mikrosekunden; Master laufen mit etwa 31 us bis 10 s</translation>
     </message>
@@ -1007,6 +1323,10 @@
     <message>
         <source>CycleTime1 is {time}, and {activation} does not switch SYNC1 on</source>
         <translation>CycleTime1 ist {time}, und {activation} schaltet SYNC1 nicht ein</translation>
+    </message>
+    <message>
+        <source>Cycles come late when the host has other work.</source>
+        <translation>Zyklen kommen zu spät, wenn der Host anderes zu tun hat.</translation>
     </message>
     <message>
         <source>Cyclic synchronous position mode is executed with SYNC0 only</source>
@@ -1045,6 +1365,10 @@
         <translation>Zyklisch synchrone Geschwindigkeit (CSV) bekommt ohne SYNC0 ihre Sollwerte in keinem festen Abstand zur Servoperiode und bewegt sich schlecht</translation>
     </message>
     <message>
+        <source>Cyclic tasks</source>
+        <translation>Zyklische Tasks</translation>
+    </message>
+    <message>
         <source>DC sync IO error</source>
         <translation>DC-Sync-Ein-/Ausgabefehler</translation>
     </message>
@@ -1053,8 +1377,40 @@
         <translation>DC-Sync-Zeitüberschreitung</translation>
     </message>
     <message>
+        <source>DCM error {code} {name}: {text} The drift is {drift} ppm</source>
+        <translation>DCM-Fehler {code} {name}: {text} Die Drift ist {drift} ppm</translation>
+    </message>
+    <message>
+        <source>Data are malformed</source>
+        <translation>Daten sind fehlerhaft aufgebaut</translation>
+    </message>
+    <message>
+        <source>Data link layer of the mailbox</source>
+        <translation>Data Link Layer der Mailbox</translation>
+    </message>
+    <message>
+        <source>Delete it or choose another one.</source>
+        <translation>Ihn löschen oder einen anderen wählen.</translation>
+    </message>
+    <message>
         <source>Describe the PDO, or take it out of the SyncManager's list</source>
         <translation>Das PDO beschreiben, oder es aus der Liste des SyncManagers nehmen</translation>
+    </message>
+    <message>
+        <source>Destination address</source>
+        <translation>Zieladresse</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>Distributed clocks</source>
+        <translation>Distributed Clocks</translation>
+    </message>
+    <message>
+        <source>Distributed clocks are initialised</source>
+        <translation>Die Distributed Clocks sind eingerichtet</translation>
     </message>
     <message>
         <source>Distributed clocks are off for the whole bus</source>
@@ -1063,6 +1419,14 @@
     <message>
         <source>Distributed clocks are off for the whole bus; the slaves' operation modes do not count.</source>
         <translation>Verteilte Uhren sind für den ganzen Bus aus; die Betriebsarten der Slaves zählen nicht.</translation>
+    </message>
+    <message>
+        <source>Distributed clocks could not be set up</source>
+        <translation>Distributed Clocks konnten nicht eingerichtet werden</translation>
+    </message>
+    <message>
+        <source>Distributed clocks of {subject} could not be set up{because}.</source>
+        <translation>Die Distributed Clocks von {subject} konnten nicht eingerichtet werden{because}.</translation>
     </message>
     <message>
         <source>EC-Master and others find variables by name: they find the first</source>
@@ -1103,6 +1467,26 @@
     <message>
         <source>Enable the SyncManager, or correct the physical address</source>
         <translation>Den SyncManager einschalten, oder die physikalische Adresse berichtigen</translation>
+    </message>
+    <message>
+        <source>EoE switch</source>
+        <translation>EoE-Switch</translation>
+    </message>
+    <message>
+        <source>EoE switched off</source>
+        <translation>EoE abgeschaltet</translation>
+    </message>
+    <message>
+        <source>EtherType</source>
+        <translation>EtherType</translation>
+    </message>
+    <message>
+        <source>Ethernet over EtherCAT</source>
+        <translation>Ethernet over EtherCAT</translation>
+    </message>
+    <message>
+        <source>Events were lost, their queue was full</source>
+        <translation>Ereignisse gingen verloren, ihre Warteschlange war voll</translation>
     </message>
     <message>
         <source>Every later command to PhysAddr reaches nobody</source>
@@ -1201,6 +1585,10 @@
         <translation>Frames gehen durch den Host verloren</translation>
     </message>
     <message>
+        <source>Frames came back after their deadline</source>
+        <translation>Frames kamen nach ihrer Frist zurück</translation>
+    </message>
+    <message>
         <source>Frames come back after their cycle</source>
         <translation>Frames kommen nach ihrem Zyklus zurück</translation>
     </message>
@@ -1209,12 +1597,28 @@
         <translation>Frames kommen knapp vor SYNC0</translation>
     </message>
     <message>
+        <source>Frames did not come back</source>
+        <translation>Frames kamen nicht zurück</translation>
+    </message>
+    <message>
         <source>Frames do not come back</source>
         <translation>Frames kommen nicht zurück</translation>
     </message>
     <message>
+        <source>Frames do not pass a port that has a link</source>
+        <translation>Frames gehen nicht durch einen Port, der einen Link hat</translation>
+    </message>
+    <message>
+        <source>Frames enter a slave by another port than A</source>
+        <translation>Frames kommen über einen anderen Port als A in einen Slave</translation>
+    </message>
+    <message>
         <source>Frames enter it by another port than A. Swap its cables IN and OUT: until then slaves behind it stand in front of it, an ENI file cannot tell what hangs on its port A, and other masters take its propagation delay wrong.</source>
         <translation>Frames treten durch einen anderen Port als A ein. Seine Kabel IN und OUT tauschen: bis dahin stehen Slaves hinter ihm vor ihm, eine ENI-Datei kann nicht sagen, was an seinem Port A hängt, und andere Master berechnen seine Laufzeit falsch.</translation>
+    </message>
+    <message>
+        <source>Frames enter {slave} by port {port} instead of port A.</source>
+        <translation>Frames kommen in {slave} über Port {port} statt über Port A.</translation>
     </message>
     <message>
         <source>Frames meet those of the next cycle, requests to slaves find no room, and slaves do not reach OP or fall from it</source>
@@ -1227,6 +1631,14 @@
     <message>
         <source>Frames pass the slaves in the order of the file: the wiring told cannot exist</source>
         <translation>Frames durchlaufen die Slaves in der Reihenfolge der Datei: die genannte Verdrahtung kann es nicht geben</translation>
+    </message>
+    <message>
+        <source>Frames were captured in part</source>
+        <translation>Frames wurden nur zum Teil aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>Frames were damaged or links lost at a port</source>
+        <translation>An einem Port wurden Frames beschädigt oder Links verloren</translation>
     </message>
     <message>
         <source>Frames were lost by an interruption</source>
@@ -1301,6 +1713,10 @@
         <translation>Ihm Adp des ARMW geben, oder es entfernen</translation>
     </message>
     <message>
+        <source>Give one of them another alias.</source>
+        <translation>Einem von ihnen einen anderen Alias geben.</translation>
+    </message>
+    <message>
         <source>Give the FMMU start and length of the SyncManager</source>
         <translation>Der FMMU Anfang und Länge des SyncManagers geben</translation>
     </message>
@@ -1313,6 +1729,10 @@
         <translation>Dem Master einen eigenen Prozessor und Echtzeitpriorität geben, oder den Sollwert erhöhen.</translation>
     </message>
     <message>
+        <source>Give the master real-time priority above what else runs on this host, or a processor of its own.</source>
+        <translation>Dem Master eine Echtzeitpriorität über allem anderen auf diesem Rechner geben, oder einen Prozessor für sich allein.</translation>
+    </message>
+    <message>
         <source>Give the slave a DC element and the write of 0x0980, or neither</source>
         <translation>Dem Slave ein Element DC und das Schreiben von 0x0980 geben, oder keins von beiden</translation>
     </message>
@@ -1321,8 +1741,20 @@
         <translation>Ihnen logische Adressen geben, die sich nicht treffen, oder Zustände, die einander ausschließen</translation>
     </message>
     <message>
+        <source>Grant it once with: {detail}</source>
+        <translation>Einmalig erteilen mit: {detail}</translation>
+    </message>
+    <message>
+        <source>Hangs on</source>
+        <translation>Hängt an</translation>
+    </message>
+    <message>
         <source>Host and reference clock drift apart by more than 600 ppm; look at the host's timer or choose another reference clock.</source>
         <translation>Host und Referenzuhr laufen um mehr als 600 ppm auseinander; nach dem Timer des Hosts sehen oder eine andere Referenzuhr wählen.</translation>
+    </message>
+    <message>
+        <source>Hot-connect group</source>
+        <translation>Hot-Connect-Gruppe</translation>
     </message>
     <message>
         <source>How the mailbox is polled is not said</source>
@@ -1331,6 +1763,14 @@
     <message>
         <source>INIT, PREOP, SAFEOP or OP</source>
         <translation>INIT, PREOP, SAFEOP oder OP</translation>
+    </message>
+    <message>
+        <source>Identification</source>
+        <translation>Kennung</translation>
+    </message>
+    <message>
+        <source>Identification of the hot-connect group</source>
+        <translation>Kennung der Hot-Connect-Gruppe</translation>
     </message>
     <message>
         <source>Image offsets in the way of TwinCAT</source>
@@ -1357,12 +1797,24 @@
         <translation>Den Sollwert um {more} oder mehr erhöhen.</translation>
     </message>
     <message>
+        <source>Init command</source>
+        <translation>Init-Kommando</translation>
+    </message>
+    <message>
+        <source>Init commands</source>
+        <translation>Init-Kommandos</translation>
+    </message>
+    <message>
         <source>InputOffs and OutputOffs count datagram headers, the data stand {bytes} bytes behind</source>
         <translation>InputOffs und OutputOffs zählen Datagrammköpfe mit, die Daten stehen {bytes} Bytes dahinter</translation>
     </message>
     <message>
         <source>InputOffs counts datagram headers, the data stand 10 bytes behind; EC-Engineer writes the offsets of the data</source>
         <translation>InputOffs zählt Datagrammköpfe mit, die Daten stehen 10 Bytes dahinter; EC-Engineer schreibt die Offsets der Daten</translation>
+    </message>
+    <message>
+        <source>Inputs</source>
+        <translation>Eingänge</translation>
     </message>
     <message>
         <source>Inputs are latched too late</source>
@@ -1405,6 +1857,14 @@
         <translation>Sie hat keine Wirkung</translation>
     </message>
     <message>
+        <source>It is another kind of file</source>
+        <translation>Es ist eine andere Art von Datei</translation>
+    </message>
+    <message>
+        <source>It is not known whether slaves are in sync</source>
+        <translation>Es ist nicht bekannt, ob die Slaves synchron sind</translation>
+    </message>
+    <message>
         <source>It is open which of the two mappings counts</source>
         <translation>Es ist offen, welches der beiden Mappings gilt</translation>
     </message>
@@ -1433,6 +1893,10 @@
         <translation>Seine Daten kommen alle {cycle}, {least} ist der kürzeste Zyklus, den sein Objekt 0x1C32:05 nennt.</translation>
     </message>
     <message>
+        <source>Its description is what its EEPROM says.</source>
+        <translation>Beschrieben ist er durch sein EEPROM.</translation>
+    </message>
+    <message>
         <source>Its firmware is busy or stopped; the counters that it keeps in objects are as old as that.</source>
         <translation>Seine Firmware ist beschäftigt oder steht; die Zähler in seinen Objekten sind so alt wie das.</translation>
     </message>
@@ -1441,12 +1905,20 @@
         <translation>Seine Firmware braucht länger als den Zyklus: nach dem suchen, was sie sonst zu tun hat, einen längeren Zyklus geben oder weniger Objekte.</translation>
     </message>
     <message>
+        <source>Its outputs and inputs are older than the cycle.</source>
+        <translation>Seine Ausgänge und Eingänge sind älter als der Zyklus.</translation>
+    </message>
+    <message>
         <source>Its outputs and inputs stood still meanwhile. Look for what stops it: an interrupt storm, a debugger, a crash.</source>
         <translation>Ausgänge und Eingänge standen währenddessen still. Suchen, was sie anhält: ein Interrupt-Sturm, ein Debugger, ein Absturz.</translation>
     </message>
     <message>
         <source>Its outputs come nominally {margin} before SYNC0, and it needs {need} for them; look at its firmware's load, or at frames that are damaged in front of it.</source>
         <translation>Die Ausgänge kommen nominell {margin} vor SYNC0, und er braucht {need} für sie; die Last seiner Firmware ansehen, oder Frames, die vor ihm beschädigt werden.</translation>
+    </message>
+    <message>
+        <source>Its propagation delay is measured wrong by many masters.</source>
+        <translation>Viele Master messen seine Laufzeit falsch.</translation>
     </message>
     <message>
         <source>Its working counter stays 0 in each cycle</source>
@@ -1537,20 +2009,76 @@
         <translation>Zeile {line} wird nicht gelesen: {what}.</translation>
     </message>
     <message>
+        <source>List them with "synclinectl adapters".</source>
+        <translation>"synclinectl adapters" listet sie auf.</translation>
+    </message>
+    <message>
+        <source>Load its ESI file.</source>
+        <translation>Seine ESI-Datei laden.</translation>
+    </message>
+    <message>
+        <source>Logical address of the mailbox state bits</source>
+        <translation>Logische Adresse der Zustandsbits der Mailboxen</translation>
+    </message>
+    <message>
         <source>Look at the deviations of the single slaves.</source>
         <translation>Die Abweichungen der einzelnen Slaves ansehen.</translation>
+    </message>
+    <message>
+        <source>Look at the device behind it.</source>
+        <translation>Nach dem Gerät dahinter sehen.</translation>
+    </message>
+    <message>
+        <source>Look below the operating system: the host of a virtual machine, firmware (system management interrupts), power states, drivers that hold interrupts off. Run the master on a machine of its own.</source>
+        <translation>Unter dem Betriebssystem suchen: der Wirt einer virtuellen Maschine, Firmware (System Management Interrupts), Energiezustände, Treiber, die Interrupts sperren. Den Master auf einer eigenen Maschine betreiben.</translation>
     </message>
     <message>
         <source>Look for a busy host or a clock that stepped; if neither is there, choose the other shift mode.</source>
         <translation>Nach einem beschäftigten Rechner oder einer gesprungenen Uhr suchen; ist beides nicht da, die andere Art der Synchronisation wählen.</translation>
     </message>
     <message>
+        <source>Look for a cable back to the master, or a device that is no slave.</source>
+        <translation>Nach einem Kabel zurück zum Master suchen, oder nach einem Gerät, das kein Slave ist.</translation>
+    </message>
+    <message>
         <source>Look for what held it: another process of higher priority, power management, the virtual machine's host.</source>
         <translation>Suchen, was ihn aufhielt: ein anderer Prozess mit höherer Priorität, Energiesparen, der Wirt der virtuellen Maschine.</translation>
     </message>
     <message>
+        <source>Look only to change nothing (--look-only).</source>
+        <translation>Nur ansehen, um nichts zu ändern (--look-only).</translation>
+    </message>
+    <message>
         <source>MBoxOut, MBoxIn, Outputs or Inputs</source>
         <translation>MBoxOut, MBoxIn, Outputs oder Inputs</translation>
+    </message>
+    <message>
+        <source>Mailbox</source>
+        <translation>Mailbox</translation>
+    </message>
+    <message>
+        <source>Mailbox for answers</source>
+        <translation>Mailbox für Antworten</translation>
+    </message>
+    <message>
+        <source>Mailbox for requests</source>
+        <translation>Mailbox für Anfragen</translation>
+    </message>
+    <message>
+        <source>Mailbox poll time</source>
+        <translation>Abfragezeit der Mailbox</translation>
+    </message>
+    <message>
+        <source>Mailbox protocols</source>
+        <translation>Protokolle der Mailbox</translation>
+    </message>
+    <message>
+        <source>Mailbox state bit</source>
+        <translation>Zustandsbit der Mailbox</translation>
+    </message>
+    <message>
+        <source>Mailbox state bits</source>
+        <translation>Zustandsbits der Mailboxen</translation>
     </message>
     <message>
         <source>Mailbox, delays of the slaves and jitter of the master do not fit beside them</source>
@@ -1567,6 +2095,10 @@
     <message>
         <source>Make the first slave with distributed clocks the reference clock</source>
         <translation>Den ersten Slave mit verteilter Uhr zur Referenzuhr machen</translation>
+    </message>
+    <message>
+        <source>Many things in other places</source>
+        <translation>Vieles an anderen Plätzen</translation>
     </message>
     <message>
         <source>Map both time stamps, or choose another mode.</source>
@@ -1587,6 +2119,10 @@
     <message>
         <source>Map it again.</source>
         <translation>Ihn wieder mappen.</translation>
+    </message>
+    <message>
+        <source>Mapping of a PDO</source>
+        <translation>Belegung eines PDOs</translation>
     </message>
     <message>
         <source>Master and reference clock run at their own rates</source>
@@ -1705,6 +2241,26 @@
         <translation>Die Protokolle nennen, die das Gerät hat</translation>
     </message>
     <message>
+        <source>Neither can be known by it.</source>
+        <translation>Keinen von beiden kann man daran erkennen.</translation>
+    </message>
+    <message>
+        <source>No ESI file describes a device</source>
+        <translation>Keine ESI-Datei beschreibt ein Gerät</translation>
+    </message>
+    <message>
+        <source>No ESI file describes a slave</source>
+        <translation>Keine ESI-Datei beschreibt einen Slave</translation>
+    </message>
+    <message>
+        <source>No ESI file describes {slave} ({identity}).</source>
+        <translation>Keine ESI-Datei beschreibt {slave} ({identity}).</translation>
+    </message>
+    <message>
+        <source>No ESI file describes {subject}.</source>
+        <translation>Keine ESI-Datei beschreibt {subject}.</translation>
+    </message>
+    <message>
         <source>No ESI of the device is at hand</source>
         <translation>Keine ESI des Geräts ist zur Hand</translation>
     </message>
@@ -1721,6 +2277,10 @@
         <translation>Kein SyncManager kann ein PDO tragen</translation>
     </message>
     <message>
+        <source>No answer</source>
+        <translation>Keine Antwort</translation>
+    </message>
+    <message>
         <source>No answer from {slaves} from {since} on, for {length} ({count} in all).</source>
         <translation>Keine Antwort von {slaves} ab {since}, {length} lang ({count} insgesamt).</translation>
     </message>
@@ -1731,6 +2291,10 @@
     <message>
         <source>No answer from {slaves} since {since}; {near} is the last that answers.</source>
         <translation>Keine Antwort von {slaves} seit {since}; {near} ist der letzte, der antwortet.</translation>
+    </message>
+    <message>
+        <source>No answer from {subject}.</source>
+        <translation>Keine Antwort von {subject}.</translation>
     </message>
     <message>
         <source>No command enables a SyncManager that has PDOs</source>
@@ -1765,6 +2329,14 @@
         <translation>Keine Betriebsart von {type} hat das AssignActivate {activation} der ENI: DC ist aus.</translation>
     </message>
     <message>
+        <source>No permission to send raw frames</source>
+        <translation>Keine Berechtigung für rohe Frames</translation>
+    </message>
+    <message>
+        <source>No permission to send raw frames on {subject}.</source>
+        <translation>Keine Berechtigung für rohe Frames auf {subject}.</translation>
+    </message>
+    <message>
         <source>No slave brings the time of an external clock</source>
         <translation>Kein Slave bringt die Zeit einer externen Uhr</translation>
     </message>
@@ -1781,12 +2353,28 @@
         <translation>Keine Verdrahtung stellt einen Slave vor den, an dem er hier hängt.</translation>
     </message>
     <message>
+        <source>Nobody looks whether slaves are in sync</source>
+        <translation>Niemand sieht nach, ob die Slaves synchron sind</translation>
+    </message>
+    <message>
         <source>Nobody watches the slaves' deviation</source>
         <translation>Niemand überwacht die Abweichung der Slaves</translation>
     </message>
     <message>
         <source>Noise on that cable, a bad plug or a bad shield: change the cable, keep it away from motor cables.</source>
         <translation>Störungen auf diesem Kabel, ein schlechter Stecker oder Schirm: Kabel tauschen, von Motorleitungen fernhalten.</translation>
+    </message>
+    <message>
+        <source>Not read from {subject}: {detail}.</source>
+        <translation>Nicht gelesen von {subject}: {detail}.</translation>
+    </message>
+    <message>
+        <source>Nothing answers behind an open port</source>
+        <translation>Hinter einem offenen Port antwortet nichts</translation>
+    </message>
+    <message>
+        <source>Nothing comes back over a cable</source>
+        <translation>Über ein Kabel kommt nichts zurück</translation>
     </message>
     <message>
         <source>Nothing is written, or the slave aborts for a wrong length (0x06070010)</source>
@@ -1837,8 +2425,20 @@
         <translation>Nur eine Uhr kann führen; Master nehmen die erste oder die letzte</translation>
     </message>
     <message>
+        <source>Other threads held the host</source>
+        <translation>Andere Threads hielten den Rechner auf</translation>
+    </message>
+    <message>
+        <source>Outputs</source>
+        <translation>Ausgänge</translation>
+    </message>
+    <message>
         <source>Outputs come too late for SYNC0</source>
         <translation>Ausgänge kommen zu spät für SYNC0</translation>
+    </message>
+    <message>
+        <source>PDO {pdo}</source>
+        <translation>PDO {pdo}</translation>
     </message>
     <message>
         <source>PDO {pdo} excludes {other}, and both are assigned</source>
@@ -1893,6 +2493,14 @@
         <translation>PREOP wird angefordert, während der Master das EEPROM hat</translation>
     </message>
     <message>
+        <source>Place</source>
+        <translation>Platz</translation>
+    </message>
+    <message>
+        <source>Place of a command's data in the image</source>
+        <translation>Platz der Daten eines Kommandos im Abbild</translation>
+    </message>
+    <message>
         <source>Place {place} must have a module.</source>
         <translation>Platz {place} muss ein Modul haben.</translation>
     </message>
@@ -1901,8 +2509,24 @@
         <translation>Platz {place}, {name}, muss ein Modul haben.</translation>
     </message>
     <message>
+        <source>Places of slaves' data in the image</source>
+        <translation>Plätze der Daten von Slaves im Abbild</translation>
+    </message>
+    <message>
         <source>Plug a module in.</source>
         <translation>Ein Modul einstecken.</translation>
+    </message>
+    <message>
+        <source>Port {port} of {slave} has a link, but frames do not pass it.</source>
+        <translation>Port {port} von {slave} hat einen Link, aber Frames gehen nicht hindurch.</translation>
+    </message>
+    <message>
+        <source>Port {port} of {slave} is open, but no slave answers behind it.</source>
+        <translation>Port {port} von {slave} ist offen, aber dahinter antwortet kein Slave.</translation>
+    </message>
+    <message>
+        <source>Possible reference clock</source>
+        <translation>Mögliche Referenzuhr</translation>
     </message>
     <message>
         <source>Process data and mailbox states share logical addresses</source>
@@ -1917,12 +2541,28 @@
         <translation>Programme, die einen Slave oder seine Variablen nach Namen suchen, finden den ersten</translation>
     </message>
     <message>
+        <source>Propagation delays were measured again</source>
+        <translation>Die Laufzeiten wurden erneut gemessen</translation>
+    </message>
+    <message>
         <source>Pulses come one cycle later than meant, since the shift counts modulo the cycle</source>
         <translation>Pulse kommen einen Zyklus später als gemeint, da die Verschiebung modulo Zyklus zählt</translation>
     </message>
     <message>
         <source>Put the APWR of 0x0910 behind the ARMW</source>
         <translation>Das APWR von 0x0910 hinter das ARMW setzen</translation>
+    </message>
+    <message>
+        <source>Put the vendor's ESI file into the ESI folder that you use and scan again.</source>
+        <translation>Die ESI-Datei des Herstellers in den benutzten ESI-Ordner legen und neu suchen.</translation>
+    </message>
+    <message>
+        <source>Put the vendor's ESI file into the ESI folder {detail} and scan again.</source>
+        <translation>Die ESI-Datei des Herstellers in den ESI-Ordner {detail} legen und neu suchen.</translation>
+    </message>
+    <message>
+        <source>Raise the timeout or check what the slave waits for.</source>
+        <translation>Die Zeitgrenze erhöhen oder prüfen, worauf der Slave wartet.</translation>
     </message>
     <message>
         <source>Raise watchdog.process_data, or 0 switches it off.</source>
@@ -1949,8 +2589,16 @@
         <translation>Leser benutzen das eine oder das andere und kommen zu verschiedenen Prozessabbildern</translation>
     </message>
     <message>
+        <source>Reading EEPROMs takes them from their slaves for that time, and the DC receive times are latched.</source>
+        <translation>EEPROMs werden zum Lesen so lange von ihren Slaves genommen, und die DC-Empfangszeiten werden festgehalten.</translation>
+    </message>
+    <message>
         <source>Recv has neither PollTime nor StatusBitAddr</source>
         <translation>Recv hat weder PollTime noch StatusBitAddr</translation>
+    </message>
+    <message>
+        <source>Reference clock</source>
+        <translation>Referenzuhr</translation>
     </message>
     <message>
         <source>Remove all but one</source>
@@ -1977,12 +2625,32 @@
         <translation>Entfernen, was dafür eingestellt ist.</translation>
     </message>
     <message>
+        <source>Removed</source>
+        <translation>Weggefallen</translation>
+    </message>
+    <message>
         <source>Request the state again and watch its AL status.</source>
         <translation>Den Zustand erneut anfordern und den AL-Status beobachten.</translation>
     </message>
     <message>
+        <source>Request the state again when the cause is removed.</source>
+        <translation>Den Zustand erneut anfordern, wenn die Ursache behoben ist.</translation>
+    </message>
+    <message>
+        <source>Requesting it writes AL control, which an untouched machine must not see.</source>
+        <translation>Sie anzufordern schreibt in AL Control, was eine unberührte Maschine nicht sehen soll.</translation>
+    </message>
+    <message>
         <source>Requests and answers overwrite each other</source>
         <translation>Anfragen und Antworten überschreiben einander</translation>
+    </message>
+    <message>
+        <source>Revision</source>
+        <translation>Revision</translation>
+    </message>
+    <message>
+        <source>SDO protocol timeout</source>
+        <translation>Zeitgrenze des SDO-Protokolls</translation>
     </message>
     <message>
         <source>SII does not match the firmware</source>
@@ -2049,6 +2717,42 @@
         <translation>SM{manager} teilt sich Speicher mit SM{other}, dessen drei Puffer so weit reichen</translation>
     </message>
     <message>
+        <source>SM{sm}</source>
+        <translation>SM{sm}</translation>
+    </message>
+    <message>
+        <source>SM{sm} PDOs</source>
+        <translation>SM{sm} PDOs</translation>
+    </message>
+    <message>
+        <source>SM{sm} control byte</source>
+        <translation>SM{sm} Steuerbyte</translation>
+    </message>
+    <message>
+        <source>SM{sm} enabled</source>
+        <translation>SM{sm} eingeschaltet</translation>
+    </message>
+    <message>
+        <source>SM{sm} only in OP</source>
+        <translation>SM{sm} nur in OP</translation>
+    </message>
+    <message>
+        <source>SM{sm} sizes</source>
+        <translation>SM{sm} Größen</translation>
+    </message>
+    <message>
+        <source>SM{sm} start</source>
+        <translation>SM{sm} Anfang</translation>
+    </message>
+    <message>
+        <source>SM{sm} type</source>
+        <translation>SM{sm} Typ</translation>
+    </message>
+    <message>
+        <source>SM{sm} watchdog</source>
+        <translation>SM{sm} Watchdog</translation>
+    </message>
+    <message>
         <source>SYNC signals and cyclic frames; several sync errors came together</source>
         <translation>SYNC-Signale und zyklische Frames; mehrere Synchronisationsfehler kamen zusammen</translation>
     </message>
@@ -2083,6 +2787,10 @@
     <message>
         <source>SYNC0 comes, and the slave works without it</source>
         <translation>SYNC0 kommt, und der Slave arbeitet ohne es</translation>
+    </message>
+    <message>
+        <source>SYNC0 cycle</source>
+        <translation>SYNC0-Zyklus</translation>
     </message>
     <message>
         <source>SYNC0 does not come with the frames</source>
@@ -2137,6 +2845,14 @@
         <translation>SYNC0 wird eingeschaltet, und nichts schreibt seine Startzeit (0x0990)</translation>
     </message>
     <message>
+        <source>SYNC0 shift</source>
+        <translation>SYNC0-Verschiebung</translation>
+    </message>
+    <message>
+        <source>SYNC1 behind SYNC0</source>
+        <translation>SYNC1 nach SYNC0</translation>
+    </message>
+    <message>
         <source>SYNC1 cannot come before SYNC0</source>
         <translation>SYNC1 kann nicht vor SYNC0 kommen</translation>
     </message>
@@ -2157,8 +2873,20 @@
         <translation>Angeben, an welchem Slave und Port er hängt.</translation>
     </message>
     <message>
+        <source>Scan again or exchange the device.</source>
+        <translation>Neu suchen oder das Gerät tauschen.</translation>
+    </message>
+    <message>
+        <source>Scan again or take it off the bus.</source>
+        <translation>Neu suchen oder es vom Bus nehmen.</translation>
+    </message>
+    <message>
         <source>See in the device's manual whether it has one.</source>
         <translation>Im Handbuch des Geräts nachsehen, ob es eine hat.</translation>
+    </message>
+    <message>
+        <source>See that at it and its neighbours the cable from the master is in IN (port A) and not in OUT.</source>
+        <translation>Bei ihm und seinen Nachbarn dafür sorgen, dass das Kabel vom Master in IN (Port A) steckt und nicht in OUT.</translation>
     </message>
     <message>
         <source>See what else happened then: a clock that stepped, cycles left out, a reference clock that was lost.</source>
@@ -2179,6 +2907,18 @@
     <message>
         <source>Send them by the application where the slave needs them.</source>
         <translation>Sie von der Anwendung senden, wo der Slave sie braucht.</translation>
+    </message>
+    <message>
+        <source>Sending or receiving failed</source>
+        <translation>Senden oder Empfangen schlug fehl</translation>
+    </message>
+    <message>
+        <source>Sending or receiving on {subject} failed{because}.</source>
+        <translation>Senden oder Empfangen auf {subject} ist fehlgeschlagen{because}.</translation>
+    </message>
+    <message>
+        <source>Serial number</source>
+        <translation>Seriennummer</translation>
     </message>
     <message>
         <source>Set 0x0010 first, or address the slave by its position</source>
@@ -2233,12 +2973,32 @@
         <translation>Die Zykluszeit der Maschine einstellen.</translation>
     </message>
     <message>
+        <source>Set the switches of one of them to another number.</source>
+        <translation>Die Schalter des einen auf eine andere Zahl stellen.</translation>
+    </message>
+    <message>
         <source>ShiftTime is {shift}, the SYNC0 cycle {cycle}</source>
         <translation>ShiftTime ist {shift}, der SYNC0-Zyklus {cycle}</translation>
     </message>
     <message>
+        <source>Size of the inputs</source>
+        <translation>Größe der Eingänge</translation>
+    </message>
+    <message>
+        <source>Size of the outputs</source>
+        <translation>Größe der Ausgänge</translation>
+    </message>
+    <message>
         <source>Slave-to-slave copies cannot be kept</source>
         <translation>Kopien von Slave zu Slave lassen sich nicht behalten</translation>
+    </message>
+    <message>
+        <source>Slaves are in sync</source>
+        <translation>Die Slaves sind synchron</translation>
+    </message>
+    <message>
+        <source>Slaves are out of sync</source>
+        <translation>Slaves sind nicht synchron</translation>
     </message>
     <message>
         <source>Slaves do not answer it, and its working counter stays 0</source>
@@ -2257,8 +3017,36 @@
         <translation>Also liegt die Ursache im Slave: seine Anwendung brauchte länger als den Zyklus oder als die Zeit zwischen Ausgängen und SYNC0. Längeren Zyklus oder mehr Zeit vor SYNC0 geben, oder suchen, was seine Firmware aufhält.</translation>
     </message>
     <message>
+        <source>Some slave did not take or give its process data in this cycle.</source>
+        <translation>Ein Slave hat in diesem Zyklus seine Prozessdaten nicht genommen oder gegeben.</translation>
+    </message>
+    <message>
+        <source>Something is not supported</source>
+        <translation>Etwas wird nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>Something took too long</source>
+        <translation>Etwas dauerte zu lange</translation>
+    </message>
+    <message>
+        <source>Something was not read</source>
+        <translation>Etwas wurde nicht gelesen</translation>
+    </message>
+    <message>
+        <source>Source address</source>
+        <translation>Quelladresse</translation>
+    </message>
+    <message>
+        <source>Split into frames</source>
+        <translation>Aufteilung in Frames</translation>
+    </message>
+    <message>
         <source>Start-up commands cannot be kept</source>
         <translation>Startkommandos lassen sich nicht behalten</translation>
+    </message>
+    <message>
+        <source>Start-up commands come in another order</source>
+        <translation>Die Startkommandos kommen in anderer Reihenfolge</translation>
     </message>
     <message>
         <source>Start-up commands of EoE cannot be kept ({commands}): a project has a place for the IP parameters only.</source>
@@ -2273,6 +3061,10 @@
         <translation>Startkommandos von {protocol} lassen sich nicht behalten ({commands}): ein Projekt hat keinen Platz dafür.</translation>
     </message>
     <message>
+        <source>Station address</source>
+        <translation>Stationsadresse</translation>
+    </message>
+    <message>
         <source>Station address 0 is that of a slave without address.</source>
         <translation>Stationsadresse 0 ist die eines Slaves ohne Adresse.</translation>
     </message>
@@ -2283,6 +3075,14 @@
     <message>
         <source>Swap its cables IN and OUT, or correct PhysAddr of PreviousPort</source>
         <translation>Seine Kabel IN und OUT tauschen, oder PhysAddr von PreviousPort berichtigen</translation>
+    </message>
+    <message>
+        <source>Swap its cables IN and OUT, or what hangs at its port A stands in front of it.</source>
+        <translation>Seine Kabel IN und OUT tauschen; oder was an seinem Port A hängt, steht vor ihm.</translation>
+    </message>
+    <message>
+        <source>Swap their cables, or their positions in the configuration.</source>
+        <translation>Ihre Kabel tauschen, oder ihre Positionen in der Konfiguration.</translation>
     </message>
     <message>
         <source>Switch SYNC0 on, or start in a profile mode (0x6060)</source>
@@ -2299,6 +3099,10 @@
     <message>
         <source>Switch the monitoring off, or give more slaves an operation mode with DC.</source>
         <translation>Die Überwachung ausschalten, oder mehr Slaves eine Betriebsart mit DC geben.</translation>
+    </message>
+    <message>
+        <source>Switch the slave off and on.</source>
+        <translation>Den Slave aus- und einschalten.</translation>
     </message>
     <message>
         <source>Sync Unit "{unit}" is to run in task "{task}", which does not exist; it stays in the base task.</source>
@@ -2357,6 +3161,10 @@
         <translation>Das Element DC und die Kommandos widersprechen einander</translation>
     </message>
     <message>
+        <source>The EEPROM has another alias than the ESC</source>
+        <translation>Das EEPROM hat einen anderen Alias als der ESC</translation>
+    </message>
+    <message>
         <source>The EEPROM is asked and not read, or read and not asked</source>
         <translation>Das EEPROM wird gefragt und nicht gelesen, oder gelesen und nicht gefragt</translation>
     </message>
@@ -2365,12 +3173,20 @@
         <translation>Das EEPROM wird gelesen, bevor es dem Master gehört</translation>
     </message>
     <message>
+        <source>The EEPROM of {slave} has the alias {written}, its ESC has {taken} until the next power-on.</source>
+        <translation>Das EEPROM von {slave} hat den Alias {written}, sein ESC hat {taken} bis zum nächsten Einschalten.</translation>
+    </message>
+    <message>
         <source>The ENI has no cycle time</source>
         <translation>Die ENI hat keine Zykluszeit</translation>
     </message>
     <message>
         <source>The ENI has no cycle time; {cycle} is taken.</source>
         <translation>Die ENI hat keine Zykluszeit; {cycle} wird genommen.</translation>
+    </message>
+    <message>
+        <source>The ESC did not take its configuration from it.</source>
+        <translation>Der ESC hat seine Konfiguration nicht daraus genommen.</translation>
     </message>
     <message>
         <source>The ESC refuses the access: the working counter stays too low</source>
@@ -2433,12 +3249,20 @@
         <translation>Die PDOs passen nicht zwischen MinSize und MaxSize</translation>
     </message>
     <message>
+        <source>The SII (EEPROM) of {subject} cannot be used{because}.</source>
+        <translation>Das SII (EEPROM) von {subject} ist nicht verwendbar{because}.</translation>
+    </message>
+    <message>
         <source>The SYNC cycle is no whole number of nanoseconds</source>
         <translation>Der SYNC-Zyklus ist keine ganze Zahl von Nanosekunden</translation>
     </message>
     <message>
         <source>The SYNC0 cycle does not fit the cycle of the frames</source>
         <translation>Der SYNC0-Zyklus passt nicht zum Zyklus der Frames</translation>
+    </message>
+    <message>
+        <source>The answer to an init command is not what it demands</source>
+        <translation>Die Antwort auf ein Init-Kommando ist nicht die verlangte</translation>
     </message>
     <message>
         <source>The application reads or writes memory that is not there</source>
@@ -2457,16 +3281,36 @@
         <translation>Die Auto-Increment-Adresse ist nicht die des Platzes des Slaves</translation>
     </message>
     <message>
+        <source>The bring-up begins again</source>
+        <translation>Der Hochlauf beginnt noch einmal</translation>
+    </message>
+    <message>
         <source>The bus cycle is not divisible by the factor; the SYNC cycle is cut to whole nanoseconds and drifts against the frame.</source>
         <translation>Der Buszyklus ist nicht durch den Faktor teilbar; der SYNC-Zyklus wird auf ganze Nanosekunden gekürzt und läuft dem Frame davon.</translation>
+    </message>
+    <message>
+        <source>The bus has another number of slaves</source>
+        <translation>Der Bus hat eine andere Zahl von Slaves</translation>
+    </message>
+    <message>
+        <source>The bus has {received} slaves where {expected} were expected.</source>
+        <translation>Der Bus hat {received} Slaves statt {expected}.</translation>
     </message>
     <message>
         <source>The bus shift has no effect, or disturbs a clock that follows another</source>
         <translation>Der Bus-Shift wirkt nicht oder stört eine Uhr, die einer anderen folgt</translation>
     </message>
     <message>
+        <source>The catalogue has the device in another revision</source>
+        <translation>Der Katalog hat das Gerät in einer anderen Revision</translation>
+    </message>
+    <message>
         <source>The cause is that of the missed events: {cause}.</source>
         <translation>Die Ursache ist die der fehlenden Ereignisse: {cause}.</translation>
+    </message>
+    <message>
+        <source>The checksum of the configuration area in the EEPROM of {slave} is wrong.</source>
+        <translation>Die Prüfsumme des Konfigurationsbereichs im EEPROM von {slave} ist falsch.</translation>
     </message>
     <message>
         <source>The clocks drift too fast</source>
@@ -2483,6 +3327,10 @@
     <message>
         <source>The configuration does not hold what this mode needs.</source>
         <translation>Die Konfiguration enthält nicht, was diese Betriebsart braucht.</translation>
+    </message>
+    <message>
+        <source>The configuration of {subject} does not work out{because}.</source>
+        <translation>Die Konfiguration von {subject} geht nicht auf{because}.</translation>
     </message>
     <message>
         <source>The control byte contradicts the type of the SyncManager</source>
@@ -2553,8 +3401,24 @@
         <translation>Die Daten des einen überschreiben die des anderen</translation>
     </message>
     <message>
+        <source>The delay measurement stumbled</source>
+        <translation>Die Laufzeitmessung stieß auf etwas</translation>
+    </message>
+    <message>
+        <source>The device ID of {slave} was not requested, which would write AL control.</source>
+        <translation>Die Gerätekennung von {slave} wurde nicht angefordert, das hätte in AL Control geschrieben.</translation>
+    </message>
+    <message>
         <source>The device cannot be told another PDO assignment than its ESI's default.</source>
         <translation>Dem Gerät lässt sich keine andere PDO-Zuordnung als die Vorgabe seiner ESI mitteilen.</translation>
+    </message>
+    <message>
+        <source>The device catalogue cannot be used</source>
+        <translation>Der Gerätekatalog kann nicht benutzt werden</translation>
+    </message>
+    <message>
+        <source>The device catalogue {file} cannot be used{because}.</source>
+        <translation>Der Gerätekatalog {file} kann nicht benutzt werden{because}.</translation>
     </message>
     <message>
         <source>The device does not take so many samples a cycle</source>
@@ -2577,6 +3441,10 @@
         <translation>Das Gerät hat kein PDO {pdo}.</translation>
     </message>
     <message>
+        <source>The device {subject} is not known{because}.</source>
+        <translation>Das Gerät {subject} ist nicht bekannt{because}.</translation>
+    </message>
+    <message>
         <source>The device's reaction to missed SM events is switched off</source>
         <translation>Die Reaktion des Geräts auf verpasste SM-Ereignisse ist abgeschaltet</translation>
     </message>
@@ -2595,6 +3463,18 @@
     <message>
         <source>The file cannot be taken in</source>
         <translation>Die Datei lässt sich nicht aufnehmen</translation>
+    </message>
+    <message>
+        <source>The file {file} cannot be read{because}.</source>
+        <translation>Die Datei {file} kann nicht gelesen werden{because}.</translation>
+    </message>
+    <message>
+        <source>The file {file} cannot be written{because}.</source>
+        <translation>Die Datei {file} kann nicht geschrieben werden{because}.</translation>
+    </message>
+    <message>
+        <source>The file {file} does not exist.</source>
+        <translation>Die Datei {file} gibt es nicht.</translation>
     </message>
     <message>
         <source>The firmware of {slave} was silent at {since}: its PDI watchdog expired {count} (0x0443).</source>
@@ -2653,36 +3533,16 @@
         <translation>Das Gateway lehnt SAFEOP ab (AL-Statuscode 0x0026 oder 0x0035)</translation>
     </message>
     <message>
+        <source>The host left cycles out</source>
+        <translation>Der Host ließ Zyklen aus</translation>
+    </message>
+    <message>
         <source>The host sends late</source>
         <translation>Der Host sendet zu spät</translation>
     </message>
     <message>
         <source>The host sends late: half of the frames by {p50}, one in a hundred by {p99}, one in a thousand by {p999}, at most {largest}; the frames may be {margin} late.</source>
         <translation>Der Rechner sendet spät: die Hälfte der Frames um {p50}, einer von hundert um {p99}, einer von tausend um {p999}, höchstens {largest}; um {margin} dürfen sie es sein.</translation>
-    </message>
-    <message>
-        <source>Other threads held the host</source>
-        <translation>Andere Threads hielten den Rechner auf</translation>
-    </message>
-    <message>
-        <source>Give the master real-time priority above what else runs on this host, or a processor of its own.</source>
-        <translation>Dem Master eine Echtzeitpriorität über allem anderen auf diesem Rechner geben, oder einen Prozessor für sich allein.</translation>
-    </message>
-    <message>
-        <source>The host stood still {times}, for up to {longest}, first at {since}: {count} cycles were left out. Of {held} that the master came too late, it was ready for {waited}, and other threads had its processor.</source>
-        <translation>Der Rechner stand {times} still, bis zu {longest} lang, zuerst bei {since}: {count} Zyklen wurden ausgelassen. Von {held}, die der Master zu spät kam, war er {waited} lang bereit, und andere Threads hatten seinen Prozessor.</translation>
-    </message>
-    <message>
-        <source>The host's timer came late</source>
-        <translation>Der Zeitgeber des Rechners kam zu spät</translation>
-    </message>
-    <message>
-        <source>Look below the operating system: the host of a virtual machine, firmware (system management interrupts), power states, drivers that hold interrupts off. Run the master on a machine of its own.</source>
-        <translation>Unter dem Betriebssystem suchen: der Wirt einer virtuellen Maschine, Firmware (System Management Interrupts), Energiezustände, Treiber, die Interrupts sperren. Den Master auf einer eigenen Maschine betreiben.</translation>
-    </message>
-    <message>
-        <source>The host stood still {times}, for up to {longest}, first at {since}: {count} cycles were left out. The master came {held} too late, of which other threads had its processor for {waited} only: its timer came late.</source>
-        <translation>Der Rechner stand {times} still, bis zu {longest} lang, zuerst bei {since}: {count} Zyklen wurden ausgelassen. Der Master kam {held} zu spät, und nur {waited} davon hatten andere Threads seinen Prozessor: sein Zeitgeber kam zu spät.</translation>
     </message>
     <message>
         <source>The host stood still</source>
@@ -2693,12 +3553,24 @@
         <translation>Der Rechner stand {times} still, bis zu {longest} lang, zuerst bei {since}: {count} Zyklen wurden ausgelassen.</translation>
     </message>
     <message>
+        <source>The host stood still {times}, for up to {longest}, first at {since}: {count} cycles were left out. Of {held} that the master came too late, it was ready for {waited}, and other threads had its processor.</source>
+        <translation>Der Rechner stand {times} still, bis zu {longest} lang, zuerst bei {since}: {count} Zyklen wurden ausgelassen. Von {held}, die der Master zu spät kam, war er {waited} lang bereit, und andere Threads hatten seinen Prozessor.</translation>
+    </message>
+    <message>
+        <source>The host stood still {times}, for up to {longest}, first at {since}: {count} cycles were left out. The master came {held} too late, of which other threads had its processor for {waited} only: its timer came late.</source>
+        <translation>Der Rechner stand {times} still, bis zu {longest} lang, zuerst bei {since}: {count} Zyklen wurden ausgelassen. Der Master kam {held} zu spät, und nur {waited} davon hatten andere Threads seinen Prozessor: sein Zeitgeber kam zu spät.</translation>
+    </message>
+    <message>
         <source>The host's clock and the reference clock drift by {drift}; no controller balances more than 600 ppm.</source>
         <translation>Die Uhr des Rechners und die Referenzuhr laufen um {drift} auseinander; mehr als 600 ppm gleicht kein Regler aus.</translation>
     </message>
     <message>
         <source>The host's cycle has stopped.</source>
         <translation>Der Zyklus des Hosts steht.</translation>
+    </message>
+    <message>
+        <source>The host's timer came late</source>
+        <translation>Der Zeitgeber des Rechners kam zu spät</translation>
     </message>
     <message>
         <source>The host's timer cannot be adjusted as far as the controller demands.</source>
@@ -2723,6 +3595,10 @@
     <message>
         <source>The link cannot put its send time into the frames.</source>
         <translation>Der Link kann seine Sendezeit nicht in die Frames eintragen.</translation>
+    </message>
+    <message>
+        <source>The link {subject} is down{because}.</source>
+        <translation>Der Link {subject} ist nicht verbunden{because}.</translation>
     </message>
     <message>
         <source>The mailboxes of a slave share memory</source>
@@ -2773,12 +3649,20 @@
         <translation>Der Master muss raten, wie oft er nach Antworten und Emergencies sehen soll</translation>
     </message>
     <message>
+        <source>The master is in sync</source>
+        <translation>Der Master ist synchron</translation>
+    </message>
+    <message>
         <source>The master is not in sync</source>
         <translation>Der Master ist nicht synchron</translation>
     </message>
     <message>
         <source>The master is not in sync with the reference clock (schedule error {error}){obstacle}.</source>
         <translation>Der Master ist nicht synchron mit der Referenzuhr (Fehler des Zeitplans {error}){obstacle}.</translation>
+    </message>
+    <message>
+        <source>The master is out of sync</source>
+        <translation>Der Master ist nicht synchron</translation>
     </message>
     <message>
         <source>The master looks into the wrong mailbox</source>
@@ -2789,8 +3673,28 @@
         <translation>Der Master sieht nie, dass die Mailbox voll ist, und Antworten gehen verloren</translation>
     </message>
     <message>
+        <source>The master or a slave is in another state</source>
+        <translation>Der Master oder ein Slave ist in einem anderen Zustand</translation>
+    </message>
+    <message>
+        <source>The master runs a configuration</source>
+        <translation>Der Master führt eine Konfiguration aus</translation>
+    </message>
+    <message>
+        <source>The master runs nothing</source>
+        <translation>Der Master führt nichts aus</translation>
+    </message>
+    <message>
+        <source>The master stopped by something that should not have happened</source>
+        <translation>Der Master hielt an, weil etwas geschah, was nicht geschehen darf</translation>
+    </message>
+    <message>
         <source>The master synchronisation failed.</source>
         <translation>Die Master-Synchronisation ist gescheitert.</translation>
+    </message>
+    <message>
+        <source>The master synchronisation gave up</source>
+        <translation>Die Master-Synchronisation gab auf</translation>
     </message>
     <message>
         <source>The master synchronisation is not running; bring the bus to PREOP first.</source>
@@ -2833,8 +3737,16 @@
         <translation>Der Master schreibt seine Nachrichten neben die Mailbox, und der Slave lehnt PREOP ab</translation>
     </message>
     <message>
+        <source>The master's DCM error is beyond its limit</source>
+        <translation>Der DCM-Fehler des Masters überschreitet seine Grenze</translation>
+    </message>
+    <message>
         <source>The network adapter is away</source>
         <translation>Der Netzwerkadapter ist weg</translation>
+    </message>
+    <message>
+        <source>The network adapter is back</source>
+        <translation>Die Netzwerkkarte ist wieder da</translation>
     </message>
     <message>
         <source>The network adapter was away for a while</source>
@@ -2851,6 +3763,14 @@
     <message>
         <source>The next commands reach the slave before it is ready</source>
         <translation>Die nächsten Kommandos erreichen den Slave, bevor er bereit ist</translation>
+    </message>
+    <message>
+        <source>The open ports do not explain a slave's place</source>
+        <translation>Die offenen Ports erklären den Platz eines Slaves nicht</translation>
+    </message>
+    <message>
+        <source>The open ports of the slaves before {slave} do not explain its place.</source>
+        <translation>Die offenen Ports der Slaves vor {slave} erklären seinen Platz nicht.</translation>
     </message>
     <message>
         <source>The process data do not fit</source>
@@ -2893,6 +3813,10 @@
         <translation>Das wiederhergestellte Projekt lässt sich nicht übersetzen</translation>
     </message>
     <message>
+        <source>The reference clock does not answer</source>
+        <translation>Die Referenzuhr antwortet nicht</translation>
+    </message>
+    <message>
         <source>The reference clock has no distributed clock</source>
         <translation>Die Referenzuhr hat keine verteilte Uhr</translation>
     </message>
@@ -2903,6 +3827,10 @@
     <message>
         <source>The reference clock is steered before its time is read</source>
         <translation>Die Referenzuhr wird gestellt, bevor ihre Zeit gelesen ist</translation>
+    </message>
+    <message>
+        <source>The reference clock is there</source>
+        <translation>Die Referenzuhr ist da</translation>
     </message>
     <message>
         <source>The root element is not EtherCATConfig</source>
@@ -2963,6 +3891,14 @@
     <message>
         <source>The slave goes on with old outputs, however many are missed</source>
         <translation>Der Slave fährt mit alten Ausgängen fort, wie viele auch fehlen</translation>
+    </message>
+    <message>
+        <source>The slave got no outputs for too long.</source>
+        <translation>Der Slave bekam zu lange keine Ausgänge.</translation>
+    </message>
+    <message>
+        <source>The slave may be busy or its mailbox is set up wrongly.</source>
+        <translation>Der Slave ist beschäftigt oder seine Mailbox falsch eingerichtet.</translation>
     </message>
     <message>
         <source>The slave may refuse to go to SAFEOP without it</source>
@@ -3029,6 +3965,10 @@
         <translation>Die Daten des Slaves bewegen sich nie: Ausgänge bleiben 0 und sein Watchdog läuft ab, Eingänge bleiben alt</translation>
     </message>
     <message>
+        <source>The slave's firmware does not serve its ESC any more.</source>
+        <translation>Die Firmware des Slaves bedient ihren ESC nicht mehr.</translation>
+    </message>
+    <message>
         <source>The slaves are not in sync</source>
         <translation>Die Slaves sind nicht synchron</translation>
     </message>
@@ -3085,6 +4025,10 @@
         <translation>Der Übergang endet mit Zeitüberschreitung, obwohl der Slave richtig ist</translation>
     </message>
     <message>
+        <source>The value of {subject} cannot be used{because}.</source>
+        <translation>Der Wert von {subject} ist nicht verwendbar{because}.</translation>
+    </message>
+    <message>
         <source>The way through the network card takes too long now and then: interrupt moderation, a switch, or a busy host.</source>
         <translation>Der Weg durch die Netzwerkkarte dauert hin und wieder zu lange: Interrupt-Moderation, ein Switch oder ein beschäftigter Rechner.</translation>
     </message>
@@ -3113,6 +4057,10 @@
         <translation>Das Schreiben, das die Referenzuhr stellt, erreicht sie nicht</translation>
     </message>
     <message>
+        <source>There is a device that is not in the configuration: {subject}{because}.</source>
+        <translation>Am Bus ist ein Gerät, das nicht in der Konfiguration steht: {subject}{because}.</translation>
+    </message>
+    <message>
         <source>There is no Sync Unit "{unit}"; the unnamed one is used.</source>
         <translation>Es gibt keine Sync Unit "{unit}"; die namenlose wird verwendet.</translation>
     </message>
@@ -3121,8 +4069,24 @@
         <translation>Es gibt keine Abweichung zu überwachen</translation>
     </message>
     <message>
+        <source>There is no network adapter or link "{subject}"{because}.</source>
+        <translation>Es gibt keine Netzwerkkarte und keinen Link "{subject}"{because}.</translation>
+    </message>
+    <message>
+        <source>There is no setting "{subject}"{because}.</source>
+        <translation>Es gibt keine Einstellung "{subject}"{because}.</translation>
+    </message>
+    <message>
         <source>There is no slave at position {position}.</source>
         <translation>An Position {position} gibt es keinen Slave.</translation>
+    </message>
+    <message>
+        <source>There is no such adapter or link</source>
+        <translation>Eine solche Netzwerkkarte oder einen solchen Link gibt es nicht</translation>
+    </message>
+    <message>
+        <source>There is no such setting</source>
+        <translation>Eine solche Einstellung gibt es nicht</translation>
     </message>
     <message>
         <source>There is not enough memory.</source>
@@ -3139,6 +4103,22 @@
     <message>
         <source>They are part of the assignment and never exchanged</source>
         <translation>Sie gehören zur Zuordnung und werden nie ausgetauscht</translation>
+    </message>
+    <message>
+        <source>Time-out back to INIT</source>
+        <translation>Zeitgrenze zurück nach INIT</translation>
+    </message>
+    <message>
+        <source>Time-out back to SAFEOP</source>
+        <translation>Zeitgrenze zurück nach SAFEOP</translation>
+    </message>
+    <message>
+        <source>Time-out to PREOP</source>
+        <translation>Zeitgrenze nach PREOP</translation>
+    </message>
+    <message>
+        <source>Time-out to SAFEOP and OP</source>
+        <translation>Zeitgrenze nach SAFEOP und OP</translation>
     </message>
     <message>
         <source>TwinCAT gives several names to the state bits of its frames and slaves; other masters do not fill them</source>
@@ -3191,6 +4171,18 @@
     <message>
         <source>Two slaves hang on one port</source>
         <translation>Zwei Slaves hängen an einem Port</translation>
+    </message>
+    <message>
+        <source>Two slaves have changed places</source>
+        <translation>Zwei Slaves haben die Plätze getauscht</translation>
+    </message>
+    <message>
+        <source>Two slaves have the same alias</source>
+        <translation>Zwei Slaves haben denselben Alias</translation>
+    </message>
+    <message>
+        <source>Two slaves have the same device ID</source>
+        <translation>Zwei Slaves haben dieselbe Gerätekennung</translation>
     </message>
     <message>
         <source>Two slaves have the same name</source>
@@ -3263,6 +4255,10 @@
     <message>
         <source>Variables of the diagnosis share bits</source>
         <translation>Variablen der Diagnose teilen sich Bits</translation>
+    </message>
+    <message>
+        <source>Variables of the inputs</source>
+        <translation>Variablen der Eingänge</translation>
     </message>
     <message>
         <source>Watch the counter in 0x1C32, or set a limit in 0x10F1:02</source>
@@ -3349,6 +4345,10 @@
         <translation>Ausgänge schreiben und Eingänge lesen: Art oder physikalische Adresse berichtigen</translation>
     </message>
     <message>
+        <source>Write the EEPROM of the device's ESI again.</source>
+        <translation>Das EEPROM aus der ESI des Geräts neu schreiben.</translation>
+    </message>
+    <message>
         <source>Write the PDOs of the SyncManager's list to 0x1C1n, in its order</source>
         <translation>Die PDOs der Liste des SyncManagers in ihrer Reihenfolge nach 0x1C1n schreiben</translation>
     </message>
@@ -3413,12 +4413,28 @@
         <translation>einer Mailbox für Anfragen</translation>
     </message>
     <message>
+        <source>a running machine is touched: {running} slaves are beyond INIT. States and station addresses stay; {eeproms} EEPROMs are taken from their PDIs while they are read, and the DC receive times are latched</source>
+        <translation>eine laufende Maschine wird berührt: {running} Slaves sind über INIT hinaus. Zustände und Stationsadressen bleiben; {eeproms} EEPROMs werden zum Lesen von ihren PDIs genommen, und die DC-Empfangszeiten werden festgehalten</translation>
+    </message>
+    <message>
         <source>a transition on which SoE is allowed: PS, SO, SP, OP or OS</source>
         <translation>ein Übergang, auf dem SoE erlaubt ist: PS, SO, SP, OP oder OS</translation>
     </message>
     <message>
         <source>a transition such as IP or PS</source>
         <translation>ein Übergang wie IP oder PS</translation>
+    </message>
+    <message>
+        <source>access denied; is the password right?</source>
+        <translation>Zugriff verweigert; stimmt das Passwort?</translation>
+    </message>
+    <message>
+        <source>access to the object not supported</source>
+        <translation>Zugriff auf das Objekt nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>activation (0x0980)</source>
+        <translation>Aktivierung (0x0980)</translation>
     </message>
     <message>
         <source>active</source>
@@ -3429,8 +4445,20 @@
         <translation>weder zum Lesen noch zum Schreiben aktiv</translation>
     </message>
     <message>
+        <source>added</source>
+        <translation>hinzugekommen</translation>
+    </message>
+    <message>
+        <source>additional</source>
+        <translation>zusätzlich</translation>
+    </message>
+    <message>
         <source>address, length and control byte of SM0 and SM1 and that both are enabled</source>
         <translation>Adresse, Länge und Steuerbyte von SM0 und SM1, und ob beide eingeschaltet sind</translation>
+    </message>
+    <message>
+        <source>alias</source>
+        <translation>Alias</translation>
     </message>
     <message>
         <source>alias {alias} identifies the group of {slave}, too</source>
@@ -3461,8 +4489,44 @@
         <translation>Attribut {element} von &lt;{parent}&gt;, {count}-mal</translation>
     </message>
     <message>
+        <source>auto-increment address</source>
+        <translation>Auto-Increment-Adresse</translation>
+    </message>
+    <message>
         <source>background watchdog</source>
         <translation>Hintergrund-Watchdog</translation>
+    </message>
+    <message>
+        <source>before slave</source>
+        <translation>vor dem Slave</translation>
+    </message>
+    <message>
+        <source>bit of variable "{variable}"</source>
+        <translation>Bit der Variablen "{variable}"</translation>
+    </message>
+    <message>
+        <source>bits of variable "{variable}"</source>
+        <translation>Bits der Variablen "{variable}"</translation>
+    </message>
+    <message>
+        <source>block checksum wrong</source>
+        <translation>Prüfsumme des Blocks falsch</translation>
+    </message>
+    <message>
+        <source>block sequence number invalid</source>
+        <translation>Blocknummer ungültig</translation>
+    </message>
+    <message>
+        <source>block size invalid</source>
+        <translation>Blockgröße ungültig</translation>
+    </message>
+    <message>
+        <source>bootstrap mailbox for answers</source>
+        <translation>Bootstrap-Mailbox für Antworten</translation>
+    </message>
+    <message>
+        <source>bootstrap mailbox for requests</source>
+        <translation>Bootstrap-Mailbox für Anfragen</translation>
     </message>
     <message>
         <source>bootstrap not supported</source>
@@ -3473,8 +4537,44 @@
         <translation>Bytes aus je zwei Hexadezimalziffern</translation>
     </message>
     <message>
+        <source>cable between {subject} port {port} and {far}: NOTHING COMES BACK (pulled, broken, or no power behind it)</source>
+        <translation>Kabel zwischen {subject} Port {port} und {far}: NICHTS KOMMT ZURÜCK (gezogen, gebrochen, oder dahinter fehlt die Versorgung)</translation>
+    </message>
+    <message>
+        <source>cable between {subject} port {port} and {far}: healed</source>
+        <translation>Kabel zwischen {subject} Port {port} und {far}: wieder heil</translation>
+    </message>
+    <message>
+        <source>check time-out</source>
+        <translation>Zeitgrenze der Prüfung</translation>
+    </message>
+    <message>
+        <source>command specifier invalid or unknown</source>
+        <translation>Kommando ungültig oder unbekannt</translation>
+    </message>
+    <message>
+        <source>commands come in another order</source>
+        <translation>die Kommandos kommen in anderer Reihenfolge</translation>
+    </message>
+    <message>
+        <source>comparison</source>
+        <translation>Vergleich</translation>
+    </message>
+    <message>
+        <source>complete access not supported</source>
+        <translation>Complete Access nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>configured modules differ from the detected ones</source>
+        <translation>die eingestellten Module sind nicht die vorgefundenen</translation>
+    </message>
+    <message>
         <source>content and wiring of the EEPROM</source>
         <translation>Inhalt und Verdrahtung des EEPROMs</translation>
+    </message>
+    <message>
+        <source>cycle time</source>
+        <translation>Zykluszeit</translation>
     </message>
     <message>
         <source>cycle time too small (older slaves: invalid input FMMU)</source>
@@ -3489,20 +4589,84 @@
         <translation>zyklische Frames und die Eingänge des Geräts, bevor OP angefordert wird</translation>
     </message>
     <message>
+        <source>cyclic tasks</source>
+        <translation>zyklische Tasks</translation>
+    </message>
+    <message>
+        <source>data</source>
+        <translation>Daten</translation>
+    </message>
+    <message>
+        <source>data cannot be transferred or stored</source>
+        <translation>Daten können nicht übertragen oder gespeichert werden</translation>
+    </message>
+    <message>
+        <source>data link layer of the mailbox</source>
+        <translation>Data Link Layer der Mailbox</translation>
+    </message>
+    <message>
+        <source>data too long</source>
+        <translation>Daten zu lang</translation>
+    </message>
+    <message>
+        <source>data too short</source>
+        <translation>Daten zu kurz</translation>
+    </message>
+    <message>
+        <source>data type or length does not match</source>
+        <translation>Datentyp oder Länge passt nicht</translation>
+    </message>
+    <message>
         <source>dcx follows an external clock, but no slave maps both time stamps of the external synchronisation (0x10F4:11 and :12) into its inputs.</source>
         <translation>dcx folgt einer externen Uhr, aber kein Slave mappt beide Zeitstempel der externen Synchronisation (0x10F4:11 und :12) in seine Eingänge.</translation>
+    </message>
+    <message>
+        <source>destination address</source>
+        <translation>Zieladresse</translation>
     </message>
     <message>
         <source>detected modules differ from the configured ones</source>
         <translation>erkannte Module weichen von den konfigurierten ab</translation>
     </message>
     <message>
+        <source>device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
         <source>device identification value updated</source>
         <translation>Wert der Geräteidentifikation geändert</translation>
     </message>
     <message>
+        <source>distributed clocks</source>
+        <translation>Distributed Clocks</translation>
+    </message>
+    <message>
+        <source>distributed clocks initialised: 1 slave, reference clock is {clock}</source>
+        <translation>Distributed Clocks eingerichtet: 1 Slave, Referenzuhr ist {clock}</translation>
+    </message>
+    <message>
+        <source>distributed clocks initialised: {slaves} slaves, no reference clock</source>
+        <translation>Distributed Clocks eingerichtet: {slaves} Slaves, keine Referenzuhr</translation>
+    </message>
+    <message>
+        <source>distributed clocks initialised: {slaves} slaves, reference clock is {clock}</source>
+        <translation>Distributed Clocks eingerichtet: {slaves} Slaves, Referenzuhr ist {clock}</translation>
+    </message>
+    <message>
         <source>drives</source>
         <translation>Antriebe</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>expected bytes</source>
+        <translation>erwartete Bytes</translation>
+    </message>
+    <message>
+        <source>expected mask</source>
+        <translation>erwartete Maske</translation>
     </message>
     <message>
         <source>external hardware not ready</source>
@@ -3511,6 +4675,10 @@
     <message>
         <source>fatal sync error</source>
         <translation>schwerer Synchronisationsfehler</translation>
+    </message>
+    <message>
+        <source>file not found</source>
+        <translation>Datei nicht gefunden</translation>
     </message>
     <message>
         <source>firmware update not successful</source>
@@ -3549,6 +4717,10 @@
         <translation>Gateways</translation>
     </message>
     <message>
+        <source>general error</source>
+        <translation>allgemeiner Fehler</translation>
+    </message>
+    <message>
         <source>go to INIT first</source>
         <translation>erst nach INIT gehen</translation>
     </message>
@@ -3573,8 +4745,52 @@
         <translation>Gruppe "{group}" hat {members} Mitglieder, aber {slave} beginnt eine eigene Gruppe</translation>
     </message>
     <message>
+        <source>hangs on</source>
+        <translation>hängt an</translation>
+    </message>
+    <message>
+        <source>hardware error</source>
+        <translation>Hardwarefehler</translation>
+    </message>
+    <message>
+        <source>hot-connect group</source>
+        <translation>Hot-Connect-Gruppe</translation>
+    </message>
+    <message>
+        <source>identification</source>
+        <translation>Kennung</translation>
+    </message>
+    <message>
+        <source>identification of the hot-connect group</source>
+        <translation>Kennung der Hot-Connect-Gruppe</translation>
+    </message>
+    <message>
+        <source>illegal operation</source>
+        <translation>unerlaubter Vorgang</translation>
+    </message>
+    <message>
+        <source>incompatible inside the device</source>
+        <translation>im Gerät passt etwas nicht zusammen</translation>
+    </message>
+    <message>
         <source>inconsistent settings</source>
         <translation>widersprüchliche Einstellungen</translation>
+    </message>
+    <message>
+        <source>info</source>
+        <translation>Info</translation>
+    </message>
+    <message>
+        <source>init command</source>
+        <translation>Init-Kommando</translation>
+    </message>
+    <message>
+        <source>init command {command}: {field}</source>
+        <translation>Init-Kommando {command}: {field}</translation>
+    </message>
+    <message>
+        <source>init commands</source>
+        <translation>Init-Kommandos</translation>
     </message>
     <message>
         <source>inputs</source>
@@ -3583,6 +4799,14 @@
     <message>
         <source>inputs are not those of SYNC0</source>
         <translation>Eingänge sind nicht die von SYNC0</translation>
+    </message>
+    <message>
+        <source>inputs of {command} in the image</source>
+        <translation>Eingänge von {command} im Abbild</translation>
+    </message>
+    <message>
+        <source>inputs of {slaves} slaves begin elsewhere in the image</source>
+        <translation>die Eingänge von {slaves} Slaves beginnen anderswo im Abbild</translation>
     </message>
     <message>
         <source>invalid DC SYNC configuration</source>
@@ -3717,6 +4941,18 @@
         <translation>Lizenzfehler</translation>
     </message>
     <message>
+        <source>logical address of the mailbox state bits</source>
+        <translation>logische Adresse der Zustandsbits der Mailboxen</translation>
+    </message>
+    <message>
+        <source>logical bit of {fmmu} of {slave}, against its data in the image</source>
+        <translation>logisches Bit von {fmmu} von {slave}, gegen seine Daten im Abbild</translation>
+    </message>
+    <message>
+        <source>mailbox</source>
+        <translation>Mailbox</translation>
+    </message>
+    <message>
         <source>mailbox AoE error</source>
         <translation>Mailbox-Fehler bei AoE</translation>
     </message>
@@ -3741,8 +4977,72 @@
         <translation>Mailbox-Fehler bei VoE</translation>
     </message>
     <message>
+        <source>mailbox for answers</source>
+        <translation>Mailbox für Antworten</translation>
+    </message>
+    <message>
+        <source>mailbox for requests</source>
+        <translation>Mailbox für Anfragen</translation>
+    </message>
+    <message>
+        <source>mailbox poll time</source>
+        <translation>Abfragezeit der Mailbox</translation>
+    </message>
+    <message>
+        <source>mailbox protocols</source>
+        <translation>Protokolle der Mailbox</translation>
+    </message>
+    <message>
+        <source>mailbox state bit</source>
+        <translation>Zustandsbit der Mailbox</translation>
+    </message>
+    <message>
+        <source>mailbox state bits</source>
+        <translation>Zustandsbits der Mailboxen</translation>
+    </message>
+    <message>
+        <source>mailbox states of {slaves} slaves have other bits</source>
+        <translation>die Mailboxzustände von {slaves} Slaves haben andere Bits</translation>
+    </message>
+    <message>
+        <source>mapped objects exceed the PDO length</source>
+        <translation>die gelegten Objekte sind länger als das PDO</translation>
+    </message>
+    <message>
+        <source>master</source>
+        <translation>Master</translation>
+    </message>
+    <message>
+        <source>master OUT OF SYNC, error {error}{because}</source>
+        <translation>Master NICHT SYNCHRON, Fehler {error}{because}</translation>
+    </message>
+    <message>
+        <source>master in sync, error {error}</source>
+        <translation>Master synchron, Fehler {error}</translation>
+    </message>
+    <message>
+        <source>master{command} {field}</source>
+        <translation>Master{command} {field}</translation>
+    </message>
+    <message>
+        <source>maximum is below the minimum</source>
+        <translation>das Maximum liegt unter dem Minimum</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
         <source>modules and options of the device</source>
         <translation>Module und Optionen des Geräts</translation>
+    </message>
+    <message>
+        <source>network adapter {adapter} is DOWN, gone or without carrier: waiting for it</source>
+        <translation>Netzwerkkarte {adapter} ist ABGESCHALTET, fort oder ohne Verbindung: es wird auf sie gewartet</translation>
+    </message>
+    <message>
+        <source>network adapter {adapter} is up again after {away}</source>
+        <translation>Netzwerkkarte {adapter} ist nach {away} wieder da</translation>
     </message>
     <message>
         <source>no NOP to 0x0900 stands before {command}</source>
@@ -3773,6 +5073,10 @@
         <translation>kein zyklisches BRD liest 0x0130</translation>
     </message>
     <message>
+        <source>no data available</source>
+        <translation>keine Daten vorhanden</translation>
+    </message>
+    <message>
         <source>no error</source>
         <translation>kein Fehler</translation>
     </message>
@@ -3801,8 +5105,20 @@
         <translation>kein Speicher</translation>
     </message>
     <message>
+        <source>no object dictionary</source>
+        <translation>kein Objektverzeichnis</translation>
+    </message>
+    <message>
         <source>no reference clock leads</source>
         <translation>keine Referenzuhr führt</translation>
+    </message>
+    <message>
+        <source>no rights for this file</source>
+        <translation>keine Rechte an dieser Datei</translation>
+    </message>
+    <message>
+        <source>no room left in the device</source>
+        <translation>kein Platz mehr im Gerät</translation>
     </message>
     <message>
         <source>no slave has the station address {address}</source>
@@ -3811,6 +5127,10 @@
     <message>
         <source>no sync signal</source>
         <translation>kein SYNC-Signal</translation>
+    </message>
+    <message>
+        <source>no user</source>
+        <translation>kein Benutzer</translation>
     </message>
     <message>
         <source>no valid firmware</source>
@@ -3833,12 +5153,48 @@
         <translation>keiner</translation>
     </message>
     <message>
+        <source>not defined</source>
+        <translation>nicht festgelegt</translation>
+    </message>
+    <message>
+        <source>not in BOOT state</source>
+        <translation>nicht im Zustand BOOT</translation>
+    </message>
+    <message>
+        <source>not possible in the present device state, try it in PREOP</source>
+        <translation>nicht möglich in diesem Zustand des Geräts, in PREOP versuchen</translation>
+    </message>
+    <message>
+        <source>not possible under local control</source>
+        <translation>nicht möglich, das Gerät wird vor Ort bedient</translation>
+    </message>
+    <message>
         <source>not seen by the master; look at its firmware and at frames that are damaged in front of it</source>
         <translation>vom Master nicht gesehen; seine Firmware ansehen, und Frames, die vor ihm beschädigt werden</translation>
     </message>
     <message>
         <source>nothing</source>
         <translation>nichts</translation>
+    </message>
+    <message>
+        <source>object cannot be mapped to a PDO</source>
+        <translation>Objekt kann in kein PDO gelegt werden</translation>
+    </message>
+    <message>
+        <source>object does not exist</source>
+        <translation>Objekt gibt es nicht</translation>
+    </message>
+    <message>
+        <source>object is mapped to a PDO, download blocked</source>
+        <translation>Objekt liegt in einem PDO, Schreiben gesperrt</translation>
+    </message>
+    <message>
+        <source>object larger than the mailbox</source>
+        <translation>Objekt größer als die Mailbox</translation>
+    </message>
+    <message>
+        <source>offline</source>
+        <translation>Offline</translation>
     </message>
     <message>
         <source>on {transition} it comes behind the request for {state}</source>
@@ -3861,8 +5217,16 @@
         <translation>einer der Slaves</translation>
     </message>
     <message>
+        <source>online: the master runs the configuration</source>
+        <translation>Online: der Master führt die Konfiguration aus</translation>
+    </message>
+    <message>
         <source>only Sigma-X drives take it</source>
         <translation>nur Sigma-X-Antriebe nehmen es</translation>
+    </message>
+    <message>
+        <source>only in BOOT state</source>
+        <translation>nur im Zustand BOOT</translation>
     </message>
     <message>
         <source>only the current loop is synchronised then, the position loop is not</source>
@@ -3873,6 +5237,10 @@
         <translation>Reihenfolge und Arten der SyncManager gegen 0x1C00</translation>
     </message>
     <message>
+        <source>out of memory</source>
+        <translation>kein Speicher mehr</translation>
+    </message>
+    <message>
         <source>outputs</source>
         <translation>Ausgänge</translation>
     </message>
@@ -3881,24 +5249,120 @@
         <translation>Ausgänge zählen ab ihrer Ankunft</translation>
     </message>
     <message>
+        <source>outputs of {command} in the image</source>
+        <translation>Ausgänge von {command} im Abbild</translation>
+    </message>
+    <message>
+        <source>outputs of {slaves} slaves begin elsewhere in the image</source>
+        <translation>die Ausgänge von {slaves} Slaves beginnen anderswo im Abbild</translation>
+    </message>
+    <message>
+        <source>own cycle</source>
+        <translation>eigener Zyklus</translation>
+    </message>
+    <message>
+        <source>own frame</source>
+        <translation>eigener Frame</translation>
+    </message>
+    <message>
+        <source>parameters incompatible</source>
+        <translation>Parameter passen nicht zusammen</translation>
+    </message>
+    <message>
+        <source>place</source>
+        <translation>Platz</translation>
+    </message>
+    <message>
         <source>port {port} of {slave} carries another slave already</source>
         <translation>Port {port} von {slave} trägt schon einen anderen Slave</translation>
+    </message>
+    <message>
+        <source>possible reference clock</source>
+        <translation>mögliche Referenzuhr</translation>
     </message>
     <message>
         <source>power the slave off and on</source>
         <translation>den Slave aus- und einschalten</translation>
     </message>
     <message>
+        <source>propagation delays measured again: 1 slave to correct, by {largest}</source>
+        <translation>Laufzeiten erneut gemessen: 1 Slave zu berichtigen, um {largest}</translation>
+    </message>
+    <message>
+        <source>propagation delays measured again: nothing to correct</source>
+        <translation>Laufzeiten erneut gemessen: nichts zu berichtigen</translation>
+    </message>
+    <message>
+        <source>propagation delays measured again: {slaves} slaves to correct, by {largest} at most</source>
+        <translation>Laufzeiten erneut gemessen: {slaves} Slaves zu berichtigen, um höchstens {largest}</translation>
+    </message>
+    <message>
+        <source>reading a write-only object</source>
+        <translation>Lesen eines Objekts, das man nur schreiben kann</translation>
+    </message>
+    <message>
         <source>reads</source>
         <translation>liest</translation>
+    </message>
+    <message>
+        <source>real time: {what}</source>
+        <translation>Echtzeit: {what}</translation>
+    </message>
+    <message>
+        <source>reference clock</source>
+        <translation>Referenzuhr</translation>
+    </message>
+    <message>
+        <source>reference clock {subject}: LOST</source>
+        <translation>Referenzuhr {subject}: VERLOREN</translation>
+    </message>
+    <message>
+        <source>reference clock {subject}: has no system time (0x0910 does not answer), the next clock leads in its place</source>
+        <translation>Referenzuhr {subject}: hat keine Systemzeit (0x0910 antwortet nicht), die nächste Uhr führt an ihrer Stelle</translation>
+    </message>
+    <message>
+        <source>reference clock {subject}: present</source>
+        <translation>Referenzuhr {subject}: vorhanden</translation>
+    </message>
+    <message>
+        <source>reference clock {subject}: took over</source>
+        <translation>Referenzuhr {subject}: hat übernommen</translation>
+    </message>
+    <message>
+        <source>removed</source>
+        <translation>weggefallen</translation>
     </message>
     <message>
         <source>requests</source>
         <translation>Anfragen</translation>
     </message>
     <message>
+        <source>resource not available</source>
+        <translation>Ressource nicht verfügbar</translation>
+    </message>
+    <message>
+        <source>retries</source>
+        <translation>Wiederholungen</translation>
+    </message>
+    <message>
+        <source>revision</source>
+        <translation>Revision</translation>
+    </message>
+    <message>
+        <source>serial number</source>
+        <translation>Seriennummer</translation>
+    </message>
+    <message>
         <source>settling behind an interruption</source>
         <translation>Einschwingen nach einer Unterbrechung</translation>
+    </message>
+    <message>
+        <source>size of the inputs</source>
+        <translation>Größe der Eingänge</translation>
+    </message>
+    <message>
+        <source>size of the outputs</source>
+        <translation>Größe der Ausgänge</translation>
     </message>
     <message>
         <source>slave needs INIT</source>
@@ -3921,8 +5385,60 @@
         <translation>Slave hat selbst neu gestartet</translation>
     </message>
     <message>
+        <source>slaves OUT OF SYNC, deviation {deviation}</source>
+        <translation>Slaves NICHT SYNCHRON, Abweichung {deviation}</translation>
+    </message>
+    <message>
+        <source>slaves OUT OF SYNC, deviation {deviation} at {subject}</source>
+        <translation>Slaves NICHT SYNCHRON, Abweichung {deviation} bei {subject}</translation>
+    </message>
+    <message>
+        <source>slaves OUT OF SYNC, deviation {deviation} at {subject} ({slaves} slaves are over the limit)</source>
+        <translation>Slaves NICHT SYNCHRON, Abweichung {deviation} bei {subject} ({slaves} Slaves sind über der Grenze)</translation>
+    </message>
+    <message>
+        <source>slaves OUT OF SYNC, deviation {deviation}: all {slaves} at once and to the same side, the reference clock has stepped</source>
+        <translation>Slaves NICHT SYNCHRON, Abweichung {deviation}: alle {slaves} zugleich und zur selben Seite, die Referenzuhr ist gesprungen</translation>
+    </message>
+    <message>
+        <source>slaves in sync, deviation {deviation}</source>
+        <translation>Slaves synchron, Abweichung {deviation}</translation>
+    </message>
+    <message>
+        <source>slaves not monitored</source>
+        <translation>Slaves nicht überwacht</translation>
+    </message>
+    <message>
+        <source>slaves: not known whether in sync, nobody leads them</source>
+        <translation>Slaves: nicht bekannt, ob synchron, niemand führt sie</translation>
+    </message>
+    <message>
+        <source>slaves: not known whether in sync, nothing was read for {age}</source>
+        <translation>Slaves: nicht bekannt, ob synchron, seit {age} wurde nichts gelesen</translation>
+    </message>
+    <message>
+        <source>source address</source>
+        <translation>Quelladresse</translation>
+    </message>
+    <message>
+        <source>split into frames</source>
+        <translation>Aufteilung in Frames</translation>
+    </message>
+    <message>
         <source>start time 0x0990 (must lie ahead), cycle 0x09A0, activation 0x0981</source>
         <translation>Startzeit 0x0990 (muss in der Zukunft liegen), Zyklus 0x09A0, Aktivierung 0x0981</translation>
+    </message>
+    <message>
+        <source>start-up command {command}</source>
+        <translation>Startkommando {command}</translation>
+    </message>
+    <message>
+        <source>start-up commands come in another order</source>
+        <translation>die Startkommandos kommen in anderer Reihenfolge</translation>
+    </message>
+    <message>
+        <source>station address</source>
+        <translation>Stationsadresse</translation>
     </message>
     <message>
         <source>station address {address} belongs to {slave}, too</source>
@@ -3949,6 +5465,14 @@
         <translation>Statusbit {bit}, und MailboxStates zählt {counted}</translation>
     </message>
     <message>
+        <source>subindex cannot be written, subindex 0 must be 0 first</source>
+        <translation>Subindex nicht schreibbar, zuerst muss Subindex 0 auf 0 stehen</translation>
+    </message>
+    <message>
+        <source>subindex does not exist</source>
+        <translation>Subindex gibt es nicht</translation>
+    </message>
+    <message>
         <source>supply and attached hardware of the device</source>
         <translation>Versorgung und angeschlossene Hardware des Geräts</translation>
     </message>
@@ -3967,6 +5491,22 @@
     <message>
         <source>synchronization not supported</source>
         <translation>Synchronisation nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>task {task}: commands come in another order</source>
+        <translation>Task {task}: die Kommandos kommen in anderer Reihenfolge</translation>
+    </message>
+    <message>
+        <source>task {task}: cycle time</source>
+        <translation>Task {task}: Zykluszeit</translation>
+    </message>
+    <message>
+        <source>task {task}: split into frames</source>
+        <translation>Task {task}: Aufteilung in Frames</translation>
+    </message>
+    <message>
+        <source>task {task}: {command}</source>
+        <translation>Task {task}: {command}</translation>
     </message>
     <message>
         <source>temperature too high</source>
@@ -4033,6 +5573,10 @@
         <translation>die Umgebungstemperatur</translation>
     </message>
     <message>
+        <source>the bring-up begins again from INIT: the network adapter was away in the middle of it</source>
+        <translation>der Hochlauf beginnt noch einmal bei INIT: die Netzwerkkarte war mittendrin weg</translation>
+    </message>
+    <message>
         <source>the change of state may take {timeout} ms</source>
         <translation>der Zustandswechsel darf {timeout} ms dauern</translation>
     </message>
@@ -4059,6 +5603,14 @@
     <message>
         <source>the device's EoE settings (IP address)</source>
         <translation>die EoE-Einstellungen des Geräts (IP-Adresse)</translation>
+    </message>
+    <message>
+        <source>the device's program failed</source>
+        <translation>das Programm des Geräts schlug fehl</translation>
+    </message>
+    <message>
+        <source>the file exists already</source>
+        <translation>die Datei gibt es schon</translation>
     </message>
     <message>
         <source>the file transfer</source>
@@ -4145,12 +5697,52 @@
         <translation>es gibt keine CycleTime</translation>
     </message>
     <message>
+        <source>time-out</source>
+        <translation>Zeitgrenze</translation>
+    </message>
+    <message>
+        <source>time-out back to INIT</source>
+        <translation>Zeitgrenze zurück nach INIT</translation>
+    </message>
+    <message>
+        <source>time-out back to SAFEOP</source>
+        <translation>Zeitgrenze zurück nach SAFEOP</translation>
+    </message>
+    <message>
+        <source>time-out to PREOP</source>
+        <translation>Zeitgrenze nach PREOP</translation>
+    </message>
+    <message>
+        <source>time-out to SAFEOP and OP</source>
+        <translation>Zeitgrenze nach SAFEOP und OP</translation>
+    </message>
+    <message>
+        <source>toggle bit did not change</source>
+        <translation>das Toggle-Bit hat nicht gewechselt</translation>
+    </message>
+    <message>
         <source>two variables have the name "{variable}"</source>
         <translation>zwei Variablen haben den Namen "{variable}"</translation>
     </message>
     <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>unknown abort code</source>
+        <translation>unbekannter Abbruchcode</translation>
+    </message>
+    <message>
         <source>unknown code</source>
         <translation>unbekannter Code</translation>
+    </message>
+    <message>
+        <source>unknown device at position {position}: {identity}</source>
+        <translation>unbekanntes Gerät an Position {position}: {identity}</translation>
+    </message>
+    <message>
+        <source>unknown error of the device</source>
+        <translation>unbekannter Fehler des Geräts</translation>
     </message>
     <message>
         <source>unknown requested state</source>
@@ -4165,12 +5757,36 @@
         <translation>bis zu 4 der Buchstaben Y, K und B</translation>
     </message>
     <message>
+        <source>value out of range</source>
+        <translation>Wert außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>value too high</source>
+        <translation>Wert zu groß</translation>
+    </message>
+    <message>
+        <source>value too low</source>
+        <translation>Wert zu klein</translation>
+    </message>
+    <message>
+        <source>variables of the inputs</source>
+        <translation>Variablen der Eingänge</translation>
+    </message>
+    <message>
+        <source>variables of the outputs</source>
+        <translation>Variablen der Ausgänge</translation>
+    </message>
+    <message>
         <source>vendor specific code</source>
         <translation>herstellerspezifischer Code</translation>
     </message>
     <message>
         <source>ventilation and ambient temperature</source>
         <translation>Lüftung und Umgebungstemperatur</translation>
+    </message>
+    <message>
+        <source>warning</source>
+        <translation>Warnung</translation>
     </message>
     <message>
         <source>what the device needs for valid inputs (supply, encoder)</source>
@@ -4221,8 +5837,32 @@
         <translation>warum das Gerät neu gestartet hat (Versorgung, Watchdog, Bediener)</translation>
     </message>
     <message>
+        <source>working counter</source>
+        <translation>Working Counter</translation>
+    </message>
+    <message>
+        <source>working counter expected now {now} (all slaves: {configured})</source>
+        <translation>erwarteter Working Counter jetzt {now} (alle Slaves: {configured})</translation>
+    </message>
+    <message>
+        <source>working counter {received} instead of {expected}</source>
+        <translation>Working Counter {received} statt {expected}</translation>
+    </message>
+    <message>
+        <source>working counter {received} instead of {expected} ({count} times)</source>
+        <translation>Working Counter {received} statt {expected} ({count}-mal)</translation>
+    </message>
+    <message>
         <source>writes</source>
         <translation>schreibt</translation>
+    </message>
+    <message>
+        <source>writing a read-only object</source>
+        <translation>Schreiben eines Objekts, das man nur lesen kann</translation>
+    </message>
+    <message>
+        <source>wrong packet number</source>
+        <translation>falsche Paketnummer</translation>
     </message>
     <message>
         <source>{activation} switches SYNC1 on without SYNC0</source>
@@ -4239,6 +5879,10 @@
     <message>
         <source>{bytes} bytes of process data do not fit into one Ethernet frame.</source>
         <translation>{bytes} Bytes Prozessdaten passen nicht in einen Ethernet-Frame.</translation>
+    </message>
+    <message>
+        <source>{command}</source>
+        <translation>{command}</translation>
     </message>
     <message>
         <source>{command} addresses no slave of the file</source>
@@ -4309,12 +5953,40 @@
         <translation>{copies} Kopien von Slave zu Slave lassen sich nicht behalten: ein Projekt hat keinen Platz dafür.</translation>
     </message>
     <message>
+        <source>{count} FMMUs lie elsewhere</source>
+        <translation>{count} FMMUs liegen anderswo</translation>
+    </message>
+    <message>
+        <source>{count} commands' inputs lie elsewhere</source>
+        <translation>Eingänge von {count} Kommandos liegen anderswo</translation>
+    </message>
+    <message>
+        <source>{count} commands' outputs lie elsewhere</source>
+        <translation>Ausgänge von {count} Kommandos liegen anderswo</translation>
+    </message>
+    <message>
         <source>{count} cycles had a wrong working counter ({received} instead of {expected} last), from {since} on.</source>
         <translation>{count} Zyklen hatten einen falschen Working Counter (zuletzt {received} statt {expected}), ab {since}.</translation>
     </message>
     <message>
         <source>{count} cycles had a wrong working counter, from {since} on: that is what the others see of {slave}.</source>
         <translation>{count} Zyklen hatten einen falschen Working Counter, ab {since}: das ist, was man von {slave} sonst sieht.</translation>
+    </message>
+    <message>
+        <source>{count} cycles left out, the host sent nothing for up to {standstill}</source>
+        <translation>{count} Zyklen ausgelassen, der Host sendete bis zu {standstill} lang nichts</translation>
+    </message>
+    <message>
+        <source>{count} events were lost</source>
+        <translation>{count} Ereignisse gingen verloren</translation>
+    </message>
+    <message>
+        <source>{count} frames back late, up to {late} after the deadline</source>
+        <translation>{count} Frames kamen zu spät zurück, bis zu {late} nach der Frist</translation>
+    </message>
+    <message>
+        <source>{count} frames back late, up to {late} after the deadline ({told} of them told as lost before)</source>
+        <translation>{count} Frames kamen zu spät zurück, bis zu {late} nach der Frist ({told} davon waren als verloren gemeldet)</translation>
     </message>
     <message>
         <source>{count} frames came back after their cycle, by up to {largest}.</source>
@@ -4333,12 +6005,24 @@
         <translation>{count} Frames kamen nicht rechtzeitig zurück, während der Rechner stillstand.</translation>
     </message>
     <message>
+        <source>{count} frames lost</source>
+        <translation>{count} Frames verloren</translation>
+    </message>
+    <message>
         <source>{count} frames reached {slave} damaged at port {port} (0x{register}), from {since} on; the cable comes from {behind}.</source>
         <translation>{count} Frames erreichten {slave} beschädigt an Port {port} (0x{register}), ab {since}; das Kabel kommt von {behind}.</translation>
     </message>
     <message>
         <source>{count} frames were lost when {slave} went away or came back.</source>
         <translation>{count} Frames gingen verloren, als {slave} ging oder wiederkam.</translation>
+    </message>
+    <message>
+        <source>{count} variables of the inputs lie elsewhere</source>
+        <translation>{count} Variablen der Eingänge liegen anderswo</translation>
+    </message>
+    <message>
+        <source>{count} variables of the outputs lie elsewhere</source>
+        <translation>{count} Variablen der Ausgänge liegen anderswo</translation>
     </message>
     <message>
         <source>{count} variables, "{variable}" and others, lie behind the image</source>
@@ -4387,6 +6071,14 @@
     <message>
         <source>{file} is an ENI: its commands and the layout of its image stay as they are, only the spelling follows --dialect. "project create --eni" makes a project that can be laid out anew.</source>
         <translation>{file} ist eine ENI: ihre Kommandos und die Anordnung ihres Abbilds bleiben, nur die Schreibweise folgt --dialect. "project create --eni" macht ein Projekt, das neu angeordnet werden kann.</translation>
+    </message>
+    <message>
+        <source>{file}: what came after frame {frames} was not read, the file breaks off there ({reason}).</source>
+        <translation>{file}: Was nach Frame {frames} kam, wurde nicht gelesen, die Datei bricht dort ab ({reason}).</translation>
+    </message>
+    <message>
+        <source>{file}: {cut} of its {frames} frames were captured in part only and not read.</source>
+        <translation>{file}: {cut} seiner {frames} Frames wurden nur zum Teil aufgezeichnet und nicht gelesen.</translation>
     </message>
     <message>
         <source>{first} and {second} are both the reference clock</source>
@@ -4513,12 +6205,24 @@
         <translation>{set_value} liegt außerhalb von {least}..{most}: die zyklischen Frames sind bei SYNC0 noch unterwegs.</translation>
     </message>
     <message>
+        <source>{setting}</source>
+        <translation>{setting}</translation>
+    </message>
+    <message>
         <source>{slaves} slaves use distributed clocks</source>
         <translation>{slaves} Slaves benutzen verteilte Uhren</translation>
     </message>
     <message>
         <source>{slaves} slaves use distributed clocks, and no cyclic command distributes the time</source>
         <translation>{slaves} Slaves benutzen verteilte Uhren, und kein zyklisches Kommando verteilt die Zeit</translation>
+    </message>
+    <message>
+        <source>{slave} ({identity}) has no system time register 0x0910, where its ESI has operation modes: DC is off.</source>
+        <translation>{slave} ({identity}) hat kein Systemzeit-Register 0x0910, seine ESI aber Betriebsarten: DC ist aus.</translation>
+    </message>
+    <message>
+        <source>{slave} ({identity}): {match} ({file}).</source>
+        <translation>{slave} ({identity}): {match} ({file}).</translation>
     </message>
     <message>
         <source>{slave} counts {missed} missed SM2 events (0x1C32:{sub}), and for {part} of them the master saw good cycles.</source>
@@ -4547,6 +6251,14 @@
     <message>
         <source>{slave} had its inputs too late {count} (0x1C33:0D shift too short).</source>
         <translation>{slave} hatte seine Eingänge {count} zu spät (0x1C33:0D Shift too short).</translation>
+    </message>
+    <message>
+        <source>{slave} has the alias {alias}, which {other} has as well.</source>
+        <translation>{slave} hat den Alias {alias}, den auch {other} hat.</translation>
+    </message>
+    <message>
+        <source>{slave} has the device ID {id}, which {other} has as well.</source>
+        <translation>{slave} hat die Gerätekennung {id}, die auch {other} hat.</translation>
     </message>
     <message>
         <source>{slave} is in {state} with AL status code {alcode}{alarm}, since {since}.</source>
@@ -4595,6 +6307,226 @@
     <message>
         <source>{slave} was {deviation} off its reference clock at {since}, and nobody monitors it.</source>
         <translation>{slave} wich bei {since} um {deviation} von der Referenzuhr ab, und niemand überwacht das.</translation>
+    </message>
+    <message>
+        <source>{subject} and {detail} have changed places.</source>
+        <translation>{subject} und {detail} haben die Plätze getauscht.</translation>
+    </message>
+    <message>
+        <source>{subject} answered in its mailbox with something else than was asked{because}.</source>
+        <translation>{subject} hat in seiner Mailbox etwas anderes geantwortet als gefragt{because}.</translation>
+    </message>
+    <message>
+        <source>{subject} answers again</source>
+        <translation>{subject} antwortet wieder</translation>
+    </message>
+    <message>
+        <source>{subject} did not answer in its mailbox in time.</source>
+        <translation>{subject} hat in seiner Mailbox nicht rechtzeitig geantwortet.</translation>
+    </message>
+    <message>
+        <source>{subject} did not reach {state} in time and is in {actual}.</source>
+        <translation>{subject} hat {state} nicht rechtzeitig erreicht und ist in {actual}.</translation>
+    </message>
+    <message>
+        <source>{subject} does not answer</source>
+        <translation>{subject} antwortet nicht</translation>
+    </message>
+    <message>
+        <source>{subject} in sync again, deviation {deviation}</source>
+        <translation>{subject} wieder synchron, Abweichung {deviation}</translation>
+    </message>
+    <message>
+        <source>{subject} is another device than configured{because}.</source>
+        <translation>{subject} ist ein anderes Gerät als konfiguriert{because}.</translation>
+    </message>
+    <message>
+        <source>{subject} is malformed{because}.</source>
+        <translation>{subject} ist fehlerhaft aufgebaut{because}.</translation>
+    </message>
+    <message>
+        <source>{subject} is missing{because}.</source>
+        <translation>{subject} fehlt{because}.</translation>
+    </message>
+    <message>
+        <source>{subject} is not supported{because}.</source>
+        <translation>{subject} wird nicht unterstützt{because}.</translation>
+    </message>
+    <message>
+        <source>{subject} port {port}: link lost {lost}</source>
+        <translation>{subject} Port {port}: Link {lost} verloren</translation>
+    </message>
+    <message>
+        <source>{subject} port {port}: {damaged} damaged frames</source>
+        <translation>{subject} Port {port}: {damaged} beschädigte Frames</translation>
+    </message>
+    <message>
+        <source>{subject} port {port}: {damaged} damaged frames, link lost {lost}</source>
+        <translation>{subject} Port {port}: {damaged} beschädigte Frames, Link {lost} verloren</translation>
+    </message>
+    <message>
+        <source>{subject} refused {state} and stays in {actual}: AL status code {alcode}.</source>
+        <translation>{subject} hat {state} verweigert und bleibt in {actual}: AL-Statuscode {alcode}.</translation>
+    </message>
+    <message>
+        <source>{subject} refused {state} and stays in {actual}: AL status code {alcode}; check {check}.</source>
+        <translation>{subject} hat {state} verweigert und bleibt in {actual}: AL-Statuscode {alcode}; zu prüfen: {check}.</translation>
+    </message>
+    <message>
+        <source>{subject} took too long{because}.</source>
+        <translation>{subject} hat zu lange gedauert{because}.</translation>
+    </message>
+    <message>
+        <source>{subject}: PDI watchdog expired ({count}): its firmware is silent</source>
+        <translation>{subject}: PDI-Watchdog abgelaufen ({count}): seine Firmware schweigt</translation>
+    </message>
+    <message>
+        <source>{subject}: connected (hot-connect group "{group}")</source>
+        <translation>{subject}: angesteckt (Hot-Connect-Gruppe "{group}")</translation>
+    </message>
+    <message>
+        <source>{subject}: connected by port {port} instead of A: swap its cables IN and OUT; its delay is right here, but other masters take it wrong without a word</source>
+        <translation>{subject}: über Port {port} statt A angeschlossen: die Kabel IN und OUT tauschen; die Laufzeit stimmt hier, andere Master messen sie wortlos falsch</translation>
+    </message>
+    <message>
+        <source>{subject}: diagnosis {type} {code}, text {text}</source>
+        <translation>{subject}: Diagnosemeldung ({type}) {code}, Text {text}</translation>
+    </message>
+    <message>
+        <source>{subject}: diagnosis {type} {code}, text {text}, time stamp {stamp} ns</source>
+        <translation>{subject}: Diagnosemeldung ({type}) {code}, Text {text}, Zeitstempel {stamp} ns</translation>
+    </message>
+    <message>
+        <source>{subject}: disconnected (hot-connect group "{group}")</source>
+        <translation>{subject}: abgesteckt (Hot-Connect-Gruppe "{group}")</translation>
+    </message>
+    <message>
+        <source>{subject}: emergency {code} ({alarm}, {text}), error register {register}, data {data}</source>
+        <translation>{subject}: Emergency {code} ({alarm}, {text}), Fehlerregister {register}, Daten {data}</translation>
+    </message>
+    <message>
+        <source>{subject}: emergency {code}, error register {register}, data {data}</source>
+        <translation>{subject}: Emergency {code}, Fehlerregister {register}, Daten {data}</translation>
+    </message>
+    <message>
+        <source>{subject}: it renews its inputs in every cycle again</source>
+        <translation>{subject}: er erneuert seine Eingänge wieder in jedem Zyklus</translation>
+    </message>
+    <message>
+        <source>{subject}: its cycles are short enough again</source>
+        <translation>{subject}: seine Zyklen sind wieder kurz genug</translation>
+    </message>
+    <message>
+        <source>{subject}: its delay of {delay} is not above that of the slave before it</source>
+        <translation>{subject}: seine Laufzeit von {delay} ist nicht größer als die des Slaves davor</translation>
+    </message>
+    <message>
+        <source>{subject}: no new inputs in {stale} of {cycles} cycles, where each brought some before: its firmware is slow</source>
+        <translation>{subject}: keine neuen Eingänge in {stale} von {cycles} Zyklen, wo zuvor jeder welche brachte: seine Firmware ist langsam</translation>
+    </message>
+    <message>
+        <source>{subject}: not there yet (hot-connect group "{group}")</source>
+        <translation>{subject}: noch nicht da (Hot-Connect-Gruppe "{group}")</translation>
+    </message>
+    <message>
+        <source>{subject}: port {port} has a link and no slave behind it: a closed ring or another master</source>
+        <translation>{subject}: Port {port} hat einen Link und keinen Slave dahinter: ein geschlossener Ring oder ein anderer Master</translation>
+    </message>
+    <message>
+        <source>{subject}: process data watchdog expired ({count})</source>
+        <translation>{subject}: Prozessdaten-Watchdog abgelaufen ({count})</translation>
+    </message>
+    <message>
+        <source>{subject}: recovered (try {tries})</source>
+        <translation>{subject}: wieder da (Versuch {tries})</translation>
+    </message>
+    <message>
+        <source>{subject}: recovery FAILED (try {tries})</source>
+        <translation>{subject}: Wiederanlauf GESCHEITERT (Versuch {tries})</translation>
+    </message>
+    <message>
+        <source>{subject}: recovery begins (try {tries})</source>
+        <translation>{subject}: Wiederanlauf beginnt (Versuch {tries})</translation>
+    </message>
+    <message>
+        <source>{subject}: recovery given up (try {tries})</source>
+        <translation>{subject}: Wiederanlauf aufgegeben (Versuch {tries})</translation>
+    </message>
+    <message>
+        <source>{subject}: the DCM error of {error} is beyond the limit of {limit}.</source>
+        <translation>{subject}: der DCM-Fehler von {error} überschreitet die Grenze von {limit}.</translation>
+    </message>
+    <message>
+        <source>{subject}: the delay to it comes out negative ({delay}); 0 is taken</source>
+        <translation>{subject}: die Laufzeit zu ihm ergibt sich negativ ({delay}); 0 wird genommen</translation>
+    </message>
+    <message>
+        <source>{subject}: the delay to it is implausible ({delay}); 0 is taken</source>
+        <translation>{subject}: die Laufzeit zu ihm ist unglaubwürdig ({delay}); 0 wird genommen</translation>
+    </message>
+    <message>
+        <source>{subject}: the slave aborted the SDO transfer with {code} ({meaning}).</source>
+        <translation>{subject}: der Slave hat die SDO-Übertragung abgebrochen mit {code} ({meaning}).</translation>
+    </message>
+    <message>
+        <source>{subject}: the slave ended the file transfer with {code} ({meaning}){because}.</source>
+        <translation>{subject}: der Slave hat die Dateiübertragung beendet mit {code} ({meaning}){because}.</translation>
+    </message>
+    <message>
+        <source>{subject}: the slave's answer differs from what the init command demands{because}.</source>
+        <translation>{subject}: die Antwort des Slaves weicht von der Vorgabe des Init-Kommandos ab{because}.</translation>
+    </message>
+    <message>
+        <source>{subject}: working counter {received} where {expected} was expected; a slave did not process the datagram.</source>
+        <translation>{subject}: Working Counter {received} statt {expected}; ein Slave hat das Datagramm nicht bearbeitet.</translation>
+    </message>
+    <message>
+        <source>{subject}: {count} of its cycles took longer than the cycle time: its firmware is slow</source>
+        <translation>{subject}: {count} seiner Zyklen dauerten länger als die Zykluszeit: seine Firmware ist langsam</translation>
+    </message>
+    <message>
+        <source>{subject}: {from} -&gt; {to}</source>
+        <translation>{subject}: {from} -&gt; {to}</translation>
+    </message>
+    <message>
+        <source>{subject}: {status} with AL status code {code}</source>
+        <translation>{subject}: {status} mit AL-Statuscode {code}</translation>
+    </message>
+    <message>
+        <source>{subject}: {status} with AL status code {code}; check {check}</source>
+        <translation>{subject}: {status} mit AL-Statuscode {code}; zu prüfen: {check}</translation>
+    </message>
+    <message>
+        <source>{text}</source>
+        <translation>{text}</translation>
+    </message>
+    <message>
+        <source>{where}: the element &lt;{subject}&gt; is missing{because}.</source>
+        <translation>{where}: das Element &lt;{subject}&gt; fehlt{because}.</translation>
+    </message>
+    <message>
+        <source>{where}: the file is beyond what is read{because}.</source>
+        <translation>{where}: die Datei ist größer, als gelesen wird{because}.</translation>
+    </message>
+    <message>
+        <source>{where}: the key "{subject}" cannot be used{because}.</source>
+        <translation>{where}: der Szenario-Schlüssel "{subject}" ist nicht verwendbar{because}.</translation>
+    </message>
+    <message>
+        <source>{where}: the value of &lt;{subject}&gt; cannot be used{because}.</source>
+        <translation>{where}: der Wert von &lt;{subject}&gt; ist nicht verwendbar{because}.</translation>
+    </message>
+    <message>
+        <source>{where}: this is another kind of file; expected{because}.</source>
+        <translation>{where}: das ist eine andere Art von Datei; erwartet{because}.</translation>
+    </message>
+    <message>
+        <source>{where}: this is not well-formed TOML{because}.</source>
+        <translation>{where}: kein wohlgeformtes TOML{because}.</translation>
+    </message>
+    <message>
+        <source>{where}: this is not well-formed XML{because}.</source>
+        <translation>{where}: kein wohlgeformtes XML{because}.</translation>
     </message>
     <message>
         <source>{who} cannot be the first slave of the bus: nobody could be in front of it.</source>

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "eni/catalogue/esi_catalogue.h"
+#include "findings/error_text.h"
 
 namespace syncline::ui {
 
@@ -42,9 +43,10 @@ Result<ScanOutcome> ScanController::run(const QString& link, Depth depth) {
   if (!found) return tl::unexpected(found.error());
   if (cancelled_) return fail(ErrorCode::kCancelled);
   auto catalogue = eni::EsiCatalogue::open_default();  // reads only what changed since the last scan
-  std::vector<Error> warnings;
+  std::vector<Finding> warnings;
   for (const auto& folder : esi_folders_) {
-    if (auto status = catalogue.add_folder(folder.toStdString()); !status) warnings.push_back(status.error());
+    if (auto status = catalogue.add_folder(folder.toStdString()); !status)
+      warnings.push_back(finding_of(status.error()));
   }
   auto built = eni::project_from_scan(*found, catalogue);
   built.warnings.insert(built.warnings.begin(), warnings.begin(), warnings.end());
@@ -52,10 +54,9 @@ Result<ScanOutcome> ScanController::run(const QString& link, Depth depth) {
   if (describe_ && !found->look_only) {
     const auto unread = describe_(built.project, link, cancelled_);
     if (!unread) return tl::unexpected(unread.error());
-    built.warnings.insert(built.warnings.end(), unread->begin(), unread->end());
+    for (const Error& error : *unread) built.warnings.push_back(finding_of(error));
   }
   if (cancelled_) return fail(ErrorCode::kCancelled);
-  if (found->look_only) built.warnings.insert(built.warnings.end(), found->findings.begin(), found->findings.end());
   return ScanOutcome{std::move(built), found->look_only, found->running};
 }
 

@@ -127,7 +127,13 @@ void Workspace::showFindings() {
 
 void Workspace::tellOfScan(const QString& link, const ScanOutcome& outcome) {
   setLink(link);
-  for (const auto& warning : outcome.built.warnings) report(warning, Severity::kWarning, tr("Scan"));
+  for (const auto& warning : outcome.built.warnings) {
+    auto line = messageOf(warning, outcome.built.project);
+    line.time = QDateTime::currentDateTime();
+    line.severity = Severity::kWarning;
+    line.source = tr("Scan");
+    messages_.append(std::move(line));
+  }
   const auto count = static_cast<int>(outcome.built.project.slaves.size());
   inform(tr("Scan"), tr("%n slave(s) found on %1", nullptr, count).arg(link));
 }

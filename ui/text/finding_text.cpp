@@ -84,8 +84,8 @@ QString fill(const QString& text, const Finding& finding) {
     from = close + 1;
   }
   out += QStringView(text).mid(from);
-  if (!out.isEmpty()) out[0] = out[0].toUpper();
-  return out;
+  if (!out.isEmpty() && !begins_with_own_text(text.toStdString(), finding)) out[0] = out[0].toUpper();
+  return out.replace(QStringLiteral("->"), QStringLiteral("\u2192"));
 }
 
 }  // namespace
@@ -97,6 +97,12 @@ QString findingText(const Finding& finding) {
 QString findingAdvice(const Finding& finding) {
   const FindingWords* words = find_finding_words(finding.code);
   return words == nullptr || words->mend.empty() ? QString() : fill(FindingSentences::sentence(words->mend), finding);
+}
+
+QString findingWhole(const Finding& finding) {
+  const auto text = findingText(finding), advice = findingAdvice(finding);
+  if (advice.isEmpty()) return text;
+  return text + QLatin1String(text.endsWith(QLatin1Char('.')) ? " " : ". ") + advice;
 }
 
 QString findingKey(const Finding& finding) {

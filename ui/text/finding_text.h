@@ -15,6 +15,9 @@ namespace syncline::ui {
 /// What to do; empty where nothing is to be done.
 [[nodiscard]] QString findingAdvice(const Finding& finding);
 
+/// Both, one behind the other.
+[[nodiscard]] QString findingWhole(const Finding& finding);
+
 /// Key of the setting that would mend it, "slave.3.dc.sync0.shift_us"; empty where there is none.
 [[nodiscard]] QString findingKey(const Finding& finding);
 

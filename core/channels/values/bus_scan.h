@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "config/project.h"
+#include "findings/finding.h"
 #include "protocol/dl_status.h"
 #include "protocol/sii.h"
 #include "support/result.h"
@@ -45,8 +46,8 @@ struct ScannedSlave {
 struct BusScan {
   std::vector<ScannedSlave> slaves;  // frame order
   bool look_only = false;
-  std::size_t running = 0;      // slaves that were beyond INIT
-  std::vector<Error> findings;  // wiring, identification, what was left out or touched
+  std::size_t running = 0;        // slaves that were beyond INIT
+  std::vector<Finding> findings;  // wiring, identification, what was left out or touched (core/findings/scan_words.h)
 };
 
 }  // namespace syncline

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "dc/clock_registers.h"
 #include "dc/dcm/dcm_controller.h"
-#include "dc/plans.h"
 
 namespace syncline::dc {
 

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <iterator>
 
-#include "dc/obstacle_text.h"
+#include "channels/values/sync_obstacle_text.h"
 #include "diagnosis/rules/rules.h"
 #include "protocol/dcm_error.h"
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "dc/plans.h"
+#include "dc/clock_registers.h"
 #include "protocol/dc_registers.h"
 #include "protocol/registers.h"
 #include "support/byte_order.h"

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "dc/plans.h"
+#include "dc/clock_registers.h"
 #include "master/clocks/dc_burst.h"
 #include "master/clocks/dc_loop_values.h"
 #include "protocol/dc_registers.h"

@@ -7,7 +7,7 @@
 #include <array>
 #include <numeric>
 
-#include "dc/plans.h"
+#include "dc/clock_registers.h"
 #include "protocol/dc_registers.h"
 #include "protocol/registers.h"
 #include "support/byte_order.h"

@@ -7,7 +7,7 @@
 
 #include "channels/sync_standing.h"
 #include "compile/dcm_check.h"
-#include "dc/plans.h"
+#include "dc/clock_registers.h"
 #include "master/exchange/narrow.h"
 #include "settings/dc_check.h"
 

@@ -7,25 +7,6 @@
 #include <utility>
 
 namespace syncline {
-void BusHealth::observe_wkc(std::uint16_t expected, std::uint16_t received, Nanoseconds time, CycleSample& sample) {
-  sample.wkc_expected = expected;
-  sample.wkc_received = received;
-  // A lost frame is told as such, not a second time as a counter of zero.
-  if (!judging_ || (sample.flags & CycleSample::kFrameLost) != 0) return;
-  // Who comes back counts before anybody has looked at him.
-  if (expected == received || (received > expected && (joining_ || run_.somebody_absent()))) {
-    const auto count = std::exchange(wkc_spell_, 0);
-    if (count > 1) {
-      run_.event(time, -1, events::WkcError{last_expected_, last_wrong_, count});
-    }
-    return;
-  }
-  sample.flags |= CycleSample::kWkcError;
-  ++run_.snapshot.wkc_errors;
-  last_wrong_ = received;
-  last_expected_ = expected;
-  if (wkc_spell_++ == 0) run_.event(time, -1, events::WkcError{expected, received, 1});
-}
 
 void BusHealth::take(const MissingFrames::News& news, Nanoseconds time) {
   lost_.add(news.lost, 0, news.first_lost, 0);

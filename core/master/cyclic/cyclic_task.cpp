@@ -29,6 +29,7 @@ CyclicTaskRunner::CyclicTaskRunner(FrameExchange& exchange, Clock& clock, RunSta
       sync_events_(run, sync),
       acyclic_(run, mailbox_bits_, sync_events_),
       health_(run),
+      working_counter_(run),
       reference_(run, sync, frames_),
       feed_(run.config().cycle_time()),
       without_(run.config().slaves.size()),
@@ -204,7 +205,7 @@ Status CyclicTaskRunner::amend_clock() {
 void CyclicTaskRunner::after_sweep() {
   sweeps_seen_ = slaves_.sweeps();
   reference_.look(send_time_);
-  if (health_.judging()) expect_present();
+  if (working_counter_.judging()) expect_present();
 }
 
 void CyclicTaskRunner::expect_present(std::optional<std::size_t> leaving) {
@@ -239,7 +240,7 @@ dc::DcmObservation CyclicTaskRunner::observation(const CyclicFrameSet::Reading& 
 void CyclicTaskRunner::evaluate(CycleSample& sample) {
   const auto reading = frames_.evaluate();
   const bool up = run_.snapshot.link_up;
-  if (up) health_.observe_wkc(reading.wkc_expected, reading.wkc_received, send_time_, sample);
+  if (up) working_counter_.observe(reading.wkc_expected, reading.wkc_received, send_time_, sample);
   if (reading.al_status) slaves_.observe_broadcast(*reading.al_status, *reading.al_status_wkc);
   const auto all = slaves_.take(send_time_, sample);
   slaves_.observe_silence((!up || (sample.flags & CycleSample::kFrameLost) != 0) && !reading.al_status, send_time_);

@@ -18,6 +18,7 @@
 #include "master/cyclic/spin_budget.h"
 #include "master/cyclic/standstill_cause.h"
 #include "master/cyclic/sync_event_watch.h"
+#include "master/cyclic/working_counter.h"
 #include "master/exchange/bus.h"
 #include "master/exchange/run_state.h"
 
@@ -38,7 +39,7 @@ class CyclicTaskRunner final : public CyclePump, private SendStamp {
 
   [[nodiscard]] SlaveWatch& slaves() { return slaves_; }
   [[nodiscard]] AcyclicScheduler& acyclic() { return acyclic_; }
-  [[nodiscard]] BusHealth& health() { return health_; }
+  [[nodiscard]] WorkingCounter& working_counter() { return working_counter_; }
   [[nodiscard]] CyclicFrameSet& frames() { return frames_; }
   [[nodiscard]] ReferenceClock& reference() { return reference_; }
   [[nodiscard]] ClockFeed& feed() { return feed_; }
@@ -81,6 +82,7 @@ class CyclicTaskRunner final : public CyclePump, private SendStamp {
   SyncEventWatch sync_events_;
   AcyclicScheduler acyclic_;
   BusHealth health_;
+  WorkingCounter working_counter_;
   ReferenceClock reference_;
   ClockFeed feed_;
   ClockAmendment amendment_;

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "master/startup/hot_connect.h"
+
 namespace syncline {
 namespace {
 

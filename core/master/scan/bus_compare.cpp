@@ -36,13 +36,13 @@ class BusComparison {
         compare(l, *pairing_.right_of[l]);
       } else {
         DifferenceList(out_, l, std::nullopt, config_.slaves[l].name)
-            .add(Group::kSlaves, "device", to_string(config_.slaves[l].identity), "missing");
+            .add(Group::kSlaves, "difference-device", to_string(config_.slaves[l].identity), "missing");
       }
     }
     for (std::size_t r = 0; r < scan_.slaves.size(); ++r) {
       if (pairing_.left_of[r]) continue;
       DifferenceList(out_, std::nullopt, r, "")
-          .add(Group::kSlaves, "device", "not configured", to_string(scan_.slaves[r].identity));
+          .add(Group::kSlaves, "difference-device", "not configured", to_string(scan_.slaves[r].identity));
     }
     return std::move(out_);
   }
@@ -52,11 +52,11 @@ class BusComparison {
     const SlaveConfig& wanted = config_.slaves[l];
     const ScannedSlave& found = scan_.slaves[r];
     DifferenceList out(out_, l, r, wanted.name);
-    if (pairing_.moved[l]) out.add(Group::kSlaves, "place", fmt::format("{}", l), fmt::format("{}", r));
+    if (pairing_.moved[l]) out.add(Group::kSlaves, "difference-place", fmt::format("{}", l), fmt::format("{}", r));
     compare_identity(wanted, found, out);
     compare_wiring(l, found, out);
     if (wanted.dc && wanted.dc->cycle_time0 > 0 && found.dc == DcCapability::kNone) {
-      out.add(Group::kClocks, "distributed clocks", "used", "the device has none");
+      out.add(Group::kClocks, "difference-distributed-clocks", "used", "the device has none");
     }
     if (found.sii) compare_mailbox(wanted, *found.sii, out);
     if (r < running_.size() && running_[r]) compare_registers(l, *running_[r], out);
@@ -66,13 +66,13 @@ class BusComparison {
     const auto product = [](const Identity& id) {
       return fmt::format("0x{:08x}:0x{:08x}", id.vendor_id, id.product_code);
     };
-    out.field(Group::kSlaves, "device", product(wanted.identity), product(found.identity));
-    out.field(Group::kSlaves, "revision", fmt::format("0x{:08x}", wanted.identity.revision_no),
+    out.field(Group::kSlaves, "difference-device", product(wanted.identity), product(found.identity));
+    out.field(Group::kSlaves, "difference-revision", fmt::format("0x{:08x}", wanted.identity.revision_no),
               fmt::format("0x{:08x}", found.identity.revision_no));
     if (wanted.identity.serial_no != 0) {
-      out.number(Group::kSlaves, "serial number", wanted.identity.serial_no, found.identity.serial_no);
+      out.number(Group::kSlaves, "difference-serial-number", wanted.identity.serial_no, found.identity.serial_no);
     }
-    if (wanted.alias != 0) out.number(Group::kWiring, "alias", wanted.alias, found.alias);
+    if (wanted.alias != 0) out.number(Group::kWiring, "difference-alias", wanted.alias, found.alias);
   }
 
   void compare_wiring(std::size_t l, const ScannedSlave& found, DifferenceList& out) const {
@@ -85,12 +85,12 @@ class BusComparison {
     const auto words = [](const PreviousPort& previous) {
       return fmt::format("port {} of slave {}", static_cast<char>('A' + previous.port), previous.position);
     };
-    out.add(Group::kWiring, "hangs on", words(*wanted), words(*found.previous));
+    out.add(Group::kWiring, "difference-hangs-on", words(*wanted), words(*found.previous));
   }
 
   static void compare_mailbox(const SlaveConfig& wanted, const sii::Image& sii, DifferenceList& out) {
     if (wanted.mailbox && sii.mailbox_protocols == 0) {
-      out.add(Group::kMailbox, "mailbox", "used", "the device has none");
+      out.add(Group::kMailbox, "difference-mailbox", "used", "the device has none");
     }
   }
 
@@ -100,16 +100,17 @@ class BusComparison {
       const SyncManager& there = found.managers[n];
       const std::string wanted = write ? words(write->manager) : "off";
       const std::string is = there.enabled() ? words(there) : "off";
-      if (wanted != is) out.add(Group::kProcessData, fmt::format("SM{}", n), wanted, is);
+      if (wanted != is)
+        out.add(Group::kProcessData, comparison::what("difference-sm", fig::count<"sm">(n)), wanted, is);
     }
     const auto& dc = config_.slaves[l].dc;
     const std::uint16_t activation = view_.assign_activate(l);
-    out.field(Group::kClocks, "activation (0x0980)", fmt::format("0x{:04x}", activation),
+    out.field(Group::kClocks, "difference-activation", fmt::format("0x{:04x}", activation),
               fmt::format("0x{:04x}", found.activation));
     if (dc && activation != 0 && found.activation != 0) {
-      out.time(Group::kClocks, "SYNC0 cycle", dc->cycle_time0, found.cycle_time0);
+      out.time(Group::kClocks, "difference-sync0-cycle", dc->cycle_time0, found.cycle_time0);
       // A difference to SYNC0, kept as 32 bits.
-      out.time(Group::kClocks, "SYNC1 behind SYNC0", static_cast<std::int32_t>(dc->cycle_time1),
+      out.time(Group::kClocks, "difference-sync1-behind-sync0", static_cast<std::int32_t>(dc->cycle_time1),
                static_cast<std::int32_t>(found.cycle_time1));
     }
   }

@@ -1,46 +1,34 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "master/scan/scan_findings.h"
 
-#include <fmt/format.h>
-
 #include <map>
+#include <utility>
+
+#include "findings/scan_words.h"
+#include "findings/sentence.h"
 
 namespace syncline {
 namespace {
-
-char port_letter(std::size_t port) { return static_cast<char>('A' + port); }
 
 class Findings {
  public:
   explicit Findings(BusScan& scan) : scan_(scan) {}
 
-  void add(ErrorCode code, const ScannedSlave& slave, std::string detail) {
-    scan_.findings.push_back(
-        {.code = code, .subject = fmt::format("slave {}", slave.position), .detail = std::move(detail)});
+  template <FigureName... kNames>
+  void add(std::type_identity_t<FindingSentence<words::kScan, FigureName("slave"), kNames...>> sentence,
+           const ScannedSlave& slave, Named<kNames>... figures) {
+    scan_.findings.push_back(make_finding<words::kScan>(sentence, Place(slave.position),
+                                                        fig::slave<"slave">(slave.position), std::move(figures)...));
   }
 
   void wiring(const ScannedSlave& slave, const SlaveWiring& wiring) {
-    if (wiring.entry_port != 0) {
-      add(ErrorCode::kWiring, slave,
-          fmt::format(
-              "frames enter it by port {} instead of port A; swap its cables IN and OUT, or what hangs at its port A "
-              "stands in front of it",
-              port_letter(wiring.entry_port)));
-    }
-    if (!wiring.previous && !wiring.root) {
-      add(ErrorCode::kWiring, slave,
-          "the open ports of the slaves before it do not explain its place; see that at it and its neighbours the "
-          "cable from the "
-          "master is in IN (port A) and not in OUT");
-    }
+    if (wiring.entry_port != 0) add("scan-wiring-entry", slave, fig::port<"port">(wiring.entry_port));
+    if (!wiring.previous && !wiring.root) add("scan-wiring-place", slave);
     for (unsigned port = 0; port < kPortCount; ++port) {
       if (((wiring.unexplained_ports >> port) & 1U) != 0) {
-        add(ErrorCode::kWiring, slave,
-            fmt::format("port {} is open, but no slave answers behind it: a cable back to the master, or a device "
-                        "that is no slave",
-                        port_letter(port)));
+        add("scan-wiring-open", slave, fig::port<"port">(port));
       } else if (slave.dl_status.physical_link(port) && !slave.dl_status.communication(port)) {
-        add(ErrorCode::kWiring, slave, fmt::format("port {} has a link, but frames do not pass it", port_letter(port)));
+        add("scan-wiring-blocked", slave, fig::port<"port">(port));
       }
     }
   }
@@ -48,24 +36,17 @@ class Findings {
   void identification(const ScannedSlave& slave) {
     if (slave.alias != 0) {
       const auto [first, fresh] = aliases_.emplace(slave.alias, slave.position);
-      if (!fresh) {
-        add(ErrorCode::kIdentification, slave,
-            fmt::format("slave {} has the alias {} as well", first->second, slave.alias));
-      }
+      if (!fresh) add("scan-alias-twice", slave, fig::count<"alias">(slave.alias), fig::slave<"other">(first->second));
     }
     if (slave.device_id.value_or(0) != 0) {
       const auto [first, fresh] = ids_.emplace(*slave.device_id, slave.position);
-      if (!fresh) {
-        add(ErrorCode::kIdentification, slave,
-            fmt::format("slave {} has the device ID {} as well", first->second, *slave.device_id));
-      }
+      if (!fresh)
+        add("scan-device-id-twice", slave, fig::count<"id">(*slave.device_id), fig::slave<"other">(first->second));
     }
     if (!slave.sii) return;
-    if (!slave.sii->checksum_ok) add(ErrorCode::kSii, slave, "the checksum of the configuration area is wrong");
+    if (!slave.sii->checksum_ok) add("scan-eeprom-checksum", slave);
     if (slave.sii->checksum_ok && slave.sii->alias != slave.alias) {
-      add(ErrorCode::kIdentification, slave,
-          fmt::format("its EEPROM has the alias {}, the ESC has {} until the next power-on", slave.sii->alias,
-                      slave.alias));
+      add("scan-alias-not-taken", slave, fig::count<"written">(slave.sii->alias), fig::count<"taken">(slave.alias));
     }
   }
 
@@ -73,7 +54,7 @@ class Findings {
   void scope(const ScannedSlave& slave) {
     const bool by_al_status = slave.sii && slave.sii->general && (slave.sii->general->flags & 0x08) != 0;
     if (!by_al_status || slave.device_id || (!scan_.look_only && scan_.running == 0)) return;
-    add(ErrorCode::kScanScope, slave, "its device ID was not requested, which would write AL control");
+    add("scan-device-id-unread", slave);
   }
 
  private:

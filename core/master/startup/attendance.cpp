@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "master/startup/bus_survey.h"
+#include "master/startup/hot_connect.h"
 
 namespace syncline {
 

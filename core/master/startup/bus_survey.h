@@ -18,10 +18,6 @@ namespace syncline {
 
 /// The slave as match_bus() wants it.
 [[nodiscard]] WantedDevice wanted_device(const NetworkConfig& config, std::size_t slave);
-/// Asks devices that a hot-connect group's first slave may be by the group's identify commands, as far as these do not
-/// just compare the alias; of the devices that `known` does not know. Bus errors.
-[[nodiscard]] Status identify_groups(Bus& bus, const NetworkConfig& config, std::vector<FoundDevice>& devices,
-                                     const std::function<bool(std::uint16_t station)>& known = {});
 
 /// What a match says, as errors in frame order: kSlavesSwapped, kIdentityMismatch, kSlaveMissing, kSlaveExtra.
 [[nodiscard]] std::vector<Error> explain(const BusMatch& match, const NetworkConfig& config,

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "dc/obstacle_text.h"
+#include "channels/values/sync_obstacle_text.h"
 #include "master/clocks/dc_join.h"
 #include "master/clocks/dc_start.h"
 #include "protocol/dcm_error.h"

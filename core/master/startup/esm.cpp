@@ -74,8 +74,8 @@ void Esm::abandon() {
   bus_.set_pump(nullptr);
   bus_.exchange().missing().forget_all();
   task_.acyclic().requests().give_up_mailboxes();
-  task_.health().set_joining(false);
-  task_.health().set_judging(false);
+  task_.working_counter().set_joining(false);
+  task_.working_counter().set_judging(false);
   task_.frames().expect_without(std::vector<bool>(run_.config().slaves.size()));
   operate(AlState::kInit);
 }
@@ -179,9 +179,9 @@ SlaveList Esm::slaves_where(const std::function<bool(AlState)>& applies) const {
 
 Status Esm::join(SlaveList slaves, AlState target) {
   if (slaves.empty()) return {};
-  task_.health().set_joining(true);
+  task_.working_counter().set_joining(true);
   auto status = join_each(std::move(slaves), target);
-  task_.health().set_joining(false);
+  task_.working_counter().set_joining(false);
   return status;
 }
 
@@ -256,7 +256,7 @@ Status Esm::safeop_to_op() {
   if (auto status = run_master_commands(Transition::kSO, false); !status) return status;
   operate(AlState::kOp);
   if (auto status = bus_.wait_a_little(); !status) return status;
-  task_.health().set_judging(true);
+  task_.working_counter().set_judging(true);
   task_.expect_present();
   return {};
 }
@@ -291,7 +291,7 @@ Status Esm::start_sync_signals(const SlaveList& slaves) {
 // ---- down -----------------------------------------------------------------------------------------
 
 Status Esm::down_to(AlState target) {
-  task_.health().set_judging(false);
+  task_.working_counter().set_judging(false);
   task_.frames().expect_without(std::vector<bool>(run_.config().slaves.size()));
   const auto from = run_.lowest_state();
   if (const auto transition = transition_between(from, target)) {

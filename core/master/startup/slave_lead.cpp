@@ -38,7 +38,7 @@ Status Esm::lead_down(std::size_t slave, AlState target) {
   SlaveList one{slave};
   const auto transition = transition_between(state_of(slave), target);
   if (!transition) return {};
-  if (task_.health().judging()) task_.expect_present(slave);
+  if (task_.working_counter().judging()) task_.expect_present(slave);
   auto status = commands_.run(one, *transition);
   if (!status && ends_everything(status.error())) return status;
   return commands_.read_al_status(SlaveList{slave});
@@ -47,11 +47,11 @@ Status Esm::lead_down(std::size_t slave, AlState target) {
 Status Esm::lead(std::size_t slave, AlState target) {
   if (auto status = check_cyclic(slave); !status) return status;
   // Whoever goes on its own account is missed by nobody.
-  task_.health().set_joining(true);
+  task_.working_counter().set_joining(true);
   auto status = lead_alone(slave, target);
-  task_.health().set_joining(false);
+  task_.working_counter().set_joining(false);
   task_.slaves().refresh_al_status();
-  if (task_.health().judging()) task_.expect_present();
+  if (task_.working_counter().judging()) task_.expect_present();
   run_.update_master_state(bus_.clock().now());
   return status;
 }

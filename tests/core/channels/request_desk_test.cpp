@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "protocol/error_text.h"
+#include "findings/error_text.h"
 
 namespace syncline {
 namespace {

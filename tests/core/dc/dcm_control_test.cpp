@@ -4,8 +4,8 @@
 #include <cmath>
 #include <memory>
 
+#include "dc/clock_registers.h"
 #include "dc/dcm/dcm_controller.h"
-#include "dc/plans.h"
 #include "support/random.h"
 
 namespace syncline::dc {

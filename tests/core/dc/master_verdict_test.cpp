@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "dc/obstacle_text.h"
+#include "channels/values/sync_obstacle_text.h"
 
 namespace syncline::dc {
 namespace {

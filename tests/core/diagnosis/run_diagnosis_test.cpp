@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <set>
 
-#include "dc/obstacle_text.h"
+#include "channels/values/sync_obstacle_text.h"
 #include "findings/run_codes.h"
 
 namespace syncline {

@@ -9,12 +9,16 @@
 #include <string>
 #include <vector>
 
+#include "findings/difference_words.h"
 #include "findings/eni_words.h"
+#include "findings/error_words.h"
+#include "findings/event_words.h"
 #include "findings/fold.h"
 #include "findings/project_words.h"
 #include "findings/run_bus_words.h"
 #include "findings/run_codes.h"
 #include "findings/run_slaves_words.h"
+#include "findings/scan_words.h"
 #include "findings/sentence.h"
 #include "tests/support/source_dir.h"
 
@@ -65,6 +69,19 @@ TEST(FindingWords, TheManualHasEachFindingOfARun) {
        {std::span<const FindingWords>(words::kRunSlaves), std::span<const FindingWords>(words::kRunBus)}) {
     for (const FindingWords& row : table)
       EXPECT_NE(all.find(fmt::format("`{}`", row.code)), std::string::npos) << row.code;
+  }
+}
+
+TEST(FindingWords, TheManualHasEachMessage) {
+  const auto lines = lines_of("messages.md");
+  const std::span<const FindingWords> tables[] = {words::kEvents, words::kScan, words::kDifferences, words::kFileErrors,
+                                                  words::kBusErrors};
+  for (const auto& table : tables) {
+    for (const FindingWords& row : table) {
+      const auto line =
+          fmt::format("| {} | {} | {} | {} |", row.code, severity_name(row.severity), row.title, row.mend);
+      EXPECT_TRUE(lines.contains(line)) << line;
+    }
   }
 }
 

@@ -128,7 +128,7 @@ TEST_F(BusScannerTest, AsksSlavesWithSwitchesForTheirDeviceId) {
   ASSERT_TRUE(looked);
   EXPECT_FALSE(looked->slaves[0].device_id);
   EXPECT_EQ(looked->slaves[2].device_id, 99);
-  EXPECT_EQ(std::ranges::count(looked->findings, ErrorCode::kScanScope, &Error::code), 2);
+  EXPECT_EQ(std::ranges::count(looked->findings, std::string_view("scan-device-id-unread"), &Finding::code), 2);
 }
 
 TEST(SlowEeproms, CostTimeAndFewFrames) {

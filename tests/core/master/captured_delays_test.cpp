@@ -4,10 +4,10 @@
 #include <map>
 
 #include "dc/propagation_delay.h"
+#include "findings/error_text.h"
 #include "link/replay/pcap_reader.h"
 #include "link/replay/recorded_bus.h"
 #include "master/scan/topology.h"
-#include "protocol/error_text.h"
 #include "protocol/registers.h"
 #include "support/byte_order.h"
 #include "support/sample_folder.h"

@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include "channels/dcm_query.h"
-#include "dc/plans.h"
+#include "dc/clock_registers.h"
+#include "findings/error_text.h"
 #include "master/master_service.h"
 #include "protocol/dcm_error.h"
-#include "protocol/error_text.h"
 #include "tests/support/simulated_network.h"
 #include "trace/dcm_log.h"
 

@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include "findings/error_text.h"
 #include "link/fault_link.h"
 #include "master/operation.h"
 #include "master/scan/bus_scanner.h"
-#include "protocol/error_text.h"
 #include "protocol/registers.h"
 #include "sim/device/sii_from_device.h"
 #include "tests/support/scan_bed.h"
@@ -116,7 +116,7 @@ TEST(ScanSimulated, LossesAndSwapsChangeNothing) {
     const auto scan = scan_slaves(*bed.bus);
     ASSERT_TRUE(scan) << seed;
     expect_true(*scan, network);
-    EXPECT_TRUE(scan->findings.empty()) << seed << " " << scan->findings[0].subject << scan->findings[0].detail;
+    EXPECT_TRUE(scan->findings.empty()) << seed << " " << describe(scan->findings[0]);
   }
 }
 

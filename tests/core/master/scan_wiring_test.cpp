@@ -10,8 +10,6 @@
 namespace syncline {
 namespace {
 
-using testing::HasSubstr;
-
 DlStatus with_open(unsigned ports) {
   std::uint16_t value = 0x0001;
   for (unsigned port = 0; port < kPortCount; ++port) {
@@ -210,10 +208,13 @@ TEST(ScanFindings, NameWhatIsUnusual) {
   wiring[1] = {PreviousPort{0, 1}, 1, false, 0b0001};
   add_scan_findings(wiring, scan);
   ASSERT_EQ(scan.findings.size(), 4U);
-  EXPECT_THAT(scan.findings[0].detail, HasSubstr("alias 9"));
-  EXPECT_THAT(scan.findings[1].detail, HasSubstr("port B instead of port A"));
-  EXPECT_THAT(scan.findings[2].detail, HasSubstr("port A is open"));
-  EXPECT_THAT(scan.findings[3].detail, HasSubstr("alias 7 as well"));
+  EXPECT_EQ(
+      describe(scan.findings[0]),
+      "The EEPROM of slave 0 has the alias 9, its ESC has 7 until the next power-on. Switch the slave off and on.");
+  EXPECT_EQ(facts_text(scan.findings[1]), "Frames enter slave 1 by port B instead of port A.");
+  EXPECT_EQ(facts_text(scan.findings[2]), "Port A of slave 1 is open, but no slave answers behind it.");
+  EXPECT_EQ(facts_text(scan.findings[3]), "slave 1 has the alias 7, which slave 0 has as well.");
+  EXPECT_EQ(scan.findings[3].place.slave, 1);
 }
 
 }  // namespace

@@ -5,8 +5,8 @@
 
 #include <numeric>
 
+#include "findings/error_text.h"
 #include "master/mailbox/foe_client.h"
-#include "protocol/error_text.h"
 #include "protocol/registers.h"
 #include "tests/support/simulated_network.h"
 

@@ -4,10 +4,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "findings/error_text.h"
 #include "master/master_service.h"
 #include "protocol/aoe.h"
 #include "protocol/eoe.h"
-#include "protocol/error_text.h"
 #include "protocol/soe.h"
 #include "support/simulated_network.h"
 

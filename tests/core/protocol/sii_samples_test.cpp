@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "byte_helpers.h"
-#include "protocol/error_text.h"
+#include "findings/error_text.h"
 #include "protocol/sii.h"
 #include "tests/support/source_dir.h"
 

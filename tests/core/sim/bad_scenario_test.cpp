@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "protocol/error_text.h"
+#include "findings/error_text.h"
 #include "sim/scenario/host_profile_file.h"
 #include "tests/core/sim/sim_probe.h"
 

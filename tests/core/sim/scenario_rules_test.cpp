@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "protocol/error_text.h"
+#include "findings/error_text.h"
 #include "tests/core/sim/sim_probe.h"
 
 namespace syncline::test {

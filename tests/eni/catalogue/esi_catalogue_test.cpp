@@ -7,7 +7,7 @@
 #include <chrono>
 
 #include "eni/catalogue/esi_folder.h"
-#include "protocol/error_text.h"
+#include "findings/error_text.h"
 #include "sqlite/sqlite_database.h"
 
 namespace syncline::eni {

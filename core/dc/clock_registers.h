@@ -5,7 +5,7 @@
 
 #include "support/types.h"
 
-/// Pure planners: what to write, never how.
+/// What to write to the registers of a clock: offset 0x0920, start time 0x0990, speed counter 0x0930. Pure.
 namespace syncline::dc {
 
 /// SystemTimeOffset 0x0920 that makes the local copy equal the reference's time at the same instant:

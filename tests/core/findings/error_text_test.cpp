@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "protocol/error_text.h"
+#include "findings/error_text.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,8 +9,9 @@ namespace {
 
 using testing::HasSubstr;
 
-TEST(ErrorText, EveryCodeHasASentenceWhosePlaceholdersAreKnown) {
-  for (int i = 0; i <= static_cast<int>(ErrorCode::kCancelled); ++i) {
+TEST(ErrorText, EveryCodeHasARowWhosePlaceholdersAreKnown) {
+  for (int i = 0; i <= static_cast<int>(ErrorCode::kCatalogue); ++i) {
+    EXPECT_NE(find_finding_words(error_name(static_cast<ErrorCode>(i))), nullptr) << i;
     Error error;
     error.code = static_cast<ErrorCode>(i);
     error.subject = "SUBJECT";
@@ -57,9 +58,32 @@ TEST(ErrorText, TranslatedTemplatesMayReorderAndMayBeBroken) {
   Error error{ErrorCode::kWorkingCounter, "LRW"};
   error.expected = 3;
   error.received = 1;
-  EXPECT_EQ(fill_error_template("{expected} statt {received}: {subject}", error), "3 statt 1: LRW");
-  EXPECT_EQ(fill_error_template("{nobody} {subject", error), "{nobody} {subject");
-  EXPECT_EQ(fill_error_template("", error), "");
+  const auto finding = finding_of(error);
+  EXPECT_EQ(fill_finding_template("{expected} statt {received}: {subject}", finding), "3 statt 1: LRW");
+  EXPECT_EQ(fill_finding_template("{nobody} {subject", finding), "{nobody} {subject");
+  EXPECT_EQ(fill_finding_template("", finding), "");
+}
+
+TEST(ErrorText, AFindingOfAnErrorKeepsItsPlaceAndSaysWhatToDo) {
+  const auto finding = finding_of({ErrorCode::kFileNotWritable, {}, "disk full", "out.xml"});
+  EXPECT_EQ(finding.code, "file-not-writable");
+  EXPECT_EQ(finding.severity, Severity::kError);
+  EXPECT_EQ(finding.place.file, "out.xml");
+  EXPECT_EQ(describe(finding),
+            "The file out.xml cannot be written: disk full. Check the folder's permissions and free space.");
+}
+
+TEST(ErrorText, AStateCodeWithoutAdviceHasNone) {
+  Error error{ErrorCode::kAlState, "Slave 2"};
+  error.expected = 4;
+  error.received = 0x12;
+  EXPECT_EQ(describe(error), "Slave 2 refused SAFEOP and stays in PREOP+ERR: AL status code 0x0000 (no error).");
+}
+
+TEST(ErrorText, TheDeviceSaysWhyItEndsAFileTransfer) {
+  Error error{ErrorCode::kFileTransfer, "slave 1", "busy"};
+  error.received = 0x8002;
+  EXPECT_THAT(describe(error), testing::StartsWith("slave 1: the slave ended the file transfer with 0x8002 ("));
 }
 
 TEST(ErrorText, FactsAreNotReadAsTemplates) {

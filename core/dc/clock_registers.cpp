@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "dc/plans.h"
+#include "dc/clock_registers.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "dc/obstacle_text.h"
+#include "channels/values/sync_obstacle_text.h"
 
 namespace syncline::dc {
 

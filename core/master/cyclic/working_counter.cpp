@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "master/cyclic/working_counter.h"
+
+#include <utility>
+
+namespace syncline {
+
+void WorkingCounter::observe(std::uint16_t expected, std::uint16_t received, Nanoseconds time, CycleSample& sample) {
+  sample.wkc_expected = expected;
+  sample.wkc_received = received;
+  // A lost frame is told as such, not a second time as a counter of zero.
+  if (!judging_ || (sample.flags & CycleSample::kFrameLost) != 0) return;
+  // Who comes back counts before anybody has looked at him.
+  if (expected == received || (received > expected && (joining_ || run_.somebody_absent()))) {
+    const auto count = std::exchange(spell_, 0);
+    if (count > 1) {
+      run_.event(time, -1, events::WkcError{last_expected_, last_wrong_, count});
+    }
+    return;
+  }
+  sample.flags |= CycleSample::kWkcError;
+  ++run_.snapshot.wkc_errors;
+  last_wrong_ = received;
+  last_expected_ = expected;
+  if (spell_++ == 0) run_.event(time, -1, events::WkcError{expected, received, 1});
+}
+
+}  // namespace syncline

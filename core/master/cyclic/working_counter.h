@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+#include "channels/cycle_sample.h"
+#include "master/exchange/run_state.h"
+
+namespace syncline {
+
+/// The working counter of the cyclic frames against what is expected of the slaves that are there. Errors are told as
+/// spells: one event when a spell begins, one with the count when a longer one is over. What is expected follows from
+/// the configuration (compile/cyclic_frames) and from who is absent (CyclicTask::expect_present).
+class WorkingCounter {
+ public:
+  explicit WorkingCounter(RunState& run) : run_(run) {}
+
+  /// It is judged in OP only: below it a slave may or may not take outputs.
+  void set_judging(bool judging) { judging_ = judging; }
+  [[nodiscard]] bool judging() const { return judging_; }
+  /// While slaves join, their process data may count before anybody expects them.
+  void set_joining(bool joining) { joining_ = joining; }
+  /// In the cyclic thread, of each cycle.
+  void observe(std::uint16_t expected, std::uint16_t received, Nanoseconds time, CycleSample& sample);
+
+ private:
+  RunState& run_;
+  bool judging_ = false, joining_ = false;
+  std::uint64_t spell_ = 0;
+  std::uint16_t last_wrong_ = 0, last_expected_ = 0;
+};
+
+}  // namespace syncline
