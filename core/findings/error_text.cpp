@@ -91,8 +91,6 @@ constexpr std::string_view name_of(ErrorCode code) {
       return "took-too-long";
     case ErrorCode::kCancelled:
       return "cancelled";
-    case ErrorCode::kWiring:
-    case ErrorCode::kIdentification:
     case ErrorCode::kScanScope:
       return "not-read";
     case ErrorCode::kSlaveMissing:

@@ -8,7 +8,7 @@
 
 namespace syncline {
 
-/// What went wrong. The words stand in protocol/error_text.h, one English template each, so that the
+/// What went wrong. The words stand in findings/error_text.h, one English template each, so that the
 /// command line prints them as they are and the window translates them.
 enum class ErrorCode : std::uint16_t {
   // files
@@ -52,8 +52,6 @@ enum class ErrorCode : std::uint16_t {
   kTimeout,            // subject
   kCancelled,
   // scan
-  kWiring,          // subject = slave, detail
-  kIdentification,  // subject = slave, detail
   kScanScope,       // subject = slave, detail = what the scan left out
   kSlaveMissing,    // subject = slave, detail = where it should be
   kSlaveExtra,      // subject = identity, detail = where it is
