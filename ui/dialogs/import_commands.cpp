@@ -5,7 +5,7 @@
 #include <QMetaObject>
 #include <QWidget>
 
-#include "eni/catalogue/esi_catalogue.h"
+#include "eni/catalogue/usual_sources.h"
 #include "eni/format/eni_file.h"
 #include "recover/recover_project.h"
 #include "ui/dialogs/error_dialog.h"
@@ -50,8 +50,10 @@ void ImportCommands::importEni(const QString& path, const std::function<bool()>&
   }
   if (!may()) return;
   auto catalogue = eni::EsiCatalogue::open_default();
-  for (const auto& folder : workspace_.environment().esi_folders)
-    static_cast<void>(catalogue.add_folder(folder.toStdString()));
+  std::vector<std::string> folders;
+  for (const auto& folder : workspace_.environment().esi_folders) folders.push_back(folder.toStdString());
+  for (const auto& error : eni::add_usual_sources(catalogue, std::move(folders)))
+    workspace_.report(error, Severity::kWarning, tr("Catalogue"));
   auto recovered = recover_project(*config, lookupIn(catalogue));
   workspace_.live().shutDown();
   workspace_.document().take(Machine{{}, {std::move(recovered.project)}}, {}, false);

@@ -4,7 +4,7 @@
 #include <QMetaObject>
 #include <utility>
 
-#include "eni/catalogue/esi_catalogue.h"
+#include "eni/catalogue/usual_sources.h"
 
 namespace syncline::ui {
 
@@ -42,10 +42,9 @@ Result<ScanOutcome> ScanController::run(const QString& link, Depth depth) {
   if (!found) return tl::unexpected(found.error());
   if (cancelled_) return fail(ErrorCode::kCancelled);
   auto catalogue = eni::EsiCatalogue::open_default();  // reads only what changed since the last scan
-  std::vector<Error> warnings;
-  for (const auto& folder : esi_folders_) {
-    if (auto status = catalogue.add_folder(folder.toStdString()); !status) warnings.push_back(status.error());
-  }
+  std::vector<std::string> folders;
+  for (const auto& folder : esi_folders_) folders.push_back(folder.toStdString());
+  const auto warnings = eni::add_usual_sources(catalogue, std::move(folders));
   auto built = eni::project_from_scan(*found, catalogue);
   built.warnings.insert(built.warnings.begin(), warnings.begin(), warnings.end());
   // Slaves without an ESI tell what they are, when they may be led to PREOP.
