@@ -3,6 +3,16 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
     <context>
+        <name>CataloguePanel</name>
+        <message numerus="yes">
+            <source>None of the %n device(s) has all these words.</source>
+            <translation>
+                <numerusform>The %n device does not have all these words.</numerusform>
+                <numerusform>None of the %n devices has all these words.</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
         <name>CutShortDialog</name>
         <message numerus="yes">
             <source>%n more write(s) follow.</source>
@@ -85,6 +95,43 @@
             <translation>
                 <numerusform>Slaves out of sync, deviation %1; %n slave over the limit</numerusform>
                 <numerusform>Slaves out of sync, deviation %1; %n slaves over the limit</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>MachineBuilding</name>
+        <message numerus="yes">
+            <source>%n new device(s) are in the catalogue.</source>
+            <translation>
+                <numerusform>%n new device is in the catalogue.</numerusform>
+                <numerusform>%n new devices are in the catalogue.</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>ReplaceDialog</name>
+        <message numerus="yes">
+            <source>%1 and %n more</source>
+            <translation>
+                <numerusform>%1 and %n more</numerusform>
+                <numerusform>%1 and %n more</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>SlaveCommands</name>
+        <message numerus="yes">
+            <source>%1 was removed with %n slave(s) of its branches.</source>
+            <translation>
+                <numerusform>%1 was removed with %n slave of its branches.</numerusform>
+                <numerusform>%1 was removed with %n slaves of its branches.</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n setting(s) of the old device are gone; undo brings them back.</source>
+            <translation>
+                <numerusform>%n setting of the old device is gone; undo brings it back.</numerusform>
+                <numerusform>%n settings of the old device are gone; undo brings them back.</numerusform>
             </translation>
         </message>
     </context>
@@ -201,13 +248,6 @@
             <translation>
                 <numerusform>A project was made of %1; exported again, %n command would differ.</numerusform>
                 <numerusform>A project was made of %1; exported again, %n commands would differ.</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>%n new device(s) of %1 are in the catalogue.</source>
-            <translation>
-                <numerusform>%n new device of %1 is in the catalogue.</numerusform>
-                <numerusform>%n new devices of %1 are in the catalogue.</numerusform>
             </translation>
         </message>
     </context>

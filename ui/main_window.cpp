@@ -21,8 +21,11 @@
 #include "ui/dialogs/bus_commands.h"
 #include "ui/dialogs/difference_dialog.h"
 #include "ui/dialogs/file_commands.h"
+#include "ui/dialogs/go_to_dialog.h"
 #include "ui/dialogs/recent_menu.h"
 #include "ui/dialogs/scan_progress.h"
+#include "ui/dialogs/slave_commands.h"
+#include "ui/machine_building.h"
 #include "ui/pages/device_editor.h"
 #include "ui/pages/welcome_page.h"
 #include "ui/panels/explorer_panel.h"
@@ -45,6 +48,7 @@ MainWindow::MainWindow(Workspace& workspace, QWidget* parent) : QMainWindow(pare
   actions_ = new Actions(workspace.document().undoStack(), this);
   files_ = new FileCommands(workspace, *this);
   bus_ = new BusCommands(workspace, *this);
+  building_ = new MachineBuilding(workspace, *this, [this] { return commitFields(); });
   new ScanProgress(workspace.scan(), this);
   buildCentre();
   buildDocks();
@@ -90,7 +94,8 @@ void MainWindow::buildCentre() {
     workspace_.document().replace(tr("Revert to what runs"), workspace_.runDifference().running());
   });
   centre_ = new QStackedWidget;
-  auto* welcome = new WelcomePage({actions_->demo, actions_->scan, actions_->open}, workspace_.memory());
+  auto* welcome =
+      new WelcomePage({actions_->demo, actions_->scan, building_->commands().add, actions_->open}, workspace_.memory());
   connect(welcome, &WelcomePage::fileWanted, this, [this](const QString& file) { files_->openAny(file); });
   centre_->addWidget(welcome);
   centre_->addWidget(working);
@@ -101,9 +106,12 @@ void MainWindow::buildDocks() {
   setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   explorer_dock_ = new QDockWidget(tr("Project Explorer"));
   explorer_dock_->setObjectName(QStringLiteral("explorerDock"));
-  explorer_ = new ExplorerPanel(workspace_.network());
+  explorer_ = new ExplorerPanel(workspace_);
   explorer_dock_->setWidget(explorer_);
   addDockWidget(Qt::LeftDockWidgetArea, explorer_dock_);
+  building_->tieTo(*explorer_);
+  addDockWidget(Qt::RightDockWidgetArea, building_->dock());
+  building_->dock()->hide();
   messages_dock_ = new QDockWidget(tr("Messages"));
   messages_dock_->setObjectName(QStringLiteral("messagesDock"));
   auto* messages = new MessagesPanel(workspace_.messages());
@@ -117,7 +125,8 @@ void MainWindow::buildDocks() {
   tabifyDockWidget(messages_dock_, findings_dock_);
   messages_dock_->raise();
   layout_ = std::make_unique<WindowLayout>(
-      *this, workspace_.memory(), WindowLayout::Parts{explorer_dock_, {messages_dock_, findings_dock_}, splitter_});
+      *this, workspace_.memory(),
+      WindowLayout::Parts{explorer_dock_, building_->dock(), {messages_dock_, findings_dock_}, splitter_});
   connect(findings, &FindingsPanel::placeActivated, this, &MainWindow::goTo);
   connect(&workspace_.runFindings(), &RunFindings::findingsChanged, this, &MainWindow::showFindingCount);
   connect(explorer_, &ExplorerPanel::nodeSelected, editor_, &DeviceEditor::showNode);
@@ -141,6 +150,10 @@ void MainWindow::buildMenus() {
   file->addAction(actions_->quit);
   auto* edit = menuBar()->addMenu(tr("&Edit"));
   edit->addActions({actions_->undo, actions_->redo});
+  edit->addSeparator();
+  edit->addActions(building_->commands().all());
+  edit->addSeparator();
+  edit->addAction(actions_->go_to);
   auto* network = menuBar()->addMenu(tr("&Network"));
   network->addActions({actions_->scan, actions_->demo});
   network->addSeparator();
@@ -150,8 +163,10 @@ void MainWindow::buildMenus() {
   network->addSeparator();
   network->addAction(actions_->clear_statistics);
   auto* view = menuBar()->addMenu(tr("&View"));
-  view->addActions({explorer_dock_->toggleViewAction(), messages_dock_->toggleViewAction(),
-                    findings_dock_->toggleViewAction(), actions_->reset_layout});
+  view->addActions({explorer_dock_->toggleViewAction(), building_->dock()->toggleViewAction(),
+                    messages_dock_->toggleViewAction(), findings_dock_->toggleViewAction(), actions_->reset_layout});
+  view->addSeparator();
+  view->addActions(explorer_->viewActions());
   view->addSeparator();
   view->addAction(actions_->expert);
   view->addSeparator();
@@ -222,6 +237,7 @@ void MainWindow::connectActions() {
     editor_->revertFields();
   });
   on(actions_->redo, [&stack] { stack.redo(); });
+  on(actions_->go_to, [this] { showGoTo(); });
   connect(actions_->quit, &QAction::triggered, this, &QWidget::close);
   connect(actions_->offline, &QAction::triggered, bus_, &BusCommands::goOffline);
   connect(actions_->clear_statistics, &QAction::triggered, &workspace_.live(), &LiveSession::clearStatistics);
@@ -290,6 +306,16 @@ void MainWindow::showDifferences() {
   dialog->open();
 }
 
+void MainWindow::showGoTo() {
+  QList<QAction*> commands;
+  for (auto* menu : menuBar()->findChildren<QMenu*>()) commands.append(menu->actions());
+  auto* dialog = new GoToDialog(workspace_.document().project(), explorer_->selected(), commands, this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &GoToDialog::nodeWanted, explorer_, &ExplorerPanel::select);
+  connect(dialog, &GoToDialog::keyWanted, this, [this](const QString& key) { goTo(explorer_->selected(), key); });
+  dialog->open();
+}
+
 /// To the field, or where there is none to its slave.
 void MainWindow::goTo(int slave, const QString& key) {
   if (key.isEmpty() || !editor_->showKey(key)) explorer_->select(slave);
@@ -326,6 +352,7 @@ void MainWindow::updateActions() {
 
 void MainWindow::updateTheme() {
   actions_->drawIcons(palette());
+  building_->commands().add->setIcon(theme::icon(QStringLiteral("device"), palette()));
   state_button_->setIcon(theme::icon(QStringLiteral("state"), palette()));
   state_button_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   for (auto* action : actions_->themes) {

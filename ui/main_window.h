@@ -17,6 +17,7 @@ class DeviceEditor;
 class ExplorerPanel;
 class FileCommands;
 class LiveStrip;
+class MachineBuilding;
 class WindowLayout;
 class Workspace;
 
@@ -31,6 +32,8 @@ class MainWindow final : public QMainWindow {
   [[nodiscard]] FileCommands& files() { return *files_; }
   [[nodiscard]] BusCommands& bus() { return *bus_; }
   [[nodiscard]] DeviceEditor& editor() { return *editor_; }
+  [[nodiscard]] MachineBuilding& building() { return *building_; }
+  [[nodiscard]] ExplorerPanel& explorer() { return *explorer_; }
   [[nodiscard]] LiveStrip& liveStrip() { return *strip_; }
   void selectNode(int slave);
   [[nodiscard]] WindowLayout& panels() { return *layout_; }
@@ -56,11 +59,13 @@ class MainWindow final : public QMainWindow {
   void updateTheme();
   void goTo(int slave, const QString& key);
   void showDifferences();
+  void showGoTo();
 
   Workspace& workspace_;
   Actions* actions_;
   FileCommands* files_;
   BusCommands* bus_;
+  MachineBuilding* building_;
   QStackedWidget* centre_ = nullptr;
   QSplitter* splitter_ = nullptr;
   DeviceEditor* editor_ = nullptr;

@@ -9,6 +9,7 @@
 #include "ui/session/autosave.h"
 #include "ui/session/bus_connection.h"
 #include "ui/session/configuration_monitor.h"
+#include "ui/session/device_catalogue.h"
 #include "ui/session/eeprom_repair.h"
 #include "ui/session/live_session.h"
 #include "ui/session/project_document.h"
@@ -32,6 +33,7 @@ class Workspace final : public QObject {
   [[nodiscard]] Autosave& autosave() { return autosave_; }
   [[nodiscard]] ConfigurationMonitor& configuration() { return configuration_; }
   [[nodiscard]] ScanController& scan() { return scan_; }
+  [[nodiscard]] DeviceCatalogue& catalogue() { return catalogue_; }
   [[nodiscard]] EepromRepair& eepromRepair() { return eeprom_repair_; }
   [[nodiscard]] LiveSession& live() { return live_; }
   /// What the project would do otherwise than what runs.
@@ -75,6 +77,7 @@ class Workspace final : public QObject {
   Autosave autosave_;
   ConfigurationMonitor configuration_;
   ScanController scan_;
+  DeviceCatalogue catalogue_;
   EepromRepair eeprom_repair_;
   LiveSession live_;
   RunDifference run_difference_;
