@@ -203,6 +203,14 @@
             <source>Whether the machine is in sync, since when, and what happened first</source>
             <translation>Ob die Maschine synchron ist, seit wann, und was zuerst geschah</translation>
         </message>
+        <message>
+            <source>&amp;Go To…</source>
+            <translation>&amp;Gehe zu …</translation>
+        </message>
+        <message>
+            <source>Find a slave, a setting or a command</source>
+            <translation>Einen Slave, eine Einstellung oder einen Befehl finden</translation>
+        </message>
 </context>
 <context>
     <name>BusCommands</name>
@@ -414,6 +422,34 @@
         <message>
             <source>Project explorer</source>
             <translation>Projektbaum</translation>
+        </message>
+        <message>
+            <source>Topology of the network</source>
+            <translation>Topologie des Netzwerks</translation>
+        </message>
+        <message>
+            <source>Classic</source>
+            <translation>Klassisch</translation>
+        </message>
+        <message>
+            <source>Tree by wiring: terminals below their coupler</source>
+            <translation>Baum nach Verdrahtung: Klemmen unter ihrem Koppler</translation>
+        </message>
+        <message>
+            <source>Flat</source>
+            <translation>Flach</translation>
+        </message>
+        <message>
+            <source>All slaves in bus order</source>
+            <translation>Alle Slaves in der Reihenfolge des Busses</translation>
+        </message>
+        <message>
+            <source>Topology</source>
+            <translation>Topologie</translation>
+        </message>
+        <message>
+            <source>Ports and cables; drag a slave to another port to rewire it</source>
+            <translation>Ports und Kabel; einen Slave auf einen anderen Port ziehen, um ihn umzustecken</translation>
         </message>
 </context>
 <context>
@@ -1417,6 +1453,34 @@ Einstellung %2</translation>
             <source>Offline</source>
             <translation>Offline</translation>
         </message>
+        <message>
+            <source>no DC</source>
+            <translation>kein DC</translation>
+        </message>
+        <message>
+            <source>HC</source>
+            <translation>HC</translation>
+        </message>
+        <message>
+            <source>opt.</source>
+            <translation>opt.</translation>
+        </message>
+        <message>
+            <source>%1, position %2, address %3</source>
+            <translation>%1, Position %2, Adresse %3</translation>
+        </message>
+        <message>
+            <source>Hot-connect group %1</source>
+            <translation>Hot-Connect-Gruppe %1</translation>
+        </message>
+        <message>
+            <source>Optional: may be missing</source>
+            <translation>Optional: darf fehlen</translation>
+        </message>
+        <message>
+            <source>The cable to it is broken</source>
+            <translation>Das Kabel dorthin ist unterbrochen</translation>
+        </message>
 </context>
 <context>
     <name>Page</name>
@@ -2228,10 +2292,6 @@ Einstellung %2</translation>
             <translation>Eine Maschine konfigurieren, betreiben und synchron sehen</translation>
         </message>
         <message>
-            <source>Begin with the simulated demonstration machine, a bus, or a project file.</source>
-            <translation>Mit der simulierten Vorführmaschine, einem Bus oder einer Projektdatei beginnen.</translation>
-        </message>
-        <message>
             <source>Open %1</source>
             <translation>%1 öffnen</translation>
         </message>
@@ -2246,6 +2306,10 @@ Einstellung %2</translation>
         <message>
             <source>Keep it in the list</source>
             <translation>In der Liste behalten</translation>
+        </message>
+        <message>
+            <source>Begin with the simulated demonstration machine, a bus, devices of the catalogue, or a project file.</source>
+            <translation>Mit der simulierten Vorführmaschine, einem Bus, Geräten des Katalogs oder einer Projektdatei beginnen.</translation>
         </message>
 </context>
 <context>
@@ -3925,17 +3989,6 @@ Einstellung %2</translation>
         <message>
             <source>Reading the ESI files below %1 …</source>
             <translation>Die ESI-Dateien unter %1 werden gelesen …</translation>
-        </message>
-        <message>
-            <source>The folder could not be read.</source>
-            <translation>Der Ordner konnte nicht gelesen werden.</translation>
-        </message>
-        <message numerus="yes">
-            <source>%n new device(s) of %1 are in the catalogue.</source>
-            <translation>
-                <numerusform>%n neues Gerät aus %1 ist im Katalog.</numerusform>
-                <numerusform>%n neue Geräte aus %1 sind im Katalog.</numerusform>
-            </translation>
         </message>
 </context>
 <context>
@@ -5641,6 +5694,419 @@ Einstellung %2</translation>
         <message>
             <source>%1 is written.</source>
             <translation>%1 ist geschrieben.</translation>
+        </message>
+</context>
+<context>
+    <name>CatalogueModel</name>
+        <message>
+            <source>Other devices</source>
+            <translation>Andere Geräte</translation>
+        </message>
+        <message>
+            <source>Device</source>
+            <translation>Gerät</translation>
+        </message>
+        <message>
+            <source>%1, revision %2</source>
+            <translation>%1, Revision %2</translation>
+        </message>
+        <message>
+            <source>%1
+Product code %2, revision %3
+%4</source>
+            <translation>%1
+Produktcode %2, Revision %3
+%4</translation>
+        </message>
+        <message>
+            <source>Revision</source>
+            <translation>Revision</translation>
+        </message>
+</context>
+<context>
+    <name>CataloguePanel</name>
+        <message>
+            <source>Search the device catalogue</source>
+            <translation>Den Gerätekatalog durchsuchen</translation>
+        </message>
+        <message>
+            <source>Vendor, type, name or product code</source>
+            <translation>Hersteller, Typ, Name oder Produktcode</translation>
+        </message>
+        <message>
+            <source>Beginnings of words of the vendor, group, type, name or product code; all must occur</source>
+            <translation>Wortanfänge von Hersteller, Gruppe, Typ, Name oder Produktcode; alle müssen vorkommen</translation>
+        </message>
+        <message>
+            <source>All revisions</source>
+            <translation>Alle Revisionen</translation>
+        </message>
+        <message>
+            <source>Show older revisions below each device, and devices that their vendor hides</source>
+            <translation>Ältere Revisionen unter jedem Gerät zeigen und Geräte, die ihr Hersteller verbirgt</translation>
+        </message>
+        <message>
+            <source>Devices of the catalogue</source>
+            <translation>Geräte des Katalogs</translation>
+        </message>
+        <message>
+            <source>The selected device</source>
+            <translation>Das ausgewählte Gerät</translation>
+        </message>
+        <message>
+            <source>Number of devices</source>
+            <translation>Anzahl der Geräte</translation>
+        </message>
+        <message>
+            <source>Reading of device descriptions</source>
+            <translation>Lesen der Gerätebeschreibungen</translation>
+        </message>
+        <message>
+            <source>Add to Machine</source>
+            <translation>In die Maschine</translation>
+        </message>
+        <message>
+            <source>Add the device behind the selected slave</source>
+            <translation>Das Gerät hinter dem ausgewählten Slave einfügen</translation>
+        </message>
+        <message>
+            <source>Add the device behind the slave that is selected in the explorer (Enter, or drag it there)</source>
+            <translation>Das Gerät hinter dem Slave einfügen, der im Explorer ausgewählt ist (Enter, oder dorthin ziehen)</translation>
+        </message>
+        <message>
+            <source>Read ESI…</source>
+            <translation>ESI lesen …</translation>
+        </message>
+        <message>
+            <source>Read ESI files into the catalogue</source>
+            <translation>ESI-Dateien in den Katalog lesen</translation>
+        </message>
+        <message>
+            <source>Read device descriptions of vendors into the catalogue</source>
+            <translation>Gerätebeschreibungen der Hersteller in den Katalog lesen</translation>
+        </message>
+        <message>
+            <source>Files…</source>
+            <translation>Dateien …</translation>
+        </message>
+        <message>
+            <source>Folder…</source>
+            <translation>Ordner …</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>Abbrechen</translation>
+        </message>
+        <message>
+            <source>End reading; what was read is kept</source>
+            <translation>Das Lesen beenden; was gelesen ist, bleibt</translation>
+        </message>
+        <message>
+            <source>Reading %1 (%2 of %3)</source>
+            <translation>%1 wird gelesen (%2 von %3)</translation>
+        </message>
+        <message>
+            <source>The catalogue is empty: read the ESI files of your devices.</source>
+            <translation>Der Katalog ist leer: die ESI-Dateien Ihrer Geräte lesen.</translation>
+        </message>
+        <message numerus="yes">
+            <source>None of the %n device(s) has all these words.</source>
+            <translation>
+                <numerusform>Das %n Gerät hat nicht alle diese Wörter.</numerusform>
+                <numerusform>Keines der %n Geräte hat alle diese Wörter.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>The first %1 of %2 devices: type more.</source>
+            <translation>Die ersten %1 von %2 Geräten: mehr tippen.</translation>
+        </message>
+        <message>
+            <source>%1 of %2 devices and revisions</source>
+            <translation>%1 von %2 Geräten und Revisionen</translation>
+        </message>
+        <message>
+            <source>Select a device to see what is known of it.</source>
+            <translation>Ein Gerät auswählen, um zu sehen, was von ihm bekannt ist.</translation>
+        </message>
+        <message>
+            <source>%1, product code %2</source>
+            <translation>%1, Produktcode %2</translation>
+        </message>
+        <message>
+            <source>Revision %1, ports %2</source>
+            <translation>Revision %1, Ports %2</translation>
+        </message>
+        <message>
+            <source>Revision rule %1</source>
+            <translation>Revisionsregel %1</translation>
+        </message>
+        <message>
+            <source>Hidden by its vendor</source>
+            <translation>Von seinem Hersteller verborgen</translation>
+        </message>
+        <message>
+            <source>Read ESI Files</source>
+            <translation>ESI-Dateien lesen</translation>
+        </message>
+        <message>
+            <source>Device descriptions (*.xml);;All files (*)</source>
+            <translation>Gerätebeschreibungen (*.xml);;Alle Dateien (*)</translation>
+        </message>
+        <message>
+            <source>Read a Folder of ESI Files</source>
+            <translation>Einen Ordner mit ESI-Dateien lesen</translation>
+        </message>
+</context>
+<context>
+    <name>GoToDialog</name>
+        <message>
+            <source>Go To</source>
+            <translation>Gehe zu</translation>
+        </message>
+        <message>
+            <source>Slave, setting or command to go to</source>
+            <translation>Slave, Einstellung oder Befehl, zu dem es geht</translation>
+        </message>
+        <message>
+            <source>Name, position or address of a slave, a setting, its key, or a command</source>
+            <translation>Name, Position oder Adresse eines Slaves, eine Einstellung, ihr Schlüssel oder ein Befehl</translation>
+        </message>
+        <message>
+            <source>What can be gone to</source>
+            <translation>Wohin es gehen kann</translation>
+        </message>
+        <message>
+            <source>the master</source>
+            <translation>der Master</translation>
+        </message>
+        <message>
+            <source>slave %1, address %2, %3</source>
+            <translation>Slave %1, Adresse %2, %3</translation>
+        </message>
+        <message>
+            <source>setting</source>
+            <translation>Einstellung</translation>
+        </message>
+        <message>
+            <source>command</source>
+            <translation>Befehl</translation>
+        </message>
+</context>
+<context>
+    <name>MachineBuilding</name>
+        <message numerus="yes">
+            <source>%n new device(s) are in the catalogue.</source>
+            <translation>
+                <numerusform>%n neues Gerät ist im Katalog.</numerusform>
+                <numerusform>%n neue Geräte sind im Katalog.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Device Catalogue</source>
+            <translation>Gerätekatalog</translation>
+        </message>
+        <message>
+            <source>Catalogue</source>
+            <translation>Katalog</translation>
+        </message>
+</context>
+<context>
+    <name>ReplaceDialog</name>
+        <message numerus="yes">
+            <source>%1 and %n more</source>
+            <translation>
+                <numerusform>%1 und %n weitere</numerusform>
+                <numerusform>%1 und %n weitere</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Replace %1</source>
+            <translation>%1 ersetzen</translation>
+        </message>
+        <message>
+            <source>Now: %1, revision %2</source>
+            <translation>Jetzt: %1, Revision %2</translation>
+        </message>
+        <message>
+            <source>Search for another device</source>
+            <translation>Ein anderes Gerät suchen</translation>
+        </message>
+        <message>
+            <source>Its revisions are listed; type to search for another device</source>
+            <translation>Hier stehen seine Revisionen; tippen, um ein anderes Gerät zu suchen</translation>
+        </message>
+        <message>
+            <source>What it can be replaced by</source>
+            <translation>Wodurch es ersetzt werden kann</translation>
+        </message>
+        <message>
+            <source>What changes</source>
+            <translation>Was sich ändert</translation>
+        </message>
+        <message>
+            <source>Replace</source>
+            <translation>Ersetzen</translation>
+        </message>
+        <message>
+            <source>%1, revision %2</source>
+            <translation>%1, Revision %2</translation>
+        </message>
+        <message>
+            <source>The catalogue has no such device: read its ESI file, or type another name.</source>
+            <translation>Der Katalog hat kein solches Gerät: seine ESI-Datei lesen oder einen anderen Namen tippen.</translation>
+        </message>
+        <message>
+            <source>Choose one to see what changes.</source>
+            <translation>Eines auswählen, um zu sehen, was sich ändert.</translation>
+        </message>
+        <message>
+            <source>Reading…</source>
+            <translation>Wird gelesen …</translation>
+        </message>
+        <message>
+            <source>All settings stay.</source>
+            <translation>Alle Einstellungen bleiben.</translation>
+        </message>
+        <message>
+            <source>It does not take: %1. Everything else stays.</source>
+            <translation>Es übernimmt nicht: %1. Alles andere bleibt.</translation>
+        </message>
+</context>
+<context>
+    <name>SlaveCommands</name>
+        <message>
+            <source>&amp;Add Device…</source>
+            <translation>&amp;Gerät einfügen …</translation>
+        </message>
+        <message>
+            <source>Choose a device in the catalogue for behind the selected slave</source>
+            <translation>Im Katalog ein Gerät für hinter dem ausgewählten Slave wählen</translation>
+        </message>
+        <message>
+            <source>&amp;Duplicate</source>
+            <translation>&amp;Duplizieren</translation>
+        </message>
+        <message>
+            <source>Put a copy behind the slave, with its branches</source>
+            <translation>Eine Kopie hinter den Slave setzen, mit seinen Zweigen</translation>
+        </message>
+        <message>
+            <source>Move &amp;Up</source>
+            <translation>Nach &amp;oben</translation>
+        </message>
+        <message>
+            <source>Change places with the slave before it in its line</source>
+            <translation>Den Platz mit dem Slave davor in seiner Linie tauschen</translation>
+        </message>
+        <message>
+            <source>Move Do&amp;wn</source>
+            <translation>Nach &amp;unten</translation>
+        </message>
+        <message>
+            <source>Change places with the slave behind it in its line</source>
+            <translation>Den Platz mit dem Slave dahinter in seiner Linie tauschen</translation>
+        </message>
+        <message>
+            <source>Re&amp;place…</source>
+            <translation>&amp;Ersetzen …</translation>
+        </message>
+        <message>
+            <source>Put another revision or another device in its place</source>
+            <translation>Eine andere Revision oder ein anderes Gerät an seinen Platz setzen</translation>
+        </message>
+        <message>
+            <source>Remo&amp;ve</source>
+            <translation>Ent&amp;fernen</translation>
+        </message>
+        <message>
+            <source>Take the slave with its branches out; its line closes</source>
+            <translation>Den Slave mit seinen Zweigen herausnehmen; seine Linie schließt sich</translation>
+        </message>
+        <message>
+            <source>Duplicate %1</source>
+            <translation>%1 duplizieren</translation>
+        </message>
+        <message>
+            <source>Move %1</source>
+            <translation>%1 verschieben</translation>
+        </message>
+        <message>
+            <source>The machine is running: go offline to change its slaves.</source>
+            <translation>Die Maschine läuft: offline gehen, um ihre Slaves zu ändern.</translation>
+        </message>
+        <message>
+            <source>Catalogue</source>
+            <translation>Katalog</translation>
+        </message>
+        <message>
+            <source>The description of the device could not be read.</source>
+            <translation>Die Beschreibung des Geräts konnte nicht gelesen werden.</translation>
+        </message>
+        <message>
+            <source>Add %1</source>
+            <translation>%1 einfügen</translation>
+        </message>
+        <message>
+            <source>Rewire %1</source>
+            <translation>%1 umstecken</translation>
+        </message>
+        <message>
+            <source>Remove %1</source>
+            <translation>%1 entfernen</translation>
+        </message>
+        <message numerus="yes">
+            <source>%1 was removed with %n slave(s) of its branches.</source>
+            <translation>
+                <numerusform>%1 wurde mit %n Slave seiner Zweige entfernt.</numerusform>
+                <numerusform>%1 wurde mit %n Slaves seiner Zweige entfernt.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Replace %1</source>
+            <translation>%1 ersetzen</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n setting(s) of the old device are gone; undo brings them back.</source>
+            <translation>
+                <numerusform>%n Einstellung des alten Geräts ist weg; Rückgängig bringt sie zurück.</numerusform>
+                <numerusform>%n Einstellungen des alten Geräts sind weg; Rückgängig bringt sie zurück.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>The slave is gone.</source>
+            <translation>Den Slave gibt es nicht mehr.</translation>
+        </message>
+        <message>
+            <source>No free port there, or nearer to the master, takes this device.</source>
+            <translation>Kein freier Port dort oder näher am Master nimmt dieses Gerät auf.</translation>
+        </message>
+        <message>
+            <source>That port is not free.</source>
+            <translation>Dieser Port ist nicht frei.</translation>
+        </message>
+        <message>
+            <source>A terminal needs an E-bus port, a device with a cable an Ethernet port.</source>
+            <translation>Eine Klemme braucht einen E-Bus-Port, ein Gerät mit Kabel einen Ethernet-Port.</translation>
+        </message>
+        <message>
+            <source>It has no port for what would hang behind it.</source>
+            <translation>Es hat keinen Port für das, was dahinter hängen würde.</translation>
+        </message>
+        <message>
+            <source>That place is behind the slave itself.</source>
+            <translation>Dieser Platz ist hinter dem Slave selbst.</translation>
+        </message>
+        <message>
+            <source>The slave stands first in its line.</source>
+            <translation>Der Slave steht als erster in seiner Linie.</translation>
+        </message>
+        <message>
+            <source>The slave stands last in its line.</source>
+            <translation>Der Slave steht als letzter in seiner Linie.</translation>
+        </message>
+        <message>
+            <source>A network has at most 65535 slaves.</source>
+            <translation>Ein Netzwerk hat höchstens 65535 Slaves.</translation>
         </message>
 </context>
 </TS>

@@ -3,7 +3,7 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
     <context>
-        <name>CutShortDialog</name>
+    <name>CutShortDialog</name>
         <message numerus="yes">
             <source>%n more write(s) follow.</source>
             <translation>
@@ -11,9 +11,9 @@
                 <numerusform>%n more writes follow.</numerusform>
             </translation>
         </message>
-    </context>
-    <context>
-        <name>DeviceEditor</name>
+</context>
+<context>
+    <name>DeviceEditor</name>
         <message numerus="yes">
             <source>%n slave(s), cycle %1</source>
             <translation>
@@ -21,9 +21,9 @@
                 <numerusform>%n slaves, cycle %1</numerusform>
             </translation>
         </message>
-    </context>
-    <context>
-        <name>StatusPanel</name>
+</context>
+<context>
+    <name>StatusPanel</name>
         <message numerus="yes">
             <source>%n slave(s)</source>
             <translation>
@@ -31,9 +31,9 @@
                 <numerusform>%n slaves</numerusform>
             </translation>
         </message>
-    </context>
-    <context>
-        <name>Units</name>
+</context>
+<context>
+    <name>Units</name>
         <message numerus="yes">
             <source>%n Byte(s)</source>
             <translation>
@@ -48,9 +48,9 @@
                 <numerusform>%n bits</numerusform>
             </translation>
         </message>
-    </context>
-    <context>
-        <name>Workspace</name>
+</context>
+<context>
+    <name>Workspace</name>
         <message numerus="yes">
             <source>%n slave(s) found on %1</source>
             <translation>
@@ -58,9 +58,9 @@
                 <numerusform>%n slaves found on %1</numerusform>
             </translation>
         </message>
-    </context>
-    <context>
-        <name>SyncSettingsEditor</name>
+</context>
+<context>
+    <name>SyncSettingsEditor</name>
         <message numerus="yes">
             <source>%1 (%n miss(es) in a row)</source>
             <translation>
@@ -68,9 +68,9 @@
                 <numerusform>%1 (%n misses in a row)</numerusform>
             </translation>
         </message>
-    </context>
-    <context>
-        <name>FoundDialog</name>
+</context>
+<context>
+    <name>FoundDialog</name>
         <message numerus="yes">
             <source>%n match(es)</source>
             <translation>
@@ -127,9 +127,9 @@
                 <numerusform>%n slaves of this bus are running. They were only looked at and nothing was written, so some of what they are may not be known.</numerusform>
             </translation>
         </message>
-    </context>
-    <context>
-        <name>ImportCommands</name>
+</context>
+<context>
+    <name>ImportCommands</name>
         <message numerus="yes">
             <source>A project was made of %1; exported again, %n command(s) would differ.</source>
             <translation>
@@ -137,16 +137,9 @@
                 <numerusform>A project was made of %1; exported again, %n commands would differ.</numerusform>
             </translation>
         </message>
-        <message numerus="yes">
-            <source>%n new device(s) of %1 are in the catalogue.</source>
-            <translation>
-                <numerusform>%n new device of %1 is in the catalogue.</numerusform>
-                <numerusform>%n new devices of %1 are in the catalogue.</numerusform>
-            </translation>
-        </message>
-    </context>
-    <context>
-        <name>RecoveryDialog</name>
+</context>
+<context>
+    <name>RecoveryDialog</name>
         <message numerus="yes">
             <source>kept %1, %n slave(s)</source>
             <translation>
@@ -154,9 +147,9 @@
                 <numerusform>kept %1, %n slaves</numerusform>
             </translation>
         </message>
-    </context>
-    <context>
-        <name>RunBar</name>
+</context>
+<context>
+    <name>RunBar</name>
         <message numerus="yes">
             <source>The machine does not run what the project says: %n difference(s).</source>
             <translation>
@@ -164,9 +157,9 @@
                 <numerusform>The machine does not run what the project says: %n differences.</numerusform>
             </translation>
         </message>
-    </context>
-    <context>
-        <name>SlaveObjectsPage</name>
+</context>
+<context>
+    <name>SlaveObjectsPage</name>
         <message numerus="yes">
             <source>%n object(s)</source>
             <translation>
@@ -174,5 +167,52 @@
                 <numerusform>%n objects</numerusform>
             </translation>
         </message>
-    </context>
+</context>
+<context>
+    <name>CataloguePanel</name>
+        <message numerus="yes">
+            <source>None of the %n device(s) has all these words.</source>
+            <translation>
+                <numerusform>The %n device does not have all these words.</numerusform>
+                <numerusform>None of the %n devices has all these words.</numerusform>
+            </translation>
+        </message>
+</context>
+<context>
+    <name>MachineBuilding</name>
+        <message numerus="yes">
+            <source>%n new device(s) are in the catalogue.</source>
+            <translation>
+                <numerusform>%n new device is in the catalogue.</numerusform>
+                <numerusform>%n new devices are in the catalogue.</numerusform>
+            </translation>
+        </message>
+</context>
+<context>
+    <name>ReplaceDialog</name>
+        <message numerus="yes">
+            <source>%1 and %n more</source>
+            <translation>
+                <numerusform>%1 and %n more</numerusform>
+                <numerusform>%1 and %n more</numerusform>
+            </translation>
+        </message>
+</context>
+<context>
+    <name>SlaveCommands</name>
+        <message numerus="yes">
+            <source>%1 was removed with %n slave(s) of its branches.</source>
+            <translation>
+                <numerusform>%1 was removed with %n slave of its branches.</numerusform>
+                <numerusform>%1 was removed with %n slaves of its branches.</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n setting(s) of the old device are gone; undo brings them back.</source>
+            <translation>
+                <numerusform>%n setting of the old device is gone; undo brings it back.</numerusform>
+                <numerusform>%n settings of the old device are gone; undo brings them back.</numerusform>
+            </translation>
+        </message>
+</context>
 </TS>

@@ -46,6 +46,8 @@ Actions::Actions(QUndoStack& stack, QObject* parent) : QObject(parent) {
   undo = add("actionUndo", tr("&Undo"), "undo", tr("Take the last edit back"), QKeySequence::Undo);
   redo = add("actionRedo", tr("&Redo"), "redo", tr("Do again what was taken back"),
              QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z));
+  go_to = add("actionGoTo", tr("&Go To…"), "", tr("Find a slave, a setting or a command"),
+              QKeySequence(Qt::CTRL | Qt::Key_K));
   undo->setEnabled(stack.canUndo());
   redo->setEnabled(stack.canRedo());
   connect(&stack, &QUndoStack::canUndoChanged, undo, &QAction::setEnabled);

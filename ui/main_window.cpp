@@ -22,10 +22,13 @@
 #include "ui/dialogs/bus_commands.h"
 #include "ui/dialogs/difference_dialog.h"
 #include "ui/dialogs/file_commands.h"
+#include "ui/dialogs/go_to_dialog.h"
 #include "ui/dialogs/recent_menu.h"
 #include "ui/dialogs/recording_commands.h"
 #include "ui/dialogs/scan_progress.h"
+#include "ui/dialogs/slave_commands.h"
 #include "ui/dialogs/slave_state_commands.h"
+#include "ui/machine_building.h"
 #include "ui/pages/device_editor.h"
 #include "ui/pages/welcome_page.h"
 #include "ui/panels/explorer_panel.h"
@@ -52,6 +55,7 @@ MainWindow::MainWindow(Workspace& workspace, QWidget* parent) : QMainWindow(pare
   files_ = new FileCommands(workspace, *this);
   bus_ = new BusCommands(workspace, *this);
   recordings_ = new RecordingCommands(workspace, *this);
+  building_ = new MachineBuilding(workspace, *this, [this] { return commitFields(); });
   new ScanProgress(workspace.scan(), this);
   buildCentre();
   buildDocks();
@@ -105,7 +109,8 @@ void MainWindow::buildCentre() {
     workspace_.document().replace(tr("Revert to what runs"), workspace_.runDifference().running());
   });
   centre_ = new QStackedWidget;
-  auto* welcome = new WelcomePage({actions_->demo, actions_->scan, actions_->open}, workspace_.memory());
+  auto* welcome =
+      new WelcomePage({actions_->demo, actions_->scan, building_->commands().add, actions_->open}, workspace_.memory());
   connect(welcome, &WelcomePage::fileWanted, this, [this](const QString& file) { files_->openAny(file); });
   centre_->addWidget(welcome);
   centre_->addWidget(working);
@@ -116,9 +121,12 @@ void MainWindow::buildDocks() {
   setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   explorer_dock_ = new QDockWidget(tr("Project Explorer"));
   explorer_dock_->setObjectName(QStringLiteral("explorerDock"));
-  explorer_ = new ExplorerPanel(workspace_.network());
+  explorer_ = new ExplorerPanel(workspace_);
   explorer_dock_->setWidget(explorer_);
   addDockWidget(Qt::LeftDockWidgetArea, explorer_dock_);
+  building_->tieTo(*explorer_);
+  addDockWidget(Qt::RightDockWidgetArea, building_->dock());
+  building_->dock()->hide();
   messages_dock_ = new QDockWidget(tr("Messages"));
   messages_dock_->setObjectName(QStringLiteral("messagesDock"));
   auto* messages = messages_ = new MessagesPanel(workspace_.messages());
@@ -134,7 +142,8 @@ void MainWindow::buildDocks() {
   tabifyDockWidget(messages_dock_, findings_dock_);
   messages_dock_->raise();
   layout_ = std::make_unique<WindowLayout>(
-      *this, workspace_.memory(), WindowLayout::Parts{explorer_dock_, {messages_dock_, findings_dock_}, splitter_});
+      *this, workspace_.memory(),
+      WindowLayout::Parts{explorer_dock_, building_->dock(), {messages_dock_, findings_dock_}, splitter_});
   connect(findings, &FindingsPanel::placeActivated, this, &MainWindow::goTo);
   connect(&workspace_.runFindings(), &RunFindings::findingsChanged, this, &MainWindow::showFindingCount);
   connect(explorer_, &ExplorerPanel::nodeSelected, editor_, &DeviceEditor::showNode);
@@ -142,20 +151,10 @@ void MainWindow::buildDocks() {
   connect(explorer_, &ExplorerPanel::nodeSelected, this, [this] { showOverview(false); });
   connect(messages, &MessagesPanel::placeActivated, this, &MainWindow::goTo);
   connect(editor_, &DeviceEditor::nodeWanted, explorer_, &ExplorerPanel::select);
-  explorer_->setContextMenuPolicy(Qt::CustomContextMenu);
-  connect(explorer_, &QWidget::customContextMenuRequested, this, &MainWindow::openSlaveMenu);
-}
-
-/// Of the selected slave: a right click has selected it.
-void MainWindow::openSlaveMenu(const QPoint& at) {
-  const int slave = editor_->node();
-  if (slave < 0) return;
-  auto* menu = new QMenu(this);
-  menu->setObjectName(QStringLiteral("slaveMenu"));
-  menu->setAttribute(Qt::WA_DeleteOnClose);
-  menu->addSection(nodeName(workspace_.document().project(), slave));
-  editor_->states().addTo(*menu, slave);
-  menu->popup(explorer_->mapToGlobal(at));
+  connect(explorer_, &ExplorerPanel::menuOpens, this, [this](QMenu& menu, int slave) {
+    menu.addSeparator();
+    editor_->states().addTo(menu, slave);
+  });
 }
 
 void MainWindow::buildMenus() {
@@ -174,6 +173,10 @@ void MainWindow::buildMenus() {
   file->addAction(actions_->quit);
   auto* edit = menuBar()->addMenu(tr("&Edit"));
   edit->addActions({actions_->undo, actions_->redo});
+  edit->addSeparator();
+  edit->addActions(building_->commands().all());
+  edit->addSeparator();
+  edit->addAction(actions_->go_to);
   auto* network = menuBar()->addMenu(tr("&Network"));
   network->addActions({actions_->scan, actions_->demo});
   network->addSeparator();
@@ -186,8 +189,10 @@ void MainWindow::buildMenus() {
   network->addAction(actions_->clear_statistics);
   connect(network, &QMenu::aboutToShow, this, &MainWindow::updateRecordingActions);
   auto* view = menuBar()->addMenu(tr("&View"));
-  view->addActions({explorer_dock_->toggleViewAction(), messages_dock_->toggleViewAction(),
-                    findings_dock_->toggleViewAction(), actions_->reset_layout});
+  view->addActions({explorer_dock_->toggleViewAction(), building_->dock()->toggleViewAction(),
+                    messages_dock_->toggleViewAction(), findings_dock_->toggleViewAction(), actions_->reset_layout});
+  view->addSeparator();
+  view->addActions(explorer_->viewActions());
   view->addSeparator();
   view->addActions({actions_->overview, actions_->expert});
   view->addSeparator();
@@ -258,6 +263,7 @@ void MainWindow::connectActions() {
     editor_->revertFields();
   });
   on(actions_->redo, [&stack] { stack.redo(); });
+  on(actions_->go_to, [this] { showGoTo(); });
   connect(actions_->quit, &QAction::triggered, this, &QWidget::close);
   connect(actions_->offline, &QAction::triggered, bus_, &BusCommands::goOffline);
   connect(actions_->clear_statistics, &QAction::triggered, &workspace_.live(), &LiveSession::clearStatistics);
@@ -381,6 +387,16 @@ void MainWindow::showDifferences() {
   dialog->open();
 }
 
+void MainWindow::showGoTo() {
+  QList<QAction*> commands;
+  for (auto* menu : menuBar()->findChildren<QMenu*>()) commands.append(menu->actions());
+  auto* dialog = new GoToDialog(workspace_.document().project(), explorer_->selected(), commands, this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &GoToDialog::nodeWanted, explorer_, &ExplorerPanel::select);
+  connect(dialog, &GoToDialog::keyWanted, this, [this](const QString& key) { goTo(explorer_->selected(), key); });
+  dialog->open();
+}
+
 /// To the field, or where there is none to its slave.
 void MainWindow::goTo(int slave, const QString& key) {
   if (key.isEmpty() || !editor_->showKey(key)) explorer_->select(slave);
@@ -450,6 +466,7 @@ void MainWindow::updateRecordingActions() {
 
 void MainWindow::updateTheme() {
   actions_->drawIcons(palette());
+  building_->commands().add->setIcon(theme::icon(QStringLiteral("device"), palette()));
   state_button_->setIcon(theme::icon(QStringLiteral("state"), palette()));
   state_button_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   for (auto* action : actions_->themes) {

@@ -21,6 +21,7 @@ class FindingsPanel;
 class MessagesPanel;
 class OverviewPanel;
 class RecordingCommands;
+class MachineBuilding;
 class WindowLayout;
 class Workspace;
 
@@ -36,6 +37,8 @@ class MainWindow final : public QMainWindow {
   [[nodiscard]] BusCommands& bus() { return *bus_; }
   [[nodiscard]] RecordingCommands& recordings() { return *recordings_; }
   [[nodiscard]] DeviceEditor& editor() { return *editor_; }
+  [[nodiscard]] MachineBuilding& building() { return *building_; }
+  [[nodiscard]] ExplorerPanel& explorer() { return *explorer_; }
   [[nodiscard]] LiveStrip& liveStrip() { return *strip_; }
   void selectNode(int slave);
   [[nodiscard]] WindowLayout& panels() { return *layout_; }
@@ -65,13 +68,14 @@ class MainWindow final : public QMainWindow {
   void updateTheme();
   void goTo(int slave, const QString& key);
   void showDifferences();
-  void openSlaveMenu(const QPoint& at);
+  void showGoTo();
 
   Workspace& workspace_;
   Actions* actions_;
   FileCommands* files_;
   BusCommands* bus_;
   RecordingCommands* recordings_;
+  MachineBuilding* building_;
   QStackedWidget* centre_ = nullptr;
   QSplitter* splitter_ = nullptr;
   QStackedWidget* upper_ = nullptr;  // editor or overview

@@ -11,7 +11,7 @@
 namespace syncline::ui {
 namespace {
 
-constexpr int kLayout = 1;  // one more with every panel that comes or goes
+constexpr int kLayout = 2;  // one more with every panel that comes or goes
 const QString kLayoutVersion = QStringLiteral("layout/version"), kGeometry = QStringLiteral("layout/geometry"),
               kState = QStringLiteral("layout/state"), kSplitter = QStringLiteral("layout/splitter");
 
@@ -27,13 +27,15 @@ void WindowLayout::reset() {
     window_.addDockWidget(area, dock);
   };
   place(parts_.explorer, Qt::LeftDockWidgetArea);
+  place(parts_.catalogue, Qt::RightDockWidgetArea);
+  parts_.catalogue->hide();
   auto* first = parts_.below.front();
   for (auto* dock : parts_.below) {
     place(dock, Qt::BottomDockWidgetArea);
     if (dock != first) window_.tabifyDockWidget(first, dock);
   }
   first->raise();
-  window_.resizeDocks({parts_.explorer}, {250}, Qt::Horizontal);
+  window_.resizeDocks({parts_.explorer, parts_.catalogue}, {250, 280}, Qt::Horizontal);
   window_.resizeDocks({first}, {128}, Qt::Vertical);
   parts_.centre->setSizes({385, 215});
 }

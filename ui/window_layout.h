@@ -16,7 +16,8 @@ class WindowLayout {
  public:
   struct Parts {
     QDockWidget* explorer = nullptr;
-    QList<QDockWidget*> below;  // one behind the other, the first one in front
+    QDockWidget* catalogue = nullptr;  // at the right, hidden until it is wanted
+    QList<QDockWidget*> below;         // one behind the other, the first one in front
     QSplitter* centre = nullptr;
   };
   WindowLayout(QMainWindow& window, WindowMemory& memory, Parts parts);

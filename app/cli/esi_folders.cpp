@@ -3,29 +3,13 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
-
 #include "app/cli/options.h"
 #include "app/composition/open_link.h"
+#include "eni/catalogue/usual_sources.h"
 #include "eni/xml/xml_text.h"
 #include "findings/error_text.h"
 
 namespace syncline::cli {
-namespace {
-
-/// Those of `esi index`, as far as they are still there, and last our own simulated devices.
-std::vector<std::string> usual_folders(const eni::EsiCatalogue& catalogue) {
-  auto known = catalogue.known_folders().value_or(std::vector<std::string>{});
-  std::erase_if(known, [](const std::string& folder) {
-    std::error_code error;
-    return !std::filesystem::is_directory(folder, error);
-  });
-  known.push_back(resource_folder() + "/esi");
-  return known;
-}
-
-}  // namespace
-
 void add_esi_folders(CLI::App& command, EsiFolders& options) {
   command.add_option("--esi", options.folders, "Folder of ESI files, repeatable (otherwise those indexed before)");
   command.add_option("--cache", options.cache, "Database of the catalogue (otherwise in the user's cache folder)");
@@ -35,9 +19,10 @@ Result<eni::EsiCatalogue> open_catalogue(Context& context, const EsiFolders& opt
   auto catalogue = options.cache.empty() ? Result<eni::EsiCatalogue>(eni::EsiCatalogue::open_default())
                                          : eni::EsiCatalogue::open(options.cache);
   if (!catalogue) return catalogue;
-  const auto folders = options.folders.empty() ? usual_folders(*catalogue) : options.folders;
+  const auto folders =
+      options.folders.empty() ? eni::usual_sources(*catalogue, {resource_folder() + "/esi"}) : options.folders;
   for (const auto& folder : folders) {
-    if (const auto report = catalogue->add_folder(folder); !report) return tl::unexpected(report.error());
+    if (const auto status = eni::add_source(*catalogue, folder); !status) return tl::unexpected(status.error());
   }
   for (const auto& note : catalogue->notes()) context.console.err << "note: " << note.file << ": " << note.text << '\n';
   return catalogue;

@@ -4,11 +4,13 @@
 #include <QAction>
 #include <QApplication>
 #include <QDir>
+#include <QDockWidget>
 #include <QElapsedTimer>
 #include <QPixmap>
 #include <QTabWidget>
 #include <QTemporaryDir>
 #include <QTextStream>
+#include <QTreeView>
 #include <functional>
 
 #include "settings/settings_table.h"
@@ -19,8 +21,10 @@
 #include "ui/dialogs/link_chooser.h"
 #include "ui/dialogs/recording_commands.h"
 #include "ui/dialogs/recovery_dialog.h"
+#include "ui/machine_building.h"
 #include "ui/main_window.h"
 #include "ui/pages/device_editor.h"
+#include "ui/panels/explorer_panel.h"
 #include "ui/panels/live_strip.h"
 #include "ui/panels/overview_panel.h"
 #include "ui/session/workspace.h"
@@ -153,6 +157,23 @@ void takeRecording(Camera& camera, ui::MainWindow& window, ui::Workspace& worksp
   workspace.recording().close();
 }
 
+/// What a machine is built with: the drawn wiring and the catalogue.
+void takeBuilding(Camera& camera, ui::MainWindow& window, const QString& theme) {
+  window.explorer().setView(ui::ExplorerPanel::View::kTopology);
+  auto* dock = window.building().dock();
+  dock->show();
+  auto* devices = dock->findChild<QTreeView*>(QStringLiteral("catalogueTree"));
+  QElapsedTimer waiting;
+  waiting.start();
+  while (devices->model()->rowCount() == 0 && waiting.elapsed() < kScanTimeoutMs)
+    QApplication::processEvents(QEventLoop::WaitForMoreEvents, 50);
+  devices->expandAll();
+  devices->setCurrentIndex(devices->model()->index(0, 0, devices->model()->index(0, 0, devices->model()->index(0, 0))));
+  camera.take(window, theme + QStringLiteral("-topology-and-catalogue"));
+  dock->hide();
+  window.explorer().setView(ui::ExplorerPanel::View::kClassic);
+}
+
 void takeDialogs(Camera& camera, ui::MainWindow& window, ui::Workspace& workspace, const QString& theme) {
   ui::AboutDialog about(workspace.environment().version, &window);
   about.show();
@@ -185,6 +206,7 @@ bool renderScreenshots(ui::MainWindow& window, ui::Workspace& workspace, const Q
     workspace.setExpert(true);
     takePages(camera, window, workspace, ui::theme::modeName(mode) + QStringLiteral("-expert"));
     workspace.setExpert(false);
+    takeBuilding(camera, window, ui::theme::modeName(mode));
     takeDialogs(camera, window, workspace, ui::theme::modeName(mode));
     takeQuestions(camera, window, workspace, ui::theme::modeName(mode));
   }

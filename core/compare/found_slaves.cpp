@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <set>
 
+#include "compare/replaced_slave.h"
 #include "compare/slave_pairing.h"
+#include "config/slave_edits.h"
 #include "settings/settings_table.h"
 
 namespace syncline {
@@ -74,27 +76,6 @@ std::vector<Source> arrange(const Project& ours, std::span<const FoundSlave> lin
   return sources;
 }
 
-/// The new revision with the settings of the old one that it takes.
-SlaveSettings in_new_revision(const Project& ours, std::size_t position, const SlaveSettings& found,
-                              std::vector<const settings::Setting*>& lost) {
-  Project from;
-  from.slaves = {ours.slaves[position]};
-  from.slaves.front().previous.reset();
-  Project to;
-  to.slaves = {found};
-  to.slaves.front().previous.reset();
-  for (const auto& setting : settings::table()) {
-    if (!setting.of_slave() || setting.key == "slave.N.previous") continue;
-    const auto places = setting.items ? setting.items(from, 0) : std::vector<settings::Place>{settings::Place{}};
-    for (const auto& place : places) {
-      const auto value = setting.read(from, place);
-      if (setting.read(to, place) == value) continue;
-      if (!settings::set_value(setting, to, place, value)) lost.push_back(&setting);
-    }
-  }
-  return to.slaves.front();
-}
-
 /// Where `wanted` of one of the two projects is in the result.
 std::optional<std::uint16_t> place_of(const std::vector<Source>& sources, std::optional<std::size_t> Source::*from,
                                       std::size_t wanted) {
@@ -123,7 +104,7 @@ void make_addresses_unique(Project& project, const std::vector<Source>& sources)
     for (std::size_t i = 0; i < sources.size(); ++i) {
       if (sources[i].ours.has_value() != own) continue;
       auto& address = project.slaves[i].station_address;
-      while (address == 0 || !used.insert(address).second) ++address;
+      address = take_address(used, address);
     }
   }
 }
@@ -167,7 +148,9 @@ TakenOver take_over(const Project& ours, const Project& found, std::span<const F
     const auto& source = sources[i];
     std::vector<const settings::Setting*> lost;
     if (source.taken && source.kind == FoundKind::kRevision) {
-      out.project.slaves.push_back(in_new_revision(ours, *source.ours, found.slaves[*source.found], lost));
+      auto replaced = replaced_slave(ours.slaves[*source.ours], found.slaves[*source.found], Carry::kAll);
+      out.project.slaves.push_back(std::move(replaced.slave));
+      lost = std::move(replaced.lost);
     } else {
       const bool fresh = !source.ours || (source.taken && source.kind == FoundKind::kOtherDevice);
       out.project.slaves.push_back(fresh ? found.slaves[*source.found] : ours.slaves[*source.ours]);

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "config/project.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "config/module_slots.h"
+#include "config/slave_edits.h"
 
 namespace syncline {
 namespace {
@@ -74,7 +73,7 @@ void select_op_mode(SlaveSettings& slave, std::string_view name) {
 SlaveSettings default_slave(const DeviceDescription& device, std::uint16_t position) {
   SlaveSettings slave;
   slave.station_address = static_cast<std::uint16_t>(kFirstStationAddress + position);
-  slave.name = fmt::format("Slave_{} [{}]", slave.station_address, device.type);
+  slave.name = default_name(slave.station_address, device);
   slave.device = device;
   slave.assigned_rx_pdos = default_assignment(device, PdoDirection::kRx);
   slave.assigned_tx_pdos = default_assignment(device, PdoDirection::kTx);

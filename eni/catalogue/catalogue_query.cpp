@@ -57,7 +57,10 @@ Status mark_hidden(CatalogueStore& store, CatalogueEntry& entry) {
 std::string match_expression(std::string_view words) {
   std::string expression, word;
   const auto end_word = [&] {
-    if (word.starts_with("0x")) word.erase(0, 1);  // as product codes are kept
+    if (word.starts_with("0x")) {  // as product codes are kept: without zeros in front
+      const auto digit = word.find_first_not_of('0', 2);
+      word = "x" + (digit == std::string::npos ? std::string() : word.substr(digit));
+    }
     if (!word.empty()) expression.append(expression.empty() ? "\"" : " \"").append(word).append("\"*");
     word.clear();
   };

@@ -3,30 +3,24 @@
 
 #include <array>
 
+#include "config/port_kind.h"
+
 namespace syncline::eni {
 namespace {
 
 constexpr std::array<std::uint8_t, 3> kFrameOrder{3, 1, 2};  // a frame leaves by port D, then B, then C
-
-/// 'K' and 'B' are E-bus, 'Y' and 'H' are cables.
-bool is_ebus(char physics) { return physics == 'K' || physics == 'B'; }
-
-bool fits(const std::string& physics, std::uint8_t port, bool ebus) {
-  return port < physics.size() && physics[port] != ' ' && is_ebus(physics[port]) == ebus;
-}
 
 }  // namespace
 
 void wire_in_order(std::vector<SlaveSettings>& slaves) {
   std::vector<std::size_t> next_port(slaves.size(), 0);  // place in kFrameOrder behind the last used port
   for (std::size_t i = 1; i < slaves.size(); ++i) {
-    const auto& own = slaves[i].device.physics;
-    const bool ebus = !own.empty() && is_ebus(own.front());
+    const auto own = port_kind(slaves[i].device, 0) == PortKind::kEbus ? PortKind::kEbus : PortKind::kCable;
     slaves[i].previous = PreviousPort{static_cast<std::uint16_t>(i - 1), 1};
     bool found = false;
     for (std::size_t parent = i; !found && parent-- > 0;) {
       for (std::size_t n = next_port[parent]; !found && n < kFrameOrder.size(); ++n) {
-        found = fits(slaves[parent].device.physics, kFrameOrder[n], ebus);
+        found = port_kind(slaves[parent].device, kFrameOrder[n]) == own;
         if (!found) continue;
         slaves[i].previous = PreviousPort{static_cast<std::uint16_t>(parent), kFrameOrder[n]};
         next_port[parent] = n + 1;

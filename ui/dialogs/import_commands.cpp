@@ -2,10 +2,9 @@
 #include "ui/dialogs/import_commands.h"
 
 #include <QFileInfo>
-#include <QMetaObject>
 #include <QWidget>
 
-#include "eni/catalogue/esi_catalogue.h"
+#include "eni/catalogue/usual_sources.h"
 #include "eni/format/eni_file.h"
 #include "recover/recover_project.h"
 #include "ui/dialogs/error_dialog.h"
@@ -24,23 +23,10 @@ DeviceLookup lookupIn(const eni::EsiCatalogue& catalogue) {
   };
 }
 
-/// In a thread of its own.
-Result<std::size_t> index(const std::string& folder) {
-  auto catalogue = eni::EsiCatalogue::open_default();
-  const auto before = catalogue.device_count();
-  if (auto status = catalogue.remember_folder(folder); !status) return tl::unexpected(status.error());
-  if (auto report = catalogue.add_folder(folder); !report) return tl::unexpected(report.error());
-  return catalogue.device_count() - std::min(before, catalogue.device_count());
-}
-
 }  // namespace
 
 ImportCommands::ImportCommands(Workspace& workspace, QWidget& window)
     : QObject(&window), workspace_(workspace), window_(window) {}
-
-ImportCommands::~ImportCommands() {
-  if (worker_.joinable()) worker_.join();
-}
 
 void ImportCommands::importEni(const QString& path, const std::function<bool()>& may) {
   const auto config = eni::read_eni(path.toStdString());
@@ -50,8 +36,10 @@ void ImportCommands::importEni(const QString& path, const std::function<bool()>&
   }
   if (!may()) return;
   auto catalogue = eni::EsiCatalogue::open_default();
-  for (const auto& folder : workspace_.environment().esi_folders)
-    static_cast<void>(catalogue.add_folder(folder.toStdString()));
+  std::vector<std::string> folders;
+  for (const auto& folder : workspace_.environment().esi_folders) folders.push_back(folder.toStdString());
+  for (const auto& error : eni::add_usual_sources(catalogue, std::move(folders)))
+    workspace_.report(error, Severity::kWarning, tr("Catalogue"));
   auto recovered = recover_project(*config, lookupIn(catalogue));
   workspace_.live().shutDown();
   workspace_.recording().close();
@@ -66,27 +54,12 @@ void ImportCommands::importEni(const QString& path, const std::function<bool()>&
 
 void ImportCommands::addEsiFolder(const QString& path) {
   const auto folder = QFileInfo(path).absolutePath();
-  if (worker_.joinable()) worker_.join();
   if (!ask(window_, "esiQuestion", tr("Add the folder of this device description to the catalogue?"),
            tr("All ESI files below %1 are read; scans then know their devices.").arg(folder), tr("Add Folder"))) {
     return;
   }
   workspace_.inform(tr("Catalogue"), tr("Reading the ESI files below %1 …").arg(folder));
-  worker_ = std::thread([this, folder] {
-    auto devices = index(folder.toStdString());
-    QMetaObject::invokeMethod(
-        this, [this, folder, devices] { onIndexed(folder, devices); }, Qt::QueuedConnection);
-  });
-}
-
-void ImportCommands::onIndexed(const QString& folder, const Result<std::size_t>& devices) {
-  if (!devices) {
-    workspace_.report(devices.error(), Severity::kError, tr("Catalogue"));
-    return showError(&window_, tr("The folder could not be read."), devices.error());
-  }
-  workspace_.inform(
-      tr("Catalogue"),
-      tr("%n new device(s) of %1 are in the catalogue.", nullptr, static_cast<int>(*devices)).arg(folder));
+  workspace_.catalogue().add({folder});
 }
 
 }  // namespace syncline::ui

@@ -4,9 +4,6 @@
 #include <QObject>
 #include <QString>
 #include <functional>
-#include <thread>
-
-#include "support/result.h"
 
 class QWidget;
 
@@ -20,7 +17,6 @@ class ImportCommands final : public QObject {
 
  public:
   ImportCommands(Workspace& workspace, QWidget& window);
-  ~ImportCommands() override;
 
   /// A project of what the ENI lets be seen, in place of the present one when `may` says yes; asked only when the file
   /// could be read.
@@ -29,11 +25,8 @@ class ImportCommands final : public QObject {
   void addEsiFolder(const QString& path);
 
  private:
-  void onIndexed(const QString& folder, const Result<std::size_t>& devices);
-
   Workspace& workspace_;
   QWidget& window_;
-  std::thread worker_;
 };
 
 }  // namespace syncline::ui

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/models/network_model.h"
 
+#include <QMimeData>
 #include <QStringList>
 #include <algorithm>
+#include <map>
 #include <utility>
 
+#include "config/wiring_tree.h"
 #include "ui/text/glossary.h"
 #include "ui/text/units.h"
 
@@ -12,93 +15,190 @@ namespace syncline::ui {
 namespace {
 
 // The master's index carries this id, a slave's carries kSlaveId.
+// The master's index carries this id, a slave's its position and one.
 constexpr quintptr kMasterId = 0;
-constexpr quintptr kSlaveId = 1;
 
 }  // namespace
 
-NetworkModel::NetworkModel(QObject* parent) : QAbstractItemModel(parent) {}
+NetworkModel::NetworkModel(QObject* parent) : QAbstractItemModel(parent) { arrange(); }
 
 void NetworkModel::setProject(const Project& project) {
+  const auto tree = WiringTree::of(project.slaves);
   std::vector<Node> slaves;
+  std::vector<int> classic;
   slaves.reserve(project.slaves.size());
   for (const auto& slave : project.slaves) {
     Node node;
     node.name = QString::fromStdString(slave.name);
     node.device = QString::fromStdString(slave.device.type);
+    node.group = QString::fromStdString(slave.hot_connect);
+    node.optional = slave.optional;
     node.station_address = slave.station_address;
+    // A line has one answer for all of its slaves; those before this one have theirs already.
+    const auto position = slaves.size();
+    const auto before = tree.previous(position);
+    const bool goes_on = before && *before < position && tree.next(*before) == position;
+    const auto from = goes_on ? std::nullopt : tree.branches_from(position);
+    classic.push_back(goes_on ? classic[*before] : from ? static_cast<int>(*from) : -1);
     slaves.push_back(std::move(node));
   }
   master_.name = QString::fromStdString(project.master.name);
-  assign(std::move(slaves));
+  assign(std::move(slaves), std::move(classic));
   Q_EMIT dataChanged(indexOf(-1), indexOf(-1));
 }
 
-void NetworkModel::assign(std::vector<Node> slaves) {
-  const auto root = indexOf(-1);
-  if (slaves.size() != slaves_.size()) {
+void NetworkModel::assign(std::vector<Node> slaves, std::vector<int> classic) {
+  const bool same_shape = slaves.size() == slaves_.size() && (shape_ == Shape::kFlat || classic == classic_);
+  // One other address is an edit of a slave, several are slaves in other places.
+  std::size_t others = 0;
+  for (std::size_t i = 0; same_shape && i < slaves.size(); ++i)
+    others += slaves[i].station_address == slaves_[i].station_address ? 0U : 1U;
+  if (!same_shape || others > 1) {
     beginResetModel();
     slaves_ = std::move(slaves);
+    classic_ = std::move(classic);
+    arrange();
     endResetModel();
     return;
   }
+  classic_ = std::move(classic);
   for (std::size_t i = 0; i < slaves.size(); ++i) {
     slaves[i].al_status = slaves_[i].al_status;
+    slaves[i].link = slaves_[i].link;
     slaves[i].live_reference = slaves_[i].live_reference;
     slaves[i].dc = slaves_[i].dc;
     slaves[i].configured_reference = slaves_[i].configured_reference;
   }
+  std::vector<int> changed;
+  for (std::size_t i = 0; i < slaves.size(); ++i) {
+    if (!(slaves[i] == slaves_[i])) changed.push_back(static_cast<int>(i));
+  }
   slaves_ = std::move(slaves);
-  if (!slaves_.empty()) Q_EMIT dataChanged(index(0, 0, root), index(static_cast<int>(slaves_.size()) - 1, 0, root));
+  tellOf(changed);
+}
+
+void NetworkModel::setShape(Shape shape) {
+  if (shape == shape_) return;
+  beginResetModel();
+  shape_ = shape;
+  arrange();
+  endResetModel();
+}
+
+void NetworkModel::arrange() {
+  parents_ = shape_ == Shape::kClassic ? classic_ : std::vector<int>(slaves_.size(), -1);
+  rows_.assign(slaves_.size(), 0);
+  below_.assign(slaves_.size() + 1, {});
+  for (std::size_t i = 0; i < slaves_.size(); ++i) {
+    auto& siblings = below_[static_cast<std::size_t>(parents_[i] + 1)];
+    rows_[i] = static_cast<int>(siblings.size());
+    siblings.push_back(static_cast<int>(i));
+  }
+}
+
+/// One range a parent.
+void NetworkModel::tellOf(const std::vector<int>& changed) {
+  std::map<int, std::pair<int, int>> ranges;
+  for (const int slave : changed) {
+    const auto at = static_cast<std::size_t>(slave);
+    auto& [first, last] = ranges.try_emplace(parents_[at], rows_[at], rows_[at]).first->second;
+    first = std::min(first, rows_[at]);
+    last = std::max(last, rows_[at]);
+  }
+  for (const auto& [parent, range] : ranges)
+    Q_EMIT dataChanged(index(range.first, 0, indexOf(parent)), index(range.second, 0, indexOf(parent)));
 }
 
 void NetworkModel::setConfiguration(const NetworkConfig* config) {
+  std::vector<int> changed;
   for (std::size_t i = 0; i < slaves_.size(); ++i) {
     const auto* dc =
         config != nullptr && i < config->slaves.size() && config->slaves[i].dc ? &*config->slaves[i].dc : nullptr;
+    const bool leads = dc != nullptr && dc->reference_clock;
+    if (slaves_[i].dc == (dc != nullptr) && slaves_[i].configured_reference == leads) continue;
     slaves_[i].dc = dc != nullptr;
-    slaves_[i].configured_reference = dc != nullptr && dc->reference_clock;
+    slaves_[i].configured_reference = leads;
+    changed.push_back(static_cast<int>(i));
   }
-  if (!slaves_.empty()) Q_EMIT dataChanged(indexOf(0), indexOf(static_cast<int>(slaves_.size()) - 1));
+  tellOf(changed);
 }
 
 void NetworkModel::setSnapshot(const Snapshot& snapshot) {
   const int master_state = snapshot.online ? static_cast<int>(snapshot.state) : -1;
   if (std::exchange(master_.al_status, master_state) != master_state) Q_EMIT dataChanged(indexOf(-1), indexOf(-1));
-  int first = -1, last = -1;
+  std::vector<int> changed;
   for (std::size_t i = 0; i < slaves_.size(); ++i) {
     auto& node = slaves_[i];
-    const auto before = node;
     const SlaveStatus* status = snapshot.online && i < snapshot.slaves.size() ? &snapshot.slaves[i] : nullptr;
-    node.al_status = status == nullptr ? -1 : (status->present ? status->al_status : 0);
-    node.live_reference = status != nullptr && status->is_reference_clock;
-    if (node == before) continue;
-    if (first < 0) first = static_cast<int>(i);
-    last = static_cast<int>(i);
+    const int al_status = status == nullptr ? -1 : (status->present ? status->al_status : 0);
+    const bool leads = status != nullptr && status->is_reference_clock;
+    const auto link = status == nullptr      ? LinkState::kOffline
+                      : status->cable_broken ? LinkState::kBroken
+                      : status->present      ? LinkState::kGood
+                                             : LinkState::kSilent;
+    if (node.al_status == al_status && node.live_reference == leads && node.link == link) continue;
+    node.al_status = al_status;
+    node.live_reference = leads;
+    node.link = link;
+    changed.push_back(static_cast<int>(i));
   }
-  if (first >= 0) Q_EMIT dataChanged(index(first, 0, indexOf(-1)), index(last, 0, indexOf(-1)));
+  tellOf(changed);
 }
 
 QModelIndex NetworkModel::indexOf(int slave) const {
   if (slave < 0) return createIndex(0, 0, kMasterId);
-  return slave < static_cast<int>(slaves_.size()) ? createIndex(slave, 0, kSlaveId) : QModelIndex();
+  if (slave >= slaveCount()) return {};
+  return createIndex(rows_[static_cast<std::size_t>(slave)], 0, static_cast<quintptr>(slave) + 1);
 }
 
 QModelIndex NetworkModel::index(int row, int column, const QModelIndex& parent) const {
   if (!hasIndex(row, column, parent)) return {};
-  return createIndex(row, column, parent.isValid() ? kSlaveId : kMasterId);
+  if (!parent.isValid()) return indexOf(-1);
+  return indexOf(below_[parent.internalId()][static_cast<std::size_t>(row)]);
 }
 
 QModelIndex NetworkModel::parent(const QModelIndex& child) const {
-  return child.isValid() && child.internalId() == kSlaveId ? indexOf(-1) : QModelIndex();
+  if (!child.isValid() || child.internalId() == kMasterId) return {};
+  return indexOf(parents_[child.internalId() - 1]);
 }
 
 int NetworkModel::rowCount(const QModelIndex& parent) const {
   if (!parent.isValid()) return 1;
-  return parent.internalId() == kMasterId && parent.column() == 0 ? static_cast<int>(slaves_.size()) : 0;
+  if (parent.column() != 0 || below_.empty()) return 0;
+  return static_cast<int>(below_[parent.internalId()].size());
 }
 
 int NetworkModel::columnCount(const QModelIndex&) const { return 1; }
+
+Qt::ItemFlags NetworkModel::flags(const QModelIndex& index) const {
+  auto flags = QAbstractItemModel::flags(index);
+  if (!index.isValid() || fixed_) return flags;
+  flags |= Qt::ItemIsDropEnabled;
+  return index.internalId() == kMasterId ? flags : flags | Qt::ItemIsDragEnabled;
+}
+
+QMimeData* NetworkModel::mimeData(const QModelIndexList& indexes) const {
+  if (indexes.isEmpty() || indexes.front().internalId() == kMasterId) return nullptr;
+  auto* data = new QMimeData;
+  data->setData(kSlaveMime, QByteArray::number(indexes.front().data(kSlaveRole).toInt()));
+  return data;
+}
+
+bool NetworkModel::dropMimeData(const QMimeData* data, Qt::DropAction, int row, int, const QModelIndex& parent) {
+  if (fixed_) return false;
+  // Between two rows: behind the upper one.
+  auto target = parent;
+  if (parent.isValid() && row > 0) target = index(std::min(row, rowCount(parent)) - 1, 0, parent);
+  const int behind = target.isValid() ? target.data(kSlaveRole).toInt() : slaveCount() - 1;
+  if (data->hasFormat(kSlaveMime)) {
+    Q_EMIT slaveDropped(data->data(kSlaveMime).toInt(), behind);
+  } else if (data->hasFormat(kDeviceMime)) {
+    Q_EMIT deviceDropped(data->data(kDeviceMime).toInt(), behind);
+  } else {
+    return false;
+  }
+  return true;
+}
 
 QVariant NetworkModel::headerData(int section, Qt::Orientation orientation, int role) const {
   if (section != 0 || orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
@@ -108,7 +208,8 @@ QVariant NetworkModel::headerData(int section, Qt::Orientation orientation, int 
 QVariant NetworkModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
   if (index.internalId() == kMasterId) return nodeData(master_, -1, role);
-  return nodeData(slaves_[static_cast<std::size_t>(index.row())], index.row(), role);
+  const auto position = index.internalId() - 1;
+  return nodeData(slaves_[position], static_cast<int>(position), role);
 }
 
 QVariant NetworkModel::nodeData(const Node& node, int slave, int role) const {
@@ -118,27 +219,45 @@ QVariant NetworkModel::nodeData(const Node& node, int slave, int role) const {
     case Qt::ToolTipRole:
     case Qt::AccessibleDescriptionRole:
       return toolTip(node, slave);
-    case Qt::AccessibleTextRole: {
-      if (node.al_status < 0) return node.name;
-      const auto state = stateText(node, slave);
-      return QStringLiteral("%1, %2").arg(node.name, state);
-    }
+    case Qt::AccessibleTextRole:
+      return spokenText(node, slave);
     case kStateRole:
       return node.al_status < 0 ? -1 : static_cast<int>(al_state_of(static_cast<std::uint16_t>(node.al_status)));
     case kErrorRole:
       return node.al_status > 0 && (node.al_status & kAlErrorFlag) != 0;
-    case kMarksRole: {
-      QStringList marks;
-      const bool online = node.al_status >= 0;
-      if (online ? node.live_reference : node.configured_reference) marks << QStringLiteral("REF");
-      if (node.dc) marks << QStringLiteral("DC");
+    case kMarksRole:
+      return marksOf(node);
+    case kTopologyMarksRole: {
+      auto marks = marksOf(node);
+      if (!node.dc) marks << tr("no DC");
+      if (!node.group.isEmpty()) marks << tr("HC");
+      if (node.optional) marks << tr("opt.");
       return marks;
     }
+    case kAddressRole:
+      return node.station_address;
+    case kLinkRole:
+      return static_cast<int>(node.link);
     case kSlaveRole:
       return slave;
     default:
       return {};
   }
+}
+
+QStringList NetworkModel::marksOf(const Node& node) const {
+  QStringList marks;
+  const bool online = node.al_status >= 0;
+  if (online ? node.live_reference : node.configured_reference) marks << QStringLiteral("REF");
+  if (node.dc) marks << QStringLiteral("DC");
+  return marks;
+}
+
+QString NetworkModel::spokenText(const Node& node, int slave) const {
+  auto text =
+      slave < 0 ? node.name : tr("%1, position %2, address %3").arg(node.name).arg(slave).arg(node.station_address);
+  if (node.al_status >= 0) text += QStringLiteral(", ") + stateText(node, slave);
+  return text;
 }
 
 QString NetworkModel::stateText(const Node& node, int slave) {
@@ -153,6 +272,9 @@ QString NetworkModel::toolTip(const Node& node, int slave) const {
              tr("Position %1, station address %2 (register 0x0010)").arg(slave).arg(node.station_address)};
     if (node.configured_reference) lines << tr("Reference clock of the project");
     if (node.dc) lines << tr("Distributed clocks on");
+    if (!node.group.isEmpty()) lines << tr("Hot-connect group %1").arg(node.group);
+    if (node.optional) lines << tr("Optional: may be missing");
+    if (node.link == LinkState::kBroken) lines << tr("The cable to it is broken");
   }
   if (node.al_status >= 0) {
     const auto status = static_cast<std::uint16_t>(node.al_status);

@@ -10,7 +10,12 @@
 
 namespace syncline::ui {
 
-/// The project explorer's tree: the master, below it the slaves in bus order, with their live states.
+/// What is dragged: slaves of the project by position, devices of the catalogue by their number in its last answer.
+inline const QString kSlaveMime = QStringLiteral("application/x-syncline-slave");
+inline const QString kDeviceMime = QStringLiteral("application/x-syncline-device");
+
+/// The project explorer's tree: the master, below it the slaves, with their live states. Slaves stand in bus order
+/// below the master (flat), or below the slave from which their line branches off (classic).
 class NetworkModel final : public QAbstractItemModel {
   Q_OBJECT
 
@@ -20,16 +25,26 @@ class NetworkModel final : public QAbstractItemModel {
     kErrorRole,                     // error flag of the AL status
     kMarksRole,                     // QStringList: "REF", "DC"
     kSlaveRole,                     // position, -1 = master
+    kAddressRole,                   // station address, 0 = master
+    kLinkRole,                      // LinkState as int
+    kTopologyMarksRole,             // QStringList: the marks, who hot-connects, who has no clock
   };
+  enum class LinkState { kOffline, kGood, kBroken, kSilent };  // cable to the slave; kSilent: it does not answer
+  enum class Shape { kClassic, kFlat };
 
   explicit NetworkModel(QObject* parent = nullptr);
 
+  void setShape(Shape shape);
+  [[nodiscard]] Shape shape() const { return shape_; }
   void setProject(const Project& project);
   /// Marks who uses distributed clocks and who leads, as compiled; nullptr when nothing could be compiled.
   void setConfiguration(const NetworkConfig* config);
-  /// Live states; one dataChanged over the rows that differ.
+  /// Live states; one dataChanged over the rows of a parent that differ.
   void setSnapshot(const Snapshot& snapshot);
   [[nodiscard]] QModelIndex indexOf(int slave) const;
+  [[nodiscard]] int slaveCount() const { return static_cast<int>(slaves_.size()); }
+  /// While a machine runs its slaves stay where they are.
+  void setFixed(bool fixed) { fixed_ = fixed; }
 
   [[nodiscard]] QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
   [[nodiscard]] QModelIndex parent(const QModelIndex& child) const override;
@@ -37,12 +52,26 @@ class NetworkModel final : public QAbstractItemModel {
   [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
   [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
   [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+  [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
+  [[nodiscard]] Qt::DropActions supportedDragActions() const override { return Qt::MoveAction; }
+  [[nodiscard]] Qt::DropActions supportedDropActions() const override { return Qt::MoveAction | Qt::CopyAction; }
+  [[nodiscard]] QStringList mimeTypes() const override { return {kSlaveMime, kDeviceMime}; }
+  [[nodiscard]] QMimeData* mimeData(const QModelIndexList& indexes) const override;
+  /// Changes nothing itself: says what is wanted.
+  bool dropMimeData(const QMimeData* data, Qt::DropAction action, int row, int column,
+                    const QModelIndex& parent) override;
+
+ Q_SIGNALS:
+  /// `target`: the slave behind which; -1: the master.
+  void slaveDropped(int slave, int target);
+  void deviceDropped(int device, int target);
 
  private:
   struct Node {
-    QString name, device;
-    bool dc = false, configured_reference = false, live_reference = false;
+    QString name, device, group;
+    bool dc = false, configured_reference = false, live_reference = false, optional = false;
     int al_status = -1;  // -1 offline
+    LinkState link = LinkState::kOffline;
     std::uint16_t station_address = 0;
     bool operator==(const Node&) const = default;
   };
@@ -50,10 +79,19 @@ class NetworkModel final : public QAbstractItemModel {
   [[nodiscard]] QVariant nodeData(const Node& node, int slave, int role) const;
   [[nodiscard]] static QString stateText(const Node& node, int slave);
   [[nodiscard]] QString toolTip(const Node& node, int slave) const;
-  void assign(std::vector<Node> slaves);
+  [[nodiscard]] QString spokenText(const Node& node, int slave) const;
+  [[nodiscard]] QStringList marksOf(const Node& node) const;
+  void assign(std::vector<Node> slaves, std::vector<int> classic);
+  void arrange();
+  void tellOf(const std::vector<int>& changed);
 
   Node master_;
   std::vector<Node> slaves_;
+  std::vector<int> classic_;  // whom each slave stands below in the classic tree; -1 = the master
+  Shape shape_ = Shape::kClassic;
+  std::vector<int> parents_, rows_;      // as shown
+  std::vector<std::vector<int>> below_;  // of the master, of slave 0, 1, ...
+  bool fixed_ = false;
 };
 
 }  // namespace syncline::ui

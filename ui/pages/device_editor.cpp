@@ -78,7 +78,11 @@ DeviceEditor::DeviceEditor(Workspace& workspace, QWidget* parent) : QWidget(pare
     page->hide();
   }
   // Before any selection changes: what is typed belongs to slaves that may be others now.
-  connect(&workspace.document(), &ProjectDocument::slavesReplaced, this, &DeviceEditor::revertFields);
+  connect(&workspace.document(), &ProjectDocument::slavesReplaced, this, [this] {
+    revertFields();
+    // Others hear of the new slaves earlier and have this refreshed: a slave that is gone is shown no more.
+    if (slave_ >= static_cast<int>(workspace_.document().project().slaves.size())) slave_ = -1;
+  });
   connect(&workspace.document(), &ProjectDocument::projectChanged, this, [this](bool structural) {
     const auto count = static_cast<int>(workspace_.document().project().slaves.size());
     if (slave_ >= count) slave_ = -1;

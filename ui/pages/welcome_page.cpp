@@ -37,7 +37,8 @@ WelcomePage::WelcomePage(const QList<QAction*>& beginnings, WindowMemory& memory
   font.setWeight(QFont::DemiBold);
   title->setFont(font);
   layout->addWidget(title);
-  auto* hint = new QLabel(tr("Begin with the simulated demonstration machine, a bus, or a project file."));
+  auto* hint = new QLabel(
+      tr("Begin with the simulated demonstration machine, a bus, devices of the catalogue, or a project file."));
   hint->setAlignment(Qt::AlignCenter);
   hint->setForegroundRole(QPalette::PlaceholderText);
   layout->addWidget(hint);

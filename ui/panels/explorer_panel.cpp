@@ -1,22 +1,84 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/explorer_panel.h"
 
+#include <QActionGroup>
+#include <QHBoxLayout>
 #include <QHeaderView>
+#include <QMenu>
+#include <QStackedWidget>
+#include <QToolButton>
 #include <QTreeView>
 #include <QVBoxLayout>
+#include <algorithm>
 
-#include "ui/models/network_model.h"
 #include "ui/panels/node_delegate.h"
+#include "ui/panels/topology_view.h"
+#include "ui/session/workspace.h"
 #include "ui/widgets/named.h"
 
 namespace syncline::ui {
+namespace {
 
-ExplorerPanel::ExplorerPanel(NetworkModel& model, QWidget* parent) : QWidget(parent), model_(model) {
+const QString kView = QStringLiteral("explorer/view"), kZoom = QStringLiteral("explorer/zoom");
+
+}  // namespace
+
+ExplorerPanel::ExplorerPanel(Workspace& workspace, QWidget* parent) : QWidget(parent), workspace_(workspace) {
   setMinimumWidth(200);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  auto* bar = new QWidget;
+  layout->addWidget(bar);
+  auto& model = workspace.network();
+  buildTree();
+  topology_ = named(new TopologyView(model), "explorerTopology", tr("Topology of the network"));
+  auto* own = topology_->selectionModel();
+  topology_->setSelectionModel(tree_->selectionModel());
+  delete own;
+  topology_->setProject(workspace.document().project());
+  stack_ = new QStackedWidget;
+  stack_->addWidget(tree_);
+  stack_->addWidget(topology_);
+  layout->addWidget(stack_, 1);
+  buildViews(*bar);
+  for (QAbstractItemView* view : {static_cast<QAbstractItemView*>(tree_), static_cast<QAbstractItemView*>(topology_)}) {
+    view->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(view, &QWidget::customContextMenuRequested, this, [this, view](const QPoint& point) {
+      const auto index = view->indexAt(point);
+      if (index.isValid()) view->setCurrentIndex(index);
+      openMenu(view->viewport()->mapToGlobal(point));
+    });
+  }
+  connect(&model, &QAbstractItemModel::modelAboutToBeReset, this, [this] {
+    kept_slave_ = selected();
+    kept_address_ = workspace_.network().indexOf(kept_slave_).data(NetworkModel::kAddressRole).toInt();
+  });
+  connect(&model, &QAbstractItemModel::modelReset, this, &ExplorerPanel::keepSelection);
+  connect(tree_->selectionModel(), &QItemSelectionModel::currentChanged, this, [this](const QModelIndex& current) {
+    if (current.isValid()) Q_EMIT nodeSelected(current.data(NetworkModel::kSlaveRole).toInt());
+  });
+  connect(&workspace.document(), &ProjectDocument::projectChanged, this,
+          [this] { topology_->setProject(workspace_.document().project()); });
+  connect(&workspace.live(), &LiveSession::phaseChanged, this, &ExplorerPanel::showPhase);
+  const auto remembered = workspace.memory().value(kView).toInt();
+  topology_->setZoom(workspace.memory().value(kZoom).isValid() ? workspace.memory().value(kZoom).toDouble() : 1);
+  setView(static_cast<View>(std::clamp(remembered, 0, static_cast<int>(View::kTopology))));
+  select(-1);
+}
+
+void ExplorerPanel::openMenu(const QPoint& at) {
+  auto* menu = new QMenu(this);
+  menu->setObjectName(QStringLiteral("slaveMenu"));
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  menu->addActions(actions());
+  if (selected() >= 0) Q_EMIT menuOpens(*menu, selected());
+  menu->popup(at);
+}
+
+void ExplorerPanel::buildTree() {
   tree_ = named(new QTreeView, "explorerTree", tr("Project explorer"));
-  tree_->setModel(&model);
+  tree_->setModel(&workspace_.network());
   tree_->setItemDelegate(new NodeDelegate(tree_));
   tree_->setHeaderHidden(true);
   tree_->setUniformRowHeights(true);
@@ -25,25 +87,101 @@ ExplorerPanel::ExplorerPanel(NetworkModel& model, QWidget* parent) : QWidget(par
   tree_->setIndentation(16);
   tree_->setFrameShape(QFrame::NoFrame);
   tree_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  layout->addWidget(tree_);
+  tree_->setDragDropMode(QAbstractItemView::DragDrop);
+  tree_->setDefaultDropAction(Qt::MoveAction);
+  tree_->setDropIndicatorShown(true);
   tree_->expandAll();
-  connect(&model, &QAbstractItemModel::modelReset, this, [this] {
-    tree_->expandAll();
-    select(-1);
-  });
-  connect(tree_->selectionModel(), &QItemSelectionModel::currentChanged, this, [this](const QModelIndex& current) {
-    if (current.isValid()) Q_EMIT nodeSelected(current.data(NetworkModel::kSlaveRole).toInt());
-  });
-  select(-1);
+}
+
+void ExplorerPanel::buildViews(QWidget& bar) {
+  auto* layout = new QHBoxLayout(&bar);
+  layout->setContentsMargins(4, 3, 4, 3);
+  layout->setSpacing(2);
+  auto* group = new QActionGroup(this);
+  const struct {
+    View view;
+    const char* name;
+    QString text, tip;
+    Qt::Key key;
+  } views[] = {
+      {View::kClassic, "viewClassic", tr("Classic"), tr("Tree by wiring: terminals below their coupler"), Qt::Key_1},
+      {View::kFlat, "viewFlat", tr("Flat"), tr("All slaves in bus order"), Qt::Key_2},
+      {View::kTopology, "viewTopology", tr("Topology"),
+       tr("Ports and cables; drag a slave to another port to rewire it"), Qt::Key_3}};
+  for (const auto& one : views) {
+    auto* action = new QAction(one.text, this);
+    action->setObjectName(QLatin1String(one.name));
+    action->setCheckable(true);
+    action->setShortcut(QKeySequence(Qt::CTRL | Qt::ALT | one.key));
+    action->setToolTip(QStringLiteral("%1 (%2)").arg(one.tip, action->shortcut().toString(QKeySequence::NativeText)));
+    group->addAction(action);
+    view_actions_.append(action);
+    connect(action, &QAction::triggered, this, [this, view = one.view] { setView(view); });
+    auto* button = new QToolButton;
+    button->setObjectName(QLatin1String(one.name) + QStringLiteral("Button"));
+    button->setDefaultAction(action);
+    button->setAccessibleName(action->toolTip());
+    button->setAutoRaise(true);
+    button->setFocusPolicy(Qt::TabFocus);
+    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    layout->addWidget(button);
+  }
+}
+
+void ExplorerPanel::setView(View view) {
+  view_ = view;
+  view_actions_[static_cast<int>(view)]->setChecked(true);
+  const auto slave = selected();
+  workspace_.network().setShape(view == View::kFlat ? NetworkModel::Shape::kFlat : NetworkModel::Shape::kClassic);
+  QWidget* wanted = topology_;
+  if (view != View::kTopology) wanted = tree_;
+  const bool focused = stack_->currentWidget()->hasFocus();
+  stack_->setCurrentWidget(wanted);
+  stack_->setFocusProxy(wanted);
+  if (focused) wanted->setFocus();
+  select(slave);
+  workspace_.memory().setValue(kView, static_cast<int>(view));
+  workspace_.memory().setValue(kZoom, topology_->zoom());
+}
+
+void ExplorerPanel::setCommands(const QList<QAction*>& commands) {
+  addActions(commands);
+  setFocusProxy(stack_);
 }
 
 QSize ExplorerPanel::sizeHint() const { return {250, 400}; }
 
+int ExplorerPanel::selected() const {
+  const auto index = tree_->currentIndex();
+  return index.isValid() ? index.data(NetworkModel::kSlaveRole).toInt() : -1;
+}
+
 void ExplorerPanel::select(int slave) {
-  const auto index = model_.indexOf(slave);
+  const auto index = workspace_.network().indexOf(slave);
   if (!index.isValid()) return;
   tree_->setCurrentIndex(index);
   tree_->scrollTo(index);
+  topology_->scrollTo(index);
+}
+
+/// The slave that was selected, wherever it stands now.
+void ExplorerPanel::keepSelection() {
+  tree_->expandAll();
+  auto& network = workspace_.network();
+  int slave = -1;
+  for (int i = 0; kept_slave_ >= 0 && i < network.slaveCount(); ++i) {
+    if (network.indexOf(i).data(NetworkModel::kAddressRole).toInt() == kept_address_) slave = i;
+  }
+  if (kept_slave_ >= 0 && slave < 0) slave = std::min(kept_slave_, network.slaveCount() - 1);
+  topology_->setProject(workspace_.document().project());
+  select(slave);
+}
+
+/// A running machine is not rewired.
+void ExplorerPanel::showPhase() {
+  const bool offline = workspace_.live().phase() == LiveSession::Phase::kOffline;
+  workspace_.network().setFixed(!offline);
+  topology_->setEditable(offline);
 }
 
 }  // namespace syncline::ui

@@ -3,27 +3,55 @@
 
 #include <QWidget>
 
+class QActionGroup;
+class QStackedWidget;
 class QTreeView;
+
+class QMenu;
 
 namespace syncline::ui {
 
-class NetworkModel;
+class TopologyView;
+class Workspace;
 
-/// Project explorer: the tree of the network, one node selected.
+/// Project explorer: the network as a tree by wiring (classic), as a list by position (flat) or drawn (topology); one
+/// node selected in all three. Slaves are moved by dragging.
 class ExplorerPanel final : public QWidget {
   Q_OBJECT
 
  public:
-  explicit ExplorerPanel(NetworkModel& model, QWidget* parent = nullptr);
+  enum class View { kClassic, kFlat, kTopology };
+
+  explicit ExplorerPanel(Workspace& workspace, QWidget* parent = nullptr);
   void select(int slave);
+  [[nodiscard]] int selected() const;
+  [[nodiscard]] View view() const { return view_; }
+  void setView(View view);
+  [[nodiscard]] const QList<QAction*>& viewActions() const { return view_actions_; }
+  [[nodiscard]] TopologyView& topology() { return *topology_; }
+  /// For the context menu, and for the keys that they have while the explorer has the focus.
+  void setCommands(const QList<QAction*>& commands);
   [[nodiscard]] QSize sizeHint() const override;
 
  Q_SIGNALS:
   void nodeSelected(int slave);
+  /// The context menu of a slave is about to be shown: what else can be done with it is added here.
+  void menuOpens(QMenu& menu, int slave);
 
  private:
-  NetworkModel& model_;
+  void openMenu(const QPoint& at);
+  void buildTree();
+  void buildViews(QWidget& bar);
+  void keepSelection();
+  void showPhase();
+
+  Workspace& workspace_;
   QTreeView* tree_;
+  TopologyView* topology_;
+  QStackedWidget* stack_;
+  QList<QAction*> view_actions_;
+  View view_ = View::kClassic;
+  int kept_slave_ = -1, kept_address_ = 0;  // over a reset of the model
 };
 
 }  // namespace syncline::ui

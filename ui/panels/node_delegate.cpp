@@ -4,6 +4,7 @@
 #include <QApplication>
 #include <QPainter>
 #include <QStringList>
+#include <algorithm>
 
 #include "ui/models/network_model.h"
 #include "ui/text/glossary.h"
@@ -15,24 +16,14 @@ namespace {
 constexpr int kBadge = 18;
 constexpr int kMargin = 4;
 
-void drawBadge(QPainter& painter, const QRect& box, const QPalette& palette, const QModelIndex& index) {
-  const int state = index.data(NetworkModel::kStateRole).toInt();
-  const bool error = index.data(NetworkModel::kErrorRole).toBool();
-  if (state < 0) {
-    painter.setPen(QPen(theme::outline(palette), 1));
-    painter.setBrush(Qt::NoBrush);
-    painter.drawRoundedRect(QRectF(box).adjusted(0.5, 0.5, -0.5, -0.5), 4, 4);
-    return;
-  }
-  const auto tone = error ? theme::Tone::kBad : theme::stateTone(static_cast<AlState>(state));
-  const auto color = theme::toneColor(palette, tone);
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(color);
-  painter.drawRoundedRect(box, 4, 4);
-  painter.setPen(theme::isDark(palette) ? palette.color(QPalette::Base) : QColor(Qt::white));
-  auto letter = stateLetter(static_cast<AlState>(state));
-  if (error) letter += u'!';
-  painter.drawText(box, Qt::AlignCenter, letter);
+/// Position or address, at a side of the area; returns the width that it took.
+int drawNumber(QPainter& painter, const QRect& area, const QFont& font, const QColor& color, const QString& number,
+               Qt::Alignment side) {
+  painter.setFont(font);
+  painter.setPen(color);
+  painter.drawText(area, side | Qt::AlignVCenter, number);
+  const QFontMetrics metrics(font);
+  return std::max(metrics.horizontalAdvance(number), metrics.horizontalAdvance(QStringLiteral("00"))) + kMargin + 2;
 }
 
 /// Returns the width that the marks took.
@@ -53,6 +44,26 @@ int drawMarks(QPainter& painter, const QRect& row, const QStringList& marks, con
 
 }  // namespace
 
+void drawStateBadge(QPainter& painter, const QRect& box, const QPalette& palette, const QModelIndex& index) {
+  const int state = index.data(NetworkModel::kStateRole).toInt();
+  const bool error = index.data(NetworkModel::kErrorRole).toBool();
+  if (state < 0) {
+    painter.setPen(QPen(theme::outline(palette), 1));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRoundedRect(QRectF(box).adjusted(0.5, 0.5, -0.5, -0.5), 4, 4);
+    return;
+  }
+  const auto tone = error ? theme::Tone::kBad : theme::stateTone(static_cast<AlState>(state));
+  const auto color = theme::toneColor(palette, tone);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(color);
+  painter.drawRoundedRect(box, 4, 4);
+  painter.setPen(theme::isDark(palette) ? palette.color(QPalette::Base) : QColor(Qt::white));
+  auto letter = stateLetter(static_cast<AlState>(state));
+  if (error) letter += u'!';
+  painter.drawText(box, Qt::AlignCenter, letter);
+}
+
 void NodeDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const {
   QStyleOptionViewItem row = option;
   initStyleOption(&row, index);
@@ -72,13 +83,22 @@ void NodeDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, 
   bold.setPointSizeF(bold.pointSizeF() * 0.9);
   bold.setWeight(QFont::Bold);
   painter->setFont(bold);
-  drawBadge(*painter, badge, row.palette, index);
+  drawStateBadge(*painter, badge, row.palette, index);
   painter->setFont(small);
   const int marks = drawMarks(*painter, row.rect, index.data(NetworkModel::kMarksRole).toStringList(),
                               selected ? text : theme::mutedText(row.palette), QFontMetrics(small));
+  QRect area(badge.right() + 8, row.rect.top(), row.rect.right() - badge.right() - 10 - marks, row.rect.height());
+  if (const int slave = index.data(NetworkModel::kSlaveRole).toInt(); slave >= 0) {
+    const auto quiet = selected ? text : theme::mutedText(row.palette);
+    area.setLeft(area.left() + drawNumber(*painter, area, small, quiet, QString::number(slave), Qt::AlignLeft));
+    const auto address = QString::number(index.data(NetworkModel::kAddressRole).toInt());
+    const int room =
+        area.width() - row.fontMetrics.horizontalAdvance(name) - QFontMetrics(small).horizontalAdvance(address);
+    if (room > 2 * kMargin && !name.contains(address))
+      drawNumber(*painter, area, small, quiet, address, Qt::AlignRight);
+  }
   painter->setFont(row.font);
   painter->setPen(text);
-  const QRect area(badge.right() + 8, row.rect.top(), row.rect.right() - badge.right() - 10 - marks, row.rect.height());
   painter->drawText(area, Qt::AlignVCenter | Qt::AlignLeft,
                     row.fontMetrics.elidedText(name, Qt::ElideRight, area.width()));
   painter->restore();

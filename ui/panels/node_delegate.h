@@ -5,7 +5,10 @@
 
 namespace syncline::ui {
 
-/// Row of the project explorer: state badge (letter on its colour), name, marks REF and DC.
+/// The letter of a node's state on its colour.
+void drawStateBadge(QPainter& painter, const QRect& box, const QPalette& palette, const QModelIndex& index);
+
+/// Row of the project explorer: state badge, position, name, address, marks REF and DC.
 class NodeDelegate final : public QStyledItemDelegate {
   Q_OBJECT
 

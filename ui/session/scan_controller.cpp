@@ -4,7 +4,7 @@
 #include <QMetaObject>
 #include <utility>
 
-#include "eni/catalogue/esi_catalogue.h"
+#include "eni/catalogue/usual_sources.h"
 #include "findings/error_text.h"
 
 namespace syncline::ui {
@@ -43,13 +43,13 @@ Result<ScanOutcome> ScanController::run(const QString& link, Depth depth) {
   if (!found) return tl::unexpected(found.error());
   if (cancelled_) return fail(ErrorCode::kCancelled);
   auto catalogue = eni::EsiCatalogue::open_default();  // reads only what changed since the last scan
-  std::vector<Finding> warnings;
-  for (const auto& folder : esi_folders_) {
-    if (auto status = catalogue.add_folder(folder.toStdString()); !status)
-      warnings.push_back(finding_of(status.error()));
-  }
+  std::vector<std::string> folders;
+  for (const auto& folder : esi_folders_) folders.push_back(folder.toStdString());
+  const auto warnings = eni::add_usual_sources(catalogue, std::move(folders));
   auto built = eni::project_from_scan(*found, catalogue);
-  built.warnings.insert(built.warnings.begin(), warnings.begin(), warnings.end());
+  std::vector<Finding> unusable;
+  for (const auto& error : warnings) unusable.push_back(finding_of(error));
+  built.warnings.insert(built.warnings.begin(), unusable.begin(), unusable.end());
   // Slaves without an ESI tell what they are, when they may be led to PREOP.
   if (describe_ && !found->look_only) {
     const auto unread = describe_(built.project, link, cancelled_);

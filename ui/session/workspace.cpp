@@ -25,6 +25,7 @@ Workspace::Workspace(Environment environment, QObject* parent)
       autosave_(document_, environment_.recovery_folder),
       configuration_(document_),
       scan_(environment_.scan_bus, environment_.describe_slaves, environment_.esi_folders),
+      catalogue_(environment_.esi_folders),
       eeprom_repair_(environment_.eeprom_repairs),
       live_(environment_.open_master),
       requests_(live_),

@@ -10,6 +10,7 @@
 #include "ui/session/bus_connection.h"
 #include "ui/session/configuration_monitor.h"
 #include "ui/session/disk_recording.h"
+#include "ui/session/device_catalogue.h"
 #include "ui/session/eeprom_repair.h"
 #include "ui/session/live_session.h"
 #include "ui/session/opened_recording.h"
@@ -36,6 +37,7 @@ class Workspace final : public QObject {
   [[nodiscard]] Autosave& autosave() { return autosave_; }
   [[nodiscard]] ConfigurationMonitor& configuration() { return configuration_; }
   [[nodiscard]] ScanController& scan() { return scan_; }
+  [[nodiscard]] DeviceCatalogue& catalogue() { return catalogue_; }
   [[nodiscard]] EepromRepair& eepromRepair() { return eeprom_repair_; }
   [[nodiscard]] LiveSession& live() { return live_; }
   [[nodiscard]] SlaveRequests& requests() { return requests_; }
@@ -89,6 +91,7 @@ class Workspace final : public QObject {
   Autosave autosave_;
   ConfigurationMonitor configuration_;
   ScanController scan_;
+  DeviceCatalogue catalogue_;
   EepromRepair eeprom_repair_;
   LiveSession live_;
   SlaveRequests requests_;

@@ -129,6 +129,7 @@ TEST_F(Catalogue, FindsWhileSomebodyTypes) {
   EXPECT_THAT(types(catalogue, {"łód"}), ElementsAre("XEL 2"));
   EXPECT_THAT(types(catalogue, {.words = "", .vendor_id = 7}), ElementsAre("XEL 2"));
   EXPECT_THAT(types(catalogue, {.words = "", .product_code = 3}), ElementsAre("EK1100"));
+  EXPECT_THAT(types(catalogue, {.words = "0x00000003"}), ElementsAre("EK1100")) << "as vendors and we write it";
   EXPECT_THAT(types(catalogue, {.words = "el", .group_type = "Analogue"}), ElementsAre("EL1100"));
   EXPECT_THAT(types(catalogue, {.words = "", .limit = 2}), SizeIs(2));
   for (const char* strange : {"\"", "* OR *", "NEAR(", "a:b", "'; DROP TABLE devices", "\xFF", "%", "-"}) {

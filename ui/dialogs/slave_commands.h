@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QAction>
+#include <QObject>
+#include <functional>
+#include <optional>
+
+#include "config/slave_edits.h"
+#include "eni/catalogue/catalogue_entry.h"
+
+class QWidget;
+
+namespace syncline::ui {
+
+class DeviceCatalogue;
+class Workspace;
+
+/// What is done to the slaves of the project: add, duplicate, move, remove, rewire, replace; each one undo step. A
+/// machine that runs is left as it is.
+class SlaveCommands final : public QObject {
+  Q_OBJECT
+
+ public:
+  /// `commit`: takes what the fields hold; false where that cannot be.
+  SlaveCommands(Workspace& workspace, DeviceCatalogue& catalogue, QWidget& window, std::function<bool()> commit);
+
+  QAction *add, *duplicate, *move_up, *move_down, *remove, *replace;
+  [[nodiscard]] QList<QAction*> all() const { return {add, duplicate, move_up, move_down, replace, remove}; }
+
+  /// The selected node, which the actions are about; -1 = the master.
+  void setNode(int slave);
+  /// Behind the selected slave.
+  void addDevice(const eni::CatalogueEntry& device);
+  void addDeviceBehind(const eni::CatalogueEntry& device, int slave);
+  void addDeviceAt(const eni::CatalogueEntry& device, PreviousPort at);
+  void moveBehind(int slave, int target);
+  void rewire(int slave, PreviousPort at);
+
+ Q_SIGNALS:
+  /// Where the slave is now that was meant.
+  void nodeWanted(int slave);
+  /// Somebody wants to choose a device.
+  void catalogueWanted();
+  /// Why something was not done, or what it took along; a sentence.
+  void told(const QString& text);
+
+ private:
+  using Edit = std::function<EditedSlave(Project&)>;
+  QAction* make(const char* name, const QString& text, const QString& tip, const QKeySequence& keys);
+  void connectActions();
+  [[nodiscard]] bool mayEdit();
+  bool apply(const QString& text, const Edit& edit);
+  void fetch(const eni::CatalogueEntry& device, std::function<EditedSlave(Project&, const DeviceDescription&)> edit);
+  void removeSelected();
+  void replaceSelected();
+  void replaceBy(int slave, const DeviceDescription& device);
+  void updateActions();
+  [[nodiscard]] QString nameOf(int slave) const;
+
+  Workspace& workspace_;
+  DeviceCatalogue& catalogue_;
+  QWidget& window_;
+  std::function<bool()> commit_;
+  int slave_ = -1;
+};
+
+/// Why the slave cannot stand there, a sentence.
+[[nodiscard]] QString obstacleText(WiringObstacle obstacle);
+
+}  // namespace syncline::ui

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QModelIndex>
+#include <QPalette>
+#include <QPen>
+#include <QRectF>
+
+#include "ui/models/network_model.h"
+
+class QPainter;
+
+/// The parts of the drawn topology in the colours of the palette.
+namespace syncline::ui::topology {
+
+struct BoxLook {
+  bool selected = false, focused = false;
+  bool loose = false;  // nobody knows where it hangs
+};
+struct PortLook {
+  bool free = false;
+  bool offered = false;  // what is dragged could be plugged in
+  bool aimed = false;    // and would be
+};
+
+[[nodiscard]] QPen cablePen(const QPalette& palette, NetworkModel::LinkState link, bool lifted);
+void drawBox(QPainter& painter, const QRectF& box, const QPalette& palette, const QModelIndex& index,
+             const BoxLook& look);
+void drawPort(QPainter& painter, const QPointF& centre, QChar letter, const QPalette& palette, const PortLook& look);
+
+}  // namespace syncline::ui::topology

@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/topology_view.h"
+
+#include <QApplication>
+#include <QMimeData>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QScrollBar>
+#include <algorithm>
+#include <cmath>
+
+#include "config/slave_edits.h"
+#include "ui/models/network_model.h"
+#include "ui/panels/topology_paint.h"
+#include "ui/theme/theme.h"
+
+namespace syncline::ui {
+namespace {
+
+constexpr double kBoxWidth = 168, kBoxHeight = 44, kColumn = 212, kRow = 66, kEdge = 14;
+constexpr double kReach = 14;  // around a port
+constexpr double kSmallest = 0.3, kLargest = 2;
+
+int slaveOf(const QModelIndex& index) { return index.isValid() ? index.data(NetworkModel::kSlaveRole).toInt() : -1; }
+
+}  // namespace
+
+TopologyView::TopologyView(NetworkModel& model, QWidget* parent) : QAbstractItemView(parent), network_(model) {
+  setModel(&model);
+  setFrameShape(QFrame::NoFrame);
+  setSelectionMode(SingleSelection);
+  setEditTriggers(NoEditTriggers);
+  setDragDropMode(DropOnly);
+  viewport()->setMouseTracking(true);
+  viewport()->setAcceptDrops(true);
+}
+
+void TopologyView::setProject(const Project& project) {
+  project_ = &project;
+  layout_ = layoutOf(WiringTree::of(project.slaves));
+  endDrag();
+  updateGeometries();
+  viewport()->update();
+}
+
+void TopologyView::setZoom(double zoom) {
+  zoom_ = std::clamp(zoom, kSmallest, kLargest);
+  updateGeometries();
+  scrollTo(currentIndex());
+  viewport()->update();
+}
+
+QRectF TopologyView::boxOf(int slave) const {
+  if (slave < 0 || slave >= static_cast<int>(layout_.slaves.size())) return {kEdge, kEdge, kBoxWidth, kBoxHeight};
+  const auto& place = layout_.slaves[static_cast<std::size_t>(slave)];
+  return {kEdge + place.column * kColumn, kEdge + place.row * kRow, kBoxWidth, kBoxHeight};
+}
+
+/// The line comes in above and goes on below; branches begin at the right and come in from the left.
+QPointF TopologyView::anchorOf(int slave, int port) const {
+  const auto box = boxOf(slave);
+  if (slave < 0) return {box.center().x(), box.bottom()};
+  const auto& place = layout_.slaves[static_cast<std::size_t>(slave)];
+  const auto kind = place.ports[static_cast<std::size_t>(port)];
+  if (kind == TopologyPlace::Port::kEntry)
+    return place.previous && !place.goes_on ? QPointF(box.left(), box.center().y())
+                                            : QPointF(box.center().x(), box.top());
+  if (kind == TopologyPlace::Port::kWayOn) return {box.center().x(), box.bottom()};
+  // Free ports beside the way on stand below, where the line would go on, as long as nobody does.
+  int at = 0, count = 0;
+  bool below = place.next < 0;
+  for (int other = 1; other <= 4; ++other) {
+    const int one = other % 4;
+    const auto state = place.ports[static_cast<std::size_t>(one)];
+    if (state != TopologyPlace::Port::kFree && state != TopologyPlace::Port::kBranch) continue;
+    if (below && state == TopologyPlace::Port::kFree) {
+      below = false;
+      if (one == port) return {box.center().x(), box.bottom()};
+      continue;
+    }
+    if (one == port) at = count;
+    ++count;
+  }
+  return {box.right(), box.top() + kBoxHeight * (at + 1) / (count + 1)};
+}
+
+QPointF TopologyView::onPaper(const QPointF& point) const {
+  return (point + QPointF(horizontalOffset(), verticalOffset())) / zoom_;
+}
+
+QPoint TopologyView::portPosition(int slave, int port) const {
+  return (anchorOf(slave, port) * zoom_ - QPointF(horizontalOffset(), verticalOffset())).toPoint();
+}
+
+QRect TopologyView::visualRect(const QModelIndex& index) const {
+  if (!index.isValid()) return {};
+  const auto box = boxOf(slaveOf(index));
+  return QRectF(box.topLeft() * zoom_ - QPointF(horizontalOffset(), verticalOffset()), box.size() * zoom_).toRect();
+}
+
+QModelIndex TopologyView::indexAt(const QPoint& point) const {
+  const auto there = onPaper(point);
+  for (int slave = -1; slave < static_cast<int>(layout_.slaves.size()); ++slave) {
+    if (boxOf(slave).contains(there)) return network_.indexOf(slave);
+  }
+  return {};
+}
+
+void TopologyView::scrollTo(const QModelIndex& index, ScrollHint) {
+  if (!index.isValid()) return;
+  const auto box = visualRect(index).adjusted(-12, -12, 12, 12);
+  const auto bring = [](QScrollBar* bar, int first, int last, int size) {
+    if (first < 0) bar->setValue(bar->value() + first);
+    if (first >= 0 && last > size) bar->setValue(bar->value() + std::min(last - size, first));
+  };
+  bring(horizontalScrollBar(), box.left(), box.right(), viewport()->width());
+  bring(verticalScrollBar(), box.top(), box.bottom(), viewport()->height());
+}
+
+QModelIndex TopologyView::moveCursor(CursorAction action, Qt::KeyboardModifiers) {
+  const int slave = slaveOf(currentIndex());
+  const int count = static_cast<int>(layout_.slaves.size());
+  if (action == MoveHome) return network_.indexOf(-1);
+  if (action == MoveEnd) return network_.indexOf(count - 1);
+  if (slave < 0 || slave >= count) return network_.indexOf(action == MoveDown || action == MoveNext ? 0 : -1);
+  const auto& place = layout_.slaves[static_cast<std::size_t>(slave)];
+  const int page = std::max(1, static_cast<int>(viewport()->height() / (kRow * zoom_)));
+  switch (action) {
+    case MoveUp:
+      return network_.indexOf(place.before);
+    case MoveDown:
+      return network_.indexOf(place.next >= 0 ? place.next : slave);
+    case MoveLeft:
+      return network_.indexOf(place.from >= 0 ? place.from : slave);
+    case MoveRight:
+      return network_.indexOf(place.first_branch >= 0 ? place.first_branch : slave);
+    case MoveNext:
+      return network_.indexOf(std::min(slave + 1, count - 1));
+    case MovePrevious:
+      return network_.indexOf(slave - 1);
+    case MovePageUp:
+      return network_.indexOf(std::max(0, slave - page));
+    case MovePageDown:
+      return network_.indexOf(std::min(count - 1, slave + page));
+    default:
+      return currentIndex();
+  }
+}
+
+int TopologyView::horizontalOffset() const { return horizontalScrollBar()->value(); }
+int TopologyView::verticalOffset() const { return verticalScrollBar()->value(); }
+
+void TopologyView::setSelection(const QRect& rect, QItemSelectionModel::SelectionFlags command) {
+  const auto index = indexAt(rect.center());
+  if (index.isValid()) selectionModel()->select(index, command);
+}
+
+QRegion TopologyView::visualRegionForSelection(const QItemSelection& selection) const {
+  QRegion region;
+  for (const auto& index : selection.indexes()) region += visualRect(index);
+  return region;
+}
+
+void TopologyView::updateGeometries() {
+  const QSizeF paper(2 * kEdge + std::max(1, layout_.columns) * kColumn, 2 * kEdge + std::max(1, layout_.rows) * kRow);
+  const auto set = [](QScrollBar* bar, double all, int seen) {
+    bar->setRange(0, std::max(0, static_cast<int>(std::ceil(all)) - seen));
+    bar->setPageStep(seen);
+    bar->setSingleStep(static_cast<int>(kRow / 2));
+  };
+  set(horizontalScrollBar(), paper.width() * zoom_, viewport()->width());
+  set(verticalScrollBar(), paper.height() * zoom_, viewport()->height());
+  QAbstractItemView::updateGeometries();
+}
+
+void TopologyView::dataChanged(const QModelIndex& from, const QModelIndex& to, const QList<int>& roles) {
+  QAbstractItemView::dataChanged(from, to, roles);
+  viewport()->update();
+}
+
+void TopologyView::paintEvent(QPaintEvent* event) {
+  QPainter painter(viewport());
+  painter.setRenderHint(QPainter::Antialiasing);
+  const QRectF seen(onPaper(event->rect().topLeft()), onPaper(event->rect().bottomRight()));
+  painter.translate(-horizontalOffset(), -verticalOffset());
+  painter.scale(zoom_, zoom_);
+  const int count = std::min(network_.slaveCount(), static_cast<int>(layout_.slaves.size()));
+  for (int slave = 0; slave < count; ++slave) {
+    const auto& previous = layout_.slaves[static_cast<std::size_t>(slave)].previous;
+    const auto reach = boxOf(slave).united(boxOf(previous ? previous->position : -1)).adjusted(-8, -8, 8, 8);
+    if (reach.intersects(seen)) drawCable(painter, slave);
+  }
+  for (int slave = -1; slave < count; ++slave) {
+    if (!boxOf(slave).adjusted(-8, -8, 8, 8).intersects(seen)) continue;
+    drawNode(painter, slave);
+    if (slave >= 0) drawPorts(painter, slave);
+  }
+  if (dragging_) {
+    painter.setPen(QPen(theme::toneColor(palette(), theme::Tone::kAccent), 2, Qt::DashLine));
+    const auto entry = layout_.slaves[static_cast<std::size_t>(grabbed_)].ports;
+    const auto own = std::ranges::find(entry, TopologyPlace::Port::kEntry) - entry.begin();
+    painter.drawLine(anchorOf(grabbed_, static_cast<int>(own)),
+                     aim_.slave >= 0 ? anchorOf(aim_.slave, aim_.port) : onPaper(mouse_));
+  }
+}
+
+void TopologyView::drawCable(QPainter& painter, int slave) const {
+  const auto& place = layout_.slaves[static_cast<std::size_t>(slave)];
+  const auto link = static_cast<NetworkModel::LinkState>(network_.indexOf(slave).data(NetworkModel::kLinkRole).toInt());
+  painter.setPen(topology::cablePen(palette(), link, dragging_ && slave == grabbed_));
+  const auto own = std::ranges::find(place.ports, TopologyPlace::Port::kEntry) - place.ports.begin();
+  const auto end = anchorOf(slave, static_cast<int>(own));
+  // A slave that hangs at nobody though others stand before it: nobody knows its cable.
+  if (!place.previous && slave > 0) return;
+  const auto begin = place.previous ? anchorOf(place.previous->position, place.previous->port) : anchorOf(-1, 0);
+  const double middle = place.goes_on || !place.previous ? begin.x() : (begin.x() + end.x()) / 2;
+  painter.drawPolyline(QPolygonF({begin, {middle, begin.y()}, {middle, end.y()}, end}));
+}
+
+void TopologyView::drawNode(QPainter& painter, int slave) const {
+  const auto index = network_.indexOf(slave);
+  const bool selected = selectionModel()->isSelected(index);
+  topology::drawBox(painter, boxOf(slave), palette(), index,
+                    {selected, selected && hasFocus(),
+                     slave >= 0 && !layout_.slaves[static_cast<std::size_t>(slave)].previous && slave > 0});
+}
+
+void TopologyView::drawPorts(QPainter& painter, int slave) const {
+  const auto& place = layout_.slaves[static_cast<std::size_t>(slave)];
+  for (int port = 0; port < 4; ++port) {
+    const auto state = place.ports[static_cast<std::size_t>(port)];
+    if (state == TopologyPlace::Port::kNone) continue;
+    const bool free = state == TopologyPlace::Port::kFree;
+    const bool offered = free && dragging_ && mayPlug(grabbed_, {slave, port});
+    topology::drawPort(painter, anchorOf(slave, port), QChar(u'A' + port), palette(),
+                       {free, offered, aim_ == PortPlace{slave, port}});
+  }
+}
+
+TopologyView::PortPlace TopologyView::freePortAt(const QPoint& point) const {
+  const auto there = onPaper(point);
+  PortPlace nearest;
+  double least = kReach;
+  for (int slave = 0; slave < static_cast<int>(layout_.slaves.size()); ++slave) {
+    if (!boxOf(slave).adjusted(-kReach, -kReach, kReach, kReach).contains(there)) continue;
+    for (int port = 0; port < 4; ++port) {
+      if (layout_.slaves[static_cast<std::size_t>(slave)].ports[static_cast<std::size_t>(port)] !=
+          TopologyPlace::Port::kFree)
+        continue;
+      const auto away = anchorOf(slave, port) - there;
+      const double distance = std::hypot(away.x(), away.y());
+      if (distance >= least) continue;
+      least = distance;
+      nearest = {slave, port};
+    }
+  }
+  return nearest;
+}
+
+bool TopologyView::mayPlug(int slave, const PortPlace& at) const {
+  if (!tree_ || at.slave < 0) return false;
+  const PreviousPort place{static_cast<std::uint16_t>(at.slave), static_cast<std::uint8_t>(at.port)};
+  return !rewire_obstacle(*tree_, static_cast<std::size_t>(slave), place);
+}
+
+void TopologyView::mousePressEvent(QMouseEvent* event) {
+  QAbstractItemView::mousePressEvent(event);
+  pressed_ = event->position().toPoint();
+  const int slave = slaveOf(indexAt(pressed_));
+  const bool has_cable = slave >= 0 && layout_.slaves[static_cast<std::size_t>(slave)].previous;
+  grabbed_ = event->button() == Qt::LeftButton && editable_ && has_cable ? slave : -1;
+}
+
+void TopologyView::mouseMoveEvent(QMouseEvent* event) {
+  mouse_ = event->position().toPoint();
+  if (grabbed_ < 0 || !(event->buttons() & Qt::LeftButton)) return;
+  dragging_ = dragging_ || (mouse_ - pressed_).manhattanLength() >= QApplication::startDragDistance();
+  if (!dragging_ || project_ == nullptr) return;
+  if (!tree_) tree_ = WiringTree::of(project_->slaves);
+  const auto port = freePortAt(mouse_);
+  aim_ = mayPlug(grabbed_, port) ? port : PortPlace{};
+  viewport()->setCursor(port.slave >= 0 && aim_.slave < 0 ? Qt::ForbiddenCursor : Qt::ClosedHandCursor);
+  viewport()->update();
+}
+
+void TopologyView::mouseReleaseEvent(QMouseEvent* event) {
+  const bool plugged = dragging_ && aim_.slave >= 0;
+  const int slave = grabbed_;
+  const auto at = aim_;
+  endDrag();
+  if (plugged) {
+    Q_EMIT rewireWanted(slave, at.slave, at.port);
+  } else {
+    QAbstractItemView::mouseReleaseEvent(event);
+  }
+}
+
+void TopologyView::endDrag() {
+  grabbed_ = -1;
+  dragging_ = false;
+  tree_.reset();
+  aim_ = {};
+  viewport()->unsetCursor();
+  viewport()->update();
+}
+
+void TopologyView::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Escape && dragging_) return endDrag();
+  if (event->matches(QKeySequence::ZoomIn)) return setZoom(zoom_ * 1.2);
+  if (event->matches(QKeySequence::ZoomOut)) return setZoom(zoom_ / 1.2);
+  if (event->key() == Qt::Key_0 && event->modifiers() == Qt::ControlModifier) return setZoom(1);
+  QAbstractItemView::keyPressEvent(event);
+}
+
+void TopologyView::wheelEvent(QWheelEvent* event) {
+  if (!(event->modifiers() & Qt::ControlModifier)) return QAbstractItemView::wheelEvent(event);
+  setZoom(zoom_ * std::pow(1.2, event->angleDelta().y() / 120.0));
+  event->accept();
+}
+
+void TopologyView::dragEnterEvent(QDragEnterEvent* event) {
+  if (editable_ && event->mimeData()->hasFormat(kDeviceMime)) return event->acceptProposedAction();
+  event->ignore();
+}
+
+void TopologyView::dragMoveEvent(QDragMoveEvent* event) {
+  aim_ = freePortAt(event->position().toPoint());
+  viewport()->update();
+  event->acceptProposedAction();
+}
+
+void TopologyView::dragLeaveEvent(QDragLeaveEvent*) { endDrag(); }
+
+void TopologyView::dropEvent(QDropEvent* event) {
+  const auto point = event->position().toPoint();
+  const int device = event->mimeData()->data(kDeviceMime).toInt();
+  const auto port = freePortAt(point);
+  const auto index = indexAt(point);
+  endDrag();
+  event->acceptProposedAction();
+  if (port.slave >= 0) return Q_EMIT deviceDroppedAt(device, port.slave, port.port);
+  Q_EMIT deviceDropped(device, index.isValid() ? slaveOf(index) : network_.slaveCount() - 1);
+}
+
+}  // namespace syncline::ui

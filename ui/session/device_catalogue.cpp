@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/session/device_catalogue.h"
+
+#include <QFileInfo>
+#include <QMetaObject>
+#include <QPointer>
+#include <algorithm>
+#include <utility>
+
+#include "eni/catalogue/usual_sources.h"
+
+namespace syncline::ui {
+namespace {
+
+std::vector<std::string> pathsOf(const QStringList& list) {
+  std::vector<std::string> paths;
+  for (const auto& one : list) paths.push_back(one.toStdString());
+  return paths;
+}
+
+}  // namespace
+
+DeviceCatalogue::DeviceCatalogue(QStringList folders, QObject* parent)
+    : QObject(parent), folders_(std::move(folders)) {}
+
+DeviceCatalogue::~DeviceCatalogue() {
+  {
+    const std::lock_guard lock(mutex_);
+    ending_ = true;
+    jobs_.clear();
+  }
+  cancelled_ = true;
+  wake_.notify_one();
+  if (worker_.joinable()) worker_.join();
+}
+
+void DeviceCatalogue::ask(Job job) {
+  {
+    const std::lock_guard lock(mutex_);
+    jobs_.push_back(std::move(job));
+  }
+  if (!worker_.joinable()) {
+    cancelled_ = false;
+    worker_ = std::thread([this] { run(); });
+  }
+  wake_.notify_one();
+}
+
+/// In the worker, as all that takes a catalogue.
+void DeviceCatalogue::run() {
+  auto catalogue = eni::EsiCatalogue::open_default();
+  open(catalogue);
+  while (true) {
+    Job job;
+    {
+      std::unique_lock lock(mutex_);
+      wake_.wait(lock, [this] { return ending_ || !jobs_.empty(); });
+      if (ending_) return;
+      job = std::move(jobs_.front());
+      jobs_.pop_front();
+    }
+    job(catalogue);
+  }
+}
+
+void DeviceCatalogue::post(std::function<void()> call) {
+  QMetaObject::invokeMethod(this, std::move(call), Qt::QueuedConnection);
+}
+
+bool DeviceCatalogue::tellProgress(const eni::IndexProgress& now) {
+  const auto done = static_cast<int>(now.files_done), files = static_cast<int>(now.files);
+  post([this, done, files, file = QString::fromStdString(now.file)] { Q_EMIT progress(done, files, file); });
+  return !cancelled_;
+}
+
+void DeviceCatalogue::open(eni::EsiCatalogue& catalogue) {
+  const auto errors = eni::add_usual_sources(catalogue, pathsOf(folders_),
+                                             [this](const eni::IndexProgress& now) { return tellProgress(now); });
+  for (const auto& error : errors) post([this, error] { Q_EMIT failed(error); });
+  const bool cancelled = cancelled_;
+  post([this, cancelled] { Q_EMIT added(0, cancelled); });
+}
+
+void DeviceCatalogue::add(const QStringList& paths) {
+  cancelled_ = false;
+  ask([this, paths](eni::EsiCatalogue& catalogue) { addNow(catalogue, paths); });
+}
+
+void DeviceCatalogue::addNow(eni::EsiCatalogue& catalogue, const QStringList& paths) {
+  const auto before = catalogue.device_count();
+  for (const auto& path : pathsOf(paths)) {
+    const auto status =
+        eni::add_source(catalogue, path, [this](const eni::IndexProgress& now) { return tellProgress(now); });
+    if (!status && status.error().code == ErrorCode::kCancelled) break;
+    const auto kept = status ? catalogue.remember_folder(path) : status;
+    if (!kept) post([this, error = kept.error()] { Q_EMIT failed(error); });
+  }
+  tellProblems(catalogue, paths);
+  const auto devices = catalogue.device_count();
+  const auto fresh = static_cast<int>(devices - std::min(before, devices));
+  const bool cancelled = cancelled_;
+  post([this, fresh, cancelled] { Q_EMIT added(fresh, cancelled); });
+}
+
+/// What the files that were just added have wrong.
+void DeviceCatalogue::tellProblems(const eni::EsiCatalogue& catalogue, const QStringList& below) {
+  for (const auto& warning : catalogue.warnings()) {
+    const auto file = QString::fromStdString(warning.file);
+    const bool ours = std::ranges::any_of(below, [&](const QString& path) {
+      const auto canonical = QFileInfo(path).canonicalFilePath();
+      return file == canonical || file.startsWith(canonical + u'/');
+    });
+    if (!ours) continue;
+    Error error{ErrorCode::kXmlBadValue, warning.element, warning.text, warning.file, warning.line};
+    post([this, error] { Q_EMIT failed(error); });
+  }
+}
+
+void DeviceCatalogue::search(const eni::CatalogueSearch& search) {
+  const auto number = ++last_search_;
+  ask([this, number, search](eni::EsiCatalogue& catalogue) { searchNow(catalogue, number, search); });
+}
+
+void DeviceCatalogue::searchNow(eni::EsiCatalogue& catalogue, std::uint64_t number,
+                                const eni::CatalogueSearch& search) {
+  if (number != last_search_) return;  // somebody types on
+  auto wanted = search;
+  ++wanted.limit;
+  auto entries = catalogue.search(wanted);
+  if (!entries) return post([this, error = entries.error()] { Q_EMIT failed(error); });
+  CatalogueAnswer answer{search, std::move(*entries), catalogue.device_count()};
+  answer.more = answer.entries.size() > search.limit;
+  if (answer.more) answer.entries.resize(search.limit);
+  post([this, number, answer = std::move(answer)] {
+    if (number == last_search_) Q_EMIT found(answer);
+  });
+}
+
+void DeviceCatalogue::read(const eni::CatalogueEntry& entry, QObject* context,
+                           std::function<void(const Result<DeviceDescription>&)> then) {
+  ask([this, entry, here = QPointer<QObject>(context), then = std::move(then)](eni::EsiCatalogue& catalogue) {
+    const auto device = catalogue.device(entry);
+    Result<DeviceDescription> copy = device ? Result<DeviceDescription>(**device) : tl::unexpected(device.error());
+    post([here, then, copy = std::move(copy)] {
+      if (here) then(copy);
+    });
+  });
+}
+
+void DeviceCatalogue::revisions(const Identity& identity, QObject* context,
+                                std::function<void(const Result<std::vector<eni::CatalogueEntry>>&)> then) {
+  ask([this, identity, here = QPointer<QObject>(context), then = std::move(then)](eni::EsiCatalogue& catalogue) {
+    eni::CatalogueSearch search;
+    search.vendor_id = identity.vendor_id;
+    search.product_code = identity.product_code;
+    search.all_revisions = true;
+    search.with_hidden = true;
+    search.limit = 500;
+    const auto entries = catalogue.search(search);
+    post([here, then, entries] {
+      if (here) then(entries);
+    });
+  });
+}
+
+}  // namespace syncline::ui

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QObject>
+#include <QStringList>
+#include <atomic>
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <vector>
+
+#include "eni/catalogue/catalogue_entry.h"
+#include "support/result.h"
+
+namespace syncline::eni {
+class EsiCatalogue;
+}
+
+namespace syncline::ui {
+
+/// An answer of the catalogue.
+struct CatalogueAnswer {
+  eni::CatalogueSearch search;
+  std::vector<eni::CatalogueEntry> entries;
+  std::size_t devices = 0;  // that there are in all
+  bool more = false;        // than `entries`
+};
+
+/// The catalogue of ESI files in a thread of its own; answers come in the window's thread. It begins to read when
+/// somebody asks for the first time.
+class DeviceCatalogue final : public QObject {
+  Q_OBJECT
+
+ public:
+  /// `folders`: beside those that the user had it remember.
+  explicit DeviceCatalogue(QStringList folders, QObject* parent = nullptr);
+  ~DeviceCatalogue() override;
+
+  /// found() follows, for the last of several.
+  void search(const eni::CatalogueSearch& search);
+  /// Folders and files; remembered for later starts. progress(), failed() for those that cannot be read, then added().
+  void add(const QStringList& paths);
+  /// Ends reading folders; what was read is kept.
+  void cancel() { cancelled_ = true; }
+  /// The whole description, from its file; `then` is called unless `context` is gone.
+  void read(const eni::CatalogueEntry& entry, QObject* context,
+            std::function<void(const Result<DeviceDescription>&)> then);
+  /// All revisions of a product, newest first.
+  void revisions(const Identity& identity, QObject* context,
+                 std::function<void(const Result<std::vector<eni::CatalogueEntry>>&)> then);
+
+ Q_SIGNALS:
+  void found(const syncline::ui::CatalogueAnswer& answer);
+  void progress(int done, int files, const QString& file);
+  /// Reading ended; `devices` are new.
+  void added(int devices, bool cancelled);
+  /// A file or folder that could not be read, or a device in it.
+  void failed(const syncline::Error& error);
+
+ private:
+  using Job = std::function<void(eni::EsiCatalogue&)>;
+  void ask(Job job);
+  void run();
+  void open(eni::EsiCatalogue& catalogue);
+  void addNow(eni::EsiCatalogue& catalogue, const QStringList& paths);
+  void tellProblems(const eni::EsiCatalogue& catalogue, const QStringList& below);
+  bool tellProgress(const eni::IndexProgress& progress);
+  void searchNow(eni::EsiCatalogue& catalogue, std::uint64_t number, const eni::CatalogueSearch& search);
+  /// In the window's thread.
+  void post(std::function<void()> call);
+
+  QStringList folders_;
+  std::thread worker_;
+  std::mutex mutex_;
+  std::condition_variable wake_;
+  std::deque<Job> jobs_;
+  bool ending_ = false;
+  std::atomic<bool> cancelled_ = false;
+  std::atomic<std::uint64_t> last_search_ = 0;
+};
+
+}  // namespace syncline::ui
