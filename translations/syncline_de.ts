@@ -113,7 +113,7 @@
         </message>
         <message>
             <source>&amp;Clear Statistics</source>
-            <translation>Statistik &amp;zurücksetzen</translation>
+            <translation>S&amp;tatistik zurücksetzen</translation>
         </message>
         <message>
             <source>Start counting anew</source>
@@ -1055,6 +1055,25 @@
         </message>
     </context>
     <context>
+        <name>LanguageMenu</name>
+        <message>
+            <source>Lan&amp;guage</source>
+            <translation>Spra&amp;che</translation>
+        </message>
+        <message>
+            <source>&amp;System Language</source>
+            <translation>Sprache des S&amp;ystems</translation>
+        </message>
+        <message>
+            <source>Applied at the next start</source>
+            <translation>Gilt ab dem nächsten Start</translation>
+        </message>
+        <message>
+            <source>The window speaks this language from the next start on.</source>
+            <translation>Das Fenster spricht diese Sprache ab dem nächsten Start.</translation>
+        </message>
+    </context>
+    <context>
         <name>Link</name>
         <message>
             <source>Demonstration machine (simulated)</source>
@@ -1187,11 +1206,11 @@
             <translation>Wertachsen festhalten</translation>
         </message>
         <message>
-            <source>Export range as CSV...</source>
+            <source>Export range as CSV…</source>
             <translation>Bereich als CSV exportieren …</translation>
         </message>
         <message>
-            <source>Export picture...</source>
+            <source>Export picture…</source>
             <translation>Bild exportieren …</translation>
         </message>
         <message>

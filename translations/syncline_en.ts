@@ -32,6 +32,13 @@
             </translation>
         </message>
         <message numerus="yes">
+            <source>Propagation delays measured again: %n slave(s) to correct, by %1 at most</source>
+            <translation>
+                <numerusform>Propagation delays measured again: %n slave to correct, by %1 at most</numerusform>
+                <numerusform>Propagation delays measured again: %n slaves to correct, by %1 at most</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
             <source>PDI watchdog expired (%n time(s)): the firmware is silent</source>
             <translation>
                 <numerusform>PDI watchdog expired (%n time): the firmware is silent</numerusform>

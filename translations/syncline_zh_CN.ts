@@ -121,7 +121,7 @@
         </message>
         <message>
             <source>Request %1 for all slaves (register 0x0120)</source>
-            <translation>为所有从站请求 %1 (寄存器 0x0120)</translation>
+            <translation>为所有从站请求 %1（寄存器 0x0120）</translation>
         </message>
         <message>
             <source>&amp;System Colours</source>
@@ -263,7 +263,7 @@
         </message>
         <message>
             <source>Writing the EEPROM of slave %1 on %2 was cut short (begun %3 UTC). What it holds now is half old and half new: the slave may not start after its next power-on. Connect it and end the write.</source>
-            <translation>%2 上从站 %1 的 EEPROM 写入被中断 (开始于 UTC %3)。现在其内容新旧各半：下次上电后该从站可能无法启动。请连接该从站并完成写入。</translation>
+            <translation>%2 上从站 %1 的 EEPROM 写入被中断（开始于 UTC %3）。现在其内容新旧各半：下次上电后该从站可能无法启动。请连接该从站并完成写入。</translation>
         </message>
         <message>
             <source>&amp;Cancel</source>
@@ -335,7 +335,7 @@
         </message>
         <message>
             <source>Register 0x092C (System Time Difference) of the slaves that follow the reference clock. Largest: the wire-or of all of them read by BRD where nothing else is in it, else the largest of their latest readings. Lines: signed values of single slaves.</source>
-            <translation>跟随参考时钟的从站的寄存器 0x092C (系统时间差)。最大：只有这些从站参与时为 BRD 读取的全部值的线或，否则为其最新读数中的最大值。曲线：各从站的带符号值。</translation>
+            <translation>跟随参考时钟的从站的寄存器 0x092C（系统时间差）。最大：只有这些从站参与时为 BRD 读取的全部值的线或，否则为其最新读数中的最大值。曲线：各从站的带符号值。</translation>
         </message>
         <message>
             <source>limit ±%1</source>
@@ -403,7 +403,7 @@
         </message>
         <message>
             <source>{where}: this is another kind of file; expected{because}.</source>
-            <translation>{where}：这是另一种文件；期望的是{because}。</translation>
+            <translation>{where}：这是另一种文件；期望{because}。</translation>
         </message>
         <message>
             <source>{where}: this is not well-formed TOML{because}.</source>
@@ -603,13 +603,13 @@
         <message numerus="yes">
             <source>Process data watchdog expired (%n time(s))</source>
             <translation>
-                <numerusform>过程数据看门狗超时 (%n 次)</numerusform>
+                <numerusform>过程数据看门狗超时（%n 次）</numerusform>
             </translation>
         </message>
         <message numerus="yes">
             <source>PDI watchdog expired (%n time(s)): the firmware is silent</source>
             <translation>
-                <numerusform>PDI 看门狗超时 (%n 次)：固件无响应</numerusform>
+                <numerusform>PDI 看门狗超时（%n 次）：固件无响应</numerusform>
             </translation>
         </message>
         <message>
@@ -644,7 +644,7 @@
         </message>
         <message>
             <source>Master synchronisation stopped with code %1 (drift %2). Measure the host&apos;s jitter, or try master shift.</source>
-            <translation>主站同步以代码 %1 停止 (漂移 %2)。请测量主机的抖动，或尝试主站移位。</translation>
+            <translation>主站同步以代码 %1 停止（漂移 %2）。请测量主机的抖动，或尝试主站移位。</translation>
         </message>
         <message>
             <source>Emergency %1, error register %2, data %3</source>
@@ -656,15 +656,15 @@
         </message>
         <message>
             <source>Connected (hot-connect group %1)</source>
-            <translation>已连接 (热连接组 %1)</translation>
+            <translation>已连接（热连接组 %1）</translation>
         </message>
         <message>
             <source>Disconnected (hot-connect group %1)</source>
-            <translation>已断开 (热连接组 %1)</translation>
+            <translation>已断开（热连接组 %1）</translation>
         </message>
         <message>
             <source>Not there yet (hot-connect group %1)</source>
-            <translation>尚未出现 (热连接组 %1)</translation>
+            <translation>尚未出现（热连接组 %1）</translation>
         </message>
         <message>
             <source>The scan touches a running machine: %1 slaves are beyond INIT. States and station addresses stay; %2 EEPROMs are taken from their PDIs while they are read, and the DC receive times are latched</source>
@@ -698,7 +698,7 @@
         </message>
         <message>
             <source>Working counter expected now %1 (all slaves: %2)</source>
-            <translation>工作计数器现期望为 %1 (全部从站：%2)</translation>
+            <translation>工作计数器现期望为 %1（全部从站：%2）</translation>
         </message>
         <message>
             <source>Device that is not in the configuration, at position %1: %2</source>
@@ -714,15 +714,15 @@
         </message>
         <message>
             <source>Recovery begins (try %1)</source>
-            <translation>开始恢复 (第 %1 次)</translation>
+            <translation>开始恢复（第 %1 次）</translation>
         </message>
         <message>
             <source>Recovered (try %1)</source>
-            <translation>已恢复 (第 %1 次)</translation>
+            <translation>已恢复（第 %1 次）</translation>
         </message>
         <message>
             <source>Recovery failed (try %1)</source>
-            <translation>恢复失败 (第 %1 次)</translation>
+            <translation>恢复失败（第 %1 次）</translation>
         </message>
         <message>
             <source>Recovery given up after try %1; request the state again when the cause is removed</source>
@@ -754,7 +754,7 @@
         </message>
         <message>
             <source>Working counter %1 instead of %2 (%3 times)</source>
-            <translation>工作计数器为 %1 而不是 %2 (%3 次)</translation>
+            <translation>工作计数器为 %1 而不是 %2（%3 次）</translation>
         </message>
         <message>
             <source>Working counter %1 instead of %2</source>
@@ -787,7 +787,7 @@
         <message numerus="yes">
             <source>%n frame(s) back late, up to %1 after the deadline (%2 of them told as lost before)</source>
             <translation>
-                <numerusform>%n 帧返回过迟，最多超出截止时间 %1 (其中 %2 帧先前报为丢失)</numerusform>
+                <numerusform>%n 帧返回过迟，最多超出截止时间 %1（其中 %2 帧先前报为丢失）</numerusform>
             </translation>
         </message>
         <message numerus="yes">
@@ -920,7 +920,7 @@
         </message>
         <message>
             <source>It is %1. Here it can be looked at and changed, and be saved under another name. If that window is gone, delete %2.</source>
-            <translation>%1。在这里可以查看和更改，并以其他名称保存。如果那个窗口已不存在，请删除 %2。</translation>
+            <translation>占用者为 %1。在这里可以查看和更改，并以其他名称保存。如果那个窗口已不存在，请删除 %2。</translation>
         </message>
         <message>
             <source>Open Read-only</source>
@@ -1043,10 +1043,29 @@
         </message>
     </context>
     <context>
+        <name>LanguageMenu</name>
+        <message>
+            <source>Lan&amp;guage</source>
+            <translation>语言(&amp;G)</translation>
+        </message>
+        <message>
+            <source>&amp;System Language</source>
+            <translation>系统语言(&amp;S)</translation>
+        </message>
+        <message>
+            <source>Applied at the next start</source>
+            <translation>下次启动时生效</translation>
+        </message>
+        <message>
+            <source>The window speaks this language from the next start on.</source>
+            <translation>窗口从下次启动起使用此语言。</translation>
+        </message>
+    </context>
+    <context>
         <name>Link</name>
         <message>
             <source>Demonstration machine (simulated)</source>
-            <translation>演示机器 (仿真)</translation>
+            <translation>演示机器（仿真）</translation>
         </message>
         <message>
             <source>Network card %1</source>
@@ -1175,12 +1194,12 @@
             <translation>保持数值轴不变</translation>
         </message>
         <message>
-            <source>Export range as CSV...</source>
-            <translation>将范围导出为 CSV...</translation>
+            <source>Export range as CSV…</source>
+            <translation>将范围导出为 CSV…</translation>
         </message>
         <message>
-            <source>Export picture...</source>
-            <translation>导出图片...</translation>
+            <source>Export picture…</source>
+            <translation>导出图片…</translation>
         </message>
         <message>
             <source>Copy picture</source>
@@ -1223,7 +1242,7 @@
         </message>
         <message>
             <source>Stop the picture, not the acquisition (Space)</source>
-            <translation>停止画面，不停止采集 (空格键)</translation>
+            <translation>停止画面，不停止采集（空格键）</translation>
         </message>
         <message>
             <source>Cursors</source>
@@ -1231,7 +1250,7 @@
         </message>
         <message>
             <source>Two cursors to drag (keys A and B put them at the pointer)</source>
-            <translation>两个可拖动的光标 (A 键和 B 键将其放到指针处)</translation>
+            <translation>两个可拖动的光标（A 键和 B 键将其放到指针处）</translation>
         </message>
         <message>
             <source>Fit</source>
@@ -1338,7 +1357,7 @@
         </message>
         <message>
             <source>Request a state for all slaves (register 0x0120)</source>
-            <translation>为所有从站请求状态 (寄存器 0x0120)</translation>
+            <translation>为所有从站请求状态（寄存器 0x0120）</translation>
         </message>
         <message>
             <source>%1[*] – Syncline</source>
@@ -1350,7 +1369,7 @@
         </message>
         <message>
             <source>%1[*] (read-only) – Syncline</source>
-            <translation>%1[*] (只读) – Syncline</translation>
+            <translation>%1[*]（只读）– Syncline</translation>
         </message>
     </context>
     <context>
@@ -1497,7 +1516,7 @@
         </message>
         <message>
             <source>%1 (limit %2)</source>
-            <translation>%1 (限值 %2)</translation>
+            <translation>%1（限值 %2）</translation>
         </message>
         <message>
             <source>at once</source>
@@ -1596,7 +1615,7 @@
         </message>
         <message>
             <source>Lowest state of all slaves (register 0x0130)</source>
-            <translation>所有从站中的最低状态 (寄存器 0x0130)</translation>
+            <translation>所有从站中的最低状态（寄存器 0x0130）</translation>
         </message>
         <message>
             <source>Requested state</source>
@@ -1604,7 +1623,7 @@
         </message>
         <message>
             <source>State asked for last (register 0x0120)</source>
-            <translation>最近一次请求的状态 (寄存器 0x0120)</translation>
+            <translation>最近一次请求的状态（寄存器 0x0120）</translation>
         </message>
         <message>
             <source>Request state %1</source>
@@ -1612,7 +1631,7 @@
         </message>
         <message>
             <source>Request %1 for all slaves (register 0x0120)</source>
-            <translation>为所有从站请求 %1 (寄存器 0x0120)</translation>
+            <translation>为所有从站请求 %1（寄存器 0x0120）</translation>
         </message>
         <message>
             <source>Slaves answering</source>
@@ -1775,7 +1794,7 @@ Setting %2</source>
         </message>
         <message>
             <source>Position %1, station address %2 (register 0x0010)</source>
-            <translation>位置 %1，站地址 %2 (寄存器 0x0010)</translation>
+            <translation>位置 %1，站地址 %2（寄存器 0x0010）</translation>
         </message>
         <message>
             <source>Reference clock of the project</source>
@@ -1791,7 +1810,7 @@ Setting %2</source>
         </message>
         <message>
             <source>State %1 (register 0x0130 = %2)</source>
-            <translation>状态 %1 (寄存器 0x0130 = %2)</translation>
+            <translation>状态 %1（寄存器 0x0130 = %2）</translation>
         </message>
         <message>
             <source>Offline</source>
@@ -1809,7 +1828,7 @@ Setting %2</source>
         <name>PdoEntryModel</name>
         <message>
             <source>(padding)</source>
-            <translation>(填充)</translation>
+            <translation>（填充）</translation>
         </message>
         <message>
             <source>Offset</source>
@@ -1836,11 +1855,11 @@ Setting %2</source>
         <name>PdoModel</name>
         <message>
             <source>The device needs this PDO (Mandatory in the ESI)</source>
-            <translation>设备需要此 PDO (ESI 中的 Mandatory)</translation>
+            <translation>设备需要此 PDO（ESI 中的 Mandatory）</translation>
         </message>
         <message>
             <source>Excluded by the assigned PDO %1 (Exclude in the ESI)</source>
-            <translation>被已分配的 PDO %1 排除 (ESI 中的 Exclude)</translation>
+            <translation>被已分配的 PDO %1 排除（ESI 中的 Exclude）</translation>
         </message>
         <message>
             <source>Assigned through object 0x1C12</source>
@@ -2055,7 +2074,7 @@ Setting %2</source>
         </message>
         <message>
             <source>Counter of the device (object 0x1C32)</source>
-            <translation>设备的计数器 (对象 0x1C32)</translation>
+            <translation>设备的计数器（对象 0x1C32）</translation>
         </message>
         <message>
             <source>Offline</source>
@@ -2075,7 +2094,7 @@ Setting %2</source>
         </message>
         <message>
             <source>%1 (object %2:%3)</source>
-            <translation>%1 (对象 %2:%3)</translation>
+            <translation>%1（对象 %2:%3）</translation>
         </message>
         <message>
             <source>Does not follow</source>
@@ -2186,7 +2205,7 @@ Setting %2</source>
         </message>
         <message>
             <source>AL status (register 0x0130)</source>
-            <translation>AL 状态 (寄存器 0x0130)</translation>
+            <translation>AL 状态（寄存器 0x0130）</translation>
         </message>
         <message>
             <source>AL status code</source>
@@ -2468,7 +2487,7 @@ Setting %2</source>
         </message>
         <message>
             <source>0 (never gives up)</source>
-            <translation>0 (从不放弃)</translation>
+            <translation>0（从不放弃）</translation>
         </message>
         <message>
             <source>SYNC0</source>
@@ -2477,7 +2496,7 @@ Setting %2</source>
         <message numerus="yes">
             <source>%1 (%n miss(es) in a row)</source>
             <translation>
-                <numerusform>%1 (连续错过 %n 次)</numerusform>
+                <numerusform>%1（连续错过 %n 次）</numerusform>
             </translation>
         </message>
     </context>
@@ -2838,7 +2857,7 @@ Setting %2</source>
         </message>
         <message>
             <source>Off (no DC commands)</source>
-            <translation>关闭 (无 DC 命令)</translation>
+            <translation>关闭（无 DC 命令）</translation>
         </message>
         <message>
             <source>As operation mode</source>
@@ -2902,7 +2921,7 @@ Setting %2</source>
         </message>
         <message>
             <source>Slaves that come back (cable healed, power back) are set up again and led to the state of the bus.</source>
-            <translation>重新出现的从站 (电缆恢复、电源恢复) 会重新设置，并切换到总线的状态。</translation>
+            <translation>重新出现的从站（电缆恢复、电源恢复） 会重新设置，并切换到总线的状态。</translation>
         </message>
         <message>
             <source>How often an error state is acknowledged and the state requested again; 0 leaves it to the user.</source>
@@ -3018,15 +3037,15 @@ Setting %2</source>
         </message>
         <message>
             <source>What starts the device&apos;s cycle (0x1C32:01 and 0x1C33:01); auto as the operation mode says.</source>
-            <translation>启动设备周期的事件 (0x1C32:01 和 0x1C33:01)；自动表示按操作模式。</translation>
+            <translation>启动设备周期的事件（0x1C32:01 和 0x1C33:01）；自动表示按操作模式。</translation>
         </message>
         <message>
             <source>RxPDOs (outputs) in the order in which they lie in the process data.</source>
-            <translation>按过程数据中的顺序排列的 RxPDO (输出)。</translation>
+            <translation>按过程数据中的顺序排列的 RxPDO（输出）。</translation>
         </message>
         <message>
             <source>TxPDOs (inputs) in the order in which they lie in the process data.</source>
-            <translation>按过程数据中的顺序排列的 TxPDO (输入)。</translation>
+            <translation>按过程数据中的顺序排列的 TxPDO（输入）。</translation>
         </message>
         <message>
             <source>Values</source>
@@ -3106,7 +3125,7 @@ Setting %2</source>
         </message>
         <message>
             <source>Frames of the first drift compensation (FRMW or ARMW of 0x0910).</source>
-            <translation>首次漂移补偿的帧数 (0x0910 的 FRMW 或 ARMW)。</translation>
+            <translation>首次漂移补偿的帧数（0x0910 的 FRMW 或 ARMW）。</translation>
         </message>
         <message>
             <source>Burst, frames a cycle</source>
@@ -3170,7 +3189,7 @@ Setting %2</source>
         </message>
         <message>
             <source>Processing minus forwarding latency of the ESCs (tDiff of their data sheets); auto is 40 ns.</source>
-            <translation>ESC 的处理延迟减去转发延迟 (数据手册中的 tDiff)；自动为 40 ns。</translation>
+            <translation>ESC 的处理延迟减去转发延迟（数据手册中的 tDiff）；自动为 40 ns。</translation>
         </message>
         <message>
             <source>Speed counter start</source>
@@ -3358,7 +3377,7 @@ Setting %2</source>
         </message>
         <message>
             <source>Explicit device ID (switches or display of the device, ETG.1020) that is compared at start-up.</source>
-            <translation>启动时比较的显式设备标识 (设备的拨码开关或显示，ETG.1020)。</translation>
+            <translation>启动时比较的显式设备标识（设备的拨码开关或显示，ETG.1020）。</translation>
         </message>
         <message>
             <source>Watchdog divider</source>
@@ -3390,7 +3409,7 @@ Setting %2</source>
         </message>
         <message>
             <source>Outputs trigger the process data watchdog (control byte of their SyncManagers, bit 6); auto as in the ESI.</source>
-            <translation>输出触发过程数据看门狗 (其同步管理器控制字节的第 6 位)；自动同 ESI。</translation>
+            <translation>输出触发过程数据看门狗（其同步管理器控制字节的第 6 位）；自动同 ESI。</translation>
         </message>
         <message>
             <source>INIT to PREOP</source>
@@ -3582,7 +3601,7 @@ Setting %2</source>
         </message>
         <message>
             <source>What output pin K (from 1) of a drive shows on an oscilloscope (Copley 0x2193); auto leaves it alone.</source>
-            <translation>驱动器的输出引脚 K (从 1 起) 在示波器上显示的内容 (Copley 0x2193)；自动表示不作更改。</translation>
+            <translation>驱动器的输出引脚 K（从 1 起） 在示波器上显示的内容 (Copley 0x2193)；自动表示不作更改。</translation>
         </message>
         <message>
             <source>Module</source>
@@ -3626,7 +3645,7 @@ Setting %2</source>
         </message>
         <message>
             <source>None (base task)</source>
-            <translation>无 (基本任务)</translation>
+            <translation>无（基本任务）</translation>
         </message>
         <message>
             <source>Expert setting: few machines need it</source>
@@ -3689,7 +3708,7 @@ Setting %2</source>
         </message>
         <message>
             <source>%1 (Expert)</source>
-            <translation>%1 (专家)</translation>
+            <translation>%1（专家）</translation>
         </message>
         <message>
             <source>Finding: %1</source>
@@ -3714,7 +3733,7 @@ Setting %2</source>
         <name>MasterDcExpertPage</name>
         <message>
             <source>Distributed Clocks (Expert)</source>
-            <translation>分布时钟 (专家)</translation>
+            <translation>分布时钟（专家）</translation>
         </message>
         <message>
             <source>Clocks and Delays</source>
@@ -3741,7 +3760,7 @@ Setting %2</source>
         <name>SlaveTimingPage</name>
         <message>
             <source>Watchdogs (Expert)</source>
-            <translation>看门狗 (专家)</translation>
+            <translation>看门狗（专家）</translation>
         </message>
         <message>
             <source>Watchdogs</source>
@@ -3905,7 +3924,7 @@ Setting %2</source>
         </message>
         <message>
             <source>Index and sub-index, hexadecimal: 0x6060:00 (ENI InitCmd/Index and SubIndex)</source>
-            <translation>索引和子索引，十六进制：0x6060:00 (ENI InitCmd/Index 和 SubIndex)</translation>
+            <translation>索引和子索引，十六进制：0x6060:00（ENI InitCmd/Index 和 SubIndex）</translation>
         </message>
         <message>
             <source>Complete access</source>
@@ -4287,7 +4306,7 @@ Setting %2</source>
         <name>MasterTasksPage</name>
         <message>
             <source>Tasks (Expert)</source>
-            <translation>任务 (专家)</translation>
+            <translation>任务（专家）</translation>
         </message>
         <message>
             <source>Task</source>
@@ -4449,11 +4468,11 @@ Setting %2</source>
         </message>
         <message>
             <source>The device does not let this PDO be changed (Fixed in the ESI).</source>
-            <translation>设备不允许更改此 PDO (ESI 中的 Fixed)。</translation>
+            <translation>设备不允许更改此 PDO（ESI 中的 Fixed）。</translation>
         </message>
         <message>
             <source>The device takes no other mapping (CoE PdoConfig in its ESI).</source>
-            <translation>设备不接受其他映射 (其 ESI 中的 CoE PdoConfig)。</translation>
+            <translation>设备不接受其他映射（其 ESI 中的 CoE PdoConfig）。</translation>
         </message>
     </context>
     <context>

@@ -21,6 +21,7 @@
 #include "ui/dialogs/bus_commands.h"
 #include "ui/dialogs/difference_dialog.h"
 #include "ui/dialogs/file_commands.h"
+#include "ui/dialogs/language_menu.h"
 #include "ui/dialogs/recent_menu.h"
 #include "ui/dialogs/scan_progress.h"
 #include "ui/pages/device_editor.h"
@@ -156,6 +157,11 @@ void MainWindow::buildMenus() {
   view->addAction(actions_->expert);
   view->addSeparator();
   view->addActions(actions_->themes);
+  view->addSeparator();
+  auto* language = new LanguageMenu(workspace_.memory(), this);
+  connect(language, &LanguageMenu::chosen, this,
+          [this](const QString& text) { statusBar()->showMessage(text, 10'000); });
+  view->addMenu(language);
   auto* help = menuBar()->addMenu(tr("&Help"));
   auto* what = QWhatsThis::createAction(this);
   what->setObjectName(QStringLiteral("actionWhatsThis"));

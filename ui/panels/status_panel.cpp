@@ -12,9 +12,12 @@
 #include "ui/text/units.h"
 #include "ui/widgets/named.h"
 #include "ui/widgets/pill.h"
+#include "ui/widgets/value_label.h"
 
 namespace syncline::ui {
 namespace {
+
+constexpr int kLeastCharacters = 10;  // of each field in a narrow window
 
 StateText phaseText(const LiveSession& live) {
   switch (live.phase()) {
@@ -58,7 +61,8 @@ StatusPanel::StatusPanel(Workspace& workspace, QStatusBar& bar) : QObject(&bar),
 
 QLabel* StatusPanel::addField(QStatusBar& bar, const char* object_name, const QString& accessible,
                               const QString& tool_tip) {
-  auto* label = named(new QLabel, object_name, accessible);
+  auto* label = named(new ValueLabel, object_name, accessible);
+  label->setLeastCharacters(kLeastCharacters);
   label->setToolTip(tool_tip);
   label->setContentsMargins(6, 0, 6, 0);
   label->setTextInteractionFlags(Qt::TextSelectableByMouse);
