@@ -2438,7 +2438,7 @@ Einstellung %2</translation>
         </message>
         <message>
             <source>Lost %1  Late %2  Left out %3</source>
-            <translation>Verloren %1  Verspätet %2  Ausgelassen %3</translation>
+            <translation>Verloren %1  Spät %2  Ausgelassen %3</translation>
         </message>
         <message>
             <source>  Dropped %1</source>

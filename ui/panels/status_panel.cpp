@@ -17,7 +17,7 @@
 namespace syncline::ui {
 namespace {
 
-constexpr int kLeastCharacters = 10;  // of each field in a narrow window
+constexpr int kLeastCharacters = 10;  // of the long fields in a narrow window; the others are whole
 
 StateText phaseText(const LiveSession& live) {
   switch (live.phase()) {
@@ -52,6 +52,7 @@ StatusPanel::StatusPanel(Workspace& workspace, QStatusBar& bar) : QObject(&bar),
   losses_ = addField(bar, "statusLosses", tr("Lost frames, late frames, cycles left out"),
                      tr("Frames that did not come back, or came after their cycle; cycles that the host came too late "
                         "for; samples the display could not take"));
+  for (auto* label : {link_, losses_}) static_cast<ValueLabel*>(label)->setLeastCharacters(kLeastCharacters);
   connect(&workspace.live(), &LiveSession::snapshotChanged, this, &StatusPanel::refresh);
   connect(&workspace.live(), &LiveSession::phaseChanged, this, &StatusPanel::refresh);
   connect(&workspace, &Workspace::linkChanged, this, &StatusPanel::refresh);
@@ -62,7 +63,6 @@ StatusPanel::StatusPanel(Workspace& workspace, QStatusBar& bar) : QObject(&bar),
 QLabel* StatusPanel::addField(QStatusBar& bar, const char* object_name, const QString& accessible,
                               const QString& tool_tip) {
   auto* label = named(new ValueLabel, object_name, accessible);
-  label->setLeastCharacters(kLeastCharacters);
   label->setToolTip(tool_tip);
   label->setContentsMargins(6, 0, 6, 0);
   label->setTextInteractionFlags(Qt::TextSelectableByMouse);

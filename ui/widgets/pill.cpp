@@ -13,7 +13,7 @@ namespace {
 constexpr int kPillPadding = 8;
 constexpr int kMark = 8;
 constexpr int kPillGap = 6;
-constexpr int kLeastCharacters = 12;  // painted in the narrowest place
+constexpr int kLeastCharacters = 24;  // painted in the narrowest place: a state, and not why
 
 /// Full disc, ring, triangle, square: told apart without colour.
 void drawMark(QPainter& painter, const QRectF& box, theme::Tone tone) {
@@ -60,7 +60,9 @@ QSize Pill::minimumSizeHint() const {
 }
 
 QString Pill::shown() const {
-  return fontMetrics().elidedText(text_, Qt::ElideRight, width() - 2 * kPillPadding - kMark - kPillGap);
+  const int room = width() - 2 * kPillPadding - kMark - kPillGap;
+  // The eliding counts parts of a pixel, which the size hint rounds off.
+  return fontMetrics().horizontalAdvance(text_) <= room ? text_ : fontMetrics().elidedText(text_, Qt::ElideRight, room);
 }
 
 bool Pill::event(QEvent* event) {
