@@ -113,7 +113,7 @@
         </message>
         <message>
             <source>&amp;Clear Statistics</source>
-            <translation>Statistik &amp;zurücksetzen</translation>
+            <translation>S&amp;tatistik zurücksetzen</translation>
         </message>
         <message>
             <source>Start counting anew</source>
@@ -803,16 +803,16 @@
             <translation>Wertachsen festhalten</translation>
         </message>
         <message>
-            <source>Export range as CSV...</source>
+            <source>Copy picture</source>
+            <translation>Bild kopieren</translation>
+        </message>
+        <message>
+            <source>Export range as CSV…</source>
             <translation>Bereich als CSV exportieren …</translation>
         </message>
         <message>
-            <source>Export picture...</source>
+            <source>Export picture…</source>
             <translation>Bild exportieren …</translation>
-        </message>
-        <message>
-            <source>Copy picture</source>
-            <translation>Bild kopieren</translation>
         </message>
 </context>
 <context>
@@ -2091,7 +2091,7 @@ Einstellung %2</translation>
         </message>
         <message>
             <source>Lost %1  Late %2  Left out %3</source>
-            <translation>Verloren %1  Verspätet %2  Ausgelassen %3</translation>
+            <translation>Verloren %1  Spät %2  Ausgelassen %3</translation>
         </message>
         <message>
             <source>  Dropped %1</source>
@@ -6107,6 +6107,25 @@ Produktcode %2, Revision %3
         <message>
             <source>A network has at most 65535 slaves.</source>
             <translation>Ein Netzwerk hat höchstens 65535 Slaves.</translation>
+        </message>
+</context>
+<context>
+    <name>LanguageMenu</name>
+        <message>
+            <source>Lan&amp;guage</source>
+            <translation>Spra&amp;che</translation>
+        </message>
+        <message>
+            <source>&amp;System Language</source>
+            <translation>Sprache des S&amp;ystems</translation>
+        </message>
+        <message>
+            <source>Applied at the next start</source>
+            <translation>Gilt ab dem nächsten Start</translation>
+        </message>
+        <message>
+            <source>The window speaks this language from the next start on.</source>
+            <translation>Das Fenster spricht diese Sprache ab dem nächsten Start.</translation>
         </message>
 </context>
 </TS>

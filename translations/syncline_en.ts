@@ -215,4 +215,14 @@
             </translation>
         </message>
 </context>
+<context>
+    <name>Events</name>
+        <message numerus="yes">
+            <source>Propagation delays measured again: %n slave(s) to correct, by %1 at most</source>
+            <translation>
+                <numerusform>Propagation delays measured again: %n slave to correct, by %1 at most</numerusform>
+                <numerusform>Propagation delays measured again: %n slaves to correct, by %1 at most</numerusform>
+            </translation>
+        </message>
+</context>
 </TS>

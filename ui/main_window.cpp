@@ -23,6 +23,7 @@
 #include "ui/dialogs/difference_dialog.h"
 #include "ui/dialogs/file_commands.h"
 #include "ui/dialogs/go_to_dialog.h"
+#include "ui/dialogs/language_menu.h"
 #include "ui/dialogs/recent_menu.h"
 #include "ui/dialogs/recording_commands.h"
 #include "ui/dialogs/scan_progress.h"
@@ -197,6 +198,11 @@ void MainWindow::buildMenus() {
   view->addActions({actions_->overview, actions_->expert});
   view->addSeparator();
   view->addActions(actions_->themes);
+  view->addSeparator();
+  auto* language = new LanguageMenu(workspace_.memory(), this);
+  connect(language, &LanguageMenu::chosen, this,
+          [this](const QString& text) { statusBar()->showMessage(text, 10'000); });
+  view->addMenu(language);
   auto* help = menuBar()->addMenu(tr("&Help"));
   auto* what = QWhatsThis::createAction(this);
   what->setObjectName(QStringLiteral("actionWhatsThis"));

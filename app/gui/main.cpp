@@ -51,7 +51,7 @@ Options parse(const QCoreApplication& app) {
                                  QStringLiteral("NAME"));
   const QCommandLineOption language(
       QStringLiteral("language"),
-      QStringLiteral("Language of the window, e.g. de; default is the desktop's, else English."),
+      QStringLiteral("Language of the window: en, de or zh_CN; default is that of View > Language."),
       QStringLiteral("CODE"));
   const QCommandLineOption screenshots(
       QStringLiteral("screenshots"), QStringLiteral("Write a picture of every page in both themes to DIR, then exit."),
@@ -60,8 +60,8 @@ Options parse(const QCoreApplication& app) {
                                       QStringLiteral("SECONDS"));
   const QCommandLineOption reset(
       QStringLiteral("reset-settings"),
-      QStringLiteral(
-          "Forget what the window remembers (layout, theme, expert settings, recent projects), then start."));
+      QStringLiteral("Forget what the window remembers (layout, theme, language, expert settings, recent projects), "
+                     "then start."));
   parser.addOptions({demo, link, theme, language, screenshots, exit_after, reset});
   parser.addPositionalArgument(QStringLiteral("file"),
                                QStringLiteral("Project, ENI, ESI, capture or scenario to open."),
@@ -181,14 +181,15 @@ int main(int argc, char* argv[]) {
   QApplication::setApplicationVersion(QStringLiteral(SYNCLINE_VERSION));
   QApplication::setDesktopFileName(QStringLiteral("org.syncline.Syncline"));
   const auto options = parse(app);
-  ui::installTranslation(options.language);
-
   QSettings settings(QSettings::IniFormat, QSettings::UserScope, QApplication::organizationName(),
                      QApplication::applicationName());
   if (options.reset_settings) {
     settings.clear();
     settings.sync();
   }
+  // Pictures are the same on every machine.
+  const bool own = options.language.isEmpty() && options.screenshots.isEmpty();
+  ui::installTranslation(own ? settings.value(ui::kLanguageSetting).toString() : options.language);
   ui::theme::apply(
       ui::theme::modeFromName(options.theme.isEmpty() ? settings.value(kThemeSetting).toString() : options.theme));
   auto surroundings = environment();

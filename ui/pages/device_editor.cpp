@@ -32,6 +32,7 @@
 #include "ui/text/glossary.h"
 #include "ui/text/units.h"
 #include "ui/widgets/pill.h"
+#include "ui/widgets/value_label.h"
 
 namespace syncline::ui {
 
@@ -44,13 +45,17 @@ DeviceEditor::DeviceEditor(Workspace& workspace, QWidget* parent) : QWidget(pare
   auto* header = new QHBoxLayout;
   header->setContentsMargins(14, 8, 14, 6);
   header->setSpacing(12);
-  title_ = new QLabel;
+  auto* title = new ValueLabel;
+  title->setLeastCharacters(12);
+  title_ = title;
   title_->setObjectName(QStringLiteral("nodeTitle"));
   auto font = title_->font();
   font.setPointSizeF(font.pointSizeF() * 1.2);
   font.setWeight(QFont::DemiBold);
   title_->setFont(font);
-  subtitle_ = new QLabel;
+  auto* subtitle = new ValueLabel;
+  subtitle->setLeastCharacters(12);
+  subtitle_ = subtitle;
   subtitle_->setForegroundRole(QPalette::PlaceholderText);
   state_ = new Pill;
   state_->setObjectName(QStringLiteral("nodeState"));

@@ -114,8 +114,8 @@ void LiveStrip::openMenu(const QPoint& global, Nanoseconds time) {
   hold->setCheckable(true);
   hold->setChecked(panels_.front()->plot()->valueRange().isFixed());
   menu->addSeparator();
-  menu->addAction(tr("Export range as CSV..."), this, [this] { exportCsv(); });
-  menu->addAction(tr("Export picture..."), this, [this] { exportPicture(); });
+  menu->addAction(tr("Export range as CSV…"), this, [this] { exportCsv(); });
+  menu->addAction(tr("Export picture…"), this, [this] { exportPicture(); });
   menu->addAction(tr("Copy picture"), this, [this] { QApplication::clipboard()->setImage(picture(2)); });
   menu->popup(global);
 }

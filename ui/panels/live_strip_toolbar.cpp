@@ -2,18 +2,18 @@
 #include "ui/panels/live_strip_toolbar.h"
 
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QLocale>
 #include <QToolButton>
 
 #include "ui/text/units.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/named.h"
+#include "ui/widgets/value_label.h"
 
 namespace syncline::ui {
 
 LiveStripToolbar::LiveStripToolbar(TimeView* view, CursorSet* cursors, QWidget* parent)
-    : QWidget(parent), view_(view), cursors_(cursors), state_(new QLabel), delta_(new QLabel) {
+    : QWidget(parent), view_(view), cursors_(cursors), state_(new ValueLabel), delta_(new ValueLabel) {
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(4);
@@ -50,6 +50,7 @@ LiveStripToolbar::LiveStripToolbar(TimeView* view, CursorSet* cursors, QWidget* 
   layout->addWidget(named(state_, "liveStateLabel", tr("State of the plots")));
   layout->addStretch(1);
   layout->addWidget(named(delta_, "cursorDeltaLabel", tr("Time between the cursors")));
+  for (auto* label : {state_, delta_}) label->setLeastCharacters(8);
   QToolButton* menu = addButton(layout, "liveMenuButton", QStringLiteral("\u22EF"), tr("Export, axes and cursors"));
   menu->setAccessibleName(tr("Menu of the live plots"));
   connect(menu, &QToolButton::clicked, this,

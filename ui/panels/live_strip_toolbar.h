@@ -8,10 +8,11 @@
 #include "ui/plots/time_view.h"
 
 class QHBoxLayout;
-class QLabel;
 class QToolButton;
 
 namespace syncline::ui {
+
+class ValueLabel;
 
 /// Window length, following, freezing, cursors: the line above the plots of the live strip.
 class LiveStripToolbar final : public QWidget {
@@ -38,7 +39,7 @@ class LiveStripToolbar final : public QWidget {
   };
   std::vector<Length> lengths_;
   QToolButton *live_, *freeze_, *measure_;
-  QLabel *state_, *delta_;
+  ValueLabel *state_, *delta_;
 };
 
 }  // namespace syncline::ui

@@ -16,9 +16,12 @@
 #include "ui/text/units.h"
 #include "ui/widgets/named.h"
 #include "ui/widgets/pill.h"
+#include "ui/widgets/value_label.h"
 
 namespace syncline::ui {
 namespace {
+
+constexpr int kLeastCharacters = 10;  // of the long fields in a narrow window; the others are whole
 
 StateText phaseText(const LiveSession& live, bool recorded) {
   if (recorded) return {theme::Tone::kBusy, StatusPanel::tr("Recording")};
@@ -55,6 +58,7 @@ StatusPanel::StatusPanel(Workspace& workspace, QStatusBar& bar) : QObject(&bar),
   losses_ = addField(bar, "statusLosses", tr("Lost frames, late frames, cycles left out"),
                      tr("Frames that did not come back, or came after their cycle; cycles that the host came too late "
                         "for; samples the display could not take"));
+  for (auto* label : {link_, losses_}) static_cast<ValueLabel*>(label)->setLeastCharacters(kLeastCharacters);
   connect(&workspace.live(), &LiveSession::snapshotChanged, this, &StatusPanel::refresh);
   connect(&workspace.live(), &LiveSession::phaseChanged, this, &StatusPanel::refresh);
   connect(&workspace.recording(), &OpenedRecording::changed, this, &StatusPanel::refresh);
@@ -66,7 +70,7 @@ StatusPanel::StatusPanel(Workspace& workspace, QStatusBar& bar) : QObject(&bar),
 
 QLabel* StatusPanel::addField(QStatusBar& bar, const char* object_name, const QString& accessible,
                               const QString& tool_tip) {
-  auto* label = named(new QLabel, object_name, accessible);
+  auto* label = named(new ValueLabel, object_name, accessible);
   label->setToolTip(tool_tip);
   label->setContentsMargins(6, 0, 6, 0);
   label->setTextInteractionFlags(Qt::TextSelectableByMouse);

@@ -11,6 +11,7 @@
 
 #include "trace/statistics.h"
 #include "ui/theme/theme.h"
+#include "ui/widgets/value_label.h"
 
 namespace syncline::ui {
 
@@ -20,7 +21,7 @@ TracePanel::TracePanel(const QString& title, const TracePlot::Options& options, 
       view_(view),
       cursors_(cursors),
       heading_(new QLabel(title)),
-      readout_(new QLabel),
+      readout_(new ValueLabel),
       legend_(new LegendBar),
       plot_(new TracePlot(options, view, cursors)) {
   auto bold = font();
@@ -78,7 +79,6 @@ void TracePanel::refreshText(bool choose_now) {
   const auto text = cursors_->both() ? betweenCursors() : summary(time);
   if (text != readout_->text()) {
     readout_->setText(text);
-    readout_->setToolTip(text);
   }
   plot_->setAccessibleDescription(legend_->text() + QStringLiteral(". ") + text);
 }

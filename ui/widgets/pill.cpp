@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/widgets/pill.h"
 
+#include <QHelpEvent>
 #include <QPainter>
+#include <QToolTip>
+
+#include <algorithm>
 
 namespace syncline::ui {
 namespace {
@@ -9,6 +13,7 @@ namespace {
 constexpr int kPillPadding = 8;
 constexpr int kMark = 8;
 constexpr int kPillGap = 6;
+constexpr int kLeastCharacters = 24;  // painted in the narrowest place: a state, and not why
 
 /// Full disc, ring, triangle, square: told apart without colour.
 void drawMark(QPainter& painter, const QRectF& box, theme::Tone tone) {
@@ -30,7 +35,7 @@ void drawMark(QPainter& painter, const QRectF& box, theme::Tone tone) {
 
 }  // namespace
 
-Pill::Pill(QWidget* parent) : QWidget(parent) { setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed); }
+Pill::Pill(QWidget* parent) : QWidget(parent) { setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed); }
 
 void Pill::setState(theme::Tone tone, const QString& text) {
   if (tone == tone_ && text == text_) return;
@@ -48,6 +53,25 @@ QSize Pill::sizeHint() const {
   return {metrics.horizontalAdvance(text_) + 2 * kPillPadding + kMark + kPillGap, metrics.height() + 6};
 }
 
+QSize Pill::minimumSizeHint() const {
+  const auto whole = sizeHint();
+  const int least = kLeastCharacters * fontMetrics().averageCharWidth() + 2 * kPillPadding + kMark + kPillGap;
+  return {std::min(whole.width(), least), whole.height()};
+}
+
+QString Pill::shown() const {
+  const int room = width() - 2 * kPillPadding - kMark - kPillGap;
+  // The eliding counts parts of a pixel, which the size hint rounds off.
+  return fontMetrics().horizontalAdvance(text_) <= room ? text_ : fontMetrics().elidedText(text_, Qt::ElideRight, room);
+}
+
+bool Pill::event(QEvent* event) {
+  if (event->type() != QEvent::ToolTip || shown() == text_) return QWidget::event(event);
+  QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(),
+                     toolTip().isEmpty() ? text_ : text_ + u'\n' + toolTip(), this);
+  return true;
+}
+
 void Pill::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
@@ -60,8 +84,7 @@ void Pill::paintEvent(QPaintEvent*) {
   painter.setBrush(color);
   drawMark(painter, QRectF(kPillPadding, area.center().y() - kMark / 2.0, kMark, kMark), tone_);
   painter.setPen(color);
-  painter.drawText(area.adjusted(kPillPadding + kMark + kPillGap, 0, -kPillPadding, 0),
-                   Qt::AlignVCenter | Qt::AlignLeft, text_);
+  painter.drawText(area.adjusted(kPillPadding + kMark + kPillGap, 0, 0, 0), Qt::AlignVCenter | Qt::AlignLeft, shown());
 }
 
 }  // namespace syncline::ui

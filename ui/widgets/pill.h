@@ -17,9 +17,12 @@ class Pill final : public QWidget {
   [[nodiscard]] const QString& text() const { return text_; }
   [[nodiscard]] theme::Tone tone() const { return tone_; }
   [[nodiscard]] QSize sizeHint() const override;
-  [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
+  [[nodiscard]] QSize minimumSizeHint() const override;
+  /// What is painted at its width; the tool tip has the rest.
+  [[nodiscard]] QString shown() const;
 
  protected:
+  bool event(QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
 
  private:

@@ -10,10 +10,14 @@
 
 namespace syncline::ui {
 
+void ValueLabel::setLeastCharacters(int count) {
+  least_characters_ = count;
+  updateGeometry();
+}
+
 QSize ValueLabel::minimumSizeHint() const {
-  constexpr int kMostCharacters = 48;  // cards widen for so many, which every ordinary value has, and not for more
   const auto usual = QLabel::minimumSizeHint();
-  return {std::min(usual.width(), kMostCharacters * fontMetrics().averageCharWidth()), usual.height()};
+  return {std::min(usual.width(), least_characters_ * fontMetrics().averageCharWidth()), usual.height()};
 }
 
 QString ValueLabel::shown() const { return fontMetrics().elidedText(text(), Qt::ElideRight, contentsRect().width()); }

@@ -11,6 +11,9 @@ class ValueLabel final : public QLabel {
 
  public:
   using QLabel::QLabel;
+  /// As many characters of it are always painted, where it has so many; 48 unless said otherwise, which cards widen for
+  /// and every ordinary value has.
+  void setLeastCharacters(int count);
   [[nodiscard]] QSize minimumSizeHint() const override;
   /// What is painted at the label's width.
   [[nodiscard]] QString shown() const;
@@ -20,6 +23,9 @@ class ValueLabel final : public QLabel {
  protected:
   bool event(QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
+
+ private:
+  int least_characters_ = 48;
 };
 
 }  // namespace syncline::ui

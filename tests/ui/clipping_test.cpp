@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+// No text of the window is cut, in any of its languages, on the smallest screen and the usual one. With
+// SYNCLINE_PICTURES=FOLDER each page is also painted there.
+#include <gtest/gtest.h>
+
+#include <QDir>
+#include <QTabWidget>
+
+#include "support/cut_texts.h"
+#include "support/speak.h"
+#include "support/ui_test_support.h"
+#include "ui/dialogs/bus_commands.h"
+#include "ui/main_window.h"
+#include "ui/pages/device_editor.h"
+#include "ui/panels/live_strip.h"
+#include "ui/session/workspace.h"
+
+namespace syncline::ui {
+namespace {
+
+constexpr QSize kSizes[] = {{1024, 640}, {1280, 800}};
+
+class Clipping : public ::testing::TestWithParam<const char*> {
+ protected:
+  Clipping() : speak_(QLatin1String(GetParam())), workspace_(test::virtualEnvironment()), window_(workspace_) {
+    workspace_.live().setAutoAdvance(false);
+    window_.show();
+  }
+  ~Clipping() override {
+    workspace_.live().shutDown();
+    workspace_.document().undoStack().setClean();
+  }
+  void startDemo() {
+    window_.bus().startDemo();
+    ASSERT_TRUE(test::waitFor([this] { return workspace_.live().phase() != LiveSession::Phase::kOffline; }));
+    for (int i = 0; i < 40; ++i) workspace_.live().advance(100 * kMillisecond);
+  }
+  void settle() {
+    window_.liveStrip().refresh();
+    for (int round = 0; round < 3; ++round) QApplication::processEvents();
+  }
+  void look(const QString& page) {
+    settle();
+    const auto where = QStringLiteral("%1-%2-%3").arg(QLatin1String(GetParam())).arg(window_.width()).arg(page);
+    const auto pictures = qEnvironmentVariable("SYNCLINE_PICTURES");
+    if (!pictures.isEmpty()) window_.grab().save(QDir(pictures).filePath(where + QStringLiteral(".png")));
+    const test::CutTexts cut(window_);
+    for (const auto& text : cut.found()) {
+      // What stands outside of the pages is told once.
+      if (told_.contains(text)) continue;
+      told_.insert(text);
+      ADD_FAILURE() << qPrintable(where) << ": " << qPrintable(text);
+    }
+  }
+  void lookAtPages(int node) {
+    window_.selectNode(node);
+    auto* tabs = window_.editor().tabs();
+    for (int i = 0; i < tabs->count(); ++i) {
+      tabs->setCurrentIndex(i);
+      look(QStringLiteral("%1-%2").arg(node).arg(tabs->widget(i)->objectName()));
+    }
+  }
+
+  test::Speak speak_;
+  Workspace workspace_;
+  MainWindow window_;
+  QSet<QString> told_;
+};
+
+TEST_P(Clipping, NoTextIsCut) {
+  for (const auto size : kSizes) {
+    window_.resize(size);
+    look(QStringLiteral("welcome"));
+  }
+  startDemo();
+  ASSERT_FALSE(HasFatalFailure());
+  workspace_.setExpert(true);
+  const auto& slaves = workspace_.document().project().slaves;
+  for (const auto size : kSizes) {
+    told_.clear();
+    window_.resize(size);
+    settle();
+    EXPECT_EQ(window_.size(), size) << "it does not become so small";
+    std::set<std::uint32_t> seen;  // one of each device
+    lookAtPages(-1);
+    for (std::size_t i = 0; i < slaves.size(); ++i) {
+      if (seen.insert(slaves[i].device.identity.product_code).second) lookAtPages(static_cast<int>(i));
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Languages, Clipping, ::testing::Values("en", "de", "zh_CN"),
+                         [](const auto& language) { return std::string(language.param); });
+
+}  // namespace
+}  // namespace syncline::ui

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+// The window in each of its languages.
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QDialogButtonBox>
+#include <QFile>
+#include <QKeySequence>
+#include <QLibraryInfo>
+#include <QMenu>
+#include <QMenuBar>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <map>
+
+#include "support/result.h"
+#include "support/speak.h"
+#include "support/ui_test_support.h"
+#include "ui/dialogs/language_menu.h"
+#include "ui/main_window.h"
+#include "ui/panels/status_panel.h"
+#include "ui/session/window_memory.h"
+#include "ui/session/workspace.h"
+#include "ui/text/error_text.h"
+#include "ui/text/units.h"
+
+namespace syncline::ui {
+namespace {
+
+TEST(Languages, ReachTheClasses) {
+  for (const auto& code : test::translatedLanguages()) {
+    const test::Speak speak(code);
+    EXPECT_NE(StatusPanel::tr("Starting"), QStringLiteral("Starting")) << qPrintable(code);
+    EXPECT_NE(errorText(Error{ErrorCode::kCancelled}), QStringLiteral("Cancelled.")) << qPrintable(code);
+    EXPECT_TRUE(bitsText(8).startsWith(u'1')) << qPrintable(code);
+    EXPECT_FALSE(bitsText(16).contains(QStringLiteral("(s)"))) << qPrintable(code);
+  }
+}
+
+TEST(Languages, ChineseIsFoundUnderItsShortName) {
+  for (const char* code : {"zh", "zh_CN", "zh-Hans"}) {
+    const test::Speak speak(QString::fromLatin1(code));
+    EXPECT_EQ(StatusPanel::tr("Starting"), QStringLiteral("正在启动")) << code;
+  }
+}
+
+TEST(Languages, ReachTheButtonsOfQt) {
+  const QDir qt(QLibraryInfo::path(QLibraryInfo::TranslationsPath));
+  for (const auto& code : test::translatedLanguages()) {
+    if (!QFile::exists(qt.filePath(QStringLiteral("qtbase_%1.qm").arg(code))))
+      GTEST_SKIP() << "Qt's own translations are not installed";
+    const test::Speak speak(code);
+    const QDialogButtonBox box(QDialogButtonBox::Cancel);
+    EXPECT_NE(box.button(QDialogButtonBox::Cancel)->text().remove(u'&'), QStringLiteral("Cancel")) << qPrintable(code);
+  }
+}
+
+/// A key that two lines of a menu share opens neither.
+void expectOneEach(const QList<QAction*>& actions, const QString& where) {
+  std::map<QString, QString> used;
+  for (const auto* action : actions) {
+    if (const auto* menu = action->menu()) expectOneEach(menu->actions(), where + u'/' + action->text());
+    const auto key = QKeySequence::mnemonic(action->text()).toString();
+    if (key.isEmpty() || action->isSeparator()) continue;
+    EXPECT_FALSE(used.contains(key)) << qPrintable(where) << ": " << qPrintable(action->text()) << " and "
+                                     << qPrintable(used[key]);
+    used[key] = action->text();
+  }
+}
+
+TEST(Languages, GiveEachLineOfAMenuAKeyOfItsOwn) {
+  for (const auto& language : languages()) {
+    const test::Speak speak(language.code);
+    Workspace workspace(test::virtualEnvironment());
+    const MainWindow window(workspace);
+    expectOneEach(window.menuBar()->actions(), language.code);
+  }
+}
+
+TEST(LanguageMenu, RemembersWhatTheNextStartSpeaks) {
+  QTemporaryDir folder;
+  const auto file = folder.filePath(QStringLiteral("settings.ini"));
+  {
+    WindowMemory memory(file);
+    LanguageMenu menu(memory);
+    EXPECT_TRUE(menu.findChild<QAction*>(QStringLiteral("actionLanguage_"))->isChecked()) << "the desktop's";
+    EXPECT_FALSE(menu.findChild<QAction*>(QStringLiteral("languageNote"))->isVisible());
+    QSignalSpy chosen(&menu, &LanguageMenu::chosen);
+    menu.findChild<QAction*>(QStringLiteral("actionLanguage_zh_CN"))->trigger();
+    ASSERT_EQ(chosen.count(), 1);
+    EXPECT_FALSE(chosen.front().front().toString().isEmpty()) << "it says that a start is needed";
+    EXPECT_TRUE(menu.findChild<QAction*>(QStringLiteral("languageNote"))->isVisible());
+  }
+  WindowMemory memory(file);
+  EXPECT_EQ(memory.value(kLanguageSetting).toString(), QStringLiteral("zh_CN"));
+  LanguageMenu menu(memory);
+  EXPECT_TRUE(menu.findChild<QAction*>(QStringLiteral("actionLanguage_zh_CN"))->isChecked());
+  EXPECT_FALSE(menu.findChild<QAction*>(QStringLiteral("languageNote"))->isVisible());
+}
+
+}  // namespace
+}  // namespace syncline::ui

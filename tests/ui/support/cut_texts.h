@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QAbstractButton>
+#include <QComboBox>
+#include <QHeaderView>
+#include <QLabel>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QStringList>
+#include <QStyle>
+#include <QStyleOptionComboBox>
+#include <QTabBar>
+#include <QTextDocument>
+#include <QToolBar>
+#include <QToolButton>
+
+#include "ui/widgets/pill.h"
+#include "ui/widgets/value_label.h"
+
+namespace syncline::test {
+
+/// Texts of a window that its user does not see whole, and cannot by pointing at them.
+class CutTexts {
+ public:
+  explicit CutTexts(const QWidget& window) {
+    for (const auto* widget : window.findChildren<QWidget*>()) {
+      if (widget->isVisible() && !widget->visibleRegion().isEmpty()) look(*widget);
+    }
+  }
+  [[nodiscard]] const QStringList& found() const { return found_; }
+
+ private:
+  static constexpr int kLongPill = 24;  // what has more characters may end in its tool tip
+
+  void say(const QWidget& widget, const QString& text, int wanted, int has) {
+    QString path = widget.objectName();
+    for (auto* up = widget.parentWidget(); up != nullptr && path.isEmpty(); up = up->parentWidget())
+      path = up->objectName();
+    found_.append(QStringLiteral("%1 \"%2\": %3 of %4 px").arg(path, text).arg(has).arg(wanted));
+  }
+  void look(const QWidget& widget) {
+    if (const auto* label = qobject_cast<const QLabel*>(&widget)) return lookAt(*label);
+    if (const auto* button = qobject_cast<const QAbstractButton*>(&widget)) return lookAt(*button);
+    if (const auto* pill = qobject_cast<const ui::Pill*>(&widget)) {
+      if (pill->shown() != pill->text() && pill->text().size() <= kLongPill)
+        say(*pill, pill->text(), pill->sizeHint().width(), pill->width());
+      return;
+    }
+    if (const auto* tabs = qobject_cast<const QTabBar*>(&widget)) return lookAt(*tabs);
+    if (const auto* header = qobject_cast<const QHeaderView*>(&widget)) return lookAt(*header);
+    if (const auto* combo = qobject_cast<const QComboBox*>(&widget)) return lookAt(*combo);
+    if (const auto* area = qobject_cast<const QScrollArea*>(&widget)) {
+      if (area->horizontalScrollBar()->isVisible())
+        say(*area, QStringLiteral("the page"), area->widget()->width(), area->viewport()->width());
+    }
+  }
+  void lookAt(const QLabel& label) {
+    if (qobject_cast<const ui::ValueLabel*>(&label) != nullptr || label.text().isEmpty()) return;
+    const auto room = label.contentsRect();
+    if (label.wordWrap()) {
+      const int high = label.heightForWidth(label.width());
+      if (high > label.height()) say(label, label.text(), high, label.height());
+      return;
+    }
+    const int wide = Qt::mightBeRichText(label.text()) ? label.sizeHint().width()
+                                                       : label.fontMetrics().size(0, label.text()).width();
+    if (wide > room.width() || seen(label) < label.width()) say(label, label.text(), wide, seen(label));
+  }
+  void lookAt(const QAbstractButton& button) {
+    if (button.objectName() == QLatin1String("qt_toolbar_ext_button"))
+      return say(button, QStringLiteral("the tool bar"), button.parentWidget()->sizeHint().width(),
+                 button.parentWidget()->width());
+    if (button.text().isEmpty()) return;
+    // A style gives room that the text does not need.
+    const int wide = button.fontMetrics().size(Qt::TextShowMnemonic, button.text()).width();
+    const auto* tool = qobject_cast<const QToolButton*>(&button);
+    if (tool != nullptr && tool->toolButtonStyle() == Qt::ToolButtonIconOnly && !tool->icon().isNull()) return;
+    const int frame = std::min(6, std::max(0, button.sizeHint().width() - wide));
+    if (wide + frame > button.width() || seen(button) < button.width())
+      say(button, button.text(), button.sizeHint().width(), seen(button));
+  }
+  void lookAt(const QTabBar& tabs) {
+    int all = 0;
+    for (int i = 0; i < tabs.count(); ++i) {
+      const int wide = tabs.fontMetrics().size(Qt::TextShowMnemonic, tabs.tabText(i)).width();
+      all += tabs.tabRect(i).width();
+      if (wide > tabs.tabRect(i).width() && tabs.tabToolTip(i).isEmpty())
+        say(tabs, tabs.tabText(i), wide, tabs.tabRect(i).width());
+    }
+    // Beyond its width it scrolls; the arrows then lead to the others.
+    if (all > tabs.width() && !tabs.usesScrollButtons()) say(tabs, QStringLiteral("the tabs"), all, tabs.width());
+  }
+  void lookAt(const QHeaderView& header) {
+    if (header.orientation() != Qt::Horizontal || header.model() == nullptr) return;
+    const int margin = header.style()->pixelMetric(QStyle::PM_HeaderMargin, nullptr, &header);
+    for (int i = 0; i < header.count(); ++i) {
+      const auto text = header.model()->headerData(i, Qt::Horizontal).toString();
+      const int wide = header.fontMetrics().horizontalAdvance(text) + 2 * margin;
+      if (!header.isSectionHidden(i) && wide > header.sectionSize(i)) say(header, text, wide, header.sectionSize(i));
+    }
+  }
+  void lookAt(const QComboBox& combo) {
+    if (combo.isEditable()) return;
+    QStyleOptionComboBox option;
+    option.initFrom(&combo);
+    const auto room = combo.style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, &combo);
+    const int wide = combo.fontMetrics().horizontalAdvance(combo.currentText());
+    if (wide > room.width()) say(combo, combo.currentText(), wide, room.width());
+  }
+  /// The width of it that lies within all that it stands in.
+  static int seen(const QWidget& widget) { return widget.visibleRegion().boundingRect().width(); }
+
+  QStringList found_;
+};
+
+}  // namespace syncline::test

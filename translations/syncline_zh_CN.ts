@@ -1,0 +1,6105 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!-- SPDX-License-Identifier: Apache-2.0 -->
+<!DOCTYPE TS>
+<TS version="2.1" language="zh_CN" sourcelanguage="en">
+    <context>
+        <name>AboutDialog</name>
+        <message>
+            <source>About Syncline</source>
+            <translation>关于 Syncline</translation>
+        </message>
+        <message>
+            <source>&lt;h3&gt;Syncline %1&lt;/h3&gt;&lt;p&gt;EtherCAT configurator and live synchronisation monitor.&lt;/p&gt;&lt;p&gt;Apache License 2.0. Built with Qt %2 (LGPL) and Qwt %3 (Qwt License).&lt;/p&gt;</source>
+            <translation>&lt;h3&gt;Syncline %1&lt;/h3&gt;&lt;p&gt;EtherCAT 配置工具与实时同步监视器。&lt;/p&gt;&lt;p&gt;Apache License 2.0。使用 Qt %2 (LGPL) 和 Qwt %3 (Qwt License) 构建。&lt;/p&gt;</translation>
+        </message>
+        <message>
+            <source>EtherCAT is a registered trademark and patented technology, licensed by Beckhoff Automation GmbH, Germany.</source>
+            <translation>EtherCAT 是注册商标和专利技术，由德国 Beckhoff Automation GmbH 授权。</translation>
+        </message>
+    </context>
+    <context>
+        <name>Actions</name>
+        <message>
+            <source>Take the last edit back</source>
+            <translation>撤销上一次编辑</translation>
+        </message>
+        <message>
+            <source>Do again what was taken back</source>
+            <translation>恢复刚才撤销的编辑</translation>
+        </message>
+        <message>
+            <source>&amp;New</source>
+            <translation>新建(&amp;N)</translation>
+        </message>
+        <message>
+            <source>New project</source>
+            <translation>新建项目</translation>
+        </message>
+        <message>
+            <source>&amp;Open…</source>
+            <translation>打开(&amp;O)…</translation>
+        </message>
+        <message>
+            <source>&amp;Save</source>
+            <translation>保存(&amp;S)</translation>
+        </message>
+        <message>
+            <source>Save the project</source>
+            <translation>保存项目</translation>
+        </message>
+        <message>
+            <source>Save &amp;As…</source>
+            <translation>另存为(&amp;A)…</translation>
+        </message>
+        <message>
+            <source>Save the project under another name</source>
+            <translation>以其他名称保存项目</translation>
+        </message>
+        <message>
+            <source>&amp;Export ENI…</source>
+            <translation>导出 ENI(&amp;E)…</translation>
+        </message>
+        <message>
+            <source>Write the network information file (ETG.2100)</source>
+            <translation>写出网络信息文件 (ETG.2100)</translation>
+        </message>
+        <message>
+            <source>&amp;Quit</source>
+            <translation>退出(&amp;Q)</translation>
+        </message>
+        <message>
+            <source>Quit</source>
+            <translation>退出</translation>
+        </message>
+        <message>
+            <source>&amp;Undo</source>
+            <translation>撤销(&amp;U)</translation>
+        </message>
+        <message>
+            <source>&amp;Redo</source>
+            <translation>重做(&amp;R)</translation>
+        </message>
+        <message>
+            <source>&amp;Demonstration Machine</source>
+            <translation>演示机器(&amp;D)</translation>
+        </message>
+        <message>
+            <source>Scan the simulated demonstration machine and go online</source>
+            <translation>扫描仿真的演示机器并上线</translation>
+        </message>
+        <message>
+            <source>&amp;Scan…</source>
+            <translation>扫描(&amp;S)…</translation>
+        </message>
+        <message>
+            <source>Scan a bus and make a project of it</source>
+            <translation>扫描总线并据此建立项目</translation>
+        </message>
+        <message>
+            <source>Go &amp;Online</source>
+            <translation>上线(&amp;O)</translation>
+        </message>
+        <message>
+            <source>Run the configuration on the bus</source>
+            <translation>在总线上运行此配置</translation>
+        </message>
+        <message>
+            <source>Go O&amp;ffline</source>
+            <translation>下线(&amp;F)</translation>
+        </message>
+        <message>
+            <source>Bring the bus to INIT and stop</source>
+            <translation>将总线切换到 INIT 并停止</translation>
+        </message>
+        <message>
+            <source>&amp;Clear Statistics</source>
+            <translation>清除统计(&amp;C)</translation>
+        </message>
+        <message>
+            <source>Start counting anew</source>
+            <translation>重新开始计数</translation>
+        </message>
+        <message>
+            <source>Request %1 for all slaves (register 0x0120)</source>
+            <translation>为所有从站请求 %1（寄存器 0x0120）</translation>
+        </message>
+        <message>
+            <source>&amp;System Colours</source>
+            <translation>系统颜色(&amp;S)</translation>
+        </message>
+        <message>
+            <source>&amp;Light</source>
+            <translation>浅色(&amp;L)</translation>
+        </message>
+        <message>
+            <source>&amp;Dark</source>
+            <translation>深色(&amp;D)</translation>
+        </message>
+        <message>
+            <source>Light/Dark</source>
+            <translation>浅色/深色</translation>
+        </message>
+        <message>
+            <source>Switch between light and dark</source>
+            <translation>在浅色与深色之间切换</translation>
+        </message>
+        <message>
+            <source>&amp;Reset Layout</source>
+            <translation>复位布局(&amp;R)</translation>
+        </message>
+        <message>
+            <source>Put all panels back in their places</source>
+            <translation>将所有面板放回原位</translation>
+        </message>
+        <message>
+            <source>&amp;About Syncline</source>
+            <translation>关于 Syncline(&amp;A)</translation>
+        </message>
+        <message>
+            <source>Version, licence and trademarks</source>
+            <translation>版本、许可证和商标</translation>
+        </message>
+        <message>
+            <source>&amp;Expert Settings</source>
+            <translation>专家设置(&amp;E)</translation>
+        </message>
+        <message>
+            <source>Show the settings that few machines need</source>
+            <translation>显示少数机器才需要的设置</translation>
+        </message>
+        <message>
+            <source>Open a project, an ENI, an ESI file, a recording, a capture or a scenario</source>
+            <translation>打开项目、ENI、ESI 文件、记录、抓包文件或场景</translation>
+        </message>
+        <message>
+            <source>&amp;Close Recording</source>
+            <translation>关闭记录(&amp;C)</translation>
+        </message>
+        <message>
+            <source>Show the project and its machine again in place of the recording</source>
+            <translation>重新显示项目及其机器，代替记录</translation>
+        </message>
+        <message>
+            <source>&amp;Record…</source>
+            <translation>记录(&amp;R)…</translation>
+        </message>
+        <message>
+            <source>Record the running machine to a file, from now on</source>
+            <translation>从现在起将运行中的机器记录到文件</translation>
+        </message>
+        <message>
+            <source>Save the &amp;Last…</source>
+            <translation>保存最近一段(&amp;L)…</translation>
+        </message>
+        <message>
+            <source>Save the last stretch, which is still in memory, as a recording</source>
+            <translation>将仍在内存中的最近一段保存为记录</translation>
+        </message>
+        <message>
+            <source>&amp;Overview</source>
+            <translation>总览(&amp;O)</translation>
+        </message>
+        <message>
+            <source>Whether the machine is in sync, since when, and what happened first</source>
+            <translation>机器是否同步、自何时起、首先发生了什么</translation>
+        </message>
+        <message>
+            <source>&amp;Go To…</source>
+            <translation>转到(&amp;G)…</translation>
+        </message>
+        <message>
+            <source>Find a slave, a setting or a command</source>
+            <translation>查找从站、设置或命令</translation>
+        </message>
+    </context>
+    <context>
+        <name>BusCommands</name>
+        <message>
+            <source>EEPROM</source>
+            <translation>EEPROM</translation>
+        </message>
+        <message>
+            <source>The bus could not be scanned.</source>
+            <translation>无法扫描总线。</translation>
+        </message>
+        <message>
+            <source>Scan</source>
+            <translation>扫描</translation>
+        </message>
+        <message>
+            <source>Go Online</source>
+            <translation>上线</translation>
+        </message>
+        <message>
+            <source>Master</source>
+            <translation>主站</translation>
+        </message>
+        <message>
+            <source>The master could not go online.</source>
+            <translation>主站无法上线。</translation>
+        </message>
+        <message>
+            <source>Monitor the sync window</source>
+            <translation>监视同步窗口</translation>
+        </message>
+        <message>
+            <source>A scan needs the bus for itself.</source>
+            <translation>扫描需要独占总线。</translation>
+        </message>
+        <message>
+            <source>Restart the machine with the project as it is now?</source>
+            <translation>用当前的项目重新启动机器？</translation>
+        </message>
+        <message>
+            <source>All slaves go to INIT and come up again.</source>
+            <translation>所有从站切换到 INIT，然后重新启动。</translation>
+        </message>
+        <message>
+            <source>Restart</source>
+            <translation>重新启动</translation>
+        </message>
+    </context>
+    <context>
+        <name>CutShortDialog</name>
+        <message>
+            <source>EEPROM write was cut short</source>
+            <translation>EEPROM 写入中断</translation>
+        </message>
+        <message>
+            <source>What was cut short</source>
+            <translation>中断的内容</translation>
+        </message>
+        <message>
+            <source>Why it could not be ended</source>
+            <translation>未能完成的原因</translation>
+        </message>
+        <message>
+            <source>Writing the EEPROM</source>
+            <translation>写入 EEPROM</translation>
+        </message>
+        <message>
+            <source>&amp;Finish Writing</source>
+            <translation>完成写入(&amp;F)</translation>
+        </message>
+        <message>
+            <source>&amp;Put Back Old Contents</source>
+            <translation>恢复旧内容(&amp;P)</translation>
+        </message>
+        <message>
+            <source>&amp;Later</source>
+            <translation>稍后(&amp;L)</translation>
+        </message>
+        <message>
+            <source>Finish writing</source>
+            <translation>完成写入</translation>
+        </message>
+        <message>
+            <source>Put back old contents</source>
+            <translation>恢复旧内容</translation>
+        </message>
+        <message>
+            <source>Later</source>
+            <translation>稍后</translation>
+        </message>
+        <message>
+            <source>Writing the EEPROM of slave %1 on %2 was cut short (begun %3 UTC). What it holds now is half old and half new: the slave may not start after its next power-on. Connect it and end the write.</source>
+            <translation>%2 上从站 %1 的 EEPROM 写入被中断（开始于 UTC %3）。现在其内容新旧各半：下次上电后该从站可能无法启动。请连接该从站并完成写入。</translation>
+        </message>
+        <message>
+            <source>&amp;Cancel</source>
+            <translation>取消(&amp;C)</translation>
+        </message>
+        <message>
+            <source>The EEPROM of slave %1 on %2 holds its old contents again.</source>
+            <translation>%2 上从站 %1 的 EEPROM 已恢复旧内容。</translation>
+        </message>
+        <message>
+            <source>The EEPROM of slave %1 on %2 is written and verified.</source>
+            <translation>%2 上从站 %1 的 EEPROM 已写入并校验。</translation>
+        </message>
+        <message>
+            <source>The EEPROM of slave %1 on %2 is still half written; the next start offers to end it.</source>
+            <translation>%2 上从站 %1 的 EEPROM 仍只写了一半；下次启动时会再次提示完成写入。</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n more write(s) follow.</source>
+            <translation>
+                <numerusform>之后还有 %n 次写入。</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>DcmPanel</name>
+        <message>
+            <source>DCM error</source>
+            <translation>DCM 误差</translation>
+        </message>
+        <message>
+            <source>Error</source>
+            <translation>误差</translation>
+        </message>
+        <message>
+            <source>raw</source>
+            <translation>原始</translation>
+        </message>
+        <message>
+            <source>filtered</source>
+            <translation>滤波后</translation>
+        </message>
+        <message>
+            <source>Time of the frame at the reference clock minus its wanted time in the cycle.</source>
+            <translation>按参考时钟计的帧时刻减去其在周期中的设定时刻。</translation>
+        </message>
+        <message>
+            <source>drift %1</source>
+            <translation>漂移 %1</translation>
+        </message>
+        <message>
+            <source>DCM is off</source>
+            <translation>DCM 已关闭</translation>
+        </message>
+    </context>
+    <context>
+        <name>DeviationPanel</name>
+        <message>
+            <source>DC deviation</source>
+            <translation>DC 偏差</translation>
+        </message>
+        <message>
+            <source>Deviation</source>
+            <translation>偏差</translation>
+        </message>
+        <message>
+            <source>largest</source>
+            <translation>最大</translation>
+        </message>
+        <message>
+            <source>Register 0x092C (System Time Difference) of the slaves that follow the reference clock. Largest: the wire-or of all of them read by BRD where nothing else is in it, else the largest of their latest readings. Lines: signed values of single slaves.</source>
+            <translation>跟随参考时钟的从站的寄存器 0x092C（系统时间差）。最大：只有这些从站参与时为 BRD 读取的全部值的线或，否则为其最新读数中的最大值。曲线：各从站的带符号值。</translation>
+        </message>
+        <message>
+            <source>limit ±%1</source>
+            <translation>限值 ±%1</translation>
+        </message>
+        <message>
+            <source>peak %1</source>
+            <translation>峰值 %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>DeviceEditor</name>
+        <message>
+            <source>Device editor</source>
+            <translation>设备编辑器</translation>
+        </message>
+        <message>
+            <source>State of the selected node</source>
+            <translation>所选节点的状态</translation>
+        </message>
+        <message>
+            <source>Pages of the selected node</source>
+            <translation>所选节点的页面</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n slave(s), cycle %1</source>
+            <translation>
+                <numerusform>%n 个从站，周期 %1</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>%1, position %2, address %3</source>
+            <translation>%1，位置 %2，地址 %3</translation>
+        </message>
+        <message>
+            <source>Offline</source>
+            <translation>离线</translation>
+        </message>
+    </context>
+    <context>
+        <name>ExplorerPanel</name>
+        <message>
+            <source>Project explorer</source>
+            <translation>项目浏览器</translation>
+        </message>
+        <message>
+            <source>Topology of the network</source>
+            <translation>网络拓扑</translation>
+        </message>
+        <message>
+            <source>Classic</source>
+            <translation>经典</translation>
+        </message>
+        <message>
+            <source>Tree by wiring: terminals below their coupler</source>
+            <translation>按接线的树：端子模块位于其耦合器之下</translation>
+        </message>
+        <message>
+            <source>Flat</source>
+            <translation>平铺</translation>
+        </message>
+        <message>
+            <source>All slaves in bus order</source>
+            <translation>按总线顺序的所有从站</translation>
+        </message>
+        <message>
+            <source>Topology</source>
+            <translation>拓扑</translation>
+        </message>
+        <message>
+            <source>Ports and cables; drag a slave to another port to rewire it</source>
+            <translation>端口和电缆；将从站拖到另一端口即可改接</translation>
+        </message>
+    </context>
+    <context>
+        <name>FileCommands</name>
+        <message>
+            <source>Open</source>
+            <translation>打开</translation>
+        </message>
+        <message>
+            <source>The project could not be opened.</source>
+            <translation>无法打开项目。</translation>
+        </message>
+        <message>
+            <source>Project</source>
+            <translation>项目</translation>
+        </message>
+        <message>
+            <source>Opened %1</source>
+            <translation>已打开 %1</translation>
+        </message>
+        <message>
+            <source>Save Project</source>
+            <translation>保存项目</translation>
+        </message>
+        <message>
+            <source>Syncline projects (*.syncline)</source>
+            <translation>Syncline 项目 (*.syncline)</translation>
+        </message>
+        <message>
+            <source>Save</source>
+            <translation>保存</translation>
+        </message>
+        <message>
+            <source>The project could not be saved.</source>
+            <translation>无法保存项目。</translation>
+        </message>
+        <message>
+            <source>Saved %1</source>
+            <translation>已保存 %1</translation>
+        </message>
+        <message>
+            <source>Export ENI</source>
+            <translation>导出 ENI</translation>
+        </message>
+        <message>
+            <source>EtherCAT network information (*.xml)</source>
+            <translation>EtherCAT 网络信息 (*.xml)</translation>
+        </message>
+        <message>
+            <source>Export</source>
+            <translation>导出</translation>
+        </message>
+        <message>
+            <source>The ENI could not be written.</source>
+            <translation>无法写入 ENI。</translation>
+        </message>
+        <message>
+            <source>ENI written to %1</source>
+            <translation>ENI 已写入 %1</translation>
+        </message>
+        <message>
+            <source>Syncline</source>
+            <translation>Syncline</translation>
+        </message>
+        <message>
+            <source>Save the changes to %1?</source>
+            <translation>保存对 %1 的更改？</translation>
+        </message>
+        <message>
+            <source>A new project begins without a machine.</source>
+            <translation>新项目开始时没有机器。</translation>
+        </message>
+        <message>
+            <source>%1 cannot be opened here.</source>
+            <translation>%1 无法在此打开。</translation>
+        </message>
+        <message>
+            <source>Another project is opened.</source>
+            <translation>将打开另一个项目。</translation>
+        </message>
+        <message>
+            <source>It is a log of the master synchronisation: a spreadsheet shows it.</source>
+            <translation>这是主站同步的日志：可用电子表格查看。</translation>
+        </message>
+        <message>
+            <source>Another window has %1 open.</source>
+            <translation>另一个窗口已打开 %1。</translation>
+        </message>
+        <message>
+            <source>It is %1. Here it can be looked at and changed, and be saved under another name. If that window is gone, delete %2.</source>
+            <translation>占用者为 %1。在这里可以查看和更改，并以其他名称保存。如果那个窗口已不存在，请删除 %2。</translation>
+        </message>
+        <message>
+            <source>Open Read-only</source>
+            <translation>以只读方式打开</translation>
+        </message>
+        <message>
+            <source>Recover</source>
+            <translation>恢复</translation>
+        </message>
+        <message>
+            <source>The unsaved work could not be read.</source>
+            <translation>无法读取未保存的工作。</translation>
+        </message>
+        <message>
+            <source>Recovered %1; it is not saved yet</source>
+            <translation>已恢复 %1；尚未保存</translation>
+        </message>
+        <message>
+            <source>All that can be opened (*.syncline *.xml *.esi *.eni *.slrec *.pcap *.pcapng *.toml);;Syncline projects (*.syncline);;Recordings (*.slrec);;All files (*)</source>
+            <translation>所有可打开的文件 (*.syncline *.xml *.esi *.eni *.slrec *.pcap *.pcapng *.toml);;Syncline 项目 (*.syncline);;记录 (*.slrec);;所有文件 (*)</translation>
+        </message>
+        <message>
+            <source>It is neither a project, an ENI, an ESI, a recording, a capture nor a scenario.</source>
+            <translation>它既不是项目、ENI、ESI、记录、抓包文件，也不是场景。</translation>
+        </message>
+    </context>
+    <context>
+        <name>Glossary</name>
+        <message>
+            <source>Master</source>
+            <translation>主站</translation>
+        </message>
+        <message>
+            <source>Slave</source>
+            <translation>从站</translation>
+        </message>
+        <message>
+            <source>Slaves missing</source>
+            <translation>缺少从站</translation>
+        </message>
+        <message>
+            <source>No response</source>
+            <translation>无应答</translation>
+        </message>
+        <message>
+            <source>Not monitored</source>
+            <translation>未监视</translation>
+        </message>
+        <message>
+            <source>Not ready</source>
+            <translation>未就绪</translation>
+        </message>
+        <message>
+            <source>Settling</source>
+            <translation>稳定中</translation>
+        </message>
+        <message>
+            <source>In sync</source>
+            <translation>已同步</translation>
+        </message>
+        <message>
+            <source>Out of sync</source>
+            <translation>失步</translation>
+        </message>
+        <message>
+            <source>Off</source>
+            <translation>关闭</translation>
+        </message>
+        <message>
+            <source>Bus shift</source>
+            <translation>总线移位</translation>
+        </message>
+        <message>
+            <source>Master shift</source>
+            <translation>主站移位</translation>
+        </message>
+        <message>
+            <source>Master reference clock</source>
+            <translation>主站参考时钟</translation>
+        </message>
+        <message>
+            <source>Adapter reference clock</source>
+            <translation>网卡参考时钟</translation>
+        </message>
+        <message>
+            <source>External clock (DCX)</source>
+            <translation>外部时钟 (DCX)</translation>
+        </message>
+        <message>
+            <source>Master shift by application</source>
+            <translation>由应用执行主站移位</translation>
+        </message>
+        <message>
+            <source>Unknown</source>
+            <translation>未知</translation>
+        </message>
+        <message>
+            <source>no reference clock</source>
+            <translation>没有参考时钟</translation>
+        </message>
+        <message>
+            <source>no reading of the reference clock</source>
+            <translation>没有参考时钟的读数</translation>
+        </message>
+        <message>
+            <source>error of the controller</source>
+            <translation>控制器误差</translation>
+        </message>
+        <message>
+            <source>schedule beyond its limit</source>
+            <translation>调度超出限值</translation>
+        </message>
+        <message>
+            <source>the reference clock has stepped</source>
+            <translation>参考时钟发生跳变</translation>
+        </message>
+        <message>
+            <source>cycles left out</source>
+            <translation>漏发周期</translation>
+        </message>
+        <message>
+            <source>frames later than the set value allows</source>
+            <translation>帧晚于设定值所允许的时刻</translation>
+        </message>
+        <message>
+            <source>settling</source>
+            <translation>稳定中</translation>
+        </message>
+    </context>
+    <context>
+        <name>Link</name>
+        <message>
+            <source>Demonstration machine (simulated)</source>
+            <translation>演示机器（仿真）</translation>
+        </message>
+        <message>
+            <source>Network card %1</source>
+            <translation>网卡 %1</translation>
+        </message>
+        <message>
+            <source>Simulated: %1</source>
+            <translation>仿真：%1</translation>
+        </message>
+    </context>
+    <context>
+        <name>LinkChooser</name>
+        <message>
+            <source>Choose the Bus</source>
+            <translation>选择总线</translation>
+        </message>
+        <message>
+            <source>Where is the bus?</source>
+            <translation>总线在哪里？</translation>
+        </message>
+        <message>
+            <source>Links</source>
+            <translation>链路</translation>
+        </message>
+        <message>
+            <source>Demonstration machine</source>
+            <translation>演示机器</translation>
+        </message>
+        <message>
+            <source>Simulated bus with a coupler, terminals and drives; no hardware needed</source>
+            <translation>带有耦合器、端子模块和驱动器的仿真总线；无需硬件</translation>
+        </message>
+        <message>
+            <source>Simulated bus</source>
+            <translation>仿真总线</translation>
+        </message>
+        <message>
+            <source>Scenario File…</source>
+            <translation>场景文件…</translation>
+        </message>
+        <message>
+            <source>Simulated bus from a scenario file</source>
+            <translation>来自场景文件的仿真总线</translation>
+        </message>
+        <message>
+            <source>Network card, link up</source>
+            <translation>网卡，链路已连通</translation>
+        </message>
+        <message>
+            <source>Network card, no link</source>
+            <translation>网卡，无链路</translation>
+        </message>
+        <message>
+            <source>No network card was found that can carry EtherCAT.</source>
+            <translation>未找到可运行 EtherCAT 的网卡。</translation>
+        </message>
+        <message>
+            <source>Open Scenario</source>
+            <translation>打开场景</translation>
+        </message>
+        <message>
+            <source>Scenarios (*.toml)</source>
+            <translation>场景 (*.toml)</translation>
+        </message>
+    </context>
+    <context>
+        <name>LiveStrip</name>
+        <message>
+            <source>Live plots</source>
+            <translation>实时曲线</translation>
+        </message>
+        <message>
+            <source>No data: go online</source>
+            <translation>无数据：请先上线</translation>
+        </message>
+        <message>
+            <source>Syncline, %1, cycle %2</source>
+            <translation>Syncline，%1，周期 %2</translation>
+        </message>
+        <message>
+            <source>Export the range shown</source>
+            <translation>导出显示的范围</translation>
+        </message>
+        <message>
+            <source>Comma-separated values (*.csv)</source>
+            <translation>逗号分隔值 (*.csv)</translation>
+        </message>
+        <message>
+            <source>Export</source>
+            <translation>导出</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1：%2</translation>
+        </message>
+        <message>
+            <source>Export the plots</source>
+            <translation>导出曲线</translation>
+        </message>
+        <message>
+            <source>PNG picture (*.png)</source>
+            <translation>PNG 图片 (*.png)</translation>
+        </message>
+        <message>
+            <source>Cursor A here</source>
+            <translation>光标 A 放在此处</translation>
+        </message>
+        <message>
+            <source>Cursor B here</source>
+            <translation>光标 B 放在此处</translation>
+        </message>
+        <message>
+            <source>Remove cursors</source>
+            <translation>移除光标</translation>
+        </message>
+        <message>
+            <source>Show everything</source>
+            <translation>显示全部</translation>
+        </message>
+        <message>
+            <source>Fit values</source>
+            <translation>适配数值</translation>
+        </message>
+        <message>
+            <source>Keep the value axes as they are</source>
+            <translation>保持数值轴不变</translation>
+        </message>
+        <message>
+            <source>Copy picture</source>
+            <translation>复制图片</translation>
+        </message>
+        <message>
+            <source>Export range as CSV…</source>
+            <translation>将范围导出为 CSV…</translation>
+        </message>
+        <message>
+            <source>Export picture…</source>
+            <translation>导出图片…</translation>
+        </message>
+    </context>
+    <context>
+        <name>LiveStripToolbar</name>
+        <message>
+            <source>1 s</source>
+            <translation>1 s</translation>
+        </message>
+        <message>
+            <source>10 s</source>
+            <translation>10 s</translation>
+        </message>
+        <message>
+            <source>60 s</source>
+            <translation>60 s</translation>
+        </message>
+        <message>
+            <source>10 min</source>
+            <translation>10 min</translation>
+        </message>
+        <message>
+            <source>Show the last %1</source>
+            <translation>显示最近 %1</translation>
+        </message>
+        <message>
+            <source>Live</source>
+            <translation>实时</translation>
+        </message>
+        <message>
+            <source>Follow the newest sample (End)</source>
+            <translation>跟随最新采样 (End)</translation>
+        </message>
+        <message>
+            <source>Freeze</source>
+            <translation>冻结</translation>
+        </message>
+        <message>
+            <source>Stop the picture, not the acquisition (Space)</source>
+            <translation>停止画面，不停止采集（空格键）</translation>
+        </message>
+        <message>
+            <source>Cursors</source>
+            <translation>光标</translation>
+        </message>
+        <message>
+            <source>Two cursors to drag (keys A and B put them at the pointer)</source>
+            <translation>两个可拖动的光标（A 键和 B 键将其放到指针处）</translation>
+        </message>
+        <message>
+            <source>Fit</source>
+            <translation>适配</translation>
+        </message>
+        <message>
+            <source>Fit the value axes to what is shown (F)</source>
+            <translation>使数值轴适配所显示的内容 (F)</translation>
+        </message>
+        <message>
+            <source>State of the plots</source>
+            <translation>曲线的状态</translation>
+        </message>
+        <message>
+            <source>Time between the cursors</source>
+            <translation>光标之间的时间</translation>
+        </message>
+        <message>
+            <source>Export, axes and cursors</source>
+            <translation>导出、坐标轴和光标</translation>
+        </message>
+        <message>
+            <source>Menu of the live plots</source>
+            <translation>实时曲线的菜单</translation>
+        </message>
+        <message>
+            <source>Frozen, %1 behind</source>
+            <translation>已冻结，落后 %1</translation>
+        </message>
+        <message>
+            <source>History, %1 behind</source>
+            <translation>历史，落后 %1</translation>
+        </message>
+        <message>
+            <source>   1/Δt %1 Hz</source>
+            <translation>   1/Δt %1 Hz</translation>
+        </message>
+        <message>
+            <source>B−A %1</source>
+            <translation>B−A %1</translation>
+        </message>
+        <message>
+            <source>A recording has no newest sample to follow</source>
+            <translation>记录没有可跟随的最新采样</translation>
+        </message>
+        <message>
+            <source>A recording stands still</source>
+            <translation>记录是静止的</translation>
+        </message>
+        <message>
+            <source>Recording</source>
+            <translation>记录</translation>
+        </message>
+    </context>
+    <context>
+        <name>MainWindow</name>
+        <message>
+            <source>A field holds what cannot be a value: mend it, or press Esc in it.</source>
+            <translation>有字段的内容不是有效值：请改正，或在其中按 Esc。</translation>
+        </message>
+        <message>
+            <source>Findings</source>
+            <translation>检查结果</translation>
+        </message>
+        <message>
+            <source>Findings (%1)</source>
+            <translation>检查结果 (%1)</translation>
+        </message>
+        <message>
+            <source>Live plots</source>
+            <translation>实时曲线</translation>
+        </message>
+        <message>
+            <source>Project Explorer</source>
+            <translation>项目浏览器</translation>
+        </message>
+        <message>
+            <source>Messages</source>
+            <translation>消息</translation>
+        </message>
+        <message>
+            <source>&amp;File</source>
+            <translation>文件(&amp;F)</translation>
+        </message>
+        <message>
+            <source>&amp;Edit</source>
+            <translation>编辑(&amp;E)</translation>
+        </message>
+        <message>
+            <source>&amp;Network</source>
+            <translation>网络(&amp;N)</translation>
+        </message>
+        <message>
+            <source>&amp;Request State</source>
+            <translation>请求状态(&amp;R)</translation>
+        </message>
+        <message>
+            <source>&amp;View</source>
+            <translation>视图(&amp;V)</translation>
+        </message>
+        <message>
+            <source>&amp;Help</source>
+            <translation>帮助(&amp;H)</translation>
+        </message>
+        <message>
+            <source>Main</source>
+            <translation>主工具栏</translation>
+        </message>
+        <message>
+            <source>Request a state for all slaves</source>
+            <translation>为所有从站请求状态</translation>
+        </message>
+        <message>
+            <source>Request State</source>
+            <translation>请求状态</translation>
+        </message>
+        <message>
+            <source>Request a state for all slaves (register 0x0120)</source>
+            <translation>为所有从站请求状态（寄存器 0x0120）</translation>
+        </message>
+        <message>
+            <source>%1[*] – Syncline</source>
+            <translation>%1[*] – Syncline</translation>
+        </message>
+        <message>
+            <source>Revert to what runs</source>
+            <translation>还原为运行中的配置</translation>
+        </message>
+        <message>
+            <source>%1[*] (read-only) – Syncline</source>
+            <translation>%1[*]（只读）– Syncline</translation>
+        </message>
+        <message>
+            <source>Recording %1 – Syncline</source>
+            <translation>记录 %1 – Syncline</translation>
+        </message>
+        <message>
+            <source>Stop &amp;Recording</source>
+            <translation>停止记录(&amp;R)</translation>
+        </message>
+        <message>
+            <source>&amp;Record…</source>
+            <translation>记录(&amp;R)…</translation>
+        </message>
+        <message>
+            <source>A recording is shown, and nothing runs: close it first (File, Close Recording)</source>
+            <translation>正在显示记录，没有机器运行：请先关闭记录（文件，关闭记录）</translation>
+        </message>
+    </context>
+    <context>
+        <name>MasterDcPage</name>
+        <message>
+            <source>Distributed Clocks</source>
+            <translation>分布时钟</translation>
+        </message>
+        <message>
+            <source>Clock Adjustment</source>
+            <translation>时钟校准</translation>
+        </message>
+        <message>
+            <source>Master Synchronisation (DCM)</source>
+            <translation>主站同步 (DCM)</translation>
+        </message>
+        <message>
+            <source>Sync Window Monitoring</source>
+            <translation>同步窗口监视</translation>
+        </message>
+        <message>
+            <source>Slaves, live</source>
+            <translation>从站，实时</translation>
+        </message>
+        <message>
+            <source>Master, live</source>
+            <translation>主站，实时</translation>
+        </message>
+        <message>
+            <source>Reference clock</source>
+            <translation>参考时钟</translation>
+        </message>
+        <message>
+            <source>The master&apos;s clock leads: the reference clock is steered by a cyclic write to register 0x0910</source>
+            <translation>主站时钟引领：通过循环写寄存器 0x0910 调节参考时钟</translation>
+        </message>
+        <message>
+            <source>The reference clock leads: the master moves its send time. No extra cyclic command.</source>
+            <translation>参考时钟引领：主站移动其发送时刻。没有额外的循环命令。</translation>
+        </message>
+        <message>
+            <source>Master and slaves run on clocks of their own; the frame drifts through the SYNC grid</source>
+            <translation>主站和从站各用自己的时钟；帧在 SYNC 网格中漂移</translation>
+        </message>
+        <message>
+            <source>As bus shift, without a control loop: the reference clock is written the nominal time. Needs an accurate cycle.</source>
+            <translation>同总线移位，但没有控制环：将标称时间写入参考时钟。要求周期精确。</translation>
+        </message>
+        <message>
+            <source>As bus shift, with the time that the network adapter puts into each frame while sending it</source>
+            <translation>同总线移位，使用网卡在发送时写入每一帧的时间</translation>
+        </message>
+        <message>
+            <source>An external clock leads through a bridge device: the reference clock follows it, the master follows the reference clock</source>
+            <translation>外部时钟经桥接设备引领：参考时钟跟随它，主站跟随参考时钟</translation>
+        </message>
+        <message>
+            <source>The reference clock leads, and the application moves the send time by the reported adjustment</source>
+            <translation>参考时钟引领，应用按所报告的调整量移动发送时刻</translation>
+        </message>
+        <message>
+            <source>Set value automatic</source>
+            <translation>设定值自动</translation>
+        </message>
+        <message>
+            <source>Two thirds of the cycle</source>
+            <translation>周期的三分之二</translation>
+        </message>
+        <message>
+            <source>Limit</source>
+            <translation>限值</translation>
+        </message>
+        <message>
+            <source>Slaves in sync</source>
+            <translation>从站同步</translation>
+        </message>
+        <message>
+            <source>State</source>
+            <translation>状态</translation>
+        </message>
+        <message>
+            <source>Sync window of register 0x092C</source>
+            <translation>寄存器 0x092C 的同步窗口</translation>
+        </message>
+        <message>
+            <source>Deviation</source>
+            <translation>偏差</translation>
+        </message>
+        <message>
+            <source>Register 0x092C: largest latest reading of the slaves that follow the reference clock</source>
+            <translation>寄存器 0x092C：跟随参考时钟的从站最新读数中的最大值</translation>
+        </message>
+        <message>
+            <source>Settled after</source>
+            <translation>稳定用时</translation>
+        </message>
+        <message>
+            <source>From the first cyclic frame</source>
+            <translation>从第一个循环帧算起</translation>
+        </message>
+        <message>
+            <source>The slave that leads on the bus</source>
+            <translation>在总线上引领的从站</translation>
+        </message>
+        <message>
+            <source>Master in sync</source>
+            <translation>主站同步</translation>
+        </message>
+        <message>
+            <source>Error of the controller, frames later than the set value allows, cycles left out: none of them within the settle time</source>
+            <translation>控制器误差、晚于设定值所允许时刻的帧、漏发的周期：在稳定时间内均未出现</translation>
+        </message>
+        <message>
+            <source>Error</source>
+            <translation>误差</translation>
+        </message>
+        <message>
+            <source>Frame late in the SYNC grid &gt; 0, filtered</source>
+            <translation>帧在 SYNC 网格中偏晚为 &gt; 0，滤波后</translation>
+        </message>
+        <message>
+            <source>RMS / max</source>
+            <translation>RMS / 最大</translation>
+        </message>
+        <message>
+            <source>Since in sync</source>
+            <translation>自同步起</translation>
+        </message>
+        <message>
+            <source>Drift</source>
+            <translation>漂移</translation>
+        </message>
+        <message>
+            <source>Reference clock&apos;s rate against the host&apos;s; the ceiling is about 600 ppm</source>
+            <translation>参考时钟相对主机的速率；上限约为 600 ppm</translation>
+        </message>
+        <message>
+            <source>In sync after</source>
+            <translation>同步用时</translation>
+        </message>
+        <message>
+            <source>%1 / %2</source>
+            <translation>%1 / %2</translation>
+        </message>
+        <message>
+            <source>%1 (limit %2)</source>
+            <translation>%1（限值 %2）</translation>
+        </message>
+        <message>
+            <source>at once</source>
+            <translation>立即</translation>
+        </message>
+        <message>
+            <source>in this cycle</source>
+            <translation>本周期</translation>
+        </message>
+        <message>
+            <source>Last heard of</source>
+            <translation>最近收到</translation>
+        </message>
+        <message>
+            <source>How long ago something was last heard of each slave that follows</source>
+            <translation>距最近一次收到每个跟随从站的信息已过去多久</translation>
+        </message>
+        <message>
+            <source>Frame, max / allowed</source>
+            <translation>帧，最大 / 允许</translation>
+        </message>
+        <message>
+            <source>Error of the schedule and how late frames were sent, together: largest since in sync, and at which a frame meets SYNC0</source>
+            <translation>调度误差与帧的迟发量之和：自同步以来的最大值，以及帧与 SYNC0 相遇的值</translation>
+        </message>
+        <message>
+            <source>%1 ago</source>
+            <translation>%1 前</translation>
+        </message>
+    </context>
+    <context>
+        <name>MasterGeneralPage</name>
+        <message>
+            <source>Recovery</source>
+            <translation>恢复</translation>
+        </message>
+        <message>
+            <source>General</source>
+            <translation>常规</translation>
+        </message>
+        <message>
+            <source>Settings</source>
+            <translation>设置</translation>
+        </message>
+        <message>
+            <source>Configuration</source>
+            <translation>配置</translation>
+        </message>
+        <message>
+            <source>Slaves</source>
+            <translation>从站</translation>
+        </message>
+        <message>
+            <source>Configured slaves</source>
+            <translation>已配置的从站</translation>
+        </message>
+        <message>
+            <source>Slaves with DC</source>
+            <translation>带 DC 的从站</translation>
+        </message>
+        <message>
+            <source>Inputs</source>
+            <translation>输入</translation>
+        </message>
+        <message>
+            <source>Input process image (ENI ProcessImage/Inputs)</source>
+            <translation>输入过程映像 (ENI ProcessImage/Inputs)</translation>
+        </message>
+        <message>
+            <source>Outputs</source>
+            <translation>输出</translation>
+        </message>
+        <message>
+            <source>Output process image (ENI ProcessImage/Outputs)</source>
+            <translation>输出过程映像 (ENI ProcessImage/Outputs)</translation>
+        </message>
+        <message>
+            <source>Cyclic frames</source>
+            <translation>循环帧</translation>
+        </message>
+        <message>
+            <source>Bytes and time on the wire at 100 Mbit/s, each cycle</source>
+            <translation>每个周期的字节数和 100 Mbit/s 下的线上时间</translation>
+        </message>
+        <message>
+            <source>State Machine</source>
+            <translation>状态机</translation>
+        </message>
+        <message>
+            <source>Bus</source>
+            <translation>总线</translation>
+        </message>
+        <message>
+            <source>Current state</source>
+            <translation>当前状态</translation>
+        </message>
+        <message>
+            <source>Lowest state of all slaves (register 0x0130)</source>
+            <translation>所有从站中的最低状态（寄存器 0x0130）</translation>
+        </message>
+        <message>
+            <source>Requested state</source>
+            <translation>请求的状态</translation>
+        </message>
+        <message>
+            <source>State asked for last (register 0x0120)</source>
+            <translation>最近一次请求的状态（寄存器 0x0120）</translation>
+        </message>
+        <message>
+            <source>Request state %1</source>
+            <translation>请求状态 %1</translation>
+        </message>
+        <message>
+            <source>Request %1 for all slaves (register 0x0120)</source>
+            <translation>为所有从站请求 %1（寄存器 0x0120）</translation>
+        </message>
+        <message>
+            <source>Slaves answering</source>
+            <translation>应答的从站</translation>
+        </message>
+        <message>
+            <source>Slaves that answered the last state reading</source>
+            <translation>最近一次读取状态时应答的从站</translation>
+        </message>
+        <message>
+            <source>Cycles</source>
+            <translation>周期</translation>
+        </message>
+        <message>
+            <source>Bus cycles since going online</source>
+            <translation>上线以来的总线周期</translation>
+        </message>
+        <message>
+            <source>Lost frames</source>
+            <translation>丢失帧</translation>
+        </message>
+        <message>
+            <source>Frames that did not come back</source>
+            <translation>没有返回的帧</translation>
+        </message>
+        <message>
+            <source>Working counter errors</source>
+            <translation>工作计数器错误</translation>
+        </message>
+        <message>
+            <source>Cycles whose working counter was not the expected one</source>
+            <translation>工作计数器与期望值不符的周期</translation>
+        </message>
+        <message>
+            <source>Cycles left out</source>
+            <translation>漏发周期</translation>
+        </message>
+        <message>
+            <source>Cycles without a frame: the host came too late for them</source>
+            <translation>没有发送帧的周期：主机来得太晚</translation>
+        </message>
+        <message>
+            <source>%1, %2 on the wire</source>
+            <translation>%1，线上时间 %2</translation>
+        </message>
+        <message>
+            <source>Offline</source>
+            <translation>离线</translation>
+        </message>
+        <message>
+            <source>%1 of %2</source>
+            <translation>%1 / %2</translation>
+        </message>
+        <message>
+            <source>Slaves whose distributed clock is set up (ENI Slave/DC)</source>
+            <translation>已设置分布时钟的从站 (ENI Slave/DC)</translation>
+        </message>
+        <message>
+            <source>Late frames</source>
+            <translation>迟到帧</translation>
+        </message>
+        <message>
+            <source>Frames that came back after their cycle</source>
+            <translation>在其周期之后才返回的帧</translation>
+        </message>
+        <message>
+            <source>Frame Addresses</source>
+            <translation>帧地址</translation>
+        </message>
+        <message>
+            <source>Process Image</source>
+            <translation>过程映像</translation>
+        </message>
+        <message>
+            <source>Real Time</source>
+            <translation>实时</translation>
+        </message>
+    </context>
+    <context>
+        <name>MessageModel</name>
+        <message>
+            <source>%1
+Setting %2</source>
+            <translation>%1
+设置 %2</translation>
+        </message>
+        <message>
+            <source>Project</source>
+            <translation>项目</translation>
+        </message>
+        <message>
+            <source>Error</source>
+            <translation>误差</translation>
+        </message>
+        <message>
+            <source>Warning</source>
+            <translation>警告</translation>
+        </message>
+        <message>
+            <source>Information</source>
+            <translation>信息</translation>
+        </message>
+        <message>
+            <source>Time</source>
+            <translation>时间</translation>
+        </message>
+        <message>
+            <source>Severity</source>
+            <translation>严重程度</translation>
+        </message>
+        <message>
+            <source>Source</source>
+            <translation>来源</translation>
+        </message>
+        <message>
+            <source>Message</source>
+            <translation>消息</translation>
+        </message>
+    </context>
+    <context>
+        <name>MessagesPanel</name>
+        <message>
+            <source>Filter messages</source>
+            <translation>筛选消息</translation>
+        </message>
+        <message>
+            <source>Filter</source>
+            <translation>筛选</translation>
+        </message>
+        <message>
+            <source>Clear the log</source>
+            <translation>清空日志</translation>
+        </message>
+        <message>
+            <source>Clear the log; findings about the project stay</source>
+            <translation>清空日志；关于项目的检查结果保留</translation>
+        </message>
+        <message>
+            <source>Messages</source>
+            <translation>消息</translation>
+        </message>
+        <message>
+            <source>Show information</source>
+            <translation>显示信息</translation>
+        </message>
+        <message>
+            <source>Show warnings</source>
+            <translation>显示警告</translation>
+        </message>
+        <message>
+            <source>Show errors</source>
+            <translation>显示错误</translation>
+        </message>
+    </context>
+    <context>
+        <name>NetworkModel</name>
+        <message>
+            <source>Node</source>
+            <translation>节点</translation>
+        </message>
+        <message>
+            <source>Position %1, station address %2 (register 0x0010)</source>
+            <translation>位置 %1，站地址 %2（寄存器 0x0010）</translation>
+        </message>
+        <message>
+            <source>Reference clock of the project</source>
+            <translation>项目的参考时钟</translation>
+        </message>
+        <message>
+            <source>Distributed clocks on</source>
+            <translation>分布时钟已启用</translation>
+        </message>
+        <message>
+            <source>State %1</source>
+            <translation>状态 %1</translation>
+        </message>
+        <message>
+            <source>State %1 (register 0x0130 = %2)</source>
+            <translation>状态 %1（寄存器 0x0130 = %2）</translation>
+        </message>
+        <message>
+            <source>Offline</source>
+            <translation>离线</translation>
+        </message>
+        <message>
+            <source>no DC</source>
+            <translation>无 DC</translation>
+        </message>
+        <message>
+            <source>HC</source>
+            <translation>HC</translation>
+        </message>
+        <message>
+            <source>opt.</source>
+            <translation>可选</translation>
+        </message>
+        <message>
+            <source>%1, position %2, address %3</source>
+            <translation>%1，位置 %2，地址 %3</translation>
+        </message>
+        <message>
+            <source>Hot-connect group %1</source>
+            <translation>热连接组 %1</translation>
+        </message>
+        <message>
+            <source>Optional: may be missing</source>
+            <translation>可选：可以缺少</translation>
+        </message>
+        <message>
+            <source>The cable to it is broken</source>
+            <translation>通往它的电缆已断开</translation>
+        </message>
+    </context>
+    <context>
+        <name>Page</name>
+        <message>
+            <source>Project</source>
+            <translation>项目</translation>
+        </message>
+    </context>
+    <context>
+        <name>PdoEntryModel</name>
+        <message>
+            <source>(padding)</source>
+            <translation>（填充）</translation>
+        </message>
+        <message>
+            <source>Offset</source>
+            <translation>偏移</translation>
+        </message>
+        <message>
+            <source>Object</source>
+            <translation>对象</translation>
+        </message>
+        <message>
+            <source>Entry</source>
+            <translation>条目</translation>
+        </message>
+        <message>
+            <source>Type</source>
+            <translation>类型</translation>
+        </message>
+        <message>
+            <source>Size</source>
+            <translation>大小</translation>
+        </message>
+    </context>
+    <context>
+        <name>PdoModel</name>
+        <message>
+            <source>The device needs this PDO (Mandatory in the ESI)</source>
+            <translation>设备需要此 PDO（ESI 中的 Mandatory）</translation>
+        </message>
+        <message>
+            <source>Excluded by the assigned PDO %1 (Exclude in the ESI)</source>
+            <translation>被已分配的 PDO %1 排除（ESI 中的 Exclude）</translation>
+        </message>
+        <message>
+            <source>Assigned through object 0x1C12</source>
+            <translation>通过对象 0x1C12 分配</translation>
+        </message>
+        <message>
+            <source>Assigned through object 0x1C13</source>
+            <translation>通过对象 0x1C13 分配</translation>
+        </message>
+        <message>
+            <source>PDO</source>
+            <translation>PDO</translation>
+        </message>
+        <message>
+            <source>Name</source>
+            <translation>名称</translation>
+        </message>
+        <message>
+            <source>SM</source>
+            <translation>SM</translation>
+        </message>
+        <message>
+            <source>Size</source>
+            <translation>大小</translation>
+        </message>
+    </context>
+    <context>
+        <name>ProcessDataPage</name>
+        <message>
+            <source>Process Data</source>
+            <translation>过程数据</translation>
+        </message>
+        <message>
+            <source>Outputs (RxPDO)</source>
+            <translation>输出 (RxPDO)</translation>
+        </message>
+        <message>
+            <source>Inputs (TxPDO)</source>
+            <translation>输入 (TxPDO)</translation>
+        </message>
+        <message>
+            <source>Assigned size, %1</source>
+            <translation>分配的大小，%1</translation>
+        </message>
+        <message>
+            <source>Entries</source>
+            <translation>条目</translation>
+        </message>
+        <message>
+            <source>Entries of %1 %2</source>
+            <translation>%1 %2 的条目</translation>
+        </message>
+        <message>
+            <source>%1 assigned</source>
+            <translation>已分配 %1</translation>
+        </message>
+        <message>
+            <source>As slave, PDO and entry</source>
+            <translation>按从站、PDO 和条目</translation>
+        </message>
+    </context>
+    <context>
+        <name>ProjectDocument</name>
+        <message>
+            <source>Untitled</source>
+            <translation>未命名</translation>
+        </message>
+    </context>
+    <context>
+        <name>QObject</name>
+        <message>
+            <source>Syncline</source>
+            <translation>Syncline</translation>
+        </message>
+    </context>
+    <context>
+        <name>ScanProgress</name>
+        <message>
+            <source>Scan</source>
+            <translation>扫描</translation>
+        </message>
+        <message>
+            <source>Scan progress</source>
+            <translation>扫描进度</translation>
+        </message>
+        <message>
+            <source>Looking for slaves…</source>
+            <translation>正在查找从站…</translation>
+        </message>
+        <message>
+            <source>Reading slave %1 of %2</source>
+            <translation>正在读取从站 %1 / %2</translation>
+        </message>
+        <message>
+            <source>Cancelling…</source>
+            <translation>正在取消…</translation>
+        </message>
+    </context>
+    <context>
+        <name>SlaveDcPage</name>
+        <message>
+            <source>Distributed Clocks</source>
+            <translation>分布时钟</translation>
+        </message>
+        <message>
+            <source>Operation Mode</source>
+            <translation>操作模式</translation>
+        </message>
+        <message>
+            <source>SYNC0</source>
+            <translation>SYNC0</translation>
+        </message>
+        <message>
+            <source>SYNC1</source>
+            <translation>SYNC1</translation>
+        </message>
+        <message>
+            <source>Registers</source>
+            <translation>寄存器</translation>
+        </message>
+        <message>
+            <source>Live</source>
+            <translation>实时</translation>
+        </message>
+        <message>
+            <source>Mode</source>
+            <translation>模式</translation>
+        </message>
+        <message>
+            <source>Meaning</source>
+            <translation>含义</translation>
+        </message>
+        <message>
+            <source>ESI OpMode/Desc</source>
+            <translation>ESI OpMode/Desc</translation>
+        </message>
+        <message>
+            <source>AssignActivate</source>
+            <translation>AssignActivate</translation>
+        </message>
+        <message>
+            <source>ESI OpMode/AssignActivate, written to register 0x0980</source>
+            <translation>ESI OpMode/AssignActivate，写入寄存器 0x0980</translation>
+        </message>
+        <message>
+            <source>Bus cycle</source>
+            <translation>总线周期</translation>
+        </message>
+        <message>
+            <source>Cycle time of the master, base of the Sync Unit Cycle</source>
+            <translation>主站的周期时间，同步单元周期的基准</translation>
+        </message>
+        <message>
+            <source>0x0980 activation</source>
+            <translation>0x0980 激活</translation>
+        </message>
+        <message>
+            <source>Compiled value, as written in PREOP to SAFEOP</source>
+            <translation>编译所得的值，在 PREOP 到 SAFEOP 时写入</translation>
+        </message>
+        <message>
+            <source>0x09A0 SYNC0 cycle</source>
+            <translation>0x09A0 SYNC0 周期</translation>
+        </message>
+        <message>
+            <source>Compiled value (ENI DC/CycleTime0)</source>
+            <translation>编译所得的值 (ENI DC/CycleTime0)</translation>
+        </message>
+        <message>
+            <source>0x09A4 SYNC1</source>
+            <translation>0x09A4 SYNC1</translation>
+        </message>
+        <message>
+            <source>Compiled value (ENI DC/CycleTime1)</source>
+            <translation>编译所得的值 (ENI DC/CycleTime1)</translation>
+        </message>
+        <message>
+            <source>0x0990 shift</source>
+            <translation>0x0990 移位</translation>
+        </message>
+        <message>
+            <source>Compiled part of the start time (ENI DC/ShiftTime)</source>
+            <translation>起始时间中编译所得的部分 (ENI DC/ShiftTime)</translation>
+        </message>
+        <message>
+            <source>Role</source>
+            <translation>角色</translation>
+        </message>
+        <message>
+            <source>What this slave&apos;s clock does on the bus</source>
+            <translation>此从站的时钟在总线上的作用</translation>
+        </message>
+        <message>
+            <source>Deviation</source>
+            <translation>偏差</translation>
+        </message>
+        <message>
+            <source>SystemTimeDifference, register 0x092C</source>
+            <translation>SystemTimeDifference，寄存器 0x092C</translation>
+        </message>
+        <message>
+            <source>Propagation delay</source>
+            <translation>传输延迟</translation>
+        </message>
+        <message>
+            <source>Register 0x0928, measured at start-up</source>
+            <translation>寄存器 0x0928，启动时测量</translation>
+        </message>
+        <message>
+            <source>Missed SM2 events</source>
+            <translation>错过的 SM2 事件</translation>
+        </message>
+        <message>
+            <source>Counter of the device (object 0x1C32)</source>
+            <translation>设备的计数器（对象 0x1C32）</translation>
+        </message>
+        <message>
+            <source>Offline</source>
+            <translation>离线</translation>
+        </message>
+        <message>
+            <source>Reference clock</source>
+            <translation>参考时钟</translation>
+        </message>
+        <message>
+            <source>Follows</source>
+            <translation>跟随</translation>
+        </message>
+        <message>
+            <source>DC off</source>
+            <translation>DC 关闭</translation>
+        </message>
+        <message>
+            <source>%1 (object %2:%3)</source>
+            <translation>%1（对象 %2:%3）</translation>
+        </message>
+        <message>
+            <source>Does not follow</source>
+            <translation>不跟随</translation>
+        </message>
+        <message>
+            <source>CAN</source>
+            <translation>CAN</translation>
+        </message>
+        <message>
+            <source>Output Pins</source>
+            <translation>输出引脚</translation>
+        </message>
+        <message>
+            <source>Pin %1</source>
+            <translation>引脚 %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>SlaveGeneralPage</name>
+        <message>
+            <source>General</source>
+            <translation>常规</translation>
+        </message>
+        <message>
+            <source>Device</source>
+            <translation>设备</translation>
+        </message>
+        <message>
+            <source>Address</source>
+            <translation>地址</translation>
+        </message>
+        <message>
+            <source>Checks at Start-up</source>
+            <translation>启动时检查</translation>
+        </message>
+        <message>
+            <source>State</source>
+            <translation>状态</translation>
+        </message>
+        <message>
+            <source>Time-outs</source>
+            <translation>超时</translation>
+        </message>
+        <message>
+            <source>Type</source>
+            <translation>类型</translation>
+        </message>
+        <message>
+            <source>ESI Device/Type</source>
+            <translation>ESI Device/Type</translation>
+        </message>
+        <message>
+            <source>Vendor</source>
+            <translation>供应商</translation>
+        </message>
+        <message>
+            <source>SII word 0x0008, ESI Vendor/Id</source>
+            <translation>SII 字 0x0008，ESI Vendor/Id</translation>
+        </message>
+        <message>
+            <source>Product code</source>
+            <translation>产品代码</translation>
+        </message>
+        <message>
+            <source>SII word 0x000A, ESI Type@ProductCode</source>
+            <translation>SII 字 0x000A，ESI Type@ProductCode</translation>
+        </message>
+        <message>
+            <source>Revision</source>
+            <translation>版本号</translation>
+        </message>
+        <message>
+            <source>SII word 0x000C, ESI Type@RevisionNo</source>
+            <translation>SII 字 0x000C，ESI Type@RevisionNo</translation>
+        </message>
+        <message>
+            <source>Serial number</source>
+            <translation>序列号</translation>
+        </message>
+        <message>
+            <source>SII word 0x000E</source>
+            <translation>SII 字 0x000E</translation>
+        </message>
+        <message>
+            <source>Described by</source>
+            <translation>描述来源</translation>
+        </message>
+        <message>
+            <source>File or EEPROM that the device description came from</source>
+            <translation>设备描述所来自的文件或 EEPROM</translation>
+        </message>
+        <message>
+            <source>Alias</source>
+            <translation>别名</translation>
+        </message>
+        <message>
+            <source>Auto-increment</source>
+            <translation>自动递增</translation>
+        </message>
+        <message>
+            <source>Position address used before the station address is set</source>
+            <translation>设置站地址之前使用的位置地址</translation>
+        </message>
+        <message>
+            <source>Current state</source>
+            <translation>当前状态</translation>
+        </message>
+        <message>
+            <source>AL status (register 0x0130)</source>
+            <translation>AL 状态（寄存器 0x0130）</translation>
+        </message>
+        <message>
+            <source>AL status code</source>
+            <translation>AL 状态码</translation>
+        </message>
+        <message>
+            <source>Register 0x0134</source>
+            <translation>寄存器 0x0134</translation>
+        </message>
+        <message>
+            <source>Meaning of the AL status code</source>
+            <translation>AL 状态码的含义</translation>
+        </message>
+        <message>
+            <source>INIT to PREOP</source>
+            <translation>INIT 到 PREOP</translation>
+        </message>
+        <message>
+            <source>ESI Timeout/PreopTimeout</source>
+            <translation>ESI Timeout/PreopTimeout</translation>
+        </message>
+        <message>
+            <source>PREOP to SAFEOP to OP</source>
+            <translation>PREOP 到 SAFEOP 到 OP</translation>
+        </message>
+        <message>
+            <source>ESI Timeout/SafeopOpTimeout</source>
+            <translation>ESI Timeout/SafeopOpTimeout</translation>
+        </message>
+        <message>
+            <source>Back to INIT</source>
+            <translation>返回 INIT</translation>
+        </message>
+        <message>
+            <source>ESI Timeout/BackToInitTimeout</source>
+            <translation>ESI Timeout/BackToInitTimeout</translation>
+        </message>
+        <message>
+            <source>Back to SAFEOP</source>
+            <translation>返回 SAFEOP</translation>
+        </message>
+        <message>
+            <source>ESI Timeout/BackToSafeopTimeout</source>
+            <translation>ESI Timeout/BackToSafeopTimeout</translation>
+        </message>
+        <message>
+            <source>any</source>
+            <translation>任意</translation>
+        </message>
+        <message>
+            <source>%1, port %2</source>
+            <translation>%1，端口 %2</translation>
+        </message>
+        <message>
+            <source>Offline</source>
+            <translation>离线</translation>
+        </message>
+        <message>
+            <source>%1 + error</source>
+            <translation>%1 + 错误</translation>
+        </message>
+        <message>
+            <source>Place on the Bus</source>
+            <translation>在总线上的位置</translation>
+        </message>
+        <message>
+            <source>In front</source>
+            <translation>前一级</translation>
+        </message>
+        <message>
+            <source>Slave and port in front of this one</source>
+            <translation>此从站前面的从站和端口</translation>
+        </message>
+    </context>
+    <context>
+        <name>Sm2Panel</name>
+        <message>
+            <source>SM2 events missed</source>
+            <translation>错过的 SM2 事件</translation>
+        </message>
+        <message>
+            <source>Events</source>
+            <translation>事件</translation>
+        </message>
+        <message>
+            <source>SM event missed counter, object 0x1C32:0B or 0x1C32:0C of the slaves that have one.</source>
+            <translation>SM 事件错过计数器，即具有该计数器的从站的对象 0x1C32:0B 或 0x1C32:0C。</translation>
+        </message>
+        <message>
+            <source>no slave has this counter</source>
+            <translation>没有从站具有此计数器</translation>
+        </message>
+        <message>
+            <source>none in the range shown</source>
+            <translation>显示范围内没有</translation>
+        </message>
+        <message>
+            <source>%1: %2/s</source>
+            <translation>%1：%2/s</translation>
+        </message>
+    </context>
+    <context>
+        <name>StatusPanel</name>
+        <message>
+            <source>Offline</source>
+            <translation>离线</translation>
+        </message>
+        <message>
+            <source>Starting</source>
+            <translation>正在启动</translation>
+        </message>
+        <message>
+            <source>Stopping</source>
+            <translation>正在停止</translation>
+        </message>
+        <message>
+            <source>Online</source>
+            <translation>在线</translation>
+        </message>
+        <message>
+            <source>Connection</source>
+            <translation>连接</translation>
+        </message>
+        <message>
+            <source>Whether the master runs, and the link carries frames</source>
+            <translation>主站是否在运行，链路是否传送帧</translation>
+        </message>
+        <message>
+            <source>Link</source>
+            <translation>链路</translation>
+        </message>
+        <message>
+            <source>What the bus is connected through</source>
+            <translation>连接总线所用的链路</translation>
+        </message>
+        <message>
+            <source>Slaves</source>
+            <translation>从站</translation>
+        </message>
+        <message>
+            <source>Slaves in the master&apos;s state, of all configured</source>
+            <translation>处于主站状态的从站数，相对于全部已配置的从站</translation>
+        </message>
+        <message>
+            <source>Slaves in sync</source>
+            <translation>从站同步</translation>
+        </message>
+        <message>
+            <source>Sync window of register 0x092C over all slaves that follow the reference clock</source>
+            <translation>跟随参考时钟的所有从站的寄存器 0x092C 同步窗口</translation>
+        </message>
+        <message>
+            <source>Master in sync</source>
+            <translation>主站同步</translation>
+        </message>
+        <message>
+            <source>Master synchronisation: error against its limit, late frames, cycles left out</source>
+            <translation>主站同步：误差与其限值、迟到帧、漏发周期</translation>
+        </message>
+        <message>
+            <source>Drift</source>
+            <translation>漂移</translation>
+        </message>
+        <message>
+            <source>Reference clock&apos;s rate against the host&apos;s</source>
+            <translation>参考时钟相对主机的速率</translation>
+        </message>
+        <message>
+            <source>Cycle time</source>
+            <translation>周期时间</translation>
+        </message>
+        <message>
+            <source>Bus cycle</source>
+            <translation>总线周期</translation>
+        </message>
+        <message>
+            <source>Lost frames, late frames, cycles left out</source>
+            <translation>丢失帧、迟到帧、漏发周期</translation>
+        </message>
+        <message>
+            <source>Frames that did not come back, or came after their cycle; cycles that the host came too late for; samples the display could not take</source>
+            <translation>没有返回或在其周期之后才返回的帧；主机来得太晚的周期；显示未能接收的采样</translation>
+        </message>
+        <message>
+            <source>No link chosen</source>
+            <translation>未选择链路</translation>
+        </message>
+        <message>
+            <source>A link is chosen when scanning or going online</source>
+            <translation>扫描或上线时选择链路</translation>
+        </message>
+        <message>
+            <source>Slaves %1/%2 %3</source>
+            <translation>从站 %1/%2 %3</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n slave(s)</source>
+            <translation>
+                <numerusform>%n 个从站</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>DC: %1</source>
+            <translation>DC：%1</translation>
+        </message>
+        <message>
+            <source>DCM: %1</source>
+            <translation>DCM：%1</translation>
+        </message>
+        <message>
+            <source>Drift %1</source>
+            <translation>漂移 %1</translation>
+        </message>
+        <message>
+            <source>Cycle %1</source>
+            <translation>周期 %1</translation>
+        </message>
+        <message>
+            <source>Lost %1  Late %2  Left out %3</source>
+            <translation>丢失 %1  迟到 %2  漏发 %3</translation>
+        </message>
+        <message>
+            <source>  Dropped %1</source>
+            <translation>  丢弃 %1</translation>
+        </message>
+        <message>
+            <source>Recording</source>
+            <translation>记录</translation>
+        </message>
+        <message>
+            <source>Recording %1</source>
+            <translation>记录 %1</translation>
+        </message>
+        <message>
+            <source>%1
+%2 written, %3 left on the disk</source>
+            <translation>%1
+已写入 %2，磁盘剩余 %3</translation>
+        </message>
+        <message>
+            <source>
+%1 cycles are missing in it: the disk was too slow</source>
+            <translation>
+其中缺少 %1 个周期：磁盘太慢</translation>
+        </message>
+    </context>
+    <context>
+        <name>Sync</name>
+        <message>
+            <source>Offline</source>
+            <translation>离线</translation>
+        </message>
+        <message>
+            <source>DC off</source>
+            <translation>DC 关闭</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1：%2</translation>
+        </message>
+    </context>
+    <context>
+        <name>SyncSettingsEditor</name>
+        <message>
+            <source>Device family</source>
+            <translation>设备系列</translation>
+        </message>
+        <message>
+            <source>Whose limits are known beyond the ESI (docs/device-families.md)</source>
+            <translation>其限值在 ESI 之外已知 (docs/device-families.md)</translation>
+        </message>
+        <message>
+            <source>SYNC0 cycles</source>
+            <translation>SYNC0 周期</translation>
+        </message>
+        <message>
+            <source>What the device takes; others are refused at SAFEOP</source>
+            <translation>设备接受的周期；其他周期在 SAFEOP 时被拒绝</translation>
+        </message>
+        <message>
+            <source>multiples of %1</source>
+            <translation>%1 的倍数</translation>
+        </message>
+        <message>
+            <source>from %1</source>
+            <translation>从 %1 起</translation>
+        </message>
+        <message>
+            <source>to %1</source>
+            <translation>至 %1</translation>
+        </message>
+        <message>
+            <source>As device (%1)</source>
+            <translation>同设备 (%1)</translation>
+        </message>
+        <message>
+            <source>As device</source>
+            <translation>同设备</translation>
+        </message>
+        <message>
+            <source>0 (never gives up)</source>
+            <translation>0（从不放弃）</translation>
+        </message>
+        <message>
+            <source>SYNC0</source>
+            <translation>SYNC0</translation>
+        </message>
+        <message numerus="yes">
+            <source>%1 (%n miss(es) in a row)</source>
+            <translation>
+                <numerusform>%1（连续错过 %n 次）</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>SyncUnitEditor</name>
+        <message>
+            <source>Sync Unit Cycle of %1</source>
+            <translation>%1 的同步单元周期</translation>
+        </message>
+        <message>
+            <source>Sync Unit Cycle</source>
+            <translation>同步单元周期</translation>
+        </message>
+        <message>
+            <source>Cycle of %1</source>
+            <translation>%1 的周期</translation>
+        </message>
+        <message>
+            <source>Shift of %1</source>
+            <translation>%1 的移位</translation>
+        </message>
+        <message>
+            <source>Shift</source>
+            <translation>移位</translation>
+        </message>
+        <message>
+            <source>As operation mode (%1)</source>
+            <translation>同操作模式 (%1)</translation>
+        </message>
+        <message>
+            <source>User defined</source>
+            <translation>自定义</translation>
+        </message>
+        <message>
+            <source>Factor %1</source>
+            <translation>系数 %1</translation>
+        </message>
+        <message>
+            <source>Off in this operation mode</source>
+            <translation>在此操作模式下关闭</translation>
+        </message>
+        <message>
+            <source>Change Sync Unit Cycle of SYNC%1</source>
+            <translation>更改 SYNC%1 的同步单元周期</translation>
+        </message>
+    </context>
+    <context>
+        <name>TracePanel</name>
+        <message>
+            <source>Legend: %1</source>
+            <translation>图例：%1</translation>
+        </message>
+        <message>
+            <source>Figures: %1</source>
+            <translation>数值：%1</translation>
+        </message>
+        <message>
+            <source>no samples at A or B</source>
+            <translation>A 或 B 处没有采样</translation>
+        </message>
+        <message>
+            <source>B−A %1</source>
+            <translation>B−A %1</translation>
+        </message>
+        <message>
+            <source>   min %1   max %2   mean %3</source>
+            <translation>   最小 %1   最大 %2   平均 %3</translation>
+        </message>
+    </context>
+    <context>
+        <name>TracePlot</name>
+        <message>
+            <source>Time before now</source>
+            <translation>距现在的时间</translation>
+        </message>
+        <message>
+            <source>Time since start</source>
+            <translation>自启动起的时间</translation>
+        </message>
+    </context>
+    <context>
+        <name>Units</name>
+        <message numerus="yes">
+            <source>%n Byte(s)</source>
+            <translation>
+                <numerusform>%n 字节</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n Bit(s)</source>
+            <translation>
+                <numerusform>%n 位</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>WelcomePage</name>
+        <message>
+            <source>Welcome</source>
+            <translation>欢迎</translation>
+        </message>
+        <message>
+            <source>Configure a machine, run it, and see it in sync</source>
+            <translation>配置机器，运行机器，查看其同步</translation>
+        </message>
+        <message>
+            <source>Open %1</source>
+            <translation>打开 %1</translation>
+        </message>
+        <message>
+            <source>Pin %1</source>
+            <translation>固定 %1</translation>
+        </message>
+        <message>
+            <source>Stays in the list</source>
+            <translation>保留在列表中</translation>
+        </message>
+        <message>
+            <source>Keep it in the list</source>
+            <translation>将其保留在列表中</translation>
+        </message>
+        <message>
+            <source>Begin with the simulated demonstration machine, a bus, devices of the catalogue, or a project file.</source>
+            <translation>从仿真的演示机器、总线、目录中的设备或项目文件开始。</translation>
+        </message>
+    </context>
+    <context>
+        <name>Workspace</name>
+        <message>
+            <source>Scan</source>
+            <translation>扫描</translation>
+        </message>
+        <message>
+            <source>Configuration</source>
+            <translation>配置</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n slave(s) found on %1</source>
+            <translation>
+                <numerusform>在 %1 上找到 %n 个从站</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Unsaved work is not kept</source>
+            <translation>未保存的工作不会保留</translation>
+        </message>
+    </context>
+    <context>
+        <name>Finding</name>
+        <message>
+            <source>Slaves %1</source>
+            <translation>从站 %1</translation>
+        </message>
+        <message>
+            <source>each of slaves %1</source>
+            <translation>从站 %1 各</translation>
+        </message>
+        <message>
+            <source> to </source>
+            <translation> 至 </translation>
+        </message>
+        <message>
+            <source>at least %1</source>
+            <translation>至少 %1</translation>
+        </message>
+        <message>
+            <source>once</source>
+            <translation>一次</translation>
+        </message>
+        <message>
+            <source>%1 times</source>
+            <translation>%1 次</translation>
+        </message>
+        <message>
+            <source>the host</source>
+            <translation>主机</translation>
+        </message>
+        <message>
+            <source>nobody in the configuration</source>
+            <translation>配置中没有从站</translation>
+        </message>
+        <message>
+            <source>slaves %1 to %2</source>
+            <translation>从站 %1 至 %2</translation>
+        </message>
+        <message>
+            <source>slave %1</source>
+            <translation>从站 %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>FindingModel</name>
+        <message>
+            <source>Error</source>
+            <translation>误差</translation>
+        </message>
+        <message>
+            <source>Warning</source>
+            <translation>警告</translation>
+        </message>
+        <message>
+            <source>Note</source>
+            <translation>提示</translation>
+        </message>
+        <message>
+            <source>Severity</source>
+            <translation>严重程度</translation>
+        </message>
+        <message>
+            <source>Where</source>
+            <translation>位置</translation>
+        </message>
+        <message>
+            <source>Finding</source>
+            <translation>检查结果</translation>
+        </message>
+        <message>
+            <source>What to do</source>
+            <translation>应对措施</translation>
+        </message>
+    </context>
+    <context>
+        <name>FindingsPanel</name>
+        <message>
+            <source>Findings about the running bus</source>
+            <translation>关于运行中总线的检查结果</translation>
+        </message>
+        <message>
+            <source>Nothing found. What the running bus shows to be wrong stands here, with its cause and what to do.</source>
+            <translation>没有发现问题。运行中的总线出现问题时，会在此列出其原因和应对措施。</translation>
+        </message>
+    </context>
+    <context>
+        <name>Setting</name>
+        <message>
+            <source>Name</source>
+            <translation>名称</translation>
+        </message>
+        <message>
+            <source>Cycle time</source>
+            <translation>周期时间</translation>
+        </message>
+        <message>
+            <source>Overlap inputs and outputs</source>
+            <translation>输入输出重叠</translation>
+        </message>
+        <message>
+            <source>Bring back lost slaves</source>
+            <translation>重新启用恢复的从站</translation>
+        </message>
+        <message>
+            <source>Tries to leave an error state</source>
+            <translation>退出错误状态的尝试次数</translation>
+        </message>
+        <message>
+            <source>Start without missing slaves</source>
+            <translation>缺少从站时也启动</translation>
+        </message>
+        <message>
+            <source>Distributed clocks</source>
+            <translation>分布时钟</translation>
+        </message>
+        <message>
+            <source>Reference clock</source>
+            <translation>参考时钟</translation>
+        </message>
+        <message>
+            <source>Show 64-bit system time</source>
+            <translation>显示 64 位系统时间</translation>
+        </message>
+        <message>
+            <source>Master synchronisation</source>
+            <translation>主站同步</translation>
+        </message>
+        <message>
+            <source>Send to SYNC0</source>
+            <translation>发送至 SYNC0</translation>
+        </message>
+        <message>
+            <source>In-sync limit</source>
+            <translation>同步限值</translation>
+        </message>
+        <message>
+            <source>Settle time</source>
+            <translation>稳定时间</translation>
+        </message>
+        <message>
+            <source>Monitor the sync window</source>
+            <translation>监视同步窗口</translation>
+        </message>
+        <message>
+            <source>Limit 2ⁿ − 1</source>
+            <translation>限值 2ⁿ − 1</translation>
+        </message>
+        <message>
+            <source>Station address</source>
+            <translation>站地址</translation>
+        </message>
+        <message>
+            <source>Alias</source>
+            <translation>别名</translation>
+        </message>
+        <message>
+            <source>Vendor</source>
+            <translation>供应商</translation>
+        </message>
+        <message>
+            <source>Product code</source>
+            <translation>产品代码</translation>
+        </message>
+        <message>
+            <source>Revision</source>
+            <translation>版本号</translation>
+        </message>
+        <message>
+            <source>Serial number</source>
+            <translation>序列号</translation>
+        </message>
+        <message>
+            <source>Mode</source>
+            <translation>模式</translation>
+        </message>
+        <message>
+            <source>Potential reference clock</source>
+            <translation>潜在的参考时钟</translation>
+        </message>
+        <message>
+            <source>Sync Unit Cycle</source>
+            <translation>同步单元周期</translation>
+        </message>
+        <message>
+            <source>Cycle</source>
+            <translation>周期</translation>
+        </message>
+        <message>
+            <source>Shift</source>
+            <translation>移位</translation>
+        </message>
+        <message>
+            <source>Error limit</source>
+            <translation>错误限值</translation>
+        </message>
+        <message>
+            <source>Type</source>
+            <translation>类型</translation>
+        </message>
+        <message>
+            <source>Outputs (RxPDO)</source>
+            <translation>输出 (RxPDO)</translation>
+        </message>
+        <message>
+            <source>Inputs (TxPDO)</source>
+            <translation>输入 (TxPDO)</translation>
+        </message>
+        <message>
+            <source>First with DC</source>
+            <translation>第一个带 DC 的从站</translation>
+        </message>
+        <message>
+            <source>Off (no DC commands)</source>
+            <translation>关闭（无 DC 命令）</translation>
+        </message>
+        <message>
+            <source>As operation mode</source>
+            <translation>同操作模式</translation>
+        </message>
+        <message>
+            <source>Off</source>
+            <translation>关闭</translation>
+        </message>
+        <message>
+            <source>Bus shift</source>
+            <translation>总线移位</translation>
+        </message>
+        <message>
+            <source>Master shift</source>
+            <translation>主站移位</translation>
+        </message>
+        <message>
+            <source>Master reference clock</source>
+            <translation>主站参考时钟</translation>
+        </message>
+        <message>
+            <source>Adapter reference clock</source>
+            <translation>网卡参考时钟</translation>
+        </message>
+        <message>
+            <source>External clock (DCX)</source>
+            <translation>外部时钟 (DCX)</translation>
+        </message>
+        <message>
+            <source>Master shift by application</source>
+            <translation>由应用执行主站移位</translation>
+        </message>
+        <message>
+            <source>Free run</source>
+            <translation>自由运行</translation>
+        </message>
+        <message>
+            <source>SM event</source>
+            <translation>SM 事件</translation>
+        </message>
+        <message>
+            <source>SYNC0</source>
+            <translation>SYNC0</translation>
+        </message>
+        <message>
+            <source>SYNC1</source>
+            <translation>SYNC1</translation>
+        </message>
+        <message>
+            <source>Name of the master in the ENI file.</source>
+            <translation>ENI 文件中主站的名称。</translation>
+        </message>
+        <message>
+            <source>Time between two cyclic frames.</source>
+            <translation>两个循环帧之间的时间。</translation>
+        </message>
+        <message>
+            <source>Inputs and outputs of a slave share logical addresses, which halves the cyclic frame.</source>
+            <translation>从站的输入和输出共用逻辑地址，使循环帧减半。</translation>
+        </message>
+        <message>
+            <source>Slaves that come back (cable healed, power back) are set up again and led to the state of the bus.</source>
+            <translation>重新出现的从站（电缆恢复、电源恢复） 会重新设置，并切换到总线的状态。</translation>
+        </message>
+        <message>
+            <source>How often an error state is acknowledged and the state requested again; 0 leaves it to the user.</source>
+            <translation>确认错误状态并重新请求状态的次数；0 表示由用户处理。</translation>
+        </message>
+        <message>
+            <source>Goes online with the slaves that are there; the others join when they appear.</source>
+            <translation>用现有的从站上线；其余从站出现后加入。</translation>
+        </message>
+        <message>
+            <source>Distributed clocks for the whole bus.</source>
+            <translation>整个总线的分布时钟。</translation>
+        </message>
+        <message>
+            <source>Position of the slave whose clock all others follow; auto is the first slave with DC.</source>
+            <translation>其时钟由所有其他从站跟随的从站的位置；自动表示第一个带 DC 的从站。</translation>
+        </message>
+        <message>
+            <source>Reads and shows 64 bits of the system time (0x0910).</source>
+            <translation>读取并显示 64 位系统时间 (0x0910)。</translation>
+        </message>
+        <message>
+            <source>How the send time of the frames and the reference clock are brought together.</source>
+            <translation>帧的发送时刻与参考时钟如何对齐。</translation>
+        </message>
+        <message>
+            <source>Distance from sending the cyclic frame to SYNC0; auto is two thirds of the cycle.</source>
+            <translation>从发送循环帧到 SYNC0 的间隔；自动表示周期的三分之二。</translation>
+        </message>
+        <message>
+            <source>Largest control error that still counts as in sync; 0 is 4000 ns.</source>
+            <translation>仍视为同步的最大控制误差；0 表示 4000 ns。</translation>
+        </message>
+        <message>
+            <source>Time inside that limit before the controller counts as in sync; 0 is 1500 ms.</source>
+            <translation>控制器被视为同步之前保持在该限值内的时间；0 表示 1500 ms。</translation>
+        </message>
+        <message>
+            <source>Watches the wire-ored system time difference of all slaves (0x092C).</source>
+            <translation>监视所有从站的系统时间差的线或值 (0x092C)。</translation>
+        </message>
+        <message>
+            <source>Limit of the sync window: 2^exponent - 1 ns.</source>
+            <translation>同步窗口的限值：2^指数 - 1 ns。</translation>
+        </message>
+        <message>
+            <source>Time inside the window before the bus counts as in sync.</source>
+            <translation>总线被视为同步之前保持在窗口内的时间。</translation>
+        </message>
+        <message>
+            <source>Name of the slave in the ENI file.</source>
+            <translation>ENI 文件中从站的名称。</translation>
+        </message>
+        <message>
+            <source>Address that the master gives the slave (0x0010).</source>
+            <translation>主站赋予从站的地址 (0x0010)。</translation>
+        </message>
+        <message>
+            <source>Address in the slave&apos;s EEPROM (0x0012); 0 is none.</source>
+            <translation>从站 EEPROM 中的地址 (0x0012)；0 表示没有。</translation>
+        </message>
+        <message>
+            <source>Compares the vendor in the slave&apos;s EEPROM with the configured one at start-up.</source>
+            <translation>启动时将从站 EEPROM 中的供应商与配置值比较。</translation>
+        </message>
+        <message>
+            <source>Compares the product in the slave&apos;s EEPROM with the configured one at start-up.</source>
+            <translation>启动时将从站 EEPROM 中的产品代码与配置值比较。</translation>
+        </message>
+        <message>
+            <source>Compares the revision in the slave&apos;s EEPROM with the configured one at start-up.</source>
+            <translation>启动时将从站 EEPROM 中的版本号与配置值比较。</translation>
+        </message>
+        <message>
+            <source>Compares the serial in the slave&apos;s EEPROM with the configured one at start-up.</source>
+            <translation>启动时将从站 EEPROM 中的序列号与配置值比较。</translation>
+        </message>
+        <message>
+            <source>Operation mode of distributed clocks; where the ESI gives a mode its own PDOs, they are assigned too.</source>
+            <translation>分布时钟的操作模式；如果 ESI 为某个模式规定了自己的 PDO，也会一并分配。</translation>
+        </message>
+        <message>
+            <source>Marks the slave as a possible reference clock in the ENI.</source>
+            <translation>在 ENI 中将从站标记为可能的参考时钟。</translation>
+        </message>
+        <message>
+            <source>Sync Unit Cycle of SYNC0: above 0 multiplies, below 0 divides the bus cycle; auto as in the ESI.</source>
+            <translation>SYNC0 的同步单元周期：大于 0 为总线周期的倍数，小于 0 为其分数；自动同 ESI。</translation>
+        </message>
+        <message>
+            <source>Cycle of SYNC0 (0x09A0), before the factor.</source>
+            <translation>乘以系数之前的 SYNC0 周期 (0x09A0)。</translation>
+        </message>
+        <message>
+            <source>Shift of SYNC0; auto as in the ESI.</source>
+            <translation>SYNC0 的移位；自动同 ESI。</translation>
+        </message>
+        <message>
+            <source>Sync Unit Cycle of SYNC1: above 0 multiplies, below 0 divides the bus cycle; auto as in the ESI.</source>
+            <translation>SYNC1 的同步单元周期：大于 0 为总线周期的倍数，小于 0 为其分数；自动同 ESI。</translation>
+        </message>
+        <message>
+            <source>Cycle of SYNC1 (0x09A4), before the factor.</source>
+            <translation>乘以系数之前的 SYNC1 周期 (0x09A4)。</translation>
+        </message>
+        <message>
+            <source>Shift of SYNC1; auto as in the ESI.</source>
+            <translation>SYNC1 的移位；自动同 ESI。</translation>
+        </message>
+        <message>
+            <source>Error counter (3 more for a missed SM event, 1 less for a good one) at which the device gives up (0x10F1:02); 0 never, auto leaves the device&apos;s default.</source>
+            <translation>设备放弃时的错误计数器值 (0x10F1:02)：每错过一个 SM 事件加 3，每个正常事件减 1；0 表示从不，自动表示保留设备的默认值。</translation>
+        </message>
+        <message>
+            <source>What starts the device&apos;s cycle (0x1C32:01 and 0x1C33:01); auto as the operation mode says.</source>
+            <translation>启动设备周期的事件（0x1C32:01 和 0x1C33:01）；自动表示按操作模式。</translation>
+        </message>
+        <message>
+            <source>RxPDOs (outputs) in the order in which they lie in the process data.</source>
+            <translation>按过程数据中的顺序排列的 RxPDO（输出）。</translation>
+        </message>
+        <message>
+            <source>TxPDOs (inputs) in the order in which they lie in the process data.</source>
+            <translation>按过程数据中的顺序排列的 TxPDO（输入）。</translation>
+        </message>
+        <message>
+            <source>Values</source>
+            <translation>取值</translation>
+        </message>
+        <message>
+            <source>Default</source>
+            <translation>默认值</translation>
+        </message>
+        <message>
+            <source>Emptied field</source>
+            <translation>清空字段时</translation>
+        </message>
+        <message>
+            <source>Goes to</source>
+            <translation>写入</translation>
+        </message>
+        <message>
+            <source>Changes</source>
+            <translation>更改</translation>
+        </message>
+        <message>
+            <source>Key</source>
+            <translation>键</translation>
+        </message>
+        <message>
+            <source>Register %1</source>
+            <translation>寄存器 %1</translation>
+        </message>
+        <message>
+            <source>Object %1</source>
+            <translation>对象 %1</translation>
+        </message>
+        <message>
+            <source>Destination address</source>
+            <translation>目标地址</translation>
+        </message>
+        <message>
+            <source>Destination address of the frames; broadcast unless a switch demands another.</source>
+            <translation>帧的目标地址；除非交换机另有要求，否则为广播地址。</translation>
+        </message>
+        <message>
+            <source>Source address</source>
+            <translation>源地址</translation>
+        </message>
+        <message>
+            <source>Source address in the ENI file; zeros leave it to the network card.</source>
+            <translation>ENI 文件中的源地址；全零表示由网卡决定。</translation>
+        </message>
+        <message>
+            <source>Asking the clock</source>
+            <translation>查询时钟</translation>
+        </message>
+        <message>
+            <source>Most of each wait that is spent asking the clock: earlier wake-ups for processor time. Used is what this host needs for 99 of 100 frames to leave at most 2 % of the cycle late, and at most a quarter of the cycle.</source>
+            <translation>每次等待中最多用于查询时钟的时间：以处理器时间换取更早的唤醒。实际使用的是此主机使 100 帧中 99 帧的迟发不超过周期 2 % 所需的时间，最多为周期的四分之一。</translation>
+        </message>
+        <message>
+            <source>Processor</source>
+            <translation>处理器</translation>
+        </message>
+        <message>
+            <source>Processor that the cyclic thread is bound to; auto leaves it to the system.</source>
+            <translation>循环线程绑定的处理器；自动表示由系统决定。</translation>
+        </message>
+        <message>
+            <source>Continuous propagation compensation</source>
+            <translation>持续传输延迟补偿</translation>
+        </message>
+        <message>
+            <source>Measures the propagation delays again every 30 s and corrects them in small steps.</source>
+            <translation>每 30 s 重新测量传输延迟，并以小步修正。</translation>
+        </message>
+        <message>
+            <source>Burst, frames</source>
+            <translation>突发，帧数</translation>
+        </message>
+        <message>
+            <source>Frames of the first drift compensation (FRMW or ARMW of 0x0910).</source>
+            <translation>首次漂移补偿的帧数（0x0910 的 FRMW 或 ARMW）。</translation>
+        </message>
+        <message>
+            <source>Burst, frames a cycle</source>
+            <translation>突发，每周期帧数</translation>
+        </message>
+        <message>
+            <source>Frames of that burst in one cycle.</source>
+            <translation>该突发在一个周期内的帧数。</translation>
+        </message>
+        <message>
+            <source>Burst ends early</source>
+            <translation>提前结束突发</translation>
+        </message>
+        <message>
+            <source>The burst ends when all slaves have settled.</source>
+            <translation>所有从站都稳定后结束突发。</translation>
+        </message>
+        <message>
+            <source>Lead of the start time</source>
+            <translation>起始时间的提前量</translation>
+        </message>
+        <message>
+            <source>Lead of the SYNC start time (0x0990) on the time of writing it.</source>
+            <translation>SYNC 起始时间 (0x0990) 相对其写入时刻的提前量。</translation>
+        </message>
+        <message>
+            <source>Grid of the start time</source>
+            <translation>起始时间的网格</translation>
+        </message>
+        <message>
+            <source>Start times are multiples of this; 0 is the bus cycle.</source>
+            <translation>起始时间为该值的倍数；0 表示总线周期。</translation>
+        </message>
+        <message>
+            <source>First slave leads</source>
+            <translation>第一个从站引领</translation>
+        </message>
+        <message>
+            <source>The first slave on the bus that has a system time leads, whatever is configured.</source>
+            <translation>无论如何配置，总线上第一个具有系统时间的从站引领。</translation>
+        </message>
+        <message>
+            <source>Synchronise all slaves</source>
+            <translation>同步所有从站</translation>
+        </message>
+        <message>
+            <source>Every slave that has a system time is synchronised, with or without a DC operation mode.</source>
+            <translation>每个具有系统时间的从站都会同步，无论有无 DC 操作模式。</translation>
+        </message>
+        <message>
+            <source>Delay measurements</source>
+            <translation>延迟测量次数</translation>
+        </message>
+        <message>
+            <source>Latches of the receive times (0x0900) whose medians give the propagation delays.</source>
+            <translation>接收时间 (0x0900) 的锁存次数，其中位数给出传输延迟。</translation>
+        </message>
+        <message>
+            <source>Delay difference</source>
+            <translation>延迟差</translation>
+        </message>
+        <message>
+            <source>Processing minus forwarding latency of the ESCs (tDiff of their data sheets); auto is 40 ns.</source>
+            <translation>ESC 的处理延迟减去转发延迟（数据手册中的 tDiff）；自动为 40 ns。</translation>
+        </message>
+        <message>
+            <source>Speed counter start</source>
+            <translation>速度计数器起始值</translation>
+        </message>
+        <message>
+            <source>Start value of the slaves&apos; time control loops (0x0930): small ones follow faster, large ones smoother; auto suits the cycle.</source>
+            <translation>从站时间控制环的起始值 (0x0930)：小则跟随快，大则更平稳；自动表示与周期相适应。</translation>
+        </message>
+        <message>
+            <source>Filter depth, difference</source>
+            <translation>滤波深度，时间差</translation>
+        </message>
+        <message>
+            <source>Exponent of the average over the time differences (0x0934); auto is 0.</source>
+            <translation>时间差平均值的指数 (0x0934)；自动为 0。</translation>
+        </message>
+        <message>
+            <source>Filter depth, speed counter</source>
+            <translation>滤波深度，速度计数器</translation>
+        </message>
+        <message>
+            <source>Exponent of the average over the clock period deviation (0x0935); auto is 8.</source>
+            <translation>时钟周期偏差平均值的指数 (0x0935)；自动为 8。</translation>
+        </message>
+        <message>
+            <source>Tell of the reference clock</source>
+            <translation>报告参考时钟</translation>
+        </message>
+        <message>
+            <source>Tells presence and loss of the reference clock.</source>
+            <translation>报告参考时钟的出现和丢失。</translation>
+        </message>
+        <message>
+            <source>Tell of slaves in sync</source>
+            <translation>报告从站同步</translation>
+        </message>
+        <message>
+            <source>Tells when the slaves come in sync and fall out of it.</source>
+            <translation>报告从站进入同步和失步的时刻。</translation>
+        </message>
+        <message>
+            <source>Tell of the clocks&apos; state</source>
+            <translation>报告时钟状态</translation>
+        </message>
+        <message>
+            <source>Tells that the distributed clocks are initialised, or why not.</source>
+            <translation>报告分布时钟已初始化，或未能初始化的原因。</translation>
+        </message>
+        <message>
+            <source>Tell of the master in sync</source>
+            <translation>报告主站同步</translation>
+        </message>
+        <message>
+            <source>Tells when the master comes in sync and falls out of it.</source>
+            <translation>报告主站进入同步和失步的时刻。</translation>
+        </message>
+        <message>
+            <source>Gain</source>
+            <translation>增益</translation>
+        </message>
+        <message>
+            <source>Share of the control error that one cycle corrects while in sync (nCtlGain), in thousandths; 0 is 2.</source>
+            <translation>同步时一个周期修正的控制误差份额 (nCtlGain)，以千分之一计；0 表示 2。</translation>
+        </message>
+        <message>
+            <source>Drift error gain</source>
+            <translation>漂移误差增益</translation>
+        </message>
+        <message>
+            <source>Multiplies the integral gain (nCtlDriftErrorGain): more follows a changing drift faster and lets more noise through; 0 is 3.</source>
+            <translation>积分增益的倍数 (nCtlDriftErrorGain)：越大越能更快跟随变化的漂移，但也引入更多噪声；0 表示 3。</translation>
+        </message>
+        <message>
+            <source>Valid readings</source>
+            <translation>有效读数</translation>
+        </message>
+        <message>
+            <source>Readings further than this from what is expected are invalid (nMaxValidVal); 0 is 3000 ns.</source>
+            <translation>与期望值相差超过此值的读数无效 (nMaxValidVal)；0 表示 3000 ns。</translation>
+        </message>
+        <message>
+            <source>Start delay</source>
+            <translation>启动延迟</translation>
+        </message>
+        <message>
+            <source>Wait before the control error is judged.</source>
+            <translation>开始评判控制误差之前的等待时间。</translation>
+        </message>
+        <message>
+            <source>Control off</source>
+            <translation>控制关闭</translation>
+        </message>
+        <message>
+            <source>Nothing is moved, so that the natural drift and the adjustment that would be made can be read (bCtlOff).</source>
+            <translation>不做任何移动，以便读取自然漂移和本应进行的调整量 (bCtlOff)。</translation>
+        </message>
+        <message>
+            <source>Standard loop values</source>
+            <translation>标准环参数</translation>
+        </message>
+        <message>
+            <source>Leaves the time control loops of the slaves (0x0930, 0x0934) at the values of their reset.</source>
+            <translation>使从站的时间控制环 (0x0930、0x0934) 保持复位值。</translation>
+        </message>
+        <message>
+            <source>Controller log</source>
+            <translation>控制器日志</translation>
+        </message>
+        <message>
+            <source>Keeps the log of the controller, one line a cycle (bLogEnabled).</source>
+            <translation>记录控制器的日志，每周期一行 (bLogEnabled)。</translation>
+        </message>
+        <message>
+            <source>Network</source>
+            <translation>网络</translation>
+        </message>
+        <message>
+            <source>Name of this network, where a machine has several (--network).</source>
+            <translation>机器有多个网络时此网络的名称 (--network)。</translation>
+        </message>
+        <message>
+            <source>Logical start address</source>
+            <translation>逻辑起始地址</translation>
+        </message>
+        <message>
+            <source>Logical address of the first process data; auto as the dialect&apos;s tool.</source>
+            <translation>第一个过程数据的逻辑地址；自动同该方言的工具。</translation>
+        </message>
+        <message>
+            <source>Alignment</source>
+            <translation>对齐</translation>
+        </message>
+        <message>
+            <source>The data of each slave begin at a multiple of so many bytes in the process image.</source>
+            <translation>每个从站的数据在过程映像中从此字节数的倍数处开始。</translation>
+        </message>
+        <message>
+            <source>Bit packing</source>
+            <translation>按位紧凑排列</translation>
+        </message>
+        <message>
+            <source>Digital terminals are mapped bit by bit and may share bytes; off gives each whole bytes.</source>
+            <translation>数字量端子模块按位映射并可共用字节；关闭则各占整字节。</translation>
+        </message>
+        <message>
+            <source>Connected to</source>
+            <translation>连接到</translation>
+        </message>
+        <message>
+            <source>Where the slave is plugged in towards the master. One behind it only when that one&apos;s cables are swapped.</source>
+            <translation>从站朝向主站的插接处。只有当该从站的电缆接反时，才会是其后面的从站。</translation>
+        </message>
+        <message>
+            <source>Hot-connect group</source>
+            <translation>热连接组</translation>
+        </message>
+        <message>
+            <source>This slave and those behind it may be absent and be plugged in anywhere, known by this slave&apos;s alias.</source>
+            <translation>此从站及其后面的从站可以不在，也可以接在任意位置，通过此从站的别名识别。</translation>
+        </message>
+        <message>
+            <source>Optional</source>
+            <translation>可选</translation>
+        </message>
+        <message>
+            <source>The slave may be missing; it is known by its device ID or alias, and the others run without it.</source>
+            <translation>此从站可以缺少；通过其设备标识或别名识别，其他从站没有它也能运行。</translation>
+        </message>
+        <message>
+            <source>Revision rule</source>
+            <translation>版本规则</translation>
+        </message>
+        <message>
+            <source>How check.revision compares (ETG.2000 CheckRevisionNo): LW and HW are the low and high words, G is newer; auto as in the ESI.</source>
+            <translation>check.revision 的比较方式 (ETG.2000 CheckRevisionNo)：LW 和 HW 为低字和高字，G 为更新；自动同 ESI。</translation>
+        </message>
+        <message>
+            <source>Compares the alias in the slave (0x0012) with the configured one at start-up.</source>
+            <translation>启动时将从站中的别名 (0x0012) 与配置值比较。</translation>
+        </message>
+        <message>
+            <source>Device ID</source>
+            <translation>设备标识</translation>
+        </message>
+        <message>
+            <source>Explicit device ID (switches or display of the device, ETG.1020) that is compared at start-up.</source>
+            <translation>启动时比较的显式设备标识（设备的拨码开关或显示，ETG.1020）。</translation>
+        </message>
+        <message>
+            <source>Watchdog divider</source>
+            <translation>看门狗分频器</translation>
+        </message>
+        <message>
+            <source>Watchdog divider (0x0400): unit of the watchdogs is (value + 2) * 40 ns; auto as in the ESI.</source>
+            <translation>看门狗分频器 (0x0400)：看门狗的单位为 (值 + 2) * 40 ns；自动同 ESI。</translation>
+        </message>
+        <message>
+            <source>PDI watchdog</source>
+            <translation>PDI 看门狗</translation>
+        </message>
+        <message>
+            <source>PDI watchdog (0x0410) in units of the divider; 0 switches it off; auto as in the ESI.</source>
+            <translation>PDI 看门狗 (0x0410)，以分频器为单位；0 表示关闭；自动同 ESI。</translation>
+        </message>
+        <message>
+            <source>Process data watchdog</source>
+            <translation>过程数据看门狗</translation>
+        </message>
+        <message>
+            <source>Process data watchdog (0x0420) in units of the divider; 0 switches it off; auto as in the ESI.</source>
+            <translation>过程数据看门狗 (0x0420)，以分频器为单位；0 表示关闭；自动同 ESI。</translation>
+        </message>
+        <message>
+            <source>Outputs trigger the watchdog</source>
+            <translation>输出触发看门狗</translation>
+        </message>
+        <message>
+            <source>Outputs trigger the process data watchdog (control byte of their SyncManagers, bit 6); auto as in the ESI.</source>
+            <translation>输出触发过程数据看门狗（其同步管理器控制字节的第 6 位）；自动同 ESI。</translation>
+        </message>
+        <message>
+            <source>INIT to PREOP</source>
+            <translation>INIT 到 PREOP</translation>
+        </message>
+        <message>
+            <source>Time-out for INIT to PREOP or BOOT; auto as in the ESI.</source>
+            <translation>INIT 到 PREOP 或 BOOT 的超时；自动同 ESI。</translation>
+        </message>
+        <message>
+            <source>PREOP to SAFEOP to OP</source>
+            <translation>PREOP 到 SAFEOP 到 OP</translation>
+        </message>
+        <message>
+            <source>Time-out for PREOP to SAFEOP and SAFEOP to OP; auto as in the ESI.</source>
+            <translation>PREOP 到 SAFEOP 以及 SAFEOP 到 OP 的超时；自动同 ESI。</translation>
+        </message>
+        <message>
+            <source>Back to INIT</source>
+            <translation>返回 INIT</translation>
+        </message>
+        <message>
+            <source>Time-out for the way back to INIT; auto as in the ESI.</source>
+            <translation>返回 INIT 的超时；自动同 ESI。</translation>
+        </message>
+        <message>
+            <source>Back to SAFEOP</source>
+            <translation>返回 SAFEOP</translation>
+        </message>
+        <message>
+            <source>Time-out for OP to SAFEOP; auto as in the ESI.</source>
+            <translation>OP 到 SAFEOP 的超时；自动同 ESI。</translation>
+        </message>
+        <message>
+            <source>Mailbox request</source>
+            <translation>邮箱请求</translation>
+        </message>
+        <message>
+            <source>Time-out for the slave to take a mailbox request; auto as in the ESI.</source>
+            <translation>从站接收邮箱请求的超时；自动同 ESI。</translation>
+        </message>
+        <message>
+            <source>Mailbox response</source>
+            <translation>邮箱应答</translation>
+        </message>
+        <message>
+            <source>Time-out for the slave to answer a mailbox request; auto as in the ESI.</source>
+            <translation>从站应答邮箱请求的超时；自动同 ESI。</translation>
+        </message>
+        <message>
+            <source>Output mailbox</source>
+            <translation>输出邮箱</translation>
+        </message>
+        <message>
+            <source>Size of the output mailbox; auto as in the ESI.</source>
+            <translation>输出邮箱的大小；自动同 ESI。</translation>
+        </message>
+        <message>
+            <source>Input mailbox</source>
+            <translation>输入邮箱</translation>
+        </message>
+        <message>
+            <source>Size of the input mailbox; auto as in the ESI.</source>
+            <translation>输入邮箱的大小；自动同 ESI。</translation>
+        </message>
+        <message>
+            <source>Mailbox state by a bit</source>
+            <translation>用位表示邮箱状态</translation>
+        </message>
+        <message>
+            <source>The master learns of mail by a bit in the cyclic frames, where the device has an FMMU for it; off: it polls.</source>
+            <translation>设备有相应的 FMMU 时，主站通过循环帧中的一个位得知邮件；关闭则轮询。</translation>
+        </message>
+        <message>
+            <source>Poll time</source>
+            <translation>轮询时间</translation>
+        </message>
+        <message>
+            <source>How often the mailbox is polled; auto as the dialect&apos;s tool.</source>
+            <translation>轮询邮箱的间隔；自动同该方言的工具。</translation>
+        </message>
+        <message>
+            <source>Ethernet (EoE)</source>
+            <translation>以太网 (EoE)</translation>
+        </message>
+        <message>
+            <source>Ethernet frames are passed to and from the slave (EoE).</source>
+            <translation>与从站之间转发以太网帧 (EoE)。</translation>
+        </message>
+        <message>
+            <source>Ethernet address</source>
+            <translation>以太网地址</translation>
+        </message>
+        <message>
+            <source>Ethernet address that the slave gets at start-up (EoE).</source>
+            <translation>从站启动时获得的以太网地址 (EoE)。</translation>
+        </message>
+        <message>
+            <source>IP address</source>
+            <translation>IP 地址</translation>
+        </message>
+        <message>
+            <source>IP address that the slave gets at start-up (EoE).</source>
+            <translation>从站启动时获得的 IP 地址 (EoE)。</translation>
+        </message>
+        <message>
+            <source>Subnet mask</source>
+            <translation>子网掩码</translation>
+        </message>
+        <message>
+            <source>Subnet mask that the slave gets at start-up (EoE).</source>
+            <translation>从站启动时获得的子网掩码 (EoE)。</translation>
+        </message>
+        <message>
+            <source>Default gateway</source>
+            <translation>默认网关</translation>
+        </message>
+        <message>
+            <source>Default gateway that the slave gets at start-up (EoE).</source>
+            <translation>从站启动时获得的默认网关 (EoE)。</translation>
+        </message>
+        <message>
+            <source>Name server</source>
+            <translation>域名服务器</translation>
+        </message>
+        <message>
+            <source>Name server that the slave gets at start-up (EoE).</source>
+            <translation>从站启动时获得的域名服务器 (EoE)。</translation>
+        </message>
+        <message>
+            <source>Host name</source>
+            <translation>主机名</translation>
+        </message>
+        <message>
+            <source>Host name that the slave gets at start-up (EoE).</source>
+            <translation>从站启动时获得的主机名 (EoE)。</translation>
+        </message>
+        <message>
+            <source>AMS Net ID</source>
+            <translation>AMS Net ID</translation>
+        </message>
+        <message>
+            <source>AMS Net ID of the slave (AoE).</source>
+            <translation>从站的 AMS Net ID (AoE)。</translation>
+        </message>
+        <message>
+            <source>Sync Unit of the outputs</source>
+            <translation>输出的同步单元</translation>
+        </message>
+        <message>
+            <source>Sync Unit that exchanges the outputs; nothing for the unnamed one in the base task.</source>
+            <translation>交换输出的同步单元；留空表示基本任务中的未命名单元。</translation>
+        </message>
+        <message>
+            <source>Sync Unit of the inputs</source>
+            <translation>输入的同步单元</translation>
+        </message>
+        <message>
+            <source>Sync Unit that exchanges the inputs; nothing for the unnamed one in the base task.</source>
+            <translation>交换输入的同步单元；留空表示基本任务中的未命名单元。</translation>
+        </message>
+        <message>
+            <source>Input shift</source>
+            <translation>输入移位</translation>
+        </message>
+        <message>
+            <source>From the trigger to latching the inputs (0x1C33:03); auto as the operation mode says.</source>
+            <translation>从触发到锁存输入的时间 (0x1C33:03)；自动表示按操作模式。</translation>
+        </message>
+        <message>
+            <source>CAN cycle</source>
+            <translation>CAN 周期</translation>
+        </message>
+        <message>
+            <source>CAN cycle of a gateway (EL6751 0xF800:04), a multiple of the bus cycle; without SYNC0 the gateway is told the bus cycle, too. 0 is one CAN cycle a bus cycle, auto leaves the device&apos;s default.</source>
+            <translation>网关的 CAN 周期 (EL6751 0xF800:04)，为总线周期的倍数；没有 SYNC0 时也会将总线周期告知网关。0 表示每个总线周期一个 CAN 周期，自动表示保留设备的默认值。</translation>
+        </message>
+        <message>
+            <source>TxPDO delay</source>
+            <translation>TxPDO 延迟</translation>
+        </message>
+        <message>
+            <source>From the CAN SYNC message of a gateway to its first synchronous RxPDO (EL6751 0xF800:0E), in % of the CAN cycle.</source>
+            <translation>从网关的 CAN SYNC 报文到其第一个同步 RxPDO 的时间 (EL6751 0xF800:0E)，以 CAN 周期的 % 计。</translation>
+        </message>
+        <message>
+            <source>Output pin</source>
+            <translation>输出引脚</translation>
+        </message>
+        <message>
+            <source>What output pin K (from 1) of a drive shows on an oscilloscope (Copley 0x2193); auto leaves it alone.</source>
+            <translation>驱动器的输出引脚 K（从 1 起） 在示波器上显示的内容 (Copley 0x2193)；自动表示不作更改。</translation>
+        </message>
+        <message>
+            <source>Module</source>
+            <translation>模块</translation>
+        </message>
+        <message>
+            <source>Module in place K of a modular device, counted from 0; its PDOs and start-up commands come with it.</source>
+            <translation>模块化设备位置 K 上的模块，从 0 起计；其 PDO 和启动命令随之而来。</translation>
+        </message>
+        <message>
+            <source>Oversampling</source>
+            <translation>过采样</translation>
+        </message>
+        <message>
+            <source>How many samples of PDO 0xIIII a cycle carries; auto as the operation mode says.</source>
+            <translation>PDO 0xIIII 每个周期携带的采样数；自动表示按操作模式。</translation>
+        </message>
+        <message>
+            <source>Variable</source>
+            <translation>变量</translation>
+        </message>
+        <message>
+            <source>Name of the variable for entry K of PDO 0xIIII in the process image; nothing for SLAVE.PDO.ENTRY.</source>
+            <translation>PDO 0xIIII 的条目 K 在过程映像中的变量名称；留空表示 SLAVE.PDO.ENTRY。</translation>
+        </message>
+        <message>
+            <source>auto</source>
+            <translation>自动</translation>
+        </message>
+        <message>
+            <source>none</source>
+            <translation>无</translation>
+        </message>
+        <message>
+            <source>on</source>
+            <translation>开</translation>
+        </message>
+        <message>
+            <source>off</source>
+            <translation>关</translation>
+        </message>
+        <message>
+            <source>None (base task)</source>
+            <translation>无（基本任务）</translation>
+        </message>
+        <message>
+            <source>Expert setting: few machines need it</source>
+            <translation>专家设置：少数机器才需要</translation>
+        </message>
+        <message>
+            <source>frames</source>
+            <translation>帧</translation>
+        </message>
+        <message>
+            <source>bytes</source>
+            <translation>字节</translation>
+        </message>
+        <message>
+            <source>Task</source>
+            <translation>任务</translation>
+        </message>
+        <message>
+            <source>A task beside the base task, whose frames are sent in every MULTIPLE-th cycle; K counts from 0, the number behind the last adds one.</source>
+            <translation>基本任务之外的任务，其帧每 MULTIPLE 个周期发送一次；K 从 0 起计，比最后一个大一的编号表示新增。</translation>
+        </message>
+        <message>
+            <source>Sync Unit</source>
+            <translation>同步单元</translation>
+        </message>
+        <message>
+            <source>Slaves that are exchanged together in datagrams of their own, in the base task or in TASK; K counts from 0, the number behind the last adds one.</source>
+            <translation>在基本任务或 TASK 中用各自的数据报一起交换的从站；K 从 0 起计，比最后一个大一的编号表示新增。</translation>
+        </message>
+        <message>
+            <source>Mapping</source>
+            <translation>映射</translation>
+        </message>
+        <message>
+            <source>What PDO 0xIIII carries. Only PDOs that are not fixed can be changed.</source>
+            <translation>PDO 0xIIII 携带的内容。只有非固定的 PDO 可以更改。</translation>
+        </message>
+        <message>
+            <source>Start-up command</source>
+            <translation>启动命令</translation>
+        </message>
+        <message>
+            <source>CoE object that is written at these transitions, K counts from 0; the number behind the last adds one.</source>
+            <translation>在这些状态切换时写入的 CoE 对象，K 从 0 起计；比最后一个大一的编号表示新增。</translation>
+        </message>
+        <message>
+            <source>SoE start-up command</source>
+            <translation>SoE 启动命令</translation>
+        </message>
+        <message>
+            <source>IDN that is written at these transitions, K counts from 0; the number behind the last adds one.</source>
+            <translation>在这些状态切换时写入的 IDN，K 从 0 起计；比最后一个大一的编号表示新增。</translation>
+        </message>
+    </context>
+    <context>
+        <name>FieldBinder</name>
+        <message>
+            <source>Change: %1</source>
+            <translation>更改：%1</translation>
+        </message>
+        <message>
+            <source>%1 (Expert)</source>
+            <translation>%1（专家）</translation>
+        </message>
+        <message>
+            <source>Finding: %1</source>
+            <translation>检查结果：%1</translation>
+        </message>
+    </context>
+    <context>
+        <name>NumberEdit</name>
+        <message>
+            <source>&quot;%1&quot; is no such number: %2</source>
+            <translation>“%1”不是有效的数：%2</translation>
+        </message>
+    </context>
+    <context>
+        <name>PresetEdit</name>
+        <message>
+            <source>&quot;%1&quot; is no such number: %2 %3</source>
+            <translation>“%1”不是有效的数：%2 %3</translation>
+        </message>
+    </context>
+    <context>
+        <name>MasterDcExpertPage</name>
+        <message>
+            <source>Distributed Clocks (Expert)</source>
+            <translation>分布时钟（专家）</translation>
+        </message>
+        <message>
+            <source>Clocks and Delays</source>
+            <translation>时钟与延迟</translation>
+        </message>
+        <message>
+            <source>Burst and Start Time</source>
+            <translation>突发与起始时间</translation>
+        </message>
+        <message>
+            <source>Controller (DCM)</source>
+            <translation>控制器 (DCM)</translation>
+        </message>
+        <message>
+            <source>Control Loops of the Slaves</source>
+            <translation>从站的控制环</translation>
+        </message>
+        <message>
+            <source>Messages of the Clocks</source>
+            <translation>时钟的消息</translation>
+        </message>
+    </context>
+    <context>
+        <name>SlaveTimingPage</name>
+        <message>
+            <source>Watchdogs (Expert)</source>
+            <translation>看门狗（专家）</translation>
+        </message>
+        <message>
+            <source>Watchdogs</source>
+            <translation>看门狗</translation>
+        </message>
+        <message>
+            <source>Time-outs of State Changes</source>
+            <translation>状态切换的超时</translation>
+        </message>
+    </context>
+    <context>
+        <name>SlaveMailboxPage</name>
+        <message>
+            <source>Mailbox</source>
+            <translation>邮箱</translation>
+        </message>
+        <message>
+            <source>Ethernet (EoE)</source>
+            <translation>以太网 (EoE)</translation>
+        </message>
+        <message>
+            <source>ADS (AoE)</source>
+            <translation>ADS (AoE)</translation>
+        </message>
+    </context>
+    <context>
+        <name>SlaveDataPage</name>
+        <message>
+            <source>Data Options</source>
+            <translation>数据选项</translation>
+        </message>
+        <message>
+            <source>Modules</source>
+            <translation>模块</translation>
+        </message>
+        <message>
+            <source>Oversampling</source>
+            <translation>过采样</translation>
+        </message>
+        <message>
+            <source>Sync Units</source>
+            <translation>同步单元</translation>
+        </message>
+    </context>
+    <context>
+        <name>Questions</name>
+        <message>
+            <source>The machine is running. Take it offline?</source>
+            <translation>机器正在运行。要下线吗？</translation>
+        </message>
+        <message>
+            <source>All slaves go to INIT.</source>
+            <translation>所有从站切换到 INIT。</translation>
+        </message>
+        <message>
+            <source>Go Offline</source>
+            <translation>下线</translation>
+        </message>
+    </context>
+    <context>
+        <name>SlaveStartupPage</name>
+        <message>
+            <source>INIT to PREOP</source>
+            <translation>INIT 到 PREOP</translation>
+        </message>
+        <message>
+            <source>PREOP to SAFEOP</source>
+            <translation>PREOP 到 SAFEOP</translation>
+        </message>
+        <message>
+            <source>SAFEOP to OP</source>
+            <translation>SAFEOP 到 OP</translation>
+        </message>
+        <message>
+            <source>INIT to BOOT</source>
+            <translation>INIT 到 BOOT</translation>
+        </message>
+        <message>
+            <source>PREOP again</source>
+            <translation>再次 PREOP</translation>
+        </message>
+        <message>
+            <source>OP to SAFEOP</source>
+            <translation>OP 到 SAFEOP</translation>
+        </message>
+        <message>
+            <source>OP to PREOP</source>
+            <translation>OP 到 PREOP</translation>
+        </message>
+        <message>
+            <source>SAFEOP to PREOP</source>
+            <translation>SAFEOP 到 PREOP</translation>
+        </message>
+        <message>
+            <source>SAFEOP to INIT</source>
+            <translation>SAFEOP 到 INIT</translation>
+        </message>
+        <message>
+            <source>PREOP to INIT</source>
+            <translation>PREOP 到 INIT</translation>
+        </message>
+        <message>
+            <source>Transitions</source>
+            <translation>状态切换</translation>
+        </message>
+        <message>
+            <source>State changes at which the command is sent (ENI InitCmd/Transition)</source>
+            <translation>发送该命令的状态切换 (ENI InitCmd/Transition)</translation>
+        </message>
+        <message>
+            <source>Time-out</source>
+            <translation>超时</translation>
+        </message>
+        <message>
+            <source>ms for the answer; empty: the master&apos;s own (ENI InitCmd/Timeout)</source>
+            <translation>等待应答的 ms 数；留空：使用主站的值 (ENI InitCmd/Timeout)</translation>
+        </message>
+        <message>
+            <source>a time-out is a whole number of ms</source>
+            <translation>超时须为整数 ms</translation>
+        </message>
+        <message>
+            <source>Comment</source>
+            <translation>注释</translation>
+        </message>
+        <message>
+            <source>Beside the command in the ENI (InitCmd/Comment)</source>
+            <translation>ENI 中命令旁的注释 (InitCmd/Comment)</translation>
+        </message>
+        <message>
+            <source>&quot;%1&quot; is no object like 0x6060:00</source>
+            <translation>“%1”不是 0x6060:00 形式的对象</translation>
+        </message>
+        <message>
+            <source>Value</source>
+            <translation>值</translation>
+        </message>
+        <message>
+            <source>Decimal, or hexadecimal with 0x; bytes in the order of the wire (ENI InitCmd/Data)</source>
+            <translation>十进制，或以 0x 开头的十六进制；字节按线上顺序 (ENI InitCmd/Data)</translation>
+        </message>
+        <message>
+            <source>&quot;%1&quot; is no IDN like S-0-0047</source>
+            <translation>“%1”不是 S-0-0047 形式的 IDN</translation>
+        </message>
+        <message>
+            <source>drives count from 0 to 7</source>
+            <translation>驱动器编号为 0 至 7</translation>
+        </message>
+        <message>
+            <source>Enabled</source>
+            <translation>启用</translation>
+        </message>
+        <message>
+            <source>Off: the command is kept, but not sent</source>
+            <translation>关闭：保留该命令，但不发送</translation>
+        </message>
+        <message>
+            <source>Object</source>
+            <translation>对象</translation>
+        </message>
+        <message>
+            <source>Index and sub-index, hexadecimal: 0x6060:00 (ENI InitCmd/Index and SubIndex)</source>
+            <translation>索引和子索引，十六进制：0x6060:00（ENI InitCmd/Index 和 SubIndex）</translation>
+        </message>
+        <message>
+            <source>Complete access</source>
+            <translation>完全访问</translation>
+        </message>
+        <message>
+            <source>The value is the whole object, from sub-index 0 or 1 on (ENI InitCmd@CompleteAccess)</source>
+            <translation>该值为整个对象，从子索引 0 或 1 起 (ENI InitCmd@CompleteAccess)</translation>
+        </message>
+        <message>
+            <source>Fixed</source>
+            <translation>固定</translation>
+        </message>
+        <message>
+            <source>The device needs the command as it is (ENI InitCmd@Fixed)</source>
+            <translation>设备要求该命令保持原样 (ENI InitCmd@Fixed)</translation>
+        </message>
+        <message>
+            <source>Adapt automatically</source>
+            <translation>自动适配</translation>
+        </message>
+        <message>
+            <source>The value follows another setting, such as the cycle time (ESI InitCmd@AdaptAutomatically)</source>
+            <translation>该值跟随另一项设置，例如周期时间 (ESI InitCmd@AdaptAutomatically)</translation>
+        </message>
+        <message>
+            <source>Drive</source>
+            <translation>驱动器</translation>
+        </message>
+        <message>
+            <source>Drive of the device, 0 to 7 (ENI InitCmd/DriveNo)</source>
+            <translation>设备的驱动器，0 至 7 (ENI InitCmd/DriveNo)</translation>
+        </message>
+        <message>
+            <source>IDN</source>
+            <translation>IDN</translation>
+        </message>
+        <message>
+            <source>Standard or product parameter: S-0-0047, P-0-0100 (ENI InitCmd/IDN)</source>
+            <translation>标准参数或产品参数：S-0-0047、P-0-0100 (ENI InitCmd/IDN)</translation>
+        </message>
+        <message>
+            <source>Bytes in hexadecimal, in the order of the wire (ENI InitCmd/Data)</source>
+            <translation>十六进制字节，按线上顺序 (ENI InitCmd/Data)</translation>
+        </message>
+        <message>
+            <source>Start-up</source>
+            <translation>启动</translation>
+        </message>
+        <message>
+            <source>start-up command</source>
+            <translation>启动命令</translation>
+        </message>
+        <message>
+            <source>SoE start-up command</source>
+            <translation>SoE 启动命令</translation>
+        </message>
+        <message>
+            <source>Objects (CoE)</source>
+            <translation>对象 (CoE)</translation>
+        </message>
+        <message>
+            <source>Parameters (SoE)</source>
+            <translation>参数 (SoE)</translation>
+        </message>
+        <message>
+            <source>Data type</source>
+            <translation>数据类型</translation>
+        </message>
+        <message>
+            <source>As what the value is written; the command holds its bytes</source>
+            <translation>写入该值所用的类型；命令中保存其字节</translation>
+        </message>
+        <message>
+            <source>Choose Object…</source>
+            <translation>选择对象…</translation>
+        </message>
+        <message>
+            <source>Choose an object of the device</source>
+            <translation>选择设备的对象</translation>
+        </message>
+        <message>
+            <source>As described (%1)</source>
+            <translation>按描述 (%1)</translation>
+        </message>
+        <message>
+            <source>None: the slave starts with what it has.</source>
+            <translation>无：从站按其已有的值启动。</translation>
+        </message>
+    </context>
+    <context>
+        <name>DifferenceDialog</name>
+        <message>
+            <source>Project and Running Machine</source>
+            <translation>项目与运行中的机器</translation>
+        </message>
+        <message>
+            <source>The machine runs on as it was started. A double click goes to the field.</source>
+            <translation>机器仍按启动时的配置运行。双击可转到相应字段。</translation>
+        </message>
+        <message>
+            <source>Runs</source>
+            <translation>运行中</translation>
+        </message>
+        <message>
+            <source>Project</source>
+            <translation>项目</translation>
+        </message>
+        <message>
+            <source>Differences between project and running machine</source>
+            <translation>项目与运行中机器的差异</translation>
+        </message>
+    </context>
+    <context>
+        <name>DifferenceModel</name>
+        <message>
+            <source>Where</source>
+            <translation>位置</translation>
+        </message>
+        <message>
+            <source>What</source>
+            <translation>内容</translation>
+        </message>
+    </context>
+    <context>
+        <name>FoundDialog</name>
+        <message numerus="yes">
+            <source>%n match(es)</source>
+            <translation>
+                <numerusform>%n 个一致</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n additional</source>
+            <translation>
+                <numerusform>%n 个多出</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n missing</source>
+            <translation>
+                <numerusform>%n 个缺少</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n moved</source>
+            <translation>
+                <numerusform>%n 个位置改变</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n wired otherwise</source>
+            <translation>
+                <numerusform>%n 个接线不同</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n in another revision</source>
+            <translation>
+                <numerusform>%n 个版本不同</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n other device(s)</source>
+            <translation>
+                <numerusform>%n 个其他设备</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>The bus on %1 beside the project: %2.</source>
+            <translation>%1 上的总线与项目相比：%2。</translation>
+        </message>
+        <message>
+            <source>Scan Result</source>
+            <translation>扫描结果</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n slave(s) of this bus are running. They were only looked at and nothing was written, so some of what they are may not be known.</source>
+            <translation>
+                <numerusform>此总线有 %n 个从站正在运行。只对其进行了查看，没有写入任何内容，因此其部分信息可能未知。</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Scan &amp;Fully…</source>
+            <translation>完整扫描(&amp;F)…</translation>
+        </message>
+        <message>
+            <source>Scan fully</source>
+            <translation>完整扫描</translation>
+        </message>
+        <message>
+            <source>Touch the running machine?</source>
+            <translation>要影响运行中的机器吗？</translation>
+        </message>
+        <message>
+            <source>States stay as they are. EEPROMs are taken from their devices while they are read, the receive times of all slaves are latched, and slaves without a description are asked in PREOP.</source>
+            <translation>状态保持不变。读取期间将从设备收回 EEPROM，锁存所有从站的接收时间，并在 PREOP 中查询没有描述的从站。</translation>
+        </message>
+        <message>
+            <source>Scan Fully</source>
+            <translation>完整扫描</translation>
+        </message>
+        <message>
+            <source>Slaves in the project and on the bus</source>
+            <translation>项目中和总线上的从站</translation>
+        </message>
+        <message>
+            <source>&amp;Take Over Ticked</source>
+            <translation>采纳勾选项(&amp;T)</translation>
+        </message>
+        <message>
+            <source>Take over what is ticked</source>
+            <translation>采纳勾选的内容</translation>
+        </message>
+        <message>
+            <source>&amp;Replace Project…</source>
+            <translation>替换项目(&amp;R)…</translation>
+        </message>
+        <message>
+            <source>Replace the project</source>
+            <translation>替换项目</translation>
+        </message>
+        <message>
+            <source>A new project of the bus with the defaults of its devices; all settings go</source>
+            <translation>按总线新建项目，采用设备的默认值；所有设置都会丢失</translation>
+        </message>
+        <message>
+            <source>&amp;Keep Project</source>
+            <translation>保留项目(&amp;K)</translation>
+        </message>
+        <message>
+            <source>Keep the project</source>
+            <translation>保留项目</translation>
+        </message>
+        <message>
+            <source>The other revision does not take these settings: %1</source>
+            <translation>另一版本不接受这些设置：%1</translation>
+        </message>
+        <message>
+            <source>Replace the whole project?</source>
+            <translation>要替换整个项目吗？</translation>
+        </message>
+        <message>
+            <source>Its settings go; Undo brings them back.</source>
+            <translation>其设置会丢失；可用“撤销”恢复。</translation>
+        </message>
+        <message>
+            <source>Replace</source>
+            <translation>替换</translation>
+        </message>
+    </context>
+    <context>
+        <name>FoundModel</name>
+        <message>
+            <source>Matches</source>
+            <translation>一致</translation>
+        </message>
+        <message>
+            <source>Wired otherwise</source>
+            <translation>接线不同</translation>
+        </message>
+        <message>
+            <source>Moved</source>
+            <translation>位置改变</translation>
+        </message>
+        <message>
+            <source>Other revision</source>
+            <translation>其他版本</translation>
+        </message>
+        <message>
+            <source>Other device</source>
+            <translation>其他设备</translation>
+        </message>
+        <message>
+            <source>Missing</source>
+            <translation>缺少</translation>
+        </message>
+        <message>
+            <source>Additional</source>
+            <translation>多出</translation>
+        </message>
+        <message>
+            <source>the master</source>
+            <translation>主站</translation>
+        </message>
+        <message>
+            <source>slave %1, port %2</source>
+            <translation>从站 %1，端口 %2</translation>
+        </message>
+        <message>
+            <source>Connected to %1 instead of %2</source>
+            <translation>连接到 %1 而不是 %2</translation>
+        </message>
+        <message>
+            <source>Position %1 instead of %2</source>
+            <translation>位置为 %1 而不是 %2</translation>
+        </message>
+        <message>
+            <source>Revision %1 instead of %2</source>
+            <translation>版本号为 %1 而不是 %2</translation>
+        </message>
+        <message>
+            <source>%1 instead of %2</source>
+            <translation>%1 而不是 %2</translation>
+        </message>
+        <message>
+            <source>Not on the bus; ticked: goes out of the project</source>
+            <translation>总线上没有；勾选：从项目中移除</translation>
+        </message>
+        <message>
+            <source>Not in the project; ticked: comes in</source>
+            <translation>项目中没有；勾选：加入项目</translation>
+        </message>
+        <message>
+            <source>Take over</source>
+            <translation>采纳</translation>
+        </message>
+        <message>
+            <source>In the project</source>
+            <translation>项目中</translation>
+        </message>
+        <message>
+            <source>On the bus</source>
+            <translation>总线上</translation>
+        </message>
+        <message>
+            <source>Difference</source>
+            <translation>差异</translation>
+        </message>
+    </context>
+    <context>
+        <name>ImportCommands</name>
+        <message>
+            <source>Open</source>
+            <translation>打开</translation>
+        </message>
+        <message>
+            <source>The ENI could not be read.</source>
+            <translation>无法读取 ENI。</translation>
+        </message>
+        <message numerus="yes">
+            <source>A project was made of %1; exported again, %n command(s) would differ.</source>
+            <translation>
+                <numerusform>已由 %1 建立项目；再次导出时会有 %n 条命令不同。</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Add the folder of this device description to the catalogue?</source>
+            <translation>将此设备描述所在的文件夹加入目录？</translation>
+        </message>
+        <message>
+            <source>All ESI files below %1 are read; scans then know their devices.</source>
+            <translation>将读取 %1 下的所有 ESI 文件；之后扫描即可识别其中的设备。</translation>
+        </message>
+        <message>
+            <source>Add Folder</source>
+            <translation>添加文件夹</translation>
+        </message>
+        <message>
+            <source>Catalogue</source>
+            <translation>目录</translation>
+        </message>
+        <message>
+            <source>Reading the ESI files below %1 …</source>
+            <translation>正在读取 %1 下的 ESI 文件…</translation>
+        </message>
+    </context>
+    <context>
+        <name>MasterTasksPage</name>
+        <message>
+            <source>Tasks (Expert)</source>
+            <translation>任务（专家）</translation>
+        </message>
+        <message>
+            <source>Task</source>
+            <translation>任务</translation>
+        </message>
+        <message>
+            <source>Name of the task (ENI Cyclic)</source>
+            <translation>任务的名称 (ENI Cyclic)</translation>
+        </message>
+        <message>
+            <source>Bus cycles</source>
+            <translation>总线周期</translation>
+        </message>
+        <message>
+            <source>Its frames are sent in every so many-th bus cycle, 1 to 1000</source>
+            <translation>其帧每隔多少个总线周期发送一次，1 至 1000</translation>
+        </message>
+        <message>
+            <source>Cycle</source>
+            <translation>周期</translation>
+        </message>
+        <message>
+            <source>Tasks beside the Base Task</source>
+            <translation>基本任务之外的任务</translation>
+        </message>
+        <message>
+            <source>Sync Unit</source>
+            <translation>同步单元</translation>
+        </message>
+        <message>
+            <source>Slaves of one unit are exchanged in datagrams of their own</source>
+            <translation>同一单元的从站在其自己的数据报中交换</translation>
+        </message>
+        <message>
+            <source>The task that exchanges the unit&apos;s process data</source>
+            <translation>交换该单元过程数据的任务</translation>
+        </message>
+        <message>
+            <source>Slaves</source>
+            <translation>从站</translation>
+        </message>
+        <message>
+            <source>Sync Units</source>
+            <translation>同步单元</translation>
+        </message>
+        <message>
+            <source>task</source>
+            <translation>任务</translation>
+        </message>
+        <message>
+            <source>Unit</source>
+            <translation>单元</translation>
+        </message>
+        <message>
+            <source>Base task</source>
+            <translation>基本任务</translation>
+        </message>
+        <message>
+            <source>None: all process data are exchanged in each bus cycle.</source>
+            <translation>无：所有过程数据在每个总线周期交换。</translation>
+        </message>
+        <message>
+            <source>None: the slaves share their datagrams. A unit is given to a slave on its page Data Options.</source>
+            <translation>无：从站共用数据报。在从站的“数据选项”页面为其指定单元。</translation>
+        </message>
+    </context>
+    <context>
+        <name>ObjectPicker</name>
+        <message>
+            <source>Choose Object</source>
+            <translation>选择对象</translation>
+        </message>
+        <message>
+            <source>Search objects</source>
+            <translation>搜索对象</translation>
+        </message>
+        <message>
+            <source>Index, name or type</source>
+            <translation>索引、名称或类型</translation>
+        </message>
+        <message>
+            <source>Object</source>
+            <translation>对象</translation>
+        </message>
+        <message>
+            <source>Name</source>
+            <translation>名称</translation>
+        </message>
+        <message>
+            <source>Type</source>
+            <translation>类型</translation>
+        </message>
+        <message>
+            <source>Size</source>
+            <translation>大小</translation>
+        </message>
+        <message>
+            <source>Objects of the device</source>
+            <translation>设备的对象</translation>
+        </message>
+        <message>
+            <source>&amp;Choose</source>
+            <translation>选择(&amp;C)</translation>
+        </message>
+        <message>
+            <source>Choose</source>
+            <translation>选择</translation>
+        </message>
+    </context>
+    <context>
+        <name>PdoMappingEditor</name>
+        <message>
+            <source>Entries</source>
+            <translation>条目</translation>
+        </message>
+        <message>
+            <source>Entries of the selected PDO</source>
+            <translation>所选 PDO 的条目</translation>
+        </message>
+        <message>
+            <source>Selected Entry</source>
+            <translation>所选条目</translation>
+        </message>
+        <message>
+            <source>Choose Object…</source>
+            <translation>选择对象…</translation>
+        </message>
+        <message>
+            <source>Choose an object of the device</source>
+            <translation>选择设备的对象</translation>
+        </message>
+        <message>
+            <source>PDO entry</source>
+            <translation>PDO 条目</translation>
+        </message>
+        <message>
+            <source>Object</source>
+            <translation>对象</translation>
+        </message>
+        <message>
+            <source>Index and sub-index, hexadecimal: 0x6040:00; 0x0000:00 is padding</source>
+            <translation>索引和子索引，十六进制：0x6040:00；0x0000:00 为填充</translation>
+        </message>
+        <message>
+            <source>&quot;%1&quot; is no object like 0x6040:00</source>
+            <translation>“%1”不是 0x6040:00 形式的对象</translation>
+        </message>
+        <message>
+            <source>Bits</source>
+            <translation>位</translation>
+        </message>
+        <message>
+            <source>Length of the entry, 1 to 255 bits</source>
+            <translation>条目的长度，1 至 255 位</translation>
+        </message>
+        <message>
+            <source>No PDO is selected.</source>
+            <translation>未选择 PDO。</translation>
+        </message>
+        <message>
+            <source>The device does not let this PDO be changed (Fixed in the ESI).</source>
+            <translation>设备不允许更改此 PDO（ESI 中的 Fixed）。</translation>
+        </message>
+        <message>
+            <source>The device takes no other mapping (CoE PdoConfig in its ESI).</source>
+            <translation>设备不接受其他映射（其 ESI 中的 CoE PdoConfig）。</translation>
+        </message>
+    </context>
+    <context>
+        <name>RecentMenu</name>
+        <message>
+            <source>Open &amp;Recent</source>
+            <translation>最近打开(&amp;R)</translation>
+        </message>
+        <message>
+            <source>&amp;Pin This Project</source>
+            <translation>固定此项目(&amp;P)</translation>
+        </message>
+        <message>
+            <source>&amp;Clear List</source>
+            <translation>清空列表(&amp;C)</translation>
+        </message>
+        <message>
+            <source>Pinned projects stay</source>
+            <translation>固定的项目保留</translation>
+        </message>
+    </context>
+    <context>
+        <name>RecordEditor</name>
+        <message>
+            <source>Selected</source>
+            <translation>所选</translation>
+        </message>
+    </context>
+    <context>
+        <name>RecordForm</name>
+        <message>
+            <source>Change: %1</source>
+            <translation>更改：%1</translation>
+        </message>
+        <message>
+            <source>Add</source>
+            <translation>添加</translation>
+        </message>
+        <message>
+            <source>Add: %1</source>
+            <translation>添加：%1</translation>
+        </message>
+        <message>
+            <source>Remove</source>
+            <translation>移除</translation>
+        </message>
+        <message>
+            <source>Remove: %1</source>
+            <translation>移除：%1</translation>
+        </message>
+        <message>
+            <source>Move up: %1</source>
+            <translation>上移：%1</translation>
+        </message>
+        <message>
+            <source>Move down: %1</source>
+            <translation>下移：%1</translation>
+        </message>
+    </context>
+    <context>
+        <name>RecoveryDialog</name>
+        <message>
+            <source>Recover Unsaved Work</source>
+            <translation>恢复未保存的工作</translation>
+        </message>
+        <message>
+            <source>A window ended before its edits were saved. They were kept; the files themselves are as they were last saved.</source>
+            <translation>有窗口在保存编辑之前结束。编辑已保留；文件本身仍为上次保存的内容。</translation>
+        </message>
+        <message>
+            <source>Unsaved work</source>
+            <translation>未保存的工作</translation>
+        </message>
+        <message>
+            <source>&amp;Recover</source>
+            <translation>恢复(&amp;R)</translation>
+        </message>
+        <message>
+            <source>&amp;Later</source>
+            <translation>稍后(&amp;L)</translation>
+        </message>
+        <message>
+            <source>&amp;Discard…</source>
+            <translation>丢弃(&amp;D)…</translation>
+        </message>
+        <message>
+            <source>Recover</source>
+            <translation>恢复</translation>
+        </message>
+        <message>
+            <source>Later</source>
+            <translation>稍后</translation>
+        </message>
+        <message>
+            <source>Leaves it to the next start</source>
+            <translation>留待下次启动</translation>
+        </message>
+        <message>
+            <source>Discard</source>
+            <translation>丢弃</translation>
+        </message>
+        <message>
+            <source>Untitled</source>
+            <translation>未命名</translation>
+        </message>
+        <message numerus="yes">
+            <source>kept %1, %n slave(s)</source>
+            <translation>
+                <numerusform>保留于 %1，%n 个从站</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>, last edit: %1</source>
+            <translation>，最后一次编辑：%1</translation>
+        </message>
+        <message>
+            <source>Never saved</source>
+            <translation>从未保存</translation>
+        </message>
+        <message>
+            <source>Discard this work for good?</source>
+            <translation>要永久丢弃此工作吗？</translation>
+        </message>
+    </context>
+    <context>
+        <name>RunBar</name>
+        <message>
+            <source>Project and running machine</source>
+            <translation>项目与运行中的机器</translation>
+        </message>
+        <message>
+            <source>Differences…</source>
+            <translation>差异…</translation>
+        </message>
+        <message>
+            <source>What the project says otherwise than the machine that runs</source>
+            <translation>项目与运行中的机器不同之处</translation>
+        </message>
+        <message>
+            <source>Apply</source>
+            <translation>应用</translation>
+        </message>
+        <message>
+            <source>Restart…</source>
+            <translation>重新启动…</translation>
+        </message>
+        <message>
+            <source>Takes the machine offline and starts it with the project</source>
+            <translation>使机器下线，并用项目重新启动</translation>
+        </message>
+        <message>
+            <source>Revert</source>
+            <translation>还原</translation>
+        </message>
+        <message>
+            <source>Makes the project again what runs; Undo takes that back</source>
+            <translation>使项目恢复为运行中的配置；可用“撤销”取消</translation>
+        </message>
+        <message numerus="yes">
+            <source>The machine does not run what the project says: %n difference(s).</source>
+            <translation>
+                <numerusform>机器运行的配置与项目不同：%n 处差异。</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Gives the parameters of the master synchronisation to the running machine</source>
+            <translation>将主站同步的参数传给运行中的机器</translation>
+        </message>
+        <message>
+            <source>Only parameters of the master synchronisation can be changed while the machine runs</source>
+            <translation>机器运行时只能更改主站同步的参数</translation>
+        </message>
+    </context>
+    <context>
+        <name>SlaveSyncPage</name>
+        <message>
+            <source>Synchronisation</source>
+            <translation>同步</translation>
+        </message>
+        <message>
+            <source>Device Cycle</source>
+            <translation>设备周期</translation>
+        </message>
+        <message>
+            <source>CAN</source>
+            <translation>CAN</translation>
+        </message>
+        <message>
+            <source>Output Pins</source>
+            <translation>输出引脚</translation>
+        </message>
+        <message>
+            <source>Pin %1</source>
+            <translation>引脚 %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>Overview</name>
+        <message>
+            <source>An event without words</source>
+            <translation>没有文字说明的事件</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n SM2 event(s) missed</source>
+            <translation>
+                <numerusform>错过 %n 个 SM2 事件</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source> (%1 times)</source>
+            <translation>（%1 次）</translation>
+        </message>
+        <message>
+            <source>for %1</source>
+            <translation>已 %1</translation>
+        </message>
+        <message>
+            <source>, never lost</source>
+            <translation>，从未失步</translation>
+        </message>
+        <message numerus="yes">
+            <source>, last lost %1 ago, %n time(s)</source>
+            <translation>
+                <numerusform>，最近一次失步在 %1 前，共 %n 次</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Not armed yet: the machine has to be in OP, and in sync where that is watched.</source>
+            <translation>尚未启用：机器须处于 OP，有同步监视时还须已同步。</translation>
+        </message>
+        <message>
+            <source>&lt;b&gt;No fault&lt;/b&gt; since %1 (for %2).</source>
+            <translation>自 %1 起&lt;b&gt;无故障&lt;/b&gt;（已 %2）。</translation>
+        </message>
+        <message>
+            <source>&lt;b&gt;First: %1&lt;/b&gt; at %2.</source>
+            <translation>&lt;b&gt;首先：%1&lt;/b&gt;，时间 %2。</translation>
+        </message>
+        <message>
+            <source>%1 later %2</source>
+            <translation>%1 后 %2</translation>
+        </message>
+        <message>
+            <source> Then %1</source>
+            <translation> 随后 %1</translation>
+        </message>
+        <message>
+            <source>; %1 more</source>
+            <translation>；另有 %1 个</translation>
+        </message>
+        <message>
+            <source> It is episode %1 since %2.</source>
+            <translation> 这是自 %2 以来的第 %1 次。</translation>
+        </message>
+        <message>
+            <source>%1 s</source>
+            <translation>%1 s</translation>
+        </message>
+    </context>
+    <context>
+        <name>Recorded</name>
+        <message>
+            <source>Master</source>
+            <translation>主站</translation>
+        </message>
+        <message>
+            <source>cut short; whole up to its last second</source>
+            <translation>中断；直到最后一秒都完整</translation>
+        </message>
+        <message>
+            <source>up to the end of the run</source>
+            <translation>直到运行结束</translation>
+        </message>
+        <message>
+            <source>stopped by the user</source>
+            <translation>由用户停止</translation>
+        </message>
+        <message>
+            <source>the last stretch out of memory</source>
+            <translation>内存中的最近一段</translation>
+        </message>
+        <message>
+            <source>Note</source>
+            <translation>提示</translation>
+        </message>
+        <message>
+            <source>%1 s</source>
+            <translation>%1 s</translation>
+        </message>
+        <message>
+            <source>%1 min %2 s</source>
+            <translation>%1 min %2 s</translation>
+        </message>
+        <message>
+            <source>%1 h %2 min</source>
+            <translation>%1 h %2 min</translation>
+        </message>
+        <message>
+            <source>a machine</source>
+            <translation>一台机器</translation>
+        </message>
+        <message>
+            <source>%1 on %2, %3, %4 in %5 cycles of %6, %7</source>
+            <translation>%1，位于 %2，%3，%6 的 %5 个周期中共 %4，%7</translation>
+        </message>
+        <message>
+            <source>; %1 cycles are missing in it</source>
+            <translation>；其中缺少 %1 个周期</translation>
+        </message>
+        <message>
+            <source>; the plots show the last %1 of them</source>
+            <translation>；曲线显示其最近的 %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>FigureCard</name>
+        <message>
+            <source>Margin: %1</source>
+            <translation>裕量：%1</translation>
+        </message>
+    </context>
+    <context>
+        <name>OverviewPanel</name>
+        <message>
+            <source>mean</source>
+            <translation>平均</translation>
+        </message>
+        <message>
+            <source>Since it was armed</source>
+            <translation>自启用起</translation>
+        </message>
+        <message>
+            <source>rms</source>
+            <translation>rms</translation>
+        </message>
+        <message>
+            <source>Root mean square about zero, since it was armed</source>
+            <translation>相对零的均方根，自启用起</translation>
+        </message>
+        <message>
+            <source>p99.99</source>
+            <translation>p99.99</translation>
+        </message>
+        <message>
+            <source>Of 10,000 cycles one is larger; magnitude, since it was armed</source>
+            <translation>10,000 个周期中有一个更大；绝对值，自启用起</translation>
+        </message>
+        <message>
+            <source>max</source>
+            <translation>最大</translation>
+        </message>
+        <message>
+            <source>Largest magnitude of all cycles since it was armed</source>
+            <translation>自启用起所有周期的最大绝对值</translation>
+        </message>
+        <message>
+            <source>Slaves in sync</source>
+            <translation>从站同步</translation>
+        </message>
+        <message>
+            <source>Master in sync</source>
+            <translation>主站同步</translation>
+        </message>
+        <message>
+            <source>Slaves: since when</source>
+            <translation>从站：自何时起</translation>
+        </message>
+        <message>
+            <source>Master: since when</source>
+            <translation>主站：自何时起</translation>
+        </message>
+        <message>
+            <source>First fault</source>
+            <translation>首个故障</translation>
+        </message>
+        <message>
+            <source>DC deviation</source>
+            <translation>DC 偏差</translation>
+        </message>
+        <message>
+            <source>Register 0x092C of the slaves that follow the reference clock: the largest</source>
+            <translation>跟随参考时钟的从站的寄存器 0x092C：最大值</translation>
+        </message>
+        <message>
+            <source>SM2 events missed</source>
+            <translation>错过的 SM2 事件</translation>
+        </message>
+        <message>
+            <source>Object 0x1C32:0B or 0x1C32:0C of the slaves that have one, since it was armed</source>
+            <translation>具有该计数器的从站的对象 0x1C32:0B 或 0x1C32:0C，自启用起</translation>
+        </message>
+        <message>
+            <source>DCM error</source>
+            <translation>DCM 误差</translation>
+        </message>
+        <message>
+            <source>Time of the frame at the reference clock minus its wanted time in the cycle</source>
+            <translation>按参考时钟计的帧时刻减去其在周期中的设定时刻</translation>
+        </message>
+        <message>
+            <source>Re-arm</source>
+            <translation>重新启用</translation>
+        </message>
+        <message>
+            <source>Begin figures and faults anew</source>
+            <translation>数值和故障重新开始</translation>
+        </message>
+        <message>
+            <source>Overview</source>
+            <translation>总览</translation>
+        </message>
+        <message>
+            <source>worst</source>
+            <translation>最差</translation>
+        </message>
+        <message>
+            <source>The slave that has missed most</source>
+            <translation>错过最多的从站</translation>
+        </message>
+        <message>
+            <source>last</source>
+            <translation>最近</translation>
+        </message>
+        <message>
+            <source>When one was missed last</source>
+            <translation>最近一次错过的时间</translation>
+        </message>
+        <message>
+            <source>counted</source>
+            <translation>计数时长</translation>
+        </message>
+        <message>
+            <source>For how long figures and faults have been counted</source>
+            <translation>数值和故障已统计多长时间</translation>
+        </message>
+        <message>
+            <source>In sync?</source>
+            <translation>是否同步？</translation>
+        </message>
+        <message>
+            <source>The verdicts on slaves and master</source>
+            <translation>对从站和主站的判定</translation>
+        </message>
+        <message>
+            <source>Mean, rms, quantile, maximum, missed events and faults begin anew now</source>
+            <translation>平均值、rms、分位数、最大值、错过的事件和故障从现在重新开始</translation>
+        </message>
+        <message>
+            <source>Slaves</source>
+            <translation>从站</translation>
+        </message>
+        <message>
+            <source>Master</source>
+            <translation>主站</translation>
+        </message>
+        <message>
+            <source>Offline</source>
+            <translation>离线</translation>
+        </message>
+        <message>
+            <source>At the end: %1</source>
+            <translation>结束时：%1</translation>
+        </message>
+        <message>
+            <source>%1 at %2</source>
+            <translation>%1，时间 %2</translation>
+        </message>
+        <message>
+            <source>filtered: %1</source>
+            <translation>滤波后：%1</translation>
+        </message>
+        <message>
+            <source>no limit is set</source>
+            <translation>未设置限值</translation>
+        </message>
+        <message>
+            <source>limit ±%1</source>
+            <translation>限值 ±%1</translation>
+        </message>
+        <message>
+            <source>%1 % over the limit ±%2</source>
+            <translation>超出限值 ±%2 达 %1 %</translation>
+        </message>
+        <message>
+            <source>%1 % margin to ±%2</source>
+            <translation>距 ±%2 有 %1 % 的裕量</translation>
+        </message>
+        <message>
+            <source>no slave has this counter</source>
+            <translation>没有从站具有此计数器</translation>
+        </message>
+        <message>
+            <source>none</source>
+            <translation>无</translation>
+        </message>
+        <message>
+            <source>outputs came too late</source>
+            <translation>输出来得太晚</translation>
+        </message>
+        <message>
+            <source>A recording stays as it is</source>
+            <translation>记录保持不变</translation>
+        </message>
+        <message>
+            <source>Nothing has run yet: go online.</source>
+            <translation>尚未运行：请先上线。</translation>
+        </message>
+    </context>
+    <context>
+        <name>RecordingBar</name>
+        <message>
+            <source>Recording that is shown</source>
+            <translation>显示的记录</translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>关闭</translation>
+        </message>
+        <message>
+            <source>Close the recording</source>
+            <translation>关闭记录</translation>
+        </message>
+        <message>
+            <source>Shows the project and its machine again</source>
+            <translation>重新显示项目及其机器</translation>
+        </message>
+        <message>
+            <source>&lt;b&gt;Recording %1&lt;/b&gt; – %2. Nothing here is live.</source>
+            <translation>&lt;b&gt;记录 %1&lt;/b&gt; – %2。此处没有实时内容。</translation>
+        </message>
+    </context>
+    <context>
+        <name>RecordingCommands</name>
+        <message>
+            <source>Reading %1…</source>
+            <translation>正在读取 %1…</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>取消</translation>
+        </message>
+        <message>
+            <source>Open Recording</source>
+            <translation>打开记录</translation>
+        </message>
+        <message>
+            <source>A recording is shown in its place.</source>
+            <translation>将显示一份记录来代替它。</translation>
+        </message>
+        <message>
+            <source>Open</source>
+            <translation>打开</translation>
+        </message>
+        <message>
+            <source>The recording %1 could not be opened.</source>
+            <translation>无法打开记录 %1。</translation>
+        </message>
+        <message>
+            <source>Recordings (*.slrec)</source>
+            <translation>记录 (*.slrec)</translation>
+        </message>
+        <message>
+            <source>Recording</source>
+            <translation>记录</translation>
+        </message>
+        <message>
+            <source>Record</source>
+            <translation>记录</translation>
+        </message>
+        <message>
+            <source>The recording could not be started.</source>
+            <translation>无法开始记录。</translation>
+        </message>
+        <message>
+            <source>Recording to %1</source>
+            <translation>正在记录到 %1</translation>
+        </message>
+        <message>
+            <source>The recording %1 has ended: %2</source>
+            <translation>记录 %1 已结束：%2</translation>
+        </message>
+        <message>
+            <source>Recorded to %1</source>
+            <translation>已记录到 %1</translation>
+        </message>
+        <message>
+            <source>Save the &amp;Last…</source>
+            <translation>保存最近一段(&amp;L)…</translation>
+        </message>
+        <message>
+            <source>Save the &amp;Last %1…</source>
+            <translation>保存最近 %1(&amp;L)…</translation>
+        </message>
+        <message>
+            <source>All that is in memory: %1</source>
+            <translation>内存中的全部：%1</translation>
+        </message>
+        <message>
+            <source>The last %1</source>
+            <translation>最近 %1</translation>
+        </message>
+        <message>
+            <source>Save the Last</source>
+            <translation>保存最近一段</translation>
+        </message>
+        <message>
+            <source>The memory holds every cycle of the last %1 at most. Save:</source>
+            <translation>内存最多保存最近 %1 的每个周期。保存：</translation>
+        </message>
+        <message>
+            <source>Nothing could be saved.</source>
+            <translation>没有可保存的内容。</translation>
+        </message>
+        <message>
+            <source>The last stretch could not be saved.</source>
+            <translation>无法保存最近一段。</translation>
+        </message>
+        <message>
+            <source>Saved to %1</source>
+            <translation>已保存到 %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>Dictionary</name>
+        <message>
+            <source>write in %1</source>
+            <translation>在 %1 中可写</translation>
+        </message>
+        <message>
+            <source>text of at most %1</source>
+            <translation>最多 %1 的文本</translation>
+        </message>
+        <message>
+            <source>%1 to %2</source>
+            <translation>%1 至 %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>DictionaryReader</name>
+        <message>
+            <source>The slave does not tell its objects.</source>
+            <translation>该从站不提供其对象信息。</translation>
+        </message>
+    </context>
+    <context>
+        <name>ObjectModel</name>
+        <message>
+            <source>Ticked entries are watched</source>
+            <translation>勾选的条目会被监视</translation>
+        </message>
+        <message>
+            <source>Object</source>
+            <translation>对象</translation>
+        </message>
+        <message>
+            <source>Name</source>
+            <translation>名称</translation>
+        </message>
+        <message>
+            <source>Type</source>
+            <translation>类型</translation>
+        </message>
+        <message>
+            <source>Access</source>
+            <translation>访问</translation>
+        </message>
+        <message>
+            <source>Unit</source>
+            <translation>单元</translation>
+        </message>
+        <message>
+            <source>Value</source>
+            <translation>值</translation>
+        </message>
+        <message>
+            <source>Hex</source>
+            <translation>十六进制</translation>
+        </message>
+        <message>
+            <source>%1, read from the slave</source>
+            <translation>%1，从从站读取</translation>
+        </message>
+        <message>
+            <source>Not read yet</source>
+            <translation>尚未读取</translation>
+        </message>
+        <message>
+            <source>%1, the default of the ESI: not read yet</source>
+            <translation>%1，ESI 的默认值：尚未读取</translation>
+        </message>
+    </context>
+    <context>
+        <name>ObjectWriteBar</name>
+        <message>
+            <source>New value</source>
+            <translation>新值</translation>
+        </message>
+        <message>
+            <source>Values with names</source>
+            <translation>带名称的值</translation>
+        </message>
+        <message>
+            <source>&amp;Write</source>
+            <translation>写入(&amp;W)</translation>
+        </message>
+        <message>
+            <source>Write the value</source>
+            <translation>写入该值</translation>
+        </message>
+        <message>
+            <source>Not possible; %1</source>
+            <translation>不可行；%1</translation>
+        </message>
+    </context>
+    <context>
+        <name>OnlinePage</name>
+        <message>
+            <source>Offline. Go online (F5), in whatever state, to ask the slave itself.</source>
+            <translation>离线。上线 (F5) 后，无论何种状态都可查询从站本身。</translation>
+        </message>
+        <message>
+            <source>The bus is going offline.</source>
+            <translation>总线正在下线。</translation>
+        </message>
+        <message>
+            <source>The machine was started without this slave: restart it with the project as it is now.</source>
+            <translation>机器启动时没有此从站：请用当前的项目重新启动机器。</translation>
+        </message>
+        <message>
+            <source>The bus is starting.</source>
+            <translation>总线正在启动。</translation>
+        </message>
+        <message>
+            <source>The slave does not answer: check its power and the cable in front of it.</source>
+            <translation>从站没有应答：请检查其电源和其前面的电缆。</translation>
+        </message>
+        <message>
+            <source>%1 is in %2. %3</source>
+            <translation>%1 处于 %2。%3</translation>
+        </message>
+    </context>
+    <context>
+        <name>SlaveObjectsPage</name>
+        <message>
+            <source>Objects</source>
+            <translation>对象</translation>
+        </message>
+        <message>
+            <source>Where the objects are described</source>
+            <translation>对象描述的来源</translation>
+        </message>
+        <message>
+            <source>From the ESI</source>
+            <translation>来自 ESI</translation>
+        </message>
+        <message>
+            <source>From the slave: all</source>
+            <translation>来自从站：全部</translation>
+        </message>
+        <message>
+            <source>From the slave: RxPDO</source>
+            <translation>来自从站：RxPDO</translation>
+        </message>
+        <message>
+            <source>From the slave: TxPDO</source>
+            <translation>来自从站：TxPDO</translation>
+        </message>
+        <message>
+            <source>From the slave: to be stored</source>
+            <translation>来自从站：需存储</translation>
+        </message>
+        <message>
+            <source>From the slave: start-up</source>
+            <translation>来自从站：启动</translation>
+        </message>
+        <message>
+            <source>The slave tells its objects by SDO information (ETG.1000.6, 5.6.3)</source>
+            <translation>从站通过 SDO 信息提供其对象 (ETG.1000.6, 5.6.3)</translation>
+        </message>
+        <message>
+            <source>Search objects</source>
+            <translation>搜索对象</translation>
+        </message>
+        <message>
+            <source>Index, name or value</source>
+            <translation>索引、名称或值</translation>
+        </message>
+        <message>
+            <source>Watched only</source>
+            <translation>仅监视项</translation>
+        </message>
+        <message>
+            <source>Show watched entries only</source>
+            <translation>仅显示被监视的条目</translation>
+        </message>
+        <message>
+            <source>Objects of the slave</source>
+            <translation>从站的对象</translation>
+        </message>
+        <message>
+            <source>Copy</source>
+            <translation>复制</translation>
+        </message>
+        <message>
+            <source>&amp;Read</source>
+            <translation>读取(&amp;R)</translation>
+        </message>
+        <message>
+            <source>Read the selected objects</source>
+            <translation>读取所选对象</translation>
+        </message>
+        <message>
+            <source>Read &amp;All Shown</source>
+            <translation>读取全部显示项(&amp;A)</translation>
+        </message>
+        <message>
+            <source>Read all entries that are shown</source>
+            <translation>读取显示的所有条目</translation>
+        </message>
+        <message>
+            <source>How often watched entries are read</source>
+            <translation>被监视条目的读取间隔</translation>
+        </message>
+        <message>
+            <source>Watched: on demand</source>
+            <translation>监视：按需</translation>
+        </message>
+        <message>
+            <source>Watched: every %1 s</source>
+            <translation>监视：每 %1 s</translation>
+        </message>
+        <message>
+            <source>What became of the last request</source>
+            <translation>最近一次请求的结果</translation>
+        </message>
+        <message>
+            <source>Stop</source>
+            <translation>停止</translation>
+        </message>
+        <message>
+            <source>Stop reading</source>
+            <translation>停止读取</translation>
+        </message>
+        <message>
+            <source>&amp;CSV…</source>
+            <translation>CSV(&amp;C)…</translation>
+        </message>
+        <message>
+            <source>Export the shown objects as comma separated values</source>
+            <translation>将显示的对象导出为逗号分隔值</translation>
+        </message>
+        <message>
+            <source>%1 of %2 objects</source>
+            <translation>%2 个对象中的 %1 个</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n object(s)</source>
+            <translation>
+                <numerusform>%n 个对象</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>This slave does not speak CoE: it has no objects. Its registers and EEPROM can be read all the same.</source>
+            <translation>此从站不支持 CoE：没有对象。其寄存器和 EEPROM 仍可读取。</translation>
+        </message>
+        <message>
+            <source>Objects can be read from PREOP on: lead the slave there first.</source>
+            <translation>从 PREOP 起才能读取对象：请先将从站切换到该状态。</translation>
+        </message>
+        <message>
+            <source>The ESI describes no objects: choose &quot;From the slave&quot; when online.</source>
+            <translation>ESI 没有描述对象：请在上线后选择“来自从站”。</translation>
+        </message>
+        <message>
+            <source>This slave does not speak CoE: it has no objects.</source>
+            <translation>此从站不支持 CoE：没有对象。</translation>
+        </message>
+        <message>
+            <source>The slave is asked for its objects.</source>
+            <translation>正在查询从站的对象。</translation>
+        </message>
+        <message>
+            <source>Choose an entry to write a value.</source>
+            <translation>选择条目以写入值。</translation>
+        </message>
+        <message>
+            <source>%1 cannot be written.</source>
+            <translation>%1 不可写。</translation>
+        </message>
+        <message>
+            <source>Nothing that can be read is selected.</source>
+            <translation>所选内容中没有可读取的。</translation>
+        </message>
+        <message>
+            <source>%1 of %2 entries</source>
+            <translation>%2 个条目中的 %1 个</translation>
+        </message>
+        <message>
+            <source>The slave acts upon the new value at once.</source>
+            <translation>从站会立即按新值动作。</translation>
+        </message>
+        <message>
+            <source>The object is in the process data: the master writes it in each cycle and will overwrite this.</source>
+            <translation>该对象在过程数据中：主站每个周期都写入它，会覆盖此值。</translation>
+        </message>
+        <message>
+            <source>Write %1 to %2?</source>
+            <translation>将 %1 写入 %2？</translation>
+        </message>
+        <message>
+            <source>Write</source>
+            <translation>写入</translation>
+        </message>
+        <message>
+            <source>%1 is written.</source>
+            <translation>%1 已写入。</translation>
+        </message>
+        <message>
+            <source>Written, but not to be read back: %1</source>
+            <translation>已写入，但无法回读：%1</translation>
+        </message>
+        <message>
+            <source>%1 is %2 now.</source>
+            <translation>%1 现为 %2。</translation>
+        </message>
+        <message>
+            <source>Written, but the slave has made %1 of it.</source>
+            <translation>已写入，但从站将其变为 %1。</translation>
+        </message>
+        <message>
+            <source>Stopped.</source>
+            <translation>已停止。</translation>
+        </message>
+        <message>
+            <source>Export Objects</source>
+            <translation>导出对象</translation>
+        </message>
+        <message>
+            <source>Comma-separated values (*.csv)</source>
+            <translation>逗号分隔值 (*.csv)</translation>
+        </message>
+        <message>
+            <source>The objects could not be exported.</source>
+            <translation>无法导出对象。</translation>
+        </message>
+    </context>
+    <context>
+        <name>SlaveRequests</name>
+        <message>
+            <source>Cancelled.</source>
+            <translation>已取消。</translation>
+        </message>
+        <message>
+            <source>The bus is offline: go online first (F5).</source>
+            <translation>总线离线：请先上线 (F5)。</translation>
+        </message>
+    </context>
+    <context>
+        <name>SlaveStateBar</name>
+        <message>
+            <source>AL status of the slave</source>
+            <translation>从站的 AL 状态</translation>
+        </message>
+        <message>
+            <source>Acknowledge Error</source>
+            <translation>确认错误</translation>
+        </message>
+        <message>
+            <source>Acknowledge the error</source>
+            <translation>确认该错误</translation>
+        </message>
+        <message>
+            <source>Writes the error acknowledge bit (0x0120 bit 4); the slave stays in its state</source>
+            <translation>写入错误确认位（0x0120 第 4 位）；从站停留在其状态</translation>
+        </message>
+        <message>
+            <source>Request %1 of this slave</source>
+            <translation>为此从站请求 %1</translation>
+        </message>
+        <message>
+            <source>Leads this slave alone to %1, with its init commands (register 0x0120)</source>
+            <translation>仅将此从站切换到 %1，并执行其启动命令（寄存器 0x0120）</translation>
+        </message>
+        <message>
+            <source>The machine was started without this slave.</source>
+            <translation>机器启动时没有此从站。</translation>
+        </message>
+        <message>
+            <source>No answer (register 0x0130)</source>
+            <translation>无应答（寄存器 0x0130）</translation>
+        </message>
+        <message>
+            <source>AL status %1: %2</source>
+            <translation>AL 状态 %1：%2</translation>
+        </message>
+    </context>
+    <context>
+        <name>SlaveStateCommands</name>
+        <message>
+            <source>Go online first (F5).</source>
+            <translation>请先上线 (F5)。</translation>
+        </message>
+        <message>
+            <source>The machine was started without this slave.</source>
+            <translation>机器启动时没有此从站。</translation>
+        </message>
+        <message>
+            <source>The slave does not answer.</source>
+            <translation>从站没有应答。</translation>
+        </message>
+        <message>
+            <source>The whole bus is in INIT: request PREOP or more for all first.</source>
+            <translation>整个总线处于 INIT：请先为所有从站请求 PREOP 或更高状态。</translation>
+        </message>
+        <message>
+            <source>Its outputs stop and its inputs are no longer valid. The other slaves go on, and the master expects the working counter without it.</source>
+            <translation>其输出停止，输入不再有效。其他从站继续运行，主站期望的工作计数器不再包含它。</translation>
+        </message>
+        <message>
+            <source>It stays where you lead it: automatic recovery brings back only slaves that were lost or fell by themselves. A request of a state for the whole bus takes it along again.</source>
+            <translation>它停留在所切换到的状态：自动恢复只处理丢失或自行跌落的从站。为整个总线请求状态时会再次带上它。</translation>
+        </message>
+        <message>
+            <source>The machine runs. Take %1 to %2?</source>
+            <translation>机器正在运行。要将 %1 切换到 %2 吗？</translation>
+        </message>
+        <message>
+            <source>Take to %1</source>
+            <translation>切换到 %1</translation>
+        </message>
+        <message>
+            <source>%1 is requested.</source>
+            <translation>已请求 %1。</translation>
+        </message>
+        <message>
+            <source>It is in %1.</source>
+            <translation>现处于 %1。</translation>
+        </message>
+        <message>
+            <source>The error is acknowledged; now request the state that it shall have.</source>
+            <translation>错误已确认；现在请请求它应有的状态。</translation>
+        </message>
+        <message>
+            <source>Acknowledge Error</source>
+            <translation>确认错误</translation>
+        </message>
+    </context>
+    <context>
+        <name>Counters</name>
+        <message>
+            <source>at least %1</source>
+            <translation>至少 %1</translation>
+        </message>
+        <message>
+            <source> (+%1 in 10 s)</source>
+            <translation>（10 s 内 +%1）</translation>
+        </message>
+    </context>
+    <context>
+        <name>EepromLines</name>
+        <message>
+            <source>Checksum of the configuration</source>
+            <translation>配置的校验和</translation>
+        </message>
+        <message>
+            <source>right</source>
+            <translation>正确</translation>
+        </message>
+        <message>
+            <source>WRONG: the ESC does not load it</source>
+            <translation>错误：ESC 不会加载</translation>
+        </message>
+        <message>
+            <source>Alias</source>
+            <translation>别名</translation>
+        </message>
+        <message>
+            <source>Vendor</source>
+            <translation>供应商</translation>
+        </message>
+        <message>
+            <source>Product code</source>
+            <translation>产品代码</translation>
+        </message>
+        <message>
+            <source>Revision</source>
+            <translation>版本号</translation>
+        </message>
+        <message>
+            <source>Serial number</source>
+            <translation>序列号</translation>
+        </message>
+        <message>
+            <source>Size</source>
+            <translation>大小</translation>
+        </message>
+        <message>
+            <source>PDI control</source>
+            <translation>PDI 控制</translation>
+        </message>
+        <message>
+            <source>PDI configuration</source>
+            <translation>PDI 配置</translation>
+        </message>
+        <message>
+            <source>Pulse length of SYNC signals</source>
+            <translation>SYNC 信号的脉冲长度</translation>
+        </message>
+        <message>
+            <source>Mailbox to the slave (SM0)</source>
+            <translation>发往从站的邮箱 (SM0)</translation>
+        </message>
+        <message>
+            <source>Mailbox from the slave (SM1)</source>
+            <translation>来自从站的邮箱 (SM1)</translation>
+        </message>
+        <message>
+            <source>In BOOT to the slave</source>
+            <translation>BOOT 中发往从站</translation>
+        </message>
+        <message>
+            <source>In BOOT from the slave</source>
+            <translation>BOOT 中来自从站</translation>
+        </message>
+        <message>
+            <source>Mailbox protocols</source>
+            <translation>邮箱协议</translation>
+        </message>
+        <message>
+            <source>Name</source>
+            <translation>名称</translation>
+        </message>
+        <message>
+            <source>Order number</source>
+            <translation>订货号</translation>
+        </message>
+        <message>
+            <source>Group</source>
+            <translation>组</translation>
+        </message>
+        <message>
+            <source>E-bus current</source>
+            <translation>E-bus 电流</translation>
+        </message>
+        <message>
+            <source>%1, control %2</source>
+            <translation>%1，控制 %2</translation>
+        </message>
+        <message>
+            <source>Distributed clocks: %1</source>
+            <translation>分布时钟：%1</translation>
+        </message>
+        <message>
+            <source>AssignActivate %1, SYNC0 %2, shift %3</source>
+            <translation>AssignActivate %1，SYNC0 %2，移位 %3</translation>
+        </message>
+        <message>
+            <source>Outputs</source>
+            <translation>输出</translation>
+        </message>
+        <message>
+            <source>Inputs</source>
+            <translation>输入</translation>
+        </message>
+        <message>
+            <source>Mailbox state</source>
+            <translation>邮箱状态</translation>
+        </message>
+        <message>
+            <source>Category %1</source>
+            <translation>类别 %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>RegisterModel</name>
+        <message>
+            <source>Address</source>
+            <translation>地址</translation>
+        </message>
+        <message>
+            <source>Register</source>
+            <translation>寄存器</translation>
+        </message>
+        <message>
+            <source>Value</source>
+            <translation>值</translation>
+        </message>
+        <message>
+            <source>Hex</source>
+            <translation>十六进制</translation>
+        </message>
+        <message>
+            <source>Age</source>
+            <translation>时效</translation>
+        </message>
+        <message>
+            <source>%1 s</source>
+            <translation>%1 s</translation>
+        </message>
+    </context>
+    <context>
+        <name>SlaveCountersPage</name>
+        <message>
+            <source>Error Counters</source>
+            <translation>错误计数器</translation>
+        </message>
+        <message>
+            <source>Port</source>
+            <translation>端口</translation>
+        </message>
+        <message>
+            <source>Invalid frames</source>
+            <translation>无效帧</translation>
+        </message>
+        <message>
+            <source>Receive errors</source>
+            <translation>接收错误</translation>
+        </message>
+        <message>
+            <source>Forwarded errors</source>
+            <translation>转发错误</translation>
+        </message>
+        <message>
+            <source>Lost links</source>
+            <translation>链路丢失</translation>
+        </message>
+        <message>
+            <source>Counter</source>
+            <translation>计数器</translation>
+        </message>
+        <message>
+            <source>Total</source>
+            <translation>总计</translation>
+        </message>
+        <message>
+            <source>Register</source>
+            <translation>寄存器</translation>
+        </message>
+        <message>
+            <source>Read</source>
+            <translation>读取</translation>
+        </message>
+        <message>
+            <source>Error counters of the ports</source>
+            <translation>端口的错误计数器</translation>
+        </message>
+        <message>
+            <source>Other counters</source>
+            <translation>其他计数器</translation>
+        </message>
+        <message>
+            <source>Counts since going online, or since the statistics were cleared. Invalid frames at a port: the fault is on the cable or the plug at this port. Forwarded errors alone: it is further in front.</source>
+            <translation>自上线或清除统计以来的计数。端口上有无效帧：故障在此端口的电缆或插头处。只有转发错误：故障在更前面。</translation>
+        </message>
+        <message>
+            <source>not yet</source>
+            <translation>尚未</translation>
+        </message>
+        <message>
+            <source>%1 s ago</source>
+            <translation>%1 s 前</translation>
+        </message>
+        <message>
+            <source>Read: %1 (registers 0x0300 to 0x0313)</source>
+            <translation>读取：%1（寄存器 0x0300 至 0x0313）</translation>
+        </message>
+        <message>
+            <source>Port %1 (%2)</source>
+            <translation>端口 %1 (%2)</translation>
+        </message>
+        <message>
+            <source>Processing unit errors</source>
+            <translation>处理单元错误</translation>
+        </message>
+        <message>
+            <source>PDI errors</source>
+            <translation>PDI 错误</translation>
+        </message>
+        <message>
+            <source>Process data watchdog expired</source>
+            <translation>过程数据看门狗超时</translation>
+        </message>
+        <message>
+            <source>PDI watchdog expired</source>
+            <translation>PDI 看门狗超时</translation>
+        </message>
+    </context>
+    <context>
+        <name>SlaveEepromPage</name>
+        <message>
+            <source>EEPROM</source>
+            <translation>EEPROM</translation>
+        </message>
+        <message>
+            <source>Part</source>
+            <translation>部分</translation>
+        </message>
+        <message>
+            <source>Value</source>
+            <translation>值</translation>
+        </message>
+        <message>
+            <source>What the EEPROM says</source>
+            <translation>EEPROM 的内容</translation>
+        </message>
+        <message>
+            <source>Bytes of the EEPROM</source>
+            <translation>EEPROM 的字节</translation>
+        </message>
+        <message>
+            <source>Not read yet</source>
+            <translation>尚未读取</translation>
+        </message>
+        <message>
+            <source>What became of the last request</source>
+            <translation>最近一次请求的结果</translation>
+        </message>
+        <message>
+            <source>&amp;Read</source>
+            <translation>读取(&amp;R)</translation>
+        </message>
+        <message>
+            <source>Read the whole EEPROM</source>
+            <translation>读取整个 EEPROM</translation>
+        </message>
+        <message>
+            <source>&amp;Save…</source>
+            <translation>保存(&amp;S)…</translation>
+        </message>
+        <message>
+            <source>Copy the EEPROM into a file</source>
+            <translation>将 EEPROM 复制到文件</translation>
+        </message>
+        <message>
+            <source>New alias</source>
+            <translation>新别名</translation>
+        </message>
+        <message>
+            <source>&amp;Write Alias…</source>
+            <translation>写入别名(&amp;W)…</translation>
+        </message>
+        <message>
+            <source>Write the alias into the EEPROM</source>
+            <translation>将别名写入 EEPROM</translation>
+        </message>
+        <message>
+            <source>Write &amp;Image…</source>
+            <translation>写入映像(&amp;I)…</translation>
+        </message>
+        <message>
+            <source>Write a file into the EEPROM</source>
+            <translation>将文件写入 EEPROM</translation>
+        </message>
+        <message>
+            <source>Alias</source>
+            <translation>别名</translation>
+        </message>
+        <message>
+            <source>%1 of %2</source>
+            <translation>%1 / %2</translation>
+        </message>
+        <message>
+            <source>Save EEPROM</source>
+            <translation>保存 EEPROM</translation>
+        </message>
+        <message>
+            <source>EEPROM images (*.bin)</source>
+            <translation>EEPROM 映像 (*.bin)</translation>
+        </message>
+        <message>
+            <source>The EEPROM could not be saved.</source>
+            <translation>无法保存 EEPROM。</translation>
+        </message>
+        <message>
+            <source>Write alias %1 into the EEPROM of %2?</source>
+            <translation>将别名 %1 写入 %2 的 EEPROM？</translation>
+        </message>
+        <message>
+            <source>It is written with its checksum and read back; the machine goes on. The slave takes it at its next power-on: until then 0x0012 shows the old one.</source>
+            <translation>将连同校验和一起写入并回读；机器继续运行。从站在下次上电时采用：在此之前 0x0012 显示旧别名。</translation>
+        </message>
+        <message>
+            <source>Write</source>
+            <translation>写入</translation>
+        </message>
+        <message>
+            <source>Alias %1 is in the EEPROM and read back. The slave takes it at its next power-on.</source>
+            <translation>别名 %1 已写入 EEPROM 并回读。从站在下次上电时采用。</translation>
+        </message>
+        <message>
+            <source>Write EEPROM Image</source>
+            <translation>写入 EEPROM 映像</translation>
+        </message>
+        <message>
+            <source>EEPROM images (*.bin);;All files (*)</source>
+            <translation>EEPROM 映像 (*.bin);;所有文件 (*)</translation>
+        </message>
+        <message>
+            <source>The image could not be read.</source>
+            <translation>无法读取该映像。</translation>
+        </message>
+        <message>
+            <source>The image does not fit: it has %1, the EEPROM %2.</source>
+            <translation>该映像不匹配：映像为 %1，EEPROM 为 %2。</translation>
+        </message>
+        <message>
+            <source>Words that differ are written and read back; when one fails, all are put back. A wrong image can leave a slave that no longer comes up.</source>
+            <translation>写入并回读不同的字；有一个失败则全部恢复。错误的映像可能使从站无法再启动。</translation>
+        </message>
+        <message>
+            <source>The image is of another device (%1, product %2).</source>
+            <translation>该映像属于另一设备（%1，产品 %2）。</translation>
+        </message>
+        <message>
+            <source>Write this image into the EEPROM of %1?</source>
+            <translation>将此映像写入 %1 的 EEPROM？</translation>
+        </message>
+        <message>
+            <source>The image is in the EEPROM and read back. The slave takes it at its next power-on.</source>
+            <translation>映像已写入 EEPROM 并回读。从站在下次上电时采用。</translation>
+        </message>
+        <message>
+            <source>The EEPROM is being written.</source>
+            <translation>正在写入 EEPROM。</translation>
+        </message>
+    </context>
+    <context>
+        <name>SlaveRegistersPage</name>
+        <message>
+            <source>Registers</source>
+            <translation>寄存器</translation>
+        </message>
+        <message>
+            <source>Registers of the slave</source>
+            <translation>从站的寄存器</translation>
+        </message>
+        <message>
+            <source>What became of the last request</source>
+            <translation>最近一次请求的结果</translation>
+        </message>
+        <message>
+            <source>Which registers are shown and read</source>
+            <translation>显示和读取哪些寄存器</translation>
+        </message>
+        <message>
+            <source>All registers</source>
+            <translation>所有寄存器</translation>
+        </message>
+        <message>
+            <source>Search registers</source>
+            <translation>搜索寄存器</translation>
+        </message>
+        <message>
+            <source>Address or name</source>
+            <translation>地址或名称</translation>
+        </message>
+        <message>
+            <source>&amp;Read Shown</source>
+            <translation>读取显示项(&amp;R)</translation>
+        </message>
+        <message>
+            <source>Read the registers that are shown</source>
+            <translation>读取显示的寄存器</translation>
+        </message>
+        <message>
+            <source>Read &amp;One</source>
+            <translation>读取一个(&amp;O)</translation>
+        </message>
+        <message>
+            <source>Read the selected register</source>
+            <translation>读取所选寄存器</translation>
+        </message>
+        <message>
+            <source>How often the shown registers are read</source>
+            <translation>显示的寄存器的读取间隔</translation>
+        </message>
+        <message>
+            <source>On demand</source>
+            <translation>按需</translation>
+        </message>
+        <message>
+            <source>Every %1 s</source>
+            <translation>每 %1 s</translation>
+        </message>
+        <message>
+            <source>New value, decimal or with 0x</source>
+            <translation>新值，十进制或以 0x 开头</translation>
+        </message>
+        <message>
+            <source>&amp;Write…</source>
+            <translation>写入(&amp;W)…</translation>
+        </message>
+        <message>
+            <source>Write the register</source>
+            <translation>写入该寄存器</translation>
+        </message>
+        <message>
+            <source>Choose a register to write it.</source>
+            <translation>选择寄存器以写入。</translation>
+        </message>
+        <message>
+            <source>No register is shown that could be read along: choose one and read it alone.</source>
+            <translation>显示的寄存器中没有可一起读取的：请选择一个单独读取。</translation>
+        </message>
+        <message>
+            <source>Choose a register first.</source>
+            <translation>请先选择寄存器。</translation>
+        </message>
+        <message>
+            <source>not in this ESC</source>
+            <translation>此 ESC 没有</translation>
+        </message>
+        <message>
+            <source>Write %1 to register %2?</source>
+            <translation>将 %1 写入寄存器 %2？</translation>
+        </message>
+        <message>
+            <source>The master has set this slave up and counts on its registers. A wrong value can stop the slave or the bus behind it, and nothing but going online anew puts it back.</source>
+            <translation>主站已设置此从站并依赖其寄存器。错误的值可能使从站或其后的总线停止，只有重新上线才能恢复。</translation>
+        </message>
+        <message>
+            <source>Write</source>
+            <translation>写入</translation>
+        </message>
+        <message>
+            <source>%1 is written.</source>
+            <translation>%1 已写入。</translation>
+        </message>
+    </context>
+    <context>
+        <name>CatalogueModel</name>
+        <message>
+            <source>Other devices</source>
+            <translation>其他设备</translation>
+        </message>
+        <message>
+            <source>Device</source>
+            <translation>设备</translation>
+        </message>
+        <message>
+            <source>%1, revision %2</source>
+            <translation>%1，版本号 %2</translation>
+        </message>
+        <message>
+            <source>%1
+Product code %2, revision %3
+%4</source>
+            <translation>%1
+产品代码 %2，版本号 %3
+%4</translation>
+        </message>
+        <message>
+            <source>Revision</source>
+            <translation>版本号</translation>
+        </message>
+    </context>
+    <context>
+        <name>CataloguePanel</name>
+        <message>
+            <source>Search the device catalogue</source>
+            <translation>搜索设备目录</translation>
+        </message>
+        <message>
+            <source>Vendor, type, name or product code</source>
+            <translation>供应商、类型、名称或产品代码</translation>
+        </message>
+        <message>
+            <source>Beginnings of words of the vendor, group, type, name or product code; all must occur</source>
+            <translation>供应商、组、类型、名称或产品代码的词首；须全部出现</translation>
+        </message>
+        <message>
+            <source>All revisions</source>
+            <translation>所有版本</translation>
+        </message>
+        <message>
+            <source>Show older revisions below each device, and devices that their vendor hides</source>
+            <translation>在每个设备下显示旧版本，以及被供应商隐藏的设备</translation>
+        </message>
+        <message>
+            <source>Devices of the catalogue</source>
+            <translation>目录中的设备</translation>
+        </message>
+        <message>
+            <source>The selected device</source>
+            <translation>所选设备</translation>
+        </message>
+        <message>
+            <source>Number of devices</source>
+            <translation>设备数量</translation>
+        </message>
+        <message>
+            <source>Reading of device descriptions</source>
+            <translation>设备描述的读取</translation>
+        </message>
+        <message>
+            <source>Add to Machine</source>
+            <translation>添加到机器</translation>
+        </message>
+        <message>
+            <source>Add the device behind the selected slave</source>
+            <translation>将设备添加到所选从站之后</translation>
+        </message>
+        <message>
+            <source>Add the device behind the slave that is selected in the explorer (Enter, or drag it there)</source>
+            <translation>将设备添加到浏览器中所选从站之后（Enter，或拖到那里）</translation>
+        </message>
+        <message>
+            <source>Read ESI…</source>
+            <translation>读取 ESI…</translation>
+        </message>
+        <message>
+            <source>Read ESI files into the catalogue</source>
+            <translation>将 ESI 文件读入目录</translation>
+        </message>
+        <message>
+            <source>Read device descriptions of vendors into the catalogue</source>
+            <translation>将供应商的设备描述读入目录</translation>
+        </message>
+        <message>
+            <source>Files…</source>
+            <translation>文件…</translation>
+        </message>
+        <message>
+            <source>Folder…</source>
+            <translation>文件夹…</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>取消</translation>
+        </message>
+        <message>
+            <source>End reading; what was read is kept</source>
+            <translation>结束读取；已读取的保留</translation>
+        </message>
+        <message>
+            <source>Reading %1 (%2 of %3)</source>
+            <translation>正在读取 %1 (%2 / %3)</translation>
+        </message>
+        <message>
+            <source>The catalogue is empty: read the ESI files of your devices.</source>
+            <translation>目录为空：请读取设备的 ESI 文件。</translation>
+        </message>
+        <message numerus="yes">
+            <source>None of the %n device(s) has all these words.</source>
+            <translation>
+                <numerusform>%n 个设备中没有一个包含所有这些词。</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>The first %1 of %2 devices: type more.</source>
+            <translation>%2 个设备中的前 %1 个：请输入更多。</translation>
+        </message>
+        <message>
+            <source>%1 of %2 devices and revisions</source>
+            <translation>%2 个设备和版本中的 %1 个</translation>
+        </message>
+        <message>
+            <source>Select a device to see what is known of it.</source>
+            <translation>选择一个设备以查看其已知信息。</translation>
+        </message>
+        <message>
+            <source>%1, product code %2</source>
+            <translation>%1，产品代码 %2</translation>
+        </message>
+        <message>
+            <source>Revision %1, ports %2</source>
+            <translation>版本号 %1，端口 %2</translation>
+        </message>
+        <message>
+            <source>Revision rule %1</source>
+            <translation>版本规则 %1</translation>
+        </message>
+        <message>
+            <source>Hidden by its vendor</source>
+            <translation>被供应商隐藏</translation>
+        </message>
+        <message>
+            <source>Read ESI Files</source>
+            <translation>读取 ESI 文件</translation>
+        </message>
+        <message>
+            <source>Device descriptions (*.xml);;All files (*)</source>
+            <translation>设备描述 (*.xml);;所有文件 (*)</translation>
+        </message>
+        <message>
+            <source>Read a Folder of ESI Files</source>
+            <translation>读取 ESI 文件的文件夹</translation>
+        </message>
+    </context>
+    <context>
+        <name>GoToDialog</name>
+        <message>
+            <source>Go To</source>
+            <translation>转到</translation>
+        </message>
+        <message>
+            <source>Slave, setting or command to go to</source>
+            <translation>要转到的从站、设置或命令</translation>
+        </message>
+        <message>
+            <source>Name, position or address of a slave, a setting, its key, or a command</source>
+            <translation>从站的名称、位置或地址，设置及其键，或命令</translation>
+        </message>
+        <message>
+            <source>What can be gone to</source>
+            <translation>可转到的目标</translation>
+        </message>
+        <message>
+            <source>the master</source>
+            <translation>主站</translation>
+        </message>
+        <message>
+            <source>slave %1, address %2, %3</source>
+            <translation>从站 %1，地址 %2，%3</translation>
+        </message>
+        <message>
+            <source>setting</source>
+            <translation>设置</translation>
+        </message>
+        <message>
+            <source>command</source>
+            <translation>命令</translation>
+        </message>
+    </context>
+    <context>
+        <name>MachineBuilding</name>
+        <message numerus="yes">
+            <source>%n new device(s) are in the catalogue.</source>
+            <translation>
+                <numerusform>目录中有 %n 个新设备。</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Device Catalogue</source>
+            <translation>设备目录</translation>
+        </message>
+        <message>
+            <source>Catalogue</source>
+            <translation>目录</translation>
+        </message>
+    </context>
+    <context>
+        <name>ReplaceDialog</name>
+        <message numerus="yes">
+            <source>%1 and %n more</source>
+            <translation>
+                <numerusform>%1 以及另外 %n 项</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Replace %1</source>
+            <translation>替换 %1</translation>
+        </message>
+        <message>
+            <source>Now: %1, revision %2</source>
+            <translation>当前：%1，版本号 %2</translation>
+        </message>
+        <message>
+            <source>Search for another device</source>
+            <translation>搜索其他设备</translation>
+        </message>
+        <message>
+            <source>Its revisions are listed; type to search for another device</source>
+            <translation>列出其各版本；输入即可搜索其他设备</translation>
+        </message>
+        <message>
+            <source>What it can be replaced by</source>
+            <translation>可替换为</translation>
+        </message>
+        <message>
+            <source>What changes</source>
+            <translation>变化内容</translation>
+        </message>
+        <message>
+            <source>Replace</source>
+            <translation>替换</translation>
+        </message>
+        <message>
+            <source>%1, revision %2</source>
+            <translation>%1，版本号 %2</translation>
+        </message>
+        <message>
+            <source>The catalogue has no such device: read its ESI file, or type another name.</source>
+            <translation>目录中没有这样的设备：请读取其 ESI 文件，或输入其他名称。</translation>
+        </message>
+        <message>
+            <source>Choose one to see what changes.</source>
+            <translation>选择一个以查看变化内容。</translation>
+        </message>
+        <message>
+            <source>Reading…</source>
+            <translation>正在读取…</translation>
+        </message>
+        <message>
+            <source>All settings stay.</source>
+            <translation>所有设置保留。</translation>
+        </message>
+        <message>
+            <source>It does not take: %1. Everything else stays.</source>
+            <translation>它不接受：%1。其余全部保留。</translation>
+        </message>
+    </context>
+    <context>
+        <name>SlaveCommands</name>
+        <message>
+            <source>&amp;Add Device…</source>
+            <translation>添加设备(&amp;A)…</translation>
+        </message>
+        <message>
+            <source>Choose a device in the catalogue for behind the selected slave</source>
+            <translation>在目录中选择要接在所选从站之后的设备</translation>
+        </message>
+        <message>
+            <source>&amp;Duplicate</source>
+            <translation>复制(&amp;D)</translation>
+        </message>
+        <message>
+            <source>Put a copy behind the slave, with its branches</source>
+            <translation>在该从站之后放置其副本，包括分支</translation>
+        </message>
+        <message>
+            <source>Move &amp;Up</source>
+            <translation>上移(&amp;U)</translation>
+        </message>
+        <message>
+            <source>Change places with the slave before it in its line</source>
+            <translation>与同一线路中的前一从站互换位置</translation>
+        </message>
+        <message>
+            <source>Move Do&amp;wn</source>
+            <translation>下移(&amp;W)</translation>
+        </message>
+        <message>
+            <source>Change places with the slave behind it in its line</source>
+            <translation>与同一线路中的后一从站互换位置</translation>
+        </message>
+        <message>
+            <source>Re&amp;place…</source>
+            <translation>替换(&amp;P)…</translation>
+        </message>
+        <message>
+            <source>Put another revision or another device in its place</source>
+            <translation>用另一版本或另一设备替换</translation>
+        </message>
+        <message>
+            <source>Remo&amp;ve</source>
+            <translation>移除(&amp;V)</translation>
+        </message>
+        <message>
+            <source>Take the slave with its branches out; its line closes</source>
+            <translation>移除该从站及其分支；线路随之闭合</translation>
+        </message>
+        <message>
+            <source>Duplicate %1</source>
+            <translation>复制 %1</translation>
+        </message>
+        <message>
+            <source>Move %1</source>
+            <translation>移动 %1</translation>
+        </message>
+        <message>
+            <source>The machine is running: go offline to change its slaves.</source>
+            <translation>机器正在运行：请先下线再更改其从站。</translation>
+        </message>
+        <message>
+            <source>Catalogue</source>
+            <translation>目录</translation>
+        </message>
+        <message>
+            <source>The description of the device could not be read.</source>
+            <translation>无法读取设备的描述。</translation>
+        </message>
+        <message>
+            <source>Add %1</source>
+            <translation>添加 %1</translation>
+        </message>
+        <message>
+            <source>Rewire %1</source>
+            <translation>改接 %1</translation>
+        </message>
+        <message>
+            <source>Remove %1</source>
+            <translation>移除 %1</translation>
+        </message>
+        <message numerus="yes">
+            <source>%1 was removed with %n slave(s) of its branches.</source>
+            <translation>
+                <numerusform>已移除 %1 及其分支上的 %n 个从站。</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Replace %1</source>
+            <translation>替换 %1</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n setting(s) of the old device are gone; undo brings them back.</source>
+            <translation>
+                <numerusform>旧设备的 %n 项设置已丢失；可用“撤销”恢复。</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>The slave is gone.</source>
+            <translation>该从站已不存在。</translation>
+        </message>
+        <message>
+            <source>No free port there, or nearer to the master, takes this device.</source>
+            <translation>该处及更靠近主站处都没有空闲端口可接此设备。</translation>
+        </message>
+        <message>
+            <source>That port is not free.</source>
+            <translation>该端口未空闲。</translation>
+        </message>
+        <message>
+            <source>A terminal needs an E-bus port, a device with a cable an Ethernet port.</source>
+            <translation>端子模块需要 E-bus 端口，带电缆的设备需要以太网端口。</translation>
+        </message>
+        <message>
+            <source>It has no port for what would hang behind it.</source>
+            <translation>它没有端口来连接其后的设备。</translation>
+        </message>
+        <message>
+            <source>That place is behind the slave itself.</source>
+            <translation>该位置在此从站自身之后。</translation>
+        </message>
+        <message>
+            <source>The slave stands first in its line.</source>
+            <translation>该从站位于其线路的首位。</translation>
+        </message>
+        <message>
+            <source>The slave stands last in its line.</source>
+            <translation>该从站位于其线路的末位。</translation>
+        </message>
+        <message>
+            <source>A network has at most 65535 slaves.</source>
+            <translation>一个网络最多有 65535 个从站。</translation>
+        </message>
+    </context>
+    <context>
+        <name>LanguageMenu</name>
+        <message>
+            <source>Lan&amp;guage</source>
+            <translation>语言(&amp;G)</translation>
+        </message>
+        <message>
+            <source>&amp;System Language</source>
+            <translation>系统语言(&amp;S)</translation>
+        </message>
+        <message>
+            <source>Applied at the next start</source>
+            <translation>下次启动时生效</translation>
+        </message>
+        <message>
+            <source>The window speaks this language from the next start on.</source>
+            <translation>窗口从下次启动起使用此语言。</translation>
+        </message>
+    </context>
+</TS>
