@@ -16,8 +16,8 @@
             <source>EtherCAT is a registered trademark and patented technology, licensed by Beckhoff Automation GmbH, Germany.</source>
             <translation>EtherCAT ist eine eingetragene Marke und patentierte Technologie, lizenziert durch die Beckhoff Automation GmbH, Deutschland.</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>Actions</name>
         <message>
             <source>Take the last edit back</source>
@@ -211,8 +211,8 @@
             <source>Find a slave, a setting or a command</source>
             <translation>Einen Slave, eine Einstellung oder einen Befehl finden</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>BusCommands</name>
         <message>
             <source>EEPROM</source>
@@ -258,8 +258,8 @@
             <source>Restart</source>
             <translation>Neu starten</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>CutShortDialog</name>
         <message>
             <source>EEPROM write was cut short</source>
@@ -328,8 +328,8 @@
                 <numerusform>%n weitere folgen.</numerusform>
             </translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>DcmPanel</name>
         <message>
             <source>DCM error</source>
@@ -359,8 +359,8 @@
             <source>DCM is off</source>
             <translation>DCM ist aus</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>DeviationPanel</name>
         <message>
             <source>DC deviation</source>
@@ -386,8 +386,8 @@
             <source>peak %1</source>
             <translation>Spitze %1</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>DeviceEditor</name>
         <message>
             <source>Device editor</source>
@@ -416,8 +416,8 @@
             <source>Offline</source>
             <translation>Offline</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>ExplorerPanel</name>
         <message>
             <source>Project explorer</source>
@@ -451,8 +451,8 @@
             <source>Ports and cables; drag a slave to another port to rewire it</source>
             <translation>Ports und Kabel; einen Slave auf einen anderen Port ziehen, um ihn umzustecken</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>FileCommands</name>
         <message>
             <source>Open</source>
@@ -566,8 +566,8 @@
             <source>It is neither a project, an ENI, an ESI, a recording, a capture nor a scenario.</source>
             <translation>Es ist weder ein Projekt noch eine ENI, eine ESI, eine Aufzeichnung, ein Mitschnitt oder ein Szenario.</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>Glossary</name>
         <message>
             <source>Master</source>
@@ -669,8 +669,8 @@
             <source>settling</source>
             <translation>schwingt ein</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>Link</name>
         <message>
             <source>Demonstration machine (simulated)</source>
@@ -684,8 +684,8 @@
             <source>Simulated: %1</source>
             <translation>Simuliert: %1</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>LinkChooser</name>
         <message>
             <source>Choose the Bus</source>
@@ -739,8 +739,8 @@
             <source>Scenarios (*.toml)</source>
             <translation>Szenarien (*.toml)</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>LiveStrip</name>
         <message>
             <source>Live plots</source>
@@ -814,8 +814,8 @@
             <source>Export picture…</source>
             <translation>Bild exportieren …</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>LiveStripToolbar</name>
         <message>
             <source>1 s</source>
@@ -913,9 +913,13 @@
             <source>Recording</source>
             <translation>Aufzeichnung</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>MainWindow</name>
+        <message>
+            <source>A recording is shown; it has no pages of slaves</source>
+            <translation>Eine Aufzeichnung wird gezeigt; sie hat keine Seiten der Slaves</translation>
+        </message>
         <message>
             <source>A field holds what cannot be a value: mend it, or press Esc in it.</source>
             <translation>In einem Feld steht, was kein Wert sein kann: berichtigen oder darin Esc drücken.</translation>
@@ -1008,8 +1012,8 @@
             <source>A recording is shown, and nothing runs: close it first (File, Close Recording)</source>
             <translation>Eine Aufzeichnung wird gezeigt, und nichts läuft: Schließen Sie sie zuerst (Datei, Aufzeichnung schließen)</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>MasterDcPage</name>
         <message>
             <source>Distributed Clocks</source>
@@ -1183,8 +1187,8 @@
             <source>%1 ago</source>
             <translation>vor %1</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>MasterGeneralPage</name>
         <message>
             <source>Recovery</source>
@@ -1346,8 +1350,8 @@
             <source>Real Time</source>
             <translation>Echtzeit</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>MessageModel</name>
         <message>
             <source>%1
@@ -1387,8 +1391,8 @@ Einstellung %2</translation>
             <source>Message</source>
             <translation>Meldung</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>MessagesPanel</name>
         <message>
             <source>Filter messages</source>
@@ -1422,8 +1426,8 @@ Einstellung %2</translation>
             <source>Show errors</source>
             <translation>Fehler zeigen</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>NetworkModel</name>
         <message>
             <source>Node</source>
@@ -1481,15 +1485,15 @@ Einstellung %2</translation>
             <source>The cable to it is broken</source>
             <translation>Das Kabel dorthin ist unterbrochen</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>Page</name>
         <message>
             <source>Project</source>
             <translation>Projekt</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>PdoEntryModel</name>
         <message>
             <source>(padding)</source>
@@ -1515,8 +1519,8 @@ Einstellung %2</translation>
             <source>Size</source>
             <translation>Größe</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>PdoModel</name>
         <message>
             <source>The device needs this PDO (Mandatory in the ESI)</source>
@@ -1550,8 +1554,8 @@ Einstellung %2</translation>
             <source>Size</source>
             <translation>Größe</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>ProcessDataPage</name>
         <message>
             <source>Process Data</source>
@@ -1585,22 +1589,22 @@ Einstellung %2</translation>
             <source>As slave, PDO and entry</source>
             <translation>Wie Slave, PDO und Eintrag</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>ProjectDocument</name>
         <message>
             <source>Untitled</source>
             <translation>Unbenannt</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>QObject</name>
         <message>
             <source>Syncline</source>
             <translation>Syncline</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>ScanProgress</name>
         <message>
             <source>Scan</source>
@@ -1622,8 +1626,8 @@ Einstellung %2</translation>
             <source>Cancelling…</source>
             <translation>Wird abgebrochen …</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>SlaveDcPage</name>
         <message>
             <source>Distributed Clocks</source>
@@ -1777,8 +1781,8 @@ Einstellung %2</translation>
             <source>Pin %1</source>
             <translation>Pin %1</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>SlaveGeneralPage</name>
         <message>
             <source>General</source>
@@ -1944,8 +1948,8 @@ Einstellung %2</translation>
             <source>Slave and port in front of this one</source>
             <translation>Slave und Port vor diesem</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>Sm2Panel</name>
         <message>
             <source>SM2 events missed</source>
@@ -1971,8 +1975,8 @@ Einstellung %2</translation>
             <source>%1: %2/s</source>
             <translation>%1: %2/s</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>StatusPanel</name>
         <message>
             <source>Offline</source>
@@ -2117,8 +2121,8 @@ Einstellung %2</translation>
             <translation>
 %1 Zyklen fehlen darin: Der Datenträger war zu langsam</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>Sync</name>
         <message>
             <source>Offline</source>
@@ -2132,8 +2136,8 @@ Einstellung %2</translation>
             <source>%1: %2</source>
             <translation>%1: %2</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>SyncSettingsEditor</name>
         <message>
             <source>Device family</source>
@@ -2186,8 +2190,8 @@ Einstellung %2</translation>
                 <numerusform>%1 (%n verpasste in Folge)</numerusform>
             </translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>SyncUnitEditor</name>
         <message>
             <source>Sync Unit Cycle of %1</source>
@@ -2229,8 +2233,8 @@ Einstellung %2</translation>
             <source>Change Sync Unit Cycle of SYNC%1</source>
             <translation>Sync Unit Cycle von SYNC%1 ändern</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>TracePanel</name>
         <message>
             <source>Legend: %1</source>
@@ -2252,8 +2256,8 @@ Einstellung %2</translation>
             <source>   min %1   max %2   mean %3</source>
             <translation>   Min %1   Max %2   Mittel %3</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>TracePlot</name>
         <message>
             <source>Time before now</source>
@@ -2263,8 +2267,8 @@ Einstellung %2</translation>
             <source>Time since start</source>
             <translation>Zeit seit Beginn</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>Units</name>
         <message numerus="yes">
             <source>%n Byte(s)</source>
@@ -2280,8 +2284,8 @@ Einstellung %2</translation>
                 <numerusform>%n Bit</numerusform>
             </translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>WelcomePage</name>
         <message>
             <source>Welcome</source>
@@ -2311,8 +2315,8 @@ Einstellung %2</translation>
             <source>Begin with the simulated demonstration machine, a bus, devices of the catalogue, or a project file.</source>
             <translation>Mit der simulierten Vorführmaschine, einem Bus, Geräten des Katalogs oder einer Projektdatei beginnen.</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>Workspace</name>
         <message>
             <source>Scan</source>
@@ -2333,8 +2337,8 @@ Einstellung %2</translation>
             <source>Unsaved work is not kept</source>
             <translation>Ungesicherte Arbeit wird nicht aufbewahrt</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>Finding</name>
     <message>
         <source>Slaves %1</source>
@@ -2376,8 +2380,8 @@ Einstellung %2</translation>
         <source>slave %1</source>
         <translation>Slave %1</translation>
     </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>FindingModel</name>
         <message>
             <source>Error</source>
@@ -2407,8 +2411,8 @@ Einstellung %2</translation>
             <source>What to do</source>
             <translation>Was zu tun ist</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>FindingsPanel</name>
         <message>
             <source>Findings about the running bus</source>
@@ -2418,8 +2422,8 @@ Einstellung %2</translation>
             <source>Nothing found. What the running bus shows to be wrong stands here, with its cause and what to do.</source>
             <translation>Nichts gefunden. Was am laufenden Bus nicht stimmt, steht hier, mit Ursache und Abhilfe.</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>Setting</name>
         <message>
             <source>Name</source>
@@ -3389,8 +3393,8 @@ Einstellung %2</translation>
             <source>IDN that is written at these transitions, K counts from 0; the number behind the last adds one.</source>
             <translation>IDN, die bei diesen Übergängen geschrieben wird, K zählt ab 0; die Nummer hinter der letzten fügt eine hinzu.</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>FieldBinder</name>
         <message>
             <source>Change: %1</source>
@@ -3404,22 +3408,22 @@ Einstellung %2</translation>
             <source>Finding: %1</source>
             <translation>Befund: %1</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>NumberEdit</name>
         <message>
             <source>&quot;%1&quot; is no such number: %2</source>
             <translation>„%1“ ist keine solche Zahl: %2</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>PresetEdit</name>
         <message>
             <source>&quot;%1&quot; is no such number: %2 %3</source>
             <translation>„%1“ ist keine solche Zahl: %2 %3</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>MasterDcExpertPage</name>
         <message>
             <source>Distributed Clocks (Expert)</source>
@@ -3445,8 +3449,8 @@ Einstellung %2</translation>
             <source>Messages of the Clocks</source>
             <translation>Meldungen der Uhren</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>SlaveTimingPage</name>
         <message>
             <source>Watchdogs (Expert)</source>
@@ -3460,8 +3464,8 @@ Einstellung %2</translation>
             <source>Time-outs of State Changes</source>
             <translation>Zeitgrenzen der Zustandswechsel</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>SlaveMailboxPage</name>
         <message>
             <source>Mailbox</source>
@@ -3475,8 +3479,8 @@ Einstellung %2</translation>
             <source>ADS (AoE)</source>
             <translation>ADS (AoE)</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>SlaveDataPage</name>
         <message>
             <source>Data Options</source>
@@ -3494,8 +3498,8 @@ Einstellung %2</translation>
             <source>Sync Units</source>
             <translation>Sync Units</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>Questions</name>
         <message>
             <source>The machine is running. Take it offline?</source>
@@ -3509,8 +3513,8 @@ Einstellung %2</translation>
             <source>Go Offline</source>
             <translation>Offline gehen</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>SlaveStartupPage</name>
         <message>
             <source>INIT to PREOP</source>
@@ -3704,8 +3708,8 @@ Einstellung %2</translation>
             <source>None: the slave starts with what it has.</source>
             <translation>Keine: der Slave startet mit dem, was er hat.</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>DifferenceDialog</name>
         <message>
             <source>Project and Running Machine</source>
@@ -3727,8 +3731,8 @@ Einstellung %2</translation>
             <source>Differences between project and running machine</source>
             <translation>Unterschiede zwischen Projekt und laufender Maschine</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>DifferenceModel</name>
         <message>
             <source>Where</source>
@@ -3738,8 +3742,8 @@ Einstellung %2</translation>
             <source>What</source>
             <translation>Was</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>FoundDialog</name>
         <message numerus="yes">
             <source>%n match(es)</source>
@@ -3873,8 +3877,8 @@ Einstellung %2</translation>
             <source>Replace</source>
             <translation>Ersetzen</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>FoundModel</name>
         <message>
             <source>Matches</source>
@@ -3952,8 +3956,8 @@ Einstellung %2</translation>
             <source>Difference</source>
             <translation>Unterschied</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>ImportCommands</name>
         <message>
             <source>Open</source>
@@ -3990,8 +3994,8 @@ Einstellung %2</translation>
             <source>Reading the ESI files below %1 …</source>
             <translation>Die ESI-Dateien unter %1 werden gelesen …</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>MasterTasksPage</name>
         <message>
             <source>Tasks (Expert)</source>
@@ -4061,8 +4065,8 @@ Einstellung %2</translation>
             <source>None: the slaves share their datagrams. A unit is given to a slave on its page Data Options.</source>
             <translation>Keine: die Slaves teilen sich ihre Datagramme. Eine Unit bekommt ein Slave auf seiner Seite Datenoptionen.</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>ObjectPicker</name>
         <message>
             <source>Choose Object</source>
@@ -4104,8 +4108,8 @@ Einstellung %2</translation>
             <source>Choose</source>
             <translation>Wählen</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>PdoMappingEditor</name>
         <message>
             <source>Entries</source>
@@ -4163,8 +4167,8 @@ Einstellung %2</translation>
             <source>The device takes no other mapping (CoE PdoConfig in its ESI).</source>
             <translation>Das Gerät nimmt kein anderes Mapping (CoE PdoConfig in seiner ESI).</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>RecentMenu</name>
         <message>
             <source>Open &amp;Recent</source>
@@ -4182,15 +4186,15 @@ Einstellung %2</translation>
             <source>Pinned projects stay</source>
             <translation>Angeheftete Projekte bleiben</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>RecordEditor</name>
         <message>
             <source>Selected</source>
             <translation>Gewählt</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>RecordForm</name>
         <message>
             <source>Change: %1</source>
@@ -4220,8 +4224,8 @@ Einstellung %2</translation>
             <source>Move down: %1</source>
             <translation>Nach unten: %1</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>RecoveryDialog</name>
         <message>
             <source>Recover Unsaved Work</source>
@@ -4286,8 +4290,8 @@ Einstellung %2</translation>
             <source>Discard this work for good?</source>
             <translation>Diese Arbeit endgültig verwerfen?</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>RunBar</name>
         <message>
             <source>Project and running machine</source>
@@ -4336,8 +4340,8 @@ Einstellung %2</translation>
             <source>Only parameters of the master synchronisation can be changed while the machine runs</source>
             <translation>Nur Parameter der Master-Synchronisation lassen sich ändern, während die Maschine läuft</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>SlaveSyncPage</name>
         <message>
             <source>Synchronisation</source>
@@ -4359,8 +4363,8 @@ Einstellung %2</translation>
             <source>Pin %1</source>
             <translation>Pin %1</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>Overview</name>
         <message>
             <source>An event without words</source>
@@ -4424,8 +4428,8 @@ Einstellung %2</translation>
             <source>%1 s</source>
             <translation>%1 s</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>Recorded</name>
         <message>
             <source>Master</source>
@@ -4479,15 +4483,15 @@ Einstellung %2</translation>
             <source>; the plots show the last %1 of them</source>
             <translation>; die Diagramme zeigen die letzten %1 davon</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>FigureCard</name>
         <message>
             <source>Margin: %1</source>
             <translation>Reserve: %1</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>OverviewPanel</name>
         <message>
             <source>mean</source>
@@ -4673,8 +4677,8 @@ Einstellung %2</translation>
             <source>Nothing has run yet: go online.</source>
             <translation>Noch ist nichts gelaufen: Gehen Sie online.</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>RecordingBar</name>
         <message>
             <source>Recording that is shown</source>
@@ -4696,8 +4700,8 @@ Einstellung %2</translation>
             <source>&lt;b&gt;Recording %1&lt;/b&gt; – %2. Nothing here is live.</source>
             <translation>&lt;b&gt;Aufzeichnung %1&lt;/b&gt; – %2. Nichts hier läuft.</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>RecordingCommands</name>
         <message>
             <source>Reading %1…</source>
@@ -4787,8 +4791,8 @@ Einstellung %2</translation>
             <source>Saved to %1</source>
             <translation>Gesichert nach %1</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>Dictionary</name>
         <message>
             <source>write in %1</source>
@@ -4802,15 +4806,15 @@ Einstellung %2</translation>
             <source>%1 to %2</source>
             <translation>%1 bis %2</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>DictionaryReader</name>
         <message>
             <source>The slave does not tell its objects.</source>
             <translation>Der Slave nennt seine Objekte nicht.</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>ObjectModel</name>
         <message>
             <source>Ticked entries are watched</source>
@@ -4856,8 +4860,8 @@ Einstellung %2</translation>
             <source>%1, the default of the ESI: not read yet</source>
             <translation>%1, der Vorgabewert der ESI: noch nicht gelesen</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>ObjectWriteBar</name>
         <message>
             <source>New value</source>
@@ -4879,8 +4883,8 @@ Einstellung %2</translation>
             <source>Not possible; %1</source>
             <translation>Nicht möglich; %1</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>OnlinePage</name>
         <message>
             <source>Offline. Go online (F5), in whatever state, to ask the slave itself.</source>
@@ -4906,8 +4910,8 @@ Einstellung %2</translation>
             <source>%1 is in %2. %3</source>
             <translation>%1 ist in %2. %3</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>SlaveObjectsPage</name>
         <message>
             <source>Objects</source>
@@ -5112,8 +5116,8 @@ Einstellung %2</translation>
             <source>The objects could not be exported.</source>
             <translation>Die Objekte konnten nicht exportiert werden.</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>SlaveRequests</name>
         <message>
             <source>Cancelled.</source>
@@ -5123,8 +5127,8 @@ Einstellung %2</translation>
             <source>The bus is offline: go online first (F5).</source>
             <translation>Der Bus ist offline: Gehen Sie zuerst online (F5).</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>SlaveStateBar</name>
         <message>
             <source>AL status of the slave</source>
@@ -5162,8 +5166,8 @@ Einstellung %2</translation>
             <source>AL status %1: %2</source>
             <translation>AL-Status %1: %2</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>SlaveStateCommands</name>
         <message>
             <source>Go online first (F5).</source>
@@ -5213,8 +5217,8 @@ Einstellung %2</translation>
             <source>Acknowledge Error</source>
             <translation>Fehler quittieren</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>Counters</name>
         <message>
             <source>at least %1</source>
@@ -5224,8 +5228,8 @@ Einstellung %2</translation>
             <source> (+%1 in 10 s)</source>
             <translation> (+%1 in 10 s)</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>EepromLines</name>
         <message>
             <source>Checksum of the configuration</source>
@@ -5339,8 +5343,8 @@ Einstellung %2</translation>
             <source>Category %1</source>
             <translation>Kategorie %1</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>RegisterModel</name>
         <message>
             <source>Address</source>
@@ -5366,8 +5370,8 @@ Einstellung %2</translation>
             <source>%1 s</source>
             <translation>%1 s</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>SlaveCountersPage</name>
         <message>
             <source>Error Counters</source>
@@ -5453,8 +5457,8 @@ Einstellung %2</translation>
             <source>PDI watchdog expired</source>
             <translation>PDI-Watchdog abgelaufen</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>SlaveEepromPage</name>
         <message>
             <source>EEPROM</source>
@@ -5592,8 +5596,8 @@ Einstellung %2</translation>
             <source>The EEPROM is being written.</source>
             <translation>Das EEPROM wird geschrieben.</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>SlaveRegistersPage</name>
         <message>
             <source>Registers</source>
@@ -5695,8 +5699,8 @@ Einstellung %2</translation>
             <source>%1 is written.</source>
             <translation>%1 ist geschrieben.</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>CatalogueModel</name>
         <message>
             <source>Other devices</source>
@@ -5722,8 +5726,8 @@ Produktcode %2, Revision %3
             <source>Revision</source>
             <translation>Revision</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>CataloguePanel</name>
         <message>
             <source>Search the device catalogue</source>
@@ -5856,8 +5860,8 @@ Produktcode %2, Revision %3
             <source>Read a Folder of ESI Files</source>
             <translation>Einen Ordner mit ESI-Dateien lesen</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>GoToDialog</name>
         <message>
             <source>Go To</source>
@@ -5891,8 +5895,8 @@ Produktcode %2, Revision %3
             <source>command</source>
             <translation>Befehl</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>MachineBuilding</name>
         <message numerus="yes">
             <source>%n new device(s) are in the catalogue.</source>
@@ -5909,8 +5913,8 @@ Produktcode %2, Revision %3
             <source>Catalogue</source>
             <translation>Katalog</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>ReplaceDialog</name>
         <message numerus="yes">
             <source>%1 and %n more</source>
@@ -5971,8 +5975,8 @@ Produktcode %2, Revision %3
             <source>It does not take: %1. Everything else stays.</source>
             <translation>Es übernimmt nicht: %1. Alles andere bleibt.</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>SlaveCommands</name>
         <message>
             <source>&amp;Add Device…</source>
@@ -6108,8 +6112,8 @@ Produktcode %2, Revision %3
             <source>A network has at most 65535 slaves.</source>
             <translation>Ein Netzwerk hat höchstens 65535 Slaves.</translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>LanguageMenu</name>
         <message>
             <source>Lan&amp;guage</source>
@@ -6127,5 +6131,5 @@ Produktcode %2, Revision %3
             <source>The window speaks this language from the next start on.</source>
             <translation>Das Fenster spricht diese Sprache ab dem nächsten Start.</translation>
         </message>
-</context>
+    </context>
 </TS>

@@ -11,8 +11,8 @@
                 <numerusform>%n more writes follow.</numerusform>
             </translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>DeviceEditor</name>
         <message numerus="yes">
             <source>%n slave(s), cycle %1</source>
@@ -21,8 +21,8 @@
                 <numerusform>%n slaves, cycle %1</numerusform>
             </translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>StatusPanel</name>
         <message numerus="yes">
             <source>%n slave(s)</source>
@@ -31,8 +31,8 @@
                 <numerusform>%n slaves</numerusform>
             </translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>Units</name>
         <message numerus="yes">
             <source>%n Byte(s)</source>
@@ -48,8 +48,8 @@
                 <numerusform>%n bits</numerusform>
             </translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>Workspace</name>
         <message numerus="yes">
             <source>%n slave(s) found on %1</source>
@@ -58,8 +58,8 @@
                 <numerusform>%n slaves found on %1</numerusform>
             </translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>SyncSettingsEditor</name>
         <message numerus="yes">
             <source>%1 (%n miss(es) in a row)</source>
@@ -68,8 +68,8 @@
                 <numerusform>%1 (%n misses in a row)</numerusform>
             </translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>FoundDialog</name>
         <message numerus="yes">
             <source>%n match(es)</source>
@@ -127,8 +127,8 @@
                 <numerusform>%n slaves of this bus are running. They were only looked at and nothing was written, so some of what they are may not be known.</numerusform>
             </translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>ImportCommands</name>
         <message numerus="yes">
             <source>A project was made of %1; exported again, %n command(s) would differ.</source>
@@ -137,8 +137,8 @@
                 <numerusform>A project was made of %1; exported again, %n commands would differ.</numerusform>
             </translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>RecoveryDialog</name>
         <message numerus="yes">
             <source>kept %1, %n slave(s)</source>
@@ -147,8 +147,8 @@
                 <numerusform>kept %1, %n slaves</numerusform>
             </translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>RunBar</name>
         <message numerus="yes">
             <source>The machine does not run what the project says: %n difference(s).</source>
@@ -157,8 +157,8 @@
                 <numerusform>The machine does not run what the project says: %n differences.</numerusform>
             </translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>SlaveObjectsPage</name>
         <message numerus="yes">
             <source>%n object(s)</source>
@@ -167,8 +167,8 @@
                 <numerusform>%n objects</numerusform>
             </translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>CataloguePanel</name>
         <message numerus="yes">
             <source>None of the %n device(s) has all these words.</source>
@@ -177,8 +177,8 @@
                 <numerusform>None of the %n devices has all these words.</numerusform>
             </translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>MachineBuilding</name>
         <message numerus="yes">
             <source>%n new device(s) are in the catalogue.</source>
@@ -187,8 +187,8 @@
                 <numerusform>%n new devices are in the catalogue.</numerusform>
             </translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>ReplaceDialog</name>
         <message numerus="yes">
             <source>%1 and %n more</source>
@@ -197,8 +197,8 @@
                 <numerusform>%1 and %n more</numerusform>
             </translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>SlaveCommands</name>
         <message numerus="yes">
             <source>%1 was removed with %n slave(s) of its branches.</source>
@@ -214,8 +214,8 @@
                 <numerusform>%n settings of the old device are gone; undo brings them back.</numerusform>
             </translation>
         </message>
-</context>
-<context>
+    </context>
+    <context>
     <name>Events</name>
         <message numerus="yes">
             <source>Propagation delays measured again: %n slave(s) to correct, by %1 at most</source>
@@ -224,5 +224,5 @@
                 <numerusform>Propagation delays measured again: %n slaves to correct, by %1 at most</numerusform>
             </translation>
         </message>
-</context>
+    </context>
 </TS>

@@ -915,6 +915,10 @@
     <context>
         <name>MainWindow</name>
         <message>
+            <source>A recording is shown; it has no pages of slaves</source>
+            <translation>正在显示记录；记录没有从站页面</translation>
+        </message>
+        <message>
             <source>A field holds what cannot be a value: mend it, or press Esc in it.</source>
             <translation>有字段的内容不是有效值：请改正，或在其中按 Esc。</translation>
         </message>

@@ -90,6 +90,7 @@ Actions::Actions(QUndoStack& stack, QObject* parent) : QObject(parent) {
     action->setCheckable(true);
     action->setData(static_cast<int>(mode.mode));
     group->addAction(action);
+    connect(action, &QAction::triggered, this, [mode = mode.mode] { theme::apply(mode); });
     themes.append(action);
   }
   toggle_theme = add("actionToggleTheme", tr("Light/Dark"), "theme", tr("Switch between light and dark"));
@@ -110,6 +111,7 @@ void Actions::drawIcons(const QPalette& palette) {
     if (action == offline) color = theme::toneColor(palette, theme::Tone::kBad);
     action->setIcon(theme::icon(action->property("iconName").toString(), palette, color));
   }
+  for (auto* action : themes) action->setChecked(static_cast<theme::Mode>(action->data().toInt()) == theme::current());
 }
 
 }  // namespace syncline::ui

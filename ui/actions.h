@@ -16,7 +16,7 @@ class Actions final : public QObject {
 
  public:
   Actions(QUndoStack& undo, QObject* parent);
-  /// Draws the icons in the colours of the palette.
+  /// Draws the icons in the colours of the palette, and marks the theme that is chosen.
   void drawIcons(const QPalette& palette);
 
   QAction *create, *open, *save, *save_as, *export_eni, *close_recording, *quit;

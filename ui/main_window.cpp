@@ -17,6 +17,7 @@
 #include <QWhatsThis>
 #include <utility>
 
+#include "ui/action_states.h"
 #include "ui/actions.h"
 #include "ui/dialogs/about_dialog.h"
 #include "ui/dialogs/bus_commands.h"
@@ -45,6 +46,7 @@
 #include "ui/theme/theme.h"
 #include "ui/widgets/named.h"
 #include "ui/window_layout.h"
+#include "ui/window_menus.h"
 
 namespace syncline::ui {
 MainWindow::MainWindow(Workspace& workspace, QWidget* parent) : QMainWindow(parent), workspace_(workspace) {
@@ -61,7 +63,6 @@ MainWindow::MainWindow(Workspace& workspace, QWidget* parent) : QMainWindow(pare
   buildCentre();
   buildDocks();
   buildMenus();
-  buildToolBar();
   new StatusPanel(workspace, *statusBar());
   connectActions();
   connectSession();
@@ -159,91 +160,19 @@ void MainWindow::buildDocks() {
 }
 
 void MainWindow::buildMenus() {
-  auto* file = menuBar()->addMenu(tr("&File"));
-  file->addActions({actions_->create, actions_->open});
   auto* recent = new RecentMenu(workspace_.memory(), workspace_.document(), this);
   connect(recent, &RecentMenu::fileWanted, this, [this](const QString& path) {
     if (commitFields()) files_->openAny(path);
   });
-  file->addMenu(recent);
-  file->addAction(actions_->close_recording);
-  file->addActions({actions_->save, actions_->save_as});
-  file->addSeparator();
-  file->addAction(actions_->export_eni);
-  file->addSeparator();
-  file->addAction(actions_->quit);
-  auto* edit = menuBar()->addMenu(tr("&Edit"));
-  edit->addActions({actions_->undo, actions_->redo});
-  edit->addSeparator();
-  edit->addActions(building_->commands().all());
-  edit->addSeparator();
-  edit->addAction(actions_->go_to);
-  auto* network = menuBar()->addMenu(tr("&Network"));
-  network->addActions({actions_->scan, actions_->demo});
-  network->addSeparator();
-  network->addActions({actions_->online, actions_->offline});
-  auto* states = network->addMenu(tr("&Request State"));
-  states->addActions(actions_->states);
-  network->addSeparator();
-  network->addActions({actions_->record, actions_->save_recent});
-  network->addSeparator();
-  network->addAction(actions_->clear_statistics);
-  connect(network, &QMenu::aboutToShow, this, &MainWindow::updateRecordingActions);
-  auto* view = menuBar()->addMenu(tr("&View"));
-  view->addActions({explorer_dock_->toggleViewAction(), building_->dock()->toggleViewAction(),
-                    messages_dock_->toggleViewAction(), findings_dock_->toggleViewAction(), actions_->reset_layout});
-  view->addSeparator();
-  view->addActions(explorer_->viewActions());
-  view->addSeparator();
-  view->addActions({actions_->overview, actions_->expert});
-  view->addSeparator();
-  view->addActions(actions_->themes);
-  view->addSeparator();
   auto* language = new LanguageMenu(workspace_.memory(), this);
   connect(language, &LanguageMenu::chosen, this,
           [this](const QString& text) { statusBar()->showMessage(text, 10'000); });
-  view->addMenu(language);
-  auto* help = menuBar()->addMenu(tr("&Help"));
-  auto* what = QWhatsThis::createAction(this);
-  what->setObjectName(QStringLiteral("actionWhatsThis"));
-  help->addAction(what);
-  help->addAction(actions_->about);
-}
-
-void MainWindow::buildToolBar() {
-  auto* bar = addToolBar(tr("Main"));
-  bar->setObjectName(QStringLiteral("mainToolBar"));
-  bar->setMovable(false);
-  bar->setIconSize(QSize(20, 20));
-  bar->setToolButtonStyle(Qt::ToolButtonIconOnly);
-  bar->addActions({actions_->create, actions_->open, actions_->save, actions_->save_as});
-  bar->addSeparator();
-  bar->addActions({actions_->undo, actions_->redo});
-  bar->addSeparator();
-  bar->addActions({actions_->scan, actions_->export_eni});
-  bar->addSeparator();
-  bar->addActions({actions_->online, actions_->offline, actions_->record, actions_->overview});
-  state_button_ = named(new QToolButton, "requestState", tr("Request a state for all slaves"));
-  state_button_->setText(tr("Request State"));
-  state_button_->setToolTip(tr("Request a state for all slaves (register 0x0120)"));
-  state_button_->setPopupMode(QToolButton::InstantPopup);
-  auto* menu = new QMenu(state_button_);
-  menu->addActions(actions_->states);
-  state_button_->setMenu(menu);
-  bar->addWidget(state_button_);
-  auto* gap = new QWidget;
-  gap->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
-  bar->addWidget(gap);
-  bar->addAction(actions_->toggle_theme);
-  for (auto* action : {actions_->scan, actions_->export_eni, actions_->online, actions_->offline}) {
-    if (auto* button = qobject_cast<QToolButton*>(bar->widgetForAction(action))) {
-      button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    }
-  }
-  for (auto* action : bar->actions()) {
-    auto* button = bar->widgetForAction(action);
-    if (button != nullptr && button->accessibleName().isEmpty()) button->setAccessibleName(action->toolTip());
-  }
+  const QList<QAction*> panels{explorer_dock_->toggleViewAction(), building_->dock()->toggleViewAction(),
+                               messages_dock_->toggleViewAction(), findings_dock_->toggleViewAction()};
+  auto* network = ui::buildMenus(*menuBar(), *actions_,
+                                 {recent, language, building_->commands().all(), panels, explorer_->viewActions()});
+  connect(network, &QMenu::aboutToShow, this, &MainWindow::updateRecordingActions);
+  state_button_ = buildToolBar(*addToolBar(tr("Main")), *actions_);
 }
 
 void MainWindow::connectActions() {
@@ -283,10 +212,6 @@ void MainWindow::connectActions() {
   for (auto* action : actions_->states) {
     connect(action, &QAction::triggered, this,
             [this, action] { workspace_.live().requestState(static_cast<AlState>(action->data().toInt())); });
-  }
-  for (auto* action : actions_->themes) {
-    connect(action, &QAction::triggered, this,
-            [action] { theme::apply(static_cast<theme::Mode>(action->data().toInt())); });
   }
   connect(actions_->toggle_theme, &QAction::triggered, this,
           [this] { theme::apply(theme::isDark(palette()) ? theme::Mode::kLight : theme::Mode::kDark); });
@@ -427,57 +352,20 @@ void MainWindow::updateTitle() {
 
 void MainWindow::updateActions() {
   const bool recorded = workspace_.recording().isOpen();
-  const bool some = !workspace_.document().project().slaves.empty() && !recorded;
-  const bool busy = workspace_.scan().isRunning() || recorded;
-  const auto phase = workspace_.live().phase();
-  const bool offline = phase == LiveSession::Phase::kOffline;
-  centre_->setCurrentIndex(some || recorded ? 1 : 0);
+  centre_->setCurrentIndex(recorded || !workspace_.document().project().slaves.empty() ? 1 : 0);
   explorer_dock_->setEnabled(!recorded);
-  actions_->create->setEnabled(!busy);
-  actions_->open->setEnabled(!workspace_.scan().isRunning());
-  actions_->save->setEnabled(some);
-  actions_->save_as->setEnabled(some);
-  actions_->export_eni->setEnabled(some);
-  actions_->scan->setEnabled(!busy);
-  actions_->demo->setEnabled(!busy);
-  actions_->online->setEnabled(some && offline && !busy);
-  actions_->offline->setEnabled(phase == LiveSession::Phase::kOnline || phase == LiveSession::Phase::kStarting);
-  actions_->clear_statistics->setEnabled(phase == LiveSession::Phase::kOnline);
-  for (auto* action : actions_->states) action->setEnabled(phase == LiveSession::Phase::kOnline);
-  state_button_->setEnabled(phase == LiveSession::Phase::kOnline);
-  updateRecordingActions();
+  explorer_dock_->setToolTip(recorded ? tr("A recording is shown; it has no pages of slaves") : QString());
+  state_button_->setEnabled(workspace_.live().phase() == LiveSession::Phase::kOnline);
+  updateActionStates(*actions_, workspace_, *recordings_);
 }
 
-/// Those that a recording switches off say why.
-void MainWindow::updateRecordingActions() {
-  const bool shown = workspace_.recording().isOpen();
-  const auto& disk = workspace_.disk();
-  actions_->close_recording->setEnabled(shown);
-  actions_->record->setText(disk.isRecording() ? tr("Stop &Recording") : tr("&Record…"));
-  actions_->record->setChecked(disk.isRecording());
-  actions_->record->setEnabled(workspace_.live().phase() == LiveSession::Phase::kOnline || disk.isRecording());
-  actions_->save_recent->setText(recordings_->saveLastText());
-  actions_->save_recent->setEnabled(disk.remembered() > 0 && !shown);
-  for (auto* action : {actions_->create, actions_->scan, actions_->demo, actions_->online, actions_->offline,
-                       actions_->record, actions_->save_recent, actions_->clear_statistics}) {
-    if (shown && action->property("usualTip").isNull()) {
-      action->setProperty("usualTip", action->toolTip());
-      action->setToolTip(tr("A recording is shown, and nothing runs: close it first (File, Close Recording)"));
-    } else if (!shown && !action->property("usualTip").isNull()) {
-      action->setToolTip(action->property("usualTip").toString());
-      action->setProperty("usualTip", QVariant());
-    }
-  }
-}
+void MainWindow::updateRecordingActions() { updateRecordingStates(*actions_, workspace_, *recordings_); }
 
 void MainWindow::updateTheme() {
   actions_->drawIcons(palette());
   building_->commands().add->setIcon(theme::icon(QStringLiteral("device"), palette()));
   state_button_->setIcon(theme::icon(QStringLiteral("state"), palette()));
   state_button_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-  for (auto* action : actions_->themes) {
-    action->setChecked(static_cast<theme::Mode>(action->data().toInt()) == theme::current());
-  }
   // The children get the new palette after the window: let it reach the plots first.
   QMetaObject::invokeMethod(strip_, &LiveStrip::applyTheme, Qt::QueuedConnection);
 }

@@ -54,7 +54,6 @@ class MainWindow final : public QMainWindow {
   void buildCentre();
   void buildDocks();
   void buildMenus();
-  void buildToolBar();
   void connectActions();
   bool commitFields();
   void connectSession();

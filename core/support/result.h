@@ -52,11 +52,11 @@ enum class ErrorCode : std::uint16_t {
   kTimeout,            // subject
   kCancelled,
   // scan
-  kScanScope,       // subject = slave, detail = what the scan left out
-  kSlaveMissing,    // subject = slave, detail = where it should be
-  kSlaveExtra,      // subject = identity, detail = where it is
-  kSlavesSwapped,   // subject = slave, detail = the slave that stands in its place
-  kFileTransfer,    // subject = slave and file, received = FoE error code, detail = the slave's words
+  kScanScope,      // subject = slave, detail = what the scan left out
+  kSlaveMissing,   // subject = slave, detail = where it should be
+  kSlaveExtra,     // subject = identity, detail = where it is
+  kSlavesSwapped,  // subject = slave, detail = the slave that stands in its place
+  kFileTransfer,   // subject = slave and file, received = FoE error code, detail = the slave's words
   // files again
   kFileLimit,  // file, line, detail = the limit that the file exceeds
   kCatalogue,  // file = database, received = SQLite result code, detail = its words

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/window_menus.h"
+
+#include <QMenu>
+#include <QMenuBar>
+#include <QToolBar>
+#include <QToolButton>
+#include <QWhatsThis>
+
+#include "ui/actions.h"
+#include "ui/main_window.h"
+#include "ui/widgets/named.h"
+
+namespace syncline::ui {
+namespace {
+
+void buildFileMenu(QMenu& menu, const Actions& actions, QMenu& recent) {
+  menu.addActions({actions.create, actions.open});
+  menu.addMenu(&recent);
+  menu.addAction(actions.close_recording);
+  menu.addActions({actions.save, actions.save_as});
+  menu.addSeparator();
+  menu.addAction(actions.export_eni);
+  menu.addSeparator();
+  menu.addAction(actions.quit);
+}
+
+void buildEditMenu(QMenu& menu, const Actions& actions, const QList<QAction*>& slaves) {
+  menu.addActions({actions.undo, actions.redo});
+  menu.addSeparator();
+  menu.addActions(slaves);
+  menu.addSeparator();
+  menu.addAction(actions.go_to);
+}
+
+void buildNetworkMenu(QMenu& menu, const Actions& actions) {
+  menu.addActions({actions.scan, actions.demo});
+  menu.addSeparator();
+  menu.addActions({actions.online, actions.offline});
+  menu.addMenu(MainWindow::tr("&Request State"))->addActions(actions.states);
+  menu.addSeparator();
+  menu.addActions({actions.record, actions.save_recent});
+  menu.addSeparator();
+  menu.addAction(actions.clear_statistics);
+}
+
+void buildViewMenu(QMenu& menu, const Actions& actions, const MenuEntries& entries) {
+  menu.addActions(entries.panels);
+  menu.addAction(actions.reset_layout);
+  menu.addSeparator();
+  menu.addActions(entries.views);
+  menu.addSeparator();
+  menu.addActions({actions.overview, actions.expert});
+  menu.addSeparator();
+  menu.addActions(actions.themes);
+  menu.addSeparator();
+  menu.addMenu(entries.language);
+}
+
+}  // namespace
+
+QMenu* buildMenus(QMenuBar& bar, const Actions& actions, const MenuEntries& entries) {
+  buildFileMenu(*bar.addMenu(MainWindow::tr("&File")), actions, *entries.recent);
+  buildEditMenu(*bar.addMenu(MainWindow::tr("&Edit")), actions, entries.slaves);
+  auto* network = bar.addMenu(MainWindow::tr("&Network"));
+  buildNetworkMenu(*network, actions);
+  buildViewMenu(*bar.addMenu(MainWindow::tr("&View")), actions, entries);
+  auto* help = bar.addMenu(MainWindow::tr("&Help"));
+  auto* what = QWhatsThis::createAction(&bar);
+  what->setObjectName(QStringLiteral("actionWhatsThis"));
+  help->addActions({what, actions.about});
+  return network;
+}
+
+QToolButton* buildToolBar(QToolBar& bar, const Actions& actions) {
+  bar.setObjectName(QStringLiteral("mainToolBar"));
+  bar.setMovable(false);
+  bar.setIconSize(QSize(20, 20));
+  bar.setToolButtonStyle(Qt::ToolButtonIconOnly);
+  bar.addActions({actions.create, actions.open, actions.save, actions.save_as});
+  bar.addSeparator();
+  bar.addActions({actions.undo, actions.redo});
+  bar.addSeparator();
+  bar.addActions({actions.scan, actions.export_eni});
+  bar.addSeparator();
+  bar.addActions({actions.online, actions.offline, actions.record, actions.overview});
+  auto* states = named(new QToolButton, "requestState", MainWindow::tr("Request a state for all slaves"));
+  states->setText(MainWindow::tr("Request State"));
+  states->setToolTip(MainWindow::tr("Request a state for all slaves (register 0x0120)"));
+  states->setPopupMode(QToolButton::InstantPopup);
+  auto* menu = new QMenu(states);
+  menu->addActions(actions.states);
+  states->setMenu(menu);
+  bar.addWidget(states);
+  auto* gap = new QWidget;
+  gap->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+  bar.addWidget(gap);
+  bar.addAction(actions.toggle_theme);
+  for (auto* action : {actions.scan, actions.export_eni, actions.online, actions.offline}) {
+    if (auto* button = qobject_cast<QToolButton*>(bar.widgetForAction(action)))
+      button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  }
+  for (auto* action : bar.actions()) {
+    auto* button = bar.widgetForAction(action);
+    if (button != nullptr && button->accessibleName().isEmpty()) button->setAccessibleName(action->toolTip());
+  }
+  return states;
+}
+
+}  // namespace syncline::ui
