@@ -14,7 +14,6 @@
 #include <QToolButton>
 #include <QUrl>
 #include <QVBoxLayout>
-#include <QWhatsThis>
 #include <utility>
 
 #include "ui/action_states.h"
@@ -44,7 +43,6 @@
 #include "ui/session/workspace.h"
 #include "ui/text/glossary.h"
 #include "ui/theme/theme.h"
-#include "ui/widgets/named.h"
 #include "ui/window_layout.h"
 #include "ui/window_menus.h"
 
@@ -331,11 +329,6 @@ void MainWindow::showGoTo() {
 /// To the field, or where there is none to its slave.
 void MainWindow::goTo(int slave, const QString& key) {
   if (key.isEmpty() || !editor_->showKey(key)) explorer_->select(slave);
-  showOverview(false);
-}
-
-void MainWindow::selectNode(int slave) {
-  explorer_->select(slave);
   showOverview(false);
 }
 

@@ -40,7 +40,7 @@ class MainWindow final : public QMainWindow {
   [[nodiscard]] MachineBuilding& building() { return *building_; }
   [[nodiscard]] ExplorerPanel& explorer() { return *explorer_; }
   [[nodiscard]] LiveStrip& liveStrip() { return *strip_; }
-  void selectNode(int slave);
+  void selectNode(int slave) { goTo(slave, {}); }
   [[nodiscard]] WindowLayout& panels() { return *layout_; }
 
  protected:
