@@ -205,7 +205,7 @@
         </message>
         <message>
             <source>&amp;Go To…</source>
-            <translation>&amp;Gehe zu …</translation>
+            <translation>Ge&amp;he zu …</translation>
         </message>
         <message>
             <source>Find a slave, a setting or a command</source>
@@ -957,7 +957,7 @@
             <translation>&amp;Netzwerk</translation>
         </message>
         <message>
-            <source>&amp;Request State</source>
+            <source>Request S&amp;tate</source>
             <translation>&amp;Zustand anfordern</translation>
         </message>
         <message>
@@ -5995,7 +5995,7 @@ Produktcode %2, Revision %3
             <translation>Eine Kopie hinter den Slave setzen, mit seinen Zweigen</translation>
         </message>
         <message>
-            <source>Move &amp;Up</source>
+            <source>&amp;Move Up</source>
             <translation>Nach &amp;oben</translation>
         </message>
         <message>

@@ -225,4 +225,21 @@
             </translation>
         </message>
     </context>
+    <context>
+        <name>Overview</name>
+        <message numerus="yes">
+            <source>%n SM2 event(s) missed</source>
+            <translation>
+                <numerusform>%n SM2 event missed</numerusform>
+                <numerusform>%n SM2 events missed</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>, last lost %1 ago, %n time(s)</source>
+            <translation>
+                <numerusform>, last lost %1 ago, %n time</numerusform>
+                <numerusform>, last lost %1 ago, %n times</numerusform>
+            </translation>
+        </message>
+    </context>
 </TS>

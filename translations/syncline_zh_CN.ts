@@ -955,8 +955,8 @@
             <translation>网络(&amp;N)</translation>
         </message>
         <message>
-            <source>&amp;Request State</source>
-            <translation>请求状态(&amp;R)</translation>
+            <source>Request S&amp;tate</source>
+            <translation>请求状态(&amp;T)</translation>
         </message>
         <message>
             <source>&amp;View</source>
@@ -5971,8 +5971,8 @@ Product code %2, revision %3
             <translation>在该从站之后放置其副本，包括分支</translation>
         </message>
         <message>
-            <source>Move &amp;Up</source>
-            <translation>上移(&amp;U)</translation>
+            <source>&amp;Move Up</source>
+            <translation>上移(&amp;M)</translation>
         </message>
         <message>
             <source>Change places with the slave before it in its line</source>

@@ -144,11 +144,15 @@ void MainWindow::buildDocks() {
   layout_ = std::make_unique<WindowLayout>(
       *this, workspace_.memory(),
       WindowLayout::Parts{explorer_dock_, building_->dock(), {messages_dock_, findings_dock_}, splitter_});
-  connect(findings, &FindingsPanel::placeActivated, this, &MainWindow::goTo);
+  connect(findings, &FindingsPanel::placeActivated, this, [this](int position, const QString& key) {
+    if (const int slave = workspace_.runningSlaves().slaveOf(position); slave >= 0 || position < 0) goTo(slave, key);
+  });
   connect(&workspace_.runFindings(), &RunFindings::findingsChanged, this, &MainWindow::showFindingCount);
   connect(explorer_, &ExplorerPanel::nodeSelected, editor_, &DeviceEditor::showNode);
-  connect(explorer_, &ExplorerPanel::nodeSelected, strip_, &LiveStrip::setPickedSlave);
-  connect(explorer_, &ExplorerPanel::nodeSelected, this, [this] { showOverview(false); });
+  connect(explorer_, &ExplorerPanel::nodeSelected, this, [this](int slave) {
+    strip_->setPickedSlave(workspace_.runningSlaves().positionOf(slave));
+    showOverview(false);
+  });
   connect(messages, &MessagesPanel::placeActivated, this, &MainWindow::goTo);
   connect(editor_, &DeviceEditor::nodeWanted, explorer_, &ExplorerPanel::select);
   connect(explorer_, &ExplorerPanel::menuOpens, this, [this](QMenu& menu, int slave) {
@@ -230,9 +234,10 @@ void MainWindow::connectActions() {
 
 /// Commands work on what the fields show.
 bool MainWindow::commitFields() {
-  if (editor_->commitFields()) return true;
-  statusBar()->showMessage(tr("A field holds what cannot be a value: mend it, or press Esc in it."), 10'000);
-  return false;
+  const bool taken = editor_->commitFields();
+  if (!taken)
+    statusBar()->showMessage(tr("A field holds what cannot be a value: mend it, or press Esc in it."), 10'000);
+  return taken;
 }
 
 void MainWindow::connectSession() {

@@ -37,7 +37,7 @@ void buildNetworkMenu(QMenu& menu, const Actions& actions) {
   menu.addActions({actions.scan, actions.demo});
   menu.addSeparator();
   menu.addActions({actions.online, actions.offline});
-  menu.addMenu(MainWindow::tr("&Request State"))->addActions(actions.states);
+  menu.addMenu(MainWindow::tr("Request S&tate"))->addActions(actions.states);
   menu.addSeparator();
   menu.addActions({actions.record, actions.save_recent});
   menu.addSeparator();

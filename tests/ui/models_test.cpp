@@ -65,20 +65,33 @@ TEST(NetworkModel, TellsOnlyOfTheSlavesThatChanged) {
   QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Warning);
   model.setProject(smallProject());
   auto snapshot = runningSnapshot(3);
-  model.setSnapshot(snapshot);
+  const std::vector<int> positions{0, 1, 2};
+  model.setSnapshot(snapshot, positions);
   EXPECT_EQ(model.indexOf(2).data(NetworkModel::kStateRole).toInt(), 8);
   QSignalSpy changed(&model, &QAbstractItemModel::dataChanged);
-  model.setSnapshot(snapshot);
+  model.setSnapshot(snapshot, positions);
   EXPECT_EQ(changed.count(), 0);
   snapshot.slaves[1].al_status = 0x14;
-  model.setSnapshot(snapshot);
+  model.setSnapshot(snapshot, positions);
   ASSERT_EQ(changed.count(), 1);
   EXPECT_EQ(changed[0][0].toModelIndex().row(), 1);
   EXPECT_EQ(changed[0][1].toModelIndex().row(), 1);
   EXPECT_TRUE(model.indexOf(1).data(NetworkModel::kErrorRole).toBool());
   snapshot.slaves[1].present = false;
-  model.setSnapshot(snapshot);
+  model.setSnapshot(snapshot, positions);
   EXPECT_EQ(model.indexOf(1).data(NetworkModel::kStateRole).toInt(), 0) << "a silent slave shows no stale state";
+}
+
+TEST(NetworkModel, ShowsOfEachSlaveItsOwnState) {
+  NetworkModel model;
+  model.setProject(smallProject());
+  auto snapshot = runningSnapshot(2);
+  snapshot.slaves[0].al_status = 0x14;
+  model.setSnapshot(snapshot, {1, -1, 0});
+  EXPECT_EQ(model.indexOf(0).data(NetworkModel::kStateRole).toInt(), 8);
+  EXPECT_FALSE(model.indexOf(1).data(NetworkModel::kErrorRole).toBool());
+  EXPECT_EQ(model.indexOf(1).data(NetworkModel::kStateRole).toInt(), -1) << "it does not run";
+  EXPECT_TRUE(model.indexOf(2).data(NetworkModel::kErrorRole).toBool());
 }
 
 Message message(Severity severity, const char* text) {

@@ -305,6 +305,23 @@ TEST_F(ObjectsOfARunningSlave, ASlaveThatDoesNotRunIsNotAsked) {
   EXPECT_FALSE(field("objectRead").isEnabled());
 }
 
+/// A slave was taken out in front of others: each still shows its own state, and events lead to the right one.
+TEST_F(ObjectsOfARunningSlave, SlavesAreKnownAgainAfterAnEdit) {
+  goOnline();
+  const auto before = project();
+  auto edited = before;
+  edited.slaves.erase(edited.slaves.begin() + 1);
+  workspace_.document().replace(QStringLiteral("edit"), edited);
+  const auto& running = workspace_.runningSlaves();
+  EXPECT_EQ(running.positionOf(0), 0);
+  EXPECT_EQ(running.positionOf(kServo - 1), kServo);
+  EXPECT_EQ(running.slaveOf(kServo), kServo - 1);
+  EXPECT_EQ(running.slaveOf(1), -1);
+  EXPECT_EQ(running.positionOf(static_cast<int>(edited.slaves.size())), -1);
+  workspace_.document().replace(QStringLiteral("back"), before);
+  EXPECT_EQ(running.positionOf(kServo), kServo);
+}
+
 TEST(WatchLists, StayWithTheProject) {
   QTemporaryDir folder;
   auto environment = test::virtualEnvironment();

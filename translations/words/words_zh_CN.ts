@@ -61,6 +61,26 @@
         <translation>0xF050 与 0xF030 是否一致</translation>
     </message>
     <message>
+        <source>1 cycle left out, the host sent nothing for up to {standstill}</source>
+        <translation>遗漏 1 个周期，主机最长 {standstill} 未发送任何内容</translation>
+    </message>
+    <message>
+        <source>1 event was lost</source>
+        <translation>丢失 1 个事件</translation>
+    </message>
+    <message>
+        <source>1 frame back late, {late} after the deadline</source>
+        <translation>1 个帧返回过迟，超过截止时间 {late}</translation>
+    </message>
+    <message>
+        <source>1 frame back late, {late} after the deadline (told as lost before)</source>
+        <translation>1 个帧返回过迟，超过截止时间 {late}（此前报告为丢失）</translation>
+    </message>
+    <message>
+        <source>1 frame lost</source>
+        <translation>丢失 1 个帧</translation>
+    </message>
+    <message>
         <source>6 bytes of two hexadecimal digits each</source>
         <translation>6 个字节，每个字节为两位十六进制数</translation>
     </message>
@@ -103,6 +123,10 @@
     <message>
         <source>A CAN cycle that does not fit the bus cycle</source>
         <translation>CAN 周期与总线周期不匹配</translation>
+    </message>
+    <message>
+        <source>A PDI watchdog expired</source>
+        <translation>PDI 看门狗超时</translation>
     </message>
     <message>
         <source>A PDO and the SyncManagers' lists contradict each other</source>
@@ -177,8 +201,24 @@
         <translation>未启用的同步管理器被打开</translation>
     </message>
     <message>
+        <source>A SyncManager's PDOs or sizes</source>
+        <translation>同步管理器的 PDO 或大小</translation>
+    </message>
+    <message>
+        <source>A SyncManager's settings</source>
+        <translation>同步管理器的设置</translation>
+    </message>
+    <message>
         <source>A buffer changes only when its last byte is read or written, so that data stay old</source>
         <translation>只有读写缓冲区的最后一个字节时缓冲区才会切换，因此数据一直是旧的</translation>
+    </message>
+    <message>
+        <source>A cable is healed</source>
+        <translation>电缆已恢复</translation>
+    </message>
+    <message>
+        <source>A capture breaks off</source>
+        <translation>抓包中途中断</translation>
     </message>
     <message>
         <source>A check has a time-out of 0</source>
@@ -221,8 +261,16 @@
         <translation>命令的数据位于过程映像之外</translation>
     </message>
     <message>
+        <source>A configuration does not work out</source>
+        <translation>配置无法成立</translation>
+    </message>
+    <message>
         <source>A copy between slaves reaches outside the image</source>
         <translation>从站间的数据复制超出过程映像</translation>
+    </message>
+    <message>
+        <source>A cyclic command</source>
+        <translation>循环命令</translation>
     </message>
     <message>
         <source>A cyclic command addresses no slave of the file</source>
@@ -233,12 +281,56 @@
         <translation>周期同步模式缺少 SYNC0</translation>
     </message>
     <message>
+        <source>A device ID was not requested</source>
+        <translation>未请求设备标识</translation>
+    </message>
+    <message>
+        <source>A device is not in the configuration</source>
+        <translation>设备不在配置中</translation>
+    </message>
+    <message>
+        <source>A device is not known</source>
+        <translation>设备未知</translation>
+    </message>
+    <message>
+        <source>A device on the bus is not in the configuration</source>
+        <translation>总线上的设备不在配置中</translation>
+    </message>
+    <message>
         <source>A download has another size than its object</source>
         <translation>下载的数据长度与对象长度不同</translation>
     </message>
     <message>
         <source>A drive interpolates over the wrong time: it moves in jerks, or refuses to</source>
         <translation>驱动器按错误的时间插补：运动不平稳，或拒绝运动</translation>
+    </message>
+    <message>
+        <source>A field of an init command</source>
+        <translation>初始化命令的字段</translation>
+    </message>
+    <message>
+        <source>A file cannot be read</source>
+        <translation>文件无法读取</translation>
+    </message>
+    <message>
+        <source>A file cannot be written</source>
+        <translation>文件无法写入</translation>
+    </message>
+    <message>
+        <source>A file does not exist</source>
+        <translation>文件不存在</translation>
+    </message>
+    <message>
+        <source>A file is beyond what is read</source>
+        <translation>文件超出可读取的大小</translation>
+    </message>
+    <message>
+        <source>A file is not well-formed TOML</source>
+        <translation>文件不是格式正确的 TOML</translation>
+    </message>
+    <message>
+        <source>A file is not well-formed XML</source>
+        <translation>文件不是格式正确的 XML</translation>
     </message>
     <message>
         <source>A frame is back only when it has passed all slaves, each of which takes about 1 us: it meets the next cycle</source>
@@ -257,12 +349,24 @@
         <translation>网关的现场总线所需时间超过一个周期</translation>
     </message>
     <message>
+        <source>A hot-connect group came or went</source>
+        <translation>热连接组接入或断开</translation>
+    </message>
+    <message>
         <source>A hot-connect group cannot be identified</source>
         <translation>热连接组无法识别</translation>
     </message>
     <message>
         <source>A hot-connect group does not have the members it says</source>
         <translation>热连接组的成员与声明不符</translation>
+    </message>
+    <message>
+        <source>A key of a scenario cannot be used</source>
+        <translation>场景中的键无法使用</translation>
+    </message>
+    <message>
+        <source>A link is down</source>
+        <translation>链路断开</translation>
     </message>
     <message>
         <source>A list can be changed only while its count is 0; slaves abort the write otherwise (0x06010000, 0x08000022)</source>
@@ -287,6 +391,14 @@
     <message>
         <source>A mailbox SyncManager is set to other values than the mailbox says</source>
         <translation>邮箱同步管理器的设置值与邮箱声明的不同</translation>
+    </message>
+    <message>
+        <source>A mailbox answered something else</source>
+        <translation>邮箱响应了其他内容</translation>
+    </message>
+    <message>
+        <source>A mailbox did not answer in time</source>
+        <translation>邮箱未及时响应</translation>
     </message>
     <message>
         <source>A mailbox has an impossible size or place</source>
@@ -365,16 +477,44 @@
         <translation>缺少必需的元素或属性</translation>
     </message>
     <message>
+        <source>A scan touches a machine that runs</source>
+        <translation>扫描会影响正在运行的机器</translation>
+    </message>
+    <message>
         <source>A setting of the master synchronisation is out of range</source>
         <translation>主站同步的某项设置超出范围</translation>
+    </message>
+    <message>
+        <source>A setting that no ENI carries</source>
+        <translation>任何 ENI 都不包含的设置</translation>
+    </message>
+    <message>
+        <source>A slave aborted an SDO transfer</source>
+        <translation>从站中止了 SDO 传输</translation>
+    </message>
+    <message>
+        <source>A slave answers again</source>
+        <translation>从站恢复响应</translation>
     </message>
     <message>
         <source>A slave answers in a few to some hundred milliseconds; the command fails before</source>
         <translation>从站的响应需要几毫秒到几百毫秒，命令在此之前就会失败</translation>
     </message>
     <message>
+        <source>A slave could not be led up again</source>
+        <translation>从站无法重新启动到运行状态</translation>
+    </message>
+    <message>
         <source>A slave did not answer for a while</source>
         <translation>从站曾有一段时间没有响应</translation>
+    </message>
+    <message>
+        <source>A slave did not process a datagram</source>
+        <translation>从站未处理数据报</translation>
+    </message>
+    <message>
+        <source>A slave did not reach a state in time</source>
+        <translation>从站未及时到达状态</translation>
     </message>
     <message>
         <source>A slave does not answer</source>
@@ -387,6 +527,10 @@
     <message>
         <source>A slave does not renew its inputs in each cycle</source>
         <translation>从站不是每个周期都更新输入</translation>
+    </message>
+    <message>
+        <source>A slave ended a file transfer</source>
+        <translation>从站结束了文件传输</translation>
     </message>
     <message>
         <source>A slave hangs on a port that leads nowhere</source>
@@ -407,6 +551,10 @@
     <message>
         <source>A slave hangs on port B, C or D of its predecessor.</source>
         <translation>从站应接在前一从站的端口 B、C 或 D 上。</translation>
+    </message>
+    <message>
+        <source>A slave has a new diagnosis message</source>
+        <translation>从站有新的诊断消息</translation>
     </message>
     <message>
         <source>A slave has left OP after missed SM2 events</source>
@@ -441,6 +589,10 @@
         <translation>从站尚未分配站地址就按站地址寻址</translation>
     </message>
     <message>
+        <source>A slave is another device than configured</source>
+        <translation>从站与配置的设备不同</translation>
+    </message>
+    <message>
         <source>A slave is given another station address than its PhysAddr</source>
         <translation>从站被设置的站地址与其 PhysAddr 不同</translation>
     </message>
@@ -449,8 +601,20 @@
         <translation>按别名识别从站，但该从站没有别名</translation>
     </message>
     <message>
+        <source>A slave is led up again</source>
+        <translation>正在重新启动从站</translation>
+    </message>
+    <message>
         <source>A slave is not in sync</source>
         <translation>有一个从站未同步</translation>
+    </message>
+    <message>
+        <source>A slave is not led up any more</source>
+        <translation>不再重新启动从站</translation>
+    </message>
+    <message>
+        <source>A slave lacks the clock that its ESI has</source>
+        <translation>从站缺少其 ESI 中的时钟</translation>
     </message>
     <message>
         <source>A slave left OP, lost its link or did not serve its data.</source>
@@ -463,6 +627,22 @@
     <message>
         <source>A slave needs longer than its cycle</source>
         <translation>从站所需时间超过其周期</translation>
+    </message>
+    <message>
+        <source>A slave of the configuration is missing</source>
+        <translation>配置中的从站缺失</translation>
+    </message>
+    <message>
+        <source>A slave refused a state</source>
+        <translation>从站拒绝了状态</translation>
+    </message>
+    <message>
+        <source>A slave refused a state or left one by itself</source>
+        <translation>从站拒绝了状态或自行退出了状态</translation>
+    </message>
+    <message>
+        <source>A slave sent an emergency</source>
+        <translation>从站发送了紧急消息</translation>
     </message>
     <message>
         <source>A slave stays behind the others</source>
@@ -481,12 +661,24 @@
         <translation>从站的时钟曾有偏差</translation>
     </message>
     <message>
+        <source>A slave's firmware is fast enough again</source>
+        <translation>从站固件的速度已恢复</translation>
+    </message>
+    <message>
+        <source>A slave's firmware is slow</source>
+        <translation>从站固件运行缓慢</translation>
+    </message>
+    <message>
         <source>A slave's firmware stood still</source>
         <translation>从站固件曾停止运行</translation>
     </message>
     <message>
         <source>A slave's mailbox does not answer</source>
         <translation>从站的邮箱没有响应</translation>
+    </message>
+    <message>
+        <source>A start-up command</source>
+        <translation>启动命令</translation>
     </message>
     <message>
         <source>A start-up command and a setting write different values</source>
@@ -521,6 +713,10 @@
         <translation>任务没有周期时间</translation>
     </message>
     <message>
+        <source>A value cannot be used</source>
+        <translation>值无法使用</translation>
+    </message>
+    <message>
         <source>A value has the wrong type or is out of range</source>
         <translation>值的类型错误或超出范围</translation>
     </message>
@@ -533,6 +729,10 @@
         <translation>该值的形式没有任何读取软件能理解，因此其后的内容未做语义检查</translation>
     </message>
     <message>
+        <source>A variable</source>
+        <translation>变量</translation>
+    </message>
+    <message>
         <source>A variable has another size than its type</source>
         <translation>变量的长度与其类型的长度不同</translation>
     </message>
@@ -541,8 +741,16 @@
         <translation>变量位于过程映像之外</translation>
     </message>
     <message>
+        <source>A working counter is not what is expected</source>
+        <translation>工作计数器与预期不符</translation>
+    </message>
+    <message>
         <source>Activate SYNC1 (0x0400), or set CycleTime1 to 0</source>
         <translation>激活 SYNC1 (0x0400)，或将 CycleTime1 设为 0</translation>
+    </message>
+    <message>
+        <source>Activation (0x0980)</source>
+        <translation>激活 (0x0980)</translation>
     </message>
     <message>
         <source>Add Cnt</source>
@@ -625,12 +833,28 @@
         <translation>在 IP 上添加向 0x0800 或 0x0808 写入其 8 个字节的命令</translation>
     </message>
     <message>
+        <source>Added</source>
+        <translation>新增</translation>
+    </message>
+    <message>
         <source>Addresses for a device without EoE</source>
         <translation>为不支持 EoE 的设备设置了地址</translation>
     </message>
     <message>
+        <source>Alias</source>
+        <translation>别名</translation>
+    </message>
+    <message>
         <source>An AMS Net ID for a device without AoE</source>
         <translation>为不支持 AoE 的设备设置了 AMS Net ID</translation>
+    </message>
+    <message>
+        <source>An EEPROM (SII) cannot be used</source>
+        <translation>EEPROM (SII) 无法使用</translation>
+    </message>
+    <message>
+        <source>An EEPROM's checksum is wrong</source>
+        <translation>EEPROM 的校验和错误</translation>
     </message>
     <message>
         <source>An ENI does not hold all settings of the clocks</source>
@@ -647,6 +871,10 @@
     <message>
         <source>An ENI says of the clocks' settings only which commands are sent: limit and settle time of the sync window, set value, burst and controller have their defaults.</source>
         <translation>关于时钟设置，ENI 只说明发送哪些命令：同步窗口的限值和稳定时间、设定值、突发数和控制器均取默认值。</translation>
+    </message>
+    <message>
+        <source>An FMMU</source>
+        <translation>FMMU</translation>
     </message>
     <message>
         <source>An FMMU does not map the whole buffer of a SyncManager</source>
@@ -669,12 +897,20 @@
         <translation>FMMU 映射的存储区没有同步管理器保护</translation>
     </message>
     <message>
+        <source>An element is missing</source>
+        <translation>缺少元素</translation>
+    </message>
+    <message>
         <source>An element or attribute that ETG.2100 does not know</source>
         <translation>ETG.2100 中没有的元素或属性</translation>
     </message>
     <message>
         <source>An element stands more often than allowed</source>
         <translation>元素出现次数超过允许值</translation>
+    </message>
+    <message>
+        <source>An element's value cannot be used</source>
+        <translation>元素的值无法使用</translation>
     </message>
     <message>
         <source>An entry that the ESI fixes is not mapped</source>
@@ -693,12 +929,28 @@
         <translation>初始化命令发往另一个从站</translation>
     </message>
     <message>
+        <source>An init command of the master</source>
+        <translation>主站的初始化命令</translation>
+    </message>
+    <message>
         <source>An optional slave</source>
         <translation>可选从站</translation>
     </message>
     <message>
+        <source>Another clock leads</source>
+        <translation>主导时钟已更换</translation>
+    </message>
+    <message>
         <source>Another slave is set up with the settings of this one</source>
         <translation>用本从站的设置配置了另一个从站</translation>
+    </message>
+    <message>
+        <source>Another working counter is expected</source>
+        <translation>预期的工作计数器不同</translation>
+    </message>
+    <message>
+        <source>AoE address</source>
+        <translation>AoE 地址</translation>
     </message>
     <message>
         <source>AoE, EoE, CoE, SoE, FoE or VoE</source>
@@ -741,12 +993,28 @@
         <translation>AssignActivate 与 ESI 是否一致，以及它是否在 PREOP 中写入</translation>
     </message>
     <message>
+        <source>Auto-increment address</source>
+        <translation>自动递增地址</translation>
+    </message>
+    <message>
         <source>AutoIncAddr is {said}, the place in the file makes it {expected}</source>
         <translation>AutoIncAddr 为 {said}，按文件中的位置应为 {expected}</translation>
     </message>
     <message>
         <source>B, C or D</source>
         <translation>B、C 或 D</translation>
+    </message>
+    <message>
+        <source>Best effort instead of real time</source>
+        <translation>尽力而为，而非实时</translation>
+    </message>
+    <message>
+        <source>Bootstrap mailbox for answers</source>
+        <translation>用于响应的 BOOT 邮箱</translation>
+    </message>
+    <message>
+        <source>Bootstrap mailbox for requests</source>
+        <translation>用于请求的 BOOT 邮箱</translation>
     </message>
     <message>
         <source>Both answer the commands to that address: working counters are 2 and data are mixed</source>
@@ -757,8 +1025,44 @@
         <translation>两个从站会得到相同的输出，这通常不是本意</translation>
     </message>
     <message>
+        <source>Cancelled</source>
+        <translation>已取消</translation>
+    </message>
+    <message>
+        <source>Cancelled.</source>
+        <translation>已取消。</translation>
+    </message>
+    <message>
+        <source>Capture whole frames (tcpdump -s 0).</source>
+        <translation>抓取完整的帧 (tcpdump -s 0)。</translation>
+    </message>
+    <message>
+        <source>Check its name and folder.</source>
+        <translation>检查其名称和文件夹。</translation>
+    </message>
+    <message>
+        <source>Check its power and the cable to it, or take it out of the configuration.</source>
+        <translation>检查其电源和连接电缆，或将它从配置中移除。</translation>
+    </message>
+    <message>
+        <source>Check power, cabling and the working counter of the slaves before it.</source>
+        <translation>检查电源、接线以及它之前各从站的工作计数器。</translation>
+    </message>
+    <message>
+        <source>Check the cable and that the interface is up.</source>
+        <translation>检查电缆以及接口是否已启用。</translation>
+    </message>
+    <message>
         <source>Check the cycle time and the host's timer frequency.</source>
         <translation>检查周期时间和主机的定时器频率。</translation>
+    </message>
+    <message>
+        <source>Check the folder's permissions and free space.</source>
+        <translation>检查文件夹的权限和可用空间。</translation>
+    </message>
+    <message>
+        <source>Check the host's jitter and the clock's drift.</source>
+        <translation>检查主机的抖动和时钟的漂移。</translation>
     </message>
     <message>
         <source>Check the plug at the host, and that the adapter is switched on (ip link set ... up); the bus comes back with it.</source>
@@ -901,8 +1205,16 @@
         <translation>{command} 的 Cnt 为 {count}，文件中有 {slaves} 个从站</translation>
     </message>
     <message>
+        <source>Commands come in another order</source>
+        <translation>命令的顺序不同</translation>
+    </message>
+    <message>
         <source>Commands to a position reach another slave than the one described</source>
         <translation>按位置寻址的命令会到达并非所描述的从站</translation>
+    </message>
+    <message>
+        <source>Compare the wiring with the configuration.</source>
+        <translation>将接线与配置进行比较。</translation>
     </message>
     <message>
         <source>Complete access starts at sub-index 0 or 1; slaves abort it</source>
@@ -993,6 +1305,10 @@
         <translation>更正 CopyInfo 的偏移</translation>
     </message>
     <message>
+        <source>Cycle time</source>
+        <translation>周期时间</translation>
+    </message>
+    <message>
         <source>CycleTime is in microseconds; masters run some 31 us to 10 s</source>
         <translation>CycleTime 的单位为微秒；主站可运行的周期约为 31 µs 到 10 s</translation>
     </message>
@@ -1007,6 +1323,10 @@
     <message>
         <source>CycleTime1 is {time}, and {activation} does not switch SYNC1 on</source>
         <translation>CycleTime1 为 {time}，但 {activation} 没有启用 SYNC1</translation>
+    </message>
+    <message>
+        <source>Cycles come late when the host has other work.</source>
+        <translation>主机有其他工作时，周期会延迟。</translation>
     </message>
     <message>
         <source>Cyclic synchronous position mode is executed with SYNC0 only</source>
@@ -1045,6 +1365,10 @@
         <translation>没有 SYNC0 时，周期同步速度模式的目标值与伺服周期之间没有固定的时间间隔，运动质量差</translation>
     </message>
     <message>
+        <source>Cyclic tasks</source>
+        <translation>循环任务</translation>
+    </message>
+    <message>
         <source>DC sync IO error</source>
         <translation>DC 同步 IO 错误</translation>
     </message>
@@ -1053,8 +1377,40 @@
         <translation>DC 同步超时</translation>
     </message>
     <message>
+        <source>DCM error {code} {name}: {text} The drift is {drift} ppm</source>
+        <translation>DCM 错误 {code} {name}：{text} 漂移为 {drift} ppm</translation>
+    </message>
+    <message>
+        <source>Data are malformed</source>
+        <translation>数据格式错误</translation>
+    </message>
+    <message>
+        <source>Data link layer of the mailbox</source>
+        <translation>邮箱的数据链路层</translation>
+    </message>
+    <message>
+        <source>Delete it or choose another one.</source>
+        <translation>删除它或选择另一个。</translation>
+    </message>
+    <message>
         <source>Describe the PDO, or take it out of the SyncManager's list</source>
         <translation>描述该 PDO，或将它从同步管理器的列表中移除</translation>
+    </message>
+    <message>
+        <source>Destination address</source>
+        <translation>目标地址</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>设备</translation>
+    </message>
+    <message>
+        <source>Distributed clocks</source>
+        <translation>分布时钟</translation>
+    </message>
+    <message>
+        <source>Distributed clocks are initialised</source>
+        <translation>分布时钟已初始化</translation>
     </message>
     <message>
         <source>Distributed clocks are off for the whole bus</source>
@@ -1063,6 +1419,14 @@
     <message>
         <source>Distributed clocks are off for the whole bus; the slaves' operation modes do not count.</source>
         <translation>整个总线的分布时钟已关闭，从站的操作模式不起作用。</translation>
+    </message>
+    <message>
+        <source>Distributed clocks could not be set up</source>
+        <translation>分布时钟无法设置</translation>
+    </message>
+    <message>
+        <source>Distributed clocks of {subject} could not be set up{because}.</source>
+        <translation>{subject} 的分布时钟无法设置{because}。</translation>
     </message>
     <message>
         <source>EC-Master and others find variables by name: they find the first</source>
@@ -1103,6 +1467,26 @@
     <message>
         <source>Enable the SyncManager, or correct the physical address</source>
         <translation>启用该同步管理器，或更正物理地址</translation>
+    </message>
+    <message>
+        <source>EoE switch</source>
+        <translation>EoE 交换机</translation>
+    </message>
+    <message>
+        <source>EoE switched off</source>
+        <translation>EoE 已关闭</translation>
+    </message>
+    <message>
+        <source>EtherType</source>
+        <translation>EtherType</translation>
+    </message>
+    <message>
+        <source>Ethernet over EtherCAT</source>
+        <translation>Ethernet over EtherCAT</translation>
+    </message>
+    <message>
+        <source>Events were lost, their queue was full</source>
+        <translation>事件丢失，其队列已满</translation>
     </message>
     <message>
         <source>Every later command to PhysAddr reaches nobody</source>
@@ -1201,6 +1585,10 @@
         <translation>帧因主机丢失</translation>
     </message>
     <message>
+        <source>Frames came back after their deadline</source>
+        <translation>帧在截止时间之后返回</translation>
+    </message>
+    <message>
         <source>Frames come back after their cycle</source>
         <translation>帧在其周期结束后才返回</translation>
     </message>
@@ -1209,12 +1597,28 @@
         <translation>帧到达时间离 SYNC0 过近</translation>
     </message>
     <message>
+        <source>Frames did not come back</source>
+        <translation>帧未返回</translation>
+    </message>
+    <message>
         <source>Frames do not come back</source>
         <translation>帧没有返回</translation>
     </message>
     <message>
+        <source>Frames do not pass a port that has a link</source>
+        <translation>帧未通过有链路的端口</translation>
+    </message>
+    <message>
+        <source>Frames enter a slave by another port than A</source>
+        <translation>帧从端口 A 以外的端口进入从站</translation>
+    </message>
+    <message>
         <source>Frames enter it by another port than A. Swap its cables IN and OUT: until then slaves behind it stand in front of it, an ENI file cannot tell what hangs on its port A, and other masters take its propagation delay wrong.</source>
         <translation>帧从端口 A 以外的端口进入该从站。请对调其 IN 和 OUT 电缆：在此之前，其后的从站会排在它之前，ENI 文件无法说明其端口 A 上接的是什么，其他主站也会算错它的传输延迟。</translation>
+    </message>
+    <message>
+        <source>Frames enter {slave} by port {port} instead of port A.</source>
+        <translation>帧从端口 {port} 而非端口 A 进入{slave}。</translation>
     </message>
     <message>
         <source>Frames meet those of the next cycle, requests to slaves find no room, and slaves do not reach OP or fall from it</source>
@@ -1227,6 +1631,14 @@
     <message>
         <source>Frames pass the slaves in the order of the file: the wiring told cannot exist</source>
         <translation>帧按文件中的顺序经过从站：所声明的接线不可能存在</translation>
+    </message>
+    <message>
+        <source>Frames were captured in part</source>
+        <translation>只抓取了部分帧</translation>
+    </message>
+    <message>
+        <source>Frames were damaged or links lost at a port</source>
+        <translation>端口上有帧损坏或链路丢失</translation>
     </message>
     <message>
         <source>Frames were lost by an interruption</source>
@@ -1301,6 +1713,10 @@
         <translation>将它的 Adp 设为 ARMW 的 Adp，或将其删除</translation>
     </message>
     <message>
+        <source>Give one of them another alias.</source>
+        <translation>为其中一个设置另一个别名。</translation>
+    </message>
+    <message>
         <source>Give the FMMU start and length of the SyncManager</source>
         <translation>将 FMMU 的起始地址和长度设为同步管理器的值</translation>
     </message>
@@ -1313,6 +1729,10 @@
         <translation>为主站提供独占的处理器和实时优先级，或增大设定值。</translation>
     </message>
     <message>
+        <source>Give the master real-time priority above what else runs on this host, or a processor of its own.</source>
+        <translation>为主站设置高于此主机上其他程序的实时优先级，或为其提供独占的处理器。</translation>
+    </message>
+    <message>
         <source>Give the slave a DC element and the write of 0x0980, or neither</source>
         <translation>为该从站同时设置 DC 元素和对 0x0980 的写入，或两者都不设置</translation>
     </message>
@@ -1321,8 +1741,20 @@
         <translation>为它们设置互不重叠的逻辑地址，或互斥的状态</translation>
     </message>
     <message>
+        <source>Grant it once with: {detail}</source>
+        <translation>授予一次权限即可：{detail}</translation>
+    </message>
+    <message>
+        <source>Hangs on</source>
+        <translation>连接于</translation>
+    </message>
+    <message>
         <source>Host and reference clock drift apart by more than 600 ppm; look at the host's timer or choose another reference clock.</source>
         <translation>主机与参考时钟之间的漂移超过 600 ppm；检查主机的定时器，或选择其他参考时钟。</translation>
+    </message>
+    <message>
+        <source>Hot-connect group</source>
+        <translation>热连接组</translation>
     </message>
     <message>
         <source>How the mailbox is polled is not said</source>
@@ -1331,6 +1763,14 @@
     <message>
         <source>INIT, PREOP, SAFEOP or OP</source>
         <translation>INIT、PREOP、SAFEOP 或 OP</translation>
+    </message>
+    <message>
+        <source>Identification</source>
+        <translation>识别标识</translation>
+    </message>
+    <message>
+        <source>Identification of the hot-connect group</source>
+        <translation>热连接组的识别标识</translation>
     </message>
     <message>
         <source>Image offsets in the way of TwinCAT</source>
@@ -1357,12 +1797,24 @@
         <translation>将设定值增大 {more} 或更多。</translation>
     </message>
     <message>
+        <source>Init command</source>
+        <translation>初始化命令</translation>
+    </message>
+    <message>
+        <source>Init commands</source>
+        <translation>初始化命令</translation>
+    </message>
+    <message>
         <source>InputOffs and OutputOffs count datagram headers, the data stand {bytes} bytes behind</source>
         <translation>InputOffs 和 OutputOffs 计入了数据报头，数据位于其后 {bytes} 字节处</translation>
     </message>
     <message>
         <source>InputOffs counts datagram headers, the data stand 10 bytes behind; EC-Engineer writes the offsets of the data</source>
         <translation>InputOffs 计入了数据报头，数据位于其后 10 字节处；EC-Engineer 写入的是数据本身的偏移</translation>
+    </message>
+    <message>
+        <source>Inputs</source>
+        <translation>输入</translation>
     </message>
     <message>
         <source>Inputs are latched too late</source>
@@ -1405,6 +1857,14 @@
         <translation>它不起作用</translation>
     </message>
     <message>
+        <source>It is another kind of file</source>
+        <translation>这是另一种文件</translation>
+    </message>
+    <message>
+        <source>It is not known whether slaves are in sync</source>
+        <translation>不知道从站是否已同步</translation>
+    </message>
+    <message>
         <source>It is open which of the two mappings counts</source>
         <translation>不确定两个映射中哪一个有效</translation>
     </message>
@@ -1433,6 +1893,10 @@
         <translation>其数据每 {cycle} 更新一次，而其对象 0x1C32:05 给出的最短周期为 {least}。</translation>
     </message>
     <message>
+        <source>Its description is what its EEPROM says.</source>
+        <translation>它按其 EEPROM 的内容描述。</translation>
+    </message>
+    <message>
         <source>Its firmware is busy or stopped; the counters that it keeps in objects are as old as that.</source>
         <translation>其固件忙或已停止；它保存在对象中的计数器也同样陈旧。</translation>
     </message>
@@ -1441,12 +1905,20 @@
         <translation>其固件所需时间超过周期：检查它还要处理什么，给它更长的周期，或减少对象。</translation>
     </message>
     <message>
+        <source>Its outputs and inputs are older than the cycle.</source>
+        <translation>其输出和输入比该周期更旧。</translation>
+    </message>
+    <message>
         <source>Its outputs and inputs stood still meanwhile. Look for what stops it: an interrupt storm, a debugger, a crash.</source>
         <translation>在此期间其输出和输入都停止更新。查找使它停止的原因：中断风暴、调试器、程序崩溃。</translation>
     </message>
     <message>
         <source>Its outputs come nominally {margin} before SYNC0, and it needs {need} for them; look at its firmware's load, or at frames that are damaged in front of it.</source>
         <translation>其输出标称在 SYNC0 之前 {margin} 到达，而它需要 {need}；检查其固件负载，或在它之前损坏的帧。</translation>
+    </message>
+    <message>
+        <source>Its propagation delay is measured wrong by many masters.</source>
+        <translation>许多主站会错误地测量其传输延迟。</translation>
     </message>
     <message>
         <source>Its working counter stays 0 in each cycle</source>
@@ -1537,20 +2009,76 @@
         <translation>第 {line} 行未被读取：{what}。</translation>
     </message>
     <message>
+        <source>List them with "synclinectl adapters".</source>
+        <translation>用“synclinectl adapters”列出它们。</translation>
+    </message>
+    <message>
+        <source>Load its ESI file.</source>
+        <translation>加载其 ESI 文件。</translation>
+    </message>
+    <message>
+        <source>Logical address of the mailbox state bits</source>
+        <translation>邮箱状态位的逻辑地址</translation>
+    </message>
+    <message>
         <source>Look at the deviations of the single slaves.</source>
         <translation>查看各个从站的偏差。</translation>
+    </message>
+    <message>
+        <source>Look at the device behind it.</source>
+        <translation>检查它后面的设备。</translation>
+    </message>
+    <message>
+        <source>Look below the operating system: the host of a virtual machine, firmware (system management interrupts), power states, drivers that hold interrupts off. Run the master on a machine of its own.</source>
+        <translation>查找操作系统以下的原因：虚拟机的宿主机、固件（系统管理中断）、电源状态、屏蔽中断的驱动程序。请在独立的机器上运行主站。</translation>
     </message>
     <message>
         <source>Look for a busy host or a clock that stepped; if neither is there, choose the other shift mode.</source>
         <translation>检查主机是否繁忙或时钟是否跳变；如果都没有，请选择另一种移位模式。</translation>
     </message>
     <message>
+        <source>Look for a cable back to the master, or a device that is no slave.</source>
+        <translation>查找接回主站的电缆，或不是从站的设备。</translation>
+    </message>
+    <message>
         <source>Look for what held it: another process of higher priority, power management, the virtual machine's host.</source>
         <translation>查找阻塞它的原因：优先级更高的进程、电源管理、虚拟机的宿主机。</translation>
     </message>
     <message>
+        <source>Look only to change nothing (--look-only).</source>
+        <translation>只查看，不做任何更改 (--look-only)。</translation>
+    </message>
+    <message>
         <source>MBoxOut, MBoxIn, Outputs or Inputs</source>
         <translation>MBoxOut、MBoxIn、Outputs 或 Inputs</translation>
+    </message>
+    <message>
+        <source>Mailbox</source>
+        <translation>邮箱</translation>
+    </message>
+    <message>
+        <source>Mailbox for answers</source>
+        <translation>用于响应的邮箱</translation>
+    </message>
+    <message>
+        <source>Mailbox for requests</source>
+        <translation>用于请求的邮箱</translation>
+    </message>
+    <message>
+        <source>Mailbox poll time</source>
+        <translation>邮箱轮询时间</translation>
+    </message>
+    <message>
+        <source>Mailbox protocols</source>
+        <translation>邮箱协议</translation>
+    </message>
+    <message>
+        <source>Mailbox state bit</source>
+        <translation>邮箱状态位</translation>
+    </message>
+    <message>
+        <source>Mailbox state bits</source>
+        <translation>邮箱状态位</translation>
     </message>
     <message>
         <source>Mailbox, delays of the slaves and jitter of the master do not fit beside them</source>
@@ -1567,6 +2095,10 @@
     <message>
         <source>Make the first slave with distributed clocks the reference clock</source>
         <translation>将第一个带分布时钟的从站设为参考时钟</translation>
+    </message>
+    <message>
+        <source>Many things in other places</source>
+        <translation>许多内容位于其他位置</translation>
     </message>
     <message>
         <source>Map both time stamps, or choose another mode.</source>
@@ -1587,6 +2119,10 @@
     <message>
         <source>Map it again.</source>
         <translation>重新映射它。</translation>
+    </message>
+    <message>
+        <source>Mapping of a PDO</source>
+        <translation>PDO 的映射</translation>
     </message>
     <message>
         <source>Master and reference clock run at their own rates</source>
@@ -1705,6 +2241,26 @@
         <translation>写明设备具有的协议</translation>
     </message>
     <message>
+        <source>Neither can be known by it.</source>
+        <translation>两者都无法据此识别。</translation>
+    </message>
+    <message>
+        <source>No ESI file describes a device</source>
+        <translation>没有描述设备的 ESI 文件</translation>
+    </message>
+    <message>
+        <source>No ESI file describes a slave</source>
+        <translation>没有描述从站的 ESI 文件</translation>
+    </message>
+    <message>
+        <source>No ESI file describes {slave} ({identity}).</source>
+        <translation>没有描述{slave} ({identity}) 的 ESI 文件。</translation>
+    </message>
+    <message>
+        <source>No ESI file describes {subject}.</source>
+        <translation>没有描述 {subject} 的 ESI 文件。</translation>
+    </message>
+    <message>
         <source>No ESI of the device is at hand</source>
         <translation>没有该设备的 ESI</translation>
     </message>
@@ -1721,6 +2277,10 @@
         <translation>没有同步管理器可以承载 PDO</translation>
     </message>
     <message>
+        <source>No answer</source>
+        <translation>无响应</translation>
+    </message>
+    <message>
         <source>No answer from {slaves} from {since} on, for {length} ({count} in all).</source>
         <translation>从 {since} 起，{slaves} 无响应，持续 {length}（共 {count}）。</translation>
     </message>
@@ -1731,6 +2291,10 @@
     <message>
         <source>No answer from {slaves} since {since}; {near} is the last that answers.</source>
         <translation>从 {since} 起，{slaves} 无响应；{near} 是最后一个有响应的。</translation>
+    </message>
+    <message>
+        <source>No answer from {subject}.</source>
+        <translation>{subject} 无响应。</translation>
     </message>
     <message>
         <source>No command enables a SyncManager that has PDOs</source>
@@ -1765,6 +2329,14 @@
         <translation>{type} 没有操作模式具有 ENI 中的 AssignActivate {activation}：DC 已关闭。</translation>
     </message>
     <message>
+        <source>No permission to send raw frames</source>
+        <translation>没有发送原始帧的权限</translation>
+    </message>
+    <message>
+        <source>No permission to send raw frames on {subject}.</source>
+        <translation>没有在 {subject} 上发送原始帧的权限。</translation>
+    </message>
+    <message>
         <source>No slave brings the time of an external clock</source>
         <translation>没有从站提供外部时钟的时间</translation>
     </message>
@@ -1781,12 +2353,28 @@
         <translation>任何接线都不会使从站位于此处所接从站之前。</translation>
     </message>
     <message>
+        <source>Nobody looks whether slaves are in sync</source>
+        <translation>没有检查从站是否已同步</translation>
+    </message>
+    <message>
         <source>Nobody watches the slaves' deviation</source>
         <translation>从站的偏差无人监视</translation>
     </message>
     <message>
         <source>Noise on that cable, a bad plug or a bad shield: change the cable, keep it away from motor cables.</source>
         <translation>该电缆受干扰、插头不良或屏蔽不良：更换电缆，使其远离电机电缆。</translation>
+    </message>
+    <message>
+        <source>Not read from {subject}: {detail}.</source>
+        <translation>未从 {subject} 读取：{detail}。</translation>
+    </message>
+    <message>
+        <source>Nothing answers behind an open port</source>
+        <translation>打开的端口后面没有响应</translation>
+    </message>
+    <message>
+        <source>Nothing comes back over a cable</source>
+        <translation>电缆上没有任何数据返回</translation>
     </message>
     <message>
         <source>Nothing is written, or the slave aborts for a wrong length (0x06070010)</source>
@@ -1837,8 +2425,20 @@
         <translation>只能有一个时钟主导；主站会采用第一个或最后一个</translation>
     </message>
     <message>
+        <source>Other threads held the host</source>
+        <translation>其他线程占用了主机</translation>
+    </message>
+    <message>
+        <source>Outputs</source>
+        <translation>输出</translation>
+    </message>
+    <message>
         <source>Outputs come too late for SYNC0</source>
         <translation>输出到达晚于 SYNC0 所要求的时间</translation>
+    </message>
+    <message>
+        <source>PDO {pdo}</source>
+        <translation>PDO {pdo}</translation>
     </message>
     <message>
         <source>PDO {pdo} excludes {other}, and both are assigned</source>
@@ -1893,6 +2493,14 @@
         <translation>主站占用 EEPROM 时请求了 PREOP</translation>
     </message>
     <message>
+        <source>Place</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>Place of a command's data in the image</source>
+        <translation>命令数据在过程映像中的位置</translation>
+    </message>
+    <message>
         <source>Place {place} must have a module.</source>
         <translation>插槽 {place} 必须有模块。</translation>
     </message>
@@ -1901,8 +2509,24 @@
         <translation>插槽 {place}（{name}）必须有模块。</translation>
     </message>
     <message>
+        <source>Places of slaves' data in the image</source>
+        <translation>从站数据在过程映像中的位置</translation>
+    </message>
+    <message>
         <source>Plug a module in.</source>
         <translation>插入一个模块。</translation>
+    </message>
+    <message>
+        <source>Port {port} of {slave} has a link, but frames do not pass it.</source>
+        <translation>{slave}的端口 {port} 有链路，但帧未通过该端口。</translation>
+    </message>
+    <message>
+        <source>Port {port} of {slave} is open, but no slave answers behind it.</source>
+        <translation>{slave}的端口 {port} 已打开，但其后没有从站响应。</translation>
+    </message>
+    <message>
+        <source>Possible reference clock</source>
+        <translation>可能的参考时钟</translation>
     </message>
     <message>
         <source>Process data and mailbox states share logical addresses</source>
@@ -1917,12 +2541,28 @@
         <translation>按名称查找从站或其变量的程序会找到第一个</translation>
     </message>
     <message>
+        <source>Propagation delays were measured again</source>
+        <translation>已重新测量传输延迟</translation>
+    </message>
+    <message>
         <source>Pulses come one cycle later than meant, since the shift counts modulo the cycle</source>
         <translation>脉冲比预期晚一个周期，因为移位按周期取模计算</translation>
     </message>
     <message>
         <source>Put the APWR of 0x0910 behind the ARMW</source>
         <translation>将写 0x0910 的 APWR 放在 ARMW 之后</translation>
+    </message>
+    <message>
+        <source>Put the vendor's ESI file into the ESI folder that you use and scan again.</source>
+        <translation>将供应商的 ESI 文件放入所用的 ESI 文件夹，然后重新扫描。</translation>
+    </message>
+    <message>
+        <source>Put the vendor's ESI file into the ESI folder {detail} and scan again.</source>
+        <translation>将供应商的 ESI 文件放入 ESI 文件夹 {detail}，然后重新扫描。</translation>
+    </message>
+    <message>
+        <source>Raise the timeout or check what the slave waits for.</source>
+        <translation>增大超时时间，或检查从站在等待什么。</translation>
     </message>
     <message>
         <source>Raise watchdog.process_data, or 0 switches it off.</source>
@@ -1949,8 +2589,16 @@
         <translation>读取软件使用其中一种，因而得到不同的过程映像</translation>
     </message>
     <message>
+        <source>Reading EEPROMs takes them from their slaves for that time, and the DC receive times are latched.</source>
+        <translation>读取 EEPROM 期间从站无法访问它们，并且 DC 接收时间会被锁存。</translation>
+    </message>
+    <message>
         <source>Recv has neither PollTime nor StatusBitAddr</source>
         <translation>Recv 既没有 PollTime 也没有 StatusBitAddr</translation>
+    </message>
+    <message>
+        <source>Reference clock</source>
+        <translation>参考时钟</translation>
     </message>
     <message>
         <source>Remove all but one</source>
@@ -1977,12 +2625,32 @@
         <translation>删除为它设置的内容。</translation>
     </message>
     <message>
+        <source>Removed</source>
+        <translation>已移除</translation>
+    </message>
+    <message>
         <source>Request the state again and watch its AL status.</source>
         <translation>重新请求该状态并观察其 AL 状态。</translation>
     </message>
     <message>
+        <source>Request the state again when the cause is removed.</source>
+        <translation>排除原因后重新请求该状态。</translation>
+    </message>
+    <message>
+        <source>Requesting it writes AL control, which an untouched machine must not see.</source>
+        <translation>请求它会写 AL 控制，而不应触动的机器上不得有此写操作。</translation>
+    </message>
+    <message>
         <source>Requests and answers overwrite each other</source>
         <translation>请求与响应相互覆盖</translation>
+    </message>
+    <message>
+        <source>Revision</source>
+        <translation>版本号</translation>
+    </message>
+    <message>
+        <source>SDO protocol timeout</source>
+        <translation>SDO 协议超时</translation>
     </message>
     <message>
         <source>SII does not match the firmware</source>
@@ -2049,6 +2717,42 @@
         <translation>SM{manager} 与 SM{other} 共用存储区，后者的三个缓冲区延伸到了该处</translation>
     </message>
     <message>
+        <source>SM{sm}</source>
+        <translation>SM{sm}</translation>
+    </message>
+    <message>
+        <source>SM{sm} PDOs</source>
+        <translation>SM{sm} PDO</translation>
+    </message>
+    <message>
+        <source>SM{sm} control byte</source>
+        <translation>SM{sm} 控制字节</translation>
+    </message>
+    <message>
+        <source>SM{sm} enabled</source>
+        <translation>SM{sm} 启用</translation>
+    </message>
+    <message>
+        <source>SM{sm} only in OP</source>
+        <translation>SM{sm} 仅在 OP 中</translation>
+    </message>
+    <message>
+        <source>SM{sm} sizes</source>
+        <translation>SM{sm} 大小</translation>
+    </message>
+    <message>
+        <source>SM{sm} start</source>
+        <translation>SM{sm} 起始地址</translation>
+    </message>
+    <message>
+        <source>SM{sm} type</source>
+        <translation>SM{sm} 类型</translation>
+    </message>
+    <message>
+        <source>SM{sm} watchdog</source>
+        <translation>SM{sm} 看门狗</translation>
+    </message>
+    <message>
         <source>SYNC signals and cyclic frames; several sync errors came together</source>
         <translation>SYNC 信号和循环帧；多个同步错误同时出现</translation>
     </message>
@@ -2083,6 +2787,10 @@
     <message>
         <source>SYNC0 comes, and the slave works without it</source>
         <translation>有 SYNC0，但从站没有使用它</translation>
+    </message>
+    <message>
+        <source>SYNC0 cycle</source>
+        <translation>SYNC0 周期</translation>
     </message>
     <message>
         <source>SYNC0 does not come with the frames</source>
@@ -2137,6 +2845,14 @@
         <translation>SYNC0 已启用，但没有命令写入其起始时间 (0x0990)</translation>
     </message>
     <message>
+        <source>SYNC0 shift</source>
+        <translation>SYNC0 移位</translation>
+    </message>
+    <message>
+        <source>SYNC1 behind SYNC0</source>
+        <translation>SYNC1 滞后于 SYNC0</translation>
+    </message>
+    <message>
         <source>SYNC1 cannot come before SYNC0</source>
         <translation>SYNC1 不能早于 SYNC0</translation>
     </message>
@@ -2157,8 +2873,20 @@
         <translation>请指定它接在哪个从站的哪个端口上。</translation>
     </message>
     <message>
+        <source>Scan again or exchange the device.</source>
+        <translation>重新扫描或更换设备。</translation>
+    </message>
+    <message>
+        <source>Scan again or take it off the bus.</source>
+        <translation>重新扫描或将它从总线上移除。</translation>
+    </message>
+    <message>
         <source>See in the device's manual whether it has one.</source>
         <translation>查看设备手册，确认它是否具有该标识。</translation>
+    </message>
+    <message>
+        <source>See that at it and its neighbours the cable from the master is in IN (port A) and not in OUT.</source>
+        <translation>确保在它及其相邻从站上，来自主站的电缆插在 IN（端口 A）而不是 OUT。</translation>
     </message>
     <message>
         <source>See what else happened then: a clock that stepped, cycles left out, a reference clock that was lost.</source>
@@ -2179,6 +2907,18 @@
     <message>
         <source>Send them by the application where the slave needs them.</source>
         <translation>在从站需要时由应用程序发送。</translation>
+    </message>
+    <message>
+        <source>Sending or receiving failed</source>
+        <translation>发送或接收失败</translation>
+    </message>
+    <message>
+        <source>Sending or receiving on {subject} failed{because}.</source>
+        <translation>在 {subject} 上发送或接收失败{because}。</translation>
+    </message>
+    <message>
+        <source>Serial number</source>
+        <translation>序列号</translation>
     </message>
     <message>
         <source>Set 0x0010 first, or address the slave by its position</source>
@@ -2233,12 +2973,32 @@
         <translation>设置机器的周期时间。</translation>
     </message>
     <message>
+        <source>Set the switches of one of them to another number.</source>
+        <translation>将其中一个的拨码开关设为另一个数字。</translation>
+    </message>
+    <message>
         <source>ShiftTime is {shift}, the SYNC0 cycle {cycle}</source>
         <translation>ShiftTime 为 {shift}，SYNC0 周期为 {cycle}</translation>
     </message>
     <message>
+        <source>Size of the inputs</source>
+        <translation>输入的大小</translation>
+    </message>
+    <message>
+        <source>Size of the outputs</source>
+        <translation>输出的大小</translation>
+    </message>
+    <message>
         <source>Slave-to-slave copies cannot be kept</source>
         <translation>从站间的数据复制无法保留</translation>
+    </message>
+    <message>
+        <source>Slaves are in sync</source>
+        <translation>从站已同步</translation>
+    </message>
+    <message>
+        <source>Slaves are out of sync</source>
+        <translation>从站未同步</translation>
     </message>
     <message>
         <source>Slaves do not answer it, and its working counter stays 0</source>
@@ -2257,8 +3017,36 @@
         <translation>因此原因在从站：其应用程序所需时间超过周期，或超过输出到达与 SYNC0 之间的时间。请给它更长的周期或在 SYNC0 之前留出更多时间，或查找拖慢其固件的原因。</translation>
     </message>
     <message>
+        <source>Some slave did not take or give its process data in this cycle.</source>
+        <translation>有从站在该周期内没有接收或提供其过程数据。</translation>
+    </message>
+    <message>
+        <source>Something is not supported</source>
+        <translation>某项功能不受支持</translation>
+    </message>
+    <message>
+        <source>Something took too long</source>
+        <translation>某项操作耗时过长</translation>
+    </message>
+    <message>
+        <source>Something was not read</source>
+        <translation>有内容未读取</translation>
+    </message>
+    <message>
+        <source>Source address</source>
+        <translation>源地址</translation>
+    </message>
+    <message>
+        <source>Split into frames</source>
+        <translation>拆分为帧</translation>
+    </message>
+    <message>
         <source>Start-up commands cannot be kept</source>
         <translation>启动命令无法保留</translation>
+    </message>
+    <message>
+        <source>Start-up commands come in another order</source>
+        <translation>启动命令的顺序不同</translation>
     </message>
     <message>
         <source>Start-up commands of EoE cannot be kept ({commands}): a project has a place for the IP parameters only.</source>
@@ -2273,6 +3061,10 @@
         <translation>{protocol} 的启动命令无法保留 ({commands})：项目中无处存放。</translation>
     </message>
     <message>
+        <source>Station address</source>
+        <translation>站地址</translation>
+    </message>
+    <message>
         <source>Station address 0 is that of a slave without address.</source>
         <translation>站地址 0 是没有地址的从站的地址。</translation>
     </message>
@@ -2283,6 +3075,14 @@
     <message>
         <source>Swap its cables IN and OUT, or correct PhysAddr of PreviousPort</source>
         <translation>对调其 IN 和 OUT 电缆，或更正 PreviousPort 的 PhysAddr</translation>
+    </message>
+    <message>
+        <source>Swap its cables IN and OUT, or what hangs at its port A stands in front of it.</source>
+        <translation>对调其 IN 和 OUT 电缆，否则接在其端口 A 上的设备会排在它前面。</translation>
+    </message>
+    <message>
+        <source>Swap their cables, or their positions in the configuration.</source>
+        <translation>对调它们的电缆，或它们在配置中的位置。</translation>
     </message>
     <message>
         <source>Switch SYNC0 on, or start in a profile mode (0x6060)</source>
@@ -2299,6 +3099,10 @@
     <message>
         <source>Switch the monitoring off, or give more slaves an operation mode with DC.</source>
         <translation>关闭监视，或为更多从站选择带 DC 的操作模式。</translation>
+    </message>
+    <message>
+        <source>Switch the slave off and on.</source>
+        <translation>将从站断电后重新上电。</translation>
     </message>
     <message>
         <source>Sync Unit "{unit}" is to run in task "{task}", which does not exist; it stays in the base task.</source>
@@ -2357,6 +3161,10 @@
         <translation>DC 元素与命令相互矛盾</translation>
     </message>
     <message>
+        <source>The EEPROM has another alias than the ESC</source>
+        <translation>EEPROM 与 ESC 的别名不同</translation>
+    </message>
+    <message>
         <source>The EEPROM is asked and not read, or read and not asked</source>
         <translation>发出了 EEPROM 请求却未读取，或读取了却未请求</translation>
     </message>
@@ -2365,12 +3173,20 @@
         <translation>EEPROM 在属于主站之前就被读取</translation>
     </message>
     <message>
+        <source>The EEPROM of {slave} has the alias {written}, its ESC has {taken} until the next power-on.</source>
+        <translation>{slave}的 EEPROM 中别名为 {written}，而其 ESC 在下次上电前使用 {taken}。</translation>
+    </message>
+    <message>
         <source>The ENI has no cycle time</source>
         <translation>ENI 没有周期时间</translation>
     </message>
     <message>
         <source>The ENI has no cycle time; {cycle} is taken.</source>
         <translation>ENI 没有周期时间；采用 {cycle}。</translation>
+    </message>
+    <message>
+        <source>The ESC did not take its configuration from it.</source>
+        <translation>ESC 没有从中获取其配置。</translation>
     </message>
     <message>
         <source>The ESC refuses the access: the working counter stays too low</source>
@@ -2433,12 +3249,20 @@
         <translation>PDO 的长度不在 MinSize 与 MaxSize 之间</translation>
     </message>
     <message>
+        <source>The SII (EEPROM) of {subject} cannot be used{because}.</source>
+        <translation>{subject} 的 SII (EEPROM) 无法使用{because}。</translation>
+    </message>
+    <message>
         <source>The SYNC cycle is no whole number of nanoseconds</source>
         <translation>SYNC 周期不是整数纳秒</translation>
     </message>
     <message>
         <source>The SYNC0 cycle does not fit the cycle of the frames</source>
         <translation>SYNC0 周期与帧周期不匹配</translation>
+    </message>
+    <message>
+        <source>The answer to an init command is not what it demands</source>
+        <translation>初始化命令的响应与要求不符</translation>
     </message>
     <message>
         <source>The application reads or writes memory that is not there</source>
@@ -2457,16 +3281,36 @@
         <translation>自动递增地址与从站的位置不符</translation>
     </message>
     <message>
+        <source>The bring-up begins again</source>
+        <translation>启动过程重新开始</translation>
+    </message>
+    <message>
         <source>The bus cycle is not divisible by the factor; the SYNC cycle is cut to whole nanoseconds and drifts against the frame.</source>
         <translation>总线周期不能被系数整除；SYNC 周期被截为整数纳秒，会相对于帧漂移。</translation>
+    </message>
+    <message>
+        <source>The bus has another number of slaves</source>
+        <translation>总线上的从站数量不同</translation>
+    </message>
+    <message>
+        <source>The bus has {received} slaves where {expected} were expected.</source>
+        <translation>总线上有 {received} 个从站，预期为 {expected} 个。</translation>
     </message>
     <message>
         <source>The bus shift has no effect, or disturbs a clock that follows another</source>
         <translation>总线移位不起作用，或干扰跟随其他时钟的时钟</translation>
     </message>
     <message>
+        <source>The catalogue has the device in another revision</source>
+        <translation>目录中该设备的版本号不同</translation>
+    </message>
+    <message>
         <source>The cause is that of the missed events: {cause}.</source>
         <translation>原因与错过事件的原因相同：{cause}。</translation>
+    </message>
+    <message>
+        <source>The checksum of the configuration area in the EEPROM of {slave} is wrong.</source>
+        <translation>{slave}的 EEPROM 中配置区的校验和错误。</translation>
     </message>
     <message>
         <source>The clocks drift too fast</source>
@@ -2483,6 +3327,10 @@
     <message>
         <source>The configuration does not hold what this mode needs.</source>
         <translation>配置中没有此模式所需的内容。</translation>
+    </message>
+    <message>
+        <source>The configuration of {subject} does not work out{because}.</source>
+        <translation>{subject} 的配置无法成立{because}。</translation>
     </message>
     <message>
         <source>The control byte contradicts the type of the SyncManager</source>
@@ -2553,8 +3401,24 @@
         <translation>其中一个的数据覆盖另一个的数据</translation>
     </message>
     <message>
+        <source>The delay measurement stumbled</source>
+        <translation>延迟测量遇到问题</translation>
+    </message>
+    <message>
+        <source>The device ID of {slave} was not requested, which would write AL control.</source>
+        <translation>未请求{slave}的设备标识，因为这会写 AL 控制。</translation>
+    </message>
+    <message>
         <source>The device cannot be told another PDO assignment than its ESI's default.</source>
         <translation>该设备只能使用其 ESI 的默认 PDO 分配。</translation>
+    </message>
+    <message>
+        <source>The device catalogue cannot be used</source>
+        <translation>设备目录无法使用</translation>
+    </message>
+    <message>
+        <source>The device catalogue {file} cannot be used{because}.</source>
+        <translation>设备目录 {file} 无法使用{because}。</translation>
     </message>
     <message>
         <source>The device does not take so many samples a cycle</source>
@@ -2577,6 +3441,10 @@
         <translation>设备没有 PDO {pdo}。</translation>
     </message>
     <message>
+        <source>The device {subject} is not known{because}.</source>
+        <translation>设备 {subject} 未知{because}。</translation>
+    </message>
+    <message>
         <source>The device's reaction to missed SM events is switched off</source>
         <translation>设备对错过 SM 事件的响应已关闭</translation>
     </message>
@@ -2595,6 +3463,18 @@
     <message>
         <source>The file cannot be taken in</source>
         <translation>无法导入该文件</translation>
+    </message>
+    <message>
+        <source>The file {file} cannot be read{because}.</source>
+        <translation>文件 {file} 无法读取{because}。</translation>
+    </message>
+    <message>
+        <source>The file {file} cannot be written{because}.</source>
+        <translation>文件 {file} 无法写入{because}。</translation>
+    </message>
+    <message>
+        <source>The file {file} does not exist.</source>
+        <translation>文件 {file} 不存在。</translation>
     </message>
     <message>
         <source>The firmware of {slave} was silent at {since}: its PDI watchdog expired {count} (0x0443).</source>
@@ -2653,36 +3533,16 @@
         <translation>网关拒绝进入 SAFEOP（AL 状态码 0x0026 或 0x0035）</translation>
     </message>
     <message>
+        <source>The host left cycles out</source>
+        <translation>主机遗漏了周期</translation>
+    </message>
+    <message>
         <source>The host sends late</source>
         <translation>主机发送过晚</translation>
     </message>
     <message>
         <source>The host sends late: half of the frames by {p50}, one in a hundred by {p99}, one in a thousand by {p999}, at most {largest}; the frames may be {margin} late.</source>
         <translation>主机发送过晚：一半的帧晚 {p50}，百分之一晚 {p99}，千分之一晚 {p999}，最多晚 {largest}；帧最多允许晚 {margin}。</translation>
-    </message>
-    <message>
-        <source>Other threads held the host</source>
-        <translation>其他线程占用了主机</translation>
-    </message>
-    <message>
-        <source>Give the master real-time priority above what else runs on this host, or a processor of its own.</source>
-        <translation>为主站设置高于此主机上其他程序的实时优先级，或为其提供独占的处理器。</translation>
-    </message>
-    <message>
-        <source>The host stood still {times}, for up to {longest}, first at {since}: {count} cycles were left out. Of {held} that the master came too late, it was ready for {waited}, and other threads had its processor.</source>
-        <translation>主机停顿了 {times}，最长 {longest}，首次在 {since}：漏掉了 {count} 个周期。主站共晚了 {held}，其中 {waited} 它已就绪，而处理器被其他线程占用。</translation>
-    </message>
-    <message>
-        <source>The host's timer came late</source>
-        <translation>主机定时器触发过晚</translation>
-    </message>
-    <message>
-        <source>Look below the operating system: the host of a virtual machine, firmware (system management interrupts), power states, drivers that hold interrupts off. Run the master on a machine of its own.</source>
-        <translation>查找操作系统以下的原因：虚拟机的宿主机、固件（系统管理中断）、电源状态、屏蔽中断的驱动程序。请在独立的机器上运行主站。</translation>
-    </message>
-    <message>
-        <source>The host stood still {times}, for up to {longest}, first at {since}: {count} cycles were left out. The master came {held} too late, of which other threads had its processor for {waited} only: its timer came late.</source>
-        <translation>主机停顿了 {times}，最长 {longest}，首次在 {since}：漏掉了 {count} 个周期。主站共晚了 {held}，其中只有 {waited} 处理器被其他线程占用：是其定时器触发过晚。</translation>
     </message>
     <message>
         <source>The host stood still</source>
@@ -2693,12 +3553,24 @@
         <translation>主机停顿了 {times}，最长 {longest}，首次在 {since}：漏掉了 {count} 个周期。</translation>
     </message>
     <message>
+        <source>The host stood still {times}, for up to {longest}, first at {since}: {count} cycles were left out. Of {held} that the master came too late, it was ready for {waited}, and other threads had its processor.</source>
+        <translation>主机停顿了 {times}，最长 {longest}，首次在 {since}：漏掉了 {count} 个周期。主站共晚了 {held}，其中 {waited} 它已就绪，而处理器被其他线程占用。</translation>
+    </message>
+    <message>
+        <source>The host stood still {times}, for up to {longest}, first at {since}: {count} cycles were left out. The master came {held} too late, of which other threads had its processor for {waited} only: its timer came late.</source>
+        <translation>主机停顿了 {times}，最长 {longest}，首次在 {since}：漏掉了 {count} 个周期。主站共晚了 {held}，其中只有 {waited} 处理器被其他线程占用：是其定时器触发过晚。</translation>
+    </message>
+    <message>
         <source>The host's clock and the reference clock drift by {drift}; no controller balances more than 600 ppm.</source>
         <translation>主机时钟与参考时钟之间的漂移为 {drift}；超过 600 ppm 时任何控制器都无法补偿。</translation>
     </message>
     <message>
         <source>The host's cycle has stopped.</source>
         <translation>主机的周期已停止。</translation>
+    </message>
+    <message>
+        <source>The host's timer came late</source>
+        <translation>主机定时器触发过晚</translation>
     </message>
     <message>
         <source>The host's timer cannot be adjusted as far as the controller demands.</source>
@@ -2723,6 +3595,10 @@
     <message>
         <source>The link cannot put its send time into the frames.</source>
         <translation>网卡无法将其发送时间写入帧中。</translation>
+    </message>
+    <message>
+        <source>The link {subject} is down{because}.</source>
+        <translation>链路 {subject} 断开{because}。</translation>
     </message>
     <message>
         <source>The mailboxes of a slave share memory</source>
@@ -2773,12 +3649,20 @@
         <translation>主站只能猜测查询响应和紧急报文的频率</translation>
     </message>
     <message>
+        <source>The master is in sync</source>
+        <translation>主站已同步</translation>
+    </message>
+    <message>
         <source>The master is not in sync</source>
         <translation>主站未同步</translation>
     </message>
     <message>
         <source>The master is not in sync with the reference clock (schedule error {error}){obstacle}.</source>
         <translation>主站与参考时钟未同步（调度误差 {error}）{obstacle}。</translation>
+    </message>
+    <message>
+        <source>The master is out of sync</source>
+        <translation>主站未同步</translation>
     </message>
     <message>
         <source>The master looks into the wrong mailbox</source>
@@ -2789,8 +3673,28 @@
         <translation>主站察觉不到邮箱已满，响应会丢失</translation>
     </message>
     <message>
+        <source>The master or a slave is in another state</source>
+        <translation>主站或从站处于其他状态</translation>
+    </message>
+    <message>
+        <source>The master runs a configuration</source>
+        <translation>主站正在运行配置</translation>
+    </message>
+    <message>
+        <source>The master runs nothing</source>
+        <translation>主站未运行任何内容</translation>
+    </message>
+    <message>
+        <source>The master stopped by something that should not have happened</source>
+        <translation>主站因不应发生的情况而停止</translation>
+    </message>
+    <message>
         <source>The master synchronisation failed.</source>
         <translation>主站同步失败。</translation>
+    </message>
+    <message>
+        <source>The master synchronisation gave up</source>
+        <translation>主站同步已放弃</translation>
     </message>
     <message>
         <source>The master synchronisation is not running; bring the bus to PREOP first.</source>
@@ -2833,8 +3737,16 @@
         <translation>主站把消息写在邮箱之外，从站会拒绝进入 PREOP</translation>
     </message>
     <message>
+        <source>The master's DCM error is beyond its limit</source>
+        <translation>主站的 DCM 错误超过限值</translation>
+    </message>
+    <message>
         <source>The network adapter is away</source>
         <translation>网卡不可用</translation>
+    </message>
+    <message>
+        <source>The network adapter is back</source>
+        <translation>网卡已恢复</translation>
     </message>
     <message>
         <source>The network adapter was away for a while</source>
@@ -2851,6 +3763,14 @@
     <message>
         <source>The next commands reach the slave before it is ready</source>
         <translation>后续命令在从站就绪之前就已到达</translation>
+    </message>
+    <message>
+        <source>The open ports do not explain a slave's place</source>
+        <translation>打开的端口无法解释从站的位置</translation>
+    </message>
+    <message>
+        <source>The open ports of the slaves before {slave} do not explain its place.</source>
+        <translation>{slave}之前各从站的打开端口无法解释其位置。</translation>
     </message>
     <message>
         <source>The process data do not fit</source>
@@ -2893,6 +3813,10 @@
         <translation>恢复出的项目无法编译</translation>
     </message>
     <message>
+        <source>The reference clock does not answer</source>
+        <translation>参考时钟无响应</translation>
+    </message>
+    <message>
         <source>The reference clock has no distributed clock</source>
         <translation>参考时钟没有分布时钟</translation>
     </message>
@@ -2903,6 +3827,10 @@
     <message>
         <source>The reference clock is steered before its time is read</source>
         <translation>在读取参考时钟的时间之前就对其进行调节</translation>
+    </message>
+    <message>
+        <source>The reference clock is there</source>
+        <translation>参考时钟已就绪</translation>
     </message>
     <message>
         <source>The root element is not EtherCATConfig</source>
@@ -2963,6 +3891,14 @@
     <message>
         <source>The slave goes on with old outputs, however many are missed</source>
         <translation>无论错过多少，从站都会继续使用旧的输出</translation>
+    </message>
+    <message>
+        <source>The slave got no outputs for too long.</source>
+        <translation>从站过长时间未收到输出。</translation>
+    </message>
+    <message>
+        <source>The slave may be busy or its mailbox is set up wrongly.</source>
+        <translation>从站可能忙，或其邮箱设置有误。</translation>
     </message>
     <message>
         <source>The slave may refuse to go to SAFEOP without it</source>
@@ -3029,6 +3965,10 @@
         <translation>从站的数据永远不更新：输出保持为 0 且看门狗超时，输入一直是旧的</translation>
     </message>
     <message>
+        <source>The slave's firmware does not serve its ESC any more.</source>
+        <translation>从站固件不再处理其 ESC。</translation>
+    </message>
+    <message>
         <source>The slaves are not in sync</source>
         <translation>从站未同步</translation>
     </message>
@@ -3085,6 +4025,10 @@
         <translation>从站虽正常，状态切换仍以超时结束</translation>
     </message>
     <message>
+        <source>The value of {subject} cannot be used{because}.</source>
+        <translation>{subject} 的值无法使用{because}。</translation>
+    </message>
+    <message>
         <source>The way through the network card takes too long now and then: interrupt moderation, a switch, or a busy host.</source>
         <translation>经过网卡的时间不时过长：中断聚合、交换机或主机繁忙。</translation>
     </message>
@@ -3113,6 +4057,10 @@
         <translation>调节参考时钟的写命令没有到达参考时钟</translation>
     </message>
     <message>
+        <source>There is a device that is not in the configuration: {subject}{because}.</source>
+        <translation>有不在配置中的设备：{subject}{because}。</translation>
+    </message>
+    <message>
         <source>There is no Sync Unit "{unit}"; the unnamed one is used.</source>
         <translation>没有同步单元“{unit}”；使用未命名的同步单元。</translation>
     </message>
@@ -3121,8 +4069,24 @@
         <translation>没有可监视的偏差</translation>
     </message>
     <message>
+        <source>There is no network adapter or link "{subject}"{because}.</source>
+        <translation>没有网卡或链路“{subject}”{because}。</translation>
+    </message>
+    <message>
+        <source>There is no setting "{subject}"{because}.</source>
+        <translation>没有设置“{subject}”{because}。</translation>
+    </message>
+    <message>
         <source>There is no slave at position {position}.</source>
         <translation>位置 {position} 没有从站。</translation>
+    </message>
+    <message>
+        <source>There is no such adapter or link</source>
+        <translation>没有这样的网卡或链路</translation>
+    </message>
+    <message>
+        <source>There is no such setting</source>
+        <translation>没有这样的设置</translation>
     </message>
     <message>
         <source>There is not enough memory.</source>
@@ -3139,6 +4103,22 @@
     <message>
         <source>They are part of the assignment and never exchanged</source>
         <translation>它们属于分配的一部分，但从未交换</translation>
+    </message>
+    <message>
+        <source>Time-out back to INIT</source>
+        <translation>返回 INIT 的超时时间</translation>
+    </message>
+    <message>
+        <source>Time-out back to SAFEOP</source>
+        <translation>返回 SAFEOP 的超时时间</translation>
+    </message>
+    <message>
+        <source>Time-out to PREOP</source>
+        <translation>到 PREOP 的超时时间</translation>
+    </message>
+    <message>
+        <source>Time-out to SAFEOP and OP</source>
+        <translation>到 SAFEOP 和 OP 的超时时间</translation>
     </message>
     <message>
         <source>TwinCAT gives several names to the state bits of its frames and slaves; other masters do not fill them</source>
@@ -3191,6 +4171,18 @@
     <message>
         <source>Two slaves hang on one port</source>
         <translation>两个从站接在同一个端口上</translation>
+    </message>
+    <message>
+        <source>Two slaves have changed places</source>
+        <translation>两个从站互换了位置</translation>
+    </message>
+    <message>
+        <source>Two slaves have the same alias</source>
+        <translation>两个从站的别名相同</translation>
+    </message>
+    <message>
+        <source>Two slaves have the same device ID</source>
+        <translation>两个从站的设备标识相同</translation>
     </message>
     <message>
         <source>Two slaves have the same name</source>
@@ -3263,6 +4255,10 @@
     <message>
         <source>Variables of the diagnosis share bits</source>
         <translation>诊断变量占用相同的位</translation>
+    </message>
+    <message>
+        <source>Variables of the inputs</source>
+        <translation>输入变量</translation>
     </message>
     <message>
         <source>Watch the counter in 0x1C32, or set a limit in 0x10F1:02</source>
@@ -3349,6 +4345,10 @@
         <translation>写输出、读输入：更正类型或物理地址</translation>
     </message>
     <message>
+        <source>Write the EEPROM of the device's ESI again.</source>
+        <translation>用该设备的 ESI 重新写入 EEPROM。</translation>
+    </message>
+    <message>
         <source>Write the PDOs of the SyncManager's list to 0x1C1n, in its order</source>
         <translation>将同步管理器列表中的 PDO 按其顺序写入 0x1C1n</translation>
     </message>
@@ -3413,12 +4413,28 @@
         <translation>请求邮箱</translation>
     </message>
     <message>
+        <source>a running machine is touched: {running} slaves are beyond INIT. States and station addresses stay; {eeproms} EEPROMs are taken from their PDIs while they are read, and the DC receive times are latched</source>
+        <translation>正在访问运行中的机器：{running} 个从站已超出 INIT。状态和站地址保持不变；读取期间 {eeproms} 个 EEPROM 将从其 PDI 收回，并锁存 DC 接收时间</translation>
+    </message>
+    <message>
         <source>a transition on which SoE is allowed: PS, SO, SP, OP or OS</source>
         <translation>允许使用 SoE 的状态切换：PS、SO、SP、OP 或 OS</translation>
     </message>
     <message>
         <source>a transition such as IP or PS</source>
         <translation>状态切换，例如 IP 或 PS</translation>
+    </message>
+    <message>
+        <source>access denied; is the password right?</source>
+        <translation>访问被拒绝；密码是否正确？</translation>
+    </message>
+    <message>
+        <source>access to the object not supported</source>
+        <translation>不支持对该对象的访问</translation>
+    </message>
+    <message>
+        <source>activation (0x0980)</source>
+        <translation>激活 (0x0980)</translation>
     </message>
     <message>
         <source>active</source>
@@ -3429,8 +4445,20 @@
         <translation>读和写均未激活</translation>
     </message>
     <message>
+        <source>added</source>
+        <translation>新增</translation>
+    </message>
+    <message>
+        <source>additional</source>
+        <translation>多余</translation>
+    </message>
+    <message>
         <source>address, length and control byte of SM0 and SM1 and that both are enabled</source>
         <translation>SM0 和 SM1 的地址、长度和控制字节，以及两者是否已启用</translation>
+    </message>
+    <message>
+        <source>alias</source>
+        <translation>别名</translation>
     </message>
     <message>
         <source>alias {alias} identifies the group of {slave}, too</source>
@@ -3461,8 +4489,44 @@
         <translation>&lt;{parent}&gt; 的属性 {element}，共 {count} 次</translation>
     </message>
     <message>
+        <source>auto-increment address</source>
+        <translation>自动递增地址</translation>
+    </message>
+    <message>
         <source>background watchdog</source>
         <translation>后台看门狗</translation>
+    </message>
+    <message>
+        <source>before slave</source>
+        <translation>在从站之前</translation>
+    </message>
+    <message>
+        <source>bit of variable "{variable}"</source>
+        <translation>变量“{variable}”的位</translation>
+    </message>
+    <message>
+        <source>bits of variable "{variable}"</source>
+        <translation>变量“{variable}”的位</translation>
+    </message>
+    <message>
+        <source>block checksum wrong</source>
+        <translation>块校验和错误</translation>
+    </message>
+    <message>
+        <source>block sequence number invalid</source>
+        <translation>块序号无效</translation>
+    </message>
+    <message>
+        <source>block size invalid</source>
+        <translation>块大小无效</translation>
+    </message>
+    <message>
+        <source>bootstrap mailbox for answers</source>
+        <translation>用于响应的 BOOT 邮箱</translation>
+    </message>
+    <message>
+        <source>bootstrap mailbox for requests</source>
+        <translation>用于请求的 BOOT 邮箱</translation>
     </message>
     <message>
         <source>bootstrap not supported</source>
@@ -3473,8 +4537,44 @@
         <translation>若干字节，每个字节为两位十六进制数</translation>
     </message>
     <message>
+        <source>cable between {subject} port {port} and {far}: NOTHING COMES BACK (pulled, broken, or no power behind it)</source>
+        <translation>{subject} 端口 {port} 与 {far} 之间的电缆：没有任何返回（被拔出、断线或其后没有供电）</translation>
+    </message>
+    <message>
+        <source>cable between {subject} port {port} and {far}: healed</source>
+        <translation>{subject} 端口 {port} 与 {far} 之间的电缆：已恢复</translation>
+    </message>
+    <message>
+        <source>check time-out</source>
+        <translation>检查超时时间</translation>
+    </message>
+    <message>
+        <source>command specifier invalid or unknown</source>
+        <translation>命令说明符无效或未知</translation>
+    </message>
+    <message>
+        <source>commands come in another order</source>
+        <translation>命令的顺序不同</translation>
+    </message>
+    <message>
+        <source>comparison</source>
+        <translation>比较</translation>
+    </message>
+    <message>
+        <source>complete access not supported</source>
+        <translation>不支持 Complete Access</translation>
+    </message>
+    <message>
+        <source>configured modules differ from the detected ones</source>
+        <translation>配置的模块与检测到的模块不同</translation>
+    </message>
+    <message>
         <source>content and wiring of the EEPROM</source>
         <translation>EEPROM 的内容和接线</translation>
+    </message>
+    <message>
+        <source>cycle time</source>
+        <translation>周期时间</translation>
     </message>
     <message>
         <source>cycle time too small (older slaves: invalid input FMMU)</source>
@@ -3489,20 +4589,84 @@
         <translation>请求 OP 之前的循环帧和设备输入</translation>
     </message>
     <message>
+        <source>cyclic tasks</source>
+        <translation>循环任务</translation>
+    </message>
+    <message>
+        <source>data</source>
+        <translation>数据</translation>
+    </message>
+    <message>
+        <source>data cannot be transferred or stored</source>
+        <translation>数据无法传输或存储</translation>
+    </message>
+    <message>
+        <source>data link layer of the mailbox</source>
+        <translation>邮箱的数据链路层</translation>
+    </message>
+    <message>
+        <source>data too long</source>
+        <translation>数据过长</translation>
+    </message>
+    <message>
+        <source>data too short</source>
+        <translation>数据过短</translation>
+    </message>
+    <message>
+        <source>data type or length does not match</source>
+        <translation>数据类型或长度不匹配</translation>
+    </message>
+    <message>
         <source>dcx follows an external clock, but no slave maps both time stamps of the external synchronisation (0x10F4:11 and :12) into its inputs.</source>
         <translation>dcx 跟随外部时钟，但没有从站将外部同步的两个时间戳（0x10F4:11 和 :12）映射到其输入中。</translation>
+    </message>
+    <message>
+        <source>destination address</source>
+        <translation>目标地址</translation>
     </message>
     <message>
         <source>detected modules differ from the configured ones</source>
         <translation>检测到的模块与配置的不同</translation>
     </message>
     <message>
+        <source>device</source>
+        <translation>设备</translation>
+    </message>
+    <message>
         <source>device identification value updated</source>
         <translation>设备标识值已更新</translation>
     </message>
     <message>
+        <source>distributed clocks</source>
+        <translation>分布时钟</translation>
+    </message>
+    <message>
+        <source>distributed clocks initialised: 1 slave, reference clock is {clock}</source>
+        <translation>分布时钟已初始化：1 个从站，参考时钟为 {clock}</translation>
+    </message>
+    <message>
+        <source>distributed clocks initialised: {slaves} slaves, no reference clock</source>
+        <translation>分布时钟已初始化：{slaves} 个从站，没有参考时钟</translation>
+    </message>
+    <message>
+        <source>distributed clocks initialised: {slaves} slaves, reference clock is {clock}</source>
+        <translation>分布时钟已初始化：{slaves} 个从站，参考时钟为 {clock}</translation>
+    </message>
+    <message>
         <source>drives</source>
         <translation>驱动器</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>错误</translation>
+    </message>
+    <message>
+        <source>expected bytes</source>
+        <translation>期望的字节</translation>
+    </message>
+    <message>
+        <source>expected mask</source>
+        <translation>期望的掩码</translation>
     </message>
     <message>
         <source>external hardware not ready</source>
@@ -3511,6 +4675,10 @@
     <message>
         <source>fatal sync error</source>
         <translation>严重同步错误</translation>
+    </message>
+    <message>
+        <source>file not found</source>
+        <translation>未找到文件</translation>
     </message>
     <message>
         <source>firmware update not successful</source>
@@ -3549,6 +4717,10 @@
         <translation>网关</translation>
     </message>
     <message>
+        <source>general error</source>
+        <translation>一般错误</translation>
+    </message>
+    <message>
         <source>go to INIT first</source>
         <translation>先进入 INIT</translation>
     </message>
@@ -3573,8 +4745,52 @@
         <translation>组“{group}”有 {members} 个成员，但{slave} 开始了它自己的组</translation>
     </message>
     <message>
+        <source>hangs on</source>
+        <translation>连接于</translation>
+    </message>
+    <message>
+        <source>hardware error</source>
+        <translation>硬件错误</translation>
+    </message>
+    <message>
+        <source>hot-connect group</source>
+        <translation>热连接组</translation>
+    </message>
+    <message>
+        <source>identification</source>
+        <translation>识别标识</translation>
+    </message>
+    <message>
+        <source>identification of the hot-connect group</source>
+        <translation>热连接组的识别标识</translation>
+    </message>
+    <message>
+        <source>illegal operation</source>
+        <translation>非法操作</translation>
+    </message>
+    <message>
+        <source>incompatible inside the device</source>
+        <translation>设备内部不兼容</translation>
+    </message>
+    <message>
         <source>inconsistent settings</source>
         <translation>设置不一致</translation>
+    </message>
+    <message>
+        <source>info</source>
+        <translation>提示</translation>
+    </message>
+    <message>
+        <source>init command</source>
+        <translation>初始化命令</translation>
+    </message>
+    <message>
+        <source>init command {command}: {field}</source>
+        <translation>初始化命令 {command}：{field}</translation>
+    </message>
+    <message>
+        <source>init commands</source>
+        <translation>初始化命令</translation>
     </message>
     <message>
         <source>inputs</source>
@@ -3583,6 +4799,14 @@
     <message>
         <source>inputs are not those of SYNC0</source>
         <translation>输入不是 SYNC0 时刻的输入</translation>
+    </message>
+    <message>
+        <source>inputs of {command} in the image</source>
+        <translation>{command} 的输入在映像中的位置</translation>
+    </message>
+    <message>
+        <source>inputs of {slaves} slaves begin elsewhere in the image</source>
+        <translation>{slaves} 个从站的输入在映像中的起始位置不同</translation>
     </message>
     <message>
         <source>invalid DC SYNC configuration</source>
@@ -3717,6 +4941,18 @@
         <translation>许可证错误</translation>
     </message>
     <message>
+        <source>logical address of the mailbox state bits</source>
+        <translation>邮箱状态位的逻辑地址</translation>
+    </message>
+    <message>
+        <source>logical bit of {fmmu} of {slave}, against its data in the image</source>
+        <translation>{slave} 的 {fmmu} 的逻辑位，相对于其数据在映像中的位置</translation>
+    </message>
+    <message>
+        <source>mailbox</source>
+        <translation>邮箱</translation>
+    </message>
+    <message>
         <source>mailbox AoE error</source>
         <translation>邮箱 AoE 错误</translation>
     </message>
@@ -3741,8 +4977,72 @@
         <translation>邮箱 VoE 错误</translation>
     </message>
     <message>
+        <source>mailbox for answers</source>
+        <translation>用于响应的邮箱</translation>
+    </message>
+    <message>
+        <source>mailbox for requests</source>
+        <translation>用于请求的邮箱</translation>
+    </message>
+    <message>
+        <source>mailbox poll time</source>
+        <translation>邮箱轮询时间</translation>
+    </message>
+    <message>
+        <source>mailbox protocols</source>
+        <translation>邮箱协议</translation>
+    </message>
+    <message>
+        <source>mailbox state bit</source>
+        <translation>邮箱状态位</translation>
+    </message>
+    <message>
+        <source>mailbox state bits</source>
+        <translation>邮箱状态位</translation>
+    </message>
+    <message>
+        <source>mailbox states of {slaves} slaves have other bits</source>
+        <translation>{slaves} 个从站的邮箱状态使用其他位</translation>
+    </message>
+    <message>
+        <source>mapped objects exceed the PDO length</source>
+        <translation>映射的对象超出 PDO 长度</translation>
+    </message>
+    <message>
+        <source>master</source>
+        <translation>主站</translation>
+    </message>
+    <message>
+        <source>master OUT OF SYNC, error {error}{because}</source>
+        <translation>主站未同步，误差 {error}{because}</translation>
+    </message>
+    <message>
+        <source>master in sync, error {error}</source>
+        <translation>主站已同步，误差 {error}</translation>
+    </message>
+    <message>
+        <source>master{command} {field}</source>
+        <translation>主站{command} {field}</translation>
+    </message>
+    <message>
+        <source>maximum is below the minimum</source>
+        <translation>最大值小于最小值</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>缺少</translation>
+    </message>
+    <message>
         <source>modules and options of the device</source>
         <translation>设备的模块和选件</translation>
+    </message>
+    <message>
+        <source>network adapter {adapter} is DOWN, gone or without carrier: waiting for it</source>
+        <translation>网卡 {adapter} 已断开、不存在或没有载波：正在等待</translation>
+    </message>
+    <message>
+        <source>network adapter {adapter} is up again after {away}</source>
+        <translation>网卡 {adapter} 在 {away} 后恢复</translation>
     </message>
     <message>
         <source>no NOP to 0x0900 stands before {command}</source>
@@ -3773,6 +5073,10 @@
         <translation>没有循环 BRD 读取 0x0130</translation>
     </message>
     <message>
+        <source>no data available</source>
+        <translation>没有可用数据</translation>
+    </message>
+    <message>
         <source>no error</source>
         <translation>无错误</translation>
     </message>
@@ -3801,8 +5105,20 @@
         <translation>内存不足</translation>
     </message>
     <message>
+        <source>no object dictionary</source>
+        <translation>没有对象字典</translation>
+    </message>
+    <message>
         <source>no reference clock leads</source>
         <translation>没有主导的参考时钟</translation>
+    </message>
+    <message>
+        <source>no rights for this file</source>
+        <translation>没有该文件的权限</translation>
+    </message>
+    <message>
+        <source>no room left in the device</source>
+        <translation>设备中没有剩余空间</translation>
     </message>
     <message>
         <source>no slave has the station address {address}</source>
@@ -3811,6 +5127,10 @@
     <message>
         <source>no sync signal</source>
         <translation>无同步信号</translation>
+    </message>
+    <message>
+        <source>no user</source>
+        <translation>没有用户</translation>
     </message>
     <message>
         <source>no valid firmware</source>
@@ -3833,12 +5153,48 @@
         <translation>无</translation>
     </message>
     <message>
+        <source>not defined</source>
+        <translation>未定义</translation>
+    </message>
+    <message>
+        <source>not in BOOT state</source>
+        <translation>不在 BOOT 状态</translation>
+    </message>
+    <message>
+        <source>not possible in the present device state, try it in PREOP</source>
+        <translation>在设备当前状态下不可行，请在 PREOP 中尝试</translation>
+    </message>
+    <message>
+        <source>not possible under local control</source>
+        <translation>在本地控制下不可行</translation>
+    </message>
+    <message>
         <source>not seen by the master; look at its firmware and at frames that are damaged in front of it</source>
         <translation>主站没有发现原因；检查其固件，以及在它之前损坏的帧</translation>
     </message>
     <message>
         <source>nothing</source>
         <translation>无</translation>
+    </message>
+    <message>
+        <source>object cannot be mapped to a PDO</source>
+        <translation>对象不能映射到 PDO</translation>
+    </message>
+    <message>
+        <source>object does not exist</source>
+        <translation>对象不存在</translation>
+    </message>
+    <message>
+        <source>object is mapped to a PDO, download blocked</source>
+        <translation>对象已映射到 PDO，禁止下载</translation>
+    </message>
+    <message>
+        <source>object larger than the mailbox</source>
+        <translation>对象大于邮箱</translation>
+    </message>
+    <message>
+        <source>offline</source>
+        <translation>离线</translation>
     </message>
     <message>
         <source>on {transition} it comes behind the request for {state}</source>
@@ -3861,8 +5217,16 @@
         <translation>其中一个从站</translation>
     </message>
     <message>
+        <source>online: the master runs the configuration</source>
+        <translation>在线：主站正在运行该配置</translation>
+    </message>
+    <message>
         <source>only Sigma-X drives take it</source>
         <translation>只有 Sigma-X 驱动器接受它</translation>
+    </message>
+    <message>
+        <source>only in BOOT state</source>
+        <translation>仅在 BOOT 状态下可用</translation>
     </message>
     <message>
         <source>only the current loop is synchronised then, the position loop is not</source>
@@ -3873,6 +5237,10 @@
         <translation>同步管理器的顺序和类型与 0x1C00 是否一致</translation>
     </message>
     <message>
+        <source>out of memory</source>
+        <translation>内存不足</translation>
+    </message>
+    <message>
         <source>outputs</source>
         <translation>输出</translation>
     </message>
@@ -3881,24 +5249,120 @@
         <translation>输出在到达时即生效</translation>
     </message>
     <message>
+        <source>outputs of {command} in the image</source>
+        <translation>{command} 的输出在映像中的位置</translation>
+    </message>
+    <message>
+        <source>outputs of {slaves} slaves begin elsewhere in the image</source>
+        <translation>{slaves} 个从站的输出在映像中的起始位置不同</translation>
+    </message>
+    <message>
+        <source>own cycle</source>
+        <translation>独立周期</translation>
+    </message>
+    <message>
+        <source>own frame</source>
+        <translation>独立帧</translation>
+    </message>
+    <message>
+        <source>parameters incompatible</source>
+        <translation>参数不兼容</translation>
+    </message>
+    <message>
+        <source>place</source>
+        <translation>位置</translation>
+    </message>
+    <message>
         <source>port {port} of {slave} carries another slave already</source>
         <translation>{slave} 的端口 {port} 已接有另一个从站</translation>
+    </message>
+    <message>
+        <source>possible reference clock</source>
+        <translation>可能的参考时钟</translation>
     </message>
     <message>
         <source>power the slave off and on</source>
         <translation>将从站断电再上电</translation>
     </message>
     <message>
+        <source>propagation delays measured again: 1 slave to correct, by {largest}</source>
+        <translation>已重新测量传输延迟：需校正 1 个从站，校正量 {largest}</translation>
+    </message>
+    <message>
+        <source>propagation delays measured again: nothing to correct</source>
+        <translation>已重新测量传输延迟：无需校正</translation>
+    </message>
+    <message>
+        <source>propagation delays measured again: {slaves} slaves to correct, by {largest} at most</source>
+        <translation>已重新测量传输延迟：需校正 {slaves} 个从站，最大校正量 {largest}</translation>
+    </message>
+    <message>
+        <source>reading a write-only object</source>
+        <translation>读取只写对象</translation>
+    </message>
+    <message>
         <source>reads</source>
         <translation>读取</translation>
+    </message>
+    <message>
+        <source>real time: {what}</source>
+        <translation>实时：{what}</translation>
+    </message>
+    <message>
+        <source>reference clock</source>
+        <translation>参考时钟</translation>
+    </message>
+    <message>
+        <source>reference clock {subject}: LOST</source>
+        <translation>参考时钟 {subject}：已丢失</translation>
+    </message>
+    <message>
+        <source>reference clock {subject}: has no system time (0x0910 does not answer), the next clock leads in its place</source>
+        <translation>参考时钟 {subject}：没有系统时间（0x0910 无响应），由下一个时钟代替</translation>
+    </message>
+    <message>
+        <source>reference clock {subject}: present</source>
+        <translation>参考时钟 {subject}：存在</translation>
+    </message>
+    <message>
+        <source>reference clock {subject}: took over</source>
+        <translation>参考时钟 {subject}：已接管</translation>
+    </message>
+    <message>
+        <source>removed</source>
+        <translation>已移除</translation>
     </message>
     <message>
         <source>requests</source>
         <translation>请求</translation>
     </message>
     <message>
+        <source>resource not available</source>
+        <translation>资源不可用</translation>
+    </message>
+    <message>
+        <source>retries</source>
+        <translation>重试次数</translation>
+    </message>
+    <message>
+        <source>revision</source>
+        <translation>版本号</translation>
+    </message>
+    <message>
+        <source>serial number</source>
+        <translation>序列号</translation>
+    </message>
+    <message>
         <source>settling behind an interruption</source>
         <translation>中断之后正在稳定</translation>
+    </message>
+    <message>
+        <source>size of the inputs</source>
+        <translation>输入的大小</translation>
+    </message>
+    <message>
+        <source>size of the outputs</source>
+        <translation>输出的大小</translation>
     </message>
     <message>
         <source>slave needs INIT</source>
@@ -3921,8 +5385,60 @@
         <translation>从站已自行重新启动</translation>
     </message>
     <message>
+        <source>slaves OUT OF SYNC, deviation {deviation}</source>
+        <translation>从站未同步，偏差 {deviation}</translation>
+    </message>
+    <message>
+        <source>slaves OUT OF SYNC, deviation {deviation} at {subject}</source>
+        <translation>从站未同步，{subject} 的偏差为 {deviation}</translation>
+    </message>
+    <message>
+        <source>slaves OUT OF SYNC, deviation {deviation} at {subject} ({slaves} slaves are over the limit)</source>
+        <translation>从站未同步，{subject} 的偏差为 {deviation}（{slaves} 个从站超出限值）</translation>
+    </message>
+    <message>
+        <source>slaves OUT OF SYNC, deviation {deviation}: all {slaves} at once and to the same side, the reference clock has stepped</source>
+        <translation>从站未同步，偏差 {deviation}：全部 {slaves} 个同时朝同一方向偏离，参考时钟发生了跳变</translation>
+    </message>
+    <message>
+        <source>slaves in sync, deviation {deviation}</source>
+        <translation>从站已同步，偏差 {deviation}</translation>
+    </message>
+    <message>
+        <source>slaves not monitored</source>
+        <translation>从站未被监视</translation>
+    </message>
+    <message>
+        <source>slaves: not known whether in sync, nobody leads them</source>
+        <translation>从站：是否同步未知，没有时钟为其提供参考</translation>
+    </message>
+    <message>
+        <source>slaves: not known whether in sync, nothing was read for {age}</source>
+        <translation>从站：是否同步未知，已有 {age} 未读取到任何数据</translation>
+    </message>
+    <message>
+        <source>source address</source>
+        <translation>源地址</translation>
+    </message>
+    <message>
+        <source>split into frames</source>
+        <translation>拆分为帧</translation>
+    </message>
+    <message>
         <source>start time 0x0990 (must lie ahead), cycle 0x09A0, activation 0x0981</source>
         <translation>起始时间 0x0990（必须在未来）、周期 0x09A0、激活 0x0981</translation>
+    </message>
+    <message>
+        <source>start-up command {command}</source>
+        <translation>启动命令 {command}</translation>
+    </message>
+    <message>
+        <source>start-up commands come in another order</source>
+        <translation>启动命令的顺序不同</translation>
+    </message>
+    <message>
+        <source>station address</source>
+        <translation>站地址</translation>
     </message>
     <message>
         <source>station address {address} belongs to {slave}, too</source>
@@ -3949,6 +5465,14 @@
         <translation>状态位为 {bit}，而 MailboxStates 计数为 {counted}</translation>
     </message>
     <message>
+        <source>subindex cannot be written, subindex 0 must be 0 first</source>
+        <translation>子索引不可写，必须先将子索引 0 设为 0</translation>
+    </message>
+    <message>
+        <source>subindex does not exist</source>
+        <translation>子索引不存在</translation>
+    </message>
+    <message>
         <source>supply and attached hardware of the device</source>
         <translation>设备的供电和所连接的硬件</translation>
     </message>
@@ -3967,6 +5491,22 @@
     <message>
         <source>synchronization not supported</source>
         <translation>不支持同步</translation>
+    </message>
+    <message>
+        <source>task {task}: commands come in another order</source>
+        <translation>任务 {task}：命令的顺序不同</translation>
+    </message>
+    <message>
+        <source>task {task}: cycle time</source>
+        <translation>任务 {task}：周期时间</translation>
+    </message>
+    <message>
+        <source>task {task}: split into frames</source>
+        <translation>任务 {task}：拆分为帧</translation>
+    </message>
+    <message>
+        <source>task {task}: {command}</source>
+        <translation>任务 {task}：{command}</translation>
     </message>
     <message>
         <source>temperature too high</source>
@@ -4033,6 +5573,10 @@
         <translation>环境温度</translation>
     </message>
     <message>
+        <source>the bring-up begins again from INIT: the network adapter was away in the middle of it</source>
+        <translation>启动过程从 INIT 重新开始：网卡在启动途中消失</translation>
+    </message>
+    <message>
         <source>the change of state may take {timeout} ms</source>
         <translation>状态切换最多允许 {timeout} ms</translation>
     </message>
@@ -4059,6 +5603,14 @@
     <message>
         <source>the device's EoE settings (IP address)</source>
         <translation>设备的 EoE 设置（IP 地址）</translation>
+    </message>
+    <message>
+        <source>the device's program failed</source>
+        <translation>设备的程序失败</translation>
+    </message>
+    <message>
+        <source>the file exists already</source>
+        <translation>文件已存在</translation>
     </message>
     <message>
         <source>the file transfer</source>
@@ -4145,12 +5697,52 @@
         <translation>没有 CycleTime</translation>
     </message>
     <message>
+        <source>time-out</source>
+        <translation>超时时间</translation>
+    </message>
+    <message>
+        <source>time-out back to INIT</source>
+        <translation>返回 INIT 的超时时间</translation>
+    </message>
+    <message>
+        <source>time-out back to SAFEOP</source>
+        <translation>返回 SAFEOP 的超时时间</translation>
+    </message>
+    <message>
+        <source>time-out to PREOP</source>
+        <translation>到 PREOP 的超时时间</translation>
+    </message>
+    <message>
+        <source>time-out to SAFEOP and OP</source>
+        <translation>到 SAFEOP 和 OP 的超时时间</translation>
+    </message>
+    <message>
+        <source>toggle bit did not change</source>
+        <translation>Toggle 位未翻转</translation>
+    </message>
+    <message>
         <source>two variables have the name "{variable}"</source>
         <translation>两个变量的名称均为“{variable}”</translation>
     </message>
     <message>
+        <source>unknown</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>unknown abort code</source>
+        <translation>未知的中止代码</translation>
+    </message>
+    <message>
         <source>unknown code</source>
         <translation>未知代码</translation>
+    </message>
+    <message>
+        <source>unknown device at position {position}: {identity}</source>
+        <translation>位置 {position} 的未知设备：{identity}</translation>
+    </message>
+    <message>
+        <source>unknown error of the device</source>
+        <translation>设备的未知错误</translation>
     </message>
     <message>
         <source>unknown requested state</source>
@@ -4165,12 +5757,36 @@
         <translation>Y、K、B 中最多 4 个字母</translation>
     </message>
     <message>
+        <source>value out of range</source>
+        <translation>值超出范围</translation>
+    </message>
+    <message>
+        <source>value too high</source>
+        <translation>值过大</translation>
+    </message>
+    <message>
+        <source>value too low</source>
+        <translation>值过小</translation>
+    </message>
+    <message>
+        <source>variables of the inputs</source>
+        <translation>输入变量</translation>
+    </message>
+    <message>
+        <source>variables of the outputs</source>
+        <translation>输出变量</translation>
+    </message>
+    <message>
         <source>vendor specific code</source>
         <translation>供应商特定代码</translation>
     </message>
     <message>
         <source>ventilation and ambient temperature</source>
         <translation>通风和环境温度</translation>
+    </message>
+    <message>
+        <source>warning</source>
+        <translation>警告</translation>
     </message>
     <message>
         <source>what the device needs for valid inputs (supply, encoder)</source>
@@ -4221,8 +5837,32 @@
         <translation>设备为何重新启动（供电、看门狗、操作人员）</translation>
     </message>
     <message>
+        <source>working counter</source>
+        <translation>工作计数器</translation>
+    </message>
+    <message>
+        <source>working counter expected now {now} (all slaves: {configured})</source>
+        <translation>当前期望的工作计数器 {now}（所有从站：{configured}）</translation>
+    </message>
+    <message>
+        <source>working counter {received} instead of {expected}</source>
+        <translation>工作计数器为 {received}，应为 {expected}</translation>
+    </message>
+    <message>
+        <source>working counter {received} instead of {expected} ({count} times)</source>
+        <translation>工作计数器为 {received}，应为 {expected}（{count} 次）</translation>
+    </message>
+    <message>
         <source>writes</source>
         <translation>写入</translation>
+    </message>
+    <message>
+        <source>writing a read-only object</source>
+        <translation>写入只读对象</translation>
+    </message>
+    <message>
+        <source>wrong packet number</source>
+        <translation>包编号错误</translation>
     </message>
     <message>
         <source>{activation} switches SYNC1 on without SYNC0</source>
@@ -4239,6 +5879,10 @@
     <message>
         <source>{bytes} bytes of process data do not fit into one Ethernet frame.</source>
         <translation>{bytes} 字节的过程数据放不进一个以太网帧。</translation>
+    </message>
+    <message>
+        <source>{command}</source>
+        <translation>{command}</translation>
     </message>
     <message>
         <source>{command} addresses no slave of the file</source>
@@ -4309,12 +5953,40 @@
         <translation>{copies} 个从站间的数据复制无法保留：项目中无处存放。</translation>
     </message>
     <message>
+        <source>{count} FMMUs lie elsewhere</source>
+        <translation>{count} 个 FMMU 的位置不同</translation>
+    </message>
+    <message>
+        <source>{count} commands' inputs lie elsewhere</source>
+        <translation>{count} 个命令的输入位置不同</translation>
+    </message>
+    <message>
+        <source>{count} commands' outputs lie elsewhere</source>
+        <translation>{count} 个命令的输出位置不同</translation>
+    </message>
+    <message>
         <source>{count} cycles had a wrong working counter ({received} instead of {expected} last), from {since} on.</source>
         <translation>从 {since} 起，{count} 个周期的工作计数器错误（最近一次为 {received}，应为 {expected}）。</translation>
     </message>
     <message>
         <source>{count} cycles had a wrong working counter, from {since} on: that is what the others see of {slave}.</source>
         <translation>从 {since} 起，{count} 个周期的工作计数器错误：这是其他从站所反映出的{slave} 的问题。</translation>
+    </message>
+    <message>
+        <source>{count} cycles left out, the host sent nothing for up to {standstill}</source>
+        <translation>漏掉 {count} 个周期，主机最长 {standstill} 未发送任何数据</translation>
+    </message>
+    <message>
+        <source>{count} events were lost</source>
+        <translation>丢失了 {count} 个事件</translation>
+    </message>
+    <message>
+        <source>{count} frames back late, up to {late} after the deadline</source>
+        <translation>{count} 帧返回过晚，最多超过期限 {late}</translation>
+    </message>
+    <message>
+        <source>{count} frames back late, up to {late} after the deadline ({told} of them told as lost before)</source>
+        <translation>{count} 帧返回过晚，最多超过期限 {late}（其中 {told} 帧此前已报告为丢失）</translation>
     </message>
     <message>
         <source>{count} frames came back after their cycle, by up to {largest}.</source>
@@ -4333,12 +6005,24 @@
         <translation>主机停顿期间有 {count} 帧没有按时返回。</translation>
     </message>
     <message>
+        <source>{count} frames lost</source>
+        <translation>丢失 {count} 帧</translation>
+    </message>
+    <message>
         <source>{count} frames reached {slave} damaged at port {port} (0x{register}), from {since} on; the cable comes from {behind}.</source>
         <translation>从 {since} 起，{count} 帧到达{slave} 端口 {port} 时已损坏 (0x{register})；该电缆来自{behind}。</translation>
     </message>
     <message>
         <source>{count} frames were lost when {slave} went away or came back.</source>
         <translation>{slave} 离开或恢复时丢失了 {count} 帧。</translation>
+    </message>
+    <message>
+        <source>{count} variables of the inputs lie elsewhere</source>
+        <translation>{count} 个输入变量的位置不同</translation>
+    </message>
+    <message>
+        <source>{count} variables of the outputs lie elsewhere</source>
+        <translation>{count} 个输出变量的位置不同</translation>
     </message>
     <message>
         <source>{count} variables, "{variable}" and others, lie behind the image</source>
@@ -4387,6 +6071,14 @@
     <message>
         <source>{file} is an ENI: its commands and the layout of its image stay as they are, only the spelling follows --dialect. "project create --eni" makes a project that can be laid out anew.</source>
         <translation>{file} 是 ENI：其命令和过程映像布局保持不变，只有书写形式按 --dialect。使用“project create --eni”可生成能重新布局的项目。</translation>
+    </message>
+    <message>
+        <source>{file}: what came after frame {frames} was not read, the file breaks off there ({reason}).</source>
+        <translation>{file}：第 {frames} 帧之后的内容未被读取，文件在该处中断（{reason}）。</translation>
+    </message>
+    <message>
+        <source>{file}: {cut} of its {frames} frames were captured in part only and not read.</source>
+        <translation>{file}：{frames} 帧中有 {cut} 帧只被部分捕获，未被读取。</translation>
     </message>
     <message>
         <source>{first} and {second} are both the reference clock</source>
@@ -4513,12 +6205,24 @@
         <translation>{set_value} 超出 {least}..{most}：SYNC0 到来时循环帧仍在途中。</translation>
     </message>
     <message>
+        <source>{setting}</source>
+        <translation>{setting}</translation>
+    </message>
+    <message>
         <source>{slaves} slaves use distributed clocks</source>
         <translation>{slaves} 个从站使用分布时钟</translation>
     </message>
     <message>
         <source>{slaves} slaves use distributed clocks, and no cyclic command distributes the time</source>
         <translation>{slaves} 个从站使用分布时钟，但没有循环命令分发时间</translation>
+    </message>
+    <message>
+        <source>{slave} ({identity}) has no system time register 0x0910, where its ESI has operation modes: DC is off.</source>
+        <translation>{slave} ({identity}) 没有系统时间寄存器 0x0910，而其 ESI 带有操作模式：DC 已关闭。</translation>
+    </message>
+    <message>
+        <source>{slave} ({identity}): {match} ({file}).</source>
+        <translation>{slave} ({identity})：{match} ({file})。</translation>
     </message>
     <message>
         <source>{slave} counts {missed} missed SM2 events (0x1C32:{sub}), and for {part} of them the master saw good cycles.</source>
@@ -4547,6 +6251,14 @@
     <message>
         <source>{slave} had its inputs too late {count} (0x1C33:0D shift too short).</source>
         <translation>{slave} 的输入过晚（{count}，0x1C33:0D 移位过短）。</translation>
+    </message>
+    <message>
+        <source>{slave} has the alias {alias}, which {other} has as well.</source>
+        <translation>{slave} 的别名为 {alias}，与{other} 相同。</translation>
+    </message>
+    <message>
+        <source>{slave} has the device ID {id}, which {other} has as well.</source>
+        <translation>{slave} 的设备标识为 {id}，与{other} 相同。</translation>
     </message>
     <message>
         <source>{slave} is in {state} with AL status code {alcode}{alarm}, since {since}.</source>
@@ -4595,6 +6307,226 @@
     <message>
         <source>{slave} was {deviation} off its reference clock at {since}, and nobody monitors it.</source>
         <translation>{slave} 在 {since} 时与其参考时钟的偏差为 {deviation}，且无人监视。</translation>
+    </message>
+    <message>
+        <source>{subject} and {detail} have changed places.</source>
+        <translation>{subject} 与 {detail} 互换了位置。</translation>
+    </message>
+    <message>
+        <source>{subject} answered in its mailbox with something else than was asked{because}.</source>
+        <translation>{subject} 在其邮箱中的响应与请求不符{because}。</translation>
+    </message>
+    <message>
+        <source>{subject} answers again</source>
+        <translation>{subject} 恢复响应</translation>
+    </message>
+    <message>
+        <source>{subject} did not answer in its mailbox in time.</source>
+        <translation>{subject} 未在其邮箱中及时响应。</translation>
+    </message>
+    <message>
+        <source>{subject} did not reach {state} in time and is in {actual}.</source>
+        <translation>{subject} 未及时到达 {state}，当前处于 {actual}。</translation>
+    </message>
+    <message>
+        <source>{subject} does not answer</source>
+        <translation>{subject} 没有响应</translation>
+    </message>
+    <message>
+        <source>{subject} in sync again, deviation {deviation}</source>
+        <translation>{subject} 重新同步，偏差 {deviation}</translation>
+    </message>
+    <message>
+        <source>{subject} is another device than configured{because}.</source>
+        <translation>{subject} 与配置的设备不同{because}。</translation>
+    </message>
+    <message>
+        <source>{subject} is malformed{because}.</source>
+        <translation>{subject} 的格式错误{because}。</translation>
+    </message>
+    <message>
+        <source>{subject} is missing{because}.</source>
+        <translation>{subject} 缺失{because}。</translation>
+    </message>
+    <message>
+        <source>{subject} is not supported{because}.</source>
+        <translation>{subject} 不受支持{because}。</translation>
+    </message>
+    <message>
+        <source>{subject} port {port}: link lost {lost}</source>
+        <translation>{subject} 端口 {port}：链路丢失 {lost}</translation>
+    </message>
+    <message>
+        <source>{subject} port {port}: {damaged} damaged frames</source>
+        <translation>{subject} 端口 {port}：{damaged} 个损坏的帧</translation>
+    </message>
+    <message>
+        <source>{subject} port {port}: {damaged} damaged frames, link lost {lost}</source>
+        <translation>{subject} 端口 {port}：{damaged} 个损坏的帧，链路丢失 {lost}</translation>
+    </message>
+    <message>
+        <source>{subject} refused {state} and stays in {actual}: AL status code {alcode}.</source>
+        <translation>{subject} 拒绝 {state}，停留在 {actual}：AL 状态码 {alcode}。</translation>
+    </message>
+    <message>
+        <source>{subject} refused {state} and stays in {actual}: AL status code {alcode}; check {check}.</source>
+        <translation>{subject} 拒绝 {state}，停留在 {actual}：AL 状态码 {alcode}；检查{check}。</translation>
+    </message>
+    <message>
+        <source>{subject} took too long{because}.</source>
+        <translation>{subject} 耗时过长{because}。</translation>
+    </message>
+    <message>
+        <source>{subject}: PDI watchdog expired ({count}): its firmware is silent</source>
+        <translation>{subject}：PDI 看门狗超时 ({count})：其固件没有动作</translation>
+    </message>
+    <message>
+        <source>{subject}: connected (hot-connect group "{group}")</source>
+        <translation>{subject}：已连接（热连接组“{group}”）</translation>
+    </message>
+    <message>
+        <source>{subject}: connected by port {port} instead of A: swap its cables IN and OUT; its delay is right here, but other masters take it wrong without a word</source>
+        <translation>{subject}：通过端口 {port} 而不是 A 连接：交换其 IN 和 OUT 电缆；此处其延迟正确，但其他主站会测错且不作提示</translation>
+    </message>
+    <message>
+        <source>{subject}: diagnosis {type} {code}, text {text}</source>
+        <translation>{subject}：诊断 {type} {code}，文本 {text}</translation>
+    </message>
+    <message>
+        <source>{subject}: diagnosis {type} {code}, text {text}, time stamp {stamp} ns</source>
+        <translation>{subject}：诊断 {type} {code}，文本 {text}，时间戳 {stamp} ns</translation>
+    </message>
+    <message>
+        <source>{subject}: disconnected (hot-connect group "{group}")</source>
+        <translation>{subject}：已断开（热连接组“{group}”）</translation>
+    </message>
+    <message>
+        <source>{subject}: emergency {code} ({alarm}, {text}), error register {register}, data {data}</source>
+        <translation>{subject}：紧急消息 {code}（{alarm}，{text}），错误寄存器 {register}，数据 {data}</translation>
+    </message>
+    <message>
+        <source>{subject}: emergency {code}, error register {register}, data {data}</source>
+        <translation>{subject}：紧急消息 {code}，错误寄存器 {register}，数据 {data}</translation>
+    </message>
+    <message>
+        <source>{subject}: it renews its inputs in every cycle again</source>
+        <translation>{subject}：重新在每个周期更新其输入</translation>
+    </message>
+    <message>
+        <source>{subject}: its cycles are short enough again</source>
+        <translation>{subject}：其周期已恢复到足够短</translation>
+    </message>
+    <message>
+        <source>{subject}: its delay of {delay} is not above that of the slave before it</source>
+        <translation>{subject}：其延迟 {delay} 不大于前一个从站的延迟</translation>
+    </message>
+    <message>
+        <source>{subject}: no new inputs in {stale} of {cycles} cycles, where each brought some before: its firmware is slow</source>
+        <translation>{subject}：{cycles} 个周期中有 {stale} 个没有新输入，而此前每个周期都有：其固件较慢</translation>
+    </message>
+    <message>
+        <source>{subject}: not there yet (hot-connect group "{group}")</source>
+        <translation>{subject}：尚未出现（热连接组“{group}”）</translation>
+    </message>
+    <message>
+        <source>{subject}: port {port} has a link and no slave behind it: a closed ring or another master</source>
+        <translation>{subject}：端口 {port} 有链路但其后没有从站：环路闭合或存在另一个主站</translation>
+    </message>
+    <message>
+        <source>{subject}: process data watchdog expired ({count})</source>
+        <translation>{subject}：过程数据看门狗超时 ({count})</translation>
+    </message>
+    <message>
+        <source>{subject}: recovered (try {tries})</source>
+        <translation>{subject}：已恢复（第 {tries} 次尝试）</translation>
+    </message>
+    <message>
+        <source>{subject}: recovery FAILED (try {tries})</source>
+        <translation>{subject}：恢复失败（第 {tries} 次尝试）</translation>
+    </message>
+    <message>
+        <source>{subject}: recovery begins (try {tries})</source>
+        <translation>{subject}：开始恢复（第 {tries} 次尝试）</translation>
+    </message>
+    <message>
+        <source>{subject}: recovery given up (try {tries})</source>
+        <translation>{subject}：放弃恢复（第 {tries} 次尝试）</translation>
+    </message>
+    <message>
+        <source>{subject}: the DCM error of {error} is beyond the limit of {limit}.</source>
+        <translation>{subject}：DCM 误差 {error} 超出限值 {limit}。</translation>
+    </message>
+    <message>
+        <source>{subject}: the delay to it comes out negative ({delay}); 0 is taken</source>
+        <translation>{subject}：到它的延迟为负值 ({delay})；取为 0</translation>
+    </message>
+    <message>
+        <source>{subject}: the delay to it is implausible ({delay}); 0 is taken</source>
+        <translation>{subject}：到它的延迟不合理 ({delay})；取为 0</translation>
+    </message>
+    <message>
+        <source>{subject}: the slave aborted the SDO transfer with {code} ({meaning}).</source>
+        <translation>{subject}：从站中止了 SDO 传输，代码 {code}（{meaning}）。</translation>
+    </message>
+    <message>
+        <source>{subject}: the slave ended the file transfer with {code} ({meaning}){because}.</source>
+        <translation>{subject}：从站结束了文件传输，代码 {code}（{meaning}）{because}。</translation>
+    </message>
+    <message>
+        <source>{subject}: the slave's answer differs from what the init command demands{because}.</source>
+        <translation>{subject}：从站的响应与初始化命令的要求不符{because}。</translation>
+    </message>
+    <message>
+        <source>{subject}: working counter {received} where {expected} was expected; a slave did not process the datagram.</source>
+        <translation>{subject}：工作计数器为 {received}，应为 {expected}；有从站未处理该数据报。</translation>
+    </message>
+    <message>
+        <source>{subject}: {count} of its cycles took longer than the cycle time: its firmware is slow</source>
+        <translation>{subject}：其 {count} 个周期超过了周期时间：其固件较慢</translation>
+    </message>
+    <message>
+        <source>{subject}: {from} -&gt; {to}</source>
+        <translation>{subject}：{from} -&gt; {to}</translation>
+    </message>
+    <message>
+        <source>{subject}: {status} with AL status code {code}</source>
+        <translation>{subject}：{status}，AL 状态码 {code}</translation>
+    </message>
+    <message>
+        <source>{subject}: {status} with AL status code {code}; check {check}</source>
+        <translation>{subject}：{status}，AL 状态码 {code}；检查{check}</translation>
+    </message>
+    <message>
+        <source>{text}</source>
+        <translation>{text}</translation>
+    </message>
+    <message>
+        <source>{where}: the element &lt;{subject}&gt; is missing{because}.</source>
+        <translation>{where}：缺少元素 &lt;{subject}&gt;{because}。</translation>
+    </message>
+    <message>
+        <source>{where}: the file is beyond what is read{because}.</source>
+        <translation>{where}：文件超出可读取的大小{because}。</translation>
+    </message>
+    <message>
+        <source>{where}: the key "{subject}" cannot be used{because}.</source>
+        <translation>{where}：键“{subject}”无法使用{because}。</translation>
+    </message>
+    <message>
+        <source>{where}: the value of &lt;{subject}&gt; cannot be used{because}.</source>
+        <translation>{where}：&lt;{subject}&gt; 的值无法使用{because}。</translation>
+    </message>
+    <message>
+        <source>{where}: this is another kind of file; expected{because}.</source>
+        <translation>{where}：这是另一种文件；期望{because}。</translation>
+    </message>
+    <message>
+        <source>{where}: this is not well-formed TOML{because}.</source>
+        <translation>{where}：不是格式良好的 TOML{because}。</translation>
+    </message>
+    <message>
+        <source>{where}: this is not well-formed XML{because}.</source>
+        <translation>{where}：不是格式良好的 XML{because}。</translation>
     </message>
     <message>
         <source>{who} cannot be the first slave of the bus: nobody could be in front of it.</source>

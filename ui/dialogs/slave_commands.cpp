@@ -22,7 +22,7 @@ SlaveCommands::SlaveCommands(Workspace& workspace, DeviceCatalogue& catalogue, Q
            QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_A));
   duplicate = make("actionDuplicateSlave", tr("&Duplicate"), tr("Put a copy behind the slave, with its branches"),
                    QKeySequence(Qt::CTRL | Qt::Key_D));
-  move_up = make("actionMoveUp", tr("Move &Up"), tr("Change places with the slave before it in its line"),
+  move_up = make("actionMoveUp", tr("&Move Up"), tr("Change places with the slave before it in its line"),
                  QKeySequence(Qt::ALT | Qt::Key_Up));
   move_down = make("actionMoveDown", tr("Move Do&wn"), tr("Change places with the slave behind it in its line"),
                    QKeySequence(Qt::ALT | Qt::Key_Down));

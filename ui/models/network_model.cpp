@@ -123,13 +123,14 @@ void NetworkModel::setConfiguration(const NetworkConfig* config) {
   tellOf(changed);
 }
 
-void NetworkModel::setSnapshot(const Snapshot& snapshot) {
+void NetworkModel::setSnapshot(const Snapshot& snapshot, const std::vector<int>& positions) {
   const int master_state = snapshot.online ? static_cast<int>(snapshot.state) : -1;
   if (std::exchange(master_.al_status, master_state) != master_state) Q_EMIT dataChanged(indexOf(-1), indexOf(-1));
   std::vector<int> changed;
   for (std::size_t i = 0; i < slaves_.size(); ++i) {
     auto& node = slaves_[i];
-    const SlaveStatus* status = snapshot.online && i < snapshot.slaves.size() ? &snapshot.slaves[i] : nullptr;
+    const auto at = i < positions.size() ? static_cast<std::size_t>(positions[i]) : snapshot.slaves.size();
+    const SlaveStatus* status = snapshot.online && at < snapshot.slaves.size() ? &snapshot.slaves[at] : nullptr;
     const int al_status = status == nullptr ? -1 : (status->present ? status->al_status : 0);
     const bool leads = status != nullptr && status->is_reference_clock;
     const auto link = status == nullptr      ? LinkState::kOffline

@@ -40,7 +40,8 @@ class NetworkModel final : public QAbstractItemModel {
   /// Marks who uses distributed clocks and who leads, as compiled; nullptr when nothing could be compiled.
   void setConfiguration(const NetworkConfig* config);
   /// Live states; one dataChanged over the rows of a parent that differ.
-  void setSnapshot(const Snapshot& snapshot);
+  /// `positions`: of each slave in the snapshot; -1: it is not in it.
+  void setSnapshot(const Snapshot& snapshot, const std::vector<int>& positions);
   [[nodiscard]] QModelIndex indexOf(int slave) const;
   [[nodiscard]] int slaveCount() const { return static_cast<int>(slaves_.size()); }
   /// While a machine runs its slaves stay where they are.

@@ -27,6 +27,7 @@
 #include "ui/pages/slave_sync_page.h"
 #include "ui/pages/slave_timing_page.h"
 #include "ui/panels/slave_state_bar.h"
+#include "ui/session/running_slave.h"
 #include "ui/session/workspace.h"
 #include "ui/text/event_text.h"
 #include "ui/text/glossary.h"
@@ -206,13 +207,14 @@ void DeviceEditor::showLive() {
   const auto& snapshot = workspace_.live().snapshot();
   auto state = snapshot.state;
   bool failed = false;
-  const auto at = static_cast<std::size_t>(slave_);
+  bool runs = snapshot.online;
   if (slave_ >= 0) {
-    const bool known = at < snapshot.slaves.size() && snapshot.slaves[at].present;
-    state = known ? al_state_of(snapshot.slaves[at].al_status) : AlState::kNone;
-    failed = known && (snapshot.slaves[at].al_status & kAlErrorFlag) != 0;
+    const auto running = runningSlave(workspace_, slave_);
+    runs = running.has_value() && running->status != nullptr;
+    state = runs ? running->state() : AlState::kNone;
+    failed = runs && running->present() && (running->status->al_status & kAlErrorFlag) != 0;
   }
-  if (snapshot.online) {
+  if (runs) {
     state_->setState(failed ? theme::Tone::kBad : theme::stateTone(state),
                      slave_ < 0 ? masterStateName(state) : stateName(state));
   } else {

@@ -163,7 +163,7 @@ void MasterDcPage::showLive(const Snapshot& snapshot) {
   reading_->setText(!dc || age < 0 ? none : age == 0 ? tr("in this cycle") : tr("%1 ago").arg(timeText(age)));
   settled_->setText(dc ? afterText(snapshot.dc.settled_after_ms) : none);
   leader_->setText(dc && snapshot.dc.reference_clock >= 0
-                       ? nodeName(workspace().document().project(), snapshot.dc.reference_clock)
+                       ? nodeName(workspace().live().record()->config(), snapshot.dc.reference_clock)
                        : none);
   const bool dcm = snapshot.online && snapshot.dcm.mode != DcmMode::kOff;
   error_->setText(dcm ? signedTimeText(snapshot.dcm.error_filtered_ns) : none);

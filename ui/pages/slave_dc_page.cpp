@@ -8,6 +8,7 @@
 #include "ui/editors/choice_edit.h"
 #include "ui/editors/field_binder.h"
 #include "ui/pages/sync_unit_editor.h"
+#include "ui/session/running_slave.h"
 #include "ui/session/workspace.h"
 #include "ui/text/units.h"
 #include "ui/widgets/card.h"
@@ -97,10 +98,9 @@ void SlaveDcPage::refreshRegisters() {
   register_shift_->setText(dc != nullptr ? timeText(dc->shift_time) : noText());
 }
 
-void SlaveDcPage::showLive(const Snapshot& snapshot) {
-  const auto at = static_cast<std::size_t>(node());
-  const SlaveStatus* status =
-      snapshot.online && node() >= 0 && at < snapshot.slaves.size() ? &snapshot.slaves[at] : nullptr;
+void SlaveDcPage::showLive(const Snapshot&) {
+  const auto running = runningSlave(workspace(), node());
+  const SlaveStatus* status = running ? running->status : nullptr;
   if (status == nullptr) {
     role_->setState(theme::Tone::kNeutral, tr("Offline"));
   } else if (status->is_reference_clock) {

@@ -6,6 +6,7 @@
 
 #include "ui/editors/field_binder.h"
 #include "ui/editors/text_edit.h"
+#include "ui/session/running_slave.h"
 #include "ui/session/workspace.h"
 #include "ui/text/glossary.h"
 #include "ui/text/units.h"
@@ -119,15 +120,15 @@ void SlaveGeneralPage::refresh() {
   to_safeop_->setText(timeoutText(project, node(), "slave.N.timeout.back_to_safeop_ms"));
 }
 
-void SlaveGeneralPage::showLive(const Snapshot& snapshot) {
-  const auto at = static_cast<std::size_t>(node());
-  if (!snapshot.online || node() < 0 || at >= snapshot.slaves.size()) {
+void SlaveGeneralPage::showLive(const Snapshot&) {
+  const auto running = runningSlave(workspace(), node());
+  if (!running || running->status == nullptr) {
     state_->setState(theme::Tone::kNeutral, tr("Offline"));
     status_code_->setText(QStringLiteral("\u2013"));
     meaning_->hide();
     return;
   }
-  const auto& status = snapshot.slaves[at];
+  const auto& status = *running->status;
   const auto state = status.present ? al_state_of(status.al_status) : AlState::kNone;
   const bool failed = (status.al_status & kAlErrorFlag) != 0;
   state_->setState(failed ? theme::Tone::kBad : theme::stateTone(state),

@@ -29,6 +29,7 @@ Workspace::Workspace(Environment environment, QObject* parent)
       eeprom_repair_(environment_.eeprom_repairs),
       live_(environment_.open_master),
       requests_(live_),
+      running_slaves_(document_, live_),
       watched_(document_, memory_),
       run_difference_(document_, configuration_, live_),
       run_findings_(live_),
@@ -42,9 +43,13 @@ Workspace::Workspace(Environment environment, QObject* parent)
     network_.setConfiguration(configuration_.config());
     showFindings();
   });
-  connect(&live_, &LiveSession::snapshotChanged, this, [this] { network_.setSnapshot(live_.snapshot()); });
+  connect(&live_, &LiveSession::snapshotChanged, this,
+          [this] { network_.setSnapshot(live_.snapshot(), running_slaves_.positions()); });
   connect(&live_, &LiveSession::eventArrived, this, [this](const Event& event) {
-    if (auto message = messageOf(event, live_.record()->config())) messages_.append(std::move(*message));
+    if (auto message = messageOf(event, live_.record()->config())) {
+      message->slave = running_slaves_.slaveOf(event.slave);
+      messages_.append(std::move(*message));
+    }
   });
   connect(&run_findings_, &RunFindings::findingsChanged, this, [this] { showRunFindings(); });
   connect(&recording_, &OpenedRecording::changed, this, &Workspace::showRecording);

@@ -17,6 +17,7 @@
 #include "ui/session/project_document.h"
 #include "ui/session/run_difference.h"
 #include "ui/session/run_findings.h"
+#include "ui/session/running_slaves.h"
 #include "ui/session/scan_controller.h"
 #include "ui/session/slave_requests.h"
 #include "ui/session/watch_list.h"
@@ -41,6 +42,8 @@ class Workspace final : public QObject {
   [[nodiscard]] EepromRepair& eepromRepair() { return eeprom_repair_; }
   [[nodiscard]] LiveSession& live() { return live_; }
   [[nodiscard]] SlaveRequests& requests() { return requests_; }
+  /// Which slave of the project is which of the run.
+  [[nodiscard]] const RunningSlaves& runningSlaves() const { return running_slaves_; }
   [[nodiscard]] WatchList& watched() { return watched_; }
   /// What the project would do otherwise than what runs.
   [[nodiscard]] RunDifference& runDifference() { return run_difference_; }
@@ -95,6 +98,7 @@ class Workspace final : public QObject {
   EepromRepair eeprom_repair_;
   LiveSession live_;
   SlaveRequests requests_;
+  RunningSlaves running_slaves_;
   WatchList watched_;
   RunDifference run_difference_;
   RunFindings run_findings_;

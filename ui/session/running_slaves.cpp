@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/session/running_slaves.h"
+
+#include <map>
+#include <utility>
+
+#include "ui/session/live_session.h"
+#include "ui/session/project_document.h"
+
+namespace syncline::ui {
+namespace {
+
+bool sameDevice(const Identity& a, const Identity& b) {
+  return a.vendor_id == b.vendor_id && a.product_code == b.product_code && a.revision_no == b.revision_no;
+}
+
+int elementOf(const std::vector<int>& list, int at) {
+  return at >= 0 && static_cast<std::size_t>(at) < list.size() ? list[static_cast<std::size_t>(at)] : -1;
+}
+
+}  // namespace
+
+RunningSlaves::RunningSlaves(const ProjectDocument& document, const LiveSession& live)
+    : document_(document), live_(live) {
+  connect(&document, &ProjectDocument::projectChanged, this, [this] { stale_ = true; });
+  connect(&live, &LiveSession::recordChanged, this, [this] { stale_ = true; });
+}
+
+void RunningSlaves::find() const {
+  if (!std::exchange(stale_, false)) return;
+  const auto& wanted = document_.project().slaves;
+  positions_.assign(wanted.size(), -1);
+  slaves_.clear();
+  if (live_.record() == nullptr) return;
+  const auto& running = live_.record()->config().slaves;
+  slaves_.assign(running.size(), -1);
+  std::map<std::uint16_t, std::size_t> by_address;
+  for (std::size_t i = 0; i < running.size(); ++i) by_address.emplace(running[i].station_address, i);
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    const auto found = by_address.find(wanted[i].station_address);
+    if (found == by_address.end() || !sameDevice(running[found->second].identity, wanted[i].device.identity)) continue;
+    positions_[i] = static_cast<int>(found->second);
+    slaves_[found->second] = static_cast<int>(i);
+  }
+}
+
+const std::vector<int>& RunningSlaves::positions() const {
+  find();
+  return positions_;
+}
+
+int RunningSlaves::positionOf(int slave) const { return elementOf(positions(), slave); }
+
+int RunningSlaves::slaveOf(int position) const {
+  find();
+  return elementOf(slaves_, position);
+}
+
+}  // namespace syncline::ui
