@@ -7,6 +7,7 @@
 
 #include "protocol/al_state.h"
 #include "ui/text/glossary.h"
+#include "ui/text/menu_key.h"
 #include "ui/theme/theme.h"
 
 namespace syncline::ui {
@@ -23,6 +24,7 @@ QAction* Actions::add(const char* name, const QString& text, const char* icon, c
                       const QKeySequence& keys) {
   auto* action = new QAction(text, this);
   action->setObjectName(QLatin1String(name));
+  action->setIconText(withoutMenuKey(text));
   action->setShortcut(keys);
   action->setToolTip(keys.isEmpty() ? tool_tip
                                     : QStringLiteral("%1 (%2)").arg(tool_tip, keys.toString(QKeySequence::NativeText)));

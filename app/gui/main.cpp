@@ -193,7 +193,11 @@ int main(int argc, char* argv[]) {
   ui::theme::apply(
       ui::theme::modeFromName(options.theme.isEmpty() ? settings.value(kThemeSetting).toString() : options.theme));
   auto surroundings = environment();
-  if (options.screenshots.isEmpty()) surroundings.settings_file = settings.fileName();
+  if (options.screenshots.isEmpty()) {
+    surroundings.settings_file = settings.fileName();
+  } else {
+    surroundings.recovery_folder.clear();  // its edits are nobody's work
+  }
   ui::Workspace workspace(std::move(surroundings));
   ui::MainWindow window(workspace);
   if (options.screenshots.isEmpty()) workspace.setExpert(settings.value(kExpertSetting).toBool());

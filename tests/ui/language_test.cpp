@@ -12,17 +12,20 @@
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTemporaryDir>
+#include <QUndoStack>
 #include <map>
 
 #include "support/result.h"
 #include "support/speak.h"
 #include "support/ui_test_support.h"
+#include "ui/actions.h"
 #include "ui/dialogs/language_menu.h"
 #include "ui/main_window.h"
 #include "ui/panels/status_panel.h"
 #include "ui/session/window_memory.h"
 #include "ui/session/workspace.h"
 #include "ui/text/error_text.h"
+#include "ui/text/menu_key.h"
 #include "ui/text/units.h"
 
 namespace syncline::ui {
@@ -42,6 +45,18 @@ TEST(Languages, ChineseIsFoundUnderItsShortName) {
   for (const char* code : {"zh", "zh_CN", "zh-Hans"}) {
     const test::Speak speak(QString::fromLatin1(code));
     EXPECT_EQ(StatusPanel::tr("Starting"), QStringLiteral("正在启动")) << code;
+  }
+}
+
+TEST(Languages, ButtonsAndListsShowNoMenuKeys) {
+  EXPECT_EQ(withoutMenuKey(QStringLiteral("&Scan…")), QStringLiteral("Scan…"));
+  EXPECT_EQ(withoutMenuKey(QStringLiteral("扫描(&S)…")), QStringLiteral("扫描…"));
+  QUndoStack stack;
+  for (const auto& code : test::translatedLanguages()) {
+    const test::Speak speak(code);
+    const Actions actions(stack, nullptr);
+    EXPECT_FALSE(actions.scan->iconText().contains(u'(')) << qPrintable(code);
+    EXPECT_FALSE(actions.scan->iconText().contains(u'&')) << qPrintable(code);
   }
 }
 

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "settings/settings_table.h"
+#include "ui/text/menu_key.h"
 #include "ui/text/setting_text.h"
 #include "ui/widgets/named.h"
 
@@ -88,7 +89,7 @@ void GoToDialog::addSettings(const Project& project, int node) {
 
 void GoToDialog::addActions(const QList<QAction*>& actions) {
   for (auto* action : actions) {
-    const auto text = action->text().remove(u'&').remove(u'…');
+    const auto text = withoutMenuKey(action->text()).remove(u'…');
     if (text.isEmpty() || action->menu() != nullptr || !action->isEnabled()) continue;
     addGoal(
         {.text = text,

@@ -11,6 +11,7 @@
 #include "ui/dialogs/replace_dialog.h"
 #include "ui/session/device_catalogue.h"
 #include "ui/session/workspace.h"
+#include "ui/text/menu_key.h"
 
 namespace syncline::ui {
 
@@ -44,6 +45,7 @@ SlaveCommands::SlaveCommands(Workspace& workspace, DeviceCatalogue& catalogue, Q
 QAction* SlaveCommands::make(const char* name, const QString& text, const QString& tip, const QKeySequence& keys) {
   auto* action = new QAction(text, this);
   action->setObjectName(QLatin1String(name));
+  action->setIconText(withoutMenuKey(text));
   action->setShortcut(keys);
   action->setToolTip(QStringLiteral("%1 (%2)").arg(tip, keys.toString(QKeySequence::NativeText)));
   return action;
