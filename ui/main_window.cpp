@@ -70,7 +70,10 @@ MainWindow::MainWindow(Workspace& workspace, QWidget* parent) : QMainWindow(pare
   updateActions();
 }
 
-MainWindow::~MainWindow() = default;
+/// A field that loses the focus hands in what was typed: now, while there is a window that hears of it.
+MainWindow::~MainWindow() {
+  if (auto* field = focusWidget()) field->clearFocus();
+}
 
 void MainWindow::buildCentre() {
   editor_ = new DeviceEditor(workspace_);
