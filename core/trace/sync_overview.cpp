@@ -68,6 +68,7 @@ void OverviewRecorder::add(const CycleSample& sample) {
   const bool counts = overview_.armed && is_run_in_op(sample);
   note(overview_.deviation, sample, Signal::kDeviation, counts);
   note(overview_.dcm_error, sample, Signal::kDcmError, counts);
+  note(overview_.dcm_filtered, sample, Signal::kDcmErrorFiltered, counts);
   add_missed(sample);
 }
 
@@ -101,6 +102,7 @@ void OverviewRecorder::arm_at(Nanoseconds time) {
   overview_.armed = time;
   begin_anew(overview_.deviation);
   begin_anew(overview_.dcm_error);
+  begin_anew(overview_.dcm_filtered);
   auto& missed = overview_.missed;
   missed.count = 0;
   missed.last.reset();

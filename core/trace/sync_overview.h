@@ -44,6 +44,9 @@ struct SyncOverview {
   SyncLamp slaves, master;
   OverviewFigure deviation;  // ns, largest of the slaves that follow the reference clock, a magnitude
   OverviewFigure dcm_error;  // ns, signed
+  /// ns, signed. Single cycles over the limit are borne for a while (dc/dcm/sync_judge.h): the margin of the master
+  /// synchronisation is that of what its controller has made of them.
+  OverviewFigure dcm_filtered;
   struct Missed {
     std::uint64_t count = 0;  // SM2 events of all slaves since it was armed
     std::optional<Nanoseconds> last;

@@ -9,12 +9,12 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "ui/panels/figure_card.h"
 #include "ui/text/glossary.h"
 #include "ui/text/overview_text.h"
 #include "ui/text/recorded_text.h"
+#include "ui/text/sync_text.h"
 #include "ui/text/units.h"
 #include "ui/widgets/named.h"
 #include "ui/widgets/pill.h"
@@ -44,18 +44,6 @@ void addFigures(FigureCard& card) {
   card.addFigure(OverviewPanel::tr("p99.99"),
                  OverviewPanel::tr("Of 10,000 cycles one is larger; magnitude, since it was armed"));
   card.addFigure(OverviewPanel::tr("max"), OverviewPanel::tr("Largest magnitude of all cycles since it was armed"));
-}
-
-/// The verdict bears single cycles over the limit for a while (dc/dcm/sync_judge.h): what the controller has made of
-/// them is what comes near it.
-std::optional<double> filteredMargin(const RunRecord& record) {
-  const auto limit = record.limits().dcm_error_ns;
-  const auto& overview = record.overview();
-  if (limit <= 0 || !overview.armed) return std::nullopt;
-  const auto extent = record.samples().series(Signal::kDcmErrorFiltered).extent(*overview.armed, overview.end + 1);
-  if (!extent) return std::nullopt;
-  const auto largest = std::max(std::abs(static_cast<double>(extent->min)), std::abs(static_cast<double>(extent->max)));
-  return 1 - largest / static_cast<double>(limit);
 }
 
 Nanoseconds wholeNs(double value) { return static_cast<Nanoseconds>(std::llround(value)); }
@@ -94,7 +82,6 @@ OverviewPanel::OverviewPanel(QWidget* parent)
   connect(fault_, &QLabel::linkActivated, this,
           [this](const QString& link) { Q_EMIT momentWanted(link.toLongLong()); });
   arm_->setAutoDefault(false);
-  arm_->setToolTip(tr("Mean, rms, quantile, maximum, missed events and faults begin anew now"));
   connect(arm_, &QPushButton::clicked, this, &OverviewPanel::armWanted);
   auto* row = new QHBoxLayout(banner_);
   row->setContentsMargins(10, 5, 8, 5);
@@ -146,13 +133,15 @@ void OverviewPanel::showLamp(Pill& pill, QLabel& text, const SyncLamp& lamp) {
   }
   const auto state = syncStateText(lamp.state);
   // What has ended says nothing about now.
-  pill.setState(live_ || recorded_ ? lampTone(lamp.state) : theme::Tone::kNeutral,
+  pill.setState(live_ || recorded_ ? syncTone(lamp.state) : theme::Tone::kNeutral,
                 live_ ? state : tr("At the end: %1").arg(state));
   text.setText(lampText(lamp, record_->overview()));
 }
 
-void OverviewPanel::showFigure(FigureCard& card, const OverviewFigure& figure, std::int64_t limit, Signal signal,
-                               bool is_signed) {
+/// `judged`: what is held against the limit.
+void OverviewPanel::showFigure(FigureCard& card, const OverviewFigure& figure, const OverviewFigure& judged,
+                               std::int64_t limit, Signal signal) {
+  const bool is_signed = signal == Signal::kDcmError;
   const auto text = [is_signed](double value) {
     return is_signed ? signedTimeText(wholeNs(value)) : timeText(wholeNs(value));
   };
@@ -167,8 +156,8 @@ void OverviewPanel::showFigure(FigureCard& card, const OverviewFigure& figure, s
                                             .arg(text(static_cast<double>(figure.largest->value)),
                                                  momentText(figure.largest->time, *record_))
                                       : noText());
-  const bool filtered = signal == Signal::kDcmError;
-  const auto margin = filtered ? filteredMargin(*record_) : figure.margin(limit);
+  const bool filtered = &judged != &figure;
+  const auto margin = judged.margin(limit);
   if (limit <= 0) return card.setNote(theme::Tone::kNeutral, tr("no limit is set"));
   if (!margin) return card.setNote(theme::Tone::kNeutral, tr("limit \u00B1%1").arg(timeText(limit)));
   const auto note = [&](theme::Tone tone, const QString& words) {
@@ -213,13 +202,15 @@ void OverviewPanel::showFaults() {
 void OverviewPanel::refresh() {
   const bool any = record_ != nullptr && !record_->samples().empty();
   arm_->setEnabled(any && !recorded_);
-  if (recorded_) arm_->setToolTip(tr("A recording stays as it is"));
+  arm_->setToolTip(recorded_ ? tr("A recording stays as it is")
+                             : tr("Mean, rms, quantile, maximum, missed events and faults begin anew now"));
   static const SyncLamp kDark;
   showLamp(*slaves_, *slaves_text_, any ? record_->overview().slaves : kDark);
   showLamp(*master_, *master_text_, any ? record_->overview().master : kDark);
   if (any) {
-    showFigure(*deviation_, record_->overview().deviation, record_->limits().deviation_ns, Signal::kDeviation, false);
-    showFigure(*dcm_, record_->overview().dcm_error, record_->limits().dcm_error_ns, Signal::kDcmError, true);
+    const auto& overview = record_->overview();
+    showFigure(*deviation_, overview.deviation, overview.deviation, record_->limits().deviation_ns, Signal::kDeviation);
+    showFigure(*dcm_, overview.dcm_error, overview.dcm_filtered, record_->limits().dcm_error_ns, Signal::kDcmError);
     showMissed();
     return showFaults();
   }

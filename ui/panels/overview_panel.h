@@ -42,7 +42,8 @@ class OverviewPanel final : public QWidget {
  private:
   void buildVerdict(QWidget& card);
   void showLamp(Pill& pill, QLabel& text, const SyncLamp& lamp);
-  void showFigure(FigureCard& card, const OverviewFigure& figure, std::int64_t limit, Signal signal, bool is_signed);
+  void showFigure(FigureCard& card, const OverviewFigure& figure, const OverviewFigure& judged, std::int64_t limit,
+                  Signal signal);
   void showMissed();
   void showFaults();
 

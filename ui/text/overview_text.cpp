@@ -85,21 +85,4 @@ QString lampText(const SyncLamp& lamp, const SyncOverview& overview) { return Ov
 QString firstFaultText(const RunRecord& record) { return Overview::firstFault(record); }
 QString momentText(Nanoseconds time, const RunRecord& record) { return Overview::moment(time, record); }
 
-theme::Tone lampTone(SyncState state) {
-  switch (state) {
-    case SyncState::kInSync:
-      return theme::Tone::kGood;
-    case SyncState::kOutOfSync:
-      return theme::Tone::kBad;
-    case SyncState::kBusy:
-      return theme::Tone::kBusy;
-    case SyncState::kUnknown:
-      return theme::Tone::kWarning;
-    case SyncState::kNotMonitored:
-    case SyncState::kNotReady:
-      break;
-  }
-  return theme::Tone::kNeutral;
-}
-
 }  // namespace syncline::ui

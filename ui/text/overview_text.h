@@ -4,7 +4,6 @@
 #include <QString>
 
 #include "record/run_record.h"
-#include "ui/theme/theme.h"
 
 namespace syncline::ui {
 
@@ -12,7 +11,6 @@ namespace syncline::ui {
 [[nodiscard]] QString faultText(const Fault& fault, const RunRecord& record);
 /// What one of the lamps says below its state: for how long, and when it was lost last.
 [[nodiscard]] QString lampText(const SyncLamp& lamp, const SyncOverview& overview);
-[[nodiscard]] theme::Tone lampTone(SyncState state);
 /// What came first and what followed, as rich text whose links are moments of the run (host clock, ns).
 [[nodiscard]] QString firstFaultText(const RunRecord& record);
 /// A moment as the plots' axis has it: "12.345 s" since the first sample.

@@ -8,7 +8,11 @@
 namespace syncline::ui {
 namespace {
 
-theme::Tone toneOf(SyncState state) {
+QString offline() { return QCoreApplication::translate("Sync", "Offline"); }
+
+}  // namespace
+
+theme::Tone syncTone(SyncState state) {
   switch (state) {
     case SyncState::kInSync:
       return theme::Tone::kGood;
@@ -25,14 +29,10 @@ theme::Tone toneOf(SyncState state) {
   return theme::Tone::kNeutral;
 }
 
-QString offline() { return QCoreApplication::translate("Sync", "Offline"); }
-
-}  // namespace
-
 StateText slavesSync(const Snapshot& snapshot) {
   if (!snapshot.online) return {theme::Tone::kNeutral, offline()};
   if (!snapshot.dc.enabled) return {theme::Tone::kNeutral, QCoreApplication::translate("Sync", "DC off")};
-  return {toneOf(snapshot.dc.state), syncStateText(snapshot.dc.state)};
+  return {syncTone(snapshot.dc.state), syncStateText(snapshot.dc.state)};
 }
 
 StateText masterSync(const Snapshot& snapshot) {
@@ -41,9 +41,9 @@ StateText masterSync(const Snapshot& snapshot) {
   const auto text = syncStateText(snapshot.dcm.state);
   // On the way to in sync the obstacle is the way itself.
   if (snapshot.dcm.state != SyncState::kOutOfSync || snapshot.dcm.obstacle == dc::SyncObstacle::kNone) {
-    return {toneOf(snapshot.dcm.state), text};
+    return {syncTone(snapshot.dcm.state), text};
   }
-  return {toneOf(snapshot.dcm.state),
+  return {syncTone(snapshot.dcm.state),
           QCoreApplication::translate("Sync", "%1: %2").arg(text, obstacleText(snapshot.dcm.obstacle))};
 }
 

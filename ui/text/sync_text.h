@@ -14,6 +14,7 @@ struct StateText {
   QString text;
 };
 
+[[nodiscard]] theme::Tone syncTone(SyncState state);
 [[nodiscard]] StateText slavesSync(const Snapshot& snapshot);
 [[nodiscard]] StateText masterSync(const Snapshot& snapshot);
 

@@ -55,6 +55,18 @@ TEST(SyncOverview, ALampSaysSinceWhenAndWhenItWasLost) {
   EXPECT_EQ(lamp.times_lost, 1U);
 }
 
+/// Single cycles far over the limit are borne; what the controller has made of them is what the limit is for.
+TEST(SyncOverview, TheMasterHasTheMarginOfTheFilteredError) {
+  OverviewRecorder recorder(1);
+  auto one = sample(0, SyncState::kInSync, 10, 65'000);
+  one.dcm_error_filtered_ns = -3'000;
+  feed(recorder, one);
+  EXPECT_EQ(*recorder.overview().dcm_filtered.margin(4'000), 0.25);
+  EXPECT_LT(*recorder.overview().dcm_error.margin(4'000), 0);
+  recorder.arm();
+  EXPECT_FALSE(recorder.overview().dcm_filtered.margin(4'000)) << "it begins anew with the others";
+}
+
 TEST(SyncOverview, TheMarginIsWhatTheLargestHasLeft) {
   OverviewRecorder recorder(1);
   feed(recorder, sample(0, SyncState::kInSync, 100, -300));
