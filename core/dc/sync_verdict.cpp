@@ -10,29 +10,29 @@ namespace syncline::dc {
 SlavesEvidence weigh(std::span<const ClockReading> readings, std::uint32_t limit_ns,
                      std::optional<Nanoseconds> within) {
   SlavesEvidence evidence;
-  for (std::size_t i = 0; i < readings.size(); ++i) {
+  const auto proven = within.value_or(INT64_MIN);
+  Nanoseconds oldest = INT64_MAX;
+  for (std::size_t i = 0; i < readings.size(); ++i) {  // in every cycle
     const auto& reading = readings[i];
     if (!reading.follows) continue;
-    // An own reading in the same cycle is the newer one.
-    const bool proven = within && (reading.read ? *within > reading.time : *within >= reading.time);
-    const auto heard = proven ? *within : reading.time;
-    evidence.oldest = evidence.followers == 0 ? heard : std::min(evidence.oldest, heard);
     ++evidence.followers;
+    oldest = std::min(oldest, std::max(proven, reading.time));
     if (!reading.read) {
-      if (!proven) ++evidence.unread;
+      evidence.unread += proven >= reading.time ? 0 : 1;
       continue;
     }
     evidence.newest = std::max(evidence.newest, reading.time);
-    const bool over = reading.magnitude() > limit_ns;
-    if (over && proven) continue;  // that is over
-    if (over) {
+    const auto magnitude = reading.magnitude();
+    if (magnitude > limit_ns) {
+      if (proven > reading.time) continue;  // that is over; an own reading in the same cycle is the newer one
       ++evidence.over;
       evidence.ahead += reading.deviation_ns > 0 ? 1 : 0;
     }
-    if (evidence.worst >= 0 && reading.magnitude() <= evidence.worst_ns) continue;
+    if (evidence.worst >= 0 && magnitude <= evidence.worst_ns) continue;
     evidence.worst = static_cast<int>(i);
-    evidence.worst_ns = reading.magnitude();
+    evidence.worst_ns = magnitude;
   }
+  if (evidence.followers > 0) evidence.oldest = oldest;
   return evidence;
 }
 

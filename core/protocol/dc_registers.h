@@ -26,7 +26,7 @@ struct SystemTimeDifference {
     const auto magnitude =
         static_cast<std::uint32_t>(local_minus_received < 0 ? -local_minus_received : local_minus_received) &
         0x7FFF'FFFFU;
-    return {local_minus_received >= 0 && magnitude != 0 ? magnitude | 0x8000'0000U : magnitude};
+    return {magnitude | static_cast<std::uint32_t>(local_minus_received >= 0 && magnitude != 0) << 31U};
   }
 };
 

@@ -51,6 +51,7 @@ inline constexpr std::uint16_t kSiiAddress = 0x0504;
 inline constexpr std::uint16_t kSiiData = 0x0508;
 inline constexpr std::uint16_t kFmmu = 0x0600;         // + 16 * n
 inline constexpr std::uint16_t kSyncManager = 0x0800;  // + 8 * n
+inline constexpr std::uint16_t kSyncManagersSize = 0x80;
 inline constexpr std::uint16_t kReceiveTimePort0 = 0x0900;
 inline constexpr std::uint16_t kReceiveTimePort1 = 0x0904;
 inline constexpr std::uint16_t kReceiveTimePort2 = 0x0908;

@@ -63,7 +63,7 @@ struct SimBus::Impl final : FaultTarget {
   SimConfig config;
   Work work;
   Wiring wiring;
-  std::uint64_t setting_changes = 1;  // of all ESCs
+  std::uint64_t setting_changes = 1, event_changes = 1;  // of all ESCs
   std::vector<Node> nodes;
   std::vector<SlaveLink> links;
   SegmentPath path;
@@ -103,7 +103,7 @@ struct SimBus::Impl final : FaultTarget {
   [[nodiscard]] std::uint64_t seed_of(std::size_t i) const { return config.seed * 0x9E37'79B9'7F4A'7C15U + i; }
   Node switch_on(std::size_t i, std::vector<std::uint8_t> sii, Nanoseconds time) {
     auto node = power_up(config.slaves[i], std::move(sii), time, seed_of(i), work);
-    node.esc->count_changes_in(setting_changes);
+    node.esc->count_changes_in(setting_changes, event_changes);
     return node;
   }
   void restart(std::size_t i, Nanoseconds time) {
@@ -244,7 +244,7 @@ bool SimBus::Impl::meet(const Stop& stop, Nanoseconds time) {
 /// Through the slaves up to the end of its way, which may come earlier than was thought.
 void SimBus::Impl::pass_slaves(Reach& way, Nanoseconds send_time, Nanoseconds length) {
   touched.clear();
-  const auto& called = addresses.called_by(passing);
+  const auto& called = addresses.called_by(passing, event_changes);
   if (passing.is_for_single_slaves()) {
     for (const auto place : called) {
       const auto& stop = stops[place];
@@ -385,7 +385,7 @@ std::vector<PinEdge> SimBus::pin_edges(std::size_t position, unsigned pin) const
 std::vector<std::uint8_t> SimBus::peek(std::size_t position, std::uint16_t address, std::size_t length) const {
   auto& esc = *impl_->nodes.at(position).esc;
   esc.dc().start_of_frame(impl_->now);
-  esc.dc().refresh_registers();
+  esc.refresh_registers();
   const auto bytes = std::as_const(esc).memory().at(address, length);
   return {bytes.begin(), bytes.end()};
 }

@@ -200,8 +200,7 @@ void Device::report(AlState state, std::uint16_t code) {
   const auto status = static_cast<std::uint16_t>(static_cast<unsigned>(state) | (error_ ? kAlErrorFlag : 0U));
   esc_.memory().set<std::uint16_t>(reg::kAlStatusCode, code);
   esc_.memory().set<std::uint16_t>(reg::kAlStatus, status);
-  esc_.memory().set<std::uint16_t>(reg::kEcatEventRequest,
-                                   static_cast<std::uint16_t>(esc_.memory().u16(reg::kEcatEventRequest) | 0x0008));
+  esc_.tell_al_status();
 }
 
 /// OP needs SYNC0: the answer waits for the first one as long as it may still come.

@@ -163,6 +163,7 @@ bool Esc::read_memory(std::uint16_t address, std::span<std::uint8_t> out, bool o
 
 bool Esc::read_registers(std::uint16_t address, std::span<std::uint8_t> out, bool or_into) {
   if (overlaps(address, out.size(), DcUnit::kShownBegin, DcUnit::kShownSize)) dc_.refresh_registers();
+  if (overlaps(address, out.size(), reg::kSyncManager, reg::kSyncManagersSize)) buffers_.show();
   const bool latches = overlaps(address, out.size(), reg::kLatch0Status, kDcEnd - reg::kLatch0Status);
   if (latches) dc_.latches().before_read(address, out.size());
   const auto from = std::as_const(memory_).at(address, out.size());
@@ -233,13 +234,17 @@ void Esc::commit_register(const Write& write, Nanoseconds time) {
     return overlaps(write.address, write.length, address, size);
   };
   quiet_until_ = INT64_MIN;  // a setting for a while may begin or end by it
-  if (hit(reg::kFmmu, 0x100) || hit(reg::kSyncManager, 0x80)) {
+  if (hit(reg::kFmmu, 0x100) || hit(reg::kSyncManager, reg::kSyncManagersSize)) {
     maps_stale_ = true;
-    if (hit(reg::kSyncManager, 0x80)) {  // set up anew
+    if (hit(reg::kSyncManager, reg::kSyncManagersSize)) {  // set up anew
       sm_begun_ = 0;
       for (auto& bytes : pending_) bytes.clear();
       any_pending_ = false;
     }
+  }
+  if (hit(reg::kWatchdogDivider, reg::kWatchdogStatus - reg::kWatchdogDivider)) {
+    watchdog_.settings_written();
+    pdi_watchdog_.settings_written();
   }
   if (hit(reg::kDlControl, 4)) ports_.control_written(time);
   if (hit(reg::kRxErrorCounter, 0x0C)) std::ranges::fill(memory_.at(reg::kRxErrorCounter, 0x0C), std::uint8_t{0});
@@ -277,6 +282,7 @@ void Esc::take_over(const Write& write, std::span<const std::uint8_t> bytes) {
     short_copy(bytes, memory_.at(write.address, write.length));
     return;
   }
+  if (overlaps(write.address, write.length, reg::kSyncManager, reg::kSyncManagersSize)) buffers_.show();
   const bool sii = overlaps(write.address, write.length, reg::kSiiControl, 0x20);
   for (std::size_t i = 0; i < bytes.size(); ++i) {
     const auto address = static_cast<std::uint32_t>(write.address + i);

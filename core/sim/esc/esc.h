@@ -76,13 +76,18 @@ class Esc {
   [[nodiscard]] bool is_indifferent() const {
     return memory_.u16(reg::kEcatEventMask) == 0 && !reset_.begun() && !ports_.port0_automatically_closed();
   }
-  /// Every frame is: it carries the ESC's events, ends its reset sequence or shows that it circulates.
+  /// Every frame is: it carries the ESC's events, ends its reset sequence or shows that it circulates. It stays so
+  /// until settings or events change.
   [[nodiscard]] bool looks_at_all_frames() const {
     return reset_.begun() || ports_.port0_automatically_closed() ||
            (memory_.u16(reg::kEcatEventRequest) & memory_.u16(reg::kEcatEventMask)) != 0;
   }
-  /// Counts the changes of the settings there, too, where those of many ESCs come together.
-  void count_changes_in(std::uint64_t& changes) { changes_ = &changes; }
+  /// Counts the changes of the settings, and those of the ECAT event request, there, too, where those of many ESCs come
+  /// together.
+  void count_changes_in(std::uint64_t& settings, std::uint64_t& events) {
+    changes_ = &settings;
+    event_changes_ = &events;
+  }
   /// The frame passes the processing unit: executes every datagram in place. False: it is destroyed there.
   [[nodiscard]] bool process(PassingFrame& frame, Nanoseconds time);
   /// Both of process() and frame_end(), for a frame with a shape that no slave sees damaged: possible where nothing is
@@ -142,6 +147,11 @@ class Esc {
     wake_up();
     return dc_;
   }
+  /// Brings those up to date that are only when somebody reads them.
+  void refresh_registers() {
+    dc_.refresh_registers();
+    buffers_.show();
+  }
   [[nodiscard]] SyncManager sync_manager(unsigned number) const;
   [[nodiscard]] bool has_sync_manager(unsigned number) const { return buffers_.has(number); }
   /// Its memory, cut where a master has set it up beyond the address space.
@@ -166,6 +176,8 @@ class Esc {
     wake_up();
     sync_silent_ = silent;
   }
+  /// The PDI has written the AL status: the ECAT event request tells the master (0x0210, bit 3).
+  void tell_al_status();
   /// The PDI has dealt with these bits of the AL event request (0x0220).
   void acknowledge_events(std::uint32_t events);
   /// The PDI deals with the events of SyncManagers as soon as it is told of them: nobody sees them pending.
@@ -316,6 +328,7 @@ class Esc {
   std::array<FramePlan, FramePlan::kPlaces> plans_{};
   std::uint32_t generation_ = 1;                                      // of the settings that plans are made by
   std::uint64_t own_changes_ = 0, *changes_ = &own_changes_;          // of the same; here or of a whole bus
+  std::uint64_t* event_changes_ = &own_changes_;                      // of the ECAT event request, likewise
   std::uint32_t addresses_generation_ = 0, station_ = 0, alias_ = 0;  // the addresses of that generation
   Nanoseconds idle_until_ = INT64_MIN;
   bool sync_silent_ = false, prompt_ = false;

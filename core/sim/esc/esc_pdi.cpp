@@ -18,9 +18,13 @@ void Esc::set_listener(Listener* listener) {
 }
 
 void Esc::raise_event(std::uint16_t event) {
-  memory_.set<std::uint16_t>(reg::kEcatEventRequest,
-                             static_cast<std::uint16_t>(memory_.u16(reg::kEcatEventRequest) | event));
+  const auto request = memory_.u16(reg::kEcatEventRequest);
+  if ((request & event) == event) return;
+  memory_.set<std::uint16_t>(reg::kEcatEventRequest, static_cast<std::uint16_t>(request | event));
+  ++*event_changes_;
 }
+
+void Esc::tell_al_status() { raise_event(kEventAlStatus); }
 
 void Esc::raise_al_event(std::uint32_t event) {
   memory_.set<std::uint32_t>(reg::kAlEventRequest, memory_.u32(reg::kAlEventRequest) | event);
@@ -38,8 +42,9 @@ void Esc::acknowledge_events(std::uint32_t events) {
 
 void Esc::clear_event(std::uint16_t event) {
   const auto request = memory_.u16(reg::kEcatEventRequest);
-  if ((request & event) != 0)
-    memory_.set<std::uint16_t>(reg::kEcatEventRequest, static_cast<std::uint16_t>(request & ~event));
+  if ((request & event) == 0) return;
+  memory_.set<std::uint16_t>(reg::kEcatEventRequest, static_cast<std::uint16_t>(request & ~event));
+  ++*event_changes_;
 }
 
 SyncManager Esc::sync_manager(unsigned number) const {

@@ -221,7 +221,7 @@ bool Esc::plan_reading(FramePlan& plan, const PassingDatagram& datagram, std::si
   const bool shown =
       overlaps(datagram.ado, length, DcUnit::kShownBegin, kClockBegin + kClockSize - DcUnit::kShownBegin);
   const bool difference = datagram.ado == reg::kSystemTimeDifference && length == 4;
-  if (shown && !difference) return false;
+  if ((shown && !difference) || overlaps(datagram.ado, length, reg::kSyncManager, reg::kSyncManagersSize)) return false;
   if (!any_have(EscMemory::kRead, datagram.ado, length)) return true;  // not in this ESC
   if (!is_readable(datagram.ado, length)) return false;
   plan.wkc[number] = 1;
@@ -289,6 +289,9 @@ bool Esc::plan_mapping(FramePlan& plan, const PassingDatagram& datagram, const M
   const auto behind = (physical + bits + 7) / 8;
   if (writing || behind > std::min<std::uint64_t>(buffers_begin_, EscMemory::kRegisterEnd)) return false;
   if (overlaps(address, behind - address, kClockBegin, kClockSize)) return false;
+  if (bits == 1 ? ThreeBuffers::shows(address, static_cast<unsigned>(physical % 8))
+                : overlaps(address, behind - address, reg::kSyncManager, reg::kSyncManagersSize))
+    return false;
   if (bits == 1) {
     const auto places = static_cast<std::uint8_t>((from - begin) % 8 | (physical % 8) << kMemoryBit);
     return plan.add({Do::kGiveBit, places, place, static_cast<std::uint16_t>(address), 1});

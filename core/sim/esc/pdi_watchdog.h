@@ -16,6 +16,8 @@ class PdiWatchdog {
   [[nodiscard]] Nanoseconds deadline() const { return timer_.deadline(); }
   /// The last access was at `time`.
   void pdi_stops(Nanoseconds time) { timer_.restart(time); }
+  /// Somebody has written the divider or the time.
+  void settings_written() { timer_.settings_written(); }
   /// True when that makes the watchdog fine again.
   bool pdi_works() {
     timer_.stop();

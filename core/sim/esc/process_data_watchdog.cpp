@@ -8,15 +8,15 @@ constexpr std::uint16_t kActiveOrDisabled = 0x0001;
 
 }  // namespace
 
-void ProcessDataWatchdog::trigger(Nanoseconds time) {
-  timer_.restart(time);
-  memory_.set<std::uint16_t>(reg::kWatchdogStatus, kActiveOrDisabled);
-}
-
 bool ProcessDataWatchdog::expire() {
-  memory_.set<std::uint16_t>(reg::kWatchdogStatus, 0);
+  show(true);
   memory_.count(reg::kWatchdogCounterProcessData);
   return true;
+}
+
+void ProcessDataWatchdog::show(bool expired) {
+  expired_ = expired;
+  memory_.set<std::uint16_t>(reg::kWatchdogStatus, expired ? std::uint16_t{0} : kActiveOrDisabled);
 }
 
 }  // namespace syncline::sim

@@ -12,18 +12,25 @@ class ProcessDataWatchdog {
  public:
   explicit ProcessDataWatchdog(EscMemory& memory) : memory_(memory), timer_(memory, reg::kWatchdogProcessData) {}
 
-  void trigger(Nanoseconds time);
+  void trigger(Nanoseconds time) {
+    timer_.restart(time);
+    if (expired_) show(false);
+  }
   /// True when it expires now: once, until the next trigger.
   bool advance_to(Nanoseconds time) { return timer_.advance_to(time) && expire(); }
   [[nodiscard]] Nanoseconds deadline() const { return timer_.deadline(); }
   /// The SyncManager was switched off: nothing to watch.
   void stop() { timer_.stop(); }
+  /// Somebody has written the divider or the time.
+  void settings_written() { timer_.settings_written(); }
 
  private:
   bool expire();
+  void show(bool expired);
 
   EscMemory& memory_;
   WatchdogTimer timer_;
+  bool expired_ = false;  // as the status shows it
 };
 
 }  // namespace syncline::sim

@@ -25,9 +25,21 @@ class ThreeBuffers {
     // The one that is read stays, so that behind the first time two of them take turns.
     buffers.written = next(buffers);
     if (times % 2 == 0) buffers.written = next(buffers);
-    const auto address = static_cast<std::uint16_t>(reg::sync_manager(number) + kStatus);
-    const auto others = memory_.u8(address) & ~SyncManager::kStatusBuffer;
-    memory_.set<std::uint8_t>(address, static_cast<std::uint8_t>(others | buffers.written << kShift));
+    unshown_ |= 1U << number;
+  }
+  /// The bit is one of those that show() brings up to date.
+  [[nodiscard]] static bool shows(std::uint32_t address, unsigned bit) {
+    return address >= reg::kSyncManager && address < reg::kSyncManager + reg::kSyncManagersSize &&
+           address % SyncManager::kSize == kStatus && (SyncManager::kStatusBuffer >> bit & 1U) != 0;
+  }
+  /// Brings the status registers up to date: before somebody looks at them or writes them.
+  void show() {
+    for (; unshown_ != 0; unshown_ &= unshown_ - 1) {
+      const auto number = static_cast<unsigned>(std::countr_zero(unshown_));
+      const auto address = static_cast<std::uint16_t>(reg::sync_manager(number) + kStatus);
+      const auto others = memory_.u8(address) & ~SyncManager::kStatusBuffer;
+      memory_.set<std::uint8_t>(address, static_cast<std::uint8_t>(others | buffers_[number].written << kShift));
+    }
   }
   /// The master reads the one that was written last.
   void read(unsigned number) { buffers_[number].read = buffers_[number].written; }
@@ -46,6 +58,7 @@ class ThreeBuffers {
 
   EscMemory& memory_;
   std::vector<Buffers> buffers_;
+  std::uint32_t unshown_ = 0;  // bit per SyncManager: its status is not up to date
 };
 
 }  // namespace syncline::sim

@@ -5,11 +5,10 @@
 
 namespace syncline::sim {
 
-void WatchdogTimer::restart(Nanoseconds time) {
+Nanoseconds WatchdogTimer::set_timeout() const {
   constexpr Nanoseconds kDividerUnit = 40;  // ns
   const Nanoseconds tick = (memory_.u16(reg::kWatchdogDivider) + 2) * kDividerUnit;
-  const Nanoseconds timeout = memory_.u16(time_register_) * tick;
-  deadline_ = timeout == 0 ? kNever : time + timeout;
+  return memory_.u16(time_register_) * tick;
 }
 
 }  // namespace syncline::sim

@@ -17,7 +17,12 @@ class WatchdogTimer {
   WatchdogTimer(const EscMemory& memory, std::uint16_t time_register)
       : memory_(memory), time_register_(time_register) {}
 
-  void restart(Nanoseconds time);
+  void restart(Nanoseconds time) {
+    if (timeout_ == kUnknown) timeout_ = set_timeout();
+    deadline_ = timeout_ == 0 ? kNever : time + timeout_;
+  }
+  /// Somebody has written the divider or the time: they count from the next restart on.
+  void settings_written() { timeout_ = kUnknown; }
   void stop() { deadline_ = kNever; }
   /// When it will expire, unless it is restarted; the end of time: not at all.
   [[nodiscard]] Nanoseconds deadline() const { return deadline_; }
@@ -30,9 +35,12 @@ class WatchdogTimer {
 
  private:
   static constexpr Nanoseconds kNever = std::numeric_limits<Nanoseconds>::max();
+  static constexpr Nanoseconds kUnknown = -1;
+  [[nodiscard]] Nanoseconds set_timeout() const;
 
   const EscMemory& memory_;
   std::uint16_t time_register_;
+  Nanoseconds timeout_ = kUnknown;  // as the registers say; 0: none
   Nanoseconds deadline_ = kNever;
 };
 

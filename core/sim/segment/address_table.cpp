@@ -15,6 +15,7 @@ void AddressTable::begin(std::uint64_t changes) {
   watchful_.clear();
   shared_ = false;
   changes_ = changes;
+  event_changes_ = 0;
 }
 
 void AddressTable::add(Esc& esc) {
@@ -32,12 +33,19 @@ void AddressTable::place(std::uint32_t station, std::uint16_t slave) {
   places_[station] = slave;
 }
 
-const std::vector<std::uint16_t>& AddressTable::called_by(const PassingFrame& frame) {
+void AddressTable::find_watching(std::uint64_t event_changes) {
+  event_changes_ = event_changes;
+  watching_.clear();
+  for (const auto slave : watchful_) {
+    if (slaves_[slave].esc->looks_at_all_frames()) watching_.push_back(slave);
+  }
+}
+
+const std::vector<std::uint16_t>& AddressTable::called_by(const PassingFrame& frame, std::uint64_t event_changes) {
   called_.clear();
   if (frame.is_for_single_slaves()) {
-    for (const auto slave : watchful_) {
-      if (slaves_[slave].esc->looks_at_all_frames()) called_.push_back(slave);
-    }
+    if (event_changes_ != event_changes) find_watching(event_changes);
+    called_ = watching_;
   }
   if (shared_) {
     for (std::size_t i = 0; i < slaves_.size(); ++i) {

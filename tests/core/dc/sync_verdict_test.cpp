@@ -2,7 +2,9 @@
 #include "dc/sync_verdict.h"
 
 #include <gtest/gtest.h>
+#include <rapidcheck.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "protocol/dc_registers.h"
@@ -55,6 +57,48 @@ class SyncVerdictTest : public ::testing::Test {
   std::vector<ClockReading> readings;
   SyncVerdict verdict{settings, true, kStale, kVerdictStart};
 };
+
+/// Each figure by its own definition, one after the other.
+SlavesEvidence weigh_plainly(std::span<const ClockReading> readings, std::uint32_t limit_ns,
+                             std::optional<Nanoseconds> within) {
+  SlavesEvidence evidence;
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    const auto& reading = readings[i];
+    if (!reading.follows) continue;
+    const bool proven_later = within && *within > reading.time, proven = within && *within >= reading.time;
+    const auto heard = proven ? *within : reading.time;
+    evidence.oldest = evidence.followers == 0 ? heard : std::min(evidence.oldest, heard);
+    ++evidence.followers;
+    if (!reading.read && !proven) ++evidence.unread;
+    if (!reading.read) continue;
+    evidence.newest = std::max(evidence.newest, reading.time);
+    const bool over = reading.magnitude() > limit_ns;
+    if (over && !proven_later) ++evidence.over;
+    if (over && !proven_later && reading.deviation_ns > 0) ++evidence.ahead;
+    if (over && proven_later) continue;
+    if (evidence.worst >= 0 && reading.magnitude() <= evidence.worst_ns) continue;
+    evidence.worst = static_cast<int>(i);
+    evidence.worst_ns = reading.magnitude();
+  }
+  return evidence;
+}
+
+TEST(SyncEvidenceProperty, IsWhatEachFiguresDefinitionSays) {
+  EXPECT_TRUE(rc::check("weighed at once and figure by figure", [] {
+    const auto small = [](std::int64_t low, std::int64_t high) { return *rc::gen::inRange<std::int64_t>(low, high); };
+    std::vector<ClockReading> readings;
+    for (auto left = small(0, 8); left > 0; --left) {
+      const auto deviation = static_cast<std::int32_t>(*rc::gen::elementOf(
+          std::vector<std::int64_t>{0, 20, -20, 127, -127, 128, -128, 3'000, -3'000, INT32_MIN, INT32_MAX}));
+      readings.push_back({small(0, 4) > 0, small(0, 4) > 0, small(0, 5), deviation});
+    }
+    const auto within = small(0, 3) == 0 ? std::nullopt : std::optional<Nanoseconds>(small(0, 5));
+    const auto a = weigh(readings, 127, within), b = weigh_plainly(readings, 127, within);
+    RC_ASSERT(a.followers == b.followers && a.unread == b.unread && a.over == b.over && a.ahead == b.ahead);
+    RC_ASSERT(a.worst == b.worst && a.worst_ns == b.worst_ns);
+    RC_ASSERT(a.newest == b.newest && a.oldest == b.oldest);
+  }));
+}
 
 TEST_F(SyncVerdictTest, LimitIsAPowerOfTwoLessOne) { EXPECT_EQ(verdict.limit_ns(), 127U); }
 
