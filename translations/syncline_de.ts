@@ -4386,8 +4386,8 @@ Einstellung %2</translation>
             <translation>seit %1</translation>
         </message>
         <message>
-            <source>, never lost</source>
-            <translation>, nie verloren</translation>
+            <source>, not lost since it was armed</source>
+            <translation>, seit dem Scharfstellen nicht verloren</translation>
         </message>
         <message numerus="yes">
             <source>, last lost %1 ago, %n time(s)</source>

@@ -4367,8 +4367,8 @@ Setting %2</source>
             <translation>已 %1</translation>
         </message>
         <message>
-            <source>, never lost</source>
-            <translation>，从未失步</translation>
+            <source>, not lost since it was armed</source>
+            <translation>，重新计数以来未失步</translation>
         </message>
         <message numerus="yes">
             <source>, last lost %1 ago, %n time(s)</source>

@@ -17,6 +17,7 @@ void updateActionStates(const Actions& actions, Workspace& workspace, const Reco
   actions.create->setEnabled(!busy);
   actions.open->setEnabled(!workspace.scan().isRunning());
   for (auto* action : {actions.save, actions.save_as, actions.export_eni}) action->setEnabled(some);
+  actions.go_to->setEnabled(!recorded);
   actions.scan->setEnabled(!busy);
   actions.demo->setEnabled(!busy);
   actions.online->setEnabled(some && phase == LiveSession::Phase::kOffline && !busy);
@@ -36,7 +37,7 @@ void updateRecordingStates(const Actions& actions, Workspace& workspace, const R
   actions.save_recent->setText(recordings.saveLastText());
   actions.save_recent->setEnabled(disk.remembered() > 0 && !shown);
   for (auto* action : {actions.create, actions.scan, actions.demo, actions.online, actions.offline, actions.record,
-                       actions.save_recent, actions.clear_statistics}) {
+                       actions.save_recent, actions.clear_statistics, actions.go_to}) {
     if (shown && action->property("usualTip").isNull()) {
       action->setProperty("usualTip", action->toolTip());
       action->setToolTip(

@@ -148,11 +148,13 @@ void MainWindow::buildDocks() {
       *this, workspace_.memory(),
       WindowLayout::Parts{explorer_dock_, building_->dock(), {messages_dock_, findings_dock_}, splitter_});
   connect(findings, &FindingsPanel::placeActivated, this, [this](int position, const QString& key) {
+    if (workspace_.recording().isOpen()) return goTo(position, key);
     if (const int slave = workspace_.runningSlaves().slaveOf(position); slave >= 0 || position < 0) goTo(slave, key);
   });
   connect(&workspace_.runFindings(), &RunFindings::findingsChanged, this, &MainWindow::showFindingCount);
   connect(explorer_, &ExplorerPanel::nodeSelected, editor_, &DeviceEditor::showNode);
   connect(explorer_, &ExplorerPanel::nodeSelected, this, [this](int slave) {
+    if (workspace_.recording().isOpen()) return;
     strip_->setPickedSlave(workspace_.runningSlaves().positionOf(slave));
     showOverview(false);
   });
@@ -282,6 +284,7 @@ void MainWindow::connectSession() {
 /// Plots and figures of what is shown: the run, or the recording in its place.
 void MainWindow::showRun() {
   const bool recorded = workspace_.recording().isOpen();
+  strip_->setPickedSlave(recorded ? -1 : workspace_.runningSlaves().positionOf(explorer_->selected()));
   strip_->setRecord(workspace_.shownRecord(), recorded);
   overview_->setRecord(workspace_.shownRecord(), recorded);
   if (recorded) showOverview(true);
@@ -334,8 +337,9 @@ void MainWindow::showGoTo() {
   dialog->open();
 }
 
-/// To the field, or where there is none to its slave.
+/// To the field, or where there is none to its slave; a recording has its own slaves, by their positions, and no pages.
 void MainWindow::goTo(int slave, const QString& key) {
+  if (workspace_.recording().isOpen()) return strip_->setPickedSlave(slave);
   if (key.isEmpty() || !editor_->showKey(key)) explorer_->select(slave);
   showOverview(false);
 }

@@ -27,9 +27,11 @@ struct DcmStatus {
   std::optional<double> in_sync_after_ms;               // from the first cyclic frame
   std::uint32_t error_code = 0;                         // EC-Master DCM codes, 0 = none
   std::int32_t set_value_ns = 0;
-  double adjust_permil = 0;           // of the host's timer: applied, or wanted when control is off or by application
-  bool control_off = false;           // or left to the application
-  bool bus_shift_configured = false;  // the cyclic frames can steer the reference clock
+  Nanoseconds in_sync_limit = 0;       // by which it is judged now
+  std::uint32_t times_configured = 0;  // other parameters were taken while it ran
+  double adjust_permil = 0;            // of the host's timer: applied, or wanted when control is off or by application
+  bool control_off = false;            // or left to the application
+  bool bus_shift_configured = false;   // the cyclic frames can steer the reference clock
   bool operator==(const DcmStatus&) const = default;
 };
 

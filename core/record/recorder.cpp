@@ -64,6 +64,16 @@ void Recorder::tell(std::vector<RecordedFinding> findings) {
   if (!stopped_ && !finished_) open_.findings = std::move(findings);
 }
 
+void Recorder::tell(const RunStanding& standing) {
+  const std::lock_guard lock(mutex_);
+  if (!stopped_ && !finished_) open_.standing = standing;
+}
+
+void Recorder::tell(RecordedDocument document) {
+  const std::lock_guard lock(mutex_);
+  if (!stopped_ && !finished_) open_.documents.push_back(std::move(document));
+}
+
 std::uint64_t Recorder::lost_samples() const {
   const std::lock_guard lock(mutex_);
   return lost_;

@@ -49,6 +49,10 @@ class Recorder {
   void add(RecordedNote note);
   /// What the run means by now; a recording that is cut short keeps the last that were told.
   void tell(std::vector<RecordedFinding> findings);
+  /// What it is held against by now, and since when.
+  void tell(const RunStanding& standing);
+  /// What is run by now, in place of the document of its kind.
+  void tell(RecordedDocument document);
   /// The rest is on the disk, with why the recording ended and what the run means. The first error of all.
   Status finish(const std::string& why = "end of the run", std::span<const RecordedFinding> findings = {});
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "record/recording.h"
 
-#include "dc/clock_registers.h"
 #include "record/typed_values.h"
 
 namespace syncline {
@@ -9,11 +8,19 @@ namespace syncline {
 RecordingAbout about_run(const NetworkConfig& config) {
   RecordingAbout about;
   about.limits = limits_of(config);
-  about.speed_counter_start = config.dc.loop.speed_counter_start.value_or(dc::speed_counter_start(config.cycle_time()));
+  about.speed_counter_start = speed_counter_start_of(config);
   for (const auto& slave : config.slaves) {
     const auto& id = slave.identity;
     about.slaves.push_back({slave.name, id.vendor_id, id.product_code, id.revision_no});
   }
+  return about;
+}
+
+RecordingAbout about_run(const RunRecord& run) {
+  auto about = about_run(run.config());
+  const auto standing = run.standing();
+  about.limits = standing.limits;
+  about.armed = standing.armed.value_or(RecordingAbout::kNotArmed);
   return about;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -26,16 +27,21 @@ struct RecordingSlave {
 
 /// About the run as a whole.
 struct RecordingAbout {
+  static constexpr Nanoseconds kNotArmed = INT64_MAX;
+
   std::string program;  // "synclinectl 0.1.0"
   std::string link;     // LINK text
-  std::string begun;    // "2026-03-01T12:00:00Z", wall clock; "" when that would not be the same in every run
   std::vector<RecordedDocument> documents;
   std::vector<RecordingSlave> slaves;
-  RunLimits limits;
+  RunLimits limits;  // those in force last
+  /// Host clock: since when the run's figures were taken last; kNotArmed: not yet; nothing: not known.
+  std::optional<Nanoseconds> armed;
   std::uint16_t speed_counter_start = 0x1000;  // register 0x0930
 };
 /// Slaves and limits of a configuration; the rest is left to the caller.
 [[nodiscard]] RecordingAbout about_run(const NetworkConfig& config);
+/// The same of a run that goes on: what it is held against now, and since when.
+[[nodiscard]] RecordingAbout about_run(const RunRecord& run);
 
 struct RecordedEvent {
   Nanoseconds time = 0;  // host clock

@@ -56,7 +56,7 @@ Status RecordingReader::read_about(RecordingInfo& info) {
     const auto key = row.text(0);
     if (key == "program") about.program = row.text(1);
     if (key == "link") about.link = row.text(1);
-    if (key == "begun") about.begun = row.text(1);
+    if (key == "armed") about.armed = number_of(row.text(1), RecordingAbout::kNotArmed);
     if (key == "ended") info.ended = row.text(1);
     if (key == "speed_counter_start") about.speed_counter_start = number_of<std::uint16_t>(row.text(1), 0x1000);
   });

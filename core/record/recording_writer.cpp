@@ -72,19 +72,10 @@ Status RecordingWriter::begin(const RecordingAbout& about) {
   if (!transaction) return tl::unexpected(transaction.error());
   auto status = put_meta("program", about.program);
   if (status) status = put_meta("link", about.link);
-  if (status) status = put_meta("begun", about.begun);
   if (status) status = put_meta("speed_counter_start", fmt::format("{}", about.speed_counter_start));
-  auto document = database_.prepare("INSERT INTO document(kind, name, body) VALUES(?, ?, ?)");
-  for (const auto& d : about.documents) {
-    if (status && document) status = document->bind(0, d.kind).bind(1, d.name).bind_blob(2, d.body).run();
-  }
-  auto limit = database_.prepare("INSERT INTO limits(key, value, unit) VALUES(?, ?, 'ns')");
-  const std::pair<std::string_view, std::int64_t> limits[] = {{"cycle_time", about.limits.cycle_time},
-                                                              {"deviation", about.limits.deviation_ns},
-                                                              {"dcm_error", about.limits.dcm_error_ns}};
-  for (const auto& [key, value] : limits) {
-    if (status && limit) status = limit->bind(0, key).bind(1, value).run();
-  }
+  if (status) status = put_documents(about.documents);
+  if (status) status = put_limits(about.limits);
+  if (status && about.armed) status = put_armed(*about.armed);
   auto slave = database_.prepare(
       "INSERT INTO slave(position, name, vendor_id, product_code, revision_no) VALUES(?, ?, ?, ?, ?)");
   for (std::size_t i = 0; i < about.slaves.size(); ++i) {
@@ -94,11 +85,34 @@ Status RecordingWriter::begin(const RecordingAbout& about) {
       status = slave->bind(3, s.product_code).bind(4, s.revision_no).run();
     }
   }
-  for (const auto* statement : {&document, &limit, &slave}) {
-    if (status && !*statement) status = tl::unexpected(statement->error());
-  }
+  if (status && !slave) status = tl::unexpected(slave.error());
   if (status) status = put_signals();
   return status ? transaction->commit() : status;
+}
+
+Status RecordingWriter::put_documents(std::span<const RecordedDocument> documents) {
+  auto row = database_.prepare("INSERT OR REPLACE INTO document(kind, name, body) VALUES(?, ?, ?)");
+  if (!row) return tl::unexpected(row.error());
+  for (const auto& document : documents) {
+    auto status = row->bind(0, document.kind).bind(1, document.name).bind_blob(2, document.body).run();
+    if (!status) return status;
+  }
+  return {};
+}
+
+Status RecordingWriter::put_limits(const RunLimits& values) {
+  auto limit = database_.prepare("INSERT OR REPLACE INTO limits(key, value, unit) VALUES(?, ?, 'ns')");
+  if (!limit) return tl::unexpected(limit.error());
+  const std::pair<std::string_view, std::int64_t> limits[] = {
+      {"cycle_time", values.cycle_time}, {"deviation", values.deviation_ns}, {"dcm_error", values.dcm_error_ns}};
+  for (const auto& [key, value] : limits) {
+    if (auto status = limit->bind(0, key).bind(1, value).run(); !status) return status;
+  }
+  return {};
+}
+
+Status RecordingWriter::put_armed(Nanoseconds time) {
+  return put_meta("armed", time == RecordingAbout::kNotArmed ? "not yet" : fmt::format("{}", time));
 }
 
 Status RecordingWriter::put_signals() {
@@ -115,7 +129,7 @@ Status RecordingWriter::put_signals() {
 }
 
 Status RecordingWriter::put_meta(std::string_view key, std::string_view value) {
-  auto row = database_.prepare("INSERT INTO meta(key, value) VALUES(?, ?)");
+  auto row = database_.prepare("INSERT OR REPLACE INTO meta(key, value) VALUES(?, ?)");
   if (!row) return tl::unexpected(row.error());
   return row->bind(0, key).bind(1, value).run();
 }
@@ -154,6 +168,9 @@ Status RecordingWriter::put_told(const RecordingBatch& batch) {
   for (const auto* statement : {&event, &note}) {
     if (status && !*statement) status = tl::unexpected(statement->error());
   }
+  if (status) status = put_documents(batch.documents);
+  if (status && batch.standing) status = put_limits(batch.standing->limits);
+  if (status && batch.standing) status = put_armed(batch.standing->armed.value_or(RecordingAbout::kNotArmed));
   return status && batch.findings ? put_findings(*batch.findings) : status;
 }
 
@@ -256,7 +273,9 @@ Status RecordingWriter::put_held(std::int64_t block, Nanoseconds begin) {
     for (std::size_t slave = 0; slave < (of_slaves ? store.slave_count() : 1); ++slave) {
       const auto number = series_number(signal.id, of_slaves ? static_cast<int>(slave) : -1);
       const auto& series = store.series(signal.id, slave);
-      const auto [seen, fresh] = written_.try_emplace(number, std::numeric_limits<Nanoseconds>::min());
+      const auto seen = written_.try_emplace(number, std::numeric_limits<Nanoseconds>::min()).first;
+      // Until something of it was written: what was looked at and had nothing for the file is none the less new to it.
+      const bool fresh = seen->second == std::numeric_limits<Nanoseconds>::min();
       if (series.empty() || (!fresh && seen->second == series.last_time())) continue;
       times.clear();
       values.clear();

@@ -26,8 +26,11 @@ struct RecordingBatch {
   std::vector<RecordedEvent> events;
   std::vector<RecordedNote> notes;
   std::optional<std::vector<RecordedFinding>> findings{};  // what the run means by now, in place of what it meant
+  std::optional<RunStanding> standing{};                   // in place of what was before
+  std::vector<RecordedDocument> documents{};               // each in place of that of its kind
   [[nodiscard]] bool empty() const {
-    return samples.empty() && snapshots.empty() && events.empty() && notes.empty() && !findings;
+    return samples.empty() && snapshots.empty() && events.empty() && notes.empty() && !findings && !standing &&
+           documents.empty();
   }
 };
 
@@ -56,6 +59,9 @@ class RecordingWriter {
   Status put_signals();
   Status put_meta(std::string_view key, std::string_view value);
   Status put_told(const RecordingBatch& batch);
+  Status put_limits(const RunLimits& values);
+  Status put_armed(Nanoseconds time);
+  Status put_documents(std::span<const RecordedDocument> documents);
   Status put_findings(std::span<const RecordedFinding> findings);
   void store(const RecordingBatch& batch);
   Status put_block(std::span<const CycleSample> samples);

@@ -69,13 +69,19 @@ RunRecord made_for(NetworkConfig config, const RecordingInfo& info, std::size_t 
 Result<ReplayedRun> replay_run(RecordingReader& reader, NetworkConfig config, const ReplayOptions& options) {
   auto info = reader.info();
   if (!info) return tl::unexpected(info.error());
-  if (info->about.slaves.size() != config.slaves.size()) {
+  return replay_run(reader, std::move(*info), std::move(config), options);
+}
+
+Result<ReplayedRun> replay_run(RecordingReader& reader, RecordingInfo info, NetworkConfig config,
+                               const ReplayOptions& options) {
+  if (info.about.slaves.size() != config.slaves.size()) {
     return fail(ErrorCode::kBadValue, "configuration",
-                fmt::format("it has {} slaves, the recording has {}", config.slaves.size(), info->about.slaves.size()));
+                fmt::format("it has {} slaves, the recording has {}", config.slaves.size(), info.about.slaves.size()));
   }
-  ReplayedRun run{std::make_unique<RunRecord>(made_for(std::move(config), *info, options.cycle_capacity)),
-                  std::move(*info)};
+  ReplayedRun run{std::make_unique<RunRecord>(made_for(std::move(config), info, options.cycle_capacity)),
+                  std::move(info)};
   auto& record = *run.record;
+  if (run.info.about.armed) record.arm_from(*run.info.about.armed);
   const auto events = events_of(run.info, run.only_words);
   auto next = events.begin();
   std::uint64_t done = 0;

@@ -12,7 +12,8 @@
 namespace syncline {
 
 /// A recorded run as it was drawn while it ran: the same samples in the same store, gaps and ages included, the same
-/// events, figures and findings.
+/// events and findings. Its figures and faults are those from the later of two moments on: when the run was armed last,
+/// and where the recording begins.
 struct ReplayedRun {
   std::unique_ptr<RunRecord> record;
   RecordingInfo info;  // events, findings and notes in their words
@@ -32,6 +33,9 @@ struct ReplayOptions {
 /// `config`: the recording's own, read from its document "configuration" by who knows ENI files. kBadValue when it is
 /// another machine's, kFileNotReadable where the recording is damaged, kCancelled.
 [[nodiscard]] Result<ReplayedRun> replay_run(RecordingReader& reader, NetworkConfig config,
+                                             const ReplayOptions& options = {});
+/// The same where the reader's info() is known already.
+[[nodiscard]] Result<ReplayedRun> replay_run(RecordingReader& reader, RecordingInfo info, NetworkConfig config,
                                              const ReplayOptions& options = {});
 
 }  // namespace syncline

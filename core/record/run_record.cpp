@@ -17,11 +17,6 @@ namespace {
 constexpr Nanoseconds kHistory = 620 * kSecond;
 constexpr std::size_t kLeastCycles = 1U << 16, kMostCycles = 1U << 21;
 
-std::uint16_t counter_start(const NetworkConfig& config) {
-  const auto cycle_time = std::max<Nanoseconds>(config.cycle_time(), 1);
-  return config.dc.loop.speed_counter_start.value_or(dc::speed_counter_start(cycle_time));
-}
-
 SampleStore::Layout layout_of(const NetworkConfig& config, std::size_t cycle_capacity, const RunLimits& limits,
                               std::uint16_t speed_counter_start) {
   SampleStore::Layout layout;
@@ -45,8 +40,13 @@ RunLimits limits_of(const NetworkConfig& config) {
   return limits;
 }
 
+std::uint16_t speed_counter_start_of(const NetworkConfig& config) {
+  const auto cycle_time = std::max<Nanoseconds>(config.cycle_time(), 1);
+  return config.dc.loop.speed_counter_start.value_or(dc::speed_counter_start(cycle_time));
+}
+
 RunRecord::RunRecord(const NetworkConfig& config, std::size_t cycle_capacity)
-    : RunRecord(NetworkConfig(config), cycle_capacity, limits_of(config), counter_start(config)) {}
+    : RunRecord(NetworkConfig(config), cycle_capacity, limits_of(config), speed_counter_start_of(config)) {}
 
 RunRecord::RunRecord(NetworkConfig config, std::size_t cycle_capacity, const RunLimits& limits,
                      std::uint16_t speed_counter_start)
@@ -64,9 +64,14 @@ void RunRecord::add(std::span<const CycleSample> samples) {
 
 void RunRecord::add(const Snapshot& snapshot) {
   if (!snapshot.online) return;
+  const bool configured = snapshot.dcm.times_configured != snapshot_.dcm.times_configured;
   snapshot_ = snapshot;
   samples_.append(snapshot_);
   recorder_.add(snapshot_);
+  if (!configured) return;
+  // What was measured before says nothing about the controller as it is now, and nothing was lost by the change.
+  if (limits_.dcm_error_ns != 0) limits_.dcm_error_ns = snapshot_.dcm.in_sync_limit;
+  overview_.disarm(snapshot_.time);
 }
 
 void RunRecord::add(const Event& event) {

@@ -26,6 +26,15 @@ struct RunLimits {
   bool operator==(const RunLimits&) const = default;
 };
 [[nodiscard]] RunLimits limits_of(const NetworkConfig& config);
+/// Register 0x0930 as the configuration sets it.
+[[nodiscard]] std::uint16_t speed_counter_start_of(const NetworkConfig& config);
+
+/// What of a run may change while it goes on; who records it tells what is now.
+struct RunStanding {
+  RunLimits limits;
+  std::optional<Nanoseconds> armed;  // host clock, see SyncOverview
+  bool operator==(const RunStanding&) const = default;
+};
 
 /// One run: the configuration that runs and whatever came of it, for as long as somebody looks. Owned by who runs it;
 /// plots, tables, exports and recordings read here. Not thread-safe: lives where the channels are drained.
@@ -50,9 +59,13 @@ class RunRecord {
   void restore(std::vector<Finding> findings) { restored_findings_ = std::move(findings); }
   /// Figures and faults of the overview begin anew.
   void arm() { overview_.arm(); }
+  /// Of a recording: see OverviewRecorder::arm_from().
+  void arm_from(Nanoseconds time) { overview_.arm_from(time); }
 
   [[nodiscard]] const NetworkConfig& config() const { return config_; }
+  /// Those in force: the running master may be given other parameters.
   [[nodiscard]] const RunLimits& limits() const { return limits_; }
+  [[nodiscard]] RunStanding standing() const { return {limits_, overview().armed}; }
   /// As the configuration names it; its number where there is none.
   [[nodiscard]] std::string slave_name(std::size_t position) const;
   [[nodiscard]] const SampleStore& samples() const { return samples_; }

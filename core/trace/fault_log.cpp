@@ -8,53 +8,64 @@
 namespace syncline {
 namespace {
 
-/// Without a form for any other: whether a new kind of event is a fault has to be said.
-struct IsFault {
+/// Without a form for any other: what a new kind of event means has to be said.
+struct MeaningOf {
+  using enum EventMeaning;
+  static EventMeaning fault_or_order(bool fault) { return fault ? kFault : kReturnToOrder; }
+
   // ---- what disturbs
-  bool operator()(const events::AlStatusError&) const { return true; }
-  bool operator()(const events::SlaveLost&) const { return true; }
-  bool operator()(const events::SlavesOutOfSync&) const { return true; }
-  bool operator()(const events::SlavesSyncUnknown&) const { return true; }
-  bool operator()(const events::MasterOutOfSync&) const { return true; }
-  bool operator()(const events::DcmError&) const { return true; }
-  bool operator()(const events::WkcError&) const { return true; }
-  bool operator()(const events::FramesLost&) const { return true; }
-  bool operator()(const events::FramesLate&) const { return true; }
-  bool operator()(const events::CyclesLeftOut&) const { return true; }
-  bool operator()(const events::LinkDown&) const { return true; }
-  bool operator()(const events::Emergency& e) const { return e.error_code != 0; }  // 0: none any more
-  bool operator()(const events::DiagnosisTold& e) const { return e.type == DiagnosisMessage::Type::kError; }
-  bool operator()(const events::PortErrors&) const { return true; }
-  bool operator()(const events::WatchdogExpired&) const { return true; }
-  bool operator()(const events::LongCycles& e) const { return e.begun; }
-  bool operator()(const events::StaleInputs& e) const { return e.begun; }
-  bool operator()(const events::CableChanged& e) const { return !e.healed; }
-  bool operator()(const events::UnknownSlave&) const { return true; }
-  bool operator()(const events::MasterStopped&) const { return true; }
-  bool operator()(const events::ReferenceClockChanged& e) const {
-    return e.what != events::ReferenceClockChanged::What::kPresent;
+  EventMeaning operator()(const events::AlStatusError&) const { return kFault; }
+  EventMeaning operator()(const events::SlaveLost&) const { return kFault; }
+  EventMeaning operator()(const events::SlavesOutOfSync&) const { return kFault; }
+  EventMeaning operator()(const events::SlavesSyncUnknown&) const { return kFault; }
+  EventMeaning operator()(const events::MasterOutOfSync&) const { return kFault; }
+  EventMeaning operator()(const events::DcmError&) const { return kFault; }
+  EventMeaning operator()(const events::WkcError&) const { return kFault; }
+  EventMeaning operator()(const events::FramesLost&) const { return kFault; }
+  EventMeaning operator()(const events::FramesLate&) const { return kFault; }
+  EventMeaning operator()(const events::CyclesLeftOut&) const { return kFault; }
+  EventMeaning operator()(const events::LinkDown&) const { return kFault; }
+  EventMeaning operator()(const events::Emergency& e) const {
+    return fault_or_order(e.error_code != 0);
+  }  // 0: none any more
+  EventMeaning operator()(const events::DiagnosisTold& e) const {
+    return e.type == DiagnosisMessage::Type::kError ? kFault : kNews;
   }
-  bool operator()(const events::RecoveryStep& e) const { return e.stage == events::RecoveryStep::Stage::kGivenUp; }
+  EventMeaning operator()(const events::PortErrors&) const { return kFault; }
+  EventMeaning operator()(const events::WatchdogExpired&) const { return kFault; }
+  EventMeaning operator()(const events::LongCycles& e) const { return fault_or_order(e.begun); }
+  EventMeaning operator()(const events::StaleInputs& e) const { return fault_or_order(e.begun); }
+  EventMeaning operator()(const events::CableChanged& e) const { return fault_or_order(!e.healed); }
+  EventMeaning operator()(const events::UnknownSlave&) const { return kFault; }
+  EventMeaning operator()(const events::MasterStopped&) const { return kFault; }
+  EventMeaning operator()(const events::ReferenceClockChanged& e) const {
+    return fault_or_order(e.what != events::ReferenceClockChanged::What::kPresent);
+  }
+  EventMeaning operator()(const events::RecoveryStep& e) const {
+    using Stage = events::RecoveryStep::Stage;
+    if (e.stage == Stage::kGivenUp) return kFault;
+    return e.stage == Stage::kDone ? kReturnToOrder : kNews;
+  }
   // ---- news, and what was asked for
-  bool operator()(const events::ScanProgress&) const { return false; }
-  bool operator()(const events::ScanTouchesRunning&) const { return false; }
-  bool operator()(const events::Online&) const { return false; }
-  bool operator()(const events::Offline&) const { return false; }
-  bool operator()(const events::StateChanged&) const { return false; }
-  bool operator()(const events::SlaveFound&) const { return false; }
-  bool operator()(const events::HotConnect&) const { return false; }
-  bool operator()(const events::DcInitialised&) const { return false; }
-  bool operator()(const events::SlavesInSync&) const { return false; }
-  bool operator()(const events::SlavesNotMonitored&) const { return false; }
-  bool operator()(const events::MasterInSync&) const { return false; }
-  bool operator()(const events::DelayFinding&) const { return false; }
-  bool operator()(const events::DelaysMeasured&) const { return false; }
-  bool operator()(const events::WkcExpected&) const { return false; }
-  bool operator()(const events::LinkUp&) const { return false; }
-  bool operator()(const events::BringUpAgain&) const { return false; }
-  bool operator()(const events::RealTimeRefused&) const { return false; }
-  bool operator()(const events::Failure&) const { return false; }
-  bool operator()(const events::EventsLost&) const { return false; }
+  EventMeaning operator()(const events::ScanProgress&) const { return kNews; }
+  EventMeaning operator()(const events::ScanTouchesRunning&) const { return kNews; }
+  EventMeaning operator()(const events::Online&) const { return kNews; }
+  EventMeaning operator()(const events::Offline&) const { return kNews; }
+  EventMeaning operator()(const events::StateChanged&) const { return kNews; }
+  EventMeaning operator()(const events::SlaveFound&) const { return kReturnToOrder; }
+  EventMeaning operator()(const events::HotConnect&) const { return kNews; }
+  EventMeaning operator()(const events::DcInitialised&) const { return kNews; }
+  EventMeaning operator()(const events::SlavesInSync&) const { return kReturnToOrder; }
+  EventMeaning operator()(const events::SlavesNotMonitored&) const { return kNews; }
+  EventMeaning operator()(const events::MasterInSync&) const { return kReturnToOrder; }
+  EventMeaning operator()(const events::DelayFinding&) const { return kNews; }
+  EventMeaning operator()(const events::DelaysMeasured&) const { return kNews; }
+  EventMeaning operator()(const events::WkcExpected&) const { return kNews; }
+  EventMeaning operator()(const events::LinkUp&) const { return kReturnToOrder; }
+  EventMeaning operator()(const events::BringUpAgain&) const { return kNews; }
+  EventMeaning operator()(const events::RealTimeRefused&) const { return kNews; }
+  EventMeaning operator()(const events::Failure&) const { return kNews; }
+  EventMeaning operator()(const events::EventsLost&) const { return kNews; }
 };
 
 bool alike(const Fault& a, const Fault& b) {
@@ -64,10 +75,10 @@ bool alike(const Fault& a, const Fault& b) {
 
 }  // namespace
 
-bool is_fault(const Event& event) { return std::visit(IsFault{}, event.what); }
+EventMeaning meaning_of(const Event& event) { return std::visit(MeaningOf{}, event.what); }
 
 void FaultLog::add(const Event& event) {
-  if (is_fault(event)) add(Fault{event.time, event.time, event.slave, event, 1});
+  if (meaning_of(event) == EventMeaning::kFault) add(Fault{event.time, event.time, event.slave, event, 1});
 }
 
 void FaultLog::add_missed(Nanoseconds time, int slave, std::uint64_t missed) {

@@ -27,8 +27,9 @@ struct FaultEpisode {
   std::uint64_t left_out = 0;      // beyond kMostFaults
 };
 
-/// True for what says that something is wrong; a return to order, a step that was asked for and news are none.
-[[nodiscard]] bool is_fault(const Event& event);
+/// What an event says of the machine's order; a step that was asked for is news.
+enum class EventMeaning : std::uint8_t { kFault, kReturnToOrder, kNews };
+[[nodiscard]] EventMeaning meaning_of(const Event& event);
 
 class FaultLog {
  public:

@@ -9,11 +9,11 @@
 namespace syncline {
 namespace {
 
-void follow(SyncLamp& lamp, SyncState state, Nanoseconds time) {
+void follow(SyncLamp& lamp, SyncState state, Nanoseconds time, bool counts) {
   if (lamp.since != 0 && lamp.state == state) return;
   const bool lost = lamp.state == SyncState::kInSync &&
                     (state == SyncState::kOutOfSync || state == SyncState::kUnknown || state == SyncState::kBusy);
-  if (lost) {
+  if (lost && counts) {
     lamp.last_lost = time;
     ++lamp.times_lost;
   }
@@ -37,7 +37,12 @@ void note(OverviewFigure& figure, const CycleSample& sample, Signal signal, bool
   if (!figure.largest || magnitude > std::abs(figure.largest->value)) figure.largest = figure.now;
 }
 
-void begin_anew(OverviewFigure& figure) {
+void forget(SyncLamp& lamp) {
+  lamp.last_lost.reset();
+  lamp.times_lost = 0;
+}
+
+void forget(OverviewFigure& figure) {
   figure.statistics.clear();
   figure.magnitudes.clear();
   figure.largest.reset();
@@ -60,11 +65,11 @@ void OverviewRecorder::add(const CycleSample& sample) {
   if (!any_) overview_.begin = sample.send_time;
   any_ = true;
   overview_.end = sample.send_time;
-  follow(overview_.slaves, sample.slaves_sync, sample.send_time);
-  follow(overview_.master, sample.master_sync, sample.send_time);
-  if (!overview_.armed && is_run_in_op(sample) && is_ready(sample.slaves_sync) && is_ready(sample.master_sync)) {
-    arm_at(sample.send_time);
+  if (!overview_.armed && is_to_be_armed(sample)) {
+    arm_at(armed_from_ ? std::max(*armed_from_, overview_.begin) : sample.send_time);
   }
+  follow(overview_.slaves, sample.slaves_sync, sample.send_time, overview_.armed.has_value());
+  follow(overview_.master, sample.master_sync, sample.send_time, overview_.armed.has_value());
   const bool counts = overview_.armed && is_run_in_op(sample);
   note(overview_.deviation, sample, Signal::kDeviation, counts);
   note(overview_.dcm_error, sample, Signal::kDcmError, counts);
@@ -94,15 +99,33 @@ void OverviewRecorder::add(const Event& event) {
   if (overview_.armed) overview_.faults.add(event);
 }
 
+bool OverviewRecorder::is_to_be_armed(const CycleSample& sample) const {
+  if (armed_from_) return sample.send_time >= *armed_from_;
+  return sample.send_time > disarmed_ && is_run_in_op(sample) && is_ready(sample.slaves_sync) &&
+         is_ready(sample.master_sync);
+}
+
 void OverviewRecorder::arm() {
-  if (any_) arm_at(overview_.end);
+  if (any_) arm_at(overview_.end + 1);
+}
+
+void OverviewRecorder::disarm(Nanoseconds time) {
+  overview_.armed.reset();
+  disarmed_ = time;
+  begin_anew(time);
 }
 
 void OverviewRecorder::arm_at(Nanoseconds time) {
   overview_.armed = time;
-  begin_anew(overview_.deviation);
-  begin_anew(overview_.dcm_error);
-  begin_anew(overview_.dcm_filtered);
+  begin_anew(time);
+}
+
+void OverviewRecorder::begin_anew(Nanoseconds time) {
+  forget(overview_.slaves);
+  forget(overview_.master);
+  forget(overview_.deviation);
+  forget(overview_.dcm_error);
+  forget(overview_.dcm_filtered);
   auto& missed = overview_.missed;
   missed.count = 0;
   missed.last.reset();

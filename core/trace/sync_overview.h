@@ -19,8 +19,8 @@ namespace syncline {
 struct SyncLamp {
   SyncState state = SyncState::kNotReady;
   Nanoseconds since = 0;                 // host clock: the state is the same since then
-  std::optional<Nanoseconds> last_lost;  // when it was left last: in sync before, and then not
-  std::uint64_t times_lost = 0;
+  std::optional<Nanoseconds> last_lost;  // when it was left last since it was armed: in sync before, and then not
+  std::uint64_t times_lost = 0;          // since it was armed
 };
 
 /// A signal of every cycle as numbers; now at any time, the others since it was armed.
@@ -63,17 +63,26 @@ class OverviewRecorder {
   explicit OverviewRecorder(std::size_t slaves);
   void add(std::span<const CycleSample> samples);
   void add(const Event& event);
-  /// Figures and faults begin anew at the newest sample.
+  /// Figures, losses and faults begin anew behind the newest sample.
   void arm();
+  /// Of a recording: armed is its run since `time` (host clock). Whatever the samples say, it is armed at the first one
+  /// from then on.
+  void arm_from(Nanoseconds time) { armed_from_ = time; }
+  /// The machine is held against something else since `time` (host clock): armed anew when it is in sync with that.
+  void disarm(Nanoseconds time);
   [[nodiscard]] const SyncOverview& overview() const { return overview_; }
 
  private:
   void add(const CycleSample& sample);
   void add_missed(const CycleSample& sample);
+  [[nodiscard]] bool is_to_be_armed(const CycleSample& sample) const;
   void arm_at(Nanoseconds time);
+  void begin_anew(Nanoseconds time);
 
   SyncOverview overview_;
   std::vector<std::optional<std::uint32_t>> counters_;  // of missed SM2 events, as read last
+  std::optional<Nanoseconds> armed_from_;
+  Nanoseconds disarmed_ = 0;
   bool any_ = false;
 };
 

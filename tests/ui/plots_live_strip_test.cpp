@@ -9,6 +9,7 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QStackedLayout>
+#include <QTest>
 #include <QToolButton>
 #include <QWheelEvent>
 #include <cmath>
@@ -291,6 +292,48 @@ TEST_F(LiveStripTest, CsvHoldsTheShownRange) {
                                     testing::HasSubstr(",dcm_error_ns,")));
   EXPECT_THAT(table, testing::HasSubstr("deviation_ns 3 Servo"));
   EXPECT_THAT(table, testing::HasSubstr("\n5999000000,"));
+}
+
+/// Where the store has forgotten the beginning, times are still counted from there, as the overview counts them.
+TEST_F(LiveStripTest, TimesAreCountedFromTheBeginningOfTheRun) {
+  const auto before = std::exchange(
+      record, std::make_unique<RunRecord>(runningNetwork({"1 Coupler", "2 Input", "3 Servo"}, kMillisecond), 1000));
+  strip.setRecord(record.get());
+  show();
+  for (std::uint64_t i = 0; i < 120; ++i) record->add(samples(i * 100, i * 100 + 100));
+  strip.timeView()->setSpan(100 * kMillisecond);
+  settle();
+  ASSERT_GT(record->samples().first_time(), kStart);
+  EXPECT_EQ(strip.timeView()->origin(), kStart);
+  EXPECT_THAT(strip.csv(), testing::HasSubstr("\n11999000000,"));
+  strip.setRecord(nullptr);
+  EXPECT_EQ(strip.timeView()->origin(), 0);
+}
+
+/// A click puts the cursor there; the next one finds the event all the same.
+TEST_F(LiveStripTest, AClickFindsTheEventUnderTheCursor) {
+  show();
+  record->add(samples(0, 6000));
+  const auto fault = kStart + 5 * kSecond;
+  record->add(Event{fault, 1, events::SlaveLost{}});
+  settle();
+  key(Qt::Key_Space);
+  settle();
+  int clicks = 0;
+  QObject::connect(&strip, &LiveStrip::eventClicked, &strip, [&](qint64 moment) {
+    EXPECT_EQ(moment, fault);
+    strip.cursors()->set(CursorSet::kA, moment);
+    ++clicks;
+  });
+  auto* canvas = plot(0)->canvas();
+  const auto* view = strip.timeView();
+  const double part = static_cast<double>(fault - view->begin()) / static_cast<double>(view->span());
+  const QPoint place(static_cast<int>(part * canvas->width()), canvas->height() / 2);
+  for (int i = 1; i <= 2; ++i) {
+    QTest::mousePress(canvas, Qt::LeftButton, {}, place);
+    QTest::mouseRelease(canvas, Qt::LeftButton, {}, place);
+    EXPECT_EQ(clicks, i);
+  }
 }
 
 TEST_F(LiveStripTest, EveryControlHasNames) {

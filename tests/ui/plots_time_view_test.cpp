@@ -26,6 +26,27 @@ TEST_F(TimeViewTest, FollowsTheNewestSample) {
   EXPECT_EQ(view.behind(), 0);
 }
 
+/// A recording is shown whole; what is followed afterwards has the span that it had.
+TEST_F(TimeViewTest, WhatIsFollowedAgainHasItsSpan) {
+  view.reset();
+  view.setFollowable(false);
+  view.setBounds(kViewStart, kViewStart + 3600 * kSecond);
+  view.showAll();
+  EXPECT_EQ(view.span(), 3600 * kSecond);
+  view.reset();
+  view.setFollowable(true);
+  EXPECT_EQ(view.span(), 10 * kSecond);
+}
+
+TEST_F(TimeViewTest, TimesAreCountedFromTheirOrigin) {
+  EXPECT_EQ(view.origin(), kViewStart);
+  view.setOrigin(kViewStart - 5 * kSecond);
+  view.setBounds(kViewStart + kSecond, kViewStart + 70 * kSecond);
+  EXPECT_EQ(view.origin(), kViewStart - 5 * kSecond);
+  view.reset();
+  EXPECT_EQ(view.origin(), view.first());
+}
+
 TEST_F(TimeViewTest, PanLeavesFollowingAndHoldsWhileDataArrive) {
   view.pan(-5 * kSecond);
   EXPECT_EQ(view.mode(), Mode::kHistory);

@@ -12,24 +12,32 @@
 #include <QLabel>
 #include <QPainter>
 #include <QPushButton>
+#include <QTableView>
 #include <QTemporaryDir>
 
 #include <QUndoStack>
 #include <cmath>
 #include <memory>
 
+#include "eni/project/project_file.h"
 #include "record/typed_values.h"
+#include "settings/settings_table.h"
 #include "support/ui_test_support.h"
 #include "ui/dialogs/bus_commands.h"
 #include "ui/dialogs/file_commands.h"
 #include "ui/main_window.h"
+#include "ui/models/finding_model.h"
 #include "ui/models/message_model.h"
+#include "ui/panels/explorer_panel.h"
 #include "ui/panels/figure_card.h"
 #include "ui/panels/live_strip.h"
+#include "ui/panels/messages_panel.h"
 #include "ui/panels/overview_panel.h"
 #include "ui/plots/gap_item.h"
 #include "ui/session/file_kind.h"
 #include "ui/session/workspace.h"
+#include "ui/text/overview_text.h"
+#include "ui/text/recorded_text.h"
 #include "ui/widgets/pill.h"
 
 namespace syncline::ui {
@@ -124,6 +132,150 @@ TEST_F(RecordingWindow, WhatWasRecordedIsShownAsItWas) {
   EXPECT_FALSE(workspace_.recording().run().only_words);
   EXPECT_EQ(replay.config().slaves.size(), live->config().slaves.size());
   EXPECT_EQ(replay.slave_name(1), live->slave_name(1));
+}
+
+void expectAlike(const SyncOverview& is, const SyncOverview& was) {
+  EXPECT_EQ(is.armed, was.armed);
+  EXPECT_EQ(is.deviation.statistics.count(), was.deviation.statistics.count());
+  EXPECT_EQ(is.deviation.statistics.rms(), was.deviation.statistics.rms());
+  EXPECT_EQ(is.dcm_error.statistics.count(), was.dcm_error.statistics.count());
+  ASSERT_TRUE(is.dcm_filtered.largest && was.dcm_filtered.largest);
+  EXPECT_EQ(is.dcm_filtered.largest->time, was.dcm_filtered.largest->time);
+  EXPECT_EQ(is.master.times_lost, was.master.times_lost);
+  EXPECT_EQ(is.missed.count, was.missed.count);
+  EXPECT_EQ(is.faults.count(), was.faults.count());
+}
+
+/// Its recording holds what the machine was held against last, since when, and what ran.
+TEST_F(RecordingWindow, WhatWasAppliedToTheRunIsInItsRecording) {
+  goOnline();
+  auto& document = workspace_.document();
+  ASSERT_TRUE(document.save(path("line 7.syncline")));
+  ASSERT_TRUE(workspace_.disk().start(path("run.slrec")));
+  advance(2);
+  const auto* live = workspace_.live().record();
+  const auto before = live->standing();
+  ASSERT_TRUE(before.armed);
+  ASSERT_TRUE(document.set(QStringLiteral("set"),
+                           {{&settings::row("master.dc.in_sync_limit_ns"), {}, settings::Value{std::int64_t{2'500}}}}));
+  static_cast<void>(workspace_.configuration().current());
+  ASSERT_TRUE(workspace_.runDifference().applicable());
+  workspace_.runDifference().apply();
+  advance(8);
+  EXPECT_EQ(live->limits().dcm_error_ns, 2'500);
+  EXPECT_EQ(live->overview().master.times_lost, 0U) << "nothing was lost: it was set anew";
+  ASSERT_TRUE(live->overview().armed);
+  EXPECT_GT(live->overview().armed, before.armed);
+  goOffline();
+  ASSERT_TRUE(waitFor([&] { return ended_ > 0; }));
+  open("run.slrec");
+  ASSERT_TRUE(workspace_.recording().isOpen());
+  EXPECT_EQ(workspace_.shownRecord()->standing(), live->standing());
+  expectAlike(workspace_.shownRecord()->overview(), live->overview());
+  const auto& documents = workspace_.recording().run().info.about.documents;
+  const auto project = std::ranges::find(documents, std::string("project"), &RecordedDocument::kind);
+  ASSERT_NE(project, documents.end());
+  EXPECT_EQ(project->body, eni::write_project(document.project()));
+}
+
+TEST_F(RecordingWindow, ARecordingIsNamedAfterItsProject) {
+  goOnline();
+  goOffline();
+  ASSERT_TRUE(workspace_.document().save(path("line 7.syncline")));
+  window_.bus().goOnline();
+  ASSERT_TRUE(waitFor([&] { return workspace_.live().phase() != LiveSession::Phase::kOffline; }));
+  advance(8);
+  ASSERT_TRUE(workspace_.disk().start(path("run.slrec")));
+  advance(2);
+  goOffline();
+  ASSERT_TRUE(waitFor([&] { return ended_ > 0; }));
+  open("run.slrec");
+  EXPECT_THAT(text("recordingBarText").toStdString(), testing::HasSubstr("line 7.syncline on sim:"));
+}
+
+/// Begun in the midst of a run, which is armed anew meanwhile.
+TEST_F(RecordingWindow, TheOverviewOfARecordingIsThatOfItsRun) {
+  goOnline();
+  advance(3);
+  ASSERT_TRUE(workspace_.disk().start(path("run.slrec")));
+  advance(1);
+  workspace_.live().arm();
+  advance(3);
+  goOffline();
+  ASSERT_TRUE(waitFor([&] { return ended_ > 0; }));
+  open("run.slrec");
+  ASSERT_TRUE(workspace_.recording().isOpen());
+  expectAlike(workspace_.shownRecord()->overview(), workspace_.live().record()->overview());
+}
+
+TEST_F(RecordingWindow, WithoutAMachineThatRunsNothingIsRecorded) {
+  EXPECT_FALSE(workspace_.disk().start(path("none.slrec")));
+  goOnline();
+  goOffline();
+  const auto status = workspace_.disk().start(path("none.slrec"));
+  ASSERT_FALSE(status);
+  EXPECT_EQ(status.error().code, ErrorCode::kFileNotWritable);
+  EXPECT_THAT(status.error().detail, testing::HasSubstr("go online"));
+  EXPECT_FALSE(workspace_.disk().isRecording());
+  EXPECT_FALSE(QFile::exists(path("none.slrec")));
+}
+
+/// What the one tells when the next has begun is none of the next one's.
+TEST_F(RecordingWindow, TheEndOfOneIsNotTheEndOfTheNext) {
+  goOnline();
+  ASSERT_TRUE(QDir(folder_.path()).mkdir(QStringLiteral("gone")));
+  ASSERT_TRUE(workspace_.disk().start(path("gone/first.slrec")));
+  advance(2);
+  ASSERT_TRUE(QDir(path("gone")).removeRecursively());
+  advance(2);
+  workspace_.disk().stop();
+  ASSERT_TRUE(workspace_.disk().start(path("second.slrec")));
+  ASSERT_TRUE(waitFor([&] { return ended_ > 0; }));
+  EXPECT_TRUE(error_) << "the first one has lost its file";
+  EXPECT_TRUE(workspace_.disk().isRecording());
+  EXPECT_EQ(workspace_.disk().path(), path("second.slrec"));
+  advance(3);
+  goOffline();
+  ASSERT_TRUE(waitFor([&] { return ended_ > 1; }));
+  EXPECT_EQ(ended_, 2);
+  EXPECT_FALSE(error_);
+  open("second.slrec");
+  ASSERT_TRUE(workspace_.recording().isOpen());
+  EXPECT_TRUE(workspace_.recording().run().info.ended);
+}
+
+/// Its slaves are its own: what is about them leads to their curves, never into the project that is open.
+TEST_F(RecordingWindow, WhatARecordingTellsDoesNotLeadIntoTheProject) {
+  record("run.slrec");
+  window_.explorer().select(2);
+  auto& messages = workspace_.messages();
+  open("run.slrec");
+  ASSERT_TRUE(workspace_.recording().isOpen());
+  const auto& strip = window_.liveStrip();
+  EXPECT_EQ(strip.panels()[0]->pickedSlave(), -1) << "the one that was picked in the project is none of it";
+  for (int row = 0; row < messages.rowCount(); ++row)
+    EXPECT_FALSE(messages.index(row, 0).data(MessageModel::kFindingRole).toBool()) << "of the project";
+  EXPECT_FALSE(action("actionGoTo")->isEnabled());
+  Q_EMIT window_.findChild<MessagesPanel*>()->placeActivated(3, QString());
+  EXPECT_EQ(strip.panels()[0]->pickedSlave(), 3);
+  EXPECT_EQ(window_.explorer().selected(), 2);
+  EXPECT_TRUE(window_.findChild<OverviewPanel*>()->isVisible());
+  action("actionCloseRecording")->trigger();
+  EXPECT_EQ(window_.explorer().selected(), 2);
+  EXPECT_TRUE(action("actionGoTo")->isEnabled());
+}
+
+TEST(Recorded, TheLatestMessagesAreKept) {
+  ReplayedRun run{std::make_unique<RunRecord>(NetworkConfig{}), {}};
+  for (int i = 0; i < 20; ++i) run.info.events.push_back({(i ^ 1) * kSecond, -1, "kind", std::to_string(i ^ 1)});
+  run.info.notes.push_back({12 * kSecond, "note"});
+  const auto all = messagesOf(run, 100);
+  ASSERT_EQ(all.size(), 21U);
+  EXPECT_TRUE(std::ranges::is_sorted(all, {}, &Message::moment));
+  const auto latest = messagesOf(run, 5);
+  ASSERT_EQ(latest.size(), 5U);
+  EXPECT_EQ(latest.front().text, QStringLiteral("15"));
+  EXPECT_EQ(latest.back().text, QStringLiteral("19"));
 }
 
 TEST_F(RecordingWindow, TheWindowSaysThatItIsARecordingAndOfWhat) {
@@ -245,7 +397,7 @@ TEST_F(RecordingWindow, TheOverviewIsSeenFirstAndSaysWhetherItIsInSync) {
   ASSERT_TRUE(panel->isVisible());
   panel->refresh();
   EXPECT_EQ(window_.findChild<Pill*>(QStringLiteral("overviewSlaves"))->text(), QStringLiteral("In sync"));
-  EXPECT_THAT(text("overviewSlavesText").toStdString(), testing::HasSubstr("never lost"));
+  EXPECT_THAT(text("overviewSlavesText").toStdString(), testing::HasSubstr("not lost since it was armed"));
   EXPECT_THAT(text("overviewFault").toStdString(), testing::HasSubstr("No fault"));
   const auto* deviation = window_.findChild<FigureCard*>(QStringLiteral("overviewDeviation"));
   EXPECT_THAT(deviation->mainText().toStdString(), testing::HasSubstr("ns"));
@@ -264,6 +416,24 @@ TEST_F(RecordingWindow, TheOverviewIsSeenFirstAndSaysWhetherItIsInSync) {
   EXPECT_THAT(window_.findChild<Pill*>(QStringLiteral("overviewSlaves"))->text().toStdString(),
               testing::HasSubstr("At the end"));
   EXPECT_EQ(deviation->mainText(), QStringLiteral("\u2013")) << "what has ended is not now";
+}
+
+/// The line of another moment is a stranger.
+TEST(Messages, OnlyTheLineOfTheMomentIsSelected) {
+  MessageModel model;
+  for (const qint64 moment : {1000, 2000}) {
+    Message message{
+        QDateTime::currentDateTime(), Severity::kNote, QStringLiteral("Servo"), QStringLiteral("is back"), 1, {}};
+    message.moment = moment;
+    model.append(message);
+  }
+  MessagesPanel panel(model);
+  auto* table = panel.findChild<QTableView*>();
+  panel.selectMoment(1000);
+  ASSERT_TRUE(table->selectionModel()->hasSelection());
+  EXPECT_EQ(table->currentIndex().data(MessageModel::kMomentRole).toLongLong(), 1000);
+  panel.selectMoment(1999);
+  EXPECT_FALSE(table->selectionModel()->hasSelection());
 }
 
 CycleSample cycle(std::uint64_t i, bool lost) {
@@ -318,6 +488,22 @@ TEST(Overview, SaysWhatCameFirstAndLeadsThere) {
   ASSERT_TRUE(mark);
   EXPECT_EQ(mark->time, fault);
   EXPECT_TRUE(mark->fault);
+}
+
+TEST(Overview, WhatIsOutOfSyncWasLostOrNeverInSync) {
+  SyncOverview overview;
+  overview.begin = overview.armed.emplace(kSecond);
+  overview.end = 10 * kSecond;
+  const auto text = [&](SyncState state, std::optional<Nanoseconds> lost) {
+    return lampText({state, 2 * kSecond, lost, lost ? 1U : 0U}, overview).toStdString();
+  };
+  EXPECT_THAT(text(SyncState::kInSync, {}), testing::HasSubstr("not lost since it was armed"));
+  for (const auto state : {SyncState::kOutOfSync, SyncState::kUnknown, SyncState::kBusy}) {
+    EXPECT_EQ(text(state, {}), "for 8 s");
+    EXPECT_THAT(text(state, 2 * kSecond), testing::HasSubstr("last lost 8 s ago"));
+  }
+  overview.armed.reset();
+  EXPECT_EQ(text(SyncState::kInSync, {}), "for 8 s") << "nothing is counted yet";
 }
 
 /// An outage is hatched from its first lost frame to its last, and nothing else is.

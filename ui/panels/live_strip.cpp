@@ -80,7 +80,7 @@ void LiveStrip::setRecord(const RunRecord* record, bool recorded) {
   view_.reset();
   view_.setFollowable(!recorded);
   if (recorded && hasSamples()) {
-    view_.setBounds(record_->samples().first_time(), record_->samples().last_time());
+    followRecord();
     view_.showAll();
     for (auto* panel : panels_) panel->refreshText(true);
   }
@@ -105,11 +105,9 @@ void LiveStrip::collectMarks() {
   if (all == marked_) return;
   const auto fresh = std::min<std::uint64_t>(all - marked_, told.size());
   for (auto event = told.end() - static_cast<std::ptrdiff_t>(fresh); event != told.end(); ++event) {
-    const bool fault = is_fault(*event);
-    const bool good = event->is<events::SlavesInSync>() || event->is<events::MasterInSync>() ||
-                      event->is<events::SlaveFound>() || event->is<events::LinkUp>();
-    if (!fault && !good) continue;
-    const EventMark mark{event->time, fault};
+    const auto meaning = meaning_of(*event);
+    if (meaning == EventMeaning::kNews) continue;
+    const EventMark mark{event->time, meaning == EventMeaning::kFault};
     marks_.insert(std::ranges::upper_bound(marks_, mark.time, {}, &EventMark::time), mark);
   }
   if (marks_.size() > RunRecord::kMostEvents) {
@@ -119,6 +117,11 @@ void LiveStrip::collectMarks() {
   for (auto* panel : panels_) panel->plot()->markDirty();
 }
 
+void LiveStrip::followRecord() {
+  view_.setOrigin(record_->overview().begin);
+  view_.setBounds(record_->samples().first_time(), record_->samples().last_time());
+}
+
 void LiveStrip::refresh() {
   ticks_ = 0;
   tick();
@@ -126,7 +129,7 @@ void LiveStrip::refresh() {
 
 void LiveStrip::tick() {
   if (window()->isMinimized()) return;
-  if (hasSamples()) view_.setBounds(record_->samples().first_time(), record_->samples().last_time());
+  if (hasSamples()) followRecord();
   if (ticks_ % kTextEvery == 0 || (text_wanted_ && ticks_ % kPointedTextEvery == 0)) {
     text_wanted_ = false;
     const bool moving = view_.mode() == TimeView::Mode::kLive;

@@ -43,7 +43,7 @@ class LiveStrip : public QWidget {
   [[nodiscard]] CursorSet* cursors() { return &cursors_; }
   [[nodiscard]] const SampleStore* store() const { return record_ == nullptr ? nullptr : &record_->samples(); }
   [[nodiscard]] const std::array<TracePanel*, 3>& panels() const { return panels_; }
-  /// The stretch that is shown as a table: times in ns since the first sample and in UTC, one column a
+  /// The stretch that is shown as a table: times in ns since the run began and in UTC, one column a
   /// series; C locale.
   [[nodiscard]] std::string csv() const;
   /// The three plots with a caption, in light colours whatever the theme is.
@@ -63,6 +63,7 @@ class LiveStrip : public QWidget {
   void tick();
   void showState();
   void collectMarks();
+  void followRecord();
   [[nodiscard]] bool hasSamples() const { return record_ != nullptr && !record_->samples().empty(); }
   void openMenu(const QPoint& global, Nanoseconds time);
   void exportCsv();

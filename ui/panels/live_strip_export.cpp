@@ -48,7 +48,7 @@ std::string LiveStrip::csv() const {
       columns.push_back({std::move(name), &series});
     }
   }
-  return series_csv(columns, view_.first(), view_.begin(), view_.end() + 1);
+  return series_csv(columns, view_.origin(), view_.begin(), view_.end() + 1);
 }
 
 QImage LiveStrip::picture(double scale) {

@@ -9,7 +9,6 @@
 #include <QTableView>
 #include <QToolButton>
 #include <QVBoxLayout>
-#include <cstdlib>
 
 #include "ui/models/message_model.h"
 #include "ui/theme/theme.h"
@@ -93,17 +92,13 @@ MessagesPanel::MessagesPanel(MessageModel& model, QWidget* parent) : QWidget(par
 }
 
 void MessagesPanel::selectMoment(qint64 moment) {
-  int best = -1;
-  qint64 distance = 0;
   for (int row = 0; row < filter_->rowCount(); ++row) {
-    const auto at = filter_->index(row, 0).data(MessageModel::kMomentRole).toLongLong();
-    if (at == 0 || (best >= 0 && std::llabs(at - moment) >= distance)) continue;
-    best = row;
-    distance = std::llabs(at - moment);
+    const auto index = filter_->index(row, 0);
+    if (moment == 0 || index.data(MessageModel::kMomentRole).toLongLong() != moment) continue;
+    table_->selectRow(row);
+    return table_->scrollTo(index, QAbstractItemView::PositionAtCenter);
   }
-  if (best < 0) return;
-  table_->selectRow(best);
-  table_->scrollTo(filter_->index(best, 0), QAbstractItemView::PositionAtCenter);
+  table_->clearSelection();
 }
 
 QToolButton* MessagesPanel::addSwitch(Severity severity, const char* object_name) {

@@ -21,7 +21,7 @@ class MessagesPanel final : public QWidget {
  public:
   explicit MessagesPanel(MessageModel& model, QWidget* parent = nullptr);
 
-  /// Selects the line of the event nearest to a moment of the run.
+  /// Selects the line of the event at a moment of the run; where there is none, none.
   void selectMoment(qint64 moment);
   [[nodiscard]] QSize sizeHint() const override { return {800, 128}; }
 

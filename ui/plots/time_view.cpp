@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace syncline::ui {
 
@@ -17,6 +18,7 @@ void TimeView::setBounds(Nanoseconds first, Nanoseconds last) {
 
 void TimeView::reset() {
   first_ = last_ = end_ = 0;
+  origin_.reset();
   setMode(Mode::kLive);
   Q_EMIT changed();
 }
@@ -42,7 +44,7 @@ void TimeView::showAll() {
 }
 
 void TimeView::setFollowable(bool followable) {
-  followable_ = followable;
+  if (followable != std::exchange(followable_, followable)) std::swap(span_, followed_span_);
   setMode(followable ? Mode::kLive : Mode::kHistory);
   Q_EMIT changed();
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QObject>
+#include <optional>
 
 #include "support/types.h"
 
@@ -25,7 +26,8 @@ class TimeView final : public QObject {
   void setBounds(Nanoseconds first, Nanoseconds last);
   /// Following again from an empty store; the span stays.
   void reset();
-  /// Whether there is a now: a recording has none, and nothing of it is followed or frozen.
+  /// Whether there is a now: a recording has none, and nothing of it is followed or frozen. What is followed again has
+  /// the span that it had.
   void setFollowable(bool followable);
   [[nodiscard]] bool isFollowable() const { return followable_; }
 
@@ -35,6 +37,9 @@ class TimeView final : public QObject {
   [[nodiscard]] Nanoseconds span() const { return span_; }
   [[nodiscard]] Nanoseconds first() const { return first_; }
   [[nodiscard]] Nanoseconds last() const { return last_; }
+  /// What times are counted from: the run's beginning, also where the store has forgotten it; first() unless it is set.
+  void setOrigin(Nanoseconds origin) { origin_ = origin; }
+  [[nodiscard]] Nanoseconds origin() const { return origin_.value_or(first_); }
   /// How far the picture is behind the newest sample; 0 when following.
   [[nodiscard]] Nanoseconds behind() const { return mode_ == Mode::kLive ? 0 : last_ - end_; }
 
@@ -61,6 +66,8 @@ class TimeView final : public QObject {
   Mode mode_ = Mode::kLive;
   bool followable_ = true;
   Nanoseconds span_ = 10 * kSecond;
+  Nanoseconds followed_span_ = span_;  // of what is followed, while something is shown that is not
+  std::optional<Nanoseconds> origin_;
   Nanoseconds end_ = 0, first_ = 0, last_ = 0;
 };
 

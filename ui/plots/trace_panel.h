@@ -24,6 +24,7 @@ class TracePanel : public QWidget {
   void setSource(const RunRecord* source);
   /// The slave that is drawn whatever its values are; -1 = none.
   void setPickedSlave(int position);
+  [[nodiscard]] int pickedSlave() const { return picked_; }
   /// Chooses what to draw and writes the numbers; a few times a second.
   void refreshText(bool choose);
   void applyTheme();
@@ -52,7 +53,6 @@ class TracePanel : public QWidget {
   [[nodiscard]] const SampleStore& store() const { return source_->samples(); }
   /// The item draws the signal, of the bus or of one slave.
   void draw(SeriesItem& item, Signal signal, std::size_t slave = 0) const;
-  [[nodiscard]] int pickedSlave() const { return picked_; }
   [[nodiscard]] const TimeView& view() const { return *view_; }
   [[nodiscard]] LegendBar::Entry entry(const SeriesItem& item, Nanoseconds time) const;
   /// The same for a slave's item, with its number as the short name.

@@ -195,7 +195,7 @@ void TracePlot::updateTimeAxis() {
     }
   } else {
     quantity = tr("Time since start");
-    end = static_cast<double>(view_->end() - view_->first()) / 1e9;
+    end = static_cast<double>(view_->end() - view_->origin()) / 1e9;
     begin = end - span;
   }
   time_draw_->setDivisor(divisor);
@@ -322,9 +322,9 @@ void TracePlot::grab(double x) {
   canvas()->setCursor(drag_ == Drag::kPan ? Qt::ClosedHandCursor : Qt::SplitHCursor);
 }
 
-/// A click that moved nothing goes to the event below it.
+/// A click that moved nothing goes to the event below it, also where a cursor stands on it.
 void TracePlot::release(double x) {
-  if (drag_ != Drag::kPan || x != grab_x_) return;
+  if (drag_ == Drag::kNone || x != grab_x_) return;
   const auto reach =
       static_cast<Nanoseconds>(kGrabDistance * static_cast<double>(grid_.width) * canvas()->devicePixelRatioF());
   if (const auto mark = marks_->nearest(timeAt(x), reach)) Q_EMIT eventClicked(mark->time);

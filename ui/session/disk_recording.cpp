@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/session/disk_recording.h"
 
-#include <QDateTime>
 #include <QFileInfo>
 #include <QMetaObject>
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "eni/format/eni_file.h"
@@ -32,7 +32,9 @@ void DiskRecording::connectRun() {
   connect(&live_, &LiveSession::recordChanged, this, [this] { recent_.clear(); });
   connect(&live_, &LiveSession::samplesArrived, this, [this](const std::vector<CycleSample>& samples) {
     recent_.add(samples);
-    if (recorder_) recorder_->add(samples);
+    if (!recorder_) return;
+    recorder_->add(samples);
+    tellStanding();
   });
   connect(&live_, &LiveSession::snapshotChanged, this, [this] {
     if (recorder_) recorder_->add(live_.snapshot());
@@ -44,86 +46,103 @@ void DiskRecording::connectRun() {
   connect(&findings_, &RunFindings::findingsChanged, this, [this] {
     if (recorder_) recorder_->tell(recorded(findings_.findings()));
   });
+  connect(&running_, &RunDifference::applied, this, [this] {
+    if (recorder_) recorder_->tell(project());
+  });
   connect(&live_, &LiveSession::phaseChanged, this, [this] {
     if (live_.phase() == LiveSession::Phase::kOffline) stop();
     Q_EMIT changed();
   });
 }
 
-Result<RecordingAbout> DiskRecording::about() const {
-  const auto* run = live_.record();
-  if (run == nullptr) return fail(ErrorCode::kFileNotWritable, {}, "no machine has run yet: go online first");
-  auto result = about_run(run->config());
+/// What runs, with what was applied to it since.
+RecordedDocument DiskRecording::project() const {
+  const auto& path = running_.runningPath();
+  return {"project", path.isEmpty() ? "project.syncline" : QFileInfo(path).fileName().toStdString(),
+          eni::write_project(running_.running())};
+}
+
+RecordingAbout DiskRecording::about() const {
+  const auto& run = *live_.record();
+  auto result = about_run(run);
   result.program = "syncline " + environment_.version.toStdString();
   result.link = live_.link().toStdString();
-  // On the virtual clock every run is alike, and so is its file.
-  if (!live_.isVirtual()) {
-    result.begun = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
-  }
-  result.documents.push_back({"project", "project.syncline", eni::write_project(running_.running())});
-  result.documents.push_back({"configuration", "configuration.eni.xml", eni::write_eni(run->config())});
+  result.documents.push_back(project());
+  result.documents.push_back({"configuration", "configuration.eni.xml", eni::write_eni(run.config())});
   return result;
+}
+
+void DiskRecording::tellStanding() {
+  const auto standing = live_.record()->standing();
+  if (standing == told_) return;
+  told_ = standing;
+  recorder_->tell(standing);
 }
 
 Status DiskRecording::start(const QString& path) {
   if (recorder_ != nullptr) return {};
-  const auto what = about();
-  if (!what) return tl::unexpected(what.error());
-  wait();
+  const auto phase = live_.phase();
+  if (phase != LiveSession::Phase::kStarting && phase != LiveSession::Phase::kOnline)
+    return fail(ErrorCode::kFileNotWritable, {}, "no machine runs: go online first");
+  const int number = number_ + 1;
   Recorder::Options options;
   options.by_clock = !live_.isVirtual();
   options.wait_for_disk = live_.isVirtual();
-  stop_.reset();
-  auto recorder = Recorder::start(path.toStdString(), *what, options, [this](const Recorder::Stop& stop) {
+  auto recorder = Recorder::start(path.toStdString(), about(), options, [this, number](const Recorder::Stop& stop) {
     QMetaObject::invokeMethod(
-        this, [this, stop] { onStopped(stop); }, Qt::QueuedConnection);
+        this, [this, number, stop] { onStopped(number, stop); }, Qt::QueuedConnection);
   });
   if (!recorder) return tl::unexpected(recorder.error());
   recorder_ = std::move(*recorder);
+  number_ = number;
   path_ = path;
   begun_ = live_.record()->samples().empty() ? 0 : live_.record()->samples().last_time();
+  told_ = live_.record()->standing();
   recorder_->tell(recorded(findings_.findings()));
   Q_EMIT changed();
   return {};
 }
 
-/// The recorder has ended by itself.
-void DiskRecording::onStopped(const Recorder::Stop& stop) {
-  if (recorder_ == nullptr) return;
-  stop_ = stop;
-  this->stop();
+/// The recorder has ended by itself; by now it may be another one that records.
+void DiskRecording::onStopped(int number, const Recorder::Stop& stop) {
+  if (recorder_ != nullptr && number == number_) this->stop();
+  if (const auto ending = ending_.find(number); ending != ending_.end()) ending->second.stop = stop;
 }
 
 void DiskRecording::stop() {
   if (recorder_ == nullptr) return;
-  wait();
-  const auto& run = live_.record();
+  tellStanding();
   const bool ended = live_.phase() == LiveSession::Phase::kOffline;
-  finisher_ = std::thread([this, path = path_, ended, recorder = std::shared_ptr<Recorder>(std::move(recorder_)),
-                           findings = recorded(run == nullptr ? std::vector<Finding>{} : run->findings())] {
-    const auto status = recorder->finish(ended ? "end of the run" : "stopped by the user", findings);
-    QMetaObject::invokeMethod(
-        this, [this, path, status] { onFinished(path, status); }, Qt::QueuedConnection);
-  });
+  auto& ending = ending_[number_];
+  ending.path = path_;
+  ending.thread =
+      std::thread([this, number = number_, ended, recorder = std::shared_ptr<Recorder>(std::move(recorder_)),
+                   findings = recorded(live_.record()->findings())] {
+        const auto status = recorder->finish(ended ? "end of the run" : "stopped by the user", findings);
+        QMetaObject::invokeMethod(
+            this, [this, number, status] { onFinished(number, status); }, Qt::QueuedConnection);
+      });
   Q_EMIT changed();
 }
 
-void DiskRecording::onFinished(const QString& path, const Status& status) {
-  if (finisher_.joinable()) finisher_.join();
+void DiskRecording::onFinished(int number, const Status& status) {
+  const auto found = ending_.find(number);
+  if (found == ending_.end()) return;
+  found->second.thread.join();
+  const auto [path, stop] = std::pair(found->second.path, found->second.stop);
+  ending_.erase(found);
   std::optional<Error> error;
   if (!status) error = status.error();
-  if (stop_ && stop_->error) error = stop_->error;
-  Q_EMIT ended(path, stop_ ? QString::fromStdString(stop_->why) : QString(), error);
+  if (stop && stop->error) error = stop->error;
+  Q_EMIT ended(path, stop ? QString::fromStdString(stop->why) : QString(), error);
   Q_EMIT changed();
-}
-
-void DiskRecording::wait() {
-  if (finisher_.joinable()) finisher_.join();
 }
 
 void DiskRecording::finish() {
   stop();
-  wait();
+  for (auto& [number, ending] : ending_) {
+    if (ending.thread.joinable()) ending.thread.join();
+  }
   if (saver_.joinable()) saver_.join();
 }
 
@@ -142,24 +161,24 @@ Nanoseconds DiskRecording::memoryReach() const {
 }
 
 Status DiskRecording::saveLast(Nanoseconds duration, const QString& path) {
-  auto what = about();
-  if (!what) return tl::unexpected(what.error());
   if (recent_.span() == 0) return fail(ErrorCode::kFileNotWritable, {}, "no cycle has run yet: go online first");
   if (saving_) return fail(ErrorCode::kFileNotWritable, {}, "another stretch is being written; try again in a moment");
   if (saver_.joinable()) saver_.join();
   const auto& record = *live_.record();
   auto run = std::make_shared<RecentRun>();
-  run->about = std::move(*what);
+  run->about = about();
   run->from = std::max(record.samples().last_time() - duration, recent_.begin());
   run->samples = recent_.since(run->from);
   run->held = held_copy(record);
-  for (const auto& event : record.events()) {
-    if (event.time < run->from || !environment_.record_event) continue;
-    if (auto words = environment_.record_event(event)) run->events.push_back(std::move(*words));
-  }
+  std::vector<Event> events;
+  std::ranges::copy_if(record.events(), std::back_inserter(events),
+                       [from = run->from](const Event& event) { return event.time >= from; });
   run->findings = recorded(record.findings());
   saving_ = true;
-  saver_ = std::thread([this, run, path] {
+  saver_ = std::thread([this, run, path, events = std::move(events), words_of = environment_.record_event] {
+    for (const auto& event : events) {
+      if (auto words = words_of ? words_of(event) : std::nullopt) run->events.push_back(std::move(*words));
+    }
     const auto status = save_recent(path.toStdString(), *run);
     QMetaObject::invokeMethod(
         this,

@@ -3,6 +3,7 @@
 
 #include <QObject>
 #include <QString>
+#include <map>
 #include <memory>
 #include <optional>
 #include <thread>
@@ -30,11 +31,12 @@ class DiskRecording final : public QObject {
                 const Environment& environment, QObject* parent = nullptr);
   ~DiskRecording() override;
 
-  /// From now on; kFileNotWritable, also when there is a file of this name or nothing runs.
+  /// From now on; kFileNotWritable, also when there is a file of this name or nothing runs. One that was stopped may
+  /// still be written.
   Status start(const QString& path);
   /// The rest is written meanwhile; ended() follows.
   void stop();
-  /// Stops and waits for the disk: for closing the window.
+  /// Stops and waits for the disk, also for those that were stopped before: for closing the window.
   void finish();
   [[nodiscard]] bool isRecording() const { return recorder_ != nullptr; }
   [[nodiscard]] const QString& path() const { return path_; }
@@ -58,11 +60,18 @@ class DiskRecording final : public QObject {
   void saved(const QString& path, const std::optional<syncline::Error>& error);
 
  private:
-  [[nodiscard]] Result<RecordingAbout> about() const;
+  /// One that was stopped, until the disk has it.
+  struct Ending {
+    QString path;
+    std::optional<Recorder::Stop> stop;  // why it ended by itself
+    std::thread thread;
+  };
+  [[nodiscard]] RecordingAbout about() const;
+  [[nodiscard]] RecordedDocument project() const;
   void connectRun();
-  void onStopped(const Recorder::Stop& stop);
-  void onFinished(const QString& path, const Status& status);
-  void wait();
+  void tellStanding();
+  void onStopped(int number, const Recorder::Stop& stop);
+  void onFinished(int number, const Status& status);
 
   LiveSession& live_;
   const RunFindings& findings_;
@@ -71,9 +80,11 @@ class DiskRecording final : public QObject {
   RecentSamples recent_;
   QString path_;
   Nanoseconds begun_ = 0;
-  std::optional<Recorder::Stop> stop_;  // why it ended by itself
+  std::optional<RunStanding> told_;  // to the recorder
   std::unique_ptr<Recorder> recorder_;
-  std::thread finisher_, saver_;
+  int number_ = 0;                // of the recording that goes on, or was the last one
+  std::map<int, Ending> ending_;  // by number
+  std::thread saver_;
   bool saving_ = false;
 };
 

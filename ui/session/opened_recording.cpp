@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "eni/format/eni_file.h"
+#include "ui/models/message_model.h"
+#include "ui/text/recorded_text.h"
 
 namespace syncline::ui {
 namespace {
@@ -54,7 +56,7 @@ void OpenedRecording::cancel() { cancelled_ = true; }
 OpenedRecording::Outcome OpenedRecording::load(const QString& path) {
   auto reader = RecordingReader::open(path.toStdString());
   if (!reader) return tl::unexpected(reader.error());
-  const auto info = reader->info();
+  auto info = reader->info();
   if (!info) return tl::unexpected(info.error());
   if (info->cycles == 0) {
     return fail(Error{.code = ErrorCode::kFileNotReadable,
@@ -71,7 +73,11 @@ OpenedRecording::Outcome OpenedRecording::load(const QString& path) {
     }
     return !cancelled_;
   };
-  return replay_run(*reader, configurationOf(info->about), options);
+  auto config = configurationOf(info->about);
+  auto run = replay_run(*reader, std::move(*info), std::move(config), options);
+  if (!run) return tl::unexpected(run.error());
+  auto messages = messagesOf(*run, MessageModel::kMaximum);
+  return Whole{std::move(*run), std::move(messages)};
 }
 
 void OpenedRecording::deliver(const QString& path, Outcome outcome) {
@@ -80,7 +86,7 @@ void OpenedRecording::deliver(const QString& path, Outcome outcome) {
   if (cancelled_) {
     Q_EMIT failed(path, Error{ErrorCode::kCancelled});
   } else if (outcome) {
-    next_ = std::make_unique<ReplayedRun>(std::move(*outcome));
+    next_ = std::make_unique<Whole>(std::move(*outcome));
     next_path_ = path;
     Q_EMIT finished(path);
   } else {

@@ -6,9 +6,11 @@
 #include <atomic>
 #include <memory>
 #include <thread>
+#include <vector>
 
 #include "record/replay_run.h"
 #include "support/result.h"
+#include "ui/text/message.h"
 
 namespace syncline::ui {
 
@@ -34,7 +36,9 @@ class OpenedRecording final : public QObject {
   [[nodiscard]] bool isReading() const { return reading_; }
   [[nodiscard]] bool isOpen() const { return shown_ != nullptr; }
   /// Of the one that is shown.
-  [[nodiscard]] const ReplayedRun& run() const { return *shown_; }
+  [[nodiscard]] const ReplayedRun& run() const { return shown_->run; }
+  /// The latest ones, oldest first.
+  [[nodiscard]] const std::vector<Message>& messages() const { return shown_->messages; }
   [[nodiscard]] const QString& path() const { return path_; }
 
  Q_SIGNALS:
@@ -47,7 +51,11 @@ class OpenedRecording final : public QObject {
   void changed();
 
  private:
-  using Outcome = Result<ReplayedRun>;
+  struct Whole {
+    ReplayedRun run;
+    std::vector<Message> messages;
+  };
+  using Outcome = Result<Whole>;
   Outcome load(const QString& path);
   void deliver(const QString& path, Outcome outcome);
 
@@ -55,7 +63,7 @@ class OpenedRecording final : public QObject {
   std::atomic<bool> cancelled_{false};
   bool reading_ = false;
   QString path_, next_path_;
-  std::unique_ptr<ReplayedRun> shown_, next_;
+  std::unique_ptr<Whole> shown_, next_;
 };
 
 }  // namespace syncline::ui

@@ -31,6 +31,7 @@ RunDifference::RunDifference(ProjectDocument& document, ConfigurationMonitor& co
 void RunDifference::onPhase() {
   if (live_.phase() == LiveSession::Phase::kStarting) {
     running_ = document_.project();
+    running_path_ = document_.path();
     running_config_ = live_.record()->config();
   }
   look();
@@ -64,6 +65,7 @@ void RunDifference::apply() {
   live_.configureDcm(document_.project().master.dc.dcm);
   running_ = document_.project();
   running_config_ = *config;
+  Q_EMIT applied();
   look();
 }
 

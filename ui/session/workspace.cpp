@@ -83,10 +83,11 @@ const RunRecord* Workspace::shownRecord() const {
 /// Its events and findings in place of those of the run, which come back when it is closed.
 void Workspace::showRecording() {
   if (recording_.isOpen()) {
-    messages_.showOther(messagesOf(recording_.run()));
+    messages_.showOther(recording_.messages());
   } else {
     messages_.showOwn();
   }
+  showFindings();
   showRunFindings();
 }
 
@@ -116,7 +117,9 @@ void Workspace::showRunFindings() {
   findings_.setFindings(rows);
 }
 
+/// Of the project: beside a recording, which has slaves of its own, there is none.
 void Workspace::showFindings() {
+  if (recording_.isOpen()) return messages_.setFindings({});
   std::vector<Message> lines;
   const auto& result = configuration_.result();
   if (result) {

@@ -4,6 +4,8 @@
 #include <QCoreApplication>
 #include <QLocale>
 #include <algorithm>
+#include <cstddef>
+#include <optional>
 #include <utility>
 
 #include "record/typed_values.h"
@@ -29,6 +31,22 @@ Message wordsOf(const RunRecord& record, Nanoseconds time, int slave, Severity s
   return message;
 }
 
+/// Nothing for events that only programs care about.
+std::optional<Message> messageOfRecorded(const RunRecord& record, const RecordedEvent& recorded) {
+  if (auto what = decode_event(recorded.details))
+    return messageOf(Event{recorded.time, recorded.slave, std::move(*what)}, record.config());
+  return wordsOf(record, recorded.time, recorded.slave, Severity::kNote, recorded.text);
+}
+
+std::vector<const RecordedEvent*> latestFirst(const std::vector<RecordedEvent>& events) {
+  std::vector<const RecordedEvent*> result;
+  result.reserve(events.size());
+  for (const auto& event : events) result.push_back(&event);
+  std::ranges::stable_sort(result, {}, &RecordedEvent::time);
+  std::ranges::reverse(result);
+  return result;
+}
+
 QString endText(const RecordingInfo& info) {
   if (!info.ended) return QCoreApplication::translate("Recorded", "cut short; whole up to its last second");
   if (*info.ended == "end of the run") return QCoreApplication::translate("Recorded", "up to the end of the run");
@@ -40,17 +58,14 @@ QString endText(const RecordingInfo& info) {
 
 }  // namespace
 
-std::vector<Message> messagesOf(const ReplayedRun& run) {
+std::vector<Message> messagesOf(const ReplayedRun& run, std::size_t most) {
   std::vector<Message> messages;
   const auto& record = *run.record;
-  for (const auto& recorded : run.info.events) {
-    if (auto what = decode_event(recorded.details)) {
-      if (auto message = messageOf(Event{recorded.time, recorded.slave, std::move(*what)}, record.config()))
-        messages.push_back(std::move(*message));
-    } else {
-      messages.push_back(wordsOf(record, recorded.time, recorded.slave, Severity::kNote, recorded.text));
-    }
+  for (const auto* const recorded : latestFirst(run.info.events)) {
+    if (messages.size() == most) break;
+    if (auto message = messageOfRecorded(record, *recorded)) messages.push_back(std::move(*message));
   }
+  std::ranges::reverse(messages);
   for (const auto& note : run.info.notes) {
     messages.push_back(wordsOf(record, note.time, -1, Severity::kNote, note.text));
     messages.back().source = QCoreApplication::translate("Recorded", "Note");
@@ -60,6 +75,7 @@ std::vector<Message> messagesOf(const ReplayedRun& run) {
     messages.push_back(wordsOf(record, run.info.end, finding.slave, severityOf(finding.level), finding.text));
   }
   std::ranges::stable_sort(messages, {}, &Message::moment);
+  if (messages.size() > most) messages.erase(messages.begin(), messages.end() - static_cast<std::ptrdiff_t>(most));
   return messages;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QString>
+#include <cstddef>
 #include <vector>
 
 #include "record/replay_run.h"
@@ -9,9 +10,9 @@
 
 namespace syncline::ui {
 
-/// What a recording holds of messages, oldest first: events as the run told them; where only their words are known,
-/// those; findings of which only the words are known; notes.
-[[nodiscard]] std::vector<Message> messagesOf(const ReplayedRun& run);
+/// What a recording holds of messages, the latest `most` of them, oldest first: events as the run told them; where only
+/// their words are known, those; findings of which only the words are known; notes. In any thread.
+[[nodiscard]] std::vector<Message> messagesOf(const ReplayedRun& run, std::size_t most);
 
 /// Of what and when, how long, and how it ended: "machine.syncline on sim:demo, 2026-03-01 12:00:00, 10 min 0 s ...".
 [[nodiscard]] QString recordingText(const ReplayedRun& run);

@@ -34,6 +34,7 @@ void SyncWatch::note_settings() {
   dcm.mode = settings_.mode;
   dcm.control_off = settings_.control_off || settings_.mode == DcmMode::kMasterShiftByApp;
   dcm.set_value_ns = to_32(effective_set_value(settings_, run_.config().cycle_time()));
+  dcm.in_sync_limit = settings_.in_sync_limit;
   dcm.bus_shift_configured = bus_shift_configured(run_.config());
 }
 
@@ -49,6 +50,7 @@ Status SyncWatch::configure(const DcmSettings& change) {
   settings_ = merged;
   learned_ppm_ = 0;
   note_settings();
+  ++run_.snapshot.dcm.times_configured;
   if (!controller_) return {};
   make_controller();
   controller_->start(base_, last_reference_, last_host_);

@@ -127,9 +127,12 @@ TEST_F(DcmRun, TheStatusIsResetAndParametersChangeWhileItRuns) {
 
   auto change = dcm();
   change.set_value = 400'000;
+  change.in_sync_limit = 6'000;
   service->channels().commands.push(ConfigureDcmCommand{change});
   run(3 * kSecond);
   EXPECT_EQ(snapshot.dcm.set_value_ns, 400'000);
+  EXPECT_EQ(snapshot.dcm.in_sync_limit, 6'000);
+  EXPECT_EQ(snapshot.dcm.times_configured, 1U);
   EXPECT_EQ(dcm_status(snapshot).state, SyncState::kInSync);
   // SYNC0 stands where it was; the frames moved.
   const auto distance =

@@ -117,6 +117,39 @@ TEST_F(RecentRunFile, HoldsTheLastStretchAsItWas) {
   }
 }
 
+/// A slave that was lost long before has nothing in the stretch, however many blocks it is written in.
+TEST_F(RecentRunFile, HoldsNothingOfBefore) {
+  run(100);
+  constexpr std::size_t kLost = 1;
+  for (int i = 0; i < 300; ++i) {
+    const auto samples = made_.next(100);
+    record_->add(samples);
+    recent_.add(samples);
+    Snapshot now;
+    now.time = samples.back().send_time;
+    now.online = true;
+    now.slaves.resize(3);
+    for (auto& slave : now.slaves) slave.present = true;
+    now.slaves[kLost].present = false;
+    record_->add(now);
+  }
+  const auto from = record_->samples().last_time() - 15 * kSecond;
+  const auto path = folder_.file("lost.slrec");
+  ASSERT_TRUE(save_recent(path, taken(from)));
+  auto reader = RecordingReader::open(path);
+  ASSERT_TRUE(reader);
+  ASSERT_GT(reader->info()->blocks, 2U);
+  const auto all = reader->all_points();
+  ASSERT_TRUE(all);
+  ASSERT_FALSE(record_->samples().series(Signal::kAlState, kLost).empty()) << "it has a past";
+  EXPECT_FALSE(all->empty());
+  for (const auto& [number, points] : *all) {
+    EXPECT_NE(number / 256 - 1, static_cast<std::int64_t>(kLost)) << "series " << number;
+    // The first value may be older: it is what holds when the stretch begins.
+    for (std::size_t i = 1; i < points.times.size(); ++i) EXPECT_GE(points.times[i], from) << "series " << number;
+  }
+}
+
 TEST_F(RecentRunFile, ReplacesNothing) {
   run(10);
   const auto path = folder_.file("there");

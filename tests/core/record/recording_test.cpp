@@ -267,6 +267,60 @@ TEST_F(RecordingFile, ReplaysWhatWasToldAndFound) {
   }
 }
 
+/// A recording that begins in the midst of a run, which is armed anew and given another limit while it is recorded.
+TEST_F(RecordingFile, ReplaysTheOverviewOfARunThatWentOnBefore) {
+  NetworkConfig config;
+  config.slaves.resize(3);
+  RunRecord live(config, 0, {kMillisecond, 500, 4'000}, 0x1000);
+  test::MadeSamples made(7);
+  for (int i = 0; i < 20; ++i) live.add(made.next(100));
+  ASSERT_TRUE(live.standing().armed);
+  const auto armed_before = *live.standing().armed;
+  auto recorder = start();
+  recorder->tell(live.standing());
+  const auto replay = [&] {
+    auto reader = RecordingReader::open(path());
+    return replay_run(*reader, config);
+  };
+  const auto run = [&](int batches) {
+    for (int i = 0; i < batches; ++i) {
+      const auto samples = made.next(100);
+      recorder->add(samples);
+      live.add(samples);
+      const Event event{samples[50].send_time, i % 3, events::SlaveLost{}};
+      recorder->add(RecordedEvent{event.time, event.slave, "kind", "words", encode_event(event.what)});
+      live.add(event);
+    }
+  };
+  run(30);
+  Snapshot now;
+  now.online = true;
+  now.time = live.samples().last_time();
+  now.dcm.in_sync_limit = 700;
+  now.dcm.times_configured = 1;
+  live.add(now);
+  run(10);
+  live.arm();
+  recorder->tell(live.standing());
+  run(20);
+  ASSERT_TRUE(recorder->finish());
+  const auto replayed = replay();
+  ASSERT_TRUE(replayed) << replayed.error().detail;
+  const auto &was = live.overview(), &is = replayed->record->overview();
+  EXPECT_GT(*was.armed, armed_before);
+  EXPECT_EQ(is.armed, was.armed);
+  EXPECT_EQ(replayed->record->standing(), live.standing());
+  EXPECT_EQ(replayed->record->limits().dcm_error_ns, 700);
+  EXPECT_EQ(is.deviation.statistics.count(), was.deviation.statistics.count());
+  EXPECT_EQ(is.deviation.statistics.rms(), was.deviation.statistics.rms());
+  EXPECT_EQ(is.dcm_filtered.largest->time, was.dcm_filtered.largest->time);
+  EXPECT_EQ(is.slaves.times_lost, was.slaves.times_lost);
+  EXPECT_EQ(is.slaves.last_lost, was.slaves.last_lost);
+  EXPECT_EQ(is.missed.count, was.missed.count);
+  EXPECT_EQ(is.faults.count(), was.faults.count());
+  EXPECT_EQ(is.faults.episodes().back().faults.size(), was.faults.episodes().back().faults.size());
+}
+
 TEST_F(RecordingFile, AReplaySaysHowFarItIsAndCanBeCancelled) {
   make();
   auto reader = RecordingReader::open(path());

@@ -48,6 +48,30 @@ TEST(RunRecord, KeepsTheLastSnapshotOfTheRunAndTheLatestEvents) {
   EXPECT_EQ(record.events().front().time, static_cast<Nanoseconds>(kMore));
 }
 
+/// The running master takes other parameters: it is held against them, and what was before is no loss.
+TEST(RunRecord, TakesTheLimitThatIsInForce) {
+  RunRecord record(running_machine());
+  CycleSample sample;
+  sample.send_time = kSecond;
+  sample.master_state = 8;
+  sample.slaves_sync = sample.master_sync = SyncState::kInSync;
+  record.add(std::span(&sample, 1));
+  Snapshot now;
+  now.online = true;
+  now.time = kSecond;
+  now.dcm.in_sync_limit = 4'000;
+  record.add(now);
+  EXPECT_EQ(record.standing(), (RunStanding{{250 * kMicrosecond, 511, 4'000}, kSecond}));
+  now.dcm.in_sync_limit = 900;
+  now.dcm.times_configured = 1;
+  record.add(now);
+  EXPECT_EQ(record.standing(), (RunStanding{{250 * kMicrosecond, 511, 900}, std::nullopt}));
+  sample.send_time = 2 * kSecond;
+  ++sample.cycle;
+  record.add(std::span(&sample, 1));
+  EXPECT_EQ(record.standing().armed, 2 * kSecond);
+}
+
 TEST(RunRecord, SamplesAndSnapshotsReachTheStore) {
   RunRecord record(running_machine());
   CycleSample sample;

@@ -55,6 +55,36 @@ TEST(SyncOverview, ALampSaysSinceWhenAndWhenItWasLost) {
   EXPECT_EQ(lamp.times_lost, 1U);
 }
 
+/// What a recording has before its run was armed is not judged; from then on all is, in sync or not.
+TEST(SyncOverview, OfARecordingItIsArmedWhenItsRunWas) {
+  OverviewRecorder recorder(1);
+  recorder.arm_from(at(10));
+  for (int ms = 0; ms < 10; ++ms) feed(recorder, sample(ms, SyncState::kInSync, 900));
+  EXPECT_FALSE(recorder.overview().armed);
+  for (int ms = 10; ms < 20; ++ms) feed(recorder, sample(ms, SyncState::kOutOfSync, 20));
+  EXPECT_EQ(recorder.overview().armed, at(10));
+  EXPECT_EQ(recorder.overview().deviation.largest->value, 20);
+  recorder.add(Event{at(15), 0, events::SlaveLost{}});
+  EXPECT_EQ(recorder.overview().faults.count(), 1U);
+  OverviewRecorder later(1);
+  later.arm_from(at(10));
+  feed(later, sample(50, SyncState::kOutOfSync));
+  EXPECT_EQ(later.overview().armed, at(50)) << "of what was before nothing is known";
+}
+
+TEST(SyncOverview, NothingWasLostByWhatWasSetAnew) {
+  OverviewRecorder recorder(1);
+  for (int ms = 0; ms < 10; ++ms) feed(recorder, sample(ms, SyncState::kInSync));
+  recorder.disarm(at(11));
+  EXPECT_FALSE(recorder.overview().armed);
+  for (int ms = 10; ms < 12; ++ms) feed(recorder, sample(ms, SyncState::kInSync));  // from before
+  for (int ms = 12; ms < 20; ++ms) feed(recorder, sample(ms, SyncState::kBusy));
+  for (int ms = 20; ms < 30; ++ms) feed(recorder, sample(ms, SyncState::kInSync));
+  EXPECT_EQ(recorder.overview().armed, at(20));
+  EXPECT_EQ(recorder.overview().master.times_lost, 0U);
+  EXPECT_FALSE(recorder.overview().master.last_lost);
+}
+
 /// Single cycles far over the limit are borne; what the controller has made of them is what the limit is for.
 TEST(SyncOverview, TheMasterHasTheMarginOfTheFilteredError) {
   OverviewRecorder recorder(1);
@@ -121,6 +151,16 @@ TEST(FaultLog, SaysWhatCameFirstAndWhatFollowed) {
   EXPECT_FALSE(episode.faults[2].event);
   EXPECT_EQ(episode.begin, at(10));
   EXPECT_EQ(episode.end, at(500));
+}
+
+TEST(FaultLog, WhatIsOverIsAReturnToOrder) {
+  const auto meaning = [](auto what) { return meaning_of(Event{at(0), 1, std::move(what)}); };
+  EXPECT_EQ(meaning(events::CableChanged{.healed = true}), EventMeaning::kReturnToOrder);
+  EXPECT_EQ(meaning(events::CableChanged{.healed = false}), EventMeaning::kFault);
+  EXPECT_EQ(meaning(events::LongCycles{.begun = false}), EventMeaning::kReturnToOrder);
+  EXPECT_EQ(meaning(events::RecoveryStep{events::RecoveryStep::Stage::kDone, 1}), EventMeaning::kReturnToOrder);
+  EXPECT_EQ(meaning(events::SlaveFound{}), EventMeaning::kReturnToOrder);
+  EXPECT_EQ(meaning(events::Online{}), EventMeaning::kNews);
 }
 
 TEST(FaultLog, WhatComesAfterAQuietTimeIsAnotherEpisode) {

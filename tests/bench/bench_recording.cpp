@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+// A recording of ten million cycles, opened as the window does, against reading its bytes.
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <functional>
+#include <vector>
+
+#include "bench/ratio_report.h"
+#include "findings/error_text.h"
+#include "record/recording_writer.h"
+#include "record/replay_run.h"
+#include "tests/core/record/made_samples.h"
+#include "tests/support/temporary_folder.h"
+
+namespace syncline::bench {
+namespace {
+
+constexpr std::size_t kCycles = 10'000'000, kBatch = 1'000;
+constexpr double kMiB = 1024 * 1024;
+
+NetworkConfig three_slaves() {
+  NetworkConfig config;
+  config.slaves.resize(3);
+  return config;
+}
+
+Status write_recording(const std::string& path) {
+  auto writer = RecordingWriter::create(path, about_run(three_slaves()));
+  if (!writer) return tl::unexpected(writer.error());
+  test::MadeSamples made(1);
+  for (std::size_t done = 0; done < kCycles; done += kBatch) {
+    RecordingBatch batch;
+    batch.samples = made.next(kBatch);
+    if (auto status = writer->write(batch); !status) return status;
+  }
+  return writer->finish("end of the run", {});
+}
+
+void read_bytes(const std::string& path) {
+  std::vector<char> buffer(1U << 20);
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  while (::read(file, buffer.data(), buffer.size()) > 0) {
+  }
+  ::close(file);
+}
+
+bool open_whole(const std::string& path) {
+  auto reader = RecordingReader::open(path);
+  if (!reader) return false;
+  const auto run = replay_run(*reader, three_slaves());
+  return run && run->info.cycles == kCycles && run->record->overview().deviation.now;
+}
+
+struct Taken {
+  double ns = 0, mib = 0;  // of the processor; at its peak
+  bool done = false;
+};
+
+double peak_mib() {
+  rusage usage{};
+  ::getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) * 1024 / kMiB;
+}
+
+/// In a process of its own, whose peak of memory is that of the work.
+Taken measure(const std::function<bool()>& work) {
+  int told[2];
+  Taken taken;
+  if (::pipe(told) != 0) return taken;
+  const pid_t child = ::fork();
+  if (child == 0) {
+    const auto before = peak_mib();
+    const auto begin = processor_seconds();
+    taken.done = work();
+    taken.ns = (processor_seconds() - begin) * 1e9;
+    taken.mib = peak_mib() - before;
+    ::_exit(::write(told[1], &taken, sizeof taken) == sizeof taken ? 0 : 1);
+  }
+  ::close(told[1]);
+  if (::read(told[0], &taken, sizeof taken) != sizeof taken) taken.done = false;
+  ::close(told[0]);
+  ::waitpid(child, nullptr, 0);
+  return taken;
+}
+
+void bench_open(RatioReport& report) {
+  const test::TemporaryFolder folder;
+  const auto path = folder.file("run.slrec");
+  if (const auto status = write_recording(path); !status) return report.add_failure("write", describe(status.error()));
+  const auto mib = static_cast<double>(std::filesystem::file_size(path)) / kMiB;
+  const auto bytes = measure([&] {
+    read_bytes(path);
+    return true;
+  });
+  const auto opened = measure([&] { return open_whole(path); });
+  if (!bytes.done || !opened.done) return report.add_failure("open", "it could not be read");
+  report.add("open 10 million cycles", opened.ns, fmt::format("reading its {:.0f} MiB", mib), bytes.ns, 0);
+  report.add_count("memory of it, open", opened.mib, "MiB", mib, "MiB of the file", 3);
+}
+
+}  // namespace
+}  // namespace syncline::bench
+
+int main() {
+  syncline::bench::RatioReport report;
+  syncline::bench::bench_open(report);
+  return report.finish("Recordings");
+}
