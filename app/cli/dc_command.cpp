@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "app/cli/context.h"
+#include "app/cli/findings_text.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/options.h"
 #include "app/composition/load_config.h"
@@ -186,8 +187,11 @@ void print_delays(Context& context, const Segment& segment, const DelaySurvey& s
   }
   Json findings = Json::array();
   for (const auto& finding : survey.result.findings) {
-    const auto words = facts_text(delay_finding(finding.position, finding.warning, finding.value_ns));
-    findings.push_back({{"position", finding.position}, {"text", words}});
+    const auto told = delay_finding(finding.position, finding.warning, finding.value_ns);
+    const auto words = facts_text(told);
+    findings.push_back(to_json(told));
+    findings.back()["position"] = finding.position;
+    findings.back()["text"] = words;
     if (!json) context.console.err << fmt::format("warning: {}\n", words);
   }
   if (json) return context.print({{"rounds", survey.rounds}, {"slaves", rows}, {"findings", findings}});

@@ -3,24 +3,34 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "app/cli/event_name.h"
 #include "channels/event_finding.h"
 #include "findings/error_text.h"
 
 namespace syncline::cli {
 
-std::string event_words(const Event& event) {
+namespace {
+
+/// With the advice behind it. An error begins with its file and line where its sentence does not name them.
+std::string words_of(const Event& event, const Finding& finding) {
   if (const auto* failure = event.as<events::Failure>()) return describe(failure->error);
+  const auto mend = fill_finding_template(find_finding_words(finding.code)->mend, finding);
+  return mend.empty() ? facts_text(finding) : fmt::format("{}. {}", facts_text(finding), mend);
+}
+
+}  // namespace
+
+std::string event_words(const Event& event) {
   const auto finding = event_finding(event);
-  if (!finding) return {};
-  const auto mend = fill_finding_template(find_finding_words(finding->code)->mend, *finding);
-  return mend.empty() ? facts_text(*finding) : fmt::format("{}. {}", facts_text(*finding), mend);
+  return finding ? words_of(event, *finding) : std::string();
 }
 
 Json event_json(const Event& event, Nanoseconds start) {
-  auto text = event_words(event);
-  if (text.empty()) return nullptr;
   const auto finding = event_finding(event);
+  auto text = finding ? words_of(event, *finding) : std::string();
+  if (text.empty()) return nullptr;
   return {{"time_ms", static_cast<double>((event.time - start) / 1000) / 1000},
           {"kind", event_name(event)},
           {"code", finding->code},

@@ -68,17 +68,19 @@ Json place_json(const Place& place) {
           {"path", text_or_null(place.path)}};
 }
 
+Json to_json(const Finding& finding) {
+  return {{"severity", severity_name(finding.severity)},
+          {"slave", finding.place.slave},
+          {"key", finding.place.key},
+          {"text", describe(finding)},
+          {"code", finding.code},
+          {"place", place_json(finding.place)},
+          {"evidence", figures_json(finding)}};
+}
+
 Json to_json(const std::vector<Finding>& findings) {
   Json rows = Json::array();
-  for (const auto& finding : findings) {
-    rows.push_back({{"severity", severity_name(finding.severity)},
-                    {"slave", finding.place.slave},
-                    {"key", finding.place.key},
-                    {"text", describe(finding)},
-                    {"code", finding.code},
-                    {"place", place_json(finding.place)},
-                    {"evidence", figures_json(finding)}});
-  }
+  for (const auto& finding : findings) rows.push_back(to_json(finding));
   return rows;
 }
 

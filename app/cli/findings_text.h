@@ -9,7 +9,8 @@
 
 namespace syncline::cli {
 
-/// `code`, `severity`, `slave`, `key`, `text`, `place`, `evidence` of each (docs/json.md).
+/// `code`, `severity`, `slave`, `key`, `text`, `place`, `evidence` (docs/json.md).
+[[nodiscard]] Json to_json(const Finding& finding);
 [[nodiscard]] Json to_json(const std::vector<Finding>& findings);
 /// Where it belongs: `slave`, `key`, `line`, `path`; what its finder does not know is null.
 [[nodiscard]] Json place_json(const Place& place);

@@ -8,6 +8,7 @@
 #include "app/cli/counted.h"
 #include "app/cli/esi_folders.h"
 #include "app/cli/event_text.h"
+#include "app/cli/findings_text.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/options.h"
 #include "app/composition/open_link.h"
@@ -156,7 +157,7 @@ void scan(Context& context, const ScanOptions& options) {
   request.on_capture_lost = [&context](const Error& error) { context.fail_with(error); };
   request.on_event = [&context](const Event& event) {
     if (!event.is<events::ScanTouchesRunning>()) return;
-    context.console.err << "warning: " << event_text(event, event.time) << '\n' << std::flush;
+    context.console.err << "warning: " << event_text(event, event.time) << " (--look-only)\n" << std::flush;
   };
   const auto found = scan_bus(open_link(options.link), request);
   if (!found) return context.fail_with(found.error());
@@ -185,7 +186,8 @@ void scan(Context& context, const ScanOptions& options) {
                  {"slaves", rows},
                  {"look_only", found->look_only},
                  {"running", found->running},
-                 {"findings", findings}});
+                 {"findings", findings},
+                 {"coded_findings", to_json(found->findings)}});
 }
 
 }  // namespace

@@ -107,7 +107,7 @@ struct ToldByEvent {
         e.now == e.configured ? Severity::kNote : Severity::kWarning);
   }
   Told operator()(const events::FramesLost& e) const {
-    return e.count == 1 ? tell("event-frames-lost/one") : tell("event-frames-lost", fig::number<"count">(e.count));
+    return tell("event-frames-lost", fig::number<"count">(e.count));
   }
   Told operator()(const events::FramesLate& e) const;
   Told operator()(const events::CyclesLeftOut& e) const {
@@ -157,9 +157,7 @@ struct ToldByEvent {
   Told operator()(const events::MasterStopped& e) const {
     return tell("event-master-stopped", fig::text<"text">(e.text));
   }
-  Told operator()(const events::EventsLost& e) const {
-    return e.count == 1 ? tell("event-events-lost/one") : tell("event-events-lost", fig::count<"count">(e.count));
-  }
+  Told operator()(const events::EventsLost& e) const { return tell("event-events-lost", fig::count<"count">(e.count)); }
 };
 
 Told ToldByEvent::operator()(const events::AlStatusError& e) const {
@@ -197,8 +195,7 @@ Told ToldByEvent::operator()(const events::RecoveryStep& e) const {
 Told ToldByEvent::operator()(const events::DcInitialised& e) const {
   if (e.reference_clock < 0) return tell("event-dc-initialised/unled", fig::count<"slaves">(e.slaves));
   auto clock = fig::slave<"clock">(static_cast<std::size_t>(e.reference_clock));
-  return e.slaves == 1 ? tell("event-dc-initialised/one", std::move(clock))
-                       : tell("event-dc-initialised", fig::count<"slaves">(e.slaves), std::move(clock));
+  return tell("event-dc-initialised", fig::count<"slaves">(e.slaves), std::move(clock));
 }
 
 Told ToldByEvent::operator()(const events::ReferenceClockChanged& e) const {

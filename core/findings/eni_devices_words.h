@@ -33,8 +33,8 @@ inline constexpr FindingWords kEniDevices[] = {
      "Map fewer objects and exchange the slow ones by SDO",
      "",
      {{"",
-       "{objects} objects are mapped in this direction, {family} {devices} take {most}. Unassign a PDO, or map fewer "
-       "objects and exchange the slow ones by SDO."}}},
+       "{objects:# object is|# objects are} mapped in this direction, {family} {devices} take {most}. Unassign a PDO, "
+       "or map fewer objects and exchange the slow ones by SDO."}}},
     {"ENI-DEV-04",
      Severity::kError,
      "An error limit beyond the device's range",

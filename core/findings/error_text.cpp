@@ -158,8 +158,8 @@ std::optional<Figure> figure_of(std::string_view name, const Error& error) {
 
 void add_figures(std::string_view text, const Error& error, Finding& finding) {
   for (auto open = text.find('{'); open != std::string_view::npos; open = text.find('{', open + 1)) {
-    if (auto figure = figure_of(text.substr(open + 1, text.find('}', open) - open - 1), error))
-      finding.figures.push_back(std::move(*figure));
+    const Placeholder placeholder(text.substr(open + 1, text.find('}', open) - open - 1));
+    if (auto figure = figure_of(placeholder.name, error)) finding.figures.push_back(std::move(*figure));
   }
 }
 

@@ -181,7 +181,7 @@ inline constexpr FindingWords kBusErrors[] = {
      "",
      "Compare the wiring with the configuration.",
      "",
-     {{"", "The bus has {received} slaves where {expected} were expected."}}},
+     {{"", "The bus has {received:# slave|# slaves} where {expected} {expected:was|were} expected."}}},
     {"other-device",
      Severity::kError,
      "A slave is another device than configured",

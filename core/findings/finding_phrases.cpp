@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "findings/finding.h"
+#include "findings/reason_words.h"
 #include "protocol/al_state.h"
 #include "protocol/coe_abort_code.h"
 #include "protocol/dcm_error.h"
@@ -131,6 +132,7 @@ std::span<const std::string_view> finding_phrases() {
     }
     for (const auto text : coe::abort_code_texts()) add(text);
     for (std::uint32_t code = foe::error::kNotDefined; code <= kLastFoeError; ++code) add(foe::error_text(code));
+    for (const auto text : words::kReasons) add(text);
     return phrases;
   }();
   return all;

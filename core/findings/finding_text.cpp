@@ -117,6 +117,20 @@ std::string_view severity_name(Severity severity) {
   return "note";
 }
 
+namespace {
+
+/// The figure, or the words that it chooses.
+std::string placed(const Placeholder& placeholder, const Figure& figure) {
+  auto text = figure_text(figure);
+  if (placeholder.one.empty()) return text;
+  std::string words(placeholder.words_for(figure));
+  for (auto at = words.find('#'); at != std::string::npos; at = words.find('#', at + text.size()))
+    words.replace(at, 1, text);
+  return words;
+}
+
+}  // namespace
+
 bool has_errors(std::span<const Finding> findings) {
   return std::ranges::find(findings, Severity::kError, &Finding::severity) != findings.end();
 }
@@ -140,9 +154,9 @@ std::string fill_finding_template(std::string_view text, const Finding& finding)
     const auto close = text.find('}', open);
     if (open == std::string_view::npos || close == std::string_view::npos) break;
     out += text.substr(0, open);
-    const auto name = text.substr(open + 1, close - open - 1);
-    const Figure* found = figure_named(finding, name);
-    out += found == nullptr ? std::string(text.substr(open, close - open + 1)) : figure_text(*found);
+    const Placeholder placeholder(text.substr(open + 1, close - open - 1));
+    const Figure* found = figure_named(finding, placeholder.name);
+    out += found == nullptr ? std::string(text.substr(open, close - open + 1)) : placed(placeholder, *found);
     text.remove_prefix(close + 1);
   }
   return out += text;
@@ -150,7 +164,7 @@ std::string fill_finding_template(std::string_view text, const Finding& finding)
 
 bool begins_with_own_text(std::string_view text, const Finding& finding) {
   if (!text.starts_with('{')) return false;
-  const Figure* first = figure_named(finding, text.substr(1, text.find('}') - 1));
+  const Figure* first = figure_named(finding, Placeholder(text.substr(1, text.find('}') - 1)).name);
   return first != nullptr && first->unit == Figure::Unit::kText;
 }
 

@@ -58,8 +58,8 @@ inline constexpr FindingWords kProjectMaster[] = {
      "Switch the monitoring off, or give more slaves an operation mode with DC.",
      "master.dc.sync_window",
      {{"",
-       "Sync window monitoring compares slaves with the reference clock; {slaves} slave(s) with DC leave nothing to "
-       "compare."}}},
+       "Sync window monitoring compares slaves with the reference clock; {slaves:# slave with DC leaves|# slaves with "
+       "DC leave} nothing to compare."}}},
     {"master-not-synchronised",
      Severity::kWarning,
      "Master and reference clock run at their own rates",
@@ -79,10 +79,10 @@ inline constexpr FindingWords kProjectMaster[] = {
       {"busiest", "When all tasks are due in one cycle their frames take {wire} of {cycle} of wire time."},
       {"travel",
        "The cyclic frames need about {needed} of a cycle of {cycle}: {wire} on the wire and {travel} on their way "
-       "through {slaves} slaves."},
+       "through {slaves:# slave|# slaves}."},
       {"run",
        "The cycle of {cycle} is too short: until its frames are back it takes {needed}, {wire} on the wire and "
-       "{travel} on their way through {slaves} slaves. {late} frames came back too late."}}},
+       "{travel} on their way through {slaves:# slave|# slaves}. {late:# frame|# frames} came back too late."}}},
     {"sync-unit-without-task",
      Severity::kError,
      "A Sync Unit runs in a task that does not exist",

@@ -33,7 +33,7 @@ inline constexpr FindingWords kProjectSlaves[] = {
      "",
      "Assign fewer PDOs, or do without the mailbox state bit.",
      "slave.N.pdo.rx",
-     {{"", "The process data need {fmmus} FMMUs, the device has {available}."}}},
+     {{"", "The process data need {fmmus:# FMMU|# FMMUs}, the device has {available}."}}},
     {"alias-missing",
      Severity::kError,
      "A slave is known by an alias that it does not have",

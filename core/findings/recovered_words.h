@@ -28,7 +28,7 @@ inline constexpr FindingWords kRecovered[] = {
      "",
      "Let the application copy the data.",
      "",
-     {{"", "{copies} slave-to-slave copies cannot be kept: a project has no place for them."}}},
+     {{"", "{copies:# slave-to-slave copy|# slave-to-slave copies} cannot be kept: a project has no place for that."}}},
     {"esi-missing",
      Severity::kNote,
      "No ESI of the device is at hand",
@@ -83,8 +83,8 @@ inline constexpr FindingWords kRecovered[] = {
      "",
      "",
      {{"",
-       "{file} is an ENI: its commands and the layout of its image stay as they are, only the spelling follows "
-       "--dialect. \"project create --eni\" makes a project that can be laid out anew."}}},
+       "{file} is an ENI: its commands and the layout of its image stay as they are, only the spelling follows the "
+       "dialect. \"project create --eni\" makes a project that can be laid out anew."}}},
     {"project-not-compiled",
      Severity::kError,
      "The recovered project cannot be compiled",

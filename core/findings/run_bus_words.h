@@ -13,8 +13,8 @@ inline constexpr FindingWords kRunBus[] = {
      "Mend the lock first.",
      "",
      {{"",
-       "{slave} missed {missed} SM2 events, and the master was not locked to the reference clock all the time: frames "
-       "slid through its SYNC0."}}},
+       "{slave} missed {missed:# SM2 event|# SM2 events}, and the master was not locked to the reference clock all the "
+       "time: frames slid through its SYNC0."}}},
     {"missed-unexplained",
      Severity::kWarning,
      "SM2 events were missed in good cycles",
@@ -23,8 +23,8 @@ inline constexpr FindingWords kRunBus[] = {
      "at frames that are damaged in front of it.",
      "",
      {{"",
-       "{slave} counts {missed} missed SM2 events (0x1C32:{sub}), and for {part} of them the master saw good "
-       "cycles."}}},
+       "{slave} counts {missed:# missed SM2 event|# missed SM2 events} (0x1C32:{sub}), and for {part} of them the "
+       "master saw good cycles."}}},
     {"sync0-too-tight",
      Severity::kWarning,
      "Frames come close to SYNC0",
@@ -79,15 +79,15 @@ inline constexpr FindingWords kRunBus[] = {
      "Use a longer bus cycle or a larger sync multiplier, or let its fieldbus carry less.",
      "",
      {{"",
-       "{slave} skipped {count} cycles because the one before was not over ({object} cycle exceeded): its fieldbus "
-       "needs longer than a cycle."}}},
+       "{slave} skipped {count:# cycle|# cycles} because the one before was not over ({object} cycle exceeded): its "
+       "fieldbus needs longer than a cycle."}}},
     {"mailbox-silent",
      Severity::kWarning,
      "A slave's mailbox does not answer",
      "",
      "Its firmware is busy or stopped; the counters that it keeps in objects are as old as that.",
      "",
-     {{"", "{slave} left {count} mailbox requests in a row without an answer."}}},
+     {{"", "{slave} left {count:# mailbox request|# mailbox requests} in a row without an answer."}}},
     {"outputs-watchdog",
      Severity::kWarning,
      "A process data watchdog expired",
@@ -102,8 +102,8 @@ inline constexpr FindingWords kRunBus[] = {
      "Noise on that cable, a bad plug or a bad shield: change the cable, keep it away from motor cables.",
      "",
      {{"",
-       "{count} frames reached {slave} damaged at port {port} (0x{register}), from {since} on; the cable comes from "
-       "{behind}."}}},
+       "{count:# frame|# frames} reached {slave} damaged at port {port} (0x{register}), from {since} on; the cable "
+       "comes from {behind}."}}},
     {"link-lost",
      Severity::kWarning,
      "A port lost its link",
@@ -118,8 +118,8 @@ inline constexpr FindingWords kRunBus[] = {
      "They are lost between the host and the first slave, or in the network card and its driver.",
      "",
      {{"",
-       "{count} frames did not come back (up to {most} close together, first at {since}), and no slave counted an "
-       "error at its ports."}}},
+       "{count:# frame|# frames} did not come back (up to {most} close together, first at {since}), and no slave "
+       "counted an error at its ports."}}},
     {"frames-lost-by-noise",
      Severity::kWarning,
      "Frames are lost by noise",
@@ -127,7 +127,7 @@ inline constexpr FindingWords kRunBus[] = {
      "Mend what is found about that port.",
      "",
      {{"",
-       "{count} frames did not come back (up to {most} close together, first at {since}); they were damaged on their "
+       "{count:# frame|# frames} did not come back (up to {most} close together, first at {since}); damaged on the "
        "way, first at {slave} port {port}."}}},
     {"frames-lost-by-host",
      Severity::kWarning,
@@ -135,28 +135,30 @@ inline constexpr FindingWords kRunBus[] = {
      "",
      "Find out what held the host.",
      "",
-     {{"", "{count} frames did not come back in time while the host stood still."}}},
+     {{"", "{count:# frame|# frames} did not come back in time while the host stood still."}}},
     {"frames-lost-by-interruption",
      Severity::kNote,
      "Frames were lost by an interruption",
      "",
      "",
      "",
-     {{"", "{count} frames were lost when {slave} went away or came back."}}},
+     {{"", "{count:# frame was|# frames were} lost when {slave} went away or came back."}}},
     {"frames-late",
      Severity::kWarning,
      "Frames come back after their cycle",
      "",
      "The way through the network card takes too long now and then: interrupt moderation, a switch, or a busy host.",
      "",
-     {{"", "{count} frames came back after their cycle, by up to {largest}."}}},
+     {{"", "{count:# frame|# frames} came back after the cycle, by up to {largest}."}}},
     {"host-stalled",
      Severity::kWarning,
      "The host stood still",
      "",
      "Look for what held it: another process of higher priority, power management, the virtual machine's host.",
      "",
-     {{"", "The host stood still {times}, for up to {longest}, first at {since}: {count} cycles were left out."}}},
+     {{"",
+       "The host stood still {times}, for up to {longest}, first at {since}: {count:# cycle was|# cycles were} left "
+       "out."}}},
     {"host-stalled-by-others",
      Severity::kWarning,
      "Other threads held the host",
@@ -164,21 +166,21 @@ inline constexpr FindingWords kRunBus[] = {
      "Give the master real-time priority above what else runs on this host, or a processor of its own.",
      "",
      {{"",
-       "The host stood still {times}, for up to {longest}, first at {since}: {count} cycles were left out. Of {held} "
-       "that "
-       "the master came too late, it was ready for {waited}, and other threads had its processor."}}},
+       "The host stood still {times}, for up to {longest}, first at {since}: {count:# cycle was|# cycles were} left "
+       "out. Of {held} that the master came too late, it was ready for {waited}, and other threads had its "
+       "processor."}}},
     {"host-timer-late",
      Severity::kWarning,
-     "The host's timer came late",
+     "Nothing woke the master in time",
      "",
-     "Look below the operating system: the host of a virtual machine, firmware (system management interrupts), power "
-     "states, "
-     "drivers that hold interrupts off. Run the master on a machine of its own.",
+     "See that nobody stops the program: a debugger, SIGSTOP. Else look below the operating system: the host of a "
+     "virtual machine, firmware (system management interrupts), power states, drivers that hold interrupts off. Run "
+     "the master on a machine of its own.",
      "",
      {{"",
-       "The host stood still {times}, for up to {longest}, first at {since}: {count} cycles were left out. The master "
-       "came "
-       "{held} too late, of which other threads had its processor for {waited} only: its timer came late."}}},
+       "The host stood still {times}, for up to {longest}, first at {since}: {count:# cycle was|# cycles were} left "
+       "out. The master came {held} too late, and other threads had its processor for {waited} of that only: it was "
+       "stopped, or its timer came late."}}},
     {"host-late",
      Severity::kWarning,
      "The host sends late",
@@ -194,14 +196,18 @@ inline constexpr FindingWords kRunBus[] = {
      "",
      "A slave left OP, lost its link or did not serve its data.",
      "",
-     {{"", "{count} cycles had a wrong working counter ({received} instead of {expected} last), from {since} on."}}},
+     {{"",
+       "{count:# cycle|# cycles} had a wrong working counter ({received} instead of {expected} last), from {since} "
+       "on."}}},
     {"working-counter-explained",
      Severity::kNote,
      "Working counters are wrong for a known reason",
      "",
      "",
      "",
-     {{"", "{count} cycles had a wrong working counter, from {since} on: that is what the others see of {slave}."}}},
+     {{"",
+       "{count:# cycle|# cycles} had a wrong working counter, from {since} on: that is what the others see of "
+       "{slave}."}}},
 };
 
 }  // namespace syncline::words

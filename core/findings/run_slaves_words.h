@@ -59,8 +59,8 @@ inline constexpr FindingWords kRunSlaves[] = {
      "The cause is that of the missed events: {cause}.",
      "",
      {{"",
-       "{slave} fell to {state} with AL status code {alcode}{alarm} at {since}: it missed {missed} SM2 events, its "
-       "error counter reached {integrator} of {limit}."}}},
+       "{slave} fell to {state} with AL status code {alcode}{alarm} at {since}: it missed {missed:# SM2 event|# SM2 "
+       "events}, its error counter reached {integrator} of {limit}."}}},
     {"slave-fell-by-late-frames",
      Severity::kError,
      "A slave has left OP because frames came too late",
@@ -68,9 +68,9 @@ inline constexpr FindingWords kRunSlaves[] = {
      "Increase the set value by {more} or more, or make the host less late.",
      "",
      {{"",
-       "{slave} fell to {state} with AL status code {alcode}{alarm} at {since}: it missed {missed} SM2 events, {part} "
-       "of them because frames came behind the SYNC0 they were meant for. Nominally they are there {margin} before it, "
-       "but one in a thousand is {lateness} late."}}},
+       "{slave} fell to {state} with AL status code {alcode}{alarm} at {since}: it missed {missed:# SM2 event|# SM2 "
+       "events}, {part} of them because frames came behind the SYNC0 they were meant for. Nominally they are there "
+       "{margin} before it, but one in a thousand is {lateness} late."}}},
     {"slave-fell-by-itself",
      Severity::kError,
      "A slave has left OP while the bus was in order",
@@ -168,8 +168,8 @@ inline constexpr FindingWords kRunSlaves[] = {
      "Find out where the frames are lost; its SYNC0 is not the reason.",
      "",
      {{"",
-       "{slave} missed {missed} SM2 events, {part} of them because frames were lost; its error counter reached "
-       "{integrator} of {limit}."}}},
+       "{slave} missed {missed:# SM2 event|# SM2 events}, {part} of them because frames were lost; its error counter "
+       "reached {integrator} of {limit}."}}},
     {"missed-by-host",
      Severity::kWarning,
      "SM2 events were missed because the host left cycles out",
@@ -177,8 +177,8 @@ inline constexpr FindingWords kRunSlaves[] = {
      "Find out what held the host; its SYNC0 is not the reason.",
      "",
      {{"",
-       "{slave} missed {missed} SM2 events, {part} of them because the host left cycles out; its error counter reached "
-       "{integrator} of {limit}."}}},
+       "{slave} missed {missed:# SM2 event|# SM2 events}, {part} of them because the host left cycles out; its error "
+       "counter reached {integrator} of {limit}."}}},
     {"missed-by-late-frames",
      Severity::kWarning,
      "SM2 events were missed because frames came too late",
@@ -186,8 +186,8 @@ inline constexpr FindingWords kRunSlaves[] = {
      "Increase the set value by {more} or more, or make the host less late.",
      "",
      {{"",
-       "{slave} missed {missed} SM2 events, {part} of them because frames came behind the SYNC0 they were meant for: "
-       "nominally they are there {margin} before it, but one in a thousand is {lateness} late."}}},
+       "{slave} missed {missed:# SM2 event|# SM2 events}, {part} of them because frames came behind the SYNC0 they "
+       "were meant for: nominally they are there {margin} before it, but one in a thousand is {lateness} late."}}},
 };
 
 }  // namespace syncline::words

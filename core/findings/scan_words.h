@@ -76,7 +76,7 @@ inline constexpr FindingWords kScan[] = {
      "",
      "Capture whole frames (tcpdump -s 0).",
      "",
-     {{"", "{file}: {cut} of its {frames} frames were captured in part only and not read."}}},
+     {{"", "{file}: {cut} of its {frames:# frame|# frames} {cut:was|were} captured in part only and not read."}}},
     {"scan-capture-broken-off",
      Severity::kWarning,
      "A capture breaks off",

@@ -125,14 +125,14 @@ class FindingSentence {
  private:
   static consteval void check_names(std::string_view text) {
     for (auto open = text.find('{'); open != std::string_view::npos; open = text.find('{', open + 1)) {
-      [[maybe_unused]] const auto name = text.substr(open + 1, text.find('}', open) - open - 1);
+      [[maybe_unused]] const auto name = Placeholder(text.substr(open + 1, text.find('}', open) - open - 1)).name;
       if (!((name == kNames.view()) || ...)) throw "a placeholder without a figure";
     }
   }
   static consteval bool shows_in(std::string_view text, std::string_view name) {
     for (auto at = text.find(name); at != std::string_view::npos; at = text.find(name, at + 1)) {
       const auto end = at + name.size();
-      if (at > 0 && text[at - 1] == '{' && end < text.size() && text[end] == '}') return true;
+      if (at > 0 && text[at - 1] == '{' && end < text.size() && (text[end] == '}' || text[end] == ':')) return true;
     }
     return false;
   }

@@ -41,7 +41,8 @@ Reading sm2_cycles_to_trip(const Snapshot& snapshot, const SlaveStatus& slave, s
   const auto& misses = slave.sm2_missed;
   if (!misses.known || misses.limit == 0) return std::nullopt;
   const auto rest = misses.limit > misses.integrator ? misses.limit - misses.integrator : 0;
-  return sm2(snapshot, slave, (rest + kPerMiss - 1) / kPerMiss);
+  const auto cycles = (rest + kPerMiss - 1) / kPerMiss;
+  return sm2(snapshot, slave, cycles);
 }
 
 Reading clock_rate(const Snapshot&, const SlaveStatus& slave, std::uint16_t speed_counter_start) {

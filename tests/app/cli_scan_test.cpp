@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "tests/app/cli_runner.h"
+#include "tests/support/source_dir.h"
 
 namespace syncline::test {
 namespace {
@@ -39,6 +40,25 @@ TEST(CliScan, JsonTellsPortsAndIdentification) {
   EXPECT_EQ(slave["ports"][0]["open"], true);
   EXPECT_TRUE(slave["device_id"].is_null());
   EXPECT_TRUE(slave["sii_error"].is_null());
+}
+
+TEST(CliScan, JsonHasFindingsAsTextsAndWithTheirCodes) {
+  const TemporaryFolder folder;
+  const auto machine = folder.file("twins.toml");
+  const auto drive = source_dir() + "/resources/esi/SL-SV7.xml";
+  std::ofstream(machine) << "[[slave]]\nesi = \"" << drive << "\"\nalias = 7\n[[slave]]\nesi = \"" << drive
+                         << "\"\nalias = 7\n";
+  const auto run = cli_run({"scan", "sim:" + machine, "--json"});
+  ASSERT_EQ(run.code, cli::kDone) << run.err;
+  const auto report = run.json();
+  const auto& coded = report["coded_findings"];
+  ASSERT_EQ(coded.size(), 1U);
+  EXPECT_EQ(coded[0]["code"], "scan-alias-twice");
+  EXPECT_EQ(coded[0]["severity"], "warning");
+  EXPECT_EQ(coded[0]["slave"], 1);
+  EXPECT_EQ(coded[0]["evidence"]["alias"], 7);
+  ASSERT_EQ(report["findings"].size(), 1U);
+  EXPECT_EQ(report["findings"][0], coded[0]["text"]);
 }
 
 TEST(CliScan, LookOnlyFindsTheSameWithoutAddresses) {

@@ -75,11 +75,19 @@ QStringList filesOf(const QString& folder, const QString& pattern) {
 
 bool isEnglish(const QString& path) { return path.endsWith(QStringLiteral("_en.ts")); }
 
-/// %1, %n and {name} of a sentence.
+/// %1, %n and {name} of a sentence; {name:words} is one, too.
 std::set<QString> placeholders(const QString& text) {
-  static const QRegularExpression pattern(QStringLiteral("%L?\\d|%n|\\{\\w+\\}"));
+  static const QRegularExpression pattern(QStringLiteral("%L?\\d|%n|\\{\\w+(?=[:}])"));
   std::set<QString> names;
   for (auto it = pattern.globalMatch(text); it.hasNext();) names.insert(it.next().captured());
+  return names;
+}
+
+/// Names of the counts that choose words.
+std::set<QString> choices(const QString& text) {
+  static const QRegularExpression pattern(QStringLiteral("\\{(\\w+):[^|}]*\\|[^}]*\\}"));
+  std::set<QString> names;
+  for (auto it = pattern.globalMatch(text); it.hasNext();) names.insert(it.next().captured(1));
   return names;
 }
 
@@ -138,6 +146,18 @@ TEST(Translations, SayWhatTheSourceSays) {
         EXPECT_EQ(form.contains(u'\u2026'), source.contains(u'\u2026'))
             << qPrintable(source) << ": " << qPrintable(form);
       }
+    }
+  }
+}
+
+/// Chinese nouns have one form.
+TEST(Translations, HaveAFormForOneWhereEnglishHas) {
+  for (const auto& [sentence, translation] : sentences(translations().filePath(QStringLiteral("words/words_de.ts")))) {
+    const auto& german = translation.forms.front();
+    for (const auto& name : choices(sentence.second)) {
+      const bool invariant = german.contains(QStringLiteral("{%1}-mal").arg(name)) ||
+                             german.contains(QStringLiteral("statt {%1}").arg(name));
+      EXPECT_TRUE(invariant || choices(german).contains(name)) << qPrintable(german) << ": " << qPrintable(name);
     }
   }
 }

@@ -9,8 +9,8 @@
         <translation>"{name}" ist auch der Name von Slave {slave}</translation>
     </message>
     <message>
-        <source>"{variable}" is a {type} of {bits} bits, which has {has}</source>
-        <translation>"{variable}" ist ein {type} von {bits} Bits, der {has} hat</translation>
+        <source>"{variable}" is a {type} of {bits:# bit|# bits}, which has {has}</source>
+        <translation>"{variable}" ist ein {type} von {bits:# Bit|# Bits}, der {has} hat</translation>
     </message>
     <message>
         <source>"{variable}" shares bits with "{other}"</source>
@@ -65,20 +65,12 @@
         <translation>1 Zyklus ausgelassen, der Host sendete bis zu {standstill} lang nichts</translation>
     </message>
     <message>
-        <source>1 event was lost</source>
-        <translation>1 Ereignis ging verloren</translation>
-    </message>
-    <message>
         <source>1 frame back late, {late} after the deadline</source>
         <translation>1 Frame kam zu spät zurück, {late} nach der Frist</translation>
     </message>
     <message>
         <source>1 frame back late, {late} after the deadline (told as lost before)</source>
         <translation>1 Frame kam zu spät zurück, {late} nach der Frist (er war als verloren gemeldet)</translation>
-    </message>
-    <message>
-        <source>1 frame lost</source>
-        <translation>1 Frame verloren</translation>
     </message>
     <message>
         <source>6 bytes of two hexadecimal digits each</source>
@@ -89,7 +81,7 @@
         <translation>&lt;{element}&gt; in &lt;{parent}&gt;</translation>
     </message>
     <message>
-        <source>&lt;{element}&gt; in &lt;{parent}&gt;, {count} times</source>
+        <source>&lt;{element}&gt; in &lt;{parent}&gt;, {count:# time|# times}</source>
         <translation>&lt;{element}&gt; in &lt;{parent}&gt;, {count}-mal</translation>
     </message>
     <message>
@@ -101,7 +93,7 @@
         <translation>&lt;{element}&gt; steht hinter Elementen von &lt;{parent}&gt;, vor denen es stehen muss</translation>
     </message>
     <message>
-        <source>&lt;{element}&gt; stands {count} times in &lt;{parent}&gt;, allowed are {most}</source>
+        <source>&lt;{element}&gt; stands {count:# time|# times} in &lt;{parent}&gt;, allowed are {most}</source>
         <translation>&lt;{element}&gt; steht {count}-mal in &lt;{parent}&gt;, erlaubt sind {most}</translation>
     </message>
     <message>
@@ -1197,12 +1189,12 @@
         <translation>Cnt von {command} ist {count}, ein Slave ergibt {computed}</translation>
     </message>
     <message>
-        <source>Cnt of {command} is {count}, the FMMUs make it {computed} ({readers} slaves read, {writers} written)</source>
-        <translation>Cnt von {command} ist {count}, nach den FMMUs ist er {computed} ({readers} Slaves gelesen, {writers} geschrieben)</translation>
+        <source>Cnt of {command} is {count}, the FMMUs make it {computed} ({readers:# slave|# slaves} read, {writers:# slave|# slaves} written)</source>
+        <translation>Cnt von {command} ist {count}, nach den FMMUs ist er {computed} ({readers:# Slave|# Slaves} gelesen, {writers:# Slave|# Slaves} geschrieben)</translation>
     </message>
     <message>
-        <source>Cnt of {command} is {count}, the file has {slaves} slaves</source>
-        <translation>Cnt von {command} ist {count}, die Datei hat {slaves} Slaves</translation>
+        <source>Cnt of {command} is {count}, the file has {slaves:# slave|# slaves}</source>
+        <translation>Cnt von {command} ist {count}, die Datei hat {slaves:# Slave|# Slaves}</translation>
     </message>
     <message>
         <source>Commands come in another order</source>
@@ -1517,8 +1509,8 @@
         <translation>FMMU {fmmu}: sie liefert Bits, die auch FMMU {number} von {other} liefert</translation>
     </message>
     <message>
-        <source>FMMU {fmmu}: it maps {bytes} bytes at {logical} and is not active</source>
-        <translation>FMMU {fmmu}: sie bildet {bytes} Bytes bei {logical} ab und ist nicht aktiv</translation>
+        <source>FMMU {fmmu}: it maps {bytes:# byte|# bytes} at {logical} and is not active</source>
+        <translation>FMMU {fmmu}: sie bildet {bytes:# Byte|# Bytes} bei {logical} ab und ist nicht aktiv</translation>
     </message>
     <message>
         <source>FMMU {fmmu}: it maps {first} to {last}, SM{manager} is {begin} to {end}</source>
@@ -1549,8 +1541,8 @@
         <translation>FMMU {fmmu}: kein zyklisches Kommando schreibt {first} bis {last} in OP</translation>
     </message>
     <message>
-        <source>FMMU {fmmu}: {bytes} bytes from bit {first_bit} to bit {last_bit} at {logical}, {activity}</source>
-        <translation>FMMU {fmmu}: {bytes} Bytes von Bit {first_bit} bis Bit {last_bit} bei {logical}, {activity}</translation>
+        <source>FMMU {fmmu}: {bytes:# byte|# bytes} from bit {first_bit} to bit {last_bit} at {logical}, {activity}</source>
+        <translation>FMMU {fmmu}: {bytes:# Byte|# Bytes} von Bit {first_bit} bis Bit {last_bit} bei {logical}, {activity}</translation>
     </message>
     <message>
         <source>FMMUs (0x0600)</source>
@@ -1805,8 +1797,8 @@
         <translation>Init-Kommandos</translation>
     </message>
     <message>
-        <source>InputOffs and OutputOffs count datagram headers, the data stand {bytes} bytes behind</source>
-        <translation>InputOffs und OutputOffs zählen Datagrammköpfe mit, die Daten stehen {bytes} Bytes dahinter</translation>
+        <source>InputOffs and OutputOffs count datagram headers, the data stand {bytes:# byte|# bytes} behind</source>
+        <translation>InputOffs und OutputOffs zählen Datagrammköpfe mit, die Daten stehen {bytes:# Byte|# Bytes} dahinter</translation>
     </message>
     <message>
         <source>InputOffs counts datagram headers, the data stand 10 bytes behind; EC-Engineer writes the offsets of the data</source>
@@ -2029,8 +2021,8 @@
         <translation>Nach dem Gerät dahinter sehen.</translation>
     </message>
     <message>
-        <source>Look below the operating system: the host of a virtual machine, firmware (system management interrupts), power states, drivers that hold interrupts off. Run the master on a machine of its own.</source>
-        <translation>Unter dem Betriebssystem suchen: der Wirt einer virtuellen Maschine, Firmware (System Management Interrupts), Energiezustände, Treiber, die Interrupts sperren. Den Master auf einer eigenen Maschine betreiben.</translation>
+        <source>See that nobody stops the program: a debugger, SIGSTOP. Else look below the operating system: the host of a virtual machine, firmware (system management interrupts), power states, drivers that hold interrupts off. Run the master on a machine of its own.</source>
+        <translation>Sicherstellen, dass niemand das Programm anhält: ein Debugger, SIGSTOP. Sonst unter dem Betriebssystem suchen: der Wirt einer virtuellen Maschine, Firmware (System Management Interrupts), Energiezustände, Treiber, die Interrupts sperren. Den Master auf einer eigenen Maschine betreiben.</translation>
     </message>
     <message>
         <source>Look for a busy host or a clock that stepped; if neither is there, choose the other shift mode.</source>
@@ -2045,8 +2037,8 @@
         <translation>Suchen, was ihn aufhielt: ein anderer Prozess mit höherer Priorität, Energiesparen, der Wirt der virtuellen Maschine.</translation>
     </message>
     <message>
-        <source>Look only to change nothing (--look-only).</source>
-        <translation>Nur ansehen, um nichts zu ändern (--look-only).</translation>
+        <source>To change nothing on it, only look.</source>
+        <translation>Um nichts an ihr zu ändern, nur ansehen.</translation>
     </message>
     <message>
         <source>MBoxOut, MBoxIn, Outputs or Inputs</source>
@@ -2473,8 +2465,8 @@
         <translation>PDO {pdo} sagt {said}, die Listen der SyncManager sagen {assigned}</translation>
     </message>
     <message>
-        <source>PDO {pdo} takes {least} to {most} samples a cycle, not {factor}.</source>
-        <translation>PDO {pdo} nimmt {least} bis {most} Abtastungen je Zyklus, nicht {factor}.</translation>
+        <source>PDO {pdo} takes {least} to {most:# sample|# samples} a cycle, not {factor}.</source>
+        <translation>PDO {pdo} nimmt {least} bis {most:# Abtastung|# Abtastungen} je Zyklus, nicht {factor}.</translation>
     </message>
     <message>
         <source>PDOs that exclude each other are both assigned</source>
@@ -2685,28 +2677,28 @@
         <translation>SM{manager} trägt das PDO {pdo}, das der Slave nicht beschreibt</translation>
     </message>
     <message>
-        <source>SM{manager} carries {bytes} bytes of process data that no FMMU maps</source>
-        <translation>SM{manager} trägt {bytes} Bytes Prozessdaten, die keine FMMU abbildet</translation>
+        <source>SM{manager} carries {bytes:# byte|# bytes} of process data that no FMMU maps</source>
+        <translation>SM{manager} trägt {bytes:# Byte|# Bytes} Prozessdaten, die keine FMMU abbildet</translation>
     </message>
     <message>
         <source>SM{manager} has PDOs, and no init command on IP, PS or SO enables it</source>
         <translation>SM{manager} hat PDOs, und kein InitCmd auf IP, PS oder SO schaltet ihn ein</translation>
     </message>
     <message>
-        <source>SM{manager} is on with {bytes} bytes at {start}</source>
-        <translation>SM{manager} ist mit {bytes} Bytes bei {start} eingeschaltet</translation>
+        <source>SM{manager} is on with {bytes:# byte|# bytes} at {start}</source>
+        <translation>SM{manager} ist mit {bytes:# Byte|# Bytes} bei {start} eingeschaltet</translation>
     </message>
     <message>
         <source>SM{manager} is set to start at {start}, its element says {said}</source>
         <translation>SM{manager} wird auf den Anfang {start} gesetzt, sein Element sagt {said}</translation>
     </message>
     <message>
-        <source>SM{manager} is set to {bytes} bytes at {start}, {element} says {said_bytes} bytes at {said_start}</source>
-        <translation>SM{manager} wird auf {bytes} Bytes bei {start} gesetzt, {element} sagt {said_bytes} Bytes bei {said_start}</translation>
+        <source>SM{manager} is set to {bytes:# byte|# bytes} at {start}, {element} says {said_bytes:# byte|# bytes} at {said_start}</source>
+        <translation>SM{manager} wird auf {bytes:# Byte|# Bytes} bei {start} gesetzt, {element} sagt {said_bytes:# Byte|# Bytes} bei {said_start}</translation>
     </message>
     <message>
-        <source>SM{manager} is set to {bytes} bytes, its PDOs have {expected}</source>
-        <translation>SM{manager} wird auf {bytes} Bytes gesetzt, seine PDOs haben {expected}</translation>
+        <source>SM{manager} is set to {bytes:# byte|# bytes}, its PDOs have {expected}</source>
+        <translation>SM{manager} wird auf {bytes:# Byte|# Bytes} gesetzt, seine PDOs haben {expected}</translation>
     </message>
     <message>
         <source>SM{manager} shares memory with SM{other}</source>
@@ -2893,8 +2885,8 @@
         <translation>Sehen, was dann noch geschah: eine gesprungene Uhr, ausgelassene Zyklen, eine verlorene Referenzuhr.</translation>
     </message>
     <message>
-        <source>Send ({send}, {send_bytes} bytes) and Recv ({receive}, {receive_bytes} bytes) share memory</source>
-        <translation>Send ({send}, {send_bytes} Bytes) und Recv ({receive}, {receive_bytes} Bytes) teilen sich Speicher</translation>
+        <source>Send ({send}, {send_bytes:# byte|# bytes}) and Recv ({receive}, {receive_bytes:# byte|# bytes}) share memory</source>
+        <translation>Send ({send}, {send_bytes:# Byte|# Bytes}) und Recv ({receive}, {receive_bytes:# Byte|# Bytes}) teilen sich Speicher</translation>
     </message>
     <message>
         <source>Send or Recv has another size than the assigned PDOs</source>
@@ -3109,16 +3101,16 @@
         <translation>Sync Unit "{unit}" soll in der Task "{task}" laufen, die es nicht gibt; sie bleibt in der Basis-Task.</translation>
     </message>
     <message>
-        <source>Sync window monitoring compares slaves with the reference clock; {slaves} slave(s) with DC leave nothing to compare.</source>
-        <translation>Die Überwachung des Sync-Fensters vergleicht Slaves mit der Referenzuhr; {slaves} Slave(s) mit DC lassen nichts zu vergleichen.</translation>
+        <source>Sync window monitoring compares slaves with the reference clock; {slaves:# slave with DC leaves|# slaves with DC leave} nothing to compare.</source>
+        <translation>Die Überwachung des Sync-Fensters vergleicht Slaves mit der Referenzuhr; {slaves:# Slave mit DC lässt|# Slaves mit DC lassen} nichts zu vergleichen.</translation>
     </message>
     <message>
         <source>SyncManager watchdog</source>
         <translation>SyncManager-Watchdog</translation>
     </message>
     <message>
-        <source>SyncManager {manager} needs at least {least} bytes, the PDOs have {bytes}.</source>
-        <translation>SyncManager {manager} braucht mindestens {least} Bytes, die PDOs haben {bytes}.</translation>
+        <source>SyncManager {manager} needs at least {least:# byte|# bytes}, the PDOs have {bytes}.</source>
+        <translation>SyncManager {manager} braucht mindestens {least:# Byte|# Bytes}, die PDOs haben {bytes}.</translation>
     </message>
     <message>
         <source>SyncManagers (0x0800)</source>
@@ -3293,8 +3285,8 @@
         <translation>Der Bus hat eine andere Zahl von Slaves</translation>
     </message>
     <message>
-        <source>The bus has {received} slaves where {expected} were expected.</source>
-        <translation>Der Bus hat {received} Slaves statt {expected}.</translation>
+        <source>The bus has {received:# slave|# slaves} where {expected} {expected:was|were} expected.</source>
+        <translation>Der Bus hat {received:# Slave|# Slaves} statt {expected}.</translation>
     </message>
     <message>
         <source>The bus shift has no effect, or disturbs a clock that follows another</source>
@@ -3361,8 +3353,8 @@
         <translation>Der Zyklus von Task {task}, {cycle}, ist kein Vielfaches von {first}: ihre Slaves kamen in die Basis-Task.</translation>
     </message>
     <message>
-        <source>The cycle of {cycle} is too short: until its frames are back it takes {needed}, {wire} on the wire and {travel} on their way through {slaves} slaves. {late} frames came back too late.</source>
-        <translation>Der Zyklus von {cycle} ist zu kurz: bis seine Frames zurück sind, vergehen {needed}, {wire} auf der Leitung und {travel} auf dem Weg durch {slaves} Slaves. {late} Frames kamen zu spät zurück.</translation>
+        <source>The cycle of {cycle} is too short: until its frames are back it takes {needed}, {wire} on the wire and {travel} on their way through {slaves:# slave|# slaves}. {late:# frame|# frames} came back too late.</source>
+        <translation>Der Zyklus von {cycle} ist zu kurz: bis seine Frames zurück sind, vergehen {needed}, {wire} auf der Leitung und {travel} auf dem Weg durch {slaves:# Slave|# Slaves}. {late:# Frame kam|# Frames kamen} zu spät zurück.</translation>
     </message>
     <message>
         <source>The cycle time is no whole number of microseconds</source>
@@ -3377,8 +3369,8 @@
         <translation>Die Zyklen kommen nicht mit der eingestellten Zykluszeit.</translation>
     </message>
     <message>
-        <source>The cyclic frames need about {needed} of a cycle of {cycle}: {wire} on the wire and {travel} on their way through {slaves} slaves.</source>
-        <translation>Die zyklischen Frames brauchen etwa {needed} eines Zyklus von {cycle}: {wire} auf der Leitung und {travel} auf dem Weg durch {slaves} Slaves.</translation>
+        <source>The cyclic frames need about {needed} of a cycle of {cycle}: {wire} on the wire and {travel} on their way through {slaves:# slave|# slaves}.</source>
+        <translation>Die zyklischen Frames brauchen etwa {needed} eines Zyklus von {cycle}: {wire} auf der Leitung und {travel} auf dem Weg durch {slaves:# Slave|# Slaves}.</translation>
     </message>
     <message>
         <source>The cyclic frames take {wire} of wire time, the cycle is {cycle}.</source>
@@ -3549,16 +3541,16 @@
         <translation>Der Host stand still</translation>
     </message>
     <message>
-        <source>The host stood still {times}, for up to {longest}, first at {since}: {count} cycles were left out.</source>
-        <translation>Der Rechner stand {times} still, bis zu {longest} lang, zuerst bei {since}: {count} Zyklen wurden ausgelassen.</translation>
+        <source>The host stood still {times}, for up to {longest}, first at {since}: {count:# cycle was|# cycles were} left out.</source>
+        <translation>Der Rechner stand {times} still, bis zu {longest} lang, zuerst bei {since}: {count:# Zyklus wurde|# Zyklen wurden} ausgelassen.</translation>
     </message>
     <message>
-        <source>The host stood still {times}, for up to {longest}, first at {since}: {count} cycles were left out. Of {held} that the master came too late, it was ready for {waited}, and other threads had its processor.</source>
-        <translation>Der Rechner stand {times} still, bis zu {longest} lang, zuerst bei {since}: {count} Zyklen wurden ausgelassen. Von {held}, die der Master zu spät kam, war er {waited} lang bereit, und andere Threads hatten seinen Prozessor.</translation>
+        <source>The host stood still {times}, for up to {longest}, first at {since}: {count:# cycle was|# cycles were} left out. Of {held} that the master came too late, it was ready for {waited}, and other threads had its processor.</source>
+        <translation>Der Rechner stand {times} still, bis zu {longest} lang, zuerst bei {since}: {count:# Zyklus wurde|# Zyklen wurden} ausgelassen. Von {held}, die der Master zu spät kam, war er {waited} lang bereit, und andere Threads hatten seinen Prozessor.</translation>
     </message>
     <message>
-        <source>The host stood still {times}, for up to {longest}, first at {since}: {count} cycles were left out. The master came {held} too late, of which other threads had its processor for {waited} only: its timer came late.</source>
-        <translation>Der Rechner stand {times} still, bis zu {longest} lang, zuerst bei {since}: {count} Zyklen wurden ausgelassen. Der Master kam {held} zu spät, und nur {waited} davon hatten andere Threads seinen Prozessor: sein Zeitgeber kam zu spät.</translation>
+        <source>The host stood still {times}, for up to {longest}, first at {since}: {count:# cycle was|# cycles were} left out. The master came {held} too late, and other threads had its processor for {waited} of that only: it was stopped, or its timer came late.</source>
+        <translation>Der Rechner stand {times} still, bis zu {longest} lang, zuerst bei {since}: {count:# Zyklus wurde|# Zyklen wurden} ausgelassen. Der Master kam {held} zu spät, und nur {waited} davon hatten andere Threads seinen Prozessor: er war angehalten, oder sein Zeitgeber kam zu spät.</translation>
     </message>
     <message>
         <source>The host's clock and the reference clock drift by {drift}; no controller balances more than 600 ppm.</source>
@@ -3569,8 +3561,8 @@
         <translation>Der Zyklus des Hosts steht.</translation>
     </message>
     <message>
-        <source>The host's timer came late</source>
-        <translation>Der Zeitgeber des Rechners kam zu spät</translation>
+        <source>Nothing woke the master in time</source>
+        <translation>Nichts weckte den Master rechtzeitig</translation>
     </message>
     <message>
         <source>The host's timer cannot be adjusted as far as the controller demands.</source>
@@ -3785,8 +3777,8 @@
         <translation>Die Prozessdaten brauchen mehr FMMUs, als das Gerät hat</translation>
     </message>
     <message>
-        <source>The process data need {fmmus} FMMUs, the device has {available}.</source>
-        <translation>Die Prozessdaten brauchen {fmmus} FMMUs, das Gerät hat {available}.</translation>
+        <source>The process data need {fmmus:# FMMU|# FMMUs}, the device has {available}.</source>
+        <translation>Die Prozessdaten brauchen {fmmus:# FMMU|# FMMUs}, das Gerät hat {available}.</translation>
     </message>
     <message>
         <source>The process data of a slave lie outside the image</source>
@@ -4413,8 +4405,8 @@
         <translation>einer Mailbox für Anfragen</translation>
     </message>
     <message>
-        <source>a running machine is touched: {running} slaves are beyond INIT. States and station addresses stay; {eeproms} EEPROMs are taken from their PDIs while they are read, and the DC receive times are latched</source>
-        <translation>eine laufende Maschine wird berührt: {running} Slaves sind über INIT hinaus. Zustände und Stationsadressen bleiben; {eeproms} EEPROMs werden zum Lesen von ihren PDIs genommen, und die DC-Empfangszeiten werden festgehalten</translation>
+        <source>a running machine is touched: {running:# slave is|# slaves are} beyond INIT. States and station addresses stay; {eeproms:# EEPROM is taken from its PDI while it is|# EEPROMs are taken from their PDIs while they are} read, and the DC receive times are latched</source>
+        <translation>eine laufende Maschine wird berührt: {running:# Slave ist|# Slaves sind} über INIT hinaus. Zustände und Stationsadressen bleiben; {eeproms:# EEPROM wird zum Lesen von seinem PDI|# EEPROMs werden zum Lesen von ihren PDIs} genommen, und die DC-Empfangszeiten werden festgehalten</translation>
     </message>
     <message>
         <source>a transition on which SoE is allowed: PS, SO, SP, OP or OS</source>
@@ -4485,7 +4477,7 @@
         <translation>Attribut {element} von &lt;{parent}&gt;</translation>
     </message>
     <message>
-        <source>attribute {element} of &lt;{parent}&gt;, {count} times</source>
+        <source>attribute {element} of &lt;{parent}&gt;, {count:# time|# times}</source>
         <translation>Attribut {element} von &lt;{parent}&gt;, {count}-mal</translation>
     </message>
     <message>
@@ -4641,16 +4633,12 @@
         <translation>Distributed Clocks</translation>
     </message>
     <message>
-        <source>distributed clocks initialised: 1 slave, reference clock is {clock}</source>
-        <translation>Distributed Clocks eingerichtet: 1 Slave, Referenzuhr ist {clock}</translation>
+        <source>distributed clocks initialised: {slaves:# slave|# slaves}, no reference clock</source>
+        <translation>Distributed Clocks eingerichtet: {slaves:# Slave|# Slaves}, keine Referenzuhr</translation>
     </message>
     <message>
-        <source>distributed clocks initialised: {slaves} slaves, no reference clock</source>
-        <translation>Distributed Clocks eingerichtet: {slaves} Slaves, keine Referenzuhr</translation>
-    </message>
-    <message>
-        <source>distributed clocks initialised: {slaves} slaves, reference clock is {clock}</source>
-        <translation>Distributed Clocks eingerichtet: {slaves} Slaves, Referenzuhr ist {clock}</translation>
+        <source>distributed clocks initialised: {slaves:# slave|# slaves}, reference clock is {clock}</source>
+        <translation>Distributed Clocks eingerichtet: {slaves:# Slave|# Slaves}, Referenzuhr ist {clock}</translation>
     </message>
     <message>
         <source>drives</source>
@@ -4737,12 +4725,12 @@
         <translation>Gruppe "{group}" hat kein IdentifyCmd, das vergleicht, was es liest</translation>
     </message>
     <message>
-        <source>group "{group}" has {members} members, but only {left} slaves are left from here</source>
-        <translation>Gruppe "{group}" hat {members} Mitglieder, aber ab hier sind nur {left} Slaves übrig</translation>
+        <source>group "{group}" has {members:# member|# members}, but only {left:# slave is|# slaves are} left from here</source>
+        <translation>Gruppe "{group}" hat {members:# Mitglied|# Mitglieder}, aber ab hier {left:ist nur # Slave|sind nur # Slaves} übrig</translation>
     </message>
     <message>
-        <source>group "{group}" has {members} members, but {slave} begins a group of its own</source>
-        <translation>Gruppe "{group}" hat {members} Mitglieder, aber {slave} beginnt eine eigene Gruppe</translation>
+        <source>group "{group}" has {members:# member|# members}, but {slave} begins a group of its own</source>
+        <translation>Gruppe "{group}" hat {members:# Mitglied|# Mitglieder}, aber {slave} beginnt eine eigene Gruppe</translation>
     </message>
     <message>
         <source>hangs on</source>
@@ -4805,8 +4793,8 @@
         <translation>Eingänge von {command} im Abbild</translation>
     </message>
     <message>
-        <source>inputs of {slaves} slaves begin elsewhere in the image</source>
-        <translation>die Eingänge von {slaves} Slaves beginnen anderswo im Abbild</translation>
+        <source>inputs of {slaves:# slave|# slaves} begin elsewhere in the image</source>
+        <translation>die Eingänge von {slaves:# Slave|# Slaves} beginnen anderswo im Abbild</translation>
     </message>
     <message>
         <source>invalid DC SYNC configuration</source>
@@ -4893,8 +4881,8 @@
         <translation>er hat keine InitCmds</translation>
     </message>
     <message>
-        <source>it has {bytes} bytes, {most} fit</source>
-        <translation>es hat {bytes} Bytes, {most} passen</translation>
+        <source>it has {bytes:# byte|# bytes}, {most} fit</source>
+        <translation>es hat {bytes:# Byte|# Bytes}, {most} passen</translation>
     </message>
     <message>
         <source>it reads the EEPROM, which does not belong to the master (0x0500 = 0) yet</source>
@@ -4913,8 +4901,8 @@
         <translation>ihr Zyklus von {cycle} ist kein Vielfaches des Zyklus der ersten Task von {first}</translation>
     </message>
     <message>
-        <source>its datagrams take {bytes} bytes, {most} fit</source>
-        <translation>seine Datagramme belegen {bytes} Bytes, {most} passen</translation>
+        <source>its datagrams take {bytes:# byte|# bytes}, {most} fit</source>
+        <translation>seine Datagramme belegen {bytes:# Byte|# Bytes}, {most} passen</translation>
     </message>
     <message>
         <source>its {data} share bytes of the image with {command}</source>
@@ -5001,8 +4989,8 @@
         <translation>Zustandsbits der Mailboxen</translation>
     </message>
     <message>
-        <source>mailbox states of {slaves} slaves have other bits</source>
-        <translation>die Mailboxzustände von {slaves} Slaves haben andere Bits</translation>
+        <source>mailbox states of {slaves:# slave|# slaves} have other bits</source>
+        <translation>die Mailboxzustände von {slaves:# Slave|# Slaves} haben andere Bits</translation>
     </message>
     <message>
         <source>mapped objects exceed the PDO length</source>
@@ -5253,8 +5241,8 @@
         <translation>Ausgänge von {command} im Abbild</translation>
     </message>
     <message>
-        <source>outputs of {slaves} slaves begin elsewhere in the image</source>
-        <translation>die Ausgänge von {slaves} Slaves beginnen anderswo im Abbild</translation>
+        <source>outputs of {slaves:# slave|# slaves} begin elsewhere in the image</source>
+        <translation>die Ausgänge von {slaves:# Slave|# Slaves} beginnen anderswo im Abbild</translation>
     </message>
     <message>
         <source>own cycle</source>
@@ -5293,8 +5281,8 @@
         <translation>Laufzeiten erneut gemessen: nichts zu berichtigen</translation>
     </message>
     <message>
-        <source>propagation delays measured again: {slaves} slaves to correct, by {largest} at most</source>
-        <translation>Laufzeiten erneut gemessen: {slaves} Slaves zu berichtigen, um höchstens {largest}</translation>
+        <source>propagation delays measured again: {slaves:# slave|# slaves} to correct, by {largest} at most</source>
+        <translation>Laufzeiten erneut gemessen: {slaves:# Slave|# Slaves} zu berichtigen, um höchstens {largest}</translation>
     </message>
     <message>
         <source>reading a write-only object</source>
@@ -5393,12 +5381,12 @@
         <translation>Slaves NICHT SYNCHRON, Abweichung {deviation} bei {subject}</translation>
     </message>
     <message>
-        <source>slaves OUT OF SYNC, deviation {deviation} at {subject} ({slaves} slaves are over the limit)</source>
-        <translation>Slaves NICHT SYNCHRON, Abweichung {deviation} bei {subject} ({slaves} Slaves sind über der Grenze)</translation>
+        <source>slaves OUT OF SYNC, deviation {deviation} at {subject} ({slaves:# slave is|# slaves are} over the limit)</source>
+        <translation>Slaves NICHT SYNCHRON, Abweichung {deviation} bei {subject} ({slaves:# Slave ist|# Slaves sind} über der Grenze)</translation>
     </message>
     <message>
-        <source>slaves OUT OF SYNC, deviation {deviation}: all {slaves} at once and to the same side, the reference clock has stepped</source>
-        <translation>Slaves NICHT SYNCHRON, Abweichung {deviation}: alle {slaves} zugleich und zur selben Seite, die Referenzuhr ist gesprungen</translation>
+        <source>slaves OUT OF SYNC, deviation {deviation}: {slaves:the one that follows, at once|all # at once} and to the same side, the reference clock has stepped</source>
+        <translation>Slaves NICHT SYNCHRON, Abweichung {deviation}: {slaves:der eine, der folgt, sofort|alle # zugleich} und zur selben Seite, die Referenzuhr ist gesprungen</translation>
     </message>
     <message>
         <source>slaves in sync, deviation {deviation}</source>
@@ -5557,8 +5545,8 @@
         <translation>die CoE-Startkommandos</translation>
     </message>
     <message>
-        <source>the PDOs of SM{manager} have {bytes} bytes, it takes {least} to {most}</source>
-        <translation>die PDOs von SM{manager} haben {bytes} Bytes, er nimmt {least} bis {most}</translation>
+        <source>the PDOs of SM{manager} have {bytes:# byte|# bytes}, it takes {least} to {most}</source>
+        <translation>die PDOs von SM{manager} haben {bytes:# Byte|# Bytes}, er nimmt {least} bis {most}</translation>
     </message>
     <message>
         <source>the SYNC0 cycle of {sync0} and the task's cycle of {cycle} are no multiples of each other</source>
@@ -5849,8 +5837,8 @@
         <translation>Working Counter {received} statt {expected}</translation>
     </message>
     <message>
-        <source>working counter {received} instead of {expected} ({count} times)</source>
-        <translation>Working Counter {received} statt {expected} ({count}-mal)</translation>
+        <source>working counter {received} instead of {expected} ({count:# time|# times})</source>
+        <translation>Working Counter {received} statt {expected} ({count:einmal|#-mal})</translation>
     </message>
     <message>
         <source>writes</source>
@@ -5869,16 +5857,16 @@
         <translation>{activation} schaltet SYNC1 ohne SYNC0 ein</translation>
     </message>
     <message>
-        <source>{bits} bits are copied from input bit {from} to output bit {to}, the image has {inputs} and {outputs}</source>
-        <translation>{bits} Bits werden von Eingangsbit {from} nach Ausgangsbit {to} kopiert, das Abbild hat {inputs} und {outputs}</translation>
+        <source>{bits:# bit is|# bits are} copied from input bit {from} to output bit {to}, the image has {inputs} and {outputs}</source>
+        <translation>{bits:# Bit wird|# Bits werden} von Eingangsbit {from} nach Ausgangsbit {to} kopiert, das Abbild hat {inputs} und {outputs}</translation>
     </message>
     <message>
-        <source>{bytes} bytes exceed the {most} that SyncManager {manager} takes.</source>
-        <translation>{bytes} Bytes sind mehr als die {most}, die SyncManager {manager} annimmt.</translation>
+        <source>{bytes:# byte exceeds|# bytes exceed} the {most} that SyncManager {manager} takes.</source>
+        <translation>{bytes:# Byte ist|# Bytes sind} mehr als die {most}, die SyncManager {manager} annimmt.</translation>
     </message>
     <message>
-        <source>{bytes} bytes of process data do not fit into one Ethernet frame.</source>
-        <translation>{bytes} Bytes Prozessdaten passen nicht in einen Ethernet-Frame.</translation>
+        <source>{bytes:# byte of process data does|# bytes of process data do} not fit into one Ethernet frame.</source>
+        <translation>{bytes:# Byte Prozessdaten passt|# Bytes Prozessdaten passen} nicht in einen Ethernet-Frame.</translation>
     </message>
     <message>
         <source>{command}</source>
@@ -5917,12 +5905,12 @@
         <translation>{command} hat keine Bytes</translation>
     </message>
     <message>
-        <source>{command} has {bytes} bytes instead of 4</source>
-        <translation>{command} hat {bytes} Bytes statt 4</translation>
+        <source>{command} has {bytes:# byte|# bytes} instead of 4</source>
+        <translation>{command} hat {bytes:# Byte|# Bytes} statt 4</translation>
     </message>
     <message>
-        <source>{command} has {bytes} bytes instead of 4 or 8</source>
-        <translation>{command} hat {bytes} Bytes statt 4 oder 8</translation>
+        <source>{command} has {bytes:# byte|# bytes} instead of 4 or 8</source>
+        <translation>{command} hat {bytes:# Byte|# Bytes} statt 4 oder 8</translation>
     </message>
     <message>
         <source>{command} is not sent in {state}</source>
@@ -5949,96 +5937,96 @@
         <translation>{command} nimmt die Zeit von {slave}, die Referenzuhr ist {reference}</translation>
     </message>
     <message>
-        <source>{copies} slave-to-slave copies cannot be kept: a project has no place for them.</source>
-        <translation>{copies} Kopien von Slave zu Slave lassen sich nicht behalten: ein Projekt hat keinen Platz dafür.</translation>
+        <source>{copies:# slave-to-slave copy|# slave-to-slave copies} cannot be kept: a project has no place for that.</source>
+        <translation>{copies:# Kopie von Slave zu Slave lässt|# Kopien von Slave zu Slave lassen} sich nicht behalten: ein Projekt hat keinen Platz dafür.</translation>
     </message>
     <message>
-        <source>{count} FMMUs lie elsewhere</source>
-        <translation>{count} FMMUs liegen anderswo</translation>
+        <source>{count:# FMMU lies|# FMMUs lie} elsewhere</source>
+        <translation>{count:# FMMU liegt|# FMMUs liegen} anderswo</translation>
     </message>
     <message>
-        <source>{count} commands' inputs lie elsewhere</source>
-        <translation>Eingänge von {count} Kommandos liegen anderswo</translation>
+        <source>{count:# command's inputs|# commands' inputs} lie elsewhere</source>
+        <translation>Eingänge von {count:# Kommando|# Kommandos} liegen anderswo</translation>
     </message>
     <message>
-        <source>{count} commands' outputs lie elsewhere</source>
-        <translation>Ausgänge von {count} Kommandos liegen anderswo</translation>
+        <source>{count:# command's outputs|# commands' outputs} lie elsewhere</source>
+        <translation>Ausgänge von {count:# Kommando|# Kommandos} liegen anderswo</translation>
     </message>
     <message>
-        <source>{count} cycles had a wrong working counter ({received} instead of {expected} last), from {since} on.</source>
-        <translation>{count} Zyklen hatten einen falschen Working Counter (zuletzt {received} statt {expected}), ab {since}.</translation>
+        <source>{count:# cycle|# cycles} had a wrong working counter ({received} instead of {expected} last), from {since} on.</source>
+        <translation>{count:# Zyklus hatte|# Zyklen hatten} einen falschen Working Counter (zuletzt {received} statt {expected}), ab {since}.</translation>
     </message>
     <message>
-        <source>{count} cycles had a wrong working counter, from {since} on: that is what the others see of {slave}.</source>
-        <translation>{count} Zyklen hatten einen falschen Working Counter, ab {since}: das ist, was man von {slave} sonst sieht.</translation>
+        <source>{count:# cycle|# cycles} had a wrong working counter, from {since} on: that is what the others see of {slave}.</source>
+        <translation>{count:# Zyklus hatte|# Zyklen hatten} einen falschen Working Counter, ab {since}: das ist, was man von {slave} sonst sieht.</translation>
     </message>
     <message>
-        <source>{count} cycles left out, the host sent nothing for up to {standstill}</source>
-        <translation>{count} Zyklen ausgelassen, der Host sendete bis zu {standstill} lang nichts</translation>
+        <source>{count:# cycle|# cycles} left out, the host sent nothing for up to {standstill}</source>
+        <translation>{count:# Zyklus|# Zyklen} ausgelassen, der Host sendete bis zu {standstill} lang nichts</translation>
     </message>
     <message>
-        <source>{count} events were lost</source>
-        <translation>{count} Ereignisse gingen verloren</translation>
+        <source>{count:# event was|# events were} lost</source>
+        <translation>{count:# Ereignis ging|# Ereignisse gingen} verloren</translation>
     </message>
     <message>
-        <source>{count} frames back late, up to {late} after the deadline</source>
-        <translation>{count} Frames kamen zu spät zurück, bis zu {late} nach der Frist</translation>
+        <source>{count:# frame|# frames} back late, up to {late} after the deadline</source>
+        <translation>{count:# Frame kam|# Frames kamen} zu spät zurück, bis zu {late} nach der Frist</translation>
     </message>
     <message>
-        <source>{count} frames back late, up to {late} after the deadline ({told} of them told as lost before)</source>
-        <translation>{count} Frames kamen zu spät zurück, bis zu {late} nach der Frist ({told} davon waren als verloren gemeldet)</translation>
+        <source>{count:# frame|# frames} back late, up to {late} after the deadline ({told} of them told as lost before)</source>
+        <translation>{count:# Frame kam|# Frames kamen} zu spät zurück, bis zu {late} nach der Frist ({told:# davon war|# davon waren} als verloren gemeldet)</translation>
     </message>
     <message>
-        <source>{count} frames came back after their cycle, by up to {largest}.</source>
-        <translation>{count} Frames kamen nach ihrem Zyklus zurück, um bis zu {largest}.</translation>
+        <source>{count:# frame|# frames} came back after the cycle, by up to {largest}.</source>
+        <translation>{count:# Frame kam|# Frames kamen} nach dem Zyklus zurück, um bis zu {largest}.</translation>
     </message>
     <message>
-        <source>{count} frames did not come back (up to {most} close together, first at {since}), and no slave counted an error at its ports.</source>
-        <translation>{count} Frames kamen nicht zurück (bis zu {most} nah beieinander, zuerst bei {since}), und kein Slave zählte einen Fehler an seinen Ports.</translation>
+        <source>{count:# frame|# frames} did not come back (up to {most} close together, first at {since}), and no slave counted an error at its ports.</source>
+        <translation>{count:# Frame kam|# Frames kamen} nicht zurück (bis zu {most} nah beieinander, zuerst bei {since}), und kein Slave zählte einen Fehler an seinen Ports.</translation>
     </message>
     <message>
-        <source>{count} frames did not come back (up to {most} close together, first at {since}); they were damaged on their way, first at {slave} port {port}.</source>
-        <translation>{count} Frames kamen nicht zurück (bis zu {most} nah beieinander, zuerst bei {since}); sie wurden unterwegs beschädigt, zuerst an {slave} Port {port}.</translation>
+        <source>{count:# frame|# frames} did not come back (up to {most} close together, first at {since}); damaged on the way, first at {slave} port {port}.</source>
+        <translation>{count:# Frame kam|# Frames kamen} nicht zurück (bis zu {most} nah beieinander, zuerst bei {since}); unterwegs beschädigt, zuerst an {slave} Port {port}.</translation>
     </message>
     <message>
-        <source>{count} frames did not come back in time while the host stood still.</source>
-        <translation>{count} Frames kamen nicht rechtzeitig zurück, während der Rechner stillstand.</translation>
+        <source>{count:# frame|# frames} did not come back in time while the host stood still.</source>
+        <translation>{count:# Frame kam|# Frames kamen} nicht rechtzeitig zurück, während der Rechner stillstand.</translation>
     </message>
     <message>
-        <source>{count} frames lost</source>
-        <translation>{count} Frames verloren</translation>
+        <source>{count:# frame|# frames} lost</source>
+        <translation>{count:# Frame|# Frames} verloren</translation>
     </message>
     <message>
-        <source>{count} frames reached {slave} damaged at port {port} (0x{register}), from {since} on; the cable comes from {behind}.</source>
-        <translation>{count} Frames erreichten {slave} beschädigt an Port {port} (0x{register}), ab {since}; das Kabel kommt von {behind}.</translation>
+        <source>{count:# frame|# frames} reached {slave} damaged at port {port} (0x{register}), from {since} on; the cable comes from {behind}.</source>
+        <translation>{count:# Frame erreichte|# Frames erreichten} {slave} beschädigt an Port {port} (0x{register}), ab {since}; das Kabel kommt von {behind}.</translation>
     </message>
     <message>
-        <source>{count} frames were lost when {slave} went away or came back.</source>
-        <translation>{count} Frames gingen verloren, als {slave} ging oder wiederkam.</translation>
+        <source>{count:# frame was|# frames were} lost when {slave} went away or came back.</source>
+        <translation>{count:# Frame ging|# Frames gingen} verloren, als {slave} ging oder wiederkam.</translation>
     </message>
     <message>
-        <source>{count} variables of the inputs lie elsewhere</source>
-        <translation>{count} Variablen der Eingänge liegen anderswo</translation>
+        <source>{count:# variable of the inputs lies|# variables of the inputs lie} elsewhere</source>
+        <translation>{count:# Variable der Eingänge liegt|# Variablen der Eingänge liegen} anderswo</translation>
     </message>
     <message>
-        <source>{count} variables of the outputs lie elsewhere</source>
-        <translation>{count} Variablen der Ausgänge liegen anderswo</translation>
+        <source>{count:# variable of the outputs lies|# variables of the outputs lie} elsewhere</source>
+        <translation>{count:# Variable der Ausgänge liegt|# Variablen der Ausgänge liegen} anderswo</translation>
     </message>
     <message>
-        <source>{count} variables, "{variable}" and others, lie behind the image</source>
-        <translation>{count} Variablen, "{variable}" und andere, liegen hinter dem Abbild</translation>
+        <source>{count:# variable|# variables}, "{variable}" among them, {count:lies|lie} behind the image</source>
+        <translation>{count:# Variable|# Variablen}, darunter "{variable}", {count:liegt|liegen} hinter dem Abbild</translation>
     </message>
     <message>
-        <source>{count} variables, "{variable}" and others, share bits with others</source>
-        <translation>{count} Variablen, "{variable}" und andere, teilen sich Bits mit anderen</translation>
+        <source>{count:# variable|# variables}, "{variable}" among them, {count:shares|share} bits with others</source>
+        <translation>{count:# Variable|# Variablen}, darunter "{variable}", {count:teilt|teilen} sich Bits mit anderen</translation>
     </message>
     <message>
-        <source>{element} has {bits} bits, the assigned PDOs have {expected}</source>
-        <translation>{element} hat {bits} Bits, die zugeordneten PDOs haben {expected}</translation>
+        <source>{element} has {bits:# bit|# bits}, the assigned PDOs have {expected}</source>
+        <translation>{element} hat {bits:# Bit|# Bits}, die zugeordneten PDOs haben {expected}</translation>
     </message>
     <message>
-        <source>{element} has {bytes} bytes at {start}</source>
-        <translation>{element} hat {bytes} Bytes bei {start}</translation>
+        <source>{element} has {bytes:# byte|# bytes} at {start}</source>
+        <translation>{element} hat {bytes:# Byte|# Bytes} bei {start}</translation>
     </message>
     <message>
         <source>{element} shares bits of the image with {slave}</source>
@@ -6049,16 +6037,16 @@
         <translation>{element} beginnt bei Bit {said}, FMMUs und zyklische Kommandos legen die Daten nach Bit {computed}</translation>
     </message>
     <message>
-        <source>{element} takes {bits} bits from bit {first}, the image has {image}</source>
-        <translation>{element} belegt {bits} Bits ab Bit {first}, das Abbild hat {image}</translation>
+        <source>{element} takes {bits:# bit|# bits} from bit {first}, the image has {image}</source>
+        <translation>{element} belegt {bits:# Bit|# Bits} ab Bit {first}, das Abbild hat {image}</translation>
     </message>
     <message>
-        <source>{entries} entries are mapped; the device's dictionary has room for {room} in {object}.</source>
-        <translation>{entries} Einträge sind gemappt; das Objektverzeichnis des Geräts hat in {object} Platz für {room}.</translation>
+        <source>{entries:# entry is|# entries are} mapped; the device's dictionary has room for {room} in {object}.</source>
+        <translation>{entries:# Eintrag ist|# Einträge sind} gemappt; das Objektverzeichnis des Geräts hat in {object} Platz für {room}.</translation>
     </message>
     <message>
-        <source>{entries} entries are mapped; the object {object} takes {most}.</source>
-        <translation>{entries} Einträge sind gemappt; das Objekt {object} nimmt {most}.</translation>
+        <source>{entries:# entry is|# entries are} mapped; the object {object} takes {most}.</source>
+        <translation>{entries:# Eintrag ist|# Einträge sind} gemappt; das Objekt {object} nimmt {most}.</translation>
     </message>
     <message>
         <source>{error}</source>
@@ -6069,16 +6057,16 @@
         <translation>{field} ist in Info {said}, das Kommando erwartet die Bytes {expected}</translation>
     </message>
     <message>
-        <source>{file} is an ENI: its commands and the layout of its image stay as they are, only the spelling follows --dialect. "project create --eni" makes a project that can be laid out anew.</source>
-        <translation>{file} ist eine ENI: ihre Kommandos und die Anordnung ihres Abbilds bleiben, nur die Schreibweise folgt --dialect. "project create --eni" macht ein Projekt, das neu angeordnet werden kann.</translation>
+        <source>{file} is an ENI: its commands and the layout of its image stay as they are, only the spelling follows the dialect. "project create --eni" makes a project that can be laid out anew.</source>
+        <translation>{file} ist eine ENI: ihre Kommandos und die Anordnung ihres Abbilds bleiben, nur die Schreibweise folgt dem Dialekt. "project create --eni" macht ein Projekt, das neu angeordnet werden kann.</translation>
     </message>
     <message>
         <source>{file}: what came after frame {frames} was not read, the file breaks off there ({reason}).</source>
         <translation>{file}: Was nach Frame {frames} kam, wurde nicht gelesen, die Datei bricht dort ab ({reason}).</translation>
     </message>
     <message>
-        <source>{file}: {cut} of its {frames} frames were captured in part only and not read.</source>
-        <translation>{file}: {cut} seiner {frames} Frames wurden nur zum Teil aufgezeichnet und nicht gelesen.</translation>
+        <source>{file}: {cut} of its {frames:# frame|# frames} {cut:was|were} captured in part only and not read.</source>
+        <translation>{file}: {cut} {frames:seines # Frames|seiner # Frames} {cut:wurde|wurden} nur zum Teil aufgezeichnet und nicht gelesen.</translation>
     </message>
     <message>
         <source>{first} and {second} are both the reference clock</source>
@@ -6089,12 +6077,12 @@
         <translation>{first} und {second} tragen dieselben {data}</translation>
     </message>
     <message>
-        <source>{frames} frames take {wire} on the wire and about {travel} through {slaves} slaves, the cycle is {cycle}</source>
-        <translation>{frames} Frames brauchen auf der Leitung {wire} und durch {slaves} Slaves etwa {travel}, der Zyklus ist {cycle}</translation>
+        <source>{frames:# frame takes|# frames take} {wire} on the wire and about {travel} through {slaves:# slave|# slaves}, the cycle is {cycle}</source>
+        <translation>{frames:# Frame braucht|# Frames brauchen} auf der Leitung {wire} und durch {slaves:# Slave|# Slaves} etwa {travel}, der Zyklus ist {cycle}</translation>
     </message>
     <message>
-        <source>{frames} frames take {wire} on the wire, the cycle is {cycle}</source>
-        <translation>{frames} Frames brauchen auf der Leitung {wire}, der Zyklus ist {cycle}</translation>
+        <source>{frames:# frame takes|# frames take} {wire} on the wire, the cycle is {cycle}</source>
+        <translation>{frames:# Frame braucht|# Frames brauchen} auf der Leitung {wire}, der Zyklus ist {cycle}</translation>
     </message>
     <message>
         <source>{mode} switches SYNC0 on, its cycle is {cycle}.</source>
@@ -6117,8 +6105,8 @@
         <translation>{name}: ein SYNC0-Zyklus von {sync0} ist weder ein Vielfaches noch ein Teiler des Buszyklus von {cycle}.</translation>
     </message>
     <message>
-        <source>{objects} objects are mapped in this direction, {family} {devices} take {most}. Unassign a PDO, or map fewer objects and exchange the slow ones by SDO.</source>
-        <translation>In dieser Richtung sind {objects} Objekte gemappt, {family} {devices} nehmen {most}. Ein PDO wegnehmen, oder weniger Objekte mappen und die langsamen per SDO austauschen.</translation>
+        <source>{objects:# object is|# objects are} mapped in this direction, {family} {devices} take {most}. Unassign a PDO, or map fewer objects and exchange the slow ones by SDO.</source>
+        <translation>In dieser Richtung {objects:ist # Objekt|sind # Objekte} gemappt, {family} {devices} nehmen {most}. Ein PDO wegnehmen, oder weniger Objekte mappen und die langsamen per SDO austauschen.</translation>
     </message>
     <message>
         <source>{object} has no Data</source>
@@ -6169,8 +6157,8 @@
         <translation>{object}: die Anzahl wird auf {count} gesetzt, Einträge werden bis {last} geschrieben</translation>
     </message>
     <message>
-        <source>{object}: {entries} entries are written, the count stays {count}</source>
-        <translation>{object}: {entries} Einträge werden geschrieben, die Anzahl bleibt {count}</translation>
+        <source>{object}: {entries:# entry is|# entries are} written, the count stays {count}</source>
+        <translation>{object}: {entries:# Eintrag wird|# Einträge werden} geschrieben, die Anzahl bleibt {count}</translation>
     </message>
     <message>
         <source>{object}:01 asks for SYNC signals, and they are off. Select an operation mode with DC, or free run.</source>
@@ -6189,12 +6177,12 @@
         <translation>{object}:{sub_index} wird geschrieben, während die Liste nicht geleert ist (:0 = 0)</translation>
     </message>
     <message>
-        <source>{object}:{sub_index} is written with {written} bytes, it has {bytes}</source>
-        <translation>{object}:{sub_index} wird mit {written} Bytes geschrieben, es hat {bytes}</translation>
+        <source>{object}:{sub_index} is written with {written:# byte|# bytes}, it has {bytes}</source>
+        <translation>{object}:{sub_index} wird mit {written:# Byte|# Bytes} geschrieben, es hat {bytes}</translation>
     </message>
     <message>
-        <source>{pdos} PDOs are assigned to SyncManager {manager}; its object takes {most}.</source>
-        <translation>{pdos} PDOs sind SyncManager {manager} zugeordnet; sein Objekt nimmt {most}.</translation>
+        <source>{pdos:# PDO is|# PDOs are} assigned to SyncManager {manager}; its object takes {most}.</source>
+        <translation>{pdos:# PDO ist|# PDOs sind} SyncManager {manager} zugeordnet; sein Objekt nimmt {most}.</translation>
     </message>
     <message>
         <source>{reason}.</source>
@@ -6209,12 +6197,12 @@
         <translation>{setting}</translation>
     </message>
     <message>
-        <source>{slaves} slaves use distributed clocks</source>
-        <translation>{slaves} Slaves benutzen verteilte Uhren</translation>
+        <source>{slaves:# slave uses|# slaves use} distributed clocks</source>
+        <translation>{slaves:# Slave benutzt|# Slaves benutzen} verteilte Uhren</translation>
     </message>
     <message>
-        <source>{slaves} slaves use distributed clocks, and no cyclic command distributes the time</source>
-        <translation>{slaves} Slaves benutzen verteilte Uhren, und kein zyklisches Kommando verteilt die Zeit</translation>
+        <source>{slaves:# slave uses|# slaves use} distributed clocks, and no cyclic command distributes the time</source>
+        <translation>{slaves:# Slave benutzt|# Slaves benutzen} verteilte Uhren, und kein zyklisches Kommando verteilt die Zeit</translation>
     </message>
     <message>
         <source>{slave} ({identity}) has no system time register 0x0910, where its ESI has operation modes: DC is off.</source>
@@ -6225,8 +6213,8 @@
         <translation>{slave} ({identity}): {match} ({file}).</translation>
     </message>
     <message>
-        <source>{slave} counts {missed} missed SM2 events (0x1C32:{sub}), and for {part} of them the master saw good cycles.</source>
-        <translation>{slave} zählt {missed} fehlende SM2-Ereignisse (0x1C32:{sub}), und bei {part} davon sah der Master gute Zyklen.</translation>
+        <source>{slave} counts {missed:# missed SM2 event|# missed SM2 events} (0x1C32:{sub}), and for {part} of them the master saw good cycles.</source>
+        <translation>{slave} zählt {missed:# fehlendes SM2-Ereignis|# fehlende SM2-Ereignisse} (0x1C32:{sub}), und bei {part} davon sah der Master gute Zyklen.</translation>
     </message>
     <message>
         <source>{slave} does not renew its inputs in every cycle, as it did before: from {since} on, {count} (0x0805 + 8 n of its input SyncManager names the same buffer again).</source>
@@ -6237,12 +6225,12 @@
         <translation>{slave} fiel bei {since} nach {state} mit AL-Statuscode {alcode}{alarm}, und der Master sah vorher nur gute Zyklen: kein Frame verloren oder verspätet, keiner ausgelassen, Ausgänge nominell {margin} vor jedem SYNC0.</translation>
     </message>
     <message>
-        <source>{slave} fell to {state} with AL status code {alcode}{alarm} at {since}: it missed {missed} SM2 events, its error counter reached {integrator} of {limit}.</source>
-        <translation>{slave} fiel bei {since} nach {state} mit AL-Statuscode {alcode}{alarm}: {missed} SM2-Ereignisse fehlten, der Fehlerzähler erreichte {integrator} von {limit}.</translation>
+        <source>{slave} fell to {state} with AL status code {alcode}{alarm} at {since}: it missed {missed:# SM2 event|# SM2 events}, its error counter reached {integrator} of {limit}.</source>
+        <translation>{slave} fiel bei {since} nach {state} mit AL-Statuscode {alcode}{alarm}: {missed:# SM2-Ereignis fehlte|# SM2-Ereignisse fehlten}, der Fehlerzähler erreichte {integrator} von {limit}.</translation>
     </message>
     <message>
-        <source>{slave} fell to {state} with AL status code {alcode}{alarm} at {since}: it missed {missed} SM2 events, {part} of them because frames came behind the SYNC0 they were meant for. Nominally they are there {margin} before it, but one in a thousand is {lateness} late.</source>
-        <translation>{slave} fiel bei {since} nach {state} mit AL-Statuscode {alcode}{alarm}: {missed} SM2-Ereignisse fehlten, davon {part}, weil Frames nach dem SYNC0 kamen, für das sie gedacht waren. Nominell sind sie {margin} davor da, doch einer von tausend kommt {lateness} zu spät.</translation>
+        <source>{slave} fell to {state} with AL status code {alcode}{alarm} at {since}: it missed {missed:# SM2 event|# SM2 events}, {part} of them because frames came behind the SYNC0 they were meant for. Nominally they are there {margin} before it, but one in a thousand is {lateness} late.</source>
+        <translation>{slave} fiel bei {since} nach {state} mit AL-Statuscode {alcode}{alarm}: {missed:# SM2-Ereignis fehlte|# SM2-Ereignisse fehlten}, davon {part}, weil Frames nach dem SYNC0 kamen, für das sie gedacht waren. Nominell sind sie {margin} davor da, doch einer von tausend kommt {lateness} zu spät.</translation>
     </message>
     <message>
         <source>{slave} got its outputs too late for SYNC0 {count} (0x1C32:0D shift too short), and used those of the cycle before: they come {margin} before SYNC0, and it needs {need}.</source>
@@ -6269,36 +6257,36 @@
         <translation>{slave} verließ bei {since} das Sync-Window ({deviation}, Grenze {limit}) und kam zurück; {count} insgesamt.</translation>
     </message>
     <message>
-        <source>{slave} left {count} mailbox requests in a row without an answer.</source>
-        <translation>{slave} ließ {count} Mailbox-Anfragen hintereinander ohne Antwort.</translation>
+        <source>{slave} left {count:# mailbox request|# mailbox requests} in a row without an answer.</source>
+        <translation>{slave} ließ {count:# Mailbox-Anfrage|# Mailbox-Anfragen} hintereinander ohne Antwort.</translation>
     </message>
     <message>
         <source>{slave} lost its link at port {port} {count} (0x{register}), last at {last}.</source>
         <translation>{slave} verlor an Port {port} {count} den Link (0x{register}), zuletzt bei {last}.</translation>
     </message>
     <message>
-        <source>{slave} missed {missed} SM2 events, and the master was not locked to the reference clock all the time: frames slid through its SYNC0.</source>
-        <translation>{slave} fehlten {missed} SM2-Ereignisse, und der Master war nicht die ganze Zeit auf die Referenzuhr eingerastet: Frames glitten durch SYNC0.</translation>
+        <source>{slave} missed {missed:# SM2 event|# SM2 events}, and the master was not locked to the reference clock all the time: frames slid through its SYNC0.</source>
+        <translation>{slave} {missed:fehlte # SM2-Ereignis|fehlten # SM2-Ereignisse}, und der Master war nicht die ganze Zeit auf die Referenzuhr eingerastet: Frames glitten durch SYNC0.</translation>
     </message>
     <message>
-        <source>{slave} missed {missed} SM2 events, {part} of them because frames came behind the SYNC0 they were meant for: nominally they are there {margin} before it, but one in a thousand is {lateness} late.</source>
-        <translation>{slave} fehlten {missed} SM2-Ereignisse, {part} davon, weil Frames hinter dem SYNC0 kamen, für das sie bestimmt waren: nominell sind sie {margin} davor da, aber einer von tausend kommt {lateness} zu spät.</translation>
+        <source>{slave} missed {missed:# SM2 event|# SM2 events}, {part} of them because frames came behind the SYNC0 they were meant for: nominally they are there {margin} before it, but one in a thousand is {lateness} late.</source>
+        <translation>{slave} {missed:fehlte # SM2-Ereignis|fehlten # SM2-Ereignisse}, {part} davon, weil Frames hinter dem SYNC0 kamen, für das sie bestimmt waren: nominell sind sie {margin} davor da, aber einer von tausend kommt {lateness} zu spät.</translation>
     </message>
     <message>
-        <source>{slave} missed {missed} SM2 events, {part} of them because frames were lost; its error counter reached {integrator} of {limit}.</source>
-        <translation>{slave} fehlten {missed} SM2-Ereignisse, {part} davon, weil Frames verloren gingen; der Fehlerzähler erreichte {integrator} von {limit}.</translation>
+        <source>{slave} missed {missed:# SM2 event|# SM2 events}, {part} of them because frames were lost; its error counter reached {integrator} of {limit}.</source>
+        <translation>{slave} {missed:fehlte # SM2-Ereignis|fehlten # SM2-Ereignisse}, {part} davon, weil Frames verloren gingen; der Fehlerzähler erreichte {integrator} von {limit}.</translation>
     </message>
     <message>
-        <source>{slave} missed {missed} SM2 events, {part} of them because the host left cycles out; its error counter reached {integrator} of {limit}.</source>
-        <translation>{slave} fehlten {missed} SM2-Ereignisse, {part} davon, weil der Rechner Zyklen ausließ; der Fehlerzähler erreichte {integrator} von {limit}.</translation>
+        <source>{slave} missed {missed:# SM2 event|# SM2 events}, {part} of them because the host left cycles out; its error counter reached {integrator} of {limit}.</source>
+        <translation>{slave} {missed:fehlte # SM2-Ereignis|fehlten # SM2-Ereignisse}, {part} davon, weil der Rechner Zyklen ausließ; der Fehlerzähler erreichte {integrator} von {limit}.</translation>
     </message>
     <message>
         <source>{slave} needed longer than its cycle {count} ({object} cycle exceeded), last at {last}.</source>
         <translation>{slave} brauchte {count} länger als den Zyklus ({object} Cycle exceeded), zuletzt bei {last}.</translation>
     </message>
     <message>
-        <source>{slave} skipped {count} cycles because the one before was not over ({object} cycle exceeded): its fieldbus needs longer than a cycle.</source>
-        <translation>{slave} ließ {count} Zyklen aus, weil der davor nicht zu Ende war ({object} Cycle exceeded): sein Feldbus braucht länger als einen Zyklus.</translation>
+        <source>{slave} skipped {count:# cycle|# cycles} because the one before was not over ({object} cycle exceeded): its fieldbus needs longer than a cycle.</source>
+        <translation>{slave} ließ {count:# Zyklus|# Zyklen} aus, weil der davor nicht zu Ende war ({object} Cycle exceeded): sein Feldbus braucht länger als einen Zyklus.</translation>
     </message>
     <message>
         <source>{slave} stays in {state} while others went further.</source>
@@ -6357,12 +6345,12 @@
         <translation>{subject} Port {port}: Link {lost} verloren</translation>
     </message>
     <message>
-        <source>{subject} port {port}: {damaged} damaged frames</source>
-        <translation>{subject} Port {port}: {damaged} beschädigte Frames</translation>
+        <source>{subject} port {port}: {damaged:# damaged frame|# damaged frames}</source>
+        <translation>{subject} Port {port}: {damaged:# beschädigter Frame|# beschädigte Frames}</translation>
     </message>
     <message>
-        <source>{subject} port {port}: {damaged} damaged frames, link lost {lost}</source>
-        <translation>{subject} Port {port}: {damaged} beschädigte Frames, Link {lost} verloren</translation>
+        <source>{subject} port {port}: {damaged:# damaged frame|# damaged frames}, link lost {lost}</source>
+        <translation>{subject} Port {port}: {damaged:# beschädigter Frame|# beschädigte Frames}, Link {lost} verloren</translation>
     </message>
     <message>
         <source>{subject} refused {state} and stays in {actual}: AL status code {alcode}.</source>
@@ -6421,8 +6409,8 @@
         <translation>{subject}: seine Laufzeit von {delay} ist nicht größer als die des Slaves davor</translation>
     </message>
     <message>
-        <source>{subject}: no new inputs in {stale} of {cycles} cycles, where each brought some before: its firmware is slow</source>
-        <translation>{subject}: keine neuen Eingänge in {stale} von {cycles} Zyklen, wo zuvor jeder welche brachte: seine Firmware ist langsam</translation>
+        <source>{subject}: no new inputs in {stale} of {cycles:# cycle|# cycles}, where each brought some before: its firmware is slow</source>
+        <translation>{subject}: keine neuen Eingänge in {stale} von {cycles:# Zyklus|# Zyklen}, wo zuvor jeder welche brachte: seine Firmware ist langsam</translation>
     </message>
     <message>
         <source>{subject}: not there yet (hot-connect group "{group}")</source>
@@ -6482,7 +6470,7 @@
     </message>
     <message>
         <source>{subject}: {count} of its cycles took longer than the cycle time: its firmware is slow</source>
-        <translation>{subject}: {count} seiner Zyklen dauerten länger als die Zykluszeit: seine Firmware ist langsam</translation>
+        <translation>{subject}: {count:# seiner Zyklen dauerte|# seiner Zyklen dauerten} länger als die Zykluszeit: seine Firmware ist langsam</translation>
     </message>
     <message>
         <source>{subject}: {from} -&gt; {to}</source>
@@ -6535,6 +6523,766 @@
     <message>
         <source>{who} is known by its alias; it has none.</source>
         <translation>{who} wird am Alias erkannt; er hat keinen.</translation>
+    </message>
+    <message>
+        <source>"{text}" is no number</source>
+        <translation>"{text}" ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>"{text}" is out of range</source>
+        <translation>"{text}" liegt außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>"{text}" is no hexadecimal data</source>
+        <translation>"{text}" sind keine hexadezimalen Daten</translation>
+    </message>
+    <message>
+        <source>"{text}" is neither true nor false</source>
+        <translation>"{text}" ist weder true noch false</translation>
+    </message>
+    <message>
+        <source>"{text}" is no state transition</source>
+        <translation>"{text}" ist kein Zustandsübergang</translation>
+    </message>
+    <message>
+        <source>"{text}" is no transition</source>
+        <translation>"{text}" ist kein Übergang</translation>
+    </message>
+    <message>
+        <source>"{text}" is no PDO index</source>
+        <translation>"{text}" ist kein PDO-Index</translation>
+    </message>
+    <message>
+        <source>in &lt;{element}&gt;</source>
+        <translation>in &lt;{element}&gt;</translation>
+    </message>
+    <message>
+        <source>there is no element</source>
+        <translation>es enthält kein Element</translation>
+    </message>
+    <message>
+        <source>it has {size} MB, the limit is {limit} MB</source>
+        <translation>sie hat {size} MB, die Grenze ist {limit} MB</translation>
+    </message>
+    <message>
+        <source>it has more than {limit} MB</source>
+        <translation>sie hat mehr als {limit} MB</translation>
+    </message>
+    <message>
+        <source>it is written in the encoding "{name}", which this system cannot convert; save it as UTF-8</source>
+        <translation>sie ist in der Kodierung "{name}" geschrieben, die dieses System nicht umsetzen kann; als UTF-8 speichern</translation>
+    </message>
+    <message>
+        <source>it should be written in the encoding "{name}", to which the byte 0x{byte} does not belong; save it as UTF-8</source>
+        <translation>sie soll in der Kodierung "{name}" geschrieben sein, zu der das Byte 0x{byte} nicht gehört; als UTF-8 speichern</translation>
+    </message>
+    <message>
+        <source>a project file with the root &lt;{wanted}&gt;, not &lt;{root}&gt;</source>
+        <translation>eine Projektdatei mit der Wurzel &lt;{wanted}&gt;, nicht &lt;{root}&gt;</translation>
+    </message>
+    <message>
+        <source>a project file of version {version} or older, not {other}</source>
+        <translation>eine Projektdatei der Version {version} oder älter, nicht {other}</translation>
+    </message>
+    <message>
+        <source>an ENI file (root element EtherCATConfig)</source>
+        <translation>eine ENI-Datei (Wurzelelement EtherCATConfig)</translation>
+    </message>
+    <message>
+        <source>an ENI file that others can read: its maker has encrypted it</source>
+        <translation>eine ENI-Datei, die andere lesen können: ihr Hersteller hat sie verschlüsselt</translation>
+    </message>
+    <message>
+        <source>an ESI file with the root &lt;EtherCATInfo&gt;, not &lt;{root}&gt;</source>
+        <translation>eine ESI-Datei mit der Wurzel &lt;EtherCATInfo&gt;, nicht &lt;{root}&gt;</translation>
+    </message>
+    <message>
+        <source>a pcap or pcapng capture; it is empty</source>
+        <translation>eine pcap- oder pcapng-Aufzeichnung; sie ist leer</translation>
+    </message>
+    <message>
+        <source>a recording; this database belongs to another program</source>
+        <translation>eine Aufzeichnung; diese Datenbank gehört einem anderen Programm</translation>
+    </message>
+    <message>
+        <source>a recording of version {version} or older; this one is of version {other}, use the program that has written it, or a newer one</source>
+        <translation>eine Aufzeichnung der Version {version} oder älter; diese hat Version {other}, das Programm nehmen, das sie geschrieben hat, oder ein neueres</translation>
+    </message>
+    <message>
+        <source>it is damaged: {words}</source>
+        <translation>sie ist beschädigt: {words}</translation>
+    </message>
+    <message>
+        <source>there is one of this name already, and a recording replaces nothing</source>
+        <translation>es gibt schon eine dieses Namens, und eine Aufzeichnung ersetzt nichts</translation>
+    </message>
+    <message>
+        <source>the file is gone: it, or its folder, was deleted or moved while it was recorded</source>
+        <translation>die Datei ist fort: sie oder ihr Ordner wurde während der Aufzeichnung gelöscht oder verschoben</translation>
+    </message>
+    <message>
+        <source>the attribute No is missing</source>
+        <translation>das Attribut No fehlt</translation>
+    </message>
+    <message>
+        <source>the attribute ModuleIdent is missing</source>
+        <translation>das Attribut ModuleIdent fehlt</translation>
+    </message>
+    <message>
+        <source>it has too many sub-indices</source>
+        <translation>es hat zu viele Subindizes</translation>
+    </message>
+    <message>
+        <source>MinInstances {least} is more than MaxInstances {most}</source>
+        <translation>MinInstances {least} ist mehr als MaxInstances {most}</translation>
+    </message>
+    <message>
+        <source>there is no Pdo with the RefName "{name}"</source>
+        <translation>es gibt kein Pdo mit dem RefName "{name}"</translation>
+    </message>
+    <message>
+        <source>the PDO index 0x{index} is used twice; first in line {line}</source>
+        <translation>der PDO-Index 0x{index} kommt zweimal vor; zuerst in Zeile {line}</translation>
+    </message>
+    <message>
+        <source>{value} is out of range in channel {channel}</source>
+        <translation>{value} liegt in Kanal {channel} außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>it lies outside of the folder of the ESI file</source>
+        <translation>sie liegt außerhalb des Ordners der ESI-Datei</translation>
+    </message>
+    <message>
+        <source>the ESI file refers to too many files</source>
+        <translation>die ESI-Datei verweist auf zu viele Dateien</translation>
+    </message>
+    <message>
+        <source>there is no device "{name}" in the file</source>
+        <translation>die Datei hat kein Gerät "{name}"</translation>
+    </message>
+    <message>
+        <source>the ESI files have revision 0x{revision}</source>
+        <translation>die ESI-Dateien haben Revision 0x{revision}</translation>
+    </message>
+    <message>
+        <source>none of the {count} devices in the ESI files has this vendor and product</source>
+        <translation>keines der {count} Geräte in den ESI-Dateien hat diesen Hersteller und dieses Produkt</translation>
+    </message>
+    <message>
+        <source>it is no device catalogue</source>
+        <translation>sie ist kein Gerätekatalog</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>keine Berechtigung</translation>
+    </message>
+    <message>
+        <source>Operation not permitted</source>
+        <translation>nicht erlaubt</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>es ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>ein Teil des Pfads ist kein Ordner</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>Datei oder Ordner gibt es nicht</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>auf dem Datenträger ist kein Platz mehr</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>das Dateisystem ist schreibgeschützt</translation>
+    </message>
+    <message>
+        <source>Input/output error</source>
+        <translation>Ein-/Ausgabefehler</translation>
+    </message>
+    <message>
+        <source>Disk quota exceeded</source>
+        <translation>das Kontingent ist erschöpft</translation>
+    </message>
+    <message>
+        <source>this machine has no Ethernet adapter</source>
+        <translation>dieser Rechner hat keine Ethernet-Karte</translation>
+    </message>
+    <message>
+        <source>there are: {names}</source>
+        <translation>es gibt: {names}</translation>
+    </message>
+    <message>
+        <source>not an Ethernet adapter</source>
+        <translation>keine Ethernet-Karte</translation>
+    </message>
+    <message>
+        <source>no carrier</source>
+        <translation>keine Verbindung am Kabel</translation>
+    </message>
+    <message>
+        <source>it cannot put its send time into frames</source>
+        <translation>sie kann ihre Sendezeit nicht in Frames schreiben</translation>
+    </message>
+    <message>
+        <source>Network is down</source>
+        <translation>die Netzwerkkarte ist abgeschaltet</translation>
+    </message>
+    <message>
+        <source>No such device</source>
+        <translation>das Gerät gibt es nicht mehr</translation>
+    </message>
+    <message>
+        <source>No such device or address</source>
+        <translation>das Gerät gibt es nicht mehr</translation>
+    </message>
+    <message>
+        <source>the EEPROM belongs to the PDI and is left to it</source>
+        <translation>das EEPROM gehört dem PDI und bleibt bei ihm</translation>
+    </message>
+    <message>
+        <source>category {category} at word 0x{word} of {words} words reaches beyond the EEPROM of {bytes} bytes</source>
+        <translation>Kategorie {category} bei Wort 0x{word} mit {words} Wörtern reicht über das EEPROM von {bytes} Bytes hinaus</translation>
+    </message>
+    <message>
+        <source>more than {most} categories up to word 0x{word}</source>
+        <translation>mehr als {most} Kategorien bis Wort 0x{word}</translation>
+    </message>
+    <message>
+        <source>it has an odd number of bytes</source>
+        <translation>es hat eine ungerade Zahl von Bytes</translation>
+    </message>
+    <message>
+        <source>it is shorter than the header of {bytes} bytes</source>
+        <translation>es ist kürzer als der Kopf von {bytes} Bytes</translation>
+    </message>
+    <message>
+        <source>its checksum is 0x{has} where 0x{right} is right</source>
+        <translation>seine Prüfsumme ist 0x{has}, richtig ist 0x{right}</translation>
+    </message>
+    <message>
+        <source>its {bytes} bytes are more than the EEPROM's {room}</source>
+        <translation>seine {bytes} Bytes sind mehr als die {room} des EEPROMs</translation>
+    </message>
+    <message>
+        <source>no answer at word 0x{word}{which}</source>
+        <translation>keine Antwort bei Wort 0x{word}{which}</translation>
+    </message>
+    <message>
+        <source>the EEPROM stays busy at word 0x{word}{which}</source>
+        <translation>das EEPROM bleibt bei Wort 0x{word} beschäftigt{which}</translation>
+    </message>
+    <message>
+        <source>the ESC does not enable writing at word 0x{word}{which}</source>
+        <translation>der ESC gibt das Schreiben bei Wort 0x{word} nicht frei{which}</translation>
+    </message>
+    <message>
+        <source>the EEPROM acknowledges no write command at word 0x{word}{which}</source>
+        <translation>das EEPROM bestätigt bei Wort 0x{word} kein Schreibkommando{which}</translation>
+    </message>
+    <message>
+        <source>the EEPROM acknowledges no read command at word 0x{word}{which}</source>
+        <translation>das EEPROM bestätigt bei Wort 0x{word} kein Lesekommando{which}</translation>
+    </message>
+    <message>
+        <source>word 0x{word} reads 0x{value} after another value was written{which}</source>
+        <translation>Wort 0x{word} liest sich als 0x{value}, nachdem ein anderer Wert geschrieben wurde{which}</translation>
+    </message>
+    <message>
+        <source>{bytes} bytes are fewer than the {least} of its fixed part</source>
+        <translation>{bytes} Bytes sind weniger als die {least} seines festen Teils</translation>
+    </message>
+    <message>
+        <source>a write of it was cut short; go offline and end that first</source>
+        <translation>ein Schreibvorgang wurde abgebrochen; offline gehen und ihn zuerst beenden</translation>
+    </message>
+    <message>
+        <source>a write of it was cut short; end that first with "sii finish", or write a whole image</source>
+        <translation>ein Schreibvorgang wurde abgebrochen; ihn zuerst mit "sii finish" beenden oder ein ganzes Abbild schreiben</translation>
+    </message>
+    <message>
+        <source>no EEPROM write of this slave was cut short</source>
+        <translation>bei diesem Slave wurde kein Schreiben des EEPROMs abgebrochen</translation>
+    </message>
+    <message>
+        <source>the mailbox holds no segment</source>
+        <translation>die Mailbox fasst kein Segment</translation>
+    </message>
+    <message>
+        <source>the mailbox holds no data</source>
+        <translation>die Mailbox fasst keine Daten</translation>
+    </message>
+    <message>
+        <source>the answer belongs to another request</source>
+        <translation>die Antwort gehört zu einer anderen Anfrage</translation>
+    </message>
+    <message>
+        <source>the toggle bit did not alternate</source>
+        <translation>das Toggle-Bit wechselte nicht</translation>
+    </message>
+    <message>
+        <source>the slave announces {bytes} bytes, more than the {most} that are taken</source>
+        <translation>der Slave kündigt {bytes} Bytes an, mehr als die {most}, die angenommen werden</translation>
+    </message>
+    <message>
+        <source>more than the {bytes} bytes that were announced</source>
+        <translation>mehr als die {bytes} Bytes, die angekündigt waren</translation>
+    </message>
+    <message>
+        <source>{bytes} bytes where {announced} were announced</source>
+        <translation>{bytes} Bytes, wo {announced} angekündigt waren</translation>
+    </message>
+    <message>
+        <source>an empty segment that is not the last</source>
+        <translation>ein leeres Segment, das nicht das letzte ist</translation>
+    </message>
+    <message>
+        <source>its fragments do not follow each other</source>
+        <translation>ihre Teile folgen nicht aufeinander</translation>
+    </message>
+    <message>
+        <source>its answer is longer than {bytes} bytes</source>
+        <translation>die Antwort ist länger als {bytes} Bytes</translation>
+    </message>
+    <message>
+        <source>an error that cannot be read</source>
+        <translation>ein Fehler, der sich nicht lesen lässt</translation>
+    </message>
+    <message>
+        <source>it has no mailbox</source>
+        <translation>er hat keine Mailbox</translation>
+    </message>
+    <message>
+        <source>it is longer than a frame</source>
+        <translation>es ist länger als ein Frame</translation>
+    </message>
+    <message>
+        <source>no frame comes back</source>
+        <translation>kein Frame kommt zurück</translation>
+    </message>
+    <message>
+        <source>no acknowledgement where one was to come</source>
+        <translation>keine Bestätigung, wo eine kommen sollte</translation>
+    </message>
+    <message>
+        <source>no data where data were asked for</source>
+        <translation>keine Daten, wo welche verlangt waren</translation>
+    </message>
+    <message>
+        <source>busy without end</source>
+        <translation>beschäftigt ohne Ende</translation>
+    </message>
+    <message>
+        <source>packet {number} where {expected} was to come</source>
+        <translation>Paket {number}, wo {expected} kommen sollte</translation>
+    </message>
+    <message>
+        <source>the file is longer than the {bytes} bytes that are taken</source>
+        <translation>die Datei ist länger als die {bytes} Bytes, die angenommen werden</translation>
+    </message>
+    <message>
+        <source>its datagram of {bytes} bytes takes {time} us on the wire, and the cycle leaves no room for it; choose a longer cycle</source>
+        <translation>sein Datagramm von {bytes} Bytes braucht {time} us auf der Leitung, und der Zyklus lässt dafür keinen Platz; einen längeren Zyklus wählen</translation>
+    </message>
+    <message>
+        <source>{bytes} bytes are more than the {most} that are possible</source>
+        <translation>{bytes} Bytes sind mehr als die möglichen {most}</translation>
+    </message>
+    <message>
+        <source>it is about no bytes at all</source>
+        <translation>es geht um gar keine Bytes</translation>
+    </message>
+    <message>
+        <source>{count} others are on their way already; wait for one of them</source>
+        <translation>{count} andere sind schon unterwegs; auf eine davon warten</translation>
+    </message>
+    <message>
+        <source>it has no slaves</source>
+        <translation>es hat keine Slaves</translation>
+    </message>
+    <message>
+        <source>it has no cyclic frames</source>
+        <translation>es hat keine zyklischen Frames</translation>
+    </message>
+    <message>
+        <source>more slaves than addresses</source>
+        <translation>mehr Slaves als Adressen</translation>
+    </message>
+    <message>
+        <source>the bus is offline</source>
+        <translation>der Bus ist offline</translation>
+    </message>
+    <message>
+        <source>no slave on the bus has a system time</source>
+        <translation>kein Slave am Bus hat eine Systemzeit</translation>
+    </message>
+    <message>
+        <source>no slave is configured as reference clock</source>
+        <translation>kein Slave ist als Referenzuhr eingestellt</translation>
+    </message>
+    <message>
+        <source>it has no system time and cannot be the reference clock, and no slave behind it can</source>
+        <translation>er hat keine Systemzeit und kann nicht Referenzuhr sein, und kein Slave hinter ihm kann es</translation>
+    </message>
+    <message>
+        <source>no slave that is there can be the reference clock</source>
+        <translation>kein Slave, der da ist, kann Referenzuhr sein</translation>
+    </message>
+    <message>
+        <source>no answer to the receive time latch</source>
+        <translation>keine Antwort auf das Festhalten der Empfangszeiten</translation>
+    </message>
+    <message>
+        <source>it does not take its system time offset</source>
+        <translation>er nimmt seinen Systemzeitversatz nicht an</translation>
+    </message>
+    <message>
+        <source>its system time cannot be read</source>
+        <translation>seine Systemzeit lässt sich nicht lesen</translation>
+    </message>
+    <message>
+        <source>its SYNC unit is not active (0x0981)</source>
+        <translation>seine SYNC-Einheit ist nicht aktiv (0x0981)</translation>
+    </message>
+    <message>
+        <source>the bus is at rest in INIT; lead the whole bus to PREOP first</source>
+        <translation>der Bus ruht in INIT; zuerst den ganzen Bus nach PREOP führen</translation>
+    </message>
+    <message>
+        <source>the bus is in {state}; no slave can be led above it</source>
+        <translation>der Bus ist in {state}; kein Slave lässt sich darüber hinaus führen</translation>
+    </message>
+    <message>
+        <source>no station address is free</source>
+        <translation>keine Stationsadresse ist frei</translation>
+    </message>
+    <message>
+        <source>"{text}" is no whole number</source>
+        <translation>"{text}" ist keine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>"{text}" is no number of microseconds with at most three decimals</source>
+        <translation>"{text}" ist keine Zahl von Mikrosekunden mit höchstens drei Nachkommastellen</translation>
+    </message>
+    <message>
+        <source>"{text}" is neither on nor off</source>
+        <translation>"{text}" ist weder on noch off</translation>
+    </message>
+    <message>
+        <source>"{text}" is none of {words}</source>
+        <translation>"{text}" ist keins von {words}</translation>
+    </message>
+    <message>
+        <source>"{text}" is no address like {example}</source>
+        <translation>"{text}" ist keine Adresse wie {example}</translation>
+    </message>
+    <message>
+        <source>a name cannot be empty</source>
+        <translation>ein Name darf nicht leer sein</translation>
+    </message>
+    <message>
+        <source>a name is printable UTF-8 text</source>
+        <translation>ein Name ist druckbarer UTF-8-Text</translation>
+    </message>
+    <message>
+        <source>the factor 0 gives no cycle; switch the operation mode off instead</source>
+        <translation>der Faktor 0 ergibt keinen Zyklus; statt dessen die Betriebsart abschalten</translation>
+    </message>
+    <message>
+        <source>the setting needs a value</source>
+        <translation>die Einstellung braucht einen Wert</translation>
+    </message>
+    <message>
+        <source>"{text}" is not to be had here</source>
+        <translation>"{text}" gibt es hier nicht</translation>
+    </message>
+    <message>
+        <source>it is a number</source>
+        <translation>es ist eine Zahl</translation>
+    </message>
+    <message>
+        <source>it is a text</source>
+        <translation>es ist ein Text</translation>
+    </message>
+    <message>
+        <source>"{name}" is the name of number {number} already</source>
+        <translation>"{name}" ist schon der Name von Nummer {number}</translation>
+    </message>
+    <message>
+        <source>the device has no PDO 0x{index} in this direction; it has {indices}</source>
+        <translation>das Gerät hat in dieser Richtung kein PDO 0x{index}; es hat {indices}</translation>
+    </message>
+    <message>
+        <source>0x{index} stands there twice</source>
+        <translation>0x{index} steht dort zweimal</translation>
+    </message>
+    <message>
+        <source>0x{index} and 0x{other} exclude each other</source>
+        <translation>0x{index} und 0x{other} schließen einander aus</translation>
+    </message>
+    <message>
+        <source>the device has no such PDO</source>
+        <translation>das Gerät hat kein solches PDO</translation>
+    </message>
+    <message>
+        <source>the ESI says that the mapping of this PDO is fixed</source>
+        <translation>nach der ESI ist das Mapping dieses PDOs fest</translation>
+    </message>
+    <message>
+        <source>the device does not take another mapping (CoE PdoConfig in its ESI)</source>
+        <translation>das Gerät nimmt kein anderes Mapping an (CoE PdoConfig in seiner ESI)</translation>
+    </message>
+    <message>
+        <source>the device has no CoE mailbox</source>
+        <translation>das Gerät hat keine CoE-Mailbox</translation>
+    </message>
+    <message>
+        <source>the device has no SoE mailbox</source>
+        <translation>das Gerät hat keine SoE-Mailbox</translation>
+    </message>
+    <message>
+        <source>"{text}" is no state transition like PS or SO</source>
+        <translation>"{text}" ist kein Zustandsübergang wie PS oder SO</translation>
+    </message>
+    <message>
+        <source>"{text}" are no whole hexadecimal bytes</source>
+        <translation>"{text}" sind keine ganzen hexadezimalen Bytes</translation>
+    </message>
+    <message>
+        <source>"{text}" is no object</source>
+        <translation>"{text}" ist kein Objekt</translation>
+    </message>
+    <message>
+        <source>the comment is no UTF-8 text</source>
+        <translation>der Kommentar ist kein UTF-8-Text</translation>
+    </message>
+    <message>
+        <source>"{text}" is neither none nor a module ident</source>
+        <translation>"{text}" ist weder none noch eine Modulkennung</translation>
+    </message>
+    <message>
+        <source>there is no slave at position {position}, the last one is at {last}</source>
+        <translation>an Position {position} ist kein Slave, der letzte ist an {last}</translation>
+    </message>
+    <message>
+        <source>the slave is gone</source>
+        <translation>der Slave ist fort</translation>
+    </message>
+    <message>
+        <source>no file can be made there</source>
+        <translation>dort lässt sich keine Datei anlegen</translation>
+    </message>
+    <message>
+        <source>no slaves</source>
+        <translation>keine Slaves</translation>
+    </message>
+    <message>
+        <source>no unsaved work of Syncline</source>
+        <translation>keine ungesicherte Arbeit von Syncline</translation>
+    </message>
+    <message>
+        <source>a recording is shown: close it first (File, Close Recording)</source>
+        <translation>eine Aufzeichnung wird gezeigt: sie zuerst schließen (Datei, Aufzeichnung schließen)</translation>
+    </message>
+    <message>
+        <source>no machine has run yet: go online first</source>
+        <translation>es lief noch keine Maschine: zuerst online gehen</translation>
+    </message>
+    <message>
+        <source>no cycle has run yet: go online first</source>
+        <translation>es lief noch kein Zyklus: zuerst online gehen</translation>
+    </message>
+    <message>
+        <source>another stretch is being written; try again in a moment</source>
+        <translation>ein anderer Abschnitt wird gerade geschrieben; gleich noch einmal versuchen</translation>
+    </message>
+    <message>
+        <source>it holds no cycles: it was cut short before its first second</source>
+        <translation>sie enthält keine Zyklen: sie brach vor ihrer ersten Sekunde ab</translation>
+    </message>
+    <message>
+        <source>{value} is outside {range}</source>
+        <translation>{value} liegt außerhalb von {range}</translation>
+    </message>
+    <message>
+        <source>the value is of another kind</source>
+        <translation>der Wert ist von anderer Art</translation>
+    </message>
+    <message>
+        <source>its SYNC0 will never come: the start time {start} (0x0990) had passed by {late} ns at {time}</source>
+        <translation>sein SYNC0 kommt nie: die Startzeit {start} (0x0990) war bei {time} seit {late} ns vorbei</translation>
+    </message>
+    <message>
+        <source>packet {number} acknowledged where {expected} was sent</source>
+        <translation>Paket {number} bestätigt, wo {expected} gesendet war</translation>
+    </message>
+    <message>
+        <source>link-layer-ref-clock: this link cannot put its send time into frames</source>
+        <translation>link-layer-ref-clock: diese Verbindung kann ihre Sendezeit nicht in Frames schreiben</translation>
+    </message>
+    <message>
+        <source>it is not in sync after {time} s: {reason}</source>
+        <translation>er ist nach {time} s nicht synchron: {reason}</translation>
+    </message>
+    <message>
+        <source>messages without end, but no answer</source>
+        <translation>Nachrichten ohne Ende, aber keine Antwort</translation>
+    </message>
+    <message>
+        <source>{cycle} ns is outside 31.25 us to 100 ms</source>
+        <translation>{cycle} ns liegt außerhalb von 31.25 us bis 100 ms</translation>
+    </message>
+    <message>
+        <source>an EEPROM is written in words of two bytes</source>
+        <translation>ein EEPROM wird in Wörtern von zwei Bytes geschrieben</translation>
+    </message>
+    <message>
+        <source>the device has {count} places for modules, counted from 0</source>
+        <translation>das Gerät hat {count} Plätze für Module, von 0 an gezählt</translation>
+    </message>
+    <message>
+        <source>module 0x{module} does not fit into place {place}; these do: {modules}</source>
+        <translation>Modul 0x{module} passt nicht auf Platz {place}; diese passen: {modules}</translation>
+    </message>
+    <message>
+        <source>SDO command 0x{command} is not a response</source>
+        <translation>SDO-Kommando 0x{command} ist keine Antwort</translation>
+    </message>
+    <message>
+        <source>it is not an SDO response</source>
+        <translation>es ist keine SDO-Antwort</translation>
+    </message>
+    <message>
+        <source>only {bytes} bytes</source>
+        <translation>nur {bytes} Bytes</translation>
+    </message>
+    <message>
+        <source>"{text}" is no object; write 0x1018:01</source>
+        <translation>"{text}" ist kein Objekt; 0x1018:01 schreiben</translation>
+    </message>
+    <message>
+        <source>it needs about {need} MiB, and the disk has {left} MiB left</source>
+        <translation>sie braucht etwa {need} MiB, und auf dem Datenträger sind {left} MiB frei</translation>
+    </message>
+    <message>
+        <source>only {left} MiB are left on the disk; the recording is whole up to here</source>
+        <translation>nur noch {left} MiB sind auf dem Datenträger frei; die Aufzeichnung ist bis hierher ganz</translation>
+    </message>
+    <message>
+        <source>there is no slave at position {position}; the project has {count}</source>
+        <translation>an Position {position} ist kein Slave; das Projekt hat {count}</translation>
+    </message>
+    <message>
+        <source>"{text}" is no NAME xMULTIPLE like Slow x4, with 1..{most} bus cycles</source>
+        <translation>"{text}" ist kein NAME xVIELFACHES wie Slow x4, mit 1..{most} Buszyklen</translation>
+    </message>
+    <message>
+        <source>there is no Sync Unit "{name}"; the project has {names}</source>
+        <translation>es gibt keine Sync Unit "{name}"; das Projekt hat {names}</translation>
+    </message>
+    <message>
+        <source>"{text}" is neither auto nor a factor from {least} to {most}</source>
+        <translation>"{text}" ist weder auto noch ein Faktor von {least} bis {most}</translation>
+    </message>
+    <message>
+        <source>"{text}" is no entry INDEX:SUB:BITS like 0x6040:00:16</source>
+        <translation>"{text}" ist kein Eintrag INDEX:SUB:BITS wie 0x6040:00:16</translation>
+    </message>
+    <message>
+        <source>"{text}" is no address like 01:23:45:67:89:ab</source>
+        <translation>"{text}" ist keine Adresse wie 01:23:45:67:89:ab</translation>
+    </message>
+    <message>
+        <source>it is the name of an operation mode</source>
+        <translation>es ist der Name einer Betriebsart</translation>
+    </message>
+    <message>
+        <source>"{text}" is neither none nor POSITION:PORT, like 0:B</source>
+        <translation>"{text}" ist weder none noch POSITION:PORT wie 0:B</translation>
+    </message>
+    <message>
+        <source>"{text}" is no DRIVE:IDN=DATA like 0:S-0-0047=00000000</source>
+        <translation>"{text}" ist kein DRIVE:IDN=DATA wie 0:S-0-0047=00000000</translation>
+    </message>
+    <message>
+        <source>"{text}" is no IDN of a drive 0..7</source>
+        <translation>"{text}" ist keine IDN eines Antriebs 0..7</translation>
+    </message>
+    <message>
+        <source>"{text}" is none of fixed, off, timeout=MS</source>
+        <translation>"{text}" ist keins von fixed, off, timeout=MS</translation>
+    </message>
+    <message>
+        <source>"{text}" is no INDEX:SUB=DATA like 0x6060:00=08</source>
+        <translation>"{text}" ist kein INDEX:SUB=DATA wie 0x6060:00=08</translation>
+    </message>
+    <message>
+        <source>"{text}" is none of complete, fixed, off, adapt, timeout=MS</source>
+        <translation>"{text}" ist keins von complete, fixed, off, adapt, timeout=MS</translation>
+    </message>
+    <message>
+        <source>the device has no output pins that are known</source>
+        <translation>von dem Gerät sind keine Ausgangspins bekannt</translation>
+    </message>
+    <message>
+        <source>the device is no CAN gateway that is known</source>
+        <translation>das Gerät ist kein bekanntes CAN-Gateway</translation>
+    </message>
+    <message>
+        <source>{time} ns do not fit into 32 bits</source>
+        <translation>{time} ns passen nicht in 32 Bits</translation>
+    </message>
+    <message>
+        <source>{percent} is more than 100 %</source>
+        <translation>{percent} ist mehr als 100 %</translation>
+    </message>
+    <message>
+        <source>the device has no CoE mailbox through which objects could be written</source>
+        <translation>das Gerät hat keine CoE-Mailbox, durch die Objekte geschrieben werden könnten</translation>
+    </message>
+    <message>
+        <source>it names none of the log's columns</source>
+        <translation>es nennt keine der Spalten des Logs</translation>
+    </message>
+    <message>
+        <source>the file holds {count} networks; choose one by number or name: {names}</source>
+        <translation>die Datei enthält {count} Netze; eines nach Nummer oder Name wählen: {names}</translation>
+    </message>
+    <message>
+        <source>"{text}" is no rule</source>
+        <translation>"{text}" ist keine Regel</translation>
+    </message>
+    <message>
+        <source>"{text}" is no mode</source>
+        <translation>"{text}" ist keine Betriebsart</translation>
+    </message>
+    <message>
+        <source>"{text}" is no synchronisation type</source>
+        <translation>"{text}" ist keine Synchronisationsart</translation>
+    </message>
+    <message>
+        <source>"{text}" is no Ethernet address</source>
+        <translation>"{text}" ist keine Ethernet-Adresse</translation>
+    </message>
+    <message>
+        <source>it holds neither what was there nor what was to be written: another slave, or written since; write the image that it is to have with "sii write"</source>
+        <translation>es enthält weder, was da war, noch, was geschrieben werden sollte: ein anderer Slave, oder seither beschrieben; das gewünschte Abbild mit "sii write" schreiben</translation>
+    </message>
+    <message>
+        <source>working counter {received} instead of {expected} in OP</source>
+        <translation>Working Counter {received} statt {expected} in OP</translation>
+    </message>
+    <message>
+        <source>OP was not reached</source>
+        <translation>OP wurde nicht erreicht</translation>
+    </message>
+    <message>
+        <source>the other revision does not take it</source>
+        <translation>die andere Revision nimmt es nicht</translation>
     </message>
 </context>
 </TS>

@@ -9,7 +9,7 @@
         <translation>“{name}”也是从站 {slave} 的名称</translation>
     </message>
     <message>
-        <source>"{variable}" is a {type} of {bits} bits, which has {has}</source>
+        <source>"{variable}" is a {type} of {bits:# bit|# bits}, which has {has}</source>
         <translation>“{variable}”的类型 {type} 为 {bits} 位，而变量为 {has}</translation>
     </message>
     <message>
@@ -65,20 +65,12 @@
         <translation>遗漏 1 个周期，主机最长 {standstill} 未发送任何内容</translation>
     </message>
     <message>
-        <source>1 event was lost</source>
-        <translation>丢失 1 个事件</translation>
-    </message>
-    <message>
         <source>1 frame back late, {late} after the deadline</source>
         <translation>1 个帧返回过迟，超过截止时间 {late}</translation>
     </message>
     <message>
         <source>1 frame back late, {late} after the deadline (told as lost before)</source>
         <translation>1 个帧返回过迟，超过截止时间 {late}（此前报告为丢失）</translation>
-    </message>
-    <message>
-        <source>1 frame lost</source>
-        <translation>丢失 1 个帧</translation>
     </message>
     <message>
         <source>6 bytes of two hexadecimal digits each</source>
@@ -89,7 +81,7 @@
         <translation>&lt;{parent}&gt; 中的 &lt;{element}&gt;</translation>
     </message>
     <message>
-        <source>&lt;{element}&gt; in &lt;{parent}&gt;, {count} times</source>
+        <source>&lt;{element}&gt; in &lt;{parent}&gt;, {count:# time|# times}</source>
         <translation>&lt;{parent}&gt; 中的 &lt;{element}&gt;，共 {count} 次</translation>
     </message>
     <message>
@@ -101,7 +93,7 @@
         <translation>&lt;{element}&gt; 排在 &lt;{parent}&gt; 中本应位于其后的元素之后</translation>
     </message>
     <message>
-        <source>&lt;{element}&gt; stands {count} times in &lt;{parent}&gt;, allowed are {most}</source>
+        <source>&lt;{element}&gt; stands {count:# time|# times} in &lt;{parent}&gt;, allowed are {most}</source>
         <translation>&lt;{element}&gt; 在 &lt;{parent}&gt; 中出现 {count} 次，最多允许 {most} 次</translation>
     </message>
     <message>
@@ -1197,11 +1189,11 @@
         <translation>{command} 的 Cnt 为 {count}，按一个从站计算应为 {computed}</translation>
     </message>
     <message>
-        <source>Cnt of {command} is {count}, the FMMUs make it {computed} ({readers} slaves read, {writers} written)</source>
+        <source>Cnt of {command} is {count}, the FMMUs make it {computed} ({readers:# slave|# slaves} read, {writers:# slave|# slaves} written)</source>
         <translation>{command} 的 Cnt 为 {count}，按 FMMU 计算应为 {computed}（读取 {readers} 个从站，写入 {writers} 个）</translation>
     </message>
     <message>
-        <source>Cnt of {command} is {count}, the file has {slaves} slaves</source>
+        <source>Cnt of {command} is {count}, the file has {slaves:# slave|# slaves}</source>
         <translation>{command} 的 Cnt 为 {count}，文件中有 {slaves} 个从站</translation>
     </message>
     <message>
@@ -1517,7 +1509,7 @@
         <translation>FMMU {fmmu}：它提供的位也由{other} 的 FMMU {number} 提供</translation>
     </message>
     <message>
-        <source>FMMU {fmmu}: it maps {bytes} bytes at {logical} and is not active</source>
+        <source>FMMU {fmmu}: it maps {bytes:# byte|# bytes} at {logical} and is not active</source>
         <translation>FMMU {fmmu}：它在 {logical} 映射 {bytes} 字节，但未激活</translation>
     </message>
     <message>
@@ -1549,7 +1541,7 @@
         <translation>FMMU {fmmu}：在 OP 中没有循环命令写入 {first} 到 {last}</translation>
     </message>
     <message>
-        <source>FMMU {fmmu}: {bytes} bytes from bit {first_bit} to bit {last_bit} at {logical}, {activity}</source>
+        <source>FMMU {fmmu}: {bytes:# byte|# bytes} from bit {first_bit} to bit {last_bit} at {logical}, {activity}</source>
         <translation>FMMU {fmmu}：位于 {logical} 的 {bytes} 字节，从第 {first_bit} 位到第 {last_bit} 位，{activity}</translation>
     </message>
     <message>
@@ -1805,7 +1797,7 @@
         <translation>初始化命令</translation>
     </message>
     <message>
-        <source>InputOffs and OutputOffs count datagram headers, the data stand {bytes} bytes behind</source>
+        <source>InputOffs and OutputOffs count datagram headers, the data stand {bytes:# byte|# bytes} behind</source>
         <translation>InputOffs 和 OutputOffs 计入了数据报头，数据位于其后 {bytes} 字节处</translation>
     </message>
     <message>
@@ -2029,8 +2021,8 @@
         <translation>检查它后面的设备。</translation>
     </message>
     <message>
-        <source>Look below the operating system: the host of a virtual machine, firmware (system management interrupts), power states, drivers that hold interrupts off. Run the master on a machine of its own.</source>
-        <translation>查找操作系统以下的原因：虚拟机的宿主机、固件（系统管理中断）、电源状态、屏蔽中断的驱动程序。请在独立的机器上运行主站。</translation>
+        <source>See that nobody stops the program: a debugger, SIGSTOP. Else look below the operating system: the host of a virtual machine, firmware (system management interrupts), power states, drivers that hold interrupts off. Run the master on a machine of its own.</source>
+        <translation>请确认没有人暂停本程序：调试器、SIGSTOP。否则查找操作系统以下的原因：虚拟机的宿主机、固件（系统管理中断）、电源状态、屏蔽中断的驱动程序。请在独立的机器上运行主站。</translation>
     </message>
     <message>
         <source>Look for a busy host or a clock that stepped; if neither is there, choose the other shift mode.</source>
@@ -2045,8 +2037,8 @@
         <translation>查找阻塞它的原因：优先级更高的进程、电源管理、虚拟机的宿主机。</translation>
     </message>
     <message>
-        <source>Look only to change nothing (--look-only).</source>
-        <translation>只查看，不做任何更改 (--look-only)。</translation>
+        <source>To change nothing on it, only look.</source>
+        <translation>若不想更改任何内容，请只查看。</translation>
     </message>
     <message>
         <source>MBoxOut, MBoxIn, Outputs or Inputs</source>
@@ -2473,7 +2465,7 @@
         <translation>PDO {pdo} 声明为 {said}，同步管理器的列表为 {assigned}</translation>
     </message>
     <message>
-        <source>PDO {pdo} takes {least} to {most} samples a cycle, not {factor}.</source>
+        <source>PDO {pdo} takes {least} to {most:# sample|# samples} a cycle, not {factor}.</source>
         <translation>PDO {pdo} 每周期可采样 {least} 到 {most} 次，不能为 {factor} 次。</translation>
     </message>
     <message>
@@ -2685,7 +2677,7 @@
         <translation>SM{manager} 承载了 PDO {pdo}，而从站未描述该 PDO</translation>
     </message>
     <message>
-        <source>SM{manager} carries {bytes} bytes of process data that no FMMU maps</source>
+        <source>SM{manager} carries {bytes:# byte|# bytes} of process data that no FMMU maps</source>
         <translation>SM{manager} 承载了 {bytes} 字节没有 FMMU 映射的过程数据</translation>
     </message>
     <message>
@@ -2693,7 +2685,7 @@
         <translation>SM{manager} 带有 PDO，但 IP、PS 或 SO 上没有初始化命令启用它</translation>
     </message>
     <message>
-        <source>SM{manager} is on with {bytes} bytes at {start}</source>
+        <source>SM{manager} is on with {bytes:# byte|# bytes} at {start}</source>
         <translation>SM{manager} 已打开，位于 {start}，共 {bytes} 字节</translation>
     </message>
     <message>
@@ -2701,11 +2693,11 @@
         <translation>SM{manager} 被设为从 {start} 开始，其元素为 {said}</translation>
     </message>
     <message>
-        <source>SM{manager} is set to {bytes} bytes at {start}, {element} says {said_bytes} bytes at {said_start}</source>
+        <source>SM{manager} is set to {bytes:# byte|# bytes} at {start}, {element} says {said_bytes:# byte|# bytes} at {said_start}</source>
         <translation>SM{manager} 被设为 {start} 处 {bytes} 字节，而 {element} 为 {said_start} 处 {said_bytes} 字节</translation>
     </message>
     <message>
-        <source>SM{manager} is set to {bytes} bytes, its PDOs have {expected}</source>
+        <source>SM{manager} is set to {bytes:# byte|# bytes}, its PDOs have {expected}</source>
         <translation>SM{manager} 被设为 {bytes} 字节，其 PDO 为 {expected} 字节</translation>
     </message>
     <message>
@@ -2893,7 +2885,7 @@
         <translation>查看当时还发生了什么：时钟跳变、漏掉的周期、丢失的参考时钟。</translation>
     </message>
     <message>
-        <source>Send ({send}, {send_bytes} bytes) and Recv ({receive}, {receive_bytes} bytes) share memory</source>
+        <source>Send ({send}, {send_bytes:# byte|# bytes}) and Recv ({receive}, {receive_bytes:# byte|# bytes}) share memory</source>
         <translation>Send（{send}，{send_bytes} 字节）与 Recv（{receive}，{receive_bytes} 字节）共用存储区</translation>
     </message>
     <message>
@@ -3109,7 +3101,7 @@
         <translation>同步单元“{unit}”应在任务“{task}”中运行，但该任务不存在；它保留在基本任务中。</translation>
     </message>
     <message>
-        <source>Sync window monitoring compares slaves with the reference clock; {slaves} slave(s) with DC leave nothing to compare.</source>
+        <source>Sync window monitoring compares slaves with the reference clock; {slaves:# slave with DC leaves|# slaves with DC leave} nothing to compare.</source>
         <translation>同步窗口监视将从站与参考时钟比较；只有 {slaves} 个带 DC 的从站，没有可比较的对象。</translation>
     </message>
     <message>
@@ -3117,7 +3109,7 @@
         <translation>同步管理器看门狗</translation>
     </message>
     <message>
-        <source>SyncManager {manager} needs at least {least} bytes, the PDOs have {bytes}.</source>
+        <source>SyncManager {manager} needs at least {least:# byte|# bytes}, the PDOs have {bytes}.</source>
         <translation>同步管理器 {manager} 至少需要 {least} 字节，PDO 为 {bytes} 字节。</translation>
     </message>
     <message>
@@ -3293,7 +3285,7 @@
         <translation>总线上的从站数量不同</translation>
     </message>
     <message>
-        <source>The bus has {received} slaves where {expected} were expected.</source>
+        <source>The bus has {received:# slave|# slaves} where {expected} {expected:was|were} expected.</source>
         <translation>总线上有 {received} 个从站，预期为 {expected} 个。</translation>
     </message>
     <message>
@@ -3361,7 +3353,7 @@
         <translation>任务 {task} 的周期 {cycle} 不是 {first} 的整数倍：其从站已放入基本任务。</translation>
     </message>
     <message>
-        <source>The cycle of {cycle} is too short: until its frames are back it takes {needed}, {wire} on the wire and {travel} on their way through {slaves} slaves. {late} frames came back too late.</source>
+        <source>The cycle of {cycle} is too short: until its frames are back it takes {needed}, {wire} on the wire and {travel} on their way through {slaves:# slave|# slaves}. {late:# frame|# frames} came back too late.</source>
         <translation>周期 {cycle} 过短：帧返回需要 {needed}，其中线上 {wire}，经过 {slaves} 个从站 {travel}。有 {late} 帧返回过晚。</translation>
     </message>
     <message>
@@ -3377,7 +3369,7 @@
         <translation>各周期不按配置的周期时间到来。</translation>
     </message>
     <message>
-        <source>The cyclic frames need about {needed} of a cycle of {cycle}: {wire} on the wire and {travel} on their way through {slaves} slaves.</source>
+        <source>The cyclic frames need about {needed} of a cycle of {cycle}: {wire} on the wire and {travel} on their way through {slaves:# slave|# slaves}.</source>
         <translation>循环帧约需 {needed}，周期为 {cycle}：线上 {wire}，经过 {slaves} 个从站 {travel}。</translation>
     </message>
     <message>
@@ -3549,16 +3541,16 @@
         <translation>主机曾停顿</translation>
     </message>
     <message>
-        <source>The host stood still {times}, for up to {longest}, first at {since}: {count} cycles were left out.</source>
+        <source>The host stood still {times}, for up to {longest}, first at {since}: {count:# cycle was|# cycles were} left out.</source>
         <translation>主机停顿了 {times}，最长 {longest}，首次在 {since}：漏掉了 {count} 个周期。</translation>
     </message>
     <message>
-        <source>The host stood still {times}, for up to {longest}, first at {since}: {count} cycles were left out. Of {held} that the master came too late, it was ready for {waited}, and other threads had its processor.</source>
+        <source>The host stood still {times}, for up to {longest}, first at {since}: {count:# cycle was|# cycles were} left out. Of {held} that the master came too late, it was ready for {waited}, and other threads had its processor.</source>
         <translation>主机停顿了 {times}，最长 {longest}，首次在 {since}：漏掉了 {count} 个周期。主站共晚了 {held}，其中 {waited} 它已就绪，而处理器被其他线程占用。</translation>
     </message>
     <message>
-        <source>The host stood still {times}, for up to {longest}, first at {since}: {count} cycles were left out. The master came {held} too late, of which other threads had its processor for {waited} only: its timer came late.</source>
-        <translation>主机停顿了 {times}，最长 {longest}，首次在 {since}：漏掉了 {count} 个周期。主站共晚了 {held}，其中只有 {waited} 处理器被其他线程占用：是其定时器触发过晚。</translation>
+        <source>The host stood still {times}, for up to {longest}, first at {since}: {count:# cycle was|# cycles were} left out. The master came {held} too late, and other threads had its processor for {waited} of that only: it was stopped, or its timer came late.</source>
+        <translation>主机停顿了 {times}，最长 {longest}，首次在 {since}：漏掉了 {count} 个周期。主站共晚了 {held}，其中只有 {waited} 处理器被其他线程占用：它被暂停，或其定时器触发过晚。</translation>
     </message>
     <message>
         <source>The host's clock and the reference clock drift by {drift}; no controller balances more than 600 ppm.</source>
@@ -3569,8 +3561,8 @@
         <translation>主机的周期已停止。</translation>
     </message>
     <message>
-        <source>The host's timer came late</source>
-        <translation>主机定时器触发过晚</translation>
+        <source>Nothing woke the master in time</source>
+        <translation>主站未被及时唤醒</translation>
     </message>
     <message>
         <source>The host's timer cannot be adjusted as far as the controller demands.</source>
@@ -3785,7 +3777,7 @@
         <translation>过程数据所需的 FMMU 多于设备所有</translation>
     </message>
     <message>
-        <source>The process data need {fmmus} FMMUs, the device has {available}.</source>
+        <source>The process data need {fmmus:# FMMU|# FMMUs}, the device has {available}.</source>
         <translation>过程数据需要 {fmmus} 个 FMMU，设备只有 {available} 个。</translation>
     </message>
     <message>
@@ -4413,7 +4405,7 @@
         <translation>请求邮箱</translation>
     </message>
     <message>
-        <source>a running machine is touched: {running} slaves are beyond INIT. States and station addresses stay; {eeproms} EEPROMs are taken from their PDIs while they are read, and the DC receive times are latched</source>
+        <source>a running machine is touched: {running:# slave is|# slaves are} beyond INIT. States and station addresses stay; {eeproms:# EEPROM is taken from its PDI while it is|# EEPROMs are taken from their PDIs while they are} read, and the DC receive times are latched</source>
         <translation>正在访问运行中的机器：{running} 个从站已超出 INIT。状态和站地址保持不变；读取期间 {eeproms} 个 EEPROM 将从其 PDI 收回，并锁存 DC 接收时间</translation>
     </message>
     <message>
@@ -4485,7 +4477,7 @@
         <translation>&lt;{parent}&gt; 的属性 {element}</translation>
     </message>
     <message>
-        <source>attribute {element} of &lt;{parent}&gt;, {count} times</source>
+        <source>attribute {element} of &lt;{parent}&gt;, {count:# time|# times}</source>
         <translation>&lt;{parent}&gt; 的属性 {element}，共 {count} 次</translation>
     </message>
     <message>
@@ -4641,15 +4633,11 @@
         <translation>分布时钟</translation>
     </message>
     <message>
-        <source>distributed clocks initialised: 1 slave, reference clock is {clock}</source>
-        <translation>分布时钟已初始化：1 个从站，参考时钟为 {clock}</translation>
-    </message>
-    <message>
-        <source>distributed clocks initialised: {slaves} slaves, no reference clock</source>
+        <source>distributed clocks initialised: {slaves:# slave|# slaves}, no reference clock</source>
         <translation>分布时钟已初始化：{slaves} 个从站，没有参考时钟</translation>
     </message>
     <message>
-        <source>distributed clocks initialised: {slaves} slaves, reference clock is {clock}</source>
+        <source>distributed clocks initialised: {slaves:# slave|# slaves}, reference clock is {clock}</source>
         <translation>分布时钟已初始化：{slaves} 个从站，参考时钟为 {clock}</translation>
     </message>
     <message>
@@ -4737,11 +4725,11 @@
         <translation>组“{group}”没有对读取值进行比较的 IdentifyCmd</translation>
     </message>
     <message>
-        <source>group "{group}" has {members} members, but only {left} slaves are left from here</source>
+        <source>group "{group}" has {members:# member|# members}, but only {left:# slave is|# slaves are} left from here</source>
         <translation>组“{group}”有 {members} 个成员，但从此处起只剩 {left} 个从站</translation>
     </message>
     <message>
-        <source>group "{group}" has {members} members, but {slave} begins a group of its own</source>
+        <source>group "{group}" has {members:# member|# members}, but {slave} begins a group of its own</source>
         <translation>组“{group}”有 {members} 个成员，但{slave} 开始了它自己的组</translation>
     </message>
     <message>
@@ -4805,7 +4793,7 @@
         <translation>{command} 的输入在映像中的位置</translation>
     </message>
     <message>
-        <source>inputs of {slaves} slaves begin elsewhere in the image</source>
+        <source>inputs of {slaves:# slave|# slaves} begin elsewhere in the image</source>
         <translation>{slaves} 个从站的输入在映像中的起始位置不同</translation>
     </message>
     <message>
@@ -4893,7 +4881,7 @@
         <translation>它没有 InitCmds</translation>
     </message>
     <message>
-        <source>it has {bytes} bytes, {most} fit</source>
+        <source>it has {bytes:# byte|# bytes}, {most} fit</source>
         <translation>它有 {bytes} 字节，最多可容纳 {most} 字节</translation>
     </message>
     <message>
@@ -4913,7 +4901,7 @@
         <translation>其周期 {cycle} 不是第一个任务周期 {first} 的整数倍</translation>
     </message>
     <message>
-        <source>its datagrams take {bytes} bytes, {most} fit</source>
+        <source>its datagrams take {bytes:# byte|# bytes}, {most} fit</source>
         <translation>其数据报占用 {bytes} 字节，最多可容纳 {most} 字节</translation>
     </message>
     <message>
@@ -5001,7 +4989,7 @@
         <translation>邮箱状态位</translation>
     </message>
     <message>
-        <source>mailbox states of {slaves} slaves have other bits</source>
+        <source>mailbox states of {slaves:# slave|# slaves} have other bits</source>
         <translation>{slaves} 个从站的邮箱状态使用其他位</translation>
     </message>
     <message>
@@ -5253,7 +5241,7 @@
         <translation>{command} 的输出在映像中的位置</translation>
     </message>
     <message>
-        <source>outputs of {slaves} slaves begin elsewhere in the image</source>
+        <source>outputs of {slaves:# slave|# slaves} begin elsewhere in the image</source>
         <translation>{slaves} 个从站的输出在映像中的起始位置不同</translation>
     </message>
     <message>
@@ -5293,7 +5281,7 @@
         <translation>已重新测量传输延迟：无需校正</translation>
     </message>
     <message>
-        <source>propagation delays measured again: {slaves} slaves to correct, by {largest} at most</source>
+        <source>propagation delays measured again: {slaves:# slave|# slaves} to correct, by {largest} at most</source>
         <translation>已重新测量传输延迟：需校正 {slaves} 个从站，最大校正量 {largest}</translation>
     </message>
     <message>
@@ -5393,11 +5381,11 @@
         <translation>从站未同步，{subject} 的偏差为 {deviation}</translation>
     </message>
     <message>
-        <source>slaves OUT OF SYNC, deviation {deviation} at {subject} ({slaves} slaves are over the limit)</source>
+        <source>slaves OUT OF SYNC, deviation {deviation} at {subject} ({slaves:# slave is|# slaves are} over the limit)</source>
         <translation>从站未同步，{subject} 的偏差为 {deviation}（{slaves} 个从站超出限值）</translation>
     </message>
     <message>
-        <source>slaves OUT OF SYNC, deviation {deviation}: all {slaves} at once and to the same side, the reference clock has stepped</source>
+        <source>slaves OUT OF SYNC, deviation {deviation}: {slaves:the one that follows, at once|all # at once} and to the same side, the reference clock has stepped</source>
         <translation>从站未同步，偏差 {deviation}：全部 {slaves} 个同时朝同一方向偏离，参考时钟发生了跳变</translation>
     </message>
     <message>
@@ -5557,7 +5545,7 @@
         <translation>CoE 启动命令</translation>
     </message>
     <message>
-        <source>the PDOs of SM{manager} have {bytes} bytes, it takes {least} to {most}</source>
+        <source>the PDOs of SM{manager} have {bytes:# byte|# bytes}, it takes {least} to {most}</source>
         <translation>SM{manager} 的 PDO 为 {bytes} 字节，而它可容纳 {least} 到 {most} 字节</translation>
     </message>
     <message>
@@ -5849,7 +5837,7 @@
         <translation>工作计数器为 {received}，应为 {expected}</translation>
     </message>
     <message>
-        <source>working counter {received} instead of {expected} ({count} times)</source>
+        <source>working counter {received} instead of {expected} ({count:# time|# times})</source>
         <translation>工作计数器为 {received}，应为 {expected}（{count} 次）</translation>
     </message>
     <message>
@@ -5869,15 +5857,15 @@
         <translation>{activation} 启用了 SYNC1 但没有启用 SYNC0</translation>
     </message>
     <message>
-        <source>{bits} bits are copied from input bit {from} to output bit {to}, the image has {inputs} and {outputs}</source>
+        <source>{bits:# bit is|# bits are} copied from input bit {from} to output bit {to}, the image has {inputs} and {outputs}</source>
         <translation>{bits} 位从输入位 {from} 复制到输出位 {to}，过程映像只有 {inputs} 位和 {outputs} 位</translation>
     </message>
     <message>
-        <source>{bytes} bytes exceed the {most} that SyncManager {manager} takes.</source>
+        <source>{bytes:# byte exceeds|# bytes exceed} the {most} that SyncManager {manager} takes.</source>
         <translation>{bytes} 字节超出同步管理器 {manager} 可容纳的 {most} 字节。</translation>
     </message>
     <message>
-        <source>{bytes} bytes of process data do not fit into one Ethernet frame.</source>
+        <source>{bytes:# byte of process data does|# bytes of process data do} not fit into one Ethernet frame.</source>
         <translation>{bytes} 字节的过程数据放不进一个以太网帧。</translation>
     </message>
     <message>
@@ -5917,11 +5905,11 @@
         <translation>{command} 没有任何字节</translation>
     </message>
     <message>
-        <source>{command} has {bytes} bytes instead of 4</source>
+        <source>{command} has {bytes:# byte|# bytes} instead of 4</source>
         <translation>{command} 有 {bytes} 字节，应为 4 字节</translation>
     </message>
     <message>
-        <source>{command} has {bytes} bytes instead of 4 or 8</source>
+        <source>{command} has {bytes:# byte|# bytes} instead of 4 or 8</source>
         <translation>{command} 有 {bytes} 字节，应为 4 或 8 字节</translation>
     </message>
     <message>
@@ -5949,95 +5937,95 @@
         <translation>{command} 取用{slave} 的时间，而参考时钟是{reference}</translation>
     </message>
     <message>
-        <source>{copies} slave-to-slave copies cannot be kept: a project has no place for them.</source>
+        <source>{copies:# slave-to-slave copy|# slave-to-slave copies} cannot be kept: a project has no place for that.</source>
         <translation>{copies} 个从站间的数据复制无法保留：项目中无处存放。</translation>
     </message>
     <message>
-        <source>{count} FMMUs lie elsewhere</source>
+        <source>{count:# FMMU lies|# FMMUs lie} elsewhere</source>
         <translation>{count} 个 FMMU 的位置不同</translation>
     </message>
     <message>
-        <source>{count} commands' inputs lie elsewhere</source>
+        <source>{count:# command's inputs|# commands' inputs} lie elsewhere</source>
         <translation>{count} 个命令的输入位置不同</translation>
     </message>
     <message>
-        <source>{count} commands' outputs lie elsewhere</source>
+        <source>{count:# command's outputs|# commands' outputs} lie elsewhere</source>
         <translation>{count} 个命令的输出位置不同</translation>
     </message>
     <message>
-        <source>{count} cycles had a wrong working counter ({received} instead of {expected} last), from {since} on.</source>
+        <source>{count:# cycle|# cycles} had a wrong working counter ({received} instead of {expected} last), from {since} on.</source>
         <translation>从 {since} 起，{count} 个周期的工作计数器错误（最近一次为 {received}，应为 {expected}）。</translation>
     </message>
     <message>
-        <source>{count} cycles had a wrong working counter, from {since} on: that is what the others see of {slave}.</source>
+        <source>{count:# cycle|# cycles} had a wrong working counter, from {since} on: that is what the others see of {slave}.</source>
         <translation>从 {since} 起，{count} 个周期的工作计数器错误：这是其他从站所反映出的{slave} 的问题。</translation>
     </message>
     <message>
-        <source>{count} cycles left out, the host sent nothing for up to {standstill}</source>
+        <source>{count:# cycle|# cycles} left out, the host sent nothing for up to {standstill}</source>
         <translation>漏掉 {count} 个周期，主机最长 {standstill} 未发送任何数据</translation>
     </message>
     <message>
-        <source>{count} events were lost</source>
+        <source>{count:# event was|# events were} lost</source>
         <translation>丢失了 {count} 个事件</translation>
     </message>
     <message>
-        <source>{count} frames back late, up to {late} after the deadline</source>
+        <source>{count:# frame|# frames} back late, up to {late} after the deadline</source>
         <translation>{count} 帧返回过晚，最多超过期限 {late}</translation>
     </message>
     <message>
-        <source>{count} frames back late, up to {late} after the deadline ({told} of them told as lost before)</source>
+        <source>{count:# frame|# frames} back late, up to {late} after the deadline ({told} of them told as lost before)</source>
         <translation>{count} 帧返回过晚，最多超过期限 {late}（其中 {told} 帧此前已报告为丢失）</translation>
     </message>
     <message>
-        <source>{count} frames came back after their cycle, by up to {largest}.</source>
+        <source>{count:# frame|# frames} came back after the cycle, by up to {largest}.</source>
         <translation>{count} 帧在其周期结束后才返回，最多晚 {largest}。</translation>
     </message>
     <message>
-        <source>{count} frames did not come back (up to {most} close together, first at {since}), and no slave counted an error at its ports.</source>
+        <source>{count:# frame|# frames} did not come back (up to {most} close together, first at {since}), and no slave counted an error at its ports.</source>
         <translation>{count} 帧没有返回（最多 {most} 帧接连丢失，首次在 {since}），且没有从站在其端口上计到错误。</translation>
     </message>
     <message>
-        <source>{count} frames did not come back (up to {most} close together, first at {since}); they were damaged on their way, first at {slave} port {port}.</source>
+        <source>{count:# frame|# frames} did not come back (up to {most} close together, first at {since}); damaged on the way, first at {slave} port {port}.</source>
         <translation>{count} 帧没有返回（最多 {most} 帧接连丢失，首次在 {since}）；它们在途中损坏，首次损坏于{slave} 端口 {port}。</translation>
     </message>
     <message>
-        <source>{count} frames did not come back in time while the host stood still.</source>
+        <source>{count:# frame|# frames} did not come back in time while the host stood still.</source>
         <translation>主机停顿期间有 {count} 帧没有按时返回。</translation>
     </message>
     <message>
-        <source>{count} frames lost</source>
+        <source>{count:# frame|# frames} lost</source>
         <translation>丢失 {count} 帧</translation>
     </message>
     <message>
-        <source>{count} frames reached {slave} damaged at port {port} (0x{register}), from {since} on; the cable comes from {behind}.</source>
+        <source>{count:# frame|# frames} reached {slave} damaged at port {port} (0x{register}), from {since} on; the cable comes from {behind}.</source>
         <translation>从 {since} 起，{count} 帧到达{slave} 端口 {port} 时已损坏 (0x{register})；该电缆来自{behind}。</translation>
     </message>
     <message>
-        <source>{count} frames were lost when {slave} went away or came back.</source>
+        <source>{count:# frame was|# frames were} lost when {slave} went away or came back.</source>
         <translation>{slave} 离开或恢复时丢失了 {count} 帧。</translation>
     </message>
     <message>
-        <source>{count} variables of the inputs lie elsewhere</source>
+        <source>{count:# variable of the inputs lies|# variables of the inputs lie} elsewhere</source>
         <translation>{count} 个输入变量的位置不同</translation>
     </message>
     <message>
-        <source>{count} variables of the outputs lie elsewhere</source>
+        <source>{count:# variable of the outputs lies|# variables of the outputs lie} elsewhere</source>
         <translation>{count} 个输出变量的位置不同</translation>
     </message>
     <message>
-        <source>{count} variables, "{variable}" and others, lie behind the image</source>
+        <source>{count:# variable|# variables}, "{variable}" among them, {count:lies|lie} behind the image</source>
         <translation>“{variable}”等 {count} 个变量位于过程映像末尾之后</translation>
     </message>
     <message>
-        <source>{count} variables, "{variable}" and others, share bits with others</source>
+        <source>{count:# variable|# variables}, "{variable}" among them, {count:shares|share} bits with others</source>
         <translation>“{variable}”等 {count} 个变量与其他变量占用相同的位</translation>
     </message>
     <message>
-        <source>{element} has {bits} bits, the assigned PDOs have {expected}</source>
+        <source>{element} has {bits:# bit|# bits}, the assigned PDOs have {expected}</source>
         <translation>{element} 有 {bits} 位，已分配的 PDO 为 {expected} 位</translation>
     </message>
     <message>
-        <source>{element} has {bytes} bytes at {start}</source>
+        <source>{element} has {bytes:# byte|# bytes} at {start}</source>
         <translation>{element} 位于 {start}，共 {bytes} 字节</translation>
     </message>
     <message>
@@ -6049,15 +6037,15 @@
         <translation>{element} 从第 {said} 位开始，而 FMMU 和循环命令将数据放在第 {computed} 位</translation>
     </message>
     <message>
-        <source>{element} takes {bits} bits from bit {first}, the image has {image}</source>
+        <source>{element} takes {bits:# bit|# bits} from bit {first}, the image has {image}</source>
         <translation>{element} 从第 {first} 位起占用 {bits} 位，过程映像只有 {image} 位</translation>
     </message>
     <message>
-        <source>{entries} entries are mapped; the device's dictionary has room for {room} in {object}.</source>
+        <source>{entries:# entry is|# entries are} mapped; the device's dictionary has room for {room} in {object}.</source>
         <translation>映射了 {entries} 个条目；设备的对象字典在 {object} 中只有 {room} 个位置。</translation>
     </message>
     <message>
-        <source>{entries} entries are mapped; the object {object} takes {most}.</source>
+        <source>{entries:# entry is|# entries are} mapped; the object {object} takes {most}.</source>
         <translation>映射了 {entries} 个条目；对象 {object} 最多容纳 {most} 个。</translation>
     </message>
     <message>
@@ -6069,15 +6057,15 @@
         <translation>Info 中的 {field} 为 {said}，命令期望的字节为 {expected}</translation>
     </message>
     <message>
-        <source>{file} is an ENI: its commands and the layout of its image stay as they are, only the spelling follows --dialect. "project create --eni" makes a project that can be laid out anew.</source>
-        <translation>{file} 是 ENI：其命令和过程映像布局保持不变，只有书写形式按 --dialect。使用“project create --eni”可生成能重新布局的项目。</translation>
+        <source>{file} is an ENI: its commands and the layout of its image stay as they are, only the spelling follows the dialect. "project create --eni" makes a project that can be laid out anew.</source>
+        <translation>{file} 是 ENI：其命令和过程映像布局保持不变，只有书写形式遵循所选方言。使用“project create --eni”可生成能重新布局的项目。</translation>
     </message>
     <message>
         <source>{file}: what came after frame {frames} was not read, the file breaks off there ({reason}).</source>
         <translation>{file}：第 {frames} 帧之后的内容未被读取，文件在该处中断（{reason}）。</translation>
     </message>
     <message>
-        <source>{file}: {cut} of its {frames} frames were captured in part only and not read.</source>
+        <source>{file}: {cut} of its {frames:# frame|# frames} {cut:was|were} captured in part only and not read.</source>
         <translation>{file}：{frames} 帧中有 {cut} 帧只被部分捕获，未被读取。</translation>
     </message>
     <message>
@@ -6089,11 +6077,11 @@
         <translation>{first} 和 {second} 承载相同的{data}</translation>
     </message>
     <message>
-        <source>{frames} frames take {wire} on the wire and about {travel} through {slaves} slaves, the cycle is {cycle}</source>
+        <source>{frames:# frame takes|# frames take} {wire} on the wire and about {travel} through {slaves:# slave|# slaves}, the cycle is {cycle}</source>
         <translation>{frames} 帧在线上需要 {wire}，经过 {slaves} 个从站约需 {travel}，周期为 {cycle}</translation>
     </message>
     <message>
-        <source>{frames} frames take {wire} on the wire, the cycle is {cycle}</source>
+        <source>{frames:# frame takes|# frames take} {wire} on the wire, the cycle is {cycle}</source>
         <translation>{frames} 帧在线上需要 {wire}，周期为 {cycle}</translation>
     </message>
     <message>
@@ -6117,7 +6105,7 @@
         <translation>{name}：SYNC0 周期 {sync0} 既不是总线周期 {cycle} 的整数倍，也不是其整数分之一。</translation>
     </message>
     <message>
-        <source>{objects} objects are mapped in this direction, {family} {devices} take {most}. Unassign a PDO, or map fewer objects and exchange the slow ones by SDO.</source>
+        <source>{objects:# object is|# objects are} mapped in this direction, {family} {devices} take {most}. Unassign a PDO, or map fewer objects and exchange the slow ones by SDO.</source>
         <translation>该方向映射了 {objects} 个对象，{family} {devices}最多接受 {most} 个。请取消分配一个 PDO，或减少映射的对象，慢速对象改用 SDO 交换。</translation>
     </message>
     <message>
@@ -6169,7 +6157,7 @@
         <translation>{object}：计数设为 {count}，条目写到 {last}</translation>
     </message>
     <message>
-        <source>{object}: {entries} entries are written, the count stays {count}</source>
+        <source>{object}: {entries:# entry is|# entries are} written, the count stays {count}</source>
         <translation>{object}：写入了 {entries} 个条目，计数仍为 {count}</translation>
     </message>
     <message>
@@ -6189,11 +6177,11 @@
         <translation>{object}:{sub_index} 在列表清空 (:0 = 0) 之前写入</translation>
     </message>
     <message>
-        <source>{object}:{sub_index} is written with {written} bytes, it has {bytes}</source>
+        <source>{object}:{sub_index} is written with {written:# byte|# bytes}, it has {bytes}</source>
         <translation>{object}:{sub_index} 写入 {written} 字节，其长度为 {bytes} 字节</translation>
     </message>
     <message>
-        <source>{pdos} PDOs are assigned to SyncManager {manager}; its object takes {most}.</source>
+        <source>{pdos:# PDO is|# PDOs are} assigned to SyncManager {manager}; its object takes {most}.</source>
         <translation>为同步管理器 {manager} 分配了 {pdos} 个 PDO；其对象最多容纳 {most} 个。</translation>
     </message>
     <message>
@@ -6209,11 +6197,11 @@
         <translation>{setting}</translation>
     </message>
     <message>
-        <source>{slaves} slaves use distributed clocks</source>
+        <source>{slaves:# slave uses|# slaves use} distributed clocks</source>
         <translation>{slaves} 个从站使用分布时钟</translation>
     </message>
     <message>
-        <source>{slaves} slaves use distributed clocks, and no cyclic command distributes the time</source>
+        <source>{slaves:# slave uses|# slaves use} distributed clocks, and no cyclic command distributes the time</source>
         <translation>{slaves} 个从站使用分布时钟，但没有循环命令分发时间</translation>
     </message>
     <message>
@@ -6225,7 +6213,7 @@
         <translation>{slave} ({identity})：{match} ({file})。</translation>
     </message>
     <message>
-        <source>{slave} counts {missed} missed SM2 events (0x1C32:{sub}), and for {part} of them the master saw good cycles.</source>
+        <source>{slave} counts {missed:# missed SM2 event|# missed SM2 events} (0x1C32:{sub}), and for {part} of them the master saw good cycles.</source>
         <translation>{slave} 计到 {missed} 个错过的 SM2 事件 (0x1C32:{sub})，其中 {part} 个发生时主站看到的周期都正常。</translation>
     </message>
     <message>
@@ -6237,11 +6225,11 @@
         <translation>{slave} 在 {since} 以 AL 状态码 {alcode}{alarm} 掉到 {state}，而主站此前看到的周期都正常：没有丢帧或晚到的帧，没有漏掉周期，输出标称在每个 SYNC0 之前 {margin} 到达。</translation>
     </message>
     <message>
-        <source>{slave} fell to {state} with AL status code {alcode}{alarm} at {since}: it missed {missed} SM2 events, its error counter reached {integrator} of {limit}.</source>
+        <source>{slave} fell to {state} with AL status code {alcode}{alarm} at {since}: it missed {missed:# SM2 event|# SM2 events}, its error counter reached {integrator} of {limit}.</source>
         <translation>{slave} 在 {since} 以 AL 状态码 {alcode}{alarm} 掉到 {state}：它错过了 {missed} 个 SM2 事件，其错误计数器达到 {integrator}（限值：{limit}）。</translation>
     </message>
     <message>
-        <source>{slave} fell to {state} with AL status code {alcode}{alarm} at {since}: it missed {missed} SM2 events, {part} of them because frames came behind the SYNC0 they were meant for. Nominally they are there {margin} before it, but one in a thousand is {lateness} late.</source>
+        <source>{slave} fell to {state} with AL status code {alcode}{alarm} at {since}: it missed {missed:# SM2 event|# SM2 events}, {part} of them because frames came behind the SYNC0 they were meant for. Nominally they are there {margin} before it, but one in a thousand is {lateness} late.</source>
         <translation>{slave} 在 {since} 以 AL 状态码 {alcode}{alarm} 掉到 {state}：它错过了 {missed} 个 SM2 事件，其中 {part} 个是因为帧晚于其所对应的 SYNC0 到达。帧标称在 SYNC0 之前 {margin} 到达，但每一千帧中有一帧晚 {lateness}。</translation>
     </message>
     <message>
@@ -6269,7 +6257,7 @@
         <translation>{slave} 在 {since} 超出同步窗口（{deviation}，限值 {limit}），之后恢复；共 {count}。</translation>
     </message>
     <message>
-        <source>{slave} left {count} mailbox requests in a row without an answer.</source>
+        <source>{slave} left {count:# mailbox request|# mailbox requests} in a row without an answer.</source>
         <translation>{slave} 对连续 {count} 个邮箱请求没有响应。</translation>
     </message>
     <message>
@@ -6277,19 +6265,19 @@
         <translation>{slave} 的端口 {port} 链路丢失 {count} (0x{register})，最近一次在 {last}。</translation>
     </message>
     <message>
-        <source>{slave} missed {missed} SM2 events, and the master was not locked to the reference clock all the time: frames slid through its SYNC0.</source>
+        <source>{slave} missed {missed:# SM2 event|# SM2 events}, and the master was not locked to the reference clock all the time: frames slid through its SYNC0.</source>
         <translation>{slave} 错过了 {missed} 个 SM2 事件，且主站并非始终锁定到参考时钟：帧滑过了它的 SYNC0。</translation>
     </message>
     <message>
-        <source>{slave} missed {missed} SM2 events, {part} of them because frames came behind the SYNC0 they were meant for: nominally they are there {margin} before it, but one in a thousand is {lateness} late.</source>
+        <source>{slave} missed {missed:# SM2 event|# SM2 events}, {part} of them because frames came behind the SYNC0 they were meant for: nominally they are there {margin} before it, but one in a thousand is {lateness} late.</source>
         <translation>{slave} 错过了 {missed} 个 SM2 事件，其中 {part} 个是因为帧晚于其所对应的 SYNC0 到达：帧标称在 SYNC0 之前 {margin} 到达，但每一千帧中有一帧晚 {lateness}。</translation>
     </message>
     <message>
-        <source>{slave} missed {missed} SM2 events, {part} of them because frames were lost; its error counter reached {integrator} of {limit}.</source>
+        <source>{slave} missed {missed:# SM2 event|# SM2 events}, {part} of them because frames were lost; its error counter reached {integrator} of {limit}.</source>
         <translation>{slave} 错过了 {missed} 个 SM2 事件，其中 {part} 个是因为丢帧；其错误计数器达到 {integrator}（限值：{limit}）。</translation>
     </message>
     <message>
-        <source>{slave} missed {missed} SM2 events, {part} of them because the host left cycles out; its error counter reached {integrator} of {limit}.</source>
+        <source>{slave} missed {missed:# SM2 event|# SM2 events}, {part} of them because the host left cycles out; its error counter reached {integrator} of {limit}.</source>
         <translation>{slave} 错过了 {missed} 个 SM2 事件，其中 {part} 个是因为主机漏掉周期；其错误计数器达到 {integrator}（限值：{limit}）。</translation>
     </message>
     <message>
@@ -6297,7 +6285,7 @@
         <translation>{slave} 有 {count}所需时间超过其周期（{object} cycle exceeded），最近一次在 {last}。</translation>
     </message>
     <message>
-        <source>{slave} skipped {count} cycles because the one before was not over ({object} cycle exceeded): its fieldbus needs longer than a cycle.</source>
+        <source>{slave} skipped {count:# cycle|# cycles} because the one before was not over ({object} cycle exceeded): its fieldbus needs longer than a cycle.</source>
         <translation>{slave} 因前一周期尚未结束而跳过了 {count} 个周期（{object} cycle exceeded）：其现场总线所需时间超过一个周期。</translation>
     </message>
     <message>
@@ -6357,11 +6345,11 @@
         <translation>{subject} 端口 {port}：链路丢失 {lost}</translation>
     </message>
     <message>
-        <source>{subject} port {port}: {damaged} damaged frames</source>
+        <source>{subject} port {port}: {damaged:# damaged frame|# damaged frames}</source>
         <translation>{subject} 端口 {port}：{damaged} 个损坏的帧</translation>
     </message>
     <message>
-        <source>{subject} port {port}: {damaged} damaged frames, link lost {lost}</source>
+        <source>{subject} port {port}: {damaged:# damaged frame|# damaged frames}, link lost {lost}</source>
         <translation>{subject} 端口 {port}：{damaged} 个损坏的帧，链路丢失 {lost}</translation>
     </message>
     <message>
@@ -6421,7 +6409,7 @@
         <translation>{subject}：其延迟 {delay} 不大于前一个从站的延迟</translation>
     </message>
     <message>
-        <source>{subject}: no new inputs in {stale} of {cycles} cycles, where each brought some before: its firmware is slow</source>
+        <source>{subject}: no new inputs in {stale} of {cycles:# cycle|# cycles}, where each brought some before: its firmware is slow</source>
         <translation>{subject}：{cycles} 个周期中有 {stale} 个没有新输入，而此前每个周期都有：其固件较慢</translation>
     </message>
     <message>
@@ -6535,6 +6523,766 @@
     <message>
         <source>{who} is known by its alias; it has none.</source>
         <translation>{who}按别名识别，但没有设置别名。</translation>
+    </message>
+    <message>
+        <source>"{text}" is no number</source>
+        <translation>“{text}”不是数字</translation>
+    </message>
+    <message>
+        <source>"{text}" is out of range</source>
+        <translation>“{text}”超出范围</translation>
+    </message>
+    <message>
+        <source>"{text}" is no hexadecimal data</source>
+        <translation>“{text}”不是十六进制数据</translation>
+    </message>
+    <message>
+        <source>"{text}" is neither true nor false</source>
+        <translation>“{text}”既不是 true 也不是 false</translation>
+    </message>
+    <message>
+        <source>"{text}" is no state transition</source>
+        <translation>“{text}”不是状态转换</translation>
+    </message>
+    <message>
+        <source>"{text}" is no transition</source>
+        <translation>“{text}”不是转换</translation>
+    </message>
+    <message>
+        <source>"{text}" is no PDO index</source>
+        <translation>“{text}”不是 PDO 索引</translation>
+    </message>
+    <message>
+        <source>in &lt;{element}&gt;</source>
+        <translation>在 &lt;{element}&gt; 中</translation>
+    </message>
+    <message>
+        <source>there is no element</source>
+        <translation>其中没有任何元素</translation>
+    </message>
+    <message>
+        <source>it has {size} MB, the limit is {limit} MB</source>
+        <translation>其大小为 {size} MB，上限为 {limit} MB</translation>
+    </message>
+    <message>
+        <source>it has more than {limit} MB</source>
+        <translation>其大小超过 {limit} MB</translation>
+    </message>
+    <message>
+        <source>it is written in the encoding "{name}", which this system cannot convert; save it as UTF-8</source>
+        <translation>其编码为“{name}”，本系统无法转换；请另存为 UTF-8</translation>
+    </message>
+    <message>
+        <source>it should be written in the encoding "{name}", to which the byte 0x{byte} does not belong; save it as UTF-8</source>
+        <translation>其编码应为“{name}”，但字节 0x{byte} 不属于该编码；请另存为 UTF-8</translation>
+    </message>
+    <message>
+        <source>a project file with the root &lt;{wanted}&gt;, not &lt;{root}&gt;</source>
+        <translation>根元素为 &lt;{wanted}&gt; 的项目文件，而不是 &lt;{root}&gt;</translation>
+    </message>
+    <message>
+        <source>a project file of version {version} or older, not {other}</source>
+        <translation>版本 {version} 或更早的项目文件，而不是 {other}</translation>
+    </message>
+    <message>
+        <source>an ENI file (root element EtherCATConfig)</source>
+        <translation>ENI 文件（根元素为 EtherCATConfig）</translation>
+    </message>
+    <message>
+        <source>an ENI file that others can read: its maker has encrypted it</source>
+        <translation>他人可读的 ENI 文件：其制作者已将其加密</translation>
+    </message>
+    <message>
+        <source>an ESI file with the root &lt;EtherCATInfo&gt;, not &lt;{root}&gt;</source>
+        <translation>根元素为 &lt;EtherCATInfo&gt; 的 ESI 文件，而不是 &lt;{root}&gt;</translation>
+    </message>
+    <message>
+        <source>a pcap or pcapng capture; it is empty</source>
+        <translation>pcap 或 pcapng 抓包文件；该文件为空</translation>
+    </message>
+    <message>
+        <source>a recording; this database belongs to another program</source>
+        <translation>录制文件；该数据库属于其他程序</translation>
+    </message>
+    <message>
+        <source>a recording of version {version} or older; this one is of version {other}, use the program that has written it, or a newer one</source>
+        <translation>版本 {version} 或更早的录制文件；此文件版本为 {other}，请使用写入它的程序或更新的版本</translation>
+    </message>
+    <message>
+        <source>it is damaged: {words}</source>
+        <translation>它已损坏：{words}</translation>
+    </message>
+    <message>
+        <source>there is one of this name already, and a recording replaces nothing</source>
+        <translation>同名文件已存在，录制不会替换任何文件</translation>
+    </message>
+    <message>
+        <source>the file is gone: it, or its folder, was deleted or moved while it was recorded</source>
+        <translation>文件已不存在：录制期间它或其文件夹被删除或移动</translation>
+    </message>
+    <message>
+        <source>the attribute No is missing</source>
+        <translation>缺少属性 No</translation>
+    </message>
+    <message>
+        <source>the attribute ModuleIdent is missing</source>
+        <translation>缺少属性 ModuleIdent</translation>
+    </message>
+    <message>
+        <source>it has too many sub-indices</source>
+        <translation>子索引过多</translation>
+    </message>
+    <message>
+        <source>MinInstances {least} is more than MaxInstances {most}</source>
+        <translation>MinInstances {least} 大于 MaxInstances {most}</translation>
+    </message>
+    <message>
+        <source>there is no Pdo with the RefName "{name}"</source>
+        <translation>没有 RefName 为“{name}”的 Pdo</translation>
+    </message>
+    <message>
+        <source>the PDO index 0x{index} is used twice; first in line {line}</source>
+        <translation>PDO 索引 0x{index} 重复使用；首次出现在第 {line} 行</translation>
+    </message>
+    <message>
+        <source>{value} is out of range in channel {channel}</source>
+        <translation>{value} 在通道 {channel} 中超出范围</translation>
+    </message>
+    <message>
+        <source>it lies outside of the folder of the ESI file</source>
+        <translation>它位于 ESI 文件所在文件夹之外</translation>
+    </message>
+    <message>
+        <source>the ESI file refers to too many files</source>
+        <translation>该 ESI 文件引用了过多文件</translation>
+    </message>
+    <message>
+        <source>there is no device "{name}" in the file</source>
+        <translation>文件中没有设备“{name}”</translation>
+    </message>
+    <message>
+        <source>the ESI files have revision 0x{revision}</source>
+        <translation>ESI 文件中的修订号为 0x{revision}</translation>
+    </message>
+    <message>
+        <source>none of the {count} devices in the ESI files has this vendor and product</source>
+        <translation>ESI 文件中的 {count} 个设备均无此厂商和产品</translation>
+    </message>
+    <message>
+        <source>it is no device catalogue</source>
+        <translation>它不是设备目录</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>权限不足</translation>
+    </message>
+    <message>
+        <source>Operation not permitted</source>
+        <translation>操作不被允许</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>它是一个文件夹</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>路径中的某部分不是文件夹</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>文件或文件夹不存在</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>磁盘空间不足</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>文件系统为只读</translation>
+    </message>
+    <message>
+        <source>Input/output error</source>
+        <translation>输入/输出错误</translation>
+    </message>
+    <message>
+        <source>Disk quota exceeded</source>
+        <translation>磁盘配额已用尽</translation>
+    </message>
+    <message>
+        <source>this machine has no Ethernet adapter</source>
+        <translation>本机没有以太网适配器</translation>
+    </message>
+    <message>
+        <source>there are: {names}</source>
+        <translation>现有：{names}</translation>
+    </message>
+    <message>
+        <source>not an Ethernet adapter</source>
+        <translation>不是以太网适配器</translation>
+    </message>
+    <message>
+        <source>no carrier</source>
+        <translation>无载波</translation>
+    </message>
+    <message>
+        <source>it cannot put its send time into frames</source>
+        <translation>它无法将发送时间写入帧中</translation>
+    </message>
+    <message>
+        <source>Network is down</source>
+        <translation>网络适配器已关闭</translation>
+    </message>
+    <message>
+        <source>No such device</source>
+        <translation>设备不存在</translation>
+    </message>
+    <message>
+        <source>No such device or address</source>
+        <translation>设备或地址不存在</translation>
+    </message>
+    <message>
+        <source>the EEPROM belongs to the PDI and is left to it</source>
+        <translation>EEPROM 归 PDI 所有，保持不动</translation>
+    </message>
+    <message>
+        <source>category {category} at word 0x{word} of {words} words reaches beyond the EEPROM of {bytes} bytes</source>
+        <translation>位于字 0x{word} 的类别 {category}（{words} 个字）超出了 {bytes} 字节的 EEPROM</translation>
+    </message>
+    <message>
+        <source>more than {most} categories up to word 0x{word}</source>
+        <translation>到字 0x{word} 为止的类别多于 {most} 个</translation>
+    </message>
+    <message>
+        <source>it has an odd number of bytes</source>
+        <translation>其字节数为奇数</translation>
+    </message>
+    <message>
+        <source>it is shorter than the header of {bytes} bytes</source>
+        <translation>它短于 {bytes} 字节的头部</translation>
+    </message>
+    <message>
+        <source>its checksum is 0x{has} where 0x{right} is right</source>
+        <translation>其校验和为 0x{has}，正确值为 0x{right}</translation>
+    </message>
+    <message>
+        <source>its {bytes} bytes are more than the EEPROM's {room}</source>
+        <translation>其 {bytes} 字节超过 EEPROM 的 {room} 字节</translation>
+    </message>
+    <message>
+        <source>no answer at word 0x{word}{which}</source>
+        <translation>在字 0x{word} 处无应答{which}</translation>
+    </message>
+    <message>
+        <source>the EEPROM stays busy at word 0x{word}{which}</source>
+        <translation>EEPROM 在字 0x{word} 处一直忙{which}</translation>
+    </message>
+    <message>
+        <source>the ESC does not enable writing at word 0x{word}{which}</source>
+        <translation>ESC 未在字 0x{word} 处允许写入{which}</translation>
+    </message>
+    <message>
+        <source>the EEPROM acknowledges no write command at word 0x{word}{which}</source>
+        <translation>EEPROM 在字 0x{word} 处不确认写命令{which}</translation>
+    </message>
+    <message>
+        <source>the EEPROM acknowledges no read command at word 0x{word}{which}</source>
+        <translation>EEPROM 在字 0x{word} 处不确认读命令{which}</translation>
+    </message>
+    <message>
+        <source>word 0x{word} reads 0x{value} after another value was written{which}</source>
+        <translation>字 0x{word} 写入其他值后读回为 0x{value}{which}</translation>
+    </message>
+    <message>
+        <source>{bytes} bytes are fewer than the {least} of its fixed part</source>
+        <translation>{bytes} 字节少于其固定部分的 {least} 字节</translation>
+    </message>
+    <message>
+        <source>a write of it was cut short; go offline and end that first</source>
+        <translation>其写入曾被中断；请先离线并完成该写入</translation>
+    </message>
+    <message>
+        <source>a write of it was cut short; end that first with "sii finish", or write a whole image</source>
+        <translation>其写入曾被中断；请先用“sii finish”完成，或写入完整映像</translation>
+    </message>
+    <message>
+        <source>no EEPROM write of this slave was cut short</source>
+        <translation>该从站没有被中断的 EEPROM 写入</translation>
+    </message>
+    <message>
+        <source>the mailbox holds no segment</source>
+        <translation>邮箱容纳不下一个分段</translation>
+    </message>
+    <message>
+        <source>the mailbox holds no data</source>
+        <translation>邮箱容纳不下数据</translation>
+    </message>
+    <message>
+        <source>the answer belongs to another request</source>
+        <translation>该应答属于另一个请求</translation>
+    </message>
+    <message>
+        <source>the toggle bit did not alternate</source>
+        <translation>翻转位没有交替</translation>
+    </message>
+    <message>
+        <source>the slave announces {bytes} bytes, more than the {most} that are taken</source>
+        <translation>从站声明 {bytes} 字节，超过可接受的 {most} 字节</translation>
+    </message>
+    <message>
+        <source>more than the {bytes} bytes that were announced</source>
+        <translation>多于声明的 {bytes} 字节</translation>
+    </message>
+    <message>
+        <source>{bytes} bytes where {announced} were announced</source>
+        <translation>收到 {bytes} 字节，而声明的是 {announced} 字节</translation>
+    </message>
+    <message>
+        <source>an empty segment that is not the last</source>
+        <translation>空分段，但不是最后一个</translation>
+    </message>
+    <message>
+        <source>its fragments do not follow each other</source>
+        <translation>其片段不连续</translation>
+    </message>
+    <message>
+        <source>its answer is longer than {bytes} bytes</source>
+        <translation>其应答长于 {bytes} 字节</translation>
+    </message>
+    <message>
+        <source>an error that cannot be read</source>
+        <translation>无法读取的错误</translation>
+    </message>
+    <message>
+        <source>it has no mailbox</source>
+        <translation>它没有邮箱</translation>
+    </message>
+    <message>
+        <source>it is longer than a frame</source>
+        <translation>它比一个帧还长</translation>
+    </message>
+    <message>
+        <source>no frame comes back</source>
+        <translation>没有帧返回</translation>
+    </message>
+    <message>
+        <source>no acknowledgement where one was to come</source>
+        <translation>应有确认却没有收到</translation>
+    </message>
+    <message>
+        <source>no data where data were asked for</source>
+        <translation>请求了数据却没有收到</translation>
+    </message>
+    <message>
+        <source>busy without end</source>
+        <translation>一直忙</translation>
+    </message>
+    <message>
+        <source>packet {number} where {expected} was to come</source>
+        <translation>收到数据包 {number}，应为 {expected}</translation>
+    </message>
+    <message>
+        <source>the file is longer than the {bytes} bytes that are taken</source>
+        <translation>文件长于可接受的 {bytes} 字节</translation>
+    </message>
+    <message>
+        <source>its datagram of {bytes} bytes takes {time} us on the wire, and the cycle leaves no room for it; choose a longer cycle</source>
+        <translation>其 {bytes} 字节的数据报在线路上需要 {time} us，周期内没有余量；请选择更长的周期</translation>
+    </message>
+    <message>
+        <source>{bytes} bytes are more than the {most} that are possible</source>
+        <translation>{bytes} 字节超过允许的 {most} 字节</translation>
+    </message>
+    <message>
+        <source>it is about no bytes at all</source>
+        <translation>其中没有任何字节</translation>
+    </message>
+    <message>
+        <source>{count} others are on their way already; wait for one of them</source>
+        <translation>已有 {count} 个请求在途；请等待其中之一完成</translation>
+    </message>
+    <message>
+        <source>it has no slaves</source>
+        <translation>其中没有从站</translation>
+    </message>
+    <message>
+        <source>it has no cyclic frames</source>
+        <translation>其中没有周期帧</translation>
+    </message>
+    <message>
+        <source>more slaves than addresses</source>
+        <translation>从站数多于地址数</translation>
+    </message>
+    <message>
+        <source>the bus is offline</source>
+        <translation>总线已离线</translation>
+    </message>
+    <message>
+        <source>no slave on the bus has a system time</source>
+        <translation>总线上没有从站具有系统时间</translation>
+    </message>
+    <message>
+        <source>no slave is configured as reference clock</source>
+        <translation>没有从站被配置为参考时钟</translation>
+    </message>
+    <message>
+        <source>it has no system time and cannot be the reference clock, and no slave behind it can</source>
+        <translation>它没有系统时间，不能作为参考时钟，其后的从站也都不能</translation>
+    </message>
+    <message>
+        <source>no slave that is there can be the reference clock</source>
+        <translation>在场的从站都不能作为参考时钟</translation>
+    </message>
+    <message>
+        <source>no answer to the receive time latch</source>
+        <translation>锁存接收时间无应答</translation>
+    </message>
+    <message>
+        <source>it does not take its system time offset</source>
+        <translation>它不接受其系统时间偏移</translation>
+    </message>
+    <message>
+        <source>its system time cannot be read</source>
+        <translation>无法读取其系统时间</translation>
+    </message>
+    <message>
+        <source>its SYNC unit is not active (0x0981)</source>
+        <translation>其 SYNC 单元未激活 (0x0981)</translation>
+    </message>
+    <message>
+        <source>the bus is at rest in INIT; lead the whole bus to PREOP first</source>
+        <translation>总线停留在 INIT；请先将整个总线切换到 PREOP</translation>
+    </message>
+    <message>
+        <source>the bus is in {state}; no slave can be led above it</source>
+        <translation>总线处于 {state}；任何从站都不能切换到更高状态</translation>
+    </message>
+    <message>
+        <source>no station address is free</source>
+        <translation>没有空闲的站地址</translation>
+    </message>
+    <message>
+        <source>"{text}" is no whole number</source>
+        <translation>“{text}”不是整数</translation>
+    </message>
+    <message>
+        <source>"{text}" is no number of microseconds with at most three decimals</source>
+        <translation>“{text}”不是最多三位小数的微秒数</translation>
+    </message>
+    <message>
+        <source>"{text}" is neither on nor off</source>
+        <translation>“{text}”既不是 on 也不是 off</translation>
+    </message>
+    <message>
+        <source>"{text}" is none of {words}</source>
+        <translation>“{text}”不在 {words} 之中</translation>
+    </message>
+    <message>
+        <source>"{text}" is no address like {example}</source>
+        <translation>“{text}”不是形如 {example} 的地址</translation>
+    </message>
+    <message>
+        <source>a name cannot be empty</source>
+        <translation>名称不能为空</translation>
+    </message>
+    <message>
+        <source>a name is printable UTF-8 text</source>
+        <translation>名称必须是可打印的 UTF-8 文本</translation>
+    </message>
+    <message>
+        <source>the factor 0 gives no cycle; switch the operation mode off instead</source>
+        <translation>因子 0 不构成周期；请改为关闭运行模式</translation>
+    </message>
+    <message>
+        <source>the setting needs a value</source>
+        <translation>该设置需要一个值</translation>
+    </message>
+    <message>
+        <source>"{text}" is not to be had here</source>
+        <translation>此处没有“{text}”</translation>
+    </message>
+    <message>
+        <source>it is a number</source>
+        <translation>它是一个数字</translation>
+    </message>
+    <message>
+        <source>it is a text</source>
+        <translation>它是一段文本</translation>
+    </message>
+    <message>
+        <source>"{name}" is the name of number {number} already</source>
+        <translation>“{name}”已是编号 {number} 的名称</translation>
+    </message>
+    <message>
+        <source>the device has no PDO 0x{index} in this direction; it has {indices}</source>
+        <translation>该设备在此方向上没有 PDO 0x{index}；现有 {indices}</translation>
+    </message>
+    <message>
+        <source>0x{index} stands there twice</source>
+        <translation>0x{index} 出现了两次</translation>
+    </message>
+    <message>
+        <source>0x{index} and 0x{other} exclude each other</source>
+        <translation>0x{index} 与 0x{other} 互斥</translation>
+    </message>
+    <message>
+        <source>the device has no such PDO</source>
+        <translation>该设备没有这样的 PDO</translation>
+    </message>
+    <message>
+        <source>the ESI says that the mapping of this PDO is fixed</source>
+        <translation>ESI 规定此 PDO 的映射是固定的</translation>
+    </message>
+    <message>
+        <source>the device does not take another mapping (CoE PdoConfig in its ESI)</source>
+        <translation>该设备不接受其他映射（其 ESI 中的 CoE PdoConfig）</translation>
+    </message>
+    <message>
+        <source>the device has no CoE mailbox</source>
+        <translation>该设备没有 CoE 邮箱</translation>
+    </message>
+    <message>
+        <source>the device has no SoE mailbox</source>
+        <translation>该设备没有 SoE 邮箱</translation>
+    </message>
+    <message>
+        <source>"{text}" is no state transition like PS or SO</source>
+        <translation>“{text}”不是 PS 或 SO 之类的状态转换</translation>
+    </message>
+    <message>
+        <source>"{text}" are no whole hexadecimal bytes</source>
+        <translation>“{text}”不是完整的十六进制字节</translation>
+    </message>
+    <message>
+        <source>"{text}" is no object</source>
+        <translation>“{text}”不是对象</translation>
+    </message>
+    <message>
+        <source>the comment is no UTF-8 text</source>
+        <translation>注释不是 UTF-8 文本</translation>
+    </message>
+    <message>
+        <source>"{text}" is neither none nor a module ident</source>
+        <translation>“{text}”既不是 none 也不是模块标识</translation>
+    </message>
+    <message>
+        <source>there is no slave at position {position}, the last one is at {last}</source>
+        <translation>位置 {position} 处没有从站，最后一个在 {last}</translation>
+    </message>
+    <message>
+        <source>the slave is gone</source>
+        <translation>该从站已不存在</translation>
+    </message>
+    <message>
+        <source>no file can be made there</source>
+        <translation>无法在该处创建文件</translation>
+    </message>
+    <message>
+        <source>no slaves</source>
+        <translation>没有从站</translation>
+    </message>
+    <message>
+        <source>no unsaved work of Syncline</source>
+        <translation>不是 Syncline 的未保存工作</translation>
+    </message>
+    <message>
+        <source>a recording is shown: close it first (File, Close Recording)</source>
+        <translation>正在显示录制文件：请先关闭（文件，关闭录制）</translation>
+    </message>
+    <message>
+        <source>no machine has run yet: go online first</source>
+        <translation>尚无机器运行过：请先上线</translation>
+    </message>
+    <message>
+        <source>no cycle has run yet: go online first</source>
+        <translation>尚无周期运行过：请先上线</translation>
+    </message>
+    <message>
+        <source>another stretch is being written; try again in a moment</source>
+        <translation>另一段正在写入；请稍后重试</translation>
+    </message>
+    <message>
+        <source>it holds no cycles: it was cut short before its first second</source>
+        <translation>其中没有周期：它在第一秒之前就中断了</translation>
+    </message>
+    <message>
+        <source>{value} is outside {range}</source>
+        <translation>{value} 超出范围 {range}</translation>
+    </message>
+    <message>
+        <source>the value is of another kind</source>
+        <translation>该值属于其他类型</translation>
+    </message>
+    <message>
+        <source>its SYNC0 will never come: the start time {start} (0x0990) had passed by {late} ns at {time}</source>
+        <translation>其 SYNC0 永远不会到来：在 {time} 时启动时间 {start} (0x0990) 已过去 {late} ns</translation>
+    </message>
+    <message>
+        <source>packet {number} acknowledged where {expected} was sent</source>
+        <translation>确认了数据包 {number}，而发送的是 {expected}</translation>
+    </message>
+    <message>
+        <source>link-layer-ref-clock: this link cannot put its send time into frames</source>
+        <translation>link-layer-ref-clock：此链路无法将发送时间写入帧中</translation>
+    </message>
+    <message>
+        <source>it is not in sync after {time} s: {reason}</source>
+        <translation>{time} s 后仍未同步：{reason}</translation>
+    </message>
+    <message>
+        <source>messages without end, but no answer</source>
+        <translation>消息不断，但没有应答</translation>
+    </message>
+    <message>
+        <source>{cycle} ns is outside 31.25 us to 100 ms</source>
+        <translation>{cycle} ns 超出 31.25 us 到 100 ms</translation>
+    </message>
+    <message>
+        <source>an EEPROM is written in words of two bytes</source>
+        <translation>EEPROM 以两字节的字写入</translation>
+    </message>
+    <message>
+        <source>the device has {count} places for modules, counted from 0</source>
+        <translation>该设备有 {count} 个模块位置，从 0 开始计数</translation>
+    </message>
+    <message>
+        <source>module 0x{module} does not fit into place {place}; these do: {modules}</source>
+        <translation>模块 0x{module} 不适合位置 {place}；可用的有：{modules}</translation>
+    </message>
+    <message>
+        <source>SDO command 0x{command} is not a response</source>
+        <translation>SDO 命令 0x{command} 不是应答</translation>
+    </message>
+    <message>
+        <source>it is not an SDO response</source>
+        <translation>它不是 SDO 应答</translation>
+    </message>
+    <message>
+        <source>only {bytes} bytes</source>
+        <translation>只有 {bytes} 字节</translation>
+    </message>
+    <message>
+        <source>"{text}" is no object; write 0x1018:01</source>
+        <translation>“{text}”不是对象；请写成 0x1018:01</translation>
+    </message>
+    <message>
+        <source>it needs about {need} MiB, and the disk has {left} MiB left</source>
+        <translation>大约需要 {need} MiB，而磁盘仅剩 {left} MiB</translation>
+    </message>
+    <message>
+        <source>only {left} MiB are left on the disk; the recording is whole up to here</source>
+        <translation>磁盘仅剩 {left} MiB；到此为止的录制是完整的</translation>
+    </message>
+    <message>
+        <source>there is no slave at position {position}; the project has {count}</source>
+        <translation>位置 {position} 处没有从站；项目中有 {count} 个</translation>
+    </message>
+    <message>
+        <source>"{text}" is no NAME xMULTIPLE like Slow x4, with 1..{most} bus cycles</source>
+        <translation>“{text}”不是形如 Slow x4 的 名称 x倍数，总线周期数为 1..{most}</translation>
+    </message>
+    <message>
+        <source>there is no Sync Unit "{name}"; the project has {names}</source>
+        <translation>没有同步单元“{name}”；项目中有 {names}</translation>
+    </message>
+    <message>
+        <source>"{text}" is neither auto nor a factor from {least} to {most}</source>
+        <translation>“{text}”既不是 auto 也不是 {least} 到 {most} 的因子</translation>
+    </message>
+    <message>
+        <source>"{text}" is no entry INDEX:SUB:BITS like 0x6040:00:16</source>
+        <translation>“{text}”不是形如 0x6040:00:16 的条目 INDEX:SUB:BITS</translation>
+    </message>
+    <message>
+        <source>"{text}" is no address like 01:23:45:67:89:ab</source>
+        <translation>“{text}”不是形如 01:23:45:67:89:ab 的地址</translation>
+    </message>
+    <message>
+        <source>it is the name of an operation mode</source>
+        <translation>它是运行模式的名称</translation>
+    </message>
+    <message>
+        <source>"{text}" is neither none nor POSITION:PORT, like 0:B</source>
+        <translation>“{text}”既不是 none 也不是形如 0:B 的 POSITION:PORT</translation>
+    </message>
+    <message>
+        <source>"{text}" is no DRIVE:IDN=DATA like 0:S-0-0047=00000000</source>
+        <translation>“{text}”不是形如 0:S-0-0047=00000000 的 DRIVE:IDN=DATA</translation>
+    </message>
+    <message>
+        <source>"{text}" is no IDN of a drive 0..7</source>
+        <translation>“{text}”不是驱动器 0..7 的 IDN</translation>
+    </message>
+    <message>
+        <source>"{text}" is none of fixed, off, timeout=MS</source>
+        <translation>“{text}”不是 fixed、off、timeout=MS 之一</translation>
+    </message>
+    <message>
+        <source>"{text}" is no INDEX:SUB=DATA like 0x6060:00=08</source>
+        <translation>“{text}”不是形如 0x6060:00=08 的 INDEX:SUB=DATA</translation>
+    </message>
+    <message>
+        <source>"{text}" is none of complete, fixed, off, adapt, timeout=MS</source>
+        <translation>“{text}”不是 complete、fixed、off、adapt、timeout=MS 之一</translation>
+    </message>
+    <message>
+        <source>the device has no output pins that are known</source>
+        <translation>该设备没有已知的输出引脚</translation>
+    </message>
+    <message>
+        <source>the device is no CAN gateway that is known</source>
+        <translation>该设备不是已知的 CAN 网关</translation>
+    </message>
+    <message>
+        <source>{time} ns do not fit into 32 bits</source>
+        <translation>{time} ns 超出 32 位</translation>
+    </message>
+    <message>
+        <source>{percent} is more than 100 %</source>
+        <translation>{percent} 大于 100 %</translation>
+    </message>
+    <message>
+        <source>the device has no CoE mailbox through which objects could be written</source>
+        <translation>该设备没有可用来写对象的 CoE 邮箱</translation>
+    </message>
+    <message>
+        <source>it names none of the log's columns</source>
+        <translation>其中没有该日志的任何列</translation>
+    </message>
+    <message>
+        <source>the file holds {count} networks; choose one by number or name: {names}</source>
+        <translation>文件包含 {count} 个网络；请按编号或名称选择：{names}</translation>
+    </message>
+    <message>
+        <source>"{text}" is no rule</source>
+        <translation>“{text}”不是规则</translation>
+    </message>
+    <message>
+        <source>"{text}" is no mode</source>
+        <translation>“{text}”不是模式</translation>
+    </message>
+    <message>
+        <source>"{text}" is no synchronisation type</source>
+        <translation>“{text}”不是同步类型</translation>
+    </message>
+    <message>
+        <source>"{text}" is no Ethernet address</source>
+        <translation>“{text}”不是以太网地址</translation>
+    </message>
+    <message>
+        <source>it holds neither what was there nor what was to be written: another slave, or written since; write the image that it is to have with "sii write"</source>
+        <translation>其内容既不是原有的，也不是要写入的：可能是另一个从站，或之后又被写入；请用“sii write”写入所需映像</translation>
+    </message>
+    <message>
+        <source>working counter {received} instead of {expected} in OP</source>
+        <translation>OP 下工作计数器为 {received}，应为 {expected}</translation>
+    </message>
+    <message>
+        <source>OP was not reached</source>
+        <translation>未达到 OP</translation>
+    </message>
+    <message>
+        <source>the other revision does not take it</source>
+        <translation>另一修订版不接受它</translation>
     </message>
 </context>
 </TS>

@@ -14,6 +14,7 @@
 #include "ui/editors/preset_edit.h"
 #include "ui/editors/text_edit.h"
 #include "ui/session/workspace.h"
+#include "ui/text/finding_text.h"
 #include "ui/text/setting_text.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/named.h"
@@ -84,7 +85,7 @@ QString FieldBinder::takeText(const char* key, const Where& where, const QString
   const auto trimmed = text.trimmed().toStdString();
   const auto value =
       setting.parse ? setting.parse(page_.project(), at(where), trimmed) : settings::parse_value(setting.type, trimmed);
-  return value ? take(key, where, *value) : QString::fromStdString(value.error().detail);
+  return value ? take(key, where, *value) : reasonText(value.error().detail);
 }
 
 void FieldBinder::bind(QWidget& field, const char* key, std::function<void()> show) {

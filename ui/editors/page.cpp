@@ -3,6 +3,7 @@
 
 #include "ui/editors/field_binder.h"
 #include "ui/session/workspace.h"
+#include "ui/text/finding_text.h"
 
 namespace syncline::ui {
 
@@ -38,7 +39,7 @@ QString Page::set(const QString& text, std::vector<SettingEdit> edits) {
   if (status) return {};
   workspace_.report(status.error(), Severity::kWarning, tr("Project"));
   refresh();
-  return QString::fromStdString(status.error().detail);
+  return reasonText(status.error().detail);
 }
 
 }  // namespace syncline::ui

@@ -13,6 +13,7 @@
 #include "ui/editors/field_binder.h"
 #include "ui/editors/page.h"
 #include "ui/editors/text_edit.h"
+#include "ui/text/finding_text.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/named.h"
 
@@ -131,7 +132,7 @@ QString RecordForm::take(const RecordPart& part, const QString& typed) {
   auto record = part.put(records[static_cast<std::size_t>(row)], typed);
   if (!record) {
     page_.refresh();
-    return QString::fromStdString(record.error().detail);
+    return reasonText(record.error().detail);
   }
   return replace(*record);
 }

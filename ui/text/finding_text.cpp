@@ -7,6 +7,7 @@
 #include <string>
 
 #include "findings/fold.h"
+#include "findings/reasons.h"
 #include "protocol/al_state.h"
 #include "ui/text/units.h"
 
@@ -23,10 +24,22 @@ class FindingSentences {
     return QString::fromStdString(text).replace(QStringLiteral(" to "), tr(" to "));
   }
   static QString slaves(const std::string& text) { return tr("Slaves %1").arg(ranges(text)); }
+  static QString reason(std::string_view text);
   static QString sentence(std::string_view text) {
     return QCoreApplication::translate("Finding", std::string(text).c_str());
   }
 };
+
+QString FindingSentences::reason(std::string_view text) {
+  const auto found = find_reason(text);
+  if (!found) return sentence(text);
+  auto said = sentence(found->words);
+  for (const auto& [name, given] : found->given) {
+    said.replace(QStringLiteral("{%1}").arg(QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()))),
+                 name == "reason" ? reason(given) : QString::fromStdString(given));
+  }
+  return said;
+}
 
 QString FindingSentences::of(const Figure& figure) {
   using In = Figure::Unit;
@@ -62,12 +75,20 @@ QString FindingSentences::of(const Figure& figure) {
       return QStringLiteral("%1 (%2)").arg(hexText(code, 4), sentence(al_status_code_text(code).meaning));
     }
     case In::kPhrase:
-      return figure.text.empty() ? QString() : sentence(figure.text);
+      return figure.text.empty() ? QString() : reason(figure.text);
     case In::kAside:
-      return figure.text.empty() ? QString() : QStringLiteral(": ") + sentence(figure.text);
+      return figure.text.empty() ? QString() : QStringLiteral(": ") + reason(figure.text);
     default:
       return QString::fromStdString(figure_text(figure));
   }
+}
+
+/// The figure, or the words that it chooses.
+QString placed(const Placeholder& placeholder, const Figure& figure) {
+  const auto text = FindingSentences::of(figure);
+  if (placeholder.one.empty()) return text;
+  const auto words = placeholder.words_for(figure);
+  return QString::fromUtf8(words.data(), static_cast<qsizetype>(words.size())).replace(QLatin1Char('#'), text);
 }
 
 /// As fill_finding_template(), in the user's language.
@@ -77,10 +98,11 @@ QString fill(const QString& text, const Finding& finding) {
   for (qsizetype open = text.indexOf(QLatin1Char('{')); open >= 0; open = text.indexOf(QLatin1Char('{'), from)) {
     const auto close = text.indexOf(QLatin1Char('}'), open);
     if (close < 0) break;
-    const auto name = text.mid(open + 1, close - open - 1).toStdString();
-    const auto found = std::ranges::find(finding.figures, std::string_view(name), &Figure::name);
+    const auto inside = text.mid(open + 1, close - open - 1).toStdString();
+    const Placeholder placeholder{std::string_view(inside)};
+    const auto found = std::ranges::find(finding.figures, placeholder.name, &Figure::name);
     out += QStringView(text).mid(from, open - from);
-    out += found == finding.figures.end() ? text.mid(open, close - open + 1) : FindingSentences::of(*found);
+    out += found == finding.figures.end() ? text.mid(open, close - open + 1) : placed(placeholder, *found);
     from = close + 1;
   }
   out += QStringView(text).mid(from);
@@ -104,6 +126,8 @@ QString findingWhole(const Finding& finding) {
   if (advice.isEmpty()) return text;
   return text + QLatin1String(text.endsWith(QLatin1Char('.')) ? " " : ". ") + advice;
 }
+
+QString reasonText(std::string_view text) { return FindingSentences::reason(text); }
 
 QString findingKey(const Finding& finding) {
   if (!finding.place.key.empty()) return QString::fromStdString(finding.place.key);

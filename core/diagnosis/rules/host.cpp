@@ -51,10 +51,18 @@ Finding stalled(const RunReport& report) {
   return finding;
 }
 
+/// Before all are in OP cycles may be left out; it matters to those who are there already and fall by it.
+bool matters(const RunReport& report) {
+  constexpr auto kLeftOut = static_cast<std::size_t>(dc::MissCause::kCyclesLeftOut);
+  return report.history.reached_op || std::ranges::any_of(report.slaves, [](const RunReport::Slave& slave) {
+           return slave.sm2_missed && slave.sm2_missed->by_cause[kLeftOut] > 0;
+         });
+}
+
 }  // namespace
 
 void find_host(const RunReport& report, Findings& findings) {
-  if (!report.history.stalls.empty() && report.history.reached_op) findings.push_back(stalled(report));
+  if (!report.history.stalls.empty() && matters(report)) findings.push_back(stalled(report));
   find_lateness(report, findings);
 }
 

@@ -44,6 +44,8 @@ void SlavesSync::start(const DcNetwork& network, Nanoseconds first_cycle, bool s
   out_since_.reset();
   round_since_.reset();
   known_.reset();
+  awaited_.clear();
+  awaited_.reserve(config.slaves.size());
   auto& dc = run_.snapshot.dc;
   dc.reference_clock = network.reference_clock;
   dc.monitored = config.dc.sync_window.enabled && network.synchronised_count() >= 2;
@@ -77,7 +79,8 @@ void SlavesSync::observe(Nanoseconds time, bool led, bool distributed, const std
 }
 
 void SlavesSync::take_readings(Nanoseconds time, bool distributed) {
-  if (known_ != Known{run_.slave_changes(), run_.snapshot.dc.reference_clock}) look_who_follows(time);
+  const bool news = known_ != Known{run_.slave_changes(), run_.snapshot.dc.reference_clock};
+  if (news || std::ranges::any_of(awaited_, [&](auto slave) { return caught_up(slave, time); })) look_who_follows(time);
   if (!distributed) return;
   for (const std::size_t i : run_.deviations_read) {
     const auto& slave = run_.snapshot.slaves[i];
@@ -90,34 +93,34 @@ void SlavesSync::take_readings(Nanoseconds time, bool distributed) {
   }
 }
 
+/// Who is away stays away until presence changes; only who answers and has yet to catch up may do so in any cycle.
 void SlavesSync::look_who_follows(Nanoseconds time) {
-  auto& snapshot = run_.snapshot;
-  const auto leader = snapshot.dc.reference_clock;
-  bool all_stay = true;
   followers_ = 0;
+  awaited_.clear();
   for (std::size_t i = 0; i < readings_.size(); ++i) {
-    auto& slave = snapshot.slaves[i];
+    auto& slave = run_.snapshot.slaves[i];
     auto& reading = readings_[i];
-    const bool wanted = slave.dc_enabled && leader >= 0 && static_cast<int>(i) > leader;
     const bool stays = slave.present && (lost_[i] | returned_[i]) == 0;
-    const bool follows = stays ? wanted : follows_again(i, time) && wanted;
+    const bool follows = stays ? may_follow(i) : follows_again(i, time);
     if (follows != reading.follows) reading = {follows, false, time, 0};
     slave.follows = follows;
     followers_ += follows ? 1 : 0;
-    all_stay = all_stay && stays;
+    if (slave.present && lost_[i] != 0 && may_follow(i)) awaited_.push_back(i);
   }
-  known_.reset();  // who comes back is looked at until he is
-  if (all_stay) known_ = {run_.slave_changes(), leader};
+  known_ = {run_.slave_changes(), run_.snapshot.dc.reference_clock};
+}
+
+bool SlavesSync::may_follow(std::size_t slave) const {
+  const auto leader = run_.snapshot.dc.reference_clock;
+  return run_.snapshot.slaves[slave].dc_enabled && leader >= 0 && static_cast<int>(slave) > leader;
 }
 
 bool SlavesSync::follows_again(std::size_t slave, Nanoseconds time) {
-  const auto& status = run_.snapshot.slaves[slave];
-  const auto leader = run_.snapshot.dc.reference_clock;
+  const bool present = run_.snapshot.slaves[slave].present;
   const bool was_lost = lost_[slave] != 0;
-  const bool behind = leader >= 0 && static_cast<int>(slave) > leader;
-  const bool follows = status.present && status.dc_enabled && behind && !comes_back(slave, time);
-  if (!status.present) lost_[slave] = 1;
-  returned_[slave] = status.present && (returned_[slave] != 0 || (was_lost && lost_[slave] == 0)) ? 1 : 0;
+  const bool follows = present && may_follow(slave) && !comes_back(slave, time);
+  if (!present) lost_[slave] = 1;
+  returned_[slave] = present && (returned_[slave] != 0 || (was_lost && lost_[slave] == 0)) ? 1 : 0;
   return follows;
 }
 
@@ -134,13 +137,16 @@ void SlavesSync::tell_return(std::size_t slave, Nanoseconds time) {
 /// when its slave works with it.
 bool SlavesSync::comes_back(std::size_t slave, Nanoseconds time) {
   if (lost_[slave] == 0) return false;
-  const auto& status = run_.snapshot.slaves[slave];
-  const auto state = al_state_of(status.al_status);
+  const auto state = al_state_of(run_.snapshot.slaves[slave].al_status);
   const bool works = state == AlState::kSafeop || state == AlState::kOp;
-  const bool caught_up = status.deviation_valid && status.deviation_time == time &&
-                         std::abs(std::int64_t{status.deviation_ns}) <= verdict_.limit_ns();
-  lost_[slave] = !works && !caught_up ? 1 : 0;
+  lost_[slave] = !works && !caught_up(slave, time) ? 1 : 0;
   return lost_[slave] != 0;
+}
+
+bool SlavesSync::caught_up(std::size_t slave, Nanoseconds time) const {
+  const auto& status = run_.snapshot.slaves[slave];
+  return status.deviation_valid && status.deviation_time == time &&
+         std::abs(std::int64_t{status.deviation_ns}) <= verdict_.limit_ns();
 }
 
 /// A slave in front of the reference clock gets the master's time, and a reference clock that the master steers has its

@@ -26,12 +26,17 @@ class SlavesSync {
                CycleSample& sample);
   /// Somebody left the sync window, or may have: the slaves' own readings must say, soon.
   [[nodiscard]] bool wants_readings() const { return out_since_.has_value() || round_since_.has_value(); }
+  /// Who follows is known until a slave changes, and no cycle looks at all of them again.
+  [[nodiscard]] bool settled() const { return known_.has_value() && awaited_.empty(); }
 
  private:
   void take_readings(Nanoseconds time, bool distributed);
   void look_who_follows(Nanoseconds time);
+  /// It has a clock and stands behind the reference clock.
+  [[nodiscard]] bool may_follow(std::size_t slave) const;
   /// Whether a slave behind the reference clock follows, with what became of it while it was away.
   [[nodiscard]] bool follows_again(std::size_t slave, Nanoseconds time);
+  [[nodiscard]] bool caught_up(std::size_t slave, Nanoseconds time) const;
   void tell_return(std::size_t slave, Nanoseconds time);
   [[nodiscard]] bool comes_back(std::size_t slave, Nanoseconds time);
   [[nodiscard]] dc::OredReading meaning(const OredDeviation& ored) const;
@@ -53,7 +58,8 @@ class SlavesSync {
     int leader = -1;
     bool operator==(const Known&) const = default;
   };
-  std::optional<Known> known_;  // who follows stays as it is as long as this does
+  std::optional<Known> known_;  // who follows stays as it is as long as this does, and until somebody awaited comes
+  std::vector<std::size_t> awaited_;  // answer and have yet to catch up
   bool steered_ = false;
   std::uint32_t ored_ns_ = 0;
   std::optional<Nanoseconds> out_since_;  // out of sync, and not told yet

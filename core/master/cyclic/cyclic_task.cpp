@@ -240,7 +240,11 @@ dc::DcmObservation CyclicTaskRunner::observation(const CyclicFrameSet::Reading& 
 void CyclicTaskRunner::evaluate(CycleSample& sample) {
   const auto reading = frames_.evaluate();
   const bool up = run_.snapshot.link_up;
-  if (up) working_counter_.observe(reading.wkc_expected, reading.wkc_received, send_time_, sample);
+  if (up) {
+    working_counter_.observe(reading.wkc_expected, reading.wkc_received, send_time_, sample);
+  } else {
+    working_counter_.pause();
+  }
   if (reading.al_status) slaves_.observe_broadcast(*reading.al_status, *reading.al_status_wkc);
   const auto all = slaves_.take(send_time_, sample);
   slaves_.observe_silence((!up || (sample.flags & CycleSample::kFrameLost) != 0) && !reading.al_status, send_time_);

@@ -89,6 +89,7 @@ bool SyncEventWatch::pass_together(Nanoseconds passed) {
 void SyncEventWatch::settle_all() {
   if (!together_) return;
   for (auto& slave : slaves_) {
+    if (!slave.next) continue;
     *slave.next += together_->cycles * together_->period;
     slave.regular += together_->cycles;
   }
@@ -97,21 +98,23 @@ void SyncEventWatch::settle_all() {
 
 void SyncEventWatch::observe_each(const Outputs& outputs) {
   settle_all();
-  bool all_regular = !slaves_.empty();
-  Together together{INT64_MIN, INT64_MAX, slaves_.empty() ? 0 : slaves_.front().period, run_.slave_changes(), 0};
+  bool all_regular = true;
+  Together together;
+  together.changes = run_.slave_changes();
   for (auto& slave : slaves_) {
     const auto delay = static_cast<Nanoseconds>(run_.snapshot.slaves[slave.position].propagation_delay_ns);
     const auto came = outputs.passed + delay;
     if (outputs.regular() && slave.next && observe_regular(slave, came)) {
+      if (together.period == 0) together.period = slave.period;
       all_regular = all_regular && slave.period == together.period;
       together.begin = std::max(together.begin, *slave.next - delay);
       together.end = std::min(together.end, *slave.next - delay + slave.period);
       continue;
     }
-    all_regular = false;
     settle(slave);
     follow_state(slave, outputs.send_time);
     if (!slave.in_op_since) continue;
+    all_regular = false;
     end_settling(slave, outputs.send_time);
     slave.account->observe({came, outputs.back, outputs.skipped});
     confirm(slave, outputs.send_time);

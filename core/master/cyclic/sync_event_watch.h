@@ -24,6 +24,8 @@ class SyncEventWatch {
   /// A reading of the slave's counter of missed events.
   void read(std::size_t slave, std::uint32_t counter);
   void set_limit(std::size_t slave, std::uint32_t limit);
+  /// All that are in OP are looked at together, in closed form, until one of them changes.
+  [[nodiscard]] bool together() const { return together_.has_value(); }
 
  private:
   struct Slave {
@@ -44,10 +46,12 @@ class SyncEventWatch {
     std::uint32_t skipped = 0;  // cycles before
     [[nodiscard]] bool regular() const { return back && skipped == 0; }
   };
-  /// All slaves' cycles are regular, and will be as long as outputs pass the reference clock in time.
+  /// The cycles of all slaves in OP are regular, and will be as long as outputs pass the reference clock in time. Who
+  /// is not in OP counts nothing.
   struct Together {
-    Nanoseconds begin = 0, end = 0;  // of the time in which the next ones must do so
-    Nanoseconds period = 0;
+    // Of the time in which the next ones must do so; half of all time, where nobody is in OP, bears additions.
+    Nanoseconds begin = INT64_MIN / 2, end = INT64_MAX / 2;
+    Nanoseconds period = 0;     // 0: nobody is in OP
     std::uint64_t changes = 0;  // RunState::slave_changes()
     std::int64_t cycles = 0;    // since then; not yet counted in the slaves
   };

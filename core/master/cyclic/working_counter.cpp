@@ -5,6 +5,17 @@
 
 namespace syncline {
 
+/// What is behind a pause is another spell, however like the one before it looks.
+void WorkingCounter::set_judging(bool judging) {
+  if (!judging) pause();
+  judging_ = judging;
+}
+
+void WorkingCounter::end_spell(Nanoseconds time) {
+  const auto count = std::exchange(spell_, 0);
+  if (count > 1) run_.event(time, -1, events::WkcError{last_expected_, last_wrong_, count});
+}
+
 void WorkingCounter::observe(std::uint16_t expected, std::uint16_t received, Nanoseconds time, CycleSample& sample) {
   sample.wkc_expected = expected;
   sample.wkc_received = received;
@@ -12,16 +23,13 @@ void WorkingCounter::observe(std::uint16_t expected, std::uint16_t received, Nan
   if (!judging_ || (sample.flags & CycleSample::kFrameLost) != 0) return;
   // Who comes back counts before anybody has looked at him.
   if (expected == received || (received > expected && (joining_ || run_.somebody_absent()))) {
-    const auto count = std::exchange(spell_, 0);
-    if (count > 1) {
-      run_.event(time, -1, events::WkcError{last_expected_, last_wrong_, count});
-    }
-    return;
+    return end_spell(time);
   }
   sample.flags |= CycleSample::kWkcError;
   ++run_.snapshot.wkc_errors;
   last_wrong_ = received;
   last_expected_ = expected;
+  last_time_ = time;
   if (spell_++ == 0) run_.event(time, -1, events::WkcError{expected, received, 1});
 }
 

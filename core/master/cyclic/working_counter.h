@@ -10,13 +10,15 @@ namespace syncline {
 
 /// The working counter of the cyclic frames against what is expected of the slaves that are there. Errors are told as
 /// spells: one event when a spell begins, one with the count when a longer one is over. What is expected follows from
-/// the configuration (compile/cyclic_frames) and from who is absent (CyclicTask::expect_present).
+/// the configuration (compile/cyclic_frames) and from who is absent (CyclicTaskRunner::expect_present).
 class WorkingCounter {
  public:
   explicit WorkingCounter(RunState& run) : run_(run) {}
 
-  /// It is judged in OP only: below it a slave may or may not take outputs.
-  void set_judging(bool judging) { judging_ = judging; }
+  /// It is judged in OP only: below it a slave may or may not take outputs. A spell is over when judging ends.
+  void set_judging(bool judging);
+  /// Nothing is received that could be judged, for a while: a spell is over.
+  void pause() { end_spell(last_time_); }
   [[nodiscard]] bool judging() const { return judging_; }
   /// While slaves join, their process data may count before anybody expects them.
   void set_joining(bool joining) { joining_ = joining; }
@@ -24,10 +26,13 @@ class WorkingCounter {
   void observe(std::uint16_t expected, std::uint16_t received, Nanoseconds time, CycleSample& sample);
 
  private:
+  void end_spell(Nanoseconds time);
+
   RunState& run_;
   bool judging_ = false, joining_ = false;
   std::uint64_t spell_ = 0;
   std::uint16_t last_wrong_ = 0, last_expected_ = 0;
+  Nanoseconds last_time_ = 0;  // of the latest wrong one
 };
 
 }  // namespace syncline

@@ -56,6 +56,9 @@ TEST(EventFinding, AFailureIsTheFindingOfItsError) {
 TEST(EventFinding, OneIsNotSeveral) {
   EXPECT_EQ(facts_text(told(-1, events::FramesLost{1})), "1 frame lost");
   EXPECT_EQ(facts_text(told(-1, events::FramesLost{7})), "7 frames lost");
+  EXPECT_EQ(facts_text(told(2, events::PortErrors{1, 1, 0})), "slave 2 port B: 1 damaged frame");
+  EXPECT_EQ(facts_text(told(-1, events::DcInitialised{1, 0})),
+            "distributed clocks initialised: 1 slave, reference clock is slave 0");
   EXPECT_EQ(facts_text(told(-1, events::DelaysMeasured{1, -20})),
             "propagation delays measured again: 1 slave to correct, by -20 ns");
 }

@@ -117,8 +117,6 @@ TEST(FoundSlaves, AnotherRevisionKeepsWhatItTakes) {
   EXPECT_EQ(taken.lost, std::vector<std::string>({"slave.1.startup.0"})) << "it has no mailbox any more";
 }
 
-/// Whatever is ticked: nothing taken is the project, all taken is the bus in order and wiring, and every result can be
-/// wired and addressed.
 TEST(FoundSlaves, ASlaveThatComesInGetsAFreeAddressWhateverTheOthersHave) {
   auto ours = line({1});
   ours.slaves[0].station_address = 0xFFFF;
@@ -133,6 +131,8 @@ TEST(FoundSlaves, ASlaveThatComesInGetsAFreeAddressWhateverTheOthersHave) {
   EXPECT_EQ(taken.slaves[2].station_address, 2);
 }
 
+/// Whatever is ticked: nothing taken is the project, all taken is the bus in order and wiring, and every result can be
+/// wired and addressed.
 TEST(FoundSlaves, AnyChoiceGivesAWholeProject) {
   EXPECT_TRUE(rc::check([] {
     const auto machine = [] {

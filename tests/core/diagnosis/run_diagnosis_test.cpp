@@ -13,6 +13,7 @@
 namespace syncline {
 namespace {
 
+using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -131,7 +132,19 @@ TEST(RunDiagnosis, TellsWhoHeldTheHostWhereItsKernelCounts) {
   EXPECT_THAT(describe(diagnose(report)[0]), HasSubstr("Of 4 ms"));
   report.host.held_by_others = 30 * kMicrosecond;
   EXPECT_THAT(codes(report), ElementsAre(code::kHostTimerLate));
-  EXPECT_THAT(describe(diagnose(report)[0]), HasSubstr("its timer came late"));
+  EXPECT_THAT(describe(diagnose(report)[0]), HasSubstr("it was stopped, or its timer came late"));
+}
+
+TEST(RunDiagnosis, AStandstillBeforeAllAreInOpIsToldWhereSlavesFellByIt) {
+  auto report = healthy();
+  report.history.reached_op = false;
+  report.history.stalls.note(kStart + 5 * kSecond, 20, 21 * kMillisecond);
+  EXPECT_THAT(codes(report), Not(Contains(code::kHostStalled)));
+  auto& missed = report.slaves[1].sm2_missed.emplace();
+  missed.known = true;
+  missed.missed = 20;
+  missed.by_cause[static_cast<std::size_t>(dc::MissCause::kCyclesLeftOut)] = 20;
+  EXPECT_THAT(codes(report), Contains(code::kHostStalled));
 }
 
 TEST(RunDiagnosis, SaysHowMuchMoreTimeLateFramesNeed) {

@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <regex>
 #include <set>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "findings/difference_words.h"
@@ -81,6 +83,63 @@ TEST(FindingWords, TheManualHasEachMessage) {
       const auto line =
           fmt::format("| {} | {} | {} | {} |", row.code, severity_name(row.severity), row.title, row.mend);
       EXPECT_TRUE(lines.contains(line)) << line;
+    }
+  }
+}
+
+/// All texts of all rows that may show figures.
+std::vector<std::string_view> sentences() {
+  std::vector<std::string_view> all;
+  for (const FindingWords& row : all_finding_words()) {
+    all.push_back(row.mend);
+    for (const auto& facts : row.facts) all.push_back(facts.text);
+  }
+  std::erase(all, std::string_view{});
+  return all;
+}
+
+/// The sentence with the same number in all places.
+std::string counted(std::string_view text, std::int64_t number) {
+  Finding finding;
+  for (auto open = text.find('{'); open != std::string_view::npos; open = text.find('{', open + 1)) {
+    const Placeholder placeholder(text.substr(open + 1, text.find('}', open) - open - 1));
+    finding.figures.push_back({placeholder.name, Figure::Unit::kCount, number});
+  }
+  return fill_finding_template(text, finding);
+}
+
+TEST(FindingWords, OneIsNotSeveral) {
+  const std::string before = "(?:damaged |missed |SM2 |mailbox |slave-to-slave |wrong |more |other )*";
+  const std::regex plural("(?:^|[^.:0-9A-Za-z])1 " + before +
+                          "(?:bits|bytes|clocks|commands|copies|cycles|datagrams|devices|EEPROMs|entries|errors|events|"
+                          "files|FMMUs|frames|links|members|objects|PDOs|places|ports|samples|slaves|steps|times|tries|"
+                          "variables|words|mailbox requests)\\b");
+  for (const auto text : sentences()) {
+    const auto one = counted(text, 1);
+    EXPECT_FALSE(std::regex_search(one, plural)) << one;
+    EXPECT_EQ(one.find("(s)"), std::string::npos) << one;
+  }
+}
+
+TEST(FindingWords, ACountChoosesItsWords) {
+  const auto frames = [](std::int64_t count, std::string at_least = {}) {
+    Finding finding;
+    finding.figures.push_back({"count", Figure::Unit::kCount, count, 0, std::move(at_least)});
+    return fill_finding_template("{count:# frame was|# frames were} lost, {count}", finding);
+  };
+  EXPECT_EQ(frames(0), "0 frames were lost, 0");
+  EXPECT_EQ(frames(1), "1 frame was lost, 1");
+  EXPECT_EQ(frames(12), "12 frames were lost, 12");
+  EXPECT_EQ(frames(1, "at least"), "at least 1 frame was lost, at least 1");
+  EXPECT_EQ(fill_finding_template("{count:# frame|# frames}", {}), "{count:# frame|# frames}");
+}
+
+/// The window shows the same words, and has no options.
+TEST(FindingWords, NameNoOptionOfTheCommandLineWithoutItsCommand) {
+  for (const auto text : sentences()) {
+    for (auto at = text.find("--"); at != std::string_view::npos; at = text.find("--", at + 2)) {
+      const auto quote = text.rfind('"', at);
+      EXPECT_TRUE(quote != std::string_view::npos && text[quote + 1] != ' ') << text;
     }
   }
 }

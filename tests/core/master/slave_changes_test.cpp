@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "channels/event_finding.h"
+#include "master/clocks/slaves_sync.h"
+#include "master/clocks/sync_watch.h"
+#include "master/cyclic/sync_event_watch.h"
+#include "support/random.h"
+
+/// What is made of all slaves in each cycle is looked at again only after a change (RunState::note_slave_change()).
+/// The same history, once as it is and once with a change told in each cycle, must come out the same.
+namespace syncline {
+namespace {
+
+constexpr Nanoseconds kCycle = kMillisecond;
+
+NetworkConfig clocked_line(std::size_t slaves) {
+  NetworkConfig config;
+  config.dc.enabled = true;
+  config.dc.sync_window.enabled = true;
+  config.dc.sync_window.settle_time_ms = 20;
+  for (std::size_t i = 0; i < slaves; ++i) {
+    SlaveConfig slave;
+    slave.dc = SlaveDcConfig{true, i == 0, kCycle, 0, 300 * kMicrosecond, 0x0300};
+    slave.send = ImageRange{};
+    config.slaves.push_back(slave);
+  }
+  return config;
+}
+
+DcNetwork clocks_of(std::size_t slaves) {
+  DcNetwork network;
+  network.slaves.resize(slaves);
+  for (auto& slave : network.slaves) slave.synchronised = true;
+  return network;
+}
+
+/// One of the two masters that live through the same.
+struct WatchedLine {
+  WatchedLine(const NetworkConfig& config, bool looks_always)
+      : always(looks_always), run(config, channels), sync(run), slaves_sync(run) {
+    const auto network = clocks_of(config.slaves.size());
+    for (std::size_t i = 0; i < config.slaves.size(); ++i) {
+      auto& slave = run.snapshot.slaves[i];
+      slave.present = slave.dc_enabled = true;
+      slave.al_status = static_cast<std::uint16_t>(AlState::kOp);
+      slave.propagation_delay_ns = static_cast<std::uint32_t>(400 * i);
+    }
+    sync.start(network, 0);
+    slaves_sync.start(network, 0, false);
+    run.note_slave_change();
+    events = std::make_unique<SyncEventWatch>(run, sync);
+    limits.resize(config.slaves.size());
+  }
+  /// What an event says, with its moment.
+  void take_events() {
+    for (const auto& event : channels.events.drain()) {
+      const auto finding = event_finding(event);
+      told.push_back(std::to_string(event.time) + " " + std::to_string(event.slave) + " " +
+                     (finding ? facts_text(*finding) : std::string()));
+    }
+  }
+  void follow(Nanoseconds now, bool led, bool distributed, const std::optional<OredDeviation>& ored,
+              CycleSample& sample) {
+    if (always) run.note_slave_change();
+    slaves_sync.observe(now, led, distributed, ored, sample);
+    run.deviations_read.clear();
+    take_events();
+  }
+  void send(bool back, CycleSample& sample) {
+    if (always) {
+      run.note_slave_change();
+      for (std::size_t i = 0; i < limits.size(); ++i) events->set_limit(i, limits[i]);  // ends the closed form
+    }
+    events->observe(sample, back);
+    take_events();
+  }
+
+  bool always;
+  MasterChannels channels;
+  RunState run;
+  SyncWatch sync;
+  SlavesSync slaves_sync;
+  std::unique_ptr<SyncEventWatch> events;
+  std::vector<std::uint32_t> limits;
+  std::vector<std::string> told;
+};
+
+/// Both masters, and what happens to both.
+struct Twins {
+  explicit Twins(std::size_t slaves) : config(clocked_line(slaves)) {}
+  template <class What>
+  void both(const What& what) {
+    for (auto& line : lines) what(line);
+  }
+  /// Mostly nothing: long histories between changes are what the shortcuts are for.
+  void change_slaves(Random& random, Nanoseconds now) {
+    const auto slave = random.next() % config.slaves.size();
+    const auto dice = random.next() % 400;
+    constexpr std::array kStates{0x01, 0x02, 0x04, 0x08, 0x08, 0x08, 0x14};
+    const auto state = static_cast<std::uint16_t>(kStates[random.next() % kStates.size()]);
+    both([&](WatchedLine& line) {
+      auto& status = line.run.snapshot.slaves[slave];
+      if (dice < 4) line.run.set_present(slave, !status.present, now);
+      if (dice >= 4 && dice < 9 && status.present) line.run.set_al_status(slave, state, 0, now);
+      if (dice == 9) {
+        status.dc_enabled = !status.dc_enabled;
+        line.run.note_slave_change();
+      }
+      if (dice == 10) line.run.snapshot.dc.reference_clock = static_cast<int>(slave);
+    });
+  }
+  void read_deviation(Random& random, Nanoseconds now) {
+    const auto slave = static_cast<std::uint16_t>(random.next() % config.slaves.size());
+    const auto size = random.next() % 50 == 0 ? 400 : 120;
+    const auto deviation = static_cast<std::int32_t>(random.next() % (2 * size + 1)) - size;
+    both([&](WatchedLine& line) {
+      auto& status = line.run.snapshot.slaves[slave];
+      if (!status.present) return;
+      status.deviation_valid = true;
+      status.deviation_ns = deviation;
+      status.deviation_time = now;
+      line.run.deviations_read.push_back(slave);
+    });
+  }
+  [[nodiscard]] bool agree() const {
+    return lines[0].run.snapshot.dc == lines[1].run.snapshot.dc &&
+           lines[0].run.snapshot.slaves == lines[1].run.snapshot.slaves && lines[0].told == lines[1].told;
+  }
+
+  NetworkConfig config;
+  std::array<WatchedLine, 2> lines{WatchedLine{config, false}, WatchedLine{config, true}};
+};
+
+bool same_verdict(const CycleSample& a, const CycleSample& b) {
+  return a.flags == b.flags && a.deviation_ns == b.deviation_ns && a.slaves_sync == b.slaves_sync;
+}
+
+bool same_misses(const CycleSample& a, const CycleSample& b) {
+  return a.sm2_position == b.sm2_position && a.slave_sm2_missed == b.slave_sm2_missed &&
+         a.slave_sm2_integrator == b.slave_sm2_integrator;
+}
+
+TEST(SlaveChanges, WhoFollowsIsTheSameAsIfAllWereLookedAtInEachCycle) {
+  EXPECT_TRUE(rc::check([] {
+    Random random(*rc::gen::arbitrary<std::uint64_t>());
+    Twins twins(1 + random.next() % 5);
+    for (Nanoseconds now = kCycle; now < 2 * kSecond; now += kCycle) {
+      twins.change_slaves(random, now);
+      if (random.next() % 3 != 0) twins.read_deviation(random, now);
+      const bool led = random.next() % 200 != 0, distributed = random.next() % 50 != 0;
+      std::optional<OredDeviation> ored;
+      if (random.next() % 4 != 0) {
+        ored = OredDeviation{static_cast<std::uint32_t>(random.next() % 140),
+                             static_cast<std::uint16_t>(random.next() % 6)};
+      }
+      std::array<CycleSample, 2> samples;
+      for (int i = 0; i < 2; ++i) twins.lines[i].follow(now, led, distributed, ored, samples[i]);
+      RC_ASSERT(same_verdict(samples[0], samples[1]));
+      RC_ASSERT(twins.agree());
+    }
+  }));
+}
+
+TEST(SlaveChanges, MissedEventsAreTheSameAsIfEachSlaveWereLookedAtInEachCycle) {
+  EXPECT_TRUE(rc::check([] {
+    Random random(*rc::gen::arbitrary<std::uint64_t>());
+    Twins twins(1 + random.next() % 4);
+    std::uint32_t counter = 0;
+    Nanoseconds now = 0;
+    for (int cycle = 0; cycle < 2'000; ++cycle) {
+      now += kCycle;
+      twins.change_slaves(random, now);
+      CycleSample sample;
+      if (random.next() % 100 == 0) {
+        sample.skipped_cycles = static_cast<std::uint16_t>(1 + random.next() % 4);
+        now += sample.skipped_cycles * kCycle;
+      }
+      sample.send_time = now;
+      const auto late = random.next() % 60 == 0 ? static_cast<Nanoseconds>(random.next() % (2 * kCycle)) : 0;
+      sample.reference_time = now + late;
+      if (random.next() % 20 != 0) sample.flags |= CycleSample::kReferenceValid;
+      const bool back = random.next() % 60 != 0;
+      const auto slave = random.next() % twins.config.slaves.size();
+      const auto news = random.next() % 200;
+      counter += random.next() % 100 == 0 ? 1 : 0;
+      const auto limit = static_cast<std::uint32_t>(random.next() % 30);
+      std::array<CycleSample, 2> samples{sample, sample};
+      for (int i = 0; i < 2; ++i) {
+        auto& line = twins.lines[i];
+        if (news < 4) line.events->read(slave, counter);
+        if (news == 4) line.events->set_limit(slave, line.limits[slave] = limit);
+        if (news == 5) {
+          line.run.snapshot.slaves[slave].propagation_delay_ns = 100 * limit;
+          line.run.note_slave_change();
+        }
+        line.send(back, samples[i]);
+      }
+      RC_ASSERT(same_misses(samples[0], samples[1]));
+      RC_ASSERT(twins.agree());
+    }
+  }));
+}
+
+class OneIsAway : public ::testing::Test {
+ protected:
+  void cycles(int count, std::optional<std::uint16_t> read = {}) {
+    for (int i = 0; i < count; ++i) {
+      now += kCycle;
+      CycleSample sample;
+      sample.send_time = sample.reference_time = now;
+      sample.flags = CycleSample::kReferenceValid;
+      if (read) {
+        auto& status = line.run.snapshot.slaves[*read];
+        status.deviation_valid = true;
+        status.deviation_time = now;
+        line.run.deviations_read.push_back(*read);
+      }
+      line.send(true, sample);
+      line.follow(now, true, true, {}, sample);
+    }
+  }
+
+  NetworkConfig config = clocked_line(4);
+  WatchedLine line{config, false};
+  Nanoseconds now = 0;
+};
+
+TEST_F(OneIsAway, TheOthersAreNotLookedAtInEachCycleForIt) {
+  cycles(200);
+  EXPECT_TRUE(line.slaves_sync.settled());
+  EXPECT_TRUE(line.events->together());
+  line.run.set_present(2, false, now);
+  cycles(3);
+  EXPECT_TRUE(line.slaves_sync.settled());
+  EXPECT_TRUE(line.events->together());
+  EXPECT_FALSE(line.run.snapshot.slaves[2].follows);
+  EXPECT_EQ(line.run.snapshot.dc.followers, 2);
+}
+
+TEST_F(OneIsAway, WhoComesBackIsAwaitedUntilItHasCaughtUp) {
+  cycles(200);
+  line.run.set_present(2, false, now);
+  cycles(3);
+  line.run.set_present(2, true, now);
+  line.run.set_al_status(2, static_cast<std::uint16_t>(AlState::kPreop), 0, now);
+  cycles(3);
+  EXPECT_FALSE(line.slaves_sync.settled());
+  EXPECT_TRUE(line.events->together());
+  cycles(1, 2);
+  EXPECT_TRUE(line.slaves_sync.settled());
+  EXPECT_TRUE(line.run.snapshot.slaves[2].follows);
+}
+
+TEST_F(OneIsAway, WhoHasNoClockIsNotAwaited) {
+  line.run.snapshot.slaves[2].dc_enabled = false;
+  line.run.note_slave_change();
+  cycles(200);
+  line.run.set_present(2, false, now);
+  cycles(3);
+  line.run.set_present(2, true, now);
+  cycles(3);
+  EXPECT_TRUE(line.slaves_sync.settled());
+}
+
+TEST_F(OneIsAway, NobodyInOpIsNobodyToLookAt) {
+  for (std::size_t i = 0; i < 4; ++i) line.run.set_present(i, false, now);
+  cycles(1'000);
+  EXPECT_TRUE(line.slaves_sync.settled());
+  EXPECT_TRUE(line.events->together());
+}
+
+}  // namespace
+}  // namespace syncline
