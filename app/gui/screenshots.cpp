@@ -38,7 +38,7 @@ namespace {
 
 constexpr qint64 kScanTimeoutMs = 60'000;
 constexpr int kMachineSeconds = 12;
-constexpr int kMostReadingTicks = 120;  // of 50 ms of the machine
+constexpr int kMostReadingTicks = 600;  // of 50 ms of the machine
 
 /// Names pages like "light-slave3-process-data.png" and counts what could not be written.
 class Camera {
@@ -107,7 +107,9 @@ void fill(QWidget& page, ui::Workspace& workspace) {
     press("objectReadShown");
     run(idle);
   }
-  if (press("registerRead") || press("eepromRead")) run([] { return false; });
+  if (press("registerRead")) run([ticks = 20]() mutable { return --ticks < 0; });
+  if (press("eepromRead"))
+    run([save = page.findChild<QPushButton*>(QStringLiteral("eepromSave"))] { return save->isEnabled(); });
 }
 
 void takePages(Camera& camera, ui::MainWindow& window, ui::Workspace& workspace, const QString& theme) {

@@ -46,7 +46,7 @@ SlaveEepromPage::SlaveEepromPage(Workspace& workspace) : OnlinePage(workspace, "
   auto* table = named(new QTableView, "eepromTable", tr("What the EEPROM says"));
   setUpTable(*table);
   table->setModel(lines_);
-  table->setColumnWidth(0, 190);
+  table->setColumnWidth(0, 215);
   stretchColumn(*table, 1);
   hex_ = named(new QPlainTextEdit, "eepromHex", tr("Bytes of the EEPROM"));
   hex_->setReadOnly(true);
