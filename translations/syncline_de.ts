@@ -4857,8 +4857,12 @@ Einstellung %2</translation>
             <translation>Noch nicht gelesen</translation>
         </message>
         <message>
-            <source>%1, the default of the ESI: not read yet</source>
-            <translation>%1, der Vorgabewert der ESI: noch nicht gelesen</translation>
+            <source>%1, the default: not read yet</source>
+            <translation>%1, der Vorgabewert: noch nicht gelesen</translation>
+        </message>
+        <message>
+            <source>Default</source>
+            <translation>Vorgabe</translation>
         </message>
     </context>
     <context>
@@ -4909,6 +4913,10 @@ Einstellung %2</translation>
         <message>
             <source>%1 is in %2. %3</source>
             <translation>%1 ist in %2. %3</translation>
+        </message>
+        <message>
+            <source>What became of the last request</source>
+            <translation>Was aus der letzten Anfrage wurde</translation>
         </message>
     </context>
     <context>
@@ -5002,10 +5010,6 @@ Einstellung %2</translation>
             <translation>Beobachtete: alle %1 s</translation>
         </message>
         <message>
-            <source>What became of the last request</source>
-            <translation>Was aus der letzten Anfrage wurde</translation>
-        </message>
-        <message>
             <source>Stop</source>
             <translation>Stopp</translation>
         </message>
@@ -5067,6 +5071,10 @@ Einstellung %2</translation>
         <message>
             <source>%1 of %2 entries</source>
             <translation>%1 von %2 Einträgen</translation>
+        </message>
+        <message>
+            <source>%1 of %2 entries; the others say why in their line</source>
+            <translation>%1 von %2 Einträgen; die anderen sagen in ihrer Zeile, warum</translation>
         </message>
         <message>
             <source>The slave acts upon the new value at once.</source>
@@ -5370,13 +5378,13 @@ Einstellung %2</translation>
             <source>%1 s</source>
             <translation>%1 s</translation>
         </message>
+        <message>
+            <source>last run</source>
+            <translation>letzter Lauf</translation>
+        </message>
     </context>
     <context>
     <name>SlaveCountersPage</name>
-        <message>
-            <source>Error Counters</source>
-            <translation>Fehlerzähler</translation>
-        </message>
         <message>
             <source>Port</source>
             <translation>Port</translation>
@@ -5430,6 +5438,10 @@ Einstellung %2</translation>
             <translation>noch nicht</translation>
         </message>
         <message>
+            <source>in the last run</source>
+            <translation>im letzten Lauf</translation>
+        </message>
+        <message>
             <source>%1 s ago</source>
             <translation>vor %1 s</translation>
         </message>
@@ -5457,6 +5469,10 @@ Einstellung %2</translation>
             <source>PDI watchdog expired</source>
             <translation>PDI-Watchdog abgelaufen</translation>
         </message>
+        <message>
+            <source>Counters</source>
+            <translation>Zähler</translation>
+        </message>
     </context>
     <context>
     <name>SlaveEepromPage</name>
@@ -5483,10 +5499,6 @@ Einstellung %2</translation>
         <message>
             <source>Not read yet</source>
             <translation>Noch nicht gelesen</translation>
-        </message>
-        <message>
-            <source>What became of the last request</source>
-            <translation>Was aus der letzten Anfrage wurde</translation>
         </message>
         <message>
             <source>&amp;Read</source>
@@ -5596,6 +5608,10 @@ Einstellung %2</translation>
             <source>The EEPROM is being written.</source>
             <translation>Das EEPROM wird geschrieben.</translation>
         </message>
+        <message>
+            <source>%1 of %2 words are written.</source>
+            <translation>%1 von %2 Wörtern sind geschrieben.</translation>
+        </message>
     </context>
     <context>
     <name>SlaveRegistersPage</name>
@@ -5606,10 +5622,6 @@ Einstellung %2</translation>
         <message>
             <source>Registers of the slave</source>
             <translation>Register des Slaves</translation>
-        </message>
-        <message>
-            <source>What became of the last request</source>
-            <translation>Was aus der letzten Anfrage wurde</translation>
         </message>
         <message>
             <source>Which registers are shown and read</source>
@@ -5698,6 +5710,18 @@ Einstellung %2</translation>
         <message>
             <source>%1 is written.</source>
             <translation>%1 ist geschrieben.</translation>
+        </message>
+        <message>
+            <source>Written, but not to be read back: %1</source>
+            <translation>Geschrieben, lässt sich aber nicht zurücklesen: %1</translation>
+        </message>
+        <message>
+            <source>%1 is %2 now.</source>
+            <translation>%1 ist jetzt %2.</translation>
+        </message>
+        <message>
+            <source>Written, but the register shows %1.</source>
+            <translation>Geschrieben, doch das Register zeigt %1.</translation>
         </message>
     </context>
     <context>

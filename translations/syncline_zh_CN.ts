@@ -4837,8 +4837,12 @@ Setting %2</source>
             <translation>尚未读取</translation>
         </message>
         <message>
-            <source>%1, the default of the ESI: not read yet</source>
-            <translation>%1，ESI 的默认值：尚未读取</translation>
+            <source>%1, the default: not read yet</source>
+            <translation>%1，默认值：尚未读取</translation>
+        </message>
+        <message>
+            <source>Default</source>
+            <translation>默认值</translation>
         </message>
     </context>
     <context>
@@ -4889,6 +4893,10 @@ Setting %2</source>
         <message>
             <source>%1 is in %2. %3</source>
             <translation>%1 处于 %2。%3</translation>
+        </message>
+        <message>
+            <source>What became of the last request</source>
+            <translation>最近一次请求的结果</translation>
         </message>
     </context>
     <context>
@@ -4982,10 +4990,6 @@ Setting %2</source>
             <translation>监视：每 %1 s</translation>
         </message>
         <message>
-            <source>What became of the last request</source>
-            <translation>最近一次请求的结果</translation>
-        </message>
-        <message>
             <source>Stop</source>
             <translation>停止</translation>
         </message>
@@ -5046,6 +5050,10 @@ Setting %2</source>
         <message>
             <source>%1 of %2 entries</source>
             <translation>%2 个条目中的 %1 个</translation>
+        </message>
+        <message>
+            <source>%1 of %2 entries; the others say why in their line</source>
+            <translation>%2 个条目中的 %1 个；其余条目在各自的行中说明原因</translation>
         </message>
         <message>
             <source>The slave acts upon the new value at once.</source>
@@ -5349,13 +5357,13 @@ Setting %2</source>
             <source>%1 s</source>
             <translation>%1 s</translation>
         </message>
+        <message>
+            <source>last run</source>
+            <translation>上次运行</translation>
+        </message>
     </context>
     <context>
         <name>SlaveCountersPage</name>
-        <message>
-            <source>Error Counters</source>
-            <translation>错误计数器</translation>
-        </message>
         <message>
             <source>Port</source>
             <translation>端口</translation>
@@ -5409,6 +5417,10 @@ Setting %2</source>
             <translation>尚未</translation>
         </message>
         <message>
+            <source>in the last run</source>
+            <translation>在上次运行中</translation>
+        </message>
+        <message>
             <source>%1 s ago</source>
             <translation>%1 s 前</translation>
         </message>
@@ -5436,6 +5448,10 @@ Setting %2</source>
             <source>PDI watchdog expired</source>
             <translation>PDI 看门狗超时</translation>
         </message>
+        <message>
+            <source>Counters</source>
+            <translation>计数器</translation>
+        </message>
     </context>
     <context>
         <name>SlaveEepromPage</name>
@@ -5462,10 +5478,6 @@ Setting %2</source>
         <message>
             <source>Not read yet</source>
             <translation>尚未读取</translation>
-        </message>
-        <message>
-            <source>What became of the last request</source>
-            <translation>最近一次请求的结果</translation>
         </message>
         <message>
             <source>&amp;Read</source>
@@ -5575,6 +5587,10 @@ Setting %2</source>
             <source>The EEPROM is being written.</source>
             <translation>正在写入 EEPROM。</translation>
         </message>
+        <message>
+            <source>%1 of %2 words are written.</source>
+            <translation>已写入 %2 个字中的 %1 个。</translation>
+        </message>
     </context>
     <context>
         <name>SlaveRegistersPage</name>
@@ -5585,10 +5601,6 @@ Setting %2</source>
         <message>
             <source>Registers of the slave</source>
             <translation>从站的寄存器</translation>
-        </message>
-        <message>
-            <source>What became of the last request</source>
-            <translation>最近一次请求的结果</translation>
         </message>
         <message>
             <source>Which registers are shown and read</source>
@@ -5677,6 +5689,18 @@ Setting %2</source>
         <message>
             <source>%1 is written.</source>
             <translation>%1 已写入。</translation>
+        </message>
+        <message>
+            <source>Written, but not to be read back: %1</source>
+            <translation>已写入，但无法回读：%1</translation>
+        </message>
+        <message>
+            <source>%1 is %2 now.</source>
+            <translation>%1 现为 %2。</translation>
+        </message>
+        <message>
+            <source>Written, but the register shows %1.</source>
+            <translation>已写入，但寄存器显示 %1。</translation>
         </message>
     </context>
     <context>

@@ -3,14 +3,17 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QComboBox>
 #include <QDir>
 #include <QDockWidget>
 #include <QElapsedTimer>
 #include <QPixmap>
+#include <QPushButton>
 #include <QTabWidget>
 #include <QTemporaryDir>
 #include <QTextStream>
 #include <QTreeView>
+#include <algorithm>
 #include <functional>
 
 #include "settings/settings_table.h"
@@ -35,6 +38,7 @@ namespace {
 
 constexpr qint64 kScanTimeoutMs = 60'000;
 constexpr int kMachineSeconds = 12;
+constexpr int kMostReadingTicks = 600;  // of 50 ms of the machine
 
 /// Names pages like "light-slave3-process-data.png" and counts what could not be written.
 class Camera {
@@ -73,14 +77,51 @@ bool bringOnline(ui::MainWindow& window, ui::Workspace& workspace, const QString
   return workspace.live().snapshot().dc.state == SyncState::kInSync;
 }
 
+/// The first that tells of itself: by objects, registers and EEPROM.
+int talkativeSlave(const Project& project) {
+  const auto& slaves = project.slaves;
+  const auto found = std::ranges::find_if(
+      slaves, [](const SlaveSettings& slave) { return slave.device.mailbox && slave.device.mailbox->coe; });
+  return found == slaves.end() ? -1 : static_cast<int>(found - slaves.begin());
+}
+
+/// Lets the page in front read what it can read.
+void fill(QWidget& page, ui::Workspace& workspace) {
+  const auto press = [&page](const char* name) {
+    auto* button = page.findChild<QPushButton*>(QLatin1String(name));
+    if (button != nullptr) button->click();
+    return button != nullptr;
+  };
+  const auto run = [&](const std::function<bool()>& done) {
+    for (int i = 0; i < kMostReadingTicks && !done(); ++i) {
+      workspace.live().advance(50 * kMillisecond);
+      QApplication::processEvents();
+    }
+  };
+  if (auto* source = page.findChild<QComboBox*>(QStringLiteral("objectSource"))) {
+    const auto* stop = page.findChild<QPushButton*>(QStringLiteral("objectStop"));
+    const auto idle = [stop] { return !stop->isVisible(); };
+    source->setCurrentIndex(1);
+    Q_EMIT source->activated(1);
+    run(idle);
+    press("objectReadShown");
+    run(idle);
+  }
+  if (press("registerRead")) run([ticks = 20]() mutable { return --ticks < 0; });
+  if (press("eepromRead"))
+    run([save = page.findChild<QPushButton*>(QStringLiteral("eepromSave"))] { return save->isEnabled(); });
+}
+
 void takePages(Camera& camera, ui::MainWindow& window, ui::Workspace& workspace, const QString& theme) {
   const auto slaves = static_cast<int>(workspace.document().project().slaves.size());
+  const int talkative = talkativeSlave(workspace.document().project());
   for (int slave = -1; slave < slaves; ++slave) {
     window.selectNode(slave);
     auto* tabs = window.editor().tabs();
     for (int tab = 0; tab < tabs->count(); ++tab) {
       tabs->setCurrentIndex(tab);
       workspace.live().advance(50 * kMillisecond);
+      if (slave == talkative) fill(*tabs->widget(tab), workspace);
       window.findChild<ui::LiveStrip*>()->refresh();  // its own tick has had no time to pass
       camera.take(window, fileName(theme, slave, *tabs->widget(tab)));
     }

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "check/network_view.h"
+#include "support/le_number.h"
 
 namespace syncline::checker {
 namespace {
@@ -16,12 +17,6 @@ constexpr std::uint16_t kInterpolation = 0x60C2;  // + 0x800 for each further ax
 bool is_assignment(std::uint16_t index) { return index >= kFirstAssign && index <= kLastAssign; }
 bool is_mapping(std::uint16_t index) {
   return (index >= 0x1600 && index <= 0x17FF) || (index >= 0x1A00 && index <= 0x1BFF);
-}
-
-std::uint64_t number_of(std::span<const std::uint8_t> bytes) {
-  std::uint64_t value = 0;
-  for (std::size_t i = 0; i < std::min<std::size_t>(bytes.size(), 8); ++i) value |= std::uint64_t{bytes[i]} << (8 * i);
-  return value;
 }
 
 /// A list object (count in sub-index 0) as the start-up commands leave it.
@@ -129,12 +124,12 @@ class CoeCheck {
       const std::span<const std::uint8_t> bytes(command.data);
       list.entries.clear();
       for (std::size_t at = 2; at + width <= bytes.size(); at += width) {
-        list.entries[static_cast<unsigned>((at - 2) / width + 1)] = number_of(bytes.subspan(at, width));
+        list.entries[static_cast<unsigned>((at - 2) / width + 1)] = le_number(bytes.subspan(at, width));
       }
       list.count = bytes[0];
       list.open = list.count == 0U;
     } else if (command.sub_index == 0) {
-      list.count = static_cast<unsigned>(number_of(command.data));
+      list.count = static_cast<unsigned>(le_number(command.data));
       list.open = list.count == 0U;
       if (list.open) list.entries.clear();
     } else {
@@ -142,7 +137,7 @@ class CoeCheck {
         list.bad_order = true;
         add("ENI-COE-04", i, fig::hex<"object">(command.index), fig::count<"sub_index">(command.sub_index));
       }
-      list.entries[command.sub_index] = number_of(command.data);
+      list.entries[command.sub_index] = le_number(command.data);
     }
   }
 

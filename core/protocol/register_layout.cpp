@@ -8,6 +8,7 @@
 
 #include "protocol/al_state.h"
 #include "protocol/registers.h"
+#include "support/le_number.h"
 
 namespace syncline::reg {
 namespace {
@@ -239,12 +240,6 @@ void append_counters(std::vector<RegisterLayout>& all) {
     counter(address, std::string(name(address)));
 }
 
-std::uint64_t digits_of(std::span<const std::uint8_t> bytes) {
-  std::uint64_t value = 0;
-  for (std::size_t i = 0; i < bytes.size() && i < sizeof value; ++i) value |= std::uint64_t{bytes[i]} << (8 * i);
-  return value;
-}
-
 std::int64_t signed_of(std::uint64_t value, std::size_t bytes) {
   const auto shift = 64 - 8 * static_cast<int>(bytes);
   return static_cast<std::int64_t>(value << shift) >> shift;
@@ -276,7 +271,7 @@ std::vector<RegisterLayout> register_layouts(unsigned fmmus, unsigned sync_manag
 }
 
 std::string register_text(const RegisterLayout& layout, std::span<const std::uint8_t> bytes) {
-  const auto value = digits_of(bytes);
+  const auto value = le_number(bytes);
   switch (layout.value) {
     case kHex:
       return {};
@@ -302,7 +297,7 @@ std::string register_text(const RegisterLayout& layout, std::span<const std::uin
 }
 
 std::string field_text(const RegisterField& field, std::span<const std::uint8_t> bytes) {
-  const auto value = (digits_of(bytes) >> field.bit) & ((std::uint64_t{1} << field.width) - 1);
+  const auto value = (le_number(bytes) >> field.bit) & ((std::uint64_t{1} << field.width) - 1);
   if (field.words.empty()) return field.width > 1 ? fmt::format("{}", value) : value != 0 ? "yes" : "no";
   auto rest = field.words;
   for (std::uint64_t i = 0; i < value; ++i) {

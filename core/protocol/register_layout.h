@@ -62,12 +62,12 @@ struct RegisterLayout {
 /// Address ascending; of so many FMMUs and SyncManagers (at most 16 each).
 [[nodiscard]] std::vector<RegisterLayout> register_layouts(unsigned fmmus, unsigned sync_managers);
 
-/// The value in words: "1.000 ms" as ns, names of states; empty where the digits say it all.
+/// The value as people read it: "1000000 ns", "-5", names of states; empty where the digits say it all.
 [[nodiscard]] std::string register_text(const RegisterLayout& layout, std::span<const std::uint8_t> bytes);
 [[nodiscard]] std::string field_text(const RegisterField& field, std::span<const std::uint8_t> bytes);
 
-/// Registers that are read at once: those of a block of 16 bytes, because an ESC has them all or none and answers a
-/// longer range as soon as it has a part of it.
+/// Registers that are read at once: neighbours in a block of 16 bytes, the size of the units of an ESC. Longer ranges
+/// would hide what is missing: an ESC answers a range as soon as it has a part of it, and what it has not reads 0.
 struct RegisterRange {
   std::uint16_t address = 0, length = 0;
   bool operator==(const RegisterRange&) const = default;

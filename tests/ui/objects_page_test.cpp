@@ -112,6 +112,20 @@ TEST(ObjectFilter, FindsByWordsOfTheLine) {
   EXPECT_TRUE(tableCsv(filter).contains(QStringLiteral("0x1C32:01,Mode,UINT")));
 }
 
+TEST(ObjectTable, ADefaultIsNoValue) {
+  ObjectModel model;
+  model.setDictionary(smallDictionary());
+  const auto line = [&] { return tableCsv(model).split(u'\n').at(1); };
+  EXPECT_EQ(line(), QStringLiteral("0x1000,Device type,UDINT,rw,,,,67305985"));
+  EXPECT_EQ(rowsText({model.find({0x1000, 0})}).split(u'\t').last(), QStringLiteral("67305985"));
+  EXPECT_FALSE(model.find({0x1000, 0}, ObjectModel::kValue).data(Qt::ToolTipRole).toString().contains(u"ESI"))
+      << "be it the slave's own";
+  model.setValue({0x1000, 0}, {5, 0, 0, 0}, 1);
+  EXPECT_EQ(line(), QStringLiteral("0x1000,Device type,UDINT,rw,,5,0x00000005,67305985"));
+  model.setFailure({0x1000, 0}, QStringLiteral("no"));
+  EXPECT_EQ(line(), QStringLiteral("0x1000,Device type,UDINT,rw,,no,,67305985"));
+}
+
 TEST(DictionaryText, ValuesAreTypedAndLimited) {
   auto mode = entry(1, "Mode", 2, "SINT", 8);
   mode.words = {{8, "Cyclic position"}};
@@ -336,8 +350,23 @@ TEST(WatchLists, StayWithTheProject) {
   }
   Workspace workspace(environment);
   EXPECT_TRUE(workspace.watched().of(1002).empty());
+  const auto other = folder.filePath(QStringLiteral("other.syncline"));
+  workspace.document().replace(QStringLiteral("load"), test::smallProject());
+  workspace.watched().set(1002, {{0x1018, 1}});
+  ASSERT_TRUE(workspace.document().save(other));
   ASSERT_TRUE(workspace.document().load(file));
   ASSERT_EQ(workspace.watched().of(1002).size(), 2U);
+  // Saved over another file it stays the same machine.
+  ASSERT_TRUE(workspace.document().save(other));
+  EXPECT_EQ(workspace.watched().of(1002).size(), 2U);
+  workspace.watched().set(1003, {{0x1018, 1}});
+  ASSERT_TRUE(workspace.document().load(file));
+  EXPECT_TRUE(workspace.watched().of(1003).empty()) << "ticked for the other file";
+  ASSERT_TRUE(workspace.document().load(other));
+  EXPECT_EQ(workspace.watched().of(1003).size(), 1U);
+  workspace.document().reset();
+  EXPECT_TRUE(workspace.watched().of(1002).empty());
+  ASSERT_TRUE(workspace.document().load(file));
   EXPECT_EQ(workspace.watched().of(1002)[1], (coe::ObjectAddress{0x1C32, 11}));
 }
 

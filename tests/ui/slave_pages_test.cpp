@@ -144,9 +144,20 @@ TEST_F(ASlaveOfARunningMachine, PollsRegistersAndWritesThemForExperts) {
   field<QLineEdit>("registerValue").setText(QStringLiteral("0x09C3"));
   ASSERT_TRUE(field("registerWrite").isEnabled());
   answerQuestion("registerQuestion", true);
+  workspace_.document().replace(QStringLiteral("edit"), [this] {
+    auto edited = project();
+    edited.slaves[kOtherServo].name = "Other";
+    return edited;
+  }());
+  EXPECT_EQ(field<QLineEdit>("registerValue").text(), QStringLiteral("0x09C3")) << "what is typed stays";
   press("registerWrite");
   run(kSecond);
   EXPECT_EQ(model.value(reg::kWatchdogDivider), (Bytes{0xC3, 0x09})) << qPrintable(text("registerStatus"));
+  EXPECT_TRUE(text("registerStatus").contains(QStringLiteral("is 0x09C3 now"))) << qPrintable(text("registerStatus"));
+  // Another list of registers: none of them is selected.
+  model.setUnits(1, 1);
+  EXPECT_FALSE(field("registerWrite").isEnabled());
+  EXPECT_TRUE(field<QLineEdit>("registerValue").text().isEmpty());
 }
 
 // ---- EEPROM -------------------------------------------------------------------------------------
@@ -190,7 +201,12 @@ TEST_F(TheEepromOfARunningSlave, IsReadAndGetsAnAlias) {
   field<QSpinBox>("eepromAlias").setValue(4711);
   answerQuestion("eepromQuestion", true);
   press("eepromWriteAlias");
-  run(3 * kSecond);
+  bool told = false;
+  for (int i = 0; i < 150; ++i) {
+    run(20 * kMillisecond);
+    told = told || text("eepromStatus").contains(QStringLiteral("of 2 words are written"));
+  }
+  EXPECT_TRUE(told) << "how far it is";
   EXPECT_TRUE(text("eepromStatus").contains(QStringLiteral("4711"))) << qPrintable(text("eepromStatus"));
   const auto again = sii::decode(page().image());
   ASSERT_TRUE(again);
@@ -245,7 +261,12 @@ TEST_F(ASlaveOfARunningMachine, ShowsItsCounters) {
   const auto* ports = field<QTableView>("portCounters").model();
   ASSERT_EQ(ports->rowCount(), 4);
   EXPECT_EQ(ports->index(0, 1).data().toString(), QStringLiteral("0"));
-  EXPECT_EQ(field<QTableView>("otherCounters").model()->rowCount(), 4);
+  ASSERT_EQ(field<QTableView>("otherCounters").model()->rowCount(), 4);
+  for (int row = 0; row < 4; ++row) {
+    const auto* others = field<QTableView>("otherCounters").model();
+    EXPECT_EQ(others->index(row, 1).data().toString(), QStringLiteral("0")) << row;
+    EXPECT_TRUE(others->index(row, 3).data().toString().endsWith(QStringLiteral("s ago"))) << row;
+  }
   workspace_.live().shutDown();
   EXPECT_EQ(ports->rowCount(), 4) << "what was counted stays";
 }

@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "support/patient_master.h"
 #include "support/ui_test_support.h"
 #include "ui/session/live_session.h"
 
@@ -15,28 +16,11 @@ namespace {
 
 using requests::RegisterRead;
 
-/// Online from the start; takes requests and answers when it is told to.
-class PatientMaster final : public BackgroundMaster {
- public:
-  PatientMaster() { channels_.events.push({0, -1, events::Online{}}); }
-  [[nodiscard]] MasterChannels& channels() override { return channels_; }
-  [[nodiscard]] bool is_virtual() const override { return true; }
-  void start() override {}
-  [[nodiscard]] bool started() const override { return false; }
-  void stop() override {}
-  bool step() override { return false; }
-  void run_for(Nanoseconds) override {}
-  [[nodiscard]] bool online() const override { return false; }
-
- private:
-  MasterChannels channels_;
-};
-
 class RequestsOfTheWindow : public ::testing::Test {
  protected:
   RequestsOfTheWindow()
       : live_([this](const QString&) -> Result<std::unique_ptr<BackgroundMaster>> {
-          auto master = std::make_unique<PatientMaster>();
+          auto master = std::make_unique<test::PatientMaster>();
           master_ = master.get();
           return master;
         }),
@@ -54,18 +38,13 @@ class RequestsOfTheWindow : public ::testing::Test {
         RegisterRead{slave, address, 1}, page_,
         [this, address](const RequestOutcome& outcome) { told_.emplace_back(address, outcome); }, urgency);
   }
-  /// All that the master has been given.
-  std::vector<RequestTicket*> taken() {
-    std::vector<RequestTicket*> tickets;
-    while (auto* ticket = master_->channels().requests.pop()) tickets.push_back(ticket);
-    return tickets;
-  }
+  std::vector<RequestTicket*> taken() { return master_->taken(); }
   void answer(RequestTicket& ticket) {
     ticket.bytes.push_back(7);
     master_->channels().requests.answer(ticket, 0);
   }
 
-  PatientMaster* master_ = nullptr;
+  test::PatientMaster* master_ = nullptr;
   LiveSession live_;
   SlaveRequests requests_;
   QObject page_;

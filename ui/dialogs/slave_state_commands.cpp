@@ -76,26 +76,28 @@ void SlaveStateCommands::request(int slave, AlState state) {
     if (!ask(window_, "stateQuestion", question, more, tr("Take to %1").arg(stateName(state)))) return;
   }
   const auto running = runningSlave(workspace_, slave);
-  if (!running) return;
+  if (!running) return Q_EMIT told(slave, obstacle(slave), true);
   Q_EMIT told(slave, tr("%1 is requested.").arg(stateName(state)), false);
   workspace_.requests().post(requests::StateChange{running->position, state}, *this,
-                             [this, slave, state](const RequestOutcome& outcome) {
-                               if (outcome.ok())
-                                 return Q_EMIT told(slave, tr("It is in %1.").arg(stateName(state)), false);
-                               Q_EMIT told(slave, outcome.why, true);
+                             [this, at = running->position, state](const RequestOutcome& outcome) {
+                               tell(at, outcome, tr("It is in %1.").arg(stateName(state)));
                              });
 }
 
 void SlaveStateCommands::acknowledge(int slave) {
   if (const auto why = obstacle(slave); !why.isEmpty()) return Q_EMIT told(slave, why, true);
   const auto running = runningSlave(workspace_, slave);
-  workspace_.requests().post(
-      requests::ErrorAcknowledge{running->position}, *this, [this, slave](const RequestOutcome& outcome) {
-        Q_EMIT told(
-            slave,
-            outcome.ok() ? tr("The error is acknowledged; now request the state that it shall have.") : outcome.why,
-            !outcome.ok());
-      });
+  workspace_.requests().post(requests::ErrorAcknowledge{running->position}, *this,
+                             [this, at = running->position](const RequestOutcome& outcome) {
+                               tell(at, outcome,
+                                    tr("The error is acknowledged; now request the state that it shall have."));
+                             });
+}
+
+/// The project may have been edited meanwhile.
+void SlaveStateCommands::tell(std::uint16_t position, const RequestOutcome& outcome, const QString& done) {
+  const int slave = workspace_.runningSlaves().slaveOf(position);
+  if (slave >= 0) Q_EMIT told(slave, outcome.ok() ? done : outcome.why, !outcome.ok());
 }
 
 void SlaveStateCommands::addTo(QMenu& menu, int slave) {

@@ -13,6 +13,7 @@ class QWidget;
 namespace syncline::ui {
 
 class Workspace;
+struct RequestOutcome;
 
 /// Leads one slave of the running bus to a state, or acknowledges its error, while the others stay where they are; asks
 /// before a machine is hurt.
@@ -34,11 +35,12 @@ class SlaveStateCommands final : public QObject {
   void addTo(QMenu& menu, int slave);
 
  Q_SIGNALS:
-  /// What became of it, in words.
+  /// What became of it, in words; of the slave of the project that it is by then.
   void told(int slave, const QString& text, bool bad);
 
  private:
   [[nodiscard]] QString consequence(int slave, AlState state) const;
+  void tell(std::uint16_t position, const RequestOutcome& outcome, const QString& done);
 
   Workspace& workspace_;
   QWidget& window_;

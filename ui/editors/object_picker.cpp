@@ -5,38 +5,17 @@
 #include <QHeaderView>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QSortFilterProxyModel>
 #include <QTableView>
 #include <QVBoxLayout>
 
 #include "ui/models/record_model.h"
+#include "ui/models/word_filter.h"
 #include "ui/text/units.h"
 #include "ui/widgets/named.h"
 #include "ui/widgets/tables.h"
 
 namespace syncline::ui {
 namespace {
-
-/// All words somewhere in the line.
-class WordFilter final : public QSortFilterProxyModel {
- public:
-  using QSortFilterProxyModel::QSortFilterProxyModel;
-  void setWords(const QString& text) {
-    words_ = text.split(u' ', Qt::SkipEmptyParts);
-    invalidateFilter();
-  }
-
- protected:
-  [[nodiscard]] bool filterAcceptsRow(int row, const QModelIndex& parent) const override {
-    QString line;
-    for (int column = 0; column < sourceModel()->columnCount(); ++column)
-      line += sourceModel()->index(row, column, parent).data().toString() + u' ';
-    return std::ranges::all_of(words_, [&](const QString& word) { return line.contains(word, Qt::CaseInsensitive); });
-  }
-
- private:
-  QStringList words_;
-};
 
 bool usable(const ObjectEntry& entry, ObjectUse use) {
   if (use == ObjectUse::kWrite) return entry.writable;
@@ -76,7 +55,7 @@ ObjectPicker::ObjectPicker(std::vector<PickableObject> objects, QWidget* parent)
                      object.name, object.type, bitsText(object.bits)});
   }
   model->setLines(lines);
-  auto* filter = new WordFilter(this);
+  auto* filter = new WordFilter(RecordModel::kWordsRole, this);
   filter->setSourceModel(model);
   shown_ = filter;
   table_ = named(new QTableView, "objectTable", tr("Objects of the device"));

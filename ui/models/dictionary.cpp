@@ -10,6 +10,7 @@
 #include "config/module_slots.h"
 #include "protocol/coe_data_type.h"
 #include "protocol/object_value.h"
+#include "support/le_number.h"
 #include "ui/text/units.h"
 
 namespace syncline::ui {
@@ -76,15 +77,9 @@ const coe::DataType* wholeType(const DictionaryEntry& entry) {
   return whole ? type : nullptr;
 }
 
-std::uint64_t digitsOfValue(std::span<const std::uint8_t> bytes) {
-  std::uint64_t value = 0;
-  for (std::size_t i = 0; i < bytes.size() && i < sizeof value; ++i) value |= std::uint64_t{bytes[i]} << (8 * i);
-  return value;
-}
-
 /// Long double holds every number of 64 bits.
 long double wholeNumber(const coe::DataType& type, std::span<const std::uint8_t> bytes) {
-  const auto bits = digitsOfValue(bytes);
+  const auto bits = le_number(bytes);
   if (type.kind != coe::ValueKind::kSigned || bytes.empty() || bytes.size() > 8) return static_cast<long double>(bits);
   const auto shift = 64 - 8 * static_cast<int>(bytes.size());
   return static_cast<long double>(static_cast<std::int64_t>(bits << shift) >> shift);
@@ -200,7 +195,7 @@ QString valueText(const DictionaryEntry& entry, std::span<const std::uint8_t> by
 QString rawText(const DictionaryEntry& entry, std::span<const std::uint8_t> bytes) {
   if (bytes.empty()) return {};
   if (wholeType(entry) != nullptr && bytes.size() <= 8)
-    return hexText(digitsOfValue(bytes), static_cast<int>(2 * bytes.size()));
+    return hexText(le_number(bytes), static_cast<int>(2 * bytes.size()));
   return QString::fromStdString(value_text(kBytesType, bytes)).toUpper();
 }
 

@@ -48,7 +48,7 @@ void completeFromEsi(DictionaryObject& object, const Dictionary& esi);
 
 /// "0x6040:00"
 [[nodiscard]] QString objectText(coe::ObjectAddress object);
-/// "rw, RxPDO"; states in which it cannot be reached are said: "rw (not in OP)".
+/// "rw, RxPDO"; where it can be written in some states only, they are said: "rw (write in PREOP/SAFEOP)".
 [[nodiscard]] QString accessText(const DictionaryEntry& entry);
 /// By its type: "12", "8 (Cyclic synchronous position)", "12 AB".
 [[nodiscard]] QString valueText(const DictionaryEntry& entry, std::span<const std::uint8_t> bytes);

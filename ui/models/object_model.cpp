@@ -199,7 +199,14 @@ QVariant ObjectModel::toolTip(const QModelIndex& index) const {
   if (index.column() != kValue && index.column() != kRaw) return shown;
   if (known != nullptr && !known->failure.isEmpty()) return known->failure;
   if (known != nullptr && !known->bytes.empty()) return tr("%1, read from the slave").arg(shown);
-  return one->default_value.empty() ? tr("Not read yet") : tr("%1, the default of the ESI: not read yet").arg(shown);
+  return one->default_value.empty() ? tr("Not read yet") : tr("%1, the default: not read yet").arg(shown);
+}
+
+QVariant ObjectModel::exportText(const QModelIndex& index) const {
+  if (index.column() != kValue && index.column() != kRaw) return text(index);
+  const auto* known = entry(index) == nullptr ? nullptr : reading(address(index));
+  const bool read = known != nullptr && (!known->bytes.empty() || !known->failure.isEmpty());
+  return read ? text(index) : QVariant();
 }
 
 QVariant ObjectModel::data(const QModelIndex& index, int role) const {
@@ -223,6 +230,10 @@ QVariant ObjectModel::data(const QModelIndex& index, int role) const {
       if (known != nullptr && !known->failure.isEmpty()) return theme::toneColor(palette, theme::Tone::kBad);
       return known != nullptr && !known->bytes.empty() ? QVariant() : QVariant(theme::mutedText(palette));
     }
+    case kExportRole:
+      return exportText(index);
+    case kDefaultRole:
+      return one == nullptr ? QVariant() : QVariant(valueText(*one, one->default_value));
     case kWatchedRole:
       return known != nullptr && known->watched;
     case kWordsRole: {

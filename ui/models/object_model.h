@@ -20,6 +20,8 @@ class ObjectModel final : public QAbstractItemModel {
   enum Role {
     kWordsRole = Qt::UserRole + 1,  // what one may search for
     kWatchedRole,
+    kExportRole,   // as it is shown, but a value only where one was read
+    kDefaultRole,  // of the row's entry, as a value
   };
 
   explicit ObjectModel(QObject* parent = nullptr);
@@ -70,6 +72,7 @@ class ObjectModel final : public QAbstractItemModel {
   }
   [[nodiscard]] const Reading* reading(coe::ObjectAddress object) const;
   [[nodiscard]] QVariant text(const QModelIndex& index) const;
+  [[nodiscard]] QVariant exportText(const QModelIndex& index) const;
   [[nodiscard]] QVariant toolTip(const QModelIndex& index) const;
   void tell(coe::ObjectAddress object);
 

@@ -38,8 +38,10 @@ int RecordModel::columnCount(const QModelIndex& parent) const {
 }
 
 QVariant RecordModel::data(const QModelIndex& index, int role) const {
-  if (!index.isValid() || (role != Qt::DisplayRole && role != Qt::ToolTipRole)) return {};
-  return lines_[static_cast<std::size_t>(index.row())][index.column()];
+  if (!index.isValid()) return {};
+  const auto& line = lines_[static_cast<std::size_t>(index.row())];
+  if (role == kWordsRole) return line.join(u' ');
+  return role == Qt::DisplayRole || role == Qt::ToolTipRole ? QVariant(line[index.column()]) : QVariant();
 }
 
 QVariant RecordModel::headerData(int section, Qt::Orientation orientation, int role) const {

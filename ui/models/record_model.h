@@ -13,6 +13,7 @@ class RecordModel final : public QAbstractTableModel {
 
  public:
   using Lines = std::vector<QStringList>;
+  static constexpr int kWordsRole = Qt::UserRole + 1;  // the whole line
   explicit RecordModel(QStringList titles, QObject* parent = nullptr);
 
   /// Each line has a word for each title.

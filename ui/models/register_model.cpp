@@ -6,19 +6,11 @@
 #include <QPalette>
 #include <algorithm>
 
+#include "support/le_number.h"
 #include "ui/text/units.h"
 #include "ui/theme/theme.h"
 
 namespace syncline::ui {
-namespace {
-
-std::uint64_t digitsOf(const std::vector<std::uint8_t>& bytes) {
-  std::uint64_t value = 0;
-  for (std::size_t i = 0; i < bytes.size() && i < sizeof value; ++i) value |= std::uint64_t{bytes[i]} << (8 * i);
-  return value;
-}
-
-}  // namespace
 
 RegisterModel::RegisterModel(QObject* parent) : QAbstractItemModel(parent) { setUnits(8, 8); }
 
@@ -57,7 +49,8 @@ void RegisterModel::setFailure(std::uint16_t address, std::uint16_t length, cons
   change(address, length, [&](const reg::RegisterLayout&, Reading& reading) { reading = {{}, 0, why}; });
 }
 
-void RegisterModel::setNow(Nanoseconds now) {
+void RegisterModel::setNow(std::optional<Nanoseconds> now) {
+  if (!now && !now_) return;
   now_ = now;
   Q_EMIT dataChanged(index(0, kAge), index(rowCount() - 1, kAge));
 }
@@ -128,11 +121,12 @@ QString RegisterModel::text(const QModelIndex& index) const {
       if (!reading.failure.isEmpty()) return reading.failure;
       return reading.bytes.empty() ? QString() : QString::fromStdString(reg::register_text(one, reading.bytes));
     case kDigits:
-      return reading.bytes.empty() ? QString() : hexText(digitsOf(reading.bytes), 2 * one.length);
+      return reading.bytes.empty() ? QString() : hexText(le_number(reading.bytes), 2 * one.length);
     case kAge:
       if (reading.bytes.empty()) return {};
+      if (!now_) return tr("last run");
       return tr("%1 s").arg(
-          QLocale().toString(static_cast<double>(std::max<Nanoseconds>(now_ - reading.time, 0)) / 1e9, 'f', 1));
+          QLocale().toString(static_cast<double>(std::max<Nanoseconds>(*now_ - reading.time, 0)) / 1e9, 'f', 1));
     default:
       return {};
   }

@@ -3,6 +3,7 @@
 
 #include <QAbstractItemModel>
 #include <QString>
+#include <optional>
 #include <vector>
 
 #include "protocol/register_layout.h"
@@ -23,9 +24,10 @@ class RegisterModel final : public QAbstractItemModel {
   /// As many as the ESC says it has (0x0004, 0x0005); the values go.
   void setUnits(unsigned fmmus, unsigned sync_managers);
   void setValues(std::uint16_t address, const std::vector<std::uint8_t>& bytes, Nanoseconds time);
+  /// Nothing could be read there, for that reason; what was read before goes.
   void setFailure(std::uint16_t address, std::uint16_t length, const QString& why);
-  /// For the ages.
-  void setNow(Nanoseconds now);
+  /// For the ages; nothing: the run in which the values were read is over.
+  void setNow(std::optional<Nanoseconds> now);
   /// The register of a row or of its field.
   [[nodiscard]] const reg::RegisterLayout* layout(const QModelIndex& index) const;
   [[nodiscard]] const std::vector<reg::RegisterLayout>& layouts() const { return layouts_; }
@@ -52,7 +54,7 @@ class RegisterModel final : public QAbstractItemModel {
 
   std::vector<reg::RegisterLayout> layouts_;
   std::vector<Reading> readings_;  // of each
-  Nanoseconds now_ = 0;
+  std::optional<Nanoseconds> now_ = 0;
 };
 
 }  // namespace syncline::ui

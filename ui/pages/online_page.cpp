@@ -2,11 +2,15 @@
 #include "ui/pages/online_page.h"
 
 #include <QLabel>
+#include <QVBoxLayout>
 #include <utility>
 
 #include "ui/dialogs/questions.h"
 #include "ui/session/workspace.h"
 #include "ui/text/glossary.h"
+#include "ui/theme/theme.h"
+#include "ui/widgets/named.h"
+#include "ui/widgets/value_label.h"
 
 namespace syncline::ui {
 
@@ -16,31 +20,79 @@ OnlinePage::OnlinePage(Workspace& workspace, const char* object_name, const QStr
   hint_->setWordWrap(true);
   hint_->setTextFormat(Qt::PlainText);
   hint_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  connect(&workspace.live(), &LiveSession::recordChanged, this, &OnlinePage::forget);
+  connect(&workspace.live(), &LiveSession::recordChanged, this, [this] {
+    machineChanged();
+    forget();
+  });
+  connect(&workspace.document(), &ProjectDocument::taken, this, [this] {
+    machineChanged();
+    stopAsking();
+    shown_ = -1;  // alike as the slaves may be
+  });
+  // Also of a page that is hidden: what it waits for may be about a slave that is gone.
+  connect(&workspace.document(), &ProjectDocument::projectChanged, this, [this] {
+    if (node() >= 0 && !same()) forget();
+  });
 }
 
 OnlinePage::~OnlinePage() { workspace().requests().drop(*this); }
+
+QVBoxLayout* OnlinePage::build() {
+  auto* content = new QWidget;
+  auto* layout = new QVBoxLayout(content);
+  layout->setContentsMargins(12, 12, 12, 12);
+  layout->setSpacing(6);
+  layout->addWidget(hint_);
+  setWidget(content);
+  return layout;
+}
+
+ValueLabel* OnlinePage::buildStatus(const char* object_name) {
+  status_ = named(new ValueLabel, object_name, tr("What became of the last request"));
+  status_->setMinimumWidth(60);
+  return status_;
+}
+
+void OnlinePage::say(const QString& text, bool bad) {
+  if (status_ == nullptr) return;
+  status_->setText(text);
+  auto colors = palette();
+  if (bad) colors.setColor(QPalette::WindowText, theme::toneColor(colors, theme::Tone::kBad));
+  status_->setPalette(colors);
+}
 
 const SlaveSettings* OnlinePage::settings() const {
   const auto at = static_cast<std::size_t>(node());
   return node() < 0 || at >= project().slaves.size() ? nullptr : &project().slaves[at];
 }
 
-void OnlinePage::refresh() {
+int OnlinePage::position() const { return workspace().runningSlaves().positionOf(node()); }
+
+bool OnlinePage::same() const {
   const auto* slave = settings();
-  if (slave == nullptr) return;
-  if (shown_ == node() && station_ == slave->station_address && identity_ == slave->device.identity) {
-    return projectChanged();
-  }
-  shown_ = node();
-  station_ = slave->station_address;
-  identity_ = slave->device.identity;
-  forget();
+  return slave != nullptr && shown_ == node() && station_ == slave->station_address &&
+         identity_ == slave->device.identity;
+}
+
+void OnlinePage::refresh() {
+  if (same()) return projectChanged();
+  if (settings() != nullptr) forget();
+}
+
+void OnlinePage::stopAsking() {
+  workspace().requests().drop(*this);
+  ended();
 }
 
 void OnlinePage::forget() {
-  workspace().requests().drop(*this);
-  if (settings() != nullptr) slaveChanged();
+  stopAsking();
+  say({});
+  const auto* slave = settings();
+  shown_ = slave == nullptr ? -1 : node();
+  if (slave == nullptr) return;
+  station_ = slave->station_address;
+  identity_ = slave->device.identity;
+  slaveChanged();
 }
 
 QString OnlinePage::obstacle() const {
@@ -61,11 +113,13 @@ void OnlinePage::showLive(const Snapshot& snapshot) {
   const auto why = obstacle();
   hint_->setText(why);
   hint_->setVisible(!why.isEmpty());
-  tick(snapshot, why);
+  possible_ = why.isEmpty();
+  // The session's last snapshot is an empty one.
+  tick(workspace().requests().possible() ? std::optional(snapshot.time) : std::nullopt);
 }
 
-void OnlinePage::post(SlaveRequest request, SlaveRequests::Done done, RequestUrgency urgency) {
-  workspace().requests().post(std::move(request), *this, std::move(done), urgency);
+SlaveRequests::Id OnlinePage::post(SlaveRequest request, SlaveRequests::Done done, RequestUrgency urgency) {
+  return workspace().requests().post(std::move(request), *this, std::move(done), urgency);
 }
 
 bool OnlinePage::mayDisturb(const QString& what, const QString& more, const QString& on) {

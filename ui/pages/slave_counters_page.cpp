@@ -45,51 +45,55 @@ QTableView* tableOf(RecordModel& model, const char* object_name, const QString& 
 }  // namespace
 
 SlaveCountersPage::SlaveCountersPage(Workspace& workspace)
-    : OnlinePage(workspace, "slaveCountersPage", tr("Error Counters")) {
+    : OnlinePage(workspace, "slaveCountersPage", tr("Counters")) {
   ports_ = new RecordModel(
       {tr("Port"), tr("Invalid frames"), tr("Receive errors"), tr("Forwarded errors"), tr("Lost links")}, this);
   others_ = new RecordModel({tr("Counter"), tr("Total"), tr("Register"), tr("Read")}, this);
-  auto* content = new QWidget;
-  auto* layout = new QVBoxLayout(content);
-  layout->setContentsMargins(12, 12, 12, 12);
-  layout->setSpacing(6);
-  layout->addWidget(hint());
-  auto* ports = tableOf(*ports_, "portCounters", tr("Error counters of the ports"));
-  layout->addWidget(ports, 3);
+  auto* layout = build();
+  port_table_ = tableOf(*ports_, "portCounters", tr("Error counters of the ports"));
+  layout->addWidget(port_table_);
   age_ = new QLabel;
   age_->setObjectName(QStringLiteral("portCountersAge"));
   layout->addWidget(age_);
-  layout->addWidget(tableOf(*others_, "otherCounters", tr("Other counters")), 3);
+  other_table_ = tableOf(*others_, "otherCounters", tr("Other counters"));
+  layout->addWidget(other_table_);
   means_ =
       new QLabel(tr("Counts since going online, or since the statistics were cleared. Invalid frames at a port: the "
                     "fault is on the cable or the plug at this port. Forwarded errors alone: it is further in front."));
   means_->setObjectName(QStringLiteral("countersHelp"));
   means_->setWordWrap(true);
   layout->addWidget(means_);
-  setWidget(content);
+  layout->addStretch(1);
 }
 
 void SlaveCountersPage::slaveChanged() {
   history_.clear();
+  last_.reset();
   ports_->setLines({});
   others_->setLines({});
   age_->clear();
 }
 
-QString SlaveCountersPage::ageText(Nanoseconds time, Nanoseconds now) const {
+QString SlaveCountersPage::ageText(Nanoseconds time, std::optional<Nanoseconds> now) const {
   if (time == 0) return tr("not yet");
+  if (!now) return tr("in the last run");
   return tr("%1 s ago")
-      .arg(QLocale().toString(static_cast<double>(std::max<Nanoseconds>(now - time, 0)) / 1e9, 'f', 1));
+      .arg(QLocale().toString(static_cast<double>(std::max<Nanoseconds>(*now - time, 0)) / 1e9, 'f', 1));
 }
 
-void SlaveCountersPage::tick(const Snapshot& snapshot, const QString&) {
+void SlaveCountersPage::tick(std::optional<Nanoseconds> now) {
   const auto slave = running();
-  if (!slave || slave->status == nullptr) return;  // what was counted stays on the page
-  const auto& evidence = slave->status->evidence;
-  history_.add(snapshot.time, totalsOf(evidence));
-  showPorts(evidence);
-  age_->setText(tr("Read: %1 (registers 0x0300 to 0x0313)").arg(ageText(evidence.ports_time, snapshot.time)));
-  showOthers(evidence, snapshot.time);
+  if (now && slave && slave->status != nullptr) {
+    last_ = slave->status->evidence;
+    history_.add(*now, totalsOf(*last_));
+  } else if (!now) {
+    history_.clear();  // what has ended grows no more
+  }
+  if (!last_) return;
+  showPorts(*last_);
+  age_->setText(tr("Read: %1 (registers 0x0300 to 0x0313)").arg(ageText(last_->ports_time, now)));
+  showOthers(*last_, now);
+  for (auto* table : {port_table_, other_table_}) fitRows(*table);
 }
 
 void SlaveCountersPage::showPorts(const SlaveEvidence& evidence) {
@@ -99,26 +103,30 @@ void SlaveCountersPage::showPorts(const SlaveEvidence& evidence) {
     const std::uint32_t counts[kOfPort] = {one.invalid_frames, one.receive_errors, one.forwarded_errors,
                                            one.lost_links};
     QStringList line{tr("Port %1 (%2)").arg(port).arg(QChar(static_cast<char16_t>(u'A' + port)))};
-    for (std::size_t i = 0; i < kOfPort; ++i)
-      line << growingText(counts[i], one.at_least && counts[i] > 0, history_.growth(kOfPort * port + i));
+    for (std::size_t i = 0; i < kOfPort; ++i) {
+      const bool known = evidence.ports_time != 0;
+      line << (known ? growingText(counts[i], one.at_least && counts[i] > 0, history_.growth(kOfPort * port + i))
+                     : noText());
+    }
     lines.push_back(line);
   }
   ports_->setLines(lines);
 }
 
-void SlaveCountersPage::showOthers(const SlaveEvidence& evidence, Nanoseconds now) {
+void SlaveCountersPage::showOthers(const SlaveEvidence& evidence, std::optional<Nanoseconds> now) {
   const auto first = kOfPort * evidence.ports.size();
   const auto& process_data = evidence.process_data_watchdog;
   const auto& pdi = evidence.pdi_watchdog;
   const auto counted = [&](const EvidenceCount& count, std::size_t n) {
     return count.valid() ? growingText(count.total, count.at_least, history_.growth(n)) : noText();
   };
+  const auto with_ports = [&](std::uint32_t total, std::size_t n) {
+    return evidence.ports_time != 0 ? growingText(total, false, history_.growth(n)) : noText();
+  };
   const auto ports = ageText(evidence.ports_time, now);
   others_->setLines(
-      {{tr("Processing unit errors"), growingText(evidence.processing_unit_errors, false, history_.growth(first)),
-        hexText(0x030C, 4), ports},
-       {tr("PDI errors"), growingText(evidence.pdi_errors, false, history_.growth(first + 1)), hexText(0x030D, 4),
-        ports},
+      {{tr("Processing unit errors"), with_ports(evidence.processing_unit_errors, first), hexText(0x030C, 4), ports},
+       {tr("PDI errors"), with_ports(evidence.pdi_errors, first + 1), hexText(0x030D, 4), ports},
        {tr("Process data watchdog expired"), counted(process_data, first + 2), hexText(0x0442, 4),
         ageText(process_data.time, now)},
        {tr("PDI watchdog expired"), counted(pdi, first + 3), hexText(0x0443, 4), ageText(pdi.time, now)}});

@@ -5,6 +5,7 @@
 #include "ui/pages/online_page.h"
 
 class QLabel;
+class QTableView;
 
 namespace syncline::ui {
 
@@ -20,15 +21,17 @@ class SlaveCountersPage final : public OnlinePage {
 
  protected:
   void slaveChanged() override;
-  void tick(const Snapshot& snapshot, const QString& obstacle) override;
+  void tick(std::optional<Nanoseconds> now) override;
 
  private:
   void showPorts(const SlaveEvidence& evidence);
-  void showOthers(const SlaveEvidence& evidence, Nanoseconds now);
-  [[nodiscard]] QString ageText(Nanoseconds time, Nanoseconds now) const;
+  void showOthers(const SlaveEvidence& evidence, std::optional<Nanoseconds> now);
+  [[nodiscard]] QString ageText(Nanoseconds time, std::optional<Nanoseconds> now) const;
 
   CountHistory history_;
+  std::optional<SlaveEvidence> last_;  // stays when the run is over
   RecordModel *ports_, *others_;
+  QTableView *port_table_, *other_table_;
   QLabel *age_, *means_;
 };
 

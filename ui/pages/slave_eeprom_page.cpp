@@ -24,7 +24,6 @@
 #include "ui/text/error_text.h"
 #include "ui/text/glossary.h"
 #include "ui/text/units.h"
-#include "ui/theme/theme.h"
 #include "ui/widgets/named.h"
 #include "ui/widgets/tables.h"
 #include "ui/widgets/value_label.h"
@@ -39,11 +38,7 @@ constexpr std::size_t kLargest = 64U << 10;  // bytes
 }  // namespace
 
 SlaveEepromPage::SlaveEepromPage(Workspace& workspace) : OnlinePage(workspace, "slaveEepromPage", tr("EEPROM")) {
-  auto* content = new QWidget;
-  auto* layout = new QVBoxLayout(content);
-  layout->setContentsMargins(12, 12, 12, 12);
-  layout->setSpacing(6);
-  layout->addWidget(hint());
+  auto* layout = build();
   layout->addWidget(buildButtons());
   auto* parts = new QSplitter(Qt::Horizontal);
   parts->setChildrenCollapsible(false);
@@ -51,7 +46,7 @@ SlaveEepromPage::SlaveEepromPage(Workspace& workspace) : OnlinePage(workspace, "
   auto* table = named(new QTableView, "eepromTable", tr("What the EEPROM says"));
   setUpTable(*table);
   table->setModel(lines_);
-  table->setColumnWidth(0, 190);
+  table->setColumnWidth(0, 215);
   stretchColumn(*table, 1);
   hex_ = named(new QPlainTextEdit, "eepromHex", tr("Bytes of the EEPROM"));
   hex_->setReadOnly(true);
@@ -62,11 +57,7 @@ SlaveEepromPage::SlaveEepromPage(Workspace& workspace) : OnlinePage(workspace, "
   parts->addWidget(table);
   parts->addWidget(hex_);
   layout->addWidget(parts, 1);
-  status_ = new ValueLabel;
-  status_->setObjectName(QStringLiteral("eepromStatus"));
-  status_->setAccessibleName(tr("What became of the last request"));
-  layout->addWidget(status_);
-  setWidget(content);
+  layout->addWidget(buildStatus("eepromStatus"));
 }
 
 QWidget* SlaveEepromPage::buildButtons() {
@@ -96,25 +87,33 @@ QWidget* SlaveEepromPage::buildButtons() {
   return area;
 }
 
-void SlaveEepromPage::slaveChanged() {
-  image_.clear();
+void SlaveEepromPage::ended() {
   reading_.clear();
   pieces_ = pieces_done_ = 0;
+}
+
+void SlaveEepromPage::slaveChanged() {
+  image_.clear();
   alias_->setValue(settings()->alias);
   showImage();
-  say({});
   projectChanged();
 }
 
 void SlaveEepromPage::projectChanged() { load_->setVisible(expert()); }
 
-void SlaveEepromPage::tick(const Snapshot&, const QString& obstacle) {
-  possible_ = obstacle.isEmpty();
+void SlaveEepromPage::tick(std::optional<Nanoseconds>) {
+  showProgress();
   enable();
 }
 
+void SlaveEepromPage::showProgress() {
+  if (!writing_ || writing_->position != position()) return;
+  const auto done = static_cast<int>(workspace().requests().progress(write_request_) / 2);
+  if (done > 0) say(tr("%1 of %2 words are written.").arg(done).arg(writing_->words));
+}
+
 void SlaveEepromPage::enable() {
-  const bool idle = possible_ && pieces_ == 0 && !writing_;
+  const bool idle = possible() && pieces_ == 0 && !writing_;
   read_->setEnabled(idle);
   save_->setEnabled(!image_.empty());
   for (QWidget* one : {static_cast<QWidget*>(alias_write_), static_cast<QWidget*>(load_)})
@@ -124,28 +123,27 @@ void SlaveEepromPage::enable() {
 // ---- reading ------------------------------------------------------------------------------------
 
 void SlaveEepromPage::read() {
-  if (!possible_ || pieces_ > 0) return;
+  const auto slave = running();
+  if (!slave || !possible() || pieces_ > 0) return;
   reading_.clear();
   pieces_ = 1;
   pieces_done_ = 0;
   enable();
-  readPiece(0);
+  readPiece(slave->position, 0);
 }
 
-void SlaveEepromPage::readPiece(std::uint32_t word) {
-  const auto slave = running();
-  if (!slave) return;
+void SlaveEepromPage::readPiece(std::uint16_t position, std::uint32_t word) {
   post(
-      requests::EepromRead{slave->position, word, kPieceWords},
-      [this, word](const RequestOutcome& outcome) { takePiece(word, outcome); }, RequestUrgency::kBackground);
+      requests::EepromRead{position, word, kPieceWords},
+      [this, position, word](const RequestOutcome& outcome) { takePiece(position, word, outcome); },
+      RequestUrgency::kBackground);
 }
 
 /// The first piece says how large it is.
-void SlaveEepromPage::takePiece(std::uint32_t word, const RequestOutcome& outcome) {
+void SlaveEepromPage::takePiece(std::uint16_t position, std::uint32_t word, const RequestOutcome& outcome) {
   if (pieces_ == 0) return;
   if (!outcome.ok()) {
-    workspace().requests().drop(*this);
-    pieces_ = 0;
+    stopAsking();
     enable();
     return say(outcome.why, true);
   }
@@ -155,7 +153,7 @@ void SlaveEepromPage::takePiece(std::uint32_t word, const RequestOutcome& outcom
     const auto bytes = std::clamp<std::size_t>(std::size_t{kilobits} * 128, 2 * kPieceWords, kLargest);
     reading_.assign(bytes, 0xFF);
     pieces_ = static_cast<std::uint32_t>((bytes / 2 + kPieceWords - 1) / kPieceWords);
-    for (std::uint32_t next = 1; next < pieces_; ++next) readPiece(next * kPieceWords);
+    for (std::uint32_t next = 1; next < pieces_; ++next) readPiece(position, next * kPieceWords);
   }
   const auto room = reading_.size() - std::min(reading_.size(), std::size_t{2} * word);
   std::copy_n(piece.begin(), std::min(room, piece.size()), reading_.begin() + static_cast<std::ptrdiff_t>(2 * word));
@@ -250,19 +248,26 @@ void SlaveEepromPage::writeImage(std::vector<std::uint8_t> image) {
 /// slave meanwhile does not end it.
 void SlaveEepromPage::write(std::vector<std::uint8_t> bytes, const QString& done) {
   const auto slave = running();
-  if (!slave || writing_) return;
-  Write begun{node(), slave->position, workspace().live().link(), {}, done};
+  if (!slave) return say(obstacle(), true);
+  if (writing_) return;
+  Write begun{slave->position, nodeName(project(), node()), workspace().live().link(), {}, done};
   begun.before.assign(image_.begin(), image_.begin() + static_cast<std::ptrdiff_t>(bytes.size()));
+  for (std::size_t at = 0; at < bytes.size(); at += 2)
+    begun.words +=
+        std::equal(bytes.begin() + static_cast<std::ptrdiff_t>(at), bytes.begin() + static_cast<std::ptrdiff_t>(at) + 2,
+                   begun.before.begin() + static_cast<std::ptrdiff_t>(at))
+            ? 0
+            : 1;
   auto& repair = workspace().eepromRepair();
   if (const auto kept = repair.keep(begun.link, begun.position, begun.before, bytes); !kept)
     return say(errorText(kept.error()), true);
-  writing_ = true;
+  writing_ = begun;
   enable();
   say(tr("The EEPROM is being written."));
-  workspace().requests().post(requests::EepromWrite{begun.position, 0, std::move(bytes)}, repair,
-                              [page = QPointer(this), begun](const RequestOutcome& outcome) {
-                                if (page) page->settle(begun, outcome);
-                              });
+  write_request_ = workspace().requests().post(requests::EepromWrite{begun.position, 0, std::move(bytes)}, repair,
+                                               [page = QPointer(this), begun](const RequestOutcome& outcome) {
+                                                 if (page) page->settle(begun, outcome);
+                                               });
 }
 
 /// The journal goes when all is written, and when what was there is there again.
@@ -279,7 +284,7 @@ void SlaveEepromPage::settle(const Write& begun, const RequestOutcome& outcome) 
 void SlaveEepromPage::verify(const Write& begun, const QString& why, const RequestOutcome& now) {
   if (now.ok() && (why.isEmpty() || now.answer.data == begun.before))
     workspace().eepromRepair().drop(begun.link, begun.position);
-  if (now.ok() && node() == begun.node && now.answer.data.size() <= image_.size()) {
+  if (now.ok() && position() == begun.position && now.answer.data.size() <= image_.size()) {
     std::ranges::copy(now.answer.data, image_.begin());
     showImage();
   }
@@ -288,18 +293,11 @@ void SlaveEepromPage::verify(const Write& begun, const QString& why, const Reque
 
 /// `why`: it went wrong.
 void SlaveEepromPage::tellEnd(const Write& begun, const QString& why) {
-  writing_ = false;
+  writing_.reset();
   const auto& text = why.isEmpty() ? begun.done : why;
-  workspace().inform(nodeName(project(), begun.node), text);
-  if (node() == begun.node) say(text, !why.isEmpty());
+  workspace().inform(begun.name, text);
+  if (position() == begun.position) say(text, !why.isEmpty());
   enable();
-}
-
-void SlaveEepromPage::say(const QString& text, bool bad) {
-  status_->setText(text);
-  auto colors = palette();
-  if (bad) colors.setColor(QPalette::WindowText, theme::toneColor(colors, theme::Tone::kBad));
-  status_->setPalette(colors);
 }
 
 }  // namespace syncline::ui

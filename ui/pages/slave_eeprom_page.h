@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <functional>
+#include <optional>
 #include <vector>
 
 #include "ui/pages/online_page.h"
@@ -13,7 +13,6 @@ class QSpinBox;
 namespace syncline::ui {
 
 class RecordModel;
-class ValueLabel;
 
 /// The EEPROM of a slave: what it says and its bytes, copied into a file, and written: the alias by anybody, an image
 /// by experts.
@@ -29,23 +28,25 @@ class SlaveEepromPage final : public OnlinePage {
 
  protected:
   void slaveChanged() override;
+  void ended() override;
   void projectChanged() override;
-  void tick(const Snapshot& snapshot, const QString& obstacle) override;
+  void tick(std::optional<Nanoseconds> now) override;
 
  private:
-  /// One that has begun: of which slave, and what was there.
+  /// One that has begun: of which slave of the run, and what was there.
   struct Write {
-    int node = 0;
     std::uint16_t position = 0;
+    QString name{};
     QString link{};
     std::vector<std::uint8_t> before{};
     QString done{};
+    int words = 0;  // that are different
   };
 
   QWidget* buildButtons();
   void read();
-  void readPiece(std::uint32_t word);
-  void takePiece(std::uint32_t word, const RequestOutcome& outcome);
+  void readPiece(std::uint16_t position, std::uint32_t word);
+  void takePiece(std::uint16_t position, std::uint32_t word, const RequestOutcome& outcome);
   void showImage();
   void save();
   void load();
@@ -54,17 +55,17 @@ class SlaveEepromPage final : public OnlinePage {
   void settle(const Write& begun, const RequestOutcome& outcome);
   void verify(const Write& begun, const QString& why, const RequestOutcome& now);
   void tellEnd(const Write& begun, const QString& why);
-  void say(const QString& text, bool bad = false);
+  void showProgress();
   void enable();
 
   RecordModel* lines_;
   QPlainTextEdit* hex_;
   QPushButton *read_, *save_, *alias_write_, *load_;
   QSpinBox* alias_;
-  ValueLabel* status_;
   std::vector<std::uint8_t> image_, reading_;
   std::uint32_t pieces_ = 0, pieces_done_ = 0;
-  bool possible_ = false, writing_ = false;
+  std::optional<Write> writing_;
+  SlaveRequests::Id write_request_ = 0;
 };
 
 }  // namespace syncline::ui

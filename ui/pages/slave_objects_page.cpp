@@ -8,7 +8,6 @@
 #include <QFileDialog>
 #include <QGuiApplication>
 #include <QHBoxLayout>
-#include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -25,15 +24,15 @@
 #include "ui/session/dictionary_reader.h"
 #include "ui/session/watch_list.h"
 #include "ui/session/workspace.h"
-#include "ui/theme/theme.h"
 #include "ui/widgets/named.h"
+#include "ui/widgets/poll_choice.h"
+#include "ui/widgets/tables.h"
 #include "ui/widgets/value_label.h"
 
 namespace syncline::ui {
 namespace {
 
 constexpr int kFromEsi = -1;
-constexpr int kNoPoll = 0;
 
 }  // namespace
 
@@ -42,22 +41,14 @@ SlaveObjectsPage::SlaveObjectsPage(Workspace& workspace) : OnlinePage(workspace,
   model_ = new ObjectModel(this);
   filter_ = new ObjectFilter(this);
   filter_->setSourceModel(model_);
-  auto* content = new QWidget;
-  auto* layout = new QVBoxLayout(content);
-  layout->setContentsMargins(12, 12, 12, 12);
-  layout->setSpacing(6);
-  layout->addWidget(hint());
+  auto* layout = build();
   layout->addWidget(buildChoice());
   layout->addWidget(buildTree(), 1);
   write_ = new ObjectWriteBar;
   layout->addWidget(write_);
   layout->addWidget(buildButtons());
-  setWidget(content);
   connectReader();
-  connect(&workspace.live(), &LiveSession::recordChanged, this, [this] {
-    online_.clear();
-    if (settings() != nullptr) slaveChanged();
-  });
+  connect(model_, &QAbstractItemModel::modelReset, this, &SlaveObjectsPage::showSelected);
   connect(model_, &ObjectModel::watchedChanged, this, &SlaveObjectsPage::keepWatched);
   connect(write_, &ObjectWriteBar::writeWanted, this, &SlaveObjectsPage::write);
   showWork();
@@ -99,17 +90,12 @@ QWidget* SlaveObjectsPage::buildChoice() {
 QTreeView* SlaveObjectsPage::buildTree() {
   tree_ = named(new QTreeView, "objectTree", tr("Objects of the slave"));
   tree_->setModel(filter_);
-  tree_->setUniformRowHeights(true);
-  tree_->setAlternatingRowColors(true);
+  setUpTree(*tree_);
   tree_->setSelectionMode(QAbstractItemView::ExtendedSelection);
-  tree_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  tree_->setMinimumHeight(120);
   const std::pair<ObjectModel::Column, int> widths[] = {{ObjectModel::kObject, 116}, {ObjectModel::kName, 190},
                                                         {ObjectModel::kType, 76},    {ObjectModel::kAccess, 84},
                                                         {ObjectModel::kUnit, 52},    {ObjectModel::kValue, 130}};
   for (const auto& [column, width] : widths) tree_->setColumnWidth(column, width);
-  tree_->header()->setStretchLastSection(true);
-  tree_->header()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   connect(tree_->selectionModel(), &QItemSelectionModel::currentChanged, this, &SlaveObjectsPage::showSelected);
   connect(tree_, &QTreeView::activated, this, &SlaveObjectsPage::readSelected);
   auto* copying = new QAction(tr("Copy"), tree_);
@@ -128,21 +114,14 @@ QWidget* SlaveObjectsPage::buildButtons() {
   layout->setContentsMargins(0, 0, 0, 0);
   read_ = named(new QPushButton(tr("&Read")), "objectRead", tr("Read the selected objects"));
   read_shown_ = named(new QPushButton(tr("Read &All Shown")), "objectReadShown", tr("Read all entries that are shown"));
-  poll_ = named(new QComboBox, "objectPoll", tr("How often watched entries are read"));
-  poll_->addItem(tr("Watched: on demand"), kNoPoll);
-  for (const int ms : {100, 500, 1000, 5000}) {
-    poll_->addItem(tr("Watched: every %1 s").arg(QLocale().toString(ms / 1000.0)), ms);
-  }
-  status_ = new ValueLabel;
-  status_->setObjectName(QStringLiteral("objectStatus"));
-  status_->setMinimumWidth(60);
-  status_->setAccessibleName(tr("What became of the last request"));
+  poll_ = named(new PollChoice(tr("Watched: on demand"), tr("Watched: every %1 s"), {100, 500, 1000, 5000}),
+                "objectPoll", tr("How often watched entries are read"));
   stop_ = named(new QPushButton(tr("Stop")), "objectStop", tr("Stop reading"));
   export_ =
       named(new QPushButton(tr("&CSV…")), "objectExport", tr("Export the shown objects as comma separated values"));
   for (auto* control : {read_, read_shown_}) layout->addWidget(control);
   layout->addWidget(poll_);
-  layout->addWidget(status_, 1);
+  layout->addWidget(buildStatus("objectStatus"), 1);
   layout->addWidget(stop_);
   layout->addWidget(export_);
   connect(read_, &QPushButton::clicked, this, &SlaveObjectsPage::readSelected);
@@ -161,11 +140,12 @@ void SlaveObjectsPage::connectReader() {
   connect(reader_, &DictionaryReader::objectRead, this, [this](DictionaryObject object) {
     completeFromEsi(object, esi_);
     model_->setObject(std::move(object));
+    showSelected();
   });
   connect(reader_, &DictionaryReader::progressed, this,
           [this](int done, int of) { say(tr("%1 of %2 objects").arg(done).arg(of)); });
   connect(reader_, &DictionaryReader::finished, this, [this] {
-    online_[{settings()->station_address, reading_list_}] = model_->dictionary();
+    online_[reading_] = model_->dictionary();
     say(tr("%n object(s)", nullptr, static_cast<int>(model_->dictionary().size())));
     showWork();
   });
@@ -186,18 +166,20 @@ QString SlaveObjectsPage::ownObstacle(const RunningSlave& slave) const {
   return tr("Objects can be read from PREOP on: lead the slave there first.");
 }
 
-void SlaveObjectsPage::slaveChanged() {
+void SlaveObjectsPage::ended() {
   reader_->cancel();
-  batch_ = batch_done_ = 0;
+  batch_ = batch_done_ = batch_failed_ = 0;
   polling_ = 0;
+}
+
+void SlaveObjectsPage::slaveChanged() {
   model_->clearValues();
   model_->setWatched(workspace().watched().of(settings()->station_address));
   // What it has told in this run is better than the ESI.
   constexpr int kAll = static_cast<int>(coe::ObjectListType::kAll);
-  const bool told = online_.contains({settings()->station_address, kAll});
+  const bool told = online_.contains({position(), kAll});
   source_->setCurrentIndex(told ? source_->findData(kAll) : 0);
-  poll_->setCurrentIndex(0);
-  say({});
+  poll_->reset();
   esi_ = dictionaryOf(*settings());
   showDictionary();
 }
@@ -218,7 +200,7 @@ void SlaveObjectsPage::showDictionary() {
     say(!esi_.empty() ? QString()
         : coe         ? tr("The ESI describes no objects: choose \"From the slave\" when online.")
                       : tr("This slave does not speak CoE: it has no objects."));
-  } else if (const auto known = online_.find({settings()->station_address, list}); known != online_.end()) {
+  } else if (const auto known = online_.find({position(), list}); known != online_.end()) {
     model_->setDictionary(known->second);
   } else {
     readDictionary();
@@ -235,9 +217,9 @@ void SlaveObjectsPage::readDictionary() {
     showDictionary();
     return say(why, true);
   }
-  reading_list_ = source_->currentData().toInt();
+  reading_ = {slave->position, source_->currentData().toInt()};
   say(tr("The slave is asked for its objects."));
-  reader_->start(slave->position, static_cast<coe::ObjectListType>(reading_list_));
+  reader_->start(slave->position, static_cast<coe::ObjectListType>(reading_.second));
 }
 
 const DictionaryEntry* SlaveObjectsPage::entryOf(coe::ObjectAddress object) const {
@@ -254,31 +236,19 @@ void SlaveObjectsPage::showSelected() {
   write_->setEntry(object, entry, model_->value(object), {});
 }
 
-void SlaveObjectsPage::tick(const Snapshot& snapshot, const QString& obstacle) {
-  possible_ = obstacle.isEmpty();
-  write_->setPossible(possible_);
-  const int period = poll_->currentData().toInt();
-  if (possible_ && period != kNoPoll && polling_ == 0 && snapshot.time - polled_ >= period * kMillisecond) {
-    polled_ = snapshot.time;
-    readWatched();
-  }
+void SlaveObjectsPage::tick(std::optional<Nanoseconds> now) {
+  write_->setPossible(possible());
+  if (now && possible() && polling_ == 0 && poll_->due(*now)) readWatched();
   showWork();
 }
 
 void SlaveObjectsPage::showWork() {
   const bool busy = reader_->isRunning() || batch_ > 0;
-  read_->setEnabled(possible_);
-  read_shown_->setEnabled(possible_ && batch_ == 0);
-  poll_->setEnabled(possible_);
+  read_->setEnabled(possible());
+  read_shown_->setEnabled(possible() && batch_ == 0);
+  poll_->setEnabled(possible());
   stop_->setVisible(busy);
   export_->setEnabled(!model_->dictionary().empty());
-}
-
-void SlaveObjectsPage::say(const QString& text, bool bad) {
-  status_->setText(text);
-  auto colors = palette();
-  if (bad) colors.setColor(QPalette::WindowText, theme::toneColor(colors, theme::Tone::kBad));
-  status_->setPalette(colors);
 }
 
 }  // namespace syncline::ui

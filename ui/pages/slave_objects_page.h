@@ -19,7 +19,7 @@ class DictionaryReader;
 class ObjectFilter;
 class ObjectModel;
 class ObjectWriteBar;
-class ValueLabel;
+class PollChoice;
 
 /// The object dictionary of a slave: offline as its ESI describes it, online as it tells itself, with values that are
 /// read, watched and written while the machine runs.
@@ -33,8 +33,10 @@ class SlaveObjectsPage final : public OnlinePage {
 
  protected:
   void slaveChanged() override;
+  void machineChanged() override { online_.clear(); }
+  void ended() override;
   void projectChanged() override;
-  void tick(const Snapshot& snapshot, const QString& obstacle) override;
+  void tick(std::optional<Nanoseconds> now) override;
   [[nodiscard]] QString ownObstacle(const RunningSlave& slave) const override;
 
  private:
@@ -50,6 +52,7 @@ class SlaveObjectsPage final : public OnlinePage {
   void readShown();
   void readWatched();
   void read(const std::vector<coe::ObjectAddress>& objects);
+  void takeOfBatch(const RequestOutcome& outcome);
   void readOne(coe::ObjectAddress object, SlaveRequests::Done then = {});
   void write(coe::ObjectAddress object, const std::vector<std::uint8_t>& bytes);
   void readBack(coe::ObjectAddress object, const std::vector<std::uint8_t>& written);
@@ -57,7 +60,6 @@ class SlaveObjectsPage final : public OnlinePage {
   void keepWatched();
   void exportCsv();
   void copy();
-  void say(const QString& text, bool bad = false);
   void showWork();
   [[nodiscard]] std::vector<coe::ObjectAddress> readable(const QModelIndex& parent) const;
   [[nodiscard]] const DictionaryEntry* entryOf(coe::ObjectAddress object) const;
@@ -66,19 +68,19 @@ class SlaveObjectsPage final : public OnlinePage {
   DictionaryReader* reader_;
   ObjectModel* model_;
   ObjectFilter* filter_;
-  QComboBox *source_, *poll_;
+  QComboBox* source_;
+  PollChoice* poll_;
   QLineEdit* words_;
   QCheckBox* watched_only_;
   QPushButton *read_, *read_shown_, *stop_, *export_;
   QTreeView* tree_;
   ObjectWriteBar* write_;
-  ValueLabel* status_;
   Dictionary esi_;
-  std::map<std::pair<std::uint16_t, int>, Dictionary> online_;  // of this run, by station address and kind of list
-  int reading_list_ = 0, batch_ = 0, batch_done_ = 0;
+  using Told = std::pair<int, int>;    // position in the run, kind of list
+  std::map<Told, Dictionary> online_;  // what slaves have told of themselves in this run
+  Told reading_{};
+  int batch_ = 0, batch_done_ = 0, batch_failed_ = 0;
   std::size_t polling_ = 0;
-  Nanoseconds polled_ = 0;
-  bool possible_ = false;
 };
 
 }  // namespace syncline::ui

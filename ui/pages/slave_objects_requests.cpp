@@ -49,22 +49,31 @@ void SlaveObjectsPage::readSelected() {
 void SlaveObjectsPage::readShown() { read(readable({})); }
 
 void SlaveObjectsPage::read(const std::vector<coe::ObjectAddress>& objects) {
-  if (!possible_ || objects.empty()) return;
+  if (!possible() || objects.empty() || !running()) return;
   batch_ += static_cast<int>(objects.size());
-  for (const auto object : objects) {
-    readOne(object, [this](const RequestOutcome& outcome) {
-      ++batch_done_;
-      if (batch_ > 1) say(tr("%1 of %2 entries").arg(batch_done_).arg(batch_));
-      if (batch_ == 1) say(outcome.why, !outcome.ok());
-      if (batch_done_ >= batch_) batch_ = batch_done_ = 0;
-      showWork();
-    });
+  for (const auto object : objects) readOne(object, [this](const RequestOutcome& outcome) { takeOfBatch(outcome); });
+  showWork();
+}
+
+void SlaveObjectsPage::takeOfBatch(const RequestOutcome& outcome) {
+  ++batch_done_;
+  if (!outcome.ok()) ++batch_failed_;
+  const int read = batch_done_ - batch_failed_;
+  const bool over = batch_done_ >= batch_;
+  if (batch_ == 1 || outcome.state == RequestState::kGone) {
+    say(outcome.why, !outcome.ok());
+  } else if (!over || batch_failed_ == 0) {
+    say(tr("%1 of %2 entries").arg(read).arg(batch_));
+  } else {
+    say(tr("%1 of %2 entries; the others say why in their line").arg(read).arg(batch_), read == 0);
   }
+  if (over) batch_ = batch_done_ = batch_failed_ = 0;
   showWork();
 }
 
 void SlaveObjectsPage::readWatched() {
   const auto watched = model_->watched();
+  if (!running()) return;
   polling_ = watched.size();
   for (const auto object : watched) readOne(object, [this](const RequestOutcome&) { --polling_; });
 }
@@ -132,10 +141,7 @@ void SlaveObjectsPage::readBack(coe::ObjectAddress object, const std::vector<std
 }
 
 void SlaveObjectsPage::stop() {
-  reader_->cancel();
-  workspace().requests().drop(*this);
-  batch_ = batch_done_ = 0;
-  polling_ = 0;
+  stopAsking();
   say(tr("Stopped."));
   showWork();
 }

@@ -3,12 +3,9 @@
 
 #include <QComboBox>
 #include <QHBoxLayout>
-#include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
-#include <QLocale>
 #include <QPushButton>
-#include <QSortFilterProxyModel>
 #include <QTreeView>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -16,12 +13,15 @@
 
 #include "protocol/registers.h"
 #include "support/byte_order.h"
+#include "support/le_number.h"
 #include "ui/dialogs/questions.h"
 #include "ui/models/register_model.h"
+#include "ui/models/word_filter.h"
 #include "ui/session/workspace.h"
 #include "ui/text/units.h"
-#include "ui/theme/theme.h"
 #include "ui/widgets/named.h"
+#include "ui/widgets/poll_choice.h"
+#include "ui/widgets/tables.h"
 #include "ui/widgets/value_label.h"
 
 namespace syncline::ui {
@@ -43,12 +43,11 @@ std::optional<std::uint64_t> registerValue(const QString& text, unsigned bytes) 
 }  // namespace
 
 /// Registers of a group in which all words occur.
-class RegisterFilter final : public QSortFilterProxyModel {
+class RegisterFilter final : public WordFilter {
  public:
-  explicit RegisterFilter(QObject* parent) : QSortFilterProxyModel(parent) { setRecursiveFilteringEnabled(true); }
-  void set(int group, const QString& words) {
+  explicit RegisterFilter(QObject* parent) : WordFilter(RegisterModel::kWordsRole, parent) {}
+  void setGroup(int group) {
     group_ = group;
-    words_ = words.split(u' ', Qt::SkipEmptyParts);
     invalidateFilter();
   }
 
@@ -56,15 +55,11 @@ class RegisterFilter final : public QSortFilterProxyModel {
   [[nodiscard]] bool filterAcceptsRow(int row, const QModelIndex& parent) const override {
     const auto index = sourceModel()->index(row, 0, parent);
     if (group_ != kAllGroups && index.data(RegisterModel::kGroupRole).toInt() != group_) return false;
-    // Fields come along with their register.
-    auto line = index.data(RegisterModel::kWordsRole).toString();
-    if (parent.isValid()) line += u' ' + parent.data(RegisterModel::kWordsRole).toString();
-    return std::ranges::all_of(words_, [&](const QString& word) { return line.contains(word, Qt::CaseInsensitive); });
+    return WordFilter::filterAcceptsRow(row, parent);
   }
 
  private:
   int group_ = kAllGroups;
-  QStringList words_;
 };
 
 SlaveRegistersPage::SlaveRegistersPage(Workspace& workspace)
@@ -72,33 +67,22 @@ SlaveRegistersPage::SlaveRegistersPage(Workspace& workspace)
   model_ = new RegisterModel(this);
   filter_ = new RegisterFilter(this);
   filter_->setSourceModel(model_);
-  auto* content = new QWidget;
-  auto* layout = new QVBoxLayout(content);
-  layout->setContentsMargins(12, 12, 12, 12);
-  layout->setSpacing(6);
-  layout->addWidget(hint());
+  auto* layout = build();
   layout->addWidget(buildChoice());
   tree_ = named(new QTreeView, "registerTree", tr("Registers of the slave"));
   tree_->setModel(filter_);
-  tree_->setUniformRowHeights(true);
-  tree_->setAlternatingRowColors(true);
-  tree_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  tree_->setMinimumHeight(120);
+  setUpTree(*tree_);
   const std::pair<RegisterModel::Column, int> widths[] = {{RegisterModel::kAddress, 108},
                                                           {RegisterModel::kName, 250},
                                                           {RegisterModel::kValue, 170},
                                                           {RegisterModel::kDigits, 150}};
   for (const auto& [column, width] : widths) tree_->setColumnWidth(column, width);
-  tree_->header()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   connect(tree_->selectionModel(), &QItemSelectionModel::currentChanged, this, &SlaveRegistersPage::showSelected);
+  connect(filter_, &QAbstractItemModel::modelReset, this, &SlaveRegistersPage::showSelected);
   connect(tree_, &QTreeView::activated, this, &SlaveRegistersPage::readSelected);
   layout->addWidget(tree_, 1);
   layout->addWidget(buildWriting());
-  status_ = new ValueLabel;
-  status_->setObjectName(QStringLiteral("registerStatus"));
-  status_->setAccessibleName(tr("What became of the last request"));
-  layout->addWidget(status_);
-  setWidget(content);
+  layout->addWidget(buildStatus("registerStatus"));
 }
 
 QWidget* SlaveRegistersPage::buildChoice() {
@@ -114,17 +98,15 @@ QWidget* SlaveRegistersPage::buildChoice() {
   words_->setClearButtonEnabled(true);
   read_ = named(new QPushButton(tr("&Read Shown")), "registerRead", tr("Read the registers that are shown"));
   read_selected_ = named(new QPushButton(tr("Read &One")), "registerReadOne", tr("Read the selected register"));
-  poll_ = named(new QComboBox, "registerPoll", tr("How often the shown registers are read"));
-  poll_->addItem(tr("On demand"), 0);
-  for (const int ms : {500, 1000, 5000}) poll_->addItem(tr("Every %1 s").arg(QLocale().toString(ms / 1000.0)), ms);
+  poll_ = named(new PollChoice(tr("On demand"), tr("Every %1 s"), {500, 1000, 5000}), "registerPoll",
+                tr("How often the shown registers are read"));
   layout->addWidget(group_);
   layout->addWidget(words_, 1);
   layout->addWidget(read_);
   layout->addWidget(read_selected_);
   layout->addWidget(poll_);
-  const auto choose = [this] { filter_->set(group_->currentData().toInt(), words_->text()); };
-  connect(group_, &QComboBox::activated, this, choose);
-  connect(words_, &QLineEdit::textChanged, this, choose);
+  connect(group_, &QComboBox::activated, this, [this] { filter_->setGroup(group_->currentData().toInt()); });
+  connect(words_, &QLineEdit::textChanged, filter_, &RegisterFilter::setWords);
   connect(read_, &QPushButton::clicked, this, [this] { readShown(); });
   connect(read_selected_, &QPushButton::clicked, this, &SlaveRegistersPage::readSelected);
   return area;
@@ -143,53 +125,49 @@ QWidget* SlaveRegistersPage::buildWriting() {
   layout->addWidget(selected_, 1);
   layout->addWidget(value_);
   layout->addWidget(write_);
-  connect(value_, &QLineEdit::textChanged, this, [this] {
-    const auto* one = model_->layout(current());
-    write_->setEnabled(possible_ && one != nullptr && registerValue(value_->text(), one->length).has_value());
-  });
+  connect(value_, &QLineEdit::textChanged, this, &SlaveRegistersPage::enableWrite);
   connect(value_, &QLineEdit::returnPressed, write_, &QPushButton::click);
   connect(write_, &QPushButton::clicked, this, &SlaveRegistersPage::write);
   return writing_;
 }
 
 void SlaveRegistersPage::slaveChanged() {
-  waiting_ = 0;
-  poll_->setCurrentIndex(0);
+  poll_->reset();
+  complained_ = false;
   model_->setUnits(8, 8);
-  say({});
   projectChanged();
 }
 
-void SlaveRegistersPage::projectChanged() {
-  writing_->setVisible(expert());
-  showSelected();
-}
+void SlaveRegistersPage::projectChanged() { writing_->setVisible(expert()); }
 
 QModelIndex SlaveRegistersPage::current() const { return filter_->mapToSource(tree_->currentIndex()); }
 
+/// What is typed stays as long as its register is selected.
 void SlaveRegistersPage::showSelected() {
   const auto* layout = model_->layout(current());
+  const int address = layout == nullptr ? kNone : layout->address;
+  if (address != std::exchange(selected_address_, address)) value_->clear();
   value_->setEnabled(layout != nullptr);
   selected_->setText(layout == nullptr ? tr("Choose a register to write it.")
                                        : QStringLiteral("%1 %2").arg(hexText(layout->address, 4),
                                                                      QString::fromStdString(layout->name)));
-  value_->clear();
-  write_->setEnabled(false);
+  enableWrite();
 }
 
-void SlaveRegistersPage::tick(const Snapshot& snapshot, const QString& obstacle) {
-  possible_ = obstacle.isEmpty();
-  for (auto* button : {read_, read_selected_}) button->setEnabled(possible_);
-  poll_->setEnabled(possible_);
-  if (!possible_) write_->setEnabled(false);
-  const int period = poll_->currentData().toInt();
-  if (possible_ && period > 0 && waiting_ == 0 && snapshot.time - polled_ >= period * kMillisecond) {
-    polled_ = snapshot.time;
-    readShown();
-  }
-  if (snapshot.time - aged_ < kAgeing && snapshot.time >= aged_) return;
-  aged_ = snapshot.time;
-  model_->setNow(snapshot.time);
+void SlaveRegistersPage::enableWrite() {
+  const auto* one = model_->layout(current());
+  write_->setEnabled(possible() && one != nullptr && registerValue(value_->text(), one->length).has_value());
+}
+
+void SlaveRegistersPage::tick(std::optional<Nanoseconds> now) {
+  for (auto* button : {read_, read_selected_}) button->setEnabled(possible());
+  poll_->setEnabled(possible());
+  enableWrite();
+  if (!now) return model_->setNow(std::nullopt);
+  if (possible() && round_.open == 0 && poll_->due(*now)) readShown();
+  if (*now - aged_ < kAgeing && *now >= aged_) return;
+  aged_ = *now;
+  model_->setNow(*now);
 }
 
 // ---- requests -----------------------------------------------------------------------------------
@@ -202,42 +180,66 @@ void SlaveRegistersPage::readShown() {
     if (layout != nullptr && !layout->reading_matters) wanted.push_back(layout);
   }
   if (wanted.empty()) return say(tr("No register is shown that could be read along: choose one and read it alone."));
-  for (const auto& range : reg::ranges_of(wanted)) read(range.address, range.length);
+  for (const auto& range : reg::ranges_of(wanted)) read(range);
 }
 
 void SlaveRegistersPage::readSelected() {
   const auto* layout = model_->layout(current());
   if (layout == nullptr) return say(tr("Choose a register first."));
-  read(layout->address, layout->length);
+  read({layout->address, layout->length});
 }
 
-void SlaveRegistersPage::read(std::uint16_t address, std::uint16_t length) {
+void SlaveRegistersPage::read(reg::RegisterRange range) {
   const auto slave = running();
-  if (!slave || !possible_) return;
-  ++waiting_;
+  if (!slave || !possible()) return;
+  ++round_.open;
   post(
-      requests::RegisterRead{slave->position, address, length},
-      [this, address, length](const RequestOutcome& outcome) { take(address, length, outcome); },
-      RequestUrgency::kBackground);
+      requests::RegisterRead{slave->position, range.address, range.length},
+      [this, range](const RequestOutcome& outcome) { take(range, outcome); }, RequestUrgency::kBackground);
 }
 
-void SlaveRegistersPage::take(std::uint16_t address, std::uint16_t length, const RequestOutcome& outcome) {
-  if (waiting_ > 0) --waiting_;
+void SlaveRegistersPage::take(reg::RegisterRange range, const RequestOutcome& outcome) {
   if (outcome.ok()) {
-    model_->setValues(address, outcome.answer.data, outcome.answer.time);
-    if (address == reg::kType) adaptUnits();
+    model_->setValues(range.address, outcome.answer.data, outcome.answer.time);
+    if (range.address == reg::kType && adaptUnits()) return;  // a new round has begun
   } else if (outcome.answer.error && outcome.answer.error->code == ErrorCode::kWorkingCounter) {
-    model_->setFailure(address, length, tr("not in this ESC"));
+    round_.missing.push_back(range);
+    round_.why = outcome.why;
   } else {
-    say(outcome.why, true);
+    complain(outcome.why);
   }
-  if (waiting_ == 0 && outcome.ok()) say({});
+  if (outcome.ok() && round_.missing.empty() && std::exchange(complained_, false)) say({});
+  settle();
 }
 
-/// The ESC says how many FMMUs and SyncManagers it has; those that it has not go.
-void SlaveRegistersPage::adaptUnits() {
+void SlaveRegistersPage::settle() {
+  if (--round_.open == 0 && !round_.missing.empty()) proveMissing();
+}
+
+/// A slave behind a pulled cable processes nothing either: every ESC has an AL status.
+void SlaveRegistersPage::proveMissing() {
+  const auto slave = running();
+  const auto round = std::exchange(round_, {});
+  if (!slave) return;
+  round_.open = 1;
+  const auto prove = [this, round](const RequestOutcome& outcome) {
+    if (!outcome.ok()) complain(round.why);
+    for (const auto& range : outcome.ok() ? round.missing : std::vector<reg::RegisterRange>{})
+      model_->setFailure(range.address, range.length, tr("not in this ESC"));
+    settle();
+  };
+  post(requests::RegisterRead{slave->position, reg::kAlStatus, 2}, prove, RequestUrgency::kBackground);
+}
+
+void SlaveRegistersPage::complain(const QString& why) {
+  complained_ = true;
+  say(why, true);
+}
+
+/// The ESC says how many FMMUs and SyncManagers it has; those that it has not go. True: reading has begun anew.
+bool SlaveRegistersPage::adaptUnits() {
   const auto fmmus = model_->value(reg::kFmmuCount), managers = model_->value(reg::kSyncManagerCount);
-  if (fmmus.empty() || managers.empty()) return;
+  if (fmmus.empty() || managers.empty()) return false;
   const auto count = [this](reg::RegisterGroup group) {
     return static_cast<std::size_t>(std::ranges::count(model_->layouts(), group, &reg::RegisterLayout::group));
   };
@@ -245,11 +247,20 @@ void SlaveRegistersPage::adaptUnits() {
   const auto same = [&](reg::RegisterGroup group) {
     return count(group) == static_cast<std::size_t>(std::ranges::count(as_many, group, &reg::RegisterLayout::group));
   };
-  if (same(reg::RegisterGroup::kFmmus) && same(reg::RegisterGroup::kSyncManagers)) return;
-  workspace().requests().drop(*this);
-  waiting_ = 0;
+  if (same(reg::RegisterGroup::kFmmus) && same(reg::RegisterGroup::kSyncManagers)) return false;
+  stopAsking();
+  const auto* selected = model_->layout(current());
+  const int address = selected == nullptr ? kNone : selected->address;
+  const auto typed = value_->text();
   model_->setUnits(fmmus.front(), managers.front());
+  const auto& layouts = model_->layouts();
+  const auto at = std::ranges::find(layouts, address, &reg::RegisterLayout::address);
+  if (at != layouts.end()) {
+    tree_->setCurrentIndex(filter_->mapFromSource(model_->index(static_cast<int>(at - layouts.begin()), 0)));
+    value_->setText(typed);
+  }
   readShown();
+  return true;
 }
 
 void SlaveRegistersPage::write() {
@@ -273,18 +284,29 @@ void SlaveRegistersPage::write() {
   const auto all = le_bytes(*number);
   std::vector<std::uint8_t> bytes(all.begin(), all.begin() + length);
   say(tr("%1 is written.").arg(what));
-  post(requests::RegisterWrite{slave->position, address, std::move(bytes)},
-       [this, address, length, what](const RequestOutcome& outcome) {
+  complained_ = false;
+  post(requests::RegisterWrite{slave->position, address, bytes},
+       [this, address, bytes, what](const RequestOutcome& outcome) {
          if (!outcome.ok()) return say(outcome.why, true);
-         read(address, length);
+         readBack(address, bytes, what);
        });
 }
 
-void SlaveRegistersPage::say(const QString& text, bool bad) {
-  status_->setText(text);
-  auto colors = palette();
-  if (bad) colors.setColor(QPalette::WindowText, theme::toneColor(colors, theme::Tone::kBad));
-  status_->setPalette(colors);
+/// An ESC may take a value and show another one: bits that it has not, or that it clears itself.
+void SlaveRegistersPage::readBack(std::uint16_t address, const std::vector<std::uint8_t>& written,
+                                  const QString& what) {
+  const auto slave = running();
+  if (!slave) return;
+  const auto length = static_cast<std::uint16_t>(written.size());
+  post(requests::RegisterRead{slave->position, address, length},
+       [this, address, written, what](const RequestOutcome& outcome) {
+         if (!outcome.ok()) return say(tr("Written, but not to be read back: %1").arg(outcome.why), true);
+         const auto& shown = outcome.answer.data;
+         model_->setValues(address, shown, outcome.answer.time);
+         const auto text = hexText(le_number(shown), static_cast<int>(2 * shown.size()));
+         if (shown == written) return say(tr("%1 is %2 now.").arg(what, text));
+         say(tr("Written, but the register shows %1.").arg(text), true);
+       });
 }
 
 }  // namespace syncline::ui

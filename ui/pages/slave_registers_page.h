@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "protocol/register_layout.h"
 #include "ui/pages/online_page.h"
 
 class QComboBox;
@@ -10,6 +11,7 @@ class QTreeView;
 
 namespace syncline::ui {
 
+class PollChoice;
 class RegisterFilter;
 class RegisterModel;
 class ValueLabel;
@@ -24,33 +26,48 @@ class SlaveRegistersPage final : public OnlinePage {
 
  protected:
   void slaveChanged() override;
+  void ended() override { round_ = {}; }
   void projectChanged() override;
-  void tick(const Snapshot& snapshot, const QString& obstacle) override;
+  void tick(std::optional<Nanoseconds> now) override;
 
  private:
+  /// Reads that go on together: what an ESC has not is known when all have come.
+  struct Round {
+    std::size_t open = 0;
+    std::vector<reg::RegisterRange> missing{};  // nobody processed them
+    QString why{};
+  };
+  static constexpr int kNone = -1;
+
   QWidget* buildChoice();
   QWidget* buildWriting();
   void readShown();
   void readSelected();
-  void read(std::uint16_t address, std::uint16_t length);
-  void take(std::uint16_t address, std::uint16_t length, const RequestOutcome& outcome);
-  void adaptUnits();
+  void read(reg::RegisterRange range);
+  void take(reg::RegisterRange range, const RequestOutcome& outcome);
+  void settle();
+  void proveMissing();
+  bool adaptUnits();
   void showSelected();
+  void enableWrite();
   void write();
-  void say(const QString& text, bool bad = false);
+  void readBack(std::uint16_t address, const std::vector<std::uint8_t>& written, const QString& what);
+  void complain(const QString& why);
   [[nodiscard]] QModelIndex current() const;
 
   RegisterModel* model_;
   RegisterFilter* filter_;
-  QComboBox *group_, *poll_;
+  QComboBox* group_;
+  PollChoice* poll_;
   QLineEdit *words_, *value_;
   QPushButton *read_, *read_selected_, *write_;
   QTreeView* tree_;
   QWidget* writing_;
-  ValueLabel *status_, *selected_;
-  std::size_t waiting_ = 0;
-  Nanoseconds polled_ = 0, aged_ = 0;
-  bool possible_ = false;
+  ValueLabel* selected_;
+  Round round_;
+  Nanoseconds aged_ = 0;
+  int selected_address_ = kNone;
+  bool complained_ = false;  // of reading; no reading takes away what became of a write
 };
 
 }  // namespace syncline::ui

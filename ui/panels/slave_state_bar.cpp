@@ -43,18 +43,20 @@ SlaveStateBar::SlaveStateBar(Workspace& workspace, SlaveStateCommands& commands,
   }
   connect(acknowledge_, &QPushButton::clicked, this, [this] { commands_.acknowledge(slave_); });
   connect(&commands_, &SlaveStateCommands::told, this, [this](int slave, const QString& text, bool bad) {
-    if (slave != slave_) return;
-    const auto running = runningSlave(workspace_, slave_);
+    if (slave != slave_ || slave < 0) return;
     answer_ = text;
     bad_ = bad;
-    answered_at_ = running && running->present() ? running->status->al_status : 0;
+    answer_position_ = workspace_.runningSlaves().positionOf(slave);
+    answer_status_ = statusNow();
+    answer_time_ = workspace_.live().snapshot().time;
     showLive();
   });
   setSlave(-1);
 }
 
 void SlaveStateBar::setSlave(int slave) {
-  if (slave != slave_) answer_.clear();
+  // The same slave may have another number by now.
+  if (slave != slave_ && answer_position_ < 0) answer_.clear();
   slave_ = slave;
   showLive();
 }
@@ -73,12 +75,29 @@ QString SlaveStateBar::status() const {
   return words.check.empty() ? text : text + QStringLiteral(" \u2013 ") + fromView(words.check);
 }
 
+std::uint16_t SlaveStateBar::statusNow() const {
+  const auto running = runningSlave(workspace_, slave_);
+  return running && running->present() ? running->status->al_status : std::uint16_t{0};
+}
+
+/// An answer is about the slave as it was then. The AL status that came with a refusal is seen a little later than the
+/// refusal, and somebody has to read that.
+void SlaveStateBar::ageAnswer() {
+  constexpr Nanoseconds kSettles = kSecond, kLongest = 30 * kSecond;
+  if (answer_.isEmpty()) return;
+  const auto age = workspace_.live().snapshot().time - answer_time_;
+  const auto now = statusNow();
+  if (bad_ && age < kSettles) answer_status_ = now;
+  const bool other = workspace_.runningSlaves().positionOf(slave_) != answer_position_;
+  if (other || now != answer_status_ || age > kLongest) answer_.clear();
+}
+
 void SlaveStateBar::showLive() {
   setVisible(slave_ >= 0 && workspace_.live().snapshot().online);
+  if (!workspace_.live().snapshot().online) answer_.clear();
   if (isHidden()) return;
+  ageAnswer();
   const auto running = runningSlave(workspace_, slave_);
-  const auto now = running && running->present() ? running->status->al_status : std::uint16_t{0};
-  if (!answer_.isEmpty() && now != answered_at_ && !bad_) answer_.clear();
   const bool failed = commands_.failed(slave_);
   text_->setText(answer_.isEmpty() ? status() : QStringLiteral("%1 \u2013 %2").arg(answer_, status()));
   auto colors = palette();

@@ -5,6 +5,7 @@
 #include <QWidget>
 
 #include "protocol/al_state.h"
+#include "support/types.h"
 
 class QPushButton;
 
@@ -27,6 +28,8 @@ class SlaveStateBar final : public QWidget {
 
  private:
   [[nodiscard]] QString status() const;
+  [[nodiscard]] std::uint16_t statusNow() const;
+  void ageAnswer();
 
   Workspace& workspace_;
   SlaveStateCommands& commands_;
@@ -36,7 +39,9 @@ class SlaveStateBar final : public QWidget {
   int slave_ = -1;
   QString answer_;
   bool bad_ = false;
-  std::uint16_t answered_at_ = 0;  // AL status when the answer came
+  int answer_position_ = -1;         // in the run, of the slave that it is about
+  std::uint16_t answer_status_ = 0;  // AL status when the answer came
+  Nanoseconds answer_time_ = 0;
 };
 
 }  // namespace syncline::ui

@@ -34,11 +34,13 @@ void DictionaryReader::end() {
   pending_.clear();
 }
 
-/// The bus that goes away ends it all; whatever else fails is about that object alone.
+/// What the slave itself refuses is about that object alone; whatever else fails ends it all, because what comes after
+/// would be missing as if it were not there.
 void DictionaryReader::ask(SlaveRequest request, std::function<void(const RequestOutcome&)> what) {
   const auto done = [this, what = std::move(what)](const RequestOutcome& outcome) {
     if (!running_) return;
-    if (outcome.state != RequestState::kGone) return what(outcome);
+    const auto& error = outcome.answer.error;
+    if (outcome.ok() || (error && error->code == ErrorCode::kSdoAbort)) return what(outcome);
     cancel();
     Q_EMIT failed(outcome.why);
   };

@@ -35,7 +35,9 @@ class DictionaryReader final : public QObject {
   void listed(const std::vector<std::uint16_t>& indices);
   void objectRead(const syncline::ui::DictionaryObject& object);
   void progressed(int objects, int of);
+  /// All objects have been asked for, and each was told or refused by the slave (an SDO abort).
   void finished();
+  /// It broke off: some are not known.
   void failed(const QString& why);
 
  private:

@@ -79,6 +79,7 @@ void ProjectDocument::take(Machine machine, const QString& path, bool saved) {
   lock_.take(path);
   undo_.clear();
   if (!saved) undo_.resetClean();
+  Q_EMIT taken();
   Q_EMIT pathChanged();
   projectEdited(true);
 }

@@ -61,10 +61,14 @@ class ProjectDocument final : public QObject, private ProjectHolder {
   [[nodiscard]] bool readOnly() const { return !path_.isEmpty() && !lock_.held(); }
 
  Q_SIGNALS:
+  /// Another machine is edited from now on (reset, take, load): comes first of all. What is known of the slaves that
+  /// there were holds for none of these, alike as they may be.
+  void taken();
   /// Comes before projectChanged(true), for whoever holds what belongs to the slaves there were.
   void slavesReplaced();
   /// `structural`: slaves came or went.
   void projectChanged(bool structural);
+  /// Of another machine, or because this one was saved under another name.
   void pathChanged();
   void modifiedChanged(bool modified);
 

@@ -22,6 +22,7 @@ int elementOf(const std::vector<int>& list, int at) {
 
 RunningSlaves::RunningSlaves(const ProjectDocument& document, const LiveSession& live)
     : document_(document), live_(live) {
+  connect(&document, &ProjectDocument::taken, this, [this] { stale_ = true; });
   connect(&document, &ProjectDocument::projectChanged, this, [this] { stale_ = true; });
   connect(&live, &LiveSession::recordChanged, this, [this] { stale_ = true; });
 }

@@ -3,7 +3,6 @@
 
 #include <QCryptographicHash>
 #include <QStringList>
-#include <utility>
 
 #include "protocol/object_value.h"
 #include "ui/models/dictionary.h"
@@ -15,12 +14,15 @@ namespace syncline::ui {
 WatchList::WatchList(ProjectDocument& document, WindowMemory& memory, QObject* parent)
     : QObject(parent), document_(document), memory_(memory), path_(document.path()) {
   load();
-  connect(&document_, &ProjectDocument::pathChanged, this, [this] {
-    // Saved under a first or another name it is the same machine; with another file it is another one.
-    const bool first = std::exchange(path_, document_.path()).isEmpty();
-    const bool known = !path_.isEmpty() && memory_.value(place()).isValid();
-    if (first && !known) return store();
+  connect(&document_, &ProjectDocument::taken, this, [this] {
+    path_ = document_.path();
     load();
+  });
+  // Saved under another name it is the same machine, whatever that file held before.
+  connect(&document_, &ProjectDocument::pathChanged, this, [this] {
+    if (path_ == document_.path()) return;
+    path_ = document_.path();
+    store();
   });
 }
 

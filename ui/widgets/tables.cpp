@@ -3,6 +3,7 @@
 
 #include <QHeaderView>
 #include <QTableView>
+#include <QTreeView>
 
 namespace syncline::ui {
 
@@ -19,6 +20,21 @@ void setUpTable(QTableView& view) {
   view.verticalHeader()->setMinimumSectionSize(view.fontMetrics().height() + 4);
   view.horizontalHeader()->setHighlightSections(false);
   view.horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+}
+
+void setUpTree(QTreeView& view) {
+  view.setUniformRowHeights(true);
+  view.setAlternatingRowColors(true);
+  view.setEditTriggers(QAbstractItemView::NoEditTriggers);
+  view.setMinimumHeight(120);
+  view.header()->setStretchLastSection(true);
+  view.header()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+}
+
+void fitRows(QTableView& view) {
+  view.setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  const auto frame = 2 * view.frameWidth();
+  view.setFixedHeight(view.horizontalHeader()->sizeHint().height() + view.verticalHeader()->length() + frame);
 }
 
 void stretchColumn(QTableView& view, int column) {

@@ -34,9 +34,11 @@ RequestSlot::RequestSlot(RunState& run) : run_(run) {
   }
   sdo_.use(longest);
   foe_.use(longest);
-  foe_.set_progress([this](std::size_t bytes) {
+  const auto tell = [this](std::size_t bytes) {
     if (ticket_ != nullptr) ticket_->done.store(static_cast<std::uint32_t>(bytes), std::memory_order_relaxed);
-  });
+  };
+  foe_.set_progress(tell);
+  eeprom_.set_progress([tell](std::size_t words) { tell(2 * words); });
 }
 
 void RequestSlot::begin(RequestTicket& ticket, const SlaveAddress& address) {

@@ -46,8 +46,7 @@ Datagram* RegisterWork::next(Nanoseconds /*now*/) {
 void RegisterWork::take(Nanoseconds /*now*/) {
   if (over() || !datagram_.answered) return;  // the frame was lost: once more
   if (datagram_.wkc == 0) {
-    if (++silences_ == kRegisterTries)
-      failure_ = BriefError{.code = ErrorCode::kNoResponse, .why = "nothing answers at this address"};
+    if (++silences_ == kRegisterTries) failure_ = BriefError{.code = ErrorCode::kWorkingCounter, .expected = 1};
     return;
   }
   silences_ = 0;

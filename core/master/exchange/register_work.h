@@ -30,7 +30,8 @@ class RegisterWork final : public SlaveWork {
   void take(Nanoseconds now) override;
   [[nodiscard]] bool over() const override { return done_ == length_ || failure_; }
   [[nodiscard]] Status result() const override;
-  /// kNoResponse: no slave, or none with such a register.
+  /// kWorkingCounter: nobody processed the datagram, be it that the slave has no such register (or protects it) or
+  /// that no slave is there: whoever must know asks for a register that every ESC has.
   [[nodiscard]] const std::optional<BriefError>& failure() const { return failure_; }
 
  private:

@@ -86,6 +86,9 @@ TEST_F(SlaveRequests, RegistersAndEepromInInit) {
   EXPECT_EQ(load_le<std::uint32_t>(words.data), identity.vendor_id);
   EXPECT_EQ(load_le<std::uint32_t>(std::span(words.data).subspan(4)), identity.product_code);
   EXPECT_EQ(back.data, (Bytes{5, 6, 7})) << told(back);
+  const auto absent = ask(RegisterRead{kServo, 0x0D00, 2});
+  ASSERT_TRUE(absent.error);
+  EXPECT_EQ(absent.error->code, ErrorCode::kWorkingCounter) << "the slave is there, the register is not";
   const auto led = ask(StateChange{kServo, AlState::kPreop});
   ASSERT_TRUE(led.error);
   EXPECT_NE(led.error->detail.find("whole bus"), std::string::npos);
@@ -167,6 +170,22 @@ TEST_F(SlaveRequests, AnEepromIsWrittenAsAWholeOrNotAtAll) {
   area[14] = sii::checksum(std::span<const std::uint8_t>(area).first(14));
   EXPECT_EQ(told(ask(EepromWrite{kServo, 0, area})), "");
   EXPECT_EQ(ask(EepromRead{kServo, 0, 8}).data, area);
+}
+
+TEST_F(SlaveRequests, AnEepromWriteTellsHowFarItIs) {
+  go_online(AlState::kOp);
+  const auto id = desk().submit(EepromWrite{kServo, 0x30, {1, 2, 3, 4, 5, 6, 7, 8}});
+  ASSERT_TRUE(id);
+  std::vector<std::uint32_t> told_bytes{0};
+  std::optional<SlaveAnswer> answer;
+  for (int i = 0; i < 5000 && !answer; ++i) {
+    service->step();
+    if (desk().progress(*id) != told_bytes.back()) told_bytes.push_back(desk().progress(*id));
+    answer = desk().take(*id);
+  }
+  ASSERT_TRUE(answer);
+  EXPECT_FALSE(answer->error) << told(*answer);
+  EXPECT_EQ(told_bytes, (std::vector<std::uint32_t>{0, 2, 4, 6, 8}));
 }
 
 /// At whatever moment it is cancelled, the EEPROM holds all of the old or all of the new.

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/models/word_filter.h"
+
+#include <algorithm>
+
+namespace syncline::ui {
+
+WordFilter::WordFilter(int words_role, QObject* parent) : QSortFilterProxyModel(parent), role_(words_role) {
+  setRecursiveFilteringEnabled(true);
+}
+
+void WordFilter::setWords(const QString& text) {
+  words_ = text.split(u' ', Qt::SkipEmptyParts);
+  invalidateFilter();
+}
+
+bool WordFilter::filterAcceptsRow(int row, const QModelIndex& parent) const {
+  if (words_.isEmpty()) return true;
+  auto line = sourceModel()->index(row, 0, parent).data(role_).toString();
+  if (parent.isValid()) line += u' ' + parent.data(role_).toString();
+  return std::ranges::all_of(words_, [&](const QString& word) { return line.contains(word, Qt::CaseInsensitive); });
+}
+
+}  // namespace syncline::ui
