@@ -2319,6 +2319,14 @@ Einstellung %2</translation>
     <context>
     <name>Workspace</name>
         <message>
+            <source>The machine is running: go offline to change its slaves.</source>
+            <translation>Die Maschine läuft: offline gehen, um ihre Slaves zu ändern.</translation>
+        </message>
+        <message>
+            <source>A recording is shown: close it to change the slaves of the project (File, Close Recording).</source>
+            <translation>Eine Aufzeichnung wird gezeigt: Schließen Sie sie, um die Slaves des Projekts zu ändern (Datei, Aufzeichnung schließen).</translation>
+        </message>
+        <message>
             <source>Scan</source>
             <translation>Scannen</translation>
         </message>
@@ -5826,8 +5834,8 @@ Produktcode %2, Revision %3
             <translation>Abbrechen</translation>
         </message>
         <message>
-            <source>End reading; what was read is kept</source>
-            <translation>Das Lesen beenden; was gelesen ist, bleibt</translation>
+            <source>End reading; what was read is kept, the rest is read at the next start</source>
+            <translation>Das Lesen beenden; was gelesen ist, bleibt, der Rest wird beim nächsten Start gelesen</translation>
         </message>
         <message>
             <source>Reading %1 (%2 of %3)</source>
@@ -6057,10 +6065,6 @@ Produktcode %2, Revision %3
         <message>
             <source>Move %1</source>
             <translation>%1 verschieben</translation>
-        </message>
-        <message>
-            <source>The machine is running: go offline to change its slaves.</source>
-            <translation>Die Maschine läuft: offline gehen, um ihre Slaves zu ändern.</translation>
         </message>
         <message>
             <source>Catalogue</source>

@@ -2313,6 +2313,14 @@ Setting %2</source>
     <context>
         <name>Workspace</name>
         <message>
+            <source>The machine is running: go offline to change its slaves.</source>
+            <translation>机器正在运行：请先下线再更改其从站。</translation>
+        </message>
+        <message>
+            <source>A recording is shown: close it to change the slaves of the project (File, Close Recording).</source>
+            <translation>正在显示记录：请先关闭记录再更改项目的从站（文件，关闭记录）。</translation>
+        </message>
+        <message>
             <source>Scan</source>
             <translation>扫描</translation>
         </message>
@@ -5805,8 +5813,8 @@ Product code %2, revision %3
             <translation>取消</translation>
         </message>
         <message>
-            <source>End reading; what was read is kept</source>
-            <translation>结束读取；已读取的保留</translation>
+            <source>End reading; what was read is kept, the rest is read at the next start</source>
+            <translation>结束读取；已读取的保留，其余在下次启动时读取</translation>
         </message>
         <message>
             <source>Reading %1 (%2 of %3)</source>
@@ -6033,10 +6041,6 @@ Product code %2, revision %3
         <message>
             <source>Move %1</source>
             <translation>移动 %1</translation>
-        </message>
-        <message>
-            <source>The machine is running: go offline to change its slaves.</source>
-            <translation>机器正在运行：请先下线再更改其从站。</translation>
         </message>
         <message>
             <source>Catalogue</source>

@@ -41,28 +41,29 @@ MachineBuilding::MachineBuilding(Workspace& workspace, QMainWindow& window, std:
   });
   connect(&catalogue, &DeviceCatalogue::failed, this,
           [this](const Error& error) { workspace_.report(error, Severity::kWarning, tr("Catalogue")); });
-  connect(&workspace.live(), &LiveSession::phaseChanged, this, &MachineBuilding::showPhase);
+  connect(&workspace, &Workspace::mayEditSlavesChanged, this, &MachineBuilding::showWhetherSlavesStay);
+  showWhetherSlavesStay();
 }
 
 void MachineBuilding::report(const QString& text) { window_.statusBar()->showMessage(text, 10'000); }
 
-void MachineBuilding::showPhase() { panel_->setUsable(workspace_.live().phase() == LiveSession::Phase::kOffline); }
+void MachineBuilding::showWhetherSlavesStay() { panel_->setObstacle(workspace_.whySlavesStay()); }
 
 /// The explorer says what is wanted, the commands do it.
 void MachineBuilding::tieTo(ExplorerPanel& explorer) {
   explorer.setCommands(commands_->all());
   connect(&explorer, &ExplorerPanel::nodeSelected, commands_, &SlaveCommands::setNode);
   connect(commands_, &SlaveCommands::nodeWanted, &explorer, &ExplorerPanel::select);
-  const auto drop = [this](int device, int target) {
-    if (const auto* entry = panel_->device(device)) commands_->addDeviceBehind(*entry, target);
+  const auto drop = [this](qint64 device, DropPlace place) {
+    if (const auto* entry = panel_->dragged(device)) commands_->addDeviceTo(*entry, place);
   };
   auto& network = workspace_.network();
-  connect(&network, &NetworkModel::slaveDropped, commands_, &SlaveCommands::moveBehind);
+  connect(&network, &NetworkModel::slaveDropped, commands_, &SlaveCommands::move);
   connect(&network, &NetworkModel::deviceDropped, this, drop);
   auto& topology = explorer.topology();
   connect(&topology, &TopologyView::deviceDropped, this, drop);
-  connect(&topology, &TopologyView::deviceDroppedAt, this, [this](int device, int position, int port) {
-    if (const auto* entry = panel_->device(device)) commands_->addDeviceAt(*entry, portOf(position, port));
+  connect(&topology, &TopologyView::deviceDroppedAt, this, [this](qint64 device, int position, int port) {
+    if (const auto* entry = panel_->dragged(device)) commands_->addDeviceAt(*entry, portOf(position, port));
   });
   connect(&topology, &TopologyView::rewireWanted, commands_,
           [this](int slave, int position, int port) { commands_->rewire(slave, portOf(position, port)); });

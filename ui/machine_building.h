@@ -27,10 +27,10 @@ class MachineBuilding final : public QObject {
   /// The panel of the catalogue, in a dock that stands nowhere yet.
   [[nodiscard]] QDockWidget* dock() { return dock_; }
   void tieTo(ExplorerPanel& explorer);
-  void showPhase();
 
  private:
   void report(const QString& text);
+  void showWhetherSlavesStay();
 
   Workspace& workspace_;
   QMainWindow& window_;

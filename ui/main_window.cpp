@@ -2,7 +2,6 @@
 #include "ui/main_window.h"
 
 #include <QCloseEvent>
-#include <QDockWidget>
 #include <QFileInfo>
 #include <QMenu>
 #include <QMenuBar>
@@ -43,6 +42,7 @@
 #include "ui/session/workspace.h"
 #include "ui/text/glossary.h"
 #include "ui/theme/theme.h"
+#include "ui/window_docks.h"
 #include "ui/window_layout.h"
 #include "ui/window_menus.h"
 
@@ -59,7 +59,9 @@ MainWindow::MainWindow(Workspace& workspace, QWidget* parent) : QMainWindow(pare
   building_ = new MachineBuilding(workspace, *this, [this] { return commitFields(); });
   new ScanProgress(workspace.scan(), this);
   buildCentre();
-  buildDocks();
+  docks_ = new WindowDocks(workspace, *this, *building_->dock());
+  connectDocks();
+  layout_ = std::make_unique<WindowLayout>(*this, workspace.memory(), docks_->parts(*splitter_));
   buildMenus();
   new StatusPanel(workspace, *statusBar());
   connectActions();
@@ -120,38 +122,19 @@ void MainWindow::buildCentre() {
   setCentralWidget(centre_);
 }
 
-void MainWindow::buildDocks() {
-  setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
-  explorer_dock_ = new QDockWidget(tr("Project Explorer"));
-  explorer_dock_->setObjectName(QStringLiteral("explorerDock"));
-  explorer_ = new ExplorerPanel(workspace_);
-  explorer_dock_->setWidget(explorer_);
-  addDockWidget(Qt::LeftDockWidgetArea, explorer_dock_);
+void MainWindow::connectDocks() {
+  explorer_ = &docks_->explorer();
+  messages_ = &docks_->messages();
+  findings_ = &docks_->findings();
   building_->tieTo(*explorer_);
-  addDockWidget(Qt::RightDockWidgetArea, building_->dock());
-  building_->dock()->hide();
-  messages_dock_ = new QDockWidget(tr("Messages"));
-  messages_dock_->setObjectName(QStringLiteral("messagesDock"));
-  auto* messages = messages_ = new MessagesPanel(workspace_.messages());
-  messages_dock_->setWidget(messages);
+  auto* messages = messages_;
   connect(messages, &MessagesPanel::momentActivated, strip_, &LiveStrip::goTo);
-  addDockWidget(Qt::BottomDockWidgetArea, messages_dock_);
-  findings_dock_ = new QDockWidget(tr("Findings"));
-  findings_dock_->setObjectName(QStringLiteral("findingsDock"));
-  auto* findings = findings_ = new FindingsPanel(workspace_.findings());
+  auto* findings = findings_;
   connect(findings, &FindingsPanel::momentActivated, strip_, &LiveStrip::goTo);
-  findings_dock_->setWidget(findings);
-  addDockWidget(Qt::BottomDockWidgetArea, findings_dock_);
-  tabifyDockWidget(messages_dock_, findings_dock_);
-  messages_dock_->raise();
-  layout_ = std::make_unique<WindowLayout>(
-      *this, workspace_.memory(),
-      WindowLayout::Parts{explorer_dock_, building_->dock(), {messages_dock_, findings_dock_}, splitter_});
   connect(findings, &FindingsPanel::placeActivated, this, [this](int position, const QString& key) {
     if (workspace_.recording().isOpen()) return goTo(position, key);
     if (const int slave = workspace_.runningSlaves().slaveOf(position); slave >= 0 || position < 0) goTo(slave, key);
   });
-  connect(&workspace_.runFindings(), &RunFindings::findingsChanged, this, &MainWindow::showFindingCount);
   connect(explorer_, &ExplorerPanel::nodeSelected, editor_, &DeviceEditor::showNode);
   connect(explorer_, &ExplorerPanel::nodeSelected, this, [this](int slave) {
     if (workspace_.recording().isOpen()) return;
@@ -174,10 +157,9 @@ void MainWindow::buildMenus() {
   auto* language = new LanguageMenu(workspace_.memory(), this);
   connect(language, &LanguageMenu::chosen, this,
           [this](const QString& text) { statusBar()->showMessage(text, 10'000); });
-  const QList<QAction*> panels{explorer_dock_->toggleViewAction(), building_->dock()->toggleViewAction(),
-                               messages_dock_->toggleViewAction(), findings_dock_->toggleViewAction()};
-  auto* network = ui::buildMenus(*menuBar(), *actions_,
-                                 {recent, language, building_->commands().all(), panels, explorer_->viewActions()});
+  auto* network =
+      ui::buildMenus(*menuBar(), *actions_,
+                     {recent, language, building_->commands().all(), docks_->toggles(), explorer_->viewActions()});
   connect(network, &QMenu::aboutToShow, this, &MainWindow::updateRecordingActions);
   state_button_ = buildToolBar(*addToolBar(tr("Main")), *actions_);
 }
@@ -273,7 +255,6 @@ void MainWindow::connectSession() {
     showRun();
     updateActions();
     updateTitle();
-    showFindingCount();
   });
   connect(&workspace_.disk(), &DiskRecording::changed, this, &MainWindow::updateRecordingActions);
   connect(&workspace_.scan(), &ScanController::started, this, &MainWindow::updateActions);
@@ -314,12 +295,6 @@ void MainWindow::goToMoment(qint64 moment) {
   findings_->selectMoment(moment);
 }
 
-/// The tab says how much there is, so that nobody has to look whether there is any.
-void MainWindow::showFindingCount() {
-  const int count = workspace_.findings().count(Severity::kWarning);
-  findings_dock_->setWindowTitle(count == 0 ? tr("Findings") : tr("Findings (%1)").arg(count));
-}
-
 void MainWindow::showDifferences() {
   auto* dialog = new DifferenceDialog(workspace_, this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -358,8 +333,6 @@ void MainWindow::updateTitle() {
 void MainWindow::updateActions() {
   const bool recorded = workspace_.recording().isOpen();
   centre_->setCurrentIndex(recorded || !workspace_.document().project().slaves.empty() ? 1 : 0);
-  explorer_dock_->setEnabled(!recorded);
-  explorer_dock_->setToolTip(recorded ? tr("A recording is shown; it has no pages of slaves") : QString());
   state_button_->setEnabled(workspace_.live().phase() == LiveSession::Phase::kOnline);
   updateActionStates(*actions_, workspace_, *recordings_);
 }

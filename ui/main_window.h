@@ -4,7 +4,6 @@
 #include <QMainWindow>
 #include <memory>
 
-class QDockWidget;
 class QSplitter;
 class QStackedWidget;
 class QToolButton;
@@ -22,6 +21,7 @@ class MessagesPanel;
 class OverviewPanel;
 class RecordingCommands;
 class MachineBuilding;
+class WindowDocks;
 class WindowLayout;
 class Workspace;
 
@@ -52,13 +52,12 @@ class MainWindow final : public QMainWindow {
 
  private:
   void buildCentre();
-  void buildDocks();
+  void connectDocks();
   void buildMenus();
   void connectActions();
   bool commitFields();
   void connectSession();
   void updateTitle();
-  void showFindingCount();
   void updateActions();
   void updateRecordingActions();
   void showRun();
@@ -84,7 +83,7 @@ class MainWindow final : public QMainWindow {
   FindingsPanel* findings_ = nullptr;
   LiveStrip* strip_ = nullptr;
   ExplorerPanel* explorer_ = nullptr;
-  QDockWidget *explorer_dock_ = nullptr, *messages_dock_ = nullptr, *findings_dock_ = nullptr;
+  WindowDocks* docks_ = nullptr;
   QToolButton* state_button_ = nullptr;
   std::unique_ptr<WindowLayout> layout_;
   bool laid_out_ = false;

@@ -22,7 +22,10 @@ Result<eni::EsiCatalogue> open_catalogue(Context& context, const EsiFolders& opt
   const auto folders =
       options.folders.empty() ? eni::usual_sources(*catalogue, {resource_folder() + "/esi"}) : options.folders;
   for (const auto& folder : folders) {
-    if (const auto status = eni::add_source(*catalogue, folder); !status) return tl::unexpected(status.error());
+    const auto report = eni::add_source(*catalogue, folder);
+    if (!report && !options.folders.empty()) return tl::unexpected(report.error());
+    if (!report) context.warn(report.error());  // nobody asked for this very folder
+    for (const auto& error : report ? eni::unreadable_folders(*report) : std::vector<Error>{}) context.warn(error);
   }
   for (const auto& note : catalogue->notes()) context.console.err << "note: " << note.file << ": " << note.text << '\n';
   return catalogue;

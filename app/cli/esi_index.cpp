@@ -7,6 +7,7 @@
 #include "app/cli/esi_folders.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/options.h"
+#include "eni/catalogue/usual_sources.h"
 
 namespace syncline::cli {
 namespace {
@@ -98,10 +99,7 @@ void index(Context& context, const IndexOptions& options) {
     if (!report) return context.fail_with(report.error());
     if (report->cancelled) context.exit_code = kAnswerIsNo;
     if (const auto status = catalogue.remember_folder(folder); !status) return context.fail_with(status.error());
-    for (const auto& path : report->unreadable) {
-      context.warn(
-          Error{.code = ErrorCode::kFileNotReadable, .detail = "its ESI files are missing here", .file = path});
-    }
+    for (const auto& error : eni::unreadable_folders(*report)) context.warn(error);
     folders.push_back(report_json(folder, *report));
     if (!options.json) context.console.out << report_line(folder, *report);
   }

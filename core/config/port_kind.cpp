@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "config/port_kind.h"
 
+#include "protocol/dl_status.h"
+
 namespace syncline {
 
 PortKind port_kind(const DeviceDescription& device, std::uint8_t port) {
+  if (port >= kPortCount) return PortKind::kNone;
   if (device.physics.empty()) return port < 2 ? PortKind::kUnknown : PortKind::kNone;
   if (port >= device.physics.size()) return PortKind::kNone;
   switch (device.physics[port]) {

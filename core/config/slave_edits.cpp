@@ -70,8 +70,23 @@ EditedSlave add(Project& project, const DeviceDescription& device, std::optional
   WiringDraft draft(project.slaves);
   std::vector<SlaveSettings> added{new_slave(project, device)};
   const auto id = draft.add(added.front().device, 0, project.slaves.size());
-  if (const auto obstacle = draft.attach(id, at)) return no(*obstacle);
+  if (const auto obstacle = at ? draft.attach(id, *at) : draft.attach_first(id)) return no(*obstacle);
   return apply(project, draft, std::move(added), id);
+}
+
+/// Where the place of `target` does not take a slave, the line may that ends just before it: then `put` puts it behind
+/// the last one there. Else `obstacle`.
+template <class Put>
+EditedSlave at_the_end_before(Project& project, std::size_t target, Obstacle obstacle, Put&& put) {
+  if (target == 0) return no(obstacle);
+  const auto address = project.slaves[target].station_address;
+  auto tried = project;
+  const auto placed = put(tried, target - 1);
+  if (!placed) return no(obstacle);
+  const auto behind = WiringTree::of(tried.slaves).group(*placed).back() + 1;
+  if (behind >= tried.slaves.size() || tried.slaves[behind].station_address != address) return no(obstacle);
+  project = std::move(tried);
+  return placed;
 }
 
 }  // namespace
@@ -85,6 +100,18 @@ EditedSlave add_slave(Project& project, const DeviceDescription& device, std::op
   const auto id = draft.add(device, 0, target + 1);
   const auto at = draft.place_behind(target, id);
   return at ? add(project, device, at) : EditedSlave(no(Obstacle::kNoPort));
+}
+
+EditedSlave add_slave_before(Project& project, const DeviceDescription& device, std::size_t target) {
+  if (project.slaves.size() >= kMostSlaves) return no(Obstacle::kTooMany);
+  if (target >= project.slaves.size()) return no(Obstacle::kNoSuchSlave);
+  WiringDraft draft(project.slaves);
+  std::vector<SlaveSettings> added{new_slave(project, device)};
+  const auto id = draft.add(added.front().device, 0, target);
+  if (const auto obstacle = draft.attach_before(id, target))
+    return at_the_end_before(project, target, *obstacle,
+                             [&](Project& tried, std::size_t last) { return add_slave(tried, device, last); });
+  return apply(project, draft, std::move(added), id);
 }
 
 EditedSlave add_slave_at(Project& project, const DeviceDescription& device, PreviousPort at) {
@@ -126,7 +153,7 @@ EditedSlave duplicate_slave(Project& project, std::size_t slave) {
   const auto at = draft.place_of_copy(slave);
   if (!at) return no(Obstacle::kNoPort);
   const auto first = draft.add_copies(group, group.back() + 1);
-  if (const auto obstacle = draft.attach(first, at)) return no(*obstacle);
+  if (const auto obstacle = draft.attach(first, *at)) return no(*obstacle);
   return apply(project, draft, std::move(added), first);
 }
 
@@ -137,7 +164,7 @@ EditedSlave move_slave_behind(Project& project, std::size_t slave, std::size_t t
   draft.detach(slave);
   const auto at = draft.place_behind(target, slave);
   if (!at) return no(Obstacle::kNoPort);
-  if (const auto obstacle = draft.attach(slave, at)) return no(*obstacle);
+  if (const auto obstacle = draft.attach(slave, *at)) return no(*obstacle);
   return apply(project, draft, {}, slave);
 }
 
@@ -145,7 +172,20 @@ EditedSlave move_slave_first(Project& project, std::size_t slave) {
   if (slave >= project.slaves.size()) return no(Obstacle::kNoSuchSlave);
   WiringDraft draft(project.slaves);
   draft.detach(slave);
-  if (const auto obstacle = draft.attach(slave, {})) return no(*obstacle);
+  if (const auto obstacle = draft.attach_first(slave)) return no(*obstacle);
+  return apply(project, draft, {}, slave);
+}
+
+EditedSlave move_slave_before(Project& project, std::size_t slave, std::size_t target) {
+  if (std::max(slave, target) >= project.slaves.size()) return no(Obstacle::kNoSuchSlave);
+  if (slave == target) return slave;
+  WiringDraft draft(project.slaves);
+  if (std::ranges::binary_search(draft.tree().group(slave), target)) return no(Obstacle::kBehindIt);
+  draft.detach(slave);
+  if (const auto obstacle = draft.attach_before(slave, target))
+    return at_the_end_before(project, target, *obstacle, [slave](Project& tried, std::size_t last) {
+      return last == slave ? EditedSlave(slave) : move_slave_behind(tried, slave, last);
+    });
   return apply(project, draft, {}, slave);
 }
 
@@ -155,9 +195,8 @@ EditedSlave move_slave_up(Project& project, std::size_t slave) {
   const auto tree = draft.tree();
   const auto before = tree.previous(slave);
   if (!before || tree.next(*before) != slave) return no(Obstacle::kFirst);
-  const auto place = tree.slaves()[*before].previous;
   draft.detach(slave);
-  if (const auto obstacle = draft.attach(slave, place)) return no(*obstacle);
+  if (const auto obstacle = draft.attach_before(slave, *before)) return no(*obstacle);
   return apply(project, draft, {}, slave);
 }
 

@@ -11,8 +11,9 @@
 #include "config/project.h"
 
 /// Slaves come, go and change their places. Whatever says a slave by its number (where another one hangs, the reference
-/// clock) stays with the slave; the slaves stand in the order of the frame afterwards, station addresses stay unique. A
-/// slave goes with its branches (wiring_tree.h). Pure: what fails leaves the project as it was.
+/// clock) stays with the slave; station addresses stay unique. The slaves stand in the order of the frame afterwards,
+/// where they did before; a project whose order is not what its wiring says keeps its order as far as it can. A slave
+/// goes with its branches (wiring_tree.h). Pure: what fails leaves the project as it was.
 namespace syncline {
 
 enum class WiringObstacle : std::uint8_t {
@@ -34,6 +35,9 @@ using EditedSlave = tl::expected<std::size_t, WiringObstacle>;
 /// the last slave.
 [[nodiscard]] EditedSlave add_slave(Project& project, const DeviceDescription& device,
                                     std::optional<std::size_t> behind);
+/// A new slave in the place of `target`, which hangs behind it then, or, where that place does not take it, at the end
+/// of the line that ends just before `target`. Never anywhere else.
+[[nodiscard]] EditedSlave add_slave_before(Project& project, const DeviceDescription& device, std::size_t target);
 /// A new slave at a free port.
 [[nodiscard]] EditedSlave add_slave_at(Project& project, const DeviceDescription& device, PreviousPort at);
 /// The slave with its branches goes, its line closes. The position that is next then; 0 for none.
@@ -42,6 +46,8 @@ using EditedSlave = tl::expected<std::size_t, WiringObstacle>;
 [[nodiscard]] EditedSlave duplicate_slave(Project& project, std::size_t slave);
 /// The slave with its branches goes to the place where a new one would go.
 [[nodiscard]] EditedSlave move_slave_behind(Project& project, std::size_t slave, std::size_t target);
+/// The slave with its branches goes where a new one would go.
+[[nodiscard]] EditedSlave move_slave_before(Project& project, std::size_t slave, std::size_t target);
 /// The slave with its branches goes to the master, before all others.
 [[nodiscard]] EditedSlave move_slave_first(Project& project, std::size_t slave);
 /// Changes places with the slave before or behind it in its line.
@@ -52,6 +58,7 @@ using EditedSlave = tl::expected<std::size_t, WiringObstacle>;
 /// Whether rewire_slave() would do it; fast, for each move of a mouse.
 [[nodiscard]] std::optional<WiringObstacle> rewire_obstacle(const class WiringTree& tree, std::size_t slave,
                                                             PreviousPort at);
+/// Whether add_slave_at() would do it, but for the number of slaves; as fast.
 [[nodiscard]] std::optional<WiringObstacle> plug_obstacle(const class WiringTree& tree, const DeviceDescription& device,
                                                           PreviousPort at);
 

@@ -36,6 +36,8 @@ WiringDraft::WiringDraft(const std::vector<SlaveSettings>& slaves)
     : slaves_(WiringTree::of(slaves).slaves()), gone_(slaves.size(), false), listed_(slaves.size()) {
   std::iota(listed_.begin(), listed_.end(), std::size_t{0});
   in_order_ = tree().frame_order() == listed_;
+  const auto first = std::ranges::find_if(slaves_, [](const WiredSlave& one) { return !one.previous; });
+  if (first != slaves_.end()) at_master_ = static_cast<std::size_t>(first - slaves_.begin());
 }
 
 void WiringDraft::insert(std::size_t slave, std::size_t before) {
@@ -74,23 +76,34 @@ void WiringDraft::detach(std::size_t slave) {
   const auto next = tree().next(slave);
   if (next) slaves_[*next].previous = slaves_[slave].previous;
   slaves_[slave].previous.reset();
+  if (at_master_ == slave) at_master_ = next;
+}
+
+void WiringDraft::hang(std::size_t slave, PreviousPort at) {
+  slaves_[slave].previous = at;
+  if (at_master_ == slave) at_master_.reset();
 }
 
 void WiringDraft::drop(std::span<const std::size_t> group) {
   for (const auto one : group) gone_[one] = true;
 }
 
-std::optional<WiringObstacle> WiringDraft::attach(std::size_t slave, std::optional<PreviousPort> at) {
+std::optional<WiringObstacle> WiringDraft::attach(std::size_t slave, PreviousPort at) {
+  return plug(slave, at, tree().at_port(at.position, at.port));
+}
+
+std::optional<WiringObstacle> WiringDraft::attach_before(std::size_t slave, std::size_t displaced) {
+  return plug(slave, slaves_[displaced].previous, displaced);
+}
+
+std::optional<WiringObstacle> WiringDraft::attach_first(std::size_t slave) { return plug(slave, {}, at_master_); }
+
+std::optional<WiringObstacle> WiringDraft::plug(std::size_t slave, std::optional<PreviousPort> at,
+                                                std::optional<std::size_t> displaced) {
   const auto now = tree();
-  std::optional<std::size_t> displaced;
   if (at) {
-    displaced = now.at_port(at->position, at->port);
     const auto kind = port_kind(*slaves_[at->position].device, at->port);
     if (!ports_fit(kind, now.entry_kind(slave))) return WiringObstacle::kOtherKind;
-  } else {
-    const auto first = std::ranges::find_if(
-        listed_, [&](std::size_t one) { return one != slave && !gone_[one] && !slaves_[one].previous; });
-    if (first != listed_.end()) displaced = *first;
   }
   if (displaced) {
     const auto way_on = now.way_on(slave);
@@ -100,11 +113,15 @@ std::optional<WiringObstacle> WiringDraft::attach(std::size_t slave, std::option
     slaves_[*displaced].previous = PreviousPort{static_cast<std::uint16_t>(slave), *way_on};
   }
   slaves_[slave].previous = at;
+  const bool first = !at && displaced == at_master_;
+  if (first) at_master_ = slave;
   if (in_order_) return std::nullopt;
   // The order is not what the wiring says: the slave stands behind the one that it hangs at.
   std::erase(listed_, slave);
-  const auto behind = at ? std::ranges::find(listed_, std::size_t{at->position}) + 1 : listed_.begin();
-  listed_.insert(behind, slave);
+  const auto place = at      ? std::ranges::find(listed_, std::size_t{at->position}) + 1
+                     : first ? listed_.begin()
+                             : std::ranges::find(listed_, *displaced);
+  listed_.insert(place, slave);
   return std::nullopt;
 }
 
@@ -133,7 +150,7 @@ std::optional<PreviousPort> WiringDraft::place_of_copy(std::size_t slave) const 
 }
 
 std::vector<std::size_t> WiringDraft::order() const {
-  auto order = in_order_ ? tree().frame_order() : listed_;
+  auto order = in_order_ ? tree().frame_order(at_master_) : listed_;
   std::erase_if(order, [&](std::size_t one) { return gone_[one]; });
   return order;
 }

@@ -26,9 +26,13 @@ class WiringDraft {
   void detach(std::size_t slave);
   /// What was detached is gone.
   void drop(std::span<const std::size_t> group);
-  /// Plugs in a slave that hangs at nobody (empty `at`: at the master); what hangs there hangs behind it then.
-  [[nodiscard]] std::optional<WiringObstacle> attach(std::size_t slave, std::optional<PreviousPort> at);
-  void hang(std::size_t slave, PreviousPort at) { slaves_[slave].previous = at; }
+  /// Plugs in a detached slave; what hangs there hangs behind it then.
+  [[nodiscard]] std::optional<WiringObstacle> attach(std::size_t slave, PreviousPort at);
+  /// Gives a detached slave the place of another one, which hangs behind it then.
+  [[nodiscard]] std::optional<WiringObstacle> attach_before(std::size_t slave, std::size_t displaced);
+  /// Plugs a detached slave into the master; what hangs there hangs behind it then.
+  [[nodiscard]] std::optional<WiringObstacle> attach_first(std::size_t slave);
+  void hang(std::size_t slave, PreviousPort at);
 
   /// Where a detached slave goes that somebody puts behind another one; see add_slave().
   [[nodiscard]] std::optional<PreviousPort> place_behind(std::size_t target, std::size_t slave) const;
@@ -43,10 +47,13 @@ class WiringDraft {
 
  private:
   void insert(std::size_t slave, std::size_t before);
+  std::optional<WiringObstacle> plug(std::size_t slave, std::optional<PreviousPort> at,
+                                     std::optional<std::size_t> displaced);
 
   std::vector<WiredSlave> slaves_;
   std::vector<bool> gone_;
   std::vector<std::size_t> listed_;
+  std::optional<std::size_t> at_master_;  // of those that hang at nobody; how others are reached nobody knows
   bool in_order_ = true;
 };
 

@@ -18,6 +18,10 @@ std::size_t steps_from(std::uint8_t entry, std::uint8_t port) {
   return (place(port) + kPortOrder.size() - place(entry)) % kPortOrder.size();
 }
 
+bool is_there(const PreviousPort& previous, std::size_t slaves) {
+  return previous.position < slaves && previous.port < kPortCount;
+}
+
 /// Cuts what does not lead to a slave that hangs at nobody.
 void cut_circles(std::vector<WiredSlave>& slaves) {
   enum class Seen : std::uint8_t { kNo, kNow, kDone };
@@ -30,7 +34,7 @@ void cut_circles(std::vector<WiredSlave>& slaves) {
       seen[at] = Seen::kNow;
       way.push_back(at);
       auto& previous = slaves[at].previous;
-      if (previous && (previous->position >= slaves.size() || seen[previous->position] == Seen::kNow)) previous.reset();
+      if (previous && (!is_there(*previous, slaves.size()) || seen[previous->position] == Seen::kNow)) previous.reset();
       if (previous) at = previous->position;
     }
     for (const auto one : way) seen[one] = Seen::kDone;
@@ -45,9 +49,8 @@ WiringTree::WiringTree(std::vector<WiredSlave> slaves) : slaves_(std::move(slave
     if (const auto& previous = slaves_[i].previous) behind_[previous->position].push_back(i);
   }
   for (std::size_t i = 0; i < slaves_.size(); ++i) {
-    std::ranges::stable_sort(behind_[i], {}, [&](std::size_t one) {
-      return steps_from(slaves_[i].entry, slaves_[one].previous->port % kPortCount);
-    });
+    std::ranges::stable_sort(
+        behind_[i], {}, [&](std::size_t one) { return steps_from(slaves_[i].entry, slaves_[one].previous->port); });
   }
 }
 
@@ -139,7 +142,7 @@ std::optional<std::uint8_t> WiringTree::way_on(std::size_t slave) const {
   return std::nullopt;
 }
 
-std::vector<std::size_t> WiringTree::frame_order() const {
+std::vector<std::size_t> WiringTree::frame_order(std::optional<std::size_t> at_master) const {
   struct Step {
     std::size_t slave;
     bool itself;
@@ -147,8 +150,9 @@ std::vector<std::size_t> WiringTree::frame_order() const {
   std::vector<std::size_t> order;
   std::vector<Step> open;
   for (std::size_t i = slaves_.size(); i-- > 0;) {
-    if (!slaves_[i].previous) open.push_back({i, false});
+    if (!slaves_[i].previous && i != at_master) open.push_back({i, false});
   }
+  if (at_master) open.push_back({*at_master, false});
   while (!open.empty()) {
     const auto [slave, itself] = open.back();
     open.pop_back();
@@ -161,7 +165,7 @@ std::vector<std::size_t> WiringTree::frame_order() const {
     const auto own = entry == 0 ? std::size_t{0} : steps_from(entry, 0);
     bool placed = false;
     for (auto one = behind_[slave].rbegin(); one != behind_[slave].rend(); ++one) {
-      if (!placed && steps_from(entry, slaves_[*one].previous->port % kPortCount) <= own) {
+      if (!placed && steps_from(entry, slaves_[*one].previous->port) <= own) {
         open.push_back({slave, true});
         placed = true;
       }

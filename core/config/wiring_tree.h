@@ -22,7 +22,8 @@ struct WiredSlave {
 
 class WiringTree {
  public:
-  /// A slave that hangs at itself, at nobody that is there or in a circle counts as one that hangs at nobody.
+  /// A slave that hangs at itself, at nobody that is there, at a port that no slave has or in a circle counts as one
+  /// that hangs at nobody.
   explicit WiringTree(std::vector<WiredSlave> slaves);
   [[nodiscard]] static WiringTree of(const std::vector<SlaveSettings>& slaves);
 
@@ -44,8 +45,9 @@ class WiringTree {
   /// Port for the line to go on: that of next(), else the first free one like the entry.
   [[nodiscard]] std::optional<std::uint8_t> way_on(std::size_t slave) const;
   [[nodiscard]] PortKind entry_kind(std::size_t slave) const;
-  /// All slaves in the order in which a frame passes their processing units.
-  [[nodiscard]] std::vector<std::size_t> frame_order() const;
+  /// All slaves in the order in which a frame passes their processing units. `at_master`: the one of those that hang at
+  /// nobody that a frame comes to first; empty: the first of them.
+  [[nodiscard]] std::vector<std::size_t> frame_order(std::optional<std::size_t> at_master = {}) const;
 
  private:
   void collect(std::size_t slave, std::vector<std::size_t>& into) const;

@@ -11,10 +11,10 @@ namespace syncline::settings {
 namespace {
 
 constexpr std::string_view kNone = "none";
-constexpr std::int64_t kPorts = 4;
+constexpr std::int64_t kPorts = 4, kPortValues = 256;
 
-/// Position and port as one number: four ports a slave.
-std::int64_t pack(const PreviousPort& previous) { return previous.position * kPorts + previous.port; }
+/// Position and port as one number; a file may have a port that no slave has.
+std::int64_t pack(const PreviousPort& previous) { return previous.position * kPortValues + previous.port; }
 
 bool is_another(std::int64_t position, std::size_t own_position, std::size_t slaves) {
   return is_position(slaves, position) && !std::cmp_equal(position, own_position);
@@ -58,11 +58,13 @@ Setting previous_row() {
       previous.reset();
       return {};
     }
-    const auto position = *packed / kPorts;
+    const auto position = *packed / kPortValues;
     if (*packed < 0 || !is_another(position, place.slave, project.slaves.size())) {
       return bad_value(no_other_slave(position, project.slaves.size()));
     }
-    previous = {static_cast<std::uint16_t>(position), static_cast<std::uint8_t>(*packed % kPorts)};
+    const auto port = *packed % kPortValues;
+    if (port >= kPorts) return bad_value("a slave has the ports A to D");
+    previous = {static_cast<std::uint16_t>(position), static_cast<std::uint8_t>(port)};
     return {};
   };
   row.parse = [](const Project& project, const Place& place, std::string_view text) {

@@ -14,9 +14,12 @@
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <QTreeView>
+#include <algorithm>
 #include <memory>
 
 #include "eni/format/eni_file.h"
+#include "eni/project/project_file.h"
+#include "settings/settings_table.h"
 #include "support/project_window.h"
 #include "ui/dialogs/bus_commands.h"
 #include "ui/dialogs/file_commands.h"
@@ -65,6 +68,12 @@ void writeEsi(const QString& path, const QByteArray& devices) {
   file.write("</Devices></Descriptions></EtherCATInfo>\n");
 }
 
+eni::CatalogueSearch wordsOf(const char* words) {
+  eni::CatalogueSearch search;
+  search.words = words;
+  return search;
+}
+
 DeviceDescription plain(const char* type, const char* physics) {
   DeviceDescription device;
   device.type = type;
@@ -103,6 +112,22 @@ class Building : private OwnCache, public test::ProjectWindow {
     QTest::keyClick(&tree(), key, modifiers);
   }
   int selected() { return window_.explorer().selected(); }
+  std::unique_ptr<QMimeData> dragged(int slave) {
+    auto& network = workspace_.network();
+    return std::unique_ptr<QMimeData>(network.mimeData({network.indexOf(slave)}));
+  }
+  /// In the tree, as the mouse does it; false where it is refused.
+  bool drop(const QMimeData& data, QPoint point) {
+    auto* viewport = tree().viewport();
+    QDragEnterEvent enter(point, Qt::MoveAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(viewport, &enter);
+    QDragMoveEvent move(point, Qt::MoveAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(viewport, &move);
+    if (!move.isAccepted()) return false;
+    QDropEvent dropped(point, Qt::MoveAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(viewport, &dropped);
+    return true;
+  }
 };
 
 TEST_F(Building, EditsTheTreeByKeys) {
@@ -158,20 +183,81 @@ TEST_F(Building, KeysOfTheExplorerAreNotThoseOfAField) {
 }
 
 TEST_F(Building, MovesASlaveThatIsDroppedOnAnother) {
-  QMimeData data;
-  data.setData(kSlaveMime, "1");
-  const auto target = workspace_.network().indexOf(2);
-  const auto point = tree().visualRect(target).center();
-  QDragEnterEvent enter(point, Qt::MoveAction, &data, Qt::LeftButton, Qt::NoModifier);
-  QApplication::sendEvent(tree().viewport(), &enter);
-  QDragMoveEvent move(point, Qt::MoveAction, &data, Qt::LeftButton, Qt::NoModifier);
-  QApplication::sendEvent(tree().viewport(), &move);
-  ASSERT_TRUE(move.isAccepted());
   const auto address = project().slaves[1].station_address;
-  QDropEvent drop(point, Qt::MoveAction, &data, Qt::LeftButton, Qt::NoModifier);
-  QApplication::sendEvent(tree().viewport(), &drop);
+  ASSERT_TRUE(drop(*dragged(1), tree().visualRect(workspace_.network().indexOf(2)).center()));
   EXPECT_EQ(project().slaves[2].station_address, address);
   EXPECT_EQ(selected(), 2);
+}
+
+TEST_F(Building, DropsLandWhereTheLineIsDrawn) {
+  auto& network = workspace_.network();
+  const auto put = [&](int slave, int row, int parent) {
+    const auto address = project().slaves[static_cast<std::size_t>(slave)].station_address;
+    EXPECT_TRUE(network.dropMimeData(dragged(slave).get(), Qt::MoveAction, row, 0, network.indexOf(parent)));
+    return network.slaveAt(address);
+  };
+  EXPECT_EQ(put(2, 0, 0), 1) << "above the first terminal";
+  EXPECT_EQ(put(1, 2, 0), 2) << "below the last one";
+  EXPECT_EQ(put(4, 1, -1), 3) << "between coupler and junction";
+  EXPECT_EQ(put(4, 0, -1), 0) << "above all";
+  EXPECT_EQ(types(), QStringLiteral("Junction Coupler Terminal Terminal Drive"));
+  EXPECT_EQ(put(4, -1, -1), 0) << "on the master";
+  const auto before = project();
+  EXPECT_EQ(put(0, 1, 2), 0) << "no cable between terminals";
+  EXPECT_EQ(project(), before) << "nor anywhere else";
+  const int coupler = network.slaveAt(1001);
+  const auto row = tree().visualRect(network.indexOf(coupler));
+  const auto last = project().slaves[static_cast<std::size_t>(coupler) + 2].station_address;
+  ASSERT_TRUE(drop(*dragged(coupler + 2), {row.center().x(), row.bottom()}));
+  EXPECT_EQ(network.slaveAt(last), coupler + 1) << "the line is drawn above the first terminal";
+}
+
+TEST_F(Building, TakesWhatIsDraggedForWhatItIs) {
+  auto& network = workspace_.network();
+  QMimeData other;
+  other.setData(kSlaveMime, "1");
+  EXPECT_FALSE(network.canDropMimeData(&other, Qt::MoveAction, -1, 0, network.indexOf(2))) << "of another window";
+  const auto terminal = dragged(1), drive = dragged(4);
+  window_.selectNode(1);
+  press(Qt::Key_Delete);
+  EXPECT_FALSE(network.canDropMimeData(terminal.get(), Qt::MoveAction, -1, 0, network.indexOf(2))) << "it is gone";
+  ASSERT_TRUE(network.dropMimeData(drive.get(), Qt::MoveAction, 0, 0, network.indexOf(-1)));
+  EXPECT_EQ(types(), QStringLiteral("Drive Coupler Terminal Junction"));
+}
+
+TEST_F(Building, GoToOffersWhatTheDeviceHas) {
+  const auto& slave = project().slaves[1];
+  const auto setting = std::ranges::find_if(
+      settings::table(), [&](const auto& one) { return one.applies && !one.items && !one.applies(slave); });
+  ASSERT_NE(setting, settings::table().end());
+  const auto key = QString::fromStdString(settings::key_of(*setting, {.slave = 1}));
+  window_.selectNode(1);
+  QTest::keyClick(&window_, Qt::Key_K, Qt::ControlModifier);
+  QTest::keyClicks(&field<QLineEdit>("goToSearch"), key);
+  EXPECT_TRUE(field<QListWidget>("goToList").findItems(QStringLiteral(" ") + key, Qt::MatchEndsWith).isEmpty())
+      << key.toStdString();
+  QTest::keyClick(&field<QLineEdit>("goToSearch"), Qt::Key_Escape);
+  const bool shown = window_.editor().showKey(key);
+  EXPECT_EQ(workspace_.expert(), shown && setting->words.expert);
+}
+
+TEST_F(Building, ShowsAProjectWithAPortThatNoSlaveHas) {
+  auto odd = project();
+  odd.slaves[3].previous->port = 9;
+  QTemporaryDir folder;
+  const auto path = folder.filePath(QStringLiteral("odd.syncline"));
+  ASSERT_TRUE(eni::save_project(odd, path.toStdString()));
+  ASSERT_TRUE(workspace_.document().load(path));
+  for (const auto view : {ExplorerPanel::View::kClassic, ExplorerPanel::View::kTopology}) {
+    window_.explorer().setView(view);
+    window_.selectNode(3);
+    topology().viewport()->repaint();
+  }
+  const auto& row = settings::row("slave.N.previous");
+  auto written = odd;
+  EXPECT_FALSE(row.write(written, {.slave = 3}, row.read(odd, {.slave = 3}))) << "it is no port of another slave";
+  EXPECT_EQ(written, odd);
+  ASSERT_TRUE(move_slave_first(odd, 3));
 }
 
 TEST_F(Building, ShowsTheTreeByWiringAndByPosition) {
@@ -314,10 +400,12 @@ TEST(ExplorerViews, AreRemembered) {
     Workspace workspace(environment);
     MainWindow window(workspace);
     window.explorer().setView(ExplorerPanel::View::kTopology);
+    window.explorer().topology().setZoom(0.6);
   }
   Workspace workspace(environment);
   MainWindow window(workspace);
   EXPECT_EQ(window.explorer().view(), ExplorerPanel::View::kTopology);
+  EXPECT_DOUBLE_EQ(window.explorer().topology().zoom(), 0.6);
 }
 
 TEST(CatalogueModel, StandsByVendorGroupDeviceAndRevision) {
@@ -451,12 +539,66 @@ TEST_F(FromCatalogue, NamesFilesThatCannotBeRead) {
   // It is there at the next start, too.
   DeviceCatalogue again({});
   std::size_t entries = 0;
-  QObject::connect(&again, &DeviceCatalogue::found,
-                   [&](const CatalogueAnswer& answer) { entries = answer.entries.size(); });
-  eni::CatalogueSearch wanted;
-  wanted.words = "T99";
-  again.search(wanted);
+  again.search(wordsOf("T99"), &again,
+               [&](const Result<CatalogueAnswer>& answer) { entries = answer->entries.size(); });
   EXPECT_TRUE(waitFor([&] { return entries == 1; }));
+}
+
+TEST_F(FromCatalogue, AnswersEachAskerWhatItAsked) {
+  QObject panel, dialog;
+  std::vector<std::string> found;
+  const auto ask = [&](const char* words, QObject& asker) {
+    workspace_->catalogue().search(wordsOf(words), &asker, [&](const Result<CatalogueAnswer>& answer) {
+      found.push_back(answer->entries.empty() ? "" : answer->entries.front().type);
+    });
+  };
+  ask("SL-SV7", panel);
+  ask("T7", panel);
+  ask("T8", dialog);
+  ASSERT_TRUE(waitFor([&] { return found.size() == 2; }));
+  EXPECT_EQ(found, (std::vector<std::string>{"T7", "T8"})) << "the last question of each";
+}
+
+TEST_F(FromCatalogue, FindsAtTheNextStartWhatIsInAFolderThatWasNotReadToTheEnd) {
+  QTemporaryDir folder;
+  writeEsi(folder.filePath(QStringLiteral("good.xml")), deviceXml(99, 1, "T99", "YY"));
+  {
+    DeviceCatalogue catalogue({});
+    int ended = 0;
+    QObject::connect(&catalogue, &DeviceCatalogue::added, [&] { ++ended; });
+    catalogue.add({folder.path()});
+    catalogue.cancel();
+    ASSERT_TRUE(waitFor([&] { return ended == 2; }));
+  }
+  DeviceCatalogue again({});
+  std::size_t entries = 0;
+  again.search(wordsOf("T99"), &again,
+               [&](const Result<CatalogueAnswer>& answer) { entries = answer->entries.size(); });
+  EXPECT_TRUE(waitFor([&] { return entries == 1; }));
+}
+
+TEST_F(FromCatalogue, AddsToTheSlaveThatWasMeantWhereverItIs) {
+  for (const char* type : {"SL-SV7", "SL-SV7", "SL-SV7"}) add(type);
+  eni::CatalogueEntry device;
+  workspace_->catalogue().search(wordsOf("T7"), window_.get(),
+                                 [&](const Result<CatalogueAnswer>& answer) { device = answer->entries.front(); });
+  ASSERT_TRUE(waitFor([&] { return !device.type.empty(); }));
+  auto& document = workspace_->document();
+  auto& commands = window_->building().commands();
+  commands.addDeviceTo(device, {1});
+  ASSERT_TRUE(document.edit(QStringLiteral("remove"), [](Project& edited) -> Status {
+    EXPECT_TRUE(remove_slave(edited, 0));
+    return {};
+  }));
+  ASSERT_TRUE(waitFor([&] { return project().slaves.size() == 3; }));
+  EXPECT_EQ(project().slaves[1].device.type, "T7") << "behind the second drive, which is the first one now";
+  QString told;
+  QObject::connect(&commands, &SlaveCommands::told, [&](const QString& text) { told = text; });
+  commands.addDeviceTo(device, {1});
+  document.take(document.machine(), {});
+  ASSERT_TRUE(waitFor([&] { return !told.isEmpty(); }));
+  EXPECT_EQ(told, obstacleText(WiringObstacle::kNoSuchSlave));
+  EXPECT_EQ(project().slaves.size(), 3U) << "nobody asked for it in this project";
 }
 
 TEST_F(FromCatalogue, ADeviceDroppedOnAPortHangsThere) {
@@ -472,6 +614,13 @@ TEST_F(FromCatalogue, ADeviceDroppedOnAPortHangsThere) {
   QDragEnterEvent enter(point, Qt::CopyAction, data.get(), Qt::LeftButton, Qt::NoModifier);
   QApplication::sendEvent(topology.viewport(), &enter);
   ASSERT_TRUE(enter.isAccepted());
+  const std::unique_ptr<QMimeData> terminal(draggedDevice({7, "KK"}));
+  QDragMoveEvent over(point, Qt::CopyAction, terminal.get(), Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(topology.viewport(), &over);
+  EXPECT_FALSE(over.isAccepted()) << "a terminal does not fit there";
+  QDragMoveEvent move(point, Qt::CopyAction, data.get(), Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(topology.viewport(), &move);
+  ASSERT_TRUE(move.isAccepted());
   QDropEvent drop(point, Qt::CopyAction, data.get(), Qt::LeftButton, Qt::NoModifier);
   QApplication::sendEvent(topology.viewport(), &drop);
   ASSERT_TRUE(waitFor([&] { return project().slaves.size() == 3; }));

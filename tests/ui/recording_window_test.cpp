@@ -25,6 +25,8 @@
 #include "support/ui_test_support.h"
 #include "ui/dialogs/bus_commands.h"
 #include "ui/dialogs/file_commands.h"
+#include "ui/dialogs/slave_commands.h"
+#include "ui/machine_building.h"
 #include "ui/main_window.h"
 #include "ui/models/finding_model.h"
 #include "ui/models/message_model.h"
@@ -292,6 +294,15 @@ TEST_F(RecordingWindow, TheWindowSaysThatItIsARecordingAndOfWhat) {
     EXPECT_TRUE(action(name)->toolTip().contains(QStringLiteral("recording"))) << name;
   }
   EXPECT_FALSE(workspace_.goOnline());
+  auto& commands = window_.building().commands();
+  const auto slaves = workspace_.document().project().slaves.size();
+  EXPECT_FALSE(commands.add->isEnabled());
+  EXPECT_FALSE(workspace_.network().flags(workspace_.network().indexOf(0)).testFlag(Qt::ItemIsDragEnabled));
+  QString told;
+  QObject::connect(&commands, &SlaveCommands::told, [&](const QString& words) { told = words; });
+  commands.move(2, {0});
+  EXPECT_TRUE(told.contains(QStringLiteral("recording"))) << "slaves that nobody sees are not moved";
+  EXPECT_EQ(workspace_.document().project().slaves.size(), slaves);
   EXPECT_EQ(window_.liveStrip().timeView()->mode(), TimeView::Mode::kHistory) << "it has no now";
   EXPECT_TRUE(window_.findChild<OverviewPanel*>()->isVisible());
   ASSERT_FALSE(workspace_.recording().run().info.events.empty());
@@ -301,6 +312,7 @@ TEST_F(RecordingWindow, TheWindowSaysThatItIsARecordingAndOfWhat) {
   EXPECT_FALSE(workspace_.recording().isOpen());
   EXPECT_EQ(workspace_.messages().rowCount(), own) << "nothing of before is lost";
   EXPECT_TRUE(action("actionOnline")->isEnabled());
+  EXPECT_TRUE(commands.add->isEnabled());
   EXPECT_FALSE(action("actionOnline")->toolTip().contains(QStringLiteral("recording")));
   EXPECT_EQ(window_.liveStrip().store(), &workspace_.live().record()->samples());
 }

@@ -72,7 +72,9 @@ void GoToDialog::addSettings(const Project& project, int node) {
   for (const auto& setting : settings::table()) {
     settings::Place place;
     if (setting.of_slave()) {
-      if (node < 0) continue;
+      const auto at = static_cast<std::size_t>(node);
+      if (node < 0 || at >= project.slaves.size()) continue;
+      if (setting.applies && !setting.applies(project.slaves[at])) continue;
       place.slave = static_cast<std::size_t>(node);
     }
     // Lists have a key for each item; their first one leads to all of them.

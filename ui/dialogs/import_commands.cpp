@@ -3,8 +3,9 @@
 
 #include <QFileInfo>
 #include <QWidget>
+#include <algorithm>
+#include <utility>
 
-#include "eni/catalogue/usual_sources.h"
 #include "eni/format/eni_file.h"
 #include "recover/recover_project.h"
 #include "ui/dialogs/error_dialog.h"
@@ -15,11 +16,23 @@
 namespace syncline::ui {
 namespace {
 
-/// The ESI's device for an identity, where the catalogue has that revision.
-DeviceLookup lookupIn(const eni::EsiCatalogue& catalogue) {
-  return [&catalogue](const Identity& identity) -> const DeviceDescription* {
-    const auto match = catalogue.find(identity);
-    return match && match->exact_revision ? match->device : nullptr;
+std::vector<Identity> identitiesOf(const NetworkConfig& config) {
+  std::vector<Identity> identities;
+  for (const auto& slave : config.slaves) {
+    if (std::ranges::find(identities, slave.identity) == identities.end()) identities.push_back(slave.identity);
+  }
+  return identities;
+}
+
+/// The device for an identity; their serial numbers are of slaves, not of devices.
+DeviceLookup lookupIn(const std::vector<DeviceDescription>& devices) {
+  return [&devices](const Identity& identity) -> const DeviceDescription* {
+    const auto found = std::ranges::find_if(devices, [&](const DeviceDescription& device) {
+      const auto& own = device.identity;
+      return own.vendor_id == identity.vendor_id && own.product_code == identity.product_code &&
+             own.revision_no == identity.revision_no;
+    });
+    return found == devices.end() ? nullptr : &*found;
   };
 }
 
@@ -34,13 +47,17 @@ void ImportCommands::importEni(const QString& path, const std::function<bool()>&
     workspace_.report(config.error(), Severity::kError, tr("Open"));
     return showError(&window_, tr("The ENI could not be read."), config.error());
   }
-  if (!may()) return;
-  auto catalogue = eni::EsiCatalogue::open_default();
-  std::vector<std::string> folders;
-  for (const auto& folder : workspace_.environment().esi_folders) folders.push_back(folder.toStdString());
-  for (const auto& error : eni::add_usual_sources(catalogue, std::move(folders)))
-    workspace_.report(error, Severity::kWarning, tr("Catalogue"));
-  auto recovered = recover_project(*config, lookupIn(catalogue));
+  auto& document = workspace_.document();
+  workspace_.catalogue().devices(identitiesOf(*config), this,
+                                 [this, path, may, config = *config,
+                                  generation = document.generation()](const std::vector<DeviceDescription>& devices) {
+                                   // Somebody opened something else since.
+                                   if (workspace_.document().generation() != generation || !may()) return;
+                                   take(path, recover_project(config, lookupIn(devices)));
+                                 });
+}
+
+void ImportCommands::take(const QString& path, RecoveredProject recovered) {
   workspace_.live().shutDown();
   workspace_.recording().close();
   workspace_.document().take(Machine{{}, {std::move(recovered.project)}}, {}, false);

@@ -7,6 +7,10 @@
 
 class QWidget;
 
+namespace syncline {
+struct RecoveredProject;
+}
+
 namespace syncline::ui {
 
 class Workspace;
@@ -19,12 +23,14 @@ class ImportCommands final : public QObject {
   ImportCommands(Workspace& workspace, QWidget& window);
 
   /// A project of what the ENI lets be seen, in place of the present one when `may` says yes; asked only when the file
-  /// could be read.
+  /// could be read and the catalogue said, in its own thread, which devices it has of it.
   void importEni(const QString& path, const std::function<bool()>& may);
   /// Asks, then reads the folder of the file into the catalogue in the background.
   void addEsiFolder(const QString& path);
 
  private:
+  void take(const QString& path, RecoveredProject recovered);
+
   Workspace& workspace_;
   QWidget& window_;
 };

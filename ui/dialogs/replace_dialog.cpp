@@ -73,9 +73,6 @@ ReplaceDialog::ReplaceDialog(const Project& project, int slave, DeviceCatalogue&
   connect(words_, &QLineEdit::textChanged, &typing_, qOverload<>(&QTimer::start));
   connect(&typing_, &QTimer::timeout, this, &ReplaceDialog::search);
   connect(list_, &QListWidget::currentRowChanged, this, &ReplaceDialog::readChosen);
-  connect(&catalogue_, &DeviceCatalogue::found, this, [this](const CatalogueAnswer& answer) {
-    if (!words_->text().isEmpty() && answer.search.words == words_->text().toStdString()) showEntries(answer.entries);
-  });
   search();
 }
 
@@ -90,7 +87,10 @@ void ReplaceDialog::search() {
   eni::CatalogueSearch wanted;
   wanted.words = words_->text().toStdString();
   wanted.limit = 200;
-  catalogue_.search(wanted);
+  catalogue_.search(wanted, this, [this](const Result<CatalogueAnswer>& answer) {
+    if (!answer) return effect_->setText(errorText(answer.error()));
+    if (answer->search.words == words_->text().toStdString()) showEntries(answer->entries);
+  });
 }
 
 void ReplaceDialog::showEntries(const std::vector<eni::CatalogueEntry>& entries) {

@@ -26,6 +26,7 @@ class ReplaceDialog final : public QDialog {
   Q_OBJECT
 
  public:
+  /// The project is that of the moment: whoever takes what was chosen looks where the slave is then.
   ReplaceDialog(const Project& project, int slave, DeviceCatalogue& catalogue, QWidget* parent);
   /// What was chosen.
   [[nodiscard]] const std::optional<DeviceDescription>& device() const { return device_; }

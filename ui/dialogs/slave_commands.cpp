@@ -2,6 +2,7 @@
 #include "ui/dialogs/slave_commands.h"
 
 #include <QKeySequence>
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -35,7 +36,7 @@ SlaveCommands::SlaveCommands(Workspace& workspace, DeviceCatalogue& catalogue, Q
   for (auto* action : {duplicate, move_up, move_down, replace, remove})
     action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
   connectActions();
-  connect(&workspace.live(), &LiveSession::phaseChanged, this, &SlaveCommands::updateActions);
+  connect(&workspace, &Workspace::mayEditSlavesChanged, this, &SlaveCommands::updateActions);
   connect(&workspace.document(), &ProjectDocument::projectChanged, this, [this](bool structural) {
     if (structural) updateActions();
   });
@@ -80,16 +81,16 @@ void SlaveCommands::setNode(int slave) {
 }
 
 void SlaveCommands::updateActions() {
-  const bool offline = workspace_.live().phase() == LiveSession::Phase::kOffline;
+  const bool may = workspace_.mayEditSlaves();
   const auto count = static_cast<int>(workspace_.document().project().slaves.size());
-  const bool some = offline && slave_ >= 0 && slave_ < count;
-  add->setEnabled(offline);
+  const bool some = may && slave_ >= 0 && slave_ < count;
+  add->setEnabled(may);
   for (auto* action : {duplicate, move_up, move_down, replace, remove}) action->setEnabled(some);
 }
 
 bool SlaveCommands::mayEdit() {
-  if (workspace_.live().phase() != LiveSession::Phase::kOffline) {
-    Q_EMIT told(tr("The machine is running: go offline to change its slaves."));
+  if (const auto why = workspace_.whySlavesStay(); !why.isEmpty()) {
+    Q_EMIT told(why);
     return false;
   }
   return commit_();
@@ -116,42 +117,50 @@ bool SlaveCommands::apply(const QString& text, const Edit& edit) {
 }
 
 /// The description comes from its file, in the catalogue's thread.
-void SlaveCommands::fetch(const eni::CatalogueEntry& device,
-                          std::function<EditedSlave(Project&, const DeviceDescription&)> edit) {
+void SlaveCommands::fetch(const eni::CatalogueEntry& device, int slave, Addition edit) {
   if (!mayEdit()) return;
-  catalogue_.read(device, this, [this, edit = std::move(edit)](const Result<DeviceDescription>& read) {
+  const auto mark = workspace_.document().mark(slave);
+  catalogue_.read(device, this, [this, mark, edit = std::move(edit)](const Result<DeviceDescription>& read) {
     if (!read) {
       workspace_.report(read.error(), Severity::kError, tr("Catalogue"));
       return showError(&window_, tr("The description of the device could not be read."), read.error());
     }
     if (!mayEdit()) return;
+    const auto now = workspace_.document().find(mark);
+    if (!now) return Q_EMIT told(obstacleText(WiringObstacle::kNoSuchSlave));
     apply(tr("Add %1").arg(QString::fromStdString(read->type)),
-          [edit, device = *read](Project& project) { return edit(project, device); });
+          [edit, device = *read, at = *now](Project& project) { return edit(project, device, at); });
   });
 }
 
-void SlaveCommands::addDevice(const eni::CatalogueEntry& device) { addDeviceBehind(device, slave_); }
+void SlaveCommands::addDevice(const eni::CatalogueEntry& device) {
+  fetch(device, slave_, [](Project& project, const DeviceDescription& read, int slave) {
+    return add_slave(project, read, slave < 0 ? std::nullopt : std::optional(static_cast<std::size_t>(slave)));
+  });
+}
 
-void SlaveCommands::addDeviceBehind(const eni::CatalogueEntry& device, int slave) {
-  const auto behind = slave < 0 ? std::nullopt : std::optional(static_cast<std::size_t>(slave));
-  fetch(device, [behind](Project& project, const DeviceDescription& read) { return add_slave(project, read, behind); });
+void SlaveCommands::addDeviceTo(const eni::CatalogueEntry& device, DropPlace place) {
+  fetch(device, place.slave,
+        [before = place.before](Project& project, const DeviceDescription& read, int slave) -> EditedSlave {
+          if (slave < 0 && project.slaves.empty()) return add_slave(project, read, {});
+          const auto target = static_cast<std::size_t>(std::max(slave, 0));
+          return before || slave < 0 ? add_slave_before(project, read, target) : add_slave(project, read, target);
+        });
 }
 
 void SlaveCommands::addDeviceAt(const eni::CatalogueEntry& device, PreviousPort at) {
-  fetch(device, [at](Project& project, const DeviceDescription& read) { return add_slave_at(project, read, at); });
+  fetch(device, at.position, [port = at.port](Project& project, const DeviceDescription& read, int slave) {
+    return add_slave_at(project, read, {static_cast<std::uint16_t>(slave), port});
+  });
 }
 
-void SlaveCommands::moveBehind(int slave, int target) {
-  if (slave < 0 || slave == target || !mayEdit()) return;
-  const auto name = nameOf(slave);
-  const auto from = static_cast<std::size_t>(slave);
-  if (target >= 0) {
-    apply(tr("Move %1").arg(name), [from, to = static_cast<std::size_t>(target)](Project& project) {
-      return move_slave_behind(project, from, to);
-    });
-    return;
-  }
-  apply(tr("Move %1").arg(name), [from](Project& project) { return move_slave_first(project, from); });
+void SlaveCommands::move(int slave, DropPlace place) {
+  if (slave < 0 || slave == place.slave || !mayEdit()) return;
+  apply(tr("Move %1").arg(nameOf(slave)), [from = static_cast<std::size_t>(slave), place](Project& project) {
+    if (place.slave < 0) return move_slave_first(project, from);
+    const auto target = static_cast<std::size_t>(place.slave);
+    return place.before ? move_slave_before(project, from, target) : move_slave_behind(project, from, target);
+  });
 }
 
 void SlaveCommands::rewire(int slave, PreviousPort at) {
@@ -172,16 +181,18 @@ void SlaveCommands::removeSelected() {
 void SlaveCommands::replaceSelected() {
   auto* dialog = new ReplaceDialog(workspace_.document().project(), slave_, catalogue_, &window_);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
-  connect(dialog, &QDialog::accepted, this, [this, dialog, slave = slave_] {
-    if (const auto& device = dialog->device(); device && mayEdit()) replaceBy(slave, *device);
+  connect(dialog, &QDialog::accepted, this, [this, dialog, mark = workspace_.document().mark(slave_)] {
+    if (const auto& device = dialog->device(); device && mayEdit()) replaceBy(mark, *device);
   });
   dialog->open();
 }
 
-void SlaveCommands::replaceBy(int slave, const DeviceDescription& device) {
-  const auto at = static_cast<std::size_t>(slave);
+void SlaveCommands::replaceBy(const SlaveMark& mark, const DeviceDescription& device) {
+  const auto slave = workspace_.document().find(mark);
+  if (!slave || *slave < 0) return Q_EMIT told(obstacleText(WiringObstacle::kNoSuchSlave));
+  const auto at = static_cast<std::size_t>(*slave);
   const auto lost = std::make_shared<std::size_t>(0);
-  const bool done = apply(tr("Replace %1").arg(nameOf(slave)), [at, device, lost](Project& project) -> EditedSlave {
+  const bool done = apply(tr("Replace %1").arg(nameOf(*slave)), [at, device, lost](Project& project) -> EditedSlave {
     auto replaced = replace_device(project, at, device);
     if (!replaced) return tl::unexpected(replaced.error());
     *lost = replaced->lost.size();

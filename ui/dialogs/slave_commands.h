@@ -8,6 +8,8 @@
 
 #include "config/slave_edits.h"
 #include "eni/catalogue/catalogue_entry.h"
+#include "ui/models/drop_place.h"
+#include "ui/session/project_document.h"
 
 class QWidget;
 
@@ -16,8 +18,9 @@ namespace syncline::ui {
 class DeviceCatalogue;
 class Workspace;
 
-/// What is done to the slaves of the project: add, duplicate, move, remove, rewire, replace; each one undo step. A
-/// machine that runs is left as it is.
+/// What is done to the slaves of the project: add, duplicate, move, remove, rewire, replace; each one undo step.
+/// Nothing while Workspace::whySlavesStay() says why. What takes time means the slave that it was asked for, wherever
+/// that is when it is done.
 class SlaveCommands final : public QObject {
   Q_OBJECT
 
@@ -32,9 +35,9 @@ class SlaveCommands final : public QObject {
   void setNode(int slave);
   /// Behind the selected slave.
   void addDevice(const eni::CatalogueEntry& device);
-  void addDeviceBehind(const eni::CatalogueEntry& device, int slave);
+  void addDeviceTo(const eni::CatalogueEntry& device, DropPlace place);
   void addDeviceAt(const eni::CatalogueEntry& device, PreviousPort at);
-  void moveBehind(int slave, int target);
+  void move(int slave, DropPlace place);
   void rewire(int slave, PreviousPort at);
 
  Q_SIGNALS:
@@ -51,10 +54,12 @@ class SlaveCommands final : public QObject {
   void connectActions();
   [[nodiscard]] bool mayEdit();
   bool apply(const QString& text, const Edit& edit);
-  void fetch(const eni::CatalogueEntry& device, std::function<EditedSlave(Project&, const DeviceDescription&)> edit);
+  /// `edit`: with the slave that is meant, where it stands then; -1 = the master.
+  using Addition = std::function<EditedSlave(Project&, const DeviceDescription&, int)>;
+  void fetch(const eni::CatalogueEntry& device, int slave, Addition edit);
   void removeSelected();
   void replaceSelected();
-  void replaceBy(int slave, const DeviceDescription& device);
+  void replaceBy(const SlaveMark& mark, const DeviceDescription& device);
   void updateActions();
   [[nodiscard]] QString nameOf(int slave) const;
 

@@ -7,7 +7,7 @@
 #include <tuple>
 #include <utility>
 
-#include "ui/models/network_model.h"
+#include "ui/models/dragged.h"
 #include "ui/text/units.h"
 
 namespace syncline::ui {
@@ -131,13 +131,16 @@ Qt::ItemFlags CatalogueModel::flags(const QModelIndex& index) const {
   return entry(index) == nullptr ? flags : flags | Qt::ItemIsDragEnabled;
 }
 
+const eni::CatalogueEntry* CatalogueModel::dragged(qint64 id) const {
+  return dragged_ && dragged_->id == id ? &*dragged_ : nullptr;
+}
+
 QStringList CatalogueModel::mimeTypes() const { return {kDeviceMime}; }
 
 QMimeData* CatalogueModel::mimeData(const QModelIndexList& indexes) const {
   if (indexes.isEmpty() || entry(indexes.front()) == nullptr) return nullptr;
-  auto* data = new QMimeData;
-  data->setData(kDeviceMime, QByteArray::number(nodeOf(indexes.front()).entry));
-  return data;
+  dragged_ = *entry(indexes.front());
+  return draggedDevice({dragged_->id, dragged_->physics});
 }
 
 }  // namespace syncline::ui

@@ -3,6 +3,7 @@
 
 #include <QAbstractItemModel>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "eni/catalogue/catalogue_entry.h"
@@ -21,6 +22,8 @@ class CatalogueModel final : public QAbstractItemModel {
   void setEntries(std::vector<eni::CatalogueEntry> entries);
   [[nodiscard]] const eni::CatalogueEntry* entry(int number) const;
   [[nodiscard]] const eni::CatalogueEntry* entry(const QModelIndex& index) const;
+  /// The device that was dragged last, whatever is listed since; nullptr when it has another number in the catalogue.
+  [[nodiscard]] const eni::CatalogueEntry* dragged(qint64 id) const;
   /// The first device, or nothing.
   [[nodiscard]] QModelIndex firstDevice() const;
 
@@ -49,6 +52,7 @@ class CatalogueModel final : public QAbstractItemModel {
   [[nodiscard]] QString toolTip(const eni::CatalogueEntry& entry) const;
 
   std::vector<eni::CatalogueEntry> entries_;
+  mutable std::optional<eni::CatalogueEntry> dragged_;
   Node root_;
 };
 

@@ -14,7 +14,6 @@
 namespace syncline::ui {
 namespace {
 
-// The master's index carries this id, a slave's carries kSlaveId.
 // The master's index carries this id, a slave's its position and one.
 constexpr quintptr kMasterId = 0;
 
@@ -180,23 +179,36 @@ Qt::ItemFlags NetworkModel::flags(const QModelIndex& index) const {
 
 QMimeData* NetworkModel::mimeData(const QModelIndexList& indexes) const {
   if (indexes.isEmpty() || indexes.front().internalId() == kMasterId) return nullptr;
-  auto* data = new QMimeData;
-  data->setData(kSlaveMime, QByteArray::number(indexes.front().data(kSlaveRole).toInt()));
-  return data;
+  return draggedSlave(indexes.front().data(kAddressRole).toInt());
 }
 
-bool NetworkModel::dropMimeData(const QMimeData* data, Qt::DropAction, int row, int, const QModelIndex& parent) {
-  if (fixed_) return false;
-  // Between two rows: behind the upper one.
-  auto target = parent;
-  if (parent.isValid() && row > 0) target = index(std::min(row, rowCount(parent)) - 1, 0, parent);
-  const int behind = target.isValid() ? target.data(kSlaveRole).toInt() : slaveCount() - 1;
-  if (data->hasFormat(kSlaveMime)) {
-    Q_EMIT slaveDropped(data->data(kSlaveMime).toInt(), behind);
-  } else if (data->hasFormat(kDeviceMime)) {
-    Q_EMIT deviceDropped(data->data(kDeviceMime).toInt(), behind);
-  } else {
-    return false;
+int NetworkModel::slaveAt(int address) const {
+  const auto found = std::ranges::find(slaves_, address, [](const Node& node) { return int{node.station_address}; });
+  return found == slaves_.end() ? -1 : static_cast<int>(found - slaves_.begin());
+}
+
+bool NetworkModel::canDropMimeData(const QMimeData* data, Qt::DropAction, int, int, const QModelIndex&) const {
+  if (fixed_ || data == nullptr) return false;
+  const auto address = addressOf(*data);
+  return address ? slaveAt(*address) >= 0 : deviceOf(*data).has_value();
+}
+
+DropPlace NetworkModel::placeOf(int row, const QModelIndex& parent) const {
+  if (!parent.isValid()) return {slaveCount() - 1};
+  if (row < 0) return {parent.data(kSlaveRole).toInt()};
+  if (const auto lower = index(row, 0, parent); lower.isValid()) return {lower.data(kSlaveRole).toInt(), true};
+  const auto upper = row > 0 ? index(rowCount(parent) - 1, 0, parent) : QModelIndex();
+  return {(upper.isValid() ? upper : parent).data(kSlaveRole).toInt()};
+}
+
+bool NetworkModel::dropMimeData(const QMimeData* data, Qt::DropAction action, int row, int column,
+                                const QModelIndex& parent) {
+  if (!canDropMimeData(data, action, row, column, parent)) return false;
+  const auto place = placeOf(row, parent);
+  if (const auto address = addressOf(*data)) {
+    Q_EMIT slaveDropped(slaveAt(*address), place);
+  } else if (const auto device = deviceOf(*data)) {
+    Q_EMIT deviceDropped(device->id, place);
   }
   return true;
 }

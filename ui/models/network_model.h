@@ -7,12 +7,10 @@
 #include "channels/snapshot.h"
 #include "config/network_config.h"
 #include "config/project.h"
+#include "ui/models/dragged.h"
+#include "ui/models/drop_place.h"
 
 namespace syncline::ui {
-
-/// What is dragged: slaves of the project by position, devices of the catalogue by their number in its last answer.
-inline const QString kSlaveMime = QStringLiteral("application/x-syncline-slave");
-inline const QString kDeviceMime = QStringLiteral("application/x-syncline-device");
 
 /// The project explorer's tree: the master, below it the slaves, with their live states. Slaves stand in bus order
 /// below the master (flat), or below the slave from which their line branches off (classic).
@@ -44,7 +42,9 @@ class NetworkModel final : public QAbstractItemModel {
   void setSnapshot(const Snapshot& snapshot, const std::vector<int>& positions);
   [[nodiscard]] QModelIndex indexOf(int slave) const;
   [[nodiscard]] int slaveCount() const { return static_cast<int>(slaves_.size()); }
-  /// While a machine runs its slaves stay where they are.
+  /// The slave with a station address, -1 = none.
+  [[nodiscard]] int slaveAt(int address) const;
+  /// Slaves stay where they are, and none are added.
   void setFixed(bool fixed) { fixed_ = fixed; }
 
   [[nodiscard]] QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
@@ -58,14 +58,17 @@ class NetworkModel final : public QAbstractItemModel {
   [[nodiscard]] Qt::DropActions supportedDropActions() const override { return Qt::MoveAction | Qt::CopyAction; }
   [[nodiscard]] QStringList mimeTypes() const override { return {kSlaveMime, kDeviceMime}; }
   [[nodiscard]] QMimeData* mimeData(const QModelIndexList& indexes) const override;
-  /// Changes nothing itself: says what is wanted.
+  /// Not what another window drags, nor a slave that is gone.
+  [[nodiscard]] bool canDropMimeData(const QMimeData* data, Qt::DropAction action, int row, int column,
+                                     const QModelIndex& parent) const override;
+  /// Changes nothing itself: says what is wanted. Between two rows: there and nowhere else.
   bool dropMimeData(const QMimeData* data, Qt::DropAction action, int row, int column,
                     const QModelIndex& parent) override;
 
  Q_SIGNALS:
-  /// `target`: the slave behind which; -1: the master.
-  void slaveDropped(int slave, int target);
-  void deviceDropped(int device, int target);
+  void slaveDropped(int slave, syncline::ui::DropPlace place);
+  /// `device`: its number in the catalogue.
+  void deviceDropped(qint64 device, syncline::ui::DropPlace place);
 
  private:
   struct Node {
@@ -82,6 +85,7 @@ class NetworkModel final : public QAbstractItemModel {
   [[nodiscard]] QString toolTip(const Node& node, int slave) const;
   [[nodiscard]] QString spokenText(const Node& node, int slave) const;
   [[nodiscard]] QStringList marksOf(const Node& node) const;
+  [[nodiscard]] DropPlace placeOf(int row, const QModelIndex& parent) const;
   void assign(std::vector<Node> slaves, std::vector<int> classic);
   void arrange();
   void tellOf(const std::vector<int>& changed);

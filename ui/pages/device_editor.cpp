@@ -123,7 +123,8 @@ bool DeviceEditor::showKey(const QString& key) {
   if (!ref) return false;
   const int node = ref->setting->of_slave() ? static_cast<int>(ref->place.slave) : -1;
   if (node != slave_) Q_EMIT nodeWanted(node);
-  for (const bool expert : {workspace_.expert(), true}) {
+  const bool before = workspace_.expert();
+  for (const bool expert : {before, true}) {
     workspace_.setExpert(expert);
     for (auto* page : pages_) {
       if (!page->appliesTo(node)) continue;
@@ -135,7 +136,9 @@ bool DeviceEditor::showKey(const QString& key) {
       field->setFocus(Qt::OtherFocusReason);
       return true;
     }
+    if (before) return false;
   }
+  workspace_.setExpert(before);
   return false;
 }
 

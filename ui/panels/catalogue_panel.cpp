@@ -14,9 +14,11 @@
 #include <QPushButton>
 #include <QTreeView>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "ui/models/catalogue_model.h"
 #include "ui/session/device_catalogue.h"
+#include "ui/text/error_text.h"
 #include "ui/text/units.h"
 #include "ui/widgets/named.h"
 
@@ -24,7 +26,7 @@ namespace syncline::ui {
 namespace {
 
 constexpr std::size_t kMost = 3'000;
-constexpr int kFewEnoughToOpen = 60;
+constexpr std::size_t kFewEnoughToOpen = 60;
 constexpr int kTypingMs = 60;
 
 QString escaped(const std::string& text) { return QString::fromStdString(text).trimmed().toHtmlEscaped(); }
@@ -44,7 +46,7 @@ CataloguePanel::CataloguePanel(DeviceCatalogue& catalogue, QWidget* parent) : QW
   typing_.setSingleShot(true);
   typing_.setInterval(kTypingMs);
   connect(&typing_, &QTimer::timeout, this, &CataloguePanel::search);
-  showDevice();
+  setObstacle({});
   showReading(false);
 }
 
@@ -95,14 +97,14 @@ void CataloguePanel::buildFoot() {
   bar_->setTextVisible(false);
   bar_->setMaximumHeight(8);
   take_ = named(new QPushButton(tr("Add to Machine")), "catalogueTake", tr("Add the device behind the selected slave"));
-  take_->setToolTip(tr("Add the device behind the slave that is selected in the explorer (Enter, or drag it there)"));
   add_ = named(new QPushButton(tr("Read ESI…")), "catalogueAdd", tr("Read ESI files into the catalogue"));
   add_->setToolTip(tr("Read device descriptions of vendors into the catalogue"));
   auto* menu = new QMenu(add_);
   menu->addAction(tr("Files…"), this, &CataloguePanel::addFiles)->setObjectName(QStringLiteral("catalogueAddFiles"));
   menu->addAction(tr("Folder…"), this, &CataloguePanel::addFolder)->setObjectName(QStringLiteral("catalogueAddFolder"));
   add_->setMenu(menu);
-  cancel_ = named(new QPushButton(tr("Cancel")), "catalogueCancel", tr("End reading; what was read is kept"));
+  cancel_ = named(new QPushButton(tr("Cancel")), "catalogueCancel",
+                  tr("End reading; what was read is kept, the rest is read at the next start"));
   auto* buttons = new QHBoxLayout;
   buttons->addWidget(take_, 1);
   buttons->addWidget(add_);
@@ -117,7 +119,6 @@ void CataloguePanel::buildFoot() {
 }
 
 void CataloguePanel::connectCatalogue() {
-  connect(&catalogue_, &DeviceCatalogue::found, this, &CataloguePanel::showAnswer);
   connect(&catalogue_, &DeviceCatalogue::progress, this, [this](int done, int files, const QString& file) {
     showReading(true);
     bar_->setRange(0, files);
@@ -146,37 +147,48 @@ void CataloguePanel::search() {
   wanted.words = words_->text().toStdString();
   wanted.all_revisions = wanted.with_hidden = revisions_->isChecked();
   wanted.limit = kMost;
-  catalogue_.search(wanted);
+  catalogue_.search(wanted, this, [this](const Result<CatalogueAnswer>& answer) {
+    if (answer) return showAnswer(*answer);
+    take_first_ = false;
+    count_->setText(errorText(answer.error()));
+  });
 }
 
 void CataloguePanel::showAnswer(const CatalogueAnswer& answer) {
   const auto* before = model_->entry(tree_->currentIndex());
   const auto kept = before != nullptr ? before->id : -1;
   model_->setEntries(answer.entries);
-  const auto devices = static_cast<int>(answer.entries.size());
-  if (!answer.search.words.empty() && devices <= kFewEnoughToOpen) {
+  if (!answer.search.words.empty() && answer.entries.size() <= kFewEnoughToOpen) {
     tree_->expandToDepth(1);
   } else {
     tree_->expandToDepth(model_->rowCount() > 1 ? -1 : 0);
   }
-  // What was selected stays so where it is still there; who types finds the first one selected.
-  QModelIndex wanted = answer.search.words.empty() ? QModelIndex() : model_->firstDevice();
-  for (int i = 0; i < devices && kept >= 0; ++i) {
-    if (model_->entry(i)->id != kept) continue;
-    const auto found =
-        model_->match(model_->index(0, 0), CatalogueModel::kEntryRole, i, 1, Qt::MatchRecursive | Qt::MatchExactly);
-    if (!found.isEmpty()) wanted = found.front();
-    break;
-  }
-  if (wanted.isValid()) {
-    tree_->setCurrentIndex(wanted);
-    tree_->scrollTo(wanted);
-  }
+  selectIn(answer, kept);
+  showCount(answer);
   answered_ = QString::fromStdString(answer.search.words);
   if (take_first_ && answered_ == words_->text()) {
     take_first_ = false;
     takeSelected();
   }
+}
+
+/// What was selected stays so where it is still there; who types finds the first one selected.
+void CataloguePanel::selectIn(const CatalogueAnswer& answer, std::int64_t kept) {
+  QModelIndex wanted = answer.search.words.empty() ? QModelIndex() : model_->firstDevice();
+  const auto found = std::ranges::find(answer.entries, kept, &eni::CatalogueEntry::id);
+  if (kept >= 0 && found != answer.entries.end()) {
+    const auto there =
+        model_->match(model_->index(0, 0), CatalogueModel::kEntryRole, static_cast<int>(found - answer.entries.begin()),
+                      1, Qt::MatchRecursive | Qt::MatchExactly);
+    if (!there.isEmpty()) wanted = there.front();
+  }
+  if (!wanted.isValid()) return;
+  tree_->setCurrentIndex(wanted);
+  tree_->scrollTo(wanted);
+}
+
+void CataloguePanel::showCount(const CatalogueAnswer& answer) {
+  const auto devices = static_cast<int>(answer.entries.size());
   if (answer.devices == 0) {
     count_->setText(tr("The catalogue is empty: read the ESI files of your devices."));
   } else if (devices == 0) {
@@ -190,7 +202,7 @@ void CataloguePanel::showAnswer(const CatalogueAnswer& answer) {
 
 void CataloguePanel::showDevice() {
   const auto* device = model_->entry(tree_->currentIndex());
-  take_->setEnabled(device != nullptr && usable_);
+  take_->setEnabled(device != nullptr && obstacle_.isEmpty());
   if (device == nullptr) return details_->setText(tr("Select a device to see what is known of it."));
   QStringList lines{
       QStringLiteral("<b>%1</b>").arg(escaped(device->name.empty() ? device->type : device->name)),
@@ -207,13 +219,16 @@ void CataloguePanel::showDevice() {
 
 void CataloguePanel::takeSelected() {
   const auto* device = model_->entry(tree_->currentIndex());
-  if (device != nullptr && usable_) Q_EMIT deviceWanted(*device);
+  if (device != nullptr && obstacle_.isEmpty()) Q_EMIT deviceWanted(*device);
 }
 
-const eni::CatalogueEntry* CataloguePanel::device(int number) const { return model_->entry(number); }
+const eni::CatalogueEntry* CataloguePanel::dragged(qint64 id) const { return model_->dragged(id); }
 
-void CataloguePanel::setUsable(bool usable) {
-  usable_ = usable;
+void CataloguePanel::setObstacle(const QString& why) {
+  obstacle_ = why;
+  take_->setToolTip(
+      why.isEmpty() ? tr("Add the device behind the slave that is selected in the explorer (Enter, or drag it there)")
+                    : why);
   showDevice();
 }
 

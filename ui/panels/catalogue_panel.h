@@ -28,10 +28,10 @@ class CataloguePanel final : public QWidget {
   explicit CataloguePanel(DeviceCatalogue& catalogue, QWidget* parent = nullptr);
   /// To the search.
   void begin();
-  /// A device of the last answer; nullptr for a number that it does not have.
-  [[nodiscard]] const eni::CatalogueEntry* device(int number) const;
-  /// Devices can be taken into the machine.
-  void setUsable(bool usable);
+  /// The device that was dragged out of the panel; nullptr when it is another one than this number of the catalogue.
+  [[nodiscard]] const eni::CatalogueEntry* dragged(qint64 id) const;
+  /// Empty: devices can be taken into the machine; else why not, a sentence.
+  void setObstacle(const QString& why);
   [[nodiscard]] QSize sizeHint() const override { return {300, 400}; }
 
  Q_SIGNALS:
@@ -48,6 +48,8 @@ class CataloguePanel final : public QWidget {
   void connectCatalogue();
   void search();
   void showAnswer(const CatalogueAnswer& answer);
+  void selectIn(const CatalogueAnswer& answer, std::int64_t kept);
+  void showCount(const CatalogueAnswer& answer);
   void showDevice();
   void takeSelected();
   void addFiles();
@@ -65,7 +67,8 @@ class CataloguePanel final : public QWidget {
   QProgressBar* bar_;
   QTimer typing_;
   QString answered_;  // the words of the answer that is shown
-  bool asked_ = false, usable_ = true;
+  bool asked_ = false;
+  QString obstacle_;
   bool take_first_ = false;  // of the answer that is on its way
 };
 

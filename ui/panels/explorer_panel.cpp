@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "ui/panels/explorer_tree.h"
 #include "ui/panels/node_delegate.h"
 #include "ui/panels/topology_view.h"
 #include "ui/session/workspace.h"
@@ -60,9 +61,13 @@ ExplorerPanel::ExplorerPanel(Workspace& workspace, QWidget* parent) : QWidget(pa
   });
   connect(&workspace.document(), &ProjectDocument::projectChanged, this,
           [this] { topology_->setProject(workspace_.document().project()); });
-  connect(&workspace.live(), &LiveSession::phaseChanged, this, &ExplorerPanel::showPhase);
+  connect(&workspace, &Workspace::mayEditSlavesChanged, this,
+          [this] { topology_->setEditable(workspace_.mayEditSlaves()); });
+  topology_->setEditable(workspace.mayEditSlaves());
   const auto remembered = workspace.memory().value(kView).toInt();
   topology_->setZoom(workspace.memory().value(kZoom).isValid() ? workspace.memory().value(kZoom).toDouble() : 1);
+  connect(topology_, &TopologyView::zoomChanged, this,
+          [this](double zoom) { workspace_.memory().setValue(kZoom, zoom); });
   setView(static_cast<View>(std::clamp(remembered, 0, static_cast<int>(View::kTopology))));
   select(-1);
 }
@@ -77,7 +82,7 @@ void ExplorerPanel::openMenu(const QPoint& at) {
 }
 
 void ExplorerPanel::buildTree() {
-  tree_ = named(new QTreeView, "explorerTree", tr("Project explorer"));
+  tree_ = named(new ExplorerTree, "explorerTree", tr("Project explorer"));
   tree_->setModel(&workspace_.network());
   tree_->setItemDelegate(new NodeDelegate(tree_));
   tree_->setHeaderHidden(true);
@@ -141,7 +146,6 @@ void ExplorerPanel::setView(View view) {
   if (focused) wanted->setFocus();
   select(slave);
   workspace_.memory().setValue(kView, static_cast<int>(view));
-  workspace_.memory().setValue(kZoom, topology_->zoom());
 }
 
 void ExplorerPanel::setCommands(const QList<QAction*>& commands) {
@@ -175,13 +179,6 @@ void ExplorerPanel::keepSelection() {
   if (kept_slave_ >= 0 && slave < 0) slave = std::min(kept_slave_, network.slaveCount() - 1);
   topology_->setProject(workspace_.document().project());
   select(slave);
-}
-
-/// A running machine is not rewired.
-void ExplorerPanel::showPhase() {
-  const bool offline = workspace_.live().phase() == LiveSession::Phase::kOffline;
-  workspace_.network().setFixed(!offline);
-  topology_->setEditable(offline);
 }
 
 }  // namespace syncline::ui

@@ -43,7 +43,6 @@ class ExplorerPanel final : public QWidget {
   void buildTree();
   void buildViews(QWidget& bar);
   void keepSelection();
-  void showPhase();
 
   Workspace& workspace_;
   QTreeView* tree_;

@@ -43,11 +43,18 @@ void TopologyView::setProject(const Project& project) {
   viewport()->update();
 }
 
+/// A cable in the hand is let go of.
+void TopologyView::setEditable(bool editable) {
+  editable_ = editable;
+  if (!editable) endDrag();
+}
+
 void TopologyView::setZoom(double zoom) {
   zoom_ = std::clamp(zoom, kSmallest, kLargest);
   updateGeometries();
   scrollTo(currentIndex());
   viewport()->update();
+  Q_EMIT zoomChanged(zoom_);
 }
 
 QRectF TopologyView::boxOf(int slave) const {
@@ -263,6 +270,14 @@ bool TopologyView::mayPlug(int slave, const PortPlace& at) const {
   return !rewire_obstacle(*tree_, static_cast<std::size_t>(slave), place);
 }
 
+bool TopologyView::mayPlug(const DraggedDevice& device, const PortPlace& at) const {
+  if (!tree_ || at.slave < 0) return false;
+  DeviceDescription plugged;
+  plugged.physics = device.physics;
+  const PreviousPort place{static_cast<std::uint16_t>(at.slave), static_cast<std::uint8_t>(at.port)};
+  return !plug_obstacle(*tree_, plugged, place);
+}
+
 void TopologyView::mousePressEvent(QMouseEvent* event) {
   QAbstractItemView::mousePressEvent(event);
   pressed_ = event->position().toPoint();
@@ -319,13 +334,20 @@ void TopologyView::wheelEvent(QWheelEvent* event) {
 }
 
 void TopologyView::dragEnterEvent(QDragEnterEvent* event) {
-  if (editable_ && event->mimeData()->hasFormat(kDeviceMime)) return event->acceptProposedAction();
-  event->ignore();
+  if (!editable_ || project_ == nullptr || !deviceOf(*event->mimeData())) return event->ignore();
+  tree_ = WiringTree::of(project_->slaves);
+  event->acceptProposedAction();
 }
 
+/// On a port that does not take it nothing is dropped; on a slave it goes behind it, where it fits.
 void TopologyView::dragMoveEvent(QDragMoveEvent* event) {
-  aim_ = freePortAt(event->position().toPoint());
+  const auto device = deviceOf(*event->mimeData());
+  if (!editable_ || !device) return event->ignore();
+  if (!tree_ && project_ != nullptr) tree_ = WiringTree::of(project_->slaves);
+  const auto port = freePortAt(event->position().toPoint());
+  aim_ = mayPlug(*device, port) ? port : PortPlace{};
   viewport()->update();
+  if (port.slave >= 0 && aim_.slave < 0) return event->ignore();
   event->acceptProposedAction();
 }
 
@@ -333,13 +355,14 @@ void TopologyView::dragLeaveEvent(QDragLeaveEvent*) { endDrag(); }
 
 void TopologyView::dropEvent(QDropEvent* event) {
   const auto point = event->position().toPoint();
-  const int device = event->mimeData()->data(kDeviceMime).toInt();
+  const auto device = deviceOf(*event->mimeData());
   const auto port = freePortAt(point);
   const auto index = indexAt(point);
   endDrag();
+  if (!editable_ || !device) return event->ignore();
   event->acceptProposedAction();
-  if (port.slave >= 0) return Q_EMIT deviceDroppedAt(device, port.slave, port.port);
-  Q_EMIT deviceDropped(device, index.isValid() ? slaveOf(index) : network_.slaveCount() - 1);
+  if (port.slave >= 0) return Q_EMIT deviceDroppedAt(device->id, port.slave, port.port);
+  Q_EMIT deviceDropped(device->id, {index.isValid() ? slaveOf(index) : network_.slaveCount() - 1});
 }
 
 }  // namespace syncline::ui

@@ -3,6 +3,8 @@
 
 #include <QAbstractItemView>
 
+#include "ui/models/dragged.h"
+#include "ui/models/drop_place.h"
 #include "ui/panels/topology_layout.h"
 
 namespace syncline::ui {
@@ -18,7 +20,7 @@ class TopologyView final : public QAbstractItemView {
   explicit TopologyView(NetworkModel& model, QWidget* parent = nullptr);
   void setProject(const Project& project);
   /// Cables can be plugged in elsewhere.
-  void setEditable(bool editable) { editable_ = editable; }
+  void setEditable(bool editable);
   [[nodiscard]] double zoom() const { return zoom_; }
   void setZoom(double zoom);
   /// In the viewport.
@@ -30,8 +32,9 @@ class TopologyView final : public QAbstractItemView {
 
  Q_SIGNALS:
   void rewireWanted(int slave, int position, int port);
-  void deviceDroppedAt(int device, int position, int port);
-  void deviceDropped(int device, int target);
+  void deviceDroppedAt(qint64 device, int position, int port);
+  void deviceDropped(qint64 device, syncline::ui::DropPlace place);
+  void zoomChanged(double zoom);
 
  protected:
   QModelIndex moveCursor(CursorAction action, Qt::KeyboardModifiers modifiers) override;
@@ -63,6 +66,7 @@ class TopologyView final : public QAbstractItemView {
   [[nodiscard]] QPointF onPaper(const QPointF& viewport_point) const;
   [[nodiscard]] PortPlace freePortAt(const QPoint& point) const;
   [[nodiscard]] bool mayPlug(int slave, const PortPlace& at) const;
+  [[nodiscard]] bool mayPlug(const DraggedDevice& device, const PortPlace& at) const;
   void drawCable(QPainter& painter, int slave) const;
   void drawNode(QPainter& painter, int slave) const;
   void drawPorts(QPainter& painter, int slave) const;

@@ -32,6 +32,7 @@ DeviceCatalogue::~DeviceCatalogue() {
   cancelled_ = true;
   wake_.notify_one();
   if (worker_.joinable()) worker_.join();
+  for (const auto& [asker, last] : last_questions_) disconnect(asker, nullptr, this, nullptr);
 }
 
 void DeviceCatalogue::ask(Job job) {
@@ -89,11 +90,14 @@ void DeviceCatalogue::add(const QStringList& paths) {
 void DeviceCatalogue::addNow(eni::EsiCatalogue& catalogue, const QStringList& paths) {
   const auto before = catalogue.device_count();
   for (const auto& path : pathsOf(paths)) {
-    const auto status =
+    const auto report =
         eni::add_source(catalogue, path, [this](const eni::IndexProgress& now) { return tellProgress(now); });
-    if (!status && status.error().code == ErrorCode::kCancelled) break;
-    const auto kept = status ? catalogue.remember_folder(path) : status;
+    // What was read before somebody had enough is found at later starts, too, where the folder is looked into again.
+    const auto kept = report ? catalogue.remember_folder(path) : Status(tl::unexpected(report.error()));
     if (!kept) post([this, error = kept.error()] { Q_EMIT failed(error); });
+    for (const auto& error : report ? eni::unreadable_folders(*report) : std::vector<Error>{})
+      post([this, error] { Q_EMIT failed(error); });
+    if (cancelled_) break;
   }
   tellProblems(catalogue, paths);
   const auto devices = catalogue.device_count();
@@ -116,23 +120,47 @@ void DeviceCatalogue::tellProblems(const eni::EsiCatalogue& catalogue, const QSt
   }
 }
 
-void DeviceCatalogue::search(const eni::CatalogueSearch& search) {
-  const auto number = ++last_search_;
-  ask([this, number, search](eni::EsiCatalogue& catalogue) { searchNow(catalogue, number, search); });
+DeviceCatalogue::LastQuestion DeviceCatalogue::lastQuestionOf(QObject* asker) {
+  auto& last = last_questions_[asker];
+  if (!last) {
+    last = std::make_shared<std::atomic<std::uint64_t>>(0);
+    connect(asker, &QObject::destroyed, this, [this, asker] { last_questions_.erase(asker); });
+  }
+  return last;
 }
 
-void DeviceCatalogue::searchNow(eni::EsiCatalogue& catalogue, std::uint64_t number,
-                                const eni::CatalogueSearch& search) {
-  if (number != last_search_) return;  // somebody types on
-  auto wanted = search;
-  ++wanted.limit;
-  auto entries = catalogue.search(wanted);
-  if (!entries) return post([this, error = entries.error()] { Q_EMIT failed(error); });
-  CatalogueAnswer answer{search, std::move(*entries), catalogue.device_count()};
-  answer.more = answer.entries.size() > search.limit;
-  if (answer.more) answer.entries.resize(search.limit);
-  post([this, number, answer = std::move(answer)] {
-    if (number == last_search_) Q_EMIT found(answer);
+void DeviceCatalogue::search(const eni::CatalogueSearch& search, QObject* context,
+                             std::function<void(const Result<CatalogueAnswer>&)> then) {
+  const auto last = lastQuestionOf(context);
+  const auto number = ++*last;
+  ask([this, last, number, search, here = QPointer<QObject>(context),
+       then = std::move(then)](eni::EsiCatalogue& catalogue) {
+    if (number != *last) return;  // somebody types on
+    auto wanted = search;
+    ++wanted.limit;
+    auto answer = catalogue.search(wanted).map([&](std::vector<eni::CatalogueEntry> entries) {
+      const bool more = entries.size() > search.limit;
+      if (more) entries.resize(search.limit);
+      return CatalogueAnswer{search, std::move(entries), catalogue.device_count(), more};
+    });
+    post([last, number, here, then, answer = std::move(answer)] {
+      if (here && number == *last) then(answer);
+    });
+  });
+}
+
+void DeviceCatalogue::devices(std::vector<Identity> identities, QObject* context,
+                              std::function<void(const std::vector<DeviceDescription>&)> then) {
+  ask([this, identities = std::move(identities), here = QPointer<QObject>(context),
+       then = std::move(then)](eni::EsiCatalogue& catalogue) {
+    std::vector<DeviceDescription> found;
+    for (const auto& identity : identities) {
+      const auto match = catalogue.find(identity);
+      if (match && match->exact_revision) found.push_back(*match->device);
+    }
+    post([here, then, found = std::move(found)] {
+      if (here) then(found);
+    });
   });
 }
 

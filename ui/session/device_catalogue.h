@@ -7,6 +7,7 @@
 #include <condition_variable>
 #include <deque>
 #include <functional>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -40,21 +41,24 @@ class DeviceCatalogue final : public QObject {
   explicit DeviceCatalogue(QStringList folders, QObject* parent = nullptr);
   ~DeviceCatalogue() override;
 
-  /// found() follows, for the last of several.
-  void search(const eni::CatalogueSearch& search);
+  /// Who asks again before the answer came gets that of the last question alone.
+  void search(const eni::CatalogueSearch& search, QObject* context,
+              std::function<void(const Result<CatalogueAnswer>&)> then);
   /// Folders and files; remembered for later starts. progress(), failed() for those that cannot be read, then added().
   void add(const QStringList& paths);
-  /// Ends reading folders; what was read is kept.
+  /// Ends reading folders; what was read is kept, the rest is read at the next start.
   void cancel() { cancelled_ = true; }
   /// The whole description, from its file; `then` is called unless `context` is gone.
   void read(const eni::CatalogueEntry& entry, QObject* context,
             std::function<void(const Result<DeviceDescription>&)> then);
+  /// The descriptions of those that the catalogue has in exactly that revision.
+  void devices(std::vector<Identity> identities, QObject* context,
+               std::function<void(const std::vector<DeviceDescription>&)> then);
   /// All revisions of a product, newest first.
   void revisions(const Identity& identity, QObject* context,
                  std::function<void(const Result<std::vector<eni::CatalogueEntry>>&)> then);
 
  Q_SIGNALS:
-  void found(const syncline::ui::CatalogueAnswer& answer);
   void progress(int done, int files, const QString& file);
   /// Reading ended; `devices` are new.
   void added(int devices, bool cancelled);
@@ -63,13 +67,14 @@ class DeviceCatalogue final : public QObject {
 
  private:
   using Job = std::function<void(eni::EsiCatalogue&)>;
+  using LastQuestion = std::shared_ptr<std::atomic<std::uint64_t>>;
   void ask(Job job);
   void run();
   void open(eni::EsiCatalogue& catalogue);
   void addNow(eni::EsiCatalogue& catalogue, const QStringList& paths);
   void tellProblems(const eni::EsiCatalogue& catalogue, const QStringList& below);
   bool tellProgress(const eni::IndexProgress& progress);
-  void searchNow(eni::EsiCatalogue& catalogue, std::uint64_t number, const eni::CatalogueSearch& search);
+  [[nodiscard]] LastQuestion lastQuestionOf(QObject* asker);
   /// In the window's thread.
   void post(std::function<void()> call);
 
@@ -80,7 +85,7 @@ class DeviceCatalogue final : public QObject {
   std::deque<Job> jobs_;
   bool ending_ = false;
   std::atomic<bool> cancelled_ = false;
-  std::atomic<std::uint64_t> last_search_ = 0;
+  std::map<QObject*, LastQuestion> last_questions_;
 };
 
 }  // namespace syncline::ui

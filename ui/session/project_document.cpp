@@ -29,6 +29,21 @@ ProjectDocument::ProjectDocument(QObject* parent) : QObject(parent) {
 
 QString ProjectDocument::displayName() const { return path_.isEmpty() ? tr("Untitled") : QFileInfo(path_).fileName(); }
 
+SlaveMark ProjectDocument::mark(int slave) const {
+  const auto at = static_cast<std::size_t>(slave);
+  const bool is_slave = slave >= 0 && at < project_.slaves.size();
+  return {generation_, is_slave ? project_.slaves[at].station_address : 0};
+}
+
+std::optional<int> ProjectDocument::find(const SlaveMark& mark) const {
+  if (mark.generation != generation_) return std::nullopt;
+  if (mark.address == 0) return -1;
+  const auto found = std::ranges::find(project_.slaves, mark.address,
+                                       [](const SlaveSettings& slave) { return int{slave.station_address}; });
+  if (found == project_.slaves.end()) return std::nullopt;
+  return static_cast<int>(found - project_.slaves.begin());
+}
+
 Status ProjectDocument::edit(const QString& text, ProjectEdit edit) {
   Project changed = project_;
   if (auto status = edit(changed); !status) return status;
@@ -61,6 +76,7 @@ Status ProjectDocument::set(const QString& text, std::vector<SettingEdit> edits)
 }
 
 void ProjectDocument::replace(const QString& text, Project project) {
+  ++generation_;
   static_cast<void>(edit(text, [project = std::move(project)](Project& target) -> Status {
     target = project;
     return {};
@@ -72,6 +88,7 @@ void ProjectDocument::reset() { take({}, {}); }
 Result<Machine> ProjectDocument::read(const QString& path) { return eni::load_machine(path.toStdString()); }
 
 void ProjectDocument::take(Machine machine, const QString& path, bool saved) {
+  ++generation_;
   machine_ = std::move(machine);
   if (machine_.networks.empty()) machine_.networks.emplace_back();
   project_ = machine_.networks.front();

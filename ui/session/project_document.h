@@ -4,6 +4,7 @@
 #include <QObject>
 #include <QString>
 #include <QUndoStack>
+#include <optional>
 #include <vector>
 
 #include "config/project.h"
@@ -21,6 +22,12 @@ struct SettingEdit {
   settings::Value value;
 };
 
+/// A slave that stays who it is while others come, go and move.
+struct SlaveMark {
+  std::uint64_t generation = 0;
+  int address = 0;  // station address, 0 = the master
+};
+
 /// The project being edited: a value, its undo steps and its file.
 class ProjectDocument final : public QObject, private ProjectHolder {
   Q_OBJECT
@@ -31,6 +38,13 @@ class ProjectDocument final : public QObject, private ProjectHolder {
   [[nodiscard]] const Project& project() const { return project_; }
   [[nodiscard]] QUndoStack& undoStack() { return undo_; }
   [[nodiscard]] const QString& path() const { return path_; }
+  /// Another one for each project that comes in place of the one before (reset, take, load, replace): answers to what
+  /// was asked before are not about its slaves.
+  [[nodiscard]] std::uint64_t generation() const { return generation_; }
+  /// To find a slave again, position -1 = the master.
+  [[nodiscard]] SlaveMark mark(int slave) const;
+  /// Where it stands now; empty: it is gone, or the project is another one.
+  [[nodiscard]] std::optional<int> find(const SlaveMark& mark) const;
   /// File name without folder, or a name for a project that was not saved yet.
   [[nodiscard]] QString displayName() const;
   [[nodiscard]] bool isModified() const { return !undo_.isClean(); }
@@ -77,6 +91,7 @@ class ProjectDocument final : public QObject, private ProjectHolder {
   void projectEdited(bool structural) override;
 
   Project project_;
+  std::uint64_t generation_ = 0;
   /// The file that `project_` came from: its other networks go back into it when it is saved.
   Machine machine_;
   QUndoStack undo_;

@@ -53,6 +53,9 @@ Workspace::Workspace(Environment environment, QObject* parent)
   });
   connect(&run_findings_, &RunFindings::findingsChanged, this, [this] { showRunFindings(); });
   connect(&recording_, &OpenedRecording::changed, this, &Workspace::showRecording);
+  connect(&recording_, &OpenedRecording::changed, this, &Workspace::mayEditSlavesChanged);
+  connect(&live_, &LiveSession::phaseChanged, this, &Workspace::mayEditSlavesChanged);
+  connect(this, &Workspace::mayEditSlavesChanged, this, [this] { network_.setFixed(!mayEditSlaves()); });
   connect(&autosave_, &Autosave::failed, this,
           [this](const Error& error) { report(error, Severity::kWarning, tr("Unsaved work is not kept")); });
   connect(&scan_, &ScanController::eventArrived, this, [this](const Event& event) {
@@ -89,6 +92,14 @@ void Workspace::showRecording() {
   }
   showFindings();
   showRunFindings();
+}
+
+QString Workspace::whySlavesStay() const {
+  if (live_.phase() != LiveSession::Phase::kOffline)
+    return tr("The machine is running: go offline to change its slaves.");
+  if (recording_.isOpen())
+    return tr("A recording is shown: close it to change the slaves of the project (File, Close Recording).");
+  return {};
 }
 
 Status Workspace::goOnline() {

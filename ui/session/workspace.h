@@ -69,6 +69,11 @@ class Workspace final : public QObject {
   [[nodiscard]] bool expert() const { return expert_; }
   void setExpert(bool expert);
 
+  /// Slaves come and go neither while a machine runs nor while a recording is shown. Empty: they may; else why not, a
+  /// sentence.
+  [[nodiscard]] QString whySlavesStay() const;
+  [[nodiscard]] bool mayEditSlaves() const { return whySlavesStay().isEmpty(); }
+
   /// Compiles and starts; a configuration with errors is refused (the messages name them), and while a recording is
   /// shown, too.
   Status goOnline();
@@ -79,6 +84,7 @@ class Workspace final : public QObject {
  Q_SIGNALS:
   void linkChanged();
   void expertChanged();
+  void mayEditSlavesChanged();
 
  private:
   void showFindings();

@@ -150,6 +150,29 @@ TEST(SlaveEdits, MoveBehindAnother) {
       << "a coupler does not hang at a terminal";
 }
 
+TEST(SlaveEdits, PutASlaveBetweenTwoOthersAndNowhereElse) {
+  auto project = plant();
+  EXPECT_EQ(add_slave_before(project, kTerminal, 1), 1U) << "the first terminal of the coupler";
+  EXPECT_EQ(wiring(project), "- 0B 1B 2B 0C 4B 5B ");
+  EXPECT_EQ(add_slave_before(project, kTerminal, 4), 4U) << "the last one: the drive behind it has no place for it";
+  EXPECT_EQ(wiring(project), "- 0B 1B 2B 3B 0C 5B 6B ");
+  EXPECT_EQ(add_slave_before(project, kDrive, 0), 0U);
+  EXPECT_EQ(types(project), "drive coupler terminal terminal terminal terminal drive coupler terminal ");
+  const auto before = project;
+  EXPECT_EQ(add_slave_before(project, kDrive, 2).error(), WiringObstacle::kOtherKind) << "no cable among terminals";
+  EXPECT_EQ(add_slave_before(project, kTerminal, 7).error(), WiringObstacle::kOtherKind);
+  EXPECT_EQ(move_slave_before(project, 6, 3).error(), WiringObstacle::kOtherKind);
+  EXPECT_EQ(move_slave_before(project, 1, 2).error(), WiringObstacle::kBehindIt);
+  EXPECT_EQ(project, before);
+  const auto address = project.slaves[5].station_address;
+  EXPECT_EQ(move_slave_before(project, 5, 2), 2U);
+  EXPECT_EQ(project.slaves[2].station_address, address);
+  EXPECT_EQ(move_slave_before(project, 2, 6), 5U) << "back to the end of the terminals";
+  EXPECT_EQ(project, before);
+  EXPECT_EQ(move_slave_before(project, 7, 6), 6U) << "with its terminal";
+  EXPECT_EQ(types(project), "drive coupler terminal terminal terminal terminal coupler terminal drive ");
+}
+
 TEST(SlaveEdits, PlugACableIntoAnotherPort) {
   Project project;
   for (const auto* one : {&kDrive, &kJunction, &kDrive, &kDrive}) ASSERT_TRUE(add_slave(project, *one, {}));
@@ -171,6 +194,62 @@ TEST(SlaveEdits, KeepTheOrderOfAProjectWhoseWiringIsUnknown) {
   EXPECT_EQ(project.slaves[2].previous, (PreviousPort{1, 1}));
 }
 
+/// Two drives at the master; two, a coupler and a terminal of which nobody knows where they hang.
+Project two_lines() {
+  Project project;
+  for (int i = 0; i < 4; ++i) EXPECT_TRUE(add_slave(project, kDrive, {}));
+  project.slaves[2].previous.reset();
+  return project;
+}
+
+TEST(SlaveEdits, LeaveALineAloneThatIsNotMeant) {
+  auto project = two_lines();
+  EXPECT_EQ(wiring(project), "- 0B - 2B ");
+  const auto address = project.slaves[3].station_address;
+  EXPECT_EQ(move_slave_up(project, 3), 2U);
+  EXPECT_EQ(project.slaves[2].station_address, address);
+  EXPECT_EQ(wiring(project), "- 0B - 2B ") << "it took the place of the one before it, not of that at the master";
+}
+
+TEST(SlaveEdits, MoveToTheMasterThoughAnotherHangsAtNobody) {
+  auto project = two_lines();
+  const auto address = project.slaves[3].station_address;
+  EXPECT_EQ(move_slave_first(project, 3), 0U);
+  EXPECT_EQ(project.slaves[0].station_address, address);
+  EXPECT_EQ(wiring(project), "- 0B 1B - ");
+  EXPECT_EQ(move_slave_first(project, 3), 0U) << "it is plugged in itself";
+  EXPECT_EQ(wiring(project), "- 0B 1B 2B ");
+}
+
+TEST(SlaveEdits, TakeAPortThatNoSlaveHasForNone) {
+  auto project = plant();
+  project.slaves[3].previous->port = 9;
+  const auto tree = WiringTree::of(project.slaves);
+  EXPECT_EQ(tree.slaves()[3].previous, std::nullopt);
+  EXPECT_TRUE(tree.behind(2).empty());
+  project.slaves[3].device.physics = "YYYYYY";
+  EXPECT_EQ(add_slave_at(project, kDrive, {3, 4}).error(), WiringObstacle::kPortTaken) << "there are four";
+  EXPECT_EQ(move_slave_first(project, 3), 0U);
+  EXPECT_EQ(wiring(project), "- 0B 1B 2B - 4B ") << "what hung behind it hangs at nobody as it did";
+}
+
+/// Station addresses of those that are reached from the master.
+std::set<std::uint16_t> at_the_master(const Project& project) {
+  std::set<std::uint16_t> addresses;
+  if (project.slaves.empty()) return addresses;
+  for (const auto one : WiringTree::of(project.slaves).subtree(0))
+    addresses.insert(project.slaves[one].station_address);
+  return addresses;
+}
+
+/// Who was reached from the master and neither went nor moved still is.
+void expect_reached(const Project& before, const Project& after, const std::vector<std::size_t>& moved) {
+  auto stayed = at_the_master(before);
+  for (const auto one : moved) stayed.erase(before.slaves[one].station_address);
+  const auto now = at_the_master(after);
+  RC_ASSERT(std::ranges::includes(now, stayed) || stayed.empty());
+}
+
 /// What every edit has to leave behind.
 void expect_sound(const Project& project, std::uint16_t reference_address) {
   std::vector<std::size_t> positions(project.slaves.size());
@@ -179,17 +258,20 @@ void expect_sound(const Project& project, std::uint16_t reference_address) {
   std::set<std::uint16_t> addresses;
   std::set<std::pair<std::uint16_t, std::uint8_t>> ports;
   std::set<std::string> names;
+  std::size_t loose = 0;
   for (std::size_t i = 0; i < positions.size(); ++i) {
     const auto& slave = project.slaves[i];
     RC_ASSERT(addresses.insert(slave.station_address).second);
     RC_ASSERT(names.insert(slave.name).second);
-    RC_ASSERT(slave.previous.has_value() == (i > 0));
+    loose += slave.previous ? 0U : 1U;
+    RC_ASSERT(!slave.previous || i > 0);
     if (!slave.previous) continue;
     RC_ASSERT(slave.previous->position < i);
     RC_ASSERT(ports.insert({slave.previous->position, slave.previous->port}).second);
     const auto& before = project.slaves[slave.previous->position].device;
     RC_ASSERT(ports_fit(port_kind(before, slave.previous->port), port_kind(slave.device, 0)));
   }
+  RC_ASSERT(loose <= 2);
   const auto& reference = project.master.dc.reference_clock;
   if (reference) RC_ASSERT(project.slaves[*reference].station_address == reference_address);
 }
@@ -199,6 +281,7 @@ TEST(SlaveEdits, LeaveASoundProjectWhateverIsDone) {
     auto project = plant();
     project.master.dc.reference_clock = 3;
     const auto reference = project.slaves[3].station_address;
+    if (*rc::gen::arbitrary<bool>()) project.slaves[4].previous.reset();
     // One of which nobody knows the ports joins what fits nothing else: it stays out.
     const auto devices = std::array{kCoupler, kTerminal, kDrive, kJunction, kLastTerminal};
     const auto steps = *rc::gen::inRange(1, 30);
@@ -209,18 +292,26 @@ TEST(SlaveEdits, LeaveASoundProjectWhateverIsDone) {
       const PreviousPort port{static_cast<std::uint16_t>(other), *rc::gen::inRange<std::uint8_t>(0, 4)};
       const auto before = project;
       const auto address = project.slaves[at].station_address;
-      const auto kind = *rc::gen::inRange(0, 10);
-      const auto done = kind < 2    ? add_slave(project, made, at)
-                        : kind == 2 ? add_slave_at(project, made, port)
-                        : kind == 3 ? remove_slave(project, at)
-                        : kind == 4 ? duplicate_slave(project, at)
-                        : kind == 5 ? move_slave_behind(project, at, other)
-                        : kind == 6 ? move_slave_up(project, at)
-                        : kind == 7 ? move_slave_down(project, at)
-                        : kind == 8 ? move_slave_first(project, at)
-                                    : rewire_slave(project, at, port);
+      const auto kind = *rc::gen::inRange(0, 12);
+      const auto done = kind < 2     ? add_slave(project, made, at)
+                        : kind == 2  ? add_slave_at(project, made, port)
+                        : kind == 3  ? remove_slave(project, at)
+                        : kind == 4  ? duplicate_slave(project, at)
+                        : kind == 5  ? move_slave_behind(project, at, other)
+                        : kind == 6  ? move_slave_up(project, at)
+                        : kind == 7  ? move_slave_down(project, at)
+                        : kind == 8  ? move_slave_first(project, at)
+                        : kind == 9  ? rewire_slave(project, at, port)
+                        : kind == 10 ? move_slave_before(project, at, other)
+                                     : add_slave_before(project, made, at);
       if (!done) RC_ASSERT(project == before);
-      if (done && kind > 4) RC_ASSERT(project.slaves[*done].station_address == address);
+      if (done && kind > 4 && kind < 11) RC_ASSERT(project.slaves[*done].station_address == address);
+      const auto tree = WiringTree::of(before.slaves);
+      const bool in_its_line = kind < 3 || kind == 4 || kind == 6 || kind == 7 || kind == 11;
+      expect_reached(before, project,
+                     in_its_line ? std::vector<std::size_t>{}
+                     : kind == 9 ? tree.subtree(at)
+                                 : tree.group(at));
       expect_sound(project, reference);
     }
   }));

@@ -7,6 +7,7 @@
 #include <chrono>
 
 #include "eni/catalogue/esi_folder.h"
+#include "eni/catalogue/usual_sources.h"
 #include "findings/error_text.h"
 #include "sqlite/sqlite_database.h"
 
@@ -371,12 +372,17 @@ TEST_F(Catalogue, FoldersThatNobodyMayReadAreTold) {
   EsiCatalogue catalogue;
   const auto report = catalogue.add_folder(folder().string());
   const auto closed = catalogue.add_folder(file("closed"));
+  EsiCatalogue usual;
+  const auto told = add_usual_sources(usual, {folder().string()});
   const bool back = !root || ::seteuid(0) == 0;
   ASSERT_TRUE(back);
   std::filesystem::permissions(folder() / "closed", std::filesystem::perms::owner_all);
   ASSERT_TRUE(report);
   EXPECT_EQ(report->files, 1U);
   EXPECT_THAT(report->unreadable, ElementsAre(file("closed")));
+  ASSERT_THAT(told, ElementsAre(Field(&Error::file, file("closed"))));
+  EXPECT_EQ(told.front().code, ErrorCode::kFileNotReadable);
+  EXPECT_EQ(usual.device_count(), 1U);
   ASSERT_FALSE(closed) << "an error, not a folder of 0 files";
   EXPECT_EQ(closed.error().code, ErrorCode::kFileNotReadable);
 }
