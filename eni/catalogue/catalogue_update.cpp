@@ -7,6 +7,7 @@
 #include <chrono>
 #include <filesystem>
 #include <map>
+#include <string_view>
 
 #include "eni/catalogue/content_hash.h"
 #include "eni/catalogue/esi_cards.h"
@@ -158,15 +159,28 @@ class FolderUpdate {
       return std::ranges::binary_search(files, path, {}, &FoundFile::path);
     };
     for (const auto& [path, row] : known_) {
-      if (!exists(path)) gone_.push_back(row.id);
+      if (!exists(path) && !is_out_of_sight(path)) gone_.push_back(row.id);
     }
+  }
+
+  /// Below a folder that cannot be read now: what is known of it stays.
+  [[nodiscard]] bool is_out_of_sight(const std::string& path) const {
+    return std::ranges::any_of(report_.unreadable, [&](const std::string& below) {
+      return path.starts_with(below) && path.size() > below.size() && path[below.size()] == fs::path::preferred_separator;
+    });
   }
 
   /// In the order of the paths, whichever of them had to be read; those of before a cancelled reading too.
   Status choose(const std::vector<FoundFile>& files) {
+    std::vector<std::string_view> paths;
+    for (const auto& file : files) paths.push_back(file.path);
+    for (const auto& [path, row] : known_) {
+      if (is_out_of_sight(path)) paths.push_back(path);
+    }
+    std::ranges::sort(paths);
     if (auto status = store_.database().execute("SAVEPOINT choosing"); !status) return status;
-    for (const auto& file : files) {
-      const auto row = known_.find(file.path);
+    for (const auto path : paths) {
+      const auto row = known_.find(path);
       if (row == known_.end()) continue;
       if (auto status = store_.choose(row->second.id); !status) return status;
     }

@@ -387,6 +387,32 @@ TEST_F(Catalogue, FoldersThatNobodyMayReadAreTold) {
   EXPECT_EQ(closed.error().code, ErrorCode::kFileNotReadable);
 }
 
+TEST_F(Catalogue, KeepsWhatItKnowsOfAFolderThatCannotBeReadNow) {
+  put("a.xml", esi_text({{1, 0x10, "A1"}}));
+  put("closed/b.xml", esi_text({{2, 0x10, "B1"}}));
+  EsiCatalogue catalogue;
+  ASSERT_TRUE(catalogue.add_folder(folder().string()));
+  std::filesystem::permissions(folder() / "closed", std::filesystem::perms::none);
+  const bool root = ::geteuid() == 0;
+  constexpr ::uid_t kNobody = 65534;
+  if (root) {
+    std::filesystem::permissions(folder().parent_path(), std::filesystem::perms::all);
+    ASSERT_EQ(::seteuid(kNobody), 0);
+  }
+  const auto again = catalogue.add_folder(folder().string());
+  const bool back = !root || ::seteuid(0) == 0;
+  ASSERT_TRUE(back);
+  std::filesystem::permissions(folder() / "closed", std::filesystem::perms::owner_all);
+  ASSERT_TRUE(again);
+  EXPECT_THAT(again->unreadable, ElementsAre(file("closed")));
+  EXPECT_EQ(again->removed, 0U);
+  EXPECT_THAT(types(catalogue, {}), ElementsAre("A1", "B1"));
+  std::filesystem::remove_all(folder() / "closed");
+  const auto last = catalogue.add_folder(folder().string());
+  ASSERT_TRUE(last);
+  EXPECT_EQ(last->removed, 1U);
+}
+
 /// Whatever is broken in it, `mend` leaves a database that has the devices.
 TEST_F(Catalogue, MendsEveryKindOfDamage) {
   put("a.xml", esi_text({{1, 0x10, "A1"}, {2, 0x10, "B1", "Thing", "Digital", "<HideType ProductCode=\"1\"/>"}}));
