@@ -70,6 +70,8 @@ QTableWidget* makeTable(const char* object_name, const QString& accessible_name)
   table->verticalHeader()->setMinimumSectionSize(17);
   table->horizontalHeader()->setFixedHeight(20);
   table->setFrameShape(QFrame::NoFrame);
+  table->setShowGrid(false);
+  table->viewport()->setAutoFillBackground(false);
   table->setMinimumHeight(60);
   return table;
 }
@@ -123,7 +125,9 @@ DistributionView::DistributionView(const TimeView* view, const CursorSet* cursor
   auto* body = new QHBoxLayout;
   body->setSpacing(8);
   body->addWidget(plot_, 1);
-  body->addWidget(figures_);
+  // As high as its rows: below them there would be an empty header.
+  figures_->setMaximumHeight(figures_->rowCount() * 19 + 21);
+  body->addWidget(figures_, 0, Qt::AlignTop);
   body->addWidget(moments_);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -213,19 +217,24 @@ BinGrid DistributionView::gridFor(Nanoseconds begin, Nanoseconds end) const {
   if (const double most = limit(); axis_->currentIndex() == 1 && most > 0) {
     return {low < 0 ? -2 * most : 0, 2 * most, kBins};
   }
-  const double span = std::max(high - low, 1e-3);
-  const bool suits = low >= grid_.low && high < grid_.high && grid_.high - grid_.low < 6 * span && grid_.bins == kBins;
-  if (suits) return grid_;
-  // Bins of 1, 2 or 5 times a power of ten; half as much room again.
-  const double least = std::max(span * 1.5, 16.0) / static_cast<double>(kBins);
+  // Bins of 1, 2 or 5 times a power of ten, of times a nanosecond at least: they are whole.
+  const bool whole =
+      std::ranges::all_of(sources_, [](const Source& source) { return info(source.signal).unit == "ns"; });
+  const double span = std::max(high - low, whole ? 10.0 : 1e-3);
+  const double least = span * 1.3 / static_cast<double>(kBins);
   const double power = std::pow(10, std::floor(std::log10(least)));
   double width = 10 * power;
   for (const double factor : {5.0, 2.0, 1.0}) {
     if (factor * power >= least) width = factor * power;
   }
-  const double room = (static_cast<double>(kBins) * width - span) / 2;
-  const double first = low < 0 ? std::floor((low - room) / width) * width : 0;
-  return {first, first + static_cast<double>(kBins) * width, kBins};
+  if (whole) width = std::max(width, 1.0);
+  const bool suits = low >= grid_.low && high < grid_.high &&
+                     grid_.high - grid_.low<4 * span&& static_cast<double>(grid_.bins)> 8 &&
+                     (!whole || grid_.width() >= 1);
+  if (suits && grid_ != BinGrid{}) return grid_;
+  const double first = low < 0 ? std::floor((low - 0.15 * span) / width) * width : 0;
+  const auto bins = static_cast<std::size_t>(std::ceil((high + 0.15 * span - first) / width)) + 1;
+  return {first, first + static_cast<double>(bins) * width, bins};
 }
 
 bool DistributionView::complete() const {
@@ -283,7 +292,14 @@ void DistributionView::showFigures() {
     put(*figures_, row, column, countText(count.count()));
     spoken << name(source) + QStringLiteral(": 99.9 % ") + figures_->item(2, column)->text();
   }
-  figures_->setFixedWidth(std::min(figures_->verticalHeader()->sizeHint().width() + 100 * columns + 4, 320));
+  int wide = figures_->verticalHeader()->sizeHint().width() + 4;
+  for (int column = 0; column < columns; ++column) {
+    const int header =
+        figures_->horizontalHeader()->fontMetrics().horizontalAdvance(figures_->horizontalHeaderItem(column)->text());
+    figures_->setColumnWidth(column, std::clamp(header + 16, 80, 160));
+    wide += figures_->columnWidth(column);
+  }
+  figures_->setFixedWidth(std::min(wide, 320));
   plot_->setAccessibleDescription(spoken.join(QStringLiteral("; ")));
   double least = 1;
   for (const auto& count : counts_) least = std::min(least, count.progress());
