@@ -818,6 +818,14 @@
     <context>
     <name>LiveStripToolbar</name>
         <message>
+            <source>Distribution</source>
+            <translation>Verteilung</translation>
+        </message>
+        <message>
+            <source>How often which value came, instead of the plots over time</source>
+            <translation>Wie oft welcher Wert kam, statt der Kurven über der Zeit</translation>
+        </message>
+        <message>
             <source>1 s</source>
             <translation>1 s</translation>
         </message>
@@ -6158,6 +6166,200 @@ Produktcode %2, Revision %3
         <message>
             <source>The window speaks this language from the next start on.</source>
             <translation>Das Fenster spricht diese Sprache ab dem nächsten Start.</translation>
+        </message>
+    </context>
+    <context>
+        <name>DistributionView</name>
+        <message>
+            <source>Distribution</source>
+            <translation>Verteilung</translation>
+        </message>
+        <message>
+            <source>Signals of the distribution</source>
+            <translation>Signale der Verteilung</translation>
+        </message>
+        <message>
+            <source>Signals</source>
+            <translation>Signale</translation>
+        </message>
+        <message>
+            <source>Up to four signals over each other</source>
+            <translation>Bis zu vier Signale übereinander</translation>
+        </message>
+        <message>
+            <source>Samples that count</source>
+            <translation>Welche Werte zählen</translation>
+        </message>
+        <message>
+            <source>Range shown</source>
+            <translation>Gezeigter Bereich</translation>
+        </message>
+        <message>
+            <source>Between the cursors</source>
+            <translation>Zwischen den Cursorn</translation>
+        </message>
+        <message>
+            <source>Since the figures were armed</source>
+            <translation>Seit dem Scharfstellen</translation>
+        </message>
+        <message>
+            <source>Value axis of the distribution</source>
+            <translation>Werteachse der Verteilung</translation>
+        </message>
+        <message>
+            <source>All values</source>
+            <translation>Alle Werte</translation>
+        </message>
+        <message>
+            <source>Up to twice the limit</source>
+            <translation>Bis zum doppelten Grenzwert</translation>
+        </message>
+        <message>
+            <source>State of the distribution</source>
+            <translation>Zustand der Verteilung</translation>
+        </message>
+        <message>
+            <source>Quantiles</source>
+            <translation>Quantile</translation>
+        </message>
+        <message>
+            <source>50 %</source>
+            <translation>50 %</translation>
+        </message>
+        <message>
+            <source>99 %</source>
+            <translation>99 %</translation>
+        </message>
+        <message>
+            <source>99.9 %</source>
+            <translation>99,9 %</translation>
+        </message>
+        <message>
+            <source>99.99 %</source>
+            <translation>99,99 %</translation>
+        </message>
+        <message>
+            <source>Largest</source>
+            <translation>Größter</translation>
+        </message>
+        <message>
+            <source>Samples</source>
+            <translation>Werte</translation>
+        </message>
+        <message>
+            <source>Samples of the bin</source>
+            <translation>Werte der Klasse</translation>
+        </message>
+        <message>
+            <source>The latest samples of the bin; a double click shows the moment in the plots</source>
+            <translation>Die letzten Werte der Klasse; ein Doppelklick zeigt den Augenblick in den Kurven</translation>
+        </message>
+        <message>
+            <source>Set two cursors: keys A and B</source>
+            <translation>Zwei Cursor setzen: Tasten A und B</translation>
+        </message>
+        <message>
+            <source>Not armed: the machine has not been ready yet</source>
+            <translation>Noch nicht scharf: Die Maschine war noch nicht bereit</translation>
+        </message>
+        <message>
+            <source>Computing, %1 %</source>
+            <translation>Zählt, %1 %</translation>
+        </message>
+        <message>
+            <source>Time since start</source>
+            <translation>Zeit seit Beginn</translation>
+        </message>
+        <message>
+            <source>Value</source>
+            <translation>Wert</translation>
+        </message>
+        <message>
+            <source>%1 s</source>
+            <translation>%1 s</translation>
+        </message>
+        <message>
+            <source>Deviation of a slave</source>
+            <translation>Abweichung eines Slaves</translation>
+        </message>
+        <message>
+            <source>Send lateness</source>
+            <translation>Verspätung beim Senden</translation>
+        </message>
+        <message>
+            <source>Round trip</source>
+            <translation>Umlaufzeit</translation>
+        </message>
+        <message>
+            <source>DCM error</source>
+            <translation>DCM-Fehler</translation>
+        </message>
+        <message>
+            <source>DCM error, filtered</source>
+            <translation>DCM-Fehler, gefiltert</translation>
+        </message>
+        <message>
+            <source>DCM error with lateness</source>
+            <translation>DCM-Fehler mit Verspätung</translation>
+        </message>
+        <message>
+            <source>Drift</source>
+            <translation>Drift</translation>
+        </message>
+        <message>
+            <source>Adjustment</source>
+            <translation>Korrektur</translation>
+        </message>
+        <message>
+            <source>Largest deviation</source>
+            <translation>Größte Abweichung</translation>
+        </message>
+        <message>
+            <source>Deviation, or-ed</source>
+            <translation>Abweichung, verodert</translation>
+        </message>
+        <message>
+            <source>Network to slave</source>
+            <translation>Netzwerk zu Slave</translation>
+        </message>
+        <message>
+            <source>Master to network</source>
+            <translation>Master zu Netzwerk</translation>
+        </message>
+        <message>
+            <source>Frame late by</source>
+            <translation>Frame zu spät um</translation>
+        </message>
+        <message>
+            <source>Deviation</source>
+            <translation>Abweichung</translation>
+        </message>
+    </context>
+    <context>
+        <name>HistogramPlot</name>
+        <message>
+            <source>Value</source>
+            <translation>Wert</translation>
+        </message>
+        <message>
+            <source>Value / %1</source>
+            <translation>Wert / %1</translation>
+        </message>
+        <message>
+            <source>limit ±%1 %2</source>
+            <translation>Grenze ±%1 %2</translation>
+        </message>
+        <message>
+            <source>below %1</source>
+            <translation>unter %1</translation>
+        </message>
+        <message>
+            <source>%1 and more</source>
+            <translation>%1 und mehr</translation>
+        </message>
+        <message>
+            <source>%1 to %2</source>
+            <translation>%1 bis %2</translation>
         </message>
     </context>
 </TS>

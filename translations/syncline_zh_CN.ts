@@ -816,6 +816,14 @@
     <context>
         <name>LiveStripToolbar</name>
         <message>
+            <source>Distribution</source>
+            <translation>分布</translation>
+        </message>
+        <message>
+            <source>How often which value came, instead of the plots over time</source>
+            <translation>以各数值出现的次数代替时间曲线</translation>
+        </message>
+        <message>
             <source>1 s</source>
             <translation>1 s</translation>
         </message>
@@ -6132,6 +6140,200 @@ Product code %2, revision %3
         <message>
             <source>The window speaks this language from the next start on.</source>
             <translation>窗口从下次启动起使用此语言。</translation>
+        </message>
+    </context>
+    <context>
+        <name>DistributionView</name>
+        <message>
+            <source>Distribution</source>
+            <translation>分布</translation>
+        </message>
+        <message>
+            <source>Signals of the distribution</source>
+            <translation>分布的信号</translation>
+        </message>
+        <message>
+            <source>Signals</source>
+            <translation>信号</translation>
+        </message>
+        <message>
+            <source>Up to four signals over each other</source>
+            <translation>最多叠加四个信号</translation>
+        </message>
+        <message>
+            <source>Samples that count</source>
+            <translation>计入的采样</translation>
+        </message>
+        <message>
+            <source>Range shown</source>
+            <translation>显示范围</translation>
+        </message>
+        <message>
+            <source>Between the cursors</source>
+            <translation>光标之间</translation>
+        </message>
+        <message>
+            <source>Since the figures were armed</source>
+            <translation>自启用起</translation>
+        </message>
+        <message>
+            <source>Value axis of the distribution</source>
+            <translation>分布的数值轴</translation>
+        </message>
+        <message>
+            <source>All values</source>
+            <translation>全部数值</translation>
+        </message>
+        <message>
+            <source>Up to twice the limit</source>
+            <translation>至限值的两倍</translation>
+        </message>
+        <message>
+            <source>State of the distribution</source>
+            <translation>分布的状态</translation>
+        </message>
+        <message>
+            <source>Quantiles</source>
+            <translation>分位数</translation>
+        </message>
+        <message>
+            <source>50 %</source>
+            <translation>50 %</translation>
+        </message>
+        <message>
+            <source>99 %</source>
+            <translation>99 %</translation>
+        </message>
+        <message>
+            <source>99.9 %</source>
+            <translation>99.9 %</translation>
+        </message>
+        <message>
+            <source>99.99 %</source>
+            <translation>99.99 %</translation>
+        </message>
+        <message>
+            <source>Largest</source>
+            <translation>最大</translation>
+        </message>
+        <message>
+            <source>Samples</source>
+            <translation>采样数</translation>
+        </message>
+        <message>
+            <source>Samples of the bin</source>
+            <translation>该区间的采样</translation>
+        </message>
+        <message>
+            <source>The latest samples of the bin; a double click shows the moment in the plots</source>
+            <translation>该区间最近的采样；双击可在曲线中显示该时刻</translation>
+        </message>
+        <message>
+            <source>Set two cursors: keys A and B</source>
+            <translation>请设置两个光标：按键 A 和 B</translation>
+        </message>
+        <message>
+            <source>Not armed: the machine has not been ready yet</source>
+            <translation>尚未启用：机器还未就绪</translation>
+        </message>
+        <message>
+            <source>Computing, %1 %</source>
+            <translation>正在计算，%1 %</translation>
+        </message>
+        <message>
+            <source>Time since start</source>
+            <translation>自开始的时间</translation>
+        </message>
+        <message>
+            <source>Value</source>
+            <translation>数值</translation>
+        </message>
+        <message>
+            <source>%1 s</source>
+            <translation>%1 s</translation>
+        </message>
+        <message>
+            <source>Deviation of a slave</source>
+            <translation>从站的偏差</translation>
+        </message>
+        <message>
+            <source>Send lateness</source>
+            <translation>发送延迟</translation>
+        </message>
+        <message>
+            <source>Round trip</source>
+            <translation>往返时间</translation>
+        </message>
+        <message>
+            <source>DCM error</source>
+            <translation>DCM 误差</translation>
+        </message>
+        <message>
+            <source>DCM error, filtered</source>
+            <translation>DCM 误差（滤波后）</translation>
+        </message>
+        <message>
+            <source>DCM error with lateness</source>
+            <translation>DCM 误差（含延迟）</translation>
+        </message>
+        <message>
+            <source>Drift</source>
+            <translation>漂移</translation>
+        </message>
+        <message>
+            <source>Adjustment</source>
+            <translation>调整量</translation>
+        </message>
+        <message>
+            <source>Largest deviation</source>
+            <translation>最大偏差</translation>
+        </message>
+        <message>
+            <source>Deviation, or-ed</source>
+            <translation>偏差（按位或）</translation>
+        </message>
+        <message>
+            <source>Network to slave</source>
+            <translation>网络到从站</translation>
+        </message>
+        <message>
+            <source>Master to network</source>
+            <translation>主站到网络</translation>
+        </message>
+        <message>
+            <source>Frame late by</source>
+            <translation>帧迟到时间</translation>
+        </message>
+        <message>
+            <source>Deviation</source>
+            <translation>偏差</translation>
+        </message>
+    </context>
+    <context>
+        <name>HistogramPlot</name>
+        <message>
+            <source>Value</source>
+            <translation>数值</translation>
+        </message>
+        <message>
+            <source>Value / %1</source>
+            <translation>数值 / %1</translation>
+        </message>
+        <message>
+            <source>limit ±%1 %2</source>
+            <translation>限值 ±%1 %2</translation>
+        </message>
+        <message>
+            <source>below %1</source>
+            <translation>低于 %1</translation>
+        </message>
+        <message>
+            <source>%1 and more</source>
+            <translation>%1 及以上</translation>
+        </message>
+        <message>
+            <source>%1 to %2</source>
+            <translation>%1 至 %2</translation>
         </message>
     </context>
 </TS>

@@ -15,6 +15,7 @@
 #include <QTreeView>
 #include <algorithm>
 #include <functional>
+#include <utility>
 
 #include "settings/settings_table.h"
 #include "ui/dialogs/about_dialog.h"
@@ -172,6 +173,21 @@ void takeOverview(Camera& camera, ui::MainWindow& window, const QString& theme) 
   camera.take(window, theme + QStringLiteral("-overview"));
 }
 
+/// In place of the plots, also in the smallest window.
+void takeDistribution(Camera& camera, ui::MainWindow& window, const QString& theme) {
+  auto* strip = window.findChild<ui::LiveStrip*>();
+  const auto usual = window.size();
+  strip->showDistribution(true);
+  for (const auto& [size, name] : {std::pair{usual, "-distribution"}, {QSize(1024, 640), "-distribution-small"}}) {
+    window.resize(size);
+    QApplication::processEvents();
+    strip->refresh();
+    camera.take(window, theme + QLatin1String(name));
+  }
+  window.resize(usual);
+  strip->showDistribution(false);
+}
+
 bool waitUntil(const std::function<bool()>& done) {
   QElapsedTimer waiting;
   waiting.start();
@@ -243,6 +259,7 @@ bool renderScreenshots(ui::MainWindow& window, ui::Workspace& workspace, const Q
     ui::theme::apply(mode);
     QApplication::processEvents();
     takeOverview(camera, window, ui::theme::modeName(mode));
+    takeDistribution(camera, window, ui::theme::modeName(mode));
     takePages(camera, window, workspace, ui::theme::modeName(mode));
     workspace.setExpert(true);
     takePages(camera, window, workspace, ui::theme::modeName(mode) + QStringLiteral("-expert"));

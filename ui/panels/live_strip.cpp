@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "ui/panels/distribution_view.h"
 #include "ui/panels/live_strip_panels.h"
 #include "ui/panels/live_strip_toolbar.h"
 #include "ui/theme/theme.h"
@@ -44,6 +45,8 @@ LiveStrip::LiveStrip(QWidget* parent) : QWidget(parent), toolbar_(new LiveStripT
   stack_ = new QStackedLayout(body);
   stack_->addWidget(empty);
   stack_->addWidget(plots_);
+  distribution_ = new DistributionView(&view_, &cursors_);
+  stack_->addWidget(distribution_);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(8, 4, 8, 4);
   layout->setSpacing(4);
@@ -57,6 +60,11 @@ LiveStrip::LiveStrip(QWidget* parent) : QWidget(parent), toolbar_(new LiveStripT
     if (!on) return cursors_.clear();
     cursors_.set(CursorSet::kA, view_.begin() + view_.span() / 3);
     cursors_.set(CursorSet::kB, view_.begin() + view_.span() * 2 / 3);
+  });
+  connect(toolbar_, &LiveStripToolbar::distributionToggled, this, &LiveStrip::showDistribution);
+  connect(distribution_, &DistributionView::momentChosen, this, [this](Nanoseconds time) {
+    showDistribution(false);
+    goTo(time);
   });
   connect(toolbar_, &LiveStripToolbar::menuRequested, this,
           [this](const QPoint& global) { openMenu(global, cursorPlace()); });
@@ -76,6 +84,7 @@ void LiveStrip::setRecord(const RunRecord* record, bool recorded) {
   marks_.clear();
   marked_ = 0;
   for (auto* panel : panels_) panel->setSource(record_);
+  distribution_->setRecord(record_);
   cursors_.clear();
   view_.reset();
   view_.setFollowable(!recorded);
@@ -138,14 +147,24 @@ void LiveStrip::tick() {
   }
   ++ticks_;
   collectMarks();
+  if (showsDistribution() && isVisible()) return distribution_->refresh();
   for (auto* panel : panels_) panel->plot()->refresh();
 }
 
 void LiveStrip::showState() {
   const bool any = hasSamples();
-  stack_->setCurrentIndex(any ? 1 : 0);
+  stack_->setCurrentIndex(!any ? 0 : showsDistribution() ? 2 : 1);
   toolbar_->setEnabled(any);
   toolbar_->showState();
+}
+
+bool LiveStrip::showsDistribution() const { return toolbar_->distributionWanted(); }
+
+void LiveStrip::showDistribution(bool on) {
+  toolbar_->setDistributionWanted(on);
+  showState();
+  for (auto* panel : panels_) panel->plot()->markDirty();
+  refresh();
 }
 
 void LiveStrip::applyTheme() {

@@ -16,6 +16,7 @@ class QStackedLayout;
 
 namespace syncline::ui {
 
+class DistributionView;
 class LiveStripToolbar;
 
 /// Three plots over one time axis: DC deviation, missed SM2 events, DCM error. Draws what a run's record holds on a
@@ -43,8 +44,11 @@ class LiveStrip : public QWidget {
   [[nodiscard]] CursorSet* cursors() { return &cursors_; }
   [[nodiscard]] const SampleStore* store() const { return record_ == nullptr ? nullptr : &record_->samples(); }
   [[nodiscard]] const std::array<TracePanel*, 3>& panels() const { return panels_; }
-  /// The stretch that is shown as a table: times in ns since the run began and in UTC, one column a
-  /// series; C locale.
+  [[nodiscard]] DistributionView* distribution() const { return distribution_; }
+  /// Histograms in place of the plots.
+  void showDistribution(bool on);
+  /// The bins of the distribution where it is shown; else the stretch that is shown as a table: times in ns since the
+  /// run began and in UTC, one column a series; C locale.
   [[nodiscard]] std::string csv() const;
   /// The three plots with a caption, in light colours whatever the theme is.
   [[nodiscard]] QImage picture(double scale);
@@ -64,6 +68,7 @@ class LiveStrip : public QWidget {
   void showState();
   void collectMarks();
   void followRecord();
+  [[nodiscard]] bool showsDistribution() const;
   [[nodiscard]] bool hasSamples() const { return record_ != nullptr && !record_->samples().empty(); }
   void openMenu(const QPoint& global, Nanoseconds time);
   void exportCsv();
@@ -77,6 +82,7 @@ class LiveStrip : public QWidget {
   LiveStripToolbar* toolbar_;
   QStackedLayout* stack_;
   QWidget* plots_;
+  DistributionView* distribution_;
   std::array<TracePanel*, 3> panels_{};
   QTimer tick_;
   unsigned ticks_ = 0;

@@ -11,6 +11,7 @@
 #include <QPainter>
 
 #include "support/whole_file.h"
+#include "ui/panels/distribution_view.h"
 #include "ui/panels/live_strip.h"
 #include "ui/plots/series_csv.h"
 #include "ui/text/error_text.h"
@@ -34,6 +35,7 @@ void tellUnwritten(QWidget* parent, const Status& status) {
 }  // namespace
 
 std::string LiveStrip::csv() const {
+  if (showsDistribution()) return distribution_->csv();
   std::vector<CsvColumn> columns;
   if (record_ == nullptr) return series_csv(columns, 0, 0, 0);
   const auto& samples = record_->samples();
@@ -54,15 +56,17 @@ std::string LiveStrip::csv() const {
 QImage LiveStrip::picture(double scale) {
   constexpr int kCaption = 22;
   constexpr int kMargin = 10;
-  const auto size = plots_->size();
+  auto* body = showsDistribution() ? static_cast<QWidget*>(distribution_) : plots_;
+  const auto size = body->size();
   QImage image(((QSizeF(size) + QSizeF(2 * kMargin, 2 * kMargin + kCaption)) * scale).toSize(), QImage::Format_RGB32);
   image.setDevicePixelRatio(scale);
   image.fill(Qt::white);
-  const auto shown = plots_->palette();
-  plots_->setPalette(printPalette());
+  const auto shown = body->palette();
+  body->setPalette(printPalette());
   for (auto* panel : panels_) panel->applyTheme();
   QPainter painter(&image);
-  plots_->render(&painter, QPoint(kMargin, kMargin), {}, QWidget::DrawChildren);
+  if (showsDistribution()) distribution_->refresh();
+  body->render(&painter, QPoint(kMargin, kMargin), {}, QWidget::DrawChildren);
   painter.setPen(printPalette().color(QPalette::Text));
   painter.setFont(font());
   painter.drawText(QRect(kMargin, kMargin + size.height(), size.width(), kCaption), Qt::AlignVCenter,
@@ -70,7 +74,7 @@ QImage LiveStrip::picture(double scale) {
                        .arg(QDateTime::currentDateTimeUtc().toString(Qt::ISODate),
                             cycleText(record_ == nullptr ? 0 : record_->limits().cycle_time)));
   painter.end();
-  plots_->setPalette(shown);
+  body->setPalette(shown);
   for (auto* panel : panels_) panel->applyTheme();
   return image;
 }

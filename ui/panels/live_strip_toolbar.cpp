@@ -46,6 +46,10 @@ LiveStripToolbar::LiveStripToolbar(TimeView* view, CursorSet* cursors, QWidget* 
   connect(measure_, &QToolButton::clicked, this, &LiveStripToolbar::cursorsToggled);
   auto* fit = addButton(layout, "fitButton", tr("Fit"), tr("Fit the value axes to what is shown (F)"));
   connect(fit, &QToolButton::clicked, this, &LiveStripToolbar::fitRequested);
+  distribution_ = addButton(layout, "distributionButton", tr("Distribution"),
+                            tr("How often which value came, instead of the plots over time"));
+  distribution_->setCheckable(true);
+  connect(distribution_, &QToolButton::clicked, this, &LiveStripToolbar::distributionToggled);
   layout->addSpacing(6);
   layout->addWidget(named(state_, "liveStateLabel", tr("State of the plots")));
   layout->addStretch(1);
@@ -71,6 +75,9 @@ QToolButton* LiveStripToolbar::addButton(QHBoxLayout* layout, const char* name, 
   layout->addWidget(button);
   return button;
 }
+
+bool LiveStripToolbar::distributionWanted() const { return distribution_->isChecked(); }
+void LiveStripToolbar::setDistributionWanted(bool on) { distribution_->setChecked(on); }
 
 void LiveStripToolbar::showState() {
   using Mode = TimeView::Mode;

@@ -23,7 +23,11 @@ class LiveStripToolbar final : public QWidget {
   /// Writes the state in words; a few times a second.
   void showState();
 
+  [[nodiscard]] bool distributionWanted() const;
+  void setDistributionWanted(bool on);
+
  Q_SIGNALS:
+  void distributionToggled(bool on);
   void fitRequested();
   void cursorsToggled(bool on);
   void menuRequested(const QPoint& global);
@@ -38,7 +42,7 @@ class LiveStripToolbar final : public QWidget {
     Nanoseconds span;
   };
   std::vector<Length> lengths_;
-  QToolButton *live_, *freeze_, *measure_;
+  QToolButton *live_, *freeze_, *measure_, *distribution_;
   ValueLabel *state_, *delta_;
 };
 
