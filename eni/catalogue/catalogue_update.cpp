@@ -166,7 +166,8 @@ class FolderUpdate {
   /// Below a folder that cannot be read now: what is known of it stays.
   [[nodiscard]] bool is_out_of_sight(const std::string& path) const {
     return std::ranges::any_of(report_.unreadable, [&](const std::string& below) {
-      return path.starts_with(below) && path.size() > below.size() && path[below.size()] == fs::path::preferred_separator;
+      return path.starts_with(below) && path.size() > below.size() &&
+             path[below.size()] == fs::path::preferred_separator;
     });
   }
 

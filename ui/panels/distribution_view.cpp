@@ -18,6 +18,7 @@
 #include <utility>
 
 #include "ui/plots/plot_colors.h"
+#include "ui/text/signal_text.h"
 #include "ui/text/units.h"
 #include "ui/widgets/named.h"
 
@@ -27,40 +28,6 @@ namespace {
 constexpr std::size_t kPortion = 1'000'000;  // samples a tick, of all signals together: some milliseconds
 constexpr std::size_t kBins = 80, kMomentsShown = 500;
 constexpr std::array kFractions{0.5, 0.99, 0.999, 0.9999};
-
-/// The signals that have a value of their own in every cycle or reading; counts and states have no distribution.
-QString signalText(Signal signal) {
-  switch (signal) {
-    case Signal::kLateness:
-      return DistributionView::tr("Send lateness");
-    case Signal::kRoundTrip:
-      return DistributionView::tr("Round trip");
-    case Signal::kDcmError:
-      return DistributionView::tr("DCM error");
-    case Signal::kDcmErrorFiltered:
-      return DistributionView::tr("DCM error, filtered");
-    case Signal::kFrameError:
-      return DistributionView::tr("DCM error with lateness");
-    case Signal::kDrift:
-      return DistributionView::tr("Drift");
-    case Signal::kDcmAdjust:
-      return DistributionView::tr("Adjustment");
-    case Signal::kDeviation:
-      return DistributionView::tr("Largest deviation");
-    case Signal::kDeviationOred:
-      return DistributionView::tr("Deviation, or-ed");
-    case Signal::kNetworkToSlave:
-      return DistributionView::tr("Network to slave");
-    case Signal::kMasterToNetwork:
-      return DistributionView::tr("Master to network");
-    case Signal::kFrameLateBy:
-      return DistributionView::tr("Frame late by");
-    case Signal::kSlaveDeviation:
-      return DistributionView::tr("Deviation");
-    default:
-      return {};
-  }
-}
 
 QTableWidget* makeTable(const char* object_name, const QString& accessible_name) {
   auto* table = named(new QTableWidget, object_name, accessible_name);
