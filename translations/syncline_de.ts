@@ -211,6 +211,14 @@
             <source>Find a slave, a setting or a command</source>
             <translation>Einen Slave, eine Einstellung oder einen Befehl finden</translation>
         </message>
+        <message>
+            <source>&amp;Compare…</source>
+            <translation>&amp;Vergleichen …</translation>
+        </message>
+        <message>
+            <source>Compare the project with a file, the running machine or a bus, or two files</source>
+            <translation>Das Projekt mit einer Datei, der laufenden Maschine oder einem Bus vergleichen, oder zwei Dateien</translation>
+        </message>
     </context>
     <context>
     <name>BusCommands</name>
@@ -565,6 +573,18 @@
         <message>
             <source>It is neither a project, an ENI, an ESI, a recording, a capture nor a scenario.</source>
             <translation>Es ist weder ein Projekt noch eine ENI, eine ESI, eine Aufzeichnung, ein Mitschnitt oder ein Szenario.</translation>
+        </message>
+        <message>
+            <source>Open %1, or compare the project with it?</source>
+            <translation>%1 öffnen oder das Projekt damit vergleichen?</translation>
+        </message>
+        <message>
+            <source>&amp;Compare</source>
+            <translation>&amp;Vergleichen</translation>
+        </message>
+        <message>
+            <source>&amp;Open</source>
+            <translation>Ö&amp;ffnen</translation>
         </message>
     </context>
     <context>
@@ -3710,40 +3730,6 @@ Einstellung %2</translation>
         </message>
     </context>
     <context>
-    <name>DifferenceDialog</name>
-        <message>
-            <source>Project and Running Machine</source>
-            <translation>Projekt und laufende Maschine</translation>
-        </message>
-        <message>
-            <source>The machine runs on as it was started. A double click goes to the field.</source>
-            <translation>Die Maschine läuft weiter, wie sie gestartet wurde. Ein Doppelklick führt zum Feld.</translation>
-        </message>
-        <message>
-            <source>Runs</source>
-            <translation>Läuft</translation>
-        </message>
-        <message>
-            <source>Project</source>
-            <translation>Projekt</translation>
-        </message>
-        <message>
-            <source>Differences between project and running machine</source>
-            <translation>Unterschiede zwischen Projekt und laufender Maschine</translation>
-        </message>
-    </context>
-    <context>
-    <name>DifferenceModel</name>
-        <message>
-            <source>Where</source>
-            <translation>Wo</translation>
-        </message>
-        <message>
-            <source>What</source>
-            <translation>Was</translation>
-        </message>
-    </context>
-    <context>
     <name>FoundDialog</name>
         <message numerus="yes">
             <source>%n match(es)</source>
@@ -6130,6 +6116,498 @@ Produktcode %2, Revision %3
         <message>
             <source>The window speaks this language from the next start on.</source>
             <translation>Das Fenster spricht diese Sprache ab dem nächsten Start.</translation>
+        </message>
+    </context>
+    <context>
+        <name>EniModel</name>
+        <message>
+            <source>added</source>
+            <translation>hinzugefügt</translation>
+        </message>
+        <message>
+            <source>removed</source>
+            <translation>entfernt</translation>
+        </message>
+        <message>
+            <source>altered</source>
+            <translation>geändert</translation>
+        </message>
+        <message>
+            <source>before</source>
+            <translation>vorher</translation>
+        </message>
+        <message>
+            <source>Line</source>
+            <translation>Zeile</translation>
+        </message>
+        <message>
+            <source>Change</source>
+            <translation>Änderung</translation>
+        </message>
+        <message>
+            <source>ENI</source>
+            <translation>ENI</translation>
+        </message>
+        <message numerus="yes">
+            <source>… %n line(s) …</source>
+            <translation>
+                <numerusform>… %n Zeile …</numerusform>
+                <numerusform>… %n Zeilen …</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>EniFindingModel</name>
+        <message>
+            <source>Error</source>
+            <translation>Fehler</translation>
+        </message>
+        <message>
+            <source>Warning</source>
+            <translation>Warnung</translation>
+        </message>
+        <message>
+            <source>Note</source>
+            <translation>Hinweis</translation>
+        </message>
+        <message>
+            <source>Severity</source>
+            <translation>Schwere</translation>
+        </message>
+        <message>
+            <source>Line</source>
+            <translation>Zeile</translation>
+        </message>
+        <message>
+            <source>Rule</source>
+            <translation>Regel</translation>
+        </message>
+        <message>
+            <source>Finding</source>
+            <translation>Befund</translation>
+        </message>
+    </context>
+    <context>
+        <name>EniTextView</name>
+        <message>
+            <source>Text of the ENI</source>
+            <translation>Text der ENI</translation>
+        </message>
+    </context>
+    <context>
+        <name>EniPage</name>
+        <message>
+            <source>ENI</source>
+            <translation>ENI</translation>
+        </message>
+        <message>
+            <source>Cyclic</source>
+            <translation>Zyklisch</translation>
+        </message>
+        <message>
+            <source>Process image</source>
+            <translation>Prozessabbild</translation>
+        </message>
+        <message>
+            <source>Other</source>
+            <translation>Sonstiges</translation>
+        </message>
+        <message>
+            <source>What stands against the ENI</source>
+            <translation>Was gegen die ENI steht</translation>
+        </message>
+        <message>
+            <source>ENI and what the checker says of it</source>
+            <translation>ENI und was der Prüfer dazu sagt</translation>
+        </message>
+        <message>
+            <source>Lines that became other</source>
+            <translation>Zeilen, die anders wurden</translation>
+        </message>
+        <message>
+            <source>Whether the ENI is up to date, and what the checker says of it</source>
+            <translation>Ob die ENI aktuell ist und was der Prüfer dazu sagt</translation>
+        </message>
+        <message>
+            <source>Dialect of the ENI</source>
+            <translation>Dialekt der ENI</translation>
+        </message>
+        <message>
+            <source>How the ENI is laid out and spelled, here and when it is exported: as EC-Engineer does, or as TwinCAT 3 does.</source>
+            <translation>Wie die ENI aufgebaut und geschrieben wird, hier und beim Export: wie bei EC-Engineer oder wie bei TwinCAT 3.</translation>
+        </message>
+        <message>
+            <source>Since when changes are shown</source>
+            <translation>Seit wann Änderungen gezeigt werden</translation>
+        </message>
+        <message>
+            <source>Changes since saved</source>
+            <translation>Seit dem Speichern</translation>
+        </message>
+        <message>
+            <source>Changes since exported</source>
+            <translation>Seit dem Export</translation>
+        </message>
+        <message>
+            <source>Changes since opened here</source>
+            <translation>Seit dem Öffnen der Seite</translation>
+        </message>
+        <message>
+            <source>The last change</source>
+            <translation>Die letzte Änderung</translation>
+        </message>
+        <message>
+            <source>Previous change</source>
+            <translation>Vorige Änderung</translation>
+        </message>
+        <message>
+            <source>Next change</source>
+            <translation>Nächste Änderung</translation>
+        </message>
+        <message>
+            <source>&amp;Only changes</source>
+            <translation>N&amp;ur Änderungen</translation>
+        </message>
+        <message>
+            <source>Show only the lines around changes</source>
+            <translation>Nur die Zeilen um Änderungen zeigen</translation>
+        </message>
+        <message>
+            <source>Co&amp;mpare…</source>
+            <translation>&amp;Vergleichen …</translation>
+        </message>
+        <message>
+            <source>Compare the project with a file</source>
+            <translation>Das Projekt mit einer Datei vergleichen</translation>
+        </message>
+        <message>
+            <source>E&amp;xport…</source>
+            <translation>E&amp;xportieren …</translation>
+        </message>
+        <message>
+            <source>Write the ENI to a file</source>
+            <translation>Die ENI in eine Datei schreiben</translation>
+        </message>
+        <message>
+            <source>Part of the ENI to go to</source>
+            <translation>Teil der ENI, zu dem gesprungen wird</translation>
+        </message>
+        <message>
+            <source>Go to</source>
+            <translation>Gehe zu</translation>
+        </message>
+        <message>
+            <source>Search the ENI</source>
+            <translation>Die ENI durchsuchen</translation>
+        </message>
+        <message>
+            <source>Search (Ctrl+F)</source>
+            <translation>Suchen (Strg+F)</translation>
+        </message>
+        <message>
+            <source>Previous place</source>
+            <translation>Vorige Stelle</translation>
+        </message>
+        <message>
+            <source>Next place</source>
+            <translation>Nächste Stelle</translation>
+        </message>
+        <message>
+            <source>What the checker says of the ENI</source>
+            <translation>Was der Prüfer zur ENI sagt</translation>
+        </message>
+        <message>
+            <source>&quot;%1&quot; is not in it</source>
+            <translation>„%1“ kommt nicht vor</translation>
+        </message>
+        <message>
+            <source>The project cannot be compiled: %1</source>
+            <translation>Das Projekt lässt sich nicht übersetzen: %1</translation>
+        </message>
+        <message>
+            <source>What stands here is old: it was made at %1.</source>
+            <translation>Was hier steht, ist alt: Es ist von %1.</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n error(s) of the project stand against this ENI.</source>
+            <translation>
+                <numerusform>%n Fehler des Projekts steht gegen diese ENI.</numerusform>
+                <numerusform>%n Fehler des Projekts stehen gegen diese ENI.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Nothing has been changed yet</source>
+            <translation>Noch ist nichts geändert</translation>
+        </message>
+        <message>
+            <source>Not exported yet: nothing to compare with</source>
+            <translation>Noch nicht exportiert: nichts zum Vergleichen</translation>
+        </message>
+        <message>
+            <source>Not saved yet: nothing to compare with</source>
+            <translation>Noch nicht gespeichert: nichts zum Vergleichen</translation>
+        </message>
+        <message>
+            <source>No line is other</source>
+            <translation>Keine Zeile ist anders</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n line(s) added</source>
+            <translation>
+                <numerusform>%n Zeile hinzugefügt</numerusform>
+                <numerusform>%n Zeilen hinzugefügt</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n removed</source>
+            <translation>
+                <numerusform>%n entfernt</numerusform>
+                <numerusform>%n entfernt</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n altered</source>
+            <translation>
+                <numerusform>%n geändert</numerusform>
+                <numerusform>%n geändert</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Computing…</source>
+            <translation>Wird berechnet …</translation>
+        </message>
+        <message>
+            <source>Out of date</source>
+            <translation>Veraltet</translation>
+        </message>
+        <message>
+            <source>Being checked…</source>
+            <translation>Wird geprüft …</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n error(s)</source>
+            <translation>
+                <numerusform>%n Fehler</numerusform>
+                <numerusform>%n Fehler</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n warning(s)</source>
+            <translation>
+                <numerusform>%n Warnung</numerusform>
+                <numerusform>%n Warnungen</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n note(s)</source>
+            <translation>
+                <numerusform>%n Hinweis</numerusform>
+                <numerusform>%n Hinweise</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>The checker finds nothing</source>
+            <translation>Der Prüfer findet nichts</translation>
+        </message>
+    </context>
+    <context>
+        <name>ComparisonModel</name>
+        <message>
+            <source>Slaves</source>
+            <translation>Slaves</translation>
+        </message>
+        <message>
+            <source>Wiring</source>
+            <translation>Verkabelung</translation>
+        </message>
+        <message>
+            <source>Process data</source>
+            <translation>Prozessdaten</translation>
+        </message>
+        <message>
+            <source>Mailbox</source>
+            <translation>Mailbox</translation>
+        </message>
+        <message>
+            <source>Start-up</source>
+            <translation>Hochlauf</translation>
+        </message>
+        <message>
+            <source>Clocks</source>
+            <translation>Uhren</translation>
+        </message>
+        <message>
+            <source>Commands</source>
+            <translation>Befehle</translation>
+        </message>
+        <message>
+            <source>Cyclic</source>
+            <translation>Zyklisch</translation>
+        </message>
+        <message>
+            <source>Process image</source>
+            <translation>Prozessabbild</translation>
+        </message>
+        <message>
+            <source>Master</source>
+            <translation>Master</translation>
+        </message>
+        <message>
+            <source>At run time</source>
+            <translation>Im Betrieb</translation>
+        </message>
+        <message>
+            <source>Setting</source>
+            <translation>Einstellung</translation>
+        </message>
+        <message>
+            <source>Position %1</source>
+            <translation>Position %1</translation>
+        </message>
+        <message>
+            <source>Network</source>
+            <translation>Netz</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n difference(s)</source>
+            <translation>
+                <numerusform>%n Unterschied</numerusform>
+                <numerusform>%n Unterschiede</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>What</source>
+            <translation>Was</translation>
+        </message>
+        <message>
+            <source>Class</source>
+            <translation>Art</translation>
+        </message>
+    </context>
+    <context>
+        <name>CompareDialog</name>
+        <message>
+            <source>Compare</source>
+            <translation>Vergleichen</translation>
+        </message>
+        <message>
+            <source>How many differences there are</source>
+            <translation>Wie viele Unterschiede es gibt</translation>
+        </message>
+        <message>
+            <source>Left side of the comparison</source>
+            <translation>Linke Seite des Vergleichs</translation>
+        </message>
+        <message>
+            <source>Right side of the comparison</source>
+            <translation>Rechte Seite des Vergleichs</translation>
+        </message>
+        <message>
+            <source>Exchange the two sides</source>
+            <translation>Die Seiten vertauschen</translation>
+        </message>
+        <message>
+            <source>Search the differences</source>
+            <translation>Die Unterschiede durchsuchen</translation>
+        </message>
+        <message>
+            <source>Search</source>
+            <translation>Suchen</translation>
+        </message>
+        <message>
+            <source>&amp;Only what matters</source>
+            <translation>&amp;Nur was zählt</translation>
+        </message>
+        <message>
+            <source>Only what matters</source>
+            <translation>Nur was zählt</translation>
+        </message>
+        <message>
+            <source>Leaves out names, and where data stand in the process image</source>
+            <translation>Lässt Namen weg, und wo Daten im Prozessabbild stehen</translation>
+        </message>
+        <message>
+            <source>Differences</source>
+            <translation>Unterschiede</translation>
+        </message>
+        <message>
+            <source>&amp;Copy</source>
+            <translation>&amp;Kopieren</translation>
+        </message>
+        <message>
+            <source>Copy the differences as text</source>
+            <translation>Die Unterschiede als Text kopieren</translation>
+        </message>
+        <message>
+            <source>&amp;Export CSV…</source>
+            <translation>CSV &amp;exportieren …</translation>
+        </message>
+        <message>
+            <source>Write the differences to a file</source>
+            <translation>Die Unterschiede in eine Datei schreiben</translation>
+        </message>
+        <message>
+            <source>File…</source>
+            <translation>Datei …</translation>
+        </message>
+        <message>
+            <source>Bus…</source>
+            <translation>Bus …</translation>
+        </message>
+        <message>
+            <source>Project (%1)</source>
+            <translation>Projekt (%1)</translation>
+        </message>
+        <message>
+            <source>Running machine</source>
+            <translation>Laufende Maschine</translation>
+        </message>
+        <message>
+            <source>Bus on %1</source>
+            <translation>Bus an %1</translation>
+        </message>
+        <message>
+            <source>Compare With</source>
+            <translation>Vergleichen mit</translation>
+        </message>
+        <message>
+            <source>Projects and ENI files (*.syncline *.xml *.eni);;All files (*)</source>
+            <translation>Projekte und ENI-Dateien (*.syncline *.xml *.eni);;Alle Dateien (*)</translation>
+        </message>
+        <message>
+            <source>Choose what the project is to be compared with.</source>
+            <translation>Wählen, womit das Projekt verglichen werden soll.</translation>
+        </message>
+        <message>
+            <source>Comparing…</source>
+            <translation>Wird verglichen …</translation>
+        </message>
+        <message>
+            <source>There is no difference.</source>
+            <translation>Es gibt keinen Unterschied.</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n difference(s)</source>
+            <translation>
+                <numerusform>%n Unterschied</numerusform>
+                <numerusform>%n Unterschiede</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Where</source>
+            <translation>Wo</translation>
+        </message>
+        <message>
+            <source>Export Differences</source>
+            <translation>Unterschiede exportieren</translation>
+        </message>
+        <message>
+            <source>Comma-separated values (*.csv)</source>
+            <translation>Kommagetrennte Werte (*.csv)</translation>
+        </message>
+        <message>
+            <source>The differences could not be written.</source>
+            <translation>Die Unterschiede konnten nicht geschrieben werden.</translation>
         </message>
     </context>
 </TS>

@@ -211,6 +211,14 @@
             <source>Find a slave, a setting or a command</source>
             <translation>查找从站、设置或命令</translation>
         </message>
+        <message>
+            <source>&amp;Compare…</source>
+            <translation>比较(&amp;C)…</translation>
+        </message>
+        <message>
+            <source>Compare the project with a file, the running machine or a bus, or two files</source>
+            <translation>将项目与文件、运行中的机器或总线比较，或比较两个文件</translation>
+        </message>
     </context>
     <context>
         <name>BusCommands</name>
@@ -563,6 +571,18 @@
         <message>
             <source>It is neither a project, an ENI, an ESI, a recording, a capture nor a scenario.</source>
             <translation>它既不是项目、ENI、ESI、记录、抓包文件，也不是场景。</translation>
+        </message>
+        <message>
+            <source>Open %1, or compare the project with it?</source>
+            <translation>打开 %1，还是将项目与它比较？</translation>
+        </message>
+        <message>
+            <source>&amp;Compare</source>
+            <translation>比较(&amp;C)</translation>
+        </message>
+        <message>
+            <source>&amp;Open</source>
+            <translation>打开(&amp;O)</translation>
         </message>
     </context>
     <context>
@@ -3703,40 +3723,6 @@ Setting %2</source>
         </message>
     </context>
     <context>
-        <name>DifferenceDialog</name>
-        <message>
-            <source>Project and Running Machine</source>
-            <translation>项目与运行中的机器</translation>
-        </message>
-        <message>
-            <source>The machine runs on as it was started. A double click goes to the field.</source>
-            <translation>机器仍按启动时的配置运行。双击可转到相应字段。</translation>
-        </message>
-        <message>
-            <source>Runs</source>
-            <translation>运行中</translation>
-        </message>
-        <message>
-            <source>Project</source>
-            <translation>项目</translation>
-        </message>
-        <message>
-            <source>Differences between project and running machine</source>
-            <translation>项目与运行中机器的差异</translation>
-        </message>
-    </context>
-    <context>
-        <name>DifferenceModel</name>
-        <message>
-            <source>Where</source>
-            <translation>位置</translation>
-        </message>
-        <message>
-            <source>What</source>
-            <translation>内容</translation>
-        </message>
-    </context>
-    <context>
         <name>FoundDialog</name>
         <message numerus="yes">
             <source>%n match(es)</source>
@@ -6104,6 +6090,488 @@ Product code %2, revision %3
         <message>
             <source>The window speaks this language from the next start on.</source>
             <translation>窗口从下次启动起使用此语言。</translation>
+        </message>
+    </context>
+    <context>
+        <name>EniModel</name>
+        <message>
+            <source>added</source>
+            <translation>新增</translation>
+        </message>
+        <message>
+            <source>removed</source>
+            <translation>删除</translation>
+        </message>
+        <message>
+            <source>altered</source>
+            <translation>更改</translation>
+        </message>
+        <message>
+            <source>before</source>
+            <translation>之前</translation>
+        </message>
+        <message>
+            <source>Line</source>
+            <translation>行</translation>
+        </message>
+        <message>
+            <source>Change</source>
+            <translation>更改</translation>
+        </message>
+        <message>
+            <source>ENI</source>
+            <translation>ENI</translation>
+        </message>
+        <message numerus="yes">
+            <source>… %n line(s) …</source>
+            <translation>
+                <numerusform>… %n 行 …</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>EniFindingModel</name>
+        <message>
+            <source>Error</source>
+            <translation>错误</translation>
+        </message>
+        <message>
+            <source>Warning</source>
+            <translation>警告</translation>
+        </message>
+        <message>
+            <source>Note</source>
+            <translation>提示</translation>
+        </message>
+        <message>
+            <source>Severity</source>
+            <translation>严重程度</translation>
+        </message>
+        <message>
+            <source>Line</source>
+            <translation>行</translation>
+        </message>
+        <message>
+            <source>Rule</source>
+            <translation>规则</translation>
+        </message>
+        <message>
+            <source>Finding</source>
+            <translation>发现</translation>
+        </message>
+    </context>
+    <context>
+        <name>EniTextView</name>
+        <message>
+            <source>Text of the ENI</source>
+            <translation>ENI 文本</translation>
+        </message>
+    </context>
+    <context>
+        <name>EniPage</name>
+        <message>
+            <source>ENI</source>
+            <translation>ENI</translation>
+        </message>
+        <message>
+            <source>Cyclic</source>
+            <translation>周期</translation>
+        </message>
+        <message>
+            <source>Process image</source>
+            <translation>过程映像</translation>
+        </message>
+        <message>
+            <source>Other</source>
+            <translation>其他</translation>
+        </message>
+        <message>
+            <source>What stands against the ENI</source>
+            <translation>ENI 存在的问题</translation>
+        </message>
+        <message>
+            <source>ENI and what the checker says of it</source>
+            <translation>ENI 及检查结果</translation>
+        </message>
+        <message>
+            <source>Lines that became other</source>
+            <translation>变化的行</translation>
+        </message>
+        <message>
+            <source>Whether the ENI is up to date, and what the checker says of it</source>
+            <translation>ENI 是否为最新，以及检查结果</translation>
+        </message>
+        <message>
+            <source>Dialect of the ENI</source>
+            <translation>ENI 方言</translation>
+        </message>
+        <message>
+            <source>How the ENI is laid out and spelled, here and when it is exported: as EC-Engineer does, or as TwinCAT 3 does.</source>
+            <translation>ENI 的布局和写法，此处显示与导出时相同：按 EC-Engineer 或按 TwinCAT 3 的方式。</translation>
+        </message>
+        <message>
+            <source>Since when changes are shown</source>
+            <translation>从何时起显示更改</translation>
+        </message>
+        <message>
+            <source>Changes since saved</source>
+            <translation>保存以来的更改</translation>
+        </message>
+        <message>
+            <source>Changes since exported</source>
+            <translation>导出以来的更改</translation>
+        </message>
+        <message>
+            <source>Changes since opened here</source>
+            <translation>打开本页以来的更改</translation>
+        </message>
+        <message>
+            <source>The last change</source>
+            <translation>最近一次更改</translation>
+        </message>
+        <message>
+            <source>Previous change</source>
+            <translation>上一处更改</translation>
+        </message>
+        <message>
+            <source>Next change</source>
+            <translation>下一处更改</translation>
+        </message>
+        <message>
+            <source>&amp;Only changes</source>
+            <translation>仅更改(&amp;O)</translation>
+        </message>
+        <message>
+            <source>Show only the lines around changes</source>
+            <translation>仅显示更改附近的行</translation>
+        </message>
+        <message>
+            <source>Co&amp;mpare…</source>
+            <translation>比较(&amp;M)…</translation>
+        </message>
+        <message>
+            <source>Compare the project with a file</source>
+            <translation>将项目与文件比较</translation>
+        </message>
+        <message>
+            <source>E&amp;xport…</source>
+            <translation>导出(&amp;X)…</translation>
+        </message>
+        <message>
+            <source>Write the ENI to a file</source>
+            <translation>将 ENI 写入文件</translation>
+        </message>
+        <message>
+            <source>Part of the ENI to go to</source>
+            <translation>要跳转到的 ENI 部分</translation>
+        </message>
+        <message>
+            <source>Go to</source>
+            <translation>转到</translation>
+        </message>
+        <message>
+            <source>Search the ENI</source>
+            <translation>搜索 ENI</translation>
+        </message>
+        <message>
+            <source>Search (Ctrl+F)</source>
+            <translation>搜索 (Ctrl+F)</translation>
+        </message>
+        <message>
+            <source>Previous place</source>
+            <translation>上一处</translation>
+        </message>
+        <message>
+            <source>Next place</source>
+            <translation>下一处</translation>
+        </message>
+        <message>
+            <source>What the checker says of the ENI</source>
+            <translation>ENI 的检查结果</translation>
+        </message>
+        <message>
+            <source>&quot;%1&quot; is not in it</source>
+            <translation>其中没有“%1”</translation>
+        </message>
+        <message>
+            <source>The project cannot be compiled: %1</source>
+            <translation>无法编译项目：%1</translation>
+        </message>
+        <message>
+            <source>What stands here is old: it was made at %1.</source>
+            <translation>此处内容已过时：生成于 %1。</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n error(s) of the project stand against this ENI.</source>
+            <translation>
+                <numerusform>此 ENI 存在项目的 %n 个错误。</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Nothing has been changed yet</source>
+            <translation>尚无更改</translation>
+        </message>
+        <message>
+            <source>Not exported yet: nothing to compare with</source>
+            <translation>尚未导出：没有可比较的内容</translation>
+        </message>
+        <message>
+            <source>Not saved yet: nothing to compare with</source>
+            <translation>尚未保存：没有可比较的内容</translation>
+        </message>
+        <message>
+            <source>No line is other</source>
+            <translation>没有变化的行</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n line(s) added</source>
+            <translation>
+                <numerusform>新增 %n 行</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n removed</source>
+            <translation>
+                <numerusform>删除 %n 行</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n altered</source>
+            <translation>
+                <numerusform>更改 %n 行</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Computing…</source>
+            <translation>正在计算…</translation>
+        </message>
+        <message>
+            <source>Out of date</source>
+            <translation>已过时</translation>
+        </message>
+        <message>
+            <source>Being checked…</source>
+            <translation>正在检查…</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n error(s)</source>
+            <translation>
+                <numerusform>%n 个错误</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n warning(s)</source>
+            <translation>
+                <numerusform>%n 个警告</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n note(s)</source>
+            <translation>
+                <numerusform>%n 条提示</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>The checker finds nothing</source>
+            <translation>检查未发现问题</translation>
+        </message>
+    </context>
+    <context>
+        <name>ComparisonModel</name>
+        <message>
+            <source>Slaves</source>
+            <translation>从站</translation>
+        </message>
+        <message>
+            <source>Wiring</source>
+            <translation>接线</translation>
+        </message>
+        <message>
+            <source>Process data</source>
+            <translation>过程数据</translation>
+        </message>
+        <message>
+            <source>Mailbox</source>
+            <translation>邮箱</translation>
+        </message>
+        <message>
+            <source>Start-up</source>
+            <translation>启动</translation>
+        </message>
+        <message>
+            <source>Clocks</source>
+            <translation>时钟</translation>
+        </message>
+        <message>
+            <source>Commands</source>
+            <translation>命令</translation>
+        </message>
+        <message>
+            <source>Cyclic</source>
+            <translation>周期</translation>
+        </message>
+        <message>
+            <source>Process image</source>
+            <translation>过程映像</translation>
+        </message>
+        <message>
+            <source>Master</source>
+            <translation>主站</translation>
+        </message>
+        <message>
+            <source>At run time</source>
+            <translation>运行时</translation>
+        </message>
+        <message>
+            <source>Setting</source>
+            <translation>设置</translation>
+        </message>
+        <message>
+            <source>Position %1</source>
+            <translation>位置 %1</translation>
+        </message>
+        <message>
+            <source>Network</source>
+            <translation>网络</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n difference(s)</source>
+            <translation>
+                <numerusform>%n 处差异</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>What</source>
+            <translation>内容</translation>
+        </message>
+        <message>
+            <source>Class</source>
+            <translation>类别</translation>
+        </message>
+    </context>
+    <context>
+        <name>CompareDialog</name>
+        <message>
+            <source>Compare</source>
+            <translation>比较</translation>
+        </message>
+        <message>
+            <source>How many differences there are</source>
+            <translation>差异数量</translation>
+        </message>
+        <message>
+            <source>Left side of the comparison</source>
+            <translation>比较的左侧</translation>
+        </message>
+        <message>
+            <source>Right side of the comparison</source>
+            <translation>比较的右侧</translation>
+        </message>
+        <message>
+            <source>Exchange the two sides</source>
+            <translation>交换两侧</translation>
+        </message>
+        <message>
+            <source>Search the differences</source>
+            <translation>搜索差异</translation>
+        </message>
+        <message>
+            <source>Search</source>
+            <translation>搜索</translation>
+        </message>
+        <message>
+            <source>&amp;Only what matters</source>
+            <translation>仅重要的(&amp;O)</translation>
+        </message>
+        <message>
+            <source>Only what matters</source>
+            <translation>仅重要的</translation>
+        </message>
+        <message>
+            <source>Leaves out names, and where data stand in the process image</source>
+            <translation>省略名称以及数据在过程映像中的位置</translation>
+        </message>
+        <message>
+            <source>Differences</source>
+            <translation>差异</translation>
+        </message>
+        <message>
+            <source>&amp;Copy</source>
+            <translation>复制(&amp;C)</translation>
+        </message>
+        <message>
+            <source>Copy the differences as text</source>
+            <translation>将差异复制为文本</translation>
+        </message>
+        <message>
+            <source>&amp;Export CSV…</source>
+            <translation>导出 CSV(&amp;E)…</translation>
+        </message>
+        <message>
+            <source>Write the differences to a file</source>
+            <translation>将差异写入文件</translation>
+        </message>
+        <message>
+            <source>File…</source>
+            <translation>文件…</translation>
+        </message>
+        <message>
+            <source>Bus…</source>
+            <translation>总线…</translation>
+        </message>
+        <message>
+            <source>Project (%1)</source>
+            <translation>项目 (%1)</translation>
+        </message>
+        <message>
+            <source>Running machine</source>
+            <translation>运行中的机器</translation>
+        </message>
+        <message>
+            <source>Bus on %1</source>
+            <translation>%1 上的总线</translation>
+        </message>
+        <message>
+            <source>Compare With</source>
+            <translation>与之比较</translation>
+        </message>
+        <message>
+            <source>Projects and ENI files (*.syncline *.xml *.eni);;All files (*)</source>
+            <translation>项目和 ENI 文件 (*.syncline *.xml *.eni);;所有文件 (*)</translation>
+        </message>
+        <message>
+            <source>Choose what the project is to be compared with.</source>
+            <translation>请选择要与项目比较的对象。</translation>
+        </message>
+        <message>
+            <source>Comparing…</source>
+            <translation>正在比较…</translation>
+        </message>
+        <message>
+            <source>There is no difference.</source>
+            <translation>没有差异。</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n difference(s)</source>
+            <translation>
+                <numerusform>%n 处差异</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Where</source>
+            <translation>位置</translation>
+        </message>
+        <message>
+            <source>Export Differences</source>
+            <translation>导出差异</translation>
+        </message>
+        <message>
+            <source>Comma-separated values (*.csv)</source>
+            <translation>逗号分隔值 (*.csv)</translation>
+        </message>
+        <message>
+            <source>The differences could not be written.</source>
+            <translation>无法写入差异。</translation>
         </message>
     </context>
 </TS>
