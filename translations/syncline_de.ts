@@ -6221,7 +6221,7 @@ Produktcode %2, Revision %3
             <translation>ENI und was der Prüfer dazu sagt</translation>
         </message>
         <message>
-            <source>Lines that became other</source>
+            <source>Lines that changed</source>
             <translation>Zeilen, die anders wurden</translation>
         </message>
         <message>
@@ -6348,7 +6348,7 @@ Produktcode %2, Revision %3
             <translation>Noch nicht gespeichert: nichts zum Vergleichen</translation>
         </message>
         <message>
-            <source>No line is other</source>
+            <source>No line differs</source>
             <translation>Keine Zeile ist anders</translation>
         </message>
         <message numerus="yes">

@@ -6194,7 +6194,7 @@ Product code %2, revision %3
             <translation>ENI 及检查结果</translation>
         </message>
         <message>
-            <source>Lines that became other</source>
+            <source>Lines that changed</source>
             <translation>变化的行</translation>
         </message>
         <message>
@@ -6320,7 +6320,7 @@ Product code %2, revision %3
             <translation>尚未保存：没有可比较的内容</translation>
         </message>
         <message>
-            <source>No line is other</source>
+            <source>No line differs</source>
             <translation>没有变化的行</translation>
         </message>
         <message numerus="yes">

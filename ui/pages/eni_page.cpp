@@ -93,7 +93,7 @@ EniPage::EniPage(Workspace& workspace)
   split->setChildrenCollapsible(false);
   layout->addWidget(split, 1);
   auto* bottom = new QHBoxLayout;
-  summary_ = named(new ValueLabel, "eniSummary", tr("Lines that became other"));
+  summary_ = named(new ValueLabel, "eniSummary", tr("Lines that changed"));
   summary_->setLeastCharacters(20);
   checked_ = named(new ValueLabel, "eniChecked", tr("Whether the ENI is up to date, and what the checker says of it"));
   checked_->setLeastCharacters(16);
@@ -341,7 +341,7 @@ void EniPage::showSummary() {
                              : since_->currentData().toInt() == static_cast<int>(EniPreview::Since::kExported)
                                  ? tr("Not exported yet: nothing to compare with")
                                  : tr("Not saved yet: nothing to compare with"));
-  if (!any) return summary_->setText(tr("No line is other"));
+  if (!any) return summary_->setText(tr("No line differs"));
   summary_->setText(QStringLiteral("%1, %2, %3")
                         .arg(tr("%n line(s) added", nullptr, static_cast<int>(view->added)),
                              tr("%n removed", nullptr, static_cast<int>(view->removed)),

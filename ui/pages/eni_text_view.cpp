@@ -6,6 +6,7 @@
 #include <QGuiApplication>
 #include <QHeaderView>
 #include <QKeyEvent>
+#include <QScrollBar>
 #include <algorithm>
 #include <utility>
 
@@ -59,10 +60,14 @@ void EniTextView::setOutdated(bool outdated) {
 void EniTextView::goToRow(int row, ScrollHint hint) {
   if (row < 0 || row >= model_.rowCount()) return;
   const auto index = model_.index(row, EniModel::kText);
-  const int sideways = horizontalOffset();
   setCurrentIndex(index);
   scrollTo(index, hint);
-  if (sideways == 0) scrollTo(model_.index(row, EniModel::kLine));
+}
+
+void EniTextView::scrollTo(const QModelIndex& index, ScrollHint hint) {
+  const int sideways = horizontalScrollBar()->value();
+  QTableView::scrollTo(index, hint);
+  horizontalScrollBar()->setValue(sideways);
 }
 
 QString EniTextView::selectedText() const {

@@ -21,6 +21,8 @@ class EniTextView final : public QTableView {
   /// It is not of the project as it is now, and none will come: greyed.
   void setOutdated(bool outdated);
   [[nodiscard]] bool isOutdated() const { return outdated_; }
+  /// Never sideways: the numbers of the lines stay in sight.
+  void scrollTo(const QModelIndex& index, ScrollHint hint = EnsureVisible) override;
   /// Gives the columns the room that the text needs.
   void adaptColumns();
 
