@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "ui/session/eni_view.h"
+#include "ui/models/eni_view.h"
 
 namespace syncline::ui {
 

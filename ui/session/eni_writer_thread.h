@@ -12,7 +12,7 @@
 #include "compile/incremental.h"
 #include "eni/check/eni_check.h"
 #include "support/result.h"
-#include "ui/session/eni_view.h"
+#include "ui/models/eni_view.h"
 
 namespace syncline::ui {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/session/eni_view.h"
+#include "ui/models/eni_view.h"
 
 #include <algorithm>
 #include <utility>
