@@ -16,8 +16,8 @@
             <source>EtherCAT is a registered trademark and patented technology, licensed by Beckhoff Automation GmbH, Germany.</source>
             <translation>EtherCAT ist eine eingetragene Marke und patentierte Technologie, lizenziert durch die Beckhoff Automation GmbH, Deutschland.</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>Actions</name>
         <message>
             <source>Take the last edit back</source>
@@ -211,8 +211,16 @@
             <source>Find a slave, a setting or a command</source>
             <translation>Einen Slave, eine Einstellung oder einen Befehl finden</translation>
         </message>
-    </context>
-    <context>
+        <message>
+            <source>&amp;Compare…</source>
+            <translation>&amp;Vergleichen …</translation>
+        </message>
+        <message>
+            <source>Compare the project with a file, the running machine or a bus, or two files</source>
+            <translation>Das Projekt mit einer Datei, der laufenden Maschine oder einem Bus vergleichen, oder zwei Dateien</translation>
+        </message>
+</context>
+<context>
     <name>BusCommands</name>
         <message>
             <source>EEPROM</source>
@@ -258,8 +266,8 @@
             <source>Restart</source>
             <translation>Neu starten</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>CutShortDialog</name>
         <message>
             <source>EEPROM write was cut short</source>
@@ -328,8 +336,8 @@
                 <numerusform>%n weitere folgen.</numerusform>
             </translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>DcmPanel</name>
         <message>
             <source>DCM error</source>
@@ -359,8 +367,8 @@
             <source>DCM is off</source>
             <translation>DCM ist aus</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>DeviationPanel</name>
         <message>
             <source>DC deviation</source>
@@ -386,8 +394,8 @@
             <source>peak %1</source>
             <translation>Spitze %1</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>DeviceEditor</name>
         <message>
             <source>Device editor</source>
@@ -416,8 +424,8 @@
             <source>Offline</source>
             <translation>Offline</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>ExplorerPanel</name>
         <message>
             <source>Project explorer</source>
@@ -451,8 +459,8 @@
             <source>Ports and cables; drag a slave to another port to rewire it</source>
             <translation>Ports und Kabel; einen Slave auf einen anderen Port ziehen, um ihn umzustecken</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>FileCommands</name>
         <message>
             <source>Open</source>
@@ -566,8 +574,20 @@
             <source>It is neither a project, an ENI, an ESI, a recording, a capture nor a scenario.</source>
             <translation>Es ist weder ein Projekt noch eine ENI, eine ESI, eine Aufzeichnung, ein Mitschnitt oder ein Szenario.</translation>
         </message>
-    </context>
-    <context>
+        <message>
+            <source>Open %1, or compare the project with it?</source>
+            <translation>%1 öffnen oder das Projekt damit vergleichen?</translation>
+        </message>
+        <message>
+            <source>&amp;Compare</source>
+            <translation>&amp;Vergleichen</translation>
+        </message>
+        <message>
+            <source>&amp;Open</source>
+            <translation>Ö&amp;ffnen</translation>
+        </message>
+</context>
+<context>
     <name>Glossary</name>
         <message>
             <source>Master</source>
@@ -669,8 +689,8 @@
             <source>settling</source>
             <translation>schwingt ein</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>Link</name>
         <message>
             <source>Demonstration machine (simulated)</source>
@@ -684,8 +704,8 @@
             <source>Simulated: %1</source>
             <translation>Simuliert: %1</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>LinkChooser</name>
         <message>
             <source>Choose the Bus</source>
@@ -739,8 +759,8 @@
             <source>Scenarios (*.toml)</source>
             <translation>Szenarien (*.toml)</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>LiveStrip</name>
         <message>
             <source>Live plots</source>
@@ -814,8 +834,8 @@
             <source>Export picture…</source>
             <translation>Bild exportieren …</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>LiveStripToolbar</name>
         <message>
             <source>Distribution</source>
@@ -921,8 +941,8 @@
             <source>Recording</source>
             <translation>Aufzeichnung</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>MainWindow</name>
         <message>
             <source>A recording is shown; it has no pages of slaves</source>
@@ -1020,8 +1040,8 @@
             <source>A recording is shown, and nothing runs: close it first (File, Close Recording)</source>
             <translation>Eine Aufzeichnung wird gezeigt, und nichts läuft: Schließen Sie sie zuerst (Datei, Aufzeichnung schließen)</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>MasterDcPage</name>
         <message>
             <source>Distributed Clocks</source>
@@ -1195,8 +1215,8 @@
             <source>%1 ago</source>
             <translation>vor %1</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>MasterGeneralPage</name>
         <message>
             <source>Recovery</source>
@@ -1358,8 +1378,8 @@
             <source>Real Time</source>
             <translation>Echtzeit</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>MessageModel</name>
         <message>
             <source>%1
@@ -1399,8 +1419,8 @@ Einstellung %2</translation>
             <source>Message</source>
             <translation>Meldung</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>MessagesPanel</name>
         <message>
             <source>Filter messages</source>
@@ -1434,8 +1454,8 @@ Einstellung %2</translation>
             <source>Show errors</source>
             <translation>Fehler zeigen</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>NetworkModel</name>
         <message>
             <source>Node</source>
@@ -1493,15 +1513,15 @@ Einstellung %2</translation>
             <source>The cable to it is broken</source>
             <translation>Das Kabel dorthin ist unterbrochen</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>Page</name>
         <message>
             <source>Project</source>
             <translation>Projekt</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>PdoEntryModel</name>
         <message>
             <source>(padding)</source>
@@ -1527,8 +1547,8 @@ Einstellung %2</translation>
             <source>Size</source>
             <translation>Größe</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>PdoModel</name>
         <message>
             <source>The device needs this PDO (Mandatory in the ESI)</source>
@@ -1562,8 +1582,8 @@ Einstellung %2</translation>
             <source>Size</source>
             <translation>Größe</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>ProcessDataPage</name>
         <message>
             <source>Process Data</source>
@@ -1597,22 +1617,22 @@ Einstellung %2</translation>
             <source>As slave, PDO and entry</source>
             <translation>Wie Slave, PDO und Eintrag</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>ProjectDocument</name>
         <message>
             <source>Untitled</source>
             <translation>Unbenannt</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>QObject</name>
         <message>
             <source>Syncline</source>
             <translation>Syncline</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>ScanProgress</name>
         <message>
             <source>Scan</source>
@@ -1634,8 +1654,8 @@ Einstellung %2</translation>
             <source>Cancelling…</source>
             <translation>Wird abgebrochen …</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>SlaveDcPage</name>
         <message>
             <source>Distributed Clocks</source>
@@ -1789,8 +1809,8 @@ Einstellung %2</translation>
             <source>Pin %1</source>
             <translation>Pin %1</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>SlaveGeneralPage</name>
         <message>
             <source>General</source>
@@ -1956,8 +1976,8 @@ Einstellung %2</translation>
             <source>Slave and port in front of this one</source>
             <translation>Slave und Port vor diesem</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>Sm2Panel</name>
         <message>
             <source>SM2 events missed</source>
@@ -1983,8 +2003,8 @@ Einstellung %2</translation>
             <source>%1: %2/s</source>
             <translation>%1: %2/s</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>StatusPanel</name>
         <message>
             <source>Offline</source>
@@ -2129,8 +2149,8 @@ Einstellung %2</translation>
             <translation>
 %1 Zyklen fehlen darin: Der Datenträger war zu langsam</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>Sync</name>
         <message>
             <source>Offline</source>
@@ -2144,8 +2164,8 @@ Einstellung %2</translation>
             <source>%1: %2</source>
             <translation>%1: %2</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>SyncSettingsEditor</name>
         <message>
             <source>Device family</source>
@@ -2198,8 +2218,8 @@ Einstellung %2</translation>
                 <numerusform>%1 (%n verpasste in Folge)</numerusform>
             </translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>SyncUnitEditor</name>
         <message>
             <source>Sync Unit Cycle of %1</source>
@@ -2241,8 +2261,8 @@ Einstellung %2</translation>
             <source>Change Sync Unit Cycle of SYNC%1</source>
             <translation>Sync Unit Cycle von SYNC%1 ändern</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>TracePanel</name>
         <message>
             <source>Legend: %1</source>
@@ -2264,8 +2284,8 @@ Einstellung %2</translation>
             <source>   min %1   max %2   mean %3</source>
             <translation>   Min %1   Max %2   Mittel %3</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>TracePlot</name>
         <message>
             <source>Time before now</source>
@@ -2275,8 +2295,8 @@ Einstellung %2</translation>
             <source>Time since start</source>
             <translation>Zeit seit Beginn</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>Units</name>
         <message numerus="yes">
             <source>%n Byte(s)</source>
@@ -2292,8 +2312,8 @@ Einstellung %2</translation>
                 <numerusform>%n Bit</numerusform>
             </translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>WelcomePage</name>
         <message>
             <source>Welcome</source>
@@ -2323,8 +2343,8 @@ Einstellung %2</translation>
             <source>Begin with the simulated demonstration machine, a bus, devices of the catalogue, or a project file.</source>
             <translation>Mit der simulierten Vorführmaschine, einem Bus, Geräten des Katalogs oder einer Projektdatei beginnen.</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>Workspace</name>
         <message>
             <source>The machine is running: go offline to change its slaves.</source>
@@ -2353,8 +2373,8 @@ Einstellung %2</translation>
             <source>Unsaved work is not kept</source>
             <translation>Ungesicherte Arbeit wird nicht aufbewahrt</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>Finding</name>
     <message>
         <source>Slaves %1</source>
@@ -2396,8 +2416,8 @@ Einstellung %2</translation>
         <source>slave %1</source>
         <translation>Slave %1</translation>
     </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>FindingModel</name>
         <message>
             <source>Error</source>
@@ -2427,8 +2447,8 @@ Einstellung %2</translation>
             <source>What to do</source>
             <translation>Was zu tun ist</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>FindingsPanel</name>
         <message>
             <source>Findings about the running bus</source>
@@ -2438,8 +2458,8 @@ Einstellung %2</translation>
             <source>Nothing found. What the running bus shows to be wrong stands here, with its cause and what to do.</source>
             <translation>Nichts gefunden. Was am laufenden Bus nicht stimmt, steht hier, mit Ursache und Abhilfe.</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>Setting</name>
         <message>
             <source>Name</source>
@@ -3409,8 +3429,8 @@ Einstellung %2</translation>
             <source>IDN that is written at these transitions, K counts from 0; the number behind the last adds one.</source>
             <translation>IDN, die bei diesen Übergängen geschrieben wird, K zählt ab 0; die Nummer hinter der letzten fügt eine hinzu.</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>FieldBinder</name>
         <message>
             <source>Change: %1</source>
@@ -3424,22 +3444,22 @@ Einstellung %2</translation>
             <source>Finding: %1</source>
             <translation>Befund: %1</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>NumberEdit</name>
         <message>
             <source>&quot;%1&quot; is no such number: %2</source>
             <translation>„%1“ ist keine solche Zahl: %2</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>PresetEdit</name>
         <message>
             <source>&quot;%1&quot; is no such number: %2 %3</source>
             <translation>„%1“ ist keine solche Zahl: %2 %3</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>MasterDcExpertPage</name>
         <message>
             <source>Distributed Clocks (Expert)</source>
@@ -3465,8 +3485,8 @@ Einstellung %2</translation>
             <source>Messages of the Clocks</source>
             <translation>Meldungen der Uhren</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>SlaveTimingPage</name>
         <message>
             <source>Watchdogs (Expert)</source>
@@ -3480,8 +3500,8 @@ Einstellung %2</translation>
             <source>Time-outs of State Changes</source>
             <translation>Zeitgrenzen der Zustandswechsel</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>SlaveMailboxPage</name>
         <message>
             <source>Mailbox</source>
@@ -3495,8 +3515,8 @@ Einstellung %2</translation>
             <source>ADS (AoE)</source>
             <translation>ADS (AoE)</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>SlaveDataPage</name>
         <message>
             <source>Data Options</source>
@@ -3514,8 +3534,8 @@ Einstellung %2</translation>
             <source>Sync Units</source>
             <translation>Sync Units</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>Questions</name>
         <message>
             <source>The machine is running. Take it offline?</source>
@@ -3529,8 +3549,8 @@ Einstellung %2</translation>
             <source>Go Offline</source>
             <translation>Offline gehen</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>SlaveStartupPage</name>
         <message>
             <source>INIT to PREOP</source>
@@ -3724,42 +3744,8 @@ Einstellung %2</translation>
             <source>None: the slave starts with what it has.</source>
             <translation>Keine: der Slave startet mit dem, was er hat.</translation>
         </message>
-    </context>
-    <context>
-    <name>DifferenceDialog</name>
-        <message>
-            <source>Project and Running Machine</source>
-            <translation>Projekt und laufende Maschine</translation>
-        </message>
-        <message>
-            <source>The machine runs on as it was started. A double click goes to the field.</source>
-            <translation>Die Maschine läuft weiter, wie sie gestartet wurde. Ein Doppelklick führt zum Feld.</translation>
-        </message>
-        <message>
-            <source>Runs</source>
-            <translation>Läuft</translation>
-        </message>
-        <message>
-            <source>Project</source>
-            <translation>Projekt</translation>
-        </message>
-        <message>
-            <source>Differences between project and running machine</source>
-            <translation>Unterschiede zwischen Projekt und laufender Maschine</translation>
-        </message>
-    </context>
-    <context>
-    <name>DifferenceModel</name>
-        <message>
-            <source>Where</source>
-            <translation>Wo</translation>
-        </message>
-        <message>
-            <source>What</source>
-            <translation>Was</translation>
-        </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>FoundDialog</name>
         <message numerus="yes">
             <source>%n match(es)</source>
@@ -3893,8 +3879,8 @@ Einstellung %2</translation>
             <source>Replace</source>
             <translation>Ersetzen</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>FoundModel</name>
         <message>
             <source>Matches</source>
@@ -3972,8 +3958,8 @@ Einstellung %2</translation>
             <source>Difference</source>
             <translation>Unterschied</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>ImportCommands</name>
         <message>
             <source>Open</source>
@@ -4010,8 +3996,8 @@ Einstellung %2</translation>
             <source>Reading the ESI files below %1 …</source>
             <translation>Die ESI-Dateien unter %1 werden gelesen …</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>MasterTasksPage</name>
         <message>
             <source>Tasks (Expert)</source>
@@ -4081,8 +4067,8 @@ Einstellung %2</translation>
             <source>None: the slaves share their datagrams. A unit is given to a slave on its page Data Options.</source>
             <translation>Keine: die Slaves teilen sich ihre Datagramme. Eine Unit bekommt ein Slave auf seiner Seite Datenoptionen.</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>ObjectPicker</name>
         <message>
             <source>Choose Object</source>
@@ -4124,8 +4110,8 @@ Einstellung %2</translation>
             <source>Choose</source>
             <translation>Wählen</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>PdoMappingEditor</name>
         <message>
             <source>Entries</source>
@@ -4183,8 +4169,8 @@ Einstellung %2</translation>
             <source>The device takes no other mapping (CoE PdoConfig in its ESI).</source>
             <translation>Das Gerät nimmt kein anderes Mapping (CoE PdoConfig in seiner ESI).</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>RecentMenu</name>
         <message>
             <source>Open &amp;Recent</source>
@@ -4202,15 +4188,15 @@ Einstellung %2</translation>
             <source>Pinned projects stay</source>
             <translation>Angeheftete Projekte bleiben</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>RecordEditor</name>
         <message>
             <source>Selected</source>
             <translation>Gewählt</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>RecordForm</name>
         <message>
             <source>Change: %1</source>
@@ -4240,8 +4226,8 @@ Einstellung %2</translation>
             <source>Move down: %1</source>
             <translation>Nach unten: %1</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>RecoveryDialog</name>
         <message>
             <source>Recover Unsaved Work</source>
@@ -4306,8 +4292,8 @@ Einstellung %2</translation>
             <source>Discard this work for good?</source>
             <translation>Diese Arbeit endgültig verwerfen?</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>RunBar</name>
         <message>
             <source>Project and running machine</source>
@@ -4356,8 +4342,8 @@ Einstellung %2</translation>
             <source>Only parameters of the master synchronisation can be changed while the machine runs</source>
             <translation>Nur Parameter der Master-Synchronisation lassen sich ändern, während die Maschine läuft</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>SlaveSyncPage</name>
         <message>
             <source>Synchronisation</source>
@@ -4379,8 +4365,8 @@ Einstellung %2</translation>
             <source>Pin %1</source>
             <translation>Pin %1</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>Overview</name>
         <message>
             <source>An event without words</source>
@@ -4444,8 +4430,8 @@ Einstellung %2</translation>
             <source>%1 s</source>
             <translation>%1 s</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>Recorded</name>
         <message>
             <source>Master</source>
@@ -4499,15 +4485,15 @@ Einstellung %2</translation>
             <source>; the plots show the last %1 of them</source>
             <translation>; die Diagramme zeigen die letzten %1 davon</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>FigureCard</name>
         <message>
             <source>Margin: %1</source>
             <translation>Reserve: %1</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>OverviewPanel</name>
         <message>
             <source>mean</source>
@@ -4693,8 +4679,8 @@ Einstellung %2</translation>
             <source>Nothing has run yet: go online.</source>
             <translation>Noch ist nichts gelaufen: Gehen Sie online.</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>RecordingBar</name>
         <message>
             <source>Recording that is shown</source>
@@ -4716,8 +4702,8 @@ Einstellung %2</translation>
             <source>&lt;b&gt;Recording %1&lt;/b&gt; – %2. Nothing here is live.</source>
             <translation>&lt;b&gt;Aufzeichnung %1&lt;/b&gt; – %2. Nichts hier läuft.</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>RecordingCommands</name>
         <message>
             <source>Reading %1…</source>
@@ -4807,8 +4793,8 @@ Einstellung %2</translation>
             <source>Saved to %1</source>
             <translation>Gesichert nach %1</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>Dictionary</name>
         <message>
             <source>write in %1</source>
@@ -4822,15 +4808,15 @@ Einstellung %2</translation>
             <source>%1 to %2</source>
             <translation>%1 bis %2</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>DictionaryReader</name>
         <message>
             <source>The slave does not tell its objects.</source>
             <translation>Der Slave nennt seine Objekte nicht.</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>ObjectModel</name>
         <message>
             <source>Ticked entries are watched</source>
@@ -4880,8 +4866,8 @@ Einstellung %2</translation>
             <source>Default</source>
             <translation>Vorgabe</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>ObjectWriteBar</name>
         <message>
             <source>New value</source>
@@ -4903,8 +4889,8 @@ Einstellung %2</translation>
             <source>Not possible; %1</source>
             <translation>Nicht möglich; %1</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>OnlinePage</name>
         <message>
             <source>Offline. Go online (F5), in whatever state, to ask the slave itself.</source>
@@ -4934,8 +4920,8 @@ Einstellung %2</translation>
             <source>What became of the last request</source>
             <translation>Was aus der letzten Anfrage wurde</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>SlaveObjectsPage</name>
         <message>
             <source>Objects</source>
@@ -5140,8 +5126,8 @@ Einstellung %2</translation>
             <source>The objects could not be exported.</source>
             <translation>Die Objekte konnten nicht exportiert werden.</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>SlaveRequests</name>
         <message>
             <source>Cancelled.</source>
@@ -5151,8 +5137,8 @@ Einstellung %2</translation>
             <source>The bus is offline: go online first (F5).</source>
             <translation>Der Bus ist offline: Gehen Sie zuerst online (F5).</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>SlaveStateBar</name>
         <message>
             <source>AL status of the slave</source>
@@ -5190,8 +5176,8 @@ Einstellung %2</translation>
             <source>AL status %1: %2</source>
             <translation>AL-Status %1: %2</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>SlaveStateCommands</name>
         <message>
             <source>Go online first (F5).</source>
@@ -5241,8 +5227,8 @@ Einstellung %2</translation>
             <source>Acknowledge Error</source>
             <translation>Fehler quittieren</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>Counters</name>
         <message>
             <source>at least %1</source>
@@ -5252,8 +5238,8 @@ Einstellung %2</translation>
             <source> (+%1 in 10 s)</source>
             <translation> (+%1 in 10 s)</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>EepromLines</name>
         <message>
             <source>Checksum of the configuration</source>
@@ -5367,8 +5353,8 @@ Einstellung %2</translation>
             <source>Category %1</source>
             <translation>Kategorie %1</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>RegisterModel</name>
         <message>
             <source>Address</source>
@@ -5398,8 +5384,8 @@ Einstellung %2</translation>
             <source>last run</source>
             <translation>letzter Lauf</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>SlaveCountersPage</name>
         <message>
             <source>Port</source>
@@ -5489,8 +5475,8 @@ Einstellung %2</translation>
             <source>Counters</source>
             <translation>Zähler</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>SlaveEepromPage</name>
         <message>
             <source>EEPROM</source>
@@ -5628,8 +5614,8 @@ Einstellung %2</translation>
             <source>%1 of %2 words are written.</source>
             <translation>%1 von %2 Wörtern sind geschrieben.</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>SlaveRegistersPage</name>
         <message>
             <source>Registers</source>
@@ -5739,8 +5725,8 @@ Einstellung %2</translation>
             <source>Written, but the register shows %1.</source>
             <translation>Geschrieben, doch das Register zeigt %1.</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>CatalogueModel</name>
         <message>
             <source>Other devices</source>
@@ -5766,8 +5752,8 @@ Produktcode %2, Revision %3
             <source>Revision</source>
             <translation>Revision</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>CataloguePanel</name>
         <message>
             <source>Search the device catalogue</source>
@@ -5900,8 +5886,8 @@ Produktcode %2, Revision %3
             <source>Read a Folder of ESI Files</source>
             <translation>Einen Ordner mit ESI-Dateien lesen</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>GoToDialog</name>
         <message>
             <source>Go To</source>
@@ -5935,8 +5921,8 @@ Produktcode %2, Revision %3
             <source>command</source>
             <translation>Befehl</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>MachineBuilding</name>
         <message numerus="yes">
             <source>%n new device(s) are in the catalogue.</source>
@@ -5953,8 +5939,8 @@ Produktcode %2, Revision %3
             <source>Catalogue</source>
             <translation>Katalog</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>ReplaceDialog</name>
         <message numerus="yes">
             <source>%1 and %n more</source>
@@ -6015,8 +6001,8 @@ Produktcode %2, Revision %3
             <source>It does not take: %1. Everything else stays.</source>
             <translation>Es übernimmt nicht: %1. Alles andere bleibt.</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>SlaveCommands</name>
         <message>
             <source>&amp;Add Device…</source>
@@ -6148,8 +6134,8 @@ Produktcode %2, Revision %3
             <source>A network has at most 65535 slaves.</source>
             <translation>Ein Netzwerk hat höchstens 65535 Slaves.</translation>
         </message>
-    </context>
-    <context>
+</context>
+<context>
     <name>LanguageMenu</name>
         <message>
             <source>Lan&amp;guage</source>
@@ -6167,9 +6153,9 @@ Produktcode %2, Revision %3
             <source>The window speaks this language from the next start on.</source>
             <translation>Das Fenster spricht diese Sprache ab dem nächsten Start.</translation>
         </message>
-    </context>
-    <context>
-        <name>DistributionView</name>
+</context>
+<context>
+    <name>DistributionView</name>
         <message>
             <source>Distribution</source>
             <translation>Verteilung</translation>
@@ -6334,9 +6320,9 @@ Produktcode %2, Revision %3
             <source>Deviation</source>
             <translation>Abweichung</translation>
         </message>
-    </context>
-    <context>
-        <name>HistogramPlot</name>
+</context>
+<context>
+    <name>HistogramPlot</name>
         <message>
             <source>Value</source>
             <translation>Wert</translation>
@@ -6361,5 +6347,497 @@ Produktcode %2, Revision %3
             <source>%1 to %2</source>
             <translation>%1 bis %2</translation>
         </message>
-    </context>
+</context>
+<context>
+    <name>EniModel</name>
+        <message>
+            <source>added</source>
+            <translation>hinzugefügt</translation>
+        </message>
+        <message>
+            <source>removed</source>
+            <translation>entfernt</translation>
+        </message>
+        <message>
+            <source>altered</source>
+            <translation>geändert</translation>
+        </message>
+        <message>
+            <source>before</source>
+            <translation>vorher</translation>
+        </message>
+        <message>
+            <source>Line</source>
+            <translation>Zeile</translation>
+        </message>
+        <message>
+            <source>Change</source>
+            <translation>Änderung</translation>
+        </message>
+        <message>
+            <source>ENI</source>
+            <translation>ENI</translation>
+        </message>
+        <message numerus="yes">
+            <source>… %n line(s) …</source>
+            <translation>
+                <numerusform>… %n Zeile …</numerusform>
+                <numerusform>… %n Zeilen …</numerusform>
+            </translation>
+        </message>
+</context>
+<context>
+    <name>EniFindingModel</name>
+        <message>
+            <source>Error</source>
+            <translation>Fehler</translation>
+        </message>
+        <message>
+            <source>Warning</source>
+            <translation>Warnung</translation>
+        </message>
+        <message>
+            <source>Note</source>
+            <translation>Hinweis</translation>
+        </message>
+        <message>
+            <source>Severity</source>
+            <translation>Schwere</translation>
+        </message>
+        <message>
+            <source>Line</source>
+            <translation>Zeile</translation>
+        </message>
+        <message>
+            <source>Rule</source>
+            <translation>Regel</translation>
+        </message>
+        <message>
+            <source>Finding</source>
+            <translation>Befund</translation>
+        </message>
+</context>
+<context>
+    <name>EniTextView</name>
+        <message>
+            <source>Text of the ENI</source>
+            <translation>Text der ENI</translation>
+        </message>
+</context>
+<context>
+    <name>EniPage</name>
+        <message>
+            <source>ENI</source>
+            <translation>ENI</translation>
+        </message>
+        <message>
+            <source>Cyclic</source>
+            <translation>Zyklisch</translation>
+        </message>
+        <message>
+            <source>Process image</source>
+            <translation>Prozessabbild</translation>
+        </message>
+        <message>
+            <source>Other</source>
+            <translation>Sonstiges</translation>
+        </message>
+        <message>
+            <source>What stands against the ENI</source>
+            <translation>Was gegen die ENI steht</translation>
+        </message>
+        <message>
+            <source>ENI and what the checker says of it</source>
+            <translation>ENI und was der Prüfer dazu sagt</translation>
+        </message>
+        <message>
+            <source>Lines that changed</source>
+            <translation>Zeilen, die anders wurden</translation>
+        </message>
+        <message>
+            <source>Whether the ENI is up to date, and what the checker says of it</source>
+            <translation>Ob die ENI aktuell ist und was der Prüfer dazu sagt</translation>
+        </message>
+        <message>
+            <source>Dialect of the ENI</source>
+            <translation>Dialekt der ENI</translation>
+        </message>
+        <message>
+            <source>How the ENI is laid out and spelled, here and when it is exported: as EC-Engineer does, or as TwinCAT 3 does.</source>
+            <translation>Wie die ENI aufgebaut und geschrieben wird, hier und beim Export: wie bei EC-Engineer oder wie bei TwinCAT 3.</translation>
+        </message>
+        <message>
+            <source>Since when changes are shown</source>
+            <translation>Seit wann Änderungen gezeigt werden</translation>
+        </message>
+        <message>
+            <source>Changes since saved</source>
+            <translation>Seit dem Speichern</translation>
+        </message>
+        <message>
+            <source>Changes since exported</source>
+            <translation>Seit dem Export</translation>
+        </message>
+        <message>
+            <source>Changes since opened here</source>
+            <translation>Seit dem Öffnen der Seite</translation>
+        </message>
+        <message>
+            <source>The last change</source>
+            <translation>Die letzte Änderung</translation>
+        </message>
+        <message>
+            <source>Previous change</source>
+            <translation>Vorige Änderung</translation>
+        </message>
+        <message>
+            <source>Next change</source>
+            <translation>Nächste Änderung</translation>
+        </message>
+        <message>
+            <source>&amp;Only changes</source>
+            <translation>N&amp;ur Änderungen</translation>
+        </message>
+        <message>
+            <source>Show only the lines around changes</source>
+            <translation>Nur die Zeilen um Änderungen zeigen</translation>
+        </message>
+        <message>
+            <source>Co&amp;mpare…</source>
+            <translation>&amp;Vergleichen …</translation>
+        </message>
+        <message>
+            <source>Compare the project with a file</source>
+            <translation>Das Projekt mit einer Datei vergleichen</translation>
+        </message>
+        <message>
+            <source>E&amp;xport…</source>
+            <translation>E&amp;xportieren …</translation>
+        </message>
+        <message>
+            <source>Write the ENI to a file</source>
+            <translation>Die ENI in eine Datei schreiben</translation>
+        </message>
+        <message>
+            <source>Part of the ENI to go to</source>
+            <translation>Teil der ENI, zu dem gesprungen wird</translation>
+        </message>
+        <message>
+            <source>Go to</source>
+            <translation>Gehe zu</translation>
+        </message>
+        <message>
+            <source>Search the ENI</source>
+            <translation>Die ENI durchsuchen</translation>
+        </message>
+        <message>
+            <source>Search (Ctrl+F)</source>
+            <translation>Suchen (Strg+F)</translation>
+        </message>
+        <message>
+            <source>Previous place</source>
+            <translation>Vorige Stelle</translation>
+        </message>
+        <message>
+            <source>Next place</source>
+            <translation>Nächste Stelle</translation>
+        </message>
+        <message>
+            <source>What the checker says of the ENI</source>
+            <translation>Was der Prüfer zur ENI sagt</translation>
+        </message>
+        <message>
+            <source>&quot;%1&quot; is not in it</source>
+            <translation>„%1“ kommt nicht vor</translation>
+        </message>
+        <message>
+            <source>The project cannot be compiled: %1</source>
+            <translation>Das Projekt lässt sich nicht übersetzen: %1</translation>
+        </message>
+        <message>
+            <source>What stands here is old: it was made at %1.</source>
+            <translation>Was hier steht, ist alt: Es ist von %1.</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n error(s) of the project stand against this ENI.</source>
+            <translation>
+                <numerusform>%n Fehler des Projekts steht gegen diese ENI.</numerusform>
+                <numerusform>%n Fehler des Projekts stehen gegen diese ENI.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Nothing has been changed yet</source>
+            <translation>Noch ist nichts geändert</translation>
+        </message>
+        <message>
+            <source>Not exported yet: nothing to compare with</source>
+            <translation>Noch nicht exportiert: nichts zum Vergleichen</translation>
+        </message>
+        <message>
+            <source>Not saved yet: nothing to compare with</source>
+            <translation>Noch nicht gespeichert: nichts zum Vergleichen</translation>
+        </message>
+        <message>
+            <source>No line differs</source>
+            <translation>Keine Zeile ist anders</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n line(s) added</source>
+            <translation>
+                <numerusform>%n Zeile hinzugefügt</numerusform>
+                <numerusform>%n Zeilen hinzugefügt</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n removed</source>
+            <translation>
+                <numerusform>%n entfernt</numerusform>
+                <numerusform>%n entfernt</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n altered</source>
+            <translation>
+                <numerusform>%n geändert</numerusform>
+                <numerusform>%n geändert</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Computing…</source>
+            <translation>Wird berechnet …</translation>
+        </message>
+        <message>
+            <source>Out of date</source>
+            <translation>Veraltet</translation>
+        </message>
+        <message>
+            <source>Being checked…</source>
+            <translation>Wird geprüft …</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n error(s)</source>
+            <translation>
+                <numerusform>%n Fehler</numerusform>
+                <numerusform>%n Fehler</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n warning(s)</source>
+            <translation>
+                <numerusform>%n Warnung</numerusform>
+                <numerusform>%n Warnungen</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n note(s)</source>
+            <translation>
+                <numerusform>%n Hinweis</numerusform>
+                <numerusform>%n Hinweise</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>The checker finds nothing</source>
+            <translation>Der Prüfer findet nichts</translation>
+        </message>
+</context>
+<context>
+    <name>ComparisonModel</name>
+        <message>
+            <source>Slaves</source>
+            <translation>Slaves</translation>
+        </message>
+        <message>
+            <source>Wiring</source>
+            <translation>Verkabelung</translation>
+        </message>
+        <message>
+            <source>Process data</source>
+            <translation>Prozessdaten</translation>
+        </message>
+        <message>
+            <source>Mailbox</source>
+            <translation>Mailbox</translation>
+        </message>
+        <message>
+            <source>Start-up</source>
+            <translation>Hochlauf</translation>
+        </message>
+        <message>
+            <source>Clocks</source>
+            <translation>Uhren</translation>
+        </message>
+        <message>
+            <source>Commands</source>
+            <translation>Befehle</translation>
+        </message>
+        <message>
+            <source>Cyclic</source>
+            <translation>Zyklisch</translation>
+        </message>
+        <message>
+            <source>Process image</source>
+            <translation>Prozessabbild</translation>
+        </message>
+        <message>
+            <source>Master</source>
+            <translation>Master</translation>
+        </message>
+        <message>
+            <source>At run time</source>
+            <translation>Im Betrieb</translation>
+        </message>
+        <message>
+            <source>Setting</source>
+            <translation>Einstellung</translation>
+        </message>
+        <message>
+            <source>Position %1</source>
+            <translation>Position %1</translation>
+        </message>
+        <message>
+            <source>Network</source>
+            <translation>Netz</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n difference(s)</source>
+            <translation>
+                <numerusform>%n Unterschied</numerusform>
+                <numerusform>%n Unterschiede</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>What</source>
+            <translation>Was</translation>
+        </message>
+        <message>
+            <source>Class</source>
+            <translation>Art</translation>
+        </message>
+</context>
+<context>
+    <name>CompareDialog</name>
+        <message>
+            <source>Compare</source>
+            <translation>Vergleichen</translation>
+        </message>
+        <message>
+            <source>How many differences there are</source>
+            <translation>Wie viele Unterschiede es gibt</translation>
+        </message>
+        <message>
+            <source>Left side of the comparison</source>
+            <translation>Linke Seite des Vergleichs</translation>
+        </message>
+        <message>
+            <source>Right side of the comparison</source>
+            <translation>Rechte Seite des Vergleichs</translation>
+        </message>
+        <message>
+            <source>Exchange the two sides</source>
+            <translation>Die Seiten vertauschen</translation>
+        </message>
+        <message>
+            <source>Search the differences</source>
+            <translation>Die Unterschiede durchsuchen</translation>
+        </message>
+        <message>
+            <source>Search</source>
+            <translation>Suchen</translation>
+        </message>
+        <message>
+            <source>&amp;Only what matters</source>
+            <translation>&amp;Nur was zählt</translation>
+        </message>
+        <message>
+            <source>Only what matters</source>
+            <translation>Nur was zählt</translation>
+        </message>
+        <message>
+            <source>Leaves out names, and where data stand in the process image</source>
+            <translation>Lässt Namen weg, und wo Daten im Prozessabbild stehen</translation>
+        </message>
+        <message>
+            <source>Differences</source>
+            <translation>Unterschiede</translation>
+        </message>
+        <message>
+            <source>&amp;Copy</source>
+            <translation>&amp;Kopieren</translation>
+        </message>
+        <message>
+            <source>Copy the differences as text</source>
+            <translation>Die Unterschiede als Text kopieren</translation>
+        </message>
+        <message>
+            <source>&amp;Export CSV…</source>
+            <translation>CSV &amp;exportieren …</translation>
+        </message>
+        <message>
+            <source>Write the differences to a file</source>
+            <translation>Die Unterschiede in eine Datei schreiben</translation>
+        </message>
+        <message>
+            <source>File…</source>
+            <translation>Datei …</translation>
+        </message>
+        <message>
+            <source>Bus…</source>
+            <translation>Bus …</translation>
+        </message>
+        <message>
+            <source>Project (%1)</source>
+            <translation>Projekt (%1)</translation>
+        </message>
+        <message>
+            <source>Running machine</source>
+            <translation>Laufende Maschine</translation>
+        </message>
+        <message>
+            <source>Bus on %1</source>
+            <translation>Bus an %1</translation>
+        </message>
+        <message>
+            <source>Compare With</source>
+            <translation>Vergleichen mit</translation>
+        </message>
+        <message>
+            <source>Projects and ENI files (*.syncline *.xml *.eni);;All files (*)</source>
+            <translation>Projekte und ENI-Dateien (*.syncline *.xml *.eni);;Alle Dateien (*)</translation>
+        </message>
+        <message>
+            <source>Choose what the project is to be compared with.</source>
+            <translation>Wählen, womit das Projekt verglichen werden soll.</translation>
+        </message>
+        <message>
+            <source>Comparing…</source>
+            <translation>Wird verglichen …</translation>
+        </message>
+        <message>
+            <source>There is no difference.</source>
+            <translation>Es gibt keinen Unterschied.</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n difference(s)</source>
+            <translation>
+                <numerusform>%n Unterschied</numerusform>
+                <numerusform>%n Unterschiede</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Where</source>
+            <translation>Wo</translation>
+        </message>
+        <message>
+            <source>Export Differences</source>
+            <translation>Unterschiede exportieren</translation>
+        </message>
+        <message>
+            <source>Comma-separated values (*.csv)</source>
+            <translation>Kommagetrennte Werte (*.csv)</translation>
+        </message>
+        <message>
+            <source>The differences could not be written.</source>
+            <translation>Die Unterschiede konnten nicht geschrieben werden.</translation>
+        </message>
+</context>
 </TS>

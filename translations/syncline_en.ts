@@ -242,4 +242,86 @@
             </translation>
         </message>
     </context>
+    <context>
+        <name>EniModel</name>
+        <message numerus="yes">
+            <source>… %n line(s) …</source>
+            <translation>
+                <numerusform>… %n line …</numerusform>
+                <numerusform>… %n lines …</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>EniPage</name>
+        <message numerus="yes">
+            <source>%n error(s) of the project stand against this ENI.</source>
+            <translation>
+                <numerusform>%n error of the project stands against this ENI.</numerusform>
+                <numerusform>%n errors of the project stand against this ENI.</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n line(s) added</source>
+            <translation>
+                <numerusform>%n line added</numerusform>
+                <numerusform>%n lines added</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n removed</source>
+            <translation>
+                <numerusform>%n removed</numerusform>
+                <numerusform>%n removed</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n altered</source>
+            <translation>
+                <numerusform>%n altered</numerusform>
+                <numerusform>%n altered</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n error(s)</source>
+            <translation>
+                <numerusform>%n error</numerusform>
+                <numerusform>%n errors</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n warning(s)</source>
+            <translation>
+                <numerusform>%n warning</numerusform>
+                <numerusform>%n warnings</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n note(s)</source>
+            <translation>
+                <numerusform>%n note</numerusform>
+                <numerusform>%n notes</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>ComparisonModel</name>
+        <message numerus="yes">
+            <source>%n difference(s)</source>
+            <translation>
+                <numerusform>%n difference</numerusform>
+                <numerusform>%n differences</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>CompareDialog</name>
+        <message numerus="yes">
+            <source>%n difference(s)</source>
+            <translation>
+                <numerusform>%n difference</numerusform>
+                <numerusform>%n differences</numerusform>
+            </translation>
+        </message>
+    </context>
 </TS>

@@ -3,7 +3,7 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="zh_CN" sourcelanguage="en">
     <context>
-        <name>AboutDialog</name>
+    <name>AboutDialog</name>
         <message>
             <source>About Syncline</source>
             <translation>关于 Syncline</translation>
@@ -16,9 +16,9 @@
             <source>EtherCAT is a registered trademark and patented technology, licensed by Beckhoff Automation GmbH, Germany.</source>
             <translation>EtherCAT 是注册商标和专利技术，由德国 Beckhoff Automation GmbH 授权。</translation>
         </message>
-    </context>
-    <context>
-        <name>Actions</name>
+</context>
+<context>
+    <name>Actions</name>
         <message>
             <source>Take the last edit back</source>
             <translation>撤销上一次编辑</translation>
@@ -211,9 +211,17 @@
             <source>Find a slave, a setting or a command</source>
             <translation>查找从站、设置或命令</translation>
         </message>
-    </context>
-    <context>
-        <name>BusCommands</name>
+        <message>
+            <source>&amp;Compare…</source>
+            <translation>比较(&amp;C)…</translation>
+        </message>
+        <message>
+            <source>Compare the project with a file, the running machine or a bus, or two files</source>
+            <translation>将项目与文件、运行中的机器或总线比较，或比较两个文件</translation>
+        </message>
+</context>
+<context>
+    <name>BusCommands</name>
         <message>
             <source>EEPROM</source>
             <translation>EEPROM</translation>
@@ -258,9 +266,9 @@
             <source>Restart</source>
             <translation>重新启动</translation>
         </message>
-    </context>
-    <context>
-        <name>CutShortDialog</name>
+</context>
+<context>
+    <name>CutShortDialog</name>
         <message>
             <source>EEPROM write was cut short</source>
             <translation>EEPROM 写入中断</translation>
@@ -327,9 +335,9 @@
                 <numerusform>之后还有 %n 次写入。</numerusform>
             </translation>
         </message>
-    </context>
-    <context>
-        <name>DcmPanel</name>
+</context>
+<context>
+    <name>DcmPanel</name>
         <message>
             <source>DCM error</source>
             <translation>DCM 误差</translation>
@@ -358,9 +366,9 @@
             <source>DCM is off</source>
             <translation>DCM 已关闭</translation>
         </message>
-    </context>
-    <context>
-        <name>DeviationPanel</name>
+</context>
+<context>
+    <name>DeviationPanel</name>
         <message>
             <source>DC deviation</source>
             <translation>DC 偏差</translation>
@@ -385,9 +393,9 @@
             <source>peak %1</source>
             <translation>峰值 %1</translation>
         </message>
-    </context>
-    <context>
-        <name>DeviceEditor</name>
+</context>
+<context>
+    <name>DeviceEditor</name>
         <message>
             <source>Device editor</source>
             <translation>设备编辑器</translation>
@@ -414,9 +422,9 @@
             <source>Offline</source>
             <translation>离线</translation>
         </message>
-    </context>
-    <context>
-        <name>ExplorerPanel</name>
+</context>
+<context>
+    <name>ExplorerPanel</name>
         <message>
             <source>Project explorer</source>
             <translation>项目浏览器</translation>
@@ -449,9 +457,9 @@
             <source>Ports and cables; drag a slave to another port to rewire it</source>
             <translation>端口和电缆；将从站拖到另一端口即可改接</translation>
         </message>
-    </context>
-    <context>
-        <name>FileCommands</name>
+</context>
+<context>
+    <name>FileCommands</name>
         <message>
             <source>Open</source>
             <translation>打开</translation>
@@ -564,9 +572,21 @@
             <source>It is neither a project, an ENI, an ESI, a recording, a capture nor a scenario.</source>
             <translation>它既不是项目、ENI、ESI、记录、抓包文件，也不是场景。</translation>
         </message>
-    </context>
-    <context>
-        <name>Glossary</name>
+        <message>
+            <source>Open %1, or compare the project with it?</source>
+            <translation>打开 %1，还是将项目与它比较？</translation>
+        </message>
+        <message>
+            <source>&amp;Compare</source>
+            <translation>比较(&amp;C)</translation>
+        </message>
+        <message>
+            <source>&amp;Open</source>
+            <translation>打开(&amp;O)</translation>
+        </message>
+</context>
+<context>
+    <name>Glossary</name>
         <message>
             <source>Master</source>
             <translation>主站</translation>
@@ -667,9 +687,9 @@
             <source>settling</source>
             <translation>稳定中</translation>
         </message>
-    </context>
-    <context>
-        <name>Link</name>
+</context>
+<context>
+    <name>Link</name>
         <message>
             <source>Demonstration machine (simulated)</source>
             <translation>演示机器（仿真）</translation>
@@ -682,9 +702,9 @@
             <source>Simulated: %1</source>
             <translation>仿真：%1</translation>
         </message>
-    </context>
-    <context>
-        <name>LinkChooser</name>
+</context>
+<context>
+    <name>LinkChooser</name>
         <message>
             <source>Choose the Bus</source>
             <translation>选择总线</translation>
@@ -737,9 +757,9 @@
             <source>Scenarios (*.toml)</source>
             <translation>场景 (*.toml)</translation>
         </message>
-    </context>
-    <context>
-        <name>LiveStrip</name>
+</context>
+<context>
+    <name>LiveStrip</name>
         <message>
             <source>Live plots</source>
             <translation>实时曲线</translation>
@@ -812,9 +832,9 @@
             <source>Export picture…</source>
             <translation>导出图片…</translation>
         </message>
-    </context>
-    <context>
-        <name>LiveStripToolbar</name>
+</context>
+<context>
+    <name>LiveStripToolbar</name>
         <message>
             <source>Distribution</source>
             <translation>分布</translation>
@@ -919,9 +939,9 @@
             <source>Recording</source>
             <translation>记录</translation>
         </message>
-    </context>
-    <context>
-        <name>MainWindow</name>
+</context>
+<context>
+    <name>MainWindow</name>
         <message>
             <source>A recording is shown; it has no pages of slaves</source>
             <translation>正在显示记录；记录没有从站页面</translation>
@@ -1018,9 +1038,9 @@
             <source>A recording is shown, and nothing runs: close it first (File, Close Recording)</source>
             <translation>正在显示记录，没有机器运行：请先关闭记录（文件，关闭记录）</translation>
         </message>
-    </context>
-    <context>
-        <name>MasterDcPage</name>
+</context>
+<context>
+    <name>MasterDcPage</name>
         <message>
             <source>Distributed Clocks</source>
             <translation>分布时钟</translation>
@@ -1193,9 +1213,9 @@
             <source>%1 ago</source>
             <translation>%1 前</translation>
         </message>
-    </context>
-    <context>
-        <name>MasterGeneralPage</name>
+</context>
+<context>
+    <name>MasterGeneralPage</name>
         <message>
             <source>Recovery</source>
             <translation>恢复</translation>
@@ -1356,9 +1376,9 @@
             <source>Real Time</source>
             <translation>实时</translation>
         </message>
-    </context>
-    <context>
-        <name>MessageModel</name>
+</context>
+<context>
+    <name>MessageModel</name>
         <message>
             <source>%1
 Setting %2</source>
@@ -1397,9 +1417,9 @@ Setting %2</source>
             <source>Message</source>
             <translation>消息</translation>
         </message>
-    </context>
-    <context>
-        <name>MessagesPanel</name>
+</context>
+<context>
+    <name>MessagesPanel</name>
         <message>
             <source>Filter messages</source>
             <translation>筛选消息</translation>
@@ -1432,9 +1452,9 @@ Setting %2</source>
             <source>Show errors</source>
             <translation>显示错误</translation>
         </message>
-    </context>
-    <context>
-        <name>NetworkModel</name>
+</context>
+<context>
+    <name>NetworkModel</name>
         <message>
             <source>Node</source>
             <translation>节点</translation>
@@ -1491,16 +1511,16 @@ Setting %2</source>
             <source>The cable to it is broken</source>
             <translation>通往它的电缆已断开</translation>
         </message>
-    </context>
-    <context>
-        <name>Page</name>
+</context>
+<context>
+    <name>Page</name>
         <message>
             <source>Project</source>
             <translation>项目</translation>
         </message>
-    </context>
-    <context>
-        <name>PdoEntryModel</name>
+</context>
+<context>
+    <name>PdoEntryModel</name>
         <message>
             <source>(padding)</source>
             <translation>（填充）</translation>
@@ -1525,9 +1545,9 @@ Setting %2</source>
             <source>Size</source>
             <translation>大小</translation>
         </message>
-    </context>
-    <context>
-        <name>PdoModel</name>
+</context>
+<context>
+    <name>PdoModel</name>
         <message>
             <source>The device needs this PDO (Mandatory in the ESI)</source>
             <translation>设备需要此 PDO（ESI 中的 Mandatory）</translation>
@@ -1560,9 +1580,9 @@ Setting %2</source>
             <source>Size</source>
             <translation>大小</translation>
         </message>
-    </context>
-    <context>
-        <name>ProcessDataPage</name>
+</context>
+<context>
+    <name>ProcessDataPage</name>
         <message>
             <source>Process Data</source>
             <translation>过程数据</translation>
@@ -1595,23 +1615,23 @@ Setting %2</source>
             <source>As slave, PDO and entry</source>
             <translation>按从站、PDO 和条目</translation>
         </message>
-    </context>
-    <context>
-        <name>ProjectDocument</name>
+</context>
+<context>
+    <name>ProjectDocument</name>
         <message>
             <source>Untitled</source>
             <translation>未命名</translation>
         </message>
-    </context>
-    <context>
-        <name>QObject</name>
+</context>
+<context>
+    <name>QObject</name>
         <message>
             <source>Syncline</source>
             <translation>Syncline</translation>
         </message>
-    </context>
-    <context>
-        <name>ScanProgress</name>
+</context>
+<context>
+    <name>ScanProgress</name>
         <message>
             <source>Scan</source>
             <translation>扫描</translation>
@@ -1632,9 +1652,9 @@ Setting %2</source>
             <source>Cancelling…</source>
             <translation>正在取消…</translation>
         </message>
-    </context>
-    <context>
-        <name>SlaveDcPage</name>
+</context>
+<context>
+    <name>SlaveDcPage</name>
         <message>
             <source>Distributed Clocks</source>
             <translation>分布时钟</translation>
@@ -1787,9 +1807,9 @@ Setting %2</source>
             <source>Pin %1</source>
             <translation>引脚 %1</translation>
         </message>
-    </context>
-    <context>
-        <name>SlaveGeneralPage</name>
+</context>
+<context>
+    <name>SlaveGeneralPage</name>
         <message>
             <source>General</source>
             <translation>常规</translation>
@@ -1954,9 +1974,9 @@ Setting %2</source>
             <source>Slave and port in front of this one</source>
             <translation>此从站前面的从站和端口</translation>
         </message>
-    </context>
-    <context>
-        <name>Sm2Panel</name>
+</context>
+<context>
+    <name>Sm2Panel</name>
         <message>
             <source>SM2 events missed</source>
             <translation>错过的 SM2 事件</translation>
@@ -1981,9 +2001,9 @@ Setting %2</source>
             <source>%1: %2/s</source>
             <translation>%1：%2/s</translation>
         </message>
-    </context>
-    <context>
-        <name>StatusPanel</name>
+</context>
+<context>
+    <name>StatusPanel</name>
         <message>
             <source>Offline</source>
             <translation>离线</translation>
@@ -2126,9 +2146,9 @@ Setting %2</source>
             <translation>
 其中缺少 %1 个周期：磁盘太慢</translation>
         </message>
-    </context>
-    <context>
-        <name>Sync</name>
+</context>
+<context>
+    <name>Sync</name>
         <message>
             <source>Offline</source>
             <translation>离线</translation>
@@ -2141,9 +2161,9 @@ Setting %2</source>
             <source>%1: %2</source>
             <translation>%1：%2</translation>
         </message>
-    </context>
-    <context>
-        <name>SyncSettingsEditor</name>
+</context>
+<context>
+    <name>SyncSettingsEditor</name>
         <message>
             <source>Device family</source>
             <translation>设备系列</translation>
@@ -2194,9 +2214,9 @@ Setting %2</source>
                 <numerusform>%1（连续错过 %n 次）</numerusform>
             </translation>
         </message>
-    </context>
-    <context>
-        <name>SyncUnitEditor</name>
+</context>
+<context>
+    <name>SyncUnitEditor</name>
         <message>
             <source>Sync Unit Cycle of %1</source>
             <translation>%1 的同步单元周期</translation>
@@ -2237,9 +2257,9 @@ Setting %2</source>
             <source>Change Sync Unit Cycle of SYNC%1</source>
             <translation>更改 SYNC%1 的同步单元周期</translation>
         </message>
-    </context>
-    <context>
-        <name>TracePanel</name>
+</context>
+<context>
+    <name>TracePanel</name>
         <message>
             <source>Legend: %1</source>
             <translation>图例：%1</translation>
@@ -2260,9 +2280,9 @@ Setting %2</source>
             <source>   min %1   max %2   mean %3</source>
             <translation>   最小 %1   最大 %2   平均 %3</translation>
         </message>
-    </context>
-    <context>
-        <name>TracePlot</name>
+</context>
+<context>
+    <name>TracePlot</name>
         <message>
             <source>Time before now</source>
             <translation>距现在的时间</translation>
@@ -2271,9 +2291,9 @@ Setting %2</source>
             <source>Time since start</source>
             <translation>自启动起的时间</translation>
         </message>
-    </context>
-    <context>
-        <name>Units</name>
+</context>
+<context>
+    <name>Units</name>
         <message numerus="yes">
             <source>%n Byte(s)</source>
             <translation>
@@ -2286,9 +2306,9 @@ Setting %2</source>
                 <numerusform>%n 位</numerusform>
             </translation>
         </message>
-    </context>
-    <context>
-        <name>WelcomePage</name>
+</context>
+<context>
+    <name>WelcomePage</name>
         <message>
             <source>Welcome</source>
             <translation>欢迎</translation>
@@ -2317,9 +2337,9 @@ Setting %2</source>
             <source>Begin with the simulated demonstration machine, a bus, devices of the catalogue, or a project file.</source>
             <translation>从仿真的演示机器、总线、目录中的设备或项目文件开始。</translation>
         </message>
-    </context>
-    <context>
-        <name>Workspace</name>
+</context>
+<context>
+    <name>Workspace</name>
         <message>
             <source>The machine is running: go offline to change its slaves.</source>
             <translation>机器正在运行：请先下线再更改其从站。</translation>
@@ -2346,9 +2366,9 @@ Setting %2</source>
             <source>Unsaved work is not kept</source>
             <translation>未保存的工作不会保留</translation>
         </message>
-    </context>
-    <context>
-        <name>Finding</name>
+</context>
+<context>
+    <name>Finding</name>
         <message>
             <source>Slaves %1</source>
             <translation>从站 %1</translation>
@@ -2389,9 +2409,9 @@ Setting %2</source>
             <source>slave %1</source>
             <translation>从站 %1</translation>
         </message>
-    </context>
-    <context>
-        <name>FindingModel</name>
+</context>
+<context>
+    <name>FindingModel</name>
         <message>
             <source>Error</source>
             <translation>误差</translation>
@@ -2420,9 +2440,9 @@ Setting %2</source>
             <source>What to do</source>
             <translation>应对措施</translation>
         </message>
-    </context>
-    <context>
-        <name>FindingsPanel</name>
+</context>
+<context>
+    <name>FindingsPanel</name>
         <message>
             <source>Findings about the running bus</source>
             <translation>关于运行中总线的检查结果</translation>
@@ -2431,9 +2451,9 @@ Setting %2</source>
             <source>Nothing found. What the running bus shows to be wrong stands here, with its cause and what to do.</source>
             <translation>没有发现问题。运行中的总线出现问题时，会在此列出其原因和应对措施。</translation>
         </message>
-    </context>
-    <context>
-        <name>Setting</name>
+</context>
+<context>
+    <name>Setting</name>
         <message>
             <source>Name</source>
             <translation>名称</translation>
@@ -3402,9 +3422,9 @@ Setting %2</source>
             <source>IDN that is written at these transitions, K counts from 0; the number behind the last adds one.</source>
             <translation>在这些状态切换时写入的 IDN，K 从 0 起计；比最后一个大一的编号表示新增。</translation>
         </message>
-    </context>
-    <context>
-        <name>FieldBinder</name>
+</context>
+<context>
+    <name>FieldBinder</name>
         <message>
             <source>Change: %1</source>
             <translation>更改：%1</translation>
@@ -3417,23 +3437,23 @@ Setting %2</source>
             <source>Finding: %1</source>
             <translation>检查结果：%1</translation>
         </message>
-    </context>
-    <context>
-        <name>NumberEdit</name>
+</context>
+<context>
+    <name>NumberEdit</name>
         <message>
             <source>&quot;%1&quot; is no such number: %2</source>
             <translation>“%1”不是有效的数：%2</translation>
         </message>
-    </context>
-    <context>
-        <name>PresetEdit</name>
+</context>
+<context>
+    <name>PresetEdit</name>
         <message>
             <source>&quot;%1&quot; is no such number: %2 %3</source>
             <translation>“%1”不是有效的数：%2 %3</translation>
         </message>
-    </context>
-    <context>
-        <name>MasterDcExpertPage</name>
+</context>
+<context>
+    <name>MasterDcExpertPage</name>
         <message>
             <source>Distributed Clocks (Expert)</source>
             <translation>分布时钟（专家）</translation>
@@ -3458,9 +3478,9 @@ Setting %2</source>
             <source>Messages of the Clocks</source>
             <translation>时钟的消息</translation>
         </message>
-    </context>
-    <context>
-        <name>SlaveTimingPage</name>
+</context>
+<context>
+    <name>SlaveTimingPage</name>
         <message>
             <source>Watchdogs (Expert)</source>
             <translation>看门狗（专家）</translation>
@@ -3473,9 +3493,9 @@ Setting %2</source>
             <source>Time-outs of State Changes</source>
             <translation>状态切换的超时</translation>
         </message>
-    </context>
-    <context>
-        <name>SlaveMailboxPage</name>
+</context>
+<context>
+    <name>SlaveMailboxPage</name>
         <message>
             <source>Mailbox</source>
             <translation>邮箱</translation>
@@ -3488,9 +3508,9 @@ Setting %2</source>
             <source>ADS (AoE)</source>
             <translation>ADS (AoE)</translation>
         </message>
-    </context>
-    <context>
-        <name>SlaveDataPage</name>
+</context>
+<context>
+    <name>SlaveDataPage</name>
         <message>
             <source>Data Options</source>
             <translation>数据选项</translation>
@@ -3507,9 +3527,9 @@ Setting %2</source>
             <source>Sync Units</source>
             <translation>同步单元</translation>
         </message>
-    </context>
-    <context>
-        <name>Questions</name>
+</context>
+<context>
+    <name>Questions</name>
         <message>
             <source>The machine is running. Take it offline?</source>
             <translation>机器正在运行。要下线吗？</translation>
@@ -3522,9 +3542,9 @@ Setting %2</source>
             <source>Go Offline</source>
             <translation>下线</translation>
         </message>
-    </context>
-    <context>
-        <name>SlaveStartupPage</name>
+</context>
+<context>
+    <name>SlaveStartupPage</name>
         <message>
             <source>INIT to PREOP</source>
             <translation>INIT 到 PREOP</translation>
@@ -3717,43 +3737,9 @@ Setting %2</source>
             <source>None: the slave starts with what it has.</source>
             <translation>无：从站按其已有的值启动。</translation>
         </message>
-    </context>
-    <context>
-        <name>DifferenceDialog</name>
-        <message>
-            <source>Project and Running Machine</source>
-            <translation>项目与运行中的机器</translation>
-        </message>
-        <message>
-            <source>The machine runs on as it was started. A double click goes to the field.</source>
-            <translation>机器仍按启动时的配置运行。双击可转到相应字段。</translation>
-        </message>
-        <message>
-            <source>Runs</source>
-            <translation>运行中</translation>
-        </message>
-        <message>
-            <source>Project</source>
-            <translation>项目</translation>
-        </message>
-        <message>
-            <source>Differences between project and running machine</source>
-            <translation>项目与运行中机器的差异</translation>
-        </message>
-    </context>
-    <context>
-        <name>DifferenceModel</name>
-        <message>
-            <source>Where</source>
-            <translation>位置</translation>
-        </message>
-        <message>
-            <source>What</source>
-            <translation>内容</translation>
-        </message>
-    </context>
-    <context>
-        <name>FoundDialog</name>
+</context>
+<context>
+    <name>FoundDialog</name>
         <message numerus="yes">
             <source>%n match(es)</source>
             <translation>
@@ -3878,9 +3864,9 @@ Setting %2</source>
             <source>Replace</source>
             <translation>替换</translation>
         </message>
-    </context>
-    <context>
-        <name>FoundModel</name>
+</context>
+<context>
+    <name>FoundModel</name>
         <message>
             <source>Matches</source>
             <translation>一致</translation>
@@ -3957,9 +3943,9 @@ Setting %2</source>
             <source>Difference</source>
             <translation>差异</translation>
         </message>
-    </context>
-    <context>
-        <name>ImportCommands</name>
+</context>
+<context>
+    <name>ImportCommands</name>
         <message>
             <source>Open</source>
             <translation>打开</translation>
@@ -3994,9 +3980,9 @@ Setting %2</source>
             <source>Reading the ESI files below %1 …</source>
             <translation>正在读取 %1 下的 ESI 文件…</translation>
         </message>
-    </context>
-    <context>
-        <name>MasterTasksPage</name>
+</context>
+<context>
+    <name>MasterTasksPage</name>
         <message>
             <source>Tasks (Expert)</source>
             <translation>任务（专家）</translation>
@@ -4065,9 +4051,9 @@ Setting %2</source>
             <source>None: the slaves share their datagrams. A unit is given to a slave on its page Data Options.</source>
             <translation>无：从站共用数据报。在从站的“数据选项”页面为其指定单元。</translation>
         </message>
-    </context>
-    <context>
-        <name>ObjectPicker</name>
+</context>
+<context>
+    <name>ObjectPicker</name>
         <message>
             <source>Choose Object</source>
             <translation>选择对象</translation>
@@ -4108,9 +4094,9 @@ Setting %2</source>
             <source>Choose</source>
             <translation>选择</translation>
         </message>
-    </context>
-    <context>
-        <name>PdoMappingEditor</name>
+</context>
+<context>
+    <name>PdoMappingEditor</name>
         <message>
             <source>Entries</source>
             <translation>条目</translation>
@@ -4167,9 +4153,9 @@ Setting %2</source>
             <source>The device takes no other mapping (CoE PdoConfig in its ESI).</source>
             <translation>设备不接受其他映射（其 ESI 中的 CoE PdoConfig）。</translation>
         </message>
-    </context>
-    <context>
-        <name>RecentMenu</name>
+</context>
+<context>
+    <name>RecentMenu</name>
         <message>
             <source>Open &amp;Recent</source>
             <translation>最近打开(&amp;R)</translation>
@@ -4186,16 +4172,16 @@ Setting %2</source>
             <source>Pinned projects stay</source>
             <translation>固定的项目保留</translation>
         </message>
-    </context>
-    <context>
-        <name>RecordEditor</name>
+</context>
+<context>
+    <name>RecordEditor</name>
         <message>
             <source>Selected</source>
             <translation>所选</translation>
         </message>
-    </context>
-    <context>
-        <name>RecordForm</name>
+</context>
+<context>
+    <name>RecordForm</name>
         <message>
             <source>Change: %1</source>
             <translation>更改：%1</translation>
@@ -4224,9 +4210,9 @@ Setting %2</source>
             <source>Move down: %1</source>
             <translation>下移：%1</translation>
         </message>
-    </context>
-    <context>
-        <name>RecoveryDialog</name>
+</context>
+<context>
+    <name>RecoveryDialog</name>
         <message>
             <source>Recover Unsaved Work</source>
             <translation>恢复未保存的工作</translation>
@@ -4289,9 +4275,9 @@ Setting %2</source>
             <source>Discard this work for good?</source>
             <translation>要永久丢弃此工作吗？</translation>
         </message>
-    </context>
-    <context>
-        <name>RunBar</name>
+</context>
+<context>
+    <name>RunBar</name>
         <message>
             <source>Project and running machine</source>
             <translation>项目与运行中的机器</translation>
@@ -4338,9 +4324,9 @@ Setting %2</source>
             <source>Only parameters of the master synchronisation can be changed while the machine runs</source>
             <translation>机器运行时只能更改主站同步的参数</translation>
         </message>
-    </context>
-    <context>
-        <name>SlaveSyncPage</name>
+</context>
+<context>
+    <name>SlaveSyncPage</name>
         <message>
             <source>Synchronisation</source>
             <translation>同步</translation>
@@ -4361,9 +4347,9 @@ Setting %2</source>
             <source>Pin %1</source>
             <translation>引脚 %1</translation>
         </message>
-    </context>
-    <context>
-        <name>Overview</name>
+</context>
+<context>
+    <name>Overview</name>
         <message>
             <source>An event without words</source>
             <translation>没有文字说明的事件</translation>
@@ -4424,9 +4410,9 @@ Setting %2</source>
             <source>%1 s</source>
             <translation>%1 s</translation>
         </message>
-    </context>
-    <context>
-        <name>Recorded</name>
+</context>
+<context>
+    <name>Recorded</name>
         <message>
             <source>Master</source>
             <translation>主站</translation>
@@ -4479,16 +4465,16 @@ Setting %2</source>
             <source>; the plots show the last %1 of them</source>
             <translation>；曲线显示其最近的 %1</translation>
         </message>
-    </context>
-    <context>
-        <name>FigureCard</name>
+</context>
+<context>
+    <name>FigureCard</name>
         <message>
             <source>Margin: %1</source>
             <translation>裕量：%1</translation>
         </message>
-    </context>
-    <context>
-        <name>OverviewPanel</name>
+</context>
+<context>
+    <name>OverviewPanel</name>
         <message>
             <source>mean</source>
             <translation>平均</translation>
@@ -4673,9 +4659,9 @@ Setting %2</source>
             <source>Nothing has run yet: go online.</source>
             <translation>尚未运行：请先上线。</translation>
         </message>
-    </context>
-    <context>
-        <name>RecordingBar</name>
+</context>
+<context>
+    <name>RecordingBar</name>
         <message>
             <source>Recording that is shown</source>
             <translation>显示的记录</translation>
@@ -4696,9 +4682,9 @@ Setting %2</source>
             <source>&lt;b&gt;Recording %1&lt;/b&gt; – %2. Nothing here is live.</source>
             <translation>&lt;b&gt;记录 %1&lt;/b&gt; – %2。此处没有实时内容。</translation>
         </message>
-    </context>
-    <context>
-        <name>RecordingCommands</name>
+</context>
+<context>
+    <name>RecordingCommands</name>
         <message>
             <source>Reading %1…</source>
             <translation>正在读取 %1…</translation>
@@ -4787,9 +4773,9 @@ Setting %2</source>
             <source>Saved to %1</source>
             <translation>已保存到 %1</translation>
         </message>
-    </context>
-    <context>
-        <name>Dictionary</name>
+</context>
+<context>
+    <name>Dictionary</name>
         <message>
             <source>write in %1</source>
             <translation>在 %1 中可写</translation>
@@ -4802,16 +4788,16 @@ Setting %2</source>
             <source>%1 to %2</source>
             <translation>%1 至 %2</translation>
         </message>
-    </context>
-    <context>
-        <name>DictionaryReader</name>
+</context>
+<context>
+    <name>DictionaryReader</name>
         <message>
             <source>The slave does not tell its objects.</source>
             <translation>该从站不提供其对象信息。</translation>
         </message>
-    </context>
-    <context>
-        <name>ObjectModel</name>
+</context>
+<context>
+    <name>ObjectModel</name>
         <message>
             <source>Ticked entries are watched</source>
             <translation>勾选的条目会被监视</translation>
@@ -4860,9 +4846,9 @@ Setting %2</source>
             <source>Default</source>
             <translation>默认值</translation>
         </message>
-    </context>
-    <context>
-        <name>ObjectWriteBar</name>
+</context>
+<context>
+    <name>ObjectWriteBar</name>
         <message>
             <source>New value</source>
             <translation>新值</translation>
@@ -4883,9 +4869,9 @@ Setting %2</source>
             <source>Not possible; %1</source>
             <translation>不可行；%1</translation>
         </message>
-    </context>
-    <context>
-        <name>OnlinePage</name>
+</context>
+<context>
+    <name>OnlinePage</name>
         <message>
             <source>Offline. Go online (F5), in whatever state, to ask the slave itself.</source>
             <translation>离线。上线 (F5) 后，无论何种状态都可查询从站本身。</translation>
@@ -4914,9 +4900,9 @@ Setting %2</source>
             <source>What became of the last request</source>
             <translation>最近一次请求的结果</translation>
         </message>
-    </context>
-    <context>
-        <name>SlaveObjectsPage</name>
+</context>
+<context>
+    <name>SlaveObjectsPage</name>
         <message>
             <source>Objects</source>
             <translation>对象</translation>
@@ -5119,9 +5105,9 @@ Setting %2</source>
             <source>The objects could not be exported.</source>
             <translation>无法导出对象。</translation>
         </message>
-    </context>
-    <context>
-        <name>SlaveRequests</name>
+</context>
+<context>
+    <name>SlaveRequests</name>
         <message>
             <source>Cancelled.</source>
             <translation>已取消。</translation>
@@ -5130,9 +5116,9 @@ Setting %2</source>
             <source>The bus is offline: go online first (F5).</source>
             <translation>总线离线：请先上线 (F5)。</translation>
         </message>
-    </context>
-    <context>
-        <name>SlaveStateBar</name>
+</context>
+<context>
+    <name>SlaveStateBar</name>
         <message>
             <source>AL status of the slave</source>
             <translation>从站的 AL 状态</translation>
@@ -5169,9 +5155,9 @@ Setting %2</source>
             <source>AL status %1: %2</source>
             <translation>AL 状态 %1：%2</translation>
         </message>
-    </context>
-    <context>
-        <name>SlaveStateCommands</name>
+</context>
+<context>
+    <name>SlaveStateCommands</name>
         <message>
             <source>Go online first (F5).</source>
             <translation>请先上线 (F5)。</translation>
@@ -5220,9 +5206,9 @@ Setting %2</source>
             <source>Acknowledge Error</source>
             <translation>确认错误</translation>
         </message>
-    </context>
-    <context>
-        <name>Counters</name>
+</context>
+<context>
+    <name>Counters</name>
         <message>
             <source>at least %1</source>
             <translation>至少 %1</translation>
@@ -5231,9 +5217,9 @@ Setting %2</source>
             <source> (+%1 in 10 s)</source>
             <translation>（10 s 内 +%1）</translation>
         </message>
-    </context>
-    <context>
-        <name>EepromLines</name>
+</context>
+<context>
+    <name>EepromLines</name>
         <message>
             <source>Checksum of the configuration</source>
             <translation>配置的校验和</translation>
@@ -5346,9 +5332,9 @@ Setting %2</source>
             <source>Category %1</source>
             <translation>类别 %1</translation>
         </message>
-    </context>
-    <context>
-        <name>RegisterModel</name>
+</context>
+<context>
+    <name>RegisterModel</name>
         <message>
             <source>Address</source>
             <translation>地址</translation>
@@ -5377,9 +5363,9 @@ Setting %2</source>
             <source>last run</source>
             <translation>上次运行</translation>
         </message>
-    </context>
-    <context>
-        <name>SlaveCountersPage</name>
+</context>
+<context>
+    <name>SlaveCountersPage</name>
         <message>
             <source>Port</source>
             <translation>端口</translation>
@@ -5468,9 +5454,9 @@ Setting %2</source>
             <source>Counters</source>
             <translation>计数器</translation>
         </message>
-    </context>
-    <context>
-        <name>SlaveEepromPage</name>
+</context>
+<context>
+    <name>SlaveEepromPage</name>
         <message>
             <source>EEPROM</source>
             <translation>EEPROM</translation>
@@ -5607,9 +5593,9 @@ Setting %2</source>
             <source>%1 of %2 words are written.</source>
             <translation>已写入 %2 个字中的 %1 个。</translation>
         </message>
-    </context>
-    <context>
-        <name>SlaveRegistersPage</name>
+</context>
+<context>
+    <name>SlaveRegistersPage</name>
         <message>
             <source>Registers</source>
             <translation>寄存器</translation>
@@ -5718,9 +5704,9 @@ Setting %2</source>
             <source>Written, but the register shows %1.</source>
             <translation>已写入，但寄存器显示 %1。</translation>
         </message>
-    </context>
-    <context>
-        <name>CatalogueModel</name>
+</context>
+<context>
+    <name>CatalogueModel</name>
         <message>
             <source>Other devices</source>
             <translation>其他设备</translation>
@@ -5745,9 +5731,9 @@ Product code %2, revision %3
             <source>Revision</source>
             <translation>版本号</translation>
         </message>
-    </context>
-    <context>
-        <name>CataloguePanel</name>
+</context>
+<context>
+    <name>CataloguePanel</name>
         <message>
             <source>Search the device catalogue</source>
             <translation>搜索设备目录</translation>
@@ -5878,9 +5864,9 @@ Product code %2, revision %3
             <source>Read a Folder of ESI Files</source>
             <translation>读取 ESI 文件的文件夹</translation>
         </message>
-    </context>
-    <context>
-        <name>GoToDialog</name>
+</context>
+<context>
+    <name>GoToDialog</name>
         <message>
             <source>Go To</source>
             <translation>转到</translation>
@@ -5913,9 +5899,9 @@ Product code %2, revision %3
             <source>command</source>
             <translation>命令</translation>
         </message>
-    </context>
-    <context>
-        <name>MachineBuilding</name>
+</context>
+<context>
+    <name>MachineBuilding</name>
         <message numerus="yes">
             <source>%n new device(s) are in the catalogue.</source>
             <translation>
@@ -5930,9 +5916,9 @@ Product code %2, revision %3
             <source>Catalogue</source>
             <translation>目录</translation>
         </message>
-    </context>
-    <context>
-        <name>ReplaceDialog</name>
+</context>
+<context>
+    <name>ReplaceDialog</name>
         <message numerus="yes">
             <source>%1 and %n more</source>
             <translation>
@@ -5991,9 +5977,9 @@ Product code %2, revision %3
             <source>It does not take: %1. Everything else stays.</source>
             <translation>它不接受：%1。其余全部保留。</translation>
         </message>
-    </context>
-    <context>
-        <name>SlaveCommands</name>
+</context>
+<context>
+    <name>SlaveCommands</name>
         <message>
             <source>&amp;Add Device…</source>
             <translation>添加设备(&amp;A)…</translation>
@@ -6122,9 +6108,9 @@ Product code %2, revision %3
             <source>A network has at most 65535 slaves.</source>
             <translation>一个网络最多有 65535 个从站。</translation>
         </message>
-    </context>
-    <context>
-        <name>LanguageMenu</name>
+</context>
+<context>
+    <name>LanguageMenu</name>
         <message>
             <source>Lan&amp;guage</source>
             <translation>语言(&amp;G)</translation>
@@ -6141,9 +6127,9 @@ Product code %2, revision %3
             <source>The window speaks this language from the next start on.</source>
             <translation>窗口从下次启动起使用此语言。</translation>
         </message>
-    </context>
-    <context>
-        <name>DistributionView</name>
+</context>
+<context>
+    <name>DistributionView</name>
         <message>
             <source>Distribution</source>
             <translation>分布</translation>
@@ -6308,9 +6294,9 @@ Product code %2, revision %3
             <source>Deviation</source>
             <translation>偏差</translation>
         </message>
-    </context>
-    <context>
-        <name>HistogramPlot</name>
+</context>
+<context>
+    <name>HistogramPlot</name>
         <message>
             <source>Value</source>
             <translation>数值</translation>
@@ -6335,5 +6321,487 @@ Product code %2, revision %3
             <source>%1 to %2</source>
             <translation>%1 至 %2</translation>
         </message>
-    </context>
+</context>
+<context>
+    <name>EniModel</name>
+        <message>
+            <source>added</source>
+            <translation>新增</translation>
+        </message>
+        <message>
+            <source>removed</source>
+            <translation>删除</translation>
+        </message>
+        <message>
+            <source>altered</source>
+            <translation>更改</translation>
+        </message>
+        <message>
+            <source>before</source>
+            <translation>之前</translation>
+        </message>
+        <message>
+            <source>Line</source>
+            <translation>行</translation>
+        </message>
+        <message>
+            <source>Change</source>
+            <translation>更改</translation>
+        </message>
+        <message>
+            <source>ENI</source>
+            <translation>ENI</translation>
+        </message>
+        <message numerus="yes">
+            <source>… %n line(s) …</source>
+            <translation>
+                <numerusform>… %n 行 …</numerusform>
+            </translation>
+        </message>
+</context>
+<context>
+    <name>EniFindingModel</name>
+        <message>
+            <source>Error</source>
+            <translation>错误</translation>
+        </message>
+        <message>
+            <source>Warning</source>
+            <translation>警告</translation>
+        </message>
+        <message>
+            <source>Note</source>
+            <translation>提示</translation>
+        </message>
+        <message>
+            <source>Severity</source>
+            <translation>严重程度</translation>
+        </message>
+        <message>
+            <source>Line</source>
+            <translation>行</translation>
+        </message>
+        <message>
+            <source>Rule</source>
+            <translation>规则</translation>
+        </message>
+        <message>
+            <source>Finding</source>
+            <translation>发现</translation>
+        </message>
+</context>
+<context>
+    <name>EniTextView</name>
+        <message>
+            <source>Text of the ENI</source>
+            <translation>ENI 文本</translation>
+        </message>
+</context>
+<context>
+    <name>EniPage</name>
+        <message>
+            <source>ENI</source>
+            <translation>ENI</translation>
+        </message>
+        <message>
+            <source>Cyclic</source>
+            <translation>周期</translation>
+        </message>
+        <message>
+            <source>Process image</source>
+            <translation>过程映像</translation>
+        </message>
+        <message>
+            <source>Other</source>
+            <translation>其他</translation>
+        </message>
+        <message>
+            <source>What stands against the ENI</source>
+            <translation>ENI 存在的问题</translation>
+        </message>
+        <message>
+            <source>ENI and what the checker says of it</source>
+            <translation>ENI 及检查结果</translation>
+        </message>
+        <message>
+            <source>Lines that changed</source>
+            <translation>变化的行</translation>
+        </message>
+        <message>
+            <source>Whether the ENI is up to date, and what the checker says of it</source>
+            <translation>ENI 是否为最新，以及检查结果</translation>
+        </message>
+        <message>
+            <source>Dialect of the ENI</source>
+            <translation>ENI 方言</translation>
+        </message>
+        <message>
+            <source>How the ENI is laid out and spelled, here and when it is exported: as EC-Engineer does, or as TwinCAT 3 does.</source>
+            <translation>ENI 的布局和写法，此处显示与导出时相同：按 EC-Engineer 或按 TwinCAT 3 的方式。</translation>
+        </message>
+        <message>
+            <source>Since when changes are shown</source>
+            <translation>从何时起显示更改</translation>
+        </message>
+        <message>
+            <source>Changes since saved</source>
+            <translation>保存以来的更改</translation>
+        </message>
+        <message>
+            <source>Changes since exported</source>
+            <translation>导出以来的更改</translation>
+        </message>
+        <message>
+            <source>Changes since opened here</source>
+            <translation>打开本页以来的更改</translation>
+        </message>
+        <message>
+            <source>The last change</source>
+            <translation>最近一次更改</translation>
+        </message>
+        <message>
+            <source>Previous change</source>
+            <translation>上一处更改</translation>
+        </message>
+        <message>
+            <source>Next change</source>
+            <translation>下一处更改</translation>
+        </message>
+        <message>
+            <source>&amp;Only changes</source>
+            <translation>仅更改(&amp;O)</translation>
+        </message>
+        <message>
+            <source>Show only the lines around changes</source>
+            <translation>仅显示更改附近的行</translation>
+        </message>
+        <message>
+            <source>Co&amp;mpare…</source>
+            <translation>比较(&amp;M)…</translation>
+        </message>
+        <message>
+            <source>Compare the project with a file</source>
+            <translation>将项目与文件比较</translation>
+        </message>
+        <message>
+            <source>E&amp;xport…</source>
+            <translation>导出(&amp;X)…</translation>
+        </message>
+        <message>
+            <source>Write the ENI to a file</source>
+            <translation>将 ENI 写入文件</translation>
+        </message>
+        <message>
+            <source>Part of the ENI to go to</source>
+            <translation>要跳转到的 ENI 部分</translation>
+        </message>
+        <message>
+            <source>Go to</source>
+            <translation>转到</translation>
+        </message>
+        <message>
+            <source>Search the ENI</source>
+            <translation>搜索 ENI</translation>
+        </message>
+        <message>
+            <source>Search (Ctrl+F)</source>
+            <translation>搜索 (Ctrl+F)</translation>
+        </message>
+        <message>
+            <source>Previous place</source>
+            <translation>上一处</translation>
+        </message>
+        <message>
+            <source>Next place</source>
+            <translation>下一处</translation>
+        </message>
+        <message>
+            <source>What the checker says of the ENI</source>
+            <translation>ENI 的检查结果</translation>
+        </message>
+        <message>
+            <source>&quot;%1&quot; is not in it</source>
+            <translation>其中没有“%1”</translation>
+        </message>
+        <message>
+            <source>The project cannot be compiled: %1</source>
+            <translation>无法编译项目：%1</translation>
+        </message>
+        <message>
+            <source>What stands here is old: it was made at %1.</source>
+            <translation>此处内容已过时：生成于 %1。</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n error(s) of the project stand against this ENI.</source>
+            <translation>
+                <numerusform>此 ENI 存在项目的 %n 个错误。</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Nothing has been changed yet</source>
+            <translation>尚无更改</translation>
+        </message>
+        <message>
+            <source>Not exported yet: nothing to compare with</source>
+            <translation>尚未导出：没有可比较的内容</translation>
+        </message>
+        <message>
+            <source>Not saved yet: nothing to compare with</source>
+            <translation>尚未保存：没有可比较的内容</translation>
+        </message>
+        <message>
+            <source>No line differs</source>
+            <translation>没有变化的行</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n line(s) added</source>
+            <translation>
+                <numerusform>新增 %n 行</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n removed</source>
+            <translation>
+                <numerusform>删除 %n 行</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n altered</source>
+            <translation>
+                <numerusform>更改 %n 行</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Computing…</source>
+            <translation>正在计算…</translation>
+        </message>
+        <message>
+            <source>Out of date</source>
+            <translation>已过时</translation>
+        </message>
+        <message>
+            <source>Being checked…</source>
+            <translation>正在检查…</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n error(s)</source>
+            <translation>
+                <numerusform>%n 个错误</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n warning(s)</source>
+            <translation>
+                <numerusform>%n 个警告</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n note(s)</source>
+            <translation>
+                <numerusform>%n 条提示</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>The checker finds nothing</source>
+            <translation>检查未发现问题</translation>
+        </message>
+</context>
+<context>
+    <name>ComparisonModel</name>
+        <message>
+            <source>Slaves</source>
+            <translation>从站</translation>
+        </message>
+        <message>
+            <source>Wiring</source>
+            <translation>接线</translation>
+        </message>
+        <message>
+            <source>Process data</source>
+            <translation>过程数据</translation>
+        </message>
+        <message>
+            <source>Mailbox</source>
+            <translation>邮箱</translation>
+        </message>
+        <message>
+            <source>Start-up</source>
+            <translation>启动</translation>
+        </message>
+        <message>
+            <source>Clocks</source>
+            <translation>时钟</translation>
+        </message>
+        <message>
+            <source>Commands</source>
+            <translation>命令</translation>
+        </message>
+        <message>
+            <source>Cyclic</source>
+            <translation>周期</translation>
+        </message>
+        <message>
+            <source>Process image</source>
+            <translation>过程映像</translation>
+        </message>
+        <message>
+            <source>Master</source>
+            <translation>主站</translation>
+        </message>
+        <message>
+            <source>At run time</source>
+            <translation>运行时</translation>
+        </message>
+        <message>
+            <source>Setting</source>
+            <translation>设置</translation>
+        </message>
+        <message>
+            <source>Position %1</source>
+            <translation>位置 %1</translation>
+        </message>
+        <message>
+            <source>Network</source>
+            <translation>网络</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n difference(s)</source>
+            <translation>
+                <numerusform>%n 处差异</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>What</source>
+            <translation>内容</translation>
+        </message>
+        <message>
+            <source>Class</source>
+            <translation>类别</translation>
+        </message>
+</context>
+<context>
+    <name>CompareDialog</name>
+        <message>
+            <source>Compare</source>
+            <translation>比较</translation>
+        </message>
+        <message>
+            <source>How many differences there are</source>
+            <translation>差异数量</translation>
+        </message>
+        <message>
+            <source>Left side of the comparison</source>
+            <translation>比较的左侧</translation>
+        </message>
+        <message>
+            <source>Right side of the comparison</source>
+            <translation>比较的右侧</translation>
+        </message>
+        <message>
+            <source>Exchange the two sides</source>
+            <translation>交换两侧</translation>
+        </message>
+        <message>
+            <source>Search the differences</source>
+            <translation>搜索差异</translation>
+        </message>
+        <message>
+            <source>Search</source>
+            <translation>搜索</translation>
+        </message>
+        <message>
+            <source>&amp;Only what matters</source>
+            <translation>仅重要的(&amp;O)</translation>
+        </message>
+        <message>
+            <source>Only what matters</source>
+            <translation>仅重要的</translation>
+        </message>
+        <message>
+            <source>Leaves out names, and where data stand in the process image</source>
+            <translation>省略名称以及数据在过程映像中的位置</translation>
+        </message>
+        <message>
+            <source>Differences</source>
+            <translation>差异</translation>
+        </message>
+        <message>
+            <source>&amp;Copy</source>
+            <translation>复制(&amp;C)</translation>
+        </message>
+        <message>
+            <source>Copy the differences as text</source>
+            <translation>将差异复制为文本</translation>
+        </message>
+        <message>
+            <source>&amp;Export CSV…</source>
+            <translation>导出 CSV(&amp;E)…</translation>
+        </message>
+        <message>
+            <source>Write the differences to a file</source>
+            <translation>将差异写入文件</translation>
+        </message>
+        <message>
+            <source>File…</source>
+            <translation>文件…</translation>
+        </message>
+        <message>
+            <source>Bus…</source>
+            <translation>总线…</translation>
+        </message>
+        <message>
+            <source>Project (%1)</source>
+            <translation>项目 (%1)</translation>
+        </message>
+        <message>
+            <source>Running machine</source>
+            <translation>运行中的机器</translation>
+        </message>
+        <message>
+            <source>Bus on %1</source>
+            <translation>%1 上的总线</translation>
+        </message>
+        <message>
+            <source>Compare With</source>
+            <translation>与之比较</translation>
+        </message>
+        <message>
+            <source>Projects and ENI files (*.syncline *.xml *.eni);;All files (*)</source>
+            <translation>项目和 ENI 文件 (*.syncline *.xml *.eni);;所有文件 (*)</translation>
+        </message>
+        <message>
+            <source>Choose what the project is to be compared with.</source>
+            <translation>请选择要与项目比较的对象。</translation>
+        </message>
+        <message>
+            <source>Comparing…</source>
+            <translation>正在比较…</translation>
+        </message>
+        <message>
+            <source>There is no difference.</source>
+            <translation>没有差异。</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n difference(s)</source>
+            <translation>
+                <numerusform>%n 处差异</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Where</source>
+            <translation>位置</translation>
+        </message>
+        <message>
+            <source>Export Differences</source>
+            <translation>导出差异</translation>
+        </message>
+        <message>
+            <source>Comma-separated values (*.csv)</source>
+            <translation>逗号分隔值 (*.csv)</translation>
+        </message>
+        <message>
+            <source>The differences could not be written.</source>
+            <translation>无法写入差异。</translation>
+        </message>
+</context>
 </TS>

@@ -16,7 +16,7 @@ void updateActionStates(const Actions& actions, Workspace& workspace, const Reco
   const bool online = phase == LiveSession::Phase::kOnline;
   actions.create->setEnabled(!busy);
   actions.open->setEnabled(!workspace.scan().isRunning());
-  for (auto* action : {actions.save, actions.save_as, actions.export_eni}) action->setEnabled(some);
+  for (auto* action : {actions.save, actions.save_as, actions.export_eni, actions.compare}) action->setEnabled(some);
   actions.go_to->setEnabled(!recorded);
   actions.scan->setEnabled(!busy);
   actions.demo->setEnabled(!busy);

@@ -20,7 +20,7 @@ class Actions final : public QObject {
   void drawIcons(const QPalette& palette);
 
   QAction *create, *open, *save, *save_as, *export_eni, *close_recording, *quit;
-  QAction *undo, *redo, *go_to;
+  QAction *undo, *redo, *go_to, *compare;
   QAction *demo, *scan, *online, *offline, *clear_statistics, *record, *save_recent;
   QList<QAction*> states;  // INIT, PREOP, SAFEOP, OP; data() is the AlState
   QList<QAction*> themes;  // system, light, dark; data() is the theme::Mode

@@ -19,7 +19,7 @@
 #include "ui/actions.h"
 #include "ui/dialogs/about_dialog.h"
 #include "ui/dialogs/bus_commands.h"
-#include "ui/dialogs/difference_dialog.h"
+#include "ui/dialogs/compare_dialog.h"
 #include "ui/dialogs/file_commands.h"
 #include "ui/dialogs/go_to_dialog.h"
 #include "ui/dialogs/language_menu.h"
@@ -105,7 +105,8 @@ void MainWindow::buildCentre() {
   layout->addWidget(new RecordingBar(workspace_.recording()));
   layout->addWidget(bar);
   layout->addWidget(splitter_, 1);
-  connect(bar, &RunBar::differencesWanted, this, &MainWindow::showDifferences);
+  connect(bar, &RunBar::differencesWanted, this,
+          [this] { showComparison({ComparedSide::Kind::kRunning}, {ComparedSide::Kind::kProject}); });
   connect(bar, &RunBar::restartWanted, this, [this] {
     if (commitFields()) bus_->restart();
   });
@@ -175,6 +176,8 @@ void MainWindow::connectActions() {
   on(actions_->save, [this] { files_->save(); });
   on(actions_->save_as, [this] { files_->saveAs(); });
   on(actions_->export_eni, [this] { files_->exportEni(); });
+  connect(editor_, &DeviceEditor::compareWanted, actions_->compare, &QAction::trigger);
+  connect(editor_, &DeviceEditor::exportWanted, actions_->export_eni, &QAction::trigger);
   on(actions_->scan, [this] { bus_->scan(); });
   on(actions_->demo, [this] {
     if (files_->mayDiscard()) bus_->startDemo();
@@ -187,6 +190,7 @@ void MainWindow::connectActions() {
     editor_->revertFields();
   });
   on(actions_->redo, [&stack] { stack.redo(); });
+  on(actions_->compare, [this] { showComparison({}, CompareDialog::usualSide(workspace_)); });
   on(actions_->go_to, [this] { showGoTo(); });
   connect(actions_->quit, &QAction::triggered, this, &QWidget::close);
   connect(actions_->offline, &QAction::triggered, bus_, &BusCommands::goOffline);
@@ -235,6 +239,9 @@ void MainWindow::connectSession() {
     if (const auto& path = workspace_.document().path(); !path.isEmpty()) workspace_.memory().remember(path);
   });
   connect(files_, &FileCommands::linkWanted, bus_, &BusCommands::scanLink);
+  connect(files_, &FileCommands::comparisonWanted, this, [this](const QString& path) {
+    showComparison({}, {ComparedSide::Kind::kFile, path});
+  });
   connect(files_, &FileCommands::recordingWanted, recordings_, &RecordingCommands::open);
   connect(&document, &ProjectDocument::projectChanged, this, [this](bool structural) {
     updateActions();
@@ -295,11 +302,16 @@ void MainWindow::goToMoment(qint64 moment) {
   findings_->selectMoment(moment);
 }
 
-void MainWindow::showDifferences() {
-  auto* dialog = new DifferenceDialog(workspace_, this);
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  connect(dialog, &DifferenceDialog::keyWanted, this, [this](const QString& key) { goTo(-1, key); });
-  dialog->open();
+void MainWindow::showComparison(const ComparedSide& left, const ComparedSide& right) {
+  auto* dialog = findChild<CompareDialog*>();
+  if (dialog == nullptr) {
+    dialog = new CompareDialog(workspace_, this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &CompareDialog::placeWanted, this, &MainWindow::goTo);
+  }
+  dialog->compare(left, right);
+  dialog->show();
+  dialog->activateWindow();
 }
 
 void MainWindow::showGoTo() {
@@ -378,7 +390,7 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 
 void MainWindow::dropEvent(QDropEvent* event) {
   const auto file = event->mimeData()->urls().front().toLocalFile();
-  if (commitFields()) files_->openAny(file);
+  if (commitFields()) files_->openDropped(file);
 }
 
 }  // namespace syncline::ui

@@ -12,6 +12,7 @@ namespace syncline::ui {
 
 class Actions;
 class BusCommands;
+struct ComparedSide;
 class DeviceEditor;
 class ExplorerPanel;
 class FileCommands;
@@ -65,7 +66,7 @@ class MainWindow final : public QMainWindow {
   void goToMoment(qint64 moment);
   void updateTheme();
   void goTo(int slave, const QString& key);
-  void showDifferences();
+  void showComparison(const ComparedSide& left, const ComparedSide& right);
   void showGoTo();
 
   Workspace& workspace_;

@@ -4,6 +4,7 @@
 #include "app/cli/recorded_event.h"
 #include "app/composition/open_link.h"
 #include "app/composition/open_master.h"
+#include "engine/compare_bus.h"
 #include "engine/describe_slaves.h"
 #include "engine/scan_bus.h"
 #include "ui/session/bus_connection.h"
@@ -24,6 +25,12 @@ inline void connect_buses(ui::Environment& environment) {
   environment.describe_slaves = [](Project& project, const QString& link, const std::atomic<bool>& cancelled) {
     return describe_slaves(
         project, [&] { return open_link(link.toStdString()); }, &cancelled);
+  };
+  environment.compare_bus = [](const NetworkConfig& config, const QString& link,
+                               const std::atomic<bool>& cancelled) -> Result<ui::BusComparison> {
+    auto compared = compare_bus(config, open_link(link.toStdString()), {.look_only = true}, &cancelled);
+    if (!compared) return tl::unexpected(compared.error());
+    return ui::BusComparison{std::move(compared->differences), std::move(compared->findings)};
   };
   environment.record_event = cli::recorded_event;
   environment.demo_link = QString::fromStdString(demo_link(true));

@@ -20,7 +20,7 @@
 #include "settings/settings_table.h"
 #include "ui/dialogs/about_dialog.h"
 #include "ui/dialogs/bus_commands.h"
-#include "ui/dialogs/difference_dialog.h"
+#include "ui/dialogs/compare_dialog.h"
 #include "ui/dialogs/found_dialog.h"
 #include "ui/dialogs/link_chooser.h"
 #include "ui/dialogs/recording_commands.h"
@@ -113,6 +113,13 @@ void fill(QWidget& page, ui::Workspace& workspace) {
     run([save = page.findChild<QPushButton*>(QStringLiteral("eepromSave"))] { return save->isEnabled(); });
 }
 
+bool waitUntil(const std::function<bool()>& done) {
+  QElapsedTimer waiting;
+  waiting.start();
+  while (!done() && waiting.elapsed() < kScanTimeoutMs) QApplication::processEvents(QEventLoop::WaitForMoreEvents, 50);
+  return done();
+}
+
 void takePages(Camera& camera, ui::MainWindow& window, ui::Workspace& workspace, const QString& theme) {
   const auto slaves = static_cast<int>(workspace.document().project().slaves.size());
   const int talkative = talkativeSlave(workspace.document().project());
@@ -121,6 +128,7 @@ void takePages(Camera& camera, ui::MainWindow& window, ui::Workspace& workspace,
     auto* tabs = window.editor().tabs();
     for (int tab = 0; tab < tabs->count(); ++tab) {
       tabs->setCurrentIndex(tab);
+      static_cast<void>(waitUntil([&workspace] { return !workspace.eni().isComputing(); }));
       workspace.live().advance(50 * kMillisecond);
       if (slave == talkative) fill(*tabs->widget(tab), workspace);
       window.findChild<ui::LiveStrip*>()->refresh();  // its own tick has had no time to pass
@@ -159,8 +167,10 @@ void takeQuestions(Camera& camera, ui::MainWindow& window, ui::Workspace& worksp
   static_cast<void>(workspace.document().set({}, {cycle, gain}));
   static_cast<void>(workspace.configuration().current());
   camera.take(window, theme + QStringLiteral("-run-bar"));
-  ui::DifferenceDialog difference(workspace, &window);
+  ui::CompareDialog difference(workspace, &window);
+  difference.compare({ui::ComparedSide::Kind::kRunning}, {ui::ComparedSide::Kind::kProject});
   difference.show();
+  static_cast<void>(waitUntil([&difference] { return !difference.isComparing(); }));
   camera.take(difference, theme + QStringLiteral("-differences"));
   workspace.document().undoStack().undo();
 }
@@ -186,13 +196,6 @@ void takeDistribution(Camera& camera, ui::MainWindow& window, const QString& the
   }
   window.resize(usual);
   strip->showDistribution(false);
-}
-
-bool waitUntil(const std::function<bool()>& done) {
-  QElapsedTimer waiting;
-  waiting.start();
-  while (!done() && waiting.elapsed() < kScanTimeoutMs) QApplication::processEvents(QEventLoop::WaitForMoreEvents, 50);
-  return done();
 }
 
 /// The last seconds of the machine out of memory, opened again.

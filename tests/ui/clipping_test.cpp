@@ -37,6 +37,7 @@ class Clipping : public ::testing::TestWithParam<const char*> {
   }
   void settle() {
     window_.liveStrip().refresh();
+    static_cast<void>(test::waitFor([this] { return !workspace_.eni().isComputing(); }));
     for (int round = 0; round < 3; ++round) QApplication::processEvents();
   }
   void look(const QString& page) {

@@ -24,7 +24,6 @@
 #include "ui/editors/number_edit.h"
 #include "ui/editors/page.h"
 #include "ui/main_window.h"
-#include "ui/models/difference_model.h"
 #include "ui/models/message_model.h"
 #include "ui/pages/device_editor.h"
 #include "ui/panels/run_bar.h"

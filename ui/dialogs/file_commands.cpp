@@ -4,6 +4,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
+#include <QPushButton>
 
 #include "ui/dialogs/error_dialog.h"
 #include "ui/dialogs/import_commands.h"
@@ -58,6 +59,25 @@ void FileCommands::openAny(const QString& path) {
     case FileKind::kOther:
       return refuse(tr("It is neither a project, an ENI, an ESI, a recording, a capture nor a scenario."));
   }
+}
+
+void FileCommands::openDropped(const QString& path) {
+  const auto kind = fileKind(path);
+  const bool machine = kind == FileKind::kProject || kind == FileKind::kEni;
+  if (!machine || workspace_.document().project().slaves.empty() || workspace_.recording().isOpen())
+    return openAny(path);
+  QMessageBox box(QMessageBox::Question, tr("Syncline"),
+                  tr("Open %1, or compare the project with it?").arg(QFileInfo(path).fileName()), QMessageBox::Cancel,
+                  &window_);
+  box.setObjectName(QStringLiteral("dropQuestion"));
+  auto* compare = box.addButton(tr("&Compare"), QMessageBox::AcceptRole);
+  compare->setObjectName(QStringLiteral("dropCompare"));
+  auto* open = box.addButton(tr("&Open"), QMessageBox::AcceptRole);
+  open->setObjectName(QStringLiteral("dropOpen"));
+  box.setDefaultButton(compare);
+  box.exec();
+  if (box.clickedButton() == compare) return Q_EMIT comparisonWanted(path);
+  if (box.clickedButton() == open) openAny(path);
 }
 
 bool FileCommands::openFile(const QString& path) {
@@ -142,7 +162,7 @@ void FileCommands::exportEni() {
 }
 
 bool FileCommands::exportTo(const QString& path) {
-  if (auto status = ui::exportEni(workspace_.configuration(), path); !status) {
+  if (auto status = ui::exportEni(workspace_, path); !status) {
     workspace_.report(status.error(), Severity::kError, tr("Export"));
     showError(&window_, tr("The ENI could not be written."), status.error());
     return false;

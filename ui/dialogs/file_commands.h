@@ -29,6 +29,8 @@ class FileCommands final : public QObject {
   /// into the catalogue), a recording (shown), a capture or a scenario (scanned as a bus). Says why not where it does
   /// not.
   void openAny(const QString& path);
+  /// The same for a file that was dropped: a machine can be compared with the open project instead.
+  void openDropped(const QString& path);
   /// Offers the unsaved work of windows that were killed; `then` follows when there is none or the user has decided.
   void offerRecovery(const std::function<void()>& then);
   bool save();
@@ -39,6 +41,8 @@ class FileCommands final : public QObject {
   bool mayDiscard();
 
  Q_SIGNALS:
+  /// The file is to be compared with the project.
+  void comparisonWanted(const QString& path);
   /// The file is a bus: scan it.
   void linkWanted(const QString& link);
   void recordingWanted(const QString& path);

@@ -10,6 +10,7 @@
 #include "settings/settings_table.h"
 #include "ui/dialogs/slave_state_commands.h"
 #include "ui/editors/field_binder.h"
+#include "ui/pages/eni_page.h"
 #include "ui/pages/master_dc_expert_page.h"
 #include "ui/pages/master_dc_page.h"
 #include "ui/pages/master_general_page.h"
@@ -73,12 +74,26 @@ DeviceEditor::DeviceEditor(Workspace& workspace, QWidget* parent) : QWidget(pare
   tabs_->setAccessibleName(tr("Pages of the selected node"));
   tabs_->setDocumentMode(true);
   layout->addWidget(tabs_, 1);
-  pages_ = {new MasterGeneralPage(workspace), new MasterDcPage(workspace),       new MasterDcExpertPage(workspace),
-            new MasterTasksPage(workspace),   new SlaveGeneralPage(workspace),   new SlaveDcPage(workspace),
-            new SlaveSyncPage(workspace),     new ProcessDataPage(workspace),    new SlaveDataPage(workspace),
-            new SlaveStartupPage(workspace),  new SlaveMailboxPage(workspace),   new SlaveTimingPage(workspace),
-            new SlaveObjectsPage(workspace),  new SlaveRegistersPage(workspace), new SlaveEepromPage(workspace),
-            new SlaveCountersPage(workspace)};
+  auto* eni = new EniPage(workspace);
+  connect(eni, &EniPage::compareWanted, this, &DeviceEditor::compareWanted);
+  connect(eni, &EniPage::exportWanted, this, &DeviceEditor::exportWanted);
+  pages_ = {new MasterGeneralPage(workspace),
+            new MasterDcPage(workspace),
+            new MasterDcExpertPage(workspace),
+            new MasterTasksPage(workspace),
+            new SlaveGeneralPage(workspace),
+            new SlaveDcPage(workspace),
+            new SlaveSyncPage(workspace),
+            new ProcessDataPage(workspace),
+            new SlaveDataPage(workspace),
+            new SlaveStartupPage(workspace),
+            new SlaveMailboxPage(workspace),
+            new SlaveTimingPage(workspace),
+            new SlaveObjectsPage(workspace),
+            new SlaveRegistersPage(workspace),
+            new SlaveEepromPage(workspace),
+            new SlaveCountersPage(workspace),
+            eni};
   for (auto* page : pages_) {
     page->setParent(this);
     page->hide();

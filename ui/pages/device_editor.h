@@ -40,6 +40,9 @@ class DeviceEditor final : public QWidget {
   void revertFields();
 
  Q_SIGNALS:
+  /// The buttons of the ENI's page.
+  void compareWanted();
+  void exportWanted();
   /// Another node has to be shown for a field.
   void nodeWanted(int slave);
 

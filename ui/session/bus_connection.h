@@ -12,6 +12,7 @@
 #include "channels/background_master.h"
 #include "channels/event.h"
 #include "channels/values/bus_scan.h"
+#include "compare/compare_configs.h"
 #include "config/project.h"
 #include "record/recording.h"
 #include "support/result.h"
@@ -33,6 +34,17 @@ using BusScanner =
 using SlaveDescriber = std::function<Result<std::vector<Error>>(Project& project, const QString& link,
                                                                 const std::atomic<bool>& cancelled)>;
 
+/// What a configuration (left) and a bus (right) have otherwise, and what of the bus could not be read.
+struct BusComparison {
+  std::vector<ConfigDifference> differences;
+  std::vector<Finding> findings;
+};
+
+/// Compares a configuration with the bus behind a LINK text, without writing anything to it. Called from a thread of
+/// its own; ends early when `cancelled`.
+using BusComparer = std::function<Result<BusComparison>(const NetworkConfig& config, const QString& link,
+                                                        const std::atomic<bool>& cancelled)>;
+
 /// A network adapter that can carry EtherCAT.
 struct NetworkAdapter {
   QString name;         // "eth0"
@@ -53,6 +65,7 @@ struct Environment {
   EepromRepairs eeprom_repairs{};  // none: nothing is offered
   QString recovery_folder{};       // for unsaved work; "" = none is kept
   QString settings_file{};         // for what the window remembers; "" = nothing
+  BusComparer compare_bus{};       // none: nothing is compared with a bus
   /// An event as recordings hold it; none: recordings hold no events.
   std::function<std::optional<RecordedEvent>(const Event&)> record_event{};
 };

@@ -2,14 +2,18 @@
 #include "ui/session/exporter.h"
 
 #include "eni/format/eni_file.h"
-#include "ui/session/configuration_monitor.h"
+#include "ui/session/workspace.h"
 
 namespace syncline::ui {
 
-Status exportEni(ConfigurationMonitor& configuration, const QString& path) {
-  const auto& compiled = configuration.current();
+Status exportEni(Workspace& workspace, const QString& path) {
+  const auto dialect = workspace.eni().dialect();
+  const auto compiled = dialect == EniDialect::kEcEngineer ? workspace.configuration().current()
+                                                           : compile(workspace.document().project(), {dialect});
   if (!compiled) return tl::unexpected(compiled.error());
-  return eni::save_eni(compiled->config, path.toStdString());
+  if (auto status = eni::save_eni(compiled->config, path.toStdString(), eni::style_of(dialect)); !status) return status;
+  workspace.eni().noteExport();
+  return {};
 }
 
 }  // namespace syncline::ui

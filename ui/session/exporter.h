@@ -7,10 +7,10 @@
 
 namespace syncline::ui {
 
-class ConfigurationMonitor;
+class Workspace;
 
-/// Writes the ENI of the project as it is now. Fails when the project cannot be compiled or the file
-/// cannot be written; findings of severity error do not stop it (the messages show them).
-[[nodiscard]] Status exportEni(ConfigurationMonitor& configuration, const QString& path);
+/// Writes the ENI of the project as it is now, in the dialect of its preview. Fails when the project cannot be compiled
+/// or the file cannot be written; findings of severity error do not stop it (the messages show them).
+[[nodiscard]] Status exportEni(Workspace& workspace, const QString& path);
 
 }  // namespace syncline::ui

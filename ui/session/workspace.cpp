@@ -24,6 +24,7 @@ Workspace::Workspace(Environment environment, QObject* parent)
       memory_(environment_.settings_file),
       autosave_(document_, environment_.recovery_folder),
       configuration_(document_),
+      eni_(document_),
       scan_(environment_.scan_bus, environment_.describe_slaves, environment_.esi_folders),
       catalogue_(environment_.esi_folders),
       eeprom_repair_(environment_.eeprom_repairs),

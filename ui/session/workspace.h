@@ -12,6 +12,7 @@
 #include "ui/session/device_catalogue.h"
 #include "ui/session/disk_recording.h"
 #include "ui/session/eeprom_repair.h"
+#include "ui/session/eni_preview.h"
 #include "ui/session/live_session.h"
 #include "ui/session/opened_recording.h"
 #include "ui/session/project_document.h"
@@ -37,6 +38,8 @@ class Workspace final : public QObject {
   [[nodiscard]] ProjectDocument& document() { return document_; }
   [[nodiscard]] Autosave& autosave() { return autosave_; }
   [[nodiscard]] ConfigurationMonitor& configuration() { return configuration_; }
+  /// The ENI that the project would export.
+  [[nodiscard]] EniPreview& eni() { return eni_; }
   [[nodiscard]] ScanController& scan() { return scan_; }
   [[nodiscard]] DeviceCatalogue& catalogue() { return catalogue_; }
   [[nodiscard]] EepromRepair& eepromRepair() { return eeprom_repair_; }
@@ -99,6 +102,7 @@ class Workspace final : public QObject {
   ProjectDocument document_;
   Autosave autosave_;
   ConfigurationMonitor configuration_;
+  EniPreview eni_;
   ScanController scan_;
   DeviceCatalogue catalogue_;
   EepromRepair eeprom_repair_;

@@ -1,0 +1,367 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/pages/eni_page.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QLocale>
+#include <QPushButton>
+#include <QScrollBar>
+#include <QShortcut>
+#include <QSplitter>
+#include <QTableView>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "ui/models/eni_finding_model.h"
+#include "ui/models/eni_model.h"
+#include "ui/pages/eni_text_view.h"
+#include "ui/session/eni_preview.h"
+#include "ui/session/workspace.h"
+#include "ui/text/error_text.h"
+#include "ui/text/finding_text.h"
+#include "ui/text/glossary.h"
+#include "ui/widgets/named.h"
+#include "ui/widgets/tables.h"
+#include "ui/widgets/value_label.h"
+
+namespace syncline::ui {
+namespace {
+
+const QString kDialectKey = QStringLiteral("eni/dialect");
+constexpr int kNoSection = -1;
+
+QString sectionName(const eni::EniSection& section, const Project& project) {
+  switch (section.part) {
+    case eni::EniPart::kMaster:
+      return masterWord();
+    case eni::EniPart::kSlave:
+      return section.slave < static_cast<int>(project.slaves.size()) ? nodeName(project, section.slave) : QString();
+    case eni::EniPart::kCyclic:
+      return EniPage::tr("Cyclic");
+    case eni::EniPart::kProcessImage:
+      return EniPage::tr("Process image");
+    case eni::EniPart::kOther:
+      break;
+  }
+  return EniPage::tr("Other");
+}
+
+/// The line of another text that stands where `line` did: as far from the beginning of the same section.
+std::size_t sameLine(const EniLines& from, std::size_t line, const EniLines& to) {
+  for (std::size_t i = 0; i < from.sections.size(); ++i) {
+    const auto& section = from.sections[i];
+    if (line < section.first || line >= section.first + section.count) continue;
+    const auto found = std::ranges::find_if(to.sections, [&](const eni::EniSection& other) {
+      return other.part == section.part && other.slave == section.slave;
+    });
+    if (found == to.sections.end()) break;
+    return found->first + std::min(line - section.first, found->count - 1);
+  }
+  return line;
+}
+
+}  // namespace
+
+EniPage::EniPage(Workspace& workspace)
+    : Page(workspace, "eniPage", tr("ENI")),
+      preview_(workspace.eni()),
+      model_(new EniModel(this)),
+      findings_(new EniFindingModel(this)) {
+  preview_.setDialect(static_cast<EniDialect>(workspace.memory().value(kDialectKey).toInt() != 0));
+  auto* content = new QWidget;
+  auto* layout = new QVBoxLayout(content);
+  layout->setContentsMargins(12, 8, 12, 8);
+  layout->setSpacing(6);
+  layout->addWidget(buildChoices());
+  layout->addWidget(buildSearch());
+  trouble_ = named(new QLabel, "eniTrouble", tr("What stands against the ENI"));
+  trouble_->setWordWrap(true);
+  trouble_->hide();
+  layout->addWidget(trouble_);
+  auto* split = named(new QSplitter(Qt::Vertical), "eniSplitter", tr("ENI and what the checker says of it"));
+  text_ = new EniTextView(*model_);
+  split->addWidget(text_);
+  found_ = buildFindings();
+  split->addWidget(found_);
+  split->setStretchFactor(0, 3);
+  split->setStretchFactor(1, 1);
+  split->setChildrenCollapsible(false);
+  layout->addWidget(split, 1);
+  auto* bottom = new QHBoxLayout;
+  summary_ = named(new ValueLabel, "eniSummary", tr("Lines that changed"));
+  summary_->setLeastCharacters(20);
+  checked_ = named(new ValueLabel, "eniChecked", tr("Whether the ENI is up to date, and what the checker says of it"));
+  checked_->setLeastCharacters(16);
+  checked_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  bottom->addWidget(summary_, 1);
+  bottom->addWidget(checked_, 1);
+  layout->addLayout(bottom);
+  setWidget(content);
+  buildShortcuts();
+  connect(&preview_, &EniPreview::changed, this, &EniPage::showView);
+  connect(&preview_, &EniPreview::progressed, this, &EniPage::showProgress);
+  showProgress();
+}
+
+QWidget* EniPage::buildChoices() {
+  auto* area = new QWidget;
+  auto* layout = new QHBoxLayout(area);
+  layout->setContentsMargins(0, 0, 0, 0);
+  dialect_ = named(new QComboBox, "eniDialect", tr("Dialect of the ENI"));
+  dialect_->addItem(QStringLiteral("EC-Engineer"), static_cast<int>(EniDialect::kEcEngineer));
+  dialect_->addItem(QStringLiteral("TwinCAT"), static_cast<int>(EniDialect::kTwinCat));
+  dialect_->setCurrentIndex(static_cast<int>(preview_.dialect()));
+  dialect_->setWhatsThis(
+      tr("How the ENI is laid out and spelled, here and when it is exported: as EC-Engineer does, or "
+         "as TwinCAT 3 does."));
+  since_ = named(new QComboBox, "eniSince", tr("Since when changes are shown"));
+  since_->addItem(tr("Changes since saved"), static_cast<int>(EniPreview::Since::kSaved));
+  since_->addItem(tr("Changes since exported"), static_cast<int>(EniPreview::Since::kExported));
+  since_->addItem(tr("Changes since opened here"), static_cast<int>(EniPreview::Since::kOpened));
+  since_->addItem(tr("The last change"), static_cast<int>(EniPreview::Since::kLastEdit));
+  since_->setCurrentIndex(static_cast<int>(preview_.since()));
+  change_up_ = stepButton("eniChangeUp", tr("Previous change"), Qt::UpArrow, QKeySequence(Qt::ALT | Qt::Key_Up));
+  change_down_ = stepButton("eniChangeDown", tr("Next change"), Qt::DownArrow, QKeySequence(Qt::ALT | Qt::Key_Down));
+  only_changes_ = named(new QCheckBox(tr("&Only changes")), "eniOnlyChanges", tr("Show only the lines around changes"));
+  auto* compare = named(new QPushButton(tr("Co&mpare…")), "eniCompare", tr("Compare the project with a file"));
+  auto* write = named(new QPushButton(tr("E&xport…")), "eniExport", tr("Write the ENI to a file"));
+  layout->addWidget(dialect_);
+  layout->addWidget(since_);
+  layout->addWidget(change_up_);
+  layout->addWidget(change_down_);
+  layout->addWidget(only_changes_);
+  layout->addStretch(1);
+  layout->addWidget(compare);
+  layout->addWidget(write);
+  connect(dialect_, &QComboBox::activated, this, [this] {
+    preview_.setDialect(static_cast<EniDialect>(dialect_->currentData().toInt()));
+    this->workspace().memory().setValue(kDialectKey, dialect_->currentData().toInt());
+  });
+  connect(since_, &QComboBox::activated, this, [this] {
+    since_chosen_ = true;
+    preview_.setSince(static_cast<EniPreview::Since>(since_->currentData().toInt()));
+  });
+  connect(change_up_, &QToolButton::clicked, this, [this] { stepChange(false); });
+  connect(change_down_, &QToolButton::clicked, this, [this] { stepChange(true); });
+  connect(only_changes_, &QCheckBox::toggled, this, [this](bool only) {
+    const auto line = model_->lineAt(text_->currentIndex().row());
+    model_->setOnlyChanges(only);
+    goToLine(line);
+  });
+  connect(compare, &QPushButton::clicked, this, &EniPage::compareWanted);
+  connect(write, &QPushButton::clicked, this, &EniPage::exportWanted);
+  return area;
+}
+
+QToolButton* EniPage::stepButton(const char* name, const QString& what, Qt::ArrowType arrow, const QKeySequence& keys) {
+  auto* button = named(new QToolButton, name, what);
+  button->setArrowType(arrow);
+  button->setAutoRaise(true);
+  button->setToolTip(QStringLiteral("%1 (%2)").arg(what, keys.toString(QKeySequence::NativeText)));
+  auto* shortcut = new QShortcut(keys, this);
+  shortcut->setContext(Qt::WidgetWithChildrenShortcut);
+  connect(shortcut, &QShortcut::activated, button, &QToolButton::click);
+  return button;
+}
+
+QWidget* EniPage::buildSearch() {
+  auto* area = new QWidget;
+  auto* layout = new QHBoxLayout(area);
+  layout->setContentsMargins(0, 0, 0, 0);
+  section_ = named(new QComboBox, "eniSection", tr("Part of the ENI to go to"));
+  section_->setMinimumContentsLength(16);
+  section_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  section_->setPlaceholderText(tr("Go to"));
+  words_ = named(new QLineEdit, "eniWords", tr("Search the ENI"));
+  words_->setPlaceholderText(tr("Search (Ctrl+F)"));
+  words_->setClearButtonEnabled(true);
+  found_up_ = stepButton("eniFoundUp", tr("Previous place"), Qt::UpArrow, QKeySequence(Qt::SHIFT | Qt::Key_F3));
+  found_down_ = stepButton("eniFoundDown", tr("Next place"), Qt::DownArrow, QKeySequence(Qt::Key_F3));
+  layout->addWidget(section_);
+  layout->addWidget(words_, 1);
+  layout->addWidget(found_up_);
+  layout->addWidget(found_down_);
+  connect(section_, &QComboBox::activated, this, [this] {
+    const auto line = static_cast<std::size_t>(section_->currentData().toULongLong());
+    text_->goToRow(model_->rowOf(line), EniTextView::PositionAtTop);
+  });
+  connect(words_, &QLineEdit::returnPressed, this, [this] { stepFound(true); });
+  connect(found_up_, &QToolButton::clicked, this, [this] { stepFound(false); });
+  connect(found_down_, &QToolButton::clicked, this, [this] { stepFound(true); });
+  return area;
+}
+
+QTableView* EniPage::buildFindings() {
+  auto* table = named(new QTableView, "eniFindings", tr("What the checker says of the ENI"));
+  setUpTable(*table);
+  table->setModel(findings_);
+  table->setColumnWidth(EniFindingModel::kSeverity, 92);
+  table->setColumnWidth(EniFindingModel::kLine, 72);
+  table->setColumnWidth(EniFindingModel::kRule, 120);
+  stretchColumn(*table, EniFindingModel::kFinding);
+  table->setMinimumHeight(3 * table->verticalHeader()->defaultSectionSize());
+  const auto go = [this](const QModelIndex& index) {
+    const int line = index.data(EniFindingModel::kLineRole).toInt();
+    if (line > 0) goToLine(static_cast<std::size_t>(line) - 1);
+  };
+  connect(table, &QTableView::clicked, this, go);
+  connect(table, &QTableView::activated, this, go);
+  table->hide();
+  return table;
+}
+
+void EniPage::buildShortcuts() {
+  auto* search = new QShortcut(QKeySequence::Find, this);
+  search->setContext(Qt::WidgetWithChildrenShortcut);
+  connect(search, &QShortcut::activated, this, [this] {
+    words_->setFocus(Qt::ShortcutFocusReason);
+    words_->selectAll();
+  });
+}
+
+bool EniPage::appliesTo(int) const { return true; }
+
+void EniPage::showLive(const Snapshot&) {}
+
+void EniPage::refresh() {
+  if (node() != gone_to_) goToNode();
+}
+
+void EniPage::showEvent(QShowEvent* event) {
+  Page::showEvent(event);
+  if (!since_chosen_) {
+    const bool file = !workspace().document().path().isEmpty();
+    preview_.setSince(file ? EniPreview::Since::kSaved : EniPreview::Since::kOpened);
+    since_->setCurrentIndex(static_cast<int>(preview_.since()));
+  }
+  preview_.setWatched(true);
+  goToNode();
+}
+
+void EniPage::hideEvent(QHideEvent* event) {
+  preview_.setWatched(false);
+  Page::hideEvent(event);
+}
+
+void EniPage::goToNode() {
+  const auto* view = model_->view();
+  if (view == nullptr || !isVisible() || node() == gone_to_) return;
+  gone_to_ = node();
+  const auto found = std::ranges::find_if(view->text->sections, [this](const eni::EniSection& section) {
+    return node() < 0 ? section.part == eni::EniPart::kMaster : section.slave == node();
+  });
+  if (found == view->text->sections.end()) return;
+  text_->goToRow(model_->rowOf(found->first), EniTextView::PositionAtTop);
+  section_->setCurrentIndex(static_cast<int>(found - view->text->sections.begin()));
+}
+
+void EniPage::goToLine(std::size_t line) { text_->goToRow(model_->rowOf(line)); }
+
+void EniPage::stepChange(bool forward) { text_->goToRow(model_->changeFrom(text_->currentIndex().row(), forward)); }
+
+void EniPage::stepFound(bool forward) {
+  const int row = model_->find(words_->text(), text_->currentIndex().row(), forward);
+  if (row >= 0) return text_->goToRow(row);
+  if (!words_->text().isEmpty()) summary_->setText(tr("\"%1\" is not in it").arg(words_->text()));
+}
+
+/// Another text: what was looked at stays where it is.
+void EniPage::showView() {
+  const auto& view = preview_.view();
+  if (view.get() != model_->view() && view != nullptr) {
+    const bool first = model_->view() == nullptr;
+    const auto place = [&](int row) {
+      return first ? 0 : sameLine(*model_->view()->text, model_->lineAt(row), *view->text);
+    };
+    const auto top = place(text_->verticalScrollBar()->value());
+    const auto current = place(text_->currentIndex().row());
+    const bool had_current = text_->currentIndex().isValid();
+    model_->setView(view);
+    text_->adaptColumns();
+    if (had_current)
+      text_->selectionModel()->setCurrentIndex(model_->index(model_->rowOf(current), EniModel::kText),
+                                               QItemSelectionModel::NoUpdate);
+    text_->verticalScrollBar()->setValue(model_->rowOf(top));
+    fillSections();
+    goToNode();
+  }
+  since_->setCurrentIndex(static_cast<int>(preview_.since()));
+  showProgress();
+}
+
+void EniPage::fillSections() {
+  const auto& sections = model_->view()->text->sections;
+  const auto chosen = section_->currentIndex();
+  const auto count = static_cast<int>(sections.size());
+  while (section_->count() > count) section_->removeItem(section_->count() - 1);
+  for (int i = 0; i < count; ++i) {
+    const auto& section = sections[static_cast<std::size_t>(i)];
+    if (i == section_->count()) section_->addItem(QString());
+    const auto name = sectionName(section, project());
+    if (section_->itemText(i) != name) section_->setItemText(i, name);
+    section_->setItemData(i, QVariant::fromValue<qulonglong>(section.first));
+  }
+  section_->setCurrentIndex(chosen < count ? chosen : kNoSection);
+}
+
+void EniPage::showProgress() {
+  showFindings();
+  showSummary();
+  text_->setOutdated(preview_.failure().has_value());
+  QString trouble;
+  if (preview_.failure()) {
+    trouble = tr("The project cannot be compiled: %1").arg(errorText(*preview_.failure()));
+    if (preview_.view() != nullptr)
+      trouble += u' ' + tr("What stands here is old: it was made at %1.")
+                            .arg(QLocale().toString(preview_.time().time(), QLocale::ShortFormat));
+  } else if (const auto* view = model_->view()) {
+    const auto worst = std::ranges::find(view->findings, Severity::kError, &Finding::severity);
+    const auto errors = static_cast<int>(std::ranges::count(view->findings, Severity::kError, &Finding::severity));
+    if (errors > 0)
+      trouble = tr("%n error(s) of the project stand against this ENI.", nullptr, errors) + u' ' + findingWhole(*worst);
+  }
+  trouble_->setText(trouble);
+  trouble_->setVisible(!trouble.isEmpty());
+}
+
+void EniPage::showSummary() {
+  const auto* view = model_->view();
+  const bool any = view != nullptr && !view->changes.empty();
+  for (auto* button : {change_up_, change_down_}) button->setEnabled(any);
+  only_changes_->setEnabled(any || only_changes_->isChecked());
+  if (view == nullptr) return summary_->setText({});
+  if (view->before == nullptr)
+    return summary_->setText(since_->currentData().toInt() == static_cast<int>(EniPreview::Since::kLastEdit)
+                                 ? tr("Nothing has been changed yet")
+                             : since_->currentData().toInt() == static_cast<int>(EniPreview::Since::kExported)
+                                 ? tr("Not exported yet: nothing to compare with")
+                                 : tr("Not saved yet: nothing to compare with"));
+  if (!any) return summary_->setText(tr("No line differs"));
+  summary_->setText(QStringLiteral("%1, %2, %3")
+                        .arg(tr("%n line(s) added", nullptr, static_cast<int>(view->added)),
+                             tr("%n removed", nullptr, static_cast<int>(view->removed)),
+                             tr("%n altered", nullptr, static_cast<int>(view->altered))));
+}
+
+void EniPage::showFindings() {
+  const auto& check = preview_.check();
+  if (preview_.isComputing()) return checked_->setText(tr("Computing…"));
+  if (preview_.failure()) return checked_->setText(tr("Out of date"));
+  if (preview_.view() == nullptr) return checked_->setText({});
+  if (check == nullptr) return checked_->setText(tr("Being checked…"));
+  findings_->setFindings(check->findings);
+  const bool any = findings_->rowCount() > 0;
+  found_->setVisible(any);
+  checked_->setText(any ? QStringLiteral("%1, %2, %3")
+                              .arg(tr("%n error(s)", nullptr, findings_->count(Severity::kError)),
+                                   tr("%n warning(s)", nullptr, findings_->count(Severity::kWarning)),
+                                   tr("%n note(s)", nullptr, findings_->count(Severity::kNote)))
+                        : tr("The checker finds nothing"));
+}
+
+}  // namespace syncline::ui

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/editors/page.h"
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QTableView;
+class QToolButton;
+
+namespace syncline::ui {
+
+class EniFindingModel;
+class EniModel;
+class EniPreview;
+class EniTextView;
+class ValueLabel;
+
+/// The ENI that the project would export, and which of its lines each change of the project adds, removes or alters. Of
+/// the master; for a slave it stands at the slave's lines.
+class EniPage final : public Page {
+  Q_OBJECT
+
+ public:
+  explicit EniPage(Workspace& workspace);
+  [[nodiscard]] EniModel& model() { return *model_; }
+
+  [[nodiscard]] bool appliesTo(int slave) const override;
+  void refresh() override;
+  void showLive(const Snapshot& snapshot) override;
+
+ Q_SIGNALS:
+  void compareWanted();
+  void exportWanted();
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
+
+ private:
+  QWidget* buildChoices();
+  QWidget* buildSearch();
+  QTableView* buildFindings();
+  void buildShortcuts();
+  QToolButton* stepButton(const char* name, const QString& what, Qt::ArrowType arrow, const QKeySequence& keys);
+  void showView();
+  void showProgress();
+  void showSummary();
+  void showFindings();
+  void fillSections();
+  void goToNode();
+  void goToLine(std::size_t line);
+  void stepChange(bool forward);
+  void stepFound(bool forward);
+
+  EniPreview& preview_;
+  EniModel* model_;
+  EniFindingModel* findings_;
+  QComboBox *dialect_, *since_, *section_;
+  QCheckBox* only_changes_;
+  QToolButton *change_up_, *change_down_, *found_up_, *found_down_;
+  QLineEdit* words_;
+  EniTextView* text_;
+  QTableView* found_;
+  ValueLabel *summary_, *checked_;
+  QLabel* trouble_;
+  int gone_to_ = -1;  // node
+  bool since_chosen_ = false;
+};
+
+}  // namespace syncline::ui

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/session/comparison.h"
+
+#include <QMetaObject>
+#include <utility>
+
+#include "compile/compile.h"
+#include "eni/format/eni_file.h"
+#include "eni/project/project_file.h"
+#include "ui/session/file_kind.h"
+
+namespace syncline::ui {
+namespace {
+
+/// A side, as far as it is known; an ENI is no project.
+struct SideContent {
+  std::optional<Project> project;
+  NetworkConfig config;
+};
+
+Result<SideContent> compiledSide(const Project& project) {
+  auto compiled = compile(project);
+  if (!compiled) return tl::unexpected(compiled.error());
+  return SideContent{project, std::move(compiled->config)};
+}
+
+Result<SideContent> loadedSide(const QString& path) {
+  if (fileKind(path) == FileKind::kEni) {
+    auto config = eni::read_eni(path.toStdString());
+    if (!config) return tl::unexpected(config.error());
+    return SideContent{std::nullopt, std::move(*config)};
+  }
+  const auto project = eni::load_project(path.toStdString());
+  return project ? compiledSide(*project) : tl::unexpected(project.error());
+}
+
+Result<SideContent> contentOf(const ComparedSide& side, const Project& project, const Project& running) {
+  if (side.kind == ComparedSide::Kind::kFile) return loadedSide(side.path);
+  return compiledSide(side.kind == ComparedSide::Kind::kRunning ? running : project);
+}
+
+Result<Compared> comparedSides(const SideContent& left, const Result<SideContent>& right) {
+  if (!right) return tl::unexpected(right.error());
+  Compared out;
+  out.network = compare_configs(left.config, right->config);
+  if (!left.project || !right->project) return out;
+  out.settings = compare_settings(*left.project, *right->project);
+  for (const auto& slave : left.project->slaves) out.names.push_back(slave.name);
+  return out;
+}
+
+}  // namespace
+
+Comparison::Comparison(BusComparer compare_bus, QObject* parent)
+    : QObject(parent), compare_bus_(std::move(compare_bus)) {}
+
+Comparison::~Comparison() {
+  cancelled_ = true;
+  if (worker_.joinable()) worker_.join();
+}
+
+void Comparison::start(const ComparedSide& left, const ComparedSide& right, const Project& project,
+                       const Project& running) {
+  cancelled_ = true;
+  if (worker_.joinable()) worker_.join();
+  cancelled_ = false;
+  running_ = true;
+  worker_ = std::thread([this, left, right, project, running, number = ++number_] {
+    auto outcome = std::make_shared<Result<Compared>>();
+    const auto ours = contentOf(left, project, running);
+    if (!ours) {
+      *outcome = tl::unexpected(ours.error());
+    } else if (right.kind != ComparedSide::Kind::kBus) {
+      *outcome = comparedSides(*ours, contentOf(right, project, running));
+    } else if (auto bus = compare_bus_(ours->config, right.path, cancelled_); bus) {
+      *outcome = Compared{std::move(bus->differences), {}, {}, std::move(bus->findings)};
+    } else {
+      *outcome = tl::unexpected(bus.error());
+    }
+    QMetaObject::invokeMethod(
+        this,
+        [this, outcome, number] {
+          if (number == number_) deliver(std::move(*outcome));
+        },
+        Qt::QueuedConnection);
+  });
+}
+
+void Comparison::deliver(Result<Compared> outcome) {
+  running_ = false;
+  result_.reset();
+  failure_.reset();
+  if (outcome) {
+    result_ = std::move(*outcome);
+  } else {
+    failure_ = outcome.error();
+  }
+  Q_EMIT finished();
+}
+
+}  // namespace syncline::ui

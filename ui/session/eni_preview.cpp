@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/session/eni_preview.h"
+
+#include <QMetaObject>
+#include <chrono>
+#include <utility>
+
+#include "ui/session/eni_writer_thread.h"
+#include "ui/session/project_copy.h"
+#include "ui/session/project_document.h"
+
+namespace syncline::ui {
+namespace {
+
+constexpr std::chrono::milliseconds kEditsWithin{40};
+
+}  // namespace
+
+EniPreview::EniPreview(ProjectDocument& document, QObject* parent) : QObject(parent), document_(document) {
+  debounce_.setSingleShot(true);
+  debounce_.setInterval(kEditsWithin);
+  connect(&debounce_, &QTimer::timeout, this, &EniPreview::start);
+  connect(&document_, &ProjectDocument::projectChanged, this, &EniPreview::onEdit);
+  connect(&document_, &ProjectDocument::modifiedChanged, this, [this](bool modified) {
+    if (modified || now_ == nullptr) return;
+    saved_ = now_;
+    if (since_ == Since::kSaved) request();
+  });
+}
+
+EniPreview::~EniPreview() = default;
+
+void EniPreview::onEdit() {
+  last_ = now_;
+  now_ = ProjectCopy::of(document_.project(), now_.get());
+  edited_ = true;
+  computing_ = watched_;
+  if (!debounce_.isActive()) debounce_.start();
+  if (computing_) Q_EMIT progressed();
+}
+
+/// Only now the undo stack says what kind of edit it was: what is without steps was loaded.
+void EniPreview::start() {
+  if (now_ == nullptr) now_ = ProjectCopy::of(document_.project(), nullptr);
+  if (std::exchange(edited_, false)) {
+    if (document_.undoStack().count() == 0) {
+      opened_ = watched_ ? now_ : nullptr;
+      exported_ = last_ = nullptr;
+    }
+    if (!document_.isModified()) saved_ = now_;
+  }
+  if (watched_ && opened_ == nullptr) opened_ = now_;
+  request();
+}
+
+void EniPreview::request() {
+  // What was edited last is asked for when start() has seen it.
+  if (!watched_ || now_ == nullptr || edited_) return;
+  const auto since = before();
+  if (asked_ == now_ && asked_before_ == since && asked_dialect_ == dialect_) return;
+  if (writer_ == nullptr) {
+    const auto post = [this](auto call) { QMetaObject::invokeMethod(this, std::move(call), Qt::QueuedConnection); };
+    writer_ = std::make_unique<EniWriterThread>(EniWriterThread::Answers{
+        [this, post](std::uint64_t number, const auto& view) { post([this, number, view] { take(number, view); }); },
+        [this, post](std::uint64_t number, const auto& check) {
+          post([this, number, check] { takeCheck(number, check); });
+        }});
+  }
+  computing_ = true;
+  asked_ = now_;
+  asked_before_ = since;
+  asked_dialect_ = dialect_;
+  writer_->ask({++number_, dialect_, now_, since});
+  Q_EMIT progressed();
+}
+
+const std::shared_ptr<const ProjectCopy>& EniPreview::before() const {
+  static const std::shared_ptr<const ProjectCopy> kNone;
+  switch (since_) {
+    case Since::kSaved:
+      return document_.path().isEmpty() ? kNone : saved_;
+    case Since::kExported:
+      return exported_;
+    case Since::kOpened:
+      return opened_;
+    case Since::kLastEdit:
+      return last_;
+  }
+  return kNone;
+}
+
+void EniPreview::setWatched(bool watched) {
+  if (watched == std::exchange(watched_, watched) || !watched) return;
+  start();
+}
+
+void EniPreview::setDialect(EniDialect dialect) {
+  if (dialect == std::exchange(dialect_, dialect)) return;
+  Q_EMIT dialectChanged();
+  request();
+}
+
+void EniPreview::setSince(Since since) {
+  if (since == std::exchange(since_, since)) return;
+  request();
+}
+
+void EniPreview::noteExport() {
+  if (now_ == nullptr) now_ = ProjectCopy::of(document_.project(), nullptr);
+  exported_ = now_;
+  if (since_ == Since::kExported) request();
+}
+
+/// What comes late is of a project that is no more; the one that follows it is already under way.
+void EniPreview::take(std::uint64_t number, const Result<std::shared_ptr<const EniView>>& view) {
+  if (number != number_) return;
+  computing_ = edited_;
+  failure_ = view ? std::nullopt : std::optional(view.error());
+  if (view) {
+    view_ = *view;
+    check_ = nullptr;
+    time_ = QDateTime::currentDateTime();
+  }
+  Q_EMIT changed();
+}
+
+void EniPreview::takeCheck(std::uint64_t number, const std::shared_ptr<const eni::EniCheck>& check) {
+  if (number != number_) return;
+  check_ = check;
+  Q_EMIT progressed();
+}
+
+}  // namespace syncline::ui

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QDateTime>
+#include <QObject>
+#include <QTimer>
+#include <memory>
+#include <optional>
+
+#include "compile/compile.h"
+#include "eni/check/eni_check.h"
+#include "support/result.h"
+#include "ui/models/eni_view.h"
+
+namespace syncline::ui {
+
+class EniWriterThread;
+class ProjectCopy;
+class ProjectDocument;
+
+/// The ENI that the project would export, made in a thread of its own while somebody looks, and what has become other
+/// in it since a time of the user's choice.
+class EniPreview final : public QObject {
+  Q_OBJECT
+
+ public:
+  /// Since when changes are shown.
+  enum class Since : std::uint8_t { kSaved, kExported, kOpened, kLastEdit };
+
+  explicit EniPreview(ProjectDocument& document, QObject* parent = nullptr);
+  ~EniPreview() override;
+
+  /// Somebody looks from now on, or nobody. The first time is what kOpened means.
+  void setWatched(bool watched);
+  [[nodiscard]] EniDialect dialect() const { return dialect_; }
+  /// Also that of exports.
+  void setDialect(EniDialect dialect);
+  [[nodiscard]] Since since() const { return since_; }
+  void setSince(Since since);
+  /// There is something to compare with: the project was saved, exported ...
+  [[nodiscard]] bool hasBefore() const { return before() != nullptr; }
+  /// The project as it is now was exported.
+  void noteExport();
+
+  /// The newest that is whole; null before the first.
+  [[nodiscard]] const std::shared_ptr<const EniView>& view() const { return view_; }
+  /// It is of the project as it is now: nothing is being computed, and nothing failed.
+  [[nodiscard]] bool isCurrent() const { return view_ != nullptr && !computing_ && !failure_; }
+  [[nodiscard]] bool isComputing() const { return computing_; }
+  /// Why there is no newer one than view().
+  [[nodiscard]] const std::optional<Error>& failure() const { return failure_; }
+  /// When view() was made.
+  [[nodiscard]] const QDateTime& time() const { return time_; }
+  /// What the checker says of view(); null while it is being checked.
+  [[nodiscard]] const std::shared_ptr<const eni::EniCheck>& check() const { return check_; }
+
+ Q_SIGNALS:
+  /// Another view(), or none can be made.
+  void changed();
+  /// isComputing() or check() is another.
+  void progressed();
+  void dialectChanged();
+
+ private:
+  void onEdit();
+  void start();
+  void request();
+  [[nodiscard]] const std::shared_ptr<const ProjectCopy>& before() const;
+  void take(std::uint64_t number, const Result<std::shared_ptr<const EniView>>& view);
+  void takeCheck(std::uint64_t number, const std::shared_ptr<const eni::EniCheck>& check);
+
+  ProjectDocument& document_;
+  QTimer debounce_;
+  EniDialect dialect_ = EniDialect::kEcEngineer;
+  Since since_ = Since::kOpened;
+  bool watched_ = false, computing_ = false, edited_ = true;
+  std::uint64_t number_ = 0;  // of the last request
+  EniDialect asked_dialect_ = EniDialect::kEcEngineer;
+  std::shared_ptr<const ProjectCopy> asked_, asked_before_;  // the last request
+  std::shared_ptr<const ProjectCopy> now_, saved_, exported_, opened_, last_;
+  std::shared_ptr<const EniView> view_;
+  std::shared_ptr<const eni::EniCheck> check_;
+  std::optional<Error> failure_;
+  QDateTime time_;
+  std::unique_ptr<EniWriterThread> writer_;
+};
+
+}  // namespace syncline::ui
