@@ -7,7 +7,6 @@
 #include <QCheckBox>
 #include <QClipboard>
 #include <QComboBox>
-#include <QElapsedTimer>
 #include <QLabel>
 #include <QLineEdit>
 #include <QTableView>
@@ -17,7 +16,6 @@
 
 #include "compile/compile.h"
 #include "eni/format/eni_file.h"
-#include "eni/project/line_wiring.h"
 #include "settings/settings_table.h"
 #include "support/project_window.h"
 #include "tests/support/sample_devices.h"
@@ -27,7 +25,6 @@
 #include "ui/pages/eni_page.h"
 #include "ui/pages/eni_text_view.h"
 #include "ui/session/eni_preview.h"
-#include "ui/session/project_copy.h"
 #include "ui/text/xml_spans.h"
 
 namespace syncline::ui {
@@ -358,57 +355,6 @@ TEST(XmlSpans, TellPiecesOfALine) {
   EXPECT_EQ(pieces(QStringLiteral("<")), QStringLiteral("P<|"));
   EXPECT_EQ(pieces(QStringLiteral("<a b='")), QStringLiteral("P<|Ea|Ab|P=|V'|"));
   EXPECT_EQ(pieces(QString()), QString());
-}
-
-/// Couplers, terminals and drives in the proportions of the small machine, over and over.
-Project thousandSlaves() {
-  auto machine = sample::small_machine();
-  const auto pattern = machine.slaves;
-  machine.slaves.clear();
-  for (std::size_t i = 0; i < 1'000; ++i)
-    machine.slaves.push_back(default_slave(pattern[i % pattern.size()].device, static_cast<std::uint16_t>(i)));
-  eni::wire_in_order(machine.slaves);
-  return machine;
-}
-
-class HugeEniPage : public EniPageTest {
- protected:
-  HugeEniPage() : EniPageTest(thousandSlaves()) {}
-};
-
-/// The window's thread is not held up by it, however long it takes.
-TEST_F(HugeEniPage, LeavesTheWindowAlone) {
-  show(-1, "eniPage");
-  const auto done = [this] { return preview().isCurrent() && preview().check() != nullptr; };
-  ASSERT_TRUE(test::waitFor([this] { return preview().isCurrent(); }));
-  ASSERT_TRUE(test::waitFor(done));
-  QElapsedTimer whole, gap;
-  gap.start();
-  const auto first = ProjectCopy::of(project(), nullptr);
-  const auto copied = gap.nsecsElapsed();
-  gap.start();
-  const auto second = ProjectCopy::of(project(), first.get());
-  const auto again = gap.nsecsElapsed();
-  EXPECT_EQ(*first, *second);
-  set("slave.500.name", "Other");
-  // What other parts of the window make of an edit is not its work.
-  static_cast<void>(workspace_.configuration().current());
-  whole.start();
-  gap.start();
-  qint64 longest = 0, shown = 0;
-  while (!done() && whole.elapsed() < 10'000) {
-    QApplication::processEvents(QEventLoop::AllEvents, 1);
-    longest = std::max(longest, gap.nsecsElapsed());
-    gap.start();
-    if (shown == 0 && preview().isCurrent()) shown = whole.elapsed();
-  }
-  ASSERT_TRUE(done());
-  EXPECT_GT(preview().view()->altered, 0U);
-  std::printf(
-      "%zu lines: copy %.1f ms, again %.1f ms; shown after %lld ms, checked after %lld ms; longest hold %.1f ms\n",
-      preview().view()->text->lines.size(), static_cast<double>(copied) / 1e6, static_cast<double>(again) / 1e6,
-      static_cast<long long>(shown), static_cast<long long>(whole.elapsed()), static_cast<double>(longest) / 1e6);
-  EXPECT_LT(longest, 200'000'000) << "below 33 ms on a machine that has nothing else to do";
 }
 
 }  // namespace
