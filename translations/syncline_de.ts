@@ -212,7 +212,7 @@
             <translation>Einen Slave, eine Einstellung oder einen Befehl finden</translation>
         </message>
         <message>
-            <source>&amp;Compare…</source>
+            <source>Co&amp;mpare…</source>
             <translation>&amp;Vergleichen …</translation>
         </message>
         <message>

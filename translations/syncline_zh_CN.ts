@@ -212,8 +212,8 @@
             <translation>查找从站、设置或命令</translation>
         </message>
         <message>
-            <source>&amp;Compare…</source>
-            <translation>比较(&amp;C)…</translation>
+            <source>Co&amp;mpare…</source>
+            <translation>比较(&amp;M)…</translation>
         </message>
         <message>
             <source>Compare the project with a file, the running machine or a bus, or two files</source>

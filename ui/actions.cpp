@@ -50,7 +50,7 @@ Actions::Actions(QUndoStack& stack, QObject* parent) : QObject(parent) {
              QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z));
   go_to = add("actionGoTo", tr("&Go To…"), "", tr("Find a slave, a setting or a command"),
               QKeySequence(Qt::CTRL | Qt::Key_K));
-  compare = add("actionCompare", tr("&Compare…"), "",
+  compare = add("actionCompare", tr("Co&mpare…"), "",
                 tr("Compare the project with a file, the running machine or a bus, or two files"),
                 QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_D));
   undo->setEnabled(stack.canUndo());

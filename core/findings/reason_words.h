@@ -206,7 +206,7 @@ inline constexpr std::string_view kReasons[] = {
     "no slaves",
     "no unsaved work of Syncline",
     "a recording is shown: close it first (File, Close Recording)",
-    "no machine has run yet: go online first",
+    "no machine runs: go online first",
     "no cycle has run yet: go online first",
     "another stretch is being written; try again in a moment",
     "it holds no cycles: it was cut short before its first second",

@@ -31,9 +31,9 @@ Finding finding(std::string_view code, int slave, Severity level = Severity::kWa
   return finding;
 }
 
-/// Placeholders of a sentence, sorted.
+/// Placeholders of a sentence, sorted; those that choose words by their count, too.
 std::vector<std::string> placeholders(const QString& text) {
-  static const QRegularExpression pattern(QStringLiteral("\\{(\\w+)\\}"));
+  static const QRegularExpression pattern(QStringLiteral("\\{(\\w+)(?::[^}]*)?\\}"));
   std::set<std::string> names;
   for (auto it = pattern.globalMatch(text); it.hasNext();) names.insert(it.next().captured(1).toStdString());
   return {names.begin(), names.end()};
@@ -57,6 +57,7 @@ bool isTheSameInAll(std::string_view text) {
                                         "{command}",
                                         "{setting}",
                                         "<{element}> in <{parent}>",
+                                        "in <{element}>",
                                         "FMMUs (0x0600)",
                                         "Text"};
   return std::ranges::find(kSame, text) != std::end(kSame);

@@ -7089,8 +7089,8 @@
         <translation>eine Aufzeichnung wird gezeigt: sie zuerst schließen (Datei, Aufzeichnung schließen)</translation>
     </message>
     <message>
-        <source>no machine has run yet: go online first</source>
-        <translation>es lief noch keine Maschine: zuerst online gehen</translation>
+        <source>no machine runs: go online first</source>
+        <translation>es läuft keine Maschine: zuerst online gehen</translation>
     </message>
     <message>
         <source>no cycle has run yet: go online first</source>

@@ -7089,8 +7089,8 @@
         <translation>正在显示录制文件：请先关闭（文件，关闭录制）</translation>
     </message>
     <message>
-        <source>no machine has run yet: go online first</source>
-        <translation>尚无机器运行过：请先上线</translation>
+        <source>no machine runs: go online first</source>
+        <translation>没有机器在运行：请先上线</translation>
     </message>
     <message>
         <source>no cycle has run yet: go online first</source>
