@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/overview_panel.h"
 
+#include <QEvent>
 #include <QFrame>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -221,6 +222,14 @@ void OverviewPanel::refresh() {
   }
   static_cast<Banner*>(banner_)->setTone(theme::Tone::kNeutral);
   fault_->setText(tr("Nothing has run yet: go online."));
+}
+
+/// Lines that wrap in a narrow window need their height, which a splitter does not ask for.
+bool OverviewPanel::event(QEvent* event) {
+  const bool done = QWidget::event(event);
+  if (event->type() == QEvent::Resize || event->type() == QEvent::LayoutRequest)
+    setMinimumHeight(layout()->totalMinimumHeightForWidth(width()));
+  return done;
 }
 
 void OverviewPanel::showEvent(QShowEvent* event) {

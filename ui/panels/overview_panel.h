@@ -36,6 +36,7 @@ class OverviewPanel final : public QWidget {
   void armWanted();
 
  protected:
+  bool event(QEvent* event) override;
   void showEvent(QShowEvent* event) override;
   void hideEvent(QHideEvent* event) override;
 

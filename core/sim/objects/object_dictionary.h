@@ -71,6 +71,8 @@ class ObjectDictionary {
   /// Of the whole object; where none was given, that of its first entry.
   [[nodiscard]] std::string object_name(std::uint16_t index) const;
   void set_object_name(std::uint16_t index, std::string name) { names_[index] = std::move(name); }
+  /// Where nobody has named it.
+  void suggest_object_name(std::uint16_t index, std::string name) { names_.try_emplace(index, std::move(name)); }
 
   template <std::unsigned_integral T>
   [[nodiscard]] T get(std::uint16_t index, std::uint8_t sub_index, T missing = 0) {

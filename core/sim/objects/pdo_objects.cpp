@@ -90,7 +90,9 @@ const PdoObjects::Assignment* PdoObjects::home_of(const Pdo& pdo, PdoDirection d
   return first;
 }
 
-void PdoObjects::add_mapping(const Pdo& pdo, PdoDirection) {
+void PdoObjects::add_mapping(const Pdo& pdo, PdoDirection direction) {
+  const std::string usual = direction == PdoDirection::kRx ? "RxPDO mapping" : "TxPDO mapping";
+  dictionary_.suggest_object_name(pdo.index, pdo.name.empty() ? usual : pdo.name);
   const bool changeable = !pdo.fixed;
   const auto most = changeable ? kMaxEntries : kMaxFixedEntries;
   const auto count = static_cast<std::uint8_t>(std::min<std::size_t>(pdo.entries.size(), most));
@@ -138,6 +140,7 @@ void PdoObjects::add_assignment(const DeviceDescription& device, const Assignmen
       dictionary_.add(index, 0, "Number of assigned PDOs", static_cast<std::uint8_t>(assigned.size()), changeable);
   head.preop_only = true;
   head.on_write = [this, index](std::span<const std::uint8_t> data) { return check_assigned(index, data[0]); };
+  dictionary_.suggest_object_name(index, direction == PdoDirection::kRx ? "RxPDO assign" : "TxPDO assign");
   const auto slots = std::max<std::size_t>(device.pdos(direction).size(), assigned.size());
   for (std::size_t sub = 1; sub <= slots; ++sub) {
     auto& entry = dictionary_.add(index, static_cast<std::uint8_t>(sub), "Assigned PDO",
