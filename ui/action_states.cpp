@@ -18,6 +18,10 @@ void updateActionStates(const Actions& actions, Workspace& workspace, const Reco
   actions.open->setEnabled(!workspace.scan().isRunning());
   for (auto* action : {actions.save, actions.save_as, actions.export_eni, actions.compare}) action->setEnabled(some);
   actions.go_to->setEnabled(!recorded);
+  // Nobody would see what they change.
+  const auto& steps = workspace.document().undoStack();
+  actions.undo->setEnabled(steps.canUndo() && !recorded);
+  actions.redo->setEnabled(steps.canRedo() && !recorded);
   actions.scan->setEnabled(!busy);
   actions.demo->setEnabled(!busy);
   actions.online->setEnabled(some && phase == LiveSession::Phase::kOffline && !busy);
@@ -37,7 +41,7 @@ void updateRecordingStates(const Actions& actions, Workspace& workspace, const R
   actions.save_recent->setText(recordings.saveLastText());
   actions.save_recent->setEnabled(disk.remembered() > 0 && !shown);
   for (auto* action : {actions.create, actions.scan, actions.demo, actions.online, actions.offline, actions.record,
-                       actions.save_recent, actions.clear_statistics, actions.go_to}) {
+                       actions.save_recent, actions.clear_statistics, actions.go_to, actions.undo, actions.redo}) {
     if (shown && action->property("usualTip").isNull()) {
       action->setProperty("usualTip", action->toolTip());
       action->setToolTip(

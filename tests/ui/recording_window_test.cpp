@@ -283,13 +283,17 @@ TEST(Recorded, TheLatestMessagesAreKept) {
 TEST_F(RecordingWindow, TheWindowSaysThatItIsARecordingAndOfWhat) {
   record("run.slrec");
   const auto own = workspace_.messages().rowCount();
+  ASSERT_TRUE(workspace_.document().edit(QStringLiteral("name"), [](Project& project) {
+    project.slaves.front().name = "Other";
+    return Status{};
+  }));
   open("run.slrec");
   const auto bar = text("recordingBarText");
   EXPECT_THAT(bar.toStdString(), testing::AllOf(testing::HasSubstr("run.slrec"), testing::HasSubstr("sim:"),
                                                 testing::HasSubstr("up to the end of the run")));
   EXPECT_TRUE(window_.findChild<QWidget*>(QStringLiteral("recordingBar"))->isVisible());
   EXPECT_TRUE(window_.windowTitle().startsWith(QStringLiteral("Recording run.slrec")));
-  for (const char* const name : {"actionOnline", "actionScan", "actionRecord", "actionClearStatistics"}) {
+  for (const char* const name : {"actionOnline", "actionScan", "actionRecord", "actionClearStatistics", "actionUndo"}) {
     EXPECT_FALSE(action(name)->isEnabled()) << name;
     EXPECT_TRUE(action(name)->toolTip().contains(QStringLiteral("recording"))) << name;
   }
@@ -312,6 +316,7 @@ TEST_F(RecordingWindow, TheWindowSaysThatItIsARecordingAndOfWhat) {
   EXPECT_FALSE(workspace_.recording().isOpen());
   EXPECT_EQ(workspace_.messages().rowCount(), own) << "nothing of before is lost";
   EXPECT_TRUE(action("actionOnline")->isEnabled());
+  EXPECT_TRUE(action("actionUndo")->isEnabled());
   EXPECT_TRUE(commands.add->isEnabled());
   EXPECT_FALSE(action("actionOnline")->toolTip().contains(QStringLiteral("recording")));
   EXPECT_EQ(window_.liveStrip().store(), &workspace_.live().record()->samples());
