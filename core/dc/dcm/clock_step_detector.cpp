@@ -16,7 +16,8 @@ constexpr int kLost = 20;  // strange readings in a row that do not agree: the l
 
 }  // namespace
 
-std::optional<Nanoseconds> ClockStepDetector::observe(Nanoseconds host_time, Nanoseconds reference_time) {
+std::optional<Nanoseconds> ClockStepDetector::observe(Nanoseconds host_time, Nanoseconds reference_time,
+                                                      Nanoseconds doubt) {
   if (!started_) {
     started_ = true;
     host_ = host_time;
@@ -29,6 +30,7 @@ std::optional<Nanoseconds> ClockStepDetector::observe(Nanoseconds host_time, Nan
       static_cast<double>(reference_time - reference_ - passed) - rate_ * static_cast<double>(passed) - fraction_;
   const double gate = std::max(limit_, kStepScatters * scatter_);
   if (readings_ >= kLearning && std::abs(surprise) > gate) {
+    if (surprise > 0 && surprise - static_cast<double>(doubt) <= gate) return std::nullopt;  // perhaps the stamp alone
     const auto step = sure_step(surprise, gate);
     if (!step && strange_ < kLost) return std::nullopt;
     const auto size = step ? std::optional(static_cast<Nanoseconds>(std::llround(*step))) : std::nullopt;

@@ -12,13 +12,15 @@ namespace syncline::dc {
 /// Tells a step of the reference clock (or of the host's) from what is only a wrong send stamp: the 64-bit time is
 /// compared with what was predicted, so that a step by whole cycles is seen too. A stamp is wrong once and by any
 /// amount; a clock that has stepped is off by the same amount in all readings that follow, and three of them are
-/// enough.
+/// enough. Three wrong stamps in a row may agree, too, but a frame that left later than its stamp says comes back
+/// later, and a clock's step delays no frame: such a reading says nothing.
 class ClockStepDetector {
  public:
   explicit ClockStepDetector(Nanoseconds limit) : limit_(static_cast<double>(limit)) {}
   void start() { *this = ClockStepDetector(static_cast<Nanoseconds>(limit_)); }
-  /// One reading. By how much the reference clock has stepped forward, when that is now sure, ns.
-  std::optional<Nanoseconds> observe(Nanoseconds host_time, Nanoseconds reference_time);
+  /// One reading; `doubt`: so much later than `host_time` it may have been taken, at least 0. By how much the reference
+  /// clock has stepped forward, when that is now sure, ns.
+  std::optional<Nanoseconds> observe(Nanoseconds host_time, Nanoseconds reference_time, Nanoseconds doubt = 0);
 
  private:
   static constexpr int kSure = 3;

@@ -24,6 +24,8 @@ struct DcmObservation {
   bool external_expected = false;
   /// From the stamp for which a time was written into the frame until send_time, where the link knows that better.
   Nanoseconds way_out = 0;
+  /// So much later than send_time the frame may have left, at most: it came back later than frames can. 0: it did not.
+  Nanoseconds stamp_doubt = 0;
 };
 
 /// What to do next.

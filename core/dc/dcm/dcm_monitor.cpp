@@ -55,7 +55,7 @@ void DcmMonitor::read(const DcmObservation& observation, Nanoseconds error) {
   error_ = error;
   filtered_ += std::min(1.0, static_cast<double>(cycle_) / kShownFilterTime) * (static_cast<double>(error) - filtered_);
   judge_.observe(observation.send_time, static_cast<Nanoseconds>(std::llround(filtered_)));
-  const auto step = steps_.observe(observation.send_time, *observation.reference_time);
+  const auto step = steps_.observe(observation.send_time, *observation.reference_time, observation.stamp_doubt);
   // A clock that is still being led to its place changes its rate as it goes.
   if (!step || !judge_.in_sync()) return;
   step_ = step;

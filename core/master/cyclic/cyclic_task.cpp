@@ -120,6 +120,7 @@ void CyclicTaskRunner::note_sending(CycleSample& sample) {
   if (!sent.empty()) {
     const auto& first = *sent.front();
     send_time_ = first.send_time();
+    stamp_doubt_ = 0;
     if (first.answered()) {
       sample.round_trip_ns = to_32(first.arrival_time() - first.send_time());
       learn_travel(first);
@@ -153,6 +154,7 @@ Nanoseconds CyclicTaskRunner::deadline() {
 /// The shortest counts, and is forgotten slowly: what else a frame waits for is the host's.
 void CyclicTaskRunner::learn_travel(const PendingFrame& frame) {
   const auto travel = frame.arrival_time() - frame.send_time() - wire_time_ns(frame.size() + kFrameOverhead);
+  stamp_doubt_ = travel_ == 0 ? 0 : std::max<Nanoseconds>(travel - travel_, 0);
   travel_ = travel_ == 0 || travel < travel_ ? std::max<Nanoseconds>(travel, 0) : travel_ + (travel - travel_) / 64;
 }
 
@@ -229,6 +231,7 @@ std::optional<Nanoseconds> CyclicTaskRunner::reference_time(const CyclicFrameSet
 dc::DcmObservation CyclicTaskRunner::observation(const CyclicFrameSet::Reading& reading) const {
   dc::DcmObservation result{send_time_, scheduled_, reference_time(reading)};
   if (first_stamp_) result.way_out = send_time_ - *first_stamp_;
+  result.stamp_doubt = stamp_doubt_;
   if (external_clock_) {
     const auto& bridge = run_.snapshot.slaves[external_clock_->slave];
     result.external_expected = bridge.present && al_state_of(bridge.al_status) == AlState::kOp;

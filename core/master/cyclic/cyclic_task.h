@@ -99,6 +99,7 @@ class CyclicTaskRunner final : public CyclePump, private SendStamp {
   Nanoseconds send_time_ = 0;               // of this cycle's first frame
   Nanoseconds wire_free_ = 0;               // when the frames that were sent have left
   Nanoseconds travel_ = 0;                  // a frame's way through the segment and back, without its length
+  Nanoseconds stamp_doubt_ = 0;             // by how much the last frame came back later than that
   std::optional<Nanoseconds> first_stamp_;  // of that frame, from before it was sent
   Nanoseconds amendment_stamp_ = 0;
   bool steering_ = false;

@@ -17,11 +17,12 @@ constexpr Nanoseconds kLimit = 4'000;
 class Readings {
  public:
   explicit Readings(double ppm, double noise = 0) : ppm_(ppm), noise_(noise) {}
-  std::optional<Nanoseconds> read(Nanoseconds stamp_error = 0) {
+  /// `doubt`: by how much the frame came back later than frames can.
+  std::optional<Nanoseconds> read(Nanoseconds stamp_error = 0, Nanoseconds doubt = 0) {
     time_ += kMillisecond;
     const auto drift = static_cast<Nanoseconds>(std::llround(static_cast<double>(time_) * ppm_ * 1e-6));
     const auto wrong = static_cast<Nanoseconds>(std::llround(noise_ * std::abs(random_.normal())));
-    return detector_.observe(time_, time_ + drift + stepped_ + wrong + stamp_error);
+    return detector_.observe(time_, time_ + drift + stepped_ + wrong + stamp_error, doubt);
   }
   void run(int cycles) {
     for (int i = 0; i < cycles; ++i) {
@@ -66,6 +67,28 @@ TEST(ClockStepDetector, WrongStampsAreNoSteps) {
     }
   }
   EXPECT_TRUE(readings.steps.empty());
+}
+
+TEST(ClockStepDetector, WrongStampsThatAgreeAreNoStepWhereTheirFramesCameBackLate) {
+  Readings readings(30, 300);
+  readings.run(500);
+  for (const Nanoseconds late : {9'800, 7'900, 8'800, 9'100, 8'600, 9'000}) EXPECT_FALSE(readings.read(late, late));
+  readings.run(2'000);
+  EXPECT_TRUE(readings.steps.empty());
+}
+
+TEST(ClockStepDetector, AFrameThatComesBackLateHidesNoStep) {
+  for (const Nanoseconds step : {-9'000, 9'000, 200'000}) {
+    Readings readings(30, 300);
+    readings.run(500);
+    readings.step(step);
+    for (int i = 0; i < 5; ++i) {
+      if (const auto found = readings.read(0, 5'500)) readings.steps.push_back(*found);
+    }
+    readings.run(3);
+    ASSERT_EQ(readings.steps.size(), 1U) << step;
+    EXPECT_NEAR(static_cast<double>(readings.steps.front()), static_cast<double>(step), 1'500);
+  }
 }
 
 TEST(ClockStepDetector, AHostWhoseStampsAreAlwaysThatBadIsNotAccused) {
