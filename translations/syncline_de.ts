@@ -6717,6 +6717,14 @@ Produktcode %2, Revision %3
 <context>
     <name>CompareDialog</name>
         <message>
+            <source>Changed since it was compared; choose the bus once more to look again.</source>
+            <translation>Geändert, seit verglichen wurde; wählen Sie den Bus noch einmal, um neu nachzusehen.</translation>
+        </message>
+        <message>
+            <source>A bus can only stand on the right</source>
+            <translation>Ein Bus kann nur rechts stehen</translation>
+        </message>
+        <message>
             <source>Compare</source>
             <translation>Vergleichen</translation>
         </message>

@@ -6682,6 +6682,14 @@ Product code %2, revision %3
 <context>
     <name>CompareDialog</name>
         <message>
+            <source>Changed since it was compared; choose the bus once more to look again.</source>
+            <translation>比较之后又有改动；请再次选择总线以重新查看。</translation>
+        </message>
+        <message>
+            <source>A bus can only stand on the right</source>
+            <translation>总线只能在右侧</translation>
+        </message>
+        <message>
             <source>Compare</source>
             <translation>比较</translation>
         </message>

@@ -12,6 +12,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QTemporaryDir>
+#include <QToolButton>
 #include <QTreeView>
 
 #include "compile/compile.h"
@@ -141,6 +142,35 @@ TEST_F(Compare, IsCopiedAndExported) {
   EXPECT_TRUE(QString::fromUtf8(file.readAll()).contains(QStringLiteral("Network,Cycle time,1000 µs,2000 µs,Setting")));
 }
 
+TEST_F(Compare, FollowsTheProjectWhileItIsEdited) {
+  open();
+  compare({}, {Kind::kFile, fileWith(sample::small_machine())});
+  EXPECT_EQ(dialog().model().differences(), 0);
+  EXPECT_FALSE(test::find<QPushButton>(dialog(), "compareCopy")->isEnabled());
+  ASSERT_TRUE(workspace_.document().edit(QStringLiteral("name"), [](Project& project) {
+    project.slaves[1].name = "Renamed";
+    return Status{};
+  }));
+  ASSERT_TRUE(test::waitFor([this] { return dialog().model().differences() > 0; })) << "stale";
+  EXPECT_TRUE(anyOf(rowsOf(dialog().model()), QStringLiteral("Renamed")));
+  EXPECT_TRUE(test::find<QPushButton>(dialog(), "compareCopy")->isEnabled());
+  dialog().compare({}, {});
+  EXPECT_FALSE(test::find<QPushButton>(dialog(), "compareCopy")->isEnabled()) << "there is nothing";
+}
+
+TEST_F(Compare, TheLastOfSeveralIsTheOneThatIsShown) {
+  const auto other = otherMachine(), same = sample::small_machine();
+  Comparison comparison({});
+  int finished = 0;
+  QObject::connect(&comparison, &Comparison::finished, &comparison, [&finished] { ++finished; });
+  comparison.start({}, {Kind::kRunning}, same, other);
+  comparison.start({}, {Kind::kRunning}, same, same);
+  ASSERT_TRUE(test::waitFor([&] { return !comparison.isRunning(); }));
+  EXPECT_EQ(finished, 1);
+  ASSERT_TRUE(comparison.result());
+  EXPECT_TRUE(comparison.result()->settings.empty());
+}
+
 TEST_F(Compare, AnEniOfTheProjectIsTheSame) {
   const auto compiled = compile(project());
   ASSERT_TRUE(compiled);
@@ -204,6 +234,13 @@ TEST_F(CompareRunning, ABusIsOnlyLookedAt) {
   CompareDialog dialog(workspace_, &window_);
   dialog.compare({}, {Kind::kBus, workspace_.environment().demo_link});
   ASSERT_TRUE(test::waitFor([&dialog] { return !dialog.isComparing(); }));
+  EXPECT_FALSE(test::find<QToolButton>(dialog, "compareSwap")->isEnabled()) << "a bus stands on the right only";
+  ASSERT_TRUE(workspace_.document().edit(QStringLiteral("name"), [](Project& project) {
+    project.slaves[1].name = "Renamed";
+    return Status{};
+  }));
+  EXPECT_FALSE(dialog.isComparing()) << "no bus is looked at unasked";
+  EXPECT_TRUE(test::find<QLabel>(dialog, "compareStatus")->text().contains(QStringLiteral("once more")));
   const auto rows = rowsOf(dialog.model());
   EXPECT_FALSE(anyOf(rows, QStringLiteral("|Slaves"))) << qPrintable(rows.join(u'\n'));
 }

@@ -6,31 +6,16 @@
 #include <vector>
 
 #include "channels/command_queue.h"
+#include "support/patient_master.h"
 #include "support/ui_test_support.h"
 
 namespace syncline {
 namespace {
 
-/// Came up once and takes no command any more.
-class DeafMaster final : public BackgroundMaster {
- public:
-  DeafMaster() { channels_.events.push({0, -1, events::Online{}}); }
-  [[nodiscard]] MasterChannels& channels() override { return channels_; }
-  [[nodiscard]] bool is_virtual() const override { return true; }
-  void start() override {}
-  [[nodiscard]] bool started() const override { return false; }
-  void stop() override {}
-  bool step() override { return false; }
-  void run_for(Nanoseconds) override {}
-  [[nodiscard]] bool online() const override { return false; }
-
- private:
-  MasterChannels channels_;
-};
-
 TEST(LiveSession, TellsOfCommandsThatNobodyTakes) {
-  ui::LiveSession live(
-      [](const QString&) -> Result<std::unique_ptr<BackgroundMaster>> { return std::make_unique<DeafMaster>(); });
+  ui::LiveSession live([](const QString&) -> Result<std::unique_ptr<BackgroundMaster>> {
+    return std::make_unique<test::PatientMaster>();
+  });
   std::vector<Error> told;
   QObject::connect(&live, &ui::LiveSession::eventArrived, &live, [&told](const Event& event) {
     if (const auto* failure = event.as<events::Failure>()) told.push_back(failure->error);

@@ -13,16 +13,21 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QSortFilterProxyModel>
+#include <QScrollBar>
 #include <QToolButton>
 #include <QTreeView>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <iterator>
 
+#include "support/csv_field.h"
 #include "support/whole_file.h"
 #include "ui/dialogs/comparison_model.h"
 #include "ui/dialogs/error_dialog.h"
 #include "ui/dialogs/link_chooser.h"
+#include "ui/models/word_filter.h"
+#include "ui/session/project_document.h"
+#include "ui/session/run_difference.h"
 #include "ui/session/workspace.h"
 #include "ui/text/error_text.h"
 #include "ui/text/finding_text.h"
@@ -33,11 +38,7 @@ namespace {
 
 /// Entries of the boxes that ask for more.
 constexpr int kAskForFile = -1, kAskForBus = -2;
-
-QString csvField(QString text) {
-  if (!text.contains(u',') && !text.contains(u'"') && !text.contains(u'\n')) return text;
-  return u'"' + text.replace(u'"', QStringLiteral("\"\"")) + u'"';
-}
+constexpr int kEditDelay = 200;  // ms without another edit
 
 bool someMachineRuns(Workspace& workspace) {
   const auto phase = workspace.live().phase();
@@ -46,27 +47,24 @@ bool someMachineRuns(Workspace& workspace) {
 
 }  // namespace
 
-/// Differences in which all words occur, with those that they belong to.
-class ComparisonFilter final : public QSortFilterProxyModel {
+/// Differences, with the places that they belong to.
+class ComparisonFilter final : public WordFilter {
  public:
-  explicit ComparisonFilter(QObject* parent) : QSortFilterProxyModel(parent) { setRecursiveFilteringEnabled(true); }
-  void set(const QString& words, bool only_matters) {
-    words_ = words.split(u' ', Qt::SkipEmptyParts);
-    only_matters_ = only_matters;
+  explicit ComparisonFilter(QObject* parent) : WordFilter(ComparisonModel::kWordsRole, parent) {}
+  void setOnlyMatters(bool only) {
+    only_matters_ = only;
     invalidateFilter();
   }
 
  protected:
   [[nodiscard]] bool filterAcceptsRow(int row, const QModelIndex& parent) const override {
     if (!parent.isValid()) return false;  // comes along
-    const auto index = sourceModel()->index(row, 0, parent);
-    if (only_matters_ && !index.data(ComparisonModel::kMattersRole).toBool()) return false;
-    const auto line = index.data(ComparisonModel::kWordsRole).toString();
-    return std::ranges::all_of(words_, [&](const QString& word) { return line.contains(word, Qt::CaseInsensitive); });
+    if (only_matters_ && !sourceModel()->index(row, 0, parent).data(ComparisonModel::kMattersRole).toBool())
+      return false;
+    return WordFilter::filterAcceptsRow(row, parent);
   }
 
  private:
-  QStringList words_;
   bool only_matters_ = false;
 };
 
@@ -89,7 +87,23 @@ CompareDialog::CompareDialog(Workspace& workspace, QWidget* parent)
   layout->addWidget(status_);
   layout->addWidget(buildButtons());
   connect(&comparison_, &Comparison::finished, this, &CompareDialog::showResult);
+  edited_.setSingleShot(true);
+  edited_.setInterval(kEditDelay);
+  connect(&edited_, &QTimer::timeout, this, &CompareDialog::restart);
+  connect(&workspace.document(), &ProjectDocument::projectChanged, this,
+          [this] { onChange(ComparedSide::Kind::kProject); });
+  connect(&workspace.runDifference(), &RunDifference::applied, this,
+          [this] { onChange(ComparedSide::Kind::kRunning); });
 }
+
+/// What is shown is of the machines as they are. A bus is not scanned again unasked.
+void CompareDialog::onChange(ComparedSide::Kind kind) {
+  if (std::ranges::find(chosen_, kind, &ComparedSide::kind) == std::end(chosen_)) return;
+  if (!withBus()) return edited_.start();
+  status_->setText(tr("Changed since it was compared; choose the bus once more to look again."));
+}
+
+bool CompareDialog::withBus() const { return chosen_[1].kind == ComparedSide::Kind::kBus; }
 
 QWidget* CompareDialog::buildSides() {
   auto* area = new QWidget;
@@ -97,15 +111,12 @@ QWidget* CompareDialog::buildSides() {
   layout->setContentsMargins(0, 0, 0, 0);
   left_ = sideBox("compareLeft", tr("Left side of the comparison"));
   right_ = sideBox("compareRight", tr("Right side of the comparison"));
-  auto* swap = named(new QToolButton, "compareSwap", tr("Exchange the two sides"));
-  swap->setText(QStringLiteral("\u21C4"));
-  swap->setToolTip(tr("Exchange the two sides"));
+  swap_ = named(new QToolButton, "compareSwap", tr("Exchange the two sides"));
+  swap_->setText(QStringLiteral("\u21C4"));
   layout->addWidget(left_, 1);
-  layout->addWidget(swap);
+  layout->addWidget(swap_);
   layout->addWidget(right_, 1);
-  connect(swap, &QToolButton::clicked, this, [this] {
-    if (chosen_[1].kind != ComparedSide::Kind::kBus) compare(chosen_[1], chosen_[0]);
-  });
+  connect(swap_, &QToolButton::clicked, this, [this] { compare(chosen_[1], chosen_[0]); });
   return area;
 }
 
@@ -129,7 +140,8 @@ QWidget* CompareDialog::buildFilter() {
   layout->addWidget(words_, 1);
   layout->addWidget(only_matters_);
   const auto filter = [this] {
-    filter_->set(words_->text(), only_matters_->isChecked());
+    filter_->setWords(words_->text());
+    filter_->setOnlyMatters(only_matters_->isChecked());
     tree_->expandAll();
   };
   connect(words_, &QLineEdit::textChanged, this, filter);
@@ -240,6 +252,10 @@ void CompareDialog::restart() {
     fill(*box);
     select(*box, chosen_[box == left_ ? 0 : 1]);
   }
+  edited_.stop();
+  swap_->setEnabled(!withBus());
+  swap_->setToolTip(withBus() ? tr("A bus can only stand on the right") : tr("Exchange the two sides"));
+  for (auto* button : {copy_, export_}) button->setEnabled(false);
   if (chosen_[0] == chosen_[1]) {
     model_->setCompared({}, sideName(chosen_[0]), sideName(chosen_[1]), std::nullopt);
     return status_->setText(tr("Choose what the project is to be compared with."));
@@ -250,10 +266,12 @@ void CompareDialog::restart() {
 
 void CompareDialog::showResult() {
   const auto& result = comparison_.result();
+  const int place = tree_->verticalScrollBar()->value();
   const auto is = [this](int side) { return chosen_[side].kind == ComparedSide::Kind::kProject; };
   const auto project_is_left = is(0) ? std::optional(true) : is(1) ? std::optional(false) : std::nullopt;
   model_->setCompared(result.value_or(Compared{}), sideName(chosen_[0]), sideName(chosen_[1]), project_is_left);
   tree_->expandAll();
+  tree_->verticalScrollBar()->setValue(place);
   copy_->setEnabled(model_->differences() > 0);
   export_->setEnabled(model_->differences() > 0);
   if (comparison_.failure()) return status_->setText(errorText(*comparison_.failure()));
@@ -274,7 +292,9 @@ void CompareDialog::goTo(const QModelIndex& index) {
 QString CompareDialog::text(QChar separator, bool quoted) const {
   QStringList lines;
   const auto put = [&](QStringList fields) {
-    if (quoted) std::ranges::transform(fields, fields.begin(), csvField);
+    if (quoted) {
+      for (auto& field : fields) field = QString::fromStdString(csv_field(field.toStdString()));
+    }
     lines.append(fields.join(separator));
   };
   QStringList titles{tr("Where")};

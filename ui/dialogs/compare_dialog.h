@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QDialog>
+#include <QTimer>
 
 #include "ui/session/comparison.h"
 
@@ -10,6 +11,7 @@ class QComboBox;
 class QLabel;
 class QLineEdit;
 class QPushButton;
+class QToolButton;
 class QTreeView;
 
 namespace syncline::ui {
@@ -52,6 +54,8 @@ class CompareDialog final : public QDialog {
   [[nodiscard]] ComparedSide side(const QComboBox& box) const;
   [[nodiscard]] QString sideName(const ComparedSide& side) const;
   void restart();
+  void onChange(ComparedSide::Kind kind);
+  [[nodiscard]] bool withBus() const;
   void showResult();
   void goTo(const QModelIndex& index);
   void exportCsv();
@@ -60,7 +64,9 @@ class CompareDialog final : public QDialog {
   Comparison comparison_;
   ComparisonModel* model_;
   ComparisonFilter* filter_;
+  QTimer edited_;  // runs until nobody edits any more
   QComboBox *left_, *right_;
+  QToolButton* swap_;
   ComparedSide chosen_[2];  // of the two boxes, to go back to
   QLineEdit* words_;
   QCheckBox* only_matters_;

@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/models/object_filter.h"
 
-#include <algorithm>
 #include <utility>
 
+#include "support/csv_field.h"
 #include "ui/models/object_model.h"
 
 namespace syncline::ui {
 namespace {
 
-QString csvCell(const QString& text) {
-  const bool plain = std::ranges::none_of(text, [](QChar c) { return c == u',' || c == u'"' || c < u' '; });
-  return plain ? text : u'"' + QString(text).replace(u'"', QStringLiteral("\"\"")) + u'"';
-}
+QString csvCell(const QString& text) { return QString::fromStdString(csv_field(text.toStdString())); }
 
 /// Entries bear their object's index.
 QStringList exportCells(const QModelIndex& row) {

@@ -9,6 +9,8 @@
 #include <limits>
 #include <optional>
 
+#include "support/csv_field.h"
+
 namespace syncline::ui {
 namespace {
 
@@ -16,16 +18,6 @@ struct Sample {
   Nanoseconds time;
   float value;
 };
-
-std::string quoted(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  std::string result = "\"";
-  for (const char c : text) {
-    if (c == '"') result += '"';
-    result += c;
-  }
-  return result + '"';
-}
 
 }  // namespace
 
@@ -50,7 +42,7 @@ std::string series_csv(const std::vector<CsvColumn>& columns, Nanoseconds origin
   std::string out = "time_ns,time_utc";
   std::vector<std::vector<Sample>> samples(columns.size());
   for (std::size_t i = 0; i < columns.size(); ++i) {
-    out += ',' + quoted(columns[i].name);
+    out += ',' + csv_field(columns[i].name);
     samples[i].reserve(columns[i].series->count(begin, end));
     columns[i].series->for_each(begin, end, [&](Nanoseconds time, float value) {
       samples[i].push_back({time, value});

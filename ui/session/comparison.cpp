@@ -61,32 +61,35 @@ Comparison::~Comparison() {
 
 void Comparison::start(const ComparedSide& left, const ComparedSide& right, const Project& project,
                        const Project& running) {
+  Request request{left, right, project, running};
+  if (!running_) return work(std::move(request));
+  next_ = std::move(request);
   cancelled_ = true;
-  if (worker_.joinable()) worker_.join();
+}
+
+void Comparison::work(Request request) {
   cancelled_ = false;
   running_ = true;
-  worker_ = std::thread([this, left, right, project, running, number = ++number_] {
+  worker_ = std::thread([this, request = std::move(request)] {
     auto outcome = std::make_shared<Result<Compared>>();
-    const auto ours = contentOf(left, project, running);
+    const auto ours = contentOf(request.left, request.project, request.running);
     if (!ours) {
       *outcome = tl::unexpected(ours.error());
-    } else if (right.kind != ComparedSide::Kind::kBus) {
-      *outcome = comparedSides(*ours, contentOf(right, project, running));
-    } else if (auto bus = compare_bus_(ours->config, right.path, cancelled_); bus) {
+    } else if (request.right.kind != ComparedSide::Kind::kBus) {
+      *outcome = comparedSides(*ours, contentOf(request.right, request.project, request.running));
+    } else if (auto bus = compare_bus_(ours->config, request.right.path, cancelled_); bus) {
       *outcome = Compared{std::move(bus->differences), {}, {}, std::move(bus->findings)};
     } else {
       *outcome = tl::unexpected(bus.error());
     }
     QMetaObject::invokeMethod(
-        this,
-        [this, outcome, number] {
-          if (number == number_) deliver(std::move(*outcome));
-        },
-        Qt::QueuedConnection);
+        this, [this, outcome] { deliver(std::move(*outcome)); }, Qt::QueuedConnection);
   });
 }
 
 void Comparison::deliver(Result<Compared> outcome) {
+  worker_.join();  // it has said its last word
+  if (next_) return work(*std::exchange(next_, std::nullopt));
   running_ = false;
   result_.reset();
   failure_.reset();

@@ -42,8 +42,8 @@ class Comparison final : public QObject {
   explicit Comparison(BusComparer compare_bus, QObject* parent = nullptr);
   ~Comparison() override;
 
-  /// `project`, `running`: what sides of these kinds are now. Only the right side can be a bus. finished() follows,
-  /// which is not that of a comparison that was under way.
+  /// `project`, `running`: what sides of these kinds are now. Only the right side can be a bus. finished() follows
+  /// once, also for one that was under way: that one is cancelled, and nobody waits for it.
   void start(const ComparedSide& left, const ComparedSide& right, const Project& project, const Project& running);
   [[nodiscard]] bool isRunning() const { return running_; }
   /// The last one; none before the first, or where it failed.
@@ -55,13 +55,18 @@ class Comparison final : public QObject {
   void finished();
 
  private:
+  struct Request {
+    ComparedSide left, right;
+    Project project, running;
+  };
+  void work(Request request);
   void deliver(Result<Compared> outcome);
 
   BusComparer compare_bus_;
   std::thread worker_;
   std::atomic<bool> cancelled_{false};
   bool running_ = false;
-  std::uint64_t number_ = 0;
+  std::optional<Request> next_;  // instead of the one under way
   std::optional<Compared> result_;
   std::optional<Error> failure_;
 };

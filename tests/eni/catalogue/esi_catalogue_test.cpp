@@ -5,6 +5,10 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <optional>
+#include <utility>
 
 #include "eni/catalogue/esi_folder.h"
 #include "eni/catalogue/usual_sources.h"
@@ -359,24 +363,40 @@ TEST_F(Catalogue, PartsWithoutAControllerAreNoDevices) {
   EXPECT_TRUE(catalogue.find({2, 7, 1, 0}));
 }
 
+/// Nobody may look into `closed` meanwhile, not even root.
+class ClosedFolder {
+ public:
+  ClosedFolder(const std::filesystem::path& parent, const std::filesystem::path& closed) : closed_(closed) {
+    std::filesystem::permissions(closed_, std::filesystem::perms::none);
+    if (!root_) return;
+    constexpr ::uid_t kNobody = 65534;
+    std::filesystem::permissions(parent, std::filesystem::perms::all);
+    is_closed_ = ::seteuid(kNobody) == 0;
+  }
+  ~ClosedFolder() {
+    if (root_ && ::seteuid(0) != 0) std::abort();  // what follows needs its rights
+    std::filesystem::permissions(closed_, std::filesystem::perms::owner_all);
+  }
+  ClosedFolder(const ClosedFolder&) = delete;
+  ClosedFolder& operator=(const ClosedFolder&) = delete;
+  [[nodiscard]] bool is_closed() const { return is_closed_; }
+
+ private:
+  std::filesystem::path closed_;
+  bool root_ = ::geteuid() == 0, is_closed_ = true;
+};
+
 TEST_F(Catalogue, FoldersThatNobodyMayReadAreTold) {
   put("a.xml", esi_text({{1, 0x10, "A1"}}));
   put("closed/b.xml", esi_text({{2, 0x10, "B1"}}));
-  std::filesystem::permissions(folder() / "closed", std::filesystem::perms::none);
-  const bool root = ::geteuid() == 0;
-  constexpr ::uid_t kNobody = 65534;
-  if (root) {
-    std::filesystem::permissions(folder().parent_path(), std::filesystem::perms::all);
-    ASSERT_EQ(::seteuid(kNobody), 0);
-  }
+  std::optional<ClosedFolder> nobody(std::in_place, folder().parent_path(), folder() / "closed");
+  ASSERT_TRUE(nobody->is_closed());
   EsiCatalogue catalogue;
   const auto report = catalogue.add_folder(folder().string());
   const auto closed = catalogue.add_folder(file("closed"));
   EsiCatalogue usual;
   const auto told = add_usual_sources(usual, {folder().string()});
-  const bool back = !root || ::seteuid(0) == 0;
-  ASSERT_TRUE(back);
-  std::filesystem::permissions(folder() / "closed", std::filesystem::perms::owner_all);
+  nobody.reset();
   ASSERT_TRUE(report);
   EXPECT_EQ(report->files, 1U);
   EXPECT_THAT(report->unreadable, ElementsAre(file("closed")));
@@ -392,17 +412,10 @@ TEST_F(Catalogue, KeepsWhatItKnowsOfAFolderThatCannotBeReadNow) {
   put("closed/b.xml", esi_text({{2, 0x10, "B1"}}));
   EsiCatalogue catalogue;
   ASSERT_TRUE(catalogue.add_folder(folder().string()));
-  std::filesystem::permissions(folder() / "closed", std::filesystem::perms::none);
-  const bool root = ::geteuid() == 0;
-  constexpr ::uid_t kNobody = 65534;
-  if (root) {
-    std::filesystem::permissions(folder().parent_path(), std::filesystem::perms::all);
-    ASSERT_EQ(::seteuid(kNobody), 0);
-  }
+  std::optional<ClosedFolder> nobody(std::in_place, folder().parent_path(), folder() / "closed");
+  ASSERT_TRUE(nobody->is_closed());
   const auto again = catalogue.add_folder(folder().string());
-  const bool back = !root || ::seteuid(0) == 0;
-  ASSERT_TRUE(back);
-  std::filesystem::permissions(folder() / "closed", std::filesystem::perms::owner_all);
+  nobody.reset();
   ASSERT_TRUE(again);
   EXPECT_THAT(again->unreadable, ElementsAre(file("closed")));
   EXPECT_EQ(again->removed, 0U);
