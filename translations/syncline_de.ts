@@ -1419,6 +1419,26 @@ Einstellung %2</translation>
             <source>Message</source>
             <translation>Meldung</translation>
         </message>
+        <message>
+            <source>%1 by the clock of the recorded run</source>
+            <translation>%1 nach der Uhr des aufgezeichneten Laufs</translation>
+        </message>
+        <message>
+            <source>%1 by the clock of this computer</source>
+            <translation>%1 nach der Uhr dieses Rechners</translation>
+        </message>
+        <message>
+            <source>Run time</source>
+            <translation>Laufzeit</translation>
+        </message>
+        <message>
+            <source>Seconds of the run: since its first cycle, as on the axis of the plots</source>
+            <translation>Sekunden des Laufs: seit seinem ersten Zyklus, wie auf der Achse der Diagramme</translation>
+        </message>
+        <message>
+            <source>Time of day</source>
+            <translation>Uhrzeit</translation>
+        </message>
 </context>
 <context>
     <name>MessagesPanel</name>

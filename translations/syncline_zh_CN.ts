@@ -1417,6 +1417,26 @@ Setting %2</source>
             <source>Message</source>
             <translation>消息</translation>
         </message>
+        <message>
+            <source>%1 by the clock of the recorded run</source>
+            <translation>%1（所录运行的时钟）</translation>
+        </message>
+        <message>
+            <source>%1 by the clock of this computer</source>
+            <translation>%1（本计算机的时钟）</translation>
+        </message>
+        <message>
+            <source>Run time</source>
+            <translation>运行时间</translation>
+        </message>
+        <message>
+            <source>Seconds of the run: since its first cycle, as on the axis of the plots</source>
+            <translation>运行的秒数：自首个周期起，与曲线的时间轴一致</translation>
+        </message>
+        <message>
+            <source>Time of day</source>
+            <translation>时刻</translation>
+        </message>
 </context>
 <context>
     <name>MessagesPanel</name>

@@ -92,7 +92,15 @@ void MainWindow::buildCentre() {
   upper_ = new QStackedWidget;
   upper_->addWidget(editor_);
   upper_->addWidget(overview_);
-  splitter_->addWidget(upper_);
+  // Below the pages: what comes and goes with an edit moves no field away from the pointer.
+  auto* bar = new RunBar(workspace_.runDifference());
+  auto* pages = new QWidget;
+  auto* stack = new QVBoxLayout(pages);
+  stack->setContentsMargins(0, 0, 0, 0);
+  stack->setSpacing(0);
+  stack->addWidget(upper_, 1);
+  stack->addWidget(bar);
+  splitter_->addWidget(pages);
   splitter_->addWidget(strip_);
   splitter_->setChildrenCollapsible(false);
   splitter_->setStretchFactor(0, 3);
@@ -101,9 +109,7 @@ void MainWindow::buildCentre() {
   auto* layout = new QVBoxLayout(working);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
-  auto* bar = new RunBar(workspace_.runDifference());
   layout->addWidget(new RecordingBar(workspace_.recording()));
-  layout->addWidget(bar);
   layout->addWidget(splitter_, 1);
   connect(bar, &RunBar::differencesWanted, this,
           [this] { showComparison({ComparedSide::Kind::kRunning}, {ComparedSide::Kind::kProject}); });

@@ -3,8 +3,10 @@
 
 #include <QApplication>
 #include <QCommandLineParser>
+#include <QScreen>
 #include <QSettings>
 #include <QSocketNotifier>
+#include <QStyle>
 #include <QTimer>
 #include <algorithm>
 #include <cstdio>
@@ -165,6 +167,14 @@ void begin(const Options& options, ui::MainWindow& window, ui::Workspace& worksp
   });
 }
 
+/// Where the usual size does not fit, its frame neither, the window takes the whole screen.
+void show(ui::MainWindow& window) {
+  const auto room = window.screen()->availableSize();
+  const int frame = window.style()->pixelMetric(QStyle::PM_TitleBarHeight);
+  if (window.width() > room.width() || window.height() + frame > room.height()) return window.showMaximized();
+  window.show();
+}
+
 }  // namespace
 
 int main(int argc, char* argv[]) {
@@ -201,10 +211,11 @@ int main(int argc, char* argv[]) {
   ui::Workspace workspace(std::move(surroundings));
   ui::MainWindow window(workspace);
   if (options.screenshots.isEmpty()) workspace.setExpert(settings.value(kExpertSetting).toBool());
-  window.show();
   if (!options.screenshots.isEmpty()) {
+    window.show();
     return renderScreenshots(window, workspace, workspace.environment().demo_link, options.screenshots) ? 0 : 1;
   }
+  show(window);
   // Asks nothing: who closes the terminal or shuts the machine down does not answer. The slaves go to INIT all the
   // same.
   const StopSignals stop;

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "compare/difference_list.h"
+#include "findings/finding.h"
 
 namespace syncline {
 namespace {
@@ -202,19 +203,12 @@ void DifferenceList::number(DifferenceGroup group, What what, std::int64_t left,
 }
 
 void DifferenceList::time(DifferenceGroup group, What what, std::int64_t left_ns, std::int64_t right_ns) {
-  if (left_ns != right_ns) add(group, what, time_text(left_ns), time_text(right_ns));
+  if (left_ns != right_ns) add(group, what, exact_time_text(left_ns), exact_time_text(right_ns));
 }
 
 bool DifferenceList::has(DifferenceGroup group) const {
   return std::any_of(out_.begin() + static_cast<std::ptrdiff_t>(first_), out_.end(),
                      [&](const ConfigDifference& difference) { return difference.group == group; });
-}
-
-std::string time_text(std::int64_t ns) {
-  if (ns == 0) return "0";
-  if (ns % 1'000'000 == 0) return fmt::format("{} ms", ns / 1'000'000);
-  if (ns % 10 == 0 && (ns >= 10'000 || ns <= -10'000)) return fmt::format("{} us", static_cast<double>(ns) / 1000.0);
-  return fmt::format("{} ns", ns);
 }
 
 }  // namespace syncline::comparison

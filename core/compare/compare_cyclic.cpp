@@ -7,6 +7,7 @@
 #include "compare/difference_list.h"
 #include "compare/network_compare.h"
 #include "config/command_text.h"
+#include "findings/finding.h"
 #include "protocol/registers.h"
 
 namespace syncline::comparison {
@@ -162,7 +163,7 @@ void compare_cyclic(const NetworkConfig& left, const NetworkConfig& right, const
     if (l.cycle_time != r.cycle_time) {
       out.add(Group::kCyclic,
               task == 0 ? what("difference-cycle-time") : what("difference-cycle-time/task", fig::count<"task">(task)),
-              time_text(l.cycle_time), time_text(r.cycle_time));
+              exact_time_text(l.cycle_time), exact_time_text(r.cycle_time));
     }
     if (l.frames == r.frames && left.slaves.size() == right.slaves.size()) continue;
     const auto one = Lines(left, nullptr).of(l);

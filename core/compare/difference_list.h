@@ -50,9 +50,6 @@ class DifferenceList {
   std::string name_;
 };
 
-/// "1 ms", "62.5 us", "-120 ns"
-[[nodiscard]] std::string time_text(std::int64_t ns);
-
 void compare_process_data(const SlaveConfig& left, const SlaveConfig& right, DifferenceList& out);
 void compare_mailbox(const SlaveConfig& left, const SlaveConfig& right, DifferenceList& out);
 void compare_clocks(const SlaveConfig& left, const SlaveConfig& right, DifferenceList& out);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "config/dc_times.h"
+#include "protocol/dc_registers.h"
 #include "settings/field.h"
 #include "settings/limits.h"
 #include "settings/predicates.h"
@@ -72,11 +73,17 @@ Setting op_mode_row() {
   return row;
 }
 
+/// A unit that the operation mode does not generate has neither cycle nor shift.
+bool generates(const DcOpMode& mode, int unit) {
+  const AssignActivate activate{mode.assign_activate};
+  return unit == 0 ? activate.sync0() : activate.sync1();
+}
+
 /// What the operation mode says of a SYNC unit for which nothing is set.
 Value shift_of_mode(const Project& project, const Place& place, int unit) {
   const auto& slave = at_slave(project, place);
   const auto* mode = compiler::selected_op_mode(slave);
-  if (mode == nullptr) return {};
+  if (mode == nullptr || !generates(*mode, unit)) return {};
   return Value{
       compiler::shift_of_mode(unit == 0 ? mode->shift_time_sync0 : mode->shift_time_sync1, project.master.cycle_time)};
 }
@@ -85,7 +92,7 @@ Value shift_of_mode(const Project& project, const Place& place, int unit) {
 Value cycle_of_mode(const Project& project, const Place& place, int unit) {
   const auto& slave = at_slave(project, place);
   const auto* mode = compiler::selected_op_mode(slave);
-  if (mode == nullptr) return {};
+  if (mode == nullptr || !generates(*mode, unit)) return {};
   return Value{compiler::sync_cycle(*mode, slave.dc, unit, project.master.cycle_time)};
 }
 

@@ -8,6 +8,7 @@
 #include "ui/models/message_model.h"
 #include "ui/models/network_model.h"
 #include "ui/models/pdo_model.h"
+#include "ui/text/units.h"
 
 namespace syncline::ui {
 namespace {
@@ -113,6 +114,34 @@ TEST(MessageModel, KeepsFindingsOnTopAndNewestFirst) {
   EXPECT_EQ(model.rowCount(), 1);
   model.setFindings({});
   EXPECT_EQ(model.rowCount(), 0);
+}
+
+TEST(MessageModel, SaysWhenInItsRunAMessageWas) {
+  MessageModel model;
+  QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Warning);
+  const auto add = [&](int run, qint64 moment) {
+    auto line = message(Severity::kNote, "line");
+    line.run = run;
+    line.moment = moment;
+    model.append(line);
+  };
+  const auto time = [&](int row) { return model.index(row, MessageModel::kRunTime).data().toString(); };
+  add(0, 0);
+  add(1, 5'000'000'000);
+  EXPECT_EQ(time(0), QString()) << "before the first sample nobody knows";
+  int changes = 0;
+  QObject::connect(&model, &MessageModel::dataChanged, [&] { ++changes; });
+  model.setRunBegin(1, 5'250'000'000);
+  EXPECT_EQ(changes, 1);
+  EXPECT_EQ(time(0), runTimeText(-250'000'000));
+  add(1, 7'500'000'000);
+  EXPECT_EQ(time(0), runTimeText(2'250'000'000));
+  add(2, 7'500'000'000);
+  EXPECT_EQ(time(0), QString()) << "the next run has a beginning of its own";
+  model.setRunBegin(2, 7'000'000'000);
+  EXPECT_EQ(time(0), runTimeText(500'000'000));
+  EXPECT_EQ(time(1), runTimeText(2'250'000'000));
+  EXPECT_EQ(time(3), QString()) << "of no run";
 }
 
 TEST(MessageModel, IsCapped) {

@@ -40,6 +40,7 @@
 #include "ui/session/workspace.h"
 #include "ui/text/overview_text.h"
 #include "ui/text/recorded_text.h"
+#include "ui/text/units.h"
 #include "ui/widgets/pill.h"
 
 namespace syncline::ui {
@@ -134,6 +135,11 @@ TEST_F(RecordingWindow, WhatWasRecordedIsShownAsItWas) {
   EXPECT_FALSE(workspace_.recording().run().only_words);
   EXPECT_EQ(replay.config().slaves.size(), live->config().slaves.size());
   EXPECT_EQ(replay.slave_name(1), live->slave_name(1));
+  // Its messages stand on the clock of its plots.
+  const auto& messages = workspace_.messages();
+  ASSERT_GT(messages.rowCount(), 0);
+  const auto newest = messages.index(0, MessageModel::kTime).data(MessageModel::kMomentRole).toLongLong();
+  EXPECT_EQ(messages.index(0, MessageModel::kRunTime).data().toString(), runTimeText(newest - replay.overview().begin));
 }
 
 void expectAlike(const SyncOverview& is, const SyncOverview& was) {
@@ -486,7 +492,7 @@ TEST(Overview, SaysWhatCameFirstAndLeadsThere) {
   ASSERT_NE(first, std::string::npos) << text;
   ASSERT_NE(second, std::string::npos) << text;
   EXPECT_LT(first, second);
-  EXPECT_THAT(text, testing::HasSubstr("2.000 s"));
+  EXPECT_THAT(text, testing::HasSubstr(runTimeText(2 * kSecond).toStdString()));
   qint64 wanted = 0;
   QObject::connect(&panel, &OverviewPanel::momentWanted, &panel, [&](qint64 moment) { wanted = moment; });
   Q_EMIT label->linkActivated(QString::number(fault));

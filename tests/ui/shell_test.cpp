@@ -192,8 +192,12 @@ TEST_F(Shell, ABarSaysThatTheMachineRunsSomethingElse) {
   EXPECT_FALSE(widget("runBar").isVisible());
   set("slave.N.name", settings::Value{std::string("Another name")}, 1);
   EXPECT_FALSE(widget("runBar").isVisible()) << "a name makes no difference to the machine";
+  const auto* pages = window_.editor().tabs();
+  const auto place = pages->mapTo(&window_, QPoint());
   set("master.cycle_time_us", settings::Value{std::int64_t{2 * kMillisecond}});
   ASSERT_TRUE(widget("runBar").isVisible());
+  QApplication::processEvents();
+  EXPECT_EQ(pages->mapTo(&window_, QPoint()), place) << "no field moves away from the pointer by an edit";
   EXPECT_FALSE(widget("runBarApply").isEnabled());
   bool found = false;
   for (const auto& difference : workspace_.runDifference().settings())

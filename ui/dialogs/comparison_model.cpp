@@ -23,7 +23,13 @@ QString settingSide(const settings::Setting& setting, const std::string& text) {
   return unit.isEmpty() ? settingWord(text) : QStringLiteral("%1 %2").arg(QString::fromStdString(text), unit);
 }
 
-QString networkSide(const std::string& text) { return text.empty() ? kNothing : QString::fromStdString(text); }
+/// The network's values are written as programs read them.
+QString networkSide(const std::string& text) {
+  if (text.empty()) return kNothing;
+  auto shown = QString::fromStdString(text);
+  if (shown.endsWith(QLatin1String(" us"))) shown.replace(shown.size() - 2, 1, u'\u00B5');
+  return shown;
+}
 
 QString groupWord(DifferenceGroup group) {
   switch (group) {

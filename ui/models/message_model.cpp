@@ -6,6 +6,8 @@
 #include <iterator>
 #include <utility>
 
+#include "ui/text/units.h"
+
 namespace syncline::ui {
 
 MessageModel::MessageModel(QObject* parent) : QAbstractTableModel(parent) {}
@@ -71,6 +73,30 @@ void MessageModel::clearLog() {
   endRemoveRows();
 }
 
+void MessageModel::setRunBegin(int run, qint64 begin) {
+  begins_.insert(run, begin);
+  if (const int rows = rowCount(); rows > 0)
+    Q_EMIT dataChanged(index(0, kRunTime), index(rows - 1, kRunTime), {Qt::DisplayRole});
+}
+
+QString MessageModel::timeOf(const Message& message) const {
+  return QLocale().toString(message.time.time(), QStringLiteral("HH:mm:ss.zzz"));
+}
+
+QString MessageModel::runTimeOf(const Message& message) const {
+  const auto begin = begins_.constFind(message.run);
+  return message.run == 0 || begin == begins_.cend() ? QString() : runTimeText(message.moment - *begin);
+}
+
+QString MessageModel::toolTipOf(const Message& message, int column) const {
+  if (column == kTime && message.time.isValid()) {
+    const auto when = QLocale().toString(message.time, QStringLiteral("yyyy-MM-dd HH:mm:ss.zzz"));
+    return message.run == kRecordedRun ? tr("%1 by the clock of the recorded run").arg(when)
+                                       : tr("%1 by the clock of this computer").arg(when);
+  }
+  return message.key.isEmpty() ? message.text : tr("%1\nSetting %2").arg(message.text, message.key);
+}
+
 int MessageModel::count(Severity severity) const {
   const auto matches = [severity](const Message& message) { return message.severity == severity; };
   return static_cast<int>(std::ranges::count_if(findings_, matches) + std::ranges::count_if(log_, matches));
@@ -103,7 +129,7 @@ QVariant MessageModel::data(const QModelIndex& index, int role) const {
     case kFindingRole:
       return finding;
     case Qt::ToolTipRole:
-      return row.key.isEmpty() ? row.text : tr("%1\nSetting %2").arg(row.text, row.key);
+      return toolTipOf(row, index.column());
     case Qt::DisplayRole:
       break;
     default:
@@ -111,7 +137,9 @@ QVariant MessageModel::data(const QModelIndex& index, int role) const {
   }
   switch (index.column()) {
     case kTime:
-      return finding ? tr("Project") : QLocale().toString(row.time.time(), QStringLiteral("HH:mm:ss.zzz"));
+      return finding ? tr("Project") : timeOf(row);
+    case kRunTime:
+      return runTimeOf(row);
     case kSeverity: {
       if (row.severity == Severity::kError) return tr("Error");
       return row.severity == Severity::kWarning ? tr("Warning") : tr("Information");
@@ -126,10 +154,16 @@ QVariant MessageModel::data(const QModelIndex& index, int role) const {
 }
 
 QVariant MessageModel::headerData(int section, Qt::Orientation orientation, int role) const {
-  if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
+  if (orientation != Qt::Horizontal) return {};
+  if (role == Qt::ToolTipRole && section == kTime) return tr("Time of day");
+  if (role == Qt::ToolTipRole && section == kRunTime)
+    return tr("Seconds of the run: since its first cycle, as on the axis of the plots");
+  if (role != Qt::DisplayRole) return {};
   switch (section) {
     case kTime:
       return tr("Time");
+    case kRunTime:
+      return tr("Run time");
     case kSeverity:
       return tr("Severity");
     case kSource:

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QAbstractTableModel>
+#include <QHash>
 #include <QSortFilterProxyModel>
 #include <deque>
 #include <optional>
@@ -17,7 +18,7 @@ class MessageModel final : public QAbstractTableModel {
   Q_OBJECT
 
  public:
-  enum Column { kTime, kSeverity, kSource, kText, kColumns };
+  enum Column { kTime, kRunTime, kSeverity, kSource, kText, kColumns };
   enum Role { kSeverityRole = Qt::UserRole + 1, kSlaveRole, kFindingRole, kKeyRole, kMomentRole };
   static constexpr std::size_t kMaximum = 5000;
 
@@ -30,6 +31,8 @@ class MessageModel final : public QAbstractTableModel {
   void showOwn();
   /// Empties the log; findings stay as long as they are true.
   void clearLog();
+  /// Where the axis of a run begins (host clock, ns): from here on its messages say when they were in the run.
+  void setRunBegin(int run, qint64 begin);
   [[nodiscard]] int count(Severity severity) const;
 
   [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
@@ -39,9 +42,13 @@ class MessageModel final : public QAbstractTableModel {
 
  private:
   [[nodiscard]] const Message& message(int row) const;
+  [[nodiscard]] QString timeOf(const Message& message) const;
+  [[nodiscard]] QString runTimeOf(const Message& message) const;
+  [[nodiscard]] QString toolTipOf(const Message& message, int column) const;
 
   std::vector<Message> findings_;
   std::deque<Message> log_;
+  QHash<int, qint64> begins_;               // of runs
   std::optional<std::deque<Message>> own_;  // while another one is shown
 };
 

@@ -76,6 +76,7 @@ MessagesPanel::MessagesPanel(MessageModel& model, QWidget* parent) : QWidget(par
   table_->setModel(filter_);
   table_->setItemDelegateForColumn(MessageModel::kSeverity, new SeverityDelegate(table_));
   table_->setColumnWidth(MessageModel::kTime, 96);
+  table_->setColumnWidth(MessageModel::kRunTime, 86);
   table_->setColumnWidth(MessageModel::kSeverity, 92);
   table_->setColumnWidth(MessageModel::kSource, 150);
   stretchColumn(*table_, MessageModel::kText);

@@ -57,7 +57,7 @@ void RunBar::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.fillRect(rect(), theme::toneFill(palette(), theme::Tone::kWarning));
   painter.setPen(theme::outline(palette()));
-  painter.drawLine(rect().bottomLeft(), rect().bottomRight());
+  painter.drawLine(rect().topLeft(), rect().topRight());
 }
 
 void RunBar::changeEvent(QEvent* event) {

@@ -49,8 +49,15 @@ Workspace::Workspace(Environment environment, QObject* parent)
   connect(&live_, &LiveSession::eventArrived, this, [this](const Event& event) {
     if (auto message = messageOf(event, live_.record()->config())) {
       message->slave = running_slaves_.slaveOf(event.slave);
+      message->run = run_;
+      // A simulated machine's virtual clock is no time of day.
+      if (live_.isVirtual()) message->time = QDateTime::currentDateTime();
       messages_.append(std::move(*message));
     }
+  });
+  connect(&live_, &LiveSession::recordChanged, this, [this] { ++run_; });
+  connect(&live_, &LiveSession::samplesArrived, this, [this] {
+    if (std::exchange(begun_run_, run_) != run_) messages_.setRunBegin(run_, live_.record()->overview().begin);
   });
   connect(&run_findings_, &RunFindings::findingsChanged, this, [this] { showRunFindings(); });
   connect(&recording_, &OpenedRecording::changed, this, &Workspace::showRecording);
@@ -60,7 +67,11 @@ Workspace::Workspace(Environment environment, QObject* parent)
   connect(&autosave_, &Autosave::failed, this,
           [this](const Error& error) { report(error, Severity::kWarning, tr("Unsaved work is not kept")); });
   connect(&scan_, &ScanController::eventArrived, this, [this](const Event& event) {
-    if (auto message = messageOf(event, document_.project())) messages_.append(std::move(*message));
+    if (auto message = messageOf(event, document_.project())) {
+      message->time = QDateTime::currentDateTime();
+      message->moment = 0;
+      messages_.append(std::move(*message));
+    }
   });
   connect(&scan_, &ScanController::finished, this, &Workspace::tellOfScan);
   connect(&scan_, &ScanController::failed, this, [this](const QString&, const Error& error) {
@@ -88,6 +99,7 @@ const RunRecord* Workspace::shownRecord() const {
 void Workspace::showRecording() {
   if (recording_.isOpen()) {
     messages_.showOther(recording_.messages());
+    messages_.setRunBegin(kRecordedRun, recording_.run().record->overview().begin);
   } else {
     messages_.showOwn();
   }

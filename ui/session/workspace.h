@@ -99,6 +99,7 @@ class Workspace final : public QObject {
   WindowMemory memory_;
   QString link_;
   bool expert_ = false;
+  int run_ = 0, begun_run_ = 0;  // the run that goes on or was last, and the last of which there is a sample
   ProjectDocument document_;
   Autosave autosave_;
   ConfigurationMonitor configuration_;

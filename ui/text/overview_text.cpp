@@ -73,8 +73,7 @@ class Overview {
   }
 
   static QString moment(Nanoseconds time, const RunRecord& record) {
-    const auto since = static_cast<double>(time - record.overview().begin) / 1e9;
-    return tr("%1 s").arg(QLocale().toString(since, 'f', 3));
+    return runTimeText(time - record.overview().begin);
   }
 };
 

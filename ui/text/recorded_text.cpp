@@ -28,13 +28,17 @@ Severity severityOf(const std::string& name) {
 Message wordsOf(const RunRecord& record, Nanoseconds time, int slave, Severity severity, const std::string& text) {
   Message message{dateTimeOf(time), severity, nameOf(record, slave), QString::fromStdString(text), slave, {}};
   message.moment = time;
+  message.run = kRecordedRun;
   return message;
 }
 
 /// Nothing for events that only programs care about.
 std::optional<Message> messageOfRecorded(const RunRecord& record, const RecordedEvent& recorded) {
-  if (auto what = decode_event(recorded.details))
-    return messageOf(Event{recorded.time, recorded.slave, std::move(*what)}, record.config());
+  if (auto what = decode_event(recorded.details)) {
+    auto message = messageOf(Event{recorded.time, recorded.slave, std::move(*what)}, record.config());
+    if (message) message->run = kRecordedRun;
+    return message;
+  }
   return wordsOf(record, recorded.time, recorded.slave, Severity::kNote, recorded.text);
 }
 

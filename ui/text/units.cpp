@@ -42,6 +42,10 @@ QString timeText(Nanoseconds value) {
 
 QString signedTimeText(Nanoseconds value) { return value > 0 ? u'+' + timeText(value) : timeText(value); }
 
+QString runTimeText(Nanoseconds since_begin) {
+  return withUnit(QLocale().toString(static_cast<double>(since_begin) / 1e9, 'f', 3), QStringLiteral("s"));
+}
+
 QString cycleText(Nanoseconds value) {
   const auto number = static_cast<double>(value);
   if (std::llabs(value) < kMicrosecond) return withUnit(trimmed(number, 0), QStringLiteral("ns"));

@@ -48,7 +48,7 @@ std::vector<Edit> edits() {
   return {
       {Group::kClocks, "slave 3 (Slave_1004 [SV402]): SYNC0 cycle 1 ms -> 2 ms",
        [](Project& p) { p.slaves[3].dc.sync0.cycle_factor = 2; }},
-      {Group::kClocks, "SYNC0 shift 0 -> 30 us", [](Project& p) { p.slaves[3].dc.sync0.shift = 30'000; }},
+      {Group::kClocks, "SYNC0 shift 0 ns -> 30 us", [](Project& p) { p.slaves[3].dc.sync0.shift = 30'000; }},
       {Group::kClocks, "slave 4 (Slave_1005 [SV402]): distributed clocks yes -> no",
        [](Project& p) { p.slaves[4].dc.op_mode = ""; }},
       {Group::kClocks, "reference clock yes -> no", [](Project& p) { p.master.dc.reference_clock = 4; }},
@@ -142,7 +142,7 @@ TEST(CompareConfigs, WhatFollowsFromASettingIsNotToldAgain) {
   Project edited = machine();
   edited.slaves[3].dc.sync0.shift = 30'000;
   EXPECT_THAT(words(compare_configs(config(machine()), config(edited))),
-              ElementsAre("slave 3 (Slave_1004 [SV402]): SYNC0 shift 0 -> 30 us"));
+              ElementsAre("slave 3 (Slave_1004 [SV402]): SYNC0 shift 0 ns -> 30 us"));
   edited = machine();
   edited.slaves[3].device.timeouts.preop = 4000;
   EXPECT_THAT(words(compare_configs(config(machine()), config(edited))),

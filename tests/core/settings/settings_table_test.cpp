@@ -94,6 +94,21 @@ TEST(SettingsTable, WhatAutoStandsForFollowsTheProject) {
   EXPECT_THAT(status.error().detail, HasSubstr("300 us is outside 0.001..299.999 us"));
 }
 
+TEST(SettingsTable, ASyncUnitThatIsOffStandsForNoTime) {
+  Project project;
+  auto& slave = project.slaves.emplace_back();
+  slave.device.dc.emplace();
+  auto& mode = slave.device.dc->op_modes.emplace_back();
+  mode.name = slave.dc.op_mode = "DC";
+  mode.assign_activate = 0x0300;  // SYNC0 alone
+  const Place place{0};
+  EXPECT_EQ(effective_value(row("slave.N.dc.sync0.cycle_us"), project, place), Value{kMillisecond});
+  EXPECT_EQ(effective_value(row("slave.N.dc.sync1.cycle_us"), project, place), Value{});
+  EXPECT_EQ(effective_value(row("slave.N.dc.sync1.shift_us"), project, place), Value{});
+  project.slaves[0].device.dc->op_modes[0].assign_activate = 0x0700;
+  EXPECT_NE(effective_value(row("slave.N.dc.sync1.shift_us"), project, place), Value{});
+}
+
 TEST(SettingsTable, TheDevicesFamilyLimitsItsErrorCounter) {
   const auto& limit = row("slave.N.sync.error_limit");
   for (const auto* family : families::all()) {
