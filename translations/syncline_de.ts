@@ -4450,6 +4450,10 @@ Einstellung %2</translation>
             <source>%1 s</source>
             <translation>%1 s</translation>
         </message>
+        <message>
+            <source>&lt;b&gt;Nothing fell or was lost&lt;/b&gt; since %1 (for %2), but &lt;b&gt;%3&lt;/b&gt;</source>
+            <translation>&lt;b&gt;Nichts fiel aus oder ging verloren&lt;/b&gt; ab %1 (seit %2), aber &lt;b&gt;%3&lt;/b&gt;</translation>
+        </message>
 </context>
 <context>
     <name>Recorded</name>
@@ -4688,8 +4692,8 @@ Einstellung %2</translation>
             <translation>keine</translation>
         </message>
         <message>
-            <source>outputs came too late</source>
-            <translation>Ausgänge kamen zu spät</translation>
+            <source>SYNC0 came without new outputs</source>
+            <translation>SYNC0 kam ohne neue Ausgänge</translation>
         </message>
         <message>
             <source>A recording stays as it is</source>
@@ -4698,6 +4702,10 @@ Einstellung %2</translation>
         <message>
             <source>Nothing has run yet: go online.</source>
             <translation>Noch ist nichts gelaufen: Gehen Sie online.</translation>
+        </message>
+        <message>
+            <source>%1 times the limit ±%2</source>
+            <translation>%1-mal die Grenze ±%2</translation>
         </message>
 </context>
 <context>

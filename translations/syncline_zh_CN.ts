@@ -4430,6 +4430,10 @@ Setting %2</source>
             <source>%1 s</source>
             <translation>%1 s</translation>
         </message>
+        <message>
+            <source>&lt;b&gt;Nothing fell or was lost&lt;/b&gt; since %1 (for %2), but &lt;b&gt;%3&lt;/b&gt;</source>
+            <translation>自 %1 起（%2）&lt;b&gt;没有掉线或丢失&lt;/b&gt;，但是 &lt;b&gt;%3&lt;/b&gt;</translation>
+        </message>
 </context>
 <context>
     <name>Recorded</name>
@@ -4668,8 +4672,8 @@ Setting %2</source>
             <translation>无</translation>
         </message>
         <message>
-            <source>outputs came too late</source>
-            <translation>输出来得太晚</translation>
+            <source>SYNC0 came without new outputs</source>
+            <translation>SYNC0 到来时没有新的输出</translation>
         </message>
         <message>
             <source>A recording stays as it is</source>
@@ -4678,6 +4682,10 @@ Setting %2</source>
         <message>
             <source>Nothing has run yet: go online.</source>
             <translation>尚未运行：请先上线。</translation>
+        </message>
+        <message>
+            <source>%1 times the limit ±%2</source>
+            <translation>限值 ±%2 的 %1 倍</translation>
         </message>
 </context>
 <context>

@@ -264,6 +264,8 @@ void MainWindow::connectSession() {
     if (phase == LiveSession::Phase::kOnline) showOverview(true);
   });
   connect(&live, &LiveSession::recordChanged, this, &MainWindow::showRun);
+  connect(&workspace_.runFindings(), &RunFindings::findingsChanged, overview_,
+          [this] { overview_->setFindings(workspace_.shownFindings()); });
   connect(&workspace_.recording(), &OpenedRecording::changed, this, [this] {
     showRun();
     updateActions();
@@ -281,6 +283,7 @@ void MainWindow::showRun() {
   strip_->setPickedSlave(recorded ? -1 : workspace_.runningSlaves().positionOf(explorer_->selected()));
   strip_->setRecord(workspace_.shownRecord(), recorded);
   overview_->setRecord(workspace_.shownRecord(), recorded);
+  overview_->setFindings(workspace_.shownFindings());
   if (recorded) showOverview(true);
 }
 

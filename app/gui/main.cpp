@@ -17,6 +17,7 @@
 #include "app/composition/slave_eeprom.h"
 #include "app/composition/state_folder.h"
 #include "app/gui/bus_functions.h"
+#include "app/gui/fault_pictures.h"
 #include "app/gui/screenshots.h"
 #include "link/pcap_link.h"
 #include "support/stop_signals.h"
@@ -35,7 +36,7 @@ using namespace syncline;
 const QString kThemeSetting = QStringLiteral("theme"), kExpertSetting = QStringLiteral("expert");
 
 struct Options {
-  QString file, link, theme, screenshots, language;
+  QString file, link, theme, screenshots, faults, language;
   bool demo = false, reset_settings = false;
   int exit_after_ms = 0;
 };
@@ -64,7 +65,11 @@ Options parse(const QCoreApplication& app) {
       QStringLiteral("reset-settings"),
       QStringLiteral("Forget what the window remembers (layout, theme, language, expert settings, recent projects), "
                      "then start."));
-  parser.addOptions({demo, link, theme, language, screenshots, exit_after, reset});
+  const QCommandLineOption faults(
+      QStringLiteral("faults"),
+      QStringLiteral("With --screenshots: the overview of each scenario of FOLDER instead of the pages."),
+      QStringLiteral("FOLDER"));
+  parser.addOptions({demo, link, theme, language, screenshots, faults, exit_after, reset});
   parser.addPositionalArgument(QStringLiteral("file"),
                                QStringLiteral("Project, ENI, ESI, capture or scenario to open."),
                                QStringLiteral("[file]"));
@@ -74,6 +79,7 @@ Options parse(const QCoreApplication& app) {
   options.link = parser.value(link);
   options.theme = parser.value(theme);
   options.screenshots = parser.value(screenshots);
+  options.faults = parser.value(faults);
   options.language = parser.value(language);
   options.demo = parser.isSet(demo);
   options.reset_settings = parser.isSet(reset);
@@ -213,6 +219,8 @@ int main(int argc, char* argv[]) {
   if (options.screenshots.isEmpty()) workspace.setExpert(settings.value(kExpertSetting).toBool());
   if (!options.screenshots.isEmpty()) {
     window.show();
+    if (!options.faults.isEmpty())
+      return renderFaultPictures(window, workspace, options.faults, options.screenshots) ? 0 : 1;
     return renderScreenshots(window, workspace, workspace.environment().demo_link, options.screenshots) ? 0 : 1;
   }
   show(window);

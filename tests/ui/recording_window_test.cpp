@@ -38,6 +38,7 @@
 #include "ui/plots/gap_item.h"
 #include "ui/session/file_kind.h"
 #include "ui/session/workspace.h"
+#include "ui/text/event_text.h"
 #include "ui/text/overview_text.h"
 #include "ui/text/recorded_text.h"
 #include "ui/text/units.h"
@@ -469,6 +470,36 @@ CycleSample cycle(std::uint64_t i, bool lost) {
   s.round_trip_ns = 30'000;
   s.deviation_ns = 40;
   return s;
+}
+
+/// A line among others has no room for advice.
+TEST(Overview, AStateThatASlaveLeftIsToldWithoutWhatToCheck) {
+  const Event fell{kSecond, 1, events::AlStatusError{0x14, 0x001A}};
+  const auto whole = messageOf(fell, NetworkConfig{})->text;
+  const auto brief = briefText(fell);
+  EXPECT_TRUE(whole.startsWith(brief)) << qPrintable(whole);
+  EXPECT_TRUE(brief.contains(QStringLiteral("0x001A"))) << qPrintable(brief);
+  EXPECT_LT(brief.size(), whole.size());
+}
+
+/// A firmware that is too slow loses nothing, and is no order either.
+TEST(Overview, SaysWhatWasFoundWhereNothingHappened) {
+  NetworkConfig config;
+  config.slaves.resize(2);
+  config.slaves[1].name = "Servo";
+  RunRecord record(config);
+  std::vector<CycleSample> samples;
+  for (std::uint64_t i = 0; i < 100; ++i) samples.push_back(cycle(i, false));
+  record.add(samples);
+  Finding found{code::kGatewayCycleExceeded, Severity::kWarning};
+  found.place.slave = 1;
+  EXPECT_EQ(worstOf({}), nullptr);
+  ASSERT_EQ(worstOf({&found, 1}), &found);
+  const auto nothing = firstFaultText(record, {}), something = firstFaultText(record, {&found, 1});
+  EXPECT_NE(nothing, something);
+  EXPECT_TRUE(something.contains(QStringLiteral("Servo"))) << qPrintable(something);
+  found.severity = Severity::kNote;
+  EXPECT_EQ(firstFaultText(record, {&found, 1}), nothing) << "news is no fault";
 }
 
 /// What came first is said first, and its link leads to the plots.

@@ -165,6 +165,10 @@ void OverviewPanel::showFigure(FigureCard& card, const OverviewFigure& figure, c
     card.setNote(tone, filtered ? tr("filtered: %1").arg(words) : words);
   };
   const auto percent = QLocale().toString(std::floor(std::abs(*margin) * 100), 'f', 0);
+  if (*margin <= -1)
+    return note(theme::Tone::kBad,
+                tr("%1 times the limit \u00B1%2")
+                    .arg(QLocale().toString(1 - *margin, 'f', *margin > -9 ? 1 : 0), timeText(limit)));
   if (*margin < 0) return note(theme::Tone::kBad, tr("%1 % over the limit \u00B1%2").arg(percent, timeText(limit)));
   note(*margin < kThinMargin ? theme::Tone::kWarning : theme::Tone::kGood,
        tr("%1 % margin to \u00B1%2").arg(percent, timeText(limit)));
@@ -179,7 +183,7 @@ void OverviewPanel::showMissed() {
   } else {
     missed_->setMain(countText(missed.count));
     missed_->setNote(missed.count == 0 ? theme::Tone::kGood : theme::Tone::kWarning,
-                     missed.count == 0 ? tr("none") : tr("outputs came too late"));
+                     missed.count == 0 ? tr("none") : tr("SYNC0 came without new outputs"));
   }
   const auto worst = std::ranges::max_element(missed.by_slave);
   missed_->setFigure(kWorst, missed.count == 0 ? noText()
@@ -190,13 +194,18 @@ void OverviewPanel::showMissed() {
   missed_->setFigure(kSince, overview.armed ? spanText(overview.end - *overview.armed) : noText());
 }
 
+void OverviewPanel::setFindings(std::vector<Finding> findings) {
+  findings_ = std::move(findings);
+  if (isVisible()) refresh();
+}
+
 void OverviewPanel::showFaults() {
   const auto& overview = record_->overview();
-  const bool any = !overview.faults.episodes().empty();
-  static_cast<Banner*>(banner_)->setTone(!overview.armed ? theme::Tone::kNeutral
-                                         : any           ? theme::Tone::kBad
-                                                         : theme::Tone::kGood);
-  const auto text = firstFaultText(*record_);
+  static_cast<Banner*>(banner_)->setTone(!overview.armed                       ? theme::Tone::kNeutral
+                                         : !overview.faults.episodes().empty() ? theme::Tone::kBad
+                                         : worstOf(findings_) != nullptr       ? theme::Tone::kWarning
+                                                                               : theme::Tone::kGood);
+  const auto text = firstFaultText(*record_, findings_);
   if (fault_->text() != text) fault_->setText(text);
 }
 

@@ -3,6 +3,7 @@
 
 #include <QTimer>
 #include <QWidget>
+#include <vector>
 
 #include "record/run_record.h"
 #include "ui/theme/theme.h"
@@ -25,6 +26,8 @@ class OverviewPanel final : public QWidget {
   explicit OverviewPanel(QWidget* parent = nullptr);
   /// Null: nothing. It must outlive the panel or be replaced.
   void setRecord(const RunRecord* record, bool recorded);
+  /// What was found about the run.
+  void setFindings(std::vector<Finding> findings);
   /// Something runs: what the lamps say goes on.
   void setLive(bool live);
   /// At once, as the tick does a few times a second.
@@ -49,6 +52,7 @@ class OverviewPanel final : public QWidget {
   void showFaults();
 
   const RunRecord* record_ = nullptr;
+  std::vector<Finding> findings_;
   bool recorded_ = false, live_ = false;
   Pill *slaves_, *master_;
   QLabel *slaves_text_, *master_text_, *fault_;

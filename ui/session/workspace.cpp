@@ -133,11 +133,14 @@ void Workspace::inform(const QString& source, const QString& text) {
   messages_.append({QDateTime::currentDateTime(), Severity::kNote, source, text, -1, {}});
 }
 
+std::vector<Finding> Workspace::shownFindings() const {
+  return recording_.isOpen() ? recording_.run().record->findings() : run_findings_.findings();
+}
+
 /// What many slaves have alike is one row, at the first of them.
 void Workspace::showRunFindings() {
   std::vector<Finding> rows;
-  const auto found = recording_.isOpen() ? recording_.run().record->findings() : run_findings_.findings();
-  for (auto& [finding, slaves] : folded(found)) rows.push_back(std::move(finding));
+  for (auto& [finding, slaves] : folded(shownFindings())) rows.push_back(std::move(finding));
   findings_.setFindings(rows);
 }
 

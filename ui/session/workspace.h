@@ -59,6 +59,8 @@ class Workspace final : public QObject {
   /// What plots and figures show: the recording that is open, else the run; null before the first.
   [[nodiscard]] const RunRecord* shownRecord() const;
   [[nodiscard]] FindingModel& findings() { return findings_; }
+  /// What was found about the run that goes on or was last, or of the recording in its place.
+  [[nodiscard]] std::vector<Finding> shownFindings() const;
   [[nodiscard]] MessageModel& messages() { return messages_; }
   [[nodiscard]] NetworkModel& network() { return network_; }
 

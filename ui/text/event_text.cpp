@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/text/event_text.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include "channels/event_finding.h"
 #include "ui/text/error_text.h"
 #include "ui/text/finding_text.h"
@@ -28,6 +31,18 @@ std::optional<Message> messageIn(const Event& event, const Network& network) {
 
 std::optional<Message> messageOf(const Event& event, const Project& project) { return messageIn(event, project); }
 std::optional<Message> messageOf(const Event& event, const NetworkConfig& running) { return messageIn(event, running); }
+
+QString briefText(const Event& event) {
+  auto finding = event_finding(event);
+  if (!finding) return {};
+  // What to check of an AL status code is advice.
+  constexpr std::string_view kWithout = "unchecked";
+  if (const auto* words = find_finding_words(finding->code)) {
+    const auto* brief = std::ranges::find(words->facts, kWithout, &FindingWords::Facts::variant);
+    if (brief != std::end(words->facts)) finding->facts = brief->text;
+  }
+  return findingText(*finding);
+}
 
 Message messageOf(const Finding& finding, const Project& project) {
   return {{},

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "ui/text/event_text.h"
+#include "ui/text/finding_text.h"
 #include "ui/text/glossary.h"
 #include "ui/text/recorded_text.h"
 #include "ui/text/units.h"
@@ -24,13 +25,13 @@ class Overview {
   static QString fault(const Fault& fault, const RunRecord& record) {
     QString text;
     if (fault.event) {
-      const auto message = messageOf(*fault.event, record.config());
-      text = message ? message->text : tr("An event without words");
+      text = briefText(*fault.event);
+      if (text.isEmpty()) text = tr("An event without words");
     } else {
       text = tr("%n SM2 event(s) missed", nullptr, static_cast<int>(std::min<std::uint64_t>(fault.count, INT32_MAX)));
     }
     if (fault.event && fault.count > 1) text += tr(" (%1 times)").arg(countText(fault.count));
-    return nodeName(record.config(), fault.slave) + QStringLiteral(": ") + text;
+    return fault.slave < 0 ? text : nodeName(record.config(), fault.slave) + QStringLiteral(": ") + text;
   }
 
   static QString lamp(const SyncLamp& lamp, const SyncOverview& overview) {
@@ -47,14 +48,22 @@ class Overview {
     return QStringLiteral("<a href=\"%1\">%2</a>").arg(time).arg(text.toHtmlEscaped());
   }
 
-  static QString firstFault(const RunRecord& record) {
+  static QString nothingHappened(const QString& since, const RunRecord& record, std::span<const Finding> findings) {
+    const auto span = spanText(record.overview().end - *record.overview().armed);
+    const auto* worst = worstOf(findings);
+    if (worst == nullptr) return tr("<b>No fault</b> since %1 (for %2).").arg(since, span);
+    auto text = findingText(*worst);
+    if (worst->place.slave >= 0) text = nodeName(record.config(), worst->place.slave) + QStringLiteral(": ") + text;
+    return tr("<b>Nothing fell or was lost</b> since %1 (for %2), but <b>%3</b>")
+        .arg(since, span, worst->from > 0 ? link(worst->from, text) : text.toHtmlEscaped());
+  }
+
+  static QString firstFault(const RunRecord& record, std::span<const Finding> findings) {
     const auto& overview = record.overview();
     if (!overview.armed) return tr("Not armed yet: the machine has to be in OP, and in sync where that is watched.");
     const auto& log = overview.faults;
     const auto since = momentText(*overview.armed, record);
-    if (log.episodes().empty()) {
-      return tr("<b>No fault</b> since %1 (for %2).").arg(since, spanText(overview.end - *overview.armed));
-    }
+    if (log.episodes().empty()) return nothingHappened(since, record, findings);
     const auto& episode = log.episodes().back();
     const auto& first = episode.faults.front();
     auto text =
@@ -81,7 +90,13 @@ class Overview {
 
 QString faultText(const Fault& fault, const RunRecord& record) { return Overview::fault(fault, record); }
 QString lampText(const SyncLamp& lamp, const SyncOverview& overview) { return Overview::lamp(lamp, overview); }
-QString firstFaultText(const RunRecord& record) { return Overview::firstFault(record); }
+QString firstFaultText(const RunRecord& record, std::span<const Finding> findings) {
+  return Overview::firstFault(record, findings);
+}
+const Finding* worstOf(std::span<const Finding> findings) {
+  const auto worst = std::ranges::max_element(findings, {}, &Finding::severity);
+  return worst == findings.end() || worst->severity == Severity::kNote ? nullptr : &*worst;
+}
 QString momentText(Nanoseconds time, const RunRecord& record) { return Overview::moment(time, record); }
 
 }  // namespace syncline::ui

@@ -2,17 +2,21 @@
 #pragma once
 
 #include <QString>
+#include <span>
 
 #include "record/run_record.h"
 
 namespace syncline::ui {
 
-/// "Servo: Slave does not answer any more", with how often.
+/// "Servo: Slave 3 does not answer", with how often; of the whole bus without a name.
 [[nodiscard]] QString faultText(const Fault& fault, const RunRecord& record);
 /// What one of the lamps says below its state: for how long, and when it was lost last.
 [[nodiscard]] QString lampText(const SyncLamp& lamp, const SyncOverview& overview);
-/// What came first and what followed, as rich text whose links are moments of the run (host clock, ns).
-[[nodiscard]] QString firstFaultText(const RunRecord& record);
+/// What came first and what followed, as rich text whose links are moments of the run (host clock, ns). Where nothing
+/// happened, the worst of what was found nevertheless.
+[[nodiscard]] QString firstFaultText(const RunRecord& record, std::span<const Finding> findings);
+/// The most severe warning or error; null: there is none.
+[[nodiscard]] const Finding* worstOf(std::span<const Finding> findings);
 /// A moment as the plots' axis has it: "12.345 s" since the first sample.
 [[nodiscard]] QString momentText(Nanoseconds time, const RunRecord& record);
 

@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "config/sim_config.h"
@@ -14,9 +15,10 @@ namespace syncline::sim {
 /// machine, and what contradicts another fault are errors of the file.
 class ScenarioFaults {
  public:
-  /// All outlive it.
-  ScenarioFaults(std::span<const SimSlaveConfig> slaves, const std::string& file, std::optional<Error>& error)
-      : slaves_(slaves), file_(file), error_(error) {}
+  /// Slaves, file and error outlive it; `before` is what happens to the machine anyway.
+  ScenarioFaults(std::span<const SimSlaveConfig> slaves, const std::string& file, std::optional<Error>& error,
+                 std::vector<FaultConfig> before)
+      : slaves_(slaves), file_(file), error_(error), faults_(std::move(before)) {}
   void read(const toml::table& node);
   [[nodiscard]] std::vector<FaultConfig> take() { return std::move(faults_); }
 

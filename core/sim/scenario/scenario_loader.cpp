@@ -31,13 +31,15 @@ class Loader {
   Result<SimConfig> load(const Result<toml::table>& root) {
     if (!root) return tl::unexpected(root.error());
     Table table(*root, path_, error_);
+    const auto machine = table.text("machine", "");
+    if (!machine.empty()) read_machine(table, machine);
     config_.name = table.text("name", fs::path(path_).stem().string());
-    config_.seed = table.get<std::uint64_t>("seed", 1);
-    config_.networks = static_cast<unsigned>(table.integer("networks", 1, 1, 256));
+    config_.seed = table.get<std::uint64_t>("seed", config_.seed);
+    config_.networks = static_cast<unsigned>(table.integer("networks", config_.networks, 1, 256));
     double host_ppm = 0;
     if (const auto* host = table.table("host")) host_ppm = read_host(*host);
     if (const auto* bus = table.table("bus")) read_bus(*bus);
-    read_slaves(table, host_ppm);
+    if (machine.empty()) read_slaves(table, host_ppm);
     read_faults(table);
     if (const auto* latches = table.tables("latch")) {
       for (const auto& node : *latches) read_latch(*node.as_table());
@@ -48,9 +50,26 @@ class Loader {
   }
 
  private:
+  /// The machine of another scenario, to which this one does something.
+  void read_machine(Table& table, const std::string& file) {
+    if (of_machine_) return table.fail_at("machine", "the file of a machine is a scenario of its own");
+    if (table.has("slave")) table.fail_at("slave", "the slaves are those of the machine");
+    if (error_) return;
+    const auto path = (fs::path(path_).parent_path() / file).lexically_normal().string();
+    Loader loader(path, devices_);
+    loader.of_machine_ = true;
+    if (auto machine = loader.load(parse_toml(path))) {
+      config_ = std::move(*machine);
+    } else {
+      error_ = machine.error();
+    }
+  }
+
   /// Error of the host's clock, ppm.
   double read_host(const toml::table& node) {
     Table table(node, path_, error_);
+    if (!of_machine_ && !config_.slaves.empty() && table.has("ppm"))
+      table.fail_at("ppm", "stands in the file of the machine");
     config_.host_jitter = jitter_of(table);
     const double ppm = table.number("ppm", 0, -kMostPpm, kMostPpm);
     const auto profile = table.text("profile", "");
@@ -91,7 +110,7 @@ class Loader {
   void read_faults(Table& table) {
     const auto* nodes = table.tables("fault");
     if (nodes == nullptr || error_) return;
-    ScenarioFaults faults(config_.slaves, path_, error_);
+    ScenarioFaults faults(config_.slaves, path_, error_, std::move(config_.faults));
     for (const auto& node : *nodes) faults.read(*node.as_table());
     config_.faults = faults.take();
   }
@@ -121,6 +140,7 @@ class Loader {
   const std::string& path_;
   const DeviceSource& devices_;
   SimConfig config_;
+  bool of_machine_ = false;  // read for another scenario
   std::optional<Error> error_;
 };
 

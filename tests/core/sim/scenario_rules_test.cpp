@@ -36,6 +36,43 @@ TEST(ScenarioRules, OnlyFirmwareCanHang) {
   EXPECT_FALSE(load("SL-1002", "kind = \"stop-application\"\n"));
 }
 
+/// A scenario that does something to the demonstration machine.
+Result<SimConfig> load_beside(const std::string& text) {
+  return sim::parse_scenario(text, resource("demo/beside.toml"), scenario_device);
+}
+
+TEST(ScenarioRules, AMachineOfAnotherFileGetsFaults) {
+  const auto machine = sim::load_scenario(resource("demo/machine.toml"), scenario_device);
+  ASSERT_TRUE(machine);
+  const auto broken = load_beside(
+      "machine = \"machine.toml\"\nname = \"Broken\"\n[[fault]]\nkind = \"slave-off\"\nslave = 5\nat_ms = 8\n");
+  ASSERT_TRUE(broken) << describe(broken.error());
+  EXPECT_EQ(broken->name, "Broken");
+  EXPECT_EQ(broken->seed, machine->seed);
+  EXPECT_EQ(broken->slaves.size(), machine->slaves.size());
+  EXPECT_EQ(broken->slaves[3].name, machine->slaves[3].name);
+  ASSERT_EQ(broken->faults.size(), machine->faults.size() + 1);
+  EXPECT_EQ(broken->faults.back().slave, 5);
+  const auto reseeded = load_beside("machine = \"machine.toml\"\nseed = 7\n");
+  ASSERT_TRUE(reseeded);
+  EXPECT_EQ(reseeded->seed, 7U);
+}
+
+TEST(ScenarioRules, AMachineOfAnotherFileHasItsSlavesAndNoMachineOfItsOwn) {
+  for (const char* text :
+       {"machine = \"nowhere.toml\"\n", "machine = \"machine.toml\"\n[[slave]]\nesi = \"../esi/SL-1002.xml\"\n",
+        "machine = \"machine.toml\"\n[host]\nppm = 3\n",
+        "machine = \"machine.toml\"\n[[fault]]\nkind = \"slave-off\"\nslave = 9\n"}) {
+    const auto refused = load_beside(text);
+    ASSERT_FALSE(refused) << text;
+    EXPECT_FALSE(refused.error().subject.empty()) << text;
+  }
+  const auto nested = sim::parse_scenario("machine = \"cable-break.toml\"\n", resource("scenarios/faults/nested.toml"),
+                                          scenario_device);
+  ASSERT_FALSE(nested) << "and so no file is its own machine";
+  EXPECT_NE(nested.error().subject.find("cable-break.toml"), std::string::npos);
+}
+
 /// The same with a [[latch]] behind.
 Result<SimConfig> load_latch(const std::string& latch) {
   return load("SL-SV7", "kind = \"slow-mailbox\"\nvalue_ns = 1\n[[latch]]\n" + latch);
