@@ -27,20 +27,20 @@ void put_difference(std::string& out, std::int64_t from, std::int64_t to) {
 /// Takes varints off the front; remembers that there was none.
 class Varints {
  public:
-  explicit Varints(std::string_view bytes) : bytes_(bytes) {}
+  explicit Varints(std::string_view bytes) : at_(bytes.data()), end_(bytes.data() + bytes.size()) {}
   std::int64_t after(std::int64_t from) {
     return static_cast<std::int64_t>(static_cast<std::uint64_t>(from) + unzigzag(next()));
   }
-  [[nodiscard]] bool done() const { return good_ && bytes_.empty(); }
+  [[nodiscard]] bool done() const { return good_ && at_ == end_; }
   [[nodiscard]] bool good() const { return good_; }
 
  private:
   std::uint64_t next() {
+    // Most differences are small.
+    if (at_ != end_ && static_cast<std::uint8_t>(*at_) < 0x80) return static_cast<std::uint8_t>(*at_++);
     std::uint64_t value = 0;
-    for (unsigned shift = 0; shift < 64; shift += 7) {
-      if (bytes_.empty()) break;
-      const auto byte = static_cast<std::uint8_t>(bytes_.front());
-      bytes_.remove_prefix(1);
+    for (unsigned shift = 0; shift < 64 && at_ != end_; shift += 7) {
+      const auto byte = static_cast<std::uint8_t>(*at_++);
       value |= static_cast<std::uint64_t>(byte & 0x7FU) << shift;
       if (byte < 0x80) return value;
     }
@@ -48,7 +48,8 @@ class Varints {
     return 0;
   }
 
-  std::string_view bytes_;
+  const char* at_;
+  const char* end_;
   bool good_ = true;
 };
 
@@ -98,27 +99,38 @@ Column encode_integers(std::span<const std::optional<SignalNumber>> cells, const
   return column;
 }
 
-bool decode_linear(std::string_view bytes, std::size_t count, Cells& out) {
+bool decode_linear(std::string_view bytes, std::size_t count, std::vector<std::int64_t>& out) {
   Varints varints(bytes);
   const auto first = varints.after(0);
   const auto step = static_cast<std::uint64_t>(varints.after(first)) - static_cast<std::uint64_t>(first);
+  out.resize(count);
   auto value = static_cast<std::uint64_t>(first);
-  for (std::size_t i = 0; i < count; ++i, value += step) out.emplace_back(static_cast<std::int64_t>(value));
+  for (auto& cell : out) {
+    cell = static_cast<std::int64_t>(value);
+    value += step;
+  }
   return varints.done();
 }
 
-bool decode_differences(std::string_view mask, std::string_view bytes, std::size_t count, Cells& out) {
+bool decode_differences(std::string_view bytes, std::size_t count, std::vector<std::int64_t>& out) {
+  if (count > bytes.size()) return false;
   Varints varints(bytes);
+  out.resize(count);
+  std::int64_t value = 0;
+  for (auto& cell : out) cell = value = varints.after(value);
+  return varints.done();
+}
+
+bool decode_masked(std::string_view bytes, std::size_t count, ColumnCells& out) {
+  const auto mask = (count + 7) / 8;
+  if (count == 0 || bytes.size() < mask) return false;
+  Varints varints(bytes.substr(mask));
+  out.there.resize(count);
+  out.integers.resize(count);
   std::int64_t value = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    const bool there = mask.empty() || (static_cast<std::uint8_t>(mask[i / 8]) >> (i % 8) & 1U) != 0;
-    if (!there) {
-      out.emplace_back();
-      continue;
-    }
-    value = varints.after(value);
-    if (!varints.good()) return false;
-    out.emplace_back(value);
+    out.there[i] = static_cast<std::uint8_t>(bytes[i / 8]) >> (i % 8) & 1U;
+    if (out.there[i] != 0) out.integers[i] = value = varints.after(value);
   }
   return varints.done();
 }
@@ -140,30 +152,19 @@ std::optional<Column> encode_column(std::span<const std::optional<SignalNumber>>
   return encode_integers(cells, integers);
 }
 
-bool decode_column(ColumnCodec codec, std::string_view bytes, std::size_t count, Cells& out) {
-  out.clear();
+bool decode_column(ColumnCodec codec, std::string_view bytes, std::size_t count, ColumnCells& out) {
+  out.integers.clear();
+  out.floats.clear();
+  out.there.clear();
   switch (codec) {
     case ColumnCodec::kLinear:
-      return decode_linear(bytes, count, out);
+      return decode_linear(bytes, count, out.integers);
     case ColumnCodec::kDelta:
-      return decode_differences({}, bytes, count, out);
-    case ColumnCodec::kMasked: {
-      const auto mask = (count + 7) / 8;
-      if (count == 0 || bytes.size() < mask) return false;
-      return decode_differences(bytes.substr(0, mask), bytes.substr(mask), count, out);
-    }
-    case ColumnCodec::kFloat: {
-      std::vector<float> floats;
-      if (!decode_floats(bytes, count, floats)) return false;
-      for (const auto value : floats) {
-        if (std::isnan(value)) {
-          out.emplace_back();
-        } else {
-          out.emplace_back(value);
-        }
-      }
-      return true;
-    }
+      return decode_differences(bytes, count, out.integers);
+    case ColumnCodec::kMasked:
+      return decode_masked(bytes, count, out);
+    case ColumnCodec::kFloat:
+      return decode_floats(bytes, count, out.floats);
   }
   return false;
 }
@@ -200,7 +201,8 @@ std::string encode_floats(std::span<const float> values) {
 bool decode_floats(std::string_view bytes, std::size_t count, std::vector<float>& out) {
   out.clear();
   if (count > bytes.size() || bytes.size() != count * 4) return false;
-  for (std::size_t i = 0; i < count; ++i) out.push_back(float_at(bytes, i));
+  out.resize(count);
+  for (std::size_t i = 0; i < count; ++i) out[i] = float_at(bytes, i);
   return true;
 }
 

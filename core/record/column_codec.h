@@ -28,10 +28,17 @@ struct Column {
 
 using Cells = std::vector<std::optional<SignalNumber>>;
 
+/// A column out of its BLOB: numbers of one kind.
+struct ColumnCells {
+  std::vector<std::int64_t> integers;  // of kFloat empty
+  std::vector<float> floats;           // of the others empty; not-a-number: no value
+  std::vector<std::uint8_t> there;     // of kMasked, a cell: 0: no value, and the integer is 0; empty: all have one
+};
+
 /// Nothing when no cell has a value. The cells of a column are all integers or all floats.
 [[nodiscard]] std::optional<Column> encode_column(std::span<const std::optional<SignalNumber>> cells);
-/// False when the bytes are no `count` cells in this codec, to the last byte.
-[[nodiscard]] bool decode_column(ColumnCodec codec, std::string_view bytes, std::size_t count, Cells& out);
+/// False when the bytes are no `count` cells in this codec, to the last byte; what is in `out` then is nothing.
+[[nodiscard]] bool decode_column(ColumnCodec codec, std::string_view bytes, std::size_t count, ColumnCells& out);
 
 /// Times or other integers, first value and differences.
 [[nodiscard]] std::string encode_times(std::span<const Nanoseconds> times);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <utility>
@@ -152,34 +153,51 @@ Status RecordingReader::blocks(const std::function<Status(const Block&)>& take) 
               });
 }
 
-Status RecordingReader::read_block(const Block& block, std::vector<CycleSample>& out) {
+bool RecordingReader::read_points(const SqlStatement& row, Points& out) {
+  const auto count = static_cast<std::size_t>(std::max<std::int64_t>(row.integer(2), 0));
+  std::vector<Nanoseconds> times;
+  std::vector<float> values;
+  if (!decode_floats(row.blob(3), count, values) || !decode_times(row.blob(4), count, times)) return false;
+  out.times.insert(out.times.end(), times.begin(), times.end());
+  out.values.insert(out.values.end(), values.begin(), values.end());
+  return true;
+}
+
+Status RecordingReader::read_block(const Block& block, std::vector<CycleSample>& out, AllPoints* points) {
   const auto count = static_cast<std::size_t>(block.cycles);
   out.assign(count, CycleSample{});
-  auto row = database_.prepare("SELECT codec, count, cells FROM data WHERE id = ?");
+  auto row = database_.prepare("SELECT id, codec, count, cells, times FROM data WHERE id >= ? AND id < ?");
   if (!row) return read_error(database_, row.error());
-  Cells cells;
+  const auto first = block.number * kSeriesPerBlock;
+  row->bind(0, first).bind(1, first + (points != nullptr ? kSeriesPerBlock : kBusSeries));
+  const auto unread = [&](std::int64_t series) {
+    const auto signal = static_cast<std::size_t>(series % kBusSeries);
+    const auto key = signal < kSignalCount ? signals()[signal].key : std::string_view("a signal");
+    return damaged_recording(database_, fmt::format("{} of block {} cannot be read", key, block.number));
+  };
   std::int64_t columns = 0;
-  for (const auto column : sample_columns()) {
-    row->bind(0, block.number * kSeriesPerBlock + series_number(column));
-    const auto there = row->step();
-    if (!there) return read_error(database_, there.error());
+  std::optional<std::int64_t> bad;
+  std::array<bool, kSignalCount> there{};
+  const auto status = row->each([&] {
+    const auto series = row->integer(0) - first;
+    const auto codec = row->integer(1);
     bool good = true;
-    if (*there) {
+    if (const auto put = column_writer(series)) {
       ++columns;
-      const auto codec = static_cast<ColumnCodec>(row->integer(0));
-      good = row->integer(1) == block.cycles && decode_column(codec, row->blob(2), count, cells);
-      const auto put = cell_writer(column);
-      for (std::size_t i = 0; good && i < count; ++i) {
-        if (cells[i]) put(out[i], *cells[i]);
-      }
-    } else {
-      good = column != Signal::kCycle && column != Signal::kSendTime && column != Signal::kFlags;
+      there[static_cast<std::size_t>(series)] = true;
+      good = row->integer(2) == block.cycles &&
+             decode_column(static_cast<ColumnCodec>(codec), row->blob(3), count, cells_);
+      if (good) put(out, cells_);
+    } else if (points != nullptr && codec == 0) {
+      good = read_points(*row, (*points)[series]);
     }
-    row->reset();
-    if (!good) {
-      return damaged_recording(database_,
-                               fmt::format("{} of block {} cannot be read", syncline::info(column).key, block.number));
-    }
+    if (!good) bad = series;
+    return good;
+  });
+  if (!status) return read_error(database_, status.error());
+  if (bad) return unread(*bad);
+  for (const auto column : {Signal::kCycle, Signal::kSendTime, Signal::kFlags}) {
+    if (!there[static_cast<std::size_t>(column)]) return unread(series_number(column));
   }
   const auto is = [](std::uint64_t cycle, std::int64_t said) { return static_cast<std::int64_t>(cycle) == said; };
   if (columns != block.columns || !is(out.front().cycle, block.first_cycle) ||
@@ -190,15 +208,23 @@ Status RecordingReader::read_block(const Block& block, std::vector<CycleSample>&
   return {};
 }
 
-Status RecordingReader::samples(const std::function<bool(std::span<const CycleSample>)>& take) {
+Status RecordingReader::read_samples(const std::function<bool(std::span<const CycleSample>)>& take, AllPoints* points) {
   std::vector<CycleSample> samples;
   bool more = true;
   return blocks([&](const Block& block) -> Status {
     if (!more) return {};
-    if (auto status = read_block(block, samples); !status) return status;
+    if (auto status = read_block(block, samples, points); !status) return status;
     more = take(samples);
     return {};
   });
+}
+
+Status RecordingReader::samples(const std::function<bool(std::span<const CycleSample>)>& take) {
+  return read_samples(take, nullptr);
+}
+
+Status RecordingReader::samples(const std::function<bool(std::span<const CycleSample>)>& take, AllPoints& points) {
+  return read_samples(take, &points);
 }
 
 Result<std::vector<BlockSummary>> RecordingReader::overview(Signal signal, int slave) {
@@ -245,25 +271,6 @@ Result<RecordingReader::Points> RecordingReader::points(Signal signal, int slave
     result.values.insert(result.values.end(), values.begin(), values.end());
     return {};
   });
-  if (!status) return tl::unexpected(status.error());
-  return result;
-}
-
-Result<std::map<std::int64_t, RecordingReader::Points>> RecordingReader::all_points() {
-  std::map<std::int64_t, Points> result;
-  std::vector<Nanoseconds> times;
-  std::vector<float> values;
-  auto status = each(
-      "SELECT id, count, times, cells FROM data WHERE codec = 0 ORDER BY id", [&](const SqlStatement& row) -> Status {
-        const auto count = static_cast<std::size_t>(std::max<std::int64_t>(row.integer(1), 0));
-        if (!decode_times(row.blob(2), count, times) || !decode_floats(row.blob(3), count, values)) {
-          return damaged_recording(database_, fmt::format("block {} cannot be read", row.integer(0) / kSeriesPerBlock));
-        }
-        auto& points = result[row.integer(0) % kSeriesPerBlock];
-        points.times.insert(points.times.end(), times.begin(), times.end());
-        points.values.insert(points.values.end(), values.begin(), values.end());
-        return {};
-      });
   if (!status) return tl::unexpected(status.error());
   return result;
 }

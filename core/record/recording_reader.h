@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "channels/cycle_sample.h"
+#include "record/column_codec.h"
 #include "record/recording.h"
 #include "record/recording_schema.h"
 
@@ -51,8 +52,9 @@ class RecordingReader {
     std::vector<float> values;
   };
   [[nodiscard]] Result<Points> points(Signal signal, int slave = -1);
-  /// Those of all signals and slaves at once, by series_number(): in one pass, whatever their number.
-  [[nodiscard]] Result<std::map<std::int64_t, Points>> all_points();
+  using AllPoints = std::map<std::int64_t, Points>;  // by series_number()
+  /// As samples(), and in the same pass points() of all signals and slaves, whatever their number.
+  [[nodiscard]] Status samples(const std::function<bool(std::span<const CycleSample>)>& take, AllPoints& points);
   /// Reads everything: the database's own check, all samples, each sum against its samples. The first thing that is
   /// wrong; the number of blocks that were read.
   [[nodiscard]] Result<std::uint64_t> verify();
@@ -64,7 +66,11 @@ class RecordingReader {
   };
   /// In the order in which they were written.
   Status blocks(const std::function<Status(const Block&)>& take);
-  Status read_block(const Block& block, std::vector<CycleSample>& out);
+  /// `points`: null where they are not wanted.
+  Status read_block(const Block& block, std::vector<CycleSample>& out, AllPoints* points = nullptr);
+  Status read_samples(const std::function<bool(std::span<const CycleSample>)>& take, AllPoints* points);
+  /// A row "id, codec, count, cells, times" of a series that is no column.
+  static bool read_points(const SqlStatement& row, Points& out);
   Status check_sums(const Block& block, std::span<const CycleSample> samples);
   Status read_about(RecordingInfo& info);
   Status read_told(RecordingInfo& info);
@@ -72,6 +78,7 @@ class RecordingReader {
   Status each(std::string_view sql, Take&& take);
 
   SqlDatabase database_;
+  ColumnCells cells_;  // room for one column
 };
 
 }  // namespace syncline

@@ -19,9 +19,11 @@ inline constexpr std::int64_t kMostBlockCycles = 1 << 16;
 /// Cycles of one bucket of a block's min/max level.
 inline constexpr std::size_t kLevelCycles = 256;
 
+/// Numbers of the bus's series; each slave has as many behind them.
+inline constexpr std::int64_t kBusSeries = 256;
 /// Number of a signal's series, of the bus or of a slave.
 [[nodiscard]] constexpr std::int64_t series_number(Signal signal, int slave = -1) {
-  return static_cast<std::int64_t>(signal) + (std::int64_t{slave} + 1) * 256;
+  return static_cast<std::int64_t>(signal) + (std::int64_t{slave} + 1) * kBusSeries;
 }
 
 /// A new file with empty tables, ready to be appended to. kFileNotWritable: it exists, or cannot be made.

@@ -12,23 +12,20 @@ namespace syncline {
 namespace {
 
 /// Counts and states, which no sample tells.
-Status restore_held(RecordingReader& reader, RunRecord& record) {
-  const auto all = reader.all_points();
-  if (!all) return tl::unexpected(all.error());
+void restore_held(const RecordingReader::AllPoints& all, RunRecord& record) {
   for (const auto& signal : signals()) {
     const bool of_slaves = signal.scope == SignalInfo::Scope::kSlave;
     if (signal.form != SignalInfo::Form::kHeld || (!of_slaves && signal.of_bus == nullptr)) continue;
     const auto count = of_slaves ? static_cast<int>(record.config().slaves.size()) : 1;
     for (int slave = 0; slave < count; ++slave) {
-      const auto points = all->find(series_number(signal.id, of_slaves ? slave : -1));
-      if (points != all->end()) {
+      const auto points = all.find(series_number(signal.id, of_slaves ? slave : -1));
+      if (points != all.end()) {
         record.restore(signal.id, static_cast<std::size_t>(slave), points->second.times, points->second.values);
       } else if (of_slaves) {
         record.restore(signal.id, static_cast<std::size_t>(slave), {}, {});
       }
     }
   }
-  return {};
 }
 
 /// Those that are there as values, in their order.
@@ -81,22 +78,26 @@ Result<ReplayedRun> replay_run(RecordingReader& reader, RecordingInfo info, Netw
   ReplayedRun run{std::make_unique<RunRecord>(made_for(std::move(config), info, options.cycle_capacity)),
                   std::move(info)};
   auto& record = *run.record;
+  // Where cycles are missing a sample says so: one for each of them at most.
+  record.reserve(run.info.cycles + std::min(run.info.missing_cycles, run.info.cycles / 16));
   if (run.info.about.armed) record.arm_from(*run.info.about.armed);
   const auto events = events_of(run.info, run.only_words);
   auto next = events.begin();
   std::uint64_t done = 0;
   bool cancelled = false;
-  auto status = reader.samples([&](std::span<const CycleSample> samples) {
+  RecordingReader::AllPoints held;
+  const auto add = [&](std::span<const CycleSample> samples) {
     record.add(samples);
     for (; next != events.end() && next->time <= samples.back().send_time; ++next) record.add(*next);
     done += samples.size();
     cancelled = options.progress && !options.progress(done, run.info.cycles);
     return !cancelled;
-  });
+  };
+  const auto status = reader.samples(add, held);
   if (cancelled) return fail(ErrorCode::kCancelled);
   for (; next != events.end(); ++next) record.add(*next);
-  if (status) status = restore_held(reader, record);
   if (!status) return tl::unexpected(status.error());
+  restore_held(held, record);
   record.restore(findings_of(run.info, run.only_words));
   return run;
 }

@@ -52,6 +52,8 @@ class RunRecord {
   void add(std::span<const CycleSample> samples);
   void add(const Snapshot& snapshot);
   void add(const Event& event);
+  /// So many cycles are going to come.
+  void reserve(std::size_t cycles) { samples_.reserve(cycles); }
   /// Out of a recording, see SampleStore::restore().
   void restore(Signal signal, std::size_t slave, std::span<const Nanoseconds> times, std::span<const float> values) {
     samples_.restore(signal, slave, times, values, samples_.last_time());

@@ -2,6 +2,7 @@
 #include "record/sample_columns.h"
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <type_traits>
 
@@ -10,29 +11,40 @@ namespace {
 
 struct Row {
   Signal column;
-  PutCell put;
+  PutColumn put;
 };
 
 template <auto Field>
 constexpr Row whole(Signal column) {
-  return {column, [](CycleSample& sample, const SignalNumber& number) {
-            const auto* const value = std::get_if<std::int64_t>(&number);
-            using Type = std::remove_reference_t<decltype(sample.*Field)>;
-            if (value != nullptr) sample.*Field = static_cast<Type>(*value);
+  return {column, [](std::span<CycleSample> samples, const ColumnCells& cells) {
+            using Type = std::remove_reference_t<decltype(samples.front().*Field)>;
+            const auto& values = cells.integers;
+            if (cells.there.empty()) {
+              for (std::size_t i = 0; i < values.size(); ++i) samples[i].*Field = static_cast<Type>(values[i]);
+              return;
+            }
+            for (std::size_t i = 0; i < values.size(); ++i) {
+              if (cells.there[i] != 0) samples[i].*Field = static_cast<Type>(values[i]);
+            }
           }};
 }
 template <auto Field>
 constexpr Row real(Signal column) {
-  return {column, [](CycleSample& sample, const SignalNumber& number) {
-            if (const auto* const value = std::get_if<float>(&number)) sample.*Field = *value;
+  return {column, [](std::span<CycleSample> samples, const ColumnCells& cells) {
+            for (std::size_t i = 0; i < cells.floats.size(); ++i) {
+              if (!std::isnan(cells.floats[i])) samples[i].*Field = cells.floats[i];
+            }
           }};
 }
 template <auto Field>
 constexpr Row state(Signal column) {
-  return {column, [](CycleSample& sample, const SignalNumber& number) {
-            const auto* const value = std::get_if<std::int64_t>(&number);
-            const bool known = value != nullptr && *value >= 0 && *value < kSyncStates;
-            sample.*Field = known ? static_cast<SyncState>(*value) : SyncState::kUnknown;
+  return {column, [](std::span<CycleSample> samples, const ColumnCells& cells) {
+            for (std::size_t i = 0; i < cells.integers.size(); ++i) {
+              if (!cells.there.empty() && cells.there[i] == 0) continue;
+              const auto value = cells.integers[i];
+              const bool known = value >= 0 && value < kSyncStates;
+              samples[i].*Field = known ? static_cast<SyncState>(value) : SyncState::kUnknown;
+            }
           }};
 }
 
@@ -77,9 +89,9 @@ constexpr auto kColumns = [] {
 
 std::span<const Signal> sample_columns() { return kColumns; }
 
-PutCell cell_writer(Signal column) {
+PutColumn column_writer(std::int64_t signal) {
   for (const auto& row : kSampleColumns) {
-    if (row.column == column) return row.put;
+    if (static_cast<std::int64_t>(row.column) == signal) return row.put;
   }
   return nullptr;
 }

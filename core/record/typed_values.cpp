@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "record/typed_values.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <mutex>
 #include <set>
@@ -77,12 +79,31 @@ void place_fields(Use& use, Place& place) {
       place.line, place.path);
 }
 
-/// One of the row's sentences, which translations are looked up by.
-std::optional<std::string_view> sentence_of(const FindingWords& words, const std::string& facts) {
-  if (facts.empty()) return std::string_view();
-  const auto* const found = std::ranges::find(words.facts, facts, &FindingWords::Facts::text);
-  if (found == std::end(words.facts)) return std::nullopt;
+/// How a finding's sentence is named: "/" and its variant, "" for the row's first one.
+std::string sentence_name(const Finding& finding) {
+  const auto* words = finding.facts.empty() ? nullptr : find_finding_words(finding.code);
+  if (words == nullptr) return std::string(finding.facts);
+  const auto* const found = std::ranges::find(words->facts, finding.facts, &FindingWords::Facts::text);
+  return found == std::end(words->facts) ? std::string(finding.facts) : fmt::format("/{}", found->variant);
+}
+
+/// The row's sentence of that name, as it is worded today. Older programs recorded the sentence itself.
+std::optional<std::string_view> sentence_of(const FindingWords& words, std::string_view name) {
+  if (name.empty()) return std::string_view();
+  const auto* const found = name.starts_with('/')
+                                ? std::ranges::find(words.facts, name.substr(1), &FindingWords::Facts::variant)
+                                : std::ranges::find(words.facts, name, &FindingWords::Facts::text);
+  if (found == std::end(words.facts) || found->text.empty()) return std::nullopt;
   return found->text;
+}
+
+/// Other words may want figures that were not recorded.
+bool is_filled(std::string_view words, const std::vector<Figure>& figures) {
+  for (auto open = words.find('{'); open != std::string_view::npos; open = words.find('{', open + 1)) {
+    const Placeholder placeholder(words.substr(open + 1, words.find('}', open) - open - 1));
+    if (std::ranges::find(figures, placeholder.name, &Figure::name) == figures.end()) return false;
+  }
+  return true;
 }
 
 }  // namespace
@@ -107,7 +128,7 @@ std::optional<EventDetails> decode_event(std::string_view bytes) {
 
 std::string encode_finding(const Finding& finding) {
   ValueWriter out;
-  out(finding.code, finding.severity, finding.facts, finding.from, finding.to);
+  out(finding.code, finding.severity, sentence_name(finding), finding.from, finding.to);
   place_fields(out, finding.place);
   out(finding.figures.size());
   for (const auto& figure : finding.figures) out(figure.name, figure.unit, figure.value, figure.other, figure.text);
@@ -117,27 +138,28 @@ std::string encode_finding(const Finding& finding) {
 std::optional<Finding> decode_finding(std::string_view bytes) {
   ValueReader in(bytes);
   Finding finding;
-  std::string code, facts;
+  std::string code, name;
   std::uint64_t figures = 0;
-  in(code, finding.severity, facts, finding.from, finding.to);
+  in(code, finding.severity, name, finding.from, finding.to);
   place_fields(in, finding.place);
   in(figures);
   const auto* words = in.good() && figures <= kMostFigures ? find_finding_words(code) : nullptr;
   if (words == nullptr) return std::nullopt;
-  const auto sentence = sentence_of(*words, facts);
+  const auto sentence = sentence_of(*words, name);
   if (!sentence) return std::nullopt;
   finding.code = words->code;
   finding.facts = *sentence;
   for (std::uint64_t i = 0; i < figures; ++i) {
     Figure figure;
-    std::string name;
-    in(name, figure.unit, figure.value, figure.other, figure.text);
-    const auto lives = in.good() ? lasting(name) : std::nullopt;
+    std::string figure_name;
+    in(figure_name, figure.unit, figure.value, figure.other, figure.text);
+    const auto lives = in.good() ? lasting(figure_name) : std::nullopt;
     if (!lives) return std::nullopt;
     figure.name = *lives;
     finding.figures.push_back(std::move(figure));
   }
-  return finding;
+  const bool whole = is_filled(facts_template(finding), finding.figures) && is_filled(words->mend, finding.figures);
+  return whole ? std::optional(std::move(finding)) : std::nullopt;
 }
 
 }  // namespace syncline

@@ -2,6 +2,8 @@
 #include "trace/bus_signals.h"
 
 #include <array>
+#include <limits>
+#include <utility>
 
 namespace syncline {
 namespace {
@@ -158,8 +160,36 @@ constexpr std::array kBusRows{
           [](const Snapshot& s) { return std::optional(static_cast<double>(s.dcm.late_sends)); }),
 };
 
+float drawn(const Number& number) {
+  if (!number) return std::numeric_limits<float>::quiet_NaN();
+  if (const auto* const value = std::get_if<std::int64_t>(&*number))
+    return static_cast<float>(static_cast<double>(*value));
+  const auto* const real = std::get_if<float>(&*number);
+  return real != nullptr ? *real : std::numeric_limits<float>::quiet_NaN();
+}
+
+/// One loop a row, in which its function is no call.
+template <std::size_t row>
+void values_of(std::span<const CycleSample> samples, float* out) {
+  constexpr auto kOfCycle = kBusRows[row].of_cycle;
+  for (const auto& sample : samples) *out++ = drawn(kOfCycle(sample));
+}
+
+constexpr auto kCycleValues = []<std::size_t... rows>(std::index_sequence<rows...>) {
+  std::array<CycleValues, kSignalCount> table{};
+  const auto put = [&table]<std::size_t row>() {
+    if constexpr (kBusRows[row].of_cycle != nullptr)
+      table[static_cast<std::size_t>(kBusRows[row].id)] = &values_of<row>;
+  };
+  (put.template operator()<rows>(), ...);
+  return table;
+}
+(std::make_index_sequence<kBusRows.size()>{});
+
 }  // namespace
 
 std::span<const SignalInfo> bus_signals() { return kBusRows; }
+
+CycleValues cycle_values(Signal signal) { return kCycleValues[static_cast<std::size_t>(signal)]; }
 
 }  // namespace syncline

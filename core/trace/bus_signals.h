@@ -10,4 +10,10 @@ namespace syncline {
 /// The rows of the bus in the table of signals.
 [[nodiscard]] std::span<const SignalInfo> bus_signals();
 
+/// What SignalInfo::of_cycle gives for each of the samples, as it is drawn; not-a-number where the cycle has none.
+/// `out` has room for as many.
+using CycleValues = void (*)(std::span<const CycleSample>, float* out);
+/// Of a signal that a sample tells of; null for the others.
+[[nodiscard]] CycleValues cycle_values(Signal signal);
+
 }  // namespace syncline

@@ -2,6 +2,7 @@
 #include "trace/held_series.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace syncline {
@@ -13,6 +14,16 @@ void HeldSeries::hear(Nanoseconds time, float value) {
   heard_ = time;
   value_ = value;
   known_ = true;
+}
+
+void HeldSeries::hear(std::span<const Nanoseconds> times, std::span<const float> values) {
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (std::isnan(values[i])) {
+      lose(times[i]);
+    } else {
+      hear(times[i], values[i]);
+    }
+  }
 }
 
 void HeldSeries::lose(Nanoseconds time) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "trace/min_max_series.h"
 
@@ -18,6 +19,8 @@ class HeldSeries {
 
   /// A reading; the same one again, or an older one, changes nothing.
   void hear(Nanoseconds time, float value);
+  /// As many readings one by one; not-a-number: nothing is known from then on.
+  void hear(std::span<const Nanoseconds> times, std::span<const float> values);
   /// From `time` on nothing is known, until it is heard again. A time before the last reading means just behind it.
   void lose(Nanoseconds time);
   /// Lost where the last reading is old for how often it was read before: four times the longest interval, at least

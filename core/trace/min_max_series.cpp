@@ -22,6 +22,13 @@ void put(std::vector<T>& ring, std::size_t slot, T value) {
   }
 }
 
+template <class T>
+void put(std::vector<T>& ring, std::size_t slot, std::span<const T> values) {
+  const auto known = std::min(values.size(), ring.size() - slot);
+  std::copy_n(values.begin(), known, ring.begin() + static_cast<std::ptrdiff_t>(slot));
+  ring.insert(ring.end(), values.begin() + static_cast<std::ptrdiff_t>(known), values.end());
+}
+
 /// Largest multiple of `width` that is not above `time`.
 Nanoseconds floor_to(Nanoseconds time, Nanoseconds width) {
   const auto rest = time % width;
@@ -62,6 +69,28 @@ void MinMaxSeries::append(Nanoseconds time, float value) {
   put(values_, place, value);
   if ((place + 1) % kFactor == 0) complete_buckets(place);
   ++end_;
+}
+
+void MinMaxSeries::append(std::span<const Nanoseconds> times, std::span<const float> values) {
+  while (!values.empty()) {
+    if (end_ - begin_ == capacity_) begin_ += kTop;
+    const auto place = slot(end_);
+    // To the end of a block of the top level: neither the ring nor what is free ends within one.
+    const auto count = std::min(values.size(), static_cast<std::size_t>(kTop - place % kTop));
+    if (leads_) put(*times_, place, times.first(count));
+    put(values_, place, values.first(count));
+    for (auto last = place | (kFactor - 1); last < place + count; last += kFactor) complete_buckets(last);
+    end_ += count;
+    times = times.subspan(count);
+    values = values.subspan(count);
+  }
+}
+
+void MinMaxSeries::reserve(std::size_t samples) {
+  samples = std::min(samples, static_cast<std::size_t>(capacity_));
+  if (leads_) times_->reserve(samples);
+  values_.reserve(samples);
+  for (auto& level : levels_) level.reserve(samples /= kFactor);
 }
 
 void MinMaxSeries::complete_buckets(std::size_t place) {

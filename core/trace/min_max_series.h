@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "support/types.h"
@@ -35,6 +36,10 @@ class MinMaxSeries {
 
   /// `time` must not be earlier than the last one (such a sample is dropped).
   void append(Nanoseconds time, float value);
+  /// As many one by one. None of the times is earlier than the one before, the first not than the last one here.
+  void append(std::span<const Nanoseconds> times, std::span<const float> values);
+  /// Room for so many, where their number is known: they are not moved while it grows.
+  void reserve(std::size_t samples);
   void clear();
 
   [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(end_ - begin_); }

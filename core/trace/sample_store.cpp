@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "trace/bus_signals.h"
+
 namespace syncline {
 namespace {
 
@@ -18,9 +20,8 @@ constexpr std::uint32_t kOutage = 10;
 /// How often values are looked over for their age.
 constexpr Nanoseconds kLookEvery = 100 * kMillisecond;
 
-float value_or_gap(const std::optional<SignalNumber>& number) {
-  return number ? static_cast<float>(as_double(*number)) : kGap;
-}
+/// Cycles that are stored at once, so that what is made of them stays near the processor.
+constexpr std::size_t kLongestRun = 1024;
 
 }  // namespace
 
@@ -108,7 +109,20 @@ std::size_t SampleStore::memory_bytes() const {
 }
 
 void SampleStore::append(std::span<const CycleSample> samples) {
-  for (const auto& sample : samples) append(sample);
+  while (!samples.empty()) {
+    std::size_t count = 1;
+    const auto follows = [&] {
+      return samples[count].cycle == samples[count - 1].cycle + 1 &&
+             samples[count].send_time >= samples[count - 1].send_time;
+    };
+    while (count < std::min(samples.size(), kLongestRun) && follows()) ++count;
+    append_run(samples.first(count));
+    samples = samples.subspan(count);
+  }
+}
+
+void SampleStore::reserve(std::size_t cycles) {
+  for (auto& series : of_cycles_) series.reserve(cycles);
 }
 
 /// One gap sample keeps the lines from being joined across what is missing.
@@ -117,31 +131,44 @@ void SampleStore::leave_gap(Nanoseconds time) {
   for (const auto* signal : held_) of_held_[place(signal->id, 0)].lose(time);
 }
 
-void SampleStore::append(const CycleSample& sample) {
-  if (any_ && sample.cycle > next_cycle_) {
-    missing_cycles_ += sample.cycle - next_cycle_;
-    leave_gap(sample.send_time - 1);
+void SampleStore::append_run(std::span<const CycleSample> run) {
+  if (any_ && run.front().cycle > next_cycle_) {
+    missing_cycles_ += run.front().cycle - next_cycle_;
+    leave_gap(run.front().send_time - 1);
   }
   any_ = true;
-  next_cycle_ = sample.cycle + 1;
+  next_cycle_ = run.back().cycle + 1;
 
-  const auto time = sample.send_time;
-  for (std::size_t i = 0; i < cycles_.size(); ++i)
-    of_cycles_[i].append(time, value_or_gap(cycles_[i]->of_cycle(sample)));
+  run_values_.resize(run.size());
+  run_times_.resize(run.size());
+  std::ranges::transform(run, run_times_.begin(), &CycleSample::send_time);
+  append_cycles(run);
   for (const auto* signal : readings_) {
-    if (const auto number = signal->of_cycle(sample))
-      of_readings_[place(signal->id, 0)].append(time, static_cast<float>(as_double(*number)));
+    auto& series = of_readings_[place(signal->id, 0)];
+    cycle_values(signal->id)(run, run_values_.data());
+    for (std::size_t i = 0; i < run.size(); ++i) {
+      if (!std::isnan(run_values_[i])) series.append(run_times_[i], run_values_[i]);
+    }
   }
   for (const auto* signal : held_) {
     if (signal->of_cycle == nullptr) continue;
-    auto& held = of_held_[place(signal->id, 0)];
-    if (const auto number = signal->of_cycle(sample)) {
-      held.hear(time, static_cast<float>(as_double(*number)));
-    } else {
-      held.lose(time);
-    }
+    cycle_values(signal->id)(run, run_values_.data());
+    of_held_[place(signal->id, 0)].hear(run_times_, run_values_);
   }
-  append_slaves(sample);
+  for (const auto& sample : run) append_slaves(sample);
+}
+
+void SampleStore::append_cycles(std::span<const CycleSample> run) {
+  // What is earlier than the newest is not drawn.
+  const auto newest = axis().empty() ? run_times_.front() : axis().last_time();
+  const auto from = static_cast<std::size_t>(std::ranges::lower_bound(run_times_, newest) - run_times_.begin());
+  if (from == run.size()) return;
+  const auto times = std::span(run_times_).subspan(from);
+  const auto values = std::span(run_values_).subspan(from);
+  for (std::size_t i = 0; i < cycles_.size(); ++i) {
+    cycle_values(cycles_[i]->id)(run.subspan(from), values.data());
+    of_cycles_[i].append(times, values);
+  }
 }
 
 void SampleStore::append_slaves(const CycleSample& sample) {

@@ -29,6 +29,8 @@ class SampleStore {
   explicit SampleStore(const Layout& layout);
 
   void append(std::span<const CycleSample> samples);
+  /// So many cycles are going to come, see MinMaxSeries::reserve().
+  void reserve(std::size_t cycles);
   /// Counts and states; the samples that came before it first.
   void append(const Snapshot& snapshot);
 
@@ -60,7 +62,9 @@ class SampleStore {
   [[nodiscard]] std::size_t memory_bytes() const;
 
  private:
-  void append(const CycleSample& sample);
+  /// Consecutive cycles whose times do not go back.
+  void append_run(std::span<const CycleSample> run);
+  void append_cycles(std::span<const CycleSample> run);
   void append_slaves(const CycleSample& sample);
   void leave_gap(Nanoseconds time);
   /// Every cycle has a value of it.
@@ -73,6 +77,8 @@ class SampleStore {
   std::vector<const SignalInfo*> cycles_, readings_, held_, held_by_slave_;
   std::vector<MinMaxSeries> of_cycles_, of_readings_;
   std::vector<HeldSeries> of_held_;
+  std::vector<Nanoseconds> run_times_;  // room for one run
+  std::vector<float> run_values_;
   std::uint64_t next_cycle_ = 0;
   Nanoseconds next_look_ = 0;
   std::uint32_t lost_in_a_row_ = 0;

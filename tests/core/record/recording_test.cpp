@@ -219,6 +219,11 @@ TEST_F(RecordingFile, ReplaysWhatWasToldAndFound) {
   auto recorder = start();
   test::MadeSamples made(5);
   std::vector<Finding> findings;
+  std::vector<std::string_view> codes;  // whose words need no figure
+  for (const auto& row : all_finding_words()) {
+    if ((std::string(row.facts[0].text) + std::string(row.mend)).find('{') == std::string::npos)
+      codes.push_back(row.code);
+  }
   for (int i = 0; i < 80; ++i) {
     const auto samples = made.next(100);
     const auto now = snapshot(samples.back().send_time, 0);
@@ -231,7 +236,7 @@ TEST_F(RecordingFile, ReplaysWhatWasToldAndFound) {
                       i % 2 == 0 ? EventDetails(events::SlaveLost{}) : EventDetails(events::WkcError{9, 6, 2})};
     recorder->add(RecordedEvent{event.time, event.slave, "kind", "words", encode_event(event.what)});
     live.add(event);
-    findings = {Finding{all_finding_words()[static_cast<std::size_t>(i)].code, Severity::kWarning, Place(1)}};
+    findings = {Finding{codes[static_cast<std::size_t>(i) % codes.size()], Severity::kWarning, Place(1)}};
     findings.front().figures = {{"count", Figure::Unit::kCount, i}};
     recorder->tell(recorded(findings));
   }

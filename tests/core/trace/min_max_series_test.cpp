@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "support/random.h"
 
@@ -175,6 +177,40 @@ TEST(MinMaxSeries, TimeNeverStepsBack) {
   series.append(100, 1);
   series.append(50, 9);
   EXPECT_EQ(series.size(), 1U);
+}
+
+/// Many at once are the same as one by one, also where the ring goes round and beside a leader.
+TEST(MinMaxSeries, ManyAtOnceAreAsOneByOne) {
+  const auto samples = make_samples(60'000, 11);
+  MinMaxSeries single(8'192), many(8'192);
+  auto single_beside = MinMaxSeries::beside(single), many_beside = MinMaxSeries::beside(many);
+  many.reserve(1'000'000);
+  Random random(12);
+  std::vector<SeriesColumn> expected, columns;
+  for (std::size_t done = 0; done < samples.size();) {
+    const auto count = std::min<std::size_t>(1 + random.next() % 3'000, samples.size() - done);
+    std::vector<Nanoseconds> times;
+    std::vector<float> values, others;
+    for (std::size_t i = done; i < done + count; ++i) {
+      times.push_back(samples[i].time);
+      values.push_back(samples[i].value);
+      others.push_back(samples[i].value / 2);
+      single.append(times.back(), values.back());
+      single_beside.append(times.back(), others.back());
+    }
+    many.append(times, values);
+    many_beside.append(times, others);
+    done += count;
+    for (const auto& [one, all] : {std::pair(&single, &many), std::pair(&single_beside, &many_beside)}) {
+      ASSERT_EQ(all->size(), one->size());
+      ASSERT_EQ(all->first_time(), one->first_time());
+      for (const Nanoseconds width : {3 * kMillisecond, 50 * kMillisecond, 3 * kSecond}) {
+        one->columns(one->first_time(), one->last_time() + 1, width, expected);
+        all->columns(one->first_time(), one->last_time() + 1, width, columns);
+        ASSERT_TRUE(columns == expected) << done;
+      }
+    }
+  }
 }
 
 }  // namespace

@@ -3,9 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <utility>
+
+#include "support/random.h"
+#include "trace/bus_signals.h"
 
 namespace syncline {
 namespace {
@@ -163,6 +169,69 @@ TEST(Signals, EachHasItsPlaceItsKeyAndOneSource) {
     const int sources = (signal.of_cycle != nullptr) + (signal.of_bus != nullptr) + (signal.of_slave != nullptr);
     EXPECT_EQ(sources, signal.id == Signal::kSlaveDeviation ? 0 : 1) << signal.key;
     EXPECT_EQ(find_signal(signal.key, signal.scope), &signal);
+  }
+}
+
+/// However the stream is cut: gaps in it, lost frames and times that go back included.
+TEST(SampleStore, StretchesAreStoredAsSingleCycles) {
+  Random random(7);
+  std::vector<CycleSample> samples;
+  std::uint64_t cycle = 1;
+  for (int i = 0; i < 30'000; ++i) {
+    cycle += random.next() % 200 == 0 ? 5 : 1;
+    auto s = random.next() % 50 == 0 ? stored_lost(cycle) : stored(cycle);
+    if (random.next() % 100 == 0) s.flags |= CycleSample::kFrameLate;
+    s.late_by_ns = static_cast<std::int32_t>(random.next() % 1000);
+    s.wake_lateness_ns = static_cast<std::int32_t>(random.next() % 1000);
+    s.send_time += s.wake_lateness_ns;
+    if (random.next() % 300 == 0) s.send_time -= 7 * kMillisecond;
+    s.wkc_received = static_cast<std::uint16_t>(random.next() % 2);
+    s.slave_position = static_cast<std::int16_t>(random.next() % 2);
+    s.flags |= CycleSample::kSlaveFollows;
+    s.sm2_position = static_cast<std::int16_t>(static_cast<int>(random.next() % 3) - 1);
+    s.slave_sm2_missed = static_cast<std::uint32_t>(random.next() % 3);
+    samples.push_back(s);
+  }
+  SampleStore single({.slaves = 2, .cycle_capacity = 8'192}), stretches({.slaves = 2, .cycle_capacity = 8'192});
+  for (const auto& sample : samples) single.append(std::span(&sample, 1));
+  for (auto rest = std::span<const CycleSample>(samples); !rest.empty();) {
+    const auto count = std::min<std::size_t>(random.next() % 5'000, rest.size());
+    stretches.append(rest.first(count));
+    rest = rest.subspan(count);
+  }
+  EXPECT_EQ(stretches.missing_cycles(), single.missing_cycles());
+  const auto points = [](const MinMaxSeries& series) {
+    std::vector<std::pair<Nanoseconds, std::uint32_t>> all;
+    series.for_each(INT64_MIN, INT64_MAX, [&all](Nanoseconds time, float value) {
+      all.emplace_back(time, std::bit_cast<std::uint32_t>(value));
+    });
+    return all;
+  };
+  for (const auto& signal : signals()) {
+    if (signal.form == SignalInfo::Form::kCell) continue;
+    for (std::size_t slave = 0; slave < (signal.scope == SignalInfo::Scope::kSlave ? 2U : 1U); ++slave) {
+      EXPECT_TRUE(points(stretches.series(signal.id, slave)) == points(single.series(signal.id, slave))) << signal.key;
+      EXPECT_EQ(stretches.heard(signal.id, slave), single.heard(signal.id, slave)) << signal.key;
+    }
+  }
+}
+
+/// The loops over stretches give what the table gives for a cycle.
+TEST(SampleStore, ValuesOfStretchesAreThoseOfTheTable) {
+  std::vector<CycleSample> samples = {stored(1), stored_lost(2), stored(3)};
+  samples[2].dcm_error_ns = std::numeric_limits<std::int32_t>::min();
+  for (const auto& signal : signals()) {
+    const auto values_of = cycle_values(signal.id);
+    ASSERT_EQ(values_of != nullptr, signal.of_cycle != nullptr) << signal.key;
+    if (values_of == nullptr) continue;
+    std::vector<float> drawn(samples.size());
+    values_of(samples, drawn.data());
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      const auto number = signal.of_cycle(samples[i]);
+      ASSERT_EQ(std::isnan(drawn[i]), !number) << signal.key;
+      if (!number) continue;
+      EXPECT_EQ(drawn[i], static_cast<float>(as_double(*number))) << signal.key;
+    }
   }
 }
 
