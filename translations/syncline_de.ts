@@ -5764,8 +5764,10 @@ Produktcode %2, Revision %3
             <translation>Hersteller, Typ, Name oder Produktcode</translation>
         </message>
         <message>
-            <source>Beginnings of words of the vendor, group, type, name or product code; all must occur</source>
-            <translation>Wortanfänge von Hersteller, Gruppe, Typ, Name oder Produktcode; alle müssen vorkommen</translation>
+            <source>Beginnings of words of the vendor, group, type, name or product code; all must occur.
+A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 16-18, rev 16-</source>
+            <translation>Wortanfänge von Hersteller, Gruppe, Typ, Name oder Produktcode; alle müssen vorkommen.
+Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: rev 16-18, rev 16-</translation>
         </message>
         <message>
             <source>All revisions</source>

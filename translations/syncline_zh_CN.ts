@@ -5743,8 +5743,10 @@ Product code %2, revision %3
             <translation>供应商、类型、名称或产品代码</translation>
         </message>
         <message>
-            <source>Beginnings of words of the vendor, group, type, name or product code; all must occur</source>
-            <translation>供应商、组、类型、名称或产品代码的词首；须全部出现</translation>
+            <source>Beginnings of words of the vendor, group, type, name or product code; all must occur.
+A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 16-18, rev 16-</source>
+            <translation>供应商、组、类型、名称或产品代码的词首；须全部出现。
+修订版本：#x00120000，或设备上印刷的 rev 18；多个：rev 16-18、rev 16-</translation>
         </message>
         <message>
             <source>All revisions</source>
