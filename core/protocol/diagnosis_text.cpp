@@ -17,15 +17,15 @@
 namespace syncline {
 namespace {
 
-using Parameter = DiagnosisMessage::Parameter;
+using DiagParameter = DiagnosisMessage::Parameter;
 
 constexpr unsigned kBasicType = 0, kAsciiText = 2, kUnicodeText = 3;  // bits 15..12 of a parameter's flags
 constexpr unsigned kMostFigures = 64;  // of a width or precision: no file makes us fill memory
 
-unsigned parameter_kind(const Parameter& parameter) { return parameter.flags >> 12; }
-std::uint16_t basic_type(const Parameter& parameter) { return parameter.flags & 0x0FFF; }
+unsigned parameter_kind(const DiagParameter& parameter) { return parameter.flags >> 12; }
+std::uint16_t basic_type(const DiagParameter& parameter) { return parameter.flags & 0x0FFF; }
 
-bool is_text(const Parameter& parameter) {
+bool is_text(const DiagParameter& parameter) {
   return parameter_kind(parameter) == kAsciiText || parameter_kind(parameter) == kUnicodeText;
 }
 
@@ -51,19 +51,19 @@ std::string unicode_text(std::span<const std::uint8_t> data) {
   return text;
 }
 
-const coe::DataType* number_type(const Parameter& parameter) {
+const coe::DataType* number_type(const DiagParameter& parameter) {
   if (parameter_kind(parameter) != kBasicType || parameter.data.empty() || parameter.data.size() > 8) return nullptr;
   const auto* type = coe::find_data_type(basic_type(parameter));
   return type == nullptr || type->kind == coe::ValueKind::kText ? nullptr : type;
 }
 
-double real_of(const Parameter& parameter) {
+double real_of(const DiagParameter& parameter) {
   const auto bits = le_number(parameter.data);
   if (parameter.data.size() == sizeof(float)) return std::bit_cast<float>(static_cast<std::uint32_t>(bits));
   return std::bit_cast<double>(bits);
 }
 
-std::int64_t signed_of(const Parameter& parameter) {
+std::int64_t signed_of(const DiagParameter& parameter) {
   const auto shift = 64 - 8 * static_cast<int>(parameter.data.size());
   return static_cast<std::int64_t>(le_number(parameter.data) << shift) >> shift;
 }
@@ -128,7 +128,7 @@ std::string with_sign(std::string text, const Conversion& conversion) {
   return conversion.plus && !text.starts_with('-') ? "+" + text : text;
 }
 
-std::string whole_number(const Parameter& parameter, const coe::DataType& type, const Conversion& conversion) {
+std::string whole_number(const DiagParameter& parameter, const coe::DataType& type, const Conversion& conversion) {
   const auto bits = le_number(parameter.data);
   const auto* prefix = conversion.prefix ? "0x" : "";
   switch (conversion.kind) {
@@ -147,7 +147,7 @@ std::string whole_number(const Parameter& parameter, const coe::DataType& type, 
   return with_sign(negative ? fmt::format("{}", signed_of(parameter)) : fmt::format("{}", bits), conversion);
 }
 
-std::string real_number(double value, const Conversion& conversion) {
+std::string real_figures(double value, const Conversion& conversion) {
   const auto figures = conversion.precision.value_or(6);
   switch (conversion.kind) {
     case 'f':
@@ -161,11 +161,11 @@ std::string real_number(double value, const Conversion& conversion) {
   }
 }
 
-std::string converted(const Parameter& parameter, const Conversion& conversion) {
+std::string converted(const DiagParameter& parameter, const Conversion& conversion) {
   const auto* type = number_type(parameter);
   const bool real = type != nullptr && type->kind == coe::ValueKind::kReal;
   if (std::string_view("fFeEgG").find(conversion.kind) != std::string_view::npos) {
-    if (real) return padded(real_number(real_of(parameter), conversion), conversion, true);
+    if (real) return padded(real_figures(real_of(parameter), conversion), conversion, true);
   } else if (conversion.kind == 'c') {
     if (type != nullptr && !real && parameter.data[0] >= 0x20 && parameter.data[0] < 0x7F) {
       return padded(std::string(1, static_cast<char>(parameter.data[0])), conversion, false);
@@ -189,7 +189,7 @@ void append_rest(std::string& text, const DiagnosisMessage& message, std::size_t
 
 }  // namespace
 
-std::string parameter_text(const Parameter& parameter) {
+std::string parameter_text(const DiagParameter& parameter) {
   switch (parameter_kind(parameter)) {
     case kBasicType:
       return value_text(basic_type(parameter), parameter.data);

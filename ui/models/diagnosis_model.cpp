@@ -19,19 +19,19 @@
 namespace syncline::ui {
 namespace {
 
-using Type = DiagnosisMessage::Type;
+using DiagType = DiagnosisMessage::Type;
 
 /// No network's clock says a time in the DC epoch's first year: those are counted from when the device was switched on,
 /// or by a clock that nobody has set.
 constexpr std::uint64_t kNoCalendarBefore = 365ULL * 86'400 * 1'000'000'000, kNoCalendarFrom = 1ULL << 63;
 
-QString typeText(Type type) {
+QString typeText(DiagType type) {
   switch (type) {
-    case Type::kInfo:
+    case DiagType::kInfo:
       return DiagnosisModel::tr("Information");
-    case Type::kWarning:
+    case DiagType::kWarning:
       return DiagnosisModel::tr("Warning");
-    case Type::kError:
+    case DiagType::kError:
       return DiagnosisModel::tr("Error");
   }
   return hexText(static_cast<unsigned>(type), 1);
@@ -137,8 +137,8 @@ QVariant DiagnosisModel::data(const QModelIndex& index, int role) const {
       return font;
     }
     case Qt::ForegroundRole: {
-      if (index.column() != kType || !one.message || one.message->type == Type::kInfo) return {};
-      const auto tone = one.message->type == Type::kError ? theme::Tone::kBad : theme::Tone::kWarning;
+      if (index.column() != kType || !one.message || one.message->type == DiagType::kInfo) return {};
+      const auto tone = one.message->type == DiagType::kError ? theme::Tone::kBad : theme::Tone::kWarning;
       return theme::toneColor(QGuiApplication::palette(), tone);
     }
     case Qt::TextAlignmentRole:

@@ -12,7 +12,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using HistoryBytes = std::vector<std::uint8_t>;
-using Type = DiagnosisMessage::Type;
+using DiagType = DiagnosisMessage::Type;
 
 constexpr std::uint16_t kUnsigned8 = 5, kSigned16 = 3, kUnsigned16 = 6, kUnsigned32 = 7, kReal32 = 8;
 
@@ -63,7 +63,7 @@ TEST(DiagnosisHeader, KnowsWhatWasAcknowledged) {
 }
 
 TEST(DiagnosisLog, HoldsWhatCanBeReadAndWhatCannot) {
-  const DiagnosisMessage good{0xA000E000, Type::kWarning, 0x1A, 42, {{kUnsigned16, {1, 2}}}};
+  const DiagnosisMessage good{0xA000E000, DiagType::kWarning, 0x1A, 42, {{kUnsigned16, {1, 2}}}};
   const auto bytes = good.encode();
   const HistoryBytes truncated(bytes.begin(), bytes.end() - 1);
   auto lying = bytes;
@@ -85,7 +85,7 @@ TEST(DiagnosisLog, HoldsWhatCanBeReadAndWhatCannot) {
 }
 
 std::string filled(std::string_view text, std::vector<DiagnosisMessage::Parameter> parameters) {
-  return diagnosis_text(text, {0, Type::kInfo, 1, 0, std::move(parameters)});
+  return diagnosis_text(text, {0, DiagType::kInfo, 1, 0, std::move(parameters)});
 }
 
 TEST(DiagnosisText, PutsParametersWhereTheTextWantsThem) {
@@ -105,7 +105,7 @@ TEST(DiagnosisText, TrustsNoText) {
   EXPECT_EQ(filled("%99999999999d", {{kUnsigned8, {7}}}).size(), 64U);
   EXPECT_EQ(filled("%s%s%s", {}), "???");
   EXPECT_EQ(filled("%s", {{kUnsigned16, {5}}}), "05") << "one byte of two";
-  EXPECT_EQ(raw_diagnosis_text({0, Type::kInfo, 0x1A, 0, {{kUnsigned8, {5}}}}), "text 0x001A [5]");
+  EXPECT_EQ(raw_diagnosis_text({0, DiagType::kInfo, 0x1A, 0, {{kUnsigned8, {5}}}}), "text 0x001A [5]");
 }
 
 }  // namespace
