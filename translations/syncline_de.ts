@@ -5792,8 +5792,10 @@ Produktcode %2, Revision %3
             <translation>Hersteller, Typ, Name oder Produktcode</translation>
         </message>
         <message>
-            <source>Beginnings of words of the vendor, group, type, name or product code; all must occur</source>
-            <translation>Wortanfänge von Hersteller, Gruppe, Typ, Name oder Produktcode; alle müssen vorkommen</translation>
+            <source>Beginnings of words of the vendor, group, type, name or product code; all must occur.
+A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 16-18, rev 16-</source>
+            <translation>Wortanfänge von Hersteller, Gruppe, Typ, Name oder Produktcode; alle müssen vorkommen.
+Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: rev 16-18, rev 16-</translation>
         </message>
         <message>
             <source>All revisions</source>
@@ -6874,6 +6876,238 @@ Produktcode %2, Revision %3
         <message>
             <source>The differences could not be written.</source>
             <translation>Die Unterschiede konnten nicht geschrieben werden.</translation>
+        </message>
+</context>
+<context>
+    <name>DiagnosisModel</name>
+        <message>
+            <source>Information</source>
+            <translation>Information</translation>
+        </message>
+        <message>
+            <source>Warning</source>
+            <translation>Warnung</translation>
+        </message>
+        <message>
+            <source>Error</source>
+            <translation>Fehler</translation>
+        </message>
+        <message>
+            <source>%1 s since its start</source>
+            <translation>%1 s seit seinem Start</translation>
+        </message>
+        <message>
+            <source>Acknowledged</source>
+            <translation>Quittiert</translation>
+        </message>
+        <message>
+            <source>New</source>
+            <translation>Neu</translation>
+        </message>
+        <message>
+            <source>cannot be read: %1</source>
+            <translation>nicht lesbar: %1</translation>
+        </message>
+        <message>
+            <source>Text %1 of the ESI</source>
+            <translation>Text %1 der ESI</translation>
+        </message>
+        <message>
+            <source>Sub-index</source>
+            <translation>Subindex</translation>
+        </message>
+        <message>
+            <source>Severity</source>
+            <translation>Schwere</translation>
+        </message>
+        <message>
+            <source>Message</source>
+            <translation>Meldung</translation>
+        </message>
+        <message>
+            <source>Diag code</source>
+            <translation>Diag-Code</translation>
+        </message>
+        <message>
+            <source>Text ID</source>
+            <translation>Text-ID</translation>
+        </message>
+        <message>
+            <source>Time</source>
+            <translation>Zeit</translation>
+        </message>
+        <message>
+            <source>DC time (ns)</source>
+            <translation>DC-Zeit (ns)</translation>
+        </message>
+        <message>
+            <source>State</source>
+            <translation>Zustand</translation>
+        </message>
+</context>
+<context>
+    <name>DiagnosisReader</name>
+        <message>
+            <source>Object 0x10F3 says nothing of its length.</source>
+            <translation>Objekt 0x10F3 sagt nichts über seine Länge.</translation>
+        </message>
+</context>
+<context>
+    <name>SlaveHistoryPage</name>
+        <message>
+            <source>History</source>
+            <translation>Historie</translation>
+        </message>
+        <message>
+            <source>When full it keeps what nobody has acknowledged</source>
+            <translation>Wenn sie voll ist, behält sie, was niemand quittiert hat</translation>
+        </message>
+        <message>
+            <source>When full it overwrites the oldest message</source>
+            <translation>Wenn sie voll ist, überschreibt sie die älteste Meldung</translation>
+        </message>
+        <message>
+            <source>messages were thrown away because it was full</source>
+            <translation>Meldungen wurden verworfen, weil sie voll war</translation>
+        </message>
+        <message>
+            <source>messages were overwritten that nobody had acknowledged</source>
+            <translation>Meldungen wurden überschrieben, die niemand quittiert hatte</translation>
+        </message>
+        <message>
+            <source>each is sent as an emergency, too</source>
+            <translation>jede wird auch als Emergency gesendet</translation>
+        </message>
+        <message>
+            <source>none is sent as an emergency</source>
+            <translation>keine wird als Emergency gesendet</translation>
+        </message>
+        <message>
+            <source>information</source>
+            <translation>Informationen</translation>
+        </message>
+        <message>
+            <source>warnings</source>
+            <translation>Warnungen</translation>
+        </message>
+        <message>
+            <source>errors</source>
+            <translation>Fehler</translation>
+        </message>
+        <message>
+            <source>not kept: %1</source>
+            <translation>nicht aufgehoben: %1</translation>
+        </message>
+        <message>
+            <source>Flags %1: %2.</source>
+            <translation>Flags %1: %2.</translation>
+        </message>
+        <message>
+            <source>Messages of the slave's diagnosis history, newest first</source>
+            <translation>Meldungen der Diagnosehistorie des Slaves, neueste zuerst</translation>
+        </message>
+        <message>
+            <source>&amp;Read</source>
+            <translation>&amp;Lesen</translation>
+        </message>
+        <message>
+            <source>Read the diagnosis history</source>
+            <translation>Die Diagnosehistorie lesen</translation>
+        </message>
+        <message>
+            <source>Object 0x10F3 (ETG.1020). Reading acknowledges nothing.</source>
+            <translation>Objekt 0x10F3 (ETG.1020). Lesen quittiert nichts.</translation>
+        </message>
+        <message>
+            <source>On demand</source>
+            <translation>Auf Wunsch</translation>
+        </message>
+        <message>
+            <source>Every %1 s</source>
+            <translation>Alle %1 s</translation>
+        </message>
+        <message>
+            <source>How often the diagnosis history is read</source>
+            <translation>Wie oft die Diagnosehistorie gelesen wird</translation>
+        </message>
+        <message>
+            <source>&amp;Acknowledge All…</source>
+            <translation>Alle &amp;quittieren …</translation>
+        </message>
+        <message>
+            <source>Acknowledge all messages of the diagnosis history</source>
+            <translation>Alle Meldungen der Diagnosehistorie quittieren</translation>
+        </message>
+        <message>
+            <source>Writes the newest message's sub-index to 0x10F3:03</source>
+            <translation>Schreibt den Subindex der neuesten Meldung nach 0x10F3:03</translation>
+        </message>
+        <message>
+            <source>&amp;CSV…</source>
+            <translation>&amp;CSV …</translation>
+        </message>
+        <message>
+            <source>Export the messages as comma-separated values</source>
+            <translation>Die Meldungen als kommagetrennte Werte exportieren</translation>
+        </message>
+        <message>
+            <source>This slave keeps no diagnosis history: it has no object 0x10F3.</source>
+            <translation>Dieser Slave führt keine Diagnosehistorie: Er hat kein Objekt 0x10F3.</translation>
+        </message>
+        <message>
+            <source>This slave does not speak CoE: it keeps no diagnosis history.</source>
+            <translation>Dieser Slave spricht kein CoE: Er führt keine Diagnosehistorie.</translation>
+        </message>
+        <message>
+            <source>The history can be read from PREOP on: lead the slave there first.</source>
+            <translation>Die Historie lässt sich ab PREOP lesen: Führen Sie den Slave zuerst dorthin.</translation>
+        </message>
+        <message>
+            <source>The history is empty.</source>
+            <translation>Die Historie ist leer.</translation>
+        </message>
+        <message>
+            <source>none</source>
+            <translation>keine</translation>
+        </message>
+        <message>
+            <source>%1 of at most %2 messages. Newest: %3. Newest acknowledged: %4. New messages available: %5.</source>
+            <translation>%1 von höchstens %2 Meldungen. Neueste: %3. Neueste quittierte: %4. Neue Meldungen vorhanden: %5.</translation>
+        </message>
+        <message>
+            <source>yes</source>
+            <translation>ja</translation>
+        </message>
+        <message>
+            <source>no</source>
+            <translation>nein</translation>
+        </message>
+        <message numerus="yes">
+            <source>Acknowledge %n message(s) of %1?</source>
+            <translation>
+                <numerusform>%n Meldung von %1 quittieren?</numerusform>
+                <numerusform>%n Meldungen von %1 quittieren?</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>The messages stay in the slave until newer ones take their places, but nobody is told of them any more. The fault itself is not acknowledged by this.</source>
+            <translation>Die Meldungen bleiben im Slave, bis neuere ihren Platz einnehmen, doch niemand wird mehr auf sie hingewiesen. Der Fehler selbst wird dadurch nicht quittiert.</translation>
+        </message>
+        <message>
+            <source>Acknowledge</source>
+            <translation>Quittieren</translation>
+        </message>
+        <message>
+            <source>Export Diagnosis History</source>
+            <translation>Diagnosehistorie exportieren</translation>
+        </message>
+        <message>
+            <source>Comma-separated values (*.csv)</source>
+            <translation>Kommagetrennte Werte (*.csv)</translation>
+        </message>
+        <message>
+            <source>The history could not be exported.</source>
+            <translation>Die Historie konnte nicht exportiert werden.</translation>
         </message>
 </context>
 </TS>

@@ -324,4 +324,14 @@
             </translation>
         </message>
     </context>
+<context>
+    <name>SlaveHistoryPage</name>
+        <message numerus="yes">
+            <source>Acknowledge %n message(s) of %1?</source>
+            <translation>
+                <numerusform>Acknowledge %n message of %1?</numerusform>
+                <numerusform>Acknowledge %n messages of %1?</numerusform>
+            </translation>
+        </message>
+</context>
 </TS>

@@ -5771,8 +5771,10 @@ Product code %2, revision %3
             <translation>供应商、类型、名称或产品代码</translation>
         </message>
         <message>
-            <source>Beginnings of words of the vendor, group, type, name or product code; all must occur</source>
-            <translation>供应商、组、类型、名称或产品代码的词首；须全部出现</translation>
+            <source>Beginnings of words of the vendor, group, type, name or product code; all must occur.
+A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 16-18, rev 16-</source>
+            <translation>供应商、组、类型、名称或产品代码的词首；须全部出现。
+修订版本：#x00120000，或设备上印刷的 rev 18；多个：rev 16-18、rev 16-</translation>
         </message>
         <message>
             <source>All revisions</source>
@@ -6838,6 +6840,237 @@ Product code %2, revision %3
         <message>
             <source>The differences could not be written.</source>
             <translation>无法写入差异。</translation>
+        </message>
+</context>
+<context>
+    <name>DiagnosisModel</name>
+        <message>
+            <source>Information</source>
+            <translation>信息</translation>
+        </message>
+        <message>
+            <source>Warning</source>
+            <translation>警告</translation>
+        </message>
+        <message>
+            <source>Error</source>
+            <translation>错误</translation>
+        </message>
+        <message>
+            <source>%1 s since its start</source>
+            <translation>启动后 %1 s</translation>
+        </message>
+        <message>
+            <source>Acknowledged</source>
+            <translation>已确认</translation>
+        </message>
+        <message>
+            <source>New</source>
+            <translation>新</translation>
+        </message>
+        <message>
+            <source>cannot be read: %1</source>
+            <translation>无法解读：%1</translation>
+        </message>
+        <message>
+            <source>Text %1 of the ESI</source>
+            <translation>ESI 的文本 %1</translation>
+        </message>
+        <message>
+            <source>Sub-index</source>
+            <translation>子索引</translation>
+        </message>
+        <message>
+            <source>Severity</source>
+            <translation>严重性</translation>
+        </message>
+        <message>
+            <source>Message</source>
+            <translation>消息</translation>
+        </message>
+        <message>
+            <source>Diag code</source>
+            <translation>诊断代码</translation>
+        </message>
+        <message>
+            <source>Text ID</source>
+            <translation>文本 ID</translation>
+        </message>
+        <message>
+            <source>Time</source>
+            <translation>时间</translation>
+        </message>
+        <message>
+            <source>DC time (ns)</source>
+            <translation>DC 时间 (ns)</translation>
+        </message>
+        <message>
+            <source>State</source>
+            <translation>状态</translation>
+        </message>
+</context>
+<context>
+    <name>DiagnosisReader</name>
+        <message>
+            <source>Object 0x10F3 says nothing of its length.</source>
+            <translation>对象 0x10F3 未给出其长度。</translation>
+        </message>
+</context>
+<context>
+    <name>SlaveHistoryPage</name>
+        <message>
+            <source>History</source>
+            <translation>历史</translation>
+        </message>
+        <message>
+            <source>When full it keeps what nobody has acknowledged</source>
+            <translation>已满时保留未确认的消息</translation>
+        </message>
+        <message>
+            <source>When full it overwrites the oldest message</source>
+            <translation>已满时覆盖最旧的消息</translation>
+        </message>
+        <message>
+            <source>messages were thrown away because it was full</source>
+            <translation>因已满有消息被丢弃</translation>
+        </message>
+        <message>
+            <source>messages were overwritten that nobody had acknowledged</source>
+            <translation>有未确认的消息被覆盖</translation>
+        </message>
+        <message>
+            <source>each is sent as an emergency, too</source>
+            <translation>每条消息也作为紧急报文发送</translation>
+        </message>
+        <message>
+            <source>none is sent as an emergency</source>
+            <translation>不作为紧急报文发送</translation>
+        </message>
+        <message>
+            <source>information</source>
+            <translation>信息</translation>
+        </message>
+        <message>
+            <source>warnings</source>
+            <translation>警告</translation>
+        </message>
+        <message>
+            <source>errors</source>
+            <translation>错误</translation>
+        </message>
+        <message>
+            <source>not kept: %1</source>
+            <translation>不保存：%1</translation>
+        </message>
+        <message>
+            <source>Flags %1: %2.</source>
+            <translation>标志 %1：%2。</translation>
+        </message>
+        <message>
+            <source>Messages of the slave's diagnosis history, newest first</source>
+            <translation>从站诊断历史的消息，最新的在前</translation>
+        </message>
+        <message>
+            <source>&amp;Read</source>
+            <translation>读取(&amp;R)</translation>
+        </message>
+        <message>
+            <source>Read the diagnosis history</source>
+            <translation>读取诊断历史</translation>
+        </message>
+        <message>
+            <source>Object 0x10F3 (ETG.1020). Reading acknowledges nothing.</source>
+            <translation>对象 0x10F3（ETG.1020）。读取不会确认任何消息。</translation>
+        </message>
+        <message>
+            <source>On demand</source>
+            <translation>按需</translation>
+        </message>
+        <message>
+            <source>Every %1 s</source>
+            <translation>每 %1 s</translation>
+        </message>
+        <message>
+            <source>How often the diagnosis history is read</source>
+            <translation>读取诊断历史的频率</translation>
+        </message>
+        <message>
+            <source>&amp;Acknowledge All…</source>
+            <translation>全部确认(&amp;A)…</translation>
+        </message>
+        <message>
+            <source>Acknowledge all messages of the diagnosis history</source>
+            <translation>确认诊断历史的所有消息</translation>
+        </message>
+        <message>
+            <source>Writes the newest message's sub-index to 0x10F3:03</source>
+            <translation>将最新消息的子索引写入 0x10F3:03</translation>
+        </message>
+        <message>
+            <source>&amp;CSV…</source>
+            <translation>&amp;CSV…</translation>
+        </message>
+        <message>
+            <source>Export the messages as comma-separated values</source>
+            <translation>将消息导出为逗号分隔值</translation>
+        </message>
+        <message>
+            <source>This slave keeps no diagnosis history: it has no object 0x10F3.</source>
+            <translation>该从站没有诊断历史：没有对象 0x10F3。</translation>
+        </message>
+        <message>
+            <source>This slave does not speak CoE: it keeps no diagnosis history.</source>
+            <translation>该从站不支持 CoE：没有诊断历史。</translation>
+        </message>
+        <message>
+            <source>The history can be read from PREOP on: lead the slave there first.</source>
+            <translation>从 PREOP 起才能读取历史：请先将从站切换到该状态。</translation>
+        </message>
+        <message>
+            <source>The history is empty.</source>
+            <translation>历史为空。</translation>
+        </message>
+        <message>
+            <source>none</source>
+            <translation>无</translation>
+        </message>
+        <message>
+            <source>%1 of at most %2 messages. Newest: %3. Newest acknowledged: %4. New messages available: %5.</source>
+            <translation>%1 条消息，最多 %2 条。最新：%3。最新已确认：%4。有新消息：%5。</translation>
+        </message>
+        <message>
+            <source>yes</source>
+            <translation>是</translation>
+        </message>
+        <message>
+            <source>no</source>
+            <translation>否</translation>
+        </message>
+        <message numerus="yes">
+            <source>Acknowledge %n message(s) of %1?</source>
+            <translation>
+                <numerusform>确认 %1 的 %n 条消息？</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>The messages stay in the slave until newer ones take their places, but nobody is told of them any more. The fault itself is not acknowledged by this.</source>
+            <translation>消息会保留在从站中，直到被更新的消息取代，但不再提示。故障本身不会因此被确认。</translation>
+        </message>
+        <message>
+            <source>Acknowledge</source>
+            <translation>确认</translation>
+        </message>
+        <message>
+            <source>Export Diagnosis History</source>
+            <translation>导出诊断历史</translation>
+        </message>
+        <message>
+            <source>Comma-separated values (*.csv)</source>
+            <translation>逗号分隔值 (*.csv)</translation>
+        </message>
+        <message>
+            <source>The history could not be exported.</source>
+            <translation>无法导出历史。</translation>
         </message>
 </context>
 </TS>

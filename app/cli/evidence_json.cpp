@@ -89,6 +89,8 @@ Json evidence_json(const RunReport::Slave& slave, Nanoseconds now) {
           {"inputs_shift_too_short", count_json(e.inputs.shift_too_short, now)},
           {"process_data_watchdog", count_json(e.process_data_watchdog, now)},
           {"pdi_watchdog", count_json(e.pdi_watchdog, now)},
+          {"processing_unit_errors", count_json(e.processing_unit_errors, now)},
+          {"pdi_errors", count_json(e.pdi_errors, now)},
           {"speed_counter_difference", e.speed_counter_time == 0 ? Json(nullptr) : Json(e.speed_counter_difference)},
           {"ports", e.ports_time == 0 ? Json(nullptr) : ports_json(e)},
           {"ports_age_ms", age_json(e.ports_time, now)}};

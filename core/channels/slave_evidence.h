@@ -39,8 +39,8 @@ struct SyncObjectCounts {
 
 struct SlaveEvidence {
   std::array<PortErrors, 4> ports{};
-  std::uint32_t processing_unit_errors = 0;   // 0x030C
-  std::uint32_t pdi_errors = 0;               // 0x030D
+  EvidenceCount processing_unit_errors;       // 0x030C, read with the ports
+  EvidenceCount pdi_errors;                   // 0x030D, the same
   Nanoseconds ports_time = 0;                 // of the newest reading of the ports; 0: never
   EvidenceCount process_data_watchdog;        // 0x0442: expirations
   EvidenceCount pdi_watchdog;                 // 0x0443: the firmware was silent for so long (0x0410)

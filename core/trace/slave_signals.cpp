@@ -66,11 +66,6 @@ template <std::size_t Port, auto Count>
 Reading of_port(const Snapshot&, const SlaveStatus& slave, std::uint16_t) {
   return port_count<Count>(slave, Port);
 }
-template <auto Count>
-Reading of_ports(const Snapshot&, const SlaveStatus& slave, std::uint16_t) {
-  const auto& evidence = slave.evidence;
-  return evidence.ports_time != 0 ? Reading({evidence.ports_time, static_cast<double>(evidence.*Count)}) : std::nullopt;
-}
 
 constexpr SignalInfo count(Signal id, std::string_view key, std::string_view name, std::string_view source,
                            OfSlave of_slave, std::string_view since = "going online") {
@@ -114,8 +109,11 @@ constexpr std::array kSlaveRows{
     count(Signal::kPdiWatchdog, "pdi_watchdog", "PDI watchdog", "register 0x0443",
           [](const Snapshot&, const SlaveStatus& s, std::uint16_t) { return counted(s.evidence.pdi_watchdog); }),
     count(Signal::kProcessingUnitErrors, "processing_unit_errors", "Processing unit errors", "register 0x030C",
-          of_ports<&SlaveEvidence::processing_unit_errors>),
-    count(Signal::kPdiErrors, "pdi_errors", "PDI errors", "register 0x030D", of_ports<&SlaveEvidence::pdi_errors>),
+          [](const Snapshot&, const SlaveStatus& s, std::uint16_t) {
+            return counted(s.evidence.processing_unit_errors);
+          }),
+    count(Signal::kPdiErrors, "pdi_errors", "PDI errors", "register 0x030D",
+          [](const Snapshot&, const SlaveStatus& s, std::uint16_t) { return counted(s.evidence.pdi_errors); }),
 };
 
 template <std::size_t Port>

@@ -8,11 +8,15 @@
 #include <tuple>
 
 #include "eni/catalogue/esi_cards.h"
+#include "eni/catalogue/revision_words.h"
 #include "eni/xml/xml_text.h"
 #include "support/utf8.h"
 
 namespace syncline::eni {
 namespace {
+
+/// Rows that have all the words; where a revision is named, few of them remain.
+constexpr std::int64_t kMostByWords = 2'000, kMostWithRevision = 100'000;
 
 // Which columns an entry is read from; the tables are d = devices, f = files.
 #define ENTRY_COLUMNS                                                                                             \
@@ -80,7 +84,8 @@ std::string match_expression(std::string_view words) {
 /// Takes the rows that come in order, until there are enough.
 class Picker {
  public:
-  Picker(CatalogueStore& store, const CatalogueSearch& search) : store_(store), search_(search) {}
+  Picker(CatalogueStore& store, const CatalogueSearch& search, const RevisionWords& wanted)
+      : store_(store), search_(search), wanted_(wanted) {}
 
   [[nodiscard]] bool full() const { return picked_.size() >= search_.limit; }
   [[nodiscard]] Status error() const { return error_; }
@@ -91,10 +96,12 @@ class Picker {
     if (full()) return false;
     if (!seen_.insert(entry.id).second || !fits(entry)) return true;
     if (error_ = mark_hidden(store_, entry); !error_) return false;
-    if (entry.hidden && !search_.with_hidden) return true;
+    // Who names a revision means it, be it old or hidden by a newer one.
+    const bool named = wanted_.name_revision(entry.identity);
+    if (entry.hidden && !search_.with_hidden && !named) return true;
     const Identity& identity = entry.identity;
     const bool is_new = types_.emplace(identity.vendor_id, identity.product_code, entry.type).second;
-    if (search_.all_revisions || is_new) picked_.push_back(std::move(entry));
+    if (search_.all_revisions || is_new || named) picked_.push_back(std::move(entry));
     return !full();
   }
 
@@ -102,11 +109,12 @@ class Picker {
   [[nodiscard]] bool fits(const CatalogueEntry& entry) const {
     return (!search_.vendor_id || *search_.vendor_id == entry.identity.vendor_id) &&
            (!search_.product_code || *search_.product_code == entry.identity.product_code) &&
-           (search_.group_type.empty() || search_.group_type == entry.group_type);
+           (search_.group_type.empty() || search_.group_type == entry.group_type) && wanted_.fit(entry.identity);
   }
 
   CatalogueStore& store_;
   const CatalogueSearch& search_;
+  const RevisionWords& wanted_;
   Status error_;
   std::set<std::int64_t> seen_;
   std::set<std::tuple<std::uint32_t, std::uint32_t, std::string>> types_;
@@ -126,15 +134,16 @@ Status offer_types(CatalogueStore& store, std::string_view prefix, Picker& picke
   return picker.error();
 }
 
-/// Whatever has all the words somewhere. Beyond the cap nobody reads on, but types more.
-Status offer_words(CatalogueStore& store, const std::string& expression, Picker& picker) {
+/// Whatever has all the words somewhere. Beyond `most` nobody reads on, but types more.
+Status offer_words(CatalogueStore& store, const std::string& expression, std::int64_t most, Picker& picker) {
   auto query = store.database().prepare("SELECT " ENTRY_COLUMNS
-                                        " FROM (SELECT rowid FROM words WHERE words MATCH ? LIMIT 2000) w "
+                                        " FROM (SELECT rowid FROM words WHERE words MATCH ? LIMIT ?) w "
                                         "CROSS JOIN devices d ON d.id = w.rowid CROSS JOIN chosen ON chosen.file = "
                                         "d.file CROSS JOIN files f ON f.id = d.file "
                                         "ORDER BY d.type, d.revision_no DESC, chosen.rank, d.id");
   if (!query) return tl::unexpected(query.error());
-  if (auto status = query->bind(0, expression).each([&] { return picker.offer(entry_of(*query)); }); !status)
+  if (auto status = query->bind(0, expression).bind(1, most).each([&] { return picker.offer(entry_of(*query)); });
+      !status)
     return status;
   return picker.error();
 }
@@ -180,13 +189,15 @@ Result<std::vector<CatalogueEntry>> entries_of(CatalogueStore& store, std::uint3
 }
 
 Result<std::vector<CatalogueEntry>> search(CatalogueStore& store, const CatalogueSearch& search) {
-  Picker picker(store, search);
-  const auto words = trim(search.words);
+  const auto wanted = revision_words(trim(search.words));
+  Picker picker(store, search, wanted);
+  const auto& words = wanted.words;
   if (!is_utf8(words)) return std::vector<CatalogueEntry>{};
   if (auto status = offer_types(store, words, picker); !status) return tl::unexpected(status.error());
   const auto expression = match_expression(words);
   if (!expression.empty() && !picker.full()) {
-    if (auto status = offer_words(store, expression, picker); !status) return tl::unexpected(status.error());
+    const auto most = wanted.none() ? kMostByWords : kMostWithRevision;
+    if (auto status = offer_words(store, expression, most, picker); !status) return tl::unexpected(status.error());
   }
   return picker.take();
 }

@@ -2,11 +2,13 @@
 #include "fuzz/wire_targets.h"
 
 #include <array>
+#include <string_view>
 
 #include "link/replay/pcap_reader.h"
 #include "link/replay/recorded_bus.h"
 #include "protocol/coe.h"
 #include "protocol/diagnosis_message.h"
+#include "protocol/diagnosis_text.h"
 #include "protocol/eoe.h"
 #include "protocol/foe.h"
 #include "protocol/frame.h"
@@ -77,7 +79,12 @@ void run_decoders(std::span<const std::uint8_t> data) {
   }
   (void)foe::decode(data);
   (void)eoe::decode(data);
-  (void)DiagnosisMessage::decode(data);
+  if (const auto message = DiagnosisMessage::decode(data)) {
+    (void)raw_diagnosis_text(*message);
+    (void)diagnosis_text("%5d %-3u %#06x %s %.2f %c %lo %%", *message);
+    const std::string_view text(reinterpret_cast<const char*>(data.data()), data.size());
+    (void)diagnosis_text(text, *message);
+  }
 }
 
 }  // namespace

@@ -225,12 +225,14 @@ TEST_F(PagesOfASlave, CountersSayWhenTheyWereRead) {
   evidence.ports_time = 2 * kSecond;
   evidence.ports[1].invalid_frames = 3;
   evidence.ports[2] = {.lost_links = 255, .at_least = true};
-  evidence.pdi_errors = 7;
+  evidence.pdi_errors = {7, false, 2 * kSecond};
+  evidence.processing_unit_errors = {255, true, 2 * kSecond};
   evidence.pdi_watchdog = {2, false, 2 * kSecond};
   tick(2 * kSecond + 300 * kMillisecond);
   EXPECT_EQ(ports->index(0, 1).data().toString(), QStringLiteral("0"));
   EXPECT_TRUE(ports->index(1, 1).data().toString().startsWith(u'3')) << "with how fast it grows";
   EXPECT_TRUE(ports->index(2, 4).data().toString().startsWith(QStringLiteral("at least 255")));
+  EXPECT_TRUE(others->index(0, 1).data().toString().startsWith(QStringLiteral("at least 255"))) << "at its end stop";
   EXPECT_TRUE(others->index(1, 1).data().toString().startsWith(u'7'));
   EXPECT_EQ(others->index(2, 1).data().toString(), QStringLiteral("\u2013")) << "this watchdog was not read";
   EXPECT_TRUE(others->index(3, 1).data().toString().startsWith(u'2'));

@@ -27,8 +27,8 @@ std::vector<std::uint32_t> totalsOf(const SlaveEvidence& evidence) {
     all.push_back(port.forwarded_errors);
     all.push_back(port.lost_links);
   }
-  all.push_back(evidence.processing_unit_errors);
-  all.push_back(evidence.pdi_errors);
+  all.push_back(evidence.processing_unit_errors.total);
+  all.push_back(evidence.pdi_errors.total);
   all.push_back(evidence.process_data_watchdog.total);
   all.push_back(evidence.pdi_watchdog.total);
   return all;
@@ -120,13 +120,11 @@ void SlaveCountersPage::showOthers(const SlaveEvidence& evidence, std::optional<
   const auto counted = [&](const EvidenceCount& count, std::size_t n) {
     return count.valid() ? growingText(count.total, count.at_least, history_.growth(n)) : noText();
   };
-  const auto with_ports = [&](std::uint32_t total, std::size_t n) {
-    return evidence.ports_time != 0 ? growingText(total, false, history_.growth(n)) : noText();
-  };
-  const auto ports = ageText(evidence.ports_time, now);
+  const auto& processing = evidence.processing_unit_errors;
+  const auto& interface = evidence.pdi_errors;
   others_->setLines(
-      {{tr("Processing unit errors"), with_ports(evidence.processing_unit_errors, first), hexText(0x030C, 4), ports},
-       {tr("PDI errors"), with_ports(evidence.pdi_errors, first + 1), hexText(0x030D, 4), ports},
+      {{tr("Processing unit errors"), counted(processing, first), hexText(0x030C, 4), ageText(processing.time, now)},
+       {tr("PDI errors"), counted(interface, first + 1), hexText(0x030D, 4), ageText(interface.time, now)},
        {tr("Process data watchdog expired"), counted(process_data, first + 2), hexText(0x0442, 4),
         ageText(process_data.time, now)},
        {tr("PDI watchdog expired"), counted(pdi, first + 3), hexText(0x0443, 4), ageText(pdi.time, now)}});

@@ -53,7 +53,9 @@ CataloguePanel::CataloguePanel(DeviceCatalogue& catalogue, QWidget* parent) : QW
 void CataloguePanel::buildSearch() {
   words_ = named(new QLineEdit, "catalogueSearch", tr("Search the device catalogue"));
   words_->setPlaceholderText(tr("Vendor, type, name or product code"));
-  words_->setToolTip(tr("Beginnings of words of the vendor, group, type, name or product code; all must occur"));
+  words_->setToolTip(
+      tr("Beginnings of words of the vendor, group, type, name or product code; all must occur.\n"
+         "A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 16-18, rev 16-"));
   words_->setClearButtonEnabled(true);
   words_->installEventFilter(this);
   revisions_ = named(new QCheckBox(tr("All revisions")), "catalogueRevisions", tr("All revisions"));

@@ -78,8 +78,11 @@ void EvidenceReader::take_ports(Nanoseconds time) {
               invalid.at_least() || receive.at_least() || forwarded.at_least() || lost.at_least()};
     tell_port(port, std::max(more[2 * port], more[2 * port + 1]), more[kLostLinks + port], time);
   }
-  evidence.processing_unit_errors = totals[kProcessingUnit].total();
-  evidence.pdi_errors = totals[kPdi].total();
+  const auto count_of = [time](const CounterTotal& total) {
+    return EvidenceCount{total.total(), total.at_least(), time};
+  };
+  evidence.processing_unit_errors = count_of(totals[kProcessingUnit]);
+  evidence.pdi_errors = count_of(totals[kPdi]);
   evidence.ports_time = time;
 }
 

@@ -16,6 +16,7 @@ using namespace esc_events;
 namespace {
 
 constexpr Nanoseconds kFirmwareReaction = 150 * kMicrosecond;  // to an AL request
+constexpr std::uint16_t kStatusCodeType = 0x0006;              // data type of CoE
 constexpr Nanoseconds kMailboxReaction = 250 * kMicrosecond;
 constexpr Nanoseconds kLongestWaitForSync = 200 * kMillisecond;
 constexpr unsigned kMaxObjects = 64;
@@ -93,6 +94,7 @@ void Device::tell_error(std::uint16_t error_code, std::uint8_t error_register, s
   message.type = DiagnosisMessage::Type::kError;
   message.text_id = text_id;
   message.time_stamp = dc().system_time(now_);
+  message.parameters = {{kStatusCodeType, le_bytes(text_id)}};  // the texts of our ESI files show it
   history_.add(message);
   process_data_.forget_objects();
   if (mail_due_ == kNever) mail_due_ = now_ + kMailboxReaction;

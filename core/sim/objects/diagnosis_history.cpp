@@ -53,18 +53,26 @@ void DiagnosisHistory::add(const DiagnosisMessage& message) {
   dictionary_.set<std::uint8_t>(dh::kIndex, dh::kNewAvailable, 1);
 }
 
+void DiagnosisHistory::clear() {
+  unread_ = 0;
+  dictionary_.set<std::uint8_t>(dh::kIndex, dh::kNewest, 0);
+  for (std::uint8_t sub = dh::kFirstMessage; sub <= kLastMessage; ++sub) {
+    if (auto* entry = dictionary_.find(dh::kIndex, sub)) entry->value = DiagnosisMessage{}.encode();
+  }
+}
+
 std::uint32_t DiagnosisHistory::acknowledge(std::uint8_t sub_index) {
   const auto newest = dictionary_.get<std::uint8_t>(dh::kIndex, dh::kNewest);
-  if (sub_index == 0) {  // forget all
-    unread_ = 0;
-    dictionary_.set<std::uint8_t>(dh::kIndex, dh::kNewest, 0);
-    dictionary_.set<std::uint16_t>(dh::kIndex, dh::kFlags, static_cast<std::uint16_t>(flags() & ~dh::kOverwritten));
+  if (sub_index == 0) {
+    clear();
   } else if (sub_index < dh::kFirstMessage || sub_index > kLastMessage || newest == 0) {
     return abort::kRange;
   } else {
     const unsigned since = (newest + kMessages - sub_index) % kMessages;
     unread_ = std::min(unread_, since);
   }
+  // What was lost is known by now.
+  dictionary_.set<std::uint16_t>(dh::kIndex, dh::kFlags, static_cast<std::uint16_t>(flags() & ~dh::kOverwritten));
   dictionary_.set<std::uint8_t>(dh::kIndex, dh::kNewAvailable, unread_ > 0 ? 1 : 0);
   return abort::kNone;
 }

@@ -20,6 +20,8 @@ class DiagnosisHistory {
  private:
   /// Sub-index behind `sub_index` in the ring.
   [[nodiscard]] static std::uint8_t behind(std::uint8_t sub_index);
+  void clear();
+  /// 0: forgets all. Else the message of that sub-index and all before it; an abort code when there is none.
   std::uint32_t acknowledge(std::uint8_t sub_index);
   [[nodiscard]] std::uint16_t flags();
 

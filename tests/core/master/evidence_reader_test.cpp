@@ -91,6 +91,22 @@ TEST_F(EvidenceReaderTest, SaysAtLeastWhereACounterStandsStill) {
   sweep();
   EXPECT_TRUE(evidence(0).ports[1].at_least);
   EXPECT_FALSE(evidence(0).ports[0].at_least);
+  EXPECT_FALSE(evidence(0).processing_unit_errors.at_least) << "of another register";
+}
+
+TEST_F(EvidenceReaderTest, SaysAtLeastOfTheProcessingUnitAndThePdiToo) {
+  registers[{1001, 0x030C}] = 5;
+  sweep();
+  EXPECT_EQ(evidence(0).processing_unit_errors.total, 0U) << "before our time";
+  registers[{1001, 0x030C}] = 0xFF;
+  registers[{1001, 0x030D}] = 3;
+  sweep();
+  EXPECT_EQ(evidence(0).processing_unit_errors.total, 250U);
+  EXPECT_TRUE(evidence(0).processing_unit_errors.at_least);
+  EXPECT_EQ(evidence(0).pdi_errors.total, 3U);
+  EXPECT_FALSE(evidence(0).pdi_errors.at_least);
+  EXPECT_EQ(evidence(0).pdi_errors.time, evidence(0).ports_time);
+  EXPECT_FALSE(evidence(1).pdi_errors.at_least);
 }
 
 TEST_F(EvidenceReaderTest, TellsOfWatchdogs) {

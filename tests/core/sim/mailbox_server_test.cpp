@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <array>
 #include <numeric>
 
 #include "sim/mailbox/complete_access.h"
@@ -292,6 +293,15 @@ TEST(DiagnosisHistory, RingsOverwritesAndIsAcknowledged) {
   for (std::uint64_t i = 0; i < 9; ++i) history.add({1, DiagnosisMessage::Type::kInfo, 1, 100 + i, {}});
   EXPECT_EQ(DiagnosisMessage::decode(dictionary.find(0x10F3, value(2))->value)->time_stamp, 108U);
   EXPECT_NE(dictionary.get<std::uint16_t>(0x10F3, 5) & diagnosis_history::kOverwritten, 0);
+  EXPECT_EQ(dictionary.write(0x10F3, 3, std::array{value(2)}, false), abort::kNone);
+  EXPECT_EQ(value(4), 0);
+  EXPECT_EQ(dictionary.get<std::uint16_t>(0x10F3, 5) & diagnosis_history::kOverwritten, 0) << "the loss is known";
+  const std::uint8_t none[] = {0};
+  EXPECT_EQ(dictionary.write(0x10F3, 3, none, false), abort::kNone);
+  EXPECT_EQ(value(2), 0);
+  EXPECT_EQ(dictionary.find(0x10F3, 6)->value, DiagnosisMessage{}.encode()) << "forgotten";
+  history.add({1, DiagnosisMessage::Type::kInfo, 1, 200, {}});
+  EXPECT_EQ(value(2), 6);
   const std::uint8_t wrong[] = {99};
   EXPECT_EQ(dictionary.write(0x10F3, 3, wrong, false), abort::kRange);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "eni/catalogue/esi_catalogue.h"
+#include "eni/catalogue/revision_words.h"
 
 #include <gmock/gmock.h>
 #include <unistd.h>
@@ -109,6 +110,47 @@ TEST_F(Catalogue, SearchesTheFoldersOfThisProgramOnly) {
   EXPECT_THAT(types(catalogue, {}), ElementsAre("B1"));
   EXPECT_FALSE(catalogue.find({0x5EC, 1, 0x10, 0}));
   EXPECT_TRUE(catalogue.find({0x5EC, 2, 0x10, 0}));
+}
+
+TEST(RevisionWords, AreTakenOutOfTheWords) {
+  using Range = RevisionWords::Range;
+  EXPECT_EQ(revision_words("EL2004 dig"), (RevisionWords{"EL2004 dig", {}, {}}));
+  EXPECT_EQ(revision_words("el #X00120000"), (RevisionWords{"el", {0x120000}, {}}));
+  EXPECT_EQ(revision_words("0x00120000 el"), (RevisionWords{"el", {0x120000}, {}})) << "as the window writes it";
+  EXPECT_EQ(revision_words("0x44c2"), (RevisionWords{"0x44c2", {}, {}})) << "the beginning of a product code";
+  EXPECT_EQ(revision_words("el Rev 18"), (RevisionWords{"el", {}, Range{0x120000, 0x12FFFF}}));
+  EXPECT_EQ(revision_words("rev 16-18 el"), (RevisionWords{"el", {}, Range{0x100000, 0x12FFFF}}));
+  EXPECT_EQ(revision_words("rev 18-16"), (RevisionWords{"", {}, Range{0x100000, 0x12FFFF}})) << "the other way round";
+  EXPECT_EQ(revision_words("rev 16-"), (RevisionWords{"", {}, Range{0x100000, UINT32_MAX}}));
+  EXPECT_EQ(revision_words("rev -#x11"), (RevisionWords{"", {}, Range{0, 0x11}}));
+  for (const char* word : {"rev", "rev el", "rev -", "rev 99999999999", "#x0012000", "#x00120000g"}) {
+    EXPECT_EQ(revision_words(word), (RevisionWords{word, {}, {}})) << "a word like others";
+  }
+}
+
+TEST_F(Catalogue, FindsRevisions) {
+  put("a.xml", esi_text({{1, 0x00100000, "EL2004"},
+                         {1, 0x00110000, "EL2004"},
+                         {1, 0x00120000, "EL2004", "Thing", "Digital", "<HideType RevisionNo=\"#x00100000\"/>"},
+                         {2, 0x00120000, "EL1004"},
+                         {3, 18, "Counts from one"},
+                         {0x00120000, 5, "Its product code"}}));
+  EsiCatalogue catalogue;
+  ASSERT_TRUE(catalogue.add_folder(folder().string()));
+  const auto revisions = [&](const char* words) {
+    std::vector<std::uint32_t> found;
+    const auto entries = catalogue.search({.words = words});
+    for (const auto& entry : *entries) found.push_back(entry.identity.revision_no);
+    return found;
+  };
+  EXPECT_THAT(revisions("el2004"), ElementsAre(0x00120000U)) << "the newest";
+  EXPECT_THAT(revisions("el2004 #x00110000"), ElementsAre(0x00110000U));
+  EXPECT_THAT(revisions("el2004 rev 17"), ElementsAre(0x00110000U));
+  EXPECT_THAT(revisions("el2004 rev 16-17"), ElementsAre(0x00110000U, 0x00100000U)) << "hidden or not: it is named";
+  EXPECT_THAT(revisions("el2004 rev 17-"), ElementsAre(0x00120000U, 0x00110000U));
+  EXPECT_THAT(types(catalogue, {"rev 18"}), ElementsAre("Counts from one", "EL1004", "EL2004"));
+  EXPECT_THAT(types(catalogue, {"#x00120000"}), ElementsAre("EL1004", "EL2004", "Its product code"));
+  EXPECT_THAT(revisions("el2004 rev 19"), IsEmpty());
 }
 
 TEST_F(Catalogue, FindsWhileSomebodyTypes) {
