@@ -100,6 +100,14 @@ std::optional<MinMaxSeries::Reading> SampleStore::value(Signal signal, std::size
   return reading;
 }
 
+/// Counted back from the end of its stretch: there every cycle is one sample, and the beginning may be forgotten.
+std::optional<std::uint64_t> SampleStore::cycle_at(Nanoseconds time) const {
+  if (empty() || time < first_time()) return std::nullopt;
+  const auto found = std::ranges::lower_bound(stretches_, time, {}, &StretchEnd::time);
+  const auto& end = found == stretches_.end() ? newest_ : *found;
+  return time >= end.time ? end.cycle : end.cycle - axis().count(time + 1, end.time + 1);
+}
+
 std::size_t SampleStore::memory_bytes() const {
   std::size_t bytes = 0;
   for (const auto& series : of_cycles_) bytes += series.memory_bytes();
@@ -134,10 +142,13 @@ void SampleStore::leave_gap(Nanoseconds time) {
 void SampleStore::append_run(std::span<const CycleSample> run) {
   if (any_ && run.front().cycle > next_cycle_) {
     missing_cycles_ += run.front().cycle - next_cycle_;
+    stretches_.push_back(newest_);
+    while (!stretches_.empty() && stretches_.front().time < first_time()) stretches_.pop_front();
     leave_gap(run.front().send_time - 1);
   }
   any_ = true;
   next_cycle_ = run.back().cycle + 1;
+  newest_ = {run.back().send_time, run.back().cycle};
 
   run_values_.resize(run.size());
   run_times_.resize(run.size());

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <optional>
 #include <span>
 #include <vector>
@@ -57,6 +58,8 @@ class SampleStore {
   [[nodiscard]] bool empty() const { return axis().empty(); }
   [[nodiscard]] Nanoseconds first_time() const { return axis().first_time(); }
   [[nodiscard]] Nanoseconds last_time() const { return axis().last_time(); }
+  /// The number of the latest cycle at or before `time`; nothing where none is kept.
+  [[nodiscard]] std::optional<std::uint64_t> cycle_at(Nanoseconds time) const;
   /// Cycles that the stream skipped.
   [[nodiscard]] std::uint64_t missing_cycles() const { return missing_cycles_; }
   [[nodiscard]] std::size_t memory_bytes() const;
@@ -79,6 +82,13 @@ class SampleStore {
   std::vector<HeldSeries> of_held_;
   std::vector<Nanoseconds> run_times_;  // room for one run
   std::vector<float> run_values_;
+  /// Last cycles of stretches in which none is missing, behind which some are; without that of the newest one.
+  struct StretchEnd {
+    Nanoseconds time = 0;
+    std::uint64_t cycle = 0;
+  };
+  std::deque<StretchEnd> stretches_;
+  StretchEnd newest_;
   std::uint64_t next_cycle_ = 0;
   Nanoseconds next_look_ = 0;
   std::uint32_t lost_in_a_row_ = 0;

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "trace/trigger.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "channels/event_finding.h"
+
+namespace syncline {
+namespace {
+
+bool is_of_slaves(Signal signal) { return info(signal).scope == SignalInfo::Scope::kSlave; }
+
+bool crosses(Trigger::Edge edge, double level, double before, double now) {
+  const bool up = before < level && now >= level;
+  const bool down = before > level && now <= level;
+  return (up && edge != Trigger::Edge::kDown) || (down && edge != Trigger::Edge::kUp);
+}
+
+}  // namespace
+
+TriggerWatch::TriggerWatch(Trigger trigger, Nanoseconds from)
+    : trigger_(std::move(trigger)), next_(from), begin_(from) {}
+
+bool TriggerWatch::look(const SampleStore& store, Nanoseconds portion) {
+  if (trigger_.kind == Trigger::Kind::kEvent || done()) return true;
+  const bool of_slaves = is_of_slaves(trigger_.signal);
+  if (of_slaves && (trigger_.slave < 0 || static_cast<std::size_t>(trigger_.slave) >= store.slave_count())) return true;
+  const auto& series = store.series(trigger_.signal, of_slaves ? static_cast<std::size_t>(trigger_.slave) : 0);
+  if (series.empty() || next_ > series.last_time()) return true;
+  next_ = std::max(next_, series.first_time());
+  const auto last = series.last_time();
+  const auto end = portion > last - next_ ? last + 1 : next_ + portion;
+  // A count or a state holds until its next change, however late that is; where it was lost there is a gap.
+  const bool held = info(trigger_.signal).form == SignalInfo::Form::kHeld;
+  const auto gap = held ? kAll : store.longest_gap(trigger_.signal);
+  series.for_each(next_, end, [&](Nanoseconds time, float value) { take(time, value, gap, store); });
+  next_ = end;
+  return end > last;
+}
+
+void TriggerWatch::take(Nanoseconds time, float value, Nanoseconds longest_gap, const SampleStore& store) {
+  if (done()) return;
+  if (std::isnan(value)) return before_.reset();
+  const auto now = trigger_.magnitude ? std::abs(static_cast<double>(value)) : static_cast<double>(value);
+  const bool joined = before_ && time - before_time_ <= longest_gap;
+  if (joined && fires(*before_, now)) {
+    fire(time, is_of_slaves(trigger_.signal) ? trigger_.slave : -1, static_cast<double>(value), store);
+  }
+  before_ = now;
+  before_time_ = time;
+}
+
+bool TriggerWatch::fires(double before, double now) const {
+  if (trigger_.kind == Trigger::Kind::kLevel) return crosses(trigger_.edge, trigger_.level, before, now);
+  const auto inside = [this](double value) { return value >= trigger_.low && value <= trigger_.high; };
+  return inside(before) != inside(now) && inside(now) == trigger_.enters;
+}
+
+void TriggerWatch::hear(const Event& event, const SampleStore& store) {
+  if (trigger_.kind != Trigger::Kind::kEvent || done() || event.time < begin_) return;
+  if (trigger_.slave >= 0 && event.slave != trigger_.slave) return;
+  const auto told = event_finding(event);
+  if (told && told->code == trigger_.code) fire(event.time, event.slave, 0, store);
+}
+
+void TriggerWatch::fire(Nanoseconds time, int slave, double value, const SampleStore& store) {
+  // Events may be told late: what lies before an episode's moment is within its hold-off, too.
+  if (!episodes_.empty() && trigger_.hold_off > 0 && time < episodes_.back().time + trigger_.hold_off) {
+    ++episodes_.back().left_out;
+    return;
+  }
+  episodes_.push_back({time, store.cycle_at(time), slave, value, time - trigger_.pre, time + trigger_.post, 0});
+}
+
+std::uint64_t TriggerWatch::left_out() const {
+  std::uint64_t sum = 0;
+  for (const auto& episode : episodes_) sum += episode.left_out;
+  return sum;
+}
+
+TriggerWatch::State TriggerWatch::state(Nanoseconds begin, Nanoseconds now) const {
+  if (!episodes_.empty()) {
+    const auto& last = episodes_.back();
+    if (now < last.to) return State::kTriggered;
+    if (done()) return State::kDone;
+    if (now < last.time + trigger_.hold_off) return State::kHoldingOff;
+  }
+  return now - begin < trigger_.pre ? State::kFilling : State::kWaiting;
+}
+
+}  // namespace syncline
