@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/composition/link_text.h"
 
+#include <fmt/format.h>
+
 #include <charconv>
 
 namespace syncline {
@@ -32,8 +34,7 @@ Status apply_option(LinkText& link, std::string_view option, std::string_view wh
     link.network = static_cast<unsigned>(number);
     return {};
   }
-  return fail(ErrorCode::kBadValue, std::string(whole),
-              "unknown option '" + std::string(option) + "'; " + std::string(kForms));
+  return fail(ErrorCode::kBadValue, std::string(whole), fmt::format("unknown option '{}'; {}", option, kForms));
 }
 
 }  // namespace

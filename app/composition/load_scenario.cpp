@@ -41,7 +41,7 @@ class DeviceFiles {
       if (match == nullptr || device.identity.revision_no > match->identity.revision_no) match = &device;
     }
     if (match == nullptr) {
-      return fail(ErrorCode::kUnknownDevice, wanted(query), "not in " + query.path);
+      return fail(ErrorCode::kUnknownDevice, wanted(query), fmt::format("not in {}", query.path));
     }
     return sim::ScenarioDevice{*match, {}};
   }
@@ -67,7 +67,8 @@ class DeviceFiles {
     found.device = device_from_sii(*image);
     found.device.identity.serial_no = image->serial_no;
     if (!query.type.empty() && query.type != found.device.type) {
-      return fail(ErrorCode::kUnknownDevice, query.type, query.path + " is the EEPROM of " + found.device.type);
+      return fail(ErrorCode::kUnknownDevice, query.type,
+                  fmt::format("{} is the EEPROM of {}", query.path, found.device.type));
     }
     return found;
   }

@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <string_view>
+
+#include "findings/bus_reason_words.h"
+#include "findings/file_reason_words.h"
+#include "findings/scenario_reason_words.h"
 
 /// What stands in Error::detail: sentences that are made where they are found, as templates whose {placeholders} take
 /// the figures and the texts of others. They are found again by these (reasons.h), and translated;
 /// tests/core/findings/reasons_test.cpp looks whether the sources still say so.
 namespace syncline::words {
 
-inline constexpr std::string_view kReasons[] = {
+inline constexpr std::string_view kCommonReasons[] = {
     // files
     "\"{text}\" is no number",
     "\"{text}\" is out of range",
@@ -211,5 +217,15 @@ inline constexpr std::string_view kReasons[] = {
     "another stretch is being written; try again in a moment",
     "it holds no cycles: it was cut short before its first second",
 };
+
+template <std::size_t... kRows>
+[[nodiscard]] consteval auto all_reasons(const std::string_view (&... tables)[kRows]) {
+  std::array<std::string_view, (kRows + ...)> all{};
+  auto at = all.begin();
+  ((at = std::copy_n(tables, kRows, at)), ...);
+  return all;
+}
+
+inline constexpr auto kReasons = all_reasons(kCommonReasons, kScenarioReasons, kBusReasons, kFileReasons);
 
 }  // namespace syncline::words

@@ -204,7 +204,7 @@ Result<const DeviceDescription*> EsiCatalogue::device(const CatalogueEntry& entr
     if (error.line >= entry.line && (reason == nullptr || error.line < reason->line)) reason = &error;
   }
   if (reason != nullptr) return fail(*reason);
-  return fail(ErrorCode::kUnknownDevice, to_string(entry.identity), entry.file + " has it no longer");
+  return fail(ErrorCode::kUnknownDevice, to_string(entry.identity), fmt::format("{} has it no longer", entry.file));
 }
 
 Result<DeviceMatch> EsiCatalogue::device_for(const Identity& identity) const {

@@ -27,7 +27,7 @@ std::vector<Transition> read_transitions(const Node& node) {
       transition.warn(fmt::format("\"{}\" is read as {}", text, transition_name(*meant)));
       transitions.push_back(*meant);
     } else {
-      transition.fail(ErrorCode::kXmlBadValue, "\"" + text + "\" is no state transition");
+      transition.fail(ErrorCode::kXmlBadValue, fmt::format("\"{}\" is no state transition", text));
     }
   }
   if (transitions.empty() && node && node.reading().tolerant() && !node.child("Transition")) {

@@ -69,7 +69,9 @@ class EsiDocument {
     }
     Error error = *part.error();
     part.warn(error.line, error.subject, fmt::format("{} is left out: {}", subject_of(node), describe(error)));
-    error.detail = fmt::format("{}: {}", subject_of(node), error.detail);
+    const auto type = node.child("Type").trimmed();
+    error.detail =
+        type.empty() ? fmt::format("Device: {}", error.detail) : fmt::format("Device {}: {}", type, error.detail);
     file_.rejected.push_back(std::move(error));
   }
 

@@ -186,10 +186,11 @@ Result<XmlDocument> parse_xml(std::string_view text, const std::string& file_nam
   auto document = std::make_unique<tinyxml2::XMLDocument>();
   const auto status = document->Parse(utf8.data(), utf8.size());
   if (status != tinyxml2::XML_SUCCESS) {
+    const auto element = element_of(*document);
     return fail(Error{.code = ErrorCode::kXmlMalformed,
-                      .subject = element_of(*document),
-                      .detail = std::string(malformed_text(status)) +
-                                (element_of(*document).empty() ? "" : fmt::format(" (<{}>)", element_of(*document))),
+                      .subject = element,
+                      .detail = element.empty() ? std::string(malformed_text(status))
+                                                : fmt::format("{} (<{}>)", malformed_text(status), element),
                       .file = file_name,
                       .line = document->ErrorLineNum()});
   }

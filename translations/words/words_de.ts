@@ -7284,5 +7284,741 @@
         <source>the other revision does not take it</source>
         <translation>die andere Revision nimmt es nicht</translation>
     </message>
+    <message>
+        <source>must be a list of [part, ns], such as [[0, 50], [0.5, 500], [1, 40000]]</source>
+        <translation>er muss eine Liste aus [Anteil, ns] sein, etwa [[0, 50], [0.5, 500], [1, 40000]]</translation>
+    </message>
+    <message>
+        <source>must be pairs of a part from 0 to 1 and a time from 0 to 60000000000 ns</source>
+        <translation>er muss aus Paaren bestehen: ein Anteil von 0 bis 1 und eine Zeit von 0 bis 60000000000 ns</translation>
+    </message>
+    <message>
+        <source>the parts must rise</source>
+        <translation>die Anteile müssen steigen</translation>
+    </message>
+    <message>
+        <source>{part} of all are not above {time} ns, so {other} of all cannot be below {least} ns</source>
+        <translation>{part} von allen liegen nicht über {time} ns, also können {other} von allen nicht unter {least} ns liegen</translation>
+    </message>
+    <message>
+        <source>so many stalls of this length leave the host no time at all</source>
+        <translation>so viele Aussetzer dieser Länge lassen dem Rechner gar keine Zeit</translation>
+    </message>
+    <message>
+        <source>must be one of {names}</source>
+        <translation>er muss einer von diesen sein: {names}</translation>
+    </message>
+    <message>
+        <source>does not go with {fault}</source>
+        <translation>er passt nicht zu {fault}</translation>
+    </message>
+    <message>
+        <source>does not go with {fault}: it is no slave's</source>
+        <translation>er passt nicht zu {fault}: das ist keine Störung eines Slaves</translation>
+    </message>
+    <message>
+        <source>is missing: {fault} needs it</source>
+        <translation>er fehlt: {fault} braucht ihn</translation>
+    </message>
+    <message>
+        <source>goes without probability: one of the two</source>
+        <translation>er steht nicht neben probability: nur eines von beiden</translation>
+    </message>
+    <message>
+        <source>must be above 0; the sign of value_ns says which way</source>
+        <translation>er muss über 0 liegen; die Richtung gibt das Vorzeichen von value_ns an</translation>
+    </message>
+    <message>
+        <source>must be above 0: at least 0.01</source>
+        <translation>er muss über 0 liegen: mindestens 0.01</translation>
+    </message>
+    <message>
+        <source>must be INIT, PREOP, SAFEOP or OP</source>
+        <translation>er muss INIT, PREOP, SAFEOP oder OP sein</translation>
+    </message>
+    <message>
+        <source>must be "A", "B", "C" or "D"</source>
+        <translation>er muss "A", "B", "C" oder "D" sein</translation>
+    </message>
+    <message>
+        <source>must be the position of a slave of this scenario</source>
+        <translation>er muss die Position eines Slaves dieses Szenarios sein</translation>
+    </message>
+    <message>
+        <source>this slave has no firmware that could do so (device emulation)</source>
+        <translation>dieser Slave hat keine Firmware, die das könnte (Device Emulation)</translation>
+    </message>
+    <message>
+        <source>this slave has no mailbox</source>
+        <translation>dieser Slave hat keine Mailbox</translation>
+    </message>
+    <message>
+        <source>this slave has no clock (dc)</source>
+        <translation>dieser Slave hat keine Uhr (dc)</translation>
+    </message>
+    <message>
+        <source>this slave has no system time (dc)</source>
+        <translation>dieser Slave hat keine Systemzeit (dc)</translation>
+    </message>
+    <message>
+        <source>needs a slave</source>
+        <translation>er braucht einen Slave</translation>
+    </message>
+    <message>
+        <source>no cable is at this port</source>
+        <translation>an diesem Port ist kein Kabel</translation>
+    </message>
+    <message>
+        <source>is not free: another slave is there</source>
+        <translation>er ist nicht frei: dort ist ein anderer Slave</translation>
+    </message>
+    <message>
+        <source>is where the cable from the master is anyway</source>
+        <translation>dort ist ohnehin das Kabel vom Master</translation>
+    </message>
+    <message>
+        <source>the fault would end before it begins, at {time} ms; 0 or no until_ms: for good</source>
+        <translation>die Störung würde enden, bevor sie bei {time} ms beginnt; 0 oder kein until_ms: für immer</translation>
+    </message>
+    <message>
+        <source>goes without until_ms: so many frames, or all of them until then</source>
+        <translation>er steht nicht neben until_ms: so viele Frames oder alle bis dahin</translation>
+    </message>
+    <message>
+        <source>without a slave, lose-frames has a count or a probability</source>
+        <translation>ohne Slave hat lose-frames ein count oder eine probability</translation>
+    </message>
+    <message>
+        <source>the {fault} of the same slave that begins at {time} ms is not over then</source>
+        <translation>{fault} desselben Slaves, das bei {time} ms beginnt, ist dann noch nicht vorbei</translation>
+    </message>
+    <message>
+        <source>must be "none", "quiet", "desktop" or "bad"</source>
+        <translation>er muss "none", "quiet", "desktop" oder "bad" sein</translation>
+    </message>
+    <message>
+        <source>goes without jitter: one of the two</source>
+        <translation>er steht nicht neben jitter: nur eines von beiden</translation>
+    </message>
+    <message>
+        <source>a scenario needs at least one [[slave]]</source>
+        <translation>ein Szenario braucht mindestens einen [[slave]]</translation>
+    </message>
+    <message>
+        <source>all pulses must come within a day</source>
+        <translation>alle Impulse müssen innerhalb eines Tages kommen</translation>
+    </message>
+    <message>
+        <source>must be above 0 and below period_ms</source>
+        <translation>er muss über 0 und unter period_ms liegen</translation>
+    </message>
+    <message>
+        <source>must be "64", "32", "times" or "none"</source>
+        <translation>er muss "64", "32", "times" oder "none" sein</translation>
+    </message>
+    <message>
+        <source>must be "generic", "servo-y", "drive-c", "can-gateway", "analog-input" or "sync-bridge"</source>
+        <translation>er muss "generic", "servo-y", "drive-c", "can-gateway", "analog-input" oder "sync-bridge" sein</translation>
+    </message>
+    <message>
+        <source>must be 4 or 8</source>
+        <translation>er muss 4 oder 8 sein</translation>
+    </message>
+    <message>
+        <source>goes without esc, whose delays are known</source>
+        <translation>er steht nicht neben esc, dessen Laufzeiten bekannt sind</translation>
+    </message>
+    <message>
+        <source>is processing_delay_ns less forwarding_delay_ns: one of the two</source>
+        <translation>er ist processing_delay_ns weniger forwarding_delay_ns: nur eines von beiden</translation>
+    </message>
+    <message>
+        <source>must be "older" or "newer"</source>
+        <translation>er muss "older" oder "newer" sein</translation>
+    </message>
+    <message>
+        <source>makes {count} slaves where a segment has {most} at most</source>
+        <translation>damit sind es {count} Slaves, ein Segment hat höchstens {most}</translation>
+    </message>
+    <message>
+        <source>counts up to {last}, beyond 65535</source>
+        <translation>er zählt bis {last}, über 65535 hinaus</translation>
+    </message>
+    <message>
+        <source>counts up beyond 4294967295</source>
+        <translation>er zählt über 4294967295 hinaus</translation>
+    </message>
+    <message>
+        <source>is where the next of these slaves would be wired to; give them one by one</source>
+        <translation>dort wäre der nächste dieser Slaves angeschlossen; einzeln angeben</translation>
+    </message>
+    <message>
+        <source>must be the number of another slave</source>
+        <translation>er muss die Nummer eines anderen Slaves sein</translation>
+    </message>
+    <message>
+        <source>this port of slave {slave} has slave {other} already</source>
+        <translation>an diesem Port von Slave {slave} ist schon Slave {other}</translation>
+    </message>
+    <message>
+        <source>is more than there and back over {length} m together</source>
+        <translation>er ist mehr als Hin- und Rückweg über {length} m zusammen</translation>
+    </message>
+    <message>
+        <source>is needed: slave {slave} is the one that is wired to the master</source>
+        <translation>er wird gebraucht: Slave {slave} ist der, der am Master hängt</translation>
+    </message>
+    <message>
+        <source>must be the number of a slave; there are {count}</source>
+        <translation>er muss die Nummer eines Slaves sein; es gibt {count}</translation>
+    </message>
+    <message>
+        <source>{port} is where slave {slave} is wired to the one before it</source>
+        <translation>mit {port} hängt Slave {slave} an dem vor ihm</translation>
+    </message>
+    <message>
+        <source>goes with behaviour = "sync-bridge" only</source>
+        <translation>er passt nur zu behaviour = "sync-bridge"</translation>
+    </message>
+    <message>
+        <source>either esi = an ESI file or sii = an EEPROM image names the device, relative to the scenario</source>
+        <translation>entweder esi = eine ESI-Datei oder sii = ein EEPROM-Abbild nennt das Gerät, relativ zum Szenario</translation>
+    </message>
+    <message>
+        <source>must be a text in quotation marks</source>
+        <translation>er muss ein Text in Anführungszeichen sein</translation>
+    </message>
+    <message>
+        <source>must be true or false</source>
+        <translation>er muss true oder false sein</translation>
+    </message>
+    <message>
+        <source>must be a whole number</source>
+        <translation>er muss eine ganze Zahl sein</translation>
+    </message>
+    <message>
+        <source>must be a whole number from {low} on</source>
+        <translation>er muss eine ganze Zahl ab {low} sein</translation>
+    </message>
+    <message>
+        <source>must be a whole number from {low} to {high}</source>
+        <translation>er muss eine ganze Zahl von {low} bis {high} sein</translation>
+    </message>
+    <message>
+        <source>must be a number from {low} to {high}</source>
+        <translation>er muss eine Zahl von {low} bis {high} sein</translation>
+    </message>
+    <message>
+        <source>must be written as [{key}]</source>
+        <translation>er muss als [{key}] geschrieben werden</translation>
+    </message>
+    <message>
+        <source>must be written as [[{key}]]</source>
+        <translation>er muss als [[{key}]] geschrieben werden</translation>
+    </message>
+    <message>
+        <source>must be a list in brackets</source>
+        <translation>er muss eine Liste in Klammern sein</translation>
+    </message>
+    <message>
+        <source>is not a key that {reason} has here</source>
+        <translation>{reason} hat hier keinen solchen Schlüssel</translation>
+    </message>
+    <message>
+        <source>a scenario</source>
+        <translation>ein Szenario</translation>
+    </message>
+    <message>
+        <source>a host profile</source>
+        <translation>ein Rechnerprofil</translation>
+    </message>
+    <message>
+        <source>the segment has no slaves</source>
+        <translation>das Segment hat keine Slaves</translation>
+    </message>
+    <message>
+        <source>no slave is where it hangs; check parent</source>
+        <translation>dort, wo er hängt, ist kein Slave; parent prüfen</translation>
+    </message>
+    <message>
+        <source>the wiring puts slave {slave} at this place of the frame's way; list the slaves in frame order (ports D, B, C; what hangs between another entry than A and port A comes first)</source>
+        <translation>die Verkabelung setzt Slave {slave} an diese Stelle des Frame-Weges; die Slaves in der Reihenfolge des Frames aufführen (Ports D, B, C; was zwischen einem anderen Eingang als A und Port A hängt, kommt zuerst)</translation>
+    </message>
+    <message>
+        <source>no frame reaches it; check parent and port</source>
+        <translation>kein Frame erreicht ihn; parent und port prüfen</translation>
+    </message>
+    <message>
+        <source>it has no slaves to simulate</source>
+        <translation>sie hat keine Slaves, die zu simulieren wären</translation>
+    </message>
+    <message>
+        <source>not in {file}</source>
+        <translation>nicht in {file}</translation>
+    </message>
+    <message>
+        <source>{file} is the EEPROM of {device}</source>
+        <translation>{file} ist das EEPROM von {device}</translation>
+    </message>
+    <message>
+        <source>{file} has {count}, counted from 0</source>
+        <translation>{file} hat {count}, von 0 an gezählt</translation>
+    </message>
+    <message>
+        <source>unknown option '{option}'; {forms}</source>
+        <translation>unbekannte Option '{option}'; {forms}</translation>
+    </message>
+    <message>
+        <source>the controller moves the timer; set it to on first</source>
+        <translation>der Regler verstellt den Timer; erst auf on setzen</translation>
+    </message>
+    <message>
+        <source>its EEPROM, of which the capture holds {words} words</source>
+        <translation>sein EEPROM, von dem die Aufzeichnung {words} Worte enthält</translation>
+    </message>
+    <message>
+        <source>the place of the send time is not in the frame</source>
+        <translation>die Stelle der Sendezeit liegt nicht im Frame</translation>
+    </message>
+    <message>
+        <source>the slave does not answer{which}</source>
+        <translation>der Slave antwortet nicht{which}</translation>
+    </message>
+    <message>
+        <source>the bus is offline; go online first</source>
+        <translation>der Bus ist offline; zuerst online gehen</translation>
+    </message>
+    <message>
+        <source>the configuration has only {count} slaves</source>
+        <translation>die Konfiguration hat nur {count} Slaves</translation>
+    </message>
+    <message>
+        <source>it does not speak CoE</source>
+        <translation>er spricht kein CoE</translation>
+    </message>
+    <message>
+        <source>its mailbox works from PREOP on, and it is in {state}; lead it there first</source>
+        <translation>seine Mailbox arbeitet ab PREOP, und er ist in {state}; zuerst dorthin führen</translation>
+    </message>
+    <message>
+        <source>the bus is brought up again</source>
+        <translation>der Bus wird neu hochgefahren</translation>
+    </message>
+    <message>
+        <source>mailbox error {number}, {reason}</source>
+        <translation>Mailbox-Fehler {number}, {reason}</translation>
+    </message>
+    <message>
+        <source>syntax of the mailbox header</source>
+        <translation>Syntax des Mailbox-Headers</translation>
+    </message>
+    <message>
+        <source>the slave does not support this protocol</source>
+        <translation>der Slave unterstützt dieses Protokoll nicht</translation>
+    </message>
+    <message>
+        <source>the channel does not exist</source>
+        <translation>den Kanal gibt es nicht</translation>
+    </message>
+    <message>
+        <source>the slave does not support this service of the protocol</source>
+        <translation>der Slave unterstützt diesen Dienst des Protokolls nicht</translation>
+    </message>
+    <message>
+        <source>the protocol's header is wrong</source>
+        <translation>der Header des Protokolls ist falsch</translation>
+    </message>
+    <message>
+        <source>the message is too short</source>
+        <translation>die Nachricht ist zu kurz</translation>
+    </message>
+    <message>
+        <source>the slave is out of memory</source>
+        <translation>der Slave hat keinen Speicher mehr</translation>
+    </message>
+    <message>
+        <source>the length in the message is inconsistent</source>
+        <translation>die Länge in der Nachricht passt nicht</translation>
+    </message>
+    <message>
+        <source>the slave is still busy with another service</source>
+        <translation>der Slave ist noch mit einem anderen Dienst beschäftigt</translation>
+    </message>
+    <message>
+        <source>unknown mailbox error</source>
+        <translation>unbekannter Mailbox-Fehler</translation>
+    </message>
+    <message>
+        <source>only answers to other requests come</source>
+        <translation>es kommen nur Antworten auf andere Anfragen</translation>
+    </message>
+    <message>
+        <source>the bus goes offline{which}</source>
+        <translation>der Bus geht offline{which}</translation>
+    </message>
+    <message>
+        <source>the content changed again after every word had been verified, at word 0x{word}</source>
+        <translation>der Inhalt hat sich bei Wort 0x{word} wieder geändert, nachdem jedes Wort geprüft war</translation>
+    </message>
+    <message>
+        <source>words 0 to 7 would end up with the checksum 0x{has} where 0x{right} is right; write word 7 with them</source>
+        <translation>die Worte 0 bis 7 hätten danach die Prüfsumme 0x{has}, richtig ist 0x{right}; Wort 7 mit ihnen schreiben</translation>
+    </message>
+    <message>
+        <source>writing ended early{which}</source>
+        <translation>das Schreiben endete vorzeitig{which}</translation>
+    </message>
+    <message>
+        <source>they are {by} ns from the reference clock after {time} s, the sync window allows {limit} ns</source>
+        <translation>sie liegen nach {time} s um {by} ns neben der Referenzuhr, das Sync-Fenster erlaubt {limit} ns</translation>
+    </message>
+    <message>
+        <source>{slave} {by} ns from the reference clock after {time} s, the sync window allows {limit} ns</source>
+        <translation>{slave} {by} ns neben der Referenzuhr nach {time} s, das Sync-Fenster erlaubt {limit} ns</translation>
+    </message>
+    <message>
+        <source>expected {wanted}, read {read}</source>
+        <translation>erwartet {wanted}, gelesen {read}</translation>
+    </message>
+    <message>
+        <source>{comment}: expected {wanted}, read {read}</source>
+        <translation>{comment}: erwartet {wanted}, gelesen {read}</translation>
+    </message>
+    <message>
+        <source>EoE result 0x{code}</source>
+        <translation>EoE-Ergebnis 0x{code}</translation>
+    </message>
+    <message>
+        <source>SoE error 0x{code}</source>
+        <translation>SoE-Fehler 0x{code}</translation>
+    </message>
+    <message>
+        <source>AoE error 0x{code}</source>
+        <translation>AoE-Fehler 0x{code}</translation>
+    </message>
+    <message>
+        <source>FoE error 0x{code}</source>
+        <translation>FoE-Fehler 0x{code}</translation>
+    </message>
+    <message>
+        <source>its header promises {promised} bytes of data, {count} bytes came with the header</source>
+        <translation>ihr Header verspricht {promised} Bytes Daten, mit dem Header kamen {count} Bytes</translation>
+    </message>
+    <message>
+        <source>SDO command 0x{command} is not a request</source>
+        <translation>SDO-Kommando 0x{command} ist keine Anfrage</translation>
+    </message>
+    <message>
+        <source>it is not an SDO request</source>
+        <translation>es ist keine SDO-Anfrage</translation>
+    </message>
+    <message>
+        <source>service {number} does not exist</source>
+        <translation>den Dienst {number} gibt es nicht</translation>
+    </message>
+    <message>
+        <source>type {number} does not exist</source>
+        <translation>den Typ {number} gibt es nicht</translation>
+    </message>
+    <message>
+        <source>opcode {number} does not exist</source>
+        <translation>den Opcode {number} gibt es nicht</translation>
+    </message>
+    <message>
+        <source>operation {number} does not exist</source>
+        <translation>die Operation {number} gibt es nicht</translation>
+    </message>
+    <message>
+        <source>{bytes} bytes, service {number}</source>
+        <translation>{bytes} Bytes, Dienst {number}</translation>
+    </message>
+    <message>
+        <source>"{text}" is no {type}</source>
+        <translation>"{text}" ist kein {type}</translation>
+    </message>
+    <message>
+        <source>the object list is too short</source>
+        <translation>die Objektliste ist zu kurz</translation>
+    </message>
+    <message>
+        <source>the object description is too short</source>
+        <translation>die Objektbeschreibung ist zu kurz</translation>
+    </message>
+    <message>
+        <source>the description of 0x{index}:{sub} is too short</source>
+        <translation>die Beschreibung von 0x{index}:{sub} ist zu kurz</translation>
+    </message>
+    <message>
+        <source>it is CoE service {number}</source>
+        <translation>es ist der CoE-Dienst {number}</translation>
+    </message>
+    <message>
+        <source>opcode {number} is not a request</source>
+        <translation>der Opcode {number} ist keine Anfrage</translation>
+    </message>
+    <message>
+        <source>the request is too short</source>
+        <translation>die Anfrage ist zu kurz</translation>
+    </message>
+    <message>
+        <source>the error is too short</source>
+        <translation>der Fehler ist zu kurz</translation>
+    </message>
+    <message>
+        <source>opcode {number} is not a response</source>
+        <translation>der Opcode {number} ist keine Antwort</translation>
+    </message>
+    <message>
+        <source>category {category} at word 0x{word} {reason}</source>
+        <translation>die Kategorie {category} bei Wort 0x{word} {reason}</translation>
+    </message>
+    <message>
+        <source>of {words} words reaches beyond the image</source>
+        <translation>mit {words} Worten reicht über das Abbild hinaus</translation>
+    </message>
+    <message>
+        <source>ends inside string {number} of {count}</source>
+        <translation>endet mitten in Zeichenkette {number} von {count}</translation>
+    </message>
+    <message>
+        <source>is too short for general information</source>
+        <translation>ist zu kurz für allgemeine Angaben</translation>
+    </message>
+    <message>
+        <source>holds a part of a SyncManager</source>
+        <translation>enthält nur einen Teil eines SyncManagers</translation>
+    </message>
+    <message>
+        <source>ends inside PDO 0x{index}</source>
+        <translation>endet mitten in PDO 0x{index}</translation>
+    </message>
+    <message>
+        <source>holds a part of a DC mode</source>
+        <translation>enthält nur einen Teil einer DC-Betriebsart</translation>
+    </message>
+    <message>
+        <source>a pcap or pcapng capture; {words}</source>
+        <translation>eine pcap- oder pcapng-Aufzeichnung; {words}</translation>
+    </message>
+    <message>
+        <source>a capture of Ethernet frames; this one holds {reason}</source>
+        <translation>eine Aufzeichnung von Ethernet-Frames; diese enthält {reason}</translation>
+    </message>
+    <message>
+        <source>a frame's time stamp of {time} s is outside of the years 1708 to 2292</source>
+        <translation>der Zeitstempel {time} s eines Frames liegt außerhalb der Jahre 1708 bis 2292</translation>
+    </message>
+    <message>
+        <source>a capture with EtherCAT frames and their answers</source>
+        <translation>eine Aufzeichnung mit EtherCAT-Frames und ihren Antworten</translation>
+    </message>
+    <message>
+        <source>a capture of whole frames; {cut} of its {frames} were captured in part only</source>
+        <translation>eine Aufzeichnung ganzer Frames; {cut} von ihren {frames} sind nur teilweise aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>a recording that "synclinectl run --record" has written</source>
+        <translation>eine Aufnahme, die "synclinectl run --record" geschrieben hat</translation>
+    </message>
+    <message>
+        <source>it is damaged or cut off ({words})</source>
+        <translation>sie ist beschädigt oder abgeschnitten ({words})</translation>
+    </message>
+    <message>
+        <source>it has {count} slaves, the recording has {other}</source>
+        <translation>sie hat {count} Slaves, die Aufnahme hat {other}</translation>
+    </message>
+    <message>
+        <source>a {kind} has at most {bytes} bytes</source>
+        <translation>{kind}: höchstens {bytes} Bytes</translation>
+    </message>
+    <message>
+        <source>{value} is none of {words}</source>
+        <translation>{value} ist keines von {words}</translation>
+    </message>
+    <message>
+        <source>slaves in the project: {count}, counted from 0</source>
+        <translation>Slaves im Projekt: {count}, von 0 an gezählt</translation>
+    </message>
+    <message>
+        <source>slave {position} has no such item</source>
+        <translation>Slave {position} hat keinen solchen Eintrag</translation>
+    </message>
+    <message>
+        <source>there is no such item</source>
+        <translation>es gibt keinen solchen Eintrag</translation>
+    </message>
+    <message>
+        <source>list all with "synclinectl project keys"</source>
+        <translation>alle zeigt "synclinectl project keys"</translation>
+    </message>
+    <message>
+        <source>a slave has the ports A to D</source>
+        <translation>ein Slave hat die Ports A bis D</translation>
+    </message>
+    <message>
+        <source>{value} is more than {devices} take: 0 to {most}</source>
+        <translation>{value} ist mehr, als {devices} annehmen: 0 bis {most}</translation>
+    </message>
+    <message>
+        <source>{devices} set it themselves by the SYNC signals</source>
+        <translation>{devices} stellen es selbst nach den SYNC-Signalen ein</translation>
+    </message>
+    <message>
+        <source>{devices} do not have {type}</source>
+        <translation>{devices} haben {type} nicht</translation>
+    </message>
+    <message>
+        <source>{devices} have pins 1 to {last}</source>
+        <translation>{devices} haben die Pins 1 bis {last}</translation>
+    </message>
+    <message>
+        <source>{devices} have no function {number}</source>
+        <translation>{devices} haben keine Funktion {number}</translation>
+    </message>
+    <message>
+        <source>slave.{position}.{key}: {reason}</source>
+        <translation>slave.{position}.{key}: {reason}</translation>
+    </message>
+    <message>
+        <source>it is a folder</source>
+        <translation>es ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>it is a disk, not a file</source>
+        <translation>es ist ein Laufwerk, keine Datei</translation>
+    </message>
+    <message>
+        <source>it is a socket, not a file</source>
+        <translation>es ist ein Socket, keine Datei</translation>
+    </message>
+    <message>
+        <source>it is empty</source>
+        <translation>es ist leer</translation>
+    </message>
+    <message>
+        <source>{file} has it no longer</source>
+        <translation>{file} enthält es nicht mehr</translation>
+    </message>
+    <message>
+        <source>its ESI files are missing here</source>
+        <translation>seine ESI-Dateien fehlen hier</translation>
+    </message>
+    <message>
+        <source>Device: {reason}</source>
+        <translation>Gerät: {reason}</translation>
+    </message>
+    <message>
+        <source>Device {device}: {reason}</source>
+        <translation>Gerät {device}: {reason}</translation>
+    </message>
+    <message>
+        <source>{attribute}="{text}" {reason}</source>
+        <translation>{attribute}="{text}" {reason}</translation>
+    </message>
+    <message>
+        <source>is no rule</source>
+        <translation>ist keine Regel</translation>
+    </message>
+    <message>
+        <source>is no mode</source>
+        <translation>ist keine Betriebsart</translation>
+    </message>
+    <message>
+        <source>is no synchronisation type</source>
+        <translation>ist keine Synchronisationsart</translation>
+    </message>
+    <message>
+        <source>is no Ethernet address</source>
+        <translation>ist keine Ethernet-Adresse</translation>
+    </message>
+    <message>
+        <source>the file holds {names}</source>
+        <translation>die Datei enthält {names}</translation>
+    </message>
+    <message>
+        <source>it defines entities of its own, which are not read</source>
+        <translation>sie definiert eigene Entities, die nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>more than {most} elements</source>
+        <translation>mehr als {most} Elemente</translation>
+    </message>
+    <message>
+        <source>an element with more than {most} attributes</source>
+        <translation>ein Element mit mehr als {most} Attributen</translation>
+    </message>
+    <message>
+        <source>more than {most} attributes</source>
+        <translation>mehr als {most} Attribute</translation>
+    </message>
+    <message>
+        <source>elements are nested more than {most} deep</source>
+        <translation>Elemente sind mehr als {most} tief geschachtelt</translation>
+    </message>
+    <message>
+        <source>{reason} (&lt;{element}&gt;)</source>
+        <translation>{reason} (&lt;{element}&gt;)</translation>
+    </message>
+    <message>
+        <source>an end tag does not match its start tag</source>
+        <translation>ein End-Tag passt nicht zu seinem Start-Tag</translation>
+    </message>
+    <message>
+        <source>an attribute is written wrongly</source>
+        <translation>ein Attribut ist falsch geschrieben</translation>
+    </message>
+    <message>
+        <source>an element is not complete</source>
+        <translation>ein Element ist nicht vollständig</translation>
+    </message>
+    <message>
+        <source>a text does not end</source>
+        <translation>ein Text endet nicht</translation>
+    </message>
+    <message>
+        <source>a comment does not end</source>
+        <translation>ein Kommentar endet nicht</translation>
+    </message>
+    <message>
+        <source>the XML declaration is wrong</source>
+        <translation>die XML-Deklaration ist falsch</translation>
+    </message>
+    <message>
+        <source>a &lt;!...&gt; section does not end</source>
+        <translation>ein &lt;!...&gt;-Abschnitt endet nicht</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>die Datei ist leer</translation>
+    </message>
+    <message>
+        <source>the elements are nested too deeply</source>
+        <translation>die Elemente sind zu tief geschachtelt</translation>
+    </message>
+    <message>
+        <source>the text ends too early or is no XML</source>
+        <translation>der Text endet zu früh oder ist kein XML</translation>
+    </message>
+    <message>
+        <source>another window has it open ({who}): save under another name</source>
+        <translation>ein anderes Fenster hat es offen ({who}): unter anderem Namen speichern</translation>
+    </message>
+    <message>
+        <source>a mailbox error reply that cannot be read</source>
+        <translation>eine Mailbox-Fehlerantwort, die nicht lesbar ist</translation>
+    </message>
+    <message>
+        <source>the request is longer than the mailbox</source>
+        <translation>die Anfrage ist länger als die Mailbox</translation>
+    </message>
+    <message>
+        <source>its mailbox holds no message</source>
+        <translation>seine Mailbox enthält keine Nachricht</translation>
+    </message>
+    <message>
+        <source>something else</source>
+        <translation>etwas anderes</translation>
+    </message>
 </context>
 </TS>

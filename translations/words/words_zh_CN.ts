@@ -7284,5 +7284,741 @@
         <source>the other revision does not take it</source>
         <translation>另一修订版不接受它</translation>
     </message>
+    <message>
+        <source>must be a list of [part, ns], such as [[0, 50], [0.5, 500], [1, 40000]]</source>
+        <translation>必须是 [比例, ns] 的列表，例如 [[0, 50], [0.5, 500], [1, 40000]]</translation>
+    </message>
+    <message>
+        <source>must be pairs of a part from 0 to 1 and a time from 0 to 60000000000 ns</source>
+        <translation>必须由成对的值组成：0 到 1 的比例和 0 到 60000000000 ns 的时间</translation>
+    </message>
+    <message>
+        <source>the parts must rise</source>
+        <translation>比例必须递增</translation>
+    </message>
+    <message>
+        <source>{part} of all are not above {time} ns, so {other} of all cannot be below {least} ns</source>
+        <translation>全体的 {part} 不超过 {time} ns，因此全体的 {other} 不可能低于 {least} ns</translation>
+    </message>
+    <message>
+        <source>so many stalls of this length leave the host no time at all</source>
+        <translation>如此多这种长度的停顿使主机完全没有时间</translation>
+    </message>
+    <message>
+        <source>must be one of {names}</source>
+        <translation>必须是以下之一：{names}</translation>
+    </message>
+    <message>
+        <source>does not go with {fault}</source>
+        <translation>不适用于 {fault}</translation>
+    </message>
+    <message>
+        <source>does not go with {fault}: it is no slave's</source>
+        <translation>不适用于 {fault}：它不属于从站</translation>
+    </message>
+    <message>
+        <source>is missing: {fault} needs it</source>
+        <translation>缺失：{fault} 需要它</translation>
+    </message>
+    <message>
+        <source>goes without probability: one of the two</source>
+        <translation>不能与 probability 同时给出：二者选一</translation>
+    </message>
+    <message>
+        <source>must be above 0; the sign of value_ns says which way</source>
+        <translation>必须大于 0；方向由 value_ns 的符号决定</translation>
+    </message>
+    <message>
+        <source>must be above 0: at least 0.01</source>
+        <translation>必须大于 0：至少 0.01</translation>
+    </message>
+    <message>
+        <source>must be INIT, PREOP, SAFEOP or OP</source>
+        <translation>必须是 INIT、PREOP、SAFEOP 或 OP</translation>
+    </message>
+    <message>
+        <source>must be "A", "B", "C" or "D"</source>
+        <translation>必须是 "A"、"B"、"C" 或 "D"</translation>
+    </message>
+    <message>
+        <source>must be the position of a slave of this scenario</source>
+        <translation>必须是本场景中某个从站的位置</translation>
+    </message>
+    <message>
+        <source>this slave has no firmware that could do so (device emulation)</source>
+        <translation>该从站没有能这样做的固件（设备仿真）</translation>
+    </message>
+    <message>
+        <source>this slave has no mailbox</source>
+        <translation>该从站没有邮箱</translation>
+    </message>
+    <message>
+        <source>this slave has no clock (dc)</source>
+        <translation>该从站没有时钟（dc）</translation>
+    </message>
+    <message>
+        <source>this slave has no system time (dc)</source>
+        <translation>该从站没有系统时间（dc）</translation>
+    </message>
+    <message>
+        <source>needs a slave</source>
+        <translation>需要一个从站</translation>
+    </message>
+    <message>
+        <source>no cable is at this port</source>
+        <translation>该端口没有电缆</translation>
+    </message>
+    <message>
+        <source>is not free: another slave is there</source>
+        <translation>已被占用：那里有另一个从站</translation>
+    </message>
+    <message>
+        <source>is where the cable from the master is anyway</source>
+        <translation>那里本来就是来自主站的电缆</translation>
+    </message>
+    <message>
+        <source>the fault would end before it begins, at {time} ms; 0 or no until_ms: for good</source>
+        <translation>故障将在 {time} ms 开始之前结束；until_ms 为 0 或不给出：永久</translation>
+    </message>
+    <message>
+        <source>goes without until_ms: so many frames, or all of them until then</source>
+        <translation>不能与 until_ms 同时给出：这么多帧，或到那时为止的所有帧</translation>
+    </message>
+    <message>
+        <source>without a slave, lose-frames has a count or a probability</source>
+        <translation>不指定从站时，lose-frames 需要 count 或 probability</translation>
+    </message>
+    <message>
+        <source>the {fault} of the same slave that begins at {time} ms is not over then</source>
+        <translation>同一从站在 {time} ms 开始的 {fault} 届时尚未结束</translation>
+    </message>
+    <message>
+        <source>must be "none", "quiet", "desktop" or "bad"</source>
+        <translation>必须是 "none"、"quiet"、"desktop" 或 "bad"</translation>
+    </message>
+    <message>
+        <source>goes without jitter: one of the two</source>
+        <translation>不能与 jitter 同时给出：二者选一</translation>
+    </message>
+    <message>
+        <source>a scenario needs at least one [[slave]]</source>
+        <translation>场景至少需要一个 [[slave]]</translation>
+    </message>
+    <message>
+        <source>all pulses must come within a day</source>
+        <translation>所有脉冲必须在一天之内到来</translation>
+    </message>
+    <message>
+        <source>must be above 0 and below period_ms</source>
+        <translation>必须大于 0 且小于 period_ms</translation>
+    </message>
+    <message>
+        <source>must be "64", "32", "times" or "none"</source>
+        <translation>必须是 "64"、"32"、"times" 或 "none"</translation>
+    </message>
+    <message>
+        <source>must be "generic", "servo-y", "drive-c", "can-gateway", "analog-input" or "sync-bridge"</source>
+        <translation>必须是 "generic"、"servo-y"、"drive-c"、"can-gateway"、"analog-input" 或 "sync-bridge"</translation>
+    </message>
+    <message>
+        <source>must be 4 or 8</source>
+        <translation>必须是 4 或 8</translation>
+    </message>
+    <message>
+        <source>goes without esc, whose delays are known</source>
+        <translation>不能与 esc 同时给出，其延迟是已知的</translation>
+    </message>
+    <message>
+        <source>is processing_delay_ns less forwarding_delay_ns: one of the two</source>
+        <translation>它等于 processing_delay_ns 减 forwarding_delay_ns：二者选一</translation>
+    </message>
+    <message>
+        <source>must be "older" or "newer"</source>
+        <translation>必须是 "older" 或 "newer"</translation>
+    </message>
+    <message>
+        <source>makes {count} slaves where a segment has {most} at most</source>
+        <translation>共 {count} 个从站，而一个网段最多 {most} 个</translation>
+    </message>
+    <message>
+        <source>counts up to {last}, beyond 65535</source>
+        <translation>计数到 {last}，超过 65535</translation>
+    </message>
+    <message>
+        <source>counts up beyond 4294967295</source>
+        <translation>计数超过 4294967295</translation>
+    </message>
+    <message>
+        <source>is where the next of these slaves would be wired to; give them one by one</source>
+        <translation>那里是这些从站中下一个的接线处；请逐个给出</translation>
+    </message>
+    <message>
+        <source>must be the number of another slave</source>
+        <translation>必须是另一个从站的编号</translation>
+    </message>
+    <message>
+        <source>this port of slave {slave} has slave {other} already</source>
+        <translation>从站 {slave} 的该端口已连接从站 {other}</translation>
+    </message>
+    <message>
+        <source>is more than there and back over {length} m together</source>
+        <translation>超过 {length} m 电缆往返时间之和</translation>
+    </message>
+    <message>
+        <source>is needed: slave {slave} is the one that is wired to the master</source>
+        <translation>必须给出：与主站相连的是从站 {slave}</translation>
+    </message>
+    <message>
+        <source>must be the number of a slave; there are {count}</source>
+        <translation>必须是从站编号；共有 {count} 个</translation>
+    </message>
+    <message>
+        <source>{port} is where slave {slave} is wired to the one before it</source>
+        <translation>{port} 是从站 {slave} 与前一个从站的连接处</translation>
+    </message>
+    <message>
+        <source>goes with behaviour = "sync-bridge" only</source>
+        <translation>只适用于 behaviour = "sync-bridge"</translation>
+    </message>
+    <message>
+        <source>either esi = an ESI file or sii = an EEPROM image names the device, relative to the scenario</source>
+        <translation>由 esi = ESI 文件或 sii = EEPROM 映像指定设备，路径相对于场景文件</translation>
+    </message>
+    <message>
+        <source>must be a text in quotation marks</source>
+        <translation>必须是引号中的文本</translation>
+    </message>
+    <message>
+        <source>must be true or false</source>
+        <translation>必须是 true 或 false</translation>
+    </message>
+    <message>
+        <source>must be a whole number</source>
+        <translation>必须是整数</translation>
+    </message>
+    <message>
+        <source>must be a whole number from {low} on</source>
+        <translation>必须是不小于 {low} 的整数</translation>
+    </message>
+    <message>
+        <source>must be a whole number from {low} to {high}</source>
+        <translation>必须是 {low} 到 {high} 的整数</translation>
+    </message>
+    <message>
+        <source>must be a number from {low} to {high}</source>
+        <translation>必须是 {low} 到 {high} 的数</translation>
+    </message>
+    <message>
+        <source>must be written as [{key}]</source>
+        <translation>必须写作 [{key}]</translation>
+    </message>
+    <message>
+        <source>must be written as [[{key}]]</source>
+        <translation>必须写作 [[{key}]]</translation>
+    </message>
+    <message>
+        <source>must be a list in brackets</source>
+        <translation>必须是方括号中的列表</translation>
+    </message>
+    <message>
+        <source>is not a key that {reason} has here</source>
+        <translation>{reason}在此处没有这个键</translation>
+    </message>
+    <message>
+        <source>a scenario</source>
+        <translation>场景</translation>
+    </message>
+    <message>
+        <source>a host profile</source>
+        <translation>主机配置</translation>
+    </message>
+    <message>
+        <source>the segment has no slaves</source>
+        <translation>网段没有从站</translation>
+    </message>
+    <message>
+        <source>no slave is where it hangs; check parent</source>
+        <translation>它所接的位置没有从站；请检查 parent</translation>
+    </message>
+    <message>
+        <source>the wiring puts slave {slave} at this place of the frame's way; list the slaves in frame order (ports D, B, C; what hangs between another entry than A and port A comes first)</source>
+        <translation>按接线，帧路径的此处是从站 {slave}；请按帧的顺序列出从站（端口 D、B、C；入口不是 A 时，该入口与端口 A 之间的从站在前）</translation>
+    </message>
+    <message>
+        <source>no frame reaches it; check parent and port</source>
+        <translation>没有帧能到达它；请检查 parent 和 port</translation>
+    </message>
+    <message>
+        <source>it has no slaves to simulate</source>
+        <translation>其中没有可仿真的从站</translation>
+    </message>
+    <message>
+        <source>not in {file}</source>
+        <translation>不在 {file} 中</translation>
+    </message>
+    <message>
+        <source>{file} is the EEPROM of {device}</source>
+        <translation>{file} 是 {device} 的 EEPROM</translation>
+    </message>
+    <message>
+        <source>{file} has {count}, counted from 0</source>
+        <translation>{file} 有 {count} 个，从 0 开始计数</translation>
+    </message>
+    <message>
+        <source>unknown option '{option}'; {forms}</source>
+        <translation>未知选项“{option}”；{forms}</translation>
+    </message>
+    <message>
+        <source>the controller moves the timer; set it to on first</source>
+        <translation>控制器正在移动定时器；请先将其设为 on</translation>
+    </message>
+    <message>
+        <source>its EEPROM, of which the capture holds {words} words</source>
+        <translation>其 EEPROM，抓包中只有 {words} 个字</translation>
+    </message>
+    <message>
+        <source>the place of the send time is not in the frame</source>
+        <translation>发送时间的位置不在帧内</translation>
+    </message>
+    <message>
+        <source>the slave does not answer{which}</source>
+        <translation>从站没有应答{which}</translation>
+    </message>
+    <message>
+        <source>the bus is offline; go online first</source>
+        <translation>总线离线；请先联机</translation>
+    </message>
+    <message>
+        <source>the configuration has only {count} slaves</source>
+        <translation>配置中只有 {count} 个从站</translation>
+    </message>
+    <message>
+        <source>it does not speak CoE</source>
+        <translation>它不支持 CoE</translation>
+    </message>
+    <message>
+        <source>its mailbox works from PREOP on, and it is in {state}; lead it there first</source>
+        <translation>其邮箱从 PREOP 起工作，而它处于 {state}；请先将其切换到该状态</translation>
+    </message>
+    <message>
+        <source>the bus is brought up again</source>
+        <translation>总线正在重新启动</translation>
+    </message>
+    <message>
+        <source>mailbox error {number}, {reason}</source>
+        <translation>邮箱错误 {number}，{reason}</translation>
+    </message>
+    <message>
+        <source>syntax of the mailbox header</source>
+        <translation>邮箱头语法</translation>
+    </message>
+    <message>
+        <source>the slave does not support this protocol</source>
+        <translation>从站不支持该协议</translation>
+    </message>
+    <message>
+        <source>the channel does not exist</source>
+        <translation>该通道不存在</translation>
+    </message>
+    <message>
+        <source>the slave does not support this service of the protocol</source>
+        <translation>从站不支持该协议的这项服务</translation>
+    </message>
+    <message>
+        <source>the protocol's header is wrong</source>
+        <translation>协议头错误</translation>
+    </message>
+    <message>
+        <source>the message is too short</source>
+        <translation>报文太短</translation>
+    </message>
+    <message>
+        <source>the slave is out of memory</source>
+        <translation>从站内存不足</translation>
+    </message>
+    <message>
+        <source>the length in the message is inconsistent</source>
+        <translation>报文中的长度不一致</translation>
+    </message>
+    <message>
+        <source>the slave is still busy with another service</source>
+        <translation>从站仍在处理另一项服务</translation>
+    </message>
+    <message>
+        <source>unknown mailbox error</source>
+        <translation>未知邮箱错误</translation>
+    </message>
+    <message>
+        <source>only answers to other requests come</source>
+        <translation>只收到对其他请求的应答</translation>
+    </message>
+    <message>
+        <source>the bus goes offline{which}</source>
+        <translation>总线正在离线{which}</translation>
+    </message>
+    <message>
+        <source>the content changed again after every word had been verified, at word 0x{word}</source>
+        <translation>所有字校验之后，字 0x{word} 处的内容又发生了变化</translation>
+    </message>
+    <message>
+        <source>words 0 to 7 would end up with the checksum 0x{has} where 0x{right} is right; write word 7 with them</source>
+        <translation>字 0 到 7 的校验和将为 0x{has}，正确值是 0x{right}；请一并写入字 7</translation>
+    </message>
+    <message>
+        <source>writing ended early{which}</source>
+        <translation>写入提前结束{which}</translation>
+    </message>
+    <message>
+        <source>they are {by} ns from the reference clock after {time} s, the sync window allows {limit} ns</source>
+        <translation>{time} s 后它们与参考时钟相差 {by} ns，同步窗口允许 {limit} ns</translation>
+    </message>
+    <message>
+        <source>{slave} {by} ns from the reference clock after {time} s, the sync window allows {limit} ns</source>
+        <translation>{slave} {by} ns（与参考时钟之差，{time} s 后），同步窗口允许 {limit} ns</translation>
+    </message>
+    <message>
+        <source>expected {wanted}, read {read}</source>
+        <translation>应为 {wanted}，读到 {read}</translation>
+    </message>
+    <message>
+        <source>{comment}: expected {wanted}, read {read}</source>
+        <translation>{comment}：应为 {wanted}，读到 {read}</translation>
+    </message>
+    <message>
+        <source>EoE result 0x{code}</source>
+        <translation>EoE 结果 0x{code}</translation>
+    </message>
+    <message>
+        <source>SoE error 0x{code}</source>
+        <translation>SoE 错误 0x{code}</translation>
+    </message>
+    <message>
+        <source>AoE error 0x{code}</source>
+        <translation>AoE 错误 0x{code}</translation>
+    </message>
+    <message>
+        <source>FoE error 0x{code}</source>
+        <translation>FoE 错误 0x{code}</translation>
+    </message>
+    <message>
+        <source>its header promises {promised} bytes of data, {count} bytes came with the header</source>
+        <translation>其报文头声明 {promised} 字节数据，连同报文头共收到 {count} 字节</translation>
+    </message>
+    <message>
+        <source>SDO command 0x{command} is not a request</source>
+        <translation>SDO 命令 0x{command} 不是请求</translation>
+    </message>
+    <message>
+        <source>it is not an SDO request</source>
+        <translation>它不是 SDO 请求</translation>
+    </message>
+    <message>
+        <source>service {number} does not exist</source>
+        <translation>服务 {number} 不存在</translation>
+    </message>
+    <message>
+        <source>type {number} does not exist</source>
+        <translation>类型 {number} 不存在</translation>
+    </message>
+    <message>
+        <source>opcode {number} does not exist</source>
+        <translation>操作码 {number} 不存在</translation>
+    </message>
+    <message>
+        <source>operation {number} does not exist</source>
+        <translation>操作 {number} 不存在</translation>
+    </message>
+    <message>
+        <source>{bytes} bytes, service {number}</source>
+        <translation>{bytes} 字节，服务 {number}</translation>
+    </message>
+    <message>
+        <source>"{text}" is no {type}</source>
+        <translation>“{text}”不是 {type}</translation>
+    </message>
+    <message>
+        <source>the object list is too short</source>
+        <translation>对象列表太短</translation>
+    </message>
+    <message>
+        <source>the object description is too short</source>
+        <translation>对象描述太短</translation>
+    </message>
+    <message>
+        <source>the description of 0x{index}:{sub} is too short</source>
+        <translation>0x{index}:{sub} 的描述太短</translation>
+    </message>
+    <message>
+        <source>it is CoE service {number}</source>
+        <translation>它是 CoE 服务 {number}</translation>
+    </message>
+    <message>
+        <source>opcode {number} is not a request</source>
+        <translation>操作码 {number} 不是请求</translation>
+    </message>
+    <message>
+        <source>the request is too short</source>
+        <translation>请求太短</translation>
+    </message>
+    <message>
+        <source>the error is too short</source>
+        <translation>错误报文太短</translation>
+    </message>
+    <message>
+        <source>opcode {number} is not a response</source>
+        <translation>操作码 {number} 不是应答</translation>
+    </message>
+    <message>
+        <source>category {category} at word 0x{word} {reason}</source>
+        <translation>字 0x{word} 处的类别 {category} {reason}</translation>
+    </message>
+    <message>
+        <source>of {words} words reaches beyond the image</source>
+        <translation>（{words} 个字）超出映像范围</translation>
+    </message>
+    <message>
+        <source>ends inside string {number} of {count}</source>
+        <translation>在第 {number}/{count} 个字符串中途结束</translation>
+    </message>
+    <message>
+        <source>is too short for general information</source>
+        <translation>太短，容不下一般信息</translation>
+    </message>
+    <message>
+        <source>holds a part of a SyncManager</source>
+        <translation>只含 SyncManager 的一部分</translation>
+    </message>
+    <message>
+        <source>ends inside PDO 0x{index}</source>
+        <translation>在 PDO 0x{index} 中途结束</translation>
+    </message>
+    <message>
+        <source>holds a part of a DC mode</source>
+        <translation>只含 DC 模式的一部分</translation>
+    </message>
+    <message>
+        <source>a pcap or pcapng capture; {words}</source>
+        <translation>pcap 或 pcapng 抓包；{words}</translation>
+    </message>
+    <message>
+        <source>a capture of Ethernet frames; this one holds {reason}</source>
+        <translation>以太网帧的抓包；此文件包含 {reason}</translation>
+    </message>
+    <message>
+        <source>a frame's time stamp of {time} s is outside of the years 1708 to 2292</source>
+        <translation>某帧的时间戳 {time} s 超出 1708 至 2292 年的范围</translation>
+    </message>
+    <message>
+        <source>a capture with EtherCAT frames and their answers</source>
+        <translation>含 EtherCAT 帧及其应答的抓包</translation>
+    </message>
+    <message>
+        <source>a capture of whole frames; {cut} of its {frames} were captured in part only</source>
+        <translation>完整帧的抓包；其 {frames} 帧中有 {cut} 帧只抓到一部分</translation>
+    </message>
+    <message>
+        <source>a recording that "synclinectl run --record" has written</source>
+        <translation>由“synclinectl run --record”写入的记录</translation>
+    </message>
+    <message>
+        <source>it is damaged or cut off ({words})</source>
+        <translation>已损坏或被截断（{words}）</translation>
+    </message>
+    <message>
+        <source>it has {count} slaves, the recording has {other}</source>
+        <translation>它有 {count} 个从站，而记录有 {other} 个</translation>
+    </message>
+    <message>
+        <source>a {kind} has at most {bytes} bytes</source>
+        <translation>{kind}：最多 {bytes} 字节</translation>
+    </message>
+    <message>
+        <source>{value} is none of {words}</source>
+        <translation>{value} 不在 {words} 之中</translation>
+    </message>
+    <message>
+        <source>slaves in the project: {count}, counted from 0</source>
+        <translation>项目中的从站：{count} 个，从 0 开始计数</translation>
+    </message>
+    <message>
+        <source>slave {position} has no such item</source>
+        <translation>从站 {position} 没有该项</translation>
+    </message>
+    <message>
+        <source>there is no such item</source>
+        <translation>没有该项</translation>
+    </message>
+    <message>
+        <source>list all with "synclinectl project keys"</source>
+        <translation>用“synclinectl project keys”列出全部</translation>
+    </message>
+    <message>
+        <source>a slave has the ports A to D</source>
+        <translation>从站有端口 A 到 D</translation>
+    </message>
+    <message>
+        <source>{value} is more than {devices} take: 0 to {most}</source>
+        <translation>{value} 超过 {devices} 可接受的范围：0 到 {most}</translation>
+    </message>
+    <message>
+        <source>{devices} set it themselves by the SYNC signals</source>
+        <translation>{devices} 根据 SYNC 信号自行设置</translation>
+    </message>
+    <message>
+        <source>{devices} do not have {type}</source>
+        <translation>{devices} 没有 {type}</translation>
+    </message>
+    <message>
+        <source>{devices} have pins 1 to {last}</source>
+        <translation>{devices} 有引脚 1 到 {last}</translation>
+    </message>
+    <message>
+        <source>{devices} have no function {number}</source>
+        <translation>{devices} 没有功能 {number}</translation>
+    </message>
+    <message>
+        <source>slave.{position}.{key}: {reason}</source>
+        <translation>slave.{position}.{key}：{reason}</translation>
+    </message>
+    <message>
+        <source>it is a folder</source>
+        <translation>它是文件夹</translation>
+    </message>
+    <message>
+        <source>it is a disk, not a file</source>
+        <translation>它是磁盘，不是文件</translation>
+    </message>
+    <message>
+        <source>it is a socket, not a file</source>
+        <translation>它是套接字，不是文件</translation>
+    </message>
+    <message>
+        <source>it is empty</source>
+        <translation>为空</translation>
+    </message>
+    <message>
+        <source>{file} has it no longer</source>
+        <translation>{file} 中已没有它</translation>
+    </message>
+    <message>
+        <source>its ESI files are missing here</source>
+        <translation>这里缺少其 ESI 文件</translation>
+    </message>
+    <message>
+        <source>Device: {reason}</source>
+        <translation>设备：{reason}</translation>
+    </message>
+    <message>
+        <source>Device {device}: {reason}</source>
+        <translation>设备 {device}：{reason}</translation>
+    </message>
+    <message>
+        <source>{attribute}="{text}" {reason}</source>
+        <translation>{attribute}=“{text}”{reason}</translation>
+    </message>
+    <message>
+        <source>is no rule</source>
+        <translation>不是规则</translation>
+    </message>
+    <message>
+        <source>is no mode</source>
+        <translation>不是模式</translation>
+    </message>
+    <message>
+        <source>is no synchronisation type</source>
+        <translation>不是同步类型</translation>
+    </message>
+    <message>
+        <source>is no Ethernet address</source>
+        <translation>不是以太网地址</translation>
+    </message>
+    <message>
+        <source>the file holds {names}</source>
+        <translation>文件包含 {names}</translation>
+    </message>
+    <message>
+        <source>it defines entities of its own, which are not read</source>
+        <translation>它定义了自己的实体，这些不会被读取</translation>
+    </message>
+    <message>
+        <source>more than {most} elements</source>
+        <translation>元素超过 {most} 个</translation>
+    </message>
+    <message>
+        <source>an element with more than {most} attributes</source>
+        <translation>某个元素的属性超过 {most} 个</translation>
+    </message>
+    <message>
+        <source>more than {most} attributes</source>
+        <translation>属性超过 {most} 个</translation>
+    </message>
+    <message>
+        <source>elements are nested more than {most} deep</source>
+        <translation>元素嵌套超过 {most} 层</translation>
+    </message>
+    <message>
+        <source>{reason} (&lt;{element}&gt;)</source>
+        <translation>{reason}（&lt;{element}&gt;）</translation>
+    </message>
+    <message>
+        <source>an end tag does not match its start tag</source>
+        <translation>结束标签与开始标签不匹配</translation>
+    </message>
+    <message>
+        <source>an attribute is written wrongly</source>
+        <translation>某个属性书写错误</translation>
+    </message>
+    <message>
+        <source>an element is not complete</source>
+        <translation>某个元素不完整</translation>
+    </message>
+    <message>
+        <source>a text does not end</source>
+        <translation>某段文本没有结束</translation>
+    </message>
+    <message>
+        <source>a comment does not end</source>
+        <translation>某个注释没有结束</translation>
+    </message>
+    <message>
+        <source>the XML declaration is wrong</source>
+        <translation>XML 声明错误</translation>
+    </message>
+    <message>
+        <source>a &lt;!...&gt; section does not end</source>
+        <translation>某个 &lt;!...&gt; 段没有结束</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>文件为空</translation>
+    </message>
+    <message>
+        <source>the elements are nested too deeply</source>
+        <translation>元素嵌套过深</translation>
+    </message>
+    <message>
+        <source>the text ends too early or is no XML</source>
+        <translation>文本过早结束或不是 XML</translation>
+    </message>
+    <message>
+        <source>another window has it open ({who}): save under another name</source>
+        <translation>另一个窗口已打开它（{who}）：请另存为其他名称</translation>
+    </message>
+    <message>
+        <source>a mailbox error reply that cannot be read</source>
+        <translation>无法读取的邮箱错误应答</translation>
+    </message>
+    <message>
+        <source>the request is longer than the mailbox</source>
+        <translation>请求比邮箱更长</translation>
+    </message>
+    <message>
+        <source>its mailbox holds no message</source>
+        <translation>其邮箱中没有报文</translation>
+    </message>
+    <message>
+        <source>something else</source>
+        <translation>其他内容</translation>
+    </message>
 </context>
 </TS>

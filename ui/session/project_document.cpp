@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/session/project_document.h"
 
+#include <fmt/format.h>
+
 #include <QFileInfo>
 #include <algorithm>
 #include <utility>
@@ -112,7 +114,7 @@ Status ProjectDocument::save(const QString& path) {
   const auto holder = lock_.holder(path);
   if (!holder.isEmpty()) {
     return fail(ErrorCode::kFileNotWritable, path.toStdString(),
-                "another window has it open (" + holder.toStdString() + "): save under another name");
+                fmt::format("another window has it open ({}): save under another name", holder.toStdString()));
   }
   if (auto status = eni::save_machine(machine(), path.toStdString()); !status) return status;
   path_ = path;

@@ -85,11 +85,16 @@ Status ClockSteps::await_slaves() {
   if (!in_sync) return tl::unexpected(in_sync.error());
   if (!*in_sync) {
     const auto& dc = run_.snapshot.dc;
-    const auto who = dc.culprit >= 0 ? run_.slave_name(static_cast<std::size_t>(dc.culprit)) : std::string("they are");
     const auto by = dc.deviation_ns.value_or(dc.deviation_ored_ns);
+    const auto after = kSyncTimeout / kSecond;
+    if (dc.culprit < 0) {
+      return fail(ErrorCode::kDcSetup, "the slaves",
+                  fmt::format("they are {} ns from the reference clock after {} s, the sync window allows {} ns", by,
+                              after, dc.limit_ns));
+    }
     return fail(ErrorCode::kDcSetup, "the slaves",
-                fmt::format("{} {} ns from the reference clock after {} s, the sync window allows {} ns", who, by,
-                            kSyncTimeout / kSecond, dc.limit_ns));
+                fmt::format("{} {} ns from the reference clock after {} s, the sync window allows {} ns",
+                            run_.slave_name(static_cast<std::size_t>(dc.culprit)), by, after, dc.limit_ns));
   }
   const auto now = bus_.clock().now();
   if (!sync_.monitored()) run_.event(now, -1, events::SlavesNotMonitored{});

@@ -136,9 +136,11 @@ void InitCmdWork::fail_validation() {
   const bool identity = command().ado == reg::kSiiData;
   Error error{identity ? ErrorCode::kIdentityMismatch : ErrorCode::kInitCmdValidation,
               identity ? context_.subject : what(command(), context_.subject)};
-  error.detail = fmt::format("expected {}{}, read {}", relation(command().validate->type), hex_bytes(wanted),
-                             hex_bytes(read.first(std::min(read.size(), wanted.size()))));
-  if (identity && !command().comment.empty()) error.detail = command().comment + ": " + error.detail;
+  const auto due = fmt::format("{}{}", relation(command().validate->type), hex_bytes(wanted));
+  const auto found = hex_bytes(read.first(std::min(read.size(), wanted.size())));
+  const auto& comment = command().comment;
+  error.detail = identity && !comment.empty() ? fmt::format("{}: expected {}, read {}", comment, due, found)
+                                              : fmt::format("expected {}, read {}", due, found);
   fail_with(std::move(error));
 }
 

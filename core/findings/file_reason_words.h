@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string_view>
+
+/// Reasons about files, their elements, and settings; see reason_words.h.
+namespace syncline::words {
+
+inline constexpr std::string_view kFileReasons[] = {
+    "a pcap or pcapng capture; {words}",
+    "a capture of Ethernet frames; this one holds {reason}",
+    "a frame's time stamp of {time} s is outside of the years 1708 to 2292",
+    "a capture with EtherCAT frames and their answers",
+    "a capture of whole frames; {cut} of its {frames} were captured in part only",
+    "a recording that \"synclinectl run --record\" has written",
+    "it is damaged or cut off ({words})",
+    "it has {count} slaves, the recording has {other}",
+    "a {kind} has at most {bytes} bytes",
+    "{value} is none of {words}",
+    "slaves in the project: {count}, counted from 0",
+    "slave {position} has no such item",
+    "there is no such item",
+    "list all with \"synclinectl project keys\"",
+    "a slave has the ports A to D",
+    "{value} is more than {devices} take: 0 to {most}",
+    "{devices} set it themselves by the SYNC signals",
+    "{devices} do not have {type}",
+    "{devices} have pins 1 to {last}",
+    "{devices} have no function {number}",
+    "slave.{position}.{key}: {reason}",
+    "it is a folder",
+    "it is a disk, not a file",
+    "it is a socket, not a file",
+    "it is empty",
+    "{file} has it no longer",
+    "its ESI files are missing here",
+    "Device: {reason}",
+    "Device {device}: {reason}",
+    "{attribute}=\"{text}\" {reason}",
+    "is no rule",
+    "is no mode",
+    "is no synchronisation type",
+    "is no Ethernet address",
+    "the file holds {names}",
+    "it defines entities of its own, which are not read",
+    "more than {most} elements",
+    "an element with more than {most} attributes",
+    "more than {most} attributes",
+    "elements are nested more than {most} deep",
+    "{reason} (<{element}>)",
+    "an end tag does not match its start tag",
+    "an attribute is written wrongly",
+    "an element is not complete",
+    "a text does not end",
+    "a comment does not end",
+    "the XML declaration is wrong",
+    "a <!...> section does not end",
+    "the file is empty",
+    "the elements are nested too deeply",
+    "the text ends too early or is no XML",
+    "another window has it open ({who}): save under another name",
+    "something else",
+};
+
+}  // namespace syncline::words
