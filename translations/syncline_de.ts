@@ -20,6 +20,14 @@
 <context>
     <name>Actions</name>
         <message>
+            <source>Ne&amp;w Machine…</source>
+            <translation>Neue &amp;Maschine…</translation>
+        </message>
+        <message>
+            <source>Make a machine step by step: slaves, cycle, clocks, operation modes</source>
+            <translation>Eine Maschine Schritt für Schritt anlegen: Slaves, Zyklus, Uhren, Betriebsarten</translation>
+        </message>
+        <message>
             <source>Take the last edit back</source>
             <translation>Die letzte Änderung zurücknehmen</translation>
         </message>
@@ -462,6 +470,10 @@
 </context>
 <context>
     <name>FileCommands</name>
+        <message>
+            <source>A new machine takes the place of the present one.</source>
+            <translation>Eine neue Maschine tritt an die Stelle der jetzigen.</translation>
+        </message>
         <message>
             <source>Open</source>
             <translation>Öffnen</translation>
@@ -1108,10 +1120,6 @@
             <translation>Zwei Drittel des Zyklus</translation>
         </message>
         <message>
-            <source>Limit</source>
-            <translation>Grenze</translation>
-        </message>
-        <message>
             <source>Slaves in sync</source>
             <translation>Slaves synchron</translation>
         </message>
@@ -1216,6 +1224,704 @@
             <translation>vor %1</translation>
         </message>
 </context>
+    <context>
+    <name>SyncWindowFields</name>
+        <message>
+            <source>Limit</source>
+            <translation>Grenze</translation>
+        </message>
+    </context>
+    <context>
+    <name>ClockStep</name>
+        <message>
+            <source>Its description has no distributed clocks.</source>
+            <translation>Seine Beschreibung hat keine verteilten Uhren.</translation>
+        </message>
+        <message>
+            <source>It may be missing; then nobody leads.</source>
+            <translation>Er darf fehlen; dann führt niemand.</translation>
+        </message>
+        <message>
+            <source>%1 stands before it, uses DC and would hear of its time a cycle late.</source>
+            <translation>%1 steht vor ihm, nutzt DC und erführe seine Zeit einen Zyklus zu spät.</translation>
+        </message>
+        <message>
+            <source>No</source>
+            <translation>Nein</translation>
+        </message>
+        <message>
+            <source>Yes</source>
+            <translation>Ja</translation>
+        </message>
+        <message>
+            <source>Better not</source>
+            <translation>Besser nicht</translation>
+        </message>
+        <message>
+            <source>Reference Clock</source>
+            <translation>Referenzuhr</translation>
+        </message>
+        <message>
+            <source>Slaves that move together need distributed clocks: one slave's clock leads, and the others follow it. Without synchronised motion leave them off.</source>
+            <translation>Slaves, die sich gemeinsam bewegen, brauchen verteilte Uhren: Die Uhr eines Slaves führt, die anderen folgen ihr. Ohne synchrone Bewegung bleiben sie aus.</translation>
+        </message>
+        <message>
+            <source>Distributed Clocks</source>
+            <translation>Verteilte Uhren</translation>
+        </message>
+        <message>
+            <source>Leads now</source>
+            <translation>Führt jetzt</translation>
+        </message>
+        <message>
+            <source>The slave whose clock the compiled project makes lead</source>
+            <translation>Der Slave, dessen Uhr nach dem übersetzten Projekt führt</translation>
+        </message>
+        <message>
+            <source>Which slaves can lead, and why not</source>
+            <translation>Welche Slaves führen können, und warum nicht</translation>
+        </message>
+        <message>
+            <source>Slave</source>
+            <translation>Slave</translation>
+        </message>
+        <message>
+            <source>Can lead</source>
+            <translation>Kann führen</translation>
+        </message>
+        <message>
+            <source>Why not</source>
+            <translation>Warum nicht</translation>
+        </message>
+    </context>
+    <context>
+    <name>CycleStep</name>
+        <message>
+            <source>the frames</source>
+            <translation>die Frames</translation>
+        </message>
+        <message>
+            <source>Refused</source>
+            <translation>Abgelehnt</translation>
+        </message>
+        <message>
+            <source>Accepted by all</source>
+            <translation>Alle nehmen ihn an</translation>
+        </message>
+        <message>
+            <source>Taken with a loss</source>
+            <translation>Mit Einbußen angenommen</translation>
+        </message>
+        <message>
+            <source>Cycle</source>
+            <translation>Zyklus</translation>
+        </message>
+        <message>
+            <source>How often the process data go over the network. All Sync Unit Cycles are multiples or fractions of it.</source>
+            <translation>Wie oft die Prozessdaten über das Netz gehen. Alle Sync Unit Cycles sind Vielfache oder Bruchteile davon.</translation>
+        </message>
+        <message>
+            <source>Network</source>
+            <translation>Netz</translation>
+        </message>
+        <message>
+            <source>Slaves accept</source>
+            <translation>Slaves nehmen an</translation>
+        </message>
+        <message>
+            <source>What drive families, object 0x1C32:05, operation modes and the frames leave</source>
+            <translation>Was Antriebsfamilien, Objekt 0x1C32:05, Betriebsarten und die Frames zulassen</translation>
+        </message>
+        <message>
+            <source>Cycles and who refuses them</source>
+            <translation>Zyklen und wer sie ablehnt</translation>
+        </message>
+        <message>
+            <source>Slaves</source>
+            <translation>Slaves</translation>
+        </message>
+        <message>
+            <source>Because of</source>
+            <translation>Wegen</translation>
+        </message>
+        <message>
+            <source>Enter or a double click takes the cycle</source>
+            <translation>Eingabe oder Doppelklick übernimmt den Zyklus</translation>
+        </message>
+        <message>
+            <source>%1 to %2, in steps of %3</source>
+            <translation>%1 bis %2, in Schritten von %3</translation>
+        </message>
+        <message>
+            <source>any cycle</source>
+            <translation>jeden Zyklus</translation>
+        </message>
+    </context>
+    <context>
+    <name>DcModeModel</name>
+        <message>
+            <source>no distributed clocks</source>
+            <translation>keine verteilten Uhren</translation>
+        </message>
+        <message>
+            <source>Off</source>
+            <translation>Aus</translation>
+        </message>
+        <message>
+            <source>User defined</source>
+            <translation>Eigener Wert</translation>
+        </message>
+        <message>
+            <source>As operation mode</source>
+            <translation>Wie Betriebsart</translation>
+        </message>
+        <message>
+            <source>As operation mode (%1)</source>
+            <translation>Wie Betriebsart (%1)</translation>
+        </message>
+        <message>
+            <source>Slave</source>
+            <translation>Slave</translation>
+        </message>
+        <message>
+            <source>Operation mode</source>
+            <translation>Betriebsart</translation>
+        </message>
+        <message>
+            <source>Sync Unit Cycle</source>
+            <translation>Sync Unit Cycle</translation>
+        </message>
+        <message>
+            <source>SYNC0</source>
+            <translation>SYNC0</translation>
+        </message>
+        <message>
+            <source>Found</source>
+            <translation>Befund</translation>
+        </message>
+    </context>
+    <context>
+    <name>MachineDraft</name>
+        <message>
+            <source>Reading slave %1 of %2</source>
+            <translation>Lese Slave %1 von %2</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n slave(s) found on %1</source>
+            <translation>
+                <numerusform>%n Slave auf %1 gefunden</numerusform>
+                <numerusform>%n Slaves auf %1 gefunden</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>The scan was cancelled; the slaves are those of before.</source>
+            <translation>Der Scan wurde abgebrochen; die Slaves sind die von vorher.</translation>
+        </message>
+        <message>
+            <source>The machine of the window runs on this bus. Go offline first, or choose another bus.</source>
+            <translation>Die Maschine des Fensters läuft auf diesem Bus. Erst offline gehen oder einen anderen Bus wählen.</translation>
+        </message>
+        <message>
+            <source>Looking for slaves…</source>
+            <translation>Suche Slaves …</translation>
+        </message>
+        <message numerus="yes">
+            <source>A project was made of %1; exported again, %n command(s) would differ.</source>
+            <translation>
+                <numerusform>Aus %1 wurde ein Projekt; erneut exportiert wäre %n Kommando anders.</numerusform>
+                <numerusform>Aus %1 wurde ein Projekt; erneut exportiert wären %n Kommandos anders.</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n slave(s) as in %1</source>
+            <translation>
+                <numerusform>%n Slave wie in %1</numerusform>
+                <numerusform>%n Slaves wie in %1</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Add a slave</source>
+            <translation>Slave hinzufügen</translation>
+        </message>
+        <message>
+            <source>%1 was added.</source>
+            <translation>%1 wurde hinzugefügt.</translation>
+        </message>
+        <message>
+            <source>Remove a slave</source>
+            <translation>Slave entfernen</translation>
+        </message>
+    </context>
+    <context>
+    <name>ModesStep</name>
+        <message>
+            <source>Operation Modes</source>
+            <translation>Betriebsarten</translation>
+        </message>
+        <message>
+            <source>What each slave does with the SYNC signals, and how often. F2 or a double click opens a choice.</source>
+            <translation>Was jeder Slave mit den SYNC-Signalen tut, und wie oft. F2 oder ein Doppelklick öffnet die Auswahl.</translation>
+        </message>
+        <message>
+            <source>Change DC mode</source>
+            <translation>DC-Betriebsart ändern</translation>
+        </message>
+        <message>
+            <source>Operation modes of all slaves</source>
+            <translation>Betriebsarten aller Slaves</translation>
+        </message>
+        <message>
+            <source>What is found wrong with the selected slave</source>
+            <translation>Was am gewählten Slave nicht stimmt</translation>
+        </message>
+    </context>
+    <context>
+    <name>NewMachineWizard</name>
+        <message>
+            <source>New Machine</source>
+            <translation>Neue Maschine</translation>
+        </message>
+        <message>
+            <source>Step</source>
+            <translation>Schritt</translation>
+        </message>
+        <message>
+            <source>What is decided here</source>
+            <translation>Was hier entschieden wird</translation>
+        </message>
+        <message>
+            <source>Why it does not go on</source>
+            <translation>Warum es nicht weitergeht</translation>
+        </message>
+        <message>
+            <source>&lt; Bac&amp;k</source>
+            <translation>&lt; &amp;Zurück</translation>
+        </message>
+        <message>
+            <source>Back</source>
+            <translation>Zurück</translation>
+        </message>
+        <message>
+            <source>Next</source>
+            <translation>Weiter</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>Abbrechen</translation>
+        </message>
+        <message>
+            <source>&amp;Finish</source>
+            <translation>&amp;Fertigstellen</translation>
+        </message>
+        <message>
+            <source>&amp;Next &gt;</source>
+            <translation>&amp;Weiter &gt;</translation>
+        </message>
+        <message>
+            <source>Finish</source>
+            <translation>Fertigstellen</translation>
+        </message>
+        <message>
+            <source>A field holds what cannot be a value: mend it, or press Esc in it.</source>
+            <translation>In einem Feld steht, was kein Wert sein kann: berichtigen oder darin Esc drücken.</translation>
+        </message>
+        <message>
+            <source>%1 exists already.</source>
+            <translation>%1 gibt es schon.</translation>
+        </message>
+        <message>
+            <source>Its contents go when the ENI is written.</source>
+            <translation>Ihr Inhalt geht verloren, wenn die ENI geschrieben wird.</translation>
+        </message>
+        <message>
+            <source>Overwrite</source>
+            <translation>Überschreiben</translation>
+        </message>
+        <message>
+            <source>Give up the new machine?</source>
+            <translation>Die neue Maschine aufgeben?</translation>
+        </message>
+        <message>
+            <source>What was chosen here goes. The project of the window stays as it is.</source>
+            <translation>Was hier gewählt wurde, geht verloren. Das Projekt des Fensters bleibt, wie es ist.</translation>
+        </message>
+        <message>
+            <source>Give Up</source>
+            <translation>Aufgeben</translation>
+        </message>
+    </context>
+    <context>
+    <name>SourceStep</name>
+        <message>
+            <source>Slaves</source>
+            <translation>Slaves</translation>
+        </message>
+        <message>
+            <source>Where do the slaves come from? The list on the right shows what the new machine has so far.</source>
+            <translation>Woher kommen die Slaves? Die Liste rechts zeigt, was die neue Maschine schon hat.</translation>
+        </message>
+        <message>
+            <source>A project is made of what the file lets be seen. Devices of the catalogue bring what an ENI does not hold.</source>
+            <translation>Aus dem, was die Datei erkennen lässt, wird ein Projekt. Geräte des Katalogs bringen mit, was in keiner ENI steht.</translation>
+        </message>
+        <message>
+            <source>Choose EN&amp;I…</source>
+            <translation>EN&amp;I wählen…</translation>
+        </message>
+        <message>
+            <source>All that a saved project holds, under a new name. The file stays as it is.</source>
+            <translation>Alles, was ein gespeichertes Projekt enthält, unter neuem Namen. Die Datei bleibt, wie sie ist.</translation>
+        </message>
+        <message>
+            <source>Choose &amp;Project…</source>
+            <translation>&amp;Projekt wählen…</translation>
+        </message>
+        <message>
+            <source>&amp;Scan of a bus</source>
+            <translation>&amp;Scan eines Busses</translation>
+        </message>
+        <message>
+            <source>&amp;ENI file</source>
+            <translation>&amp;ENI-Datei</translation>
+        </message>
+        <message>
+            <source>&amp;Device catalogue</source>
+            <translation>&amp;Gerätekatalog</translation>
+        </message>
+        <message>
+            <source>Project as a &amp;template</source>
+            <translation>Projekt als &amp;Vorlage</translation>
+        </message>
+        <message>
+            <source>What came of it</source>
+            <translation>Was daraus wurde</translation>
+        </message>
+        <message>
+            <source>A network card or a simulated bus. A bus whose slaves are running is only looked at, and nothing is written to it.</source>
+            <translation>Eine Netzwerkkarte oder ein simulierter Bus. Ein Bus, dessen Slaves laufen, wird nur angesehen; geschrieben wird nichts.</translation>
+        </message>
+        <message>
+            <source>Bus</source>
+            <translation>Bus</translation>
+        </message>
+        <message>
+            <source>Choose &amp;Bus and Scan…</source>
+            <translation>&amp;Bus wählen und scannen…</translation>
+        </message>
+        <message>
+            <source>Choose a bus and scan it</source>
+            <translation>Einen Bus wählen und scannen</translation>
+        </message>
+        <message>
+            <source>Cance&amp;l Scan</source>
+            <translation>Scan a&amp;bbrechen</translation>
+        </message>
+        <message>
+            <source>Cancel the scan</source>
+            <translation>Den Scan abbrechen</translation>
+        </message>
+        <message>
+            <source>Scan &amp;Fully…</source>
+            <translation>&amp;Vollständig scannen …</translation>
+        </message>
+        <message>
+            <source>Scan fully</source>
+            <translation>Vollständig scannen</translation>
+        </message>
+        <message>
+            <source>Why the scan is not whole</source>
+            <translation>Warum der Scan nicht vollständig ist</translation>
+        </message>
+        <message>
+            <source>Touch the running machine?</source>
+            <translation>Die laufende Maschine berühren?</translation>
+        </message>
+        <message>
+            <source>States stay as they are. EEPROMs are taken from their devices while they are read, the receive times of all slaves are latched, and slaves without a description are asked in PREOP.</source>
+            <translation>Zustände bleiben, wie sie sind. EEPROMs werden ihren Geräten entzogen, während sie gelesen werden, die Empfangszeiten aller Slaves werden erfasst, und Slaves ohne Beschreibung werden in PREOP befragt.</translation>
+        </message>
+        <message>
+            <source>Scan Fully</source>
+            <translation>Vollständig scannen</translation>
+        </message>
+        <message>
+            <source>Number of slaves</source>
+            <translation>Zahl der Slaves</translation>
+        </message>
+        <message>
+            <source>Slaves of the new machine</source>
+            <translation>Slaves der neuen Maschine</translation>
+        </message>
+        <message>
+            <source>&amp;Remove</source>
+            <translation>En&amp;tfernen</translation>
+        </message>
+        <message>
+            <source>Remove the selected slave with its branches</source>
+            <translation>Den gewählten Slave mit seinen Zweigen entfernen</translation>
+        </message>
+        <message>
+            <source>Remove the selected slave with its branches (Del)</source>
+            <translation>Den gewählten Slave mit seinen Zweigen entfernen (Entf)</translation>
+        </message>
+        <message>
+            <source>The bus is being scanned.</source>
+            <translation>Der Bus wird gescannt.</translation>
+        </message>
+        <message>
+            <source>The machine has no slaves yet.</source>
+            <translation>Die Maschine hat noch keine Slaves.</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n slave(s)</source>
+            <translation>
+                <numerusform>%n Slave</numerusform>
+                <numerusform>%n Slaves</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n slave(s) of this bus are running. They were only looked at and nothing was written, so some of what they are may not be known.</source>
+            <translation>
+                <numerusform>%n Slave dieses Busses läuft. Es wurde nur geschaut und nichts geschrieben, daher ist vielleicht nicht alles über ihn bekannt.</numerusform>
+                <numerusform>%n Slaves dieses Busses laufen. Es wurde nur geschaut und nichts geschrieben, daher ist vielleicht nicht alles über sie bekannt.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Scanned: %1</source>
+            <translation>Gescannt: %1</translation>
+        </message>
+        <message>
+            <source>Scan</source>
+            <translation>Scannen</translation>
+        </message>
+        <message>
+            <source>Open ENI</source>
+            <translation>ENI öffnen</translation>
+        </message>
+        <message>
+            <source>EtherCAT network information (*.xml *.eni)</source>
+            <translation>EtherCAT-Netzinformation (*.xml *.eni)</translation>
+        </message>
+        <message>
+            <source>Open Project</source>
+            <translation>Projekt öffnen</translation>
+        </message>
+        <message>
+            <source>Syncline projects (*.syncline)</source>
+            <translation>Syncline-Projekte (*.syncline)</translation>
+        </message>
+    </context>
+    <context>
+    <name>SummaryStep</name>
+        <message>
+            <source>Summary</source>
+            <translation>Zusammenfassung</translation>
+        </message>
+        <message>
+            <source>Finish puts the machine into the window, where everything can be changed further. It is not saved yet.</source>
+            <translation>Fertigstellen bringt die Maschine ins Fenster, wo sich alles weiter ändern lässt. Gespeichert ist sie dann noch nicht.</translation>
+        </message>
+        <message>
+            <source>The new machine</source>
+            <translation>Die neue Maschine</translation>
+        </message>
+        <message>
+            <source>Slaves</source>
+            <translation>Slaves</translation>
+        </message>
+        <message>
+            <source>Cycle</source>
+            <translation>Zyklus</translation>
+        </message>
+        <message>
+            <source>Reference clock</source>
+            <translation>Referenzuhr</translation>
+        </message>
+        <message>
+            <source>Master synchronisation</source>
+            <translation>Master-Synchronisation</translation>
+        </message>
+        <message>
+            <source>Sync window</source>
+            <translation>Sync-Fenster</translation>
+        </message>
+        <message>
+            <source>What the check found</source>
+            <translation>Was die Prüfung fand</translation>
+        </message>
+        <message>
+            <source>Findings</source>
+            <translation>Befunde</translation>
+        </message>
+        <message>
+            <source>&amp;Export the ENI to</source>
+            <translation>ENI &amp;exportieren nach</translation>
+        </message>
+        <message>
+            <source>Export the ENI, too</source>
+            <translation>Auch die ENI exportieren</translation>
+        </message>
+        <message>
+            <source>File of the ENI</source>
+            <translation>Datei der ENI</translation>
+        </message>
+        <message>
+            <source>Bro&amp;wse…</source>
+            <translation>&amp;Durchsuchen…</translation>
+        </message>
+        <message>
+            <source>Choose the file of the ENI</source>
+            <translation>Die Datei der ENI wählen</translation>
+        </message>
+        <message>
+            <source>The ENI needs a file name.</source>
+            <translation>Die ENI braucht einen Dateinamen.</translation>
+        </message>
+        <message>
+            <source>There is no folder %1.</source>
+            <translation>Den Ordner %1 gibt es nicht.</translation>
+        </message>
+        <message>
+            <source>Export ENI</source>
+            <translation>ENI exportieren</translation>
+        </message>
+        <message>
+            <source>EtherCAT network information (*.xml)</source>
+            <translation>EtherCAT-Netzwerkbeschreibung (*.xml)</translation>
+        </message>
+        <message>
+            <source>none</source>
+            <translation>keine</translation>
+        </message>
+        <message>
+            <source>%1, with DC %2</source>
+            <translation>%1, mit DC %2</translation>
+        </message>
+        <message>
+            <source>distributed clocks are off</source>
+            <translation>verteilte Uhren sind aus</translation>
+        </message>
+        <message>
+            <source>monitored, limit %1</source>
+            <translation>überwacht, Grenze %1</translation>
+        </message>
+        <message>
+            <source>not monitored</source>
+            <translation>nicht überwacht</translation>
+        </message>
+        <message>
+            <source>The ENI is being checked…</source>
+            <translation>Die ENI wird geprüft…</translation>
+        </message>
+        <message>
+            <source>The check of project and ENI found nothing.</source>
+            <translation>Die Prüfung von Projekt und ENI fand nichts.</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n error(s)</source>
+            <translation>
+                <numerusform>%n Fehler</numerusform>
+                <numerusform>%n Fehler</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n warning(s)</source>
+            <translation>
+                <numerusform>%n Warnung</numerusform>
+                <numerusform>%n Warnungen</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n note(s)</source>
+            <translation>
+                <numerusform>%n Hinweis</numerusform>
+                <numerusform>%n Hinweise</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>The check of project and ENI found: %1.</source>
+            <translation>Die Prüfung von Projekt und ENI fand: %1.</translation>
+        </message>
+    </context>
+    <context>
+    <name>SyncStep</name>
+        <message>
+            <source>The master's clock leads and steers the reference clock, by a command in each frame. For several networks in one machine, or a host whose timer cannot be moved. It needs a steady host.</source>
+            <translation>Die Uhr des Masters führt und stellt die Referenzuhr, mit einem Kommando in jedem Frame. Für mehrere Netze in einer Maschine oder einen Rechner, dessen Zeitgeber sich nicht verschieben lässt. Der Rechner muss ruhig laufen.</translation>
+        </message>
+        <message>
+            <source>The reference clock leads and the master moves its send time after it. For one network; the slaves' SYNC signals have nothing of the host's jitter.</source>
+            <translation>Die Referenzuhr führt, und der Master verschiebt seinen Sendezeitpunkt danach. Für ein einzelnes Netz; die SYNC-Signale der Slaves haben nichts vom Jitter des Rechners.</translation>
+        </message>
+        <message>
+            <source>Nobody follows: the frames drift through the SYNC grid of the slaves. For machines without synchronised motion only.</source>
+            <translation>Niemand folgt: Die Frames wandern durch das SYNC-Raster der Slaves. Nur für Maschinen ohne synchrone Bewegung.</translation>
+        </message>
+        <message>
+            <source>Another way, for special hardware; the page Distributed Clocks of the master explains it.</source>
+            <translation>Eine andere Art, für besondere Hardware; die Seite Verteilte Uhren des Masters erklärt sie.</translation>
+        </message>
+        <message>
+            <source>Distributed clocks are off: there is nothing to bring together.</source>
+            <translation>Verteilte Uhren sind aus: Es gibt nichts abzugleichen.</translation>
+        </message>
+        <message>
+            <source>No slave has an operation mode with SYNC signals: there is nothing to bring together.</source>
+            <translation>Kein Slave hat eine Betriebsart mit SYNC-Signalen: Es gibt nichts abzugleichen.</translation>
+        </message>
+        <message>
+            <source>Networks keep step when each reference clock follows the one clock of the masters.</source>
+            <translation>Netze bleiben im Gleichschritt, wenn jede Referenzuhr der einen Uhr der Master folgt.</translation>
+        </message>
+        <message>
+            <source>In a single network the slave's clock is the steadiest one to follow.</source>
+            <translation>In einem einzelnen Netz ist die Uhr des Slaves die ruhigste, der man folgen kann.</translation>
+        </message>
+        <message>
+            <source>Synchronisation</source>
+            <translation>Synchronisation</translation>
+        </message>
+        <message>
+            <source>Master and reference clock run at slightly different speeds: one of them has to follow the other.</source>
+            <translation>Master und Referenzuhr gehen etwas verschieden schnell: Einer muss dem anderen folgen.</translation>
+        </message>
+        <message>
+            <source>Who follows whom</source>
+            <translation>Wer folgt wem</translation>
+        </message>
+        <message>
+            <source>Proposal</source>
+            <translation>Vorschlag</translation>
+        </message>
+        <message>
+            <source>Sync Window Monitoring</source>
+            <translation>Überwachung des Sync-Fensters</translation>
+        </message>
+        <message>
+            <source>What it is for</source>
+            <translation>Wofür das ist</translation>
+        </message>
+        <message>
+            <source>&amp;Several networks run in step</source>
+            <translation>Mehrere &amp;Netze im Gleichschritt</translation>
+        </message>
+        <message>
+            <source>Several networks run in step</source>
+            <translation>Mehrere Netze im Gleichschritt</translation>
+        </message>
+        <message>
+            <source>More than one EtherCAT network of the machine has to keep a common time</source>
+            <translation>Mehr als ein EtherCAT-Netz der Maschine muss dieselbe Zeit halten</translation>
+        </message>
+        <message>
+            <source>&amp;Use Proposal</source>
+            <translation>Vorschlag ü&amp;bernehmen</translation>
+        </message>
+        <message>
+            <source>Use the proposal</source>
+            <translation>Den Vorschlag übernehmen</translation>
+        </message>
+    </context>
 <context>
     <name>MasterGeneralPage</name>
         <message>

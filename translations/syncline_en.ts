@@ -129,6 +129,71 @@
         </message>
     </context>
     <context>
+    <name>MachineDraft</name>
+        <message numerus="yes">
+            <source>%n slave(s) found on %1</source>
+            <translation>
+                <numerusform>%n slave found on %1</numerusform>
+                <numerusform>%n slaves found on %1</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>A project was made of %1; exported again, %n command(s) would differ.</source>
+            <translation>
+                <numerusform>A project was made of %1; exported again, %n command would differ.</numerusform>
+                <numerusform>A project was made of %1; exported again, %n commands would differ.</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n slave(s) as in %1</source>
+            <translation>
+                <numerusform>%n slave as in %1</numerusform>
+                <numerusform>%n slaves as in %1</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+    <name>SourceStep</name>
+        <message numerus="yes">
+            <source>%n slave(s)</source>
+            <translation>
+                <numerusform>%n slave</numerusform>
+                <numerusform>%n slaves</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n slave(s) of this bus are running. They were only looked at and nothing was written, so some of what they are may not be known.</source>
+            <translation>
+                <numerusform>%n slave of this bus is running. It was only looked at and nothing was written, so some of what it is may not be known.</numerusform>
+                <numerusform>%n slaves of this bus are running. They were only looked at and nothing was written, so some of what they are may not be known.</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+    <name>SummaryStep</name>
+        <message numerus="yes">
+            <source>%n error(s)</source>
+            <translation>
+                <numerusform>%n error</numerusform>
+                <numerusform>%n errors</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n warning(s)</source>
+            <translation>
+                <numerusform>%n warning</numerusform>
+                <numerusform>%n warnings</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n note(s)</source>
+            <translation>
+                <numerusform>%n note</numerusform>
+                <numerusform>%n notes</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
     <name>ImportCommands</name>
         <message numerus="yes">
             <source>A project was made of %1; exported again, %n command(s) would differ.</source>

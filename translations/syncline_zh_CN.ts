@@ -20,6 +20,14 @@
 <context>
     <name>Actions</name>
         <message>
+            <source>Ne&amp;w Machine…</source>
+            <translation>新建机器(&amp;W)…</translation>
+        </message>
+        <message>
+            <source>Make a machine step by step: slaves, cycle, clocks, operation modes</source>
+            <translation>逐步建立机器：从站、周期、时钟、运行模式</translation>
+        </message>
+        <message>
             <source>Take the last edit back</source>
             <translation>撤销上一次编辑</translation>
         </message>
@@ -460,6 +468,10 @@
 </context>
 <context>
     <name>FileCommands</name>
+        <message>
+            <source>A new machine takes the place of the present one.</source>
+            <translation>新机器将取代当前机器。</translation>
+        </message>
         <message>
             <source>Open</source>
             <translation>打开</translation>
@@ -1106,10 +1118,6 @@
             <translation>周期的三分之二</translation>
         </message>
         <message>
-            <source>Limit</source>
-            <translation>限值</translation>
-        </message>
-        <message>
             <source>Slaves in sync</source>
             <translation>从站同步</translation>
         </message>
@@ -1214,6 +1222,696 @@
             <translation>%1 前</translation>
         </message>
 </context>
+    <context>
+    <name>SyncWindowFields</name>
+        <message>
+            <source>Limit</source>
+            <translation>限值</translation>
+        </message>
+    </context>
+    <context>
+    <name>ClockStep</name>
+        <message>
+            <source>Its description has no distributed clocks.</source>
+            <translation>其描述中没有分布式时钟。</translation>
+        </message>
+        <message>
+            <source>It may be missing; then nobody leads.</source>
+            <translation>它可以缺失；那时没有时钟领先。</translation>
+        </message>
+        <message>
+            <source>%1 stands before it, uses DC and would hear of its time a cycle late.</source>
+            <translation>%1 位于它之前并使用 DC，会晚一个周期得知其时间。</translation>
+        </message>
+        <message>
+            <source>No</source>
+            <translation>否</translation>
+        </message>
+        <message>
+            <source>Yes</source>
+            <translation>是</translation>
+        </message>
+        <message>
+            <source>Better not</source>
+            <translation>最好不要</translation>
+        </message>
+        <message>
+            <source>Reference Clock</source>
+            <translation>参考时钟</translation>
+        </message>
+        <message>
+            <source>Slaves that move together need distributed clocks: one slave's clock leads, and the others follow it. Without synchronised motion leave them off.</source>
+            <translation>需要同步运动的从站需要分布式时钟：一个从站的时钟领先，其他从站跟随。没有同步运动时请将其关闭。</translation>
+        </message>
+        <message>
+            <source>Distributed Clocks</source>
+            <translation>分布式时钟</translation>
+        </message>
+        <message>
+            <source>Leads now</source>
+            <translation>当前领先</translation>
+        </message>
+        <message>
+            <source>The slave whose clock the compiled project makes lead</source>
+            <translation>编译后的项目中时钟领先的从站</translation>
+        </message>
+        <message>
+            <source>Which slaves can lead, and why not</source>
+            <translation>哪些从站可以领先，以及为何不能</translation>
+        </message>
+        <message>
+            <source>Slave</source>
+            <translation>从站</translation>
+        </message>
+        <message>
+            <source>Can lead</source>
+            <translation>可领先</translation>
+        </message>
+        <message>
+            <source>Why not</source>
+            <translation>原因</translation>
+        </message>
+    </context>
+    <context>
+    <name>CycleStep</name>
+        <message>
+            <source>the frames</source>
+            <translation>帧</translation>
+        </message>
+        <message>
+            <source>Refused</source>
+            <translation>被拒绝</translation>
+        </message>
+        <message>
+            <source>Accepted by all</source>
+            <translation>全部接受</translation>
+        </message>
+        <message>
+            <source>Taken with a loss</source>
+            <translation>接受但有损失</translation>
+        </message>
+        <message>
+            <source>Cycle</source>
+            <translation>周期</translation>
+        </message>
+        <message>
+            <source>How often the process data go over the network. All Sync Unit Cycles are multiples or fractions of it.</source>
+            <translation>过程数据在网络上传输的间隔。所有 Sync Unit Cycle 都是它的倍数或分数。</translation>
+        </message>
+        <message>
+            <source>Network</source>
+            <translation>网络</translation>
+        </message>
+        <message>
+            <source>Slaves accept</source>
+            <translation>从站接受</translation>
+        </message>
+        <message>
+            <source>What drive families, object 0x1C32:05, operation modes and the frames leave</source>
+            <translation>驱动器系列、对象 0x1C32:05、运行模式和帧所允许的范围</translation>
+        </message>
+        <message>
+            <source>Cycles and who refuses them</source>
+            <translation>周期及拒绝它的从站</translation>
+        </message>
+        <message>
+            <source>Slaves</source>
+            <translation>从站</translation>
+        </message>
+        <message>
+            <source>Because of</source>
+            <translation>由于</translation>
+        </message>
+        <message>
+            <source>Enter or a double click takes the cycle</source>
+            <translation>按回车或双击采用该周期</translation>
+        </message>
+        <message>
+            <source>%1 to %2, in steps of %3</source>
+            <translation>%1 至 %2，步长 %3</translation>
+        </message>
+        <message>
+            <source>any cycle</source>
+            <translation>任意周期</translation>
+        </message>
+    </context>
+    <context>
+    <name>DcModeModel</name>
+        <message>
+            <source>no distributed clocks</source>
+            <translation>无分布式时钟</translation>
+        </message>
+        <message>
+            <source>Off</source>
+            <translation>关</translation>
+        </message>
+        <message>
+            <source>User defined</source>
+            <translation>自定义</translation>
+        </message>
+        <message>
+            <source>As operation mode</source>
+            <translation>按运行模式</translation>
+        </message>
+        <message>
+            <source>As operation mode (%1)</source>
+            <translation>按运行模式 (%1)</translation>
+        </message>
+        <message>
+            <source>Slave</source>
+            <translation>从站</translation>
+        </message>
+        <message>
+            <source>Operation mode</source>
+            <translation>运行模式</translation>
+        </message>
+        <message>
+            <source>Sync Unit Cycle</source>
+            <translation>Sync Unit Cycle</translation>
+        </message>
+        <message>
+            <source>SYNC0</source>
+            <translation>SYNC0</translation>
+        </message>
+        <message>
+            <source>Found</source>
+            <translation>发现</translation>
+        </message>
+    </context>
+    <context>
+    <name>MachineDraft</name>
+        <message>
+            <source>Reading slave %1 of %2</source>
+            <translation>正在读取从站 %1 / %2</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n slave(s) found on %1</source>
+            <translation>
+                <numerusform>在 %1 上找到 %n 个从站</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>The scan was cancelled; the slaves are those of before.</source>
+            <translation>扫描已取消；从站保持不变。</translation>
+        </message>
+        <message>
+            <source>The machine of the window runs on this bus. Go offline first, or choose another bus.</source>
+            <translation>窗口中的机器正在此总线上运行。请先离线，或选择其他总线。</translation>
+        </message>
+        <message>
+            <source>Looking for slaves…</source>
+            <translation>正在查找从站…</translation>
+        </message>
+        <message numerus="yes">
+            <source>A project was made of %1; exported again, %n command(s) would differ.</source>
+            <translation>
+                <numerusform>已由 %1 建立项目；再次导出时会有 %n 条命令不同。</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n slave(s) as in %1</source>
+            <translation>
+                <numerusform>%n 个从站，与 %1 相同</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Add a slave</source>
+            <translation>添加从站</translation>
+        </message>
+        <message>
+            <source>%1 was added.</source>
+            <translation>已添加 %1。</translation>
+        </message>
+        <message>
+            <source>Remove a slave</source>
+            <translation>移除从站</translation>
+        </message>
+    </context>
+    <context>
+    <name>ModesStep</name>
+        <message>
+            <source>Operation Modes</source>
+            <translation>运行模式</translation>
+        </message>
+        <message>
+            <source>What each slave does with the SYNC signals, and how often. F2 or a double click opens a choice.</source>
+            <translation>每个从站如何使用 SYNC 信号以及频率。按 F2 或双击打开选项。</translation>
+        </message>
+        <message>
+            <source>Change DC mode</source>
+            <translation>更改 DC 模式</translation>
+        </message>
+        <message>
+            <source>Operation modes of all slaves</source>
+            <translation>所有从站的运行模式</translation>
+        </message>
+        <message>
+            <source>What is found wrong with the selected slave</source>
+            <translation>所选从站的问题</translation>
+        </message>
+    </context>
+    <context>
+    <name>NewMachineWizard</name>
+        <message>
+            <source>New Machine</source>
+            <translation>新建机器</translation>
+        </message>
+        <message>
+            <source>Step</source>
+            <translation>步骤</translation>
+        </message>
+        <message>
+            <source>What is decided here</source>
+            <translation>此处的决定</translation>
+        </message>
+        <message>
+            <source>Why it does not go on</source>
+            <translation>无法继续的原因</translation>
+        </message>
+        <message>
+            <source>&lt; Bac&amp;k</source>
+            <translation>&lt; 上一步(&amp;K)</translation>
+        </message>
+        <message>
+            <source>Back</source>
+            <translation>上一步</translation>
+        </message>
+        <message>
+            <source>Next</source>
+            <translation>下一步</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>取消</translation>
+        </message>
+        <message>
+            <source>&amp;Finish</source>
+            <translation>完成(&amp;F)</translation>
+        </message>
+        <message>
+            <source>&amp;Next &gt;</source>
+            <translation>下一步(&amp;N) &gt;</translation>
+        </message>
+        <message>
+            <source>Finish</source>
+            <translation>完成</translation>
+        </message>
+        <message>
+            <source>A field holds what cannot be a value: mend it, or press Esc in it.</source>
+            <translation>有字段的内容不是有效值：请改正，或在其中按 Esc。</translation>
+        </message>
+        <message>
+            <source>%1 exists already.</source>
+            <translation>%1 已存在。</translation>
+        </message>
+        <message>
+            <source>Its contents go when the ENI is written.</source>
+            <translation>写入 ENI 时其内容将丢失。</translation>
+        </message>
+        <message>
+            <source>Overwrite</source>
+            <translation>覆盖</translation>
+        </message>
+        <message>
+            <source>Give up the new machine?</source>
+            <translation>放弃新机器？</translation>
+        </message>
+        <message>
+            <source>What was chosen here goes. The project of the window stays as it is.</source>
+            <translation>此处的选择将丢失。窗口中的项目保持不变。</translation>
+        </message>
+        <message>
+            <source>Give Up</source>
+            <translation>放弃</translation>
+        </message>
+    </context>
+    <context>
+    <name>SourceStep</name>
+        <message>
+            <source>Slaves</source>
+            <translation>从站</translation>
+        </message>
+        <message>
+            <source>Where do the slaves come from? The list on the right shows what the new machine has so far.</source>
+            <translation>从站来自哪里？右侧列表显示新机器目前的从站。</translation>
+        </message>
+        <message>
+            <source>A project is made of what the file lets be seen. Devices of the catalogue bring what an ENI does not hold.</source>
+            <translation>根据文件可见的内容生成项目。目录中的设备补充 ENI 所不包含的内容。</translation>
+        </message>
+        <message>
+            <source>Choose EN&amp;I…</source>
+            <translation>选择 ENI(&amp;I)…</translation>
+        </message>
+        <message>
+            <source>All that a saved project holds, under a new name. The file stays as it is.</source>
+            <translation>已保存项目的全部内容，使用新名称。文件保持不变。</translation>
+        </message>
+        <message>
+            <source>Choose &amp;Project…</source>
+            <translation>选择项目(&amp;P)…</translation>
+        </message>
+        <message>
+            <source>&amp;Scan of a bus</source>
+            <translation>扫描总线(&amp;S)</translation>
+        </message>
+        <message>
+            <source>&amp;ENI file</source>
+            <translation>ENI 文件(&amp;E)</translation>
+        </message>
+        <message>
+            <source>&amp;Device catalogue</source>
+            <translation>设备目录(&amp;D)</translation>
+        </message>
+        <message>
+            <source>Project as a &amp;template</source>
+            <translation>以项目为模板(&amp;T)</translation>
+        </message>
+        <message>
+            <source>What came of it</source>
+            <translation>结果</translation>
+        </message>
+        <message>
+            <source>A network card or a simulated bus. A bus whose slaves are running is only looked at, and nothing is written to it.</source>
+            <translation>网卡或仿真总线。从站正在运行的总线只会被查看，不会写入任何内容。</translation>
+        </message>
+        <message>
+            <source>Bus</source>
+            <translation>总线</translation>
+        </message>
+        <message>
+            <source>Choose &amp;Bus and Scan…</source>
+            <translation>选择总线并扫描(&amp;B)…</translation>
+        </message>
+        <message>
+            <source>Choose a bus and scan it</source>
+            <translation>选择总线并扫描</translation>
+        </message>
+        <message>
+            <source>Cance&amp;l Scan</source>
+            <translation>取消扫描(&amp;L)</translation>
+        </message>
+        <message>
+            <source>Cancel the scan</source>
+            <translation>取消扫描</translation>
+        </message>
+        <message>
+            <source>Scan &amp;Fully…</source>
+            <translation>完整扫描(&amp;F)…</translation>
+        </message>
+        <message>
+            <source>Scan fully</source>
+            <translation>完整扫描</translation>
+        </message>
+        <message>
+            <source>Why the scan is not whole</source>
+            <translation>扫描不完整的原因</translation>
+        </message>
+        <message>
+            <source>Touch the running machine?</source>
+            <translation>要影响运行中的机器吗？</translation>
+        </message>
+        <message>
+            <source>States stay as they are. EEPROMs are taken from their devices while they are read, the receive times of all slaves are latched, and slaves without a description are asked in PREOP.</source>
+            <translation>状态保持不变。读取期间将从设备收回 EEPROM，锁存所有从站的接收时间，并在 PREOP 中查询没有描述的从站。</translation>
+        </message>
+        <message>
+            <source>Scan Fully</source>
+            <translation>完整扫描</translation>
+        </message>
+        <message>
+            <source>Number of slaves</source>
+            <translation>从站数</translation>
+        </message>
+        <message>
+            <source>Slaves of the new machine</source>
+            <translation>新机器的从站</translation>
+        </message>
+        <message>
+            <source>&amp;Remove</source>
+            <translation>移除(&amp;R)</translation>
+        </message>
+        <message>
+            <source>Remove the selected slave with its branches</source>
+            <translation>移除所选从站及其分支</translation>
+        </message>
+        <message>
+            <source>Remove the selected slave with its branches (Del)</source>
+            <translation>移除所选从站及其分支 (Del)</translation>
+        </message>
+        <message>
+            <source>The bus is being scanned.</source>
+            <translation>正在扫描总线。</translation>
+        </message>
+        <message>
+            <source>The machine has no slaves yet.</source>
+            <translation>机器还没有从站。</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n slave(s)</source>
+            <translation>
+                <numerusform>%n 个从站</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n slave(s) of this bus are running. They were only looked at and nothing was written, so some of what they are may not be known.</source>
+            <translation>
+                <numerusform>此总线有 %n 个从站正在运行。只对其进行了查看，没有写入任何内容，因此其部分信息可能未知。</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Scanned: %1</source>
+            <translation>已扫描：%1</translation>
+        </message>
+        <message>
+            <source>Scan</source>
+            <translation>扫描</translation>
+        </message>
+        <message>
+            <source>Open ENI</source>
+            <translation>打开 ENI</translation>
+        </message>
+        <message>
+            <source>EtherCAT network information (*.xml *.eni)</source>
+            <translation>EtherCAT 网络信息 (*.xml *.eni)</translation>
+        </message>
+        <message>
+            <source>Open Project</source>
+            <translation>打开项目</translation>
+        </message>
+        <message>
+            <source>Syncline projects (*.syncline)</source>
+            <translation>Syncline 项目 (*.syncline)</translation>
+        </message>
+    </context>
+    <context>
+    <name>SummaryStep</name>
+        <message>
+            <source>Summary</source>
+            <translation>摘要</translation>
+        </message>
+        <message>
+            <source>Finish puts the machine into the window, where everything can be changed further. It is not saved yet.</source>
+            <translation>“完成”会把机器放入窗口，之后仍可更改一切。此时尚未保存。</translation>
+        </message>
+        <message>
+            <source>The new machine</source>
+            <translation>新机器</translation>
+        </message>
+        <message>
+            <source>Slaves</source>
+            <translation>从站</translation>
+        </message>
+        <message>
+            <source>Cycle</source>
+            <translation>周期</translation>
+        </message>
+        <message>
+            <source>Reference clock</source>
+            <translation>参考时钟</translation>
+        </message>
+        <message>
+            <source>Master synchronisation</source>
+            <translation>主站同步</translation>
+        </message>
+        <message>
+            <source>Sync window</source>
+            <translation>同步窗口</translation>
+        </message>
+        <message>
+            <source>What the check found</source>
+            <translation>检查结果</translation>
+        </message>
+        <message>
+            <source>Findings</source>
+            <translation>发现</translation>
+        </message>
+        <message>
+            <source>&amp;Export the ENI to</source>
+            <translation>导出 ENI 到(&amp;E)</translation>
+        </message>
+        <message>
+            <source>Export the ENI, too</source>
+            <translation>同时导出 ENI</translation>
+        </message>
+        <message>
+            <source>File of the ENI</source>
+            <translation>ENI 文件</translation>
+        </message>
+        <message>
+            <source>Bro&amp;wse…</source>
+            <translation>浏览(&amp;W)…</translation>
+        </message>
+        <message>
+            <source>Choose the file of the ENI</source>
+            <translation>选择 ENI 文件</translation>
+        </message>
+        <message>
+            <source>The ENI needs a file name.</source>
+            <translation>ENI 需要文件名。</translation>
+        </message>
+        <message>
+            <source>There is no folder %1.</source>
+            <translation>文件夹 %1 不存在。</translation>
+        </message>
+        <message>
+            <source>Export ENI</source>
+            <translation>导出 ENI</translation>
+        </message>
+        <message>
+            <source>EtherCAT network information (*.xml)</source>
+            <translation>EtherCAT 网络信息 (*.xml)</translation>
+        </message>
+        <message>
+            <source>none</source>
+            <translation>无</translation>
+        </message>
+        <message>
+            <source>%1, with DC %2</source>
+            <translation>%1，其中 DC %2</translation>
+        </message>
+        <message>
+            <source>distributed clocks are off</source>
+            <translation>分布式时钟已关闭</translation>
+        </message>
+        <message>
+            <source>monitored, limit %1</source>
+            <translation>监视，限值 %1</translation>
+        </message>
+        <message>
+            <source>not monitored</source>
+            <translation>不监视</translation>
+        </message>
+        <message>
+            <source>The ENI is being checked…</source>
+            <translation>正在检查 ENI…</translation>
+        </message>
+        <message>
+            <source>The check of project and ENI found nothing.</source>
+            <translation>项目和 ENI 的检查未发现问题。</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n error(s)</source>
+            <translation>
+                <numerusform>%n 个错误</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n warning(s)</source>
+            <translation>
+                <numerusform>%n 个警告</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n note(s)</source>
+            <translation>
+                <numerusform>%n 个提示</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>The check of project and ENI found: %1.</source>
+            <translation>项目和 ENI 的检查发现：%1。</translation>
+        </message>
+    </context>
+    <context>
+    <name>SyncStep</name>
+        <message>
+            <source>The master's clock leads and steers the reference clock, by a command in each frame. For several networks in one machine, or a host whose timer cannot be moved. It needs a steady host.</source>
+            <translation>主站的时钟领先，并通过每帧中的一条命令调整参考时钟。适用于一台机器中有多个网络，或主机定时器无法移动的情况。要求主机稳定。</translation>
+        </message>
+        <message>
+            <source>The reference clock leads and the master moves its send time after it. For one network; the slaves' SYNC signals have nothing of the host's jitter.</source>
+            <translation>参考时钟领先，主站据此移动其发送时刻。适用于单个网络；从站的 SYNC 信号不受主机抖动影响。</translation>
+        </message>
+        <message>
+            <source>Nobody follows: the frames drift through the SYNC grid of the slaves. For machines without synchronised motion only.</source>
+            <translation>互不跟随：帧会在从站的 SYNC 网格中漂移。仅适用于没有同步运动的机器。</translation>
+        </message>
+        <message>
+            <source>Another way, for special hardware; the page Distributed Clocks of the master explains it.</source>
+            <translation>另一种方式，用于特殊硬件；主站的“分布式时钟”页有说明。</translation>
+        </message>
+        <message>
+            <source>Distributed clocks are off: there is nothing to bring together.</source>
+            <translation>分布式时钟已关闭：没有需要同步的内容。</translation>
+        </message>
+        <message>
+            <source>No slave has an operation mode with SYNC signals: there is nothing to bring together.</source>
+            <translation>没有从站使用带 SYNC 信号的运行模式：没有需要同步的内容。</translation>
+        </message>
+        <message>
+            <source>Networks keep step when each reference clock follows the one clock of the masters.</source>
+            <translation>当每个参考时钟都跟随主站的同一时钟时，各网络保持同步。</translation>
+        </message>
+        <message>
+            <source>In a single network the slave's clock is the steadiest one to follow.</source>
+            <translation>在单个网络中，从站的时钟是最稳定的跟随对象。</translation>
+        </message>
+        <message>
+            <source>Synchronisation</source>
+            <translation>同步</translation>
+        </message>
+        <message>
+            <source>Master and reference clock run at slightly different speeds: one of them has to follow the other.</source>
+            <translation>主站与参考时钟的速度略有不同：必须由一方跟随另一方。</translation>
+        </message>
+        <message>
+            <source>Who follows whom</source>
+            <translation>谁跟随谁</translation>
+        </message>
+        <message>
+            <source>Proposal</source>
+            <translation>建议</translation>
+        </message>
+        <message>
+            <source>Sync Window Monitoring</source>
+            <translation>同步窗口监视</translation>
+        </message>
+        <message>
+            <source>What it is for</source>
+            <translation>用途</translation>
+        </message>
+        <message>
+            <source>&amp;Several networks run in step</source>
+            <translation>多个网络同步运行(&amp;S)</translation>
+        </message>
+        <message>
+            <source>Several networks run in step</source>
+            <translation>多个网络同步运行</translation>
+        </message>
+        <message>
+            <source>More than one EtherCAT network of the machine has to keep a common time</source>
+            <translation>机器的多个 EtherCAT 网络必须保持同一时间</translation>
+        </message>
+        <message>
+            <source>&amp;Use Proposal</source>
+            <translation>采用建议(&amp;U)</translation>
+        </message>
+        <message>
+            <source>Use the proposal</source>
+            <translation>采用建议</translation>
+        </message>
+    </context>
 <context>
     <name>MasterGeneralPage</name>
         <message>

@@ -15,6 +15,7 @@ void updateActionStates(const Actions& actions, Workspace& workspace, const Reco
   const auto phase = workspace.live().phase();
   const bool online = phase == LiveSession::Phase::kOnline;
   actions.create->setEnabled(!busy);
+  actions.new_machine->setEnabled(!busy);
   actions.open->setEnabled(!workspace.scan().isRunning());
   for (auto* action : {actions.save, actions.save_as, actions.export_eni, actions.compare}) action->setEnabled(some);
   actions.go_to->setEnabled(!recorded);

@@ -35,6 +35,9 @@ QAction* Actions::add(const char* name, const QString& text, const char* icon, c
 
 Actions::Actions(QUndoStack& stack, QObject* parent) : QObject(parent) {
   create = add("actionNew", tr("&New"), "new", tr("New project"), QKeySequence::New);
+  new_machine = add("actionNewMachine", tr("Ne&w Machine…"), "device",
+                    tr("Make a machine step by step: slaves, cycle, clocks, operation modes"),
+                    QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N));
   open = add("actionOpen", tr("&Open…"), "open",
              tr("Open a project, an ENI, an ESI file, a recording, a capture or a scenario"), QKeySequence::Open);
   save = add("actionSave", tr("&Save"), "save", tr("Save the project"), QKeySequence::Save);

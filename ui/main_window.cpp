@@ -45,6 +45,7 @@
 #include "ui/window_docks.h"
 #include "ui/window_layout.h"
 #include "ui/window_menus.h"
+#include "ui/wizard/new_machine_wizard.h"
 
 namespace syncline::ui {
 MainWindow::MainWindow(Workspace& workspace, QWidget* parent) : QMainWindow(parent), workspace_(workspace) {
@@ -121,8 +122,9 @@ void MainWindow::buildCentre() {
     workspace_.document().replace(tr("Revert to what runs"), workspace_.runDifference().running());
   });
   centre_ = new QStackedWidget;
-  auto* welcome =
-      new WelcomePage({actions_->demo, actions_->scan, building_->commands().add, actions_->open}, workspace_.memory());
+  auto* welcome = new WelcomePage(
+      {actions_->demo, actions_->new_machine, actions_->scan, building_->commands().add, actions_->open},
+      workspace_.memory());
   connect(welcome, &WelcomePage::fileWanted, this, [this](const QString& file) { files_->openAny(file); });
   centre_->addWidget(welcome);
   centre_->addWidget(working);
@@ -178,6 +180,7 @@ void MainWindow::connectActions() {
     });
   };
   on(actions_->create, [this] { files_->create(); });
+  on(actions_->new_machine, [this] { showWizard(); });
   on(actions_->open, [this] { files_->open(); });
   on(actions_->save, [this] { files_->save(); });
   on(actions_->save_as, [this] { files_->saveAs(); });
@@ -321,6 +324,20 @@ void MainWindow::showComparison(const ComparedSide& left, const ComparedSide& ri
   dialog->compare(left, right);
   dialog->show();
   dialog->activateWindow();
+}
+
+/// Until it is finished, nothing of the window is touched.
+void MainWindow::showWizard() {
+  auto* wizard = new NewMachineWizard(workspace_, this);
+  wizard->setAttribute(Qt::WA_DeleteOnClose);
+  connect(wizard, &NewMachineWizard::taken, this,
+          [this, wizard](const Machine& machine, const QString& link, const QString& eni_path) {
+            if (!files_->takeNew(machine)) return;
+            if (!link.isEmpty()) workspace_.setLink(link);
+            wizard->accept();
+            if (!eni_path.isEmpty()) files_->exportTo(eni_path);
+          });
+  wizard->open();
 }
 
 void MainWindow::showGoTo() {

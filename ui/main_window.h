@@ -67,6 +67,7 @@ class MainWindow final : public QMainWindow {
   void updateTheme();
   void goTo(int slave, const QString& key);
   void showComparison(const ComparedSide& left, const ComparedSide& right);
+  void showWizard();
   void showGoTo();
 
   Workspace& workspace_;

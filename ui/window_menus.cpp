@@ -15,7 +15,7 @@ namespace syncline::ui {
 namespace {
 
 void buildFileMenu(QMenu& menu, const Actions& actions, QMenu& recent) {
-  menu.addActions({actions.create, actions.open});
+  menu.addActions({actions.create, actions.new_machine, actions.open});
   menu.addMenu(&recent);
   menu.addAction(actions.close_recording);
   menu.addActions({actions.save, actions.save_as});

@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
+#include <utility>
 
 #include "ui/dialogs/error_dialog.h"
 #include "ui/dialogs/import_commands.h"
@@ -23,6 +24,15 @@ void FileCommands::create() {
   if (!mayDiscard() || !mayGoOffline(window_, workspace_, tr("A new project begins without a machine."))) return;
   workspace_.live().shutDown();
   workspace_.document().reset();
+}
+
+bool FileCommands::takeNew(Machine machine) {
+  if (!mayDiscard() || !mayGoOffline(window_, workspace_, tr("A new machine takes the place of the present one.")))
+    return false;
+  workspace_.live().shutDown();
+  workspace_.recording().close();
+  workspace_.document().take(std::move(machine), {}, false);
+  return true;
 }
 
 void FileCommands::open() {

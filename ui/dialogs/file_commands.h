@@ -5,6 +5,8 @@
 #include <QString>
 #include <functional>
 
+#include "config/project.h"
+
 class QWidget;
 
 namespace syncline::ui {
@@ -21,6 +23,9 @@ class FileCommands final : public QObject {
   FileCommands(Workspace& workspace, QWidget& window);
 
   void create();
+  /// A machine that was made here, in place of the present one: unsaved, without a name and without undo steps. Asks as
+  /// opening does; false: project and machine are as they were.
+  bool takeNew(Machine machine);
   void open();
   /// Opens without asking for a name; errors are shown. Reads first; then asks about unsaved changes, a running machine
   /// and another window that has the file. False: project and machine are as they were.

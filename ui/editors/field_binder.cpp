@@ -14,6 +14,7 @@
 #include "ui/editors/preset_edit.h"
 #include "ui/editors/text_edit.h"
 #include "ui/session/workspace.h"
+#include "ui/text/event_text.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/setting_text.h"
 #include "ui/widgets/card.h"
@@ -250,6 +251,15 @@ void FieldBinder::revert() {
     auto* field = dynamic_cast<Field*>(bound.widget);
     if (field != nullptr && field->pending()) field->revert();
   }
+}
+
+std::vector<FieldBinder::Note> notesOf(const std::vector<Finding>& findings, const Project& project) {
+  std::vector<FieldBinder::Note> notes;
+  for (const auto& finding : findings) {
+    if (finding.place.key.empty() || finding.severity == Severity::kNote) continue;
+    notes.push_back({finding.place.key, messageOf(finding, project).text, finding.severity == Severity::kError});
+  }
+  return notes;
 }
 
 }  // namespace syncline::ui

@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "findings/finding.h"
 #include "settings/settings_table.h"
 
 class QButtonGroup;
@@ -147,6 +148,9 @@ class FieldBinder final : public QObject {
   Where where_;                   // of the field that is being made
   bool expert_page_ = false, expert_card_ = false;
 };
+
+/// Those of the findings that are about settings and are more than notes.
+[[nodiscard]] std::vector<FieldBinder::Note> notesOf(const std::vector<Finding>& findings, const Project& project);
 
 /// "slave.N.eoe.host_name": "slaveEoeHostName".
 [[nodiscard]] QString fieldName(const char* key);

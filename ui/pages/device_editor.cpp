@@ -31,7 +31,6 @@
 #include "ui/panels/slave_state_bar.h"
 #include "ui/session/running_slave.h"
 #include "ui/session/workspace.h"
-#include "ui/text/event_text.h"
 #include "ui/text/glossary.h"
 #include "ui/text/units.h"
 #include "ui/widgets/pill.h"
@@ -149,13 +148,8 @@ bool DeviceEditor::showKey(const QString& key) {
 
 /// What the compiler finds wrong stands beside its field.
 void DeviceEditor::showNotes() {
-  std::vector<FieldBinder::Note> notes;
   const auto& result = workspace_.configuration().result();
-  for (const auto& finding : result ? result->findings : std::vector<Finding>{}) {
-    if (finding.place.key.empty() || finding.severity == Severity::kNote) continue;
-    notes.push_back({finding.place.key, messageOf(finding, workspace_.document().project()).text,
-                     finding.severity == Severity::kError});
-  }
+  const auto notes = notesOf(result ? result->findings : std::vector<Finding>{}, workspace_.document().project());
   for (auto* page : pages_) {
     if (page->appliesTo(slave_)) page->fields().showNotes(notes);
   }

@@ -4,13 +4,12 @@
 #include <QAbstractButton>
 #include <QButtonGroup>
 #include <QCheckBox>
-#include <QHBoxLayout>
 #include <QLabel>
 
-#include "protocol/dc_registers.h"
 #include "ui/editors/choice_edit.h"
 #include "ui/editors/field_binder.h"
 #include "ui/editors/number_edit.h"
+#include "ui/editors/sync_window_fields.h"
 #include "ui/session/workspace.h"
 #include "ui/text/glossary.h"
 #include "ui/text/sync_text.h"
@@ -54,11 +53,13 @@ QList<Mode> modes() {
 
 }  // namespace
 
+MasterDcPage::~MasterDcPage() = default;
+
 MasterDcPage::MasterDcPage(Workspace& workspace) : Page(workspace, "masterDcPage", tr("Distributed Clocks")) {
   auto* columns = new CardColumns;
   buildClocks(*columns->add(0, tr("Clock Adjustment")));
   buildShift(*columns->add(1, tr("Master Synchronisation (DCM)")));
-  buildWindow(*columns->add(0, tr("Sync Window Monitoring")));
+  window_ = std::make_unique<SyncWindowFields>(*this, *columns->add(0, tr("Sync Window Monitoring")));
   auto* slaves = columns->add(2, tr("Slaves, live"));
   buildLive(*slaves, *columns->add(2, tr("Master, live")));
   columns->addStretch();
@@ -84,20 +85,6 @@ void MasterDcPage::buildShift(Card& card) {
   set_value_ = fields().number(card, "setValue", "master.dc.set_value_us");
   dcm_limit_ = fields().number(card, "dcmLimit", "master.dc.in_sync_limit_ns");
   dcm_settle_ = fields().number(card, "dcmSettle", "master.dc.in_sync_settle_ms");
-}
-
-void MasterDcPage::buildWindow(Card& card) {
-  monitoring_ = fields().toggle(card, "syncWindow", "master.dc.sync_window");
-  exponent_ = fields().numberField("syncWindowExponent", "master.dc.sync_window_exponent");
-  auto* field = new QWidget;
-  auto* layout = new QHBoxLayout(field);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(exponent_);
-  field->setFocusProxy(exponent_);
-  limit_ = named(new QLabel, "syncWindowLimit", tr("Limit"));
-  layout->addWidget(limit_, 1);
-  card.addRow(exponent_->accessibleName(), field, exponent_->toolTip());
-  settle_ = fields().number(card, "syncWindowSettle", "master.dc.sync_window_settle_ms");
 }
 
 void MasterDcPage::buildLive(Card& slaves, Card& master) {
@@ -127,20 +114,15 @@ void MasterDcPage::buildLive(Card& slaves, Card& master) {
 
 void MasterDcPage::refresh() {
   const auto& dc = project().master.dc;
-  limit_->setText(QStringLiteral("= ") + timeText(sync_window_limit_ns(dc.sync_window.exponent)));
-  for (auto* widget :
-       {static_cast<QWidget*>(reference_), static_cast<QWidget*>(wide_time_), static_cast<QWidget*>(monitoring_)}) {
+  window_->show(dc);
+  for (auto* widget : {static_cast<QWidget*>(reference_), static_cast<QWidget*>(wide_time_)})
     widget->setEnabled(dc.enabled);
-  }
   for (auto* button : mode_->buttons()) button->setEnabled(dc.enabled);
   const bool controlled = dc.enabled && dc.dcm.mode != DcmMode::kOff;
   set_value_auto_->setEnabled(controlled);
   set_value_->setEnabled(controlled);
   dcm_limit_->setEnabled(controlled);
   dcm_settle_->setEnabled(controlled);
-  const bool watched = dc.enabled && dc.sync_window.enabled;
-  exponent_->setEnabled(watched);
-  settle_->setEnabled(watched);
   fields().refresh();
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
+
 #include "ui/editors/page.h"
 
 class QButtonGroup;
@@ -13,6 +15,7 @@ class Card;
 class ChoiceEdit;
 class NumberEdit;
 class Pill;
+class SyncWindowFields;
 
 /// Distributed clocks of the master: who leads, who follows, and within which limit.
 class MasterDcPage final : public Page {
@@ -20,6 +23,7 @@ class MasterDcPage final : public Page {
 
  public:
   explicit MasterDcPage(Workspace& workspace);
+  ~MasterDcPage() override;
   [[nodiscard]] bool appliesTo(int slave) const override;
   void refresh() override;
   void showLive(const Snapshot& snapshot) override;
@@ -27,14 +31,13 @@ class MasterDcPage final : public Page {
  private:
   void buildClocks(Card& card);
   void buildShift(Card& card);
-  void buildWindow(Card& card);
   void buildLive(Card& slaves, Card& master);
 
   ChoiceEdit* reference_;
-  QCheckBox *wide_time_, *monitoring_, *set_value_auto_;
+  QCheckBox *wide_time_, *set_value_auto_;
   QButtonGroup* mode_;
-  NumberEdit *set_value_, *exponent_, *settle_, *dcm_limit_, *dcm_settle_;
-  QLabel* limit_;
+  NumberEdit *set_value_, *dcm_limit_, *dcm_settle_;
+  std::unique_ptr<SyncWindowFields> window_;
   Pill *dc_state_, *dcm_state_;
   QLabel *deviation_, *reading_, *settled_, *leader_;
   QLabel *error_, *error_statistics_, *frame_error_, *drift_, *locked_after_;

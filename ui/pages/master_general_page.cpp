@@ -6,8 +6,8 @@
 #include <QPushButton>
 #include <algorithm>
 
+#include "ui/editors/cycle_field.h"
 #include "ui/editors/field_binder.h"
-#include "ui/editors/preset_edit.h"
 #include "ui/session/workspace.h"
 #include "ui/text/glossary.h"
 #include "ui/text/units.h"
@@ -17,8 +17,6 @@
 
 namespace syncline::ui {
 namespace {
-
-constexpr Nanoseconds kCycles[] = {125'000, 250'000, 500'000, 1'000'000, 2'000'000, 4'000'000, 8'000'000, 10'000'000};
 
 /// Payload of the cyclic frames in bytes: datagram headers, data and working counters.
 std::size_t cyclicBytes(const NetworkConfig& config) {
@@ -59,14 +57,7 @@ MasterGeneralPage::MasterGeneralPage(Workspace& workspace) : Page(workspace, "ma
 
 void MasterGeneralPage::buildSettings(Card& card) {
   fields().text(card, "masterName", "master.name");
-  auto* cycle = fields().presetField("masterCycle", "master.cycle_time_us", kCycles);
-  auto* field = new QWidget;
-  auto* layout = new QHBoxLayout(field);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(cycle, 1);
-  field->setFocusProxy(cycle);
-  layout->addWidget(new QLabel(QStringLiteral("\u00B5s")));
-  card.addRow(cycle->accessibleName(), field, cycle->toolTip());
+  addCycleField(*this, card);
   fields().text(card, "networkName", "network.name");
   fields().toggle(card, "masterOverlap", "master.overlap_process_data");
 }
