@@ -775,6 +775,10 @@
 <context>
     <name>LiveStrip</name>
         <message>
+            <source>Export the episode</source>
+            <translation>Episode exportieren</translation>
+        </message>
+        <message>
             <source>Live plots</source>
             <translation>Live-Diagramme</translation>
         </message>
@@ -849,6 +853,14 @@
 </context>
 <context>
     <name>LiveStripToolbar</name>
+        <message>
+            <source>Trigger</source>
+            <translation>Trigger</translation>
+        </message>
+        <message>
+            <source>Stops or moves the plots where a signal or an event does what you wait for</source>
+            <translation>Hält die Kurven an oder bewegt sie dorthin, wo ein Signal oder ein Ereignis tut, worauf Sie warten</translation>
+        </message>
         <message>
             <source>Distribution</source>
             <translation>Verteilung</translation>
@@ -956,6 +968,10 @@
 </context>
 <context>
     <name>MainWindow</name>
+        <message>
+            <source>Trigger</source>
+            <translation>Trigger</translation>
+        </message>
         <message>
             <source>A recording is shown; it has no pages of slaves</source>
             <translation>Eine Aufzeichnung wird gezeigt; sie hat keine Seiten der Slaves</translation>
@@ -5440,6 +5456,10 @@ Einstellung %2</translation>
 <context>
     <name>RecordingCommands</name>
         <message>
+            <source>Save the Episode</source>
+            <translation>Episode sichern</translation>
+        </message>
+        <message>
             <source>Reading %1…</source>
             <translation>Lese %1 …</translation>
         </message>
@@ -7814,6 +7834,292 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
         <message>
             <source>The history could not be exported.</source>
             <translation>Die Historie konnte nicht exportiert werden.</translation>
+        </message>
+</context>
+<context>
+    <name>TriggerMonitor</name>
+        <message>
+            <source>not armed</source>
+            <translation>nicht scharf</translation>
+        </message>
+        <message>
+            <source>armed: waits for a run</source>
+            <translation>scharf: wartet auf einen Lauf</translation>
+        </message>
+        <message>
+            <source>all of the recording was looked at</source>
+            <translation>die ganze Aufzeichnung ist durchgesehen</translation>
+        </message>
+        <message>
+            <source>looks through the recording</source>
+            <translation>sieht die Aufzeichnung durch</translation>
+        </message>
+        <message>
+            <source>fills the time before the trigger</source>
+            <translation>füllt die Zeit vor dem Trigger</translation>
+        </message>
+        <message>
+            <source>waits for the trigger</source>
+            <translation>wartet auf den Trigger</translation>
+        </message>
+        <message>
+            <source>triggered</source>
+            <translation>ausgelöst</translation>
+        </message>
+        <message>
+            <source>holds off</source>
+            <translation>Sperrzeit</translation>
+        </message>
+        <message>
+            <source>done: triggered once</source>
+            <translation>fertig: einmal ausgelöst</translation>
+        </message>
+</context>
+<context>
+    <name>TriggerPanel</name>
+        <message>
+            <source>SM2 events missed</source>
+            <translation>Verpasste SM2-Ereignisse</translation>
+        </message>
+        <message>
+            <source>Frames lost in a cycle</source>
+            <translation>Verlorene Rahmen in einem Zyklus</translation>
+        </message>
+        <message>
+            <source>Deviation of a slave</source>
+            <translation>Abweichung eines Slaves</translation>
+        </message>
+        <message>
+            <source>Trigger</source>
+            <translation>Trigger</translation>
+        </message>
+        <message>
+            <source>What the trigger watches</source>
+            <translation>Was der Trigger beobachtet</translation>
+        </message>
+        <message>
+            <source>A signal, in every cycle of it, or an event</source>
+            <translation>Ein Signal, in jedem seiner Zyklen, oder ein Ereignis</translation>
+        </message>
+        <message>
+            <source>Slave of the trigger</source>
+            <translation>Slave des Triggers</translation>
+        </message>
+        <message>
+            <source>Whose signal or event</source>
+            <translation>Wessen Signal oder Ereignis</translation>
+        </message>
+        <message>
+            <source>Condition of the trigger</source>
+            <translation>Bedingung des Triggers</translation>
+        </message>
+        <message>
+            <source>What the signal does</source>
+            <translation>Was das Signal tut</translation>
+        </message>
+        <message>
+            <source>rises to</source>
+            <translation>steigt auf</translation>
+        </message>
+        <message>
+            <source>falls to</source>
+            <translation>fällt auf</translation>
+        </message>
+        <message>
+            <source>crosses</source>
+            <translation>kreuzt</translation>
+        </message>
+        <message>
+            <source>leaves</source>
+            <translation>verlässt</translation>
+        </message>
+        <message>
+            <source>enters</source>
+            <translation>betritt</translation>
+        </message>
+        <message>
+            <source>Event of the trigger</source>
+            <translation>Ereignis des Triggers</translation>
+        </message>
+        <message>
+            <source>Which event</source>
+            <translation>Welches Ereignis</translation>
+        </message>
+        <message>
+            <source>Level of the trigger</source>
+            <translation>Pegel des Triggers</translation>
+        </message>
+        <message>
+            <source>The level, in the unit of the signal</source>
+            <translation>Der Pegel, in der Einheit des Signals</translation>
+        </message>
+        <message>
+            <source>Lower edge of the band</source>
+            <translation>Untere Grenze des Bandes</translation>
+        </message>
+        <message>
+            <source>Lower edge of the band; it belongs to the band</source>
+            <translation>Untere Grenze des Bandes; sie gehört zum Band</translation>
+        </message>
+        <message>
+            <source>Upper edge of the band</source>
+            <translation>Obere Grenze des Bandes</translation>
+        </message>
+        <message>
+            <source>Upper edge of the band; it belongs to the band</source>
+            <translation>Obere Grenze des Bandes; sie gehört zum Band</translation>
+        </message>
+        <message>
+            <source>Absolute</source>
+            <translation>Betrag</translation>
+        </message>
+        <message>
+            <source>Absolute value</source>
+            <translation>Absoluter Wert</translation>
+        </message>
+        <message>
+            <source>Whatever the sign of the signal is</source>
+            <translation>Gleich welches Vorzeichen das Signal hat</translation>
+        </message>
+        <message>
+            <source>Mode of the trigger</source>
+            <translation>Betriebsart des Triggers</translation>
+        </message>
+        <message>
+            <source>Automatic: the plots go on following. Normal: they move to the newest episode. Single: they stop at the first one.</source>
+            <translation>Automatisch: Die Kurven folgen weiter. Normal: Sie gehen zur neuesten Episode. Einzeln: Sie halten bei der ersten an.</translation>
+        </message>
+        <message>
+            <source>Automatic</source>
+            <translation>Automatisch</translation>
+        </message>
+        <message>
+            <source>Normal</source>
+            <translation>Normal</translation>
+        </message>
+        <message>
+            <source>Single</source>
+            <translation>Einzeln</translation>
+        </message>
+        <message>
+            <source>Time before the trigger</source>
+            <translation>Zeit vor dem Trigger</translation>
+        </message>
+        <message>
+            <source>What of the time before belongs to an episode</source>
+            <translation>Was von der Zeit davor zu einer Episode gehört</translation>
+        </message>
+        <message>
+            <source>Time after the trigger</source>
+            <translation>Zeit nach dem Trigger</translation>
+        </message>
+        <message>
+            <source>What of the time after belongs to an episode</source>
+            <translation>Was von der Zeit danach zu einer Episode gehört</translation>
+        </message>
+        <message>
+            <source>Hold-off</source>
+            <translation>Sperrzeit</translation>
+        </message>
+        <message>
+            <source>For so long after a trigger no other episode begins; those left out are counted</source>
+            <translation>So lange nach einem Trigger beginnt keine weitere Episode; ausgelassene werden gezählt</translation>
+        </message>
+        <message>
+            <source>Arm</source>
+            <translation>Scharf</translation>
+        </message>
+        <message>
+            <source>Arm the trigger</source>
+            <translation>Trigger scharf schalten</translation>
+        </message>
+        <message>
+            <source>State of the trigger</source>
+            <translation>Zustand des Triggers</translation>
+        </message>
+        <message>
+            <source>Before</source>
+            <translation>Davor</translation>
+        </message>
+        <message>
+            <source>After</source>
+            <translation>Danach</translation>
+        </message>
+        <message>
+            <source>Save the episode</source>
+            <translation>Episode sichern</translation>
+        </message>
+        <message>
+            <source>Save…</source>
+            <translation>Sichern…</translation>
+        </message>
+        <message>
+            <source>Export the episode as CSV</source>
+            <translation>Episode als CSV exportieren</translation>
+        </message>
+        <message>
+            <source>CSV…</source>
+            <translation>CSV…</translation>
+        </message>
+        <message>
+            <source>The samples of the chosen episode, before and after included, as comma-separated values</source>
+            <translation>Die Werte der gewählten Episode, mit davor und danach, durch Kommas getrennt</translation>
+        </message>
+        <message>
+            <source>Episodes of the trigger</source>
+            <translation>Episoden des Triggers</translation>
+        </message>
+        <message>
+            <source>Time</source>
+            <translation>Zeit</translation>
+        </message>
+        <message>
+            <source>Cycle</source>
+            <translation>Zyklus</translation>
+        </message>
+        <message>
+            <source>Cause</source>
+            <translation>Ursache</translation>
+        </message>
+        <message>
+            <source>Slave</source>
+            <translation>Slave</translation>
+        </message>
+        <message>
+            <source>Name</source>
+            <translation>Name</translation>
+        </message>
+        <message>
+            <source>Enter or a double click shows the episode in the plots; F2 names it</source>
+            <translation>Eingabe oder Doppelklick zeigt die Episode in den Kurven; F2 benennt sie</translation>
+        </message>
+        <message>
+            <source>An event</source>
+            <translation>Ein Ereignis</translation>
+        </message>
+        <message>
+            <source>Any slave</source>
+            <translation>Alle Slaves</translation>
+        </message>
+        <message>
+            <source>%1 %2: %3</source>
+            <translation>%1 %2: %3</translation>
+        </message>
+        <message>
+            <source> (%1 more in the hold-off)</source>
+            <translation> (%1 weitere in der Sperrzeit)</translation>
+        </message>
+        <message>
+            <source>, %1 left out</source>
+            <translation>, %1 ausgelassen</translation>
+        </message>
+        <message>
+            <source>What is shown is a recording already</source>
+            <translation>Was gezeigt wird, ist schon eine Aufzeichnung</translation>
+        </message>
+        <message>
+            <source>A recording of the chosen episode, out of memory</source>
+            <translation>Eine Aufzeichnung der gewählten Episode, aus dem Speicher</translation>
         </message>
 </context>
 </TS>

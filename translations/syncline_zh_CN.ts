@@ -773,6 +773,10 @@
 <context>
     <name>LiveStrip</name>
         <message>
+            <source>Export the episode</source>
+            <translation>导出片段</translation>
+        </message>
+        <message>
             <source>Live plots</source>
             <translation>实时曲线</translation>
         </message>
@@ -847,6 +851,14 @@
 </context>
 <context>
     <name>LiveStripToolbar</name>
+        <message>
+            <source>Trigger</source>
+            <translation>触发</translation>
+        </message>
+        <message>
+            <source>Stops or moves the plots where a signal or an event does what you wait for</source>
+            <translation>在信号或事件发生所等待的变化处停止或移动曲线</translation>
+        </message>
         <message>
             <source>Distribution</source>
             <translation>分布</translation>
@@ -954,6 +966,10 @@
 </context>
 <context>
     <name>MainWindow</name>
+        <message>
+            <source>Trigger</source>
+            <translation>触发</translation>
+        </message>
         <message>
             <source>A recording is shown; it has no pages of slaves</source>
             <translation>正在显示记录；记录没有从站页面</translation>
@@ -5412,6 +5428,10 @@ Setting %2</source>
 <context>
     <name>RecordingCommands</name>
         <message>
+            <source>Save the Episode</source>
+            <translation>保存片段</translation>
+        </message>
+        <message>
             <source>Reading %1…</source>
             <translation>正在读取 %1…</translation>
         </message>
@@ -7769,6 +7789,292 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
         <message>
             <source>The history could not be exported.</source>
             <translation>无法导出历史。</translation>
+        </message>
+</context>
+<context>
+    <name>TriggerMonitor</name>
+        <message>
+            <source>not armed</source>
+            <translation>未就绪</translation>
+        </message>
+        <message>
+            <source>armed: waits for a run</source>
+            <translation>已就绪：等待运行</translation>
+        </message>
+        <message>
+            <source>all of the recording was looked at</source>
+            <translation>已检查整个记录</translation>
+        </message>
+        <message>
+            <source>looks through the recording</source>
+            <translation>正在检查记录</translation>
+        </message>
+        <message>
+            <source>fills the time before the trigger</source>
+            <translation>正在填充触发前时间</translation>
+        </message>
+        <message>
+            <source>waits for the trigger</source>
+            <translation>等待触发</translation>
+        </message>
+        <message>
+            <source>triggered</source>
+            <translation>已触发</translation>
+        </message>
+        <message>
+            <source>holds off</source>
+            <translation>触发抑制中</translation>
+        </message>
+        <message>
+            <source>done: triggered once</source>
+            <translation>完成：已触发一次</translation>
+        </message>
+</context>
+<context>
+    <name>TriggerPanel</name>
+        <message>
+            <source>SM2 events missed</source>
+            <translation>错过的 SM2 事件</translation>
+        </message>
+        <message>
+            <source>Frames lost in a cycle</source>
+            <translation>一个周期内丢失的帧</translation>
+        </message>
+        <message>
+            <source>Deviation of a slave</source>
+            <translation>从站的偏差</translation>
+        </message>
+        <message>
+            <source>Trigger</source>
+            <translation>触发</translation>
+        </message>
+        <message>
+            <source>What the trigger watches</source>
+            <translation>触发监视的对象</translation>
+        </message>
+        <message>
+            <source>A signal, in every cycle of it, or an event</source>
+            <translation>一个信号（其每个周期），或一个事件</translation>
+        </message>
+        <message>
+            <source>Slave of the trigger</source>
+            <translation>触发的从站</translation>
+        </message>
+        <message>
+            <source>Whose signal or event</source>
+            <translation>谁的信号或事件</translation>
+        </message>
+        <message>
+            <source>Condition of the trigger</source>
+            <translation>触发条件</translation>
+        </message>
+        <message>
+            <source>What the signal does</source>
+            <translation>信号的变化</translation>
+        </message>
+        <message>
+            <source>rises to</source>
+            <translation>上升到</translation>
+        </message>
+        <message>
+            <source>falls to</source>
+            <translation>下降到</translation>
+        </message>
+        <message>
+            <source>crosses</source>
+            <translation>穿过</translation>
+        </message>
+        <message>
+            <source>leaves</source>
+            <translation>离开</translation>
+        </message>
+        <message>
+            <source>enters</source>
+            <translation>进入</translation>
+        </message>
+        <message>
+            <source>Event of the trigger</source>
+            <translation>触发的事件</translation>
+        </message>
+        <message>
+            <source>Which event</source>
+            <translation>哪个事件</translation>
+        </message>
+        <message>
+            <source>Level of the trigger</source>
+            <translation>触发电平</translation>
+        </message>
+        <message>
+            <source>The level, in the unit of the signal</source>
+            <translation>电平，以信号的单位表示</translation>
+        </message>
+        <message>
+            <source>Lower edge of the band</source>
+            <translation>区间下限</translation>
+        </message>
+        <message>
+            <source>Lower edge of the band; it belongs to the band</source>
+            <translation>区间下限；属于区间</translation>
+        </message>
+        <message>
+            <source>Upper edge of the band</source>
+            <translation>区间上限</translation>
+        </message>
+        <message>
+            <source>Upper edge of the band; it belongs to the band</source>
+            <translation>区间上限；属于区间</translation>
+        </message>
+        <message>
+            <source>Absolute</source>
+            <translation>绝对值</translation>
+        </message>
+        <message>
+            <source>Absolute value</source>
+            <translation>绝对值</translation>
+        </message>
+        <message>
+            <source>Whatever the sign of the signal is</source>
+            <translation>不论信号的符号</translation>
+        </message>
+        <message>
+            <source>Mode of the trigger</source>
+            <translation>触发模式</translation>
+        </message>
+        <message>
+            <source>Automatic: the plots go on following. Normal: they move to the newest episode. Single: they stop at the first one.</source>
+            <translation>自动：曲线继续跟随。正常：移到最新的片段。单次：停在第一个片段。</translation>
+        </message>
+        <message>
+            <source>Automatic</source>
+            <translation>自动</translation>
+        </message>
+        <message>
+            <source>Normal</source>
+            <translation>正常</translation>
+        </message>
+        <message>
+            <source>Single</source>
+            <translation>单次</translation>
+        </message>
+        <message>
+            <source>Time before the trigger</source>
+            <translation>触发前时间</translation>
+        </message>
+        <message>
+            <source>What of the time before belongs to an episode</source>
+            <translation>片段包含的之前的时间</translation>
+        </message>
+        <message>
+            <source>Time after the trigger</source>
+            <translation>触发后时间</translation>
+        </message>
+        <message>
+            <source>What of the time after belongs to an episode</source>
+            <translation>片段包含的之后的时间</translation>
+        </message>
+        <message>
+            <source>Hold-off</source>
+            <translation>触发抑制</translation>
+        </message>
+        <message>
+            <source>For so long after a trigger no other episode begins; those left out are counted</source>
+            <translation>触发后这段时间内不开始新的片段；被略去的会计数</translation>
+        </message>
+        <message>
+            <source>Arm</source>
+            <translation>就绪</translation>
+        </message>
+        <message>
+            <source>Arm the trigger</source>
+            <translation>使触发就绪</translation>
+        </message>
+        <message>
+            <source>State of the trigger</source>
+            <translation>触发状态</translation>
+        </message>
+        <message>
+            <source>Before</source>
+            <translation>之前</translation>
+        </message>
+        <message>
+            <source>After</source>
+            <translation>之后</translation>
+        </message>
+        <message>
+            <source>Save the episode</source>
+            <translation>保存片段</translation>
+        </message>
+        <message>
+            <source>Save…</source>
+            <translation>保存…</translation>
+        </message>
+        <message>
+            <source>Export the episode as CSV</source>
+            <translation>将片段导出为 CSV</translation>
+        </message>
+        <message>
+            <source>CSV…</source>
+            <translation>CSV…</translation>
+        </message>
+        <message>
+            <source>The samples of the chosen episode, before and after included, as comma-separated values</source>
+            <translation>所选片段（含前后时间）的采样，逗号分隔</translation>
+        </message>
+        <message>
+            <source>Episodes of the trigger</source>
+            <translation>触发片段</translation>
+        </message>
+        <message>
+            <source>Time</source>
+            <translation>时间</translation>
+        </message>
+        <message>
+            <source>Cycle</source>
+            <translation>周期</translation>
+        </message>
+        <message>
+            <source>Cause</source>
+            <translation>原因</translation>
+        </message>
+        <message>
+            <source>Slave</source>
+            <translation>从站</translation>
+        </message>
+        <message>
+            <source>Name</source>
+            <translation>名称</translation>
+        </message>
+        <message>
+            <source>Enter or a double click shows the episode in the plots; F2 names it</source>
+            <translation>回车或双击在曲线中显示片段；F2 命名</translation>
+        </message>
+        <message>
+            <source>An event</source>
+            <translation>事件</translation>
+        </message>
+        <message>
+            <source>Any slave</source>
+            <translation>任一从站</translation>
+        </message>
+        <message>
+            <source>%1 %2: %3</source>
+            <translation>%1 %2：%3</translation>
+        </message>
+        <message>
+            <source> (%1 more in the hold-off)</source>
+            <translation>（抑制期内还有 %1 个）</translation>
+        </message>
+        <message>
+            <source>, %1 left out</source>
+            <translation>，略去 %1 个</translation>
+        </message>
+        <message>
+            <source>What is shown is a recording already</source>
+            <translation>显示的已是记录</translation>
+        </message>
+        <message>
+            <source>A recording of the chosen episode, out of memory</source>
+            <translation>从内存中记录所选片段</translation>
         </message>
 </context>
 </TS>

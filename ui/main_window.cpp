@@ -13,6 +13,8 @@
 #include <QToolButton>
 #include <QUrl>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "ui/action_states.h"
@@ -39,6 +41,7 @@
 #include "ui/panels/recording_bar.h"
 #include "ui/panels/run_bar.h"
 #include "ui/panels/status_panel.h"
+#include "ui/panels/trigger_panel.h"
 #include "ui/session/workspace.h"
 #include "ui/text/glossary.h"
 #include "ui/theme/theme.h"
@@ -67,6 +70,7 @@ MainWindow::MainWindow(Workspace& workspace, QWidget* parent) : QMainWindow(pare
   new StatusPanel(workspace, *statusBar());
   connectActions();
   connectSession();
+  connectTrigger();
   resize(1280, 800);
   updateTheme();
   updateTitle();
@@ -256,6 +260,7 @@ void MainWindow::connectSession() {
     updateActions();
     if (structural && workspace_.live().phase() == LiveSession::Phase::kOffline && !workspace_.recording().isOpen()) {
       strip_->setRecord(nullptr);
+      workspace_.trigger().setRecord(nullptr, false);
       overview_->setRecord(nullptr, false);
     }
   });
@@ -280,11 +285,42 @@ void MainWindow::connectSession() {
   connect(&workspace_.scan(), &ScanController::failed, this, &MainWindow::updateActions);
 }
 
+/// What it finds moves the plots as its mode says.
+void MainWindow::connectTrigger() {
+  auto& monitor = workspace_.trigger();
+  auto* panel = &docks_->trigger();
+  const auto show = [this](const TriggerEpisode& episode, bool freeze) {
+    strip_->showDistribution(false);
+    strip_->showRange(episode.from, episode.to, episode.time, freeze);
+  };
+  connect(strip_, &LiveStrip::triggerWanted, this, [this] { docks_->showTrigger(); });
+  connect(panel, &TriggerPanel::episodeWanted, this, [show](const TriggerEpisode& episode) { show(episode, false); });
+  connect(panel, &TriggerPanel::csvWanted, strip_, &LiveStrip::exportRange);
+  connect(panel, &TriggerPanel::saveWanted, recordings_, &RecordingCommands::saveRange);
+  const auto show_level = [this, &monitor] {
+    const auto& trigger = monitor.trigger();
+    const bool level = monitor.isArmed() && trigger.kind == Trigger::Kind::kLevel;
+    strip_->setTriggerLevel({trigger.signal, static_cast<std::size_t>(std::max(trigger.slave, 0)),
+                             level ? std::optional(trigger.level) : std::nullopt});
+  };
+  connect(&monitor, &TriggerMonitor::changed, strip_, show_level);
+  connect(strip_, &LiveStrip::triggerLevelDragged, &monitor, [&monitor](double level) {
+    auto trigger = monitor.trigger();
+    trigger.level = level;
+    monitor.setTrigger(trigger);
+  });
+  connect(&monitor, &TriggerMonitor::completed, this, [&monitor, show](const TriggerEpisode& episode) {
+    const auto mode = monitor.trigger().mode;
+    if (mode != Trigger::Mode::kAutomatic) show(episode, mode == Trigger::Mode::kSingle);
+  });
+}
+
 /// Plots and figures of what is shown: the run, or the recording in its place.
 void MainWindow::showRun() {
   const bool recorded = workspace_.recording().isOpen();
   strip_->setPickedSlave(recorded ? -1 : workspace_.runningSlaves().positionOf(explorer_->selected()));
   strip_->setRecord(workspace_.shownRecord(), recorded);
+  workspace_.trigger().setRecord(workspace_.shownRecord(), recorded);
   overview_->setRecord(workspace_.shownRecord(), recorded);
   overview_->setFindings(workspace_.shownFindings());
   if (recorded) showOverview(true);

@@ -58,6 +58,7 @@ class MainWindow final : public QMainWindow {
   void connectActions();
   bool commitFields();
   void connectSession();
+  void connectTrigger();
   void updateTitle();
   void updateActions();
   void updateRecordingActions();

@@ -8,6 +8,7 @@
 #include "ui/panels/explorer_panel.h"
 #include "ui/panels/findings_panel.h"
 #include "ui/panels/messages_panel.h"
+#include "ui/panels/trigger_panel.h"
 #include "ui/session/workspace.h"
 
 namespace syncline::ui {
@@ -24,6 +25,9 @@ WindowDocks::WindowDocks(Workspace& workspace, QMainWindow& window, QDockWidget&
   findings_ = new FindingsPanel(workspace.findings());
   findings_dock_ = dock("findingsDock", MainWindow::tr("Findings"), *findings_, Qt::BottomDockWidgetArea);
   window.tabifyDockWidget(messages_dock_, findings_dock_);
+  trigger_ = new TriggerPanel(workspace.trigger());
+  trigger_dock_ = dock("triggerDock", MainWindow::tr("Trigger"), *trigger_, Qt::BottomDockWidgetArea);
+  window.tabifyDockWidget(findings_dock_, trigger_dock_);
   messages_dock_->raise();
   connect(&workspace.runFindings(), &RunFindings::findingsChanged, this, &WindowDocks::showFindingCount);
   connect(&workspace.recording(), &OpenedRecording::changed, this, &WindowDocks::showRecording);
@@ -40,11 +44,16 @@ QDockWidget* WindowDocks::dock(const char* name, const QString& title, QWidget& 
 
 QList<QAction*> WindowDocks::toggles() const {
   return {explorer_dock_->toggleViewAction(), catalogue_dock_->toggleViewAction(), messages_dock_->toggleViewAction(),
-          findings_dock_->toggleViewAction()};
+          findings_dock_->toggleViewAction(), trigger_dock_->toggleViewAction()};
 }
 
 WindowLayout::Parts WindowDocks::parts(QSplitter& centre) const {
-  return {explorer_dock_, catalogue_dock_, {messages_dock_, findings_dock_}, &centre};
+  return {explorer_dock_, catalogue_dock_, {messages_dock_, findings_dock_, trigger_dock_}, &centre};
+}
+
+void WindowDocks::showTrigger() {
+  trigger_dock_->show();
+  trigger_dock_->raise();
 }
 
 /// The tab says how much there is, so that nobody has to look whether there is any.

@@ -16,6 +16,7 @@ namespace syncline::ui {
 class ExplorerPanel;
 class FindingsPanel;
 class MessagesPanel;
+class TriggerPanel;
 class Workspace;
 
 /// The docks of the window with their panels: what they are called and when they can be used. Who hears of what the
@@ -30,6 +31,9 @@ class WindowDocks final : public QObject {
   [[nodiscard]] ExplorerPanel& explorer() { return *explorer_; }
   [[nodiscard]] MessagesPanel& messages() { return *messages_; }
   [[nodiscard]] FindingsPanel& findings() { return *findings_; }
+  [[nodiscard]] TriggerPanel& trigger() { return *trigger_; }
+  /// In front of the others of its place.
+  void showTrigger();
   /// Each shows or hides a dock.
   [[nodiscard]] QList<QAction*> toggles() const;
   [[nodiscard]] WindowLayout::Parts parts(QSplitter& centre) const;
@@ -44,7 +48,8 @@ class WindowDocks final : public QObject {
   ExplorerPanel* explorer_;
   MessagesPanel* messages_;
   FindingsPanel* findings_;
-  QDockWidget *explorer_dock_, *catalogue_dock_, *messages_dock_, *findings_dock_;
+  TriggerPanel* trigger_;
+  QDockWidget *explorer_dock_, *catalogue_dock_, *messages_dock_, *findings_dock_, *trigger_dock_;
 };
 
 }  // namespace syncline::ui

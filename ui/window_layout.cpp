@@ -11,7 +11,7 @@
 namespace syncline::ui {
 namespace {
 
-constexpr int kLayout = 2;  // one more with every panel that comes or goes
+constexpr int kLayout = 3;  // one more with every panel that comes or goes
 const QString kLayoutVersion = QStringLiteral("layout/version"), kGeometry = QStringLiteral("layout/geometry"),
               kState = QStringLiteral("layout/state"), kSplitter = QStringLiteral("layout/splitter");
 

@@ -215,6 +215,7 @@ inline constexpr std::string_view kCommonReasons[] = {
     "no machine runs: go online first",
     "no cycle has run yet: go online first",
     "another stretch is being written; try again in a moment",
+    "no cycle of it is in memory any more",
     "it holds no cycles: it was cut short before its first second",
 };
 

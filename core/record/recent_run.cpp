@@ -33,7 +33,8 @@ Status write_all(RecordingWriter& writer, const RecentRun& run) {
   for (const auto& chunk : run.samples) {
     const auto begin = std::ranges::lower_bound(*chunk, run.from, {}, &CycleSample::send_time);
     RecordingBatch batch;
-    batch.samples.assign(begin, chunk->end());
+    const auto end = std::ranges::upper_bound(begin, chunk->end(), run.to, {}, &CycleSample::send_time);
+    batch.samples.assign(begin, end);
     if (batch.samples.empty()) continue;
     const auto until = batch.samples.back().send_time;
     for (; event != run.events.end() && event->time <= until; ++event) batch.events.push_back(*event);
@@ -92,7 +93,7 @@ std::vector<RecentSamples::Chunk> RecentSamples::since(Nanoseconds from) const {
   return result;
 }
 
-std::unique_ptr<SampleStore> held_copy(const RunRecord& record) {
+std::unique_ptr<SampleStore> held_copy(const RunRecord& record, Nanoseconds until) {
   const auto& from = record.samples();
   auto copy = std::make_unique<SampleStore>(
       SampleStore::Layout{from.slave_count(), record.limits().cycle_time, kHeldCapacity, 0});
@@ -104,11 +105,11 @@ std::unique_ptr<SampleStore> held_copy(const RunRecord& record) {
     for (std::size_t slave = 0; slave < count; ++slave) {
       times.clear();
       values.clear();
-      from.series(signal.id, slave).for_each(INT64_MIN, INT64_MAX, [&](Nanoseconds time, float value) {
+      from.series(signal.id, slave).for_each(INT64_MIN, until + 1, [&](Nanoseconds time, float value) {
         times.push_back(time);
         values.push_back(value);
       });
-      if (!times.empty()) copy->restore(signal.id, slave, times, values, from.heard(signal.id, slave));
+      if (!times.empty()) copy->restore(signal.id, slave, times, values, std::min(from.heard(signal.id, slave), until));
     }
   }
   return copy;

@@ -43,15 +43,15 @@ class RecentSamples {
 /// What save_recent() writes: taken where the run lives, written in any thread.
 struct RecentRun {
   RecordingAbout about;
-  Nanoseconds from = 0;  // host clock
+  Nanoseconds from = 0, to = INT64_MAX;  // host clock, both belong to it
   std::vector<RecentSamples::Chunk> samples;
   std::unique_ptr<SampleStore> held;  // see held_copy()
-  std::vector<RecordedEvent> events;  // from then on
+  std::vector<RecordedEvent> events;  // from then on, until then
   std::vector<RecordedFinding> findings;
 };
 
-/// Counts and states of a run, and nothing else of it.
-[[nodiscard]] std::unique_ptr<SampleStore> held_copy(const RunRecord& record);
+/// Counts and states of a run until a moment, and nothing else of it.
+[[nodiscard]] std::unique_ptr<SampleStore> held_copy(const RunRecord& record, Nanoseconds until = INT64_MAX - 1);
 
 /// A recording of it, in the calling thread. kFileNotWritable, also when there is a file of this name or the disk has
 /// no room for it; then there is none.

@@ -7097,6 +7097,10 @@
         <translation>es lief noch kein Zyklus: zuerst online gehen</translation>
     </message>
     <message>
+        <source>no cycle of it is in memory any more</source>
+        <translation>kein Zyklus davon ist noch im Speicher</translation>
+    </message>
+    <message>
         <source>another stretch is being written; try again in a moment</source>
         <translation>ein anderer Abschnitt wird gerade geschrieben; gleich noch einmal versuchen</translation>
     </message>

@@ -7097,6 +7097,10 @@
         <translation>尚无周期运行过：请先上线</translation>
     </message>
     <message>
+        <source>no cycle of it is in memory any more</source>
+        <translation>内存中已没有其中的任何周期</translation>
+    </message>
+    <message>
         <source>another stretch is being written; try again in a moment</source>
         <translation>另一段正在写入；请稍后重试</translation>
     </message>

@@ -121,6 +121,13 @@ void RecordingCommands::saveLast() {
   if (auto status = disk.saveLast(span, path); !status) tell(tr("Nothing could be saved."), status.error());
 }
 
+void RecordingCommands::saveRange(Nanoseconds from, Nanoseconds to) {
+  const auto path = askFile(tr("Save the Episode"));
+  if (path.isEmpty()) return;
+  if (auto status = workspace_.disk().saveRange(from, to, path); !status)
+    tell(tr("Nothing could be saved."), status.error());
+}
+
 void RecordingCommands::onSaved(const QString& path, const std::optional<Error>& error) {
   if (error) return tell(tr("The last stretch could not be saved."), *error);
   workspace_.inform(tr("Recording"), tr("Saved to %1").arg(path));

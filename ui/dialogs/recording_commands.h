@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "support/result.h"
+#include "support/types.h"
 
 class QProgressDialog;
 class QWidget;
@@ -28,6 +29,8 @@ class RecordingCommands final : public QObject {
   void toggle();
   /// Asks how much, and where to.
   void saveLast();
+  /// A stretch of the run (host clock) to a file that the user names.
+  void saveRange(Nanoseconds from, Nanoseconds to);
   /// "Save the last 4 min 10 s…"
   [[nodiscard]] QString saveLastText() const;
 

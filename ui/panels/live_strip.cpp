@@ -36,6 +36,7 @@ LiveStrip::LiveStrip(QWidget* parent) : QWidget(parent), toolbar_(new LiveStripT
   for (auto* panel : panels_) {
     row->addWidget(panel, 1);
     connect(panel->plot(), &TracePlot::menuRequested, this, &LiveStrip::openMenu);
+    connect(panel->plot(), &TracePlot::triggerLevelDragged, this, &LiveStrip::triggerLevelDragged);
     connect(panel->plot(), &TracePlot::eventClicked, this, &LiveStrip::eventClicked);
     panel->plot()->marks().setMarks(&marks_);
   }
@@ -62,6 +63,7 @@ LiveStrip::LiveStrip(QWidget* parent) : QWidget(parent), toolbar_(new LiveStripT
     cursors_.set(CursorSet::kB, view_.begin() + view_.span() * 2 / 3);
   });
   connect(toolbar_, &LiveStripToolbar::distributionToggled, this, &LiveStrip::showDistribution);
+  connect(toolbar_, &LiveStripToolbar::triggerWanted, this, &LiveStrip::triggerWanted);
   connect(distribution_, &DistributionView::momentChosen, this, [this](Nanoseconds time) {
     showDistribution(false);
     goTo(time);
@@ -106,6 +108,25 @@ void LiveStrip::goTo(Nanoseconds time) {
   cursors_.set(CursorSet::kA, time);
 }
 
+void LiveStrip::showRange(Nanoseconds from, Nanoseconds to, Nanoseconds moment, bool freeze) {
+  if (!hasSamples()) return;
+  followRecord();
+  view_.setSpan(to - from);
+  view_.goTo(from + (to - from) / 2);
+  cursors_.set(CursorSet::kA, moment);
+  if (freeze && view_.isFollowable()) view_.freeze();
+}
+
+void LiveStrip::setTriggerLevel(const TriggerLevel& level) {
+  level_ = level;
+  showTriggerLevel();
+}
+
+/// Which slaves are drawn changes as they do.
+void LiveStrip::showTriggerLevel() {
+  for (auto* panel : panels_) panel->showTriggerLevel(level_.signal, level_.slave, level_.level);
+}
+
 /// Events that came since it looked last. What they say in words stands in the messages.
 void LiveStrip::collectMarks() {
   if (record_ == nullptr) return;
@@ -143,6 +164,7 @@ void LiveStrip::tick() {
     text_wanted_ = false;
     const bool moving = view_.mode() == TimeView::Mode::kLive;
     for (auto* panel : panels_) panel->refreshText(moving && ticks_ % kChooseEvery == 0);
+    showTriggerLevel();
     showState();
   }
   ++ticks_;

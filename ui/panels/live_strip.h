@@ -6,6 +6,7 @@
 #include <QWidget>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,17 @@ class LiveStrip : public QWidget {
   void setPickedSlave(int position);
   /// Puts a moment into the middle of the plots, with cursor A on it.
   void goTo(Nanoseconds time);
+  /// A stretch fills the plots, with cursor A on a moment of it; `freeze`: the picture says that it stands.
+  void showRange(Nanoseconds from, Nanoseconds to, Nanoseconds moment, bool freeze);
+  /// The level of a trigger, drawn where its signal is; nothing: none.
+  struct TriggerLevel {
+    Signal signal = Signal::kDeviation;
+    std::size_t slave = 0;
+    std::optional<double> level;
+  };
+  void setTriggerLevel(const TriggerLevel& level);
+  /// Asks for a file and writes the samples of a stretch, as csv() does of what is shown.
+  void exportRange(Nanoseconds from, Nanoseconds to);
 
   /// One redraw, as the tick does; for tests and pictures.
   void refresh();
@@ -50,12 +62,15 @@ class LiveStrip : public QWidget {
   /// The bins of the distribution where it is shown; else the stretch that is shown as a table: times in ns since the
   /// run began and in UTC, one column a series; C locale.
   [[nodiscard]] std::string csv() const;
+  [[nodiscard]] std::string csv(Nanoseconds from, Nanoseconds to) const;
   /// The three plots with a caption, in light colours whatever the theme is.
   [[nodiscard]] QImage picture(double scale);
 
  Q_SIGNALS:
   /// The mark of an event was clicked.
   void eventClicked(syncline::Nanoseconds time);
+  void triggerWanted();
+  void triggerLevelDragged(double level);
 
  protected:
   void showEvent(QShowEvent* event) override;
@@ -66,6 +81,7 @@ class LiveStrip : public QWidget {
  private:
   void tick();
   void showState();
+  void showTriggerLevel();
   void collectMarks();
   void followRecord();
   [[nodiscard]] bool showsDistribution() const;
@@ -88,6 +104,7 @@ class LiveStrip : public QWidget {
   unsigned ticks_ = 0;
   std::vector<EventMark> marks_;  // of the record's events, by time
   std::uint64_t marked_ = 0;      // events that were looked at
+  TriggerLevel level_;
   bool text_wanted_ = false;
 };
 

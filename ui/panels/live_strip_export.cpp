@@ -35,7 +35,10 @@ void tellUnwritten(QWidget* parent, const Status& status) {
 }  // namespace
 
 std::string LiveStrip::csv() const {
-  if (showsDistribution()) return distribution_->csv();
+  return showsDistribution() ? distribution_->csv() : csv(view_.begin(), view_.end());
+}
+
+std::string LiveStrip::csv(Nanoseconds from, Nanoseconds to) const {
   std::vector<CsvColumn> columns;
   if (record_ == nullptr) return series_csv(columns, 0, 0, 0);
   const auto& samples = record_->samples();
@@ -50,7 +53,7 @@ std::string LiveStrip::csv() const {
       columns.push_back({std::move(name), &series});
     }
   }
-  return series_csv(columns, view_.origin(), view_.begin(), view_.end() + 1);
+  return series_csv(columns, view_.origin(), from, to + 1);
 }
 
 QImage LiveStrip::picture(double scale) {
@@ -84,6 +87,13 @@ void LiveStrip::exportCsv() {
                                                  tr("Comma-separated values (*.csv)"));
   if (path.isEmpty()) return;
   tellUnwritten(this, write_whole_file(path.toStdString(), csv()));
+}
+
+void LiveStrip::exportRange(Nanoseconds from, Nanoseconds to) {
+  const auto path = QFileDialog::getSaveFileName(this, tr("Export the episode"), QStringLiteral("episode.csv"),
+                                                 tr("Comma-separated values (*.csv)"));
+  if (path.isEmpty()) return;
+  tellUnwritten(this, write_whole_file(path.toStdString(), csv(from, to)));
 }
 
 void LiveStrip::exportPicture() {

@@ -50,6 +50,9 @@ LiveStripToolbar::LiveStripToolbar(TimeView* view, CursorSet* cursors, QWidget* 
                             tr("How often which value came, instead of the plots over time"));
   distribution_->setCheckable(true);
   connect(distribution_, &QToolButton::clicked, this, &LiveStripToolbar::distributionToggled);
+  auto* trigger = addButton(layout, "triggerButton", tr("Trigger"),
+                            tr("Stops or moves the plots where a signal or an event does what you wait for"));
+  connect(trigger, &QToolButton::clicked, this, &LiveStripToolbar::triggerWanted);
   layout->addSpacing(6);
   layout->addWidget(named(state_, "liveStateLabel", tr("State of the plots")));
   layout->addStretch(1);

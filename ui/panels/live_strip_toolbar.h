@@ -29,6 +29,7 @@ class LiveStripToolbar final : public QWidget {
  Q_SIGNALS:
   void distributionToggled(bool on);
   void fitRequested();
+  void triggerWanted();
   void cursorsToggled(bool on);
   void menuRequested(const QPoint& global);
 

@@ -134,6 +134,16 @@ void TracePanel::draw(SeriesItem& item, Signal signal, std::size_t slave) const 
   item.setMaxGap(store().longest_gap(signal));
 }
 
+void TracePanel::showTriggerLevel(Signal signal, std::size_t slave, std::optional<double> level) {
+  const bool of_slaves = info(signal).scope == SignalInfo::Scope::kSlave;
+  bool drawn = false;
+  if (source_ != nullptr && (!of_slaves || slave < store().slave_count())) {
+    const auto* series = &store().series(signal, of_slaves ? slave : 0);
+    for (const auto* item : plot_->items()) drawn = drawn || (item->isVisible() && item->series() == series);
+  }
+  plot_->setTriggerLevel(drawn ? level : std::nullopt);
+}
+
 void TracePanel::applyTheme() {
   auto palette = readout_->palette();
   palette.setColor(QPalette::WindowText, theme::mutedText(this->palette()));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QWidget>
+#include <optional>
 #include <vector>
 
 #include "record/run_record.h"
@@ -28,6 +29,8 @@ class TracePanel : public QWidget {
   /// Chooses what to draw and writes the numbers; a few times a second.
   void refreshText(bool choose);
   void applyTheme();
+  /// Drawn where the signal is, of this slave where it is one of slaves; nothing: no level.
+  void showTriggerLevel(Signal signal, std::size_t slave, std::optional<double> level);
 
   [[nodiscard]] TracePlot* plot() const { return plot_; }
   [[nodiscard]] LegendBar* legend() const { return legend_; }

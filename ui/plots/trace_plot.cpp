@@ -57,6 +57,7 @@ TracePlot::TracePlot(const Options& options, TimeView* view, CursorSet* cursors,
       cursor_item_(new CursorItem(cursors)),
       gaps_(new GapItem),
       marks_(new EventMarksItem),
+      level_(new TriggerLevelItem),
       time_draw_(new UnitScaleDraw),
       value_draw_(new UnitScaleDraw),
       range_(options.minimum_span, options.with_zero) {
@@ -89,7 +90,7 @@ TracePlot::TracePlot(const Options& options, TimeView* view, CursorSet* cursors,
   axisWidget(QwtPlot::xBottom)->setMinBorderDist(kBorder, 2 * kBorder);
   for (QwtPlotItem* item :
        {static_cast<QwtPlotItem*>(lines_), static_cast<QwtPlotItem*>(band_), static_cast<QwtPlotItem*>(cursor_item_),
-        static_cast<QwtPlotItem*>(gaps_), static_cast<QwtPlotItem*>(marks_)}) {
+        static_cast<QwtPlotItem*>(gaps_), static_cast<QwtPlotItem*>(marks_), static_cast<QwtPlotItem*>(level_)}) {
     item->attach(this);
   }
   connect(view_, &TimeView::changed, this, &TracePlot::markDirty);
@@ -114,6 +115,12 @@ void TracePlot::setLimit(double limit, const QString& label) {
   markDirty();
 }
 
+void TracePlot::setTriggerLevel(std::optional<double> level) {
+  if (level == level_->level()) return;
+  level_->setLevel(level);
+  markDirty();
+}
+
 void TracePlot::applyTheme() {
   auto small = font();
   small.setPointSizeF(std::max(small.pointSizeF() * 0.85, 7.0));
@@ -122,6 +129,7 @@ void TracePlot::applyTheme() {
   band_->setColors(plot_colors::limitFill(palette()), plot_colors::limitLine(palette()),
                    palette().color(QPalette::Base));
   cursor_item_->setColors(plot_colors::cursor(palette()), palette().color(QPalette::Base));
+  level_->setColors(theme::toneColor(palette(), theme::Tone::kAccent), palette().color(QPalette::Base));
   gaps_->setColor(plot_colors::grid(palette()));
   marks_->setColors(theme::toneColor(palette(), theme::Tone::kBad), theme::toneColor(palette(), theme::Tone::kGood));
   auto axis_palette = palette();
@@ -268,11 +276,11 @@ bool TracePlot::mouseEvent(QEvent* event) {
       const auto* mouse = static_cast<QMouseEvent*>(event);
       if (mouse->button() != Qt::LeftButton) return false;
       setFocus(Qt::MouseFocusReason);
-      grab(mouse->position().x());
+      grab(mouse->position());
       return true;
     }
     case QEvent::MouseMove:
-      drag(static_cast<QMouseEvent*>(event)->position().x());
+      drag(static_cast<QMouseEvent*>(event)->position());
       return false;
     case QEvent::MouseButtonRelease:
       release(static_cast<QMouseEvent*>(event)->position().x());
@@ -309,8 +317,13 @@ void TracePlot::wheel(const QWheelEvent& event) {
   }
 }
 
-void TracePlot::grab(double x) {
-  drag_ = Drag::kPan;
+bool TracePlot::onLevel(double y) const {
+  return level_->level() && std::abs(transform(QwtPlot::yLeft, *level_->level()) - y) <= kGrabDistance;
+}
+
+void TracePlot::grab(const QPointF& place) {
+  const double x = place.x();
+  drag_ = onLevel(place.y()) ? Drag::kLevel : Drag::kPan;
   drag_x_ = grab_x_ = x;
   const auto reach =
       static_cast<Nanoseconds>(kGrabDistance * static_cast<double>(grid_.width) * canvas()->devicePixelRatioF());
@@ -319,6 +332,7 @@ void TracePlot::grab(double x) {
     if (time && std::llabs(*time - timeAt(x)) <= reach)
       drag_ = which == CursorSet::kA ? Drag::kCursorA : Drag::kCursorB;
   }
+  if (drag_ == Drag::kLevel) return canvas()->setCursor(Qt::SplitVCursor);
   canvas()->setCursor(drag_ == Drag::kPan ? Qt::ClosedHandCursor : Qt::SplitHCursor);
 }
 
@@ -330,9 +344,11 @@ void TracePlot::release(double x) {
   if (const auto mark = marks_->nearest(timeAt(x), reach)) Q_EMIT eventClicked(mark->time);
 }
 
-void TracePlot::drag(double x) {
+void TracePlot::drag(const QPointF& place) {
+  const double x = place.x();
   pointer_x_ = x;
   cursors_->setPointer(timeAt(x));
+  if (drag_ == Drag::kLevel) Q_EMIT triggerLevelDragged(std::round(invTransform(QwtPlot::yLeft, place.y())));
   if (drag_ == Drag::kCursorA) cursors_->set(CursorSet::kA, timeAt(x));
   if (drag_ == Drag::kCursorB) cursors_->set(CursorSet::kB, timeAt(x));
   if (drag_ != Drag::kPan || x == drag_x_) return;

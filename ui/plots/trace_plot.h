@@ -15,6 +15,7 @@
 #include "ui/plots/series_item.h"
 #include "ui/plots/slow_range.h"
 #include "ui/plots/time_view.h"
+#include "ui/plots/trigger_level_item.h"
 
 class QWheelEvent;
 class QwtPlotGrid;
@@ -43,6 +44,9 @@ class TracePlot final : public QwtPlot {
   /// The plot owns its items; the order is the drawing order.
   SeriesItem* addItem(const QString& title, SeriesItem::Shape shape);
   void setLimit(double limit, const QString& label);
+  /// In axis units; nothing: none of this plot. It can be dragged.
+  void setTriggerLevel(std::optional<double> level);
+  [[nodiscard]] std::optional<double> triggerLevel() const { return level_->level(); }
   void applyTheme();
   /// What hatches the outages, and what marks the events.
   [[nodiscard]] GapItem& gaps() { return *gaps_; }
@@ -66,6 +70,7 @@ class TracePlot final : public QwtPlot {
 
  Q_SIGNALS:
   void menuRequested(const QPoint& global, syncline::Nanoseconds time);
+  void triggerLevelDragged(double level);
   /// The mark of an event was clicked.
   void eventClicked(syncline::Nanoseconds time);
 
@@ -83,8 +88,9 @@ class TracePlot final : public QwtPlot {
   void updateValueAxis();
   bool mouseEvent(QEvent* event);
   void wheel(const QWheelEvent& event);
-  void drag(double x);
-  void grab(double x);
+  void drag(const QPointF& place);
+  void grab(const QPointF& place);
+  [[nodiscard]] bool onLevel(double y) const;
   void release(double x);
 
   Options options_;
@@ -95,13 +101,14 @@ class TracePlot final : public QwtPlot {
   CursorItem* cursor_item_;
   GapItem* gaps_;
   EventMarksItem* marks_;
+  TriggerLevelItem* level_;
   UnitScaleDraw *time_draw_, *value_draw_;
   std::vector<SeriesItem*> items_;
   SlowRange range_;
   ColumnGrid grid_;
   bool dirty_ = true;
   std::uint64_t paints_ = 0;
-  enum class Drag { kNone, kPan, kCursorA, kCursorB } drag_ = Drag::kNone;
+  enum class Drag { kNone, kPan, kCursorA, kCursorB, kLevel } drag_ = Drag::kNone;
   double drag_x_ = 0, grab_x_ = 0;
   std::optional<double> pointer_x_;
 };

@@ -162,17 +162,24 @@ Nanoseconds DiskRecording::memoryReach() const {
 
 Status DiskRecording::saveLast(Nanoseconds duration, const QString& path) {
   if (recent_.span() == 0) return fail(ErrorCode::kFileNotWritable, {}, "no cycle has run yet: go online first");
+  return saveRange(live_.record()->samples().last_time() - duration, INT64_MAX - 1, path);
+}
+
+Status DiskRecording::saveRange(Nanoseconds from, Nanoseconds to, const QString& path) {
+  if (recent_.span() == 0 || to < recent_.begin())
+    return fail(ErrorCode::kFileNotWritable, {}, "no cycle of it is in memory any more");
   if (saving_) return fail(ErrorCode::kFileNotWritable, {}, "another stretch is being written; try again in a moment");
   if (saver_.joinable()) saver_.join();
   const auto& record = *live_.record();
   auto run = std::make_shared<RecentRun>();
   run->about = about();
-  run->from = std::max(record.samples().last_time() - duration, recent_.begin());
+  run->from = std::max(from, recent_.begin());
+  run->to = to;
   run->samples = recent_.since(run->from);
-  run->held = held_copy(record);
+  run->held = held_copy(record, to);
   std::vector<Event> events;
   std::ranges::copy_if(record.events(), std::back_inserter(events),
-                       [from = run->from](const Event& event) { return event.time >= from; });
+                       [from = run->from, to](const Event& event) { return event.time >= from && event.time <= to; });
   run->findings = recorded(record.findings());
   saving_ = true;
   saver_ = std::thread([this, run, path, events = std::move(events), words_of = environment_.record_event] {

@@ -51,6 +51,8 @@ class DiskRecording final : public QObject {
   /// Writes the last `duration` to a new file; saved() follows. kFileNotWritable where nothing is remembered, or while
   /// another stretch is being written.
   Status saveLast(Nanoseconds duration, const QString& path);
+  /// The same of a stretch (host clock): what of it is remembered; kFileNotWritable where nothing is.
+  Status saveRange(Nanoseconds from, Nanoseconds to, const QString& path);
 
  Q_SIGNALS:
   void changed();

@@ -21,6 +21,7 @@
 #include "ui/session/running_slaves.h"
 #include "ui/session/scan_controller.h"
 #include "ui/session/slave_requests.h"
+#include "ui/session/trigger_monitor.h"
 #include "ui/session/watch_list.h"
 #include "ui/session/window_memory.h"
 
@@ -50,6 +51,7 @@ class Workspace final : public QObject {
   [[nodiscard]] WatchList& watched() { return watched_; }
   /// What the project would do otherwise than what runs.
   [[nodiscard]] RunDifference& runDifference() { return run_difference_; }
+  [[nodiscard]] TriggerMonitor& trigger() { return trigger_; }
   [[nodiscard]] WindowMemory& memory() { return memory_; }
   [[nodiscard]] RunFindings& runFindings() { return run_findings_; }
   /// What is kept of the running machine on disk.
@@ -117,6 +119,7 @@ class Workspace final : public QObject {
   RunFindings run_findings_;
   DiskRecording disk_;
   OpenedRecording recording_;
+  TriggerMonitor trigger_{memory_};
   FindingModel findings_;
   MessageModel messages_;
   NetworkModel network_;

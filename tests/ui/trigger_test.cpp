@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: Apache-2.0
+// The trigger of the window: set, armed, found, shown, kept.
+#include <gtest/gtest.h>
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QPushButton>
+#include <QTableWidget>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QToolButton>
+#include <memory>
+
+#include "support/running_window.h"
+#include "ui/panels/live_strip.h"
+#include "ui/panels/trigger_panel.h"
+#include "ui/session/trigger_monitor.h"
+#include "ui/session/window_memory.h"
+
+namespace syncline::ui {
+namespace {
+
+constexpr Nanoseconds kTriggerRun = 830'000'000 * kSecond;
+
+/// Errors of the master synchronisation of 10 ns; of 500 ns in cycles 1000, 1010 and 4000.
+std::unique_ptr<RunRecord> triggerRecord(std::uint64_t cycles) {
+  NetworkConfig config;
+  config.cyclic.resize(1);
+  config.cyclic.front().cycle_time = kMillisecond;
+  config.slaves.emplace_back().name = "Servo";
+  auto record = std::make_unique<RunRecord>(config);
+  std::vector<CycleSample> samples(cycles);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    samples[i].cycle = i;
+    samples[i].send_time = kTriggerRun + static_cast<Nanoseconds>(i) * kMillisecond;
+    samples[i].flags = CycleSample::kDcmActive | CycleSample::kReferenceValid;
+    samples[i].dcm_error_ns = i == 1000 || i == 1010 || i == 4000 ? 500 : 10;
+  }
+  record->add(samples);
+  return record;
+}
+
+Trigger errorTrigger() {
+  Trigger trigger;
+  trigger.signal = Signal::kDcmError;
+  trigger.level = 400;
+  trigger.hold_off = 100 * kMillisecond;
+  trigger.pre = 50 * kMillisecond;
+  trigger.post = 150 * kMillisecond;
+  return trigger;
+}
+
+TEST(TriggerMonitor, ListsTheEpisodesOfARecording) {
+  WindowMemory memory({});
+  TriggerMonitor monitor(memory);
+  TriggerPanel panel(monitor);
+  const auto record = triggerRecord(5000);
+  monitor.setRecord(record.get(), true);
+  monitor.setTrigger(errorTrigger());
+  monitor.arm();
+  auto* table = panel.findChild<QTableWidget*>(QStringLiteral("triggerEpisodes"));
+  ASSERT_EQ(table->rowCount(), 2);
+  EXPECT_EQ(table->item(0, 1)->text(), QStringLiteral("1000"));
+  EXPECT_TRUE(table->item(0, 2)->text().contains(QStringLiteral("1 more"))) << table->item(0, 2)->text().toStdString();
+  EXPECT_EQ(table->item(1, 1)->text(), QStringLiteral("4000"));
+  table->item(1, 4)->setText(QStringLiteral("door opened"));
+  EXPECT_EQ(monitor.name(monitor.episodes()[1]), QStringLiteral("door opened"));
+  EXPECT_FALSE(panel.findChild<QToolButton*>(QStringLiteral("triggerCsv"))->isEnabled()) << "none is chosen";
+  table->selectRow(1);
+  EXPECT_TRUE(panel.findChild<QToolButton*>(QStringLiteral("triggerCsv"))->isEnabled());
+  EXPECT_FALSE(panel.findChild<QToolButton*>(QStringLiteral("triggerSave"))->isEnabled());
+  std::optional<TriggerEpisode> wanted;
+  QObject::connect(&panel, &TriggerPanel::episodeWanted, &panel,
+                   [&wanted](const TriggerEpisode& episode) { wanted = episode; });
+  Q_EMIT table->activated(table->model()->index(1, 0));
+  ASSERT_TRUE(wanted);
+  EXPECT_EQ(wanted->time, kTriggerRun + 4 * kSecond);
+}
+
+TEST(TriggerMonitor, IsRememberedAsItWasSet) {
+  QTemporaryDir folder;
+  const auto file = folder.filePath(QStringLiteral("window.ini"));
+  auto trigger = errorTrigger();
+  trigger.kind = Trigger::Kind::kWindow;
+  trigger.low = -20;
+  trigger.code = "event-slave-lost";
+  {
+    WindowMemory memory(file);
+    TriggerMonitor(memory).setTrigger(trigger);
+  }
+  WindowMemory memory(file);
+  const TriggerMonitor monitor(memory);
+  EXPECT_EQ(monitor.trigger(), trigger);
+  EXPECT_FALSE(monitor.isArmed());
+}
+
+TEST(TriggerPanel, TakesWhatItsFieldsSay) {
+  WindowMemory memory({});
+  TriggerMonitor monitor(memory);
+  TriggerPanel panel(monitor);
+  auto* source = panel.findChild<QComboBox*>(QStringLiteral("triggerSource"));
+  const auto before = monitor.trigger();
+  source->setCurrentIndex(source->findData(static_cast<int>(Signal::kRoundTrip)));
+  Q_EMIT source->activated(source->currentIndex());
+  panel.findChild<QDoubleSpinBox*>(QStringLiteral("triggerLevel"))->setValue(12'345);
+  panel.findChild<QDoubleSpinBox*>(QStringLiteral("triggerPre"))->setValue(2.5);
+  EXPECT_EQ(monitor.trigger().signal, Signal::kRoundTrip);
+  EXPECT_EQ(monitor.trigger().level, 12'345);
+  EXPECT_EQ(monitor.trigger().pre, 2'500'000);
+  EXPECT_EQ(monitor.trigger().post, before.post);
+  source->setCurrentIndex(source->count() - 1);
+  Q_EMIT source->activated(source->currentIndex());
+  EXPECT_EQ(monitor.trigger().kind, Trigger::Kind::kEvent);
+  EXPECT_FALSE(panel.findChild<QDoubleSpinBox*>(QStringLiteral("triggerLevel"))->isVisibleTo(&panel));
+}
+
+TEST(LiveStripTrigger, TheLevelIsDrawnWhereItsSignalIsAndCanBeDragged) {
+  const auto record = triggerRecord(5000);
+  LiveStrip strip;
+  strip.resize(1280, 230);
+  strip.setRecord(record.get());
+  strip.show();
+  strip.setTriggerLevel({Signal::kDcmError, 0, 12.0});
+  strip.refresh();
+  EXPECT_FALSE(strip.panels()[0]->plot()->triggerLevel());
+  auto* plot = strip.panels()[2]->plot();
+  ASSERT_EQ(plot->triggerLevel(), 12.0);
+  std::optional<double> dragged;
+  QObject::connect(&strip, &LiveStrip::triggerLevelDragged, &strip, [&dragged](double level) { dragged = level; });
+  const QPoint place(40, static_cast<int>(plot->transform(QwtPlot::yLeft, 12.0)));
+  QTest::mousePress(plot->canvas(), Qt::LeftButton, {}, place);
+  QTest::mouseMove(plot->canvas(), place - QPoint(0, 20));
+  QTest::mouseRelease(plot->canvas(), Qt::LeftButton, {}, place - QPoint(0, 20));
+  ASSERT_TRUE(dragged);
+  EXPECT_NEAR(*dragged, plot->invTransform(QwtPlot::yLeft, place.y() - 20), 1);
+  strip.setTriggerLevel({});
+  EXPECT_FALSE(plot->triggerLevel());
+}
+
+class TriggerInWindow : public test::RunningWindow {};
+
+TEST_F(TriggerInWindow, ASingleOneStopsThePlotsAtItsEpisode) {
+  goOnline();
+  auto& monitor = workspace_.trigger();
+  Trigger trigger;
+  trigger.edge = Trigger::Edge::kEither;
+  trigger.level = 0;
+  trigger.mode = Trigger::Mode::kSingle;
+  trigger.signal = Signal::kDcmError;
+  trigger.pre = trigger.post = 100 * kMillisecond;
+  monitor.setTrigger(trigger);
+  field<QPushButton>("triggerArm").click();
+  ASSERT_TRUE(monitor.isArmed());
+  for (int i = 0; i < 100 && window_.liveStrip().timeView()->mode() != TimeView::Mode::kFrozen; ++i) {
+    run(200 * kMillisecond);
+    monitor.look();
+  }
+  ASSERT_EQ(monitor.episodes().size(), 1U);
+  const auto& episode = monitor.episodes().front();
+  auto* view = window_.liveStrip().timeView();
+  EXPECT_EQ(view->mode(), TimeView::Mode::kFrozen);
+  EXPECT_EQ(view->span(), 200 * kMillisecond);
+  EXPECT_LE(view->begin(), episode.time);
+  EXPECT_GE(view->end(), episode.time);
+  EXPECT_EQ(window_.liveStrip().cursors()->at(CursorSet::kA), episode.time);
+  QTemporaryDir folder;
+  const auto path = folder.filePath(QStringLiteral("episode.slrec"));
+  bool saved = false;
+  QObject::connect(&workspace_.disk(), &DiskRecording::saved, &window_,
+                   [&](const QString&, const std::optional<Error>& error) { saved = !error; });
+  ASSERT_TRUE(workspace_.disk().saveRange(episode.from, episode.to, path));
+  ASSERT_TRUE(test::waitFor([&] { return saved; }));
+  OpenedRecording opened;
+  opened.read(path);
+  ASSERT_TRUE(test::waitFor([&] { return !opened.isReading(); }));
+  opened.show();
+  ASSERT_TRUE(opened.isOpen());
+  const auto& samples = opened.run().record->samples();
+  EXPECT_GE(samples.first_time(), episode.from);
+  EXPECT_LE(samples.last_time(), episode.to);
+  TriggerWatch again(trigger);
+  again.look(samples);
+  ASSERT_EQ(again.episodes().size(), 1U) << "the recording has the same";
+  EXPECT_EQ(again.episodes().front().time, episode.time);
+  EXPECT_EQ(again.episodes().front().cycle, episode.cycle);
+}
+
+}  // namespace
+}  // namespace syncline::ui

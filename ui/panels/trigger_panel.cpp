@@ -1,0 +1,356 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/trigger_panel.h"
+
+#include <QAbstractSpinBox>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QDoubleSpinBox>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <QTableWidget>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "findings/event_words.h"
+#include "ui/text/signal_text.h"
+#include "ui/text/units.h"
+#include "ui/widgets/named.h"
+#include "ui/widgets/tables.h"
+#include "ui/widgets/value_label.h"
+
+namespace syncline::ui {
+namespace {
+
+constexpr int kEventSource = -1;
+enum Condition : std::uint8_t { kRises, kFalls, kCrosses, kLeaves, kEnters };
+enum EpisodeColumn : std::uint8_t { kTimeColumn, kCycleColumn, kCauseColumn, kSlaveColumn, kNameColumn, kColumns };
+
+QString triggerSignal(Signal signal) {
+  if (signal == Signal::kSm2Missed) return TriggerPanel::tr("SM2 events missed");
+  if (signal == Signal::kFramesLost) return TriggerPanel::tr("Frames lost in a cycle");
+  if (signal == Signal::kSlaveDeviation) return TriggerPanel::tr("Deviation of a slave");
+  return signalText(signal);
+}
+
+QString eventTitle(std::string_view code) {
+  const auto* words = find_finding_words(code);
+  return words == nullptr ? QString() : QCoreApplication::translate("Finding", std::string(words->title).c_str());
+}
+
+QString valueOf(Signal signal, double value) {
+  const auto& row = info(signal);
+  if (row.unit == "ns") return signedTimeText(static_cast<Nanoseconds>(std::llround(value)));
+  if (row.unit == "ppm") return ppmText(value);
+  return QLocale().toString(value, 'g', 10);
+}
+
+bool ofSlave(int source) {
+  return source == kEventSource || info(static_cast<Signal>(source)).scope == SignalInfo::Scope::kSlave;
+}
+
+}  // namespace
+
+TriggerPanel::TriggerPanel(TriggerMonitor& monitor, QWidget* parent) : QWidget(parent), monitor_(monitor) {
+  setObjectName(QStringLiteral("triggerPanel"));
+  setAccessibleName(tr("Trigger"));
+  source_ =
+      choice("triggerSource", tr("What the trigger watches"), tr("A signal, in every cycle of it, or an event"), 14);
+  slave_ = choice("triggerSlave", tr("Slave of the trigger"), tr("Whose signal or event"), 8);
+  condition_ = choice("triggerCondition", tr("Condition of the trigger"), tr("What the signal does"), 10);
+  condition_->addItems({tr("rises to"), tr("falls to"), tr("crosses"), tr("leaves"), tr("enters")});
+  event_ = choice("triggerEvent", tr("Event of the trigger"), tr("Which event"), 22);
+  for (const auto& words : words::kEvents)
+    event_->addItem(eventTitle(words.code),
+                    QString::fromUtf8(words.code.data(), static_cast<qsizetype>(words.code.size())));
+  event_->model()->sort(0);
+  level_ = number("triggerLevel", tr("Level of the trigger"), tr("The level, in the unit of the signal"));
+  low_ = number("triggerLow", tr("Lower edge of the band"), tr("Lower edge of the band; it belongs to the band"));
+  high_ = number("triggerHigh", tr("Upper edge of the band"), tr("Upper edge of the band; it belongs to the band"));
+  magnitude_ = named(new QCheckBox(tr("Absolute")), "triggerMagnitude", tr("Absolute value"));
+  magnitude_->setToolTip(tr("Whatever the sign of the signal is"));
+  mode_ =
+      choice("triggerMode", tr("Mode of the trigger"),
+             tr("Automatic: the plots go on following. Normal: they move to the newest episode. Single: they stop at "
+                "the first one."),
+             9);
+  mode_->addItems({tr("Automatic"), tr("Normal"), tr("Single")});
+  pre_ = number("triggerPre", tr("Time before the trigger"), tr("What of the time before belongs to an episode"));
+  post_ = number("triggerPost", tr("Time after the trigger"), tr("What of the time after belongs to an episode"));
+  hold_off_ = number("triggerHoldOff", tr("Hold-off"),
+                     tr("For so long after a trigger no other episode begins; those left out are counted"));
+  for (auto* spin : {pre_, post_, hold_off_}) {
+    spin->setRange(0, 600'000);
+    spin->setDecimals(1);
+    spin->setSuffix(QStringLiteral(" ms"));
+  }
+  arm_ = named(new QPushButton(tr("Arm")), "triggerArm", tr("Arm the trigger"));
+  arm_->setCheckable(true);
+  state_ = named(new ValueLabel, "triggerState", tr("State of the trigger"));
+  state_->setLeastCharacters(12);
+
+  auto* what = new QHBoxLayout;
+  what->setSpacing(6);
+  for (QWidget* widget :
+       std::initializer_list<QWidget*>{source_, slave_, condition_, event_, level_, low_, high_, magnitude_})
+    what->addWidget(widget);
+  what->addStretch(1);
+  what->addWidget(state_);
+  what->addWidget(arm_);
+  auto* when = new QHBoxLayout;
+  when->setSpacing(6);
+  when->addWidget(mode_);
+  const auto labelled = [&](const QString& text, QWidget* field) {
+    auto* label = new QLabel(text);
+    label->setBuddy(field);
+    when->addWidget(label);
+    when->addWidget(field);
+  };
+  labelled(tr("Before"), pre_);
+  labelled(tr("After"), post_);
+  labelled(tr("Hold-off"), hold_off_);
+  when->addStretch(1);
+  save_ = named(new QToolButton, "triggerSave", tr("Save the episode"));
+  save_->setText(tr("Save…"));
+  csv_ = named(new QToolButton, "triggerCsv", tr("Export the episode as CSV"));
+  csv_->setText(tr("CSV…"));
+  csv_->setToolTip(tr("The samples of the chosen episode, before and after included, as comma-separated values"));
+  when->addWidget(save_);
+  when->addWidget(csv_);
+
+  table_ = named(new QTableWidget(0, kColumns), "triggerEpisodes", tr("Episodes of the trigger"));
+  setUpTable(*table_);
+  table_->setHorizontalHeaderLabels({tr("Time"), tr("Cycle"), tr("Cause"), tr("Slave"), tr("Name")});
+  table_->setFrameShape(QFrame::NoFrame);
+  table_->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::SelectedClicked);
+  table_->setToolTip(tr("Enter or a double click shows the episode in the plots; F2 names it"));
+  table_->setMinimumHeight(44);
+  for (const auto& [column, width] : {std::pair(kTimeColumn, 110), std::pair(kCycleColumn, 90),
+                                      std::pair(kSlaveColumn, 130), std::pair(kNameColumn, 130)})
+    table_->setColumnWidth(column, width);
+  table_->horizontalHeader()->setSectionResizeMode(kCauseColumn, QHeaderView::Stretch);
+
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(6, 4, 6, 0);
+  layout->setSpacing(4);
+  layout->addLayout(what);
+  layout->addLayout(when);
+  layout->addWidget(table_, 1);
+
+  connect(arm_, &QPushButton::clicked, this, [this](bool on) { on ? monitor_.arm() : monitor_.disarm(); });
+  connect(magnitude_, &QCheckBox::clicked, this, &TriggerPanel::takeFields);
+  connect(table_, &QTableWidget::activated, this, [this] {
+    if (const auto* episode = chosen()) Q_EMIT episodeWanted(*episode);
+  });
+  connect(table_, &QTableWidget::itemSelectionChanged, this, [this] {
+    const bool any = chosen() != nullptr;
+    csv_->setEnabled(any);
+    save_->setEnabled(any && !monitor_.isRecorded());
+  });
+  connect(table_, &QTableWidget::itemChanged, this, [this](const QTableWidgetItem* item) {
+    const auto row = static_cast<std::size_t>(item->row());
+    if (showing_ || item->column() != kNameColumn || row >= monitor_.episodes().size()) return;
+    monitor_.setName(monitor_.episodes()[row], item->text());
+  });
+  connect(save_, &QToolButton::clicked, this, [this] {
+    if (const auto* episode = chosen()) Q_EMIT saveWanted(episode->from, episode->to);
+  });
+  connect(csv_, &QToolButton::clicked, this, [this] {
+    if (const auto* episode = chosen()) Q_EMIT csvWanted(episode->from, episode->to);
+  });
+  connect(&monitor_, &TriggerMonitor::changed, this, &TriggerPanel::showEpisodes);
+  connect(&monitor_, &TriggerMonitor::triggerChanged, this, &TriggerPanel::showTrigger);
+  fillSources();
+  showTrigger();
+  showEpisodes();
+}
+
+QComboBox* TriggerPanel::choice(const char* name, const QString& accessible, const QString& tip, int characters) {
+  auto* box = named(new QComboBox, name, accessible);
+  box->setToolTip(tip);
+  box->setFocusPolicy(Qt::StrongFocus);
+  box->installEventFilter(this);
+  box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  box->setMinimumContentsLength(characters);
+  connect(box, &QComboBox::activated, this, &TriggerPanel::takeFields);
+  return box;
+}
+
+QDoubleSpinBox* TriggerPanel::number(const char* name, const QString& accessible, const QString& tip) {
+  auto* spin = named(new QDoubleSpinBox, name, accessible);
+  spin->setToolTip(tip);
+  spin->setRange(-2e9, 2e9);
+  spin->setDecimals(0);
+  spin->setKeyboardTracking(false);
+  spin->setButtonSymbols(QAbstractSpinBox::NoButtons);
+  spin->setFocusPolicy(Qt::StrongFocus);
+  spin->setFixedWidth(92);
+  spin->installEventFilter(this);
+  connect(spin, &QDoubleSpinBox::valueChanged, this, &TriggerPanel::takeFields);
+  return spin;
+}
+
+/// The wheel without the focus edits nothing.
+bool TriggerPanel::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Wheel && !static_cast<QWidget*>(watched)->hasFocus()) {
+    event->ignore();
+    return true;
+  }
+  return QWidget::eventFilter(watched, event);
+}
+
+void TriggerPanel::fillSources() {
+  for (const auto& signal : signals()) {
+    const auto text = triggerSignal(signal.id);
+    if (signal.form != SignalInfo::Form::kCell && !text.isEmpty()) source_->addItem(text, static_cast<int>(signal.id));
+  }
+  source_->addItem(tr("An event"), kEventSource);
+}
+
+QString TriggerPanel::slaveText(int slave) const {
+  if (slave < 0) return noText();
+  const auto number = u'#' + QString::number(slave);
+  const auto* record = monitor_.record();
+  if (record == nullptr || static_cast<std::size_t>(slave) >= record->config().slaves.size()) return number;
+  return number + u' ' + QString::fromStdString(record->slave_name(static_cast<std::size_t>(slave)));
+}
+
+void TriggerPanel::fillSlaves() {
+  slave_->clear();
+  if (source_->currentData().toInt() == kEventSource) slave_->addItem(tr("Any slave"), -1);
+  const auto* record = monitor_.record();
+  const int count = record == nullptr ? 0 : static_cast<int>(record->config().slaves.size());
+  for (int slave = 0; slave < count; ++slave) slave_->addItem(slaveText(slave), slave);
+  // It stays as it was set, also where this run has no such slave.
+  const int wanted = monitor_.trigger().slave;
+  if (slave_->findData(wanted) < 0 && wanted >= 0) slave_->addItem(slaveText(wanted), wanted);
+  slave_->setCurrentIndex(std::max(slave_->findData(wanted), 0));
+}
+
+void TriggerPanel::showTrigger() {
+  showing_ = true;
+  const auto& trigger = monitor_.trigger();
+  const bool event = trigger.kind == Trigger::Kind::kEvent;
+  const bool band = trigger.kind == Trigger::Kind::kWindow;
+  source_->setCurrentIndex(source_->findData(event ? kEventSource : static_cast<int>(trigger.signal)));
+  fillSlaves();
+  slave_->setVisible(ofSlave(source_->currentData().toInt()));
+  condition_->setCurrentIndex(band ? (trigger.enters ? kEnters : kLeaves) : static_cast<int>(trigger.edge));
+  condition_->setVisible(!event);
+  event_->setCurrentIndex(std::max(event_->findData(QString::fromStdString(trigger.code)), 0));
+  event_->setVisible(event);
+  const auto unit = fromView(info(trigger.signal).unit);
+  for (auto* spin : {level_, low_, high_}) {
+    spin->setSuffix(unit.isEmpty() ? QString() : u' ' + unit);
+    spin->setDecimals(unit == QLatin1String("ppm") ? 3 : 0);
+  }
+  level_->setValue(trigger.level);
+  low_->setValue(trigger.low);
+  high_->setValue(trigger.high);
+  level_->setVisible(!event && !band);
+  low_->setVisible(band);
+  high_->setVisible(band);
+  magnitude_->setChecked(trigger.magnitude);
+  magnitude_->setVisible(!event);
+  mode_->setCurrentIndex(static_cast<int>(trigger.mode));
+  const auto milliseconds = [](Nanoseconds time) { return static_cast<double>(time) / 1e6; };
+  pre_->setValue(milliseconds(trigger.pre));
+  post_->setValue(milliseconds(trigger.post));
+  hold_off_->setValue(milliseconds(trigger.hold_off));
+  showing_ = false;
+}
+
+Trigger TriggerPanel::fields() const {
+  auto trigger = monitor_.trigger();
+  const int source = source_->currentData().toInt();
+  const auto condition = static_cast<Condition>(condition_->currentIndex());
+  if (source == kEventSource) {
+    trigger.kind = Trigger::Kind::kEvent;
+  } else {
+    trigger.signal = static_cast<Signal>(source);
+    trigger.kind = condition >= kLeaves ? Trigger::Kind::kWindow : Trigger::Kind::kLevel;
+  }
+  if (condition < kLeaves) trigger.edge = static_cast<Trigger::Edge>(condition);
+  trigger.enters = condition == kEnters;
+  trigger.slave = slave_->currentIndex() < 0 ? -1 : slave_->currentData().toInt();
+  // A signal is always somebody's.
+  if (source != kEventSource && ofSlave(source)) trigger.slave = std::max(trigger.slave, 0);
+  trigger.code = event_->currentData().toString().toStdString();
+  trigger.magnitude = magnitude_->isChecked();
+  trigger.level = level_->value();
+  trigger.low = std::min(low_->value(), high_->value());
+  trigger.high = std::max(low_->value(), high_->value());
+  trigger.mode = static_cast<Trigger::Mode>(mode_->currentIndex());
+  const auto time = [](const QDoubleSpinBox* spin) {
+    return static_cast<Nanoseconds>(std::llround(spin->value() * 1e6));
+  };
+  trigger.pre = time(pre_);
+  trigger.post = time(post_);
+  trigger.hold_off = time(hold_off_);
+  return trigger;
+}
+
+void TriggerPanel::takeFields() {
+  if (!showing_) monitor_.setTrigger(fields());
+}
+
+const TriggerEpisode* TriggerPanel::chosen() const {
+  const int row = table_->currentRow();
+  const auto& episodes = monitor_.episodes();
+  return row < 0 || static_cast<std::size_t>(row) >= episodes.size() ? nullptr
+                                                                     : &episodes[static_cast<std::size_t>(row)];
+}
+
+QString TriggerPanel::causeText(const TriggerEpisode& episode) const {
+  const auto& trigger = monitor_.trigger();
+  auto text = trigger.kind == Trigger::Kind::kEvent
+                  ? eventTitle(trigger.code)
+                  : tr("%1 %2: %3")
+                        .arg(source_->currentText(), condition_->currentText(), valueOf(trigger.signal, episode.value));
+  if (episode.left_out > 0) text += tr(" (%1 more in the hold-off)").arg(countText(episode.left_out));
+  return text;
+}
+
+void TriggerPanel::showEpisodes() {
+  showing_ = true;
+  arm_->setChecked(monitor_.isArmed());
+  auto state = monitor_.stateText();
+  if (const auto left_out = monitor_.leftOut(); left_out > 0) state += tr(", %1 left out").arg(countText(left_out));
+  state_->setText(state);
+  fillSlaves();
+  const auto& episodes = monitor_.episodes();
+  table_->setRowCount(static_cast<int>(episodes.size()));
+  const auto put = [this](int row, int column, const QString& text) {
+    auto* item = table_->item(row, column);
+    if (item == nullptr) {
+      table_->setItem(row, column, item = new QTableWidgetItem);
+      if (column != kNameColumn) item->setFlags(item->flags() & ~Qt::ItemIsEditable);
+    }
+    if (item->text() != text) item->setText(text);
+  };
+  const auto origin = monitor_.record() == nullptr ? 0 : monitor_.record()->overview().begin;
+  for (std::size_t i = 0; i < episodes.size(); ++i) {
+    const auto& episode = episodes[i];
+    const int row = static_cast<int>(i);
+    put(row, kTimeColumn,
+        QLocale().toString(static_cast<double>(episode.time - origin) / 1e9, 'f', 6) + QStringLiteral(" s"));
+    put(row, kCycleColumn, episode.cycle ? QString::number(*episode.cycle) : noText());
+    put(row, kCauseColumn, causeText(episode));
+    put(row, kSlaveColumn, slaveText(episode.slave));
+    put(row, kNameColumn, monitor_.name(episode));
+  }
+  const bool any = chosen() != nullptr;
+  csv_->setEnabled(any);
+  save_->setEnabled(any && !monitor_.isRecorded());
+  save_->setToolTip(monitor_.isRecorded() ? tr("What is shown is a recording already")
+                                          : tr("A recording of the chosen episode, out of memory"));
+  showing_ = false;
+}
+
+}  // namespace syncline::ui

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/session/trigger_monitor.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "ui/session/window_memory.h"
+
+namespace syncline::ui {
+namespace {
+
+constexpr int kTriggerTickMs = 50;
+constexpr Nanoseconds kPortionCycles = 1'000'000;  // a tick: some milliseconds of work
+
+const QString kTriggerKey = QStringLiteral("trigger/%1");
+
+int kept(const WindowMemory& memory, const char* name, int usual, int most) {
+  const auto value = memory.value(kTriggerKey.arg(QLatin1String(name)));
+  const int number = value.isValid() ? value.toInt() : usual;
+  return number < 0 || number > most ? usual : number;
+}
+
+double keptNumber(const WindowMemory& memory, const char* name, double usual) {
+  const auto value = memory.value(kTriggerKey.arg(QLatin1String(name)));
+  return value.isValid() ? value.toDouble() : usual;
+}
+
+Trigger recalled(const WindowMemory& memory) {
+  Trigger trigger;
+  trigger.kind = static_cast<Trigger::Kind>(kept(memory, "kind", 0, 2));
+  trigger.mode = static_cast<Trigger::Mode>(kept(memory, "mode", 1, 2));
+  trigger.edge = static_cast<Trigger::Edge>(kept(memory, "edge", 0, 2));
+  const auto key = memory.value(kTriggerKey.arg(QLatin1String("signal"))).toString().toStdString();
+  const bool of_slave = memory.value(kTriggerKey.arg(QLatin1String("ofSlave"))).toBool();
+  const auto* signal = find_signal(key, of_slave ? SignalInfo::Scope::kSlave : SignalInfo::Scope::kBus);
+  if (signal != nullptr && signal->form != SignalInfo::Form::kCell) trigger.signal = signal->id;
+  trigger.slave = kept(memory, "slave", -1, 65535);
+  trigger.magnitude = kept(memory, "magnitude", 0, 1) == 1;
+  trigger.enters = kept(memory, "enters", 0, 1) == 1;
+  trigger.level = keptNumber(memory, "level", trigger.level);
+  trigger.low = keptNumber(memory, "low", trigger.low);
+  trigger.high = keptNumber(memory, "high", trigger.high);
+  trigger.code = memory.value(kTriggerKey.arg(QLatin1String("code"))).toString().toStdString();
+  trigger.hold_off = static_cast<Nanoseconds>(keptNumber(memory, "holdOff", static_cast<double>(trigger.hold_off)));
+  trigger.pre = static_cast<Nanoseconds>(keptNumber(memory, "pre", static_cast<double>(trigger.pre)));
+  trigger.post = static_cast<Nanoseconds>(keptNumber(memory, "post", static_cast<double>(trigger.post)));
+  return trigger;
+}
+
+void keep(WindowMemory& memory, const Trigger& trigger) {
+  const auto put = [&memory](const char* name, const QVariant& value) {
+    memory.setValue(kTriggerKey.arg(QLatin1String(name)), value);
+  };
+  const auto& signal = info(trigger.signal);
+  put("kind", static_cast<int>(trigger.kind));
+  put("mode", static_cast<int>(trigger.mode));
+  put("edge", static_cast<int>(trigger.edge));
+  put("signal", QString::fromUtf8(signal.key.data(), static_cast<qsizetype>(signal.key.size())));
+  put("ofSlave", signal.scope == SignalInfo::Scope::kSlave);
+  put("slave", trigger.slave);
+  put("magnitude", trigger.magnitude ? 1 : 0);
+  put("enters", trigger.enters ? 1 : 0);
+  put("level", trigger.level);
+  put("low", trigger.low);
+  put("high", trigger.high);
+  put("code", QString::fromStdString(trigger.code));
+  put("holdOff", static_cast<double>(trigger.hold_off));
+  put("pre", static_cast<double>(trigger.pre));
+  put("post", static_cast<double>(trigger.post));
+}
+
+}  // namespace
+
+TriggerMonitor::TriggerMonitor(WindowMemory& memory, QObject* parent)
+    : QObject(parent), memory_(memory), trigger_(recalled(memory)) {
+  tick_.setInterval(kTriggerTickMs);
+  connect(&tick_, &QTimer::timeout, this, &TriggerMonitor::look);
+}
+
+void TriggerMonitor::setRecord(const RunRecord* record, bool recorded) {
+  record_ = record;
+  recorded_ = recorded;
+  names_.clear();
+  watch_.reset();
+  if (armed_) return begin(std::numeric_limits<Nanoseconds>::min());
+  Q_EMIT changed();
+}
+
+void TriggerMonitor::setTrigger(const Trigger& trigger) {
+  if (trigger == trigger_) return;
+  trigger_ = trigger;
+  keep(memory_, trigger_);
+  if (armed_) {
+    arm();
+  } else {
+    watch_.reset();
+  }
+  Q_EMIT triggerChanged();
+  Q_EMIT changed();
+}
+
+void TriggerMonitor::arm() {
+  armed_ = true;
+  const bool from_now = record_ != nullptr && !recorded_ && !record_->samples().empty();
+  begin(from_now ? record_->samples().last_time() + 1 : std::numeric_limits<Nanoseconds>::min());
+}
+
+void TriggerMonitor::begin(Nanoseconds from) {
+  watch_ = std::make_unique<TriggerWatch>(trigger_, from);
+  names_.clear();
+  heard_ = 0;
+  told_ = 0;
+  whole_ = false;
+  tick_.start();
+  look();
+  Q_EMIT changed();
+}
+
+void TriggerMonitor::disarm() {
+  armed_ = false;
+  tick_.stop();
+  Q_EMIT changed();
+}
+
+const std::vector<TriggerEpisode>& TriggerMonitor::episodes() const {
+  static const std::vector<TriggerEpisode> kNone;
+  return watch_ ? watch_->episodes() : kNone;
+}
+
+QString TriggerMonitor::name(const TriggerEpisode& episode) const {
+  const auto found = names_.find(episode.time);
+  return found == names_.end() ? QString() : found->second;
+}
+
+void TriggerMonitor::setName(const TriggerEpisode& episode, const QString& name) { names_[episode.time] = name; }
+
+void TriggerMonitor::hearEvents() {
+  const auto& told = record_->events();
+  const auto all = record_->forgotten_events() + told.size();
+  const auto fresh = std::min<std::uint64_t>(all - std::min(heard_, all), told.size());
+  for (auto event = told.end() - static_cast<std::ptrdiff_t>(fresh); event != told.end(); ++event)
+    watch_->hear(*event, record_->samples());
+  heard_ = all;
+}
+
+void TriggerMonitor::look() {
+  if (!armed_ || !watch_ || record_ == nullptr || record_->samples().empty()) return;
+  const auto before = stateText();
+  const auto count = episodes().size();
+  const auto left_out = leftOut();
+  hearEvents();
+  whole_ = watch_->look(record_->samples(), kPortionCycles * std::max<Nanoseconds>(record_->limits().cycle_time, 1));
+  tellCompleted(whole_);
+  if (count != episodes().size() || left_out != leftOut() || before != stateText()) Q_EMIT changed();
+}
+
+void TriggerMonitor::tellCompleted(bool whole) {
+  if (!whole || told_ == episodes().size()) return;
+  const auto newest = episodes().back();
+  if (!recorded_ && record_->samples().last_time() < newest.to) return;
+  told_ = episodes().size();
+  Q_EMIT completed(newest);
+}
+
+QString TriggerMonitor::stateText() const {
+  if (!armed_ || !watch_) return tr("not armed");
+  if (record_ == nullptr || record_->samples().empty()) return tr("armed: waits for a run");
+  using State = TriggerWatch::State;
+  if (recorded_) return whole_ ? tr("all of the recording was looked at") : tr("looks through the recording");
+  switch (watch_->state(record_->samples().first_time(), record_->samples().last_time())) {
+    case State::kFilling:
+      return tr("fills the time before the trigger");
+    case State::kWaiting:
+      return tr("waits for the trigger");
+    case State::kTriggered:
+      return tr("triggered");
+    case State::kHoldingOff:
+      return tr("holds off");
+    case State::kDone:
+      return tr("done: triggered once");
+  }
+  return {};
+}
+
+}  // namespace syncline::ui

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QTimer>
+#include <map>
+#include <memory>
+
+#include "record/run_record.h"
+#include "trace/trigger.h"
+
+namespace syncline::ui {
+
+class WindowMemory;
+
+/// The trigger of the window, and what it found in the run or the recording that is shown. Set it is remembered with
+/// the window, armed it is not.
+class TriggerMonitor final : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit TriggerMonitor(WindowMemory& memory, QObject* parent = nullptr);
+
+  /// Null: nothing. It must outlive the monitor or be replaced. An armed trigger looks at all of it, also at what was
+  /// before.
+  void setRecord(const RunRecord* record, bool recorded);
+  [[nodiscard]] const RunRecord* record() const { return record_; }
+  [[nodiscard]] bool isRecorded() const { return recorded_; }
+
+  [[nodiscard]] const Trigger& trigger() const { return trigger_; }
+  /// What was found with another one is forgotten; an armed one waits anew.
+  void setTrigger(const Trigger& trigger);
+  /// Of a run from now on, of a recording from its beginning.
+  void arm();
+  void disarm();
+  [[nodiscard]] bool isArmed() const { return armed_; }
+  /// The state in words; empty where nothing is shown.
+  [[nodiscard]] QString stateText() const;
+
+  /// Also after it was disarmed, until it is armed again.
+  [[nodiscard]] const std::vector<TriggerEpisode>& episodes() const;
+  [[nodiscard]] std::uint64_t leftOut() const { return watch_ ? watch_->left_out() : 0; }
+  [[nodiscard]] QString name(const TriggerEpisode& episode) const;
+  void setName(const TriggerEpisode& episode, const QString& name);
+
+  /// What is new, as its tick does; of long recordings a portion.
+  void look();
+
+ Q_SIGNALS:
+  void triggerChanged();
+  /// Episodes, or the state.
+  void changed();
+  /// The newest one is there with the time behind it.
+  void completed(const syncline::TriggerEpisode& episode);
+
+ private:
+  void begin(Nanoseconds from);
+  void hearEvents();
+  void tellCompleted(bool whole);
+
+  WindowMemory& memory_;
+  Trigger trigger_;
+  const RunRecord* record_ = nullptr;
+  bool recorded_ = false, armed_ = false, whole_ = false;
+  std::unique_ptr<TriggerWatch> watch_;
+  std::uint64_t heard_ = 0;  // events
+  std::size_t told_ = 0;     // episodes that were complete
+  std::map<Nanoseconds, QString> names_;
+  QTimer tick_;
+};
+
+}  // namespace syncline::ui
