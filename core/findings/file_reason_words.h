@@ -7,6 +7,7 @@
 namespace syncline::words {
 
 inline constexpr std::string_view kFileReasons[] = {
+    "{device} is not in the file",
     "a pcap or pcapng capture; {words}",
     "a capture of Ethernet frames; this one holds {reason}",
     "a frame's time stamp of {time} s is outside of the years 1708 to 2292",

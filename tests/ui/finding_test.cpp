@@ -59,6 +59,9 @@ bool isTheSameInAll(std::string_view text) {
                                         "<{element}> in <{parent}>",
                                         "in <{element}>",
                                         "FMMUs (0x0600)",
+                                        "slave.{position}.{key}: {reason}",
+                                        "{attribute}=\"{text}\" {reason}",
+                                        "{reason} (<{element}>)",
                                         "Text"};
   return std::ranges::find(kSame, text) != std::end(kSame);
 }

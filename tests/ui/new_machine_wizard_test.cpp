@@ -2,6 +2,7 @@
 // A machine is made step by step, beside the project of the window.
 #include <gtest/gtest.h>
 
+#include <QAbstractButton>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDir>
@@ -18,6 +19,7 @@
 #include <QTemporaryDir>
 #include <QTimer>
 #include <QTreeView>
+#include <algorithm>
 #include <memory>
 
 #include "eni/project/project_file.h"
@@ -64,7 +66,9 @@ class Wizard : public test::ProjectWindow {
     auto* found = window_.findChild<NewMachineWizard*>();
     EXPECT_NE(found, nullptr);
     wizard_ = found;
-    static_cast<void>(QTest::qWaitForWindowActive(found));
+    // Alt keys are those of the active window.
+    found->activateWindow();
+    EXPECT_TRUE(waitFor([found] { return QApplication::activeWindow() == found; }));
     return *found;
   }
   template <class Widget>
@@ -75,6 +79,12 @@ class Wizard : public test::ProjectWindow {
   void key(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
     auto* focus = wizard_->focusWidget();
     QTest::keyClick(focus != nullptr ? focus : wizard_.data(), key, modifiers);
+    // A button that a key presses is up again a moment later.
+    const auto isUp = [this] {
+      return wizard_ == nullptr ||
+             std::ranges::none_of(wizard_->findChildren<QAbstractButton*>(), &QAbstractButton::isDown);
+    };
+    EXPECT_TRUE(waitFor(isUp));
   }
   void next() { key(Qt::Key_N, Qt::AltModifier); }
   void back() { key(Qt::Key_K, Qt::AltModifier); }
@@ -233,7 +243,8 @@ TEST_F(Wizard, WarnsAtOnceOfACycleThatADriveRefuses) {
   ASSERT_NE(box, nullptr);
   box->setCurrentIndex(box->findData(-16));
   QTest::keyClick(box, Qt::Key_Return);
-  EXPECT_EQ(wizard_->draft().project().slaves[2].dc.sync0.cycle_factor, -16);
+  // A view takes what Enter closes once the key has been handled.
+  EXPECT_TRUE(waitFor([&] { return wizard_->draft().project().slaves[2].dc.sync0.cycle_factor == -16; }));
   EXPECT_FALSE(found().isEmpty()) << "62.5 us is no cycle of the drive";
   EXPECT_EQ(wizard_->step(), 4) << "Enter took the choice";
   answer(true);

@@ -20,6 +20,7 @@
 #include <memory>
 
 #include "eni/project/project_file.h"
+#include "findings/run_codes.h"
 #include "record/typed_values.h"
 #include "settings/settings_table.h"
 #include "support/ui_test_support.h"

@@ -2,6 +2,8 @@
 // The trigger of the window: set, armed, found, shown, kept.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QPushButton>
@@ -178,11 +180,15 @@ TEST_F(TriggerInWindow, ASingleOneStopsThePlotsAtItsEpisode) {
   const auto& samples = opened.run().record->samples();
   EXPECT_GE(samples.first_time(), episode.from);
   EXPECT_LE(samples.last_time(), episode.to);
-  TriggerWatch again(trigger);
+  // The recording begins before the trigger was armed: what was crossed until then it has, too.
+  auto every = trigger;
+  every.mode = Trigger::Mode::kNormal;
+  every.hold_off = 0;
+  TriggerWatch again(every);
   again.look(samples);
-  ASSERT_EQ(again.episodes().size(), 1U) << "the recording has the same";
-  EXPECT_EQ(again.episodes().front().time, episode.time);
-  EXPECT_EQ(again.episodes().front().cycle, episode.cycle);
+  const auto same = std::ranges::find(again.episodes(), episode.time, &TriggerEpisode::time);
+  ASSERT_NE(same, again.episodes().end()) << "the recording has the same";
+  EXPECT_EQ(same->cycle, episode.cycle);
 }
 
 }  // namespace

@@ -8024,5 +8024,21 @@
         <source>something else</source>
         <translation>etwas anderes</translation>
     </message>
+    <message>
+        <source>the file of a machine is a scenario of its own</source>
+        <translation>die Datei einer Maschine ist ein Szenario für sich</translation>
+    </message>
+    <message>
+        <source>the slaves are those of the machine</source>
+        <translation>die Slaves sind die der Maschine</translation>
+    </message>
+    <message>
+        <source>stands in the file of the machine</source>
+        <translation>steht in der Datei der Maschine</translation>
+    </message>
+    <message>
+        <source>{device} is not in the file</source>
+        <translation>{device} ist nicht in der Datei</translation>
+    </message>
 </context>
 </TS>

@@ -8024,5 +8024,21 @@
         <source>something else</source>
         <translation>其他内容</translation>
     </message>
+    <message>
+        <source>the file of a machine is a scenario of its own</source>
+        <translation>机器的文件本身必须是独立的场景</translation>
+    </message>
+    <message>
+        <source>the slaves are those of the machine</source>
+        <translation>从站即为该机器的从站</translation>
+    </message>
+    <message>
+        <source>stands in the file of the machine</source>
+        <translation>应写在机器的文件中</translation>
+    </message>
+    <message>
+        <source>{device} is not in the file</source>
+        <translation>文件中没有 {device}</translation>
+    </message>
 </context>
 </TS>

@@ -12,6 +12,7 @@
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QTableWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -55,6 +56,20 @@ bool ofSlave(int source) {
   return source == kEventSource || info(static_cast<Signal>(source)).scope == SignalInfo::Scope::kSlave;
 }
 
+/// In a small window the fields are scrolled; none pushes the window wider.
+QWidget* scrolled(QLayout* fields) {
+  auto* inside = new QWidget;
+  fields->setContentsMargins(0, 0, 0, 0);
+  inside->setLayout(fields);
+  auto* area = new QScrollArea;
+  area->setFrameShape(QFrame::NoFrame);
+  area->setFocusPolicy(Qt::NoFocus);
+  area->setWidgetResizable(true);
+  area->setMinimumSize(180, 60);
+  area->setWidget(inside);
+  return area;
+}
+
 }  // namespace
 
 TriggerPanel::TriggerPanel(TriggerMonitor& monitor, QWidget* parent) : QWidget(parent), monitor_(monitor) {
@@ -95,34 +110,36 @@ TriggerPanel::TriggerPanel(TriggerMonitor& monitor, QWidget* parent) : QWidget(p
   state_ = named(new ValueLabel, "triggerState", tr("State of the trigger"));
   state_->setLeastCharacters(12);
 
-  auto* what = new QHBoxLayout;
-  what->setSpacing(6);
-  for (QWidget* widget :
-       std::initializer_list<QWidget*>{source_, slave_, condition_, event_, level_, low_, high_, magnitude_})
-    what->addWidget(widget);
-  what->addStretch(1);
-  what->addWidget(state_);
-  what->addWidget(arm_);
-  auto* when = new QHBoxLayout;
-  when->setSpacing(6);
-  when->addWidget(mode_);
-  const auto labelled = [&](const QString& text, QWidget* field) {
+  auto* fields = new QVBoxLayout;
+  fields->setSpacing(4);
+  const auto addLine = [fields](std::initializer_list<QWidget*> widgets) {
+    auto* line = new QHBoxLayout;
+    line->setSpacing(6);
+    for (auto* widget : widgets) line->addWidget(widget);
+    line->addStretch(1);
+    fields->addLayout(line);
+  };
+  const auto labelFor = [](const QString& text, QWidget* field) {
     auto* label = new QLabel(text);
     label->setBuddy(field);
-    when->addWidget(label);
-    when->addWidget(field);
+    return label;
   };
-  labelled(tr("Before"), pre_);
-  labelled(tr("After"), post_);
-  labelled(tr("Hold-off"), hold_off_);
-  when->addStretch(1);
+  addLine({source_, slave_, magnitude_});
+  addLine({condition_, event_, level_, low_, high_});
+  addLine({mode_, labelFor(tr("Before"), pre_), pre_, labelFor(tr("After"), post_), post_});
+  addLine({labelFor(tr("Hold-off"), hold_off_), hold_off_});
+  fields->addStretch(1);
   save_ = named(new QToolButton, "triggerSave", tr("Save the episode"));
   save_->setText(tr("Save…"));
   csv_ = named(new QToolButton, "triggerCsv", tr("Export the episode as CSV"));
   csv_->setText(tr("CSV…"));
   csv_->setToolTip(tr("The samples of the chosen episode, before and after included, as comma-separated values"));
-  when->addWidget(save_);
-  when->addWidget(csv_);
+  auto* head = new QHBoxLayout;
+  head->setSpacing(6);
+  head->addWidget(arm_);
+  head->addWidget(state_, 1);
+  head->addWidget(save_);
+  head->addWidget(csv_);
 
   table_ = named(new QTableWidget(0, kColumns), "triggerEpisodes", tr("Episodes of the trigger"));
   setUpTable(*table_);
@@ -136,12 +153,15 @@ TriggerPanel::TriggerPanel(TriggerMonitor& monitor, QWidget* parent) : QWidget(p
     table_->setColumnWidth(column, width);
   table_->horizontalHeader()->setSectionResizeMode(kCauseColumn, QHeaderView::Stretch);
 
-  auto* layout = new QVBoxLayout(this);
+  auto* episodes = new QVBoxLayout;
+  episodes->setSpacing(4);
+  episodes->addLayout(head);
+  episodes->addWidget(table_, 1);
+  auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(6, 4, 6, 0);
-  layout->setSpacing(4);
-  layout->addLayout(what);
-  layout->addLayout(when);
-  layout->addWidget(table_, 1);
+  layout->setSpacing(12);
+  layout->addWidget(scrolled(fields), 2);
+  layout->addLayout(episodes, 3);
 
   connect(arm_, &QPushButton::clicked, this, [this](bool on) { on ? monitor_.arm() : monitor_.disarm(); });
   connect(magnitude_, &QCheckBox::clicked, this, &TriggerPanel::takeFields);

@@ -65,12 +65,12 @@ TEST(ScenarioRules, AMachineOfAnotherFileHasItsSlavesAndNoMachineOfItsOwn) {
         "machine = \"machine.toml\"\n[[fault]]\nkind = \"slave-off\"\nslave = 9\n"}) {
     const auto refused = load_beside(text);
     ASSERT_FALSE(refused) << text;
-    EXPECT_FALSE(refused.error().subject.empty()) << text;
+    EXPECT_FALSE(refused.error().file.empty()) << text;
   }
   const auto nested = sim::parse_scenario("machine = \"cable-break.toml\"\n", resource("scenarios/faults/nested.toml"),
                                           scenario_device);
   ASSERT_FALSE(nested) << "and so no file is its own machine";
-  EXPECT_NE(nested.error().subject.find("cable-break.toml"), std::string::npos);
+  EXPECT_NE(nested.error().file.find("cable-break.toml"), std::string::npos);
 }
 
 /// The same with a [[latch]] behind.
