@@ -125,7 +125,10 @@ inline constexpr FindingWords kRunSlaves[] = {
      "",
      "A clock that steps, or a reference clock that was exchanged; see the events of that moment.",
      "",
-     {{"", "{slave} left the sync window at {since} ({deviation}, limit {limit}) and came back; {count} in all."}}},
+     {{"", "{slave} left the sync window at {since} ({deviation}, limit {limit}) and came back; {count} in all."},
+      {"stepped",
+       "All slaves left the sync window at once and to the same side at {since} ({deviation}, limit {limit}): the "
+       "reference clock stepped; they came back, {count} in all."}}},
     {"slave-clock-off",
      Severity::kWarning,
      "A slave's clock was off",

@@ -124,7 +124,13 @@ struct HistoryRecorder::OfRun {
     history().link_outages.note(event.time, 0, link.away, history().link_outages.last());
   }
   void operator()(const events::SlavesOutOfSync& out) const {
-    recorder.add_loss(history().slave_losses, {event.time, event.slave, out.deviation_ns, dc::SyncObstacle::kNone, {}});
+    // All at once and to the same side: not they have moved, but what they follow.
+    const bool stepped = event.slave < 0 && out.over_limit > 0;
+    recorder.add_loss(history().slave_losses, {event.time,
+                                               event.slave,
+                                               out.deviation_ns,
+                                               stepped ? dc::SyncObstacle::kClockStep : dc::SyncObstacle::kNone,
+                                               {}});
   }
   void operator()(const events::SlavesInSync&) const { regain(history().slave_losses); }
   void operator()(const events::MasterOutOfSync& out) const {

@@ -66,7 +66,7 @@ constexpr ShownFault kShownFaults[] = {
     {"hung-firmware", "firmware-hung", 3},
     {"lost-frames", "frames-lost", -1},
     {"noisy-delay", "sync-window-left", 4},
-    {"reference-step", "sync-window-left", -1},
+    {"reference-step", "sync-window-left", 0},
     {"slave-off", "slave-absent-behind-cable", 5},
     {"slow-firmware", "firmware-slow", 4},
 };

@@ -8040,5 +8040,9 @@
         <source>{device} is not in the file</source>
         <translation>{device} ist nicht in der Datei</translation>
     </message>
+    <message>
+        <source>All slaves left the sync window at once and to the same side at {since} ({deviation}, limit {limit}): the reference clock stepped; they came back, {count} in all.</source>
+        <translation>Alle Slaves verließen bei {since} auf einmal und zur selben Seite das Sync-Fenster ({deviation}, Grenze {limit}): Die Referenzuhr sprang; sie kamen zurück, insgesamt {count}.</translation>
+    </message>
 </context>
 </TS>

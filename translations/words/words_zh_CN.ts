@@ -8040,5 +8040,9 @@
         <source>{device} is not in the file</source>
         <translation>文件中没有 {device}</translation>
     </message>
+    <message>
+        <source>All slaves left the sync window at once and to the same side at {since} ({deviation}, limit {limit}): the reference clock stepped; they came back, {count} in all.</source>
+        <translation>所有从站在 {since} 同时向同一方向离开同步窗口（{deviation}，限值 {limit}）：参考时钟发生跳变；之后恢复，共 {count}。</translation>
+    </message>
 </context>
 </TS>

@@ -267,6 +267,17 @@ TEST(RunDiagnosis, TheWindowThatSomebodyLeavesWhenASlaveComesBackIsItsReturn) {
   EXPECT_THAT(codes(report), testing::Not(testing::Contains(code::kWindowLeft)));
 }
 
+TEST(RunDiagnosis, AllThatLeaveTheWindowToTheSameSideHaveNotMovedThemselves) {
+  auto report = healthy();
+  report.history.slave_losses.push_back(
+      {kStart + 6 * kSecond, -1, 20'000, dc::SyncObstacle::kClockStep, kStart + 7 * kSecond});
+  const auto findings = diagnose(report);
+  const auto found = std::ranges::find(findings, code::kWindowLeft, &Finding::code);
+  ASSERT_NE(found, findings.end());
+  EXPECT_EQ(found->place.slave, report.dc.reference_clock);
+  EXPECT_THAT(facts_text(*found), testing::HasSubstr("the reference clock stepped"));
+}
+
 TEST(RunDiagnosis, AMailboxThatWasSilentIsToldWhenItAnswersAgain) {
   auto report = healthy();
   report.history.slaves[1].mailbox_silences = 4;

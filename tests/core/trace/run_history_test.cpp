@@ -93,6 +93,10 @@ TEST_F(RunHistoryTest, CountsSyncLossesInOpAlone) {
   ASSERT_EQ(recorder.history().slave_losses.size(), 1U);
   EXPECT_EQ(recorder.history().slave_losses[0].slave, 2);
   EXPECT_EQ(recorder.history().slave_losses[0].back, 5 * kSecond);
+  EXPECT_EQ(recorder.history().slave_losses[0].obstacle, dc::SyncObstacle::kNone);
+  recorder.add(Event{6 * kSecond, -1, events::SlavesOutOfSync{20'000, 4}});
+  ASSERT_EQ(recorder.history().slave_losses.size(), 2U);
+  EXPECT_EQ(recorder.history().slave_losses[1].obstacle, dc::SyncObstacle::kClockStep) << "what they all follow moved";
 }
 
 TEST_F(RunHistoryTest, FramesThatCameLateAreNotLost) {
