@@ -50,6 +50,10 @@ LiveStripToolbar::LiveStripToolbar(TimeView* view, CursorSet* cursors, QWidget* 
                             tr("How often which value came, instead of the plots over time"));
   distribution_->setCheckable(true);
   connect(distribution_, &QToolButton::clicked, this, &LiveStripToolbar::distributionToggled);
+  stability_ = addButton(layout, "stabilityButton", tr("Stability"),
+                         tr("How steady signals are over observation times, and their spectrum, instead of the plots"));
+  stability_->setCheckable(true);
+  connect(stability_, &QToolButton::clicked, this, &LiveStripToolbar::stabilityToggled);
   layout->addSpacing(6);
   layout->addWidget(named(state_, "liveStateLabel", tr("State of the plots")));
   layout->addStretch(1);
@@ -77,7 +81,16 @@ QToolButton* LiveStripToolbar::addButton(QHBoxLayout* layout, const char* name, 
 }
 
 bool LiveStripToolbar::distributionWanted() const { return distribution_->isChecked(); }
-void LiveStripToolbar::setDistributionWanted(bool on) { distribution_->setChecked(on); }
+void LiveStripToolbar::setDistributionWanted(bool on) {
+  distribution_->setChecked(on);
+  if (on) stability_->setChecked(false);
+}
+
+bool LiveStripToolbar::stabilityWanted() const { return stability_->isChecked(); }
+void LiveStripToolbar::setStabilityWanted(bool on) {
+  stability_->setChecked(on);
+  if (on) distribution_->setChecked(false);
+}
 
 void LiveStripToolbar::showState() {
   using Mode = TimeView::Mode;
