@@ -870,6 +870,14 @@
             <translation>Wie oft welcher Wert kam, statt der Kurven über der Zeit</translation>
         </message>
         <message>
+            <source>Stability</source>
+            <translation>Stabilität</translation>
+        </message>
+        <message>
+            <source>How steady signals are over observation times, and their spectrum, instead of the plots</source>
+            <translation>Wie stetig Signale über Beobachtungszeiten sind, und ihr Spektrum, statt der Kurven</translation>
+        </message>
+        <message>
             <source>1 s</source>
             <translation>1 s</translation>
         </message>
@@ -6921,28 +6929,8 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
             <translation>Signale der Verteilung</translation>
         </message>
         <message>
-            <source>Signals</source>
-            <translation>Signale</translation>
-        </message>
-        <message>
-            <source>Up to four signals over each other</source>
-            <translation>Bis zu vier Signale übereinander</translation>
-        </message>
-        <message>
             <source>Samples that count</source>
             <translation>Welche Werte zählen</translation>
-        </message>
-        <message>
-            <source>Range shown</source>
-            <translation>Gezeigter Bereich</translation>
-        </message>
-        <message>
-            <source>Between the cursors</source>
-            <translation>Zwischen den Cursorn</translation>
-        </message>
-        <message>
-            <source>Since the figures were armed</source>
-            <translation>Seit dem Scharfstellen</translation>
         </message>
         <message>
             <source>Value axis of the distribution</source>
@@ -6997,14 +6985,6 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
             <translation>Die letzten Werte der Klasse; ein Doppelklick zeigt den Augenblick in den Kurven</translation>
         </message>
         <message>
-            <source>Set two cursors: keys A and B</source>
-            <translation>Zwei Cursor setzen: Tasten A und B</translation>
-        </message>
-        <message>
-            <source>Not armed: the machine has not been ready yet</source>
-            <translation>Noch nicht scharf: Die Maschine war noch nicht bereit</translation>
-        </message>
-        <message>
             <source>Computing, %1 %</source>
             <translation>Zählt, %1 %</translation>
         </message>
@@ -7019,10 +6999,6 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
         <message>
             <source>%1 s</source>
             <translation>%1 s</translation>
-        </message>
-        <message>
-            <source>Deviation of a slave</source>
-            <translation>Abweichung eines Slaves</translation>
         </message>
         <message>
             <source>Send lateness</source>
@@ -7075,6 +7051,253 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
         <message>
             <source>Deviation</source>
             <translation>Abweichung</translation>
+        </message>
+</context>
+<context>
+    <name>SampleRange</name>
+        <message>
+            <source>Range shown</source>
+            <translation>Gezeigter Bereich</translation>
+        </message>
+        <message>
+            <source>Between the cursors</source>
+            <translation>Zwischen den Cursorn</translation>
+        </message>
+        <message>
+            <source>Since the figures were armed</source>
+            <translation>Seit dem Scharfstellen</translation>
+        </message>
+        <message>
+            <source>Set two cursors: keys A and B</source>
+            <translation>Zwei Cursor setzen: Tasten A und B</translation>
+        </message>
+        <message>
+            <source>Not armed: the machine has not been ready yet</source>
+            <translation>Noch nicht scharf: Die Maschine war noch nicht bereit</translation>
+        </message>
+</context>
+<context>
+    <name>SignalChooser</name>
+        <message>
+            <source>Signals</source>
+            <translation>Signale</translation>
+        </message>
+        <message>
+            <source>Up to four signals over each other</source>
+            <translation>Bis zu vier Signale übereinander</translation>
+        </message>
+        <message>
+            <source>Deviation of a slave</source>
+            <translation>Abweichung eines Slaves</translation>
+        </message>
+</context>
+<context>
+    <name>StabilityText</name>
+        <message>
+            <source>No samples in this range.</source>
+            <translation>Keine Werte in diesem Bereich.</translation>
+        </message>
+        <message>
+            <source>No even samples: between two gaps there are never as many as %1.</source>
+            <translation>Keine gleichmäßigen Werte: zwischen zwei Lücken sind es nie %1 oder mehr.</translation>
+        </message>
+        <message>
+            <source>Constant: nothing moves.</source>
+            <translation>Konstant: nichts bewegt sich.</translation>
+        </message>
+        <message>
+            <source>Jitter at short times: ADEV falls with slope %1, neighbouring values have little to do with each other.</source>
+            <translation>Jitter bei kurzen Zeiten: ADEV fällt mit Steigung %1, benachbarte Werte haben wenig miteinander zu tun.</translation>
+        </message>
+        <message>
+            <source>Hunting: it swings, with a period of about %1.</source>
+            <translation>Pendeln: es schwingt mit einer Periode von etwa %1.</translation>
+        </message>
+        <message>
+            <source>Drift at long times: ADEV rises with slope %1 up to the end, nothing takes it back.</source>
+            <translation>Drift bei langen Zeiten: ADEV steigt mit Steigung %1 bis zum Ende, nichts nimmt sie zurück.</translation>
+        </message>
+        <message>
+            <source>It moves away by about %1 in each second.</source>
+            <translation>Es läuft in jeder Sekunde um etwa %1 davon.</translation>
+        </message>
+        <message>
+            <source>Too few samples for a verdict.</source>
+            <translation>Zu wenige Werte für ein Urteil.</translation>
+        </message>
+        <message>
+            <source>Neither jitter, hunting nor drift stands out: slope of ADEV %1 at short times, %2 at long ones.</source>
+            <translation>Weder Jitter noch Pendeln noch Drift fällt auf: Steigung der ADEV %1 bei kurzen Zeiten, %2 bei langen.</translation>
+        </message>
+        <message>
+            <source>%1 samples, one each %2</source>
+            <translation>%1 Werte, einer alle %2</translation>
+        </message>
+        <message>
+            <source>%1 of %2 samples, one each %3</source>
+            <translation>%1 von %2 Werten, einer alle %3</translation>
+        </message>
+        <message>
+            <source>no gap</source>
+            <translation>keine Lücke</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n gap(s)</source>
+            <translation>
+                <numerusform>%n Lücke</numerusform>
+                <numerusform>%n Lücken</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>%1 of them at a distance that is off by more than a tenth</source>
+            <translation>%1 davon in einem Abstand, der um mehr als ein Zehntel abweicht</translation>
+        </message>
+        <message>
+            <source>τ %1 to %2</source>
+            <translation>τ %1 bis %2</translation>
+        </message>
+        <message>
+            <source>Beyond the limit: MTIE is above %1 for times from %2 on, so values were beyond %3.</source>
+            <translation>Über dem Grenzwert: MTIE liegt für Zeiten ab %2 über %1, also waren Werte jenseits von %3.</translation>
+        </message>
+        <message>
+            <source>MTIE keeps the limit: it reaches %1 of %2.</source>
+            <translation>MTIE hält den Grenzwert ein: sie erreicht %1 von %2.</translation>
+        </message>
+        <message>
+            <source>beat of the two clocks</source>
+            <translation>Schwebung der beiden Uhren</translation>
+        </message>
+        <message>
+            <source>task, %1</source>
+            <translation>Task, %1</translation>
+        </message>
+        <message>
+            <source>mains, %1</source>
+            <translation>Stromnetz, %1</translation>
+        </message>
+        <message>
+            <source>swing of the DCM loop</source>
+            <translation>Schwingen des DCM-Regelkreises</translation>
+        </message>
+        <message>
+            <source>folded</source>
+            <translation>gefaltet</translation>
+        </message>
+</context>
+<context>
+    <name>StabilityView</name>
+        <message>
+            <source>Stability</source>
+            <translation>Stabilität</translation>
+        </message>
+        <message>
+            <source>Signals of the stability</source>
+            <translation>Signale der Stabilität</translation>
+        </message>
+        <message>
+            <source>Figure</source>
+            <translation>Größe</translation>
+        </message>
+        <message>
+            <source>ADEV</source>
+            <translation>ADEV</translation>
+        </message>
+        <message>
+            <source>TDEV</source>
+            <translation>TDEV</translation>
+        </message>
+        <message>
+            <source>MTIE</source>
+            <translation>MTIE</translation>
+        </message>
+        <message>
+            <source>Spectrum</source>
+            <translation>Spektrum</translation>
+        </message>
+        <message>
+            <source>Allan deviation: how much the rate changes from one observation time to the next</source>
+            <translation>Allan-Abweichung: wie sehr sich der Gang von einer Beobachtungszeit zur nächsten ändert</translation>
+        </message>
+        <message>
+            <source>Time deviation: how far averages over an observation time stray from an even course</source>
+            <translation>Zeitabweichung: wie weit Mittel über eine Beobachtungszeit von einem stetigen Lauf abweichen</translation>
+        </message>
+        <message>
+            <source>Maximum time interval error: the largest peak-to-peak value in any observation time</source>
+            <translation>Maximaler Zeitintervallfehler: der größte Spitze-Spitze-Wert in irgendeiner Beobachtungszeit</translation>
+        </message>
+        <message>
+            <source>Amplitude of each frequency</source>
+            <translation>Amplitude jeder Frequenz</translation>
+        </message>
+        <message>
+            <source>Samples that count</source>
+            <translation>Welche Werte zählen</translation>
+        </message>
+        <message>
+            <source>State of the stability</source>
+            <translation>Zustand der Stabilität</translation>
+        </message>
+        <message>
+            <source>What the curves say</source>
+            <translation>Was die Kurven sagen</translation>
+        </message>
+        <message>
+            <source>at most %1, limit %2</source>
+            <translation>höchstens %1, Grenzwert %2</translation>
+        </message>
+        <message>
+            <source>ADEV over the observation time τ</source>
+            <translation>ADEV über der Beobachtungszeit τ</translation>
+        </message>
+        <message>
+            <source>TDEV over the observation time τ</source>
+            <translation>TDEV über der Beobachtungszeit τ</translation>
+        </message>
+        <message>
+            <source>MTIE over the observation time τ</source>
+            <translation>MTIE über der Beobachtungszeit τ</translation>
+        </message>
+        <message>
+            <source>Amplitude over the frequency</source>
+            <translation>Amplitude über der Frequenz</translation>
+        </message>
+        <message>
+            <source>%1 windows of τ</source>
+            <translation>%1 Fenster von τ</translation>
+        </message>
+        <message>
+            <source>Too few samples without a gap for a spectrum.</source>
+            <translation>Zu wenige Werte ohne Lücke für ein Spektrum.</translation>
+        </message>
+        <message>
+            <source>No line stands out.</source>
+            <translation>Keine Linie ragt heraus.</translation>
+        </message>
+        <message>
+            <source>Lines are named by their frequency alone: a hint, no proof.</source>
+            <translation>Linien sind allein nach ihrer Frequenz benannt: ein Hinweis, kein Beweis.</translation>
+        </message>
+        <message>
+            <source>No limit is set that this signal could be held against.</source>
+            <translation>Kein Grenzwert ist gesetzt, an dem dieses Signal zu messen wäre.</translation>
+        </message>
+        <message>
+            <source>A magnitude, without a sign: a swing about zero shows at half its period.</source>
+            <translation>Ein Betrag, ohne Vorzeichen: eine Schwingung um null zeigt sich mit halber Periode.</translation>
+        </message>
+        <message>
+            <source>%1 windows averaged, one amplitude each %2.</source>
+            <translation>%1 Fenster gemittelt, eine Amplitude alle %2.</translation>
+        </message>
+        <message>
+            <source>%1; what is hollow rests on few windows of τ.</source>
+            <translation>%1; was hohl ist, beruht auf wenigen Fenstern von τ.</translation>
+        </message>
+        <message>
+            <source>Computing, %1 %</source>
+            <translation>Zählt, %1 %</translation>
         </message>
 </context>
 <context>

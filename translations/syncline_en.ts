@@ -23,6 +23,16 @@
         </message>
     </context>
     <context>
+    <name>StabilityText</name>
+        <message numerus="yes">
+            <source>%n gap(s)</source>
+            <translation>
+                <numerusform>%n gap</numerusform>
+                <numerusform>%n gaps</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
     <name>StatusPanel</name>
         <message numerus="yes">
             <source>%n slave(s)</source>

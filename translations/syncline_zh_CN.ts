@@ -868,6 +868,14 @@
             <translation>以各数值出现的次数代替时间曲线</translation>
         </message>
         <message>
+            <source>Stability</source>
+            <translation>稳定性</translation>
+        </message>
+        <message>
+            <source>How steady signals are over observation times, and their spectrum, instead of the plots</source>
+            <translation>以信号在各观测时间上的稳定程度及其频谱代替曲线</translation>
+        </message>
+        <message>
             <source>1 s</source>
             <translation>1 s</translation>
         </message>
@@ -6887,28 +6895,8 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
             <translation>分布的信号</translation>
         </message>
         <message>
-            <source>Signals</source>
-            <translation>信号</translation>
-        </message>
-        <message>
-            <source>Up to four signals over each other</source>
-            <translation>最多叠加四个信号</translation>
-        </message>
-        <message>
             <source>Samples that count</source>
             <translation>计入的采样</translation>
-        </message>
-        <message>
-            <source>Range shown</source>
-            <translation>显示范围</translation>
-        </message>
-        <message>
-            <source>Between the cursors</source>
-            <translation>光标之间</translation>
-        </message>
-        <message>
-            <source>Since the figures were armed</source>
-            <translation>自启用起</translation>
         </message>
         <message>
             <source>Value axis of the distribution</source>
@@ -6963,14 +6951,6 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
             <translation>该区间最近的采样；双击可在曲线中显示该时刻</translation>
         </message>
         <message>
-            <source>Set two cursors: keys A and B</source>
-            <translation>请设置两个光标：按键 A 和 B</translation>
-        </message>
-        <message>
-            <source>Not armed: the machine has not been ready yet</source>
-            <translation>尚未启用：机器还未就绪</translation>
-        </message>
-        <message>
             <source>Computing, %1 %</source>
             <translation>正在计算，%1 %</translation>
         </message>
@@ -6985,10 +6965,6 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
         <message>
             <source>%1 s</source>
             <translation>%1 s</translation>
-        </message>
-        <message>
-            <source>Deviation of a slave</source>
-            <translation>从站的偏差</translation>
         </message>
         <message>
             <source>Send lateness</source>
@@ -7041,6 +7017,252 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
         <message>
             <source>Deviation</source>
             <translation>偏差</translation>
+        </message>
+</context>
+<context>
+    <name>SampleRange</name>
+        <message>
+            <source>Range shown</source>
+            <translation>显示范围</translation>
+        </message>
+        <message>
+            <source>Between the cursors</source>
+            <translation>光标之间</translation>
+        </message>
+        <message>
+            <source>Since the figures were armed</source>
+            <translation>自启用起</translation>
+        </message>
+        <message>
+            <source>Set two cursors: keys A and B</source>
+            <translation>请设置两个光标：按键 A 和 B</translation>
+        </message>
+        <message>
+            <source>Not armed: the machine has not been ready yet</source>
+            <translation>尚未启用：机器还未就绪</translation>
+        </message>
+</context>
+<context>
+    <name>SignalChooser</name>
+        <message>
+            <source>Signals</source>
+            <translation>信号</translation>
+        </message>
+        <message>
+            <source>Up to four signals over each other</source>
+            <translation>最多叠加四个信号</translation>
+        </message>
+        <message>
+            <source>Deviation of a slave</source>
+            <translation>从站的偏差</translation>
+        </message>
+</context>
+<context>
+    <name>StabilityText</name>
+        <message>
+            <source>No samples in this range.</source>
+            <translation>此范围内没有数值。</translation>
+        </message>
+        <message>
+            <source>No even samples: between two gaps there are never as many as %1.</source>
+            <translation>没有等间隔数值：两个间断之间从未达到 %1 个。</translation>
+        </message>
+        <message>
+            <source>Constant: nothing moves.</source>
+            <translation>恒定：没有任何变化。</translation>
+        </message>
+        <message>
+            <source>Jitter at short times: ADEV falls with slope %1, neighbouring values have little to do with each other.</source>
+            <translation>短时间内为抖动：ADEV 以斜率 %1 下降，相邻数值之间关系很小。</translation>
+        </message>
+        <message>
+            <source>Hunting: it swings, with a period of about %1.</source>
+            <translation>振荡：以约 %1 的周期摆动。</translation>
+        </message>
+        <message>
+            <source>Drift at long times: ADEV rises with slope %1 up to the end, nothing takes it back.</source>
+            <translation>长时间内为漂移：ADEV 以斜率 %1 一直上升到末端，没有任何作用将其拉回。</translation>
+        </message>
+        <message>
+            <source>It moves away by about %1 in each second.</source>
+            <translation>每秒约偏离 %1。</translation>
+        </message>
+        <message>
+            <source>Too few samples for a verdict.</source>
+            <translation>数值太少，无法判断。</translation>
+        </message>
+        <message>
+            <source>Neither jitter, hunting nor drift stands out: slope of ADEV %1 at short times, %2 at long ones.</source>
+            <translation>抖动、振荡和漂移均不明显：ADEV 的斜率在短时间内为 %1，长时间内为 %2。</translation>
+        </message>
+        <message>
+            <source>%1 samples, one each %2</source>
+            <translation>%1 个数值，每 %2 一个</translation>
+        </message>
+        <message>
+            <source>%1 of %2 samples, one each %3</source>
+            <translation>%2 个数值中的 %1 个，每 %3 一个</translation>
+        </message>
+        <message>
+            <source>no gap</source>
+            <translation>没有间断</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n gap(s)</source>
+            <translation>
+                <numerusform>%n 处间断</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>%1 of them at a distance that is off by more than a tenth</source>
+            <translation>其中 %1 个的间隔偏差超过十分之一</translation>
+        </message>
+        <message>
+            <source>τ %1 to %2</source>
+            <translation>τ 从 %1 到 %2</translation>
+        </message>
+        <message>
+            <source>Beyond the limit: MTIE is above %1 for times from %2 on, so values were beyond %3.</source>
+            <translation>超出限值：观测时间从 %2 起 MTIE 高于 %1，因此有数值超过 %3。</translation>
+        </message>
+        <message>
+            <source>MTIE keeps the limit: it reaches %1 of %2.</source>
+            <translation>MTIE 未超出限值：达到 %1，上限为 %2。</translation>
+        </message>
+        <message>
+            <source>beat of the two clocks</source>
+            <translation>两个时钟的拍频</translation>
+        </message>
+        <message>
+            <source>task, %1</source>
+            <translation>任务，%1</translation>
+        </message>
+        <message>
+            <source>mains, %1</source>
+            <translation>电网，%1</translation>
+        </message>
+        <message>
+            <source>swing of the DCM loop</source>
+            <translation>DCM 控制环的摆动</translation>
+        </message>
+        <message>
+            <source>folded</source>
+            <translation>混叠</translation>
+        </message>
+</context>
+<context>
+    <name>StabilityView</name>
+        <message>
+            <source>Stability</source>
+            <translation>稳定性</translation>
+        </message>
+        <message>
+            <source>Signals of the stability</source>
+            <translation>稳定性的信号</translation>
+        </message>
+        <message>
+            <source>Figure</source>
+            <translation>指标</translation>
+        </message>
+        <message>
+            <source>ADEV</source>
+            <translation>ADEV</translation>
+        </message>
+        <message>
+            <source>TDEV</source>
+            <translation>TDEV</translation>
+        </message>
+        <message>
+            <source>MTIE</source>
+            <translation>MTIE</translation>
+        </message>
+        <message>
+            <source>Spectrum</source>
+            <translation>频谱</translation>
+        </message>
+        <message>
+            <source>Allan deviation: how much the rate changes from one observation time to the next</source>
+            <translation>阿伦偏差：速率从一个观测时间到下一个观测时间的变化程度</translation>
+        </message>
+        <message>
+            <source>Time deviation: how far averages over an observation time stray from an even course</source>
+            <translation>时间偏差：观测时间内的平均值偏离匀速的程度</translation>
+        </message>
+        <message>
+            <source>Maximum time interval error: the largest peak-to-peak value in any observation time</source>
+            <translation>最大时间间隔误差：任一观测时间内的最大峰峰值</translation>
+        </message>
+        <message>
+            <source>Amplitude of each frequency</source>
+            <translation>各频率的幅值</translation>
+        </message>
+        <message>
+            <source>Samples that count</source>
+            <translation>计入的采样</translation>
+        </message>
+        <message>
+            <source>State of the stability</source>
+            <translation>稳定性的状态</translation>
+        </message>
+        <message>
+            <source>What the curves say</source>
+            <translation>曲线的含义</translation>
+        </message>
+        <message>
+            <source>at most %1, limit %2</source>
+            <translation>最多 %1，限值 %2</translation>
+        </message>
+        <message>
+            <source>ADEV over the observation time τ</source>
+            <translation>ADEV 与观测时间 τ 的关系</translation>
+        </message>
+        <message>
+            <source>TDEV over the observation time τ</source>
+            <translation>TDEV 与观测时间 τ 的关系</translation>
+        </message>
+        <message>
+            <source>MTIE over the observation time τ</source>
+            <translation>MTIE 与观测时间 τ 的关系</translation>
+        </message>
+        <message>
+            <source>Amplitude over the frequency</source>
+            <translation>幅值与频率的关系</translation>
+        </message>
+        <message>
+            <source>%1 windows of τ</source>
+            <translation>%1 个 τ 窗口</translation>
+        </message>
+        <message>
+            <source>Too few samples without a gap for a spectrum.</source>
+            <translation>无间断的数值太少，无法计算频谱。</translation>
+        </message>
+        <message>
+            <source>No line stands out.</source>
+            <translation>没有突出的谱线。</translation>
+        </message>
+        <message>
+            <source>Lines are named by their frequency alone: a hint, no proof.</source>
+            <translation>谱线仅按频率命名：只是提示，不是证明。</translation>
+        </message>
+        <message>
+            <source>No limit is set that this signal could be held against.</source>
+            <translation>没有为此信号设置可供比较的限值。</translation>
+        </message>
+        <message>
+            <source>A magnitude, without a sign: a swing about zero shows at half its period.</source>
+            <translation>这是绝对值，没有符号：围绕零的摆动以一半的周期显示。</translation>
+        </message>
+        <message>
+            <source>%1 windows averaged, one amplitude each %2.</source>
+            <translation>已平均 %1 个窗口，每 %2 一个幅值。</translation>
+        </message>
+        <message>
+            <source>%1; what is hollow rests on few windows of τ.</source>
+            <translation>%1；空心点仅基于少数 τ 窗口。</translation>
+        </message>
+        <message>
+            <source>Computing, %1 %</source>
+            <translation>正在计算，%1 %</translation>
         </message>
 </context>
 <context>

@@ -31,6 +31,7 @@
 #include "ui/panels/explorer_panel.h"
 #include "ui/panels/live_strip.h"
 #include "ui/panels/overview_panel.h"
+#include "ui/panels/stability_view.h"
 #include "ui/session/workspace.h"
 #include "ui/theme/theme.h"
 
@@ -198,6 +199,32 @@ void takeDistribution(Camera& camera, ui::MainWindow& window, const QString& the
   strip->showDistribution(false);
 }
 
+/// Each figure in place of the plots, and one of them in the smallest window.
+void takeStability(Camera& camera, ui::MainWindow& window, const QString& theme) {
+  using Figure = ui::StabilityView::Figure;
+  auto* strip = window.findChild<ui::LiveStrip*>();
+  auto* view = strip->stability();
+  const auto usual = window.size();
+  const auto take = [&](Figure figure, const char* name) {
+    view->setFigure(figure);
+    static_cast<void>(waitUntil([strip, view] {
+      strip->refresh();
+      return view->complete();
+    }));
+    camera.take(window, theme + QLatin1String(name));
+  };
+  strip->showStability(true);
+  take(Figure::kAdev, "-stability-adev");
+  take(Figure::kTdev, "-stability-tdev");
+  take(Figure::kMtie, "-stability-mtie");
+  take(Figure::kSpectrum, "-stability-spectrum");
+  window.resize(1024, 640);
+  QApplication::processEvents();
+  take(Figure::kMtie, "-stability-small");
+  window.resize(usual);
+  strip->showStability(false);
+}
+
 /// The last seconds of the machine out of memory, opened again.
 void takeRecording(Camera& camera, ui::MainWindow& window, ui::Workspace& workspace) {
   const QTemporaryDir folder;
@@ -263,6 +290,7 @@ bool renderScreenshots(ui::MainWindow& window, ui::Workspace& workspace, const Q
     QApplication::processEvents();
     takeOverview(camera, window, ui::theme::modeName(mode));
     takeDistribution(camera, window, ui::theme::modeName(mode));
+    takeStability(camera, window, ui::theme::modeName(mode));
     takePages(camera, window, workspace, ui::theme::modeName(mode));
     workspace.setExpert(true);
     takePages(camera, window, workspace, ui::theme::modeName(mode) + QStringLiteral("-expert"));

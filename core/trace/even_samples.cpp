@@ -50,6 +50,10 @@ void EvenSamples::finish(Nanoseconds longest) {
       used_ += end - first;
       lengths += static_cast<double>(times_[end - 1] - times_[first]);
       distances += end - 1 - first;
+      for (auto i = first + 1; i < end; ++i) {
+        const auto distance = static_cast<double>(times_[i] - times_[i - 1]);
+        if (std::abs(distance - usual) > kUneven * usual) ++uneven_;
+      }
     }
   };
   for (std::size_t i = 0; i < values_.size(); ++i) {

@@ -8,12 +8,15 @@
 #include <kissfft/kissfft.hh>
 #include <numbers>
 
+#include "dc/dcm/dcm_controller.h"
+
 namespace syncline {
 namespace {
 
 constexpr std::size_t kLongestWindow = 1U << 17, kShortestWindow = 16;
 constexpr double kAboveMedian = 8;
-constexpr std::size_t kAbout = 32;  // amplitudes on either side of a peak that it is held against
+constexpr double kLinePart = 0.01, kLoopPart = 0.3;  // how far from a known frequency a line of it may be
+constexpr std::size_t kAbout = 32;                   // amplitudes on either side of a peak that it is held against
 
 /// Windowed powers, summed up.
 class PowerSum {
@@ -107,7 +110,7 @@ std::vector<SpectrumLine> peaks_of(const std::vector<double>& amplitudes, double
 
 }  // namespace
 
-Spectrum spectrum_of(Stretches<float> stretches, double interval) {
+Spectrum spectrum_of(Stretches<float> stretches, double interval, const std::atomic<bool>* stop) {
   Spectrum spectrum;
   std::size_t longest = 0;
   for (const auto& stretch : stretches) longest = std::max(longest, stretch.size());
@@ -119,7 +122,10 @@ Spectrum spectrum_of(Stretches<float> stretches, double interval) {
     // As many as overlap by half at least, from the first sample to the last one.
     const auto rest = stretch.size() - length;
     const auto moves = (rest + length / 2 - 1) / (length / 2);
-    for (std::size_t i = 0; i <= moves; ++i) powers.add(stretch.subspan(moves == 0 ? 0 : rest * i / moves, length));
+    for (std::size_t i = 0; i <= moves; ++i) {
+      if (stop != nullptr && stop->load(std::memory_order_relaxed)) return spectrum;
+      powers.add(stretch.subspan(moves == 0 ? 0 : rest * i / moves, length));
+    }
     spectrum.used += stretch.size();
   }
   spectrum.windows = powers.windows();
@@ -143,15 +149,26 @@ std::vector<KnownFrequency> known_frequencies(double cycle_s, double drift_ppm, 
   return known;
 }
 
+std::vector<KnownFrequency> known_frequencies(const NetworkConfig& config, Nanoseconds cycle_time, double drift_ppm) {
+  std::vector<double> periods;
+  for (const auto& task : config.cyclic) periods.push_back(static_cast<double>(task.cycle_time) / 1e9);
+  auto known = known_frequencies(static_cast<double>(cycle_time) / 1e9, drift_ppm, periods);
+  if (!config.dc.enabled) return known;
+  const auto swing = dc::loop_frequency(config.dc.dcm, cycle_time);
+  if (swing) known.push_back({KnownFrequency::Kind::kLoop, *swing});
+  return known;
+}
+
 const KnownFrequency* likely_cause(const SpectrumLine& line, std::span<const KnownFrequency> known,
                                    double sampling_rate, double resolution) {
   const KnownFrequency* best = nullptr;
-  double nearest = std::max(0.01 * line.frequency, resolution);
+  double nearest = 1;  // distance, in what is allowed
   for (const auto& candidate : known) {
     const double turns = std::round(candidate.frequency / sampling_rate);
     const double seen = std::abs(candidate.frequency - turns * sampling_rate);
     if (seen < 2 * resolution) continue;  // indistinguishable from a constant
-    const double distance = std::abs(seen - line.frequency);
+    const double part = candidate.kind == KnownFrequency::Kind::kLoop ? kLoopPart : kLinePart;
+    const double distance = std::abs(seen - line.frequency) / std::max(part * line.frequency, resolution);
     if (distance >= nearest) continue;
     nearest = distance;
     best = &candidate;

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <span>
 #include <vector>
 
+#include "config/network_config.h"
 #include "trace/stability.h"
 
 namespace syncline {
@@ -25,12 +27,14 @@ struct Spectrum {
 inline constexpr std::size_t kMostPeaks = 8;
 /// `interval` in s. Windows are as long as the longest stretch, up to 131072 samples; stretches shorter than a window
 /// are left out. Mean and slope of a window are taken off first: they are no lines. Peaks stand at least 8 times above
-/// the median about them. Not for the thread of a window: a second for 10 million samples.
-[[nodiscard]] Spectrum spectrum_of(Stretches<float> stretches, double interval);
+/// the median about them. Not for the thread of a window: a second for 10 million samples. Ends early, with the windows
+/// that it has, once `stop` is true; null: it does not.
+[[nodiscard]] Spectrum spectrum_of(Stretches<float> stretches, double interval,
+                                   const std::atomic<bool>* stop = nullptr);
 
 /// What a line may come from, by its frequency alone: a hint, no proof.
 struct KnownFrequency {
-  enum class Kind : unsigned char { kBeat, kTask, kMains };
+  enum class Kind : unsigned char { kBeat, kTask, kMains, kLoop };
   Kind kind = Kind::kMains;
   double frequency = 0;  // Hz, before it was folded at half of the sampling rate
   bool operator==(const KnownFrequency&) const = default;
@@ -39,8 +43,11 @@ struct KnownFrequency {
 /// first harmonics, mains of 50 and 60 Hz with theirs. `task_periods` in s.
 [[nodiscard]] std::vector<KnownFrequency> known_frequencies(double cycle_s, double drift_ppm,
                                                             std::span<const double> task_periods);
-/// The known one that is within 1 % or `resolution` of the line; null without one. Lines above half of `sampling_rate`
-/// are seen folded; constant values (0 Hz) are no lines.
+/// These of a run, and the loop of the master synchronisation where it may swing. `drift_ppm` as above.
+[[nodiscard]] std::vector<KnownFrequency> known_frequencies(const NetworkConfig& config, Nanoseconds cycle_time,
+                                                            double drift_ppm);
+/// The known one that is within 1 % or `resolution` of the line, the loop within 30 %; null without one. Lines above
+/// half of `sampling_rate` are seen folded; constant values (0 Hz) are no lines.
 [[nodiscard]] const KnownFrequency* likely_cause(const SpectrumLine& line, std::span<const KnownFrequency> known,
                                                  double sampling_rate, double resolution);
 

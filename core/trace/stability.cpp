@@ -12,6 +12,10 @@ namespace {
 
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kLanes = 4;
+constexpr std::size_t kFewestTerms = 32;
+constexpr double kSteady = 0.95;  // slope of what moves away at a rate that stays
+
+bool is_set(const std::atomic<bool>* stop) { return stop != nullptr && stop->load(std::memory_order_relaxed); }
 
 /// Sums of one observation time over all stretches.
 struct StabilitySums {
@@ -23,6 +27,7 @@ struct StabilitySums {
   std::size_t averaged_terms = 0;
   double first = 0;  // squares of first differences
   std::size_t first_terms = 0;
+  std::size_t windows = 0;
 };
 
 /// Independent partial sums: the processor need not wait for one addition before the next.
@@ -62,6 +67,7 @@ void add_differences(std::span<const Value> x, std::size_t m, StabilitySums& sum
   }
   sums.first += first.total();
   sums.first_terms += n - m;
+  sums.windows += (n - 1) / m;
   sums.second += second.total();
   sums.second_terms += both;
   for (i = 0; i + 2 * m < n; i += m) {
@@ -105,6 +111,7 @@ StabilityPoint point_of(const StabilitySums& sums, std::size_t m, double interva
   point.tie_rms = std::sqrt(mean(sums.first, sums.first_terms));
   point.mtie = mtie;
   point.terms = sums.second_terms;
+  point.windows = sums.windows;
   return point;
 }
 
@@ -144,12 +151,12 @@ class DoublingWindows {
 };
 
 template <class Value>
-std::vector<double> mtie_octaves(Stretches<Value> stretches, std::size_t octaves) {
+std::vector<double> mtie_octaves(Stretches<Value> stretches, std::size_t octaves, const std::atomic<bool>* stop) {
   std::vector<double> result(octaves, kNothing);
   for (const auto& stretch : stretches) {
     DoublingWindows<Value> windows(stretch);
     std::size_t length = 1;
-    for (std::size_t octave = 0; octave < octaves; ++octave, length *= 2) {
+    for (std::size_t octave = 0; octave < octaves && !is_set(stop); ++octave, length *= 2) {
       const auto span = windows.largest_span();
       if (!span) break;
       if (!(result[octave] >= *span)) result[octave] = *span;
@@ -160,14 +167,15 @@ std::vector<double> mtie_octaves(Stretches<Value> stretches, std::size_t octaves
 }
 
 template <class Value>
-std::vector<StabilityPoint> octaves_of(Stretches<Value> stretches, double interval, double unit) {
+std::vector<StabilityPoint> octaves_of(Stretches<Value> stretches, double interval, double unit,
+                                       const std::atomic<bool>* stop) {
   std::size_t longest = 0;
   for (const auto& stretch : stretches) longest = std::max(longest, stretch.size());
   std::size_t octaves = 0;
   while ((std::size_t{2} << octaves) < longest) ++octaves;  // at least one second difference
-  const auto mtie = mtie_octaves(stretches, octaves);
+  const auto mtie = mtie_octaves(stretches, octaves, stop);
   std::vector<StabilityPoint> points;
-  for (std::size_t octave = 0; octave < octaves; ++octave) {
+  for (std::size_t octave = 0; octave < octaves && !is_set(stop); ++octave) {
     const auto m = std::size_t{1} << octave;
     StabilitySums sums;
     for (const auto& stretch : stretches) {
@@ -200,11 +208,13 @@ double mtie_of(std::span<const double> x, std::size_t m) {
 
 }  // namespace
 
-std::vector<StabilityPoint> stability_octaves(Stretches<float> stretches, double interval, double unit) {
-  return octaves_of(stretches, interval, unit);
+std::vector<StabilityPoint> stability_octaves(Stretches<float> stretches, double interval, double unit,
+                                              const std::atomic<bool>* stop) {
+  return octaves_of(stretches, interval, unit, stop);
 }
-std::vector<StabilityPoint> stability_octaves(Stretches<double> stretches, double interval, double unit) {
-  return octaves_of(stretches, interval, unit);
+std::vector<StabilityPoint> stability_octaves(Stretches<double> stretches, double interval, double unit,
+                                              const std::atomic<bool>* stop) {
+  return octaves_of(stretches, interval, unit, stop);
 }
 
 StabilityPoint stability_at(Stretches<double> stretches, std::size_t m, double interval, double unit) {
@@ -230,20 +240,41 @@ StabilityPoint stability_bound(double limit, double tau, double unit) {
   return point;
 }
 
-StabilityReading read_stability(const std::vector<StabilityPoint>& points) {
-  StabilityReading reading;
-  // The last octaves rest on a handful of terms: they decide nothing.
+namespace {
+
+/// The last octaves rest on a handful of terms and windows: they decide nothing.
+std::vector<StabilityPoint> sure_points(const std::vector<StabilityPoint>& points) {
   std::vector<StabilityPoint> sure;
   for (const auto& point : points) {
-    if (point.terms >= 32 && point.adev > 0 && point.tdev > 0) sure.push_back(point);
+    if (point.terms >= kFewestTerms && point.windows >= kFewestWindows) sure.push_back(point);
   }
+  return sure;
+}
+
+double steady_rate(const std::vector<StabilityPoint>& sure) {
+  if (sure.size() < 4) return 0;
+  const auto& from = sure[sure.size() - 3];
+  const auto& to = sure.back();
+  if (!(from.tie_rms > 0) || std::log(to.tie_rms / from.tie_rms) < kSteady * std::log(to.tau / from.tau)) return 0;
+  return to.tie_rms / to.tau;
+}
+
+}  // namespace
+
+StabilityReading read_stability(const std::vector<StabilityPoint>& points) {
+  StabilityReading reading;
+  auto sure = sure_points(points);
+  reading.runs_away = steady_rate(sure);
+  std::erase_if(sure, [](const StabilityPoint& point) { return !(point.adev > 0) || !(point.tdev > 0); });
   if (sure.size() < 4) return reading;
   const auto slope = [&](std::size_t from, std::size_t to) {
     return std::log(sure[to].adev / sure[from].adev) / std::log(sure[to].tau / sure[from].tau);
   };
   const auto last = sure.size() - 1;
-  reading.jitter = slope(0, 2) < -0.4;
-  reading.drift = slope(last - 2, last) > 0.4;
+  reading.short_slope = slope(0, 2);
+  reading.long_slope = slope(last - 2, last);
+  reading.jitter = *reading.short_slope < -0.4;
+  reading.drift = *reading.long_slope > 0.4;
   double highest = 0;
   // Of a sine the time deviation has its hump at 0.4 of the period and falls on both sides of it.
   for (std::size_t i = 1; i < last; ++i) {

@@ -7,6 +7,7 @@
 #include "bench/ratio_report.h"
 #include "trace/distribution.h"
 #include "trace/even_samples.h"
+#include "trace/signal_study.h"
 #include "trace/spectrum.h"
 #include "trace/stability.h"
 
@@ -62,6 +63,15 @@ void bench_distribution(RatioReport& report, const MinMaxSeries& series) {
 }
 
 void bench_stability(RatioReport& report, const MinMaxSeries& series) {
+  constexpr std::size_t kPortion = 1'000'000;
+  SampleGathering gathering;
+  gathering.aim(series, kStart, kEnd, 0);
+  const double gathered = seconds([&] {
+    while (!gathering.work(kPortion)) {
+    }
+  });
+  report.add("stability: copy a portion of 1 M", gathered * 1e9 / 10, "a tick of 33 ms", 33e6, 0.5);
+  static_cast<void>(gathering.take());
   EvenSamples samples;
   const double copy = seconds([&] { samples = EvenSamples(series, kStart, kEnd, 0); });
   report.add("even samples: copy 10 M", copy * 1e9, "a second", 1e9, 0.3);

@@ -13,6 +13,7 @@
 #include "ui/main_window.h"
 #include "ui/pages/device_editor.h"
 #include "ui/panels/live_strip.h"
+#include "ui/panels/stability_view.h"
 #include "ui/session/workspace.h"
 
 namespace syncline::ui {
@@ -53,6 +54,19 @@ class Clipping : public ::testing::TestWithParam<const char*> {
       ADD_FAILURE() << qPrintable(where) << ": " << qPrintable(text);
     }
   }
+  void lookAtStability() {
+    auto& strip = window_.liveStrip();
+    strip.showStability(true);
+    for (const auto figure : {StabilityView::Figure::kMtie, StabilityView::Figure::kSpectrum}) {
+      strip.stability()->setFigure(figure);
+      static_cast<void>(test::waitFor([&strip] {
+        strip.refresh();
+        return strip.stability()->complete();
+      }));
+      look(figure == StabilityView::Figure::kMtie ? QStringLiteral("mtie") : QStringLiteral("spectrum"));
+    }
+    strip.showStability(false);
+  }
   void lookAtPages(int node) {
     window_.selectNode(node);
     auto* tabs = window_.editor().tabs();
@@ -84,6 +98,7 @@ TEST_P(Clipping, NoTextIsCut) {
     EXPECT_EQ(window_.size(), size) << "it does not become so small";
     std::set<std::uint32_t> seen;  // one of each device
     lookAtPages(-1);
+    lookAtStability();
     for (std::size_t i = 0; i < slaves.size(); ++i) {
       if (seen.insert(slaves[i].device.identity.product_code).second) lookAtPages(static_cast<int>(i));
     }

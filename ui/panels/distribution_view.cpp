@@ -8,9 +8,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QLocale>
-#include <QMenu>
 #include <QTableWidget>
-#include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -18,7 +16,6 @@
 #include <utility>
 
 #include "ui/plots/plot_colors.h"
-#include "ui/text/signal_text.h"
 #include "ui/text/units.h"
 #include "ui/widgets/named.h"
 
@@ -55,17 +52,18 @@ void put(QTableWidget& table, int row, int column, const QString& text) {
 }  // namespace
 
 DistributionView::DistributionView(const TimeView* view, const CursorSet* cursors, QWidget* parent)
-    : QWidget(parent), view_(view), cursors_(cursors), sources_{Source{}} {
+    : QWidget(parent), view_(view) {
   setObjectName(QStringLiteral("distributionView"));
   setAccessibleName(tr("Distribution"));
-  signals_ = named(new QToolButton, "distributionSignals", tr("Signals of the distribution"));
-  signals_->setText(tr("Signals"));
-  signals_->setToolTip(tr("Up to four signals over each other"));
-  signals_->setPopupMode(QToolButton::InstantPopup);
-  signals_->setMenu(new QMenu(signals_));
-  connect(signals_->menu(), &QMenu::aboutToShow, this, &DistributionView::fillMenu);
-  range_ = named(new QComboBox, "distributionRange", tr("Samples that count"));
-  range_->addItems({tr("Range shown"), tr("Between the cursors"), tr("Since the figures were armed")});
+  signals_ = named(new SignalChooser([](const SignalInfo&) { return true; }), "distributionSignals",
+                   tr("Signals of the distribution"));
+  signals_->setSources({Source{}});
+  connect(signals_, &SignalChooser::changed, this, [this] {
+    moments_->hide();
+    plot_->setChosen(-2);
+    refresh();
+  });
+  range_ = named(new SampleRange(view, cursors), "distributionRange", tr("Samples that count"));
   axis_ = named(new QComboBox, "distributionAxis", tr("Value axis of the distribution"));
   axis_->addItems({tr("All values"), tr("Up to twice the limit")});
   state_ = named(new QLabel, "distributionState", tr("State of the distribution"));
@@ -105,78 +103,27 @@ DistributionView::DistributionView(const TimeView* view, const CursorSet* cursor
 
 void DistributionView::setRecord(const RunRecord* record) {
   for (auto& count : counts_) count.aim(nullptr, 0, 0, {});
-  // What the new one does not have is not asked for.
-  if (record != nullptr) {
-    std::erase_if(sources_, [&](const Source& source) {
-      return info(source.signal).scope == SignalInfo::Scope::kSlave && source.slave >= record->samples().slave_count();
-    });
-  }
-  if (sources_.empty()) sources_ = {Source{}};
   record_ = record;
+  signals_->setRecord(record);
+  if (sources().empty()) signals_->setSources({Source{}});
   grid_ = {};
   moments_->hide();
 }
 
-void DistributionView::setSources(std::vector<Source> sources) {
-  sources.resize(std::min(sources.size(), kMost));
-  sources_ = std::move(sources);
-  moments_->hide();
-  plot_->setChosen(-2);
-  refresh();
-}
-
-const MinMaxSeries& DistributionView::series(const Source& source) const {
-  return info(source.signal).scope == SignalInfo::Scope::kSlave ? record_->samples().series(source.signal, source.slave)
-                                                                : record_->samples().series(source.signal);
-}
-
-QString DistributionView::name(const Source& source) const {
-  const auto text = signalText(source.signal);
-  if (info(source.signal).scope != SignalInfo::Scope::kSlave) return text;
-  return u'#' + QString::number(source.slave) + u' ' + QString::fromStdString(record_->slave_name(source.slave));
-}
-
 /// Of the first signal that has one.
 double DistributionView::limit() const {
-  for (const auto& source : sources_) {
-    switch (source.signal) {
-      case Signal::kDeviation:
-      case Signal::kDeviationOred:
-      case Signal::kNetworkToSlave:
-      case Signal::kSlaveDeviation:
-        return record_->limits().deviation_ns;
-      case Signal::kDcmError:
-      case Signal::kDcmErrorFiltered:
-      case Signal::kMasterToNetwork:
-        return static_cast<double>(record_->limits().dcm_error_ns);
-      default:
-        break;
-    }
+  for (const auto& source : sources()) {
+    if (const double limit = limitOf(record_->limits(), source.signal); limit > 0) return limit;
   }
   return 0;
-}
-
-std::pair<Nanoseconds, Nanoseconds> DistributionView::range() const {
-  switch (static_cast<Range>(range_->currentIndex())) {
-    case Range::kCursors:
-      if (!cursors_->both()) return {0, 0};
-      return std::pair(std::min(*cursors_->at(CursorSet::kA), *cursors_->at(CursorSet::kB)),
-                       std::max(*cursors_->at(CursorSet::kA), *cursors_->at(CursorSet::kB)) + 1);
-    case Range::kArmed:
-      if (!record_->overview().armed) return {0, 0};
-      return {*record_->overview().armed, record_->samples().last_time() + 1};
-    case Range::kShown:
-      break;
-  }
-  return {view_->begin(), view_->end() + 1};
 }
 
 /// Round numbers about everything. What still suits stays: another grid means to count anew.
 BinGrid DistributionView::gridFor(Nanoseconds begin, Nanoseconds end) const {
   double low = 0;
   double high = 0;
-  for (const auto& source : sources_) {
-    const auto extent = series(source).extent(begin, end);
+  for (const auto& source : sources()) {
+    const auto extent = seriesOf(*record_, source).extent(begin, end);
     if (!extent) continue;
     low = std::min(low, static_cast<double>(extent->min));
     high = std::max(high, static_cast<double>(extent->max));
@@ -186,7 +133,7 @@ BinGrid DistributionView::gridFor(Nanoseconds begin, Nanoseconds end) const {
   }
   // Bins of 1, 2 or 5 times a power of ten, of times a nanosecond at least: they are whole.
   const bool whole =
-      std::ranges::all_of(sources_, [](const Source& source) { return info(source.signal).unit == "ns"; });
+      std::ranges::all_of(sources(), [](const Source& source) { return info(source.signal).unit == "ns"; });
   const double span = std::max(high - low, whole ? 10.0 : 1e-3);
   const double least = span * 1.3 / static_cast<double>(kBins);
   const double power = std::pow(10, std::floor(std::log10(least)));
@@ -210,25 +157,25 @@ bool DistributionView::complete() const {
 
 void DistributionView::refresh() {
   if (record_ == nullptr || record_->samples().empty()) return;
-  const auto [begin, end] = range();
+  const auto [begin, end] = range_->of(*record_);
   grid_ = gridFor(begin, end);
   for (std::size_t i = 0; i < counts_.size(); ++i) {
-    if (i >= sources_.size()) {
+    if (i >= sources().size()) {
       counts_[i].aim(nullptr, 0, 0, grid_);
       continue;
     }
-    counts_[i].aim(&series(sources_[i]), begin, end, grid_);
-    counts_[i].work(kPortion / sources_.size());
+    counts_[i].aim(&seriesOf(*record_, sources()[i]), begin, end, grid_);
+    counts_[i].work(kPortion / sources().size());
   }
   std::vector<HistogramPlot::Steps> steps;
-  for (std::size_t i = 0; i < sources_.size(); ++i) {
-    steps.push_back({name(sources_[i]),
+  for (std::size_t i = 0; i < sources().size(); ++i) {
+    steps.push_back({nameOf(*record_, sources()[i]),
                      plot_colors::trace(palette(), static_cast<int>(i)),
                      {counts_[i].bins().begin(), counts_[i].bins().end()},
                      counts_[i].below(),
                      counts_[i].above()});
   }
-  const auto unit = sources_.empty() ? QString() : fromView(info(sources_.front().signal).unit);
+  const auto unit = sources().empty() ? QString() : fromView(info(sources().front().signal).unit);
   plot_->setData(grid_, std::move(steps), limit(), unit);
   showFigures();
 }
@@ -239,15 +186,15 @@ void DistributionView::showFigures() {
   const auto number = [&](double value, const Source& source) {
     return locale.toString(value, 'f', value == std::floor(value) ? 0 : 2) + u' ' + unit(source);
   };
-  const int columns = static_cast<int>(sources_.size());
+  const int columns = static_cast<int>(sources().size());
   if (figures_->columnCount() != columns) figures_->setColumnCount(columns);
   QStringList spoken;
   for (int column = 0; column < columns; ++column) {
-    const auto& source = sources_[static_cast<std::size_t>(column)];
+    const auto& source = sources()[static_cast<std::size_t>(column)];
     const auto& count = counts_[static_cast<std::size_t>(column)];
     auto* header = figures_->horizontalHeaderItem(column);
     if (header == nullptr) figures_->setHorizontalHeaderItem(column, header = new QTableWidgetItem);
-    header->setText(name(source));
+    header->setText(nameOf(*record_, source));
     header->setForeground(plot_colors::trace(palette(), column));
     int row = 0;
     for (const double fraction : kFractions) {
@@ -257,7 +204,7 @@ void DistributionView::showFigures() {
     const auto extent = count.extent();
     put(*figures_, row++, column, extent ? number(static_cast<double>(extent->max), source) : noText());
     put(*figures_, row, column, countText(count.count()));
-    spoken << name(source) + QStringLiteral(": 99.9 % ") + figures_->item(2, column)->text();
+    spoken << nameOf(*record_, source) + QStringLiteral(": 99.9 % ") + figures_->item(2, column)->text();
   }
   int wide = figures_->verticalHeader()->sizeHint().width() + 4;
   for (int column = 0; column < columns; ++column) {
@@ -270,26 +217,19 @@ void DistributionView::showFigures() {
   plot_->setAccessibleDescription(spoken.join(QStringLiteral("; ")));
   double least = 1;
   for (const auto& count : counts_) least = std::min(least, count.progress());
-  QString text;
-  const auto chosen = static_cast<Range>(range_->currentIndex());
-  if (chosen == Range::kCursors && !cursors_->both()) {
-    text = tr("Set two cursors: keys A and B");
-  } else if (chosen == Range::kArmed && !record_->overview().armed) {
-    text = tr("Not armed: the machine has not been ready yet");
-  } else if (!complete()) {
-    text = tr("Computing, %1 %").arg(static_cast<int>(100 * least));
-  }
+  auto text = range_->lack(*record_);
+  if (text.isEmpty() && !complete()) text = tr("Computing, %1 %").arg(static_cast<int>(100 * least));
   state_->setText(text);
 }
 
 void DistributionView::listBin(qint64 bin) {
-  if (record_ == nullptr || sources_.empty()) return;
+  if (record_ == nullptr || sources().empty()) return;
   struct Row {
     Distribution::Hit hit;
     std::size_t source;
   };
   std::vector<Row> rows;
-  for (std::size_t i = 0; i < sources_.size(); ++i) {
+  for (std::size_t i = 0; i < sources().size(); ++i) {
     for (const auto& hit : counts_[i].hits(static_cast<std::ptrdiff_t>(bin), kMomentsShown)) rows.push_back({hit, i});
   }
   std::ranges::stable_sort(rows, {}, [](const Row& row) { return row.hit.time; });
@@ -303,7 +243,7 @@ void DistributionView::listBin(qint64 bin) {
     moments_->item(i, 0)->setData(Qt::UserRole, static_cast<qlonglong>(row.hit.time));
     put(*moments_, i, 1,
         locale.toString(static_cast<double>(row.hit.value), 'g', 7) + u' ' +
-            fromView(info(sources_[row.source].signal).unit));
+            fromView(info(sources()[row.source].signal).unit));
     moments_->item(i, 1)->setForeground(plot_colors::trace(palette(), static_cast<int>(row.source)));
   }
   moments_->setColumnWidth(0, 118);
@@ -312,46 +252,13 @@ void DistributionView::listBin(qint64 bin) {
   moments_->scrollToBottom();
 }
 
-void DistributionView::addSource(QMenu& menu, const QString& text, const Source& source) {
-  auto* action = menu.addAction(text);
-  const bool chosen = std::ranges::find(sources_, source) != sources_.end();
-  action->setCheckable(true);
-  action->setChecked(chosen);
-  action->setEnabled(chosen ? sources_.size() > 1 : sources_.size() < kMost);
-  connect(action, &QAction::triggered, this, [this, source](bool on) {
-    auto sources = sources_;
-    std::erase(sources, source);
-    if (on) sources.push_back(source);
-    setSources(std::move(sources));
-  });
-}
-
-void DistributionView::fillMenu() {
-  auto& menu = *signals_->menu();
-  menu.clear();
-  if (record_ == nullptr) return;
-  for (const auto& row : signals()) {
-    const auto text = signalText(row.id);
-    if (!text.isEmpty() && row.scope == SignalInfo::Scope::kBus) addSource(menu, text, {row.id, 0});
-  }
-  auto* slaves = menu.addMenu(tr("Deviation of a slave"));
-  for (std::size_t slave = 0; slave < record_->samples().slave_count(); ++slave) {
-    const Source source{Signal::kSlaveDeviation, slave};
-    if (!series(source).empty()) addSource(*slaves, name(source), source);
-  }
-}
-
 std::string DistributionView::csv() const {
   const auto& grid = grid_;
   std::string text = "from,to";
-  for (const auto& source : sources_) {
-    const auto& row = info(source.signal);
-    text += fmt::format(",{}{}", row.key,
-                        row.scope == SignalInfo::Scope::kSlave ? fmt::format(" #{}", source.slave) : std::string());
-  }
+  for (const auto& source : sources()) text += ',' + keyOf(source);
   const auto line = [&](const std::string& from, const std::string& to, auto count) {
     text += '\n' + from + ',' + to;
-    for (std::size_t i = 0; i < sources_.size(); ++i)
+    for (std::size_t i = 0; i < sources().size(); ++i)
       fmt::format_to(std::back_inserter(text), ",{}", count(counts_[i]));
   };
   const auto edge = [&](std::size_t bin) {

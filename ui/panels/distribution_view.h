@@ -4,19 +4,18 @@
 #include <QWidget>
 #include <array>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "record/run_record.h"
 #include "trace/distribution.h"
-#include "ui/plots/cursor_item.h"
+#include "ui/panels/sample_range.h"
+#include "ui/panels/signal_chooser.h"
 #include "ui/plots/histogram_plot.h"
-#include "ui/plots/time_view.h"
 
 class QComboBox;
 class QLabel;
-class QMenu;
 class QTableWidget;
-class QToolButton;
 
 namespace syncline::ui {
 
@@ -27,19 +26,14 @@ class DistributionView final : public QWidget {
   Q_OBJECT
 
  public:
-  static constexpr std::size_t kMost = 4;
-  struct Source {
-    Signal signal = Signal::kDeviation;
-    std::size_t slave = 0;
-    bool operator==(const Source&) const = default;
-  };
-  enum class Range { kShown, kCursors, kArmed };
+  static constexpr std::size_t kMost = SignalChooser::kMost;
+  using Source = SignalSource;
 
   DistributionView(const TimeView* view, const CursorSet* cursors, QWidget* parent = nullptr);
   /// Null: nothing. It must outlive the view or be replaced.
   void setRecord(const RunRecord* record);
-  void setSources(std::vector<Source> sources);
-  [[nodiscard]] const std::vector<Source>& sources() const { return sources_; }
+  void setSources(std::vector<Source> sources) { signals_->setSources(std::move(sources)); }
+  [[nodiscard]] const std::vector<Source>& sources() const { return signals_->sources(); }
   /// Counts a portion and draws what there is; once a tick while it is seen.
   void refresh();
   /// All that is wanted is counted.
@@ -53,24 +47,18 @@ class DistributionView final : public QWidget {
   void momentChosen(syncline::Nanoseconds time);
 
  private:
-  [[nodiscard]] const MinMaxSeries& series(const Source& source) const;
-  [[nodiscard]] QString name(const Source& source) const;
   [[nodiscard]] double limit() const;
-  [[nodiscard]] std::pair<Nanoseconds, Nanoseconds> range() const;
   [[nodiscard]] BinGrid gridFor(Nanoseconds begin, Nanoseconds end) const;
-  void fillMenu();
-  void addSource(QMenu& menu, const QString& text, const Source& source);
   void showFigures();
   void listBin(qint64 bin);
 
   const TimeView* view_;
-  const CursorSet* cursors_;
   const RunRecord* record_ = nullptr;
-  std::vector<Source> sources_;
   std::array<Distribution, kMost> counts_;
   BinGrid grid_;
-  QToolButton* signals_;
-  QComboBox *range_, *axis_;
+  SignalChooser* signals_;
+  SampleRange* range_;
+  QComboBox* axis_;
   QLabel* state_;
   HistogramPlot* plot_;
   QTableWidget *figures_, *moments_;

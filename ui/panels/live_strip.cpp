@@ -12,6 +12,7 @@
 #include "ui/panels/distribution_view.h"
 #include "ui/panels/live_strip_panels.h"
 #include "ui/panels/live_strip_toolbar.h"
+#include "ui/panels/stability_view.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/named.h"
 
@@ -48,6 +49,8 @@ LiveStrip::LiveStrip(QWidget* parent) : QWidget(parent), toolbar_(new LiveStripT
   stack_->addWidget(plots_);
   distribution_ = new DistributionView(&view_, &cursors_);
   stack_->addWidget(distribution_);
+  stability_ = new StabilityView(&view_, &cursors_);
+  stack_->addWidget(stability_);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(8, 4, 8, 4);
   layout->setSpacing(4);
@@ -63,6 +66,7 @@ LiveStrip::LiveStrip(QWidget* parent) : QWidget(parent), toolbar_(new LiveStripT
     cursors_.set(CursorSet::kB, view_.begin() + view_.span() * 2 / 3);
   });
   connect(toolbar_, &LiveStripToolbar::distributionToggled, this, &LiveStrip::showDistribution);
+  connect(toolbar_, &LiveStripToolbar::stabilityToggled, this, &LiveStrip::showStability);
   connect(toolbar_, &LiveStripToolbar::triggerWanted, this, &LiveStrip::triggerWanted);
   connect(distribution_, &DistributionView::momentChosen, this, [this](Nanoseconds time) {
     showDistribution(false);
@@ -87,6 +91,7 @@ void LiveStrip::setRecord(const RunRecord* record, bool recorded) {
   marked_ = 0;
   for (auto* panel : panels_) panel->setSource(record_);
   distribution_->setRecord(record_);
+  stability_->setRecord(record_);
   cursors_.clear();
   view_.reset();
   view_.setFollowable(!recorded);
@@ -170,20 +175,31 @@ void LiveStrip::tick() {
   ++ticks_;
   collectMarks();
   if (showsDistribution() && isVisible()) return distribution_->refresh();
+  if (showsStability() && isVisible()) return stability_->refresh();
   for (auto* panel : panels_) panel->plot()->refresh();
 }
 
 void LiveStrip::showState() {
   const bool any = hasSamples();
-  stack_->setCurrentIndex(!any ? 0 : showsDistribution() ? 2 : 1);
+  stack_->setCurrentIndex(!any ? 0 : showsDistribution() ? 2 : showsStability() ? 3 : 1);
   toolbar_->setEnabled(any);
   toolbar_->showState();
 }
 
 bool LiveStrip::showsDistribution() const { return toolbar_->distributionWanted(); }
+bool LiveStrip::showsStability() const { return toolbar_->stabilityWanted(); }
 
 void LiveStrip::showDistribution(bool on) {
   toolbar_->setDistributionWanted(on);
+  showBody();
+}
+
+void LiveStrip::showStability(bool on) {
+  toolbar_->setStabilityWanted(on);
+  showBody();
+}
+
+void LiveStrip::showBody() {
   showState();
   for (auto* panel : panels_) panel->plot()->markDirty();
   refresh();

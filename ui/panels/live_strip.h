@@ -19,6 +19,7 @@ namespace syncline::ui {
 
 class DistributionView;
 class LiveStripToolbar;
+class StabilityView;
 
 /// Three plots over one time axis: DC deviation, missed SM2 events, DCM error. Draws what a run's record holds on a
 /// tick of its own, only what can be seen; names and limits are those of the configuration that runs.
@@ -59,8 +60,11 @@ class LiveStrip : public QWidget {
   [[nodiscard]] DistributionView* distribution() const { return distribution_; }
   /// Histograms in place of the plots.
   void showDistribution(bool on);
-  /// The bins of the distribution where it is shown; else the stretch that is shown as a table: times in ns since the
-  /// run began and in UTC, one column a series; C locale.
+  [[nodiscard]] StabilityView* stability() const { return stability_; }
+  /// Curves over observation times, or spectra, in place of the plots.
+  void showStability(bool on);
+  /// The bins of the distribution or the figures of the stability where they are shown; else the stretch that is shown
+  /// as a table: times in ns since the run began and in UTC, one column a series; C locale.
   [[nodiscard]] std::string csv() const;
   [[nodiscard]] std::string csv(Nanoseconds from, Nanoseconds to) const;
   /// The three plots with a caption, in light colours whatever the theme is.
@@ -85,6 +89,8 @@ class LiveStrip : public QWidget {
   void collectMarks();
   void followRecord();
   [[nodiscard]] bool showsDistribution() const;
+  [[nodiscard]] bool showsStability() const;
+  void showBody();
   [[nodiscard]] bool hasSamples() const { return record_ != nullptr && !record_->samples().empty(); }
   void openMenu(const QPoint& global, Nanoseconds time);
   void exportCsv();
@@ -99,6 +105,7 @@ class LiveStrip : public QWidget {
   QStackedLayout* stack_;
   QWidget* plots_;
   DistributionView* distribution_;
+  StabilityView* stability_;
   std::array<TracePanel*, 3> panels_{};
   QTimer tick_;
   unsigned ticks_ = 0;

@@ -13,6 +13,7 @@
 #include "support/whole_file.h"
 #include "ui/panels/distribution_view.h"
 #include "ui/panels/live_strip.h"
+#include "ui/panels/stability_view.h"
 #include "ui/plots/series_csv.h"
 #include "ui/text/error_text.h"
 #include "ui/text/units.h"
@@ -35,7 +36,9 @@ void tellUnwritten(QWidget* parent, const Status& status) {
 }  // namespace
 
 std::string LiveStrip::csv() const {
-  return showsDistribution() ? distribution_->csv() : csv(view_.begin(), view_.end());
+  if (showsDistribution()) return distribution_->csv();
+  if (showsStability()) return stability_->csv();
+  return csv(view_.begin(), view_.end());
 }
 
 std::string LiveStrip::csv(Nanoseconds from, Nanoseconds to) const {
@@ -59,7 +62,9 @@ std::string LiveStrip::csv(Nanoseconds from, Nanoseconds to) const {
 QImage LiveStrip::picture(double scale) {
   constexpr int kCaption = 22;
   constexpr int kMargin = 10;
-  auto* body = showsDistribution() ? static_cast<QWidget*>(distribution_) : plots_;
+  auto* body = showsDistribution() ? static_cast<QWidget*>(distribution_)
+               : showsStability()  ? static_cast<QWidget*>(stability_)
+                                   : plots_;
   const auto size = body->size();
   QImage image(((QSizeF(size) + QSizeF(2 * kMargin, 2 * kMargin + kCaption)) * scale).toSize(), QImage::Format_RGB32);
   image.setDevicePixelRatio(scale);
@@ -69,6 +74,7 @@ QImage LiveStrip::picture(double scale) {
   for (auto* panel : panels_) panel->applyTheme();
   QPainter painter(&image);
   if (showsDistribution()) distribution_->refresh();
+  if (showsStability()) stability_->refresh();
   body->render(&painter, QPoint(kMargin, kMargin), {}, QWidget::DrawChildren);
   painter.setPen(printPalette().color(QPalette::Text));
   painter.setFont(font());

@@ -50,6 +50,10 @@ LiveStripToolbar::LiveStripToolbar(TimeView* view, CursorSet* cursors, QWidget* 
                             tr("How often which value came, instead of the plots over time"));
   distribution_->setCheckable(true);
   connect(distribution_, &QToolButton::clicked, this, &LiveStripToolbar::distributionToggled);
+  stability_ = addButton(layout, "stabilityButton", tr("Stability"),
+                         tr("How steady signals are over observation times, and their spectrum, instead of the plots"));
+  stability_->setCheckable(true);
+  connect(stability_, &QToolButton::clicked, this, &LiveStripToolbar::stabilityToggled);
   auto* trigger = addButton(layout, "triggerButton", tr("Trigger"),
                             tr("Stops or moves the plots where a signal or an event does what you wait for"));
   connect(trigger, &QToolButton::clicked, this, &LiveStripToolbar::triggerWanted);
@@ -80,7 +84,16 @@ QToolButton* LiveStripToolbar::addButton(QHBoxLayout* layout, const char* name, 
 }
 
 bool LiveStripToolbar::distributionWanted() const { return distribution_->isChecked(); }
-void LiveStripToolbar::setDistributionWanted(bool on) { distribution_->setChecked(on); }
+void LiveStripToolbar::setDistributionWanted(bool on) {
+  distribution_->setChecked(on);
+  if (on) stability_->setChecked(false);
+}
+
+bool LiveStripToolbar::stabilityWanted() const { return stability_->isChecked(); }
+void LiveStripToolbar::setStabilityWanted(bool on) {
+  stability_->setChecked(on);
+  if (on) distribution_->setChecked(false);
+}
 
 void LiveStripToolbar::showState() {
   using Mode = TimeView::Mode;

@@ -24,10 +24,14 @@ class LiveStripToolbar final : public QWidget {
   void showState();
 
   [[nodiscard]] bool distributionWanted() const;
+  /// One view at most stands in place of the plots.
   void setDistributionWanted(bool on);
+  [[nodiscard]] bool stabilityWanted() const;
+  void setStabilityWanted(bool on);
 
  Q_SIGNALS:
   void distributionToggled(bool on);
+  void stabilityToggled(bool on);
   void fitRequested();
   void triggerWanted();
   void cursorsToggled(bool on);
@@ -43,7 +47,7 @@ class LiveStripToolbar final : public QWidget {
     Nanoseconds span;
   };
   std::vector<Length> lengths_;
-  QToolButton *live_, *freeze_, *measure_, *distribution_;
+  QToolButton *live_, *freeze_, *measure_, *distribution_, *stability_;
   ValueLabel *state_, *delta_;
 };
 

@@ -70,4 +70,9 @@ class DcmController {
                                                                  Nanoseconds set_value,
                                                                  Nanoseconds least_set_value = 0);
 
+/// Hz at which the loop of this mode swings back after a disturbance: the settled gains of a master shift. Nothing
+/// where it does not swing, or where the controller does not close one alone (bus shift: the ESC's own loop is part of
+/// it).
+[[nodiscard]] std::optional<double> loop_frequency(const DcmSettings& settings, Nanoseconds cycle_time);
+
 }  // namespace syncline::dc

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace syncline::dc {
 namespace {
@@ -16,6 +17,15 @@ PhaseTracker::Gains gains_of(const DcmSettings& settings) {
 }
 
 }  // namespace
+
+std::optional<double> loop_frequency(const DcmSettings& settings, Nanoseconds cycle_time) {
+  if (!moves_host_timer(settings.mode) || settings.control_off || cycle_time <= 0) return std::nullopt;
+  // Of s^2 + phase s + drift, in cycles.
+  const auto gains = gains_of(effective_dcm_settings(settings));
+  const double swing = gains.drift - gains.phase * gains.phase / 4;
+  if (swing <= 0) return std::nullopt;
+  return std::sqrt(swing) / (2 * std::numbers::pi) / (static_cast<double>(cycle_time) / 1e9);
+}
 
 MasterShift::MasterShift(const DcmSettings& settings, Nanoseconds cycle_time, Nanoseconds set_value, Nanoseconds least)
     : moves_timer_(!settings.control_off && settings.mode != DcmMode::kMasterShiftByApp),

@@ -179,5 +179,19 @@ TEST(MasterShift, RepeatsItselfBitByBit) {
   }
 }
 
+TEST(MasterShift, SwingsAtTheFrequencyOfItsGains) {
+  DcmSettings settings;
+  settings.mode = DcmMode::kMasterShift;
+  settings.gain_ppt = 100;
+  settings.drift_error_gain = 3;
+  EXPECT_NEAR(loop_frequency(settings, kMillisecond).value(), 11.25, 0.01) << "0.05 * sqrt(2) radians a cycle";
+  EXPECT_NEAR(loop_frequency(settings, 2 * kMillisecond).value(), 5.63, 0.01);
+  settings.drift_error_gain = 1;
+  EXPECT_FALSE(loop_frequency(settings, kMillisecond)) << "critically damped";
+  settings.drift_error_gain = 3;
+  settings.mode = DcmMode::kBusShift;
+  EXPECT_FALSE(loop_frequency(settings, kMillisecond)) << "not this loop alone";
+}
+
 }  // namespace
 }  // namespace syncline::dc

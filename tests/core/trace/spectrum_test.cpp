@@ -76,6 +76,27 @@ TEST(Spectrum, NamesWhatFits) {
   EXPECT_EQ(kind(37), -1);
 }
 
+TEST(Spectrum, NamesTheLoopOfTheMasterSynchronisation) {
+  NetworkConfig config;
+  config.cyclic.resize(2);
+  config.cyclic[0].cycle_time = kMillisecond;
+  config.cyclic[1].cycle_time = 4 * kMillisecond;
+  config.dc.enabled = true;
+  config.dc.dcm.mode = DcmMode::kMasterShift;
+  config.dc.dcm.gain_ppt = 100;  // swings at 0.05 * sqrt(2) radians a cycle
+  config.dc.dcm.drift_error_gain = 3;
+  const auto kind = [&](double frequency) {
+    const auto known = known_frequencies(config, kMillisecond, 0);
+    const auto* cause = likely_cause({frequency, 10}, known, 1000, 0.001);
+    return cause == nullptr ? -1 : static_cast<int>(cause->kind);
+  };
+  EXPECT_EQ(kind(250), static_cast<int>(KnownFrequency::Kind::kTask));
+  EXPECT_EQ(kind(9.5), static_cast<int>(KnownFrequency::Kind::kLoop)) << "11.25 Hz, and it is damped";
+  EXPECT_EQ(kind(7), -1);
+  config.dc.dcm.mode = DcmMode::kBusShift;
+  EXPECT_EQ(kind(9.5), -1);
+}
+
 TEST(EvenSamples, SplitsAtGapsAndSaysWhatItUsed) {
   MinMaxSeries series;
   for (int i = 0; i < 1000; ++i) {
@@ -87,6 +108,7 @@ TEST(EvenSamples, SplitsAtGapsAndSaysWhatItUsed) {
   const EvenSamples samples(series, kSampled, kSampled + kSecond, 20 * kMillisecond);
   EXPECT_EQ(samples.given(), 949U);
   EXPECT_EQ(samples.used(), 949U);
+  EXPECT_EQ(samples.uneven(), 2U) << "to the late one and from it";
   ASSERT_EQ(samples.stretches().size(), 3U);
   EXPECT_EQ(samples.gaps(), 2U);
   EXPECT_EQ(samples.stretches()[0].size(), 300U);

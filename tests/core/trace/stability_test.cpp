@@ -47,6 +47,7 @@ StabilityPoint brute_force(const Points& x, std::size_t m, double interval) {
   double sum = 0;
   for (std::size_t i = 0; i + 2 * m < n; ++i) sum += second(i) * second(i);
   point.terms = n > 2 * m ? n - 2 * m : 0;
+  for (std::size_t i = 0; i + m < n; i += m) ++point.windows;
   point.adev = scale * root_mean(sum, point.terms);
   sum = 0;
   std::size_t terms = 0;
@@ -90,6 +91,7 @@ void expect_same(const StabilityPoint& found, const StabilityPoint& wanted) {
   expect_same(found.tie_rms, wanted.tie_rms, "time interval error");
   expect_same(found.mtie, wanted.mtie, "maximum time interval error");
   EXPECT_EQ(found.terms, wanted.terms);
+  EXPECT_EQ(found.windows, wanted.windows);
 }
 
 TEST(Stability, NistTestSet) {
@@ -151,6 +153,7 @@ TEST(Stability, NoTermReachesAcrossAGap) {
     EXPECT_EQ(point.adev, 0);
     EXPECT_EQ(point.mtie, 0);
     EXPECT_EQ(point.terms, 2 * (300 - 2 * static_cast<std::size_t>(point.tau)));
+    EXPECT_EQ(point.windows, 2 * (299 / static_cast<std::size_t>(point.tau)));
   }
 }
 
@@ -176,6 +179,8 @@ TEST(Stability, TellsJitterHuntingAndDriftApart) {
   std::normal_distribution<double> noise(0, 20);
   const auto jitter = reading_of([&](std::size_t) { return noise(random); });
   EXPECT_TRUE(jitter.jitter);
+  EXPECT_NEAR(jitter.short_slope.value(), -1, 0.05) << "white phase noise";
+  EXPECT_EQ(jitter.runs_away, 0);
   EXPECT_FALSE(jitter.drift);
   EXPECT_EQ(jitter.hunting_period, 0);
   const auto hunting = reading_of([&](std::size_t i) {
@@ -187,6 +192,28 @@ TEST(Stability, TellsJitterHuntingAndDriftApart) {
       reading_of([&](std::size_t i) { return noise(random) + 1e-4 * static_cast<double>(i) * static_cast<double>(i); });
   EXPECT_TRUE(drift.jitter);
   EXPECT_TRUE(drift.drift);
+  EXPECT_GT(drift.long_slope.value(), 0.4);
+}
+
+TEST(Stability, ARateThatStaysIsToldThoughTheAllanDeviationDoesNotSeeIt) {
+  const auto ramp = reading_of([](std::size_t i) { return 0.25 * static_cast<double>(i); });
+  EXPECT_NEAR(ramp.runs_away, 250, 1e-6) << "ns a second";
+  EXPECT_FALSE(ramp.drift);
+  EXPECT_EQ(reading_of([](std::size_t i) { return i % 2 == 0 ? 4 : -4; }).runs_away, 0);
+}
+
+TEST(Stability, FewSamplesSaySoByNothing) {
+  std::mt19937 random(3);
+  const auto reading = reading_of([&](std::size_t) { return static_cast<double>(random() % 100); }, 36);
+  EXPECT_FALSE(reading.short_slope);
+  EXPECT_FALSE(reading.jitter);
+}
+
+TEST(Stability, EndsEarlyWhenItIsToldTo) {
+  const Points x(4000);
+  const std::span<const double> stretch(x);
+  const std::atomic<bool> stop = true;
+  EXPECT_TRUE(stability_octaves(Stretches<double>(&stretch, 1), 1, 1, &stop).empty());
 }
 
 TEST(Stability, NothingWithinTheLimitGoesAboveItsBound) {

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iterator>
+
+#include "ui/panels/stability_view.h"
+
+namespace syncline::ui {
+namespace {
+
+/// Empty where there is none.
+std::string figureCell(double value) { return std::isnan(value) ? std::string() : fmt::format("{:.6g}", value); }
+
+void addFigures(std::string& text, const std::string& key, const SignalStudy& study) {
+  for (const auto& point : study.points) {
+    fmt::format_to(std::back_inserter(text), "{},{:.9g},{},{},{},{},{}\n", key, point.tau, figureCell(point.adev),
+                   figureCell(point.mdev), figureCell(point.tdev), figureCell(point.mtie), point.windows);
+  }
+}
+
+void addAmplitudes(std::string& text, const std::string& key, const Spectrum& spectrum) {
+  for (std::size_t i = 0; i < spectrum.amplitudes.size(); ++i) {
+    fmt::format_to(std::back_inserter(text), "{},{:.9g},{}\n", key, static_cast<double>(i) * spectrum.step,
+                   figureCell(spectrum.amplitudes[i]));
+  }
+}
+
+}  // namespace
+
+std::string StabilityView::csv() const {
+  const bool spectrum = figure() == Figure::kSpectrum;
+  std::string text =
+      spectrum ? "signal,frequency_hz,amplitude_ns\n" : "signal,tau_s,adev,mdev,tdev_ns,mtie_ns,windows\n";
+  for (const auto& studied : studied_) {
+    if (studied.study == nullptr) continue;
+    if (spectrum) {
+      addAmplitudes(text, keyOf(studied.source), studied.study->spectrum);
+    } else {
+      addFigures(text, keyOf(studied.source), *studied.study);
+    }
+  }
+  return text;
+}
+
+}  // namespace syncline::ui

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QString>
+#include <string>
+
+#include "record/run_record.h"
+
+namespace syncline::ui {
+
+/// A signal of the bus, or that of one slave.
+struct SignalSource {
+  Signal signal = Signal::kDeviation;
+  std::size_t slave = 0;
+  bool operator==(const SignalSource&) const = default;
+};
+
+/// The run must have it.
+[[nodiscard]] const MinMaxSeries& seriesOf(const RunRecord& record, const SignalSource& source);
+/// "Largest deviation", "#1 Servo".
+[[nodiscard]] QString nameOf(const RunRecord& record, const SignalSource& source);
+/// Head of a CSV column: "deviation_ns", "deviation_ns #1".
+[[nodiscard]] std::string keyOf(const SignalSource& source);
+/// The magnitude that the signal is held against, in its unit; 0: none.
+[[nodiscard]] double limitOf(const RunLimits& limits, Signal signal);
+/// It has no sign: what swings about zero is seen at half its period.
+[[nodiscard]] bool isMagnitude(Signal signal);
+
+}  // namespace syncline::ui
