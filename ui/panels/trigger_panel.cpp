@@ -65,6 +65,7 @@ QWidget* scrolled(QLayout* fields) {
   area->setFrameShape(QFrame::NoFrame);
   area->setFocusPolicy(Qt::NoFocus);
   area->setWidgetResizable(true);
+  area->setSizeAdjustPolicy(QAbstractScrollArea::AdjustToContents);
   area->setMinimumSize(180, 60);
   area->setWidget(inside);
   return area;
@@ -125,9 +126,8 @@ TriggerPanel::TriggerPanel(TriggerMonitor& monitor, QWidget* parent) : QWidget(p
     return label;
   };
   addLine({source_, slave_, magnitude_});
-  addLine({condition_, event_, level_, low_, high_});
+  addLine({condition_, event_, level_, low_, high_, labelFor(tr("Hold-off"), hold_off_), hold_off_});
   addLine({mode_, labelFor(tr("Before"), pre_), pre_, labelFor(tr("After"), post_), post_});
-  addLine({labelFor(tr("Hold-off"), hold_off_), hold_off_});
   fields->addStretch(1);
   save_ = named(new QToolButton, "triggerSave", tr("Save the episode"));
   save_->setText(tr("Save…"));
@@ -148,8 +148,8 @@ TriggerPanel::TriggerPanel(TriggerMonitor& monitor, QWidget* parent) : QWidget(p
   table_->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::SelectedClicked);
   table_->setToolTip(tr("Enter or a double click shows the episode in the plots; F2 names it"));
   table_->setMinimumHeight(44);
-  for (const auto& [column, width] : {std::pair(kTimeColumn, 110), std::pair(kCycleColumn, 90),
-                                      std::pair(kSlaveColumn, 130), std::pair(kNameColumn, 130)})
+  for (const auto& [column, width] : {std::pair(kTimeColumn, 90), std::pair(kCycleColumn, 70),
+                                      std::pair(kSlaveColumn, 100), std::pair(kNameColumn, 90)})
     table_->setColumnWidth(column, width);
   table_->horizontalHeader()->setSectionResizeMode(kCauseColumn, QHeaderView::Stretch);
 
@@ -160,8 +160,8 @@ TriggerPanel::TriggerPanel(TriggerMonitor& monitor, QWidget* parent) : QWidget(p
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(6, 4, 6, 0);
   layout->setSpacing(12);
-  layout->addWidget(scrolled(fields), 2);
-  layout->addLayout(episodes, 3);
+  layout->addWidget(scrolled(fields));
+  layout->addLayout(episodes, 1);
 
   connect(arm_, &QPushButton::clicked, this, [this](bool on) { on ? monitor_.arm() : monitor_.disarm(); });
   connect(magnitude_, &QCheckBox::clicked, this, &TriggerPanel::takeFields);
