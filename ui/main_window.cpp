@@ -6,15 +6,10 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QMimeData>
-#include <QSplitter>
-#include <QStackedWidget>
 #include <QStatusBar>
 #include <QToolBar>
 #include <QToolButton>
 #include <QUrl>
-#include <QVBoxLayout>
-#include <algorithm>
-#include <optional>
 #include <utility>
 
 #include "ui/action_states.h"
@@ -38,16 +33,16 @@
 #include "ui/panels/live_strip.h"
 #include "ui/panels/messages_panel.h"
 #include "ui/panels/overview_panel.h"
-#include "ui/panels/recording_bar.h"
 #include "ui/panels/run_bar.h"
 #include "ui/panels/status_panel.h"
-#include "ui/panels/trigger_panel.h"
 #include "ui/session/workspace.h"
 #include "ui/text/glossary.h"
 #include "ui/theme/theme.h"
+#include "ui/window_centre.h"
 #include "ui/window_docks.h"
 #include "ui/window_layout.h"
 #include "ui/window_menus.h"
+#include "ui/window_trigger.h"
 #include "ui/wizard/new_machine_wizard.h"
 
 namespace syncline::ui {
@@ -65,12 +60,12 @@ MainWindow::MainWindow(Workspace& workspace, QWidget* parent) : QMainWindow(pare
   buildCentre();
   docks_ = new WindowDocks(workspace, *this, *building_->dock());
   connectDocks();
-  layout_ = std::make_unique<WindowLayout>(*this, workspace.memory(), docks_->parts(*splitter_));
+  layout_ = std::make_unique<WindowLayout>(*this, workspace.memory(), docks_->parts(centre_->splitter()));
   buildMenus();
   new StatusPanel(workspace, *statusBar());
   connectActions();
   connectSession();
-  connectTrigger();
+  new WindowTrigger(workspace.trigger(), docks_->trigger(), *strip_, *recordings_, this);
   resize(1280, 800);
   updateTheme();
   updateTitle();
@@ -83,39 +78,19 @@ MainWindow::~MainWindow() {
 }
 
 void MainWindow::buildCentre() {
-  editor_ = new DeviceEditor(workspace_);
-  strip_ = new LiveStrip;
-  strip_->setObjectName(QStringLiteral("liveStrip"));
-  strip_->setAccessibleName(tr("Live plots"));
-  strip_->setMinimumSize(600, 160);
-  splitter_ = new QSplitter(Qt::Vertical);
-  splitter_->setObjectName(QStringLiteral("centreSplitter"));
-  overview_ = new OverviewPanel;
+  auto* welcome = new WelcomePage(
+      {actions_->demo, actions_->new_machine, actions_->scan, building_->commands().add, actions_->open},
+      workspace_.memory());
+  connect(welcome, &WelcomePage::fileWanted, this, [this](const QString& file) { files_->openAny(file); });
+  centre_ = new WindowCentre(workspace_, welcome);
+  editor_ = &centre_->editor();
+  overview_ = &centre_->overview();
+  strip_ = &centre_->strip();
   connect(overview_, &OverviewPanel::momentWanted, this, &MainWindow::goToMoment);
   connect(overview_, &OverviewPanel::armWanted, &workspace_.live(), &LiveSession::arm);
   connect(strip_, &LiveStrip::eventClicked, this, &MainWindow::goToMoment);
-  upper_ = new QStackedWidget;
-  upper_->addWidget(editor_);
-  upper_->addWidget(overview_);
-  // Below the pages: what comes and goes with an edit moves no field away from the pointer.
-  auto* bar = new RunBar(workspace_.runDifference());
-  auto* pages = new QWidget;
-  auto* stack = new QVBoxLayout(pages);
-  stack->setContentsMargins(0, 0, 0, 0);
-  stack->setSpacing(0);
-  stack->addWidget(upper_, 1);
-  stack->addWidget(bar);
-  splitter_->addWidget(pages);
-  splitter_->addWidget(strip_);
-  splitter_->setChildrenCollapsible(false);
-  splitter_->setStretchFactor(0, 3);
-  splitter_->setStretchFactor(1, 2);
-  auto* working = new QWidget;
-  auto* layout = new QVBoxLayout(working);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
-  layout->addWidget(new RecordingBar(workspace_.recording()));
-  layout->addWidget(splitter_, 1);
+  connect(strip_, &LiveStrip::triggerWanted, this, [this] { docks_->showTrigger(); });
+  auto* bar = &centre_->runBar();
   connect(bar, &RunBar::differencesWanted, this,
           [this] { showComparison({ComparedSide::Kind::kRunning}, {ComparedSide::Kind::kProject}); });
   connect(bar, &RunBar::restartWanted, this, [this] {
@@ -125,13 +100,6 @@ void MainWindow::buildCentre() {
     editor_->revertFields();
     workspace_.document().replace(tr("Revert to what runs"), workspace_.runDifference().running());
   });
-  centre_ = new QStackedWidget;
-  auto* welcome = new WelcomePage(
-      {actions_->demo, actions_->new_machine, actions_->scan, building_->commands().add, actions_->open},
-      workspace_.memory());
-  connect(welcome, &WelcomePage::fileWanted, this, [this](const QString& file) { files_->openAny(file); });
-  centre_->addWidget(welcome);
-  centre_->addWidget(working);
   setCentralWidget(centre_);
 }
 
@@ -285,36 +253,6 @@ void MainWindow::connectSession() {
   connect(&workspace_.scan(), &ScanController::failed, this, &MainWindow::updateActions);
 }
 
-/// What it finds moves the plots as its mode says.
-void MainWindow::connectTrigger() {
-  auto& monitor = workspace_.trigger();
-  auto* panel = &docks_->trigger();
-  const auto show = [this](const TriggerEpisode& episode, bool freeze) {
-    strip_->showDistribution(false);
-    strip_->showRange(episode.from, episode.to, episode.time, freeze);
-  };
-  connect(strip_, &LiveStrip::triggerWanted, this, [this] { docks_->showTrigger(); });
-  connect(panel, &TriggerPanel::episodeWanted, this, [show](const TriggerEpisode& episode) { show(episode, false); });
-  connect(panel, &TriggerPanel::csvWanted, strip_, &LiveStrip::exportRange);
-  connect(panel, &TriggerPanel::saveWanted, recordings_, &RecordingCommands::saveRange);
-  const auto show_level = [this, &monitor] {
-    const auto& trigger = monitor.trigger();
-    const bool level = monitor.isArmed() && trigger.kind == Trigger::Kind::kLevel;
-    strip_->setTriggerLevel({trigger.signal, static_cast<std::size_t>(std::max(trigger.slave, 0)),
-                             level ? std::optional(trigger.level) : std::nullopt});
-  };
-  connect(&monitor, &TriggerMonitor::changed, strip_, show_level);
-  connect(strip_, &LiveStrip::triggerLevelDragged, &monitor, [&monitor](double level) {
-    auto trigger = monitor.trigger();
-    trigger.level = level;
-    monitor.setTrigger(trigger);
-  });
-  connect(&monitor, &TriggerMonitor::completed, this, [&monitor, show](const TriggerEpisode& episode) {
-    const auto mode = monitor.trigger().mode;
-    if (mode != Trigger::Mode::kAutomatic) show(episode, mode == Trigger::Mode::kSingle);
-  });
-}
-
 /// Plots and figures of what is shown: the run, or the recording in its place.
 void MainWindow::showRun() {
   const bool recorded = workspace_.recording().isOpen();
@@ -330,17 +268,7 @@ void MainWindow::showRun() {
 void MainWindow::showOverview(bool overview) {
   overview = overview || workspace_.recording().isOpen();
   actions_->overview->setChecked(overview);
-  if (overview == (upper_->currentWidget() == overview_)) return;
-  // The overview needs less room than the pages; what it leaves is the plots'. The pages find theirs as they left it.
-  const auto sizes = splitter_->sizes();
-  if (overview) splitter_->setProperty("pageSizes", splitter_->saveState());
-  upper_->setCurrentWidget(overview ? static_cast<QWidget*>(overview_) : editor_);
-  if (overview) {
-    const int height = overview_->sizeHint().height();
-    splitter_->setSizes({height, sizes.front() + sizes.back() - height});
-  } else {
-    splitter_->restoreState(splitter_->property("pageSizes").toByteArray());
-  }
+  centre_->showOverview(overview);
 }
 
 /// An event of the run: in the plots, in the messages, in the findings.
@@ -406,7 +334,7 @@ void MainWindow::updateTitle() {
 
 void MainWindow::updateActions() {
   const bool recorded = workspace_.recording().isOpen();
-  centre_->setCurrentIndex(recorded || !workspace_.document().project().slaves.empty() ? 1 : 0);
+  centre_->showWelcome(!recorded && workspace_.document().project().slaves.empty());
   state_button_->setEnabled(workspace_.live().phase() == LiveSession::Phase::kOnline);
   updateActionStates(*actions_, workspace_, *recordings_);
 }

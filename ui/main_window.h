@@ -4,8 +4,6 @@
 #include <QMainWindow>
 #include <memory>
 
-class QSplitter;
-class QStackedWidget;
 class QToolButton;
 
 namespace syncline::ui {
@@ -22,6 +20,7 @@ class MessagesPanel;
 class OverviewPanel;
 class RecordingCommands;
 class MachineBuilding;
+class WindowCentre;
 class WindowDocks;
 class WindowLayout;
 class Workspace;
@@ -58,7 +57,6 @@ class MainWindow final : public QMainWindow {
   void connectActions();
   bool commitFields();
   void connectSession();
-  void connectTrigger();
   void updateTitle();
   void updateActions();
   void updateRecordingActions();
@@ -77,9 +75,7 @@ class MainWindow final : public QMainWindow {
   BusCommands* bus_;
   RecordingCommands* recordings_;
   MachineBuilding* building_;
-  QStackedWidget* centre_ = nullptr;
-  QSplitter* splitter_ = nullptr;
-  QStackedWidget* upper_ = nullptr;  // editor or overview
+  WindowCentre* centre_ = nullptr;
   DeviceEditor* editor_ = nullptr;
   OverviewPanel* overview_ = nullptr;
   MessagesPanel* messages_ = nullptr;

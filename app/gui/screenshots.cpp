@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/gui/screenshots.h"
 
-#include <QAction>
 #include <QApplication>
 #include <QComboBox>
 #include <QDir>
 #include <QDockWidget>
-#include <QElapsedTimer>
 #include <QPixmap>
 #include <QPushButton>
 #include <QTabWidget>
@@ -17,9 +15,9 @@
 #include <functional>
 #include <utility>
 
+#include "app/gui/picture_run.h"
 #include "settings/settings_table.h"
 #include "ui/dialogs/about_dialog.h"
-#include "ui/dialogs/bus_commands.h"
 #include "ui/dialogs/compare_dialog.h"
 #include "ui/dialogs/found_dialog.h"
 #include "ui/dialogs/link_chooser.h"
@@ -30,16 +28,16 @@
 #include "ui/pages/device_editor.h"
 #include "ui/panels/explorer_panel.h"
 #include "ui/panels/live_strip.h"
-#include "ui/panels/overview_panel.h"
 #include "ui/panels/stability_view.h"
 #include "ui/session/workspace.h"
 #include "ui/theme/theme.h"
+#include "ui/wizard/machine_draft.h"
+#include "ui/wizard/new_machine_wizard.h"
 
 namespace syncline {
 namespace {
 
-constexpr qint64 kScanTimeoutMs = 60'000;
-constexpr int kMachineSeconds = 12;
+constexpr Nanoseconds kMachineTime = 12 * kSecond;
 constexpr int kMostReadingTicks = 600;  // of 50 ms of the machine
 
 /// Names pages like "light-slave3-process-data.png" and counts what could not be written.
@@ -62,21 +60,6 @@ class Camera {
 QString fileName(const QString& theme, int slave, const QWidget& page) {
   const auto node = slave < 0 ? QStringLiteral("master") : QStringLiteral("slave%1").arg(slave);
   return QStringLiteral("%1-%2-%3").arg(theme, node, page.objectName());
-}
-
-bool bringOnline(ui::MainWindow& window, ui::Workspace& workspace, const QString& link) {
-  workspace.live().setAutoAdvance(false);
-  window.bus().startDemo(link);
-  QElapsedTimer waiting;
-  waiting.start();
-  while (workspace.live().phase() == ui::LiveSession::Phase::kOffline && waiting.elapsed() < kScanTimeoutMs) {
-    QApplication::processEvents(QEventLoop::WaitForMoreEvents, 50);
-  }
-  for (int i = 0; i < kMachineSeconds * 10; ++i) {
-    workspace.live().advance(100 * kMillisecond);
-    QApplication::processEvents();
-  }
-  return workspace.live().snapshot().dc.state == SyncState::kInSync;
 }
 
 /// The first that tells of itself: by objects, registers and EEPROM.
@@ -112,13 +95,6 @@ void fill(QWidget& page, ui::Workspace& workspace) {
   if (press("registerRead")) run([ticks = 20]() mutable { return --ticks < 0; });
   if (press("eepromRead"))
     run([save = page.findChild<QPushButton*>(QStringLiteral("eepromSave"))] { return save->isEnabled(); });
-}
-
-bool waitUntil(const std::function<bool()>& done) {
-  QElapsedTimer waiting;
-  waiting.start();
-  while (!done() && waiting.elapsed() < kScanTimeoutMs) QApplication::processEvents(QEventLoop::WaitForMoreEvents, 50);
-  return done();
 }
 
 void takePages(Camera& camera, ui::MainWindow& window, ui::Workspace& workspace, const QString& theme) {
@@ -176,19 +152,11 @@ void takeQuestions(Camera& camera, ui::MainWindow& window, ui::Workspace& worksp
   workspace.document().undoStack().undo();
 }
 
-void takeOverview(Camera& camera, ui::MainWindow& window, const QString& theme) {
-  window.selectNode(-1);
-  window.findChild<QAction*>(QStringLiteral("actionOverview"))->trigger();
-  window.findChild<ui::OverviewPanel*>()->refresh();
-  window.findChild<ui::LiveStrip*>()->refresh();
-  camera.take(window, theme + QStringLiteral("-overview"));
-}
-
 /// In place of the plots, also in the smallest window.
 void takeDistribution(Camera& camera, ui::MainWindow& window, const QString& theme) {
   auto* strip = window.findChild<ui::LiveStrip*>();
   const auto usual = window.size();
-  strip->showDistribution(true);
+  strip->showBody(ui::LiveStrip::Body::kDistribution);
   for (const auto& [size, name] : {std::pair{usual, "-distribution"}, {QSize(1024, 640), "-distribution-small"}}) {
     window.resize(size);
     QApplication::processEvents();
@@ -196,7 +164,7 @@ void takeDistribution(Camera& camera, ui::MainWindow& window, const QString& the
     camera.take(window, theme + QLatin1String(name));
   }
   window.resize(usual);
-  strip->showDistribution(false);
+  strip->showBody(ui::LiveStrip::Body::kPlots);
 }
 
 /// Each figure in place of the plots, and one of them in the smallest window.
@@ -213,7 +181,7 @@ void takeStability(Camera& camera, ui::MainWindow& window, const QString& theme)
     }));
     camera.take(window, theme + QLatin1String(name));
   };
-  strip->showStability(true);
+  strip->showBody(ui::LiveStrip::Body::kStability);
   take(Figure::kAdev, "-stability-adev");
   take(Figure::kTdev, "-stability-tdev");
   take(Figure::kMtie, "-stability-mtie");
@@ -222,7 +190,7 @@ void takeStability(Camera& camera, ui::MainWindow& window, const QString& theme)
   QApplication::processEvents();
   take(Figure::kMtie, "-stability-small");
   window.resize(usual);
-  strip->showStability(false);
+  strip->showBody(ui::LiveStrip::Body::kPlots);
 }
 
 /// The last seconds of the machine out of memory, opened again.
@@ -250,15 +218,31 @@ void takeBuilding(Camera& camera, ui::MainWindow& window, const QString& theme) 
   auto* dock = window.building().dock();
   dock->show();
   auto* devices = dock->findChild<QTreeView*>(QStringLiteral("catalogueTree"));
-  QElapsedTimer waiting;
-  waiting.start();
-  while (devices->model()->rowCount() == 0 && waiting.elapsed() < kScanTimeoutMs)
-    QApplication::processEvents(QEventLoop::WaitForMoreEvents, 50);
+  static_cast<void>(waitUntil([devices] { return devices->model()->rowCount() > 0; }));
   devices->expandAll();
   devices->setCurrentIndex(devices->model()->index(0, 0, devices->model()->index(0, 0, devices->model()->index(0, 0))));
   camera.take(window, theme + QStringLiteral("-topology-and-catalogue"));
   dock->hide();
   window.explorer().setView(ui::ExplorerPanel::View::kClassic);
+}
+
+/// Each step of a new machine out of the demonstration machine's slaves, and the trigger's panel.
+void takeWizardAndTrigger(Camera& camera, ui::MainWindow& window, ui::Workspace& workspace, const QString& theme) {
+  constexpr int kLastStep = 5;
+  ui::NewMachineWizard wizard(workspace, &window);
+  wizard.draft().scan(workspace.environment().demo_link + QStringLiteral("&seed=2"));
+  static_cast<void>(waitUntil([&wizard] { return !wizard.draft().isScanning(); }));
+  wizard.show();
+  for (int last = -1; wizard.step() != last;) {
+    last = wizard.step();
+    auto& eni = wizard.draft().workspace().eni();
+    static_cast<void>(waitUntil([&] { return last < kLastStep || (eni.isCurrent() && eni.check() != nullptr); }));
+    camera.take(wizard, QStringLiteral("%1-new-machine-%2").arg(theme).arg(last + 1));
+    if (last < kLastStep) wizard.findChild<QPushButton*>(QStringLiteral("wizardNext"))->click();
+  }
+  window.findChild<ui::LiveStrip*>()->triggerWanted();
+  camera.take(window, theme + QStringLiteral("-trigger"));
+  window.findChild<QDockWidget*>(QStringLiteral("messagesDock"))->raise();
 }
 
 void takeDialogs(Camera& camera, ui::MainWindow& window, ui::Workspace& workspace, const QString& theme) {
@@ -284,11 +268,13 @@ bool renderScreenshots(ui::MainWindow& window, ui::Workspace& workspace, const Q
     ui::theme::apply(mode);
     camera.take(window, ui::theme::modeName(mode) + QStringLiteral("-welcome"));
   }
-  const bool in_sync = bringOnline(window, workspace, link);
+  const bool in_sync = runForPictures(window, workspace, link, kMachineTime) &&
+                       workspace.live().snapshot().dc.state == SyncState::kInSync;
   for (const auto mode : {ui::theme::Mode::kLight, ui::theme::Mode::kDark}) {
     ui::theme::apply(mode);
     QApplication::processEvents();
-    takeOverview(camera, window, ui::theme::modeName(mode));
+    showOverview(window);
+    camera.take(window, ui::theme::modeName(mode) + QStringLiteral("-overview"));
     takeDistribution(camera, window, ui::theme::modeName(mode));
     takeStability(camera, window, ui::theme::modeName(mode));
     takePages(camera, window, workspace, ui::theme::modeName(mode));
@@ -297,6 +283,7 @@ bool renderScreenshots(ui::MainWindow& window, ui::Workspace& workspace, const Q
     workspace.setExpert(false);
     takeBuilding(camera, window, ui::theme::modeName(mode));
     takeDialogs(camera, window, workspace, ui::theme::modeName(mode));
+    takeWizardAndTrigger(camera, window, workspace, ui::theme::modeName(mode));
     takeQuestions(camera, window, workspace, ui::theme::modeName(mode));
   }
   takeRecording(camera, window, workspace);

@@ -178,9 +178,7 @@ Finding finding_of(const Error& error) {
   Finding finding{row.code, row.severity};
   finding.place.file = error.file;
   finding.place.line = error.line;
-  for (const auto& facts : row.facts) {
-    if (!facts.text.empty() && facts.variant == variant_of(error)) finding.facts = facts.text;
-  }
+  finding.facts = sentence_of(row, variant_of(error));
   add_figures(finding.facts, error, finding);
   add_figures(row.mend, error, finding);
   return finding;

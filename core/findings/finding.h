@@ -50,6 +50,8 @@ struct FindingWords {
 
 /// The row of a code; every finding's code has one.
 [[nodiscard]] const FindingWords* find_finding_words(std::string_view code);
+/// What a finding of this row says in a variant; "" where the row has none of this name.
+[[nodiscard]] std::string_view sentence_of(const FindingWords& words, std::string_view variant);
 /// All rows, family by family: the ENI's rules in the order of docs/check.md first.
 [[nodiscard]] std::span<const FindingWords> all_finding_words();
 /// Words of ours that figures bring into the sentences: what units kPhrase, kAside and kAlCode say. Those of

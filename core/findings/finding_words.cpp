@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <iterator>
 #include <vector>
 
 #include "findings/difference_words.h"
@@ -48,6 +49,13 @@ const FindingWords* find_finding_words(std::string_view code) {
   const auto& rows = by_code();
   const auto found = std::ranges::lower_bound(rows, code, {}, &FindingWords::code);
   return found == rows.end() || (*found)->code != code ? nullptr : *found;
+}
+
+std::string_view sentence_of(const FindingWords& words, std::string_view variant) {
+  const auto* const found = std::ranges::find_if(words.facts, [variant](const FindingWords::Facts& facts) {
+    return facts.variant == variant && !facts.text.empty();
+  });
+  return found == std::end(words.facts) ? std::string_view{} : found->text;
 }
 
 }  // namespace syncline

@@ -88,13 +88,14 @@ std::string sentence_name(const Finding& finding) {
 }
 
 /// The row's sentence of that name, as it is worded today. Older programs recorded the sentence itself.
-std::optional<std::string_view> sentence_of(const FindingWords& words, std::string_view name) {
+std::optional<std::string_view> recorded_sentence(const FindingWords& words, std::string_view name) {
   if (name.empty()) return std::string_view();
-  const auto* const found = name.starts_with('/')
-                                ? std::ranges::find(words.facts, name.substr(1), &FindingWords::Facts::variant)
-                                : std::ranges::find(words.facts, name, &FindingWords::Facts::text);
-  if (found == std::end(words.facts) || found->text.empty()) return std::nullopt;
-  return found->text;
+  if (name.starts_with('/')) {
+    const auto text = sentence_of(words, name.substr(1));
+    return text.empty() ? std::nullopt : std::optional(text);
+  }
+  const auto* const found = std::ranges::find(words.facts, name, &FindingWords::Facts::text);
+  return found == std::end(words.facts) ? std::nullopt : std::optional(found->text);
 }
 
 /// Other words may want figures that were not recorded.
@@ -145,7 +146,7 @@ std::optional<Finding> decode_finding(std::string_view bytes) {
   in(figures);
   const auto* words = in.good() && figures <= kMostFigures ? find_finding_words(code) : nullptr;
   if (words == nullptr) return std::nullopt;
-  const auto sentence = sentence_of(*words, name);
+  const auto sentence = recorded_sentence(*words, name);
   if (!sentence) return std::nullopt;
   finding.code = words->code;
   finding.facts = *sentence;

@@ -74,7 +74,8 @@ struct RunHistory {
     Nanoseconds time = 0;
     int slave = -1;
     std::int64_t size = 0;
-    dc::SyncObstacle obstacle = dc::SyncObstacle::kNone;  // of the master's losses
+    dc::SyncObstacle obstacle =
+        dc::SyncObstacle::kNone;  // of the master's losses; kClockStep of the slaves': all at once and to the same side
     std::optional<Nanoseconds> back;
   };
 

@@ -69,15 +69,15 @@ void TriggerWatch::fire(Nanoseconds time, int slave, double value, const SampleS
   // Events may be told late: what lies before an episode's moment is within its hold-off, too.
   if (!episodes_.empty() && trigger_.hold_off > 0 && time < episodes_.back().time + trigger_.hold_off) {
     ++episodes_.back().left_out;
+    ++left_out_;
     return;
   }
+  if (episodes_.size() == kMostEpisodes) {
+    constexpr std::size_t kHalf = kMostEpisodes / 2;
+    episodes_.erase(episodes_.begin(), episodes_.begin() + kHalf);
+    forgotten_ += kHalf;
+  }
   episodes_.push_back({time, store.cycle_at(time), slave, value, time - trigger_.pre, time + trigger_.post, 0});
-}
-
-std::uint64_t TriggerWatch::left_out() const {
-  std::uint64_t sum = 0;
-  for (const auto& episode : episodes_) sum += episode.left_out;
-  return sum;
 }
 
 TriggerWatch::State TriggerWatch::state(Nanoseconds begin, Nanoseconds now) const {

@@ -55,6 +55,7 @@ struct TriggerEpisode {
 /// exact up to 2^24, above that to seven digits. For one thread.
 class TriggerWatch {
  public:
+  static constexpr std::size_t kMostEpisodes = 256;  // without a hold-off each cycle may be one
   static constexpr Nanoseconds kAll = std::numeric_limits<Nanoseconds>::max();
 
   /// `from`: host clock; what was before does not count.
@@ -66,9 +67,12 @@ class TriggerWatch {
   void hear(const Event& event, const SampleStore& store);
 
   [[nodiscard]] const Trigger& trigger() const { return trigger_; }
+  /// The latest; of kMostEpisodes the earlier half goes when another one comes.
   [[nodiscard]] const std::vector<TriggerEpisode>& episodes() const { return episodes_; }
-  /// Of all episodes.
-  [[nodiscard]] std::uint64_t left_out() const;
+  /// All, with those that were forgotten for later ones.
+  [[nodiscard]] std::uint64_t count() const { return forgotten_ + episodes_.size(); }
+  /// Within the hold-offs of all episodes.
+  [[nodiscard]] std::uint64_t left_out() const { return left_out_; }
   /// A single one that has fired.
   [[nodiscard]] bool done() const { return trigger_.mode == Trigger::Mode::kSingle && !episodes_.empty(); }
 
@@ -88,6 +92,7 @@ class TriggerWatch {
   std::optional<double> before_;
   Nanoseconds before_time_ = 0;
   std::vector<TriggerEpisode> episodes_;
+  std::uint64_t forgotten_ = 0, left_out_ = 0;
 };
 
 }  // namespace syncline

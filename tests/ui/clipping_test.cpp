@@ -56,7 +56,7 @@ class Clipping : public ::testing::TestWithParam<const char*> {
   }
   void lookAtStability() {
     auto& strip = window_.liveStrip();
-    strip.showStability(true);
+    strip.showBody(LiveStrip::Body::kStability);
     for (const auto figure : {StabilityView::Figure::kMtie, StabilityView::Figure::kSpectrum}) {
       strip.stability()->setFigure(figure);
       static_cast<void>(test::waitFor([&strip] {
@@ -65,7 +65,7 @@ class Clipping : public ::testing::TestWithParam<const char*> {
       }));
       look(figure == StabilityView::Figure::kMtie ? QStringLiteral("mtie") : QStringLiteral("spectrum"));
     }
-    strip.showStability(false);
+    strip.showBody(LiveStrip::Body::kPlots);
   }
   void lookAtPages(int node) {
     window_.selectNode(node);

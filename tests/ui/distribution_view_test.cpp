@@ -49,7 +49,7 @@ class DistributionViewTest : public testing::Test {
     strip.setRecord(record.get());
     strip.timeView()->setSpan(20 * kSecond);
     strip.show();
-    strip.showDistribution(true);
+    strip.showBody(LiveStrip::Body::kDistribution);
     settle();
   }
   void settle() {

@@ -494,8 +494,13 @@ TEST(Overview, SaysWhatWasFoundWhereNothingHappened) {
   record.add(samples);
   Finding found{code::kGatewayCycleExceeded, Severity::kWarning};
   found.place.slave = 1;
-  EXPECT_EQ(worstOf({}), nullptr);
-  ASSERT_EQ(worstOf({&found, 1}), &found);
+  EXPECT_EQ(worstOf({}, 0), nullptr);
+  ASSERT_EQ(worstOf({&found, 1}, kSecond), &found) << "it has no time";
+  found.from = kSecond;
+  found.to = 2 * kSecond;
+  EXPECT_EQ(worstOf({&found, 1}, 2 * kSecond), &found);
+  EXPECT_EQ(worstOf({&found, 1}, 3 * kSecond), nullptr) << "it was over when the figures were armed anew";
+  found.from = found.to = 0;
   const auto nothing = firstFaultText(record, {}), something = firstFaultText(record, {&found, 1});
   EXPECT_NE(nothing, something);
   EXPECT_TRUE(something.contains(QStringLiteral("Servo"))) << qPrintable(something);

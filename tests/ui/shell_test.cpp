@@ -185,6 +185,19 @@ TEST_F(Shell, WhatIsNothingIsRefusedWithAReason) {
   EXPECT_EQ(project(), test::smallProject());
 }
 
+/// In the smallest window the explorer has the width that it has in others: names of slaves fit.
+TEST_F(Shell, TheExplorerKeepsItsWidthInASmallWindow) {
+  window_.resize(1280, 800);
+  startDemo();
+  ASSERT_FALSE(HasFatalFailure());
+  QApplication::processEvents();
+  const auto wide = widget("explorerDock").width();
+  window_.resize(1024, 640);
+  QApplication::processEvents();
+  EXPECT_EQ(window_.width(), 1024);
+  EXPECT_EQ(widget("explorerDock").width(), wide);
+}
+
 TEST_F(Shell, ABarSaysThatTheMachineRunsSomethingElse) {
   startDemo();
   ASSERT_FALSE(HasFatalFailure());

@@ -83,7 +83,7 @@ class StabilityViewTest : public testing::Test {
     record = std::move(next);
     strip.timeView()->setSpan(30 * kSecond);
     strip.show();
-    strip.showStability(true);
+    strip.showBody(LiveStrip::Body::kStability);
     settle();
   }
   void settle() {
@@ -287,7 +287,7 @@ TEST_F(StabilityViewTest, ExportsWhatIsDrawn) {
   EXPECT_EQ(count, curve().line.size());
   showFigure(StabilityView::Figure::kSpectrum);
   EXPECT_THAT(strip.csv(), testing::StartsWith("signal,frequency_hz,amplitude_ns\ndeviation_ns #1,0,"));
-  strip.showStability(false);
+  strip.showBody(LiveStrip::Body::kPlots);
   EXPECT_THAT(strip.csv(), Not(HasSubstr("amplitude_ns")));
 }
 

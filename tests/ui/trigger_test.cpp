@@ -7,6 +7,7 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QTableWidget>
 #include <QTemporaryDir>
 #include <QTest>
@@ -79,6 +80,51 @@ TEST(TriggerMonitor, ListsTheEpisodesOfARecording) {
   EXPECT_EQ(wanted->time, kTriggerRun + 4 * kSecond);
 }
 
+/// Errors that cross the level in every second cycle.
+std::unique_ptr<RunRecord> restlessRecord(std::uint64_t cycles) {
+  auto record = triggerRecord(0);
+  std::vector<CycleSample> samples(cycles);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    samples[i].cycle = i;
+    samples[i].send_time = kTriggerRun + static_cast<Nanoseconds>(i) * kMillisecond;
+    samples[i].flags = CycleSample::kDcmActive | CycleSample::kReferenceValid;
+    samples[i].dcm_error_ns = i % 2 == 0 ? 10 : 500;
+  }
+  record->add(samples);
+  return record;
+}
+
+TEST(TriggerPanel, WhatIsChosenStaysWhileEpisodesCome) {
+  WindowMemory memory({});
+  TriggerMonitor monitor(memory);
+  TriggerPanel panel(monitor);
+  auto record = restlessRecord(400);
+  monitor.setRecord(record.get(), true);
+  auto trigger = errorTrigger();
+  trigger.hold_off = 0;
+  monitor.setTrigger(trigger);
+  monitor.arm();
+  auto* table = panel.findChild<QTableWidget*>(QStringLiteral("triggerEpisodes"));
+  ASSERT_EQ(table->rowCount(), 200);
+  table->selectRow(180);
+  const auto cycle = table->item(180, 1)->text();
+  QSignalSpy refilled(panel.findChild<QComboBox*>(QStringLiteral("triggerSlave"))->model(),
+                      &QAbstractItemModel::rowsRemoved);
+  std::vector<CycleSample> more(200);
+  for (std::size_t i = 0; i < more.size(); ++i) {
+    more[i].cycle = 400 + i;
+    more[i].send_time = kTriggerRun + static_cast<Nanoseconds>(400 + i) * kMillisecond;
+    more[i].flags = CycleSample::kDcmActive | CycleSample::kReferenceValid;
+    more[i].dcm_error_ns = i % 2 == 0 ? 10 : 500;
+  }
+  record->add(more);
+  monitor.look();
+  EXPECT_EQ(monitor.episodes().size(), 172U) << "half of 256 went";
+  EXPECT_EQ(refilled.count(), 0) << "a list that is open would be emptied under the pointer";
+  ASSERT_GE(table->currentRow(), 0);
+  EXPECT_EQ(table->item(table->currentRow(), 1)->text(), cycle);
+}
+
 TEST(TriggerMonitor, IsRememberedAsItWasSet) {
   QTemporaryDir folder;
   const auto file = folder.filePath(QStringLiteral("window.ini"));
@@ -137,6 +183,23 @@ TEST(LiveStripTrigger, TheLevelIsDrawnWhereItsSignalIsAndCanBeDragged) {
   EXPECT_NEAR(*dragged, plot->invTransform(QwtPlot::yLeft, place.y() - 20), 1);
   strip.setTriggerLevel({});
   EXPECT_FALSE(plot->triggerLevel());
+}
+
+TEST(LiveStripTrigger, AnEpisodeIsShownInThePlotsWhateverStoodInTheirPlace) {
+  const auto record = triggerRecord(5000);
+  LiveStrip strip;
+  strip.resize(1280, 230);
+  strip.setRecord(record.get());
+  strip.show();
+  for (const auto body : {LiveStrip::Body::kDistribution, LiveStrip::Body::kStability}) {
+    strip.showBody(body);
+    EXPECT_FALSE(strip.panels()[0]->isVisible());
+    strip.showRange(kTriggerRun + kSecond, kTriggerRun + 2 * kSecond, kTriggerRun + kSecond, false);
+    EXPECT_TRUE(strip.panels()[0]->isVisible());
+    strip.showBody(body);
+    strip.goTo(kTriggerRun + kSecond);
+    EXPECT_TRUE(strip.panels()[0]->isVisible());
+  }
 }
 
 class TriggerInWindow : public test::RunningWindow {};

@@ -70,10 +70,10 @@ SlaveHistoryPage::SlaveHistoryPage(Workspace& workspace)
   table_ = named(new QTableView, "historyTable", tr("Messages of the slave's diagnosis history, newest first"));
   setUpTable(*table_);
   table_->setModel(model_);
-  const std::pair<DiagnosisModel::Column, int> widths[] = {{DiagnosisModel::kPlace, 76},  {DiagnosisModel::kType, 86},
-                                                           {DiagnosisModel::kState, 108}, {DiagnosisModel::kText, 400},
-                                                           {DiagnosisModel::kTime, 180},  {DiagnosisModel::kCode, 96},
-                                                           {DiagnosisModel::kStamp, 160}};
+  const std::pair<DiagnosisModel::Column, int> widths[] = {{DiagnosisModel::kPlace, 76},  {DiagnosisModel::kType, 82},
+                                                           {DiagnosisModel::kState, 104}, {DiagnosisModel::kText, 270},
+                                                           {DiagnosisModel::kTime, 172},  {DiagnosisModel::kCode, 92},
+                                                           {DiagnosisModel::kStamp, 152}};
   for (const auto& [column, width] : widths) table_->setColumnWidth(column, width);
   table_->horizontalHeader()->setMinimumSectionSize(60);
   layout->addWidget(table_, 1);

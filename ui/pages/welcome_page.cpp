@@ -44,7 +44,7 @@ WelcomePage::WelcomePage(const QList<QAction*>& beginnings, WindowMemory& memory
   layout->addWidget(hint);
   layout->addSpacing(14);
   auto* row = new QHBoxLayout;
-  row->setSpacing(12);
+  row->setSpacing(8);
   row->addStretch(1);
   for (auto* action : beginnings) {
     auto* button = new QToolButton;
@@ -53,7 +53,7 @@ WelcomePage::WelcomePage(const QList<QAction*>& beginnings, WindowMemory& memory
     button->setAccessibleName(action->toolTip());
     button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
     button->setIconSize(QSize(32, 32));
-    button->setMinimumSize(150, 76);
+    button->setMinimumSize(124, 76);
     button->setFocusPolicy(Qt::StrongFocus);
     row->addWidget(button);
   }

@@ -8,6 +8,7 @@
 #include <QStackedLayout>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 #include "ui/panels/distribution_view.h"
 #include "ui/panels/live_strip_panels.h"
@@ -41,11 +42,11 @@ LiveStrip::LiveStrip(QWidget* parent) : QWidget(parent), toolbar_(new LiveStripT
     connect(panel->plot(), &TracePlot::eventClicked, this, &LiveStrip::eventClicked);
     panel->plot()->marks().setMarks(&marks_);
   }
-  auto* empty = named(new QLabel(tr("No data: go online")), "liveEmptyLabel", tr("Live plots"));
-  empty->setAlignment(Qt::AlignCenter);
+  empty_ = named(new QLabel(tr("No data: go online")), "liveEmptyLabel", tr("Live plots"));
+  empty_->setAlignment(Qt::AlignCenter);
   auto* body = new QWidget;
   stack_ = new QStackedLayout(body);
-  stack_->addWidget(empty);
+  stack_->addWidget(empty_);
   stack_->addWidget(plots_);
   distribution_ = new DistributionView(&view_, &cursors_);
   stack_->addWidget(distribution_);
@@ -65,13 +66,12 @@ LiveStrip::LiveStrip(QWidget* parent) : QWidget(parent), toolbar_(new LiveStripT
     cursors_.set(CursorSet::kA, view_.begin() + view_.span() / 3);
     cursors_.set(CursorSet::kB, view_.begin() + view_.span() * 2 / 3);
   });
-  connect(toolbar_, &LiveStripToolbar::distributionToggled, this, &LiveStrip::showDistribution);
-  connect(toolbar_, &LiveStripToolbar::stabilityToggled, this, &LiveStrip::showStability);
+  connect(toolbar_, &LiveStripToolbar::distributionToggled, this,
+          [this](bool on) { showBody(on ? Body::kDistribution : Body::kPlots); });
+  connect(toolbar_, &LiveStripToolbar::stabilityToggled, this,
+          [this](bool on) { showBody(on ? Body::kStability : Body::kPlots); });
   connect(toolbar_, &LiveStripToolbar::triggerWanted, this, &LiveStrip::triggerWanted);
-  connect(distribution_, &DistributionView::momentChosen, this, [this](Nanoseconds time) {
-    showDistribution(false);
-    goTo(time);
-  });
+  connect(distribution_, &DistributionView::momentChosen, this, &LiveStrip::goTo);
   connect(toolbar_, &LiveStripToolbar::menuRequested, this,
           [this](const QPoint& global) { openMenu(global, cursorPlace()); });
   for (const auto signal : {&CursorSet::changed, &CursorSet::pointerMoved}) {
@@ -109,12 +109,14 @@ void LiveStrip::setPickedSlave(int position) {
 
 void LiveStrip::goTo(Nanoseconds time) {
   if (!hasSamples()) return;
+  showBody(Body::kPlots);
   view_.goTo(time);
   cursors_.set(CursorSet::kA, time);
 }
 
 void LiveStrip::showRange(Nanoseconds from, Nanoseconds to, Nanoseconds moment, bool freeze) {
   if (!hasSamples()) return;
+  showBody(Body::kPlots);
   followRecord();
   view_.setSpan(to - from);
   view_.goTo(from + (to - from) / 2);
@@ -174,32 +176,26 @@ void LiveStrip::tick() {
   }
   ++ticks_;
   collectMarks();
-  if (showsDistribution() && isVisible()) return distribution_->refresh();
-  if (showsStability() && isVisible()) return stability_->refresh();
+  if (body_ == Body::kDistribution && isVisible()) return distribution_->refresh();
+  if (body_ == Body::kStability && isVisible()) return stability_->refresh();
   for (auto* panel : panels_) panel->plot()->refresh();
 }
 
 void LiveStrip::showState() {
   const bool any = hasSamples();
-  stack_->setCurrentIndex(!any ? 0 : showsDistribution() ? 2 : showsStability() ? 3 : 1);
+  stack_->setCurrentWidget(any ? body() : empty_);
   toolbar_->setEnabled(any);
   toolbar_->showState();
 }
 
-bool LiveStrip::showsDistribution() const { return toolbar_->distributionWanted(); }
-bool LiveStrip::showsStability() const { return toolbar_->stabilityWanted(); }
-
-void LiveStrip::showDistribution(bool on) {
-  toolbar_->setDistributionWanted(on);
-  showBody();
+QWidget* LiveStrip::body() const {
+  QWidget* const bodies[] = {plots_, distribution_, stability_};
+  return bodies[static_cast<std::size_t>(body_)];
 }
 
-void LiveStrip::showStability(bool on) {
-  toolbar_->setStabilityWanted(on);
-  showBody();
-}
-
-void LiveStrip::showBody() {
+void LiveStrip::showBody(Body body) {
+  if (body == std::exchange(body_, body)) return;
+  toolbar_->setWanted(body == Body::kDistribution, body == Body::kStability);
   showState();
   for (auto* panel : panels_) panel->plot()->markDirty();
   refresh();
@@ -207,10 +203,9 @@ void LiveStrip::showBody() {
 
 void LiveStrip::applyTheme() {
   for (auto* panel : panels_) panel->applyTheme();
-  auto* empty = findChild<QLabel*>(QStringLiteral("liveEmptyLabel"));
-  auto colors = empty->palette();
+  auto colors = empty_->palette();
   colors.setColor(QPalette::WindowText, theme::mutedText(palette()));
-  empty->setPalette(colors);
+  empty_->setPalette(colors);
   toolbar_->showState();
 }
 

@@ -13,6 +13,7 @@
 #include "record/run_record.h"
 #include "ui/plots/trace_panel.h"
 
+class QLabel;
 class QStackedLayout;
 
 namespace syncline::ui {
@@ -37,9 +38,9 @@ class LiveStrip : public QWidget {
   void applyTheme();
   /// The slave that the deviation and SM2 plots draw in any case; -1 = only the worst.
   void setPickedSlave(int position);
-  /// Puts a moment into the middle of the plots, with cursor A on it.
+  /// Puts a moment into the middle of the plots, with cursor A on it; what stands in their place goes.
   void goTo(Nanoseconds time);
-  /// A stretch fills the plots, with cursor A on a moment of it; `freeze`: the picture says that it stands.
+  /// As goTo(); a stretch fills the plots, with cursor A on a moment of it; `freeze`: the picture says that it stands.
   void showRange(Nanoseconds from, Nanoseconds to, Nanoseconds moment, bool freeze);
   /// The level of a trigger, drawn where its signal is; nothing: none.
   struct TriggerLevel {
@@ -58,11 +59,10 @@ class LiveStrip : public QWidget {
   [[nodiscard]] const SampleStore* store() const { return record_ == nullptr ? nullptr : &record_->samples(); }
   [[nodiscard]] const std::array<TracePanel*, 3>& panels() const { return panels_; }
   [[nodiscard]] DistributionView* distribution() const { return distribution_; }
-  /// Histograms in place of the plots.
-  void showDistribution(bool on);
   [[nodiscard]] StabilityView* stability() const { return stability_; }
-  /// Curves over observation times, or spectra, in place of the plots.
-  void showStability(bool on);
+  /// The plots over time, or in their place histograms, or curves over observation times and spectra.
+  enum class Body : std::uint8_t { kPlots, kDistribution, kStability };
+  void showBody(Body body);
   /// The bins of the distribution or the figures of the stability where they are shown; else the stretch that is shown
   /// as a table: times in ns since the run began and in UTC, one column a series; C locale.
   [[nodiscard]] std::string csv() const;
@@ -85,12 +85,10 @@ class LiveStrip : public QWidget {
  private:
   void tick();
   void showState();
+  [[nodiscard]] QWidget* body() const;
   void showTriggerLevel();
   void collectMarks();
   void followRecord();
-  [[nodiscard]] bool showsDistribution() const;
-  [[nodiscard]] bool showsStability() const;
-  void showBody();
   [[nodiscard]] bool hasSamples() const { return record_ != nullptr && !record_->samples().empty(); }
   void openMenu(const QPoint& global, Nanoseconds time);
   void exportCsv();
@@ -103,6 +101,7 @@ class LiveStrip : public QWidget {
   const RunRecord* record_ = nullptr;
   LiveStripToolbar* toolbar_;
   QStackedLayout* stack_;
+  QLabel* empty_;
   QWidget* plots_;
   DistributionView* distribution_;
   StabilityView* stability_;
@@ -112,6 +111,7 @@ class LiveStrip : public QWidget {
   std::vector<EventMark> marks_;  // of the record's events, by time
   std::uint64_t marked_ = 0;      // events that were looked at
   TriggerLevel level_;
+  Body body_ = Body::kPlots;
   bool text_wanted_ = false;
 };
 

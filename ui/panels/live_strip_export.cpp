@@ -36,8 +36,8 @@ void tellUnwritten(QWidget* parent, const Status& status) {
 }  // namespace
 
 std::string LiveStrip::csv() const {
-  if (showsDistribution()) return distribution_->csv();
-  if (showsStability()) return stability_->csv();
+  if (body_ == Body::kDistribution) return distribution_->csv();
+  if (body_ == Body::kStability) return stability_->csv();
   return csv(view_.begin(), view_.end());
 }
 
@@ -62,20 +62,18 @@ std::string LiveStrip::csv(Nanoseconds from, Nanoseconds to) const {
 QImage LiveStrip::picture(double scale) {
   constexpr int kCaption = 22;
   constexpr int kMargin = 10;
-  auto* body = showsDistribution() ? static_cast<QWidget*>(distribution_)
-               : showsStability()  ? static_cast<QWidget*>(stability_)
-                                   : plots_;
-  const auto size = body->size();
+  auto* shown = body();
+  const auto size = shown->size();
   QImage image(((QSizeF(size) + QSizeF(2 * kMargin, 2 * kMargin + kCaption)) * scale).toSize(), QImage::Format_RGB32);
   image.setDevicePixelRatio(scale);
   image.fill(Qt::white);
-  const auto shown = body->palette();
-  body->setPalette(printPalette());
+  const auto colours = shown->palette();
+  shown->setPalette(printPalette());
   for (auto* panel : panels_) panel->applyTheme();
   QPainter painter(&image);
-  if (showsDistribution()) distribution_->refresh();
-  if (showsStability()) stability_->refresh();
-  body->render(&painter, QPoint(kMargin, kMargin), {}, QWidget::DrawChildren);
+  if (body_ == Body::kDistribution) distribution_->refresh();
+  if (body_ == Body::kStability) stability_->refresh();
+  shown->render(&painter, QPoint(kMargin, kMargin), {}, QWidget::DrawChildren);
   painter.setPen(printPalette().color(QPalette::Text));
   painter.setFont(font());
   painter.drawText(QRect(kMargin, kMargin + size.height(), size.width(), kCaption), Qt::AlignVCenter,
@@ -83,7 +81,7 @@ QImage LiveStrip::picture(double scale) {
                        .arg(QDateTime::currentDateTimeUtc().toString(Qt::ISODate),
                             cycleText(record_ == nullptr ? 0 : record_->limits().cycle_time)));
   painter.end();
-  body->setPalette(shown);
+  shown->setPalette(colours);
   for (auto* panel : panels_) panel->applyTheme();
   return image;
 }

@@ -83,16 +83,9 @@ QToolButton* LiveStripToolbar::addButton(QHBoxLayout* layout, const char* name, 
   return button;
 }
 
-bool LiveStripToolbar::distributionWanted() const { return distribution_->isChecked(); }
-void LiveStripToolbar::setDistributionWanted(bool on) {
-  distribution_->setChecked(on);
-  if (on) stability_->setChecked(false);
-}
-
-bool LiveStripToolbar::stabilityWanted() const { return stability_->isChecked(); }
-void LiveStripToolbar::setStabilityWanted(bool on) {
-  stability_->setChecked(on);
-  if (on) distribution_->setChecked(false);
+void LiveStripToolbar::setWanted(bool distribution, bool stability) {
+  distribution_->setChecked(distribution);
+  stability_->setChecked(stability);
 }
 
 void LiveStripToolbar::showState() {

@@ -23,11 +23,8 @@ class LiveStripToolbar final : public QWidget {
   /// Writes the state in words; a few times a second.
   void showState();
 
-  [[nodiscard]] bool distributionWanted() const;
-  /// One view at most stands in place of the plots.
-  void setDistributionWanted(bool on);
-  [[nodiscard]] bool stabilityWanted() const;
-  void setStabilityWanted(bool on);
+  /// What stands in place of the plots: one of them at most.
+  void setWanted(bool distribution, bool stability);
 
  Q_SIGNALS:
   void distributionToggled(bool on);

@@ -201,10 +201,13 @@ void OverviewPanel::setFindings(std::vector<Finding> findings) {
 
 void OverviewPanel::showFaults() {
   const auto& overview = record_->overview();
-  static_cast<Banner*>(banner_)->setTone(!overview.armed                       ? theme::Tone::kNeutral
-                                         : !overview.faults.episodes().empty() ? theme::Tone::kBad
-                                         : worstOf(findings_) != nullptr       ? theme::Tone::kWarning
-                                                                               : theme::Tone::kGood);
+  auto tone = theme::Tone::kNeutral;
+  if (overview.armed) {
+    const bool found = worstOf(findings_, *overview.armed) != nullptr;
+    tone = found ? theme::Tone::kWarning : theme::Tone::kGood;
+    if (!overview.faults.episodes().empty()) tone = theme::Tone::kBad;
+  }
+  static_cast<Banner*>(banner_)->setTone(tone);
   const auto text = firstFaultText(*record_, findings_);
   if (fault_->text() != text) fault_->setText(text);
 }

@@ -168,11 +168,7 @@ TriggerPanel::TriggerPanel(TriggerMonitor& monitor, QWidget* parent) : QWidget(p
   connect(table_, &QTableWidget::activated, this, [this] {
     if (const auto* episode = chosen()) Q_EMIT episodeWanted(*episode);
   });
-  connect(table_, &QTableWidget::itemSelectionChanged, this, [this] {
-    const bool any = chosen() != nullptr;
-    csv_->setEnabled(any);
-    save_->setEnabled(any && !monitor_.isRecorded());
-  });
+  connect(table_, &QTableWidget::itemSelectionChanged, this, &TriggerPanel::enableExports);
   connect(table_, &QTableWidget::itemChanged, this, [this](const QTableWidgetItem* item) {
     const auto row = static_cast<std::size_t>(item->row());
     if (showing_ || item->column() != kNameColumn || row >= monitor_.episodes().size()) return;
@@ -186,6 +182,7 @@ TriggerPanel::TriggerPanel(TriggerMonitor& monitor, QWidget* parent) : QWidget(p
   });
   connect(&monitor_, &TriggerMonitor::changed, this, &TriggerPanel::showEpisodes);
   connect(&monitor_, &TriggerMonitor::triggerChanged, this, &TriggerPanel::showTrigger);
+  connect(&monitor_, &TriggerMonitor::recordChanged, this, &TriggerPanel::showTrigger);
   fillSources();
   showTrigger();
   showEpisodes();
@@ -337,14 +334,22 @@ QString TriggerPanel::causeText(const TriggerEpisode& episode) const {
   return text;
 }
 
+void TriggerPanel::enableExports() {
+  const bool any = chosen() != nullptr;
+  csv_->setEnabled(any);
+  save_->setEnabled(any && !monitor_.isRecorded());
+}
+
 void TriggerPanel::showEpisodes() {
   showing_ = true;
   arm_->setChecked(monitor_.isArmed());
   auto state = monitor_.stateText();
   if (const auto left_out = monitor_.leftOut(); left_out > 0) state += tr(", %1 left out").arg(countText(left_out));
   state_->setText(state);
-  fillSlaves();
   const auto& episodes = monitor_.episodes();
+  // Rows move up where early episodes are forgotten; who has chosen one keeps it.
+  const auto* marked = table_->item(table_->currentRow(), kTimeColumn);
+  const auto kept = marked == nullptr ? std::nullopt : std::optional(marked->data(Qt::UserRole).toLongLong());
   table_->setRowCount(static_cast<int>(episodes.size()));
   const auto put = [this](int row, int column, const QString& text) {
     auto* item = table_->item(row, column);
@@ -360,14 +365,19 @@ void TriggerPanel::showEpisodes() {
     const int row = static_cast<int>(i);
     put(row, kTimeColumn,
         QLocale().toString(static_cast<double>(episode.time - origin) / 1e9, 'f', 6) + QStringLiteral(" s"));
+    table_->item(row, kTimeColumn)->setData(Qt::UserRole, static_cast<qlonglong>(episode.time));
     put(row, kCycleColumn, episode.cycle ? QString::number(*episode.cycle) : noText());
     put(row, kCauseColumn, causeText(episode));
     put(row, kSlaveColumn, slaveText(episode.slave));
     put(row, kNameColumn, monitor_.name(episode));
   }
-  const bool any = chosen() != nullptr;
-  csv_->setEnabled(any);
-  save_->setEnabled(any && !monitor_.isRecorded());
+  const auto still = std::ranges::find(episodes, kept.value_or(0), &TriggerEpisode::time);
+  if (!kept || still == episodes.end()) {
+    table_->setCurrentCell(-1, -1);
+  } else if (const int row = static_cast<int>(still - episodes.begin()); row != table_->currentRow()) {
+    table_->setCurrentCell(row, table_->currentColumn());
+  }
+  enableExports();
   save_->setToolTip(monitor_.isRecorded() ? tr("What is shown is a recording already")
                                           : tr("A recording of the chosen episode, out of memory"));
   showing_ = false;

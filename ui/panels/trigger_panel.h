@@ -41,6 +41,7 @@ class TriggerPanel final : public QWidget {
   void fillSlaves();
   void showTrigger();
   void showEpisodes();
+  void enableExports();
   void takeFields();
   [[nodiscard]] Trigger fields() const;
   [[nodiscard]] QString slaveText(int slave) const;

@@ -82,6 +82,7 @@ void TriggerMonitor::setRecord(const RunRecord* record, bool recorded) {
   recorded_ = recorded;
   names_.clear();
   watch_.reset();
+  Q_EMIT recordChanged();
   if (armed_) return begin(std::numeric_limits<Nanoseconds>::min());
   Q_EMIT changed();
 }
@@ -146,19 +147,19 @@ void TriggerMonitor::hearEvents() {
 void TriggerMonitor::look() {
   if (!armed_ || !watch_ || record_ == nullptr || record_->samples().empty()) return;
   const auto before = stateText();
-  const auto count = episodes().size();
+  const auto count = watch_->count();
   const auto left_out = leftOut();
   hearEvents();
   whole_ = watch_->look(record_->samples(), kPortionCycles * std::max<Nanoseconds>(record_->limits().cycle_time, 1));
   tellCompleted(whole_);
-  if (count != episodes().size() || left_out != leftOut() || before != stateText()) Q_EMIT changed();
+  if (count != watch_->count() || left_out != leftOut() || before != stateText()) Q_EMIT changed();
 }
 
 void TriggerMonitor::tellCompleted(bool whole) {
-  if (!whole || told_ == episodes().size()) return;
+  if (!whole || told_ == watch_->count()) return;
   const auto newest = episodes().back();
   if (!recorded_ && record_->samples().last_time() < newest.to) return;
-  told_ = episodes().size();
+  told_ = watch_->count();
   Q_EMIT completed(newest);
 }
 

@@ -38,7 +38,7 @@ class TriggerMonitor final : public QObject {
   /// The state in words; empty where nothing is shown.
   [[nodiscard]] QString stateText() const;
 
-  /// Also after it was disarmed, until it is armed again.
+  /// The latest, also after it was disarmed, until it is armed again.
   [[nodiscard]] const std::vector<TriggerEpisode>& episodes() const;
   [[nodiscard]] std::uint64_t leftOut() const { return watch_ ? watch_->left_out() : 0; }
   [[nodiscard]] QString name(const TriggerEpisode& episode) const;
@@ -49,6 +49,8 @@ class TriggerMonitor final : public QObject {
 
  Q_SIGNALS:
   void triggerChanged();
+  /// Another run or recording: other slaves.
+  void recordChanged();
   /// Episodes, or the state.
   void changed();
   /// The newest one is there with the time behind it.
@@ -65,7 +67,7 @@ class TriggerMonitor final : public QObject {
   bool recorded_ = false, armed_ = false, whole_ = false;
   std::unique_ptr<TriggerWatch> watch_;
   std::uint64_t heard_ = 0;  // events
-  std::size_t told_ = 0;     // episodes that were complete
+  std::uint64_t told_ = 0;   // episodes that were complete
   std::map<Nanoseconds, QString> names_;
   QTimer tick_;
 };

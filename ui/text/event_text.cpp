@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/text/event_text.h"
 
-#include <algorithm>
-#include <iterator>
-
 #include "channels/event_finding.h"
 #include "ui/text/error_text.h"
 #include "ui/text/finding_text.h"
@@ -36,10 +33,8 @@ QString briefText(const Event& event) {
   auto finding = event_finding(event);
   if (!finding) return {};
   // What to check of an AL status code is advice.
-  constexpr std::string_view kWithout = "unchecked";
   if (const auto* words = find_finding_words(finding->code)) {
-    const auto* brief = std::ranges::find(words->facts, kWithout, &FindingWords::Facts::variant);
-    if (brief != std::end(words->facts)) finding->facts = brief->text;
+    if (const auto brief = sentence_of(*words, "unchecked"); !brief.empty()) finding->facts = brief;
   }
   return findingText(*finding);
 }

@@ -50,7 +50,7 @@ class Overview {
 
   static QString nothingHappened(const QString& since, const RunRecord& record, std::span<const Finding> findings) {
     const auto span = spanText(record.overview().end - *record.overview().armed);
-    const auto* worst = worstOf(findings);
+    const auto* worst = worstOf(findings, *record.overview().armed);
     if (worst == nullptr) return tr("<b>No fault</b> since %1 (for %2).").arg(since, span);
     auto text = findingText(*worst);
     if (worst->place.slave >= 0) text = nodeName(record.config(), worst->place.slave) + QStringLiteral(": ") + text;
@@ -93,9 +93,15 @@ QString lampText(const SyncLamp& lamp, const SyncOverview& overview) { return Ov
 QString firstFaultText(const RunRecord& record, std::span<const Finding> findings) {
   return Overview::firstFault(record, findings);
 }
-const Finding* worstOf(std::span<const Finding> findings) {
-  const auto worst = std::ranges::max_element(findings, {}, &Finding::severity);
-  return worst == findings.end() || worst->severity == Severity::kNote ? nullptr : &*worst;
+const Finding* worstOf(std::span<const Finding> findings, Nanoseconds since) {
+  const Finding* worst = nullptr;
+  for (const auto& finding : findings) {
+    // What has no time is of the whole run, or of now.
+    const auto last = std::max(finding.from, finding.to);
+    if (finding.severity == Severity::kNote || (last > 0 && last < since)) continue;
+    if (worst == nullptr || finding.severity > worst->severity) worst = &finding;
+  }
+  return worst;
 }
 QString momentText(Nanoseconds time, const RunRecord& record) { return Overview::moment(time, record); }
 

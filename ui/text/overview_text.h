@@ -15,8 +15,8 @@ namespace syncline::ui {
 /// What came first and what followed, as rich text whose links are moments of the run (host clock, ns). Where nothing
 /// happened, the worst of what was found nevertheless.
 [[nodiscard]] QString firstFaultText(const RunRecord& record, std::span<const Finding> findings);
-/// The most severe warning or error; null: there is none.
-[[nodiscard]] const Finding* worstOf(std::span<const Finding> findings);
+/// The most severe warning or error that was not over by then (host clock); null: there is none.
+[[nodiscard]] const Finding* worstOf(std::span<const Finding> findings, Nanoseconds since);
 /// A moment as the plots' axis has it: "12.345 s" since the first sample.
 [[nodiscard]] QString momentText(Nanoseconds time, const RunRecord& record);
 

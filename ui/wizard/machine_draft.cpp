@@ -80,7 +80,9 @@ void MachineDraft::take(Project project) {
 }
 
 void MachineDraft::readEni(const QString& path) {
-  const auto status = readEniMachine(path, catalogue(), this, [this, path](RecoveredProject recovered) {
+  const auto generation = draft_.document().generation();
+  const auto status = readEniMachine(path, catalogue(), this, [this, path, generation](RecoveredProject recovered) {
+    if (draft_.document().generation() != generation) return;  // other slaves were taken since
     draft_.document().take(Machine{{}, {std::move(recovered.project)}}, {}, false);
     draft_.eni().setDialect(recovered.dialect);
     Q_EMIT told(tr("A project was made of %1; exported again, %n command(s) would differ.", nullptr,
@@ -101,7 +103,9 @@ void MachineDraft::readProject(const QString& path) {
 }
 
 void MachineDraft::add(const eni::CatalogueEntry& device) {
-  catalogue().read(device, this, [this](const Result<DeviceDescription>& read) {
+  const auto generation = draft_.document().generation();
+  catalogue().read(device, this, [this, generation](const Result<DeviceDescription>& read) {
+    if (draft_.document().generation() != generation) return;  // other slaves were taken since
     if (!read) return tellError(read.error());
     EditedSlave added = tl::unexpected(WiringObstacle::kNoSuchSlave);
     const auto status = draft_.document().edit(tr("Add a slave"), [&](Project& project) -> Status {

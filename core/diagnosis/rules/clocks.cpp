@@ -80,12 +80,6 @@ bool without_adapter(const RunReport& report, const RunHistory::SyncLoss& loss) 
   return loss.back && adapter_was_away(report, {loss.time, loss.time, 0, 0});
 }
 
-std::string_view sentence_of(std::string_view code, std::string_view variant) {
-  const auto* words = find_finding_words(code);
-  const auto* found = std::ranges::find(words->facts, variant, &FindingWords::Facts::variant);
-  return found == std::end(words->facts) ? std::string_view{} : found->text;
-}
-
 void find_left_window(const RunReport& report, Findings& findings) {
   std::vector<RunHistory::SyncLoss> losses;
   std::ranges::copy_if(report.history.slave_losses, std::back_inserter(losses), [&](const RunHistory::SyncLoss& loss) {
@@ -100,7 +94,7 @@ void find_left_window(const RunReport& report, Findings& findings) {
   if (first.slave < 0) finding.figures.front() = phrase_figure("slave", "one of the slaves");
   if (first.obstacle == dc::SyncObstacle::kClockStep) {
     finding.place.slave = report.dc.reference_clock;
-    finding.facts = sentence_of(code::kWindowLeft, "stepped");
+    finding.facts = sentence_of(*find_finding_words(code::kWindowLeft), "stepped");
   }
   findings.push_back(std::move(finding));
 }

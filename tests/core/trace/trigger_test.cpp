@@ -118,6 +118,21 @@ TEST(TriggerWatch, HoldsOffAndCountsWhatItLeavesOut) {
   }
 }
 
+TEST(TriggerWatch, KeepsTheLatestWhereEachCycleIsOne) {
+  std::vector<std::int32_t> errors;
+  for (int i = 0; i < 2000; ++i) errors.push_back(i % 2 == 0 ? 0 : 200);
+  const auto store = trigger_store(trigger_samples(errors));
+  TriggerWatch whole(level_trigger(100)), portions(level_trigger(100));
+  EXPECT_TRUE(whole.look(store));
+  while (!portions.look(store, 7 * kMillisecond)) {
+  }
+  EXPECT_EQ(whole.count(), 1000U);
+  EXPECT_LE(whole.episodes().size(), TriggerWatch::kMostEpisodes);
+  EXPECT_GE(whole.episodes().size(), TriggerWatch::kMostEpisodes / 2);
+  EXPECT_EQ(whole.episodes().back().cycle, 1999U);
+  EXPECT_EQ(portions.episodes(), whole.episodes());
+}
+
 TEST(TriggerWatch, ASingleOneEndsWithItsFirstEpisode) {
   const auto store = trigger_store(trigger_samples({0, 200, 0, 200}));
   auto trigger = level_trigger(100);

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/window_centre.h"
+
+#include <QSplitter>
+#include <QVBoxLayout>
+
+#include "ui/main_window.h"
+#include "ui/pages/device_editor.h"
+#include "ui/panels/live_strip.h"
+#include "ui/panels/overview_panel.h"
+#include "ui/panels/recording_bar.h"
+#include "ui/panels/run_bar.h"
+#include "ui/session/workspace.h"
+
+namespace syncline::ui {
+namespace {
+
+QVBoxLayout* closeColumn(QWidget& area) {
+  auto* layout = new QVBoxLayout(&area);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  return layout;
+}
+
+}  // namespace
+
+WindowCentre::WindowCentre(Workspace& workspace, QWidget* welcome)
+    : editor_(new DeviceEditor(workspace)),
+      overview_(new OverviewPanel),
+      strip_(new LiveStrip),
+      bar_(new RunBar(workspace.runDifference())),
+      splitter_(new QSplitter(Qt::Vertical)),
+      upper_(new QStackedWidget) {
+  strip_->setObjectName(QStringLiteral("liveStrip"));
+  strip_->setAccessibleName(MainWindow::tr("Live plots"));
+  strip_->setMinimumSize(600, 160);
+  upper_->addWidget(editor_);
+  upper_->addWidget(overview_);
+  // Below the pages: what comes and goes with an edit moves no field away from the pointer.
+  auto* pages = new QWidget;
+  auto* column = closeColumn(*pages);
+  column->addWidget(upper_, 1);
+  column->addWidget(bar_);
+  splitter_->setObjectName(QStringLiteral("centreSplitter"));
+  splitter_->addWidget(pages);
+  splitter_->addWidget(strip_);
+  splitter_->setChildrenCollapsible(false);
+  splitter_->setStretchFactor(0, 3);
+  splitter_->setStretchFactor(1, 2);
+  auto* working = new QWidget;
+  auto* layout = closeColumn(*working);
+  layout->addWidget(new RecordingBar(workspace.recording()));
+  layout->addWidget(splitter_, 1);
+  addWidget(welcome);
+  addWidget(working);
+}
+
+/// The overview needs less room than the pages; what it leaves is the plots'. The pages find theirs as they left it.
+void WindowCentre::showOverview(bool overview) {
+  if (overview == (upper_->currentWidget() == overview_)) return;
+  const auto sizes = splitter_->sizes();
+  if (overview) splitter_->setProperty("pageSizes", splitter_->saveState());
+  upper_->setCurrentWidget(overview ? static_cast<QWidget*>(overview_) : editor_);
+  if (!overview) {
+    splitter_->restoreState(splitter_->property("pageSizes").toByteArray());
+    return;
+  }
+  const int height = overview_->sizeHint().height();
+  splitter_->setSizes({height, sizes.front() + sizes.back() - height});
+}
+
+}  // namespace syncline::ui

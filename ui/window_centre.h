@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QStackedWidget>
+
+class QSplitter;
+
+namespace syncline::ui {
+
+class DeviceEditor;
+class LiveStrip;
+class OverviewPanel;
+class RunBar;
+class Workspace;
+
+/// The middle of the window: a welcome while there is nothing, else the pages of a node or the overview, and the plots
+/// below them.
+class WindowCentre final : public QStackedWidget {
+  Q_OBJECT
+
+ public:
+  /// Takes the welcome page.
+  WindowCentre(Workspace& workspace, QWidget* welcome);
+
+  [[nodiscard]] DeviceEditor& editor() const { return *editor_; }
+  [[nodiscard]] OverviewPanel& overview() const { return *overview_; }
+  [[nodiscard]] LiveStrip& strip() const { return *strip_; }
+  [[nodiscard]] RunBar& runBar() const { return *bar_; }
+  [[nodiscard]] QSplitter& splitter() const { return *splitter_; }
+
+  void showWelcome(bool welcome) { setCurrentIndex(welcome ? 0 : 1); }
+  /// The overview, or the pages, each with the room that they had.
+  void showOverview(bool overview);
+
+ private:
+  DeviceEditor* editor_;
+  OverviewPanel* overview_;
+  LiveStrip* strip_;
+  RunBar* bar_;
+  QSplitter* splitter_;
+  QStackedWidget* upper_;  // editor or overview
+};
+
+}  // namespace syncline::ui

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/window_trigger.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "ui/dialogs/recording_commands.h"
+#include "ui/panels/live_strip.h"
+#include "ui/panels/trigger_panel.h"
+#include "ui/session/trigger_monitor.h"
+
+namespace syncline::ui {
+
+WindowTrigger::WindowTrigger(TriggerMonitor& monitor, TriggerPanel& panel, LiveStrip& strip,
+                             RecordingCommands& recordings, QObject* parent)
+    : QObject(parent), monitor_(monitor), strip_(strip) {
+  connect(&panel, &TriggerPanel::episodeWanted, this, [this](const TriggerEpisode& episode) { show(episode, false); });
+  connect(&panel, &TriggerPanel::csvWanted, &strip, &LiveStrip::exportRange);
+  connect(&panel, &TriggerPanel::saveWanted, &recordings, &RecordingCommands::saveRange);
+  connect(&monitor, &TriggerMonitor::changed, this, &WindowTrigger::showLevel);
+  connect(&strip, &LiveStrip::triggerLevelDragged, this, &WindowTrigger::moveLevel);
+  connect(&monitor, &TriggerMonitor::completed, this, [this](const TriggerEpisode& episode) {
+    const auto mode = monitor_.trigger().mode;
+    if (mode != Trigger::Mode::kAutomatic) show(episode, mode == Trigger::Mode::kSingle);
+  });
+}
+
+void WindowTrigger::show(const TriggerEpisode& episode, bool freeze) {
+  strip_.showRange(episode.from, episode.to, episode.time, freeze);
+}
+
+void WindowTrigger::showLevel() {
+  const auto& trigger = monitor_.trigger();
+  const bool level = monitor_.isArmed() && trigger.kind == Trigger::Kind::kLevel;
+  strip_.setTriggerLevel({trigger.signal, static_cast<std::size_t>(std::max(trigger.slave, 0)),
+                          level ? std::optional(trigger.level) : std::nullopt});
+}
+
+void WindowTrigger::moveLevel(double level) {
+  auto trigger = monitor_.trigger();
+  trigger.level = level;
+  monitor_.setTrigger(trigger);
+}
+
+}  // namespace syncline::ui
