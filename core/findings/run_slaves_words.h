@@ -56,7 +56,7 @@ inline constexpr FindingWords kRunSlaves[] = {
      Severity::kError,
      "A slave has left OP after missed SM2 events",
      "",
-     "The cause is that of the missed events: {cause}.",
+     "The cause of {part} of the missed events: {cause}.",
      "",
      {{"",
        "{slave} fell to {state} with AL status code {alcode}{alarm} at {since}: it missed {missed:# SM2 event|# SM2 "

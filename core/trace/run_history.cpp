@@ -16,6 +16,11 @@ constexpr std::size_t kMostLosses = 64;
 
 bool in_op(const CycleSample& sample) { return sample.master_state == static_cast<std::uint8_t>(AlState::kOp); }
 
+/// In SAFEOP too: a slave that fell takes the master's state down with it, and the frames are as late as before.
+bool is_cyclic(const CycleSample& sample) {
+  return in_op(sample) || sample.master_state == static_cast<std::uint8_t>(AlState::kSafeop);
+}
+
 }  // namespace
 
 // ---- spells -------------------------------------------------------------------------------------
@@ -77,7 +82,7 @@ void HistoryRecorder::add(const CycleSample& sample) {
     history_.counter_received = sample.wkc_received;
   }
   add_deviation(sample);
-  if (in_op(sample)) add_arrival(sample);
+  if (history_.reached_op && is_cyclic(sample)) add_arrival(sample);
 }
 
 /// Acquisition does not count: a clock is off when it had been near.

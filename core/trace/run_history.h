@@ -88,7 +88,8 @@ struct RunHistory {
   std::uint16_t counter_expected = 0, counter_received = 0;  // of the last wrong one
   std::vector<SyncLoss> slave_losses, master_losses;         // in OP, the first kMostLosses
   std::vector<Slave> slaves;
-  Histogram frame_lateness;  // in OP: how much later than nominal the frame passed the reference clock, ns
+  /// How much later than nominal the frame passed the reference clock, ns; in SAFEOP and OP, once OP was reached.
+  Histogram frame_lateness;
 };
 
 /// Fills a RunHistory; feed it everything that is drained, samples before the snapshot that came with them.

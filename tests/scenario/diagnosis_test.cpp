@@ -153,13 +153,16 @@ TEST_F(Diagnosis, CountsTheMissesOfADriveThatFallsJustAfterOp) {
     return event.slave == 1 && test::with(&events::StateChanged::from, AlState::kSafeop)(event);
   });
   ASSERT_NE(op, machine.events.end());
-  test::DiagnosedRun again;
-  again.network = machine.network;
-  again.fault(FaultKind::kHostStall, op->time - machine.report.history.begin + 40 * kMillisecond).value_ns =
-      12 * kMillisecond;
-  again.run(8 * kSecond);
-  EXPECT_TRUE(again.found(code::kSlaveFellByMisses, 1)) << again.said();
-  EXPECT_GE(again.report.slaves[1].sm2_missed->by_cause[1], 3U) << "cycles left out";
+  // The last ones end after the time that a drive is given to find into OP.
+  for (const Nanoseconds after : {40, 86, 90, 95, 99, 130}) {
+    test::DiagnosedRun again;
+    again.network = machine.network;
+    again.fault(FaultKind::kHostStall, op->time - machine.report.history.begin + after * kMillisecond).value_ns =
+        12 * kMillisecond;
+    again.run(8 * kSecond);
+    EXPECT_TRUE(again.found(code::kSlaveFellByMisses, 1)) << after << " ms: " << again.said();
+    EXPECT_GE(again.report.slaves[1].sm2_missed->by_cause[1], 3U) << after << " ms: cycles left out";
+  }
 }
 
 TEST_F(Diagnosis, AsksForMoreTimeBetweenFrameAndSync0) {
@@ -170,6 +173,23 @@ TEST_F(Diagnosis, AsksForMoreTimeBetweenFrameAndSync0) {
   EXPECT_TRUE(machine.found(code::kHostLate)) << machine.said();
   EXPECT_TRUE(machine.found(code::kMissedByLateFrames, 0)) << machine.said();
   EXPECT_TRUE(machine.found(code::kShiftTooShort, 1) || machine.found(code::kMissedByLateFrames, 1)) << machine.said();
+}
+
+/// A host that is late and stands still: whichever of the two made the drives fall, and however soon, both are told.
+TEST_F(Diagnosis, TellsTooLittleTimeBeforeSync0BesideWhatMadeTheDrivesFall) {
+  machine.jitter = JitterProfile::bad();
+  machine.network.project.master.dc.dcm.mode = DcmMode::kMasterShift;
+  machine.network.project.master.dc.dcm.set_value = 30 * kMicrosecond;
+  machine.fault(FaultKind::kHostStall, 4 * kSecond).value_ns = 12 * kMillisecond;
+  machine.run(9 * kSecond);
+  for (const int axis : {1, 2}) {
+    const bool fell =
+        machine.found(code::kSlaveFellByMisses, axis) || machine.found(code::kSlaveFellByLateFrames, axis);
+    const bool tight = machine.found(code::kSync0TooTight, axis) || machine.found(code::kSlaveFellByLateFrames, axis) ||
+                       machine.found(code::kShiftTooShort, axis);
+    EXPECT_TRUE(fell) << machine.said();
+    EXPECT_TRUE(tight) << machine.said();
+  }
 }
 
 }  // namespace

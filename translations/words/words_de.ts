@@ -3297,8 +3297,8 @@
         <translation>Der Katalog hat das Gerät in einer anderen Revision</translation>
     </message>
     <message>
-        <source>The cause is that of the missed events: {cause}.</source>
-        <translation>Die Ursache ist die der fehlenden Ereignisse: {cause}.</translation>
+        <source>The cause of {part} of the missed events: {cause}.</source>
+        <translation>Die Ursache von {part} der fehlenden Ereignisse: {cause}.</translation>
     </message>
     <message>
         <source>The checksum of the configuration area in the EEPROM of {slave} is wrong.</source>

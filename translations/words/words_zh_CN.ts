@@ -3297,8 +3297,8 @@
         <translation>目录中该设备的版本号不同</translation>
     </message>
     <message>
-        <source>The cause is that of the missed events: {cause}.</source>
-        <translation>原因与错过事件的原因相同：{cause}。</translation>
+        <source>The cause of {part} of the missed events: {cause}.</source>
+        <translation>其中 {part} 次错过事件的原因：{cause}。</translation>
     </message>
     <message>
         <source>The checksum of the configuration area in the EEPROM of {slave} is wrong.</source>

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "families/families.h"
 #include "protocol/dc_registers.h"
 
 namespace syncline {
@@ -29,7 +30,9 @@ SyncEventWatch::SyncEventWatch(RunState& run, const SyncWatch& sync)
     if (!dc || !slaves[i].send || !AssignActivate{dc->assign_activate}.sync0()) continue;
     const auto period = dc->cycle_time0 > 0 ? dc->cycle_time0 : run.config().cycle_time();
     place_[i] = slaves_.size();
-    slaves_.push_back({i, period, dc->shift_time, {}, {}, 0, 0, {}, {}});
+    // Until it is read, the limit is what its start-up commands write, or what its family is delivered with.
+    const auto limit = families::error_limit(slaves[i]).value_or(0);
+    slaves_.push_back({i, period, dc->shift_time, {}, {}, limit, 0, {}, {}});
   }
 }
 
@@ -112,11 +115,15 @@ void SyncEventWatch::observe_each(const Outputs& outputs) {
       continue;
     }
     settle(slave);
+    // The gap that made a slave fall may be told in the same cycle as its fall: first the gap, then the state.
+    const dc::SyncEventAccount::Cycle cycle{came, outputs.back, outputs.skipped};
+    const bool was_in_op = slave.in_op_since.has_value();
+    if (was_in_op) slave.account->observe(cycle);
     follow_state(slave, outputs.send_time);
     if (!slave.in_op_since) continue;
     all_regular = false;
+    if (!was_in_op) slave.account->observe(cycle);
     end_settling(slave, outputs.send_time);
-    slave.account->observe({came, outputs.back, outputs.skipped});
     confirm(slave, outputs.send_time);
     if (slave.before) continue;
     publish(slave);
@@ -188,6 +195,7 @@ void SyncEventWatch::publish(const Slave& slave) {
   status.by_cause = account.by_cause();
   status.integrator = account.integrator();
   status.integrator_highest = account.integrator_highest();
+  status.limit = slave.limit;
 }
 
 }  // namespace syncline

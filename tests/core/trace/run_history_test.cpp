@@ -119,5 +119,28 @@ TEST_F(RunHistoryTest, TakesNoEventOfASlaveThatIsNotConfigured) {
   for (const auto& slave : recorder.history().slaves) EXPECT_TRUE(slave.absences.empty());
 }
 
+/// A slave that falls early takes the master's state down with it: how late the frames are is seen all the same.
+TEST_F(RunHistoryTest, KeepsTheLatenessOfFramesAfterAFallFromOp) {
+  Snapshot snapshot;
+  snapshot.dc.sync_base = 10 * kSecond;
+  snapshot.dc.enabled = true;
+  recorder.add(snapshot);
+  const auto add_many = [&](AlState state, int count) {
+    for (int i = 0; i < count; ++i) {
+      auto late = sample(kSecond + i * config.cycle_time(), state);
+      late.flags |= CycleSample::kReferenceValid;
+      late.reference_time = 10 * kSecond + i * config.cycle_time() + 300 * kMicrosecond;
+      add(late);
+    }
+  };
+  add_many(AlState::kSafeop, 50);
+  EXPECT_EQ(recorder.history().frame_lateness.count(), 0U) << "the schedule is still finding its place";
+  add_many(AlState::kOp, 20);
+  add_many(AlState::kSafeop, 2000);
+  EXPECT_EQ(recorder.history().frame_lateness.count(), 2020U);
+  add_many(AlState::kPreop, 10);
+  EXPECT_EQ(recorder.history().frame_lateness.count(), 2020U);
+}
+
 }  // namespace
 }  // namespace syncline
